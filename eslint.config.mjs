@@ -1,0 +1,90 @@
+import js from "@eslint/js";
+import reactHooks from "eslint-plugin-react-hooks";
+import globals from "globals";
+import tseslint from "typescript-eslint";
+
+/**
+ * The arrows of docs/ARCHITECTURE.md, guarded: web uses the package's public entry, the package uses the
+ * compiled engine, nobody reaches back. Later blocks replace earlier ones, so each lists all it forbids.
+ */
+const noApp = { group: ["**/web/**", "@tetrafront/app"], message: "The package must not know the app." };
+const onlyPublicEntry = {
+  group: ["**/wasm/**", "tetrafront/*"],
+  message: 'Import the package by its name, "tetrafront".',
+};
+const noThree = {
+  group: ["three", "three/**", "three-*", "camera-controls"],
+  message: "three.js stays in viewer/ and tools/.",
+};
+const noReact = { group: ["react", "react-dom", "@mantine/**"], message: "React stays in panels/ and ui/." };
+const noRooms = (...rooms) => ({
+  group: rooms.map((room) => `**/${room}/**`),
+  message: "This import points against the arrows of docs/ARCHITECTURE.md.",
+});
+const restrict = (...patterns) => ({ "no-restricted-imports": ["error", { patterns }] });
+
+export default tseslint.config(
+  {
+    ignores: [
+      "**/node_modules/**",
+      "**/dist/**",
+      "build/**",
+      ".toolchain/**",
+      "coverage/**",
+      "test-results/**",
+      "playwright-report/**",
+    ],
+  },
+  { linterOptions: { noInlineConfig: true, reportUnusedDisableDirectives: "error" } },
+  js.configs.recommended,
+  {
+    rules: {
+      eqeqeq: ["error", "always", { null: "ignore" }],
+      "max-lines": ["error", { max: 600 }],
+      "no-console": "error",
+      "no-warning-comments": ["error", { terms: ["todo", "fixme", "xxx"] }],
+      "object-shorthand": "error",
+      "prefer-const": "error",
+    },
+  },
+  {
+    files: ["**/*.ts", "**/*.tsx"],
+    extends: [...tseslint.configs.recommendedTypeChecked],
+    languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
+    rules: {
+      "@typescript-eslint/consistent-type-imports": "error",
+      "@typescript-eslint/no-non-null-assertion": "error",
+      "@typescript-eslint/no-unnecessary-condition": ["error", { allowConstantLoopConditions: true }],
+      "@typescript-eslint/restrict-template-expressions": ["error", { allowNumber: true, allowBoolean: true }],
+      "@typescript-eslint/switch-exhaustiveness-check": ["error", { considerDefaultExhaustiveForUnions: true }],
+      "@typescript-eslint/no-unused-vars": ["error", { argsIgnorePattern: "^_" }],
+    },
+  },
+  {
+    files: ["scripts/**/*.mjs", "tests/**/*.mjs", "wasm/bin/**/*.mjs", "*.mjs"],
+    languageOptions: { globals: globals.node },
+  },
+
+  // Arrows.
+  { files: ["wasm/**/*.ts"], rules: restrict(noApp, noThree, noReact) },
+  { files: ["web/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry) },
+  {
+    files: ["web/document/**/*.ts"],
+    rules: restrict(onlyPublicEntry, noThree, noReact, noRooms("viewer", "tools", "panels", "ui")),
+  },
+  { files: ["web/viewer/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noRooms("panels", "tools", "ui")) },
+  { files: ["web/tools/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noRooms("panels", "ui")) },
+  {
+    files: ["web/panels/**/*.{ts,tsx}"],
+    rules: restrict(onlyPublicEntry, noThree),
+  },
+  {
+    files: ["web/ui/**/*.{ts,tsx}"],
+    rules: restrict(onlyPublicEntry, noThree, noRooms("panels", "viewer", "tools")),
+  },
+  {
+    files: ["web/**/*.{ts,tsx}"],
+    plugins: { "react-hooks": reactHooks },
+    rules: { "react-hooks/rules-of-hooks": "error", "react-hooks/exhaustive-deps": "error" },
+  },
+);
