@@ -1,0 +1,89 @@
+#pragma once
+
+/// @file The engine's public calls. A MeshRun is resumable: advance() works for a bounded number
+/// of steps and returns, so that the caller can report progress, draw the front, or stop, without
+/// threads.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "tetrafront/background_grid.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/model.h"
+#include "tetrafront/options.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+/// One run of the chain F1-F9 of Löhner & Parikh 1988, section 2.
+class MeshRun {
+ public:
+  /// Meshes a drawn model: lines, patches, closed boundary, volume.
+  MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options);
+
+  /// Fills a given closed surface, which is kept triangle for triangle. `points` holds x y z per
+  /// node, `triangles` three node positions per triangle; any consistent or inconsistent turning
+  /// is accepted and oriented. Sizes come from the surface's own edges unless options.size is set.
+  MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+          const MeshOptions& options);
+
+  MeshRun(MeshRun&&) noexcept;
+  MeshRun& operator=(MeshRun&&) noexcept;
+  ~MeshRun();
+
+  /// Works on. `budget` bounds the work: about that many faces taken from the front, or a
+  /// comparable amount in the other phases. Returns kRunning while there is more to do.
+  MeshStatus advance(std::uint32_t budget);
+
+  /// Ends the run at once; what exists stays readable.
+  void cancel();
+
+  [[nodiscard]] MeshStatus status() const;
+  [[nodiscard]] Progress progress() const;
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+
+  /// The boundary, oriented outward; complete from the end of Phase::kSurface on.
+  [[nodiscard]] const SurfaceMesh& surface() const;
+
+  /// A copy of the mesh as it stands, complete or not. O(size of the mesh).
+  [[nodiscard]] VolumeMesh volume() const;
+
+  /// The active faces as they stand, three nodes each. O(front).
+  [[nodiscard]] std::vector<std::uint32_t> front() const;
+
+  /// Of the mesh as it stands after kDone, kStalled or kCancelled.
+  [[nodiscard]] QualitySummary quality() const;
+  [[nodiscard]] RecoverySummary recovery() const;
+  [[nodiscard]] FrontCounters counters() const;
+
+  /// 64-bit hash over coordinates and indices of volume(): equal on every platform for the
+  /// same input and options.
+  [[nodiscard]] std::uint64_t fingerprint() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// What a viewer draws of a model before it is meshed.
+struct ModelPreview {
+  /// Polyline of line l: linePoints[3i..3i+2] for i in lineOffsets[l] .. lineOffsets[l+1]-1.
+  std::vector<double> linePoints;
+  std::vector<std::uint32_t> lineOffsets;
+  /// Triangles of patch p: patchTriangles[3t..3t+2] for t in patchOffsets[p] .. patchOffsets[p+1]-1,
+  /// positions in patchPoints (x y z). A patch that cannot be evaluated has none.
+  std::vector<double> patchPoints;
+  std::vector<std::uint32_t> patchTriangles;
+  std::vector<std::uint32_t> patchOffsets;
+  /// Everything the model check found, all at once, also about the background grid.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Samples lines and patches coarsely for display and checks the model. Milliseconds for the
+/// models people draw; tolerates broken input, which is reported and left out of the picture.
+[[nodiscard]] ModelPreview previewModel(const Model& model, const BackgroundGrid& grid);
+
+}  // namespace tetrafront

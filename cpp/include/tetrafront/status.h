@@ -1,0 +1,134 @@
+#pragma once
+
+/// @file How a run ends and what it has to say. Bad input is a value here, never an exception.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+enum class MeshStatus : std::uint8_t {
+  kRunning = 0,       ///< call advance() again
+  kDone = 1,          ///< the region is filled
+  kStalled = 2,       ///< no face of the remaining front can be completed; the partial mesh is kept
+  kCancelled = 3,     ///< stopped on request; the partial mesh is kept
+  kInvalidInput = 4,  ///< see the diagnostics; nothing was meshed
+};
+
+/// The stages of a run in their order.
+enum class Phase : std::uint8_t {
+  kCheck = 0,    ///< the input is examined
+  kSides = 1,    ///< lines are divided into sides (5.1)
+  kSurface = 2,  ///< patches are triangulated (5.2) and stitched
+  kVolume = 3,   ///< the front advances (section 2, F4-F9)
+  kVerify = 4,   ///< the result is checked and measured
+};
+inline constexpr std::size_t kPhaseCount = 5;
+
+enum class EntityKind : std::uint8_t {
+  kPoint = 0,
+  kLine = 1,
+  kPatch = 2,
+  kBackgroundNode = 3,
+  kBackgroundTetrahedron = 4,
+  kTriangle = 5,     ///< of the given or generated surface
+  kSurfaceNode = 6,  ///< of the given or generated surface
+};
+
+/// Something a diagnostic is about: a kind and a position in the array of that kind.
+struct Entity {
+  EntityKind kind = EntityKind::kPoint;
+  std::uint32_t index = 0;
+};
+
+/// What is wrong. The sentence, the names and the remedy are composed by the caller, who knows
+/// what the user called things; `values` holds the numbers the sentence needs, in the order given.
+enum class DiagnosticCode : std::uint16_t {
+  // Model
+  kNotFinite = 0,               ///< entity: point, node or surface node with a NaN or infinity
+  kIndexOutOfRange = 1,         ///< entity refers to something that does not exist; values: index
+  kWrongPointCount = 2,         ///< line; values: points given
+  kCoincidentPoints = 3,        ///< two points of one line at the same place
+  kZeroLengthLine = 4,          ///< line
+  kWrongLineCount = 5,          ///< patch; values: lines given in its outer loop, lines wanted
+  kWrongLineType = 6,           ///< patch and line: the patch type does not accept this line type
+  kLoopNotClosed = 7,           ///< patch, line, point: the chain breaks after the line
+  kLoopTouchesItself = 8,       ///< patch, line(s): loop crosses or touches itself or another loop
+  kNotPlanar = 9,               ///< planar patch, line; values: distance from the plane
+  kHolesNotSupported = 10,      ///< patch of a type that takes one loop only
+  kPatchTypeNotSupported = 11,  ///< patch
+  kEmptyModel = 12,             ///< no patch, or no triangle
+  kDegeneratePatch = 13,        ///< patch whose surface has no area or folds over itself
+  // Background grid
+  kEmptyBackgroundGrid = 20,
+  kBadSize = 21,                 ///< node; values: size
+  kBadStretching = 22,           ///< node; values: stretching
+  kFlatBackgroundTetrahedron = 23,
+  kOutsideBackgroundGrid = 24,   ///< place (and line or patch): the grid does not cover the domain
+  kTooManyElements = 25,         ///< values: estimated tetrahedra, limit
+  // Closed boundary
+  kOpenEdge = 40,            ///< line or triangle with one side missing; values: number of such edges
+  kNonManifoldEdge = 41,     ///< edge with an odd number > 2 of triangles
+  kInconsistentOrientation = 42,  ///< triangles that cannot be oriented consistently
+  kSelfIntersection = 43,    ///< two triangles (and their patches) meet where they should not
+  kDuplicateTriangle = 44,   ///< two triangles with the same nodes
+  kDegenerateTriangle = 45,  ///< triangle with repeated or collinear nodes
+  kZeroVolume = 46,          ///< shell that encloses nothing
+  kReorientedPatch = 47,     ///< information: patch or shell drawn inside out, turned round
+  kCoincidentNodes = 48,     ///< two nodes at one place that are not joined
+  // Volume
+  kStalled = 60,           ///< values: faces left in the front
+  kVerificationFailed = 61,  ///< values: failing elements; our own mistake, never the user's
+};
+
+enum class Severity : std::uint8_t { kInformation = 0, kWarning = 1, kError = 2 };
+
+struct Diagnostic {
+  DiagnosticCode code = DiagnosticCode::kNotFinite;
+  Severity severity = Severity::kError;
+  std::vector<Entity> entities;  ///< the most telling first
+  bool hasPlace = false;
+  Vec3 place{0.0};  ///< where, in model coordinates, when hasPlace
+  std::vector<double> values;
+};
+
+/// Element quality of a finished or partial mesh.
+struct QualitySummary {
+  double minDihedral = 0.0;  ///< degrees
+  double maxDihedral = 0.0;  ///< degrees
+  double minRadiusRatio = 0.0;   ///< 3 x inradius / circumradius, 1 for the regular tetrahedron
+  double meanRadiusRatio = 0.0;
+  double volume = 0.0;           ///< sum over the tetrahedra
+};
+
+/// Live figures, cheap enough to be read after every slice.
+struct Progress {
+  Phase phase = Phase::kCheck;
+  double fraction = 0.0;  ///< of the whole run, estimated, never decreasing
+  std::uint32_t points = 0;
+  std::uint32_t triangles = 0;
+  std::uint32_t tetrahedra = 0;
+  std::uint32_t frontFaces = 0;
+};
+
+/// How the front was brought to an end, for those who want to know.
+struct RecoverySummary {
+  std::uint32_t relaxed = 0;   ///< elements accepted by a relaxed rule class (L1)
+  std::uint32_t starred = 0;   ///< pockets filled from one interior point (L3)
+  std::uint32_t reopened = 0;  ///< pockets filled after elements around them were removed (L2)
+};
+
+/// Why candidates were refused while the front advanced, and how hard the crossing filters worked.
+struct FrontCounters {
+  std::uint64_t pops = 0;             ///< faces taken from the heap
+  std::uint64_t gatheredFaces = 0;    ///< faces passed by the box filter (a)
+  std::uint64_t candidatesTried = 0;
+  std::uint64_t facesTested = 0;      ///< face-element pairs seen by the local coordinate filter (b)
+  std::uint64_t facesAnalysed = 0;    ///< pairs left for the side-face analysis (c)
+  std::uint64_t exactPredicates = 0;  ///< signs that needed exact arithmetic
+};
+
+}  // namespace tetrafront

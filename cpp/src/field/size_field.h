@@ -1,0 +1,41 @@
+#pragma once
+
+/// @file The size field: what the background grid, a uniform size or the surface's own edges ask
+/// for at a place (steps F1, F3, F7). One concrete class without virtual calls, as it is asked
+/// several times per element.
+
+#include <cstdint>
+#include <variant>
+
+#include "field/grid_locator.h"
+#include "field/size_octree.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// Where the last query ended; a walk begins there. One per caller or per front face.
+struct FieldHint {
+  std::uint32_t tetrahedron = 0;
+};
+
+class SizeField {
+ public:
+  static SizeField uniform(double size);
+  static SizeField fromGrid(GridLocator locator);
+  static SizeField fromOctree(SizeOctree octree);
+
+  /// Wanted edge length at `place`, > 0. Outside a background grid: the value at the nearest
+  /// point of the nearest tetrahedron met; whoever must not accept that asks covers() first.
+  [[nodiscard]] double sizeAt(const Vec3& place, FieldHint& hint) const;
+
+  /// False if `place` is outside the background grid by more than rounding; always true for the
+  /// other kinds.
+  [[nodiscard]] bool covers(const Vec3& place, FieldHint& hint) const;
+
+ private:
+  using Source = std::variant<double, GridLocator, SizeOctree>;
+  explicit SizeField(Source source) : source_(std::move(source)) {}
+  Source source_;
+};
+
+}  // namespace tetrafront
