@@ -55,8 +55,14 @@ export default tseslint.config(
       "@typescript-eslint/consistent-type-imports": "error",
       "@typescript-eslint/no-non-null-assertion": "error",
       "@typescript-eslint/no-unnecessary-condition": ["error", { allowConstantLoopConditions: true }],
-      "@typescript-eslint/restrict-template-expressions": ["error", { allowNumber: true, allowBoolean: true }],
-      "@typescript-eslint/switch-exhaustiveness-check": ["error", { considerDefaultExhaustiveForUnions: true }],
+      "@typescript-eslint/restrict-template-expressions": [
+        "error",
+        { allowNumber: true, allowBoolean: true },
+      ],
+      "@typescript-eslint/switch-exhaustiveness-check": [
+        "error",
+        { considerDefaultExhaustiveForUnions: true },
+      ],
       "@typescript-eslint/no-unused-vars": ["error", { argsIgnorePattern: "^_" }],
     },
   },
@@ -72,7 +78,10 @@ export default tseslint.config(
     files: ["web/document/**/*.ts"],
     rules: restrict(onlyPublicEntry, noThree, noReact, noRooms("viewer", "tools", "panels", "ui")),
   },
-  { files: ["web/viewer/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noRooms("panels", "tools", "ui")) },
+  {
+    files: ["web/viewer/**/*.ts"],
+    rules: restrict(onlyPublicEntry, noReact, noRooms("panels", "tools", "ui")),
+  },
   { files: ["web/tools/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noRooms("panels", "ui")) },
   {
     files: ["web/panels/**/*.{ts,tsx}"],

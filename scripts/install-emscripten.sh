@@ -137,7 +137,7 @@ for file in "$root/$llvm"/{clang,wasm-ld,llvm-ar,llvm-nm,llvm-objcopy} "$root"/u
 done
 mkdir -p "$prefix/try"
 echo 'int main() { return 0; }' >"$prefix/try/a.c"
-env -u EM_CONFIG "$bin/emcc" "$prefix/try/a.c" -o "$prefix/try/a.js" >&2 && "$node" "$prefix/try/a.js" || die "the self-test failed"
+env -u EM_CONFIG "$bin/emcc" "$prefix/try/a.c" -o "$prefix/try/a.cjs" >&2 && "$node" "$prefix/try/a.cjs" || die "the self-test failed"
 rm -rf "$prefix/try" "$state"; [ -n "${EMSCRIPTEN_KEEP_DEBS:-}" ] || rm -rf "$debs"
 printf '%s\n' "$stamp" >"$prefix/stamp"
 say "$(version_of "$bin/emcc") ready in $prefix"

@@ -1,0 +1,47 @@
+import { defineConfig } from "@playwright/test";
+import { findChromium } from "./scripts/lib/tools.mjs";
+
+const port = Number(process.env.TETRAFRONT_E2E_PORT ?? 4179);
+
+/** End-to-end tests: the system's Chromium against the built site, worker and all. */
+export default defineConfig({
+  testDir: "tests/e2e",
+  outputDir: "test-results",
+  workers: 1,
+  fullyParallel: false,
+  forbidOnly: true,
+  timeout: 120_000,
+  expect: { timeout: 30_000 },
+  reporter: [["list"]],
+  use: {
+    baseURL: `http://127.0.0.1:${port}/`,
+    browserName: "chromium",
+    viewport: { width: 1440, height: 900 },
+    deviceScaleFactor: 1,
+    locale: "en-GB",
+    timezoneId: "UTC",
+    trace: "retain-on-failure",
+    launchOptions: {
+      executablePath: findChromium(),
+      args: [
+        "--no-sandbox",
+        "--disable-quic",
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        // Software rendering: the same pictures on every machine, with or without a GPU.
+        "--use-gl=angle",
+        "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader",
+      ],
+    },
+  },
+  webServer: {
+    command: "node scripts/preview.mjs",
+    url: `http://127.0.0.1:${port}/`,
+    env: { PORT: String(port), TETRAFRONT_STRICT_PORT: "1" },
+    reuseExistingServer: false,
+    timeout: 30_000,
+  },
+});

@@ -1,0 +1,98 @@
+// Builds the parts named on the command line: wasm (the engine), package (the npm package's JavaScript),
+// site (the web application), native (library, fill, tests). Default: wasm package site.
+import { existsSync, rmSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
+import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
+import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
+import { main, must, say, UserError } from "./lib/run.mjs";
+import { which } from "./lib/tools.mjs";
+import { setup } from "./setup.mjs";
+
+/** Enough for the two cores of a small machine, and no more than there is memory for on a large one. */
+const jobs = `-j${process.env.TETRAFRONT_JOBS ?? 2}`;
+
+const bin = (name) => inRoot("node_modules", ".bin", name);
+
+/** @param tools what `setup` returned; every step is free when nothing changed. */
+export const steps = {
+  async wasm({ emscripten }) {
+    const file = emscriptenToolchainFile(emscripten.folder);
+    await configure(buildFolders.wasm, inRoot("wasm"), [`-DCMAKE_TOOLCHAIN_FILE=${file}`], emscripten.env);
+    await must("ninja", [jobs, "-C", buildFolders.wasm, "engine"], { env: emscripten.env, quietOut: true });
+  },
+  async package() {
+    await must(bin("tsc"), ["-p", "wasm"], { quietOut: true });
+  },
+  async site() {
+    const inputs = filesUnder([
+      inRoot("web"),
+      inRoot("public"),
+      inRoot("package-lock.json"),
+      inRoot("tsconfig.base.json"),
+    ]);
+    const hash = hashOf([...inputs, ...filesUnder([inRoot("wasm", "dist")], { skip: [] })]);
+    const stamp = inRoot("build", "site.stamp");
+    if (isFresh(stamp, hash) && existsSync(inRoot("web", "dist", "index.html"))) return;
+    await must(bin("vite"), ["build", "web", "--logLevel", "warn"], { quietOut: true });
+    markFresh(stamp, hash);
+  },
+  async native({ compiler }) {
+    await native(buildFolders.native, compiler, ["-DCMAKE_BUILD_TYPE=Release"]);
+  },
+  async sanitized({ compiler }) {
+    await native(buildFolders.asan, compiler, [
+      "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
+      "-DTETRAFRONT_APPS=OFF",
+      "-DTETRAFRONT_SANITIZE=address,undefined",
+    ]);
+  },
+};
+
+async function native(folder, compiler, options) {
+  await configure(folder, inRoot("cpp"), [`-DCMAKE_CXX_COMPILER=${compiler}`, ...options], {});
+  await must("ninja", [jobs, "-C", folder], { quietOut: true });
+}
+
+/** Configures once; ninja itself runs CMake again when a CMakeLists.txt changes. */
+async function configure(folder, source, options, env) {
+  const args = [
+    "-G",
+    "Ninja",
+    "-S",
+    source,
+    "-B",
+    folder,
+    `-DTETRAFRONT_GLM_INCLUDE=${glmFolder}`,
+    ...options,
+  ];
+  const stamp = path.join(folder, "configured-with");
+  const wanted = JSON.stringify(args);
+  if (existsSync(path.join(folder, "build.ninja")) && isFresh(stamp, wanted)) return;
+  rmSync(path.join(folder, "CMakeCache.txt"), { force: true });
+  await must(which("cmake") ?? "cmake", args, { env, log: path.join(folder, "configure.log") });
+  markFresh(stamp, wanted);
+}
+
+export async function build(names, tools) {
+  for (const name of names) {
+    if (!Object.hasOwn(steps, name)) {
+      throw new UserError(
+        `There is no part "${name}" to build; the parts are ${Object.keys(steps).join(", ")}`,
+      );
+    }
+    const started = performance.now();
+    await steps[name](tools);
+    say(`build: ${name} (${((performance.now() - started) / 1000).toFixed(1)} s)`);
+  }
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await main(async () => {
+    const names = process.argv.slice(2);
+    const wanted = names.length > 0 ? names : ["wasm", "package", "site"];
+    const isNative = wanted.some((name) => name === "native" || name === "sanitized");
+    await build(wanted, await setup(isNative ? ["native", "tests"] : []));
+  });
+}

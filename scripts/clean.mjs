@@ -1,0 +1,7 @@
+// npm run clean: removes what the builds made; node_modules and .toolchain stay.
+import { rmSync } from "node:fs";
+import { inRoot } from "./lib/paths.mjs";
+
+for (const folder of ["build", "wasm/dist", "web/dist", "test-results", "playwright-report"]) {
+  rmSync(inRoot(folder), { recursive: true, force: true });
+}

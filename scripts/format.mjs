@@ -1,0 +1,47 @@
+// Formats everything (--write) or tells what is not formatted (--check, the default): TypeScript, JSON and
+// Markdown by Prettier, C++ by clang-format, both from the lockfile so that every machine agrees.
+import { readFileSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { filesUnder } from "./lib/fresh.mjs";
+import { ensurePackages } from "./lib/npm.mjs";
+import { inRoot, root } from "./lib/paths.mjs";
+import { main, run, say } from "./lib/run.mjs";
+
+export function cppFiles() {
+  const places = ["cpp", "wasm", "tests"].map((room) => inRoot(room));
+  return filesUnder(places).filter((file) => /\.(h|cpp)$/.test(file));
+}
+
+/** Returns whether all was formatted already; with `write` it is afterwards. */
+export async function formatScript(write) {
+  const prettier = inRoot("node_modules", ".bin", "prettier");
+  const args = [write ? "--write" : "--check", "--log-level", "warn", "."];
+  return (await run(prettier, args, { quietOut: true })) === 0;
+}
+
+export async function formatCpp(write) {
+  const { default: load, format } = await import("@wasm-fmt/clang-format");
+  await load();
+  const style = readFileSync(inRoot(".clang-format"), "utf8");
+  let clean = true;
+  for (const file of cppFiles()) {
+    const text = readFileSync(file, "utf8");
+    const formatted = format(text, path.basename(file), style);
+    if (formatted === text) continue;
+    if (write) writeFileSync(file, formatted);
+    else say(`not formatted: ${path.relative(root, file)}`);
+    clean = false;
+  }
+  return clean;
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  await main(async () => {
+    await ensurePackages();
+    const write = process.argv.includes("--write");
+    const script = await formatScript(write);
+    const cpp = await formatCpp(write);
+    if (!write && !(script && cpp)) process.exitCode = 1;
+  });
+}

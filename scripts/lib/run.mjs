@@ -1,0 +1,65 @@
+import { spawn, spawnSync } from "node:child_process";
+import { closeSync, mkdirSync, openSync } from "node:fs";
+import path from "node:path";
+import { root } from "./paths.mjs";
+
+/** Something the user must read and act on: printed without a stack. */
+export class UserError extends Error {}
+
+/**
+ * Runs a program with its output on our terminal; resolves with the exit status (a signal counts as 1).
+ * `quietOut` sends its standard output to standard error, `log` both to a file instead.
+ */
+export async function run(program, args, { cwd = root, env = {}, quietOut = false, log } = {}) {
+  if (log) mkdirSync(path.dirname(log), { recursive: true });
+  const file = log ? openSync(log, "w") : undefined;
+  try {
+    return await new Promise((resolve, reject) => {
+      const child = spawn(program, args, {
+        cwd,
+        env: merged(env),
+        stdio: ["ignore", file ?? (quietOut ? 2 : "inherit"), file ?? "inherit"],
+      });
+      child.on("error", (error) => reject(new UserError(`${program} cannot be started: ${error.message}`)));
+      child.on("close", (status) => resolve(status ?? 1));
+    });
+  } finally {
+    if (file !== undefined) closeSync(file);
+  }
+}
+
+/** As `run`, but a status other than 0 throws. */
+export async function must(program, args, options = {}) {
+  const status = await run(program, args, options);
+  if (status === 0) return;
+  const where = options.log ? `; its output is in ${path.relative(root, options.log)}` : "";
+  throw new UserError(`${[program, ...args].join(" ")} failed with status ${status}${where}`);
+}
+
+/** Runs a program that is expected to be quick; returns its output, or undefined when it fails. */
+export function output(program, args, { cwd = root, env = {}, timeout = 60_000 } = {}) {
+  const result = spawnSync(program, args, { cwd, env: merged(env), encoding: "utf8", timeout });
+  return result.status === 0 ? `${result.stdout}` : undefined;
+}
+
+/** Our environment with changes on top; a change to `undefined` removes the variable. */
+function merged(changes) {
+  const env = { ...process.env, ...changes };
+  for (const [name, value] of Object.entries(changes)) if (value === undefined) delete env[name];
+  return env;
+}
+
+/** Runs a script's main function; a UserError becomes one line on stderr and exit status 1. */
+export async function main(body) {
+  try {
+    await body();
+  } catch (error) {
+    if (!(error instanceof UserError)) throw error;
+    process.stderr.write(`\n${error.message}\n`);
+    process.exitCode = 1;
+  }
+}
+
+export function say(text) {
+  process.stderr.write(`${text}\n`);
+}

@@ -1,0 +1,103 @@
+import { accessSync, constants, existsSync, readdirSync, statSync } from "node:fs";
+import { homedir } from "node:os";
+import path from "node:path";
+import { output } from "./run.mjs";
+
+/** The full path of a program on PATH, or undefined. */
+export function which(...names) {
+  for (const name of names) {
+    for (const folder of (process.env.PATH ?? "").split(path.delimiter)) {
+      const file = path.join(folder, process.platform === "win32" ? `${name}.exe` : name);
+      if (isExecutable(file)) return file;
+    }
+  }
+  return undefined;
+}
+
+function isExecutable(file) {
+  try {
+    accessSync(file, constants.X_OK);
+    return statSync(file).isFile();
+  } catch {
+    return false;
+  }
+}
+
+/** First "1.2.3"-like version in a text as numbers, or undefined. */
+export function versionIn(text) {
+  const match = /(\d+)\.(\d+)(?:\.(\d+))?/.exec(text ?? "");
+  return match ? [Number(match[1]), Number(match[2]), Number(match[3] ?? 0)] : undefined;
+}
+
+/** Is `version` at least `least`? Both as [major, minor, patch]. */
+export function atLeast(version, least) {
+  for (let i = 0; i < least.length; i += 1) {
+    if (version[i] !== least[i]) return version[i] > least[i];
+  }
+  return true;
+}
+
+/** A native compiler able to build the engine: C++20 with <span>, <bit>, <numbers>. */
+export function findCompiler() {
+  const wanted = process.env.CXX ? [process.env.CXX] : ["g++", "clang++", "c++"];
+  for (const name of wanted) {
+    const program = path.isAbsolute(name) ? name : which(name);
+    if (program === undefined) continue;
+    const version = versionIn(output(program, ["-dumpfullversion", "-dumpversion"]));
+    const isClang = /clang/.test(path.basename(program)) || process.platform === "darwin";
+    if (version && atLeast(version, isClang ? [14, 0, 0] : [11, 0, 0])) return program;
+  }
+  return undefined;
+}
+
+/** GoogleTest where CMake's find_package looks for it: the prefix, or undefined. */
+export function findGoogleTest() {
+  const own = [process.env.GTest_ROOT, ...(process.env.CMAKE_PREFIX_PATH ?? "").split(path.delimiter)];
+  const prefixes = [...own.filter(Boolean), "/usr", "/usr/local", "/opt/homebrew", "/opt/local"];
+  return prefixes.find((prefix) => existsSync(path.join(prefix, "include", "gtest", "gtest.h")));
+}
+
+/** Folder that holds glm/glm.hpp of the system, or undefined. */
+export function findSystemGlm() {
+  const own = process.env.GLM_INCLUDE ? [process.env.GLM_INCLUDE] : [];
+  const folders = [
+    ...own,
+    "/usr/include",
+    "/usr/local/include",
+    "/opt/homebrew/include",
+    "/opt/local/include",
+  ];
+  return folders.find((folder) => existsSync(path.join(folder, "glm", "glm.hpp")));
+}
+
+/** Chromium for the end-to-end tests: $CHROMIUM, PATH, the usual places, Playwright's cache. */
+export function findChromium() {
+  const named = process.env.CHROMIUM;
+  if (named) return isExecutable(named) ? named : undefined;
+  const onPath = which("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome");
+  if (onPath) return onPath;
+  const applications = ["Google Chrome", "Chromium"].map(
+    (app) => `/Applications/${app}.app/Contents/MacOS/${app}`,
+  );
+  return [...applications, ...playwrightBrowsers()].find(isExecutable);
+}
+
+function playwrightBrowsers() {
+  const cache =
+    process.env.PLAYWRIGHT_BROWSERS_PATH ??
+    (process.platform === "darwin"
+      ? path.join(homedir(), "Library", "Caches", "ms-playwright")
+      : path.join(homedir(), ".cache", "ms-playwright"));
+  if (!existsSync(cache)) return [];
+  const inside = [
+    "chrome-linux/chrome",
+    "chrome-linux64/chrome",
+    "chrome-mac/Chromium.app/Contents/MacOS/Chromium",
+    "chrome-mac-arm64/Chromium.app/Contents/MacOS/Chromium",
+  ];
+  return readdirSync(cache)
+    .filter((name) => /^chromium-\d+$/.test(name))
+    .sort()
+    .reverse()
+    .flatMap((name) => inside.map((program) => path.join(cache, name, program)));
+}

@@ -1,0 +1,10 @@
+// npm start: from a fresh clone to the running site.
+import { build } from "./build.mjs";
+import { main } from "./lib/run.mjs";
+import { preview } from "./preview.mjs";
+import { setup } from "./setup.mjs";
+
+await main(async () => {
+  await build(["wasm", "package", "site"], await setup([]));
+  await preview();
+});
