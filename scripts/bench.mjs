@@ -1,0 +1,26 @@
+// npm run bench [NAME...]: builds the engine natively and to WebAssembly and runs tests/bench/NAME.mjs
+// (default: all), one after the other. A benchmark finds the native program in TETRAFRONT_FILL.
+import { existsSync, readdirSync } from "node:fs";
+import path from "node:path";
+import { build } from "./build.mjs";
+import { buildFolders, inRoot } from "./lib/paths.mjs";
+import { main, must, say, UserError } from "./lib/run.mjs";
+import { setup } from "./setup.mjs";
+
+await main(async () => {
+  const folder = inRoot("tests", "bench");
+  const all = existsSync(folder)
+    ? readdirSync(folder)
+        .filter((name) => name.endsWith(".mjs"))
+        .sort()
+    : [];
+  const names = process.argv.slice(2).map((name) => `${path.basename(name, ".mjs")}.mjs`);
+  const unknown = names.find((name) => !all.includes(name));
+  if (unknown) throw new UserError(`There is no tests/bench/${unknown}; there are ${all.join(", ")}`);
+  await build(["wasm", "package", "native"], await setup(["native", "tests"]));
+  const env = { TETRAFRONT_FILL: path.join(buildFolders.native, "fill") };
+  for (const name of names.length > 0 ? names : all) {
+    say(`\n== ${name}`);
+    await must(process.execPath, [path.join(folder, name)], { env });
+  }
+});

@@ -1,0 +1,78 @@
+import { existsSync, readFileSync } from "node:fs";
+
+/**
+ * Reads the reports of the test programs into `{ passed, failed, failures }`. A test that was skipped counts
+ * as failed: a test that does not run proves nothing. A missing report, from a crash, is one failure.
+ */
+const crashed = (what) => ({
+  passed: 0,
+  failed: 1,
+  failures: [`${what} wrote no report: it crashed or could not start`],
+});
+
+function read(file) {
+  if (!existsSync(file)) return undefined;
+  try {
+    return JSON.parse(readFileSync(file, "utf8"));
+  } catch {
+    return undefined;
+  }
+}
+
+function tally(tests) {
+  const bad = tests.filter((test) => !test.ok);
+  return { passed: tests.length - bad.length, failed: bad.length, failures: bad.map((test) => test.name) };
+}
+
+/** GoogleTest's --gtest_output=json. */
+export function countGoogleTest(file) {
+  const report = read(file);
+  if (!report) return crashed("GoogleTest");
+  const tests = report.testsuites.flatMap((suite) =>
+    suite.testsuite.map((test) => ({
+      name: `${suite.name}.${test.name}`,
+      ok: test.result === "COMPLETED" && !test.failures,
+    })),
+  );
+  return tally(tests);
+}
+
+/** vitest's json reporter; a file that does not load is one failure. */
+export function countVitest(file) {
+  const report = read(file);
+  if (!report) return crashed("vitest");
+  const tests = report.testResults.flatMap((result) =>
+    result.assertionResults.length === 0 && result.status !== "passed"
+      ? [{ name: result.name, ok: false }]
+      : result.assertionResults.map((test) => ({ name: test.fullName, ok: test.status === "passed" })),
+  );
+  return tally(tests);
+}
+
+/** Playwright's json reporter; errors outside tests, as of the web server, are failures too. */
+export function countPlaywright(file) {
+  const report = read(file);
+  if (!report) return crashed("Playwright");
+  const specs = (suite) => [...(suite.specs ?? []), ...(suite.suites ?? []).flatMap(specs)];
+  const tests = report.suites
+    .flatMap(specs)
+    .flatMap((spec) =>
+      spec.tests.map((test) => ({ name: `${spec.file}: ${spec.title}`, ok: test.status === "expected" })),
+    );
+  const outside = report.errors.map((error) => ({
+    name: error.message ?? "an error outside the tests",
+    ok: false,
+  }));
+  return tally([...tests, ...outside]);
+}
+
+export function sum(counts) {
+  return counts.reduce(
+    (all, one) => ({
+      passed: all.passed + one.passed,
+      failed: all.failed + one.failed,
+      failures: [...all.failures, ...one.failures],
+    }),
+    { passed: 0, failed: 0, failures: [] },
+  );
+}

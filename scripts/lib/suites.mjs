@@ -1,0 +1,129 @@
+import { existsSync, mkdirSync, rmSync } from "node:fs";
+import { createServer } from "node:net";
+import path from "node:path";
+import { formatCpp, formatScript } from "../format.mjs";
+import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
+import { buildFolders, inRoot, reports } from "./paths.mjs";
+import { run } from "./run.mjs";
+import { tidy } from "./tidy.mjs";
+
+const bin = (name) => inRoot("node_modules", ".bin", name);
+const report = (name) => path.join(reports, `${name}.json`);
+
+/** A static check counts as one test. */
+const check = (ok, name) => ({ passed: ok ? 1 : 0, failed: ok ? 0 : 1, failures: ok ? [] : [name] });
+
+/** The C++ tests run in this many processes; each takes every n-th test. */
+const kShards = 2;
+
+async function cpp(folder, name, env) {
+  const program = path.join(folder, "tetrafront_tests");
+  const shards = await Promise.all(
+    Array.from({ length: kShards }, async (_, shard) => {
+      const file = report(`${name}-${shard}`);
+      const sharding = { GTEST_TOTAL_SHARDS: `${kShards}`, GTEST_SHARD_INDEX: `${shard}` };
+      await run(program, ["--gtest_brief=1", `--gtest_output=json:${file}`], {
+        env: { ...env, ...sharding },
+        quietOut: true,
+      });
+      return countGoogleTest(file);
+    }),
+  );
+  return sum(shards);
+}
+
+/** Asks the system for a port nobody listens on. */
+function freePort() {
+  return new Promise((resolve, reject) => {
+    const server = createServer();
+    server.on("error", reject);
+    server.listen(0, "127.0.0.1", () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
+  });
+}
+
+/**
+ * Every suite: what must be built before, and how it runs. `run` returns `{ passed, failed, failures }`.
+ * The order puts quick answers first.
+ */
+export const suites = {
+  format: {
+    title: "format",
+    needs: [],
+    async run() {
+      const script = check(await formatScript(false), "Prettier finds unformatted files: npm run format");
+      return sum([
+        script,
+        check(await formatCpp(false), "clang-format finds unformatted files: npm run format"),
+      ]);
+    },
+  },
+  types: {
+    title: "types",
+    needs: ["wasm", "package"],
+    async run() {
+      const results = [];
+      for (const project of ["wasm", "web", "tests"]) {
+        const status = await run(bin("tsc"), ["-p", project, "--noEmit"], { quietOut: true });
+        results.push(check(status === 0, `type errors in ${project}/`));
+      }
+      return sum(results);
+    },
+  },
+  lint: {
+    title: "lint (TypeScript)",
+    needs: ["wasm", "package"],
+    async run() {
+      const status = await run(bin("eslint"), [".", "--max-warnings", "0"], { quietOut: true });
+      return check(status === 0, "eslint finds problems");
+    },
+  },
+  unit: {
+    title: "unit tests",
+    needs: ["wasm", "package"],
+    async run() {
+      const args = ["run", "--reporter=dot", "--reporter=json", `--outputFile.json=${report("unit")}`];
+      await run(bin("vitest"), args, { quietOut: true });
+      return countVitest(report("unit"));
+    },
+  },
+  cpp: {
+    title: "C++ tests (Release)",
+    needs: ["native"],
+    run: () => cpp(buildFolders.native, "cpp", {}),
+  },
+  tidy: {
+    title: "lint (C++)",
+    needs: ["native"],
+    async run() {
+      const bad = await tidy();
+      return check(bad.length === 0, `clang-tidy finds problems in ${bad.join(", ")}`);
+    },
+  },
+  "cpp-sanitized": {
+    title: "C++ tests (ASan + UBSan)",
+    needs: ["sanitized"],
+    run: () => cpp(buildFolders.asan, "cpp-sanitized", { UBSAN_OPTIONS: "print_stacktrace=1" }),
+  },
+  e2e: {
+    title: "end-to-end tests",
+    needs: ["wasm", "package", "site"],
+    async run({ chromium }) {
+      const env = {
+        CHROMIUM: chromium,
+        TETRAFRONT_E2E_PORT: `${await freePort()}`,
+        PLAYWRIGHT_JSON_OUTPUT_NAME: report("e2e"),
+      };
+      await run(bin("playwright"), ["test", "--reporter=list,json"], { env, quietOut: true });
+      return countPlaywright(report("e2e"));
+    },
+  },
+};
+
+/** Old reports must not be read as new ones. */
+export function clearReports() {
+  if (existsSync(reports)) rmSync(reports, { recursive: true });
+  mkdirSync(reports, { recursive: true });
+}

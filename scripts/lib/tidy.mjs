@@ -1,0 +1,49 @@
+import { spawn } from "node:child_process";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
+import { buildFolders, glmFolder, inRoot, root } from "./paths.mjs";
+import { say } from "./run.mjs";
+
+const kParallel = 2;
+
+/**
+ * clang-tidy over every source the native build compiles. A file is checked again only when it, any header
+ * or the rules changed. Returns the names of files with findings.
+ */
+export async function tidy() {
+  const database = path.join(buildFolders.native, "compile_commands.json");
+  const sources = JSON.parse(readFileSync(database, "utf8"))
+    .map((entry) => path.resolve(entry.directory, entry.file))
+    .filter((file) => file.startsWith(inRoot("cpp") + path.sep));
+  const headers = filesUnder([inRoot("cpp")]).filter((file) => file.endsWith(".h"));
+  const shared = hashOf([inRoot(".clang-tidy"), inRoot("cpp", "CMakeLists.txt"), ...headers]);
+  const queue = [...new Set(sources)].sort();
+  const bad = [];
+  const worker = async () => {
+    for (let file = queue.shift(); file !== undefined; file = queue.shift()) {
+      const stamp = inRoot("build", "tidy", path.relative(root, file).replaceAll(path.sep, "__"));
+      const hash = `${shared} ${hashOf([file])}`;
+      if (isFresh(stamp, hash)) continue;
+      if (await isTidy(file)) markFresh(stamp, hash);
+      else bad.push(path.relative(root, file));
+    }
+  };
+  await Promise.all(Array.from({ length: kParallel }, worker));
+  return bad.sort();
+}
+
+/** Runs clang-tidy on one file and shows its findings, without its count of suppressed warnings. */
+function isTidy(file) {
+  const args = ["--quiet", "-p", buildFolders.native, `--extra-arg=-isystem${glmFolder}`, file];
+  return new Promise((resolve, reject) => {
+    const child = spawn("clang-tidy", args, { cwd: root, stdio: ["ignore", "pipe", "ignore"] });
+    let text = "";
+    child.stdout.on("data", (chunk) => (text += chunk));
+    child.on("error", reject);
+    child.on("close", (status) => {
+      if (status !== 0) say(text);
+      resolve(status === 0);
+    });
+  });
+}
