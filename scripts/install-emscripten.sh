@@ -135,9 +135,11 @@ for file in "$root/$llvm"/{clang,wasm-ld,llvm-ar,llvm-nm,llvm-objcopy} "$root"/u
   outside=$(LD_TRACE_LOADED_OBJECTS=1 "$file" | grep '=>' | grep -vF "=> $root/" || true)
   [ -z "$outside" ] || die "$(basename "$file") does not find its libraries in $root: $outside"
 done
+# Its plain .js files are CommonJS, whatever a package.json further up says of ours.
+echo '{ "type": "commonjs" }' >"$prefix/package.json"
 mkdir -p "$prefix/try"
 echo 'int main() { return 0; }' >"$prefix/try/a.c"
-env -u EM_CONFIG "$bin/emcc" "$prefix/try/a.c" -o "$prefix/try/a.cjs" >&2 && "$node" "$prefix/try/a.cjs" || die "the self-test failed"
+env -u EM_CONFIG "$bin/emcc" "$prefix/try/a.c" -o "$prefix/try/a.js" >&2 && "$node" "$prefix/try/a.js" || die "the self-test failed"
 rm -rf "$prefix/try" "$state"; [ -n "${EMSCRIPTEN_KEEP_DEBS:-}" ] || rm -rf "$debs"
 printf '%s\n' "$stamp" >"$prefix/stamp"
 say "$(version_of "$bin/emcc") ready in $prefix"
