@@ -38,23 +38,28 @@ export const steps = {
     await must(bin("vite"), ["build", "web", "--logLevel", "warn"], { quietOut: true });
     markFresh(stamp, hash);
   },
-  async native({ compiler }) {
-    await native(buildFolders.native, compiler, ["-DCMAKE_BUILD_TYPE=Release"]);
+  async native(tools) {
+    await steps.database(tools);
+    await must("ninja", [jobs, "-C", buildFolders.native], { quietOut: true });
+  },
+  /** Only configures: clang-tidy reads compile_commands.json and needs nothing compiled. */
+  async database({ compiler }) {
+    await configureNative(buildFolders.native, compiler, ["-DCMAKE_BUILD_TYPE=Release"]);
   },
   async sanitized({ compiler }) {
-    await native(buildFolders.asan, compiler, [
+    await configureNative(buildFolders.asan, compiler, [
       "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
       // Without NDEBUG: our own assertions and the library's are part of this build.
       "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g -D_GLIBCXX_ASSERTIONS",
       "-DTETRAFRONT_APPS=OFF",
       "-DTETRAFRONT_SANITIZE=address,undefined",
     ]);
+    await must("ninja", [jobs, "-C", buildFolders.asan], { quietOut: true });
   },
 };
 
-async function native(folder, compiler, options) {
-  await configure(folder, inRoot("cpp"), [`-DCMAKE_CXX_COMPILER=${compiler}`, ...options], {});
-  await must("ninja", [jobs, "-C", folder], { quietOut: true });
+function configureNative(folder, compiler, options) {
+  return configure(folder, inRoot("cpp"), [`-DCMAKE_CXX_COMPILER=${compiler}`, ...options], {});
 }
 
 /** Configures once; ninja itself runs CMake again when a CMakeLists.txt changes. */

@@ -1,5 +1,5 @@
 import { spawn, spawnSync } from "node:child_process";
-import { closeSync, mkdirSync, openSync } from "node:fs";
+import { closeSync, mkdirSync, openSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "./paths.mjs";
 
@@ -32,8 +32,8 @@ export async function run(program, args, { cwd = root, env = {}, quietOut = fals
 export async function must(program, args, options = {}) {
   const status = await run(program, args, options);
   if (status === 0) return;
-  const where = options.log ? `; its output is in ${path.relative(root, options.log)}` : "";
-  throw new UserError(`${[program, ...args].join(" ")} failed with status ${status}${where}`);
+  if (options.log) say(readFileSync(options.log, "utf8"));
+  throw new UserError(`${[program, ...args].join(" ")} failed with status ${status}`);
 }
 
 /** Runs a program that is expected to be quick; returns its output, or undefined when it fails. */

@@ -96,7 +96,7 @@ export const suites = {
   },
   tidy: {
     title: "lint (C++)",
-    needs: ["native"],
+    needs: ["database"],
     async run() {
       const bad = await tidy();
       return check(bad.length === 0, `clang-tidy finds problems in ${bad.join(", ")}`);
