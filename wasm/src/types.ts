@@ -3,23 +3,28 @@
  * survives `structuredClone`; large arrays are typed arrays and are transferred, not copied.
  */
 
+import type { DiagnosticCode } from "./diagnostic-codes.js";
+import type { Project } from "./project-schema.js";
+
 /** A closed triangle surface: x y z per node, three node positions per triangle, any turning. */
 export interface SurfaceInput {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
 }
 
+export type FrontOrder = "layered" | "smallest-first";
+
 export interface MeshOptions {
   /** Uniform element size in model units, > 0. Replaces a project's background grid. */
-  readonly size?: number;
+  readonly size?: number | undefined;
   /** Growth of the size per unit of distance from a given surface's edges, >= 0. Default 0.3. */
-  readonly growth?: number;
+  readonly growth?: number | undefined;
   /** In which order faces leave the front. Default `layered`; `smallest-first` is the paper's. */
-  readonly order?: 'layered' | 'smallest-first';
+  readonly order?: FrontOrder | undefined;
 }
 
-export type MeshStatus = 'done' | 'stalled' | 'cancelled' | 'invalid-input';
-export type Phase = 'check' | 'sides' | 'surface' | 'volume' | 'verify';
+export type MeshStatus = "done" | "stalled" | "cancelled" | "invalid-input";
+export type Phase = "check" | "sides" | "surface" | "volume" | "verify";
 
 export interface Progress {
   readonly phase: Phase;
@@ -34,40 +39,39 @@ export interface Progress {
 
 export interface RunControl {
   /** Called at most ten times a second, and once at the end. */
-  readonly onProgress?: (progress: Progress) => void;
-  /** Aborting ends the run within 100 ms with status `cancelled`; what exists is returned. */
-  readonly signal?: AbortSignal;
+  readonly onProgress?: ((progress: Progress) => void) | undefined;
+  /**
+   * Aborting ends the run within 100 ms with status `cancelled`. What exists is returned, unless the
+   * engine could not answer in that time; then the mesh is empty.
+   */
+  readonly signal?: AbortSignal | undefined;
 }
 
 export type EntityKind =
-  | 'point'
-  | 'line'
-  | 'patch'
-  | 'background-node'
-  | 'background-tetrahedron'
-  | 'triangle'
-  | 'surface-node';
+  "point" | "line" | "patch" | "background-node" | "background-tetrahedron" | "triangle" | "surface-node";
 
 /** What a diagnostic is about. `id` is the project's id where the entity has one. */
 export interface EntityRef {
   readonly kind: EntityKind;
   /** Position in the array of that kind. */
   readonly index: number;
-  readonly id?: number;
+  readonly id?: number | undefined;
   /** What the user called it, else e.g. "line 12". */
   readonly label: string;
 }
 
+export type Severity = "information" | "warning" | "error";
+
 export interface Diagnostic {
   /** Stable machine name, e.g. `open-edge`. */
-  readonly code: string;
-  readonly severity: 'information' | 'warning' | 'error';
+  readonly code: DiagnosticCode;
+  readonly severity: Severity;
   /** One sentence: what is wrong, naming the entities and the place. */
   readonly message: string;
-  /** One sentence: what to do about it. */
+  /** One sentence: what to do about it. Empty for information that asks for nothing. */
   readonly remedy: string;
   readonly entities: readonly EntityRef[];
-  readonly place?: readonly [number, number, number];
+  readonly place?: readonly [number, number, number] | undefined;
   readonly values: readonly number[];
 }
 
@@ -97,29 +101,38 @@ export interface VolumeMesh {
   readonly front: Uint32Array;
 }
 
+/** Wall-clock seconds. `check` includes the verification of the result; `total` includes copying it. */
+export interface Seconds {
+  readonly total: number;
+  readonly check: number;
+  readonly sides: number;
+  readonly surface: number;
+  readonly volume: number;
+  readonly optimize: number;
+}
+
 export interface MeshReport {
   readonly status: MeshStatus;
   readonly points: number;
   readonly tetrahedra: number;
   readonly triangles: number;
-  readonly seconds: {
-    readonly total: number;
-    readonly check: number;
-    readonly sides: number;
-    readonly surface: number;
-    readonly volume: number;
-    readonly optimize: number;
-  };
-  /** Degrees, over all tetrahedra. */
+  readonly seconds: Seconds;
+  /** Degrees, over all tetrahedra; 0 without any. */
   readonly dihedral: { readonly min: number; readonly max: number };
-  /** 3 × inradius / circumradius. */
+  /** 3 × inradius / circumradius, 1 for the regular tetrahedron; 0 without any. */
   readonly radiusRatio: { readonly min: number; readonly mean: number };
+  /** Sum over the tetrahedra, in cubed model units. */
   readonly volume: number;
+  /** How the front was brought to an end. */
   readonly recovery: {
+    /** Elements accepted by a relaxed rule. */
     readonly relaxed: number;
+    /** Pockets filled from one interior point. */
     readonly starred: number;
+    /** Pockets filled after elements around them were removed. */
     readonly reopened: number;
   };
+  /** How hard the front worked. */
   readonly front: {
     readonly pops: number;
     readonly gatheredFaces: number;
@@ -128,7 +141,7 @@ export interface MeshReport {
     readonly facesAnalysed: number;
     readonly exactPredicates: number;
   };
-  /** 16 hexadecimal digits: a hash over coordinates and indices, equal on every platform. */
+  /** 16 hexadecimal digits: a hash over coordinates and indices, equal on every platform. Empty without a run. */
   readonly fingerprint: string;
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -151,73 +164,23 @@ export interface ProjectPreview {
   readonly diagnostics: readonly Diagnostic[];
 }
 
-// The project file (docs/FORMAT.md). The zod schema in project.ts is the one source; its inferred
-// type equals this shape.
-
-export type PointId = number;
-export type LineId = number;
-export type PatchId = number;
-
-export interface ProjectPoint {
-  readonly id: PointId;
-  readonly name?: string | undefined;
-  readonly at: readonly [number, number, number];
-}
-
-export interface ProjectLine {
-  readonly id: LineId;
-  readonly name?: string | undefined;
-  readonly type: 'straight' | 'parabolic' | 'spline';
-  /** Point ids along the line: two; start, middle, end; four or more. */
-  readonly points: readonly PointId[];
-}
-
-export interface ProjectPatch {
-  readonly id: PatchId;
-  readonly name?: string | undefined;
-  readonly type:
-    'planar' | 'isoparametric-triangle' | 'serendipity' | 'barnhill-gregory-nielson' | 'coons';
-  /** The outer loop first, then holes. A negative id walks that line backwards. */
-  readonly loops: readonly (readonly number[])[];
-}
-
-export interface ProjectBackgroundNode {
-  readonly id: number;
-  readonly at: readonly [number, number, number];
-  readonly size: number;
-  readonly stretching?: number | undefined;
-  readonly direction?: readonly [number, number, number] | undefined;
-}
-
-export interface Project {
-  readonly format: 'tetrafront-project';
-  readonly version: 1;
-  readonly name: string;
-  readonly description?: string | undefined;
-  readonly units?: string | undefined;
-  readonly points: readonly ProjectPoint[];
-  readonly lines: readonly ProjectLine[];
-  readonly patches: readonly ProjectPatch[];
-  readonly background: {
-    readonly nodes: readonly ProjectBackgroundNode[];
-    /** Four node ids each. */
-    readonly tetrahedra: readonly (readonly [number, number, number, number])[];
-  };
-}
-
 /** One mesher: an engine in a worker of its own (browser and Node). Runs are queued. */
 export interface Mesher {
-  meshProject(
-    project: Project,
-    options?: MeshOptions,
-    control?: RunControl,
-  ): Promise<MeshResult>;
-  fillSurface(
-    surface: SurfaceInput,
-    options?: MeshOptions,
-    control?: RunControl,
-  ): Promise<MeshResult>;
-  /** Samples lines and patches for display and checks the project; tolerates broken input. */
+  /**
+   * Meshes a drawn project: lines, patches, closed boundary, volume. Bad input is a result with status
+   * `invalid-input` and diagnostics. Rejects with a `MesherError` when memory runs out, when the
+   * mesher is disposed of, or when the engine itself fails.
+   */
+  meshProject(project: Project, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
+  /**
+   * Fills a closed surface, kept triangle for triangle. Without `size` the sizes come from the
+   * surface's own edges. Ends and rejects as `meshProject` does.
+   */
+  fillSurface(surface: SurfaceInput, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
+  /**
+   * Samples lines and patches for display and checks the project; tolerates broken input. Answered
+   * between the slices of a run, so that editing goes on while a mesh is made.
+   */
   previewProject(project: Project): Promise<ProjectPreview>;
   /** Ends the worker; runs under way are rejected. */
   dispose(): void;

@@ -1,0 +1,57 @@
+/**
+ * The stable names of everything a run can complain about. The numbers are those of the engine's
+ * `DiagnosticCode` (cpp/include/tetrafront/status.h), which a test compares with this table.
+ */
+export const ENGINE_CODES = {
+  0: "not-finite",
+  1: "index-out-of-range",
+  2: "wrong-point-count",
+  3: "coincident-points",
+  4: "zero-length-line",
+  5: "wrong-line-count",
+  6: "wrong-line-type",
+  7: "loop-not-closed",
+  8: "loop-touches-itself",
+  9: "not-planar",
+  10: "holes-not-supported",
+  11: "patch-type-not-supported",
+  12: "empty-model",
+  13: "degenerate-patch",
+  20: "empty-background-grid",
+  21: "bad-size",
+  22: "bad-stretching",
+  23: "flat-background-tetrahedron",
+  24: "outside-background-grid",
+  25: "too-many-elements",
+  40: "open-edge",
+  41: "non-manifold-edge",
+  42: "inconsistent-orientation",
+  43: "self-intersection",
+  44: "duplicate-triangle",
+  45: "degenerate-triangle",
+  46: "zero-volume",
+  47: "reoriented-patch",
+  48: "coincident-nodes",
+  60: "stalled",
+  61: "verification-failed",
+} as const;
+
+export type EngineCode = (typeof ENGINE_CODES)[keyof typeof ENGINE_CODES];
+
+/** What the package finds before the engine is asked. */
+export type PackageCode =
+  /** The value given as a project does not follow the schema. */
+  | "invalid-project"
+  /** An option is out of range. */
+  | "invalid-option"
+  /** The arrays of a surface do not fit together. */
+  | "invalid-arrays"
+  /** A file could not be read or is not what its extension says. */
+  | "unreadable-input";
+
+export type DiagnosticCode = EngineCode | PackageCode;
+
+/** The name of an engine code; undefined for a number the engine does not use. */
+export function engineCodeName(code: number): EngineCode | undefined {
+  return (ENGINE_CODES as Readonly<Record<number, EngineCode>>)[code];
+}

@@ -1,0 +1,271 @@
+/**
+ * What the engine found, said in sentences: the entities by the names the user gave them, the place,
+ * the numbers, and what to do about it.
+ */
+import { engineCodeName, type DiagnosticCode, type EngineCode } from "./diagnostic-codes.js";
+import type { EntityNamer } from "./project-arrays.js";
+import type { Diagnostic, EntityKind, EntityRef, Severity } from "./types.js";
+
+/** A diagnostic as it leaves the engine. */
+export interface EngineDiagnostic {
+  readonly code: number;
+  /** 0 information, 1 warning, 2 error. */
+  readonly severity: number;
+  /** Kind and position per entity, the most telling first. */
+  readonly entities: Uint32Array;
+  /** x y z, or nothing. */
+  readonly place: Float64Array;
+  readonly values: Float64Array;
+}
+
+const SEVERITIES: readonly Severity[] = ["information", "warning", "error"];
+
+/** The engine's numbers of entity kinds (cpp/include/tetrafront/status.h). */
+export const ENTITY_KINDS: readonly EntityKind[] = [
+  "point",
+  "line",
+  "patch",
+  "background-node",
+  "background-tetrahedron",
+  "triangle",
+  "surface-node",
+];
+
+/** What a sentence is made from. */
+interface Subject {
+  /** The first entity of that kind by name, else e.g. "a line". */
+  readonly the: (kind: EntityKind) => string;
+  /** All entities of these kinds, "patch 1 and patch 2"; else `otherwise`. */
+  readonly all: (kinds: readonly EntityKind[], otherwise: string) => string;
+  /** " at (1, 2, 3)", or nothing. */
+  readonly at: string;
+  /** The value of that number, written short; "?" if the engine gave none. */
+  readonly value: (index: number) => string;
+  /** The entity the diagnostic names first, else "the model". */
+  readonly main: string;
+  /** Whether lines or patches are involved, which a given surface does not have. */
+  readonly drawn: boolean;
+}
+
+interface Sentence {
+  readonly message: (subject: Subject) => string;
+  readonly remedy: string | ((subject: Subject) => string);
+}
+
+const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"];
+
+/** One entry per engine code: the compiler refuses a table with a gap. */
+const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
+  "not-finite": {
+    message: ({ main }) => `${main} has a coordinate that is not a finite number`,
+    remedy: "Give it finite coordinates.",
+  },
+  "index-out-of-range": {
+    message: ({ main, value }) => `${main} refers to number ${value(0)}, which does not exist`,
+    remedy: "Refer to something that exists, or remove the reference.",
+  },
+  "wrong-point-count": {
+    message: ({ the, value }) => `${the("line")} has ${value(0)} points, which does not fit its type`,
+    remedy: "Give a straight line two points, a parabolic line three, a spline four or more.",
+  },
+  "coincident-points": {
+    message: ({ the, all, at }) =>
+      `${the("line")} runs through ${all(["point"], "two points")} at one place${at}`,
+    remedy: "Move one of the points, or remove it from the line.",
+  },
+  "zero-length-line": {
+    message: ({ the, at }) => `${the("line")} has no length${at}`,
+    remedy: "Move its points apart, or delete the line.",
+  },
+  "wrong-line-count": {
+    message: ({ the, value }) =>
+      `${the("patch")} has ${value(0)} lines in its outer loop, its type takes ${value(1)}`,
+    remedy: "Change the patch's type, or join or split lines until the number fits.",
+  },
+  "wrong-line-type": {
+    message: ({ the }) => `${the("patch")} does not accept the type of ${the("line")}`,
+    remedy: "Change the type of the line or of the patch.",
+  },
+  "loop-not-closed": {
+    message: ({ the, at }) => `A loop of ${the("patch")} is not closed: it breaks after ${the("line")}${at}`,
+    remedy: "Let the next line begin where this one ends; a minus sign walks a line backwards.",
+  },
+  "loop-touches-itself": {
+    message: ({ the, all, at }) => `A loop of ${the("patch")} crosses or touches itself${along(all)}${at}`,
+    remedy: "Move the lines apart, or split the patch where they meet.",
+  },
+  "not-planar": {
+    message: ({ the, value, at }) =>
+      `${the("patch")} is planar, but ${the("line")} leaves its plane by ${value(0)}${at}`,
+    remedy: "Move the line's points into the plane, or make the patch a Coons patch of four lines.",
+  },
+  "holes-not-supported": {
+    message: ({ the }) => `${the("patch")} has holes, which its type does not allow`,
+    remedy: "Make the patch planar, or draw several patches around the hole.",
+  },
+  "patch-type-not-supported": {
+    message: ({ the }) => `${the("patch")} is of a type that cannot be meshed yet`,
+    remedy: "Use a planar or a Coons patch.",
+  },
+  "empty-model": {
+    message: () => "There is nothing to mesh: the model has no surface",
+    remedy: "Draw patches, or give triangles, that enclose a region.",
+  },
+  "degenerate-patch": {
+    message: ({ the, at }) => `${the("patch")} has no area or folds over itself${at}`,
+    remedy: "Move its points so that it spreads out, or split it into simpler patches.",
+  },
+  "empty-background-grid": {
+    message: () => "The project has no background grid, so no element size is known",
+    remedy: "Give a uniform element size, or add background tetrahedra that cover the model.",
+  },
+  "bad-size": {
+    message: ({ main, value }) => `${main} has the element size ${value(0)}`,
+    remedy: "Give a finite size above 0.",
+  },
+  "bad-stretching": {
+    message: ({ main, value }) => `${main} has the stretching ${value(0)}`,
+    remedy: "Give a stretching of 1 (none) or more, and a direction that is not zero.",
+  },
+  "flat-background-tetrahedron": {
+    message: ({ the, at }) => `${the("background-tetrahedron")} has no volume${at}`,
+    remedy: "Move one of its nodes out of the plane of the others, or remove it.",
+  },
+  "outside-background-grid": {
+    message: ({ main, at }) => `${main} lies outside the background grid${at}`,
+    remedy: "Extend the background grid until it covers the whole model.",
+  },
+  "too-many-elements": {
+    message: ({ value }) => `The sizes ask for about ${value(0)} tetrahedra, the limit is ${value(1)}`,
+    remedy: "Ask for larger elements.",
+  },
+  "open-edge": {
+    message: ({ all, at, value }) =>
+      `The surface is not closed: ${all(["line", "patch", "triangle"], "an edge")} has an open edge${at}${total(value(0), "open edge")}`,
+    remedy: ({ drawn }) =>
+      drawn
+        ? "Add the patch that is missing there, or let its neighbour use the same line."
+        : "Close the gap in the surface; exactly two triangles must meet at every edge.",
+  },
+  "non-manifold-edge": {
+    message: ({ all, at }) =>
+      `More than two faces meet at one edge of ${all(["line", "patch", "triangle"], "the surface")}${at}`,
+    remedy: ({ drawn }) =>
+      drawn
+        ? "Remove a patch, or draw separate lines for the bodies that touch there."
+        : "Remove inner walls, so that two triangles meet at every edge.",
+  },
+  "inconsistent-orientation": {
+    message: ({ all, at }) =>
+      `${all(SHELL_KINDS, "A part of the surface")} cannot be turned so that all of its shell faces outward${at}`,
+    remedy: "A closed surface has an inside and an outside: remove the twist, as of a Möbius band.",
+  },
+  "self-intersection": {
+    message: ({ all, at }) => `The surface cuts itself: ${all(SHELL_KINDS, "two triangles")} meet${at}`,
+    remedy: ({ drawn }) =>
+      drawn
+        ? "Move the patches apart, or use smaller elements where they bend close to each other."
+        : "Repair the surface so that triangles meet only in shared corners and edges.",
+  },
+  "duplicate-triangle": {
+    message: ({ all, at }) => `${all(SHELL_KINDS, "Two triangles")} lie on one another${at}`,
+    remedy: "Remove one of them.",
+  },
+  "degenerate-triangle": {
+    message: ({ all, at }) => `${all(["triangle", "patch"], "A triangle")} has corners on one line${at}`,
+    remedy: "Remove it by merging its corners, or move one of them.",
+  },
+  "zero-volume": {
+    message: ({ all, at }) => `${all(SHELL_KINDS, "A shell")} belongs to a shell that encloses nothing${at}`,
+    remedy: "Remove the flat shell, or move its corners apart.",
+  },
+  "reoriented-patch": {
+    message: ({ all }) =>
+      `${all(["patch", "triangle"], "A shell")} was drawn inside out and has been turned round`,
+    remedy: "",
+  },
+  "coincident-nodes": {
+    message: ({ all, at }) =>
+      `${all(["point", "surface-node", "line", "patch"], "Two nodes")} lie at one place without being joined${at}`,
+    remedy: ({ drawn }) =>
+      drawn ? "Use one point in both lines, or move them apart." : "Weld the corners, or move them apart.",
+  },
+  stalled: {
+    message: ({ value, at }) =>
+      `The front stalled with ${value(0)} faces that no tetrahedron completes${at}; the mesh is partial`,
+    remedy: "Use smaller elements there, or sizes that change more gently.",
+  },
+  "verification-failed": {
+    message: ({ value, at }) => `The finished mesh failed its own check in ${value(0)} places${at}`,
+    remedy: "This is a mistake in Tetrafront: please report it with the model.",
+  },
+};
+
+function along(all: Subject["all"]): string {
+  const lines = all(["line"], "");
+  return lines === "" ? "" : ` at ${lines}`;
+}
+
+function total(count: string, noun: string): string {
+  return count === "?" || count === "1" ? "" : ` (${count} ${noun}s in all)`;
+}
+
+/** Composes the sentences for one diagnostic of the engine. */
+export function describeDiagnostic(raw: EngineDiagnostic, name: EntityNamer): Diagnostic {
+  const entities = namedEntities(raw.entities, name);
+  const code = engineCodeName(raw.code) ?? "verification-failed";
+  const subject = subjectOf(raw, entities);
+  const { message, remedy } = SENTENCES[code];
+  const [x, y, z] = raw.place;
+  return {
+    code,
+    severity: SEVERITIES[raw.severity] ?? "error",
+    message: capitalised(message(subject)),
+    remedy: typeof remedy === "string" ? remedy : remedy(subject),
+    entities,
+    ...(x !== undefined && y !== undefined && z !== undefined ? { place: [x, y, z] as const } : {}),
+    values: [...raw.values],
+  };
+}
+
+/** A diagnostic that the package raises itself, about no entity in particular. */
+export function packageDiagnostic(code: DiagnosticCode, message: string, remedy: string): Diagnostic {
+  return { code, severity: "error", message: capitalised(message), remedy, entities: [], values: [] };
+}
+
+function namedEntities(pairs: Uint32Array, name: EntityNamer): EntityRef[] {
+  const named: EntityRef[] = [];
+  for (let i = 0; i + 1 < pairs.length; i += 2) {
+    const kind = ENTITY_KINDS[pairs[i] ?? 0];
+    if (kind !== undefined) named.push(name(kind, pairs[i + 1] ?? 0));
+  }
+  return named;
+}
+
+function subjectOf(raw: EngineDiagnostic, entities: readonly EntityRef[]): Subject {
+  const labels = (kinds: readonly EntityKind[]) =>
+    entities.filter(({ kind }) => kinds.includes(kind)).map(({ label }) => label);
+  return {
+    the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
+    all: (kinds, otherwise) => joined([...new Set(labels(kinds))]) ?? otherwise,
+    at: raw.place.length === 3 ? ` at (${[...raw.place].map(shortNumber).join(", ")})` : "",
+    value: (index) => shortNumber(raw.values[index]),
+    main: entities[0]?.label ?? "the model",
+    drawn: entities.some(({ kind }) => kind === "line" || kind === "patch" || kind === "point"),
+  };
+}
+
+function joined(labels: readonly string[]): string | undefined {
+  if (labels.length < 2) return labels[0];
+  return `${labels.slice(0, -1).join(", ")} and ${labels[labels.length - 1] ?? ""}`;
+}
+
+/** Six significant digits: enough to find the place, short enough to read. */
+function shortNumber(value: number | undefined): string {
+  if (value === undefined) return "?";
+  return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
+}
+
+function capitalised(sentence: string): string {
+  return sentence.charAt(0).toUpperCase() + sentence.slice(1);
+}

@@ -1,0 +1,13 @@
+/** Loads the compiled engine, once per worker. The only file that names the compiled module. */
+import createEngine, { type MainModule, type Run } from "./engine.mjs";
+
+export type Engine = MainModule;
+export type EngineRun = Run;
+
+let loading: Promise<Engine> | undefined;
+
+/** The engine; the same one at every call. Rejects where WebAssembly or the file is missing. */
+export function loadEngine(): Promise<Engine> {
+  loading ??= createEngine();
+  return loading;
+}

@@ -1,0 +1,45 @@
+/**
+ * Tetrafront: tetrahedral meshes by the advancing-front method (Löhner & Parikh 1988).
+ *
+ *     import { createMesher, readProject, writeVtu } from "tetrafront";
+ */
+export { ENGINE_CODES } from "./diagnostic-codes.js";
+export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostic-codes.js";
+export { createMesher, MesherError } from "./mesher.js";
+export type { MesherErrorCode } from "./mesher.js";
+export { parseProject, readProject, writeProject } from "./project.js";
+export { PROJECT_FORMAT, PROJECT_VERSION, projectJsonSchema, projectSchema } from "./project-schema.js";
+export type {
+  LineId,
+  LineType,
+  PatchId,
+  PatchType,
+  PointId,
+  Project,
+  ProjectBackground,
+  ProjectBackgroundNode,
+  ProjectLine,
+  ProjectPatch,
+  ProjectPoint,
+} from "./project-schema.js";
+export type { ReadProblem, ReadResult } from "./read-result.js";
+export type {
+  Diagnostic,
+  EntityKind,
+  EntityRef,
+  FrontOrder,
+  Mesher,
+  MeshOptions,
+  MeshReport,
+  MeshResult,
+  MeshStatus,
+  Phase,
+  Progress,
+  ProjectPreview,
+  RunControl,
+  Seconds,
+  Severity,
+  SurfaceInput,
+  SurfaceMesh,
+  VolumeMesh,
+} from "./types.js";

@@ -1,0 +1,39 @@
+/** The options as the engine takes them, or what is wrong with them. */
+import { packageDiagnostic } from "./diagnostics.js";
+import type { EngineOptions } from "./protocol.js";
+import type { Diagnostic, FrontOrder, MeshOptions } from "./types.js";
+
+/** Growth of the element size per unit of distance from a given surface's edges. */
+export const DEFAULT_GROWTH = 0.3;
+export const DEFAULT_ORDER: FrontOrder = "layered";
+/** The engine's numbers (cpp/include/tetrafront/options.h). */
+export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, "smallest-first": 1 };
+
+/** What is wrong with the options; empty where nothing is. */
+export function checkOptions(options: MeshOptions): Diagnostic[] {
+  const { size, growth = DEFAULT_GROWTH, order = DEFAULT_ORDER } = options;
+  const wrong: Diagnostic[] = [];
+  if (size !== undefined && !(Number.isFinite(size) && size > 0)) {
+    wrong.push(invalidOption(`the element size is ${size}`, "Give a finite size above 0, in model units."));
+  }
+  if (!(Number.isFinite(growth) && growth >= 0)) {
+    wrong.push(
+      invalidOption(`the growth is ${growth}`, "Give a finite growth of 0 or more, for example 0.3."),
+    );
+  }
+  if (!Object.hasOwn(FRONT_ORDERS, order)) {
+    const known = Object.keys(FRONT_ORDERS).join(" or ");
+    wrong.push(invalidOption(`the order of the front is "${order}"`, `Give ${known}.`));
+  }
+  return wrong;
+}
+
+function invalidOption(message: string, remedy: string): Diagnostic {
+  return packageDiagnostic("invalid-option", message, remedy);
+}
+
+/** Options that passed the check; a size of 0 stands for none. */
+export function engineOptions(options: MeshOptions): EngineOptions {
+  const { size = 0, growth = DEFAULT_GROWTH, order = DEFAULT_ORDER } = options;
+  return { size, growth, order: FRONT_ORDERS[order] };
+}

@@ -1,0 +1,110 @@
+/** Reading and writing project files (docs/FORMAT.md). */
+import type { z } from "zod";
+
+import { PROJECT_FORMAT, PROJECT_VERSION, projectSchema, type Project } from "./project-schema.js";
+import type { ReadProblem, ReadResult } from "./read-result.js";
+
+/** More problems than this help nobody; the first ones usually cause the rest. */
+const MAX_PROBLEMS = 20;
+
+/**
+ * Checks that a value is a project: structure, finite numbers, unique ids, references that exist.
+ * The geometry is not looked at; `previewProject` and `meshProject` do that. Never throws.
+ */
+export function parseProject(value: unknown): ReadResult<Project> {
+  const headProblem = checkHead(value);
+  if (headProblem !== undefined) return { success: false, problems: [headProblem] };
+  const parsed = projectSchema.safeParse(value);
+  if (parsed.success) return { success: true, value: parsed.data };
+  const [first, ...rest] = parsed.error.issues.slice(0, MAX_PROBLEMS).map(describeIssue);
+  return { success: false, problems: [first ?? notAProject("it does not follow the schema"), ...rest] };
+}
+
+/** Reads the text of a project file. Never throws. */
+export function readProject(text: string): ReadResult<Project> {
+  if (text.trim() === "") return { success: false, problems: [notAProject("the file is empty")] };
+  let value: unknown;
+  try {
+    value = JSON.parse(text.startsWith("\uFEFF") ? text.slice(1) : text);
+  } catch (failure) {
+    return { success: false, problems: [describeSyntaxError(text, failure)] };
+  }
+  return parseProject(value);
+}
+
+/**
+ * The text of a project file: JSON with one entity per line, so that differences between two
+ * versions of a model can be read.
+ */
+export function writeProject(project: Project): string {
+  const { $schema, format, version, name, description, units, points, lines, patches, background } = project;
+  const head = Object.entries({ $schema, format, version, name, description, units })
+    .filter(([, value]) => value !== undefined)
+    .map(([key, value]) => `  ${JSON.stringify(key)}: ${JSON.stringify(value)}`);
+  const body = [
+    `  "points": ${rows(points, "  ")}`,
+    `  "lines": ${rows(lines, "  ")}`,
+    `  "patches": ${rows(patches, "  ")}`,
+    `  "background": {\n    "nodes": ${rows(background.nodes, "    ")},\n` +
+      `    "tetrahedra": ${rows(background.tetrahedra, "    ")}\n  }`,
+  ];
+  return `{\n${[...head, ...body].join(",\n")}\n}\n`;
+}
+
+function rows(entities: readonly unknown[], indent: string): string {
+  if (entities.length === 0) return "[]";
+  return `[\n${entities.map((entity) => `${indent}  ${JSON.stringify(entity)}`).join(",\n")}\n${indent}]`;
+}
+
+/** Format and version first: with another version every other complaint would mislead. */
+function checkHead(value: unknown): ReadProblem | undefined {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) {
+    return notAProject("it holds no JSON object");
+  }
+  const { format, version } = value as { format?: unknown; version?: unknown };
+  if (format !== PROJECT_FORMAT) return notAProject(`"format" is not "${PROJECT_FORMAT}"`);
+  if (typeof version === "number" && version > PROJECT_VERSION) {
+    return {
+      message: `the file has version ${version}, this program reads versions up to ${PROJECT_VERSION}`,
+      remedy: "Update Tetrafront.",
+      path: "version",
+    };
+  }
+  return undefined;
+}
+
+function notAProject(why: string): ReadProblem {
+  return {
+    message: `this is not a Tetrafront project: ${why}`,
+    remedy: `Give a file that begins with { "format": "${PROJECT_FORMAT}", "version": ${PROJECT_VERSION}, … }.`,
+  };
+}
+
+function describeSyntaxError(text: string, failure: unknown): ReadProblem {
+  const reason = failure instanceof Error ? failure.message : String(failure);
+  const position = /position (\d+)/.exec(reason)?.[1];
+  const offset = position === undefined ? undefined : Number(position);
+  return {
+    message: `this is not JSON: ${reason.replace(/ in JSON at position.*| \(line \d+ column \d+\)/, "")}`,
+    remedy: "Correct the text there, or save the project again from the program that wrote it.",
+    line: offset === undefined ? undefined : text.slice(0, offset).split("\n").length,
+  };
+}
+
+function describeIssue(issue: z.core.$ZodIssue): ReadProblem {
+  const path = pathText(issue.path);
+  const reason = issue.message.replace(/^Invalid (input|option|key|element): /, "");
+  return {
+    message: path === "" ? reason : `${path}: ${reason}`,
+    remedy: "Correct the value there; docs/FORMAT.md describes every field.",
+    path,
+  };
+}
+
+/** `["points", 0, "at", 2]` as `points[0].at[2]`. */
+function pathText(path: readonly PropertyKey[]): string {
+  return path
+    .map((step) => (typeof step === "number" ? `[${step}]` : `.${String(step)}`))
+    .join("")
+    .replace(/^\./, "");
+}

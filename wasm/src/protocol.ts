@@ -1,0 +1,67 @@
+/** What the page (or a Node program) and the worker say to each other. Types only. */
+import type { EngineDiagnostic } from "./diagnostics.js";
+import type { ModelArrays } from "./project-arrays.js";
+import type { MeshReport, MeshStatus, Progress, ProjectPreview, SurfaceMesh, VolumeMesh } from "./types.js";
+
+/** Options as the engine takes them; 0 for a size that is not given. */
+export interface EngineOptions {
+  readonly size: number;
+  readonly growth: number;
+  /** 0 layered, 1 smallest first. */
+  readonly order: number;
+}
+
+/** Every request but `cancel` carries an id of its own; replies repeat it, late ones are dropped by it. */
+export type Request =
+  /** Answered by any number of `progress`, then one `result` or `failure`. */
+  | {
+      readonly kind: "mesh-model";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly options: EngineOptions;
+    }
+  /** As `mesh-model`. */
+  | {
+      readonly kind: "fill-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly options: EngineOptions;
+    }
+  /** Answered by one `preview` or `failure`, also while a run is under way. */
+  | { readonly kind: "preview"; readonly id: number; readonly model: ModelArrays }
+  /** About the run of that id: answered by `stopping` and then its `result`, or by nothing if it is over. */
+  | { readonly kind: "cancel"; readonly id: number };
+
+/** A result before its diagnostics are put into words, which only the sender of the request can do. */
+export interface EngineResult {
+  readonly status: MeshStatus;
+  readonly surface: SurfaceMesh;
+  readonly volume: VolumeMesh;
+  readonly figures: Omit<MeshReport, "diagnostics" | "status">;
+  readonly diagnostics: readonly EngineDiagnostic[];
+}
+
+export type EnginePreview = Omit<ProjectPreview, "diagnostics"> & {
+  readonly diagnostics: readonly EngineDiagnostic[];
+};
+
+export type FailureReason = "out-of-memory" | "engine-failed";
+
+export type Reply =
+  /** Once, when the engine is loaded. Requests sent earlier wait for it. */
+  | { readonly kind: "ready" }
+  | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
+  /** The run takes no further step; its result is being copied. */
+  | { readonly kind: "stopping"; readonly id: number }
+  | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }
+  | { readonly kind: "preview"; readonly id: number; readonly preview: EnginePreview }
+  /** The worker must be replaced: after a trap its heap cannot be trusted, and a full heap never shrinks. */
+  | {
+      readonly kind: "failure";
+      readonly id: number;
+      readonly reason: FailureReason;
+      readonly message: string;
+    }
+  /** The engine could not be loaded at all. */
+  | { readonly kind: "unusable"; readonly message: string };

@@ -1,0 +1,21 @@
+import type { Reply } from "./protocol.js";
+import type { StartWorker } from "./worker-host.js";
+
+export const startWorker: StartWorker = (events) => {
+  // Bundlers find the worker by this literal form and no other.
+  const worker = new Worker(new URL("./worker.js", import.meta.url), {
+    type: "module",
+    name: "tetrafront-mesher",
+  });
+  worker.onmessage = (event: MessageEvent<Reply>) => events.onReply(event.data);
+  worker.onmessageerror = () => events.onCrash("a reply could not be received");
+  worker.onerror = (event) => {
+    event.preventDefault();
+    events.onCrash(event.message);
+  };
+  return {
+    post: (request, transfer) => worker.postMessage(request, [...transfer]),
+    keepAlive: () => undefined,
+    terminate: () => worker.terminate(),
+  };
+};

@@ -1,0 +1,22 @@
+import { Worker } from "node:worker_threads";
+
+import type { Reply } from "./protocol.js";
+import type { StartWorker } from "./worker-host.js";
+
+export const startWorker: StartWorker = (events) => {
+  const worker = new Worker(new URL("./worker.js", import.meta.url), { name: "tetrafront-mesher" });
+  let terminated = false;
+  worker.on("message", (reply: Reply) => events.onReply(reply));
+  worker.on("error", (failure: unknown) => events.onCrash(String(failure)));
+  worker.on("exit", (code) => {
+    if (!terminated) events.onCrash(`the worker ended with code ${code}`);
+  });
+  return {
+    post: (request, transfer) => worker.postMessage(request, transfer),
+    keepAlive: (wanted) => (wanted ? worker.ref() : worker.unref()),
+    terminate: () => {
+      terminated = true;
+      void worker.terminate();
+    },
+  };
+};

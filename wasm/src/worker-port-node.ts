@@ -1,0 +1,12 @@
+import { parentPort } from "node:worker_threads";
+
+import type { Request } from "./protocol.js";
+import type { WorkerPort } from "./worker-port.js";
+
+export const workerPort: WorkerPort = {
+  post: (reply, transfer = []) => parentPort?.postMessage(reply, transfer),
+  onRequest: (handle) => {
+    parentPort?.on("message", (request: Request) => handle(request));
+  },
+  letRequestsIn: () => new Promise((resolve) => setImmediate(resolve)),
+};

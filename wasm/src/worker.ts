@@ -1,0 +1,105 @@
+/** The worker: takes requests, runs the engine in slices, replies (src/protocol.ts). */
+import { workerPort } from "#worker-port";
+
+import { loadEngine, type Engine, type EngineRun } from "./engine.js";
+import type { EngineResult, FailureReason, Request } from "./protocol.js";
+import { RunClock } from "./run-clock.js";
+import { runInSlices } from "./slices.js";
+import { buffersOf } from "./transfer.js";
+import type { MeshStatus } from "./types.js";
+
+const OUT_OF_MEMORY = "out of memory";
+const cancelled = new Set<number>();
+const running = new Set<number>();
+
+/** What the engine says in `failure()`, raised here to reach the reply. */
+class EngineFailure extends Error {
+  get reason(): FailureReason {
+    return this.message === OUT_OF_MEMORY ? "out-of-memory" : "engine-failed";
+  }
+}
+
+function start(engine: Engine): void {
+  workerPort.onRequest((request) => {
+    handle(engine, request).catch((failure: unknown) => replyFailure(request.id, failure));
+  });
+  workerPort.post({ kind: "ready" });
+}
+
+async function handle(engine: Engine, request: Request): Promise<void> {
+  switch (request.kind) {
+    case "cancel":
+      if (running.has(request.id)) cancelled.add(request.id);
+      return;
+    case "preview":
+      return replyPreview(engine, request.id, request.model);
+    case "mesh-model":
+      return mesh(request.id, engine.meshModel(request.model, request.options));
+    case "fill-surface":
+      return mesh(request.id, engine.fillSurface(request.points, request.triangles, request.options));
+  }
+}
+
+async function mesh(id: number, run: EngineRun | null): Promise<void> {
+  if (run === null) throw new EngineFailure("the engine gave no run");
+  const clock = new RunClock();
+  running.add(id);
+  try {
+    assertHealthy(run);
+    const status = await runInSlices(run, clock, {
+      isCancelled: () => cancelled.has(id),
+      onProgress: (progress) => workerPort.post({ kind: "progress", id, progress }),
+      letRequestsIn: workerPort.letRequestsIn,
+    });
+    if (status === "cancelled") workerPort.post({ kind: "stopping", id });
+    const result = resultOf(run, status, clock);
+    workerPort.post({ kind: "result", id, result }, buffersOf(result.surface, result.volume));
+  } finally {
+    running.delete(id);
+    cancelled.delete(id);
+    run.delete();
+  }
+}
+
+function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineResult {
+  const surface = run.surface();
+  const volume = run.volume();
+  const quality = run.quality();
+  const figures = {
+    points: volume.points.length / 3,
+    tetrahedra: volume.tetrahedra.length / 4,
+    triangles: surface.triangles.length / 3,
+    dihedral: { min: quality.minDihedral, max: quality.maxDihedral },
+    radiusRatio: { min: quality.minRadiusRatio, mean: quality.meanRadiusRatio },
+    volume: quality.volume,
+    recovery: run.recovery(),
+    front: run.counters(),
+    fingerprint: run.fingerprint(),
+  };
+  const diagnostics = run.diagnostics();
+  assertHealthy(run);
+  return { status, surface, volume, diagnostics, figures: { ...figures, seconds: clock.seconds() } };
+}
+
+function replyPreview(engine: Engine, id: number, model: Parameters<Engine["preview"]>[0]): void {
+  const { failure, ...preview } = engine.preview(model);
+  if (failure !== "") throw new EngineFailure(String(failure));
+  workerPort.post({ kind: "preview", id, preview }, buffersOf(preview));
+}
+
+/** After a failure the engine answers with empty values, which must not pass for a result. */
+function assertHealthy(run: EngineRun): void {
+  const failure = run.failure();
+  if (failure !== "") throw new EngineFailure(failure);
+}
+
+/** The maker replaces the worker after this (src/protocol.ts). */
+function replyFailure(id: number, failure: unknown): void {
+  const reason = failure instanceof EngineFailure ? failure.reason : "engine-failed";
+  const message = failure instanceof Error ? failure.message : String(failure);
+  workerPort.post({ kind: "failure", id, reason, message });
+}
+
+loadEngine().then(start, (failure: unknown) =>
+  workerPort.post({ kind: "unusable", message: String(failure) }),
+);
