@@ -1,9 +1,10 @@
 import { existsSync, readFileSync } from "node:fs";
+import path from "node:path";
+import { root } from "./paths.mjs";
 
-/**
- * Reads the reports of the test programs into `{ passed, failed, failures }`. A test that was skipped counts
- * as failed: a test that does not run proves nothing. A missing report, from a crash, is one failure.
- */
+// Reads the reports of the test programs into `{ passed, failed, failures }`. A test that was skipped counts
+// as failed: a test that does not run proves nothing. A missing report, from a crash, is one failure.
+
 const crashed = (what) => ({
   passed: 0,
   failed: 1,
@@ -43,7 +44,7 @@ export function countVitest(file) {
   if (!report) return crashed("vitest");
   const tests = report.testResults.flatMap((result) =>
     result.assertionResults.length === 0 && result.status !== "passed"
-      ? [{ name: result.name, ok: false }]
+      ? [{ name: `${path.relative(root, result.name)} does not load`, ok: false }]
       : result.assertionResults.map((test) => ({ name: test.fullName, ok: test.status === "passed" })),
   );
   return tally(tests);
