@@ -2,6 +2,7 @@ import { existsSync, mkdirSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
 import path from "node:path";
 import { formatCpp, formatScript } from "../format.mjs";
+import { wrongIncludes } from "./arrows.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
 import { buildFolders, inRoot, reports } from "./paths.mjs";
 import { run } from "./run.mjs";
@@ -73,11 +74,13 @@ export const suites = {
     },
   },
   lint: {
-    title: "lint (TypeScript)",
+    title: "lint (TypeScript, arrows)",
     needs: ["wasm", "package"],
     async run() {
       const status = await run(bin("eslint"), [".", "--max-warnings", "0"], { quietOut: true });
-      return check(status === 0, "eslint finds problems");
+      const wrong = wrongIncludes();
+      const arrows = { ...check(wrong.length === 0, "C++ includes"), failures: wrong };
+      return sum([check(status === 0, "eslint finds problems"), arrows]);
     },
   },
   unit: {
