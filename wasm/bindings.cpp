@@ -52,6 +52,8 @@ struct DiagnosticRecord {
 
 /// A JavaScript array of DiagnosticRecord.
 EMSCRIPTEN_DECLARE_VAL_TYPE(DiagnosticRecords)
+/// A JavaScript string; std::string as a field would be declared as anything string-like.
+EMSCRIPTEN_DECLARE_VAL_TYPE(Text)
 
 struct SurfaceArrays {
   Float64Array points = copyOut(std::vector<double>{});
@@ -84,7 +86,7 @@ struct PreviewArrays {
   Uint32Array patchTriangles = lineOffsets;
   Uint32Array patchOffsets = lineOffsets;
   DiagnosticRecords diagnostics{emscripten::val::array()};
-  std::string failure;
+  Text failure{emscripten::val("")};
 };
 
 /// FrontCounters as JavaScript numbers, exact up to 2^53.
@@ -336,9 +338,9 @@ PreviewArrays preview(const ModelArrays& arrays) {
                          .patchTriangles = copyOut(drawn.patchTriangles),
                          .patchOffsets = copyOut(drawn.patchOffsets),
                          .diagnostics = toRecords(drawn.diagnostics),
-                         .failure = {}};
+                         .failure = Text{emscripten::val("")}};
   });
-  result.failure = failure;
+  result.failure = Text{emscripten::val(failure)};
   return result;
 }
 
@@ -363,6 +365,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   register_type<Uint32Array>("Uint32Array");
   register_type<Uint8Array>("Uint8Array");
   register_type<DiagnosticRecords>("DiagnosticRecord[]");
+  register_type<Text>("string");
 
   value_object<ModelArrays>("ModelArrays")
       .field("points", &ModelArrays::points)

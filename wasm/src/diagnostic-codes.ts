@@ -38,7 +38,7 @@ export const ENGINE_CODES = {
 
 export type EngineCode = (typeof ENGINE_CODES)[keyof typeof ENGINE_CODES];
 
-/** What the package finds before the engine is asked. */
+/** What the package and its command line find themselves. */
 export type PackageCode =
   /** The value given as a project does not follow the schema. */
   | "invalid-project"
@@ -47,7 +47,11 @@ export type PackageCode =
   /** The arrays of a surface do not fit together. */
   | "invalid-arrays"
   /** A file could not be read or is not what its extension says. */
-  | "unreadable-input";
+  | "unreadable-input"
+  /** The memory did not suffice. */
+  | "out-of-memory"
+  /** Our own mistake. */
+  | "engine-failed";
 
 export type DiagnosticCode = EngineCode | PackageCode;
 

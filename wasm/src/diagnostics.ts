@@ -117,7 +117,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "empty-background-grid": {
     message: () => "The project has no background grid, so no element size is known",
-    remedy: "Give a uniform element size, or add background tetrahedra that cover the model.",
+    remedy:
+      "Give a uniform element size (--size on the command line), or add background tetrahedra that cover the model.",
   },
   "bad-size": {
     message: ({ main, value }) => `${main} has the element size ${value(0)}`,

@@ -5,6 +5,11 @@
  */
 export { ENGINE_CODES } from "./diagnostic-codes.js";
 export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostic-codes.js";
+export { MESH_WRITERS, patchNames, SURFACE_READERS } from "./formats/file-formats.js";
+export { writeMsh, type MshNames } from "./formats/msh.js";
+export { readOff } from "./formats/off.js";
+export { readStl } from "./formats/stl.js";
+export { writeVtu } from "./formats/vtu.js";
 export { createMesher, MesherError } from "./mesher.js";
 export type { MesherErrorCode } from "./mesher.js";
 export { parseProject, readProject, writeProject } from "./project.js";

@@ -5,5 +5,5 @@ export interface WorkerPort {
   post(reply: Reply, transfer?: readonly ArrayBuffer[]): void;
   onRequest(handle: (request: Request) => void): void;
   /** Resolves after the requests that wait have been handled. Timers would wait 4 ms or more. */
-  letRequestsIn(): Promise<void>;
+  readonly letRequestsIn: () => Promise<void>;
 }

@@ -83,7 +83,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
 
 function replyPreview(engine: Engine, id: number, model: Parameters<Engine["preview"]>[0]): void {
   const { failure, ...preview } = engine.preview(model);
-  if (failure !== "") throw new EngineFailure(String(failure));
+  if (failure !== "") throw new EngineFailure(failure);
   workerPort.post({ kind: "preview", id, preview }, buffersOf(preview));
 }
 

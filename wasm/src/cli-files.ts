@@ -1,0 +1,117 @@
+/** Files as the command line meets them: every way to fail gets one line with a remedy. */
+import { constants } from "node:fs";
+import { access, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
+import path from "node:path";
+
+/** A failure of a file, told to the user and ending the command. */
+export class FileProblem extends Error {
+  constructor(
+    readonly file: string,
+    message: string,
+    readonly remedy: string,
+  ) {
+    super(message);
+  }
+}
+
+/** The bytes of a file. Throws a FileProblem. */
+export async function readInput(file: string): Promise<Uint8Array> {
+  try {
+    return await readFile(file);
+  } catch (failure) {
+    throw inputProblem(file, failure);
+  }
+}
+
+function inputProblem(file: string, failure: unknown): FileProblem {
+  switch (codeOf(failure)) {
+    case "ENOENT":
+    case "ENOTDIR":
+      return new FileProblem(file, "there is no such file", "Check the path.");
+    case "EISDIR":
+      return new FileProblem(file, "this is a directory", "Give the file to mesh.");
+    case "EACCES":
+    case "EPERM":
+      return new FileProblem(file, "the file may not be read", "Change its permissions.");
+    default:
+      return new FileProblem(
+        file,
+        `the file cannot be read (${reasonOf(failure)})`,
+        "Try another copy of it.",
+      );
+  }
+}
+
+/** Finds out before hours of meshing whether a file can be written. Throws a FileProblem. */
+export async function checkOutput(file: string): Promise<void> {
+  const found = await statOf(file);
+  if (found?.isDirectory() === true) {
+    throw new FileProblem(file, "this is a directory", "Give the name of a file in it.");
+  }
+  const folder = path.dirname(file);
+  const place = await statOf(folder);
+  if (place?.isDirectory() !== true) {
+    throw new FileProblem(file, `there is no folder ${folder} to write to`, "Create it, or choose another.");
+  }
+  const mayWrite = await access(found === undefined || found.isFile() ? folder : file, constants.W_OK).then(
+    () => true,
+    () => false,
+  );
+  if (!mayWrite) {
+    throw new FileProblem(
+      file,
+      "this place may not be written to",
+      "Choose another, or change its permissions.",
+    );
+  }
+}
+
+/**
+ * Writes a file so that nobody ever sees half of it: beside it first, then renamed. Devices and pipes,
+ * which must not be replaced, are written to directly. Throws a FileProblem.
+ */
+export async function writeOutput(file: string, content: string | Uint8Array): Promise<void> {
+  const found = await statOf(file);
+  try {
+    if (found !== undefined && !found.isFile()) return await writeTo(file, content, "w");
+    // Through a link to the file itself, or the link would be replaced.
+    const target = found === undefined ? file : await realpath(file);
+    const temporary = path.join(path.dirname(target), `.${path.basename(target)}.${process.pid}.part`);
+    try {
+      await writeTo(temporary, content, "wx");
+      await rename(temporary, target);
+    } finally {
+      await rm(temporary, { force: true });
+    }
+  } catch (failure) {
+    throw new FileProblem(file, `the file cannot be written (${reasonOf(failure)})`, "Choose another place.");
+  }
+}
+
+async function writeTo(file: string, content: string | Uint8Array, flags: "w" | "wx"): Promise<void> {
+  const handle = await open(file, flags);
+  try {
+    await handle.writeFile(content);
+  } finally {
+    await handle.close();
+  }
+}
+
+async function statOf(file: string): Promise<Awaited<ReturnType<typeof stat>> | undefined> {
+  return stat(file).catch(() => undefined);
+}
+
+/** Whether two names lead to one existing file. */
+export async function isSameFile(a: string, b: string): Promise<boolean> {
+  const [first, second] = await Promise.all([statOf(a), statOf(b)]);
+  if (first === undefined || second === undefined) return false;
+  return first.isFile() && first.dev === second.dev && first.ino === second.ino;
+}
+
+function codeOf(failure: unknown): string {
+  return failure instanceof Error && "code" in failure ? String(failure.code) : "";
+}
+
+function reasonOf(failure: unknown): string {
+  return codeOf(failure) || String(failure);
+}

@@ -1,0 +1,27 @@
+/** Joins text and typed arrays into the bytes of a file. Numbers stand in the machine's byte order. */
+export function joinBytes(parts: readonly (string | ArrayBufferView)[]): Uint8Array<ArrayBuffer> {
+  const encoder = new TextEncoder();
+  const pieces = parts.map((part) =>
+    typeof part === "string"
+      ? encoder.encode(part)
+      : new Uint8Array(part.buffer, part.byteOffset, part.byteLength),
+  );
+  const joined = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, 0));
+  let position = 0;
+  for (const piece of pieces) {
+    joined.set(piece, position);
+    position += piece.length;
+  }
+  return joined;
+}
+
+/** Whether the machine writes the low byte first; file headers say so. */
+export const IS_LITTLE_ENDIAN = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1;
+
+/** Unsigned 32-bit numbers as 64-bit ones, in the machine's byte order. */
+export function widened(values: ArrayLike<number>): Uint32Array {
+  const low = IS_LITTLE_ENDIAN ? 0 : 1;
+  const wide = new Uint32Array(2 * values.length);
+  for (let i = 0; i < values.length; i++) wide[2 * i + low] = values[i] ?? 0;
+  return wide;
+}

@@ -1,0 +1,32 @@
+/** Which format a file has: its extension says. */
+import type { Project } from "../project-schema.js";
+import type { ReadResult } from "../read-result.js";
+import type { MeshResult, SurfaceInput } from "../types.js";
+import { writeMsh } from "./msh.js";
+import { readOff } from "./off.js";
+import { readStl } from "./stl.js";
+import { writeVtu } from "./vtu.js";
+
+/** Closed surfaces that can be read. */
+export const SURFACE_READERS: Readonly<Record<string, (bytes: Uint8Array) => ReadResult<SurfaceInput>>> = {
+  ".stl": readStl,
+  ".off": readOff,
+};
+
+/** Meshes that can be written; the names in them come from the project, if there is one. */
+export const MESH_WRITERS: Readonly<
+  Record<string, (mesh: MeshResult, project?: Project) => Uint8Array<ArrayBuffer>>
+> = {
+  ".vtu": (mesh) => writeVtu(mesh),
+  ".msh": (mesh, project) => writeMsh(mesh, { patches: project && patchNames(project) }),
+};
+
+/** What to call each patch in a file: its name, else its id. */
+export function patchNames(project: Project): string[] {
+  return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
+}
+
+/** The extension of a file name in lower case, with its dot; empty where there is none. */
+export function extensionOf(fileName: string): string {
+  return /\.[^./\\]+$/.exec(fileName)?.[0].toLowerCase() ?? "";
+}

@@ -1,0 +1,155 @@
+/**
+ * Gmsh MSH 4.1, binary: coordinates come back bit for bit. One surface entity and physical group per
+ * patch, with its triangles, and one volume entity and physical group per region, with its tetrahedra;
+ * the groups carry the user's names, for boundary conditions.
+ */
+import type { MeshResult } from "../types.js";
+import { joinBytes, widened } from "./bytes.js";
+
+/** Gmsh's element types: 3-node triangle, 4-node tetrahedron. Its node order is ours. */
+const TRIANGLE = { type: 2, dimension: 2, nodes: 3 } as const;
+const TETRAHEDRON = { type: 4, dimension: 3, nodes: 4 } as const;
+type ElementKind = typeof TRIANGLE | typeof TETRAHEDRON;
+
+/** Elements of one entity, in the order of the mesh. */
+interface Group {
+  readonly kind: ElementKind;
+  /** Entity and physical tag, from 1. */
+  readonly tag: number;
+  readonly name: string;
+  /** Node positions of all its elements. */
+  readonly nodes: Uint32Array;
+}
+
+export interface MshNames {
+  /** By position of the patch; else "patch 1", "patch 2", … */
+  readonly patches?: readonly string[] | undefined;
+  /** By region; else "region 1", "region 2", … */
+  readonly regions?: readonly string[] | undefined;
+}
+
+/** The bytes of an MSH file. A partial mesh is written as far as it goes. */
+export function writeMsh(
+  mesh: Pick<MeshResult, "surface" | "volume">,
+  names: MshNames = {},
+): Uint8Array<ArrayBuffer> {
+  const { surface, volume } = mesh;
+  const patches = groupsOf(TRIANGLE, surface.triangles, surface.trianglePatch, "patch", names.patches);
+  const regions = groupsOf(TETRAHEDRON, volume.tetrahedra, volume.regions, "region", names.regions);
+  const groups = [...patches, ...regions];
+  const points = volume.points.length > 0 ? volume.points : surface.points;
+  return joinBytes([
+    // 1: binary, 8: bytes of a size_t; the number 1 that follows tells the byte order.
+    "$MeshFormat\n4.1 1 8\n",
+    Int32Array.of(1),
+    "\n$EndMeshFormat\n",
+    physicalNames(groups),
+    "$Entities\n",
+    ...entities(patches, regions, points),
+    "\n$EndEntities\n$Nodes\n",
+    ...nodes(points, groups),
+    "\n$EndNodes\n$Elements\n",
+    ...elements(groups),
+    "\n$EndElements\n",
+  ]);
+}
+
+/** Splits elements by owner, keeping their order. Owners without elements get no group. */
+function groupsOf(
+  kind: ElementKind,
+  nodes: Uint32Array,
+  owners: Uint32Array,
+  word: string,
+  names: readonly string[] = [],
+): Group[] {
+  const counts: number[] = [];
+  for (const owner of owners) counts[owner] = (counts[owner] ?? 0) + 1;
+  const split = Array.from(counts, (count: number | undefined) => new Uint32Array(kind.nodes * (count ?? 0)));
+  const filled = split.map(() => 0);
+  owners.forEach((owner, e) => {
+    const begin = filled[owner] ?? 0;
+    split[owner]?.set(nodes.subarray(kind.nodes * e, kind.nodes * (e + 1)), begin);
+    filled[owner] = begin + kind.nodes;
+  });
+  const taken = new Set<string>();
+  return split.flatMap((own, owner) => {
+    if (own.length === 0) return [];
+    const tag = owner + 1;
+    return [{ kind, tag, name: uniqueName(names[owner], `${word} ${tag}`, taken), nodes: own }];
+  });
+}
+
+/** Quoted in the file, and told apart by name in other programs. */
+function uniqueName(given: string | undefined, otherwise: string, taken: Set<string>): string {
+  const plain = (given ?? "").replace(/["\r\n]/g, "'").trim();
+  let name = plain === "" ? otherwise : plain;
+  if (taken.has(name)) name = `${name} (${otherwise})`;
+  taken.add(name);
+  return name;
+}
+
+function physicalNames(groups: readonly Group[]): string {
+  const lines = groups.map(({ kind, tag, name }) => `${kind.dimension} ${tag} "${name}"\n`);
+  return `$PhysicalNames\n${groups.length}\n${lines.join("")}$EndPhysicalNames\n`;
+}
+
+function entities(
+  patches: readonly Group[],
+  regions: readonly Group[],
+  points: Float64Array,
+): ArrayBufferView[] {
+  const counts = widened([0, 0, patches.length, regions.length]);
+  const records = [...patches, ...regions].flatMap((group) => [
+    Int32Array.of(group.tag),
+    boundingBox(group.nodes, points),
+    widened([1]),
+    Int32Array.of(group.tag),
+    // No bounding entities are told: solvers do not need them, and a free surface has none.
+    widened([0]),
+  ]);
+  return [counts, ...records];
+}
+
+/** Lowest x y z, highest x y z. */
+function boundingBox(nodes: Uint32Array, points: Float64Array): Float64Array {
+  const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
+  for (const node of nodes) {
+    for (let axis = 0; axis < 3; axis++) {
+      const value = points[3 * node + axis] ?? 0;
+      box[axis] = Math.min(box[axis] ?? 0, value);
+      box[axis + 3] = Math.max(box[axis + 3] ?? 0, value);
+    }
+  }
+  return box;
+}
+
+/** All nodes in one block of the last entity; tags from 1 in the order of the mesh. */
+function nodes(points: Float64Array, groups: readonly Group[]): ArrayBufferView[] {
+  const count = points.length / 3;
+  const owner = groups.at(-1);
+  if (owner === undefined || count === 0) return [widened([0, 0, 0, 0])];
+  const tags = Uint32Array.from({ length: count }, (_, i) => i + 1);
+  return [
+    widened([1, count, 1, count]),
+    Int32Array.of(owner.kind.dimension, owner.tag, 0),
+    widened([count]),
+    widened(tags),
+    points,
+  ];
+}
+
+function elements(groups: readonly Group[]): ArrayBufferView[] {
+  const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
+  const parts: ArrayBufferView[] = [widened([groups.length, total, Math.min(1, total), total])];
+  let tag = 1;
+  for (const { kind, tag: entity, nodes } of groups) {
+    const count = nodes.length / kind.nodes;
+    const rows = new Uint32Array((kind.nodes + 1) * count);
+    for (let e = 0, out = 0; e < count; e++) {
+      rows[out++] = tag++;
+      for (let i = 0; i < kind.nodes; i++) rows[out++] = (nodes[kind.nodes * e + i] ?? 0) + 1;
+    }
+    parts.push(Int32Array.of(kind.dimension, entity, kind.type), widened([count]), widened(rows));
+  }
+  return parts;
+}
