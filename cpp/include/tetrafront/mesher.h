@@ -51,9 +51,6 @@ class MeshRun {
   /// A copy of the mesh as it stands, complete or not. O(size of the mesh).
   [[nodiscard]] VolumeMesh volume() const;
 
-  /// The active faces as they stand, three nodes each. O(front).
-  [[nodiscard]] std::vector<std::uint32_t> front() const;
-
   /// Of the mesh as it stands after kDone, kStalled or kCancelled.
   [[nodiscard]] QualitySummary quality() const;
   [[nodiscard]] RecoverySummary recovery() const;

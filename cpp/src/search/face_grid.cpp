@@ -1,0 +1,236 @@
+#include "search/face_grid.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "search/box_overlap.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr std::int32_t kCellsPerBlock = 4;  // per axis
+constexpr int kKeyBits = 19;                // per axis; coordinates that wrap share a block, which
+constexpr std::uint64_t kKeyMask = (1U << kKeyBits) - 1;  // only costs box comparisons
+constexpr std::size_t kInitialTable = 256;
+
+/// For each axis, bits of the cells of a block whose coordinate is in [from, to].
+struct RangeMasks {
+  std::uint64_t mask[3][kCellsPerBlock][kCellsPerBlock] = {};
+
+  constexpr RangeMasks() {
+    for (int from = 0; from < kCellsPerBlock; ++from) {
+      for (int to = from; to < kCellsPerBlock; ++to) {
+        for (int cell = 0; cell < 64; ++cell) {
+          const int coordinate[3] = {cell / 16, cell / 4 % 4, cell % 4};
+          for (int axis = 0; axis < 3; ++axis) {
+            if (coordinate[axis] >= from && coordinate[axis] <= to) {
+              mask[axis][from][to] |= std::uint64_t{1} << cell;
+            }
+          }
+        }
+      }
+    }
+  }
+};
+constexpr RangeMasks kRangeMasks;
+
+std::uint32_t cellInBlock(std::int32_t x, std::int32_t y, std::int32_t z) {
+  return static_cast<std::uint32_t>((x & 3) * 16 + (y & 3) * 4 + (z & 3));
+}
+
+/// Key of the block that holds the cell; arithmetic shift rounds towards minus infinity.
+std::uint64_t blockKey(int level, std::int32_t x, std::int32_t y, std::int32_t z) {
+  const auto part = [](std::int32_t cell) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(cell >> 2)) & kKeyMask;
+  };
+  return static_cast<std::uint64_t>(level) << (3 * kKeyBits) | part(x) << (2 * kKeyBits) |
+         part(y) << kKeyBits | part(z);
+}
+int levelOfKey(std::uint64_t key) { return static_cast<int>(key >> (3 * kKeyBits)); }
+
+/// Multiplicative hash. The high bits are taken: the low bits of the product never see x.
+std::size_t slotOf(std::uint64_t key, std::size_t tableSize) {
+  constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
+  return static_cast<std::size_t>((key * kGolden) >> 32) & (tableSize - 1);
+}
+
+}  // namespace
+
+FaceGrid::FaceGrid(double baseSize, const Vec3& origin)
+    : baseSize_(baseSize), origin_(origin), table_(kInitialTable, HashEntry{0, kNone}) {
+  double size = baseSize;
+  for (int level = kBaseLevel; level < kLevels; ++level, size *= 2.0) cellSize_[level] = size;
+  size = baseSize * 0.5;
+  for (int level = kBaseLevel - 1; level >= 0; --level, size *= 0.5) cellSize_[level] = size;
+  for (int level = 0; level < kLevels; ++level) inverseCellSize_[level] = 1.0 / cellSize_[level];
+}
+
+int FaceGrid::levelOf(const Box& box) const {
+  int exponent = 0;
+  std::frexp(static_cast<double>(box.largestExtent()) / baseSize_, &exponent);
+  return std::clamp(kBaseLevel + exponent, 0, kLevels - 1);
+}
+
+std::int32_t FaceGrid::cellCoordinate(double value, int axis, int level) const {
+  constexpr double kLimit = 1 << 30;
+  const double cell = std::floor((value - origin_[axis]) * inverseCellSize_[level]);
+  return static_cast<std::int32_t>(std::clamp(cell, -kLimit, kLimit));
+}
+
+std::uint32_t FaceGrid::findBlock(std::uint64_t key) const {
+  std::size_t slot = slotOf(key, table_.size());
+  while (table_[slot].block != kNone) {
+    if (table_[slot].key == key) return table_[slot].block;
+    slot = (slot + 1) & (table_.size() - 1);
+  }
+  return kNone;
+}
+
+std::uint32_t FaceGrid::findOrMakeBlock(std::uint64_t key) {
+  const std::uint32_t found = findBlock(key);
+  if (found != kNone) return found;
+  if (2 * (usedEntries_ + 1) > table_.size()) growTable();
+  std::size_t slot = slotOf(key, table_.size());
+  while (table_[slot].block != kNone) slot = (slot + 1) & (table_.size() - 1);
+  const auto block = static_cast<std::uint32_t>(blocks_.size());
+  blocks_.emplace_back();
+  blocks_.back().occupied = 0;
+  blocks_.back().heads.fill(kNone);
+  table_[slot] = {key, block};
+  ++usedEntries_;
+  return block;
+}
+
+void FaceGrid::growTable() {
+  std::vector<HashEntry> old(table_.size() * 2, HashEntry{0, kNone});
+  old.swap(table_);
+  for (const HashEntry& entry : old) {
+    if (entry.block == kNone) continue;
+    std::size_t slot = slotOf(entry.key, table_.size());
+    while (table_[slot].block != kNone) slot = (slot + 1) & (table_.size() - 1);
+    table_[slot] = entry;
+  }
+}
+
+void FaceGrid::insert(std::uint32_t face, const Box& box) {
+  const int level = levelOf(box);
+  std::array<std::int32_t, 3> cell{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double centre =
+        0.5 * (static_cast<double>(box.low[axis]) + static_cast<double>(box.high[axis]));
+    cell[axis] = cellCoordinate(centre, axis, level);
+  }
+  const std::uint32_t blockId = findOrMakeBlock(blockKey(level, cell[0], cell[1], cell[2]));
+  const std::uint32_t inBlock = cellInBlock(cell[0], cell[1], cell[2]);
+  Block& block = blocks_[blockId];
+  block.occupied |= std::uint64_t{1} << inBlock;
+  std::uint32_t& head = block.heads[inBlock];
+  if (head == kNone || chunks_[head].count == kChunkSize) {
+    std::uint32_t fresh = 0;
+    if (freeChunks_.empty()) {
+      fresh = static_cast<std::uint32_t>(chunks_.size());
+      chunks_.emplace_back();
+    } else {
+      fresh = freeChunks_.back();
+      freeChunks_.pop_back();
+    }
+    chunks_[fresh].next = head;
+    chunks_[fresh].count = 0;
+    head = fresh;
+  }
+  Chunk& chunk = chunks_[head];
+  chunk.entries[chunk.count] = {box.low, face, box.high, 0};
+  if (face >= places_.size()) places_.resize(std::max<std::size_t>(face + 1, places_.size() * 3 / 2));
+  places_[face] = {head, blockId << 6 | inBlock, static_cast<std::uint8_t>(chunk.count),
+                   static_cast<std::uint8_t>(level)};
+  ++chunk.count;
+  ++facesOnLevel_[level];
+}
+
+void FaceGrid::remove(std::uint32_t face) {
+  const Place place = places_[face];
+  Block& block = blocks_[place.blockAndCell >> 6];
+  const std::uint32_t inBlock = place.blockAndCell & 63U;
+  std::uint32_t& head = block.heads[inBlock];
+  Chunk& first = chunks_[head];
+  // The list's last entry takes the free place.
+  const Entry last = first.entries[--first.count];
+  chunks_[place.chunk].entries[place.slot] = last;
+  places_[last.face].chunk = place.chunk;
+  places_[last.face].slot = place.slot;
+  --facesOnLevel_[place.level];
+  if (first.count > 0) return;
+  freeChunks_.push_back(head);
+  head = first.next;
+  if (head == kNone) block.occupied &= ~(std::uint64_t{1} << inBlock);
+}
+
+std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) const {
+  std::size_t count = 0;
+  for (int level = 0; level < kLevels; ++level) {
+    if (facesOnLevel_[level] > 0) queryLevel(level, box, faces, count);
+  }
+  return count;
+}
+
+void FaceGrid::queryLevel(int level, const Box& box, std::vector<std::uint32_t>& faces,
+                          std::size_t& count) const {
+  const double margin = 0.5 * cellSize_[level];
+  CellRange cells{};
+  double blocksInRange = 1.0;
+  for (int axis = 0; axis < 3; ++axis) {
+    cells.from[axis] = cellCoordinate(static_cast<double>(box.low[axis]) - margin, axis, level);
+    cells.to[axis] = cellCoordinate(static_cast<double>(box.high[axis]) + margin, axis, level);
+    blocksInRange *= (cells.to[axis] >> 2) - (cells.from[axis] >> 2) + 1;
+  }
+  if (blocksInRange > usedEntries_) {
+    for (const HashEntry& entry : table_) {
+      if (entry.block == kNone || levelOfKey(entry.key) != level) continue;
+      for (std::uint64_t rest = blocks_[entry.block].occupied; rest != 0; rest &= rest - 1) {
+        queryChunks(blocks_[entry.block].heads[std::countr_zero(rest)], box, faces, count);
+      }
+    }
+    return;
+  }
+  for (std::int32_t x = cells.from[0] & ~3; x <= cells.to[0]; x += kCellsPerBlock) {
+    for (std::int32_t y = cells.from[1] & ~3; y <= cells.to[1]; y += kCellsPerBlock) {
+      for (std::int32_t z = cells.from[2] & ~3; z <= cells.to[2]; z += kCellsPerBlock) {
+        const std::uint32_t block = findBlock(blockKey(level, x, y, z));
+        if (block != kNone) queryBlock(blocks_[block], cells, x, y, z, box, faces, count);
+      }
+    }
+  }
+}
+
+void FaceGrid::queryBlock(const Block& block, const CellRange& cells, std::int32_t x,
+                          std::int32_t y, std::int32_t z, const Box& box,
+                          std::vector<std::uint32_t>& faces, std::size_t& count) const {
+  const std::array<std::int32_t, 3> corner{x, y, z};
+  std::uint64_t rest = block.occupied;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::int32_t from = std::max(cells.from[axis] - corner[axis], 0);
+    const std::int32_t to = std::min(cells.to[axis] - corner[axis], kCellsPerBlock - 1);
+    rest &= kRangeMasks.mask[axis][from][to];
+  }
+  for (; rest != 0; rest &= rest - 1) {
+    queryChunks(block.heads[std::countr_zero(rest)], box, faces, count);
+  }
+}
+
+void FaceGrid::queryChunks(std::uint32_t chunk, const Box& box, std::vector<std::uint32_t>& faces,
+                           std::size_t& count) const {
+  const BoxOverlap overlap(box.low.data(), box.high.data());
+  for (; chunk != kNone; chunk = chunks_[chunk].next) {
+    const Chunk& current = chunks_[chunk];
+    if (count + kChunkSize > faces.size()) faces.resize(2 * faces.size() + 64);
+    for (std::uint32_t i = 0; i < current.count; ++i) {
+      const Entry& entry = current.entries[i];
+      // Written always, kept only on overlap: the branch would be a coin toss.
+      faces[count] = entry.face;
+      count += overlap.meets(entry.low.data(), entry.high.data()) ? 1 : 0;
+    }
+  }
+}
+
+}  // namespace tetrafront

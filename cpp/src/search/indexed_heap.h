@@ -1,0 +1,106 @@
+#pragma once
+
+/// @file A heap that knows where each id stands, so that a face that leaves the front early is
+/// taken out at once (Löhner & Parikh 1988, second section 6, structure (1)). Four children per
+/// node: half the levels of a binary heap for the same comparisons. About every second face that
+/// is pushed is removed before its turn; lazy deletion would triple the heap.
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace tetrafront {
+
+/// Least key first. Equal keys come out in an order that depends on the calls made, never on
+/// addresses; callers who need more put a sequence number into the low bits of the key.
+class IndexedHeap {
+ public:
+  /// Makes ids 0 .. count-1 usable.
+  void reserveIds(std::size_t count) {
+    if (count > position_.size()) position_.resize(std::max(count, position_.size() * 3 / 2), kAbsent);
+  }
+  [[nodiscard]] bool empty() const { return entries_.empty(); }
+  [[nodiscard]] std::size_t size() const { return entries_.size(); }
+  [[nodiscard]] bool contains(std::uint32_t id) const { return position_[id] != kAbsent; }
+
+  /// `id` must not be in the heap. O(log n).
+  void push(std::uint32_t id, std::uint64_t key) {
+    entries_.push_back({key, id});
+    siftUp(entries_.size() - 1);
+  }
+
+  /// Takes out the id of least key. O(log n).
+  std::uint32_t pop() {
+    const std::uint32_t id = entries_.front().id;
+    remove(id);
+    return id;
+  }
+
+  /// Takes `id` out, if it is in. O(log n).
+  void remove(std::uint32_t id) {
+    const std::uint32_t at = position_[id];
+    if (at == kAbsent) return;
+    position_[id] = kAbsent;
+    const Entry last = entries_.back();
+    entries_.pop_back();
+    if (last.id == id) return;
+    const bool rises = last.key < entries_[at].key;
+    place(at, last);
+    if (rises) {
+      siftUp(at);
+    } else {
+      siftDown(at);
+    }
+  }
+
+  void clear() {
+    for (const Entry& entry : entries_) position_[entry.id] = kAbsent;
+    entries_.clear();
+  }
+
+ private:
+  struct Entry {
+    std::uint64_t key;
+    std::uint32_t id;
+  };
+  static constexpr std::uint32_t kAbsent = 0xffffffffU;
+  static constexpr std::size_t kChildren = 4;
+
+  void place(std::size_t at, Entry entry) {
+    entries_[at] = entry;
+    position_[entry.id] = static_cast<std::uint32_t>(at);
+  }
+
+  void siftUp(std::size_t at) {
+    const Entry entry = entries_[at];
+    while (at > 0) {
+      const std::size_t parent = (at - 1) / kChildren;
+      if (entries_[parent].key <= entry.key) break;
+      place(at, entries_[parent]);
+      at = parent;
+    }
+    place(at, entry);
+  }
+
+  void siftDown(std::size_t at) {
+    const Entry entry = entries_[at];
+    for (;;) {
+      const std::size_t first = kChildren * at + 1;
+      if (first >= entries_.size()) break;
+      const std::size_t end = std::min(first + kChildren, entries_.size());
+      std::size_t least = first;
+      for (std::size_t child = first + 1; child < end; ++child) {
+        if (entries_[child].key < entries_[least].key) least = child;
+      }
+      if (entries_[least].key >= entry.key) break;
+      place(at, entries_[least]);
+      at = least;
+    }
+    place(at, entry);
+  }
+
+  std::vector<Entry> entries_;
+  std::vector<std::uint32_t> position_;
+};
+
+}  // namespace tetrafront

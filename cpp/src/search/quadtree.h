@@ -1,0 +1,72 @@
+#pragma once
+
+/// @file A quadtree of small boxes in the plane (Löhner & Parikh 1988, second section 6, structure
+/// (2)): which sides of a front are near a place. A box lives in the leaf that holds its centre;
+/// each node knows how far the boxes below it reach beyond it, so that strongly graded sizes cost
+/// depth and not width.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// An axis-parallel box in the plane.
+struct PlaneBox {
+  Vec2 low{0.0};
+  Vec2 high{0.0};
+
+  static PlaneBox of(const Vec2& a, const Vec2& b);
+  void include(const Vec2& place);
+  [[nodiscard]] bool meets(const PlaneBox& other) const {
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+  }
+  [[nodiscard]] bool holds(const Vec2& place) const {
+    return low.x <= place.x && place.x <= high.x && low.y <= place.y && place.y <= high.y;
+  }
+};
+
+class Quadtree {
+ public:
+  /// `region` is where boxes are expected; others are found too, only more slowly.
+  explicit Quadtree(const PlaneBox& region);
+
+  /// Ids are small numbers chosen by the caller; `id` must not be in the tree. O(depth).
+  void insert(std::uint32_t id, const PlaneBox& box);
+  /// `id` must be in the tree. O(1).
+  void remove(std::uint32_t id);
+
+  /// Appends every id whose box meets `box`, in an order that depends on the calls made alone.
+  void query(const PlaneBox& box, std::vector<std::uint32_t>& found) const;
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  struct Item {
+    PlaneBox box;
+    std::uint32_t next = kNone;
+    std::uint32_t previous = kNone;
+    std::uint32_t leaf = kNone;
+  };
+  struct Node {
+    Vec2 centre{0.0};
+    Vec2 halfWidth{0.0};
+    Vec2 reach{0.0};  ///< largest half extent of a box ever put below
+    std::uint32_t firstChild = kNone;
+    std::uint32_t head = kNone;
+    std::uint32_t count = 0;
+    std::uint32_t depth = 0;
+  };
+
+  void link(std::uint32_t node, std::uint32_t id);
+  void split(std::uint32_t node);
+  [[nodiscard]] std::uint32_t childAt(const Node& node, const Vec2& centre) const;
+
+  std::vector<Node> nodes_;
+  std::vector<Item> items_;
+  mutable std::vector<std::uint32_t> stack_;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,147 @@
+#include "volume/candidates.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrafront {
+namespace {
+
+constexpr double cube(double x) { return x * x * x; }
+
+constexpr std::array<double, 4> kClosingFactor{
+    1.0, cube(1.0 + kClosingBonus), cube(1.0 + 2.0 * kClosingBonus), cube(1.0 + 3.0 * kClosingBonus)};
+
+/// Corner of a face that is not one of the base's nodes, if it is the only such one; else 3.
+std::size_t onlyForeignCorner(const LocalTriple& face) {
+  std::size_t corner = 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (face[i] < 3) continue;
+    if (corner != 3) return 3;
+    corner = i;
+  }
+  return corner;
+}
+
+/// Does the half-plane to `apex` around the side from-to open at less than 90 degrees to the one
+/// to `third`, on the side that `normal` shows?
+bool isWedge(const Vec3& from, const Vec3& to, const Vec3& third, const Vec3& apex,
+             const Vec3& normal) {
+  const Vec3 side = to - from;
+  const double square = glm::dot(side, side);
+  const auto across = [&](const Vec3& place) {
+    const Vec3 v = place - from;
+    return v - side * (glm::dot(v, side) / square);
+  };
+  const Vec3 toApex = across(apex);
+  return glm::dot(across(third), toApex) > 0.0 && glm::dot(toApex, normal) > 0.0;
+}
+
+}  // namespace
+
+bool SideNeighbours::find(const Neighbourhood& around, const BaseFace& base, Box& box) {
+  sidesClosed_.assign(around.nodeCount(), 0);
+  wedgeCount_ = 0;
+  bool grew = false;
+  for (std::size_t i = 0; i < around.faceCount(); ++i) {
+    const LocalTriple& face = around.face(i);
+    const std::size_t corner = onlyForeignCorner(face);
+    if (corner == 3) continue;
+    const LocalNode apex = face[corner];
+    const LocalNode to = face[(corner + 1) % 3];
+    const LocalNode from = face[(corner + 2) % 3];
+    // A neighbour walks the common side the other way round than the base does.
+    if (to != (from + 1) % 3) continue;
+    ++sidesClosed_[apex];
+    const LocalNode third = 3 - from - to;
+    if (wedgeCount_ == wedgeApexes_.size() ||
+        !isWedge(around.place(from), around.place(to), around.place(third), around.place(apex),
+                 base.normal)) {
+      continue;
+    }
+    wedgeApexes_[wedgeCount_++] = apex;
+    grew = box.include(around.place(apex)) || grew;
+  }
+  return grew;
+}
+
+bool SideNeighbours::isWedgeApex(LocalNode node) const {
+  const auto end = wedgeApexes_.begin() + static_cast<std::ptrdiff_t>(wedgeCount_);
+  return std::find(wedgeApexes_.begin(), end, node) != end;
+}
+
+void CandidateList::rank(const Neighbourhood& around, const CrossingTest& crossing,
+                         const BaseFace& base, const IdealPoint& ideal,
+                         const SideNeighbours& neighbours, const RuleClass& rules,
+                         const RuleVariant& variant) {
+  candidates_.clear();
+  taken_ = 0;
+  offerExisting(around, crossing, base, ideal, neighbours, rules);
+  if (rules.newNodes && variant.newNodes) {
+    offerNew(around, base, ideal, rules, variant.newNodeWeight);
+  }
+}
+
+void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTest& crossing,
+                                  const BaseFace& base, const IdealPoint& ideal,
+                                  const SideNeighbours& neighbours, const RuleClass& rules) {
+  const double radius = rules.searchRadius * ideal.size;
+  const double radiusSquare = radius * radius;
+  const double least = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
+  const std::size_t count = around.nodeCount();
+  for (LocalNode node = 3; node < count; ++node) {
+    if (crossing.behindBase(node)) continue;
+    const std::uint8_t closed = neighbours.sidesClosedBy(node);
+    const bool wedge = closed > 0 && neighbours.isWedgeApex(node);
+    const Vec3 place = around.place(node);
+    const Vec3 toIdeal = place - ideal.place;
+    if (!wedge && glm::dot(toIdeal, toIdeal) > radiusSquare) continue;
+    const double quality = cubedMeanRatio(base, place);
+    if (!(quality > 0.0) || quality < least * (wedge ? kWedgeQualityFactor : 1.0)) continue;
+    double score = quality * kClosingFactor[std::min<std::size_t>(closed, 3)];
+    if (wedge) score += kWedgeBonus;
+    if (closed >= 3) score += kPocketBonus;
+    candidates_.push_back({score, node, place});
+  }
+}
+
+void CandidateList::offerNew(const Neighbourhood& around, const BaseFace& base,
+                             const IdealPoint& ideal, const RuleClass& rules, double weight) {
+  const double least = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
+  const double* x = around.x();
+  const double* y = around.y();
+  const double* z = around.z();
+  const std::size_t count = around.nodeCount();
+  for (const double factor : kHeights) {
+    const Vec3 place = base.centroid + base.unitNormal * (ideal.height * factor);
+    const double quality = cubedMeanRatio(base, place);
+    if (!(quality > 0.0) || quality < least) continue;
+    const double distance = rules.nodeDistance * ideal.size * factor;
+    const double limit = distance * distance;
+    bool crowded = false;
+    for (std::size_t node = 3; node < count && !crowded; ++node) {
+      const double dx = x[node] - place.x;
+      const double dy = y[node] - place.y;
+      const double dz = z[node] - place.z;
+      crowded = dx * dx + dy * dy + dz * dz < limit;
+    }
+    if (crowded) continue;
+    const double score = quality * cube(weight) * cube(factor) * cube(factor);
+    candidates_.push_back({score, Candidate::kNewNode, place});
+  }
+}
+
+const Candidate* CandidateList::next() {
+  if (taken_ == candidates_.size()) return nullptr;
+  std::size_t best = taken_;
+  for (std::size_t i = taken_ + 1; i < candidates_.size(); ++i) {
+    const Candidate& other = candidates_[i];
+    const Candidate& leader = candidates_[best];
+    if (other.score > leader.score || (other.score == leader.score && other.node < leader.node)) {
+      best = i;
+    }
+  }
+  std::swap(candidates_[taken_], candidates_[best]);
+  return &candidates_[taken_++];
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,291 @@
+#include "volume/crossing.h"
+
+#include <algorithm>
+
+#include "geom/predicates.h"
+
+namespace tetrafront {
+namespace {
+
+// A corner is not outside its opposite side and on all others, which counts as outside for it:
+// touching in shared nodes is allowed.
+constexpr std::array<std::uint8_t, 4> kCornerMask{14, 13, 11, 7};
+
+int signWithin(double value, double error) { return value > error ? 1 : (value < -error ? -1 : 0); }
+
+/// Sign of the permutation that sorts four distinct numbers.
+int permutationSign(int a, int b, int c, int d) {
+  const std::array<int, 4> p{a, b, c, d};
+  int sign = 1;
+  for (int i = 0; i < 4; ++i) {
+    for (int j = i + 1; j < 4; ++j) {
+      if (p[i] > p[j]) sign = -sign;
+    }
+  }
+  return sign;
+}
+
+/// The two corners besides `i` and `j`, in order.
+std::array<int, 2> otherCorners(int i, int j) {
+  std::array<int, 2> others{};
+  int count = 0;
+  for (int k = 0; k < 4; ++k) {
+    if (k != i && k != j) others[count++] = k;
+  }
+  return others;
+}
+
+/// Collects signs: are there both kinds?
+struct SignRange {
+  bool anyPositive = false;
+  bool anyNegative = false;
+  void add(int sign) {
+    anyPositive = anyPositive || sign > 0;
+    anyNegative = anyNegative || sign < 0;
+  }
+  [[nodiscard]] bool mixed() const { return anyPositive && anyNegative; }
+};
+
+}  // namespace
+
+void CrossingTest::setBase() {
+  const std::size_t count = around_.nodeCount();
+  baseMask_.resize(count + 1);
+  mask_.resize(count + 1);
+  const Vec3 a = around_.place(0);
+  const Vec3 n = glm::cross(around_.place(1) - a, around_.place(2) - a);
+  normals_[3] = n;
+  const double error = around_.determinantError();
+  const double* x = around_.x();
+  const double* y = around_.y();
+  const double* z = around_.z();
+  std::uint8_t* mask = baseMask_.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double distance = n.x * (x[i] - a.x) + n.y * (y[i] - a.y) + n.z * (z[i] - a.z);
+    mask[i] = distance < -error ? kBaseBit : 0;
+  }
+  for (int k = 0; k < 3; ++k) baseMask_[k] = kCornerMask[k];
+}
+
+int CrossingTest::volumeSign(LocalNode apex) const {
+  const double volume = glm::dot(normals_[3], around_.place(apex) - around_.place(0));
+  const int sign = signWithin(volume, around_.determinantError());
+  return sign != 0 ? sign : orient(0, 1, 2, apex);
+}
+
+void CrossingTest::setApex(LocalNode apex) {
+  corners_[3] = apex;
+  const Vec3 p = around_.place(apex);
+  const Vec3 a = around_.place(0) - p;
+  const Vec3 b = around_.place(1) - p;
+  const Vec3 c = around_.place(2) - p;
+  normals_[0] = glm::cross(c, b);
+  normals_[1] = glm::cross(a, c);
+  normals_[2] = glm::cross(b, a);
+  maskNodes();
+}
+
+void CrossingTest::maskNodes() {
+  const std::size_t count = around_.nodeCount();
+  const Vec3 p = around_.place(corners_[3]);
+  const Vec3 n0 = normals_[0];
+  const Vec3 n1 = normals_[1];
+  const Vec3 n2 = normals_[2];
+  const double error = around_.determinantError();
+  const double* xs = around_.x();
+  const double* ys = around_.y();
+  const double* zs = around_.z();
+  const std::uint8_t* base = baseMask_.data();
+  std::uint8_t* mask = mask_.data();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = xs[i] - p.x;
+    const double y = ys[i] - p.y;
+    const double z = zs[i] - p.z;
+    const double d0 = n0.x * x + n0.y * y + n0.z * z;
+    const double d1 = n1.x * x + n1.y * y + n1.z * z;
+    const double d2 = n2.x * x + n2.y * y + n2.z * z;
+    mask[i] = static_cast<std::uint8_t>(base[i] | (d0 < -error ? 1 : 0) | (d1 < -error ? 2 : 0) |
+                                        (d2 < -error ? 4 : 0));
+  }
+  for (int k = 0; k < 4; ++k) mask_[corners_[k]] = kCornerMask[k];
+}
+
+std::size_t CrossingTest::firstCrossedFace() {
+  const std::size_t count = around_.faceCount();
+  counters_.facesTested += count;
+  for (std::size_t i = 0; i < count; ++i) {
+    const LocalTriple& face = around_.face(i);
+    if ((mask_[face[0]] & mask_[face[1]] & mask_[face[2]]) != 0) continue;
+    ++counters_.facesAnalysed;
+    if (crosses(face)) return i;
+  }
+  return kNoFace;
+}
+
+int CrossingTest::orient(LocalNode a, LocalNode b, LocalNode c, LocalNode d) const {
+  return orient3d(around_.place(a), around_.place(b), around_.place(c), around_.place(d));
+}
+
+int CrossingTest::sideSign(int side, LocalNode node) const {
+  if ((mask_[node] >> side & 1) != 0) return -1;
+  const Vec3 through = around_.place(side == 3 ? 0 : corners_[3]);
+  const double distance = glm::dot(normals_[side], around_.place(node) - through);
+  const int sign = signWithin(distance, around_.determinantError());
+  if (sign != 0) return sign;
+  switch (side) {
+    case 0: return orient(node, 1, 2, corners_[3]);
+    case 1: return orient(0, node, 2, corners_[3]);
+    case 2: return orient(0, 1, node, corners_[3]);
+    default: return orient(0, 1, 2, node);
+  }
+}
+
+CrossingTest::Signs CrossingTest::cornerSigns(const LocalTriple& face, const Shared& shared) const {
+  const Vec3 a = around_.place(face[0]);
+  const Vec3 normal = glm::cross(around_.place(face[1]) - a, around_.place(face[2]) - a);
+  Signs signs{};
+  for (int i = 0; i < 4; ++i) {
+    if (std::find(shared.begin(), shared.end(), i) != shared.end()) continue;
+    const double distance = glm::dot(normal, around_.place(corners_[i]) - a);
+    signs[i] = signWithin(distance, around_.determinantError());
+    if (signs[i] == 0) signs[i] = orient(face[0], face[1], face[2], corners_[i]);
+  }
+  return signs;
+}
+
+bool CrossingTest::crosses(const LocalTriple& face) const {
+  Shared shared{};
+  int sharedCount = 0;
+  int lastShared = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto at = std::find(corners_.begin(), corners_.end(), face[i]);
+    shared[i] = at == corners_.end() ? kNotShared : static_cast<int>(at - corners_.begin());
+    if (shared[i] == kNotShared) continue;
+    ++sharedCount;
+    lastShared = i;
+  }
+  if (sharedCount == 3) return false;
+  if (sharedCount == 2) return crossesAtEdge(face, shared);
+
+  const Signs corners = cornerSigns(face, shared);
+  SignRange range;
+  bool onPlane = false;
+  for (int i = 0; i < 4; ++i) {
+    if (sharedCount == 1 && i == shared[lastShared]) continue;
+    range.add(corners[i]);
+    onPlane = onPlane || corners[i] == 0;
+  }
+  if (!range.mixed() && !onPlane) return false;
+  return sharedCount == 1 ? crossesAtNode(face, lastShared, shared[lastShared], corners)
+                          : crossesApart(face, corners);
+}
+
+bool CrossingTest::crossesAtEdge(const LocalTriple& face, const Shared& shared) const {
+  LocalNode third = 0;
+  std::array<bool, 4> onEdge{};
+  for (int i = 0; i < 3; ++i) {
+    if (shared[i] == kNotShared) {
+      third = face[i];
+    } else {
+      onEdge[shared[i]] = true;
+    }
+  }
+  // The sides that hold the common edge are those opposite the corners off it.
+  for (int side = 0; side < 4; ++side) {
+    if (!onEdge[side] && sideSign(side, third) < 0) return false;
+  }
+  return true;
+}
+
+bool CrossingTest::crossesAtNode(const LocalTriple& face, int faceCorner, int elementCorner,
+                                 const Signs& corners) const {
+  const int k = elementCorner;
+  const LocalNode v = face[(faceCorner + 1) % 3];
+  const LocalNode w = face[(faceCorner + 2) % 3];
+  Signs atV{};
+  Signs atW{};
+  bool vInCone = true;
+  bool wInCone = true;
+  for (int side = 0; side < 4; ++side) {
+    if (side == k) continue;
+    atV[side] = sideSign(side, v);
+    atW[side] = sideSign(side, w);
+    if (atV[side] < 0 && atW[side] < 0) return false;
+    vInCone = vInCone && atV[side] >= 0;
+    wInCone = wInCone && atW[side] >= 0;
+  }
+  if (vInCone || wInCone) return true;
+  for (int side = 0; side < 4; ++side) {
+    if (side == k) continue;
+    const std::array<int, 2> rays = otherCorners(k, side);
+    if (atV[side] == 0 && atW[side] == 0) {
+      if (sectorsOverlap(v, w, k, side, rays)) return true;
+      continue;
+    }
+    // With v and w outside the cone, one of them on the side's plane keeps the sector off it.
+    if (atV[side] == 0 || atW[side] == 0 || atV[side] == atW[side]) continue;
+    // Arcs v-w and ray-ray meet iff the triples (v r0 w) (r0 w r1) (w r1 v) (r1 v r0) all turn
+    // the same way; plain "opposite signs" would also fire on antipodal arcs.
+    const int turn = atV[side] * permutationSign(k, rays[0], rays[1], side);
+    if (turn * corners[rays[0]] <= 0 && turn * corners[rays[1]] >= 0) return true;
+  }
+  return false;
+}
+
+/// v, w and the two rays from the centre are in one plane, v and w outside the rays' sector: the
+/// sectors overlap iff a ray is between v and w. The corner off that plane gives planar signs.
+bool CrossingTest::sectorsOverlap(LocalNode v, LocalNode w, int centre, int offPlane,
+                                  const std::array<int, 2>& rays) const {
+  const LocalNode x = corners_[centre];
+  const LocalNode up = corners_[offPlane];
+  const LocalNode ray = corners_[rays[0]];
+  const int vToRay = orient(x, up, v, ray);
+  const int rayToW = orient(x, up, ray, w);
+  const int vToW = orient(x, up, v, w);
+  return vToRay * vToW >= 0 && rayToW * vToW >= 0;
+}
+
+/// For a segment whose ends are not strictly on one side of the triangle's plane, nor both on it.
+bool CrossingTest::segmentMeetsTriangle(LocalNode from, LocalNode to,
+                                        const LocalTriple& triangle) const {
+  SignRange range;
+  for (int i = 0; i < 3; ++i) range.add(orient(from, to, triangle[i], triangle[(i + 1) % 3]));
+  return !range.mixed();
+}
+
+bool CrossingTest::crossesApart(const LocalTriple& face, const Signs& corners) const {
+  std::array<Signs, 3> at{};
+  for (int i = 0; i < 3; ++i) {
+    bool inside = true;
+    for (int side = 0; side < 4; ++side) {
+      at[i][side] = sideSign(side, face[i]);
+      inside = inside && at[i][side] >= 0;
+    }
+    if (inside) return true;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const Signs& from = at[i];
+    const Signs& to = at[(i + 1) % 3];
+    bool separated = false;
+    for (int side = 0; side < 4; ++side) separated = separated || (from[side] < 0 && to[side] < 0);
+    if (separated) continue;
+    for (int side = 0; side < 4; ++side) {
+      if (from[side] == to[side]) continue;
+      LocalTriple triangle{};
+      int count = 0;
+      for (int k = 0; k < 4; ++k) {
+        if (k != side) triangle[count++] = corners_[k];
+      }
+      if (segmentMeetsTriangle(face[i], face[(i + 1) % 3], triangle)) return true;
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    for (int j = i + 1; j < 4; ++j) {
+      if (corners[i] == corners[j]) continue;
+      if (segmentMeetsTriangle(corners_[i], corners_[j], face)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace tetrafront

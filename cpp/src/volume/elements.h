@@ -1,0 +1,43 @@
+#pragma once
+
+/// @file The elements made so far, in the order they were made.
+
+#include <cstdint>
+#include <vector>
+
+#include "volume/front.h"
+
+namespace tetrafront {
+
+struct Elements {
+  std::vector<NodeQuad> nodes;
+  std::vector<std::uint32_t> region;
+  /// Set where recovery has taken an element away again; such ones are dropped at the end.
+  std::vector<std::uint8_t> removed;
+  std::uint32_t removedCount = 0;
+
+  [[nodiscard]] std::size_t size() const { return nodes.size(); }
+  [[nodiscard]] std::size_t liveCount() const { return nodes.size() - removedCount; }
+
+  void add(const NodeQuad& quad, std::uint32_t itsRegion) {
+    nodes.push_back(quad);
+    region.push_back(itsRegion);
+    removed.push_back(0);
+  }
+  void remove(std::uint32_t element) {
+    removed[element] = 1;
+    ++removedCount;
+  }
+  void restore(std::uint32_t element) {
+    removed[element] = 0;
+    --removedCount;
+  }
+  /// Forgets the elements from `count` on; none of them may be a removed one.
+  void dropFrom(std::size_t count) {
+    nodes.resize(count);
+    region.resize(count);
+    removed.resize(count);
+  }
+};
+
+}  // namespace tetrafront

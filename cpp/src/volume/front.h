@@ -1,0 +1,94 @@
+#pragma once
+
+/// @file The front: the faces between meshed and empty space, with everything that finds them
+/// again. Kept invariant: the active faces form a closed, consistently turned, embedded complex of
+/// triangles; each is counter-clockwise seen from the empty side.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "field/size_field.h"
+#include "geom/box.h"
+#include "search/face_grid.h"
+#include "search/indexed_heap.h"
+#include "tetrafront/options.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// Three or four positions in Front's nodes.
+using NodeTriple = std::array<std::uint32_t, 3>;
+using NodeQuad = std::array<std::uint32_t, 4>;
+
+/// The triple turned so that its least node leads; equal for equal oriented triangles.
+inline NodeTriple leastFirst(const NodeTriple& t) {
+  if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
+  if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
+  return t;
+}
+
+struct FrontFace {
+  NodeTriple nodes;
+  float size;              ///< root mean square of the three side lengths
+  std::uint32_t region;    ///< the region on its empty side
+  FieldHint hint;          ///< where the size field was last asked from here
+  std::uint8_t ruleClass;  ///< how often it could not be completed; 0 = the strict rules
+  bool active;
+};
+
+class Front {
+ public:
+  /// `typicalSize`: median size of the first faces, > 0; sets the size buckets and the grid.
+  Front(double typicalSize, const Vec3& origin, FrontOrder order);
+
+  // Nodes. The layer is 0 on the given surface and grows inward by one per new node.
+  std::uint32_t addNode(const Vec3& place, std::uint16_t layer);
+  void dropNodesFrom(std::size_t count);
+  [[nodiscard]] const Vec3& node(std::uint32_t id) const { return nodes_[id]; }
+  [[nodiscard]] std::span<const Vec3> nodes() const { return nodes_; }
+  [[nodiscard]] std::uint16_t layer(std::uint32_t id) const { return layers_[id]; }
+
+  // Faces.
+  /// Adds an active face; `queued` puts it into the heap too.
+  std::uint32_t addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint hint, bool queued);
+  void removeFace(std::uint32_t face);
+  [[nodiscard]] const FrontFace& face(std::uint32_t id) const { return faces_[id]; }
+  void setHint(std::uint32_t face, FieldHint hint) { faces_[face].hint = hint; }
+  [[nodiscard]] std::size_t faceSlots() const { return faces_.size(); }
+  [[nodiscard]] std::uint32_t activeCount() const { return activeCount_; }
+  [[nodiscard]] Box boxOf(std::uint32_t face) const;
+
+  // The order in which faces leave (step F4).
+  [[nodiscard]] bool nothingQueued() const { return heap_.empty(); }
+  /// Takes the next base face out of the heap; it stays active.
+  std::uint32_t nextBase() { return heap_.pop(); }
+  /// Puts a face back, under the rules of class `ruleClass`.
+  void requeue(std::uint32_t face, std::uint8_t ruleClass);
+  /// Marks a face as one that no rule could complete; it stays active, but out of the heap.
+  void park(std::uint32_t face, std::uint8_t ruleClass) { faces_[face].ruleClass = ruleClass; }
+  void unqueueAll() { heap_.clear(); }
+  void setOrder(FrontOrder order) { order_ = order; }
+
+  /// Faces whose boxes meet `box`; see FaceGrid::query.
+  std::size_t facesNear(const Box& box, std::vector<std::uint32_t>& faces) const {
+    return grid_.query(box, faces);
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t keyOf(const FrontFace& face);
+
+  FrontOrder order_;
+  double typicalSize_;
+  std::vector<Vec3> nodes_;
+  std::vector<std::uint16_t> layers_;
+  std::vector<FrontFace> faces_;
+  std::vector<std::uint32_t> freeFaces_;
+  std::uint32_t activeCount_ = 0;
+  std::uint64_t sequence_ = 0;
+  IndexedHeap heap_;
+  FaceGrid grid_;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,158 @@
+#include "volume/front_advance.h"
+
+#include <algorithm>
+
+#include "geom/measure.h"
+
+namespace tetrafront {
+
+template <class Trace>
+void FrontAdvance<Trace>::step() {
+  const std::uint32_t face = front_.nextBase();
+  ++counters_.pops;
+  if (complete(face)) return;
+  const auto next = static_cast<std::uint8_t>(front_.face(face).ruleClass + 1);
+  if constexpr (Trace::kOn) trace_.postponed(face, next);
+  if (next < kRuleClasses.size()) {
+    front_.requeue(face, next);
+  } else {
+    front_.park(face, next);
+  }
+}
+
+template <class Trace>
+bool FrontAdvance<Trace>::complete(std::uint32_t face) {
+  const FrontFace& faceData = front_.face(face);
+  const NodeTriple nodes = faceData.nodes;
+  const RuleClass& rules = kRuleClasses[faceData.ruleClass];
+  const BaseFace base = describeBase(front_, nodes);
+  FieldHint hint = faceData.hint;
+  const double asked = field_.sizeAt(fieldQueryPlace(base), hint) * variant_.sizeFactor;
+  front_.setHint(face, hint);
+  const IdealPoint ideal = placeIdealPoint(base, asked);
+  if constexpr (Trace::kOn) {
+    trace_.base(face, faceData.ruleClass);
+    trace_.ideal(ideal.place);
+  }
+  gatherAround(nodes, base, ideal, rules);
+  candidates_.rank(around_, crossing_, base, ideal, neighbours_, rules, variant_);
+  for (std::uint32_t tries = 0; tries < rules.maxTries; ++tries) {
+    const Candidate* candidate = candidates_.next();
+    if (candidate == nullptr) return false;
+    if (tryCandidate(face, *candidate, ideal, rules)) {
+      counters_.relaxed += &rules == kRuleClasses.data() ? 0 : 1;
+      return true;
+    }
+  }
+  return false;
+}
+
+template <class Trace>
+void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const BaseFace& base,
+                                       const IdealPoint& ideal, const RuleClass& rules) {
+  Box box = Box::of(base.a, base.b, base.c);
+  box.include(ideal.place, rules.searchRadius * ideal.size);
+  // A wedge apex may lie outside; then the box grows, as every apex that is tried must have all
+  // faces it could cross in the neighbourhood. The box only grows, so this ends.
+  do {
+    around_.gather(front_, nodes, box, ideal.place);
+    crossing_.setBase();
+    counters_.gatheredFaces += around_.faceCount();
+  } while (neighbours_.find(around_, base, box));
+}
+
+template <class Trace>
+bool FrontAdvance<Trace>::tryCandidate(std::uint32_t face, const Candidate& candidate,
+                                       const IdealPoint& ideal, const RuleClass& rules) {
+  const bool isNew = candidate.node == Candidate::kNewNode;
+  const std::uint32_t name = isNew ? Candidate::kNewNode : around_.nodeId(candidate.node);
+  std::uint32_t culprit = kNone;
+  const auto refuse = [&](Refusal why) {
+    if constexpr (Trace::kOn) trace_.refused(name, why, culprit);
+    static_cast<void>(why);
+    static_cast<void>(name);
+    return false;
+  };
+  if (isNew && tooCloseToFace(candidate.place, rules.faceDistance * ideal.size, culprit)) {
+    return refuse(Refusal::kTooCloseToFace);
+  }
+  const LocalNode apex = isNew ? around_.setNewNode(candidate.place) : candidate.node;
+  if (crossing_.volumeSign(apex) <= 0) return refuse(Refusal::kBehind);
+  ++counters_.candidatesTried;
+  crossing_.setApex(apex);
+  const std::size_t crossed = crossing_.firstCrossedFace();
+  if (crossed != CrossingTest::kNoFace) {
+    culprit = around_.faceId(crossed);
+    return refuse(Refusal::kCrosses);
+  }
+  SideFaces sides{kNone, kNone, kNone};
+  if (!isNew && !findSideFaces(apex, sides, culprit)) return refuse(Refusal::kSameOrientation);
+  std::uint32_t node = name;
+  if (isNew) {
+    const NodeTriple& n = front_.face(face).nodes;
+    const std::uint16_t layer =
+        std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
+    node = front_.addNode(candidate.place, static_cast<std::uint16_t>(layer + 1));
+  }
+  if constexpr (Trace::kOn) trace_.accepted(node, candidate.place);
+  accept(face, node, sides);
+  return true;
+}
+
+template <class Trace>
+bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance,
+                                         std::uint32_t& culprit) {
+  if (!(distance > 0.0)) return false;
+  for (std::size_t i = 0; i < around_.faceCount(); ++i) {
+    const LocalTriple& f = around_.face(i);
+    if (f[0] < 3 || f[1] < 3 || f[2] < 3) continue;
+    if (squaredDistanceToTriangle(place, around_.place(f[0]), around_.place(f[1]),
+                                  around_.place(f[2])) < distance * distance) {
+      culprit = around_.faceId(i);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The element's sides besides the base, seen from outside it: (1 2 p), (2 0 p), (0 1 p) opposite
+/// corners 0, 1, 2. As faces of the front they are turned the other way, to face the element;
+/// one turned the same way would be met from behind.
+template <class Trace>
+bool FrontAdvance<Trace>::findSideFaces(LocalNode apex, SideFaces& sides,
+                                        std::uint32_t& culprit) const {
+  for (std::size_t i = 0; i < around_.faceCount(); ++i) {
+    const LocalTriple& f = around_.face(i);
+    const auto at = static_cast<std::size_t>(std::find(f.begin(), f.end(), apex) - f.begin());
+    if (at == 3) continue;
+    const LocalNode u = f[(at + 1) % 3];
+    const LocalNode w = f[(at + 2) % 3];
+    if (u > 2 || w > 2) continue;
+    if (w == (u + 1) % 3) {
+      culprit = around_.faceId(i);
+      return false;
+    }
+    sides[3 - u - w] = around_.faceId(i);
+  }
+  return true;
+}
+
+template <class Trace>
+void FrontAdvance<Trace>::accept(std::uint32_t face, std::uint32_t apex, const SideFaces& sides) {
+  const FrontFace base = front_.face(face);
+  const NodeTriple& n = base.nodes;
+  elements_.add({n[0], n[1], n[2], apex}, base.region);
+  front_.removeFace(face);
+  for (const std::uint32_t side : sides) {
+    if (side != kNone) front_.removeFace(side);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (sides[i] != kNone) continue;
+    front_.addFace({n[(i + 1) % 3], n[(i + 2) % 3], apex}, base.region, base.hint, true);
+  }
+}
+
+template class FrontAdvance<NullTrace>;
+template class FrontAdvance<StepTrace>;
+
+}  // namespace tetrafront

@@ -1,0 +1,76 @@
+#pragma once
+
+/// @file Steps F4 to F8, one base face at a time: pick it, place the ideal point, rank the
+/// candidates, take the first whose element crosses nothing, update the front.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "field/size_field.h"
+#include "volume/candidates.h"
+#include "volume/crossing.h"
+#include "volume/elements.h"
+#include "volume/front.h"
+#include "volume/ideal_point.h"
+#include "volume/neighbourhood.h"
+#include "volume/rules.h"
+#include "volume/trace.h"
+
+namespace tetrafront {
+
+template <class Trace>
+class FrontAdvance {
+ public:
+  struct Counters {
+    std::uint64_t pops = 0;
+    std::uint64_t gatheredFaces = 0;
+    std::uint64_t candidatesTried = 0;
+    std::uint64_t relaxed = 0;  ///< elements made under a class other than the strict one
+  };
+
+  FrontAdvance(Front& front, Elements& elements, const SizeField& field)
+      : front_(front), elements_(elements), field_(field), crossing_(around_) {}
+
+  /// Takes the next base face and completes it, or puts it back under the next rule class, or
+  /// parks it after the last. The front must have a face queued.
+  void step();
+
+  void setVariant(const RuleVariant& variant) { variant_ = variant; }
+
+  [[nodiscard]] const Counters& counters() const { return counters_; }
+  [[nodiscard]] const CrossingTest::Counters& crossingCounters() const {
+    return crossing_.counters();
+  }
+  [[nodiscard]] Trace& trace() { return trace_; }
+
+ private:
+  /// Neighbourhood face on the element's side opposite base corner i, or kNone.
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  using SideFaces = std::array<std::uint32_t, 3>;
+
+  bool complete(std::uint32_t face);
+  void gatherAround(const NodeTriple& nodes, const BaseFace& base, const IdealPoint& ideal,
+                    const RuleClass& rules);
+  bool tryCandidate(std::uint32_t face, const Candidate& candidate, const IdealPoint& ideal,
+                    const RuleClass& rules);
+  [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, std::uint32_t& culprit);
+  bool findSideFaces(LocalNode apex, SideFaces& sides, std::uint32_t& culprit) const;
+  void accept(std::uint32_t face, std::uint32_t apex, const SideFaces& sides);
+
+  Front& front_;
+  Elements& elements_;
+  const SizeField& field_;
+  RuleVariant variant_;
+  Neighbourhood around_;
+  CrossingTest crossing_;
+  SideNeighbours neighbours_;
+  CandidateList candidates_;
+  Counters counters_;
+  [[no_unique_address]] Trace trace_;
+};
+
+extern template class FrontAdvance<NullTrace>;
+extern template class FrontAdvance<StepTrace>;
+
+}  // namespace tetrafront

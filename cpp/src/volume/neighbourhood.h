@@ -1,0 +1,74 @@
+#pragma once
+
+/// @file Everything around one base face, gathered once and used for all of its candidates: the
+/// active faces near it, and their nodes under local numbers with their coordinates side by side,
+/// so that half-space tests run in flat loops.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/box.h"
+#include "tetrafront/vec3.h"
+#include "volume/front.h"
+
+namespace tetrafront {
+
+/// Positions in a Neighbourhood. The base face's nodes are 0, 1, 2.
+using LocalNode = std::uint32_t;
+using LocalTriple = std::array<LocalNode, 3>;
+
+class Neighbourhood {
+ public:
+  /// Gathers the active faces whose boxes meet `box`. `reach` is a further place that tests will
+  /// use; it only widens the error bound.
+  void gather(const Front& front, const NodeTriple& base, const Box& box, const Vec3& reach);
+
+  /// Takes given faces instead of a gathered set; they must include the base face.
+  void take(const Front& front, const NodeTriple& base, std::span<const std::uint32_t> faces);
+
+  [[nodiscard]] std::size_t nodeCount() const { return nodeIds_.size() - kSpareNodes; }
+  [[nodiscard]] std::size_t faceCount() const { return faceIds_.size(); }
+  [[nodiscard]] std::uint32_t nodeId(LocalNode local) const { return nodeIds_[local]; }
+  [[nodiscard]] std::uint32_t faceId(std::size_t local) const { return faceIds_[local]; }
+  [[nodiscard]] const LocalTriple& face(std::size_t local) const { return faces_[local]; }
+  [[nodiscard]] Vec3 place(LocalNode local) const { return {x_[local], y_[local], z_[local]}; }
+  [[nodiscard]] const double* x() const { return x_.data(); }
+  [[nodiscard]] const double* y() const { return y_.data(); }
+  [[nodiscard]] const double* z() const { return z_.data(); }
+
+  /// A place beside the gathered nodes for a node that does not exist yet; its local number is
+  /// nodeCount().
+  LocalNode setNewNode(const Vec3& place);
+
+  /// No orient3d determinant over these nodes is wrong by more than this, however evaluated by
+  /// three differences, a cross and a dot product.
+  [[nodiscard]] double determinantError() const { return determinantError_; }
+
+ private:
+  static constexpr std::size_t kSpareNodes = 1;
+
+  void begin(const Front& front, const NodeTriple& base);
+  void addFace(const Front& front, std::uint32_t face);
+  LocalNode localNode(const Front& front, std::uint32_t node);
+  void finish(const Vec3& reach);
+
+  std::vector<std::uint32_t> found_;
+  std::vector<std::uint32_t> faceIds_;
+  std::vector<LocalTriple> faces_;
+  std::vector<std::uint32_t> nodeIds_;
+  std::vector<double> x_;
+  std::vector<double> y_;
+  std::vector<double> z_;
+  /// Local number of a node, valid where its stamp is the current one.
+  struct Mark {
+    std::uint32_t stamp = 0;
+    LocalNode local = 0;
+  };
+  std::vector<Mark> marks_;
+  std::uint32_t stamp_ = 0;
+  double determinantError_ = 0.0;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,217 @@
+#include "volume/pockets.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "geom/predicates.h"
+
+namespace tetrafront {
+namespace {
+
+/// Union-find over 0 .. n-1; the least member stands for its set.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  std::uint32_t find(std::uint32_t x) {
+    while (parent_[x] != x) {
+      parent_[x] = parent_[parent_[x]];
+      x = parent_[x];
+    }
+    return x;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Six times the volume that the faces enclose, positive where they are seen from inside.
+double enclosedVolume(const Front& front, const std::vector<std::uint32_t>& faces) {
+  const Vec3 origin = front.node(front.face(faces.front()).nodes[0]);
+  double volume = 0.0;
+  for (const std::uint32_t face : faces) {
+    const NodeTriple& n = front.face(face).nodes;
+    volume -= glm::dot(front.node(n[0]) - origin,
+                       glm::cross(front.node(n[1]) - origin, front.node(n[2]) - origin));
+  }
+  return volume;
+}
+
+struct Component {
+  std::vector<std::uint32_t> faces;
+  Box box{};
+  bool island = false;
+};
+
+bool holds(const Box& outer, const Box& inner) {
+  for (int k = 0; k < 3; ++k) {
+    if (inner.low[k] < outer.low[k] || inner.high[k] > outer.high[k]) return false;
+  }
+  return true;
+}
+
+Component describe(const Front& front, std::vector<std::uint32_t> faces) {
+  Component component;
+  component.faces = std::move(faces);
+  component.box = front.boxOf(component.faces.front());
+  for (const std::uint32_t face : component.faces) {
+    for (const std::uint32_t node : front.face(face).nodes) component.box.include(front.node(node));
+  }
+  component.island = enclosedVolume(front, component.faces) <= 0.0;
+  return component;
+}
+
+std::vector<Component> findComponents(const Front& front) {
+  std::vector<std::uint32_t> active;
+  std::map<std::uint32_t, std::uint32_t> compactNode;
+  for (std::uint32_t face = 0; face < front.faceSlots(); ++face) {
+    if (!front.face(face).active) continue;
+    active.push_back(face);
+    for (const std::uint32_t node : front.face(face).nodes) compactNode.emplace(node, 0);
+  }
+  std::uint32_t next = 0;
+  for (auto& entry : compactNode) entry.second = next++;
+  DisjointSets sets(compactNode.size());
+  const auto compact = [&](std::uint32_t face, int corner) {
+    return compactNode.at(front.face(face).nodes[corner]);
+  };
+  for (const std::uint32_t face : active) {
+    sets.join(compact(face, 0), compact(face, 1));
+    sets.join(compact(face, 0), compact(face, 2));
+  }
+  std::map<std::uint32_t, std::vector<std::uint32_t>> facesOfSet;
+  for (const std::uint32_t face : active) facesOfSet[sets.find(compact(face, 0))].push_back(face);
+  std::vector<Component> components;
+  for (auto& entry : facesOfSet) components.push_back(describe(front, std::move(entry.second)));
+  return components;
+}
+
+/// Oriented planes of a pocket's faces with unit normals, and its extent.
+struct HalfSpaces {
+  std::vector<Vec3> normals;
+  std::vector<Vec3> places;
+  Vec3 centre{0.0};
+  double meanSide = 0.0;
+
+  /// The least signed distance of `p` to a plane, and which plane that is.
+  double least(const Vec3& p, std::size_t& worst) const {
+    double distance = std::numeric_limits<double>::max();
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      const double d = glm::dot(normals[i], p - places[i]);
+      if (d >= distance) continue;
+      distance = d;
+      worst = i;
+    }
+    return distance;
+  }
+};
+
+HalfSpaces halfSpacesOf(const Front& front, const Pocket& pocket) {
+  HalfSpaces spaces;
+  for (const std::uint32_t face : pocket.faces) {
+    const NodeTriple& n = front.face(face).nodes;
+    const Vec3& a = front.node(n[0]);
+    const Vec3 normal = glm::cross(front.node(n[1]) - a, front.node(n[2]) - a);
+    const double length = std::sqrt(glm::dot(normal, normal));
+    spaces.normals.push_back(length > 0.0 ? normal * (1.0 / length) : normal);
+    spaces.places.push_back(a);
+    spaces.centre = spaces.centre + a + front.node(n[1]) + front.node(n[2]);
+    spaces.meanSide += static_cast<double>(front.face(face).size);
+  }
+  const auto count = static_cast<double>(pocket.faces.size());
+  spaces.centre = spaces.centre * (1.0 / (3.0 * count));
+  spaces.meanSide /= count;
+  return spaces;
+}
+
+/// Seeks the place deepest inside all half-spaces: steps away from the worst one, ever shorter.
+Vec3 deepestPlace(const HalfSpaces& spaces) {
+  constexpr int kSteps = 300;
+  constexpr double kFirstStep = 0.3;  // of the mean side
+  constexpr double kShrink = 0.975;
+  Vec3 current = spaces.centre;
+  Vec3 best = current;
+  std::size_t worst = 0;
+  double bestDepth = spaces.least(current, worst);
+  double step = kFirstStep * spaces.meanSide;
+  for (int i = 0; i < kSteps; ++i, step *= kShrink) {
+    current = current + spaces.normals[worst] * step;
+    const double depth = spaces.least(current, worst);
+    if (depth <= bestDepth) continue;
+    bestDepth = depth;
+    best = current;
+  }
+  return best;
+}
+
+bool insideElement(const Front& front, const NodeTriple& base, const Vec3& apex, const Vec3& p) {
+  const Vec3& a = front.node(base[0]);
+  const Vec3& b = front.node(base[1]);
+  const Vec3& c = front.node(base[2]);
+  return orient3d(a, b, c, p) >= 0 && orient3d(p, b, c, apex) >= 0 &&
+         orient3d(a, p, c, apex) >= 0 && orient3d(a, b, p, apex) >= 0;
+}
+
+/// Other faces are wholly inside or wholly outside the pocket, so one node of each tells.
+bool foreignFaceWithin(const Front& front, const Pocket& pocket, const Vec3& apex) {
+  Box box = front.boxOf(pocket.faces.front());
+  for (const std::uint32_t face : pocket.faces) {
+    for (const std::uint32_t node : front.face(face).nodes) box.include(front.node(node));
+  }
+  std::vector<std::uint32_t> near;
+  const std::size_t count = front.facesNear(box, near);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::binary_search(pocket.faces.begin(), pocket.faces.end(), near[i])) continue;
+    const Vec3& place = front.node(front.face(near[i]).nodes[0]);
+    for (const std::uint32_t face : pocket.faces) {
+      if (insideElement(front, front.face(face).nodes, apex, place)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+std::vector<Pocket> findPockets(const Front& front) {
+  std::vector<Component> components = findComponents(front);
+  DisjointSets sets(components.size());
+  for (std::uint32_t i = 0; i < components.size(); ++i) {
+    if (!components[i].island) continue;
+    for (std::uint32_t j = 0; j < components.size(); ++j) {
+      if (!components[j].island && holds(components[j].box, components[i].box)) sets.join(i, j);
+    }
+  }
+  std::map<std::uint32_t, Pocket> pockets;
+  for (std::uint32_t i = 0; i < components.size(); ++i) {
+    Pocket& pocket = pockets[sets.find(i)];
+    pocket.single = pocket.faces.empty() && !components[i].island;
+    pocket.faces.insert(pocket.faces.end(), components[i].faces.begin(), components[i].faces.end());
+  }
+  std::vector<Pocket> result;
+  for (auto& entry : pockets) {
+    std::sort(entry.second.faces.begin(), entry.second.faces.end());
+    result.push_back(std::move(entry.second));
+  }
+  return result;
+}
+
+std::optional<Vec3> findStarPoint(const Front& front, const Pocket& pocket) {
+  const Vec3 place = deepestPlace(halfSpacesOf(front, pocket));
+  for (const std::uint32_t face : pocket.faces) {
+    const NodeTriple& n = front.face(face).nodes;
+    if (orient3d(front.node(n[0]), front.node(n[1]), front.node(n[2]), place) <= 0) return {};
+  }
+  if (foreignFaceWithin(front, pocket, place)) return {};
+  return place;
+}
+
+}  // namespace tetrafront

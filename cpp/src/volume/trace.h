@@ -1,0 +1,62 @@
+#pragma once
+
+/// @file What the front tells about its steps, for teaching: a compile-time hook. With NullTrace
+/// every call site vanishes; the plain build carries no branch.
+
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// Why a candidate was refused.
+enum class Refusal : std::uint8_t {
+  kBehind = 0,          ///< not on the empty side of the base face
+  kCrosses = 1,         ///< the element would cross a face
+  kSameOrientation = 2, ///< a side of the element exists already, turned the same way
+  kTooCloseToFace = 3,  ///< a new node would stand too close to a face
+};
+
+struct NullTrace {
+  static constexpr bool kOn = false;
+};
+
+/// Records every step. `candidate` is a node, or kNewNode for the ideal point and those below it.
+struct StepTrace {
+  static constexpr bool kOn = true;
+  static constexpr std::uint32_t kNewNode = 0xffffffffU;
+
+  enum class Event : std::uint8_t {
+    kBase = 0,      ///< subject: face, detail: rule class
+    kIdeal = 1,     ///< place: the ideal point
+    kRefused = 2,   ///< subject: candidate, detail: Refusal, culprit: face
+    kAccepted = 3,  ///< subject: node taken; place: where
+    kPostponed = 4, ///< subject: face, detail: its next rule class
+  };
+  struct Step {
+    Event event;
+    std::uint32_t subject;
+    std::uint32_t detail;
+    std::uint32_t culprit;
+    Vec3 place;
+  };
+  std::vector<Step> steps;
+
+  void base(std::uint32_t face, std::uint32_t ruleClass) {
+    steps.push_back({Event::kBase, face, ruleClass, 0, Vec3(0.0)});
+  }
+  void ideal(const Vec3& place) { steps.push_back({Event::kIdeal, 0, 0, 0, place}); }
+  void refused(std::uint32_t candidate, Refusal why, std::uint32_t culprit) {
+    steps.push_back(
+        {Event::kRefused, candidate, static_cast<std::uint32_t>(why), culprit, Vec3(0.0)});
+  }
+  void accepted(std::uint32_t node, const Vec3& place) {
+    steps.push_back({Event::kAccepted, node, 0, 0, place});
+  }
+  void postponed(std::uint32_t face, std::uint32_t ruleClass) {
+    steps.push_back({Event::kPostponed, face, ruleClass, 0, Vec3(0.0)});
+  }
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,235 @@
+#include "volume/volume_mesher.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geom/predicates.h"
+
+namespace tetrafront {
+namespace {
+
+Vec3 boundaryNode(const SurfaceMesh& surface, std::uint32_t node) {
+  const double* p = surface.points.data() + std::size_t{3} * node;
+  return {p[0], p[1], p[2]};
+}
+
+NodeTriple boundaryTriangle(const SurfaceMesh& surface, std::size_t triangle) {
+  const std::uint32_t* n = surface.triangles.data() + 3 * triangle;
+  return {n[0], n[1], n[2]};
+}
+
+double rootMeanSquareSide(const SurfaceMesh& surface, std::size_t triangle) {
+  const NodeTriple n = boundaryTriangle(surface, triangle);
+  double squares = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    const Vec3 side = boundaryNode(surface, n[(k + 1) % 3]) - boundaryNode(surface, n[k]);
+    squares += glm::dot(side, side);
+  }
+  return std::sqrt(squares / 3.0);
+}
+
+double medianSize(const SurfaceMesh& surface) {
+  std::vector<double> sizes;
+  sizes.reserve(surface.triangles.size() / 3);
+  for (std::size_t t = 0; t < surface.triangles.size() / 3; ++t) {
+    sizes.push_back(rootMeanSquareSide(surface, t));
+  }
+  if (sizes.empty()) return 1.0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return *middle > 0.0 ? *middle : 1.0;
+}
+
+Vec3 lowestCorner(const SurfaceMesh& surface) {
+  Vec3 low = surface.points.empty() ? Vec3(0.0) : boundaryNode(surface, 0);
+  for (std::size_t i = 0; i < surface.points.size() / 3; ++i) {
+    low = glm::min(low, boundaryNode(surface, static_cast<std::uint32_t>(i)));
+  }
+  return low;
+}
+
+double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  return glm::dot(glm::cross(b - a, c - a), d - a);
+}
+
+}  // namespace
+
+template <class Trace>
+BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary,
+                                            std::span<const std::uint32_t> triangleRegion,
+                                            const SizeField& field, const MeshOptions& options)
+    : boundary_(boundary),
+      triangleRegion_(triangleRegion.begin(), triangleRegion.end()),
+      field_(field),
+      maxTetrahedra_(options.maxTetrahedra),
+      front_(medianSize(boundary), lowestCorner(boundary), options.order),
+      advance_(front_, elements_, field),
+      recovery_(front_, elements_, advance_, options.order),
+      boundaryNodes_(boundary.points.size() / 3),
+      exactBefore_(exactPredicateCount()) {
+  for (std::size_t i = 0; i < boundaryNodes_; ++i) {
+    front_.addNode(boundaryNode(boundary, static_cast<std::uint32_t>(i)), 0);
+  }
+  inspectedNodes_ = boundaryNodes_;
+}
+
+template <class Trace>
+MeshStatus BasicVolumeMesher<Trace>::advance(std::uint32_t budget) {
+  switch (stage_) {
+    case Stage::kSetUp: setUp(budget); break;
+    case Stage::kAdvance: advanceFront(budget); break;
+    case Stage::kRecover: recover(budget); break;
+    case Stage::kFinished: break;
+  }
+  return status_;
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
+  const std::size_t count = boundary_.triangles.size() / 3;
+  const std::size_t end = std::min<std::size_t>(count, nextTriangle_ + budget);
+  const Vec3 origin = count > 0 ? boundaryNode(boundary_, 0) : Vec3(0.0);
+  for (; nextTriangle_ < end; ++nextTriangle_) {
+    const NodeTriple n = boundaryTriangle(boundary_, nextTriangle_);
+    enclosedVolume_ += glm::dot(front_.node(n[0]) - origin,
+                                glm::cross(front_.node(n[1]) - origin, front_.node(n[2]) - origin));
+    // Turned: the front looks into the region.
+    front_.addFace({n[0], n[2], n[1]}, triangleRegion_[nextTriangle_], FieldHint{}, true);
+  }
+  if (nextTriangle_ == count) stage_ = Stage::kAdvance;
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
+  for (; budget > 0 && !front_.nothingQueued(); --budget) advance_.step();
+  inspectNewElements();
+  inspectNewNodes();
+  if (stage_ == Stage::kAdvance && front_.nothingQueued()) stage_ = Stage::kRecover;
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::recover(std::uint32_t budget) {
+  using State = typename Recovery<Trace>::State;
+  const State state = recovery_.advance(budget);
+  if (state == State::kRunning) return;
+  inspectNewNodes();
+  if (stage_ == Stage::kFinished) return;
+  if (state == State::kClosed) return finish(MeshStatus::kDone);
+  Diagnostic stall;
+  stall.code = DiagnosticCode::kStalled;
+  stall.values = {static_cast<double>(front_.activeCount())};
+  for (std::uint32_t face = 0; face < front_.faceSlots(); ++face) {
+    if (!front_.face(face).active) continue;
+    const NodeTriple& n = front_.face(face).nodes;
+    stall.place = (front_.node(n[0]) + front_.node(n[1]) + front_.node(n[2])) * (1.0 / 3.0);
+    stall.hasPlace = true;
+    break;
+  }
+  diagnostics_.push_back(std::move(stall));
+  finish(MeshStatus::kStalled);
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::inspectNewElements() {
+  for (; inspectedElements_ < elements_.size(); ++inspectedElements_) {
+    const NodeQuad& n = elements_.nodes[inspectedElements_];
+    filledVolume_ += sixVolumes(front_.node(n[0]), front_.node(n[1]), front_.node(n[2]),
+                                front_.node(n[3]));
+  }
+  if (elements_.size() <= maxTetrahedra_) return;
+  Diagnostic tooMany;
+  tooMany.code = DiagnosticCode::kTooManyElements;
+  const double expected = static_cast<double>(elements_.size()) / std::max(filledFraction(), 1e-9);
+  tooMany.values = {expected, static_cast<double>(maxTetrahedra_)};
+  diagnostics_.push_back(std::move(tooMany));
+  finish(MeshStatus::kStalled);
+}
+
+/// The background grid must cover what is meshed (step F1).
+template <class Trace>
+void BasicVolumeMesher<Trace>::inspectNewNodes() {
+  for (; inspectedNodes_ < front_.nodes().size(); ++inspectedNodes_) {
+    const Vec3& place = front_.node(static_cast<std::uint32_t>(inspectedNodes_));
+    if (field_.covers(place, coverHint_)) continue;
+    Diagnostic outside;
+    outside.code = DiagnosticCode::kOutsideBackgroundGrid;
+    outside.hasPlace = true;
+    outside.place = place;
+    diagnostics_.push_back(std::move(outside));
+    return finish(MeshStatus::kInvalidInput);
+  }
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::finish(MeshStatus status) {
+  status_ = status;
+  stage_ = Stage::kFinished;
+}
+
+template <class Trace>
+double BasicVolumeMesher<Trace>::filledFraction() const {
+  if (!(enclosedVolume_ > 0.0)) return 0.0;
+  return std::clamp(filledVolume_ / enclosedVolume_, 0.0, 1.0);
+}
+
+template <class Trace>
+VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
+  constexpr std::uint32_t kUnused = 0xffffffffU;
+  const std::span<const Vec3> nodes = front_.nodes();
+  std::vector<std::uint32_t> newId(nodes.size(), kUnused);
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    if (elements_.removed[e] != 0) continue;
+    for (const std::uint32_t node : elements_.nodes[e]) newId[node] = 0;
+  }
+  VolumeMesh mesh;
+  mesh.points.reserve(3 * nodes.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (i >= boundaryNodes_ && newId[i] == kUnused) continue;
+    newId[i] = static_cast<std::uint32_t>(mesh.points.size() / 3);
+    mesh.points.insert(mesh.points.end(), {nodes[i].x, nodes[i].y, nodes[i].z});
+  }
+  mesh.tetrahedra.reserve(4 * elements_.liveCount());
+  mesh.regions.reserve(elements_.liveCount());
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    if (elements_.removed[e] != 0) continue;
+    for (const std::uint32_t node : elements_.nodes[e]) mesh.tetrahedra.push_back(newId[node]);
+    mesh.regions.push_back(elements_.region[e]);
+  }
+  for (const std::uint32_t node : activeFaces()) mesh.front.push_back(newId[node]);
+  return mesh;
+}
+
+template <class Trace>
+std::vector<std::uint32_t> BasicVolumeMesher<Trace>::activeFaces() const {
+  std::vector<std::uint32_t> faces;
+  faces.reserve(3 * std::size_t{front_.activeCount()});
+  for (std::uint32_t face = 0; face < front_.faceSlots(); ++face) {
+    if (!front_.face(face).active) continue;
+    const NodeTriple& n = front_.face(face).nodes;
+    faces.insert(faces.end(), n.begin(), n.end());
+  }
+  return faces;
+}
+
+template <class Trace>
+RecoverySummary BasicVolumeMesher<Trace>::recovery() const {
+  return {static_cast<std::uint32_t>(advance_.counters().relaxed), recovery_.starred(),
+          recovery_.reopened()};
+}
+
+template <class Trace>
+FrontCounters BasicVolumeMesher<Trace>::counters() const {
+  FrontCounters counters;
+  counters.pops = advance_.counters().pops;
+  counters.gatheredFaces = advance_.counters().gatheredFaces;
+  counters.candidatesTried = advance_.counters().candidatesTried;
+  counters.facesTested = advance_.crossingCounters().facesTested;
+  counters.facesAnalysed = advance_.crossingCounters().facesAnalysed;
+  counters.exactPredicates = exactPredicateCount() - exactBefore_;
+  return counters;
+}
+
+template class BasicVolumeMesher<NullTrace>;
+template class BasicVolumeMesher<StepTrace>;
+
+}  // namespace tetrafront

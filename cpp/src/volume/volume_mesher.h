@@ -1,0 +1,88 @@
+#pragma once
+
+/// @file Fills a closed boundary with tetrahedra: sets up the front from its triangles (step F3),
+/// lets it advance, and recovers what it leaves.
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "field/size_field.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/options.h"
+#include "tetrafront/status.h"
+#include "volume/elements.h"
+#include "volume/front.h"
+#include "volume/front_advance.h"
+#include "volume/recovery.h"
+
+namespace tetrafront {
+
+template <class Trace>
+class BasicVolumeMesher {
+ public:
+  /// `boundary` must be closed, embedded, and turned outward, as closeBoundary() leaves it;
+  /// `triangleRegion` gives the region inside each triangle. `field` must outlive the mesher.
+  BasicVolumeMesher(const SurfaceMesh& boundary, std::span<const std::uint32_t> triangleRegion,
+                    const SizeField& field, const MeshOptions& options);
+
+  /// Works on for about `budget` faces taken from the front.
+  MeshStatus advance(std::uint32_t budget);
+
+  [[nodiscard]] MeshStatus status() const { return status_; }
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] std::uint32_t pointCount() const {
+    return static_cast<std::uint32_t>(front_.nodes().size());
+  }
+  [[nodiscard]] std::uint32_t tetrahedronCount() const {
+    return static_cast<std::uint32_t>(elements_.liveCount());
+  }
+  [[nodiscard]] std::uint32_t frontFaceCount() const { return front_.activeCount(); }
+  /// Filled part of the enclosed volume, 0 to 1.
+  [[nodiscard]] double filledFraction() const;
+
+  /// The mesh as it stands. Nodes that no element and no boundary triangle uses are left out.
+  [[nodiscard]] VolumeMesh mesh() const;
+  [[nodiscard]] std::vector<std::uint32_t> activeFaces() const;
+  [[nodiscard]] RecoverySummary recovery() const;
+  [[nodiscard]] FrontCounters counters() const;
+  [[nodiscard]] Trace& trace() { return advance_.trace(); }
+
+ private:
+  enum class Stage : std::uint8_t { kSetUp, kAdvance, kRecover, kFinished };
+
+  void setUp(std::uint32_t budget);
+  void advanceFront(std::uint32_t budget);
+  void recover(std::uint32_t budget);
+  void inspectNewElements();
+  void inspectNewNodes();
+  void finish(MeshStatus status);
+
+  const SurfaceMesh& boundary_;
+  std::vector<std::uint32_t> triangleRegion_;
+  const SizeField& field_;
+  std::uint32_t maxTetrahedra_;
+  Stage stage_ = Stage::kSetUp;
+  MeshStatus status_ = MeshStatus::kRunning;
+  std::size_t nextTriangle_ = 0;
+  Front front_;
+  Elements elements_;
+  FrontAdvance<Trace> advance_;
+  Recovery<Trace> recovery_;
+  std::size_t boundaryNodes_;
+  std::size_t inspectedNodes_ = 0;
+  std::size_t inspectedElements_ = 0;
+  double enclosedVolume_ = 0.0;  ///< six times
+  double filledVolume_ = 0.0;    ///< six times
+  std::uint64_t exactBefore_ = 0;
+  FieldHint coverHint_;
+  std::vector<Diagnostic> diagnostics_;
+};
+
+extern template class BasicVolumeMesher<NullTrace>;
+extern template class BasicVolumeMesher<StepTrace>;
+
+using VolumeMesher = BasicVolumeMesher<NullTrace>;
+
+}  // namespace tetrafront
