@@ -13,8 +13,8 @@ namespace tetrafront {
 /// The generation parameters at one node of the background grid.
 struct BackgroundNode {
   Vec3 position{0.0};
-  double size = 0.0;        ///< wanted edge length across the stretching direction, > 0
-  double stretching = 1.0;  ///< wanted length along `direction` divided by `size`, >= 1
+  double size = 0.0;              ///< wanted edge length across the stretching direction, > 0
+  double stretching = 1.0;        ///< wanted length along `direction` divided by `size`, >= 1
   Vec3 direction{1.0, 0.0, 0.0};  ///< stretching direction; unit length is not required
 };
 

@@ -64,23 +64,23 @@ enum class DiagnosticCode : std::uint16_t {
   kDegeneratePatch = 13,        ///< patch whose surface has no area or folds over itself
   // Background grid
   kEmptyBackgroundGrid = 20,
-  kBadSize = 21,                 ///< node; values: size
-  kBadStretching = 22,           ///< node; values: stretching
+  kBadSize = 21,        ///< node; values: size
+  kBadStretching = 22,  ///< node; values: stretching
   kFlatBackgroundTetrahedron = 23,
-  kOutsideBackgroundGrid = 24,   ///< place (and line or patch): the grid does not cover the domain
-  kTooManyElements = 25,         ///< values: estimated tetrahedra, limit
+  kOutsideBackgroundGrid = 24,  ///< place (and line or patch): the grid does not cover the domain
+  kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
   // Closed boundary
-  kOpenEdge = 40,            ///< line or triangle with one side missing; values: number of such edges
-  kNonManifoldEdge = 41,     ///< edge with an odd number > 2 of triangles
+  kOpenEdge = 40,         ///< line or triangle with one side missing; values: number of such edges
+  kNonManifoldEdge = 41,  ///< edge with an odd number > 2 of triangles
   kInconsistentOrientation = 42,  ///< triangles that cannot be oriented consistently
-  kSelfIntersection = 43,    ///< two triangles (and their patches) meet where they should not
-  kDuplicateTriangle = 44,   ///< two triangles with the same nodes
-  kDegenerateTriangle = 45,  ///< triangle with repeated or collinear nodes
-  kZeroVolume = 46,          ///< shell that encloses nothing
-  kReorientedPatch = 47,     ///< information: patch or shell drawn inside out, turned round
-  kCoincidentNodes = 48,     ///< two nodes at one place that are not joined
+  kSelfIntersection = 43,         ///< two triangles (and their patches) meet where they should not
+  kDuplicateTriangle = 44,        ///< two triangles with the same nodes
+  kDegenerateTriangle = 45,       ///< triangle with repeated or collinear nodes
+  kZeroVolume = 46,               ///< shell that encloses nothing
+  kReorientedPatch = 47,          ///< information: patch or shell drawn inside out, turned round
+  kCoincidentNodes = 48,          ///< two nodes at one place that are not joined
   // Volume
-  kStalled = 60,           ///< values: faces left in the front
+  kStalled = 60,             ///< values: faces left in the front
   kVerificationFailed = 61,  ///< values: failing elements; our own mistake, never the user's
 };
 
@@ -97,11 +97,11 @@ struct Diagnostic {
 
 /// Element quality of a finished or partial mesh.
 struct QualitySummary {
-  double minDihedral = 0.0;  ///< degrees
-  double maxDihedral = 0.0;  ///< degrees
-  double minRadiusRatio = 0.0;   ///< 3 x inradius / circumradius, 1 for the regular tetrahedron
+  double minDihedral = 0.0;     ///< degrees
+  double maxDihedral = 0.0;     ///< degrees
+  double minRadiusRatio = 0.0;  ///< 3 x inradius / circumradius, 1 for the regular tetrahedron
   double meanRadiusRatio = 0.0;
-  double volume = 0.0;           ///< sum over the tetrahedra
+  double volume = 0.0;  ///< sum over the tetrahedra
 };
 
 /// Live figures, cheap enough to be read after every slice.
@@ -123,11 +123,11 @@ struct RecoverySummary {
 
 /// Why candidates were refused while the front advanced, and how hard the crossing filters worked.
 struct FrontCounters {
-  std::uint64_t pops = 0;             ///< faces taken from the heap
-  std::uint64_t gatheredFaces = 0;    ///< faces passed by the box filter (a)
+  std::uint64_t pops = 0;           ///< faces taken from the heap
+  std::uint64_t gatheredFaces = 0;  ///< faces passed by the box filter (a)
   std::uint64_t candidatesTried = 0;
-  std::uint64_t facesTested = 0;      ///< face-element pairs seen by the local coordinate filter (b)
-  std::uint64_t facesAnalysed = 0;    ///< pairs left for the side-face analysis (c)
+  std::uint64_t facesTested = 0;    ///< face-element pairs seen by the local coordinate filter (b)
+  std::uint64_t facesAnalysed = 0;  ///< pairs left for the side-face analysis (c)
   std::uint64_t exactPredicates = 0;  ///< signs that needed exact arithmetic
 };
 

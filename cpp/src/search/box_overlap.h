@@ -21,8 +21,8 @@ class BoxOverlap {
         high_(_mm_setr_ps(high[0], high[1], high[2], 0.0F)) {}
 
   [[nodiscard]] bool meets(const float* low, const float* high) const {
-    const __m128 apart = _mm_or_ps(_mm_cmpgt_ps(_mm_load_ps(low), high_),
-                                   _mm_cmplt_ps(_mm_load_ps(high), low_));
+    const __m128 apart =
+        _mm_or_ps(_mm_cmpgt_ps(_mm_load_ps(low), high_), _mm_cmplt_ps(_mm_load_ps(high), low_));
     return (_mm_movemask_ps(apart) & kThreeLanes) == 0;
   }
 

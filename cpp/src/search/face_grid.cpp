@@ -141,7 +141,8 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
   }
   Chunk& chunk = chunks_[head];
   chunk.entries[chunk.count] = {box.low, face, box.high, 0};
-  if (face >= places_.size()) places_.resize(std::max<std::size_t>(face + 1, places_.size() * 3 / 2));
+  if (face >= places_.size())
+    places_.resize(std::max<std::size_t>(face + 1, places_.size() * 3 / 2));
   places_[face] = {head, blockId << 6 | inBlock, static_cast<std::uint8_t>(chunk.count),
                    static_cast<std::uint8_t>(level)};
   ++chunk.count;

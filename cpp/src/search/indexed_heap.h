@@ -17,7 +17,8 @@ class IndexedHeap {
  public:
   /// Makes ids 0 .. count-1 usable.
   void reserveIds(std::size_t count) {
-    if (count > position_.size()) position_.resize(std::max(count, position_.size() * 3 / 2), kAbsent);
+    if (count > position_.size())
+      position_.resize(std::max(count, position_.size() * 3 / 2), kAbsent);
   }
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t size() const { return entries_.size(); }

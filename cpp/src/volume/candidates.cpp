@@ -8,8 +8,9 @@ namespace {
 
 constexpr double cube(double x) { return x * x * x; }
 
-constexpr std::array<double, 4> kClosingFactor{
-    1.0, cube(1.0 + kClosingBonus), cube(1.0 + 2.0 * kClosingBonus), cube(1.0 + 3.0 * kClosingBonus)};
+constexpr std::array<double, 4> kClosingFactor{1.0, cube(1.0 + kClosingBonus),
+                                               cube(1.0 + 2.0 * kClosingBonus),
+                                               cube(1.0 + 3.0 * kClosingBonus)};
 
 /// Corner of a face that is not one of the base's nodes, if it is the only such one; else 3.
 std::size_t onlyForeignCorner(const LocalTriple& face) {

@@ -133,10 +133,14 @@ int CrossingTest::sideSign(int side, LocalNode node) const {
   const int sign = signWithin(distance, around_.determinantError());
   if (sign != 0) return sign;
   switch (side) {
-    case 0: return orient(node, 1, 2, corners_[3]);
-    case 1: return orient(0, node, 2, corners_[3]);
-    case 2: return orient(0, 1, node, corners_[3]);
-    default: return orient(0, 1, 2, node);
+    case 0:
+      return orient(node, 1, 2, corners_[3]);
+    case 1:
+      return orient(0, node, 2, corners_[3]);
+    case 2:
+      return orient(0, 1, node, corners_[3]);
+    default:
+      return orient(0, 1, 2, node);
   }
 }
 

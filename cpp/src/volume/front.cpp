@@ -104,10 +104,10 @@ std::uint64_t Front::keyOf(const FrontFace& face) {
   constexpr int kFineBits = 8;  // 256 steps per octave
   const std::uint64_t fine =
       std::min(logBits(ratio, kFineOctaves) >> (kMantissaBits - kFineBits), kMaxFine);
-  const std::uint64_t layer = std::min<std::uint32_t>(
-      static_cast<std::uint32_t>(layers_[face.nodes[0]]) + layers_[face.nodes[1]] +
-          layers_[face.nodes[2]],
-      kMaxLayer);
+  const std::uint64_t layer =
+      std::min<std::uint32_t>(static_cast<std::uint32_t>(layers_[face.nodes[0]]) +
+                                  layers_[face.nodes[1]] + layers_[face.nodes[2]],
+                              kMaxLayer);
   return ruleClass | bucket << kBucketShift | layer << kLayerShift | fine << kFineShift | sequence;
 }
 

@@ -29,8 +29,7 @@ Vec3 fieldQueryPlace(const BaseFace& base) {
 }
 
 IdealPoint placeIdealPoint(const BaseFace& base, double fieldSize) {
-  const double h =
-      std::clamp(fieldSize, kMinSizePerBase * base.size, kMaxSizePerBase * base.size);
+  const double h = std::clamp(fieldSize, kMinSizePerBase * base.size, kMaxSizePerBase * base.size);
   const Vec3 ab = base.b - base.a;
   const Vec3 bc = base.c - base.b;
   const Vec3 ca = base.a - base.c;
@@ -50,8 +49,7 @@ double cubedMeanRatio(const BaseFace& base, const Vec3& apex) {
   const Vec3 pa = apex - base.a;
   const Vec3 pb = apex - base.b;
   const Vec3 pc = apex - base.c;
-  const double squares =
-      base.sumSquares + glm::dot(pa, pa) + glm::dot(pb, pb) + glm::dot(pc, pc);
+  const double squares = base.sumSquares + glm::dot(pa, pa) + glm::dot(pb, pb) + glm::dot(pc, pc);
   // 12^3 (3V)^2 = 432 (6V)^2.
   return 432.0 * sixVolumes * sixVolumes / (squares * squares * squares);
 }

@@ -12,7 +12,7 @@ struct BaseFace {
   Vec3 a;
   Vec3 b;
   Vec3 c;
-  Vec3 normal;        ///< towards the empty side; length twice the area
+  Vec3 normal;  ///< towards the empty side; length twice the area
   double doubleArea;
   double sumSquares;  ///< of the side lengths
   double size;        ///< root mean square of the side lengths

@@ -94,7 +94,8 @@ void Recovery<Trace>::startPass() {
   indexedElements_ = elements_.size();
   std::vector<std::uint32_t> corners;
   corners.reserve(4 * indexedElements_);
-  for (const NodeQuad& quad : elements_.nodes) corners.insert(corners.end(), quad.begin(), quad.end());
+  for (const NodeQuad& quad : elements_.nodes)
+    corners.insert(corners.end(), quad.begin(), quad.end());
   elementsAtNode_ = Incidence(corners, 4, front_.nodes().size());
 }
 
@@ -150,7 +151,8 @@ std::vector<std::uint32_t> Recovery<Trace>::elementsAround(const Pocket& pocket,
     }
     for (std::size_t element = indexedElements_; element < elements_.size(); ++element) {
       const NodeQuad& quad = elements_.nodes[element];
-      if (std::any_of(quad.begin(), quad.end(), [&](std::uint32_t n) { return nodes.contains(n); })) {
+      if (std::any_of(quad.begin(), quad.end(),
+                      [&](std::uint32_t n) { return nodes.contains(n); })) {
         take(static_cast<std::uint32_t>(element));
       }
     }
@@ -220,8 +222,8 @@ void Recovery<Trace>::finishAttempt() {
   stage_ = Stage::kChoose;
   if (front_.activeCount() > attempt_.foreignFaces.size()) {
     for (const Pocket& pocket : findPockets(front_)) {
-      const bool foreign = attempt_.foreignFaces.contains(
-          leastFirst(front_.face(pocket.faces.front()).nodes));
+      const bool foreign =
+          attempt_.foreignFaces.contains(leastFirst(front_.face(pocket.faces.front()).nodes));
       if (!foreign) star(pocket);
     }
   }

@@ -12,10 +12,10 @@ namespace tetrafront {
 
 /// Why a candidate was refused.
 enum class Refusal : std::uint8_t {
-  kBehind = 0,          ///< not on the empty side of the base face
-  kCrosses = 1,         ///< the element would cross a face
-  kSameOrientation = 2, ///< a side of the element exists already, turned the same way
-  kTooCloseToFace = 3,  ///< a new node would stand too close to a face
+  kBehind = 0,           ///< not on the empty side of the base face
+  kCrosses = 1,          ///< the element would cross a face
+  kSameOrientation = 2,  ///< a side of the element exists already, turned the same way
+  kTooCloseToFace = 3,   ///< a new node would stand too close to a face
 };
 
 struct NullTrace {
@@ -28,11 +28,11 @@ struct StepTrace {
   static constexpr std::uint32_t kNewNode = 0xffffffffU;
 
   enum class Event : std::uint8_t {
-    kBase = 0,      ///< subject: face, detail: rule class
-    kIdeal = 1,     ///< place: the ideal point
-    kRefused = 2,   ///< subject: candidate, detail: Refusal, culprit: face
-    kAccepted = 3,  ///< subject: node taken; place: where
-    kPostponed = 4, ///< subject: face, detail: its next rule class
+    kBase = 0,       ///< subject: face, detail: rule class
+    kIdeal = 1,      ///< place: the ideal point
+    kRefused = 2,    ///< subject: candidate, detail: Refusal, culprit: face
+    kAccepted = 3,   ///< subject: node taken; place: where
+    kPostponed = 4,  ///< subject: face, detail: its next rule class
   };
   struct Step {
     Event event;

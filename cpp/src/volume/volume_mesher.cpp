@@ -76,10 +76,17 @@ BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary,
 template <class Trace>
 MeshStatus BasicVolumeMesher<Trace>::advance(std::uint32_t budget) {
   switch (stage_) {
-    case Stage::kSetUp: setUp(budget); break;
-    case Stage::kAdvance: advanceFront(budget); break;
-    case Stage::kRecover: recover(budget); break;
-    case Stage::kFinished: break;
+    case Stage::kSetUp:
+      setUp(budget);
+      break;
+    case Stage::kAdvance:
+      advanceFront(budget);
+      break;
+    case Stage::kRecover:
+      recover(budget);
+      break;
+    case Stage::kFinished:
+      break;
   }
   return status_;
 }
@@ -133,8 +140,8 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::inspectNewElements() {
   for (; inspectedElements_ < elements_.size(); ++inspectedElements_) {
     const NodeQuad& n = elements_.nodes[inspectedElements_];
-    filledVolume_ += sixVolumes(front_.node(n[0]), front_.node(n[1]), front_.node(n[2]),
-                                front_.node(n[3]));
+    filledVolume_ +=
+        sixVolumes(front_.node(n[0]), front_.node(n[1]), front_.node(n[2]), front_.node(n[3]));
   }
   if (elements_.size() <= maxTetrahedra_) return;
   Diagnostic tooMany;
