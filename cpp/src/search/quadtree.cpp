@@ -11,7 +11,7 @@ constexpr std::uint32_t kLeafCapacity = 12;
 /// Boxes of one centre cannot be told apart by splitting; 2^-40 of the region is below any size.
 constexpr std::uint32_t kMaxDepth = 40;
 
-} // namespace
+}  // namespace
 
 PlaneBox PlaneBox::of(const Vec2& a, const Vec2& b) {
   return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
@@ -30,7 +30,8 @@ Quadtree::Quadtree(const PlaneBox& region) {
 }
 
 std::uint32_t Quadtree::childAt(const Node& node, const Vec2& centre) const {
-  return node.firstChild + (centre.x > node.centre.x ? 1U : 0U) + (centre.y > node.centre.y ? 2U : 0U);
+  return node.firstChild + (centre.x > node.centre.x ? 1U : 0U) +
+         (centre.y > node.centre.y ? 2U : 0U);
 }
 
 void Quadtree::insert(std::uint32_t id, const PlaneBox& box) {
@@ -113,8 +114,7 @@ void Quadtree::query(const PlaneBox& box, std::vector<std::uint32_t>& found) con
         node.centre.y - half.y > box.high.y || node.centre.y + half.y < box.low.y)
       continue;
     if (node.firstChild != kNone) {
-      for (std::uint32_t child = 0; child < 4; ++child)
-        stack_.push_back(node.firstChild + child);
+      for (std::uint32_t child = 0; child < 4; ++child) stack_.push_back(node.firstChild + child);
       continue;
     }
     for (std::uint32_t id = node.head; id != kNone; id = items_[id].next)
@@ -122,4 +122,4 @@ void Quadtree::query(const PlaneBox& box, std::vector<std::uint32_t>& found) con
   }
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

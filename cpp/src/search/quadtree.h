@@ -21,7 +21,8 @@ struct PlaneBox {
   static PlaneBox of(const Vec2& a, const Vec2& b);
   void include(const Vec2& place);
   [[nodiscard]] bool meets(const PlaneBox& other) const {
-    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y && other.low.y <= high.y;
+    return low.x <= other.high.x && other.low.x <= high.x && low.y <= other.high.y &&
+           other.low.y <= high.y;
   }
   [[nodiscard]] bool holds(const Vec2& place) const {
     return low.x <= place.x && place.x <= high.x && low.y <= place.y && place.y <= high.y;

@@ -1,0 +1,132 @@
+// Lines as functions of a parameter. Only + - * / sqrt are used, so that every platform places
+// the same nodes. The spline's second derivatives follow from the usual tridiagonal system for
+// continuity of the slope (any text on splines, e.g. de Boor 1978), with natural ends.
+
+#include "model/curve.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace tetrafront {
+
+namespace {
+
+/// Gauss-Legendre, five points: abscissae and weights for [-1, 1].
+constexpr std::array<double, 5> kGaussAbscissae{-0.9061798459386640, -0.5384693101056831, 0.0,
+                                                0.5384693101056831, 0.9061798459386640};
+constexpr std::array<double, 5> kGaussWeights{0.2369268850561891, 0.4786286704993665,
+                                              0.5688888888888889, 0.4786286704993665,
+                                              0.2369268850561891};
+/// Pieces per smooth span over which the arc length is integrated: a parabola bent by 90 degrees
+/// is then exact to about 1e-12.
+constexpr int kPiecesPerSpan = 8;
+
+}  // namespace
+
+Curve::Curve(LineType type, std::vector<Vec3> points) : type_(type), points_(std::move(points)) {
+  if (type_ == LineType::kCubicSpline)
+    fitSpline();
+  else
+    knots_ = {0.0, 1.0};
+  length_ = length(0.0, 1.0);
+}
+
+void Curve::fitSpline() {
+  const std::size_t count = points_.size();
+  knots_.assign(count, 0.0);
+  for (std::size_t i = 1; i < count; ++i)
+    knots_[i] = knots_[i - 1] + glm::length(points_[i] - points_[i - 1]);
+  const double total = knots_.back();
+  for (double& knot : knots_) knot /= total;
+  knots_.back() = 1.0;
+
+  // Forward elimination and back substitution; row i couples second derivatives i-1, i, i+1.
+  secondDerivatives_.assign(count, Vec3(0.0));
+  std::vector<double> upper(count, 0.0);
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const double before = knots_[i] - knots_[i - 1];
+    const double after = knots_[i + 1] - knots_[i];
+    const Vec3 slopeChange =
+        (points_[i + 1] - points_[i]) / after - (points_[i] - points_[i - 1]) / before;
+    const double pivot = 2.0 * (before + after) - before * upper[i - 1];
+    upper[i] = after / pivot;
+    secondDerivatives_[i] = (6.0 * slopeChange - before * secondDerivatives_[i - 1]) / pivot;
+  }
+  for (std::size_t i = count - 2; i >= 1; --i)
+    secondDerivatives_[i] -= upper[i] * secondDerivatives_[i + 1];
+}
+
+Curve::Sample Curve::sample(double t) const {
+  switch (type_) {
+    case LineType::kStraight:
+      return {points_[0] + t * (points_[1] - points_[0]), points_[1] - points_[0]};
+    case LineType::kParabolic:
+      return sampleParabola(t);
+    case LineType::kCubicSpline:
+      break;
+  }
+  return sampleSpline(t);
+}
+
+Curve::Sample Curve::sampleParabola(double t) const {
+  // Lagrange polynomials through t = 0, 1/2, 1.
+  const Vec3& a = points_[0];
+  const Vec3& m = points_[1];
+  const Vec3& b = points_[2];
+  const double s = 1.0 - t;
+  return {(s * (1.0 - 2.0 * t)) * a + (4.0 * t * s) * m + (t * (2.0 * t - 1.0)) * b,
+          (4.0 * t - 3.0) * a + (4.0 - 8.0 * t) * m + (4.0 * t - 1.0) * b};
+}
+
+Curve::Sample Curve::sampleSpline(double t) const {
+  const auto above = std::upper_bound(knots_.begin() + 1, knots_.end() - 1, t);
+  const auto i = static_cast<std::size_t>(above - knots_.begin()) - 1;
+  const double step = knots_[i + 1] - knots_[i];
+  const double a = (knots_[i + 1] - t) / step;
+  const double b = (t - knots_[i]) / step;
+  const Vec3& left = secondDerivatives_[i];
+  const Vec3& right = secondDerivatives_[i + 1];
+  const double weight = step * step / 6.0;
+  Sample result;
+  result.position = (a * points_[i] + b * points_[i + 1]) + (weight * (a * a * a - a)) * left +
+                    (weight * (b * b * b - b)) * right;
+  result.derivative = (points_[i + 1] - points_[i]) / step -
+                      (step * (3.0 * a * a - 1.0) / 6.0) * left +
+                      (step * (3.0 * b * b - 1.0) / 6.0) * right;
+  return result;
+}
+
+Vec3 Curve::position(double t) const {
+  if (t <= 0.0) return points_.front();
+  if (t >= 1.0) return points_.back();
+  return sample(t).position;
+}
+
+Vec3 Curve::derivative(double t) const { return sample(t).derivative; }
+
+double Curve::length(double from, double to) const {
+  if (type_ == LineType::kStraight) return (to - from) * glm::length(points_[1] - points_[0]);
+  double sum = 0.0;
+  for (std::size_t span = 0; span + 1 < knots_.size(); ++span) {
+    const double begin = std::max(from, knots_[span]);
+    const double end = std::min(to, knots_[span + 1]);
+    if (begin >= end) continue;
+    const double half = (end - begin) / (2.0 * kPiecesPerSpan);
+    for (int piece = 0; piece < kPiecesPerSpan; ++piece) {
+      const double middle = begin + (2.0 * piece + 1.0) * half;
+      for (std::size_t k = 0; k < kGaussAbscissae.size(); ++k)
+        sum +=
+            half * kGaussWeights[k] * glm::length(derivative(middle + half * kGaussAbscissae[k]));
+    }
+  }
+  return sum;
+}
+
+Curve::Sample OrientedCurve::sample(double t) const {
+  if (!reversed_) return curve_->sample(t);
+  const Curve::Sample along = curve_->sample(1.0 - t);
+  return {along.position, -along.derivative};
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,69 @@
+#pragma once
+
+/// @file A line made usable: position and derivative at a parameter t in [0, 1], arc length
+/// (Löhner & Parikh 1988, section 4, line types 1 to 3).
+
+#include <span>
+#include <vector>
+
+#include "tetrafront/model.h"
+
+namespace tetrafront {
+
+class Curve {
+ public:
+  struct Sample {
+    Vec3 position{0.0};
+    Vec3 derivative{0.0};
+  };
+
+  /// `points` as many as the type asks for (see LineType), finite, successive ones distinct.
+  Curve(LineType type, std::vector<Vec3> points);
+
+  /// Bit-exact copies of the first and last point at t = 0 and t = 1.
+  [[nodiscard]] Vec3 position(double t) const;
+  [[nodiscard]] Vec3 derivative(double t) const;
+  [[nodiscard]] Sample sample(double t) const;
+
+  /// Arc length of the whole line, and between two parameters, from <= to.
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] double length(double from, double to) const;
+
+  [[nodiscard]] LineType type() const { return type_; }
+  [[nodiscard]] const Vec3& start() const { return points_.front(); }
+  [[nodiscard]] const Vec3& end() const { return points_.back(); }
+
+  /// Parameters at which the curve is less than infinitely smooth, 0 and 1 included, ascending.
+  [[nodiscard]] std::span<const double> knots() const { return knots_; }
+
+ private:
+  [[nodiscard]] Sample sampleParabola(double t) const;
+  [[nodiscard]] Sample sampleSpline(double t) const;
+  void fitSpline();
+
+  LineType type_;
+  std::vector<Vec3> points_;
+  std::vector<double> knots_;
+  std::vector<Vec3> secondDerivatives_;  ///< of a spline, one per point
+  double length_ = 0.0;
+};
+
+/// A curve as a loop walks it: t = 0 where the loop enters.
+class OrientedCurve {
+ public:
+  OrientedCurve(const Curve& curve, bool reversed) : curve_(&curve), reversed_(reversed) {}
+
+  [[nodiscard]] Vec3 position(double t) const { return curve_->position(reversed_ ? 1.0 - t : t); }
+  [[nodiscard]] Curve::Sample sample(double t) const;
+  [[nodiscard]] const Vec3& start() const { return reversed_ ? curve_->end() : curve_->start(); }
+  [[nodiscard]] const Vec3& end() const { return reversed_ ? curve_->start() : curve_->end(); }
+  [[nodiscard]] double length() const { return curve_->length(); }
+  [[nodiscard]] LineType type() const { return curve_->type(); }
+  [[nodiscard]] OrientedCurve reverse() const { return {*curve_, !reversed_}; }
+
+ private:
+  const Curve* curve_;
+  bool reversed_;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,46 @@
+#pragma once
+
+/// @file The unit square stretched and sheared to resemble a surface patch in the plane
+/// (Löhner & Parikh 1988, appendix, eq. 16 and 17, figure 1).
+///
+///     eta'' ^    D-----------C        A = (0, 0)      B = (x_B, 0)
+///           |   /           /         D = (x_D, y_D)  C = (x_D + |DC|, y_D)
+///           |  /           /
+///           | A---------B            The lengths are arc lengths of the patch's lines.
+///           +-----------------> xi''
+
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+class StretchedPlane {
+ public:
+  /// Lengths > 0. `tangentAlongAB` and `tangentAlongAD`: the surface's tangents at A, which give
+  /// the angle there; it is kept within 20 .. 160 degrees.
+  StretchedPlane(double lengthAB, double lengthAD, double lengthDC, const Vec3& tangentAlongAB,
+                 const Vec3& tangentAlongAD);
+  /// The unit square itself.
+  StretchedPlane() = default;
+
+  /// Eq. (16).
+  [[nodiscard]] Vec2 toPlane(const Vec2& unit) const;
+  /// Eq. (17), the inverse.
+  [[nodiscard]] Vec2 toUnit(const Vec2& plane) const;
+
+  /// Derivatives of xi and eta by xi'' and eta'': {d xi/d xi'', d xi/d eta'', d eta/d eta''};
+  /// eta does not depend on xi''.
+  struct Derivatives {
+    double xiByXi;
+    double xiByEta;
+    double etaByEta;
+  };
+  [[nodiscard]] Derivatives derivatives(const Vec2& unit) const;
+
+ private:
+  double xB_ = 1.0;
+  double xD_ = 0.0;
+  double yD_ = 1.0;
+  double shear_ = 0.0;  ///< -x_B + x_C - x_D
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,177 @@
+#include "surface/patch_boundary.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "search/quadtree.h"
+
+namespace tetrafront {
+
+namespace {
+
+/// Straight lines of a patch whose ends are this near to one common straight line, relative to
+/// its length, are one: their nodes are collinear up to the rounding of their coordinates.
+constexpr double kSameStraight = 1e-9;
+
+/// A straight line of the plane that some line of the boundary runs along.
+struct Carrier {
+  Vec2 from;
+  Vec2 direction;  ///< not normalised
+};
+
+/// Numbers the straight lines; collinear ones get one number.
+class Carriers {
+ public:
+  std::uint32_t numberOf(const Vec2& from, const Vec2& to) {
+    for (std::size_t i = 0; i < carriers_.size(); ++i)
+      if (isOn(carriers_[i], from) && isOn(carriers_[i], to)) return static_cast<std::uint32_t>(i);
+    carriers_.push_back({from, to - from});
+    return static_cast<std::uint32_t>(carriers_.size() - 1);
+  }
+
+ private:
+  static bool isOn(const Carrier& carrier, const Vec2& place) {
+    const Vec2 offset = place - carrier.from;
+    const double area = carrier.direction.x * offset.y - carrier.direction.y * offset.x;
+    return std::fabs(area) <= kSameStraight * glm::dot(carrier.direction, carrier.direction);
+  }
+  std::vector<Carrier> carriers_;
+};
+
+/// Lays one loop out after the other.
+class BoundaryBuilder {
+ public:
+  BoundaryBuilder(const ResolvedModel& model, const Patch& patch, const PatchSurface& surface,
+                  const SizeField& field, const DividedLines& lines)
+      : model_(&model), patch_(&patch), surface_(&surface), field_(&field), lines_(&lines) {}
+
+  void addLoop(std::size_t loop) {
+    const auto firstNode = static_cast<std::uint32_t>(boundary.mesh.plane.size());
+    const std::size_t firstSide = boundary.origins.size();
+    const Loop& drawn = patch_->loops[loop];
+    for (std::size_t position = 0; position < drawn.size(); ++position) addLine(loop, position);
+    const auto endNode = static_cast<std::uint32_t>(boundary.mesh.plane.size());
+    for (std::uint32_t node = firstNode; node < endNode; ++node) {
+      const std::uint32_t next = node + 1 == endNode ? firstNode : node + 1;
+      boundary.mesh.sides.insert(boundary.mesh.sides.end(), {node, next});
+    }
+    tagStraights(loop, firstNode, endNode);
+    const bool counterClockwise = area(firstNode, endNode) > 0.0;
+    if (counterClockwise != (loop == 0)) reverse(firstSide);
+  }
+
+  PatchBoundary boundary;
+
+ private:
+  /// Adds the line's nodes but the last, which is the next line's first.
+  void addLine(std::size_t loop, std::size_t position) {
+    const OrientedLine& line = patch_->loops[loop][position];
+    const LineDivision& division = lines_->divisions[line.line];
+    const std::vector<std::uint32_t>& nodes = lines_->nodes[line.line];
+    const bool backward = line.reversed != model_->flipped(line.line);
+    lineStarts_.push_back(static_cast<std::uint32_t>(boundary.mesh.plane.size()));
+    const auto count = static_cast<std::uint32_t>(division.sideCount());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::uint32_t at = backward ? count - i : i;
+      const double t = backward ? 1.0 - division.parameters[at] : division.parameters[at];
+      const Vec3& place = division.nodes[at];
+      boundary.mesh.addNode(surface_->boundaryToPlane(loop, position, t, place), place,
+                            field_->sizeAt(place, hint_));
+      boundary.mesh.aliases.back() = nodes[at];
+      boundary.origins.push_back({line.line, backward ? at - 1 : at});
+    }
+  }
+
+  void tagStraights(std::size_t loop, std::uint32_t firstNode, std::uint32_t endNode) {
+    const std::size_t lineCount = patch_->loops[loop].size();
+    const std::size_t firstLine = lineStarts_.size() - lineCount;
+    for (std::size_t position = 0; position < lineCount; ++position) {
+      if (!surface_->straightInPlane(loop, position)) continue;
+      const std::uint32_t from = lineStarts_[firstLine + position];
+      const bool last = position + 1 == lineCount;
+      const std::uint32_t to = last ? firstNode : lineStarts_[firstLine + position + 1];
+      const std::uint32_t straight =
+          carriers_.numberOf(boundary.mesh.plane[from], boundary.mesh.plane[to]);
+      for (std::uint32_t node = from; node < (last ? endNode : to); ++node) tag(node, straight);
+      tag(to, straight);
+    }
+  }
+
+  void tag(std::uint32_t node, std::uint32_t straight) {
+    PlanarMesh::Straights& tags = boundary.mesh.straights[node];
+    if (tags[0] == straight || tags[1] == straight) return;
+    tags[tags[0] == PlanarMesh::kNone ? 0 : 1] = straight;
+  }
+
+  [[nodiscard]] double area(std::uint32_t firstNode, std::uint32_t endNode) const {
+    double sum = 0.0;
+    const Vec2 origin = boundary.mesh.plane[firstNode];
+    for (std::uint32_t node = firstNode + 1; node + 1 < endNode; ++node) {
+      const Vec2 a = boundary.mesh.plane[node] - origin;
+      const Vec2 b = boundary.mesh.plane[node + 1] - origin;
+      sum += a.x * b.y - a.y * b.x;
+    }
+    return sum;
+  }
+
+  void reverse(std::size_t firstSide) {
+    for (std::size_t side = firstSide; side < boundary.origins.size(); ++side)
+      std::swap(boundary.mesh.sides[2 * side], boundary.mesh.sides[2 * side + 1]);
+  }
+
+  const ResolvedModel* model_;
+  const Patch* patch_;
+  const PatchSurface* surface_;
+  const SizeField* field_;
+  const DividedLines* lines_;
+  Carriers carriers_;
+  std::vector<std::uint32_t> lineStarts_;  ///< first node of each line so far, all loops
+  FieldHint hint_;
+};
+
+bool sidesTouch(const PlanarMesh& mesh, std::uint32_t first, std::uint32_t second) {
+  const std::uint32_t a = mesh.sides[2 * std::size_t{first}];
+  const std::uint32_t b = mesh.sides[2 * std::size_t{first} + 1];
+  const std::uint32_t c = mesh.sides[2 * std::size_t{second}];
+  const std::uint32_t d = mesh.sides[2 * std::size_t{second} + 1];
+  if (b == c && a == d) return true;
+  if (b == c) return segmentsOverlap(mesh, b, a, d);
+  if (a == d) return segmentsOverlap(mesh, a, b, c);
+  return segmentsTouch(mesh, a, b, c, d);
+}
+
+}  // namespace
+
+PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
+                             const PatchSurface& surface, const SizeField& field,
+                             const DividedLines& lines) {
+  BoundaryBuilder builder(model, patch, surface, field, lines);
+  for (std::size_t loop = 0; loop < patch.loops.size(); ++loop) builder.addLoop(loop);
+  builder.boundary.mesh.boundaryCount =
+      static_cast<std::uint32_t>(builder.boundary.mesh.plane.size());
+  return std::move(builder.boundary);
+}
+
+std::vector<std::uint32_t> findTouchingSides(const PlanarMesh& mesh) {
+  PlaneBox region = PlaneBox::of(mesh.plane.front(), mesh.plane.front());
+  for (const Vec2& node : mesh.plane) region.include(node);
+  Quadtree tree(region);
+  std::vector<std::uint32_t> touching;
+  std::vector<std::uint32_t> near;
+  const auto count = static_cast<std::uint32_t>(mesh.sides.size() / 2);
+  for (std::uint32_t side = 0; side < count; ++side) {
+    const PlaneBox box = PlaneBox::of(mesh.plane[mesh.sides[2 * std::size_t{side}]],
+                                      mesh.plane[mesh.sides[2 * std::size_t{side} + 1]]);
+    near.clear();
+    tree.query(box, near);
+    for (const std::uint32_t other : near)
+      if (sidesTouch(mesh, other, side)) touching.insert(touching.end(), {other, side});
+    tree.insert(side, box);
+  }
+  std::ranges::sort(touching);
+  const auto repeated = std::ranges::unique(touching);
+  touching.erase(repeated.begin(), repeated.end());
+  return touching;
+}
+
+}  // namespace tetrafront

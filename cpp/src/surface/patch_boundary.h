@@ -1,0 +1,43 @@
+#pragma once
+
+/// @file The initial front of one patch: the sides of its lines, laid out in its plane.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/patch_surface.h"
+#include "surface/line_mesher.h"
+#include "surface/planar_mesh.h"
+
+namespace tetrafront {
+
+/// The divided lines of a model: per line its division and the numbers of its nodes in the
+/// surface, both in the curve's canonical direction. Lines no patch uses have neither.
+struct DividedLines {
+  std::vector<LineDivision> divisions;
+  std::vector<std::vector<std::uint32_t>> nodes;
+};
+
+/// Which side of which line a boundary side is.
+struct SideOrigin {
+  std::uint32_t line;
+  std::uint32_t side;  ///< in the curve's canonical direction
+};
+
+struct PatchBoundary {
+  PlanarMesh mesh;                  ///< boundary nodes and sides only, the patch on their left
+  std::vector<SideOrigin> origins;  ///< per side
+};
+
+/// Lays the sides of all loops out in the patch's plane, the outer loop counter-clockwise, holes
+/// clockwise, whichever way they are drawn.
+[[nodiscard]] PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
+                                           const PatchSurface& surface, const SizeField& field,
+                                           const DividedLines& lines);
+
+/// Positions of boundary sides that touch or cross another one where they share no node, or run
+/// over each other from a common one; ascending, each once. Exact. Empty: simple loops.
+[[nodiscard]] std::vector<std::uint32_t> findTouchingSides(const PlanarMesh& mesh);
+
+}  // namespace tetrafront

@@ -1,0 +1,358 @@
+#include "surface/surface_mesher.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace tetrafront {
+
+namespace {
+
+/// Rounds of halving sides that cross others because they are too coarse for the bends of their
+/// lines. Each round halves the error of a chord by four; loops that still touch, touch.
+constexpr int kMaxHalvingRounds = 8;
+/// Counted against the budget for dividing a line or laying a patch's loops out, per side.
+constexpr std::uint32_t kSidesPerStep = 4;
+/// A closed line needs three sides to enclose anything, and two lines that join the same points
+/// need two each (one of them would do, but which one must not depend on who asks).
+constexpr std::uint32_t kClosedLineSides = 3;
+constexpr std::uint32_t kParallelLineSides = 2;
+
+}  // namespace
+
+class SurfaceMesher::Impl {
+ public:
+  Impl(const Model& model, const SizeField& field);
+  MeshStatus advance(std::uint32_t budget);
+  [[nodiscard]] double fraction() const;
+
+  Phase phase = Phase::kSides;
+  SurfaceMesh mesh;
+  std::vector<Diagnostic> diagnostics;
+
+ private:
+  enum class Stage : std::uint8_t { kDivide, kNumber, kLayOut, kMesh, kDone, kFailed };
+
+  void findUsedLines();
+  void findMinimumSides();
+  std::uint32_t divideNextLine();
+  void numberNodes();
+  std::uint32_t layOutNextPatch();
+  bool halveSides(std::uint32_t patch, const PatchBoundary& boundary,
+                  const std::vector<std::uint32_t>& touching);
+  void reportTouching(std::uint32_t patch, const PatchBoundary& boundary,
+                      const std::vector<std::uint32_t>& touching);
+  void writeLines();
+  std::uint32_t meshPatch(std::uint32_t budget);
+  void takePatch(std::uint32_t patch);
+  void reportPatch(std::uint32_t patch);
+  void fail(Diagnostic diagnostic);
+
+  ResolvedModel model_;
+  const SizeField* field_;
+  Stage stage_ = Stage::kDivide;
+  std::uint32_t cursor_ = 0;
+  int round_ = 0;
+  bool halved_ = false;
+  DividedLines lines_;
+  std::vector<std::uint8_t> used_;
+  std::vector<std::uint32_t> minimumSides_;
+  std::vector<std::uint32_t> endPoints_;  ///< model points that are nodes, ascending
+  std::vector<PatchSurface> surfaces_;
+  std::unique_ptr<PatchMesher> patchMesher_;
+  FieldHint hint_;
+};
+
+SurfaceMesher::Impl::Impl(const Model& model, const SizeField& field)
+    : model_(model), field_(&field) {
+  lines_.divisions.resize(model.lines.size());
+  lines_.nodes.resize(model.lines.size());
+  surfaces_.reserve(model.patches.size());
+  for (const Patch& patch : model.patches) surfaces_.emplace_back(model_, patch);
+  findUsedLines();
+  findMinimumSides();
+}
+
+void SurfaceMesher::Impl::findUsedLines() {
+  const Model& model = model_.model();
+  used_.assign(model.lines.size(), 0);
+  for (const Patch& patch : model.patches)
+    for (const Loop& loop : patch.loops)
+      for (const OrientedLine& line : loop) used_[line.line] = 1;
+  for (std::uint32_t line = 0; line < used_.size(); ++line) {
+    if (used_[line] == 0) continue;
+    endPoints_.push_back(model.lines[line].points.front());
+    endPoints_.push_back(model.lines[line].points.back());
+  }
+  std::ranges::sort(endPoints_);
+  const auto repeated = std::ranges::unique(endPoints_);
+  endPoints_.erase(repeated.begin(), repeated.end());
+}
+
+void SurfaceMesher::Impl::findMinimumSides() {
+  const Model& model = model_.model();
+  minimumSides_.assign(model.lines.size(), 1);
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> joined;
+  for (std::uint32_t line = 0; line < used_.size(); ++line) {
+    if (used_[line] == 0) continue;
+    const std::vector<std::uint32_t>& points = model.lines[line].points;
+    if (points.front() == points.back()) {
+      minimumSides_[line] = kClosedLineSides;
+      continue;
+    }
+    const auto [entry, first] =
+        joined.try_emplace(std::minmax(points.front(), points.back()), line);
+    if (first) continue;
+    minimumSides_[line] = kParallelLineSides;
+    minimumSides_[entry->second] = kParallelLineSides;
+  }
+}
+
+MeshStatus SurfaceMesher::Impl::advance(std::uint32_t budget) {
+  std::uint32_t work = 0;
+  while (work < budget || work == 0) {
+    switch (stage_) {
+      case Stage::kDivide:
+        work += divideNextLine();
+        break;
+      case Stage::kNumber:
+        numberNodes();
+        ++work;
+        break;
+      case Stage::kLayOut:
+        work += layOutNextPatch();
+        break;
+      case Stage::kMesh:
+        work += meshPatch(budget - work);
+        break;
+      case Stage::kDone:
+        return MeshStatus::kDone;
+      case Stage::kFailed:
+        return MeshStatus::kInvalidInput;
+    }
+  }
+  if (stage_ == Stage::kFailed) return MeshStatus::kInvalidInput;
+  return stage_ == Stage::kDone ? MeshStatus::kDone : MeshStatus::kRunning;
+}
+
+double SurfaceMesher::Impl::fraction() const {
+  // Lines and loops are a small part of the work.
+  constexpr double kLinesShare = 0.1;
+  if (stage_ == Stage::kDone) return 1.0;
+  if (stage_ != Stage::kMesh) return 0.0;
+  return kLinesShare + (1.0 - kLinesShare) * cursor_ / static_cast<double>(surfaces_.size());
+}
+
+void SurfaceMesher::Impl::fail(Diagnostic diagnostic) {
+  diagnostics.push_back(std::move(diagnostic));
+  stage_ = Stage::kFailed;
+}
+
+// ---- sides -------------------------------------------------------------------------------------
+
+std::uint32_t SurfaceMesher::Impl::divideNextLine() {
+  if (cursor_ == used_.size()) {
+    cursor_ = 0;
+    // All lines are looked at before giving up, so that the user sees all of them at once.
+    stage_ = diagnostics.empty() ? Stage::kNumber : Stage::kFailed;
+    return 1;
+  }
+  const std::uint32_t line = cursor_++;
+  if (used_[line] == 0) return 0;
+  LineDivision& division = lines_.divisions[line];
+  division = divideLine(model_.curve(line), *field_, minimumSides_[line]);
+  if (division.status != LineDivisionStatus::kDivided) {
+    Diagnostic diagnostic;
+    diagnostic.code = division.status == LineDivisionStatus::kOutsideGrid
+                          ? DiagnosticCode::kOutsideBackgroundGrid
+                          : DiagnosticCode::kTooManyElements;
+    if (division.status == LineDivisionStatus::kTooManySides)
+      diagnostic.values = {static_cast<double>(kMaxSidesPerLine),
+                           static_cast<double>(kMaxSidesPerLine)};
+    diagnostic.entities = {{EntityKind::kLine, line}};
+    diagnostic.hasPlace = true;
+    diagnostic.place = division.place;
+    diagnostics.push_back(std::move(diagnostic));
+  }
+  return static_cast<std::uint32_t>(division.sideCount()) / kSidesPerStep + 1;
+}
+
+void SurfaceMesher::Impl::numberNodes() {
+  const Model& model = model_.model();
+  const auto numberOf = [&](std::uint32_t point) {
+    return static_cast<std::uint32_t>(std::ranges::lower_bound(endPoints_, point) -
+                                      endPoints_.begin());
+  };
+  auto next = static_cast<std::uint32_t>(endPoints_.size());
+  for (std::uint32_t line = 0; line < used_.size(); ++line) {
+    if (used_[line] == 0) continue;
+    std::uint32_t from = model.lines[line].points.front();
+    std::uint32_t to = model.lines[line].points.back();
+    if (model_.flipped(line)) std::swap(from, to);
+    std::vector<std::uint32_t>& nodes = lines_.nodes[line];
+    nodes.assign(lines_.divisions[line].nodes.size(), 0);
+    nodes.front() = numberOf(from);
+    nodes.back() = numberOf(to);
+    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) nodes[i] = next++;
+  }
+  stage_ = Stage::kLayOut;
+  cursor_ = 0;
+  halved_ = false;
+}
+
+// ---- loops -------------------------------------------------------------------------------------
+
+std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
+  if (cursor_ == surfaces_.size()) {
+    cursor_ = 0;
+    if (!diagnostics.empty()) {
+      stage_ = Stage::kFailed;
+    } else if (halved_) {
+      ++round_;
+      stage_ = Stage::kNumber;
+    } else {
+      writeLines();
+      stage_ = Stage::kMesh;
+      phase = Phase::kSurface;
+    }
+    return 1;
+  }
+  const std::uint32_t patch = cursor_++;
+  const PatchBoundary boundary =
+      layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
+  const std::vector<std::uint32_t> touching = findTouchingSides(boundary.mesh);
+  if (!touching.empty()) {
+    if (round_ < kMaxHalvingRounds && halveSides(patch, boundary, touching))
+      halved_ = true;
+    else
+      reportTouching(patch, boundary, touching);
+  }
+  return static_cast<std::uint32_t>(boundary.origins.size()) / kSidesPerStep + 1;
+}
+
+/// Halves those of the touching sides that lie on bent lines; false if there are none.
+bool SurfaceMesher::Impl::halveSides(std::uint32_t patch, const PatchBoundary& boundary,
+                                     const std::vector<std::uint32_t>& touching) {
+  static_cast<void>(patch);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> wanted;
+  for (const std::uint32_t side : touching) {
+    const SideOrigin& origin = boundary.origins[side];
+    if (model_.curve(origin.line).type() != LineType::kStraight)
+      wanted.emplace_back(origin.line, origin.side);
+  }
+  // Last first, so that the positions of those to come stay right; a seam's sides come twice.
+  std::ranges::sort(wanted, std::ranges::greater());
+  const auto repeated = std::ranges::unique(wanted);
+  wanted.erase(repeated.begin(), repeated.end());
+  for (const auto& [line, side] : wanted)
+    halveSide(model_.curve(line), side, lines_.divisions[line]);
+  return !wanted.empty();
+}
+
+void SurfaceMesher::Impl::reportTouching(std::uint32_t patch, const PatchBoundary& boundary,
+                                         const std::vector<std::uint32_t>& touching) {
+  Diagnostic diagnostic;
+  diagnostic.code = DiagnosticCode::kLoopTouchesItself;
+  diagnostic.entities = {{EntityKind::kPatch, patch}};
+  std::vector<std::uint32_t> lines;
+  for (const std::uint32_t side : touching) lines.push_back(boundary.origins[side].line);
+  std::ranges::sort(lines);
+  const auto repeated = std::ranges::unique(lines);
+  lines.erase(repeated.begin(), repeated.end());
+  for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
+  diagnostic.hasPlace = true;
+  diagnostic.place = boundary.mesh.places[boundary.mesh.sides[2 * std::size_t{touching.front()}]];
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+// ---- the mesh ----------------------------------------------------------------------------------
+
+void SurfaceMesher::Impl::writeLines() {
+  const auto append = [&](const Vec3& place) {
+    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+  };
+  for (const std::uint32_t point : endPoints_) append(model_.model().points[point]);
+  for (std::uint32_t line = 0; line < used_.size(); ++line) {
+    const std::vector<std::uint32_t>& nodes = lines_.nodes[line];
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+      if (i > 0) append(lines_.divisions[line].nodes[i]);
+      mesh.sides.insert(mesh.sides.end(), {nodes[i], nodes[i + 1]});
+      mesh.sideLine.push_back(line);
+    }
+  }
+}
+
+std::uint32_t SurfaceMesher::Impl::meshPatch(std::uint32_t budget) {
+  if (cursor_ == surfaces_.size()) {
+    stage_ = diagnostics.empty() ? Stage::kDone : Stage::kFailed;
+    return 1;
+  }
+  if (patchMesher_ == nullptr) {
+    PatchBoundary boundary = layOutBoundary(model_, model_.model().patches[cursor_],
+                                            surfaces_[cursor_], *field_, lines_);
+    const auto sides = static_cast<std::uint32_t>(boundary.origins.size());
+    patchMesher_ = std::make_unique<PatchMesher>(surfaces_[cursor_], *field_, std::move(boundary));
+    return sides / kSidesPerStep + 1;
+  }
+  const MeshStatus status = patchMesher_->advance(budget);
+  if (status == MeshStatus::kRunning) return budget;
+  const std::uint32_t patch = cursor_++;
+  if (status == MeshStatus::kDone)
+    takePatch(patch);
+  else
+    reportPatch(patch);
+  const auto triangles = static_cast<std::uint32_t>(patchMesher_->mesh().triangles.size() / 3);
+  patchMesher_.reset();
+  return triangles / kSidesPerStep + 1;
+}
+
+void SurfaceMesher::Impl::takePatch(std::uint32_t patch) {
+  const PlanarMesh& planar = patchMesher_->mesh();
+  const auto inner = static_cast<std::uint32_t>(mesh.points.size() / 3);
+  bool covered = true;
+  for (std::size_t node = planar.boundaryCount; node < planar.places.size(); ++node) {
+    const Vec3& place = planar.places[node];
+    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+    if (!covered || field_->covers(place, hint_)) continue;
+    covered = false;
+    Diagnostic diagnostic;
+    diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
+    diagnostic.entities = {{EntityKind::kPatch, patch}};
+    diagnostic.hasPlace = true;
+    diagnostic.place = place;
+    diagnostics.push_back(std::move(diagnostic));
+  }
+  for (const std::uint32_t node : planar.triangles)
+    mesh.triangles.push_back(node < planar.boundaryCount ? planar.aliases[node]
+                                                         : inner + (node - planar.boundaryCount));
+  mesh.trianglePatch.insert(mesh.trianglePatch.end(), planar.triangles.size() / 3, patch);
+}
+
+void SurfaceMesher::Impl::reportPatch(std::uint32_t patch) {
+  Diagnostic diagnostic;
+  diagnostic.entities = {{EntityKind::kPatch, patch}};
+  diagnostic.code = DiagnosticCode::kDegeneratePatch;
+  if (patchMesher_->tooMany()) {
+    diagnostic.code = DiagnosticCode::kTooManyElements;
+    diagnostic.values = {static_cast<double>(kMaxTrianglesPerPatch),
+                         static_cast<double>(kMaxTrianglesPerPatch)};
+  }
+  diagnostics.push_back(std::move(diagnostic));
+}
+
+// ---- the public face ---------------------------------------------------------------------------
+
+SurfaceMesher::SurfaceMesher(const Model& model, const SizeField& field)
+    : impl_(std::make_unique<Impl>(model, field)) {}
+SurfaceMesher::SurfaceMesher(SurfaceMesher&&) noexcept = default;
+SurfaceMesher& SurfaceMesher::operator=(SurfaceMesher&&) noexcept = default;
+SurfaceMesher::~SurfaceMesher() = default;
+
+MeshStatus SurfaceMesher::advance(std::uint32_t budget) { return impl_->advance(budget); }
+Phase SurfaceMesher::phase() const { return impl_->phase; }
+double SurfaceMesher::fraction() const { return impl_->fraction(); }
+const std::vector<Diagnostic>& SurfaceMesher::diagnostics() const { return impl_->diagnostics; }
+const SurfaceMesh& SurfaceMesher::mesh() const { return impl_->mesh; }
+SurfaceMesh SurfaceMesher::takeMesh() { return std::move(impl_->mesh); }
+
+}  // namespace tetrafront
