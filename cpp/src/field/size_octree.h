@@ -3,6 +3,7 @@
 /// @file The size field of a given surface: each surface node asks for the mean length of its
 /// edges, and the wish grows with the distance from it, up to a cap. Held on an octree.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -12,17 +13,55 @@
 namespace tetrafront {
 
 class SizeOctree {
- public:
+public:
   /// h(x) = min(cap, min_i h_i + growth |x - x_i|), h_i the twice averaged mean edge at node i.
-  /// `cap` 0: the 90th percentile of the h_i.
+  /// `cap` 0: the 90th percentile of the h_i. Triangles are three positions in `points` each;
+  /// nodes of no triangle are ignored. About 1 µs per triangle.
   SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles, double growth,
              double cap);
 
   /// Trilinear in the leaf that holds `place`; outside the box, the value at its nearest point.
+  /// Not continuous from one leaf size to the next: the jump is below the leaf's own error.
   [[nodiscard]] double sizeAt(const Vec3& place) const;
 
- private:
-  struct Node;
+  /// The largest size the field takes.
+  [[nodiscard]] double cap() const { return cap_; }
+
+  [[nodiscard]] std::size_t leafCount() const { return leaves_.size(); }
+
+private:
+  friend class SizeOctreeBuilder;
+
+  /// Values at the corners; corner k is at the upper end of axis a where bit a of k is set.
+  using Leaf = std::array<float, 8>;
+
+  /// What `nodes_` holds: kLeafBit and a position in leaves_, or the position of the first of
+  /// eight children, ordered as the corners are.
+  static constexpr std::uint32_t kLeafBit = 0x80000000U;
+
+  /// Deepest level of a leaf; the root is level 0. Lengths down to 1/65536 of the box.
+  static constexpr int kMaxLevel = 16;
+
+  /// The upper levels are skipped through a table of 16^3 entries.
+  static constexpr int kDirectoryLevel = 4;
+  struct DirectoryEntry {
+    std::uint32_t node = 0;
+    std::uint32_t level = 0;
+  };
+
+  void fillDirectory(std::uint32_t node, std::uint32_t level, std::array<std::uint32_t, 3> corner);
+
+  Vec3 origin_{0.0};
+  double latticePerLength_ = 0.0;  ///< 2^kMaxLevel / edge of the box
+  double cap_ = 0.0;
+  std::vector<std::uint32_t> nodes_;
+  std::vector<Leaf> leaves_;
+  std::vector<DirectoryEntry> directory_;
 };
 
-}  // namespace tetrafront
+/// h_i of SizeOctree: the mean length of the edges at each node, averaged twice (half its own
+/// value, half the mean of its neighbours'); 0 at nodes of no triangle.
+[[nodiscard]] std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
+                                                      std::span<const std::uint32_t> triangles);
+
+} // namespace tetrafront
