@@ -1,0 +1,108 @@
+#include "search/face_grid.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "search/incidence.h"
+#include "support/random.h"
+
+namespace tetrafront {
+namespace {
+
+Box randomBox(testing::Random& random, double spread, double smallest, double decades) {
+  double size = smallest;
+  for (int i = random.integer(0, static_cast<int>(decades)); i > 0; --i) size *= 10.0;
+  const Vec3 centre = random.inBox(spread);
+  Box box = Box::of(centre, centre, centre);
+  box.include(centre + random.inBox(size));
+  return box;
+}
+
+bool meet(const Box& a, const Box& b) {
+  for (int k = 0; k < 3; ++k) {
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  }
+  return true;
+}
+
+std::vector<std::uint32_t> found(const FaceGrid& grid, const Box& box) {
+  std::vector<std::uint32_t> faces;
+  faces.resize(grid.query(box, faces));
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+void compareWithLinearSearch(std::uint64_t seed, double spread, double smallest, double decades) {
+  testing::Random random(seed);
+  FaceGrid grid(smallest * 3.0, Vec3(-spread));
+  std::vector<Box> boxes;
+  std::vector<bool> present;
+  for (int step = 0; step < 4000; ++step) {
+    const auto face = static_cast<std::uint32_t>(random.integer(0, 999));
+    if (face >= boxes.size()) {
+      boxes.resize(face + 1);
+      present.resize(face + 1, false);
+    }
+    if (present[face]) {
+      grid.remove(face);
+    } else {
+      boxes[face] = randomBox(random, spread, smallest, decades);
+      grid.insert(face, boxes[face]);
+    }
+    present[face] = !present[face];
+    if (step % 7 != 0) continue;
+    const Box asked = randomBox(random, spread, smallest, decades + 1);
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      if (present[i] && meet(boxes[i], asked)) expected.push_back(i);
+    }
+    ASSERT_EQ(found(grid, asked), expected) << "seed " << seed << " step " << step;
+  }
+}
+
+TEST(FaceGrid, AgreesWithLinearSearch) { compareWithLinearSearch(1, 1.0, 0.05, 1); }
+TEST(FaceGrid, AgreesWithLinearSearchOverFiveDecadesOfSize) {
+  compareWithLinearSearch(2, 10.0, 1e-4, 5);
+}
+TEST(FaceGrid, AgreesWithLinearSearchFarFromTheOrigin) { compareWithLinearSearch(3, 1e6, 10.0, 2); }
+
+TEST(FaceGrid, TakesQueriesFarLargerThanAnyCellCountFits) {
+  FaceGrid grid(1e-6, Vec3(0.0));
+  const Vec3 place{0.5, 0.5, 0.5};
+  grid.insert(0, Box::of(place, place, place));
+  Box everything{};
+  everything.low.fill(-std::numeric_limits<float>::max());
+  everything.high.fill(std::numeric_limits<float>::max());
+  EXPECT_EQ(found(grid, everything), std::vector<std::uint32_t>{0});
+}
+
+TEST(Box, RoundsOutward) {
+  testing::Random random(4);
+  for (int i = 0; i < 20000; ++i) {
+    double value = random.between(-1.0, 1.0);
+    for (int k = random.integer(0, 30); k > 0; --k) value *= random.coin() ? 10.0 : 0.1;
+    ASSERT_LE(static_cast<double>(roundedDown(value)), value);
+    ASSERT_GE(static_cast<double>(roundedUp(value)), value);
+    ASSERT_LE(static_cast<double>(roundedUp(value)) - static_cast<double>(roundedDown(value)),
+              2.4e-7 * std::max(value, -value) + 1e-44);
+  }
+}
+
+TEST(Incidence, ListsEachElementOnceAtEachOfItsNodes) {
+  const std::vector<std::uint32_t> corners{0, 1, 2, 3, 3, 2, 1, 5, 0, 5, 3, 1};
+  const Incidence incidence(corners, 4, 6);
+  const auto at = [&](std::uint32_t node) {
+    const auto list = incidence.at(node);
+    return std::vector<std::uint32_t>(list.begin(), list.end());
+  };
+  EXPECT_EQ(at(0), (std::vector<std::uint32_t>{0, 2}));
+  EXPECT_EQ(at(1), (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(at(4), (std::vector<std::uint32_t>{}));
+  EXPECT_EQ(at(5), (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(at(99), (std::vector<std::uint32_t>{}));
+}
+
+}  // namespace
+}  // namespace tetrafront
