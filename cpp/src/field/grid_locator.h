@@ -8,23 +8,25 @@
 #include <cstdint>
 #include <vector>
 
+#include "search/box_tree.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
 
 class GridLocator {
- public:
+public:
   struct Location {
     std::uint32_t tetrahedron = 0;
-    std::array<double, 4> weights{};  ///< of the four nodes; sum 1, all >= 0
-    bool inside = false;  ///< false if the place is outside the grid by more than rounding
+    std::array<double, 4> weights{}; ///< of the four nodes; sum 1, all >= 0
+    bool inside = false;             ///< false if the place is outside the grid by more than rounding
   };
 
-  /// `grid` must have passed checkBackgroundGrid().
+  /// `grid` must have passed checkBackgroundGrid(). O(n log n).
   explicit GridLocator(BackgroundGrid grid);
 
   /// The tetrahedron that holds `place`, or the nearest one with the weights of its nearest point.
+  /// A few steps from a near start; O(n^(1/3)) from a far one; O(log n) after a failed walk.
   [[nodiscard]] Location locate(const Vec3& place, std::uint32_t startTetrahedron) const;
 
   /// Wanted edge length: linear interpolation of the nodes' sizes.
@@ -32,11 +34,30 @@ class GridLocator {
 
   [[nodiscard]] const BackgroundGrid& grid() const { return grid_; }
 
- private:
+private:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+
+  /// The linear functions that are the weights of nodes 1, 2, 3; they vanish at node 0.
+  struct Frame {
+    Vec3 origin;
+    std::array<Vec3, 3> gradients;
+  };
+
+  void buildFrames();
+  void buildNeighbours();
+  void buildTree();
+  [[nodiscard]] std::array<double, 4> weightsAt(std::uint32_t tetrahedron, const Vec3& place) const;
+  [[nodiscard]] Location nearest(const Vec3& place, std::uint32_t guess) const;
+
   BackgroundGrid grid_;
+  std::vector<Frame> frames_;
+  std::vector<std::array<std::uint32_t, 4>> neighbours_; ///< across the face opposite to node i
+  BoxTree tree_;
+  std::uint32_t maxSteps_ = 0;
+  double slack_ = 0.0; ///< how far outside counts as rounding
 };
 
 /// Everything wrong with the grid itself, all at once; empty if it can be used.
 [[nodiscard]] std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid);
 
-}  // namespace tetrafront
+} // namespace tetrafront

@@ -5,62 +5,20 @@
 #include <cmath>
 #include <limits>
 
+#include "search/morton.h"
+
 namespace tetrafront {
-namespace {
-
-constexpr int kMortonBits = 20;
-
-/// Spreads the lowest 20 bits to every third bit.
-std::uint64_t spreadBits(std::uint64_t v) {
-  v = (v | (v << 32U)) & 0x001f00000000ffffU;
-  v = (v | (v << 16U)) & 0x001f0000ff0000ffU;
-  v = (v | (v << 8U)) & 0x100f00f00f00f00fU;
-  v = (v | (v << 4U)) & 0x10c30c30c30c30c3U;
-  return (v | (v << 2U)) & 0x1249249249249249U;
-}
-
-struct MortonKey {
-  std::uint64_t code;
-  std::uint32_t node;
-  friend bool operator<(const MortonKey& a, const MortonKey& b) {
-    return a.code != b.code ? a.code < b.code : a.node < b.node;
-  }
-};
-
-std::vector<MortonKey> mortonOrder(std::span<const Vec3> points, std::span<const double> sizes) {
-  Vec3 lower(std::numeric_limits<double>::max());
-  Vec3 upper(-std::numeric_limits<double>::max());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(sizes[i] > 0.0)) continue;
-    for (int a = 0; a < 3; ++a) {
-      lower[a] = std::min(lower[a], points[i][a]);
-      upper[a] = std::max(upper[a], points[i][a]);
-    }
-  }
-  const double extent = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
-  const double cells = static_cast<double>((1U << kMortonBits) - 1U);
-  const double scale = extent > 0.0 ? cells / extent : 0.0;
-  std::vector<MortonKey> keys;
-  keys.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(sizes[i] > 0.0)) continue;
-    std::uint64_t code = 0;
-    for (int a = 0; a < 3; ++a) {
-      code |= spreadBits(static_cast<std::uint64_t>((points[i][a] - lower[a]) * scale)) << a;
-    }
-    keys.push_back({code, static_cast<std::uint32_t>(i)});
-  }
-  std::sort(keys.begin(), keys.end());
-  return keys;
-}
-
-} // namespace
-
 SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth)
     : growth_(growth) {
-  const std::vector<MortonKey> order = mortonOrder(points, sizes);
-  sites_.reserve(order.size());
-  for (const MortonKey& key : order) sites_.push_back({points[key.node], sizes[key.node]});
+  std::vector<Site> used;
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (!(sizes[i] > 0.0)) continue;
+    used.push_back({points[i], sizes[i]});
+    places.push_back(points[i]);
+  }
+  sites_.reserve(used.size());
+  for (const std::uint32_t i : mortonOrder(places)) sites_.push_back(used[i]);
   buildBoxes();
 }
 

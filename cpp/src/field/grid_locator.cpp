@@ -1,0 +1,210 @@
+#include "field/grid_locator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+namespace tetrafront {
+namespace {
+
+/// Weights this little below zero are zero.
+constexpr double kWeightRounding = 1e-13;
+
+/// A place this far outside the grid, relative to the grid's extent, is on its border: input files
+/// carry decimals, and lines and patches are evaluated with a few roundings.
+constexpr double kBorderRounding = 1e-10;
+
+/// Steps of a walk before it is given up: a straight path crosses about n^(1/3) tetrahedra.
+constexpr std::uint32_t kFreeSteps = 64;
+constexpr std::uint32_t kStepsPerLayer = 4;
+
+/// Nodes of the face opposite to node i.
+constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+
+std::uint32_t cubeRootUp(std::size_t n) {
+  std::uint32_t root = 1;
+  while (std::size_t{root} * root * root < n) ++root;
+  return root;
+}
+
+/// Weights of a, b, c at the point of the triangle nearest to `p` (Voronoi regions of its corners
+/// and sides in turn).
+std::array<double, 3> nearestInTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const double d1 = glm::dot(ab, p - a);
+  const double d2 = glm::dot(ac, p - a);
+  if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
+  const double d3 = glm::dot(ab, p - b);
+  const double d4 = glm::dot(ac, p - b);
+  if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {1.0 - d1 / (d1 - d3), d1 / (d1 - d3), 0.0};
+  const double d5 = glm::dot(ab, p - c);
+  const double d6 = glm::dot(ac, p - c);
+  if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {1.0 - d2 / (d2 - d6), 0.0, d2 / (d2 - d6)};
+  const double va = d3 * d6 - d5 * d4;
+  const double onBc = d4 - d3;
+  const double onCb = d5 - d6;
+  if (va <= 0.0 && onBc >= 0.0 && onCb >= 0.0) {
+    const double t = onBc / (onBc + onCb);
+    return {0.0, 1.0 - t, t};
+  }
+  const double sum = va + vb + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+/// Negative weights become zero, the rest is scaled to sum 1.
+std::array<double, 4> clampedWeights(std::array<double, 4> weights) {
+  double sum = 0.0;
+  for (double& w : weights) {
+    w = std::max(w, 0.0);
+    sum += w;
+  }
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+} // namespace
+
+GridLocator::GridLocator(BackgroundGrid grid) : grid_(std::move(grid)) {
+  maxSteps_ = kFreeSteps + kStepsPerLayer * cubeRootUp(grid_.tetrahedra.size());
+  Vec3 lower(std::numeric_limits<double>::max());
+  Vec3 upper(-std::numeric_limits<double>::max());
+  for (const BackgroundNode& node : grid_.nodes) {
+    lower = Vec3(std::min(lower.x, node.position.x), std::min(lower.y, node.position.y),
+                 std::min(lower.z, node.position.z));
+    upper = Vec3(std::max(upper.x, node.position.x), std::max(upper.y, node.position.y),
+                 std::max(upper.z, node.position.z));
+  }
+  const Vec3 extent = upper - lower;
+  slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
+  buildFrames();
+  buildNeighbours();
+  buildTree();
+}
+
+void GridLocator::buildFrames() {
+  frames_.reserve(grid_.tetrahedra.size());
+  for (const auto& tet : grid_.tetrahedra) {
+    const Vec3 origin = grid_.nodes[tet[0]].position;
+    const Vec3 u = grid_.nodes[tet[1]].position - origin;
+    const Vec3 v = grid_.nodes[tet[2]].position - origin;
+    const Vec3 w = grid_.nodes[tet[3]].position - origin;
+    const double volume = glm::dot(u, glm::cross(v, w)); // of either sign: it cancels
+    frames_.push_back(
+        {origin, {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume}});
+  }
+}
+
+void GridLocator::buildNeighbours() {
+  struct Face {
+    std::array<std::uint32_t, 3> nodes;
+    std::uint32_t tetrahedron;
+    std::uint32_t opposite;
+  };
+  std::vector<Face> faces;
+  faces.reserve(4 * grid_.tetrahedra.size());
+  for (std::uint32_t t = 0; t < grid_.tetrahedra.size(); ++t) {
+    const auto& tet = grid_.tetrahedra[t];
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      std::array<std::uint32_t, 3> nodes{tet[kFaces[i][0]], tet[kFaces[i][1]], tet[kFaces[i][2]]};
+      std::sort(nodes.begin(), nodes.end());
+      faces.push_back({nodes, t, i});
+    }
+  }
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+    return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
+  });
+  neighbours_.assign(grid_.tetrahedra.size(), {kNone, kNone, kNone, kNone});
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    const Face& a = faces[i - 1];
+    const Face& b = faces[i];
+    if (a.nodes != b.nodes) continue;
+    neighbours_[a.tetrahedron][a.opposite] = b.tetrahedron;
+    neighbours_[b.tetrahedron][b.opposite] = a.tetrahedron;
+    ++i;
+  }
+}
+
+void GridLocator::buildTree() {
+  std::vector<Box> boxes;
+  boxes.reserve(grid_.tetrahedra.size());
+  for (const auto& tet : grid_.tetrahedra) {
+    Box box = Box::of(grid_.nodes[tet[0]].position, grid_.nodes[tet[1]].position,
+                      grid_.nodes[tet[2]].position);
+    box.include(grid_.nodes[tet[3]].position);
+    boxes.push_back(box);
+  }
+  tree_ = BoxTree(boxes);
+}
+
+std::array<double, 4> GridLocator::weightsAt(std::uint32_t tetrahedron, const Vec3& place) const {
+  const Frame& frame = frames_[tetrahedron];
+  const Vec3 d = place - frame.origin;
+  const double w1 = glm::dot(frame.gradients[0], d);
+  const double w2 = glm::dot(frame.gradients[1], d);
+  const double w3 = glm::dot(frame.gradients[2], d);
+  return {1.0 - w1 - w2 - w3, w1, w2, w3};
+}
+
+GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t startTetrahedron) const {
+  std::uint32_t at = startTetrahedron < frames_.size() ? startTetrahedron : 0;
+  for (std::uint32_t step = 0; step < maxSteps_; ++step) {
+    const std::array<double, 4> weights = weightsAt(at, place);
+    std::size_t exit = 0;
+    for (std::size_t i = 1; i < 4; ++i) {
+      if (weights[i] < weights[exit]) exit = i;
+    }
+    if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true};
+    const std::uint32_t next = neighbours_[at][exit];
+    if (next == kNone) break;
+    at = next;
+  }
+  return nearest(place, at);
+}
+
+/// Branch and bound over all tetrahedra, beginning with the distance to `guess`.
+GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t guess) const {
+  Location best;
+  double leastSquared = std::numeric_limits<double>::max();
+  const auto consider = [&](std::uint32_t t) {
+    const std::array<double, 4> weights = weightsAt(t, place);
+    if (*std::min_element(weights.begin(), weights.end()) >= -kWeightRounding) {
+      leastSquared = 0.0;
+      best = {t, clampedWeights(weights), true};
+      return;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (weights[i] >= 0.0) continue; // seen from inside: another face is nearer
+      std::array<Vec3, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) {
+        corners[k] = grid_.nodes[grid_.tetrahedra[t][kFaces[i][k]]].position;
+      }
+      const std::array<double, 3> w = nearestInTriangle(place, corners[0], corners[1], corners[2]);
+      const Vec3 d = w[0] * corners[0] + w[1] * corners[1] + w[2] * corners[2] - place;
+      const double squared = glm::dot(d, d);
+      if (squared >= leastSquared) continue;
+      leastSquared = squared;
+      best = {t, {}, squared <= slack_ * slack_};
+      for (std::size_t k = 0; k < 3; ++k) best.weights[kFaces[i][k]] = w[k];
+    }
+  };
+  consider(guess);
+  tree_.visitNear(place, leastSquared, consider);
+  best.weights = clampedWeights(best.weights);
+  return best;
+}
+
+double GridLocator::sizeAt(const Location& location) const {
+  const auto& tet = grid_.tetrahedra[location.tetrahedron];
+  double size = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) size += location.weights[i] * grid_.nodes[tet[i]].size;
+  return size;
+}
+
+} // namespace tetrafront

@@ -1,0 +1,103 @@
+#pragma once
+
+/// @file A tree over boxes that do not change: which of many triangles or tetrahedra are near a
+/// box or a place? Leaves are runs along a Morton curve; the tree above them is complete, so that
+/// it needs no pointers. The front, which changes, has its FaceGrid instead.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geom/box.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+class BoxTree {
+public:
+  BoxTree() = default;
+
+  /// O(n log n). The boxes' positions are the names of the items below.
+  explicit BoxTree(std::span<const Box> boxes);
+
+  /// Calls visit(item) for every item whose box meets `box`, touching included. The order depends
+  /// on the boxes only.
+  template <class Visit>
+  void visitOverlaps(const Box& box, Visit visit) const;
+
+  /// Calls visit(item) for every item whose box is nearer to `place` than the root of
+  /// `squaredLimit`, near branches first; visit may lower `squaredLimit`.
+  template <class Visit>
+  void visitNear(const Vec3& place, const double& squaredLimit, Visit visit) const;
+
+private:
+  static constexpr std::uint32_t kItemsPerLeaf = 4;
+  /// One entry per level waits at most; 2^32 items make 32 levels.
+  static constexpr std::size_t kStack = 40;
+
+  static bool meets(const Box& a, const Box& b) {
+    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
+           b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
+  }
+  static double squaredDistance(const Box& box, const Vec3& place);
+  [[nodiscard]] std::uint32_t leafBegin(std::uint32_t node) const {
+    return (node - firstLeaf_) * kItemsPerLeaf;
+  }
+  [[nodiscard]] std::uint32_t leafEnd(std::uint32_t node) const;
+
+  std::vector<Box> nodes_; ///< children of n are 2n+1 and 2n+2
+  std::uint32_t firstLeaf_ = 0;
+  std::vector<std::uint32_t> items_; ///< in the order of the leaves
+  std::vector<Box> boxes_;           ///< of items_, in the same order
+};
+
+template <class Visit>
+void BoxTree::visitOverlaps(const Box& box, Visit visit) const {
+  if (nodes_.empty()) return;
+  std::array<std::uint32_t, kStack> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = 0;
+  while (waiting > 0) {
+    const std::uint32_t node = stack[--waiting];
+    if (!meets(nodes_[node], box)) continue;
+    if (node < firstLeaf_) {
+      stack[waiting++] = 2 * node + 2;
+      stack[waiting++] = 2 * node + 1;
+      continue;
+    }
+    for (std::uint32_t i = leafBegin(node); i < leafEnd(node); ++i) {
+      if (meets(boxes_[i], box)) visit(items_[i]);
+    }
+  }
+}
+
+template <class Visit>
+void BoxTree::visitNear(const Vec3& place, const double& squaredLimit, Visit visit) const {
+  if (nodes_.empty()) return;
+  struct Open {
+    std::uint32_t node;
+    double squared;
+  };
+  std::array<Open, kStack> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = {0, squaredDistance(nodes_[0], place)};
+  while (waiting > 0) {
+    const Open open = stack[--waiting];
+    if (open.squared >= squaredLimit) continue;
+    if (open.node < firstLeaf_) {
+      const std::uint32_t child = 2 * open.node + 1;
+      const Open left{child, squaredDistance(nodes_[child], place)};
+      const Open right{child + 1, squaredDistance(nodes_[child + 1], place)};
+      const bool leftFirst = left.squared <= right.squared;
+      stack[waiting++] = leftFirst ? right : left;
+      stack[waiting++] = leftFirst ? left : right;
+      continue;
+    }
+    for (std::uint32_t i = leafBegin(open.node); i < leafEnd(open.node); ++i) {
+      if (squaredDistance(boxes_[i], place) < squaredLimit) visit(items_[i]);
+    }
+  }
+}
+
+} // namespace tetrafront
