@@ -17,6 +17,7 @@ export const ENGINE_CODES = {
   11: "patch-type-not-supported",
   12: "empty-model",
   13: "degenerate-patch",
+  14: "hole-outside",
   20: "empty-background-grid",
   21: "bad-size",
   22: "bad-stretching",

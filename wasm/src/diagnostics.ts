@@ -115,6 +115,11 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     message: ({ the, at }) => `${the("patch")} has no area or folds over itself${at}`,
     remedy: "Move its points so that it spreads out, or split it into simpler patches.",
   },
+  "hole-outside": {
+    message: ({ the, at }) =>
+      `The hole of ${the("patch")} that begins with ${the("line")} is not inside its outer loop, or lies in another hole${at}`,
+    remedy: "Move the hole into the patch, or list the outermost loop first.",
+  },
   "empty-background-grid": {
     message: () => "The project has no background grid, so no element size is known",
     remedy:

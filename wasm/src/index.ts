@@ -5,6 +5,7 @@
  */
 export { ENGINE_CODES } from "./diagnostic-codes.js";
 export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostic-codes.js";
+export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagnostics.js";
 export { MESH_WRITERS, patchNames, SURFACE_READERS } from "./formats/file-formats.js";
 export { writeMsh, type MshNames } from "./formats/msh.js";
 export { readOff } from "./formats/off.js";
@@ -13,6 +14,7 @@ export { writeVtu } from "./formats/vtu.js";
 export { createMesher, MesherError } from "./mesher.js";
 export type { MesherErrorCode } from "./mesher.js";
 export { parseProject, readProject, writeProject } from "./project.js";
+export { nameByPosition, projectNamer, type EntityNamer } from "./project-arrays.js";
 export { PROJECT_FORMAT, PROJECT_VERSION, projectJsonSchema, projectSchema } from "./project-schema.js";
 export type {
   LineId,

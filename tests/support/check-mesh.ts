@@ -1,0 +1,160 @@
+/**
+ * An independent judge of tetrahedral meshes. It shares no code with the mesher: faces are paired by
+ * sorting, signs are exact, volumes come from the divergence theorem.
+ */
+import type { SurfaceInput, VolumeMesh } from "tetrafront";
+
+import { orientation } from "./exact.js";
+
+/** What is wrong with a mesh. All zero for a valid one. */
+export interface MeshFaults {
+  /** Coordinates that are not finite, and indices that lead nowhere. */
+  readonly broken: number;
+  /** Tetrahedra of zero or negative volume. */
+  readonly notPositive: number;
+  /** Faces of more than two tetrahedra. */
+  readonly crowdedFaces: number;
+  /** Faces that two tetrahedra see from the same side. */
+  readonly sameSideFaces: number;
+  /** Triangles of the surface that are no face of the mesh's boundary, orientation included. */
+  readonly missingTriangles: number;
+  /** Boundary faces of the mesh that are no triangle of the surface. */
+  readonly extraFaces: number;
+  /** Nodes at the same place. */
+  readonly doubleNodes: number;
+  /** Nodes no tetrahedron uses. */
+  readonly unusedNodes: number;
+}
+
+export const NO_FAULTS: MeshFaults = {
+  broken: 0,
+  notPositive: 0,
+  crowdedFaces: 0,
+  sameSideFaces: 0,
+  missingTriangles: 0,
+  extraFaces: 0,
+  doubleNodes: 0,
+  unusedNodes: 0,
+};
+
+type Tetrahedron = readonly [number, number, number, number];
+type Triangle = readonly [number, number, number];
+
+/** Compares a mesh with the surface it should fill; nodes are matched by their coordinates. */
+export function faultsOf(mesh: VolumeMesh, surface: SurfaceInput): MeshFaults {
+  const { points } = mesh;
+  const nodeCount = points.length / 3;
+  const tetrahedra = rows(mesh.tetrahedra, 4) as unknown as Tetrahedron[];
+  const broken =
+    points.filter((value) => !Number.isFinite(value)).length +
+    mesh.tetrahedra.filter((node) => node >= nodeCount).length;
+  const faces = new FaceTable(nodeCount);
+  for (const tetrahedron of tetrahedra) for (const face of outwardFaces(tetrahedron)) faces.add(face);
+  const nodeAt = new Map(rows(points, 3).map((place, node) => [placeKey(place), node]));
+  const wanted = rows(surface.triangles, 3).map((triangle) =>
+    triangle.map((node) => nodeAt.get(placeKey(surface.points.subarray(3 * node, 3 * node + 3))) ?? NaN),
+  ) as unknown as Triangle[];
+  const boundary = faces.boundary();
+  const wantedKeys = new Set(wanted.map((triangle) => faces.key(triangle)));
+  return {
+    broken,
+    notPositive: tetrahedra.filter((tetrahedron) => orientation(points, tetrahedron) <= 0).length,
+    crowdedFaces: faces.crowded,
+    sameSideFaces: faces.sameSide(),
+    missingTriangles: [...wantedKeys].filter((key) => !boundary.has(key)).length,
+    extraFaces: [...boundary].filter((key) => !wantedKeys.has(key)).length,
+    doubleNodes: nodeCount - nodeAt.size,
+    unusedNodes: nodeCount - new Set(mesh.tetrahedra).size,
+  };
+}
+
+/** Volume a closed surface encloses, by the divergence theorem about its first node. */
+export function enclosedVolume({ points, triangles }: SurfaceInput): number {
+  const terms = rows(triangles, 3).map(([a = 0, b = 0, c = 0]) => sixVolumes(points, [0, a, b, c]));
+  return preciseSum(terms) / 6;
+}
+
+export function meshVolume({ points, tetrahedra }: VolumeMesh): number {
+  const terms = rows(tetrahedra, 4).map((nodes) => sixVolumes(points, nodes as unknown as Tetrahedron));
+  return preciseSum(terms) / 6;
+}
+
+/** Counts faces by their nodes; the key keeps the orientation. */
+class FaceTable {
+  readonly #counts = new Map<number, number>();
+  readonly #base: number;
+  crowded = 0;
+
+  constructor(nodeCount: number) {
+    if (nodeCount ** 3 > Number.MAX_SAFE_INTEGER) throw new Error("too many nodes for number keys");
+    this.#base = nodeCount;
+  }
+
+  /** The same for every rotation of the three nodes, another for the reverse. */
+  key([a, b, c]: Triangle): number {
+    const [x, y, z] = a < b && a < c ? [a, b, c] : b < c ? [b, c, a] : [c, a, b];
+    return (x * this.#base + y) * this.#base + z;
+  }
+
+  add(face: Triangle): void {
+    const key = this.key(face);
+    const count = (this.#counts.get(key) ?? 0) + 1;
+    this.#counts.set(key, count);
+    if (count + (this.#counts.get(this.#reverse(key)) ?? 0) > 2) this.crowded++;
+  }
+
+  sameSide(): number {
+    return [...this.#counts.values()].filter((count) => count > 1).length;
+  }
+
+  boundary(): Set<number> {
+    return new Set([...this.#counts.keys()].filter((key) => !this.#counts.has(this.#reverse(key))));
+  }
+
+  #reverse(key: number): number {
+    const z = key % this.#base;
+    const y = Math.floor(key / this.#base) % this.#base;
+    const x = Math.floor(key / this.#base / this.#base);
+    return this.key([x, z, y]);
+  }
+}
+
+function outwardFaces([a, b, c, d]: Tetrahedron): Triangle[] {
+  return [
+    [b, c, d],
+    [a, d, c],
+    [a, b, d],
+    [a, c, b],
+  ];
+}
+
+function sixVolumes(points: Float64Array, [a, b, c, d]: Tetrahedron): number {
+  const edge = (node: number, axis: number) =>
+    (points[3 * node + axis] ?? NaN) - (points[3 * a + axis] ?? NaN);
+  const [ux, uy, uz] = [edge(b, 0), edge(b, 1), edge(b, 2)];
+  const [vx, vy, vz] = [edge(c, 0), edge(c, 1), edge(c, 2)];
+  const [wx, wy, wz] = [edge(d, 0), edge(d, 1), edge(d, 2)];
+  return (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+}
+
+/** Kahan-Neumaier summation. */
+function preciseSum(terms: readonly number[]): number {
+  let sum = 0;
+  let lost = 0;
+  for (const term of terms) {
+    const next = sum + term;
+    lost += Math.abs(sum) >= Math.abs(term) ? sum - next + term : term - next + sum;
+    sum = next;
+  }
+  return sum + lost;
+}
+
+function placeKey(place: ArrayLike<number>): string {
+  return Array.from(place, (value) => value + 0).join(" ");
+}
+
+function rows(values: Float64Array | Uint32Array, width: number): number[][] {
+  return Array.from({ length: values.length / width }, (_, row) => [
+    ...values.subarray(width * row, width * (row + 1)),
+  ]);
+}

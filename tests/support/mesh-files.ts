@@ -1,0 +1,143 @@
+/** Reads VTU and MSH files by their specifications, not by the code that writes them. Little-endian only. */
+
+export interface FileMesh {
+  readonly points: Float64Array;
+  /** Nodes per cell, from 0. */
+  readonly tetrahedra: number[][];
+  readonly regions: number[];
+}
+
+/** A VTU file with raw appended data, as VTK's file format guide describes it. */
+export function parseVtu(bytes: Uint8Array): FileMesh {
+  const text = new TextDecoder("latin1").decode(bytes);
+  const begin = text.indexOf("_", text.indexOf("<AppendedData")) + 1;
+  const view = new DataView(bytes.buffer, bytes.byteOffset);
+  const bytesOf = (name: string): ArrayBuffer => {
+    const tag = new RegExp(`<DataArray[^>]*Name="${name}"[^>]*>`).exec(text)?.[0] ?? "";
+    const offset = begin + Number(/offset="(\d+)"/.exec(tag)?.[1]);
+    const length = Number(view.getBigUint64(offset, true));
+    return bytes.slice(offset + 8, offset + 8 + length).buffer;
+  };
+  const connectivity = [...new Int32Array(bytesOf("connectivity"))];
+  const offsets = [...new Int32Array(bytesOf("offsets"))];
+  const tetrahedra = offsets.map((end, t) => connectivity.slice(t === 0 ? 0 : offsets[t - 1], end));
+  return {
+    points: new Float64Array(bytesOf("Points")),
+    tetrahedra,
+    regions: [...new Int32Array(bytesOf("region"))],
+  };
+}
+
+export interface GmshGroup {
+  readonly name: string;
+  /** Nodes per element, from 0. */
+  readonly elements: number[][];
+}
+
+export interface GmshMesh {
+  readonly points: Float64Array;
+  readonly triangles: readonly GmshGroup[];
+  readonly tetrahedra: readonly GmshGroup[];
+}
+
+/** A binary MSH 4.1 file, as Gmsh's reference manual describes it. */
+export function parseMsh(bytes: Uint8Array): GmshMesh {
+  const reader = new MshReader(bytes);
+  const names = reader.physicalNames();
+  const groupOf = reader.entities();
+  const points = reader.nodes();
+  const groups = reader.elements().map(({ dimension, entity, elements }) => ({
+    dimension,
+    name: names.get(`${dimension} ${groupOf.get(`${dimension} ${entity}`)}`) ?? "",
+    elements,
+  }));
+  const of = (wanted: number) =>
+    groups.filter(({ dimension }) => dimension === wanted).map(({ name, elements }) => ({ name, elements }));
+  return { points, triangles: of(2), tetrahedra: of(3) };
+}
+
+class MshReader {
+  readonly #text: string;
+  readonly #view: DataView;
+  #position = 0;
+
+  constructor(bytes: Uint8Array) {
+    this.#text = new TextDecoder("latin1").decode(bytes);
+    this.#view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  }
+
+  physicalNames(): Map<string, string> {
+    const section = /\$PhysicalNames\n\d+\n([^$]*)\$End/.exec(this.#text)?.[1] ?? "";
+    return new Map(
+      [...section.matchAll(/(\d) (\d+) "(.*)"/g)].map(([, dimension, tag, name]) => [
+        `${dimension} ${tag}`,
+        name ?? "",
+      ]),
+    );
+  }
+
+  /** Physical tag by dimension and entity. */
+  entities(): Map<string, number> {
+    this.#enter("$Entities");
+    const counts = [this.#size(), this.#size(), this.#size(), this.#size()];
+    const groups = new Map<string, number>();
+    counts.forEach((count, dimension) => {
+      for (let i = 0; i < count; i++) {
+        const tag = this.#int();
+        this.#position += 8 * (dimension === 0 ? 3 : 6);
+        const physical = Array.from({ length: this.#size() }, () => this.#int());
+        groups.set(`${dimension} ${tag}`, physical[0] ?? NaN);
+        const bounding = dimension === 0 ? 0 : this.#size();
+        this.#position += 4 * bounding;
+      }
+    });
+    return groups;
+  }
+
+  nodes(): Float64Array {
+    this.#enter("$Nodes");
+    const blocks = this.#size();
+    const points = new Float64Array(3 * this.#size());
+    this.#position += 16;
+    for (let b = 0; b < blocks; b++) {
+      this.#position += 12;
+      const tags = Array.from({ length: this.#size() }, () => this.#size()).map((tag) => tag - 1);
+      for (const node of tags) for (let axis = 0; axis < 3; axis++) points[3 * node + axis] = this.#double();
+    }
+    return points;
+  }
+
+  elements(): { dimension: number; entity: number; elements: number[][] }[] {
+    this.#enter("$Elements");
+    const blocks = this.#size();
+    this.#position += 24;
+    return Array.from({ length: blocks }, () => {
+      const [dimension, entity, type] = [this.#int(), this.#int(), this.#int()];
+      const width = type === 4 ? 4 : 3;
+      const elements = Array.from({ length: this.#size() }, () => {
+        this.#position += 8;
+        return Array.from({ length: width }, () => this.#size() - 1);
+      });
+      return { dimension, entity, elements };
+    });
+  }
+
+  #enter(section: string): void {
+    this.#position = this.#text.indexOf(`${section}\n`) + section.length + 1;
+  }
+
+  #int(): number {
+    this.#position += 4;
+    return this.#view.getInt32(this.#position - 4, true);
+  }
+
+  #size(): number {
+    this.#position += 8;
+    return Number(this.#view.getBigUint64(this.#position - 8, true));
+  }
+
+  #double(): number {
+    this.#position += 8;
+    return this.#view.getFloat64(this.#position - 8, true);
+  }
+}

@@ -1,0 +1,37 @@
+/** Surfaces as the bytes of files, written by other means than those under test. */
+import type { SurfaceInput } from "tetrafront";
+
+const encoder = new TextEncoder();
+
+export function offFile({ points, triangles }: SurfaceInput): Uint8Array {
+  const lines = [`OFF`, `${points.length / 3} ${triangles.length / 3} 0`];
+  for (let i = 0; i < points.length; i += 3) lines.push(points.subarray(i, i + 3).join(" "));
+  for (let t = 0; t < triangles.length; t += 3) lines.push(`3 ${triangles.subarray(t, t + 3).join(" ")}`);
+  return encoder.encode(`${lines.join("\n")}\n`);
+}
+
+export function stlText({ points, triangles }: SurfaceInput, name = "part"): Uint8Array {
+  const facets = Array.from({ length: triangles.length / 3 }, (_, t) => {
+    const corners = [...triangles.subarray(3 * t, 3 * t + 3)].map(
+      (node) => `      vertex ${points.subarray(3 * node, 3 * node + 3).join(" ")}\n`,
+    );
+    return `  facet normal 0 0 0\n    outer loop\n${corners.join("")}    endloop\n  endfacet\n`;
+  });
+  return encoder.encode(`solid ${name}\n${facets.join("")}endsolid ${name}\n`);
+}
+
+/** Coordinates become float32. */
+export function stlBinary({ points, triangles }: SurfaceInput, header = "made by a test"): Uint8Array {
+  const count = triangles.length / 3;
+  const bytes = new Uint8Array(84 + 50 * count);
+  bytes.set(encoder.encode(header).subarray(0, 80));
+  const view = new DataView(bytes.buffer);
+  view.setUint32(80, count, true);
+  triangles.forEach((node, corner) => {
+    const begin = 84 + 50 * Math.floor(corner / 3) + 12 + 12 * (corner % 3);
+    for (let axis = 0; axis < 3; axis++) {
+      view.setFloat32(begin + 4 * axis, points[3 * node + axis] ?? NaN, true);
+    }
+  });
+  return bytes;
+}

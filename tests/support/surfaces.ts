@@ -1,0 +1,108 @@
+/** Closed triangle surfaces for tests, turned outward. */
+import type { SurfaceInput } from "tetrafront";
+
+type Triple = readonly [number, number, number];
+
+/** The surface of a box from `low` to `high`, n × n squares of two triangles per face, welded. */
+export function boxSurface(n: number, low: Triple = [0, 0, 0], high: Triple = [1, 1, 1]): SurfaceInput {
+  const builder = new SurfaceBuilder();
+  const at = (i: Triple): Triple => [
+    low[0] + ((high[0] - low[0]) * i[0]) / n,
+    low[1] + ((high[1] - low[1]) * i[1]) / n,
+    low[2] + ((high[2] - low[2]) * i[2]) / n,
+  ];
+  for (let axis = 0; axis < 3; axis++) {
+    for (const end of [0, n]) {
+      // The other two axes in cyclic order: their cross product points along `axis`.
+      const place = (u: number, v: number): Triple => {
+        const index = [0, 0, 0];
+        index[axis] = end;
+        index[(axis + 1) % 3] = u;
+        index[(axis + 2) % 3] = v;
+        return at([index[0] ?? 0, index[1] ?? 0, index[2] ?? 0]);
+      };
+      for (let u = 0; u < n; u++) {
+        for (let v = 0; v < n; v++) {
+          builder.quad([place(u, v), place(u + 1, v), place(u + 1, v + 1), place(u, v + 1)], end === 0);
+        }
+      }
+    }
+  }
+  return builder.surface();
+}
+
+/** A sphere: a cube of n × n squares per face, blown up. */
+export function sphereSurface(n: number, radius = 1, center: Triple = [0, 0, 0]): SurfaceInput {
+  const { points, triangles } = boxSurface(n, [-1, -1, -1], [1, 1, 1]);
+  const round = points.slice();
+  for (let i = 0; i < points.length; i += 3) {
+    // Equal angles instead of equal lengths keep the triangles alike.
+    const p = [0, 1, 2].map((axis) => Math.tan(((points[i + axis] ?? 0) * Math.PI) / 4));
+    const length = Math.hypot(...p);
+    p.forEach((value, axis) => (round[i + axis] = (center[axis] ?? 0) + (radius * value) / length));
+  }
+  return { points: round, triangles };
+}
+
+/** A torus about the z axis, n sections round and m points in each. */
+export function torusSurface(n: number, m: number, radius = 1, thickness = 0.4): SurfaceInput {
+  const builder = new SurfaceBuilder();
+  const at = (i: number, j: number): Triple => {
+    const u = (2 * Math.PI * (i % n)) / n;
+    const v = (2 * Math.PI * (j % m)) / m;
+    const r = radius + thickness * Math.cos(v);
+    return [r * Math.cos(u), r * Math.sin(u), thickness * Math.sin(v)];
+  };
+  for (let i = 0; i < n; i++) {
+    for (let j = 0; j < m; j++) builder.quad([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)], false);
+  }
+  return builder.surface();
+}
+
+/** A cube of edge 2 about the origin with a spherical cavity. */
+export function cavitySurface(n: number, cavityRadius = 0.5): SurfaceInput {
+  const inside = sphereSurface(Math.max(2, Math.round((n * cavityRadius) / 1.2)), cavityRadius);
+  return joined(boxSurface(n, [-1, -1, -1], [1, 1, 1]), turned(inside));
+}
+
+/** The same surface seen from the other side. */
+export function turned({ points, triangles }: SurfaceInput): SurfaceInput {
+  const other = triangles.slice();
+  for (let t = 0; t < other.length; t += 3) other.subarray(t, t + 3).reverse();
+  return { points: points.slice(), triangles: other };
+}
+
+/** Two surfaces as one, without joining anything. */
+export function joined(a: SurfaceInput, b: SurfaceInput): SurfaceInput {
+  const shift = a.points.length / 3;
+  return {
+    points: Float64Array.of(...a.points, ...b.points),
+    triangles: Uint32Array.of(...a.triangles, ...b.triangles.map((node) => node + shift)),
+  };
+}
+
+/** Collects quads by the coordinates of their corners. */
+class SurfaceBuilder {
+  readonly #nodes = new Map<string, number>();
+  readonly #points: number[] = [];
+  readonly #triangles: number[] = [];
+
+  quad(corners: readonly [Triple, Triple, Triple, Triple], reversed: boolean): void {
+    const [a, b, c, d] = corners.map((corner) => this.#node(corner)) as [number, number, number, number];
+    this.#triangles.push(...(reversed ? [a, c, b, a, d, c] : [a, b, c, a, c, d]));
+  }
+
+  surface(): SurfaceInput {
+    return { points: Float64Array.from(this.#points), triangles: Uint32Array.from(this.#triangles) };
+  }
+
+  #node(place: Triple): number {
+    const key = place.map((value) => value + 0).join(" ");
+    const known = this.#nodes.get(key);
+    if (known !== undefined) return known;
+    const node = this.#nodes.size;
+    this.#nodes.set(key, node);
+    this.#points.push(...place);
+    return node;
+  }
+}

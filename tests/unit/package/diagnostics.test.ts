@@ -1,0 +1,89 @@
+import { readFileSync } from "node:fs";
+
+import { describeDiagnostic, ENGINE_CODES, ENTITY_KINDS, nameByPosition, projectNamer } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { cubeProject } from "../../support/projects.js";
+
+const header = readFileSync(new URL("../../../cpp/include/tetrafront/status.h", import.meta.url), "utf8");
+
+/** Enumerators of a C++ enum with their values, as the header gives them. */
+function enumerators(name: string): [number, string][] {
+  const body = new RegExp(`enum class ${name} [^{]*{([^}]*)}`).exec(header)?.[1] ?? "";
+  return [...body.matchAll(/^\s*k(\w+) = (\d+)/gm)].map(([, word, value]) => [
+    Number(value),
+    kebab(word ?? ""),
+  ]);
+}
+
+function kebab(name: string): string {
+  return name.replace(/(?<=.)([A-Z])/g, "-$1").toLowerCase();
+}
+
+test("the codes are those of the engine, by number and name", () => {
+  const engine = enumerators("DiagnosticCode");
+  expect(engine.length).toBeGreaterThan(20);
+  expect(Object.entries(ENGINE_CODES).map(([value, name]) => [Number(value), name])).toEqual(engine);
+});
+
+test("the entity kinds are those of the engine, in its order", () => {
+  expect(ENTITY_KINDS.map((kind, value) => [value, kind])).toEqual(enumerators("EntityKind"));
+});
+
+/** About everything at once: two of each kind, a place, and three values. */
+const rich = {
+  severity: 2,
+  entities: Uint32Array.from(ENTITY_KINDS.flatMap((_, kind) => [kind, 1, kind, 2])),
+  place: Float64Array.of(0.125, 1 / 3, -2),
+  values: Float64Array.of(7.123456789, 3, 2),
+};
+const bare = {
+  severity: 2,
+  entities: new Uint32Array(),
+  place: new Float64Array(),
+  values: new Float64Array(),
+};
+
+describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
+  test("is told in whole sentences", () => {
+    for (const raw of [rich, bare]) {
+      const said = describeDiagnostic({ code: Number(code), ...raw }, nameByPosition);
+      expect(said.code).toBe(name);
+      expect(said.message).toMatch(/^[A-Z][^\n]*[^.\s]$/);
+      expect(said.message).not.toMatch(/undefined|NaN|null|object/);
+      expect(said.remedy).toMatch(name === "reoriented-patch" ? /^$/ : /^[A-Z].*\.$/);
+    }
+  });
+
+  test("carries entities, place and values along", () => {
+    const said = describeDiagnostic({ code: Number(code), ...rich }, nameByPosition);
+    expect(said.entities).toHaveLength(2 * ENTITY_KINDS.length);
+    expect(said.place).toEqual([0.125, 1 / 3, -2]);
+    expect(said.values).toEqual([7.123456789, 3, 2]);
+    expect(describeDiagnostic({ code: Number(code), ...bare }, nameByPosition).place).toBeUndefined();
+  });
+});
+
+test("entities have the names the user gave them, else their ids", () => {
+  const cube = cubeProject();
+  const lines = cube.lines.map((line) => (line.id === 3 ? { ...line, name: "lip" } : line));
+  const said = describeDiagnostic(
+    { ...bare, code: 7, entities: Uint32Array.of(2, 5, 1, 2), place: Float64Array.of(1, 0.5, 1 / 3) },
+    projectNamer({ ...cube, lines }),
+  );
+  expect(said.message).toBe(
+    'A loop of patch "right" is not closed: it breaks after line "lip" at (1, 0.5, 0.333333)',
+  );
+  expect(said.entities).toEqual([
+    { kind: "patch", index: 5, id: 6, label: 'patch "right"' },
+    { kind: "line", index: 2, id: 3, label: 'line "lip"' },
+  ]);
+  expect(projectNamer(cube)("line", 2).label).toBe("line 3");
+});
+
+test("an edge of a given surface asks for other repairs than one of a drawing", () => {
+  const about = (kind: number) =>
+    describeDiagnostic({ ...bare, code: 40, entities: Uint32Array.of(kind, 0) }, nameByPosition).remedy;
+  expect(about(ENTITY_KINDS.indexOf("triangle"))).toMatch(/triangles/);
+  expect(about(ENTITY_KINDS.indexOf("line"))).toMatch(/patch/);
+});

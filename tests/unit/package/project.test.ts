@@ -1,0 +1,156 @@
+import { parseProject, projectJsonSchema, readProject, writeProject } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { cubeProject } from "../../support/projects.js";
+
+/** The first problem's path and message. */
+function problem(value: unknown): { path: string | undefined; message: string } {
+  const read = parseProject(value);
+  if (read.success) throw new Error("the project was accepted");
+  const [{ path, message, remedy }] = read.problems;
+  expect(remedy).toMatch(/\.$/);
+  return { path, message };
+}
+
+/** The cube as plain JSON, to be damaged. */
+function damaged(damage: (cube: ReturnType<typeof plainCube>) => void): unknown {
+  const cube = plainCube();
+  damage(cube);
+  return cube;
+}
+
+interface PlainProject {
+  [key: string]: unknown;
+  points: { id: unknown; at: unknown }[];
+  lines: { points: unknown[] }[];
+  patches: { loops: unknown[][] }[];
+  background?: { tetrahedra: unknown[] };
+}
+
+function plainCube(): PlainProject {
+  return JSON.parse(JSON.stringify(cubeProject())) as PlainProject;
+}
+
+describe("a project that is whole", () => {
+  test("comes back from its text as it was", () => {
+    const cube = cubeProject();
+    expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
+  });
+
+  test("is written with one entity per line", () => {
+    const lines = writeProject(cubeProject()).split("\n");
+    expect(lines).toContain('    {"id":2,"at":[1,0,0]},');
+    expect(lines.filter((line) => line.includes('"loops"'))).toHaveLength(6);
+  });
+
+  test("may leave the background grid out", () => {
+    const { background: _, ...cube } = cubeProject();
+    expect(parseProject(cube)).toMatchObject({ value: { background: { nodes: [], tetrahedra: [] } } });
+  });
+
+  test("may begin with a byte order mark", () => {
+    expect(readProject(`\uFEFF${writeProject(cubeProject())}`).success).toBe(true);
+  });
+
+  test("keeps names and numbers of every kind", () => {
+    const cube = { ...cubeProject(), description: 'a "quoted"\nname', units: "mm" };
+    const points = cube.points.map((point, i) => ({ ...point, name: `p ${i}`, at: [1e-300, -0.1, 1e300] }));
+    const read = readProject(writeProject({ ...cube, points } as typeof cube));
+    expect(read).toEqual({ success: true, value: { ...cube, points } });
+  });
+});
+
+describe("a project that is damaged is refused with the path of the damage:", () => {
+  test.each<[string, (cube: PlainProject) => void, string, RegExp]>([
+    [
+      "a coordinate that is text",
+      (c) => (c.points[1] = { id: 2, at: [0, "1", 0] }),
+      "points[1].at[1]",
+      /number/,
+    ],
+    [
+      "a coordinate missing",
+      (c) => (c.points[1] = { id: 2, at: [0, 1] }),
+      "points[1].at",
+      /array|tuple|small/i,
+    ],
+    ["an id of 0", (c) => (c.points[0] = { id: 0, at: [0, 0, 0] }), "points[0].id", />0|positive|small/i],
+    ["an id with a fraction", (c) => (c.points[0] = { id: 1.5, at: [0, 0, 0] }), "points[0].id", /int/],
+    ["an id used twice", (c) => (c.points[3] = { id: 2, at: [0, 0, 0] }), "points[3].id", /the id 2/],
+    [
+      "a point that is not there",
+      (c) => (c.lines[4] = { ...c.lines[4], points: [1, 99] }),
+      "lines[4].points[1]",
+      /no point with the id 99/,
+    ],
+    [
+      "a line that is not there",
+      (c) => (c.patches[0] = { ...c.patches[0], loops: [[1, -77]] }),
+      "patches[0].loops[0][1]",
+      /no line with the id 77/,
+    ],
+    [
+      "a node that is not there",
+      (c) => c.background?.tetrahedra.push([1, 2, 3, 44]),
+      "background.tetrahedra[5][3]",
+      /no background node with the id 44/,
+    ],
+    ["an unknown field", (c) => (c["pionts"] = []), "", /pionts/],
+    ["no lines", (c) => delete (c as Partial<PlainProject>).lines, "lines", /array/],
+  ])("%s", (_, damage, path, message) => {
+    const found = problem(damaged(damage));
+    expect(found.path).toBe(path);
+    expect(found.message).toMatch(message);
+  });
+
+  test("an infinite coordinate", () => {
+    expect(problem(damaged((c) => (c.points[0] = { id: 1, at: [0, Infinity, 0] }))).path).toBe(
+      "points[0].at[1]",
+    );
+  });
+
+  test.each([
+    ["null", null],
+    ["a list", []],
+    ["another format", { format: "gltf" }],
+  ])("%s is no project", (_, value) => {
+    expect(problem(value).message).toMatch(/not a Tetrafront project/);
+  });
+
+  test("a later version says so, and nothing else", () => {
+    const read = parseProject({ format: "tetrafront-project", version: 2, shapes: [] });
+    expect(read).toMatchObject({
+      success: false,
+      problems: [{ path: "version", remedy: "Update Tetrafront." }],
+    });
+    expect(read.success ? 0 : read.problems.length).toBe(1);
+  });
+
+  test("every problem is told, not the first alone", () => {
+    const read = parseProject(damaged((c) => c.points.forEach((point) => (point.at = [1, 2]))));
+    expect(read.success ? [] : read.problems.map(({ path }) => path)).toEqual(
+      [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `points[${i}].at`),
+    );
+  });
+});
+
+describe("text that is no JSON", () => {
+  test("is refused with its line", () => {
+    const read = readProject('{\n  "format": "tetrafront-project",\n  "version": 1\n  "name": "x"\n}');
+    expect(read).toMatchObject({ success: false, problems: [{ line: 4 }] });
+  });
+
+  test.each(["", "  \n"])("that is empty (%j) is told to be empty", (text) => {
+    expect(readProject(text)).toMatchObject({
+      problems: [{ message: expect.stringMatching(/empty/) as string }],
+    });
+  });
+});
+
+test("the JSON schema names every part of a project", () => {
+  const schema = projectJsonSchema() as { properties: object; required: string[] };
+  expect(Object.keys(schema.properties)).toEqual(
+    expect.arrayContaining(["format", "version", "name", "points", "lines", "patches", "background"]),
+  );
+  expect(schema.required).not.toContain("background");
+});

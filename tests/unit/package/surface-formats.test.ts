@@ -1,0 +1,180 @@
+import { readOff, readStl, type ReadResult, type SurfaceInput } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { offFile, stlBinary, stlText } from "../../support/surface-files.js";
+import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
+
+const bytes = (text: string) => new TextEncoder().encode(text);
+
+function surfaceIn(read: ReadResult<SurfaceInput>): SurfaceInput {
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+function problemIn(read: ReadResult<SurfaceInput>) {
+  if (read.success) throw new Error("the file was accepted");
+  expect(read.problems[0].remedy).toMatch(/^[A-Z].*\.$/);
+  return read.problems[0];
+}
+
+/** Triangles by the coordinates of their corners: independent of the numbering of nodes. */
+function soup({ points, triangles }: SurfaceInput): string[] {
+  const corner = (node: number) => points.subarray(3 * node, 3 * node + 3).join(" ");
+  return Array.from({ length: triangles.length / 3 }, (_, t) =>
+    [...triangles.subarray(3 * t, 3 * t + 3)].map(corner).join(" | "),
+  );
+}
+
+const sphere = sphereSurface(4);
+const float32 = (surface: SurfaceInput) => ({
+  ...surface,
+  points: Float64Array.from(new Float32Array(surface.points)),
+});
+
+describe("STL", () => {
+  test("text comes back bit for bit, welded", () => {
+    const read = surfaceIn(readStl(stlText(sphere)));
+    expect(soup(read)).toEqual(soup(sphere));
+    expect(read.points.length).toBe(sphere.points.length);
+  });
+
+  test("binary comes back as float32, welded", () => {
+    const read = surfaceIn(readStl(stlBinary(sphere)));
+    expect(soup(read)).toEqual(soup(float32(sphere)));
+    expect(read.points.length).toBe(sphere.points.length);
+  });
+
+  test('binary that begins with "solid" is not taken for text', () => {
+    const read = surfaceIn(readStl(stlBinary(sphere, "solid exported by some program facet")));
+    expect(soup(read)).toEqual(soup(float32(sphere)));
+  });
+
+  test("binary with bytes after its triangles is read", () => {
+    expect(soup(surfaceIn(readStl(Uint8Array.of(...stlBinary(sphere), 0, 0, 0))))).toEqual(
+      soup(float32(sphere)),
+    );
+  });
+
+  test("several solids become one surface", () => {
+    const text = Uint8Array.of(...stlText(boxSurface(1), "one"), ...stlText(sphere, "endsolid facet of two"));
+    expect(soup(surfaceIn(readStl(text)))).toEqual(soup(joined(boxSurface(1), sphere)));
+  });
+
+  test("capitals, tabs, carriage returns and NaN normals are read", () => {
+    const text = new TextDecoder()
+      .decode(stlText(boxSurface(1)))
+      .replace(/normal 0 0 0/g, "normal NaN NaN NaN");
+    const read = surfaceIn(readStl(bytes(text.toUpperCase().replace(/\n/g, "\r\n").replace(/ {2}/g, "\t"))));
+    expect(soup(read)).toEqual(soup(boxSurface(1)));
+  });
+
+  test("-0 is 0", () => {
+    const { points, triangles } = boxSurface(1);
+    const signed = { triangles, points: points.map((value) => (value === 0 ? -0 : value)) };
+    const both = surfaceIn(readStl(stlText(joined({ points, triangles }, signed))));
+    expect(both.points.length).toBe(points.length);
+    expect([...both.points].some((value) => Object.is(value, -0))).toBe(false);
+  });
+
+  test("points a rounding error apart stay apart", () => {
+    const { points, triangles } = boxSurface(1);
+    const moved = { triangles, points: points.map((value) => value + Number.EPSILON) };
+    const both = surfaceIn(readStl(stlText(joined({ points, triangles }, moved))));
+    expect(both.points.length).toBe(2 * points.length);
+  });
+
+  test.each([0, 10, 83, 84 + 49, 84 + 50 * 3 + 17])("binary cut off after %i bytes tells where", (length) => {
+    const problem = problemIn(readStl(stlBinary(sphere).subarray(0, length)));
+    expect(problem.offset).toBe(length);
+  });
+
+  test.each<[string, number, string]>([
+    ["a missing number", 5, "vertex 0 0"],
+    ["a word for a number", 4, "vertex 0 0 zero"],
+    ["an infinite coordinate", 4, "vertex 0 Infinity 0"],
+    ["four corners", 7, "vertex 1 1 1\nvertex 1 1 0\nvertex 2 2 2\nvertex 3 3 3"],
+  ])("text with %s tells the line", (_, line, vertices) => {
+    const text = `solid a\n facet normal 0 0 1\n  outer loop\n${vertices}\nvertex 1 0 0\nendloop\nendfacet\nendsolid`;
+    expect(problemIn(readStl(bytes(text)))).toMatchObject({ line });
+  });
+
+  test("text that ends in a facet tells so", () => {
+    const text = new TextDecoder().decode(stlText(sphere));
+    const problem = problemIn(readStl(bytes(text.slice(0, text.length / 2))));
+    expect(problem.line).toBeGreaterThan(100);
+    expect(problem.message).toMatch(/line \d+: /);
+  });
+
+  test("another kind of file is refused", () => {
+    expect(problemIn(readStl(bytes("<html><body>Not found</body></html>"))).message).toMatch(/too few/);
+    expect(problemIn(readStl(bytes("solid\nThis is a text about solid things.\n"))).message).toMatch(
+      /"This"/,
+    );
+  });
+});
+
+describe("OFF", () => {
+  test("comes back bit for bit", () => {
+    expect(surfaceIn(readOff(offFile(sphere)))).toEqual(sphere);
+  });
+
+  test("comments, blank lines, counts beside the word and colours are read over", () => {
+    const text = [
+      "OFF 4 4 6 # a tetrahedron",
+      "",
+      "# its points",
+      "0 0 0",
+      "1 0 0 # on the x axis",
+      "0 1 0",
+      "0 0 1e0",
+      "3 0 2 1 255 0 0",
+      "3 0 1 3 0.5 0.5 0.5 1.0",
+      "3  0 3 2",
+      "3 1 2 3",
+    ];
+    const read = surfaceIn(readOff(bytes(text.join("\r\n"))));
+    expect([...read.points]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
+    expect([...read.triangles]).toEqual([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
+  });
+
+  test("points given twice are welded", () => {
+    const { points, triangles } = joined(boxSurface(1), boxSurface(1));
+    expect(surfaceIn(readOff(offFile({ points, triangles }))).points.length).toBe(24);
+  });
+
+  test("colours and normals of points are read over", () => {
+    const text = "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n";
+    expect([...surfaceIn(readOff(bytes(text))).points]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  });
+
+  test("convex polygons become triangles", () => {
+    const cube = "OFF\n8 6 12\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
+    const faces = "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
+    const read = surfaceIn(readOff(bytes(cube + faces)));
+    expect([...read.triangles.subarray(0, 6)]).toEqual([0, 3, 2, 0, 2, 1]);
+    expect(read.triangles.length).toBe(3 * 12);
+  });
+
+  test("a polygon with an inward corner is refused with its line", () => {
+    const text = "OFF\n5 1 0\n0 0 0\n1 0 0\n0.1 0.1 0\n0 1 0\n-1 -1 0\n5 1 2 3 4 0\n";
+    expect(problemIn(readOff(bytes(text)))).toMatchObject({ line: 8 });
+  });
+
+  test.each<[string, string, number]>([
+    ["no head", "8 6 0\n", 1],
+    ["points of four dimensions", "4OFF\n1 0 0\n0 0 0 1\n", 1],
+    ["too few points", "OFF\n4 1 0\n0 0 0\n1 0 0\n", 5],
+    ["a word for a coordinate", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", 4],
+    ["a corner that does not exist", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", 6],
+    ["a corner with a fraction", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n", 6],
+    ["a face of two corners", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", 6],
+    ["too few faces", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 7],
+    ["a huge count and nothing behind it", "OFF\n2000000000 1 0\n", 3],
+  ])("%s is refused with its line", (_, text, line) => {
+    expect(problemIn(readOff(bytes(text)))).toMatchObject({ line });
+  });
+
+  test("an empty file is refused", () => {
+    expect(problemIn(readOff(new Uint8Array())).message).toMatch(/empty/);
+  });
+});
