@@ -62,6 +62,7 @@ enum class DiagnosticCode : std::uint16_t {
   kPatchTypeNotSupported = 11,  ///< patch
   kEmptyModel = 12,             ///< no patch, or no triangle
   kDegeneratePatch = 13,        ///< patch whose surface has no area or folds over itself
+  kHoleOutside = 14,            ///< planar patch, line: a hole outside the outer loop or in a hole
   // Background grid
   kEmptyBackgroundGrid = 20,
   kBadSize = 21,        ///< node; values: size

@@ -21,6 +21,8 @@ constexpr std::array<double, 5> kGaussWeights{0.2369268850561891, 0.478628670499
 /// Pieces per smooth span over which the arc length is integrated: a parabola bent by 90 degrees
 /// is then exact to about 1e-12.
 constexpr int kPiecesPerSpan = 8;
+/// Points nearer to the chord than this share of its length are on it.
+constexpr double kStraight = 1e-9;
 
 }  // namespace
 
@@ -121,6 +123,17 @@ double Curve::length(double from, double to) const {
     }
   }
   return sum;
+}
+
+bool Curve::isStraight() const {
+  const Vec3 chord = end() - start();
+  const double squared = glm::dot(chord, chord);
+  return std::ranges::all_of(points_,
+                             [&](const Vec3& point) {
+                               return glm::length(glm::cross(chord, point - start())) <=
+                                      kStraight * squared;
+                             }) &&
+         squared > 0.0;
 }
 
 Curve::Sample OrientedCurve::sample(double t) const {

@@ -33,6 +33,9 @@ class Curve {
   [[nodiscard]] const Vec3& start() const { return points_.front(); }
   [[nodiscard]] const Vec3& end() const { return points_.back(); }
 
+  /// True if all points lie on the chord, up to rounding: the line is straight whatever its type.
+  [[nodiscard]] bool isStraight() const;
+
   /// Parameters at which the curve is less than infinitely smooth, 0 and 1 included, ascending.
   [[nodiscard]] std::span<const double> knots() const { return knots_; }
 
@@ -58,7 +61,7 @@ class OrientedCurve {
   [[nodiscard]] const Vec3& start() const { return reversed_ ? curve_->end() : curve_->start(); }
   [[nodiscard]] const Vec3& end() const { return reversed_ ? curve_->start() : curve_->end(); }
   [[nodiscard]] double length() const { return curve_->length(); }
-  [[nodiscard]] LineType type() const { return curve_->type(); }
+  [[nodiscard]] bool isStraight() const { return curve_->isStraight(); }
   [[nodiscard]] OrientedCurve reverse() const { return {*curve_, !reversed_}; }
 
  private:

@@ -105,7 +105,7 @@ Vec2 PatchSurface::boundaryToPlane(std::size_t loop, std::size_t position, doubl
 
 bool PatchSurface::straightInPlane(std::size_t loop, std::size_t position) const {
   if (coons() != nullptr) return true;
-  return model_->curve(patch_->loops[loop][position]).type() == LineType::kStraight;
+  return model_->curve(patch_->loops[loop][position]).isStraight();
 }
 
 // ---- loops -------------------------------------------------------------------------------------
@@ -115,7 +115,7 @@ std::vector<Vec3> sampleLoop(const ResolvedModel& model, const Loop& loop,
   std::vector<Vec3> samples;
   for (const OrientedLine& line : loop) {
     const OrientedCurve curve = model.curve(line);
-    const std::uint32_t count = curve.type() == LineType::kStraight ? 1 : samplesPerLine;
+    const std::uint32_t count = curve.isStraight() ? 1 : samplesPerLine;
     for (std::uint32_t i = 0; i < count; ++i)
       samples.push_back(curve.position(static_cast<double>(i) / count));
   }

@@ -12,10 +12,20 @@ std::vector<Vec3> pointsOf(const Model& model, const Line& line) {
   return points;
 }
 
-ResolvedModel::ResolvedModel(const Model& model) : model_(&model) {
+ResolvedModel::ResolvedModel(const Model& model)
+    : ResolvedModel(model, std::vector<std::uint8_t>(model.lines.size(), 1)) {}
+
+ResolvedModel::ResolvedModel(const Model& model, std::span<const std::uint8_t> soundLines)
+    : model_(&model) {
   curves_.reserve(model.lines.size());
   flipped_.reserve(model.lines.size());
-  for (const Line& line : model.lines) {
+  for (std::size_t i = 0; i < model.lines.size(); ++i) {
+    if (soundLines[i] == 0) {
+      curves_.emplace_back(LineType::kStraight, std::vector<Vec3>{Vec3(0.0), Vec3(1.0)});
+      flipped_.push_back(0);
+      continue;
+    }
+    const Line& line = model.lines[i];
     const bool flip = line.points.front() > line.points.back();
     std::vector<Vec3> points = pointsOf(model, line);
     if (flip) std::ranges::reverse(points);

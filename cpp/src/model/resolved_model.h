@@ -6,6 +6,7 @@
 /// to the other, so that drawing a line the other way round moves no node, not even by rounding.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "model/curve.h"
@@ -17,6 +18,10 @@ class ResolvedModel {
  public:
   /// `model` must have passed checkModel() and must outlive this.
   explicit ResolvedModel(const Model& model);
+
+  /// For a model that may have faults: lines with soundLines[line] == 0 get a stand-in, which
+  /// nobody must ask for.
+  ResolvedModel(const Model& model, std::span<const std::uint8_t> soundLines);
 
   [[nodiscard]] const Model& model() const { return *model_; }
 

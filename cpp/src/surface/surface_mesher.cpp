@@ -237,8 +237,7 @@ bool SurfaceMesher::Impl::halveSides(std::uint32_t patch, const PatchBoundary& b
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wanted;
   for (const std::uint32_t side : touching) {
     const SideOrigin& origin = boundary.origins[side];
-    if (model_.curve(origin.line).type() != LineType::kStraight)
-      wanted.emplace_back(origin.line, origin.side);
+    if (!model_.curve(origin.line).isStraight()) wanted.emplace_back(origin.line, origin.side);
   }
   // Last first, so that the positions of those to come stay right; a seam's sides come twice.
   std::ranges::sort(wanted, std::ranges::greater());

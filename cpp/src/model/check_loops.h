@@ -1,0 +1,37 @@
+#pragma once
+
+/// @file Loops of a planar patch against each other, by samples of their curves. What is finer
+/// than the samples shows when the lines are divided, where it is decided exactly.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "model/patch_surface.h"
+
+namespace tetrafront {
+
+/// A loop as a closed polygon in the patch's plane.
+struct PlaneLoop {
+  std::vector<Vec2> points;
+  std::vector<std::uint32_t> lines;  ///< per point: the line of the side that begins there
+};
+[[nodiscard]] PlaneLoop layOutLoop(const ResolvedModel& model, const Loop& loop,
+                                   const PlanarSurface& surface);
+
+/// Two lines that come nearer than rounding where they are not joined.
+struct LoopContact {
+  std::uint32_t firstLine;
+  std::uint32_t secondLine;
+  Vec2 place;
+};
+/// The first contact found; `extent` is the patch's size. O(n log n) in the samples.
+[[nodiscard]] std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops,
+                                                     double extent);
+
+/// The first loop after loops[0] that is not inside it, or is inside another hole. The loops must
+/// not touch.
+[[nodiscard]] std::optional<std::size_t> findMisplacedHole(std::span<const PlaneLoop> loops);
+
+}  // namespace tetrafront

@@ -1,0 +1,250 @@
+#include "model/check_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "model/check_patch.h"
+#include "model/resolved_model.h"
+
+namespace tetrafront {
+
+namespace {
+
+/// Larger coordinates would overflow the exact predicates' expansions; they are as good as
+/// infinite.
+constexpr double kLargestCoordinate = 0x1p100;
+/// Points nearer than this, relative to the model's extent, are at one place: no side between
+/// them could be told from rounding.
+constexpr double kSamePlace = 1e-12;
+
+bool isFinite(const Vec3& place) {
+  // A comparison with NaN is false.
+  return std::fabs(place.x) <= kLargestCoordinate && std::fabs(place.y) <= kLargestCoordinate &&
+         std::fabs(place.z) <= kLargestCoordinate;
+}
+
+/// What a patch type asks of its outer loop.
+struct PatchRule {
+  std::uint32_t lines;  ///< 0: any number
+  bool parabolicOnly;
+  bool holes;
+  bool supported;
+};
+
+PatchRule ruleOf(PatchType type) {
+  switch (type) {
+    case PatchType::kPlanar:
+      return {0, false, true, true};
+    case PatchType::kIsoparametricTriangle:
+      return {3, true, false, false};
+    case PatchType::kSerendipity:
+      return {4, true, false, false};
+    case PatchType::kBarnhillGregoryNielson:
+      return {3, false, false, false};
+    case PatchType::kCoons:
+      break;
+  }
+  return {4, false, false, true};
+}
+
+class ModelCheck {
+ public:
+  explicit ModelCheck(const Model& model) : model_(&model) {}
+
+  ModelExamination run() {
+    checkPoints();
+    for (std::uint32_t line = 0; line < model_->lines.size(); ++line)
+      found_.soundLines.push_back(checkLine(line) ? 1 : 0);
+    if (model_->patches.empty()) report(DiagnosticCode::kEmptyModel, {});
+    const ResolvedModel resolved(*model_, found_.soundLines);
+    for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch)
+      found_.soundPatches.push_back(checkPatch(resolved, patch) ? 1 : 0);
+    return std::move(found_);
+  }
+
+ private:
+  void report(DiagnosticCode code, std::vector<Entity> entities, std::vector<double> values = {},
+              std::optional<Vec3> place = std::nullopt) {
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.entities = std::move(entities);
+    diagnostic.values = std::move(values);
+    diagnostic.hasPlace = place.has_value();
+    diagnostic.place = place.value_or(Vec3(0.0));
+    found_.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  void checkPoints() {
+    std::optional<Vec3> low;
+    Vec3 high(0.0);
+    for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
+      const Vec3& place = model_->points[point];
+      if (!isFinite(place)) {
+        report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}});
+        continue;
+      }
+      high = low ? glm::max(high, place) : place;
+      low = low ? glm::min(*low, place) : place;
+    }
+    if (low) samePlace_ = kSamePlace * glm::length(high - *low);
+  }
+
+  // ---- lines -----------------------------------------------------------------------------------
+
+  /// Reports on one line; true if a curve can be built from it.
+  bool checkLine(std::uint32_t line) {
+    const Line& drawn = model_->lines[line];
+    bool sound = true;
+    if (!pointCountFits(drawn)) {
+      report(DiagnosticCode::kWrongPointCount, {{EntityKind::kLine, line}},
+             {static_cast<double>(drawn.points.size())});
+      sound = false;
+    }
+    for (const std::uint32_t point : drawn.points) {
+      if (point < model_->points.size()) {
+        sound = sound && isFinite(model_->points[point]);
+        continue;
+      }
+      report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kLine, line}},
+             {static_cast<double>(point)});
+      sound = false;
+    }
+    return sound && checkPlaces(line);
+  }
+
+  static bool pointCountFits(const Line& line) {
+    switch (line.type) {
+      case LineType::kStraight:
+        return line.points.size() == 2;
+      case LineType::kParabolic:
+        return line.points.size() == 3;
+      case LineType::kCubicSpline:
+        break;
+    }
+    return line.points.size() >= 4;
+  }
+
+  [[nodiscard]] bool coincide(std::uint32_t a, std::uint32_t b) const {
+    return a == b || glm::length(model_->points[a] - model_->points[b]) <= samePlace_;
+  }
+
+  bool checkPlaces(std::uint32_t line) {
+    const std::vector<std::uint32_t>& points = model_->lines[line].points;
+    const Vec3& place = model_->points[points.front()];
+    if (std::ranges::all_of(points, [&](std::uint32_t p) { return coincide(points.front(), p); })) {
+      report(DiagnosticCode::kZeroLengthLine, {{EntityKind::kLine, line}}, {}, place);
+      return false;
+    }
+    bool distinct = true;
+    const auto compare = [&](std::uint32_t a, std::uint32_t b) {
+      if (!coincide(a, b)) return;
+      distinct = false;
+      report(DiagnosticCode::kCoincidentPoints,
+             {{EntityKind::kLine, line}, {EntityKind::kPoint, a}, {EntityKind::kPoint, b}}, {},
+             model_->points[b]);
+    };
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) compare(points[i], points[i + 1]);
+    // A spline may end at the very point it began at; a parabola cannot, and two points at one
+    // place leave a gap that nobody sees.
+    const bool closed = points.front() == points.back();
+    if (points.size() > 2 && (!closed || model_->lines[line].type == LineType::kParabolic))
+      compare(points.front(), points.back());
+    return distinct;
+  }
+
+  // ---- patches ---------------------------------------------------------------------------------
+
+  /// Reports on one patch; true if its surface can be evaluated.
+  bool checkPatch(const ResolvedModel& resolved, std::uint32_t patch) {
+    const Patch& drawn = model_->patches[patch];
+    if (!checkLineNumbers(patch)) return false;
+    const PatchRule rule = ruleOf(drawn.type);
+    if (!rule.supported)
+      report(DiagnosticCode::kPatchTypeNotSupported, {{EntityKind::kPatch, patch}});
+    bool sound = checkLoops(patch, rule) && rule.supported;
+    if (!rule.holes && drawn.loops.size() > 1)
+      report(DiagnosticCode::kHolesNotSupported, {{EntityKind::kPatch, patch}});
+    sound = checkChains(patch) && sound;
+    for (const Loop& loop : drawn.loops)
+      for (const OrientedLine& line : loop) sound = sound && found_.soundLines[line.line] != 0;
+    return sound && checkPatchShape(resolved, patch, found_.diagnostics);
+  }
+
+  bool checkLineNumbers(std::uint32_t patch) {
+    bool exist = true;
+    for (const Loop& loop : model_->patches[patch].loops) {
+      for (const OrientedLine& line : loop) {
+        if (line.line < model_->lines.size()) continue;
+        report(DiagnosticCode::kIndexOutOfRange, {{EntityKind::kPatch, patch}},
+               {static_cast<double>(line.line)});
+        exist = false;
+      }
+    }
+    return exist;
+  }
+
+  bool checkLoops(std::uint32_t patch, const PatchRule& rule) {
+    const Patch& drawn = model_->patches[patch];
+    const std::size_t given = drawn.loops.empty() ? 0 : drawn.loops.front().size();
+    bool fits = rule.lines == 0 ? given > 0 : given == rule.lines;
+    // A hole without lines is no hole.
+    for (const Loop& loop : drawn.loops) fits = fits && !loop.empty();
+    if (!fits)
+      report(DiagnosticCode::kWrongLineCount, {{EntityKind::kPatch, patch}},
+             {static_cast<double>(given), static_cast<double>(std::max(rule.lines, 1U))});
+    if (!rule.parabolicOnly || drawn.loops.empty()) return fits;
+    for (const OrientedLine& line : drawn.loops.front()) {
+      if (model_->lines[line.line].type == LineType::kParabolic) continue;
+      report(DiagnosticCode::kWrongLineType,
+             {{EntityKind::kPatch, patch}, {EntityKind::kLine, line.line}});
+      fits = false;
+    }
+    return fits;
+  }
+
+  /// Each line begins at the very point at which the one before ends.
+  bool checkChains(std::uint32_t patch) {
+    bool closed = true;
+    for (const Loop& loop : model_->patches[patch].loops) {
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        const std::optional<std::uint32_t> end = endOf(loop[i], true);
+        const std::optional<std::uint32_t> next = endOf(loop[(i + 1) % loop.size()], false);
+        // Lines without points are reported as such.
+        if (!end || !next) return false;
+        if (*end == *next) continue;
+        closed = false;
+        std::optional<Vec3> place;
+        if (*end < model_->points.size()) place = model_->points[*end];
+        report(DiagnosticCode::kLoopNotClosed,
+               {{EntityKind::kPatch, patch},
+                {EntityKind::kLine, loop[i].line},
+                {EntityKind::kPoint, *end}},
+               {}, place);
+      }
+    }
+    return closed;
+  }
+
+  [[nodiscard]] std::optional<std::uint32_t> endOf(const OrientedLine& line, bool last) const {
+    const std::vector<std::uint32_t>& points = model_->lines[line.line].points;
+    if (points.empty()) return std::nullopt;
+    return last != line.reversed ? points.back() : points.front();
+  }
+
+  const Model* model_;
+  ModelExamination found_;
+  double samePlace_ = 0.0;
+};
+
+}  // namespace
+
+ModelExamination examineModel(const Model& model) { return ModelCheck(model).run(); }
+
+std::vector<Diagnostic> checkModel(const Model& model) {
+  return std::move(examineModel(model).diagnostics);
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,30 @@
+#pragma once
+
+/// @file Everything that is wrong with a drawn model, all at once, before anything is meshed.
+
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/model.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+/// What keeps a model from being meshed; empty if nothing does. Points first, then lines, then
+/// patches, each in the model's order. Any input is accepted, also numbers out of range.
+/// O(model), curved lines counting as their samples.
+[[nodiscard]] std::vector<Diagnostic> checkModel(const Model& model);
+
+/// What checkModel() found, and what can be drawn in spite of it.
+struct ModelExamination {
+  std::vector<Diagnostic> diagnostics;
+  /// Per line: 1 if a curve can be built from it (its points exist, are finite, distinct and of
+  /// the right number), else 0.
+  std::vector<std::uint8_t> soundLines;
+  /// Per patch: 1 if its surface can be evaluated (sound lines, closed loops, a number of lines
+  /// its type takes, some area), else 0.
+  std::vector<std::uint8_t> soundPatches;
+};
+[[nodiscard]] ModelExamination examineModel(const Model& model);
+
+}  // namespace tetrafront

@@ -1,0 +1,148 @@
+// What the viewer shows before anything is meshed: the lines as polylines, Coons patches as a
+// grid, planar patches by the same front that meshes them, with the coarsest sides that show
+// their lines' bends.
+
+#include <array>
+#include <utility>
+
+#include "field/grid_locator.h"
+#include "model/check_model.h"
+#include "surface/patch_boundary.h"
+#include "surface/planar_front.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront {
+
+namespace {
+
+/// Pieces of a curved line in its polyline.
+constexpr std::uint32_t kLinePieces = 48;
+/// Sides of a curved line around a planar patch.
+constexpr std::uint32_t kBoundaryPieces = 24;
+/// Cells per direction of a Coons patch.
+constexpr std::uint32_t kCoonsCells = 16;
+/// Sides taken from a patch's front before it is given up; models people draw need some hundreds.
+constexpr std::uint32_t kFrontBudget = 200'000;
+
+void append(std::vector<double>& points, const Vec3& place) {
+  points.insert(points.end(), {place.x, place.y, place.z});
+}
+
+/// A curve cut into pieces of equal parameter.
+LineDivision cut(const Curve& curve, std::uint32_t pieces) {
+  LineDivision division;
+  const std::uint32_t count = curve.isStraight() ? 1 : pieces;
+  for (std::uint32_t i = 0; i <= count; ++i) {
+    division.parameters.push_back(static_cast<double>(i) / count);
+    division.nodes.push_back(curve.position(division.parameters.back()));
+  }
+  return division;
+}
+
+class PreviewBuilder {
+ public:
+  PreviewBuilder(const Model& model, const ModelExamination& found)
+      : model_(&model), found_(&found), resolved_(model, found.soundLines) {}
+
+  ModelPreview build() {
+    addLines();
+    preview_.patchOffsets.push_back(0);
+    for (std::size_t patch = 0; patch < model_->patches.size(); ++patch) {
+      if (found_->soundPatches[patch] != 0) addPatch(model_->patches[patch]);
+      preview_.patchOffsets.push_back(
+          static_cast<std::uint32_t>(preview_.patchTriangles.size() / 3));
+    }
+    return std::move(preview_);
+  }
+
+ private:
+  void addLines() {
+    preview_.lineOffsets.push_back(0);
+    lines_.divisions.resize(model_->lines.size());
+    lines_.nodes.resize(model_->lines.size());
+    for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
+      if (found_->soundLines[line] != 0) addLine(line);
+      preview_.lineOffsets.push_back(static_cast<std::uint32_t>(preview_.linePoints.size() / 3));
+    }
+  }
+
+  void addLine(std::uint32_t line) {
+    const Curve& curve = resolved_.curve(line);
+    for (const Vec3& place : cut(curve, kLinePieces).nodes) append(preview_.linePoints, place);
+    lines_.divisions[line] = cut(curve, kBoundaryPieces);
+    lines_.nodes[line].assign(lines_.divisions[line].nodes.size(), PlanarMesh::kNone);
+  }
+
+  void addPatch(const Patch& patch) {
+    const PatchSurface surface(resolved_, patch);
+    if (const CoonsSurface* coons = surface.coons()) {
+      addGrid(*coons);
+    } else {
+      addPlanar(patch, surface);
+    }
+  }
+
+  void addGrid(const CoonsSurface& surface) {
+    constexpr std::uint32_t kRow = kCoonsCells + 1;
+    const std::uint32_t first = nextPoint();
+    for (std::uint32_t j = 0; j < kRow; ++j) {
+      for (std::uint32_t i = 0; i < kRow; ++i) {
+        const Vec2 unit(static_cast<double>(i) / kCoonsCells, static_cast<double>(j) / kCoonsCells);
+        append(preview_.patchPoints, surface.evaluateUnit(unit).position);
+      }
+    }
+    for (std::uint32_t j = 0; j < kCoonsCells; ++j) {
+      for (std::uint32_t i = 0; i < kCoonsCells; ++i) {
+        const std::uint32_t a = first + j * kRow + i;
+        preview_.patchTriangles.insert(preview_.patchTriangles.end(),
+                                       {a, a + 1, a + kRow + 1, a, a + kRow + 1, a + kRow});
+      }
+    }
+  }
+
+  void addPlanar(const Patch& patch, const PatchSurface& surface) {
+    // A size beyond all sides: triangles grow as fast away from short ones as the front lets them.
+    const SizeField field = SizeField::uniform(extentOf(patch));
+    PlanarMesh mesh = layOutBoundary(resolved_, patch, surface, field, lines_).mesh;
+    if (!findTouchingSides(mesh).empty()) return;
+    const PatchMetric metric(surface, field);
+    PlanarFront front(metric, mesh);
+    if (front.advance(kFrontBudget) != MeshStatus::kDone) return;
+    const std::uint32_t first = nextPoint();
+    for (const Vec3& place : mesh.places) append(preview_.patchPoints, place);
+    for (const std::uint32_t node : mesh.triangles) preview_.patchTriangles.push_back(first + node);
+  }
+
+  [[nodiscard]] double extentOf(const Patch& patch) const {
+    Vec3 low = resolved_.curve(patch.loops.front().front()).start();
+    Vec3 high = low;
+    for (const Vec3& sample : sampleLoop(resolved_, patch.loops.front(), kBoundaryPieces)) {
+      low = glm::min(low, sample);
+      high = glm::max(high, sample);
+    }
+    return glm::length(high - low);
+  }
+
+  [[nodiscard]] std::uint32_t nextPoint() const {
+    return static_cast<std::uint32_t>(preview_.patchPoints.size() / 3);
+  }
+
+  const Model* model_;
+  const ModelExamination* found_;
+  ResolvedModel resolved_;
+  DividedLines lines_;
+  ModelPreview preview_;
+};
+
+}  // namespace
+
+ModelPreview previewModel(const Model& model, const BackgroundGrid& grid) {
+  ModelExamination found = examineModel(model);
+  ModelPreview preview = PreviewBuilder(model, found).build();
+  preview.diagnostics = std::move(found.diagnostics);
+  for (Diagnostic& diagnostic : checkBackgroundGrid(grid))
+    preview.diagnostics.push_back(std::move(diagnostic));
+  return preview;
+}
+
+}  // namespace tetrafront
