@@ -115,11 +115,11 @@ bool engineSays(const std::vector<Integers>& points, const std::array<int, 4>& e
     front.addNode({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])},
                   0);
   }
-  const auto id = [](int i) { return static_cast<std::uint32_t>(i); };
+  const auto id = [](int i) { return NodeId(static_cast<std::uint32_t>(i)); };
   const NodeTriple base{id(element[0]), id(element[1]), id(element[2])};
   front.addFace(base, 0, {}, false);
   front.addFace({id(face[0]), id(face[1]), id(face[2])}, 0, {}, false);
-  Box everything = front.boxOf(0);
+  Box everything = front.boxOf(FaceId(0U));
   everything.include(Vec3(0.0), 100.0);
   Neighbourhood around;
   around.gather(front, base, everything, front.node(id(element[3])));

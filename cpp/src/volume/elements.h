@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "volume/front.h"
 
 namespace tetrafront {
@@ -24,12 +25,12 @@ struct Elements {
     region.push_back(itsRegion);
     removed.push_back(0);
   }
-  void remove(std::uint32_t element) {
-    removed[element] = 1;
+  void remove(TetId element) {
+    removed[element.index()] = 1;
     ++removedCount;
   }
-  void restore(std::uint32_t element) {
-    removed[element] = 0;
+  void restore(TetId element) {
+    removed[element.index()] = 0;
     --removedCount;
   }
   /// Forgets the elements from `count` on; none of them may be a removed one.

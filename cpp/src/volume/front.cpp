@@ -36,10 +36,10 @@ std::uint32_t logBits(float ratio, std::uint32_t offsetOctaves) {
 Front::Front(double typicalSize, const Vec3& origin, FrontOrder order)
     : order_(order), typicalSize_(typicalSize), grid_(kCellPerSize * typicalSize, origin) {}
 
-std::uint32_t Front::addNode(const Vec3& place, std::uint16_t layer) {
+NodeId Front::addNode(const Vec3& place, std::uint16_t layer) {
   nodes_.push_back(place);
   layers_.push_back(layer);
-  return static_cast<std::uint32_t>(nodes_.size() - 1);
+  return NodeId(nodes_.size() - 1);
 }
 
 void Front::dropNodesFrom(std::size_t count) {
@@ -47,44 +47,52 @@ void Front::dropNodesFrom(std::size_t count) {
   layers_.resize(count);
 }
 
-Box Front::boxOf(std::uint32_t face) const {
-  const NodeTriple& n = faces_[face].nodes;
-  return Box::of(nodes_[n[0]], nodes_[n[1]], nodes_[n[2]]);
+Box Front::boxOf(FaceId face) const {
+  const NodeTriple& n = faces_[face.index()].nodes;
+  return Box::of(node(n[0]), node(n[1]), node(n[2]));
 }
 
-std::uint32_t Front::addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint hint,
-                             bool queued) {
-  std::uint32_t id = 0;
+FaceId Front::addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint hint, bool queued) {
+  FaceId id;
   if (freeFaces_.empty()) {
-    id = static_cast<std::uint32_t>(faces_.size());
+    id = FaceId(faces_.size());
     faces_.emplace_back();
     heap_.reserveIds(faces_.size());
   } else {
     id = freeFaces_.back();
     freeFaces_.pop_back();
   }
-  const Vec3& a = nodes_[nodes[0]];
-  const Vec3& b = nodes_[nodes[1]];
-  const Vec3& c = nodes_[nodes[2]];
+  const Vec3& a = node(nodes[0]);
+  const Vec3& b = node(nodes[1]);
+  const Vec3& c = node(nodes[2]);
   const double squares = glm::dot(a - b, a - b) + glm::dot(b - c, b - c) + glm::dot(c - a, c - a);
-  faces_[id] = {nodes, static_cast<float>(std::sqrt(squares / 3.0)), region, hint, 0, true};
-  grid_.insert(id, boxOf(id));
+  faces_[id.index()] = {nodes, static_cast<float>(std::sqrt(squares / 3.0)), region, hint, 0, true};
+  grid_.insert(id.value, boxOf(id));
   ++activeCount_;
-  if (queued) heap_.push(id, keyOf(faces_[id]));
+  if (queued) heap_.push(id.value, keyOf(faces_[id.index()]));
   return id;
 }
 
-void Front::removeFace(std::uint32_t face) {
-  heap_.remove(face);
-  grid_.remove(face);
-  faces_[face].active = false;
+void Front::removeFace(FaceId face) {
+  heap_.remove(face.value);
+  grid_.remove(face.value);
+  faces_[face.index()].active = false;
   freeFaces_.push_back(face);
   --activeCount_;
 }
 
-void Front::requeue(std::uint32_t face, std::uint8_t ruleClass) {
-  faces_[face].ruleClass = ruleClass;
-  heap_.push(face, keyOf(faces_[face]));
+void Front::requeue(FaceId face, std::uint8_t ruleClass) {
+  faces_[face.index()].ruleClass = ruleClass;
+  heap_.push(face.value, keyOf(faces_[face.index()]));
+}
+
+std::vector<FaceId> Front::activeFaces() const {
+  std::vector<FaceId> active;
+  active.reserve(activeCount_);
+  for (std::size_t i = 0; i < faces_.size(); ++i) {
+    if (faces_[i].active) active.emplace_back(i);
+  }
+  return active;
 }
 
 std::uint64_t Front::keyOf(const FrontFace& face) {
@@ -104,11 +112,11 @@ std::uint64_t Front::keyOf(const FrontFace& face) {
   constexpr int kFineBits = 8;  // 256 steps per octave
   const std::uint64_t fine =
       std::min(logBits(ratio, kFineOctaves) >> (kMantissaBits - kFineBits), kMaxFine);
-  const std::uint64_t layer =
-      std::min<std::uint32_t>(static_cast<std::uint32_t>(layers_[face.nodes[0]]) +
-                                  layers_[face.nodes[1]] + layers_[face.nodes[2]],
-                              kMaxLayer);
-  return ruleClass | bucket << kBucketShift | layer << kLayerShift | fine << kFineShift | sequence;
+  std::uint32_t layers = 0;
+  for (const NodeId node : face.nodes) layers += layer(node);
+  const std::uint64_t cappedLayers = std::min(layers, kMaxLayer);
+  return ruleClass | bucket << kBucketShift | cappedLayers << kLayerShift | fine << kFineShift |
+         sequence;
 }
 
 }  // namespace tetrafront

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "field/size_field.h"
 #include "geom/box.h"
 #include "search/face_grid.h"
@@ -18,9 +19,9 @@
 
 namespace tetrafront {
 
-/// Three or four positions in Front's nodes.
-using NodeTriple = std::array<std::uint32_t, 3>;
-using NodeQuad = std::array<std::uint32_t, 4>;
+/// The nodes of a face or of an element.
+using NodeTriple = std::array<NodeId, 3>;
+using NodeQuad = std::array<NodeId, 4>;
 
 /// The triple turned so that its least node leads; equal for equal oriented triangles.
 inline NodeTriple leastFirst(const NodeTriple& t) {
@@ -44,34 +45,35 @@ class Front {
   Front(double typicalSize, const Vec3& origin, FrontOrder order);
 
   // Nodes. The layer is 0 on the given surface and grows inward by one per new node.
-  std::uint32_t addNode(const Vec3& place, std::uint16_t layer);
+  NodeId addNode(const Vec3& place, std::uint16_t layer);
   void dropNodesFrom(std::size_t count);
-  [[nodiscard]] const Vec3& node(std::uint32_t id) const { return nodes_[id]; }
+  [[nodiscard]] const Vec3& node(NodeId id) const { return nodes_[id.index()]; }
   [[nodiscard]] std::span<const Vec3> nodes() const { return nodes_; }
-  [[nodiscard]] std::uint16_t layer(std::uint32_t id) const { return layers_[id]; }
+  [[nodiscard]] std::uint16_t layer(NodeId id) const { return layers_[id.index()]; }
 
   // Faces.
   /// Adds an active face; `queued` puts it into the heap too.
-  std::uint32_t addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint hint, bool queued);
-  void removeFace(std::uint32_t face);
-  [[nodiscard]] const FrontFace& face(std::uint32_t id) const { return faces_[id]; }
-  void setHint(std::uint32_t face, FieldHint hint) { faces_[face].hint = hint; }
-  [[nodiscard]] std::size_t faceSlots() const { return faces_.size(); }
+  FaceId addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint hint, bool queued);
+  void removeFace(FaceId face);
+  [[nodiscard]] const FrontFace& face(FaceId id) const { return faces_[id.index()]; }
+  void setHint(FaceId face, FieldHint hint) { faces_[face.index()].hint = hint; }
+  /// Active faces in the order of their ids. O(all faces there ever were at once).
+  [[nodiscard]] std::vector<FaceId> activeFaces() const;
   [[nodiscard]] std::uint32_t activeCount() const { return activeCount_; }
-  [[nodiscard]] Box boxOf(std::uint32_t face) const;
+  [[nodiscard]] Box boxOf(FaceId face) const;
 
   // The order in which faces leave (step F4).
   [[nodiscard]] bool nothingQueued() const { return heap_.empty(); }
   /// Takes the next base face out of the heap; it stays active.
-  std::uint32_t nextBase() { return heap_.pop(); }
+  FaceId nextBase() { return FaceId(heap_.pop()); }
   /// Puts a face back, under the rules of class `ruleClass`.
-  void requeue(std::uint32_t face, std::uint8_t ruleClass);
+  void requeue(FaceId face, std::uint8_t ruleClass);
   /// Marks a face as one that no rule could complete; it stays active, but out of the heap.
-  void park(std::uint32_t face, std::uint8_t ruleClass) { faces_[face].ruleClass = ruleClass; }
+  void park(FaceId face, std::uint8_t ruleClass) { faces_[face.index()].ruleClass = ruleClass; }
   void unqueueAll() { heap_.clear(); }
   void setOrder(FrontOrder order) { order_ = order; }
 
-  /// Faces whose boxes meet `box`; see FaceGrid::query.
+  /// Writes the numbers of the faces whose boxes meet `box`; see FaceGrid::query.
   std::size_t facesNear(const Box& box, std::vector<std::uint32_t>& faces) const {
     return grid_.query(box, faces);
   }
@@ -84,7 +86,7 @@ class Front {
   std::vector<Vec3> nodes_;
   std::vector<std::uint16_t> layers_;
   std::vector<FrontFace> faces_;
-  std::vector<std::uint32_t> freeFaces_;
+  std::vector<FaceId> freeFaces_;
   std::uint32_t activeCount_ = 0;
   std::uint64_t sequence_ = 0;
   IndexedHeap heap_;

@@ -8,7 +8,7 @@ namespace tetrafront {
 
 template <class Trace>
 void FrontAdvance<Trace>::step() {
-  const std::uint32_t face = front_.nextBase();
+  const FaceId face = front_.nextBase();
   ++counters_.pops;
   if (complete(face)) return;
   const auto next = static_cast<std::uint8_t>(front_.face(face).ruleClass + 1);
@@ -21,7 +21,7 @@ void FrontAdvance<Trace>::step() {
 }
 
 template <class Trace>
-bool FrontAdvance<Trace>::complete(std::uint32_t face) {
+bool FrontAdvance<Trace>::complete(FaceId face) {
   const FrontFace& faceData = front_.face(face);
   const NodeTriple nodes = faceData.nodes;
   const RuleClass& rules = kRuleClasses[faceData.ruleClass];
@@ -62,11 +62,11 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const BaseFace& 
 }
 
 template <class Trace>
-bool FrontAdvance<Trace>::tryCandidate(std::uint32_t face, const Candidate& candidate,
+bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
                                        const IdealPoint& ideal, const RuleClass& rules) {
   const bool isNew = candidate.node == Candidate::kNewNode;
-  const std::uint32_t name = isNew ? Candidate::kNewNode : around_.nodeId(candidate.node);
-  std::uint32_t culprit = kNone;
+  const NodeId name = isNew ? NodeId() : around_.nodeId(candidate.node);
+  FaceId culprit;
   const auto refuse = [&](Refusal why) {
     if constexpr (Trace::kOn) trace_.refused(name, why, culprit);
     static_cast<void>(why);
@@ -85,9 +85,9 @@ bool FrontAdvance<Trace>::tryCandidate(std::uint32_t face, const Candidate& cand
     culprit = around_.faceId(crossed);
     return refuse(Refusal::kCrosses);
   }
-  SideFaces sides{kNone, kNone, kNone};
+  SideFaces sides{};
   if (!isNew && !findSideFaces(apex, sides, culprit)) return refuse(Refusal::kSameOrientation);
-  std::uint32_t node = name;
+  NodeId node = name;
   if (isNew) {
     const NodeTriple& n = front_.face(face).nodes;
     const std::uint16_t layer =
@@ -100,8 +100,7 @@ bool FrontAdvance<Trace>::tryCandidate(std::uint32_t face, const Candidate& cand
 }
 
 template <class Trace>
-bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance,
-                                         std::uint32_t& culprit) {
+bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance, FaceId& culprit) {
   if (!(distance > 0.0)) return false;
   for (std::size_t i = 0; i < around_.faceCount(); ++i) {
     const LocalTriple& f = around_.face(i);
@@ -119,8 +118,7 @@ bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance,
 /// corners 0, 1, 2. As faces of the front they are turned the other way, to face the element;
 /// one turned the same way would be met from behind.
 template <class Trace>
-bool FrontAdvance<Trace>::findSideFaces(LocalNode apex, SideFaces& sides,
-                                        std::uint32_t& culprit) const {
+bool FrontAdvance<Trace>::findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const {
   for (std::size_t i = 0; i < around_.faceCount(); ++i) {
     const LocalTriple& f = around_.face(i);
     const auto at = static_cast<std::size_t>(std::find(f.begin(), f.end(), apex) - f.begin());
@@ -138,16 +136,16 @@ bool FrontAdvance<Trace>::findSideFaces(LocalNode apex, SideFaces& sides,
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::accept(std::uint32_t face, std::uint32_t apex, const SideFaces& sides) {
+void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const SideFaces& sides) {
   const FrontFace base = front_.face(face);
   const NodeTriple& n = base.nodes;
   elements_.add({n[0], n[1], n[2], apex}, base.region);
   front_.removeFace(face);
-  for (const std::uint32_t side : sides) {
-    if (side != kNone) front_.removeFace(side);
+  for (const FaceId side : sides) {
+    if (!side.isNone()) front_.removeFace(side);
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    if (sides[i] != kNone) continue;
+    if (!sides[i].isNone()) continue;
     front_.addFace({n[(i + 1) % 3], n[(i + 2) % 3], apex}, base.region, base.hint, true);
   }
 }

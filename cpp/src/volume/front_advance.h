@@ -45,18 +45,17 @@ class FrontAdvance {
   [[nodiscard]] Trace& trace() { return trace_; }
 
  private:
-  /// Neighbourhood face on the element's side opposite base corner i, or kNone.
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-  using SideFaces = std::array<std::uint32_t, 3>;
+  /// The face that stands already on the element's side opposite base corner i, if any.
+  using SideFaces = std::array<FaceId, 3>;
 
-  bool complete(std::uint32_t face);
+  bool complete(FaceId face);
   void gatherAround(const NodeTriple& nodes, const BaseFace& base, const IdealPoint& ideal,
                     const RuleClass& rules);
-  bool tryCandidate(std::uint32_t face, const Candidate& candidate, const IdealPoint& ideal,
+  bool tryCandidate(FaceId face, const Candidate& candidate, const IdealPoint& ideal,
                     const RuleClass& rules);
-  [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, std::uint32_t& culprit);
-  bool findSideFaces(LocalNode apex, SideFaces& sides, std::uint32_t& culprit) const;
-  void accept(std::uint32_t face, std::uint32_t apex, const SideFaces& sides);
+  [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, FaceId& culprit);
+  bool findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const;
+  void accept(FaceId face, NodeId apex, const SideFaces& sides);
 
   Front& front_;
   Elements& elements_;

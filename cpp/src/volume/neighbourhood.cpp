@@ -34,11 +34,11 @@ void Neighbourhood::begin(const Front& front, const NodeTriple& base) {
   x_.clear();
   y_.clear();
   z_.clear();
-  for (const std::uint32_t node : base) localNode(front, node);
+  for (const NodeId node : base) localNode(front, node);
 }
 
-LocalNode Neighbourhood::localNode(const Front& front, std::uint32_t node) {
-  Mark& mark = marks_[node];
+LocalNode Neighbourhood::localNode(const Front& front, NodeId node) {
+  Mark& mark = marks_[node.index()];
   if (mark.stamp == stamp_) return mark.local;
   mark = {stamp_, static_cast<LocalNode>(nodeIds_.size())};
   const Vec3& place = front.node(node);
@@ -49,7 +49,7 @@ LocalNode Neighbourhood::localNode(const Front& front, std::uint32_t node) {
   return mark.local;
 }
 
-void Neighbourhood::addFace(const Front& front, std::uint32_t face) {
+void Neighbourhood::addFace(const Front& front, FaceId face) {
   const NodeTriple& nodes = front.face(face).nodes;
   faceIds_.push_back(face);
   const LocalNode a = localNode(front, nodes[0]);
@@ -64,7 +64,7 @@ void Neighbourhood::finish(const Vec3& reach) {
   const Extent ez = extentOf(z_, reach.z);
   determinantError_ =
       kErrorPerVolume * (ex.high - ex.low) * (ey.high - ey.low) * (ez.high - ez.low);
-  nodeIds_.push_back(0);
+  nodeIds_.emplace_back();
   x_.push_back(reach.x);
   y_.push_back(reach.y);
   z_.push_back(reach.z);
@@ -74,14 +74,14 @@ void Neighbourhood::gather(const Front& front, const NodeTriple& base, const Box
                            const Vec3& reach) {
   begin(front, base);
   const std::size_t count = front.facesNear(box, found_);
-  for (std::size_t i = 0; i < count; ++i) addFace(front, found_[i]);
+  for (std::size_t i = 0; i < count; ++i) addFace(front, FaceId(found_[i]));
   finish(reach);
 }
 
 void Neighbourhood::take(const Front& front, const NodeTriple& base,
-                         std::span<const std::uint32_t> faces) {
+                         std::span<const FaceId> faces) {
   begin(front, base);
-  for (const std::uint32_t face : faces) addFace(front, face);
+  for (const FaceId face : faces) addFace(front, face);
   finish(front.node(base[0]));
 }
 

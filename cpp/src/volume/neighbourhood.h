@@ -26,12 +26,12 @@ class Neighbourhood {
   void gather(const Front& front, const NodeTriple& base, const Box& box, const Vec3& reach);
 
   /// Takes given faces instead of a gathered set; they must include the base face.
-  void take(const Front& front, const NodeTriple& base, std::span<const std::uint32_t> faces);
+  void take(const Front& front, const NodeTriple& base, std::span<const FaceId> faces);
 
   [[nodiscard]] std::size_t nodeCount() const { return nodeIds_.size() - kSpareNodes; }
   [[nodiscard]] std::size_t faceCount() const { return faceIds_.size(); }
-  [[nodiscard]] std::uint32_t nodeId(LocalNode local) const { return nodeIds_[local]; }
-  [[nodiscard]] std::uint32_t faceId(std::size_t local) const { return faceIds_[local]; }
+  [[nodiscard]] NodeId nodeId(LocalNode local) const { return nodeIds_[local]; }
+  [[nodiscard]] FaceId faceId(std::size_t local) const { return faceIds_[local]; }
   [[nodiscard]] const LocalTriple& face(std::size_t local) const { return faces_[local]; }
   [[nodiscard]] Vec3 place(LocalNode local) const { return {x_[local], y_[local], z_[local]}; }
   [[nodiscard]] const double* x() const { return x_.data(); }
@@ -50,14 +50,14 @@ class Neighbourhood {
   static constexpr std::size_t kSpareNodes = 1;
 
   void begin(const Front& front, const NodeTriple& base);
-  void addFace(const Front& front, std::uint32_t face);
-  LocalNode localNode(const Front& front, std::uint32_t node);
+  void addFace(const Front& front, FaceId face);
+  LocalNode localNode(const Front& front, NodeId node);
   void finish(const Vec3& reach);
 
   std::vector<std::uint32_t> found_;
-  std::vector<std::uint32_t> faceIds_;
+  std::vector<FaceId> faceIds_;
   std::vector<LocalTriple> faces_;
-  std::vector<std::uint32_t> nodeIds_;
+  std::vector<NodeId> nodeIds_;
   std::vector<double> x_;
   std::vector<double> y_;
   std::vector<double> z_;

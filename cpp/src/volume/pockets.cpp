@@ -35,10 +35,10 @@ class DisjointSets {
 };
 
 /// Six times the volume that the faces enclose, positive where they are seen from inside.
-double enclosedVolume(const Front& front, const std::vector<std::uint32_t>& faces) {
+double enclosedVolume(const Front& front, const std::vector<FaceId>& faces) {
   const Vec3 origin = front.node(front.face(faces.front()).nodes[0]);
   double volume = 0.0;
-  for (const std::uint32_t face : faces) {
+  for (const FaceId face : faces) {
     const NodeTriple& n = front.face(face).nodes;
     volume -= glm::dot(front.node(n[0]) - origin,
                        glm::cross(front.node(n[1]) - origin, front.node(n[2]) - origin));
@@ -47,7 +47,7 @@ double enclosedVolume(const Front& front, const std::vector<std::uint32_t>& face
 }
 
 struct Component {
-  std::vector<std::uint32_t> faces;
+  std::vector<FaceId> faces;
   Box box{};
   bool island = false;
 };
@@ -59,37 +59,35 @@ bool holds(const Box& outer, const Box& inner) {
   return true;
 }
 
-Component describe(const Front& front, std::vector<std::uint32_t> faces) {
+Component describe(const Front& front, std::vector<FaceId> faces) {
   Component component;
   component.faces = std::move(faces);
   component.box = front.boxOf(component.faces.front());
-  for (const std::uint32_t face : component.faces) {
-    for (const std::uint32_t node : front.face(face).nodes) component.box.include(front.node(node));
+  for (const FaceId face : component.faces) {
+    for (const NodeId node : front.face(face).nodes) component.box.include(front.node(node));
   }
   component.island = enclosedVolume(front, component.faces) <= 0.0;
   return component;
 }
 
 std::vector<Component> findComponents(const Front& front) {
-  std::vector<std::uint32_t> active;
-  std::map<std::uint32_t, std::uint32_t> compactNode;
-  for (std::uint32_t face = 0; face < front.faceSlots(); ++face) {
-    if (!front.face(face).active) continue;
-    active.push_back(face);
-    for (const std::uint32_t node : front.face(face).nodes) compactNode.emplace(node, 0);
+  const std::vector<FaceId> active = front.activeFaces();
+  std::map<NodeId, std::uint32_t> compactNode;
+  for (const FaceId face : active) {
+    for (const NodeId node : front.face(face).nodes) compactNode.emplace(node, 0);
   }
   std::uint32_t next = 0;
   for (auto& entry : compactNode) entry.second = next++;
   DisjointSets sets(compactNode.size());
-  const auto compact = [&](std::uint32_t face, int corner) {
+  const auto compact = [&](FaceId face, int corner) {
     return compactNode.at(front.face(face).nodes[corner]);
   };
-  for (const std::uint32_t face : active) {
+  for (const FaceId face : active) {
     sets.join(compact(face, 0), compact(face, 1));
     sets.join(compact(face, 0), compact(face, 2));
   }
-  std::map<std::uint32_t, std::vector<std::uint32_t>> facesOfSet;
-  for (const std::uint32_t face : active) facesOfSet[sets.find(compact(face, 0))].push_back(face);
+  std::map<std::uint32_t, std::vector<FaceId>> facesOfSet;
+  for (const FaceId face : active) facesOfSet[sets.find(compact(face, 0))].push_back(face);
   std::vector<Component> components;
   for (auto& entry : facesOfSet) components.push_back(describe(front, std::move(entry.second)));
   return components;
@@ -117,7 +115,7 @@ struct HalfSpaces {
 
 HalfSpaces halfSpacesOf(const Front& front, const Pocket& pocket) {
   HalfSpaces spaces;
-  for (const std::uint32_t face : pocket.faces) {
+  for (const FaceId face : pocket.faces) {
     const NodeTriple& n = front.face(face).nodes;
     const Vec3& a = front.node(n[0]);
     const Vec3 normal = glm::cross(front.node(n[1]) - a, front.node(n[2]) - a);
@@ -164,15 +162,16 @@ bool insideElement(const Front& front, const NodeTriple& base, const Vec3& apex,
 /// Other faces are wholly inside or wholly outside the pocket, so one node of each tells.
 bool foreignFaceWithin(const Front& front, const Pocket& pocket, const Vec3& apex) {
   Box box = front.boxOf(pocket.faces.front());
-  for (const std::uint32_t face : pocket.faces) {
-    for (const std::uint32_t node : front.face(face).nodes) box.include(front.node(node));
+  for (const FaceId face : pocket.faces) {
+    for (const NodeId node : front.face(face).nodes) box.include(front.node(node));
   }
   std::vector<std::uint32_t> near;
   const std::size_t count = front.facesNear(box, near);
   for (std::size_t i = 0; i < count; ++i) {
-    if (std::binary_search(pocket.faces.begin(), pocket.faces.end(), near[i])) continue;
-    const Vec3& place = front.node(front.face(near[i]).nodes[0]);
-    for (const std::uint32_t face : pocket.faces) {
+    const FaceId other(near[i]);
+    if (std::binary_search(pocket.faces.begin(), pocket.faces.end(), other)) continue;
+    const Vec3& place = front.node(front.face(other).nodes[0]);
+    for (const FaceId face : pocket.faces) {
       if (insideElement(front, front.face(face).nodes, apex, place)) return true;
     }
   }
@@ -206,7 +205,7 @@ std::vector<Pocket> findPockets(const Front& front) {
 
 std::optional<Vec3> findStarPoint(const Front& front, const Pocket& pocket) {
   const Vec3 place = deepestPlace(halfSpacesOf(front, pocket));
-  for (const std::uint32_t face : pocket.faces) {
+  for (const FaceId face : pocket.faces) {
     const NodeTriple& n = front.face(face).nodes;
     if (orient3d(front.node(n[0]), front.node(n[1]), front.node(n[2]), place) <= 0) return {};
   }

@@ -13,8 +13,8 @@
 namespace tetrafront {
 
 struct Pocket {
-  std::vector<std::uint32_t> faces;  ///< in the order of their ids
-  bool single = true;  ///< one connected boundary, seen from inside; no islands within
+  std::vector<FaceId> faces;  ///< in the order of their ids
+  bool single = true;         ///< one connected boundary, seen from inside; no islands within
 };
 
 /// All pockets, in the order of their least node. Faces that share a node bound the same pocket;

@@ -32,10 +32,10 @@ std::array<NodeTriple, 4> innerSides(const NodeQuad& n) {
 }
 NodeTriple reversed(const NodeTriple& t) { return {t[1], t[0], t[2]}; }
 
-std::map<NodeTriple, std::uint32_t> activeFaces(const Front& front) {
-  std::map<NodeTriple, std::uint32_t> faces;
-  for (std::uint32_t face = 0; face < front.faceSlots(); ++face) {
-    if (front.face(face).active) faces.emplace(leastFirst(front.face(face).nodes), face);
+std::map<NodeTriple, FaceId> facesByNodes(const Front& front) {
+  std::map<NodeTriple, FaceId> faces;
+  for (const FaceId face : front.activeFaces()) {
+    faces.emplace(leastFirst(front.face(face).nodes), face);
   }
   return faces;
 }
@@ -72,8 +72,8 @@ bool Recovery<Trace>::star(const Pocket& pocket) {
   if (!pocket.single) return false;
   const std::optional<Vec3> place = findStarPoint(front_, pocket);
   if (!place) return false;
-  const std::uint32_t apex = front_.addNode(*place, kStarLayer);
-  for (const std::uint32_t face : pocket.faces) {
+  const NodeId apex = front_.addNode(*place, kStarLayer);
+  for (const FaceId face : pocket.faces) {
     const FrontFace& f = front_.face(face);
     elements_.add({f.nodes[0], f.nodes[1], f.nodes[2], apex}, f.region);
     front_.removeFace(face);
@@ -94,8 +94,9 @@ void Recovery<Trace>::startPass() {
   indexedElements_ = elements_.size();
   std::vector<std::uint32_t> corners;
   corners.reserve(4 * indexedElements_);
-  for (const NodeQuad& quad : elements_.nodes)
-    corners.insert(corners.end(), quad.begin(), quad.end());
+  for (const NodeQuad& quad : elements_.nodes) {
+    for (const NodeId node : quad) corners.push_back(node.value);
+  }
   elementsAtNode_ = Incidence(corners, 4, front_.nodes().size());
 }
 
@@ -104,7 +105,7 @@ void Recovery<Trace>::chooseAndReopen() {
   while (nextInQueue_ < queue_.size()) {
     const NodeTriple sought = queue_[nextInQueue_++];
     for (const Pocket& pocket : findPockets(front_)) {
-      for (const std::uint32_t face : pocket.faces) {
+      for (const FaceId face : pocket.faces) {
         if (leastFirst(front_.face(face).nodes) == sought) return reopen(pocket);
       }
     }
@@ -116,7 +117,7 @@ void Recovery<Trace>::chooseAndReopen() {
 template <class Trace>
 void Recovery<Trace>::reopen(const Pocket& pocket) {
   attempt_ = Attempt{};
-  for (const auto& [nodes, face] : activeFaces(front_)) {
+  for (const auto& [nodes, face] : facesByNodes(front_)) {
     const FrontFace& f = front_.face(face);
     attempt_.facesBefore.emplace(nodes, FaceRecord{f.region, f.hint, f.ruleClass});
   }
@@ -125,39 +126,39 @@ void Recovery<Trace>::reopen(const Pocket& pocket) {
   const auto rings = static_cast<std::uint32_t>(pass_ / kVariants.size() + 1);
   attempt_.removedElements = elementsAround(pocket, rings);
   attempt_.popsLeft = kPopsPerRemovedElement * attempt_.removedElements.size() + kExtraPops;
-  const std::vector<std::uint32_t> rim = takeAway(attempt_.removedElements, pocket);
+  const std::vector<FaceId> rim = takeAway(attempt_.removedElements, pocket);
   const RuleVariant& variant = kVariants[pass_ % kVariants.size()];
   advance_.setVariant(variant);
   front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
-  for (const std::uint32_t face : rim) front_.requeue(face, 0);
+  for (const FaceId face : rim) front_.requeue(face, 0);
   stage_ = Stage::kRefront;
 }
 
 /// The elements within so many rings of nodes of the pocket, in rising order.
 template <class Trace>
-std::vector<std::uint32_t> Recovery<Trace>::elementsAround(const Pocket& pocket,
-                                                           std::uint32_t rings) const {
-  std::set<std::uint32_t> nodes;
-  for (const std::uint32_t face : pocket.faces) {
-    for (const std::uint32_t node : front_.face(face).nodes) nodes.insert(node);
+std::vector<TetId> Recovery<Trace>::elementsAround(const Pocket& pocket,
+                                                   std::uint32_t rings) const {
+  std::set<NodeId> nodes;
+  for (const FaceId face : pocket.faces) {
+    for (const NodeId node : front_.face(face).nodes) nodes.insert(node);
   }
-  std::set<std::uint32_t> elements;
+  std::set<TetId> elements;
   for (std::uint32_t ring = 0; ring < rings && elements.size() < kMaxRemovedElements; ++ring) {
-    const auto take = [&](std::uint32_t element) {
-      if (elements_.removed[element] == 0) elements.insert(element);
+    const auto take = [&](TetId element) {
+      if (elements_.removed[element.index()] == 0) elements.insert(element);
     };
-    for (const std::uint32_t node : nodes) {
-      for (const std::uint32_t element : elementsAtNode_.at(node)) take(element);
+    for (const NodeId node : nodes) {
+      for (const std::uint32_t element : elementsAtNode_.at(node.value)) take(TetId(element));
     }
     for (std::size_t element = indexedElements_; element < elements_.size(); ++element) {
       const NodeQuad& quad = elements_.nodes[element];
-      if (std::any_of(quad.begin(), quad.end(),
-                      [&](std::uint32_t n) { return nodes.contains(n); })) {
-        take(static_cast<std::uint32_t>(element));
+      if (std::any_of(quad.begin(), quad.end(), [&](NodeId n) { return nodes.contains(n); })) {
+        take(TetId(element));
       }
     }
-    for (const std::uint32_t element : elements) {
-      nodes.insert(elements_.nodes[element].begin(), elements_.nodes[element].end());
+    for (const TetId element : elements) {
+      const NodeQuad& quad = elements_.nodes[element.index()];
+      nodes.insert(quad.begin(), quad.end());
     }
   }
   return {elements.begin(), elements.end()};
@@ -166,23 +167,23 @@ std::vector<std::uint32_t> Recovery<Trace>::elementsAround(const Pocket& pocket,
 /// Removes the elements and updates the front. Returns the faces that bound the empty place: the
 /// pocket's, those of other pockets that it has grown into, and the new rim. The rest is foreign.
 template <class Trace>
-std::vector<std::uint32_t> Recovery<Trace>::takeAway(const std::vector<std::uint32_t>& elements,
-                                                     const Pocket& pocket) {
-  std::map<std::uint32_t, std::uint32_t> pocketOfFace;
+std::vector<FaceId> Recovery<Trace>::takeAway(const std::vector<TetId>& elements,
+                                              const Pocket& pocket) {
+  std::map<FaceId, std::uint32_t> pocketOfFace;
   const std::vector<Pocket> pockets = findPockets(front_);
   for (std::uint32_t i = 0; i < pockets.size(); ++i) {
-    for (const std::uint32_t face : pockets[i].faces) pocketOfFace.emplace(face, i);
+    for (const FaceId face : pockets[i].faces) pocketOfFace.emplace(face, i);
   }
   std::set<std::uint32_t> touchedPockets{pocketOfFace.at(pocket.faces.front())};
-  std::map<NodeTriple, std::uint32_t> active = activeFaces(front_);
+  std::map<NodeTriple, FaceId> active = facesByNodes(front_);
   std::set<NodeTriple> rim;
-  for (const std::uint32_t element : elements) {
+  for (const TetId element : elements) {
     elements_.remove(element);
-    for (const NodeTriple& side : innerSides(elements_.nodes[element])) {
+    for (const NodeTriple& side : innerSides(elements_.nodes[element.index()])) {
       const auto exposed = active.find(leastFirst(reversed(side)));
       if (exposed == active.end()) {
-        const std::uint32_t face =
-            front_.addFace(side, elements_.region[element], FieldHint{}, false);
+        const FaceId face =
+            front_.addFace(side, elements_.region[element.index()], FieldHint{}, false);
         active.emplace(leastFirst(side), face);
         rim.insert(leastFirst(side));
         continue;
@@ -193,7 +194,7 @@ std::vector<std::uint32_t> Recovery<Trace>::takeAway(const std::vector<std::uint
       active.erase(exposed);
     }
   }
-  std::vector<std::uint32_t> bounding;
+  std::vector<FaceId> bounding;
   for (const auto& [key, face] : active) {
     if (rim.contains(key) || touchedPockets.contains(pocketOfFace.at(face))) {
       bounding.push_back(face);
@@ -238,11 +239,11 @@ void Recovery<Trace>::finishAttempt() {
 template <class Trace>
 void Recovery<Trace>::putBack() {
   std::map<NodeTriple, FaceRecord> missing = attempt_.facesBefore;
-  for (const auto& [nodes, face] : activeFaces(front_)) {
+  for (const auto& [nodes, face] : facesByNodes(front_)) {
     if (missing.erase(nodes) == 0) front_.removeFace(face);
   }
   elements_.dropFrom(attempt_.elementsBefore);
-  for (const std::uint32_t element : attempt_.removedElements) elements_.restore(element);
+  for (const TetId element : attempt_.removedElements) elements_.restore(element);
   for (const auto& [nodes, record] : missing) {
     front_.park(front_.addFace(nodes, record.region, record.hint, false), record.ruleClass);
   }

@@ -46,7 +46,7 @@ class Recovery {
   /// A place that has been reopened and is being filled again.
   struct Attempt {
     std::map<NodeTriple, FaceRecord> facesBefore;
-    std::vector<std::uint32_t> removedElements;
+    std::vector<TetId> removedElements;
     std::size_t elementsBefore = 0;
     std::size_t nodesBefore = 0;
     std::set<NodeTriple> foreignFaces;  ///< active faces that do not bound the reopened place
@@ -58,10 +58,8 @@ class Recovery {
   void chooseAndReopen();
   void startPass();
   void reopen(const Pocket& pocket);
-  [[nodiscard]] std::vector<std::uint32_t> elementsAround(const Pocket& pocket,
-                                                          std::uint32_t rings) const;
-  std::vector<std::uint32_t> takeAway(const std::vector<std::uint32_t>& elements,
-                                      const Pocket& pocket);
+  [[nodiscard]] std::vector<TetId> elementsAround(const Pocket& pocket, std::uint32_t rings) const;
+  std::vector<FaceId> takeAway(const std::vector<TetId>& elements, const Pocket& pocket);
   void refront(std::uint32_t& budget);
   void finishAttempt();
   void putBack();

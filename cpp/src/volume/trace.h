@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -22,10 +23,9 @@ struct NullTrace {
   static constexpr bool kOn = false;
 };
 
-/// Records every step. `candidate` is a node, or kNewNode for the ideal point and those below it.
+/// Records every step. A candidate without a number is the ideal point, or one below it.
 struct StepTrace {
   static constexpr bool kOn = true;
-  static constexpr std::uint32_t kNewNode = 0xffffffffU;
 
   enum class Event : std::uint8_t {
     kBase = 0,       ///< subject: face, detail: rule class
@@ -43,19 +43,19 @@ struct StepTrace {
   };
   std::vector<Step> steps;
 
-  void base(std::uint32_t face, std::uint32_t ruleClass) {
-    steps.push_back({Event::kBase, face, ruleClass, 0, Vec3(0.0)});
+  void base(FaceId face, std::uint32_t ruleClass) {
+    steps.push_back({Event::kBase, face.value, ruleClass, 0, Vec3(0.0)});
   }
   void ideal(const Vec3& place) { steps.push_back({Event::kIdeal, 0, 0, 0, place}); }
-  void refused(std::uint32_t candidate, Refusal why, std::uint32_t culprit) {
-    steps.push_back(
-        {Event::kRefused, candidate, static_cast<std::uint32_t>(why), culprit, Vec3(0.0)});
+  void refused(NodeId candidate, Refusal why, FaceId culprit) {
+    steps.push_back({Event::kRefused, candidate.value, static_cast<std::uint32_t>(why),
+                     culprit.value, Vec3(0.0)});
   }
-  void accepted(std::uint32_t node, const Vec3& place) {
-    steps.push_back({Event::kAccepted, node, 0, 0, place});
+  void accepted(NodeId node, const Vec3& place) {
+    steps.push_back({Event::kAccepted, node.value, 0, 0, place});
   }
-  void postponed(std::uint32_t face, std::uint32_t ruleClass) {
-    steps.push_back({Event::kPostponed, face, ruleClass, 0, Vec3(0.0)});
+  void postponed(FaceId face, std::uint32_t ruleClass) {
+    steps.push_back({Event::kPostponed, face.value, ruleClass, 0, Vec3(0.0)});
   }
 };
 

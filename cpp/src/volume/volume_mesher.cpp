@@ -8,14 +8,14 @@
 namespace tetrafront {
 namespace {
 
-Vec3 boundaryNode(const SurfaceMesh& surface, std::uint32_t node) {
-  const double* p = surface.points.data() + std::size_t{3} * node;
+Vec3 boundaryNode(const SurfaceMesh& surface, NodeId node) {
+  const double* p = surface.points.data() + 3 * node.index();
   return {p[0], p[1], p[2]};
 }
 
 NodeTriple boundaryTriangle(const SurfaceMesh& surface, std::size_t triangle) {
   const std::uint32_t* n = surface.triangles.data() + 3 * triangle;
-  return {n[0], n[1], n[2]};
+  return {NodeId(n[0]), NodeId(n[1]), NodeId(n[2])};
 }
 
 double rootMeanSquareSide(const SurfaceMesh& surface, std::size_t triangle) {
@@ -41,9 +41,9 @@ double medianSize(const SurfaceMesh& surface) {
 }
 
 Vec3 lowestCorner(const SurfaceMesh& surface) {
-  Vec3 low = surface.points.empty() ? Vec3(0.0) : boundaryNode(surface, 0);
+  Vec3 low = surface.points.empty() ? Vec3(0.0) : boundaryNode(surface, NodeId(0U));
   for (std::size_t i = 0; i < surface.points.size() / 3; ++i) {
-    low = glm::min(low, boundaryNode(surface, static_cast<std::uint32_t>(i)));
+    low = glm::min(low, boundaryNode(surface, NodeId(i)));
   }
   return low;
 }
@@ -68,7 +68,7 @@ BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary,
       boundaryNodes_(boundary.points.size() / 3),
       exactBefore_(exactPredicateCount()) {
   for (std::size_t i = 0; i < boundaryNodes_; ++i) {
-    front_.addNode(boundaryNode(boundary, static_cast<std::uint32_t>(i)), 0);
+    front_.addNode(boundaryNode(boundary, NodeId(i)), 0);
   }
   inspectedNodes_ = boundaryNodes_;
 }
@@ -95,7 +95,7 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
   const std::size_t count = boundary_.triangles.size() / 3;
   const std::size_t end = std::min<std::size_t>(count, nextTriangle_ + budget);
-  const Vec3 origin = count > 0 ? boundaryNode(boundary_, 0) : Vec3(0.0);
+  const Vec3 origin = count > 0 ? boundaryNode(boundary_, NodeId(0U)) : Vec3(0.0);
   for (; nextTriangle_ < end; ++nextTriangle_) {
     const NodeTriple n = boundaryTriangle(boundary_, nextTriangle_);
     enclosedVolume_ += glm::dot(front_.node(n[0]) - origin,
@@ -125,13 +125,9 @@ void BasicVolumeMesher<Trace>::recover(std::uint32_t budget) {
   Diagnostic stall;
   stall.code = DiagnosticCode::kStalled;
   stall.values = {static_cast<double>(front_.activeCount())};
-  for (std::uint32_t face = 0; face < front_.faceSlots(); ++face) {
-    if (!front_.face(face).active) continue;
-    const NodeTriple& n = front_.face(face).nodes;
-    stall.place = (front_.node(n[0]) + front_.node(n[1]) + front_.node(n[2])) * (1.0 / 3.0);
-    stall.hasPlace = true;
-    break;
-  }
+  const NodeTriple n = front_.face(front_.activeFaces().front()).nodes;
+  stall.hasPlace = true;
+  stall.place = (front_.node(n[0]) + front_.node(n[1]) + front_.node(n[2])) * (1.0 / 3.0);
   diagnostics_.push_back(std::move(stall));
   finish(MeshStatus::kStalled);
 }
@@ -156,7 +152,7 @@ void BasicVolumeMesher<Trace>::inspectNewElements() {
 template <class Trace>
 void BasicVolumeMesher<Trace>::inspectNewNodes() {
   for (; inspectedNodes_ < front_.nodes().size(); ++inspectedNodes_) {
-    const Vec3& place = front_.node(static_cast<std::uint32_t>(inspectedNodes_));
+    const Vec3& place = front_.node(NodeId(inspectedNodes_));
     if (field_.covers(place, coverHint_)) continue;
     Diagnostic outside;
     outside.code = DiagnosticCode::kOutsideBackgroundGrid;
@@ -186,7 +182,7 @@ VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
   std::vector<std::uint32_t> newId(nodes.size(), kUnused);
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     if (elements_.removed[e] != 0) continue;
-    for (const std::uint32_t node : elements_.nodes[e]) newId[node] = 0;
+    for (const NodeId node : elements_.nodes[e]) newId[node.index()] = 0;
   }
   VolumeMesh mesh;
   mesh.points.reserve(3 * nodes.size());
@@ -199,23 +195,13 @@ VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
   mesh.regions.reserve(elements_.liveCount());
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     if (elements_.removed[e] != 0) continue;
-    for (const std::uint32_t node : elements_.nodes[e]) mesh.tetrahedra.push_back(newId[node]);
+    for (const NodeId node : elements_.nodes[e]) mesh.tetrahedra.push_back(newId[node.index()]);
     mesh.regions.push_back(elements_.region[e]);
   }
-  for (const std::uint32_t node : activeFaces()) mesh.front.push_back(newId[node]);
-  return mesh;
-}
-
-template <class Trace>
-std::vector<std::uint32_t> BasicVolumeMesher<Trace>::activeFaces() const {
-  std::vector<std::uint32_t> faces;
-  faces.reserve(3 * std::size_t{front_.activeCount()});
-  for (std::uint32_t face = 0; face < front_.faceSlots(); ++face) {
-    if (!front_.face(face).active) continue;
-    const NodeTriple& n = front_.face(face).nodes;
-    faces.insert(faces.end(), n.begin(), n.end());
+  for (const FaceId face : front_.activeFaces()) {
+    for (const NodeId node : front_.face(face).nodes) mesh.front.push_back(newId[node.index()]);
   }
-  return faces;
+  return mesh;
 }
 
 template <class Trace>

@@ -44,7 +44,6 @@ class BasicVolumeMesher {
 
   /// The mesh as it stands. Nodes that no element and no boundary triangle uses are left out.
   [[nodiscard]] VolumeMesh mesh() const;
-  [[nodiscard]] std::vector<std::uint32_t> activeFaces() const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
   [[nodiscard]] Trace& trace() { return advance_.trace(); }
