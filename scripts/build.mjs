@@ -45,6 +45,8 @@ export const steps = {
   /** Only configures: clang-tidy reads compile_commands.json and needs nothing compiled. */
   async database({ compiler }) {
     await configureNative(buildFolders.native, compiler, ["-DCMAKE_BUILD_TYPE=Release"]);
+    const log = path.join(buildFolders.native, "configure-again.log");
+    await must("ninja", ["-C", buildFolders.native, "build.ninja"], { log });
   },
   async sanitized({ compiler }) {
     await configureNative(buildFolders.asan, compiler, [

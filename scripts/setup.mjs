@@ -8,7 +8,7 @@ import { ensureEmscripten, glmBesideEmscripten } from "./lib/emscripten.mjs";
 import { ensurePackages } from "./lib/npm.mjs";
 import { glmFolder } from "./lib/paths.mjs";
 import { main, say, UserError } from "./lib/run.mjs";
-import { findChromium, findCompiler, findGoogleTest, findSystemGlm, which } from "./lib/tools.mjs";
+import { findChromium, findCompiler, findGoogleTest, findSystemGlm, findTidy, which } from "./lib/tools.mjs";
 
 const kLeastNode = 20;
 
@@ -22,7 +22,7 @@ const needs = {
   native: [{ what: "a C++20 compiler (g++ 11, clang 14 or later)", debian: "g++", find: findCompiler }],
   tests: [
     { what: "GoogleTest", debian: "libgtest-dev", find: findGoogleTest },
-    { what: "clang-tidy", debian: "clang-tidy", find: () => which("clang-tidy") },
+    { what: "clang-tidy (16 or later)", debian: "clang-tidy-19", find: findTidy },
     { what: "Chromium", debian: "chromium", find: findChromium },
   ],
 };

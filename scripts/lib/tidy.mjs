@@ -4,6 +4,7 @@ import path from "node:path";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { buildFolders, glmFolder, inRoot, root } from "./paths.mjs";
 import { say } from "./run.mjs";
+import { findTidy } from "./tools.mjs";
 
 const kParallel = 2;
 
@@ -12,6 +13,7 @@ const kParallel = 2;
  * or the rules changed. Returns the names of files with findings.
  */
 export async function tidy() {
+  const program = findTidy();
   const database = path.join(buildFolders.native, "compile_commands.json");
   const sources = JSON.parse(readFileSync(database, "utf8"))
     .map((entry) => path.resolve(entry.directory, entry.file))
@@ -23,9 +25,9 @@ export async function tidy() {
   const worker = async () => {
     for (let file = queue.shift(); file !== undefined; file = queue.shift()) {
       const stamp = inRoot("build", "tidy", path.relative(root, file).replaceAll(path.sep, "__"));
-      const hash = `${shared} ${hashOf([file])}`;
+      const hash = `${program} ${shared} ${hashOf([file])}`;
       if (isFresh(stamp, hash)) continue;
-      if (await isTidy(file)) markFresh(stamp, hash);
+      if (await isTidy(program, file)) markFresh(stamp, hash);
       else bad.push(path.relative(root, file));
     }
   };
@@ -34,10 +36,10 @@ export async function tidy() {
 }
 
 /** Runs clang-tidy on one file and shows its findings, without its count of suppressed warnings. */
-function isTidy(file) {
+function isTidy(program, file) {
   const args = ["--quiet", "-p", buildFolders.native, `--extra-arg=-isystem${glmFolder}`, file];
   return new Promise((resolve, reject) => {
-    const child = spawn("clang-tidy", args, { cwd: root, stdio: ["ignore", "pipe", "ignore"] });
+    const child = spawn(program, args, { cwd: root, stdio: ["ignore", "pipe", "ignore"] });
     let text = "";
     child.stdout.on("data", (chunk) => (text += chunk));
     child.on("error", reject);

@@ -50,6 +50,15 @@ export function findCompiler() {
   return undefined;
 }
 
+/** clang-tidy 19, or another that knows C++20's ranges (from 16 on); findings differ between versions. */
+export function findTidy() {
+  const exact = which("clang-tidy-19");
+  if (exact) return exact;
+  const other = which("clang-tidy");
+  const version = other ? versionIn(output(other, ["--version"])) : undefined;
+  return version && atLeast(version, [16, 0, 0]) ? other : undefined;
+}
+
 /** GoogleTest where CMake's find_package looks for it: the prefix, or undefined. */
 export function findGoogleTest() {
   const own = [process.env.GTest_ROOT, ...(process.env.CMAKE_PREFIX_PATH ?? "").split(path.delimiter)];
