@@ -14,7 +14,7 @@ struct Extent {
   double high;
 };
 
-Extent extentOf(const std::vector<double>& values, double further) {
+Extent extentOf(std::span<const double> values, double further) {
   Extent extent{further, further};
   for (const double value : values) {
     extent.low = std::min(extent.low, value);
@@ -25,64 +25,64 @@ Extent extentOf(const std::vector<double>& values, double further) {
 
 }  // namespace
 
-void Neighbourhood::begin(const Front& front, const NodeTriple& base) {
+void Neighbourhood::begin(const Front& front, const NodeTriple& base, std::size_t faces) {
   ++stamp_;
   if (marks_.size() < front.nodes().size()) marks_.resize(front.nodes().size() * 3 / 2 + 64);
-  faceIds_.clear();
-  faces_.clear();
-  nodeIds_.clear();
-  x_.clear();
-  y_.clear();
-  z_.clear();
+  if (faceIds_.size() < faces) {
+    const std::size_t capacity = 2 * faces + 64;
+    faceIds_.resize(capacity);
+    faces_.resize(capacity);
+    const std::size_t nodeCapacity = 3 * capacity + base.size() + 1;  // one more for a new node
+    nodeIds_.resize(nodeCapacity);
+    x_.resize(nodeCapacity);
+    y_.resize(nodeCapacity);
+    z_.resize(nodeCapacity);
+  }
+  faceCount_ = 0;
+  nodeCount_ = 0;
   for (const NodeId node : base) localNode(front, node);
 }
 
 LocalNode Neighbourhood::localNode(const Front& front, NodeId node) {
   Mark& mark = marks_[node.index()];
   if (mark.stamp == stamp_) return mark.local;
-  mark = {stamp_, static_cast<LocalNode>(nodeIds_.size())};
+  const std::size_t local = nodeCount_++;
+  mark = {stamp_, static_cast<LocalNode>(local)};
   const Vec3& place = front.node(node);
-  nodeIds_.push_back(node);
-  x_.push_back(place.x);
-  y_.push_back(place.y);
-  z_.push_back(place.z);
+  nodeIds_[local] = node;
+  x_[local] = place.x;
+  y_[local] = place.y;
+  z_[local] = place.z;
   return mark.local;
 }
 
 void Neighbourhood::addFace(const Front& front, FaceId face) {
   const NodeTriple& nodes = front.face(face).nodes;
-  faceIds_.push_back(face);
   const LocalNode a = localNode(front, nodes[0]);
   const LocalNode b = localNode(front, nodes[1]);
   const LocalNode c = localNode(front, nodes[2]);
-  faces_.push_back({a, b, c});
+  faceIds_[faceCount_] = face;
+  faces_[faceCount_] = {a, b, c};
+  ++faceCount_;
 }
 
 void Neighbourhood::finish(const Vec3& reach) {
-  const Extent ex = extentOf(x_, reach.x);
-  const Extent ey = extentOf(y_, reach.y);
-  const Extent ez = extentOf(z_, reach.z);
+  const auto inUse = [&](const std::vector<double>& values) {
+    return std::span(values).first(nodeCount_);
+  };
+  const Extent ex = extentOf(inUse(x_), reach.x);
+  const Extent ey = extentOf(inUse(y_), reach.y);
+  const Extent ez = extentOf(inUse(z_), reach.z);
   determinantError_ =
       kErrorPerVolume * (ex.high - ex.low) * (ey.high - ey.low) * (ez.high - ez.low);
-  nodeIds_.emplace_back();
-  x_.push_back(reach.x);
-  y_.push_back(reach.y);
-  z_.push_back(reach.z);
 }
 
 void Neighbourhood::gather(const Front& front, const NodeTriple& base, const Box& box,
                            const Vec3& reach) {
-  begin(front, base);
   const std::size_t count = front.facesNear(box, found_);
+  begin(front, base, count);
   for (std::size_t i = 0; i < count; ++i) addFace(front, FaceId(found_[i]));
   finish(reach);
-}
-
-void Neighbourhood::take(const Front& front, const NodeTriple& base,
-                         std::span<const FaceId> faces) {
-  begin(front, base);
-  for (const FaceId face : faces) addFace(front, face);
-  finish(front.node(base[0]));
 }
 
 LocalNode Neighbourhood::setNewNode(const Vec3& place) {

@@ -25,11 +25,8 @@ class Neighbourhood {
   /// use; it only widens the error bound.
   void gather(const Front& front, const NodeTriple& base, const Box& box, const Vec3& reach);
 
-  /// Takes given faces instead of a gathered set; they must include the base face.
-  void take(const Front& front, const NodeTriple& base, std::span<const FaceId> faces);
-
-  [[nodiscard]] std::size_t nodeCount() const { return nodeIds_.size() - kSpareNodes; }
-  [[nodiscard]] std::size_t faceCount() const { return faceIds_.size(); }
+  [[nodiscard]] std::size_t nodeCount() const { return nodeCount_; }
+  [[nodiscard]] std::size_t faceCount() const { return faceCount_; }
   [[nodiscard]] NodeId nodeId(LocalNode local) const { return nodeIds_[local]; }
   [[nodiscard]] FaceId faceId(std::size_t local) const { return faceIds_[local]; }
   [[nodiscard]] const LocalTriple& face(std::size_t local) const { return faces_[local]; }
@@ -47,14 +44,15 @@ class Neighbourhood {
   [[nodiscard]] double determinantError() const { return determinantError_; }
 
  private:
-  static constexpr std::size_t kSpareNodes = 1;
-
-  void begin(const Front& front, const NodeTriple& base);
+  void begin(const Front& front, const NodeTriple& base, std::size_t faces);
   void addFace(const Front& front, FaceId face);
   LocalNode localNode(const Front& front, NodeId node);
   void finish(const Vec3& reach);
 
   std::vector<std::uint32_t> found_;
+  // The arrays only grow; what is in use is counted here, which spares a capacity check per entry.
+  std::size_t nodeCount_ = 0;
+  std::size_t faceCount_ = 0;
   std::vector<FaceId> faceIds_;
   std::vector<LocalTriple> faces_;
   std::vector<NodeId> nodeIds_;
