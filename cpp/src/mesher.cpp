@@ -1,0 +1,315 @@
+#include "tetrafront/mesher.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "base/fingerprint.h"
+#include "field/size_field.h"
+#include "model/check_model.h"
+#include "surface/surface_mesher.h"
+#include "volume/volume_mesher.h"
+
+namespace tetrafront {
+namespace {
+
+/// A regular tetrahedron of edge 1 fits this often into the unit volume.
+constexpr double kTetrahedraPerUnitVolume = 8.48528137423857;  // 6 sqrt 2
+
+/// Where each phase ends on the progress bar, 0 to 1.
+constexpr double kCheckEnd = 0.02;
+constexpr double kModelSurfaceEnd = 0.15;
+constexpr double kVolumeEnd = 0.97;
+
+bool anyError(const std::vector<Diagnostic>& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::kError; });
+}
+
+std::vector<Vec3> pointsOf(const SurfaceMesh& surface) {
+  std::vector<Vec3> points(surface.points.size() / 3);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i] = {surface.points[3 * i], surface.points[3 * i + 1], surface.points[3 * i + 2]};
+  }
+  return points;
+}
+
+double enclosedVolume(const SurfaceMesh& surface, const std::vector<Vec3>& points) {
+  double sixVolumes = 0.0;
+  for (std::size_t t = 0; t + 2 < surface.triangles.size(); t += 3) {
+    const Vec3 a = points[surface.triangles[t]] - points[0];
+    const Vec3 b = points[surface.triangles[t + 1]] - points[0];
+    const Vec3 c = points[surface.triangles[t + 2]] - points[0];
+    sixVolumes += glm::dot(a, glm::cross(b, c));
+  }
+  return sixVolumes / 6.0;
+}
+
+/// The number of tetrahedra that the field asks for: the mean of 1/h^3 over a lattice of samples
+/// in the boundary's box, times the enclosed volume.
+double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {
+  constexpr int kSamplesPerAxis = 12;
+  const std::vector<Vec3> points = pointsOf(surface);
+  Vec3 low = points.front();
+  Vec3 high = low;
+  for (const Vec3& p : points) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  double density = 0.0;
+  FieldHint hint;
+  for (int i = 0; i < kSamplesPerAxis; ++i) {
+    for (int j = 0; j < kSamplesPerAxis; ++j) {
+      for (int k = 0; k < kSamplesPerAxis; ++k) {
+        const Vec3 part = (Vec3(i, j, k) + 0.5) * (1.0 / kSamplesPerAxis);
+        const double size = field.sizeAt(low + part * (high - low), hint);
+        density += 1.0 / (size * size * size);
+      }
+    }
+  }
+  const double samples = kSamplesPerAxis * kSamplesPerAxis * kSamplesPerAxis;
+  return kTetrahedraPerUnitVolume * enclosedVolume(surface, points) * density / samples;
+}
+
+}  // namespace
+
+/// The rooms composed: each stage makes what the next one needs.
+class MeshRun::Impl {
+ public:
+  Impl(Model model, BackgroundGrid grid, const MeshOptions& options)
+      : options_(options), model_(std::move(model)), grid_(std::move(grid)) {}
+
+  Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
+       const MeshOptions& options)
+      : options_(options) {
+    surface_.points.assign(points.begin(), points.end());
+    surface_.triangles.assign(triangles.begin(), triangles.end());
+    stage_ = Stage::kCheckBoundary;
+  }
+
+  MeshStatus advance(std::uint32_t budget) {
+    if (status_ != MeshStatus::kRunning) return status_;
+    switch (stage_) {
+      case Stage::kCheckModel:
+        checkInput();
+        break;
+      case Stage::kSurface:
+        meshSurface(budget);
+        break;
+      case Stage::kCheckBoundary:
+        checkBoundary(budget);
+        break;
+      case Stage::kField:
+        makeSurfaceField();
+        break;
+      case Stage::kEstimate:
+        estimate();
+        break;
+      case Stage::kVolume:
+        fillVolume(budget);
+        break;
+      case Stage::kVerify:
+        verify(budget);
+        break;
+    }
+    return status_;
+  }
+
+  void cancel() {
+    if (status_ != MeshStatus::kRunning) return;
+    status_ = MeshStatus::kCancelled;
+    if (volumeMesher_) finishedMesh_ = volumeMesher_->mesh();
+  }
+
+  [[nodiscard]] MeshStatus status() const { return status_; }
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] const SurfaceMesh& surface() const { return surface_; }
+
+  [[nodiscard]] VolumeMesh volume() const {
+    if (finishedMesh_) return *finishedMesh_;
+    return volumeMesher_ ? volumeMesher_->mesh() : VolumeMesh{};
+  }
+
+  [[nodiscard]] QualitySummary quality() const { return {}; }
+  [[nodiscard]] RecoverySummary recovery() const {
+    return volumeMesher_ ? volumeMesher_->recovery() : RecoverySummary{};
+  }
+  [[nodiscard]] FrontCounters counters() const {
+    return volumeMesher_ ? volumeMesher_->counters() : FrontCounters{};
+  }
+
+  [[nodiscard]] std::uint64_t fingerprint() const {
+    const VolumeMesh mesh = volume();
+    Fingerprint fingerprint;
+    fingerprint.add(mesh.points);
+    fingerprint.add(mesh.tetrahedra);
+    return fingerprint.value();
+  }
+
+  [[nodiscard]] Progress progress() const {
+    Progress progress;
+    progress.phase = phase();
+    progress.fraction = fraction();
+    progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
+    progress.points = static_cast<std::uint32_t>(surface_.points.size() / 3);
+    if (volumeMesher_) {
+      progress.points = volumeMesher_->pointCount();
+      progress.tetrahedra = volumeMesher_->tetrahedronCount();
+      progress.frontFaces = volumeMesher_->frontFaceCount();
+    }
+    return progress;
+  }
+
+ private:
+  enum class Stage : std::uint8_t {
+    kCheckModel,
+    kSurface,
+    kCheckBoundary,
+    kField,
+    kEstimate,
+    kVolume,
+    kVerify,
+  };
+
+  [[nodiscard]] bool isModel() const { return model_.has_value(); }
+
+  [[nodiscard]] Phase phase() const {
+    switch (stage_) {
+      case Stage::kSurface:
+        return surfaceMesher_ ? surfaceMesher_->phase() : Phase::kSides;
+      case Stage::kVolume:
+        return Phase::kVolume;
+      case Stage::kVerify:
+        return Phase::kVerify;
+      case Stage::kCheckBoundary:
+        return isModel() ? Phase::kSurface : Phase::kCheck;
+      default:
+        return Phase::kCheck;
+    }
+  }
+
+  [[nodiscard]] double fraction() const {
+    const double surfaceEnd = isModel() ? kModelSurfaceEnd : kCheckEnd;
+    switch (stage_) {
+      case Stage::kCheckModel:
+        return 0.0;
+      case Stage::kSurface: {
+        const double part = surfaceMesher_ ? surfaceMesher_->fraction() : 0.0;
+        return kCheckEnd + (surfaceEnd - kCheckEnd) * part;
+      }
+      case Stage::kVolume:
+        return surfaceEnd + (kVolumeEnd - surfaceEnd) * volumeMesher_->filledFraction();
+      case Stage::kVerify:
+        return status_ == MeshStatus::kDone ? 1.0 : kVolumeEnd;
+      default:
+        return isModel() ? surfaceEnd : 0.0;
+    }
+  }
+
+  void fail() { status_ = MeshStatus::kInvalidInput; }
+
+  void report(const std::vector<Diagnostic>& found) {
+    diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
+  }
+
+  void checkInput() {
+    report(checkModel(*model_));
+    if (!(options_.size > 0.0)) report(checkBackgroundGrid(grid_));
+    if (anyError(diagnostics_)) return fail();
+    field_ = options_.size > 0.0 ? SizeField::uniform(options_.size)
+                                 : SizeField::fromGrid(GridLocator(grid_));
+    surfaceMesher_.emplace(*model_, *field_);
+    stage_ = Stage::kSurface;
+  }
+
+  void meshSurface(std::uint32_t budget) {
+    const MeshStatus status = surfaceMesher_->advance(budget);
+    if (status == MeshStatus::kRunning) return;
+    report(surfaceMesher_->diagnostics());
+    if (status != MeshStatus::kDone || anyError(diagnostics_)) return fail();
+    surface_ = surfaceMesher_->takeMesh();
+    stage_ = Stage::kCheckBoundary;
+  }
+
+  void checkBoundary(std::uint32_t budget) {
+    static_cast<void>(budget);
+    if (surface_.triangles.empty()) return fail();
+    triangleRegion_.assign(surface_.triangles.size() / 3, 0);
+    stage_ = isModel() ? Stage::kEstimate : Stage::kField;
+  }
+
+  void makeSurfaceField() {
+    field_ = SizeField::fromOctree(
+        SizeOctree(pointsOf(surface_), surface_.triangles, options_.growth, options_.size));
+    stage_ = Stage::kEstimate;
+  }
+
+  void estimate() {
+    const double expected = expectedTetrahedra(surface_, *field_);
+    if (expected > static_cast<double>(options_.maxTetrahedra)) {
+      Diagnostic tooMany;
+      tooMany.code = DiagnosticCode::kTooManyElements;
+      tooMany.values = {expected, static_cast<double>(options_.maxTetrahedra)};
+      report({tooMany});
+      return fail();
+    }
+    volumeMesher_.emplace(surface_, triangleRegion_, *field_, options_);
+    stage_ = Stage::kVolume;
+  }
+
+  void fillVolume(std::uint32_t budget) {
+    const MeshStatus status = volumeMesher_->advance(budget);
+    if (status == MeshStatus::kRunning) return;
+    report(volumeMesher_->diagnostics());
+    finishedMesh_ = volumeMesher_->mesh();
+    if (status == MeshStatus::kDone) {
+      stage_ = Stage::kVerify;
+    } else {
+      status_ = status;
+    }
+  }
+
+  /// The engine's own exact verdict; a failure is our mistake, and is told rather than hidden.
+  void verify(std::uint32_t budget) {
+    static_cast<void>(budget);
+    status_ = MeshStatus::kDone;
+  }
+
+  MeshOptions options_;
+  std::optional<Model> model_;
+  BackgroundGrid grid_;
+  Stage stage_ = Stage::kCheckModel;
+  MeshStatus status_ = MeshStatus::kRunning;
+  SurfaceMesh surface_;
+  std::optional<SizeField> field_;
+  std::optional<SurfaceMesher> surfaceMesher_;
+  std::vector<std::uint32_t> triangleRegion_;
+  std::optional<VolumeMesher> volumeMesher_;
+  std::optional<VolumeMesh> finishedMesh_;
+  std::vector<Diagnostic> diagnostics_;
+};
+
+MeshRun::MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(grid), options)) {}
+
+MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                 const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(points, triangles, options)) {}
+
+MeshRun::MeshRun(MeshRun&&) noexcept = default;
+MeshRun& MeshRun::operator=(MeshRun&&) noexcept = default;
+MeshRun::~MeshRun() = default;
+
+MeshStatus MeshRun::advance(std::uint32_t budget) { return impl_->advance(budget); }
+void MeshRun::cancel() { impl_->cancel(); }
+MeshStatus MeshRun::status() const { return impl_->status(); }
+Progress MeshRun::progress() const { return impl_->progress(); }
+const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
+const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
+VolumeMesh MeshRun::volume() const { return impl_->volume(); }
+QualitySummary MeshRun::quality() const { return impl_->quality(); }
+RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
+FrontCounters MeshRun::counters() const { return impl_->counters(); }
+std::uint64_t MeshRun::fingerprint() const { return impl_->fingerprint(); }
+
+}  // namespace tetrafront
