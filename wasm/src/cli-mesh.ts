@@ -58,49 +58,63 @@ class BadInput extends Error {
   }
 }
 
+/** What became of a command. */
+interface Outcome {
+  readonly report: MeshReport;
+  readonly exitCode: number;
+  /** The file the mesh is in, if any. */
+  readonly written: string | null;
+}
+
 /** Runs the command; resolves with the exit code. */
 export async function meshFile(input: string, options: MeshCommandOptions): Promise<number> {
-  let exitCode: number;
-  let report: MeshReport;
-  let written: string | null = null;
-  try {
-    const meshOptions = readOptions(options);
-    await checkPlaces(input, options);
-    const model = await readModel(input);
-    const result = await mesh(model, meshOptions, options.quiet === true);
-    report = result.report;
-    exitCode = EXIT_CODES[report.status];
-    tell(input, report.diagnostics, options.quiet === true);
-    if (mayWrite(result, options)) {
-      await writeMesh(options.output, result, model);
-      written = options.output;
-    }
-    if (options.quiet !== true) say(summary(input, report, written));
-  } catch (failure) {
-    ({ report, exitCode } = failed(failure, input));
-  }
-  return (await writeReport(options.report, { ...report, input, output: written }))
-    ? exitCode
-    : ExitCode.badInput;
+  const place = await checkReportPlace(input, options.report).catch((failure: unknown) =>
+    failed(failure, input),
+  );
+  // Without a place for it there will be no report, not even about that.
+  if (place !== undefined) return place.exitCode;
+  const outcome = await meshAndWrite(input, options).catch((failure: unknown) => failed(failure, input));
+  const report = { ...outcome.report, input, output: outcome.written };
+  const isOut = options.report === undefined || (await writeReport(options.report, report));
+  return isOut ? outcome.exitCode : ExitCode.notCompleted;
+}
+
+async function meshAndWrite(input: string, options: MeshCommandOptions): Promise<Outcome> {
+  const isQuiet = options.quiet === true;
+  const meshOptions = readOptions(options);
+  await checkMeshPlace(options.output);
+  const model = await readModel(input);
+  const result = await mesh(model, meshOptions, isQuiet);
+  const { report } = result;
+  tell(input, report.diagnostics, isQuiet);
+  const isWanted = mayWrite(result, options);
+  const written = isWanted && (await writeMesh(options.output, result, model)) ? options.output : null;
+  if (!isQuiet) say(summary(input, report, written));
+  const isLost = isWanted && written === null;
+  return { report, written, exitCode: isLost ? ExitCode.notCompleted : EXIT_CODES[report.status] };
 }
 
 /** What to report of a run that threw; the messages are out by then. Our own mistakes pass through. */
-function failed(failure: unknown, input: string): { report: MeshReport; exitCode: number } {
+function failed(failure: unknown, input: string): Outcome {
   if (failure instanceof BadInput) {
     tell(failure.subject, failure.diagnostics, true);
-    return { report: emptyReport("invalid-input", failure.diagnostics), exitCode: ExitCode.badInput };
+    return badInput(failure.diagnostics);
   }
   if (failure instanceof FileProblem) {
     const diagnostics = [packageDiagnostic("unreadable-input", failure.message, failure.remedy)];
     tell(failure.file, diagnostics, true);
-    return { report: emptyReport("invalid-input", diagnostics), exitCode: ExitCode.badInput };
+    return badInput(diagnostics);
   }
   if (failure instanceof MesherError && failure.code !== "disposed") {
     const diagnostics = [packageDiagnostic(failure.code, failure.message, "")];
     tell(input, diagnostics, true);
-    return { report: emptyReport("stalled", diagnostics), exitCode: ExitCode.notCompleted };
+    return { report: emptyReport("stalled", diagnostics), exitCode: ExitCode.notCompleted, written: null };
   }
   throw failure;
+}
+
+function badInput(diagnostics: readonly Diagnostic[]): Outcome {
+  return { report: emptyReport("invalid-input", diagnostics), exitCode: ExitCode.badInput, written: null };
 }
 
 function readOptions(options: MeshCommandOptions): MeshOptions {
@@ -123,7 +137,7 @@ function numberIn(text: string | undefined, option: string): number | undefined 
   ]);
 }
 
-async function checkPlaces(input: string, { output, report }: MeshCommandOptions): Promise<void> {
+async function checkMeshPlace(output: string): Promise<void> {
   const extension = extensionOf(output);
   if (!Object.hasOwn(MESH_WRITERS, extension)) {
     throw new FileProblem(
@@ -135,6 +149,9 @@ async function checkPlaces(input: string, { output, report }: MeshCommandOptions
     );
   }
   await checkOutput(output);
+}
+
+async function checkReportPlace(input: string, report: string | undefined): Promise<undefined> {
   if (report === undefined || report === STANDARD_OUTPUT) return;
   await checkOutput(report);
   if (await isSameFile(report, input)) {
@@ -193,21 +210,25 @@ function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOp
   return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
 }
 
-async function writeMesh(output: string, result: MeshResult, model: Input): Promise<void> {
+async function writeMesh(output: string, result: MeshResult, model: Input): Promise<boolean> {
   const write = MESH_WRITERS[extensionOf(output)];
   const bytes = write?.(result, model.kind === "project" ? model.project : undefined);
-  if (bytes !== undefined) await writeOutput(output, bytes);
+  return bytes !== undefined && (await tryWrite(output, bytes));
 }
 
 type CommandReport = MeshReport & { readonly input: string; readonly output: string | null };
 
-/** Whether the report is out, where one is wanted. */
-async function writeReport(file: string | undefined, report: CommandReport): Promise<boolean> {
-  if (file === undefined) return true;
+async function writeReport(file: string, report: CommandReport): Promise<boolean> {
   const text = `${JSON.stringify(report, null, 2)}\n`;
+  if (file !== STANDARD_OUTPUT) return tryWrite(file, text);
+  process.stdout.write(text);
+  return true;
+}
+
+/** Whether it could be written; if not, the user is told. */
+async function tryWrite(file: string, content: string | Uint8Array): Promise<boolean> {
   try {
-    if (file === STANDARD_OUTPUT) process.stdout.write(text);
-    else await writeOutput(file, text);
+    await writeOutput(file, content);
     return true;
   } catch (failure) {
     if (!(failure instanceof FileProblem)) throw failure;

@@ -54,8 +54,12 @@ describe("a project that is whole", () => {
 
   test("keeps names and numbers of every kind", () => {
     const cube = { ...cubeProject(), description: 'a "quoted"\nname', units: "mm" };
-    const points = cube.points.map((point, i) => ({ ...point, name: `p ${i}`, at: [1e-300, -0.1, 1e300] }));
-    const read = readProject(writeProject({ ...cube, points } as typeof cube));
+    const points = cube.points.map((point, i) => ({
+      ...point,
+      name: `p ${i}`,
+      at: [1e-300, -0.1, 1e300] as const,
+    }));
+    const read = readProject(writeProject({ ...cube, points }));
     expect(read).toEqual({ success: true, value: { ...cube, points } });
   });
 });

@@ -1,0 +1,278 @@
+import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+
+import { writeProject, type MeshReport, type SurfaceInput, type VolumeMesh } from "tetrafront";
+import { afterEach, beforeEach, describe, expect, test } from "vitest";
+
+import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
+import { tetrafront, type CommandResult } from "../../support/command-line.js";
+import { parseMsh, parseVtu } from "../../support/mesh-files.js";
+import { cubeProject } from "../../support/projects.js";
+import { offFile, stlBinary, stlText } from "../../support/surface-files.js";
+import { boxSurface, sphereSurface } from "../../support/surfaces.js";
+
+let folder: string;
+beforeEach(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+});
+afterEach(() => rmSync(folder, { recursive: true, force: true }));
+
+const inFolder = (name: string) => path.join(folder, name);
+const save = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
+const bytesOf = (name: string) => new Uint8Array(readFileSync(inFolder(name)));
+const reportIn = (name: string) => JSON.parse(readFileSync(inFolder(name), "utf8")) as MeshReport;
+
+/** One line, which names the subject and says what to do. */
+function expectComplaint({ code, stderr, stdout }: CommandResult, subject: string, message: RegExp): void {
+  expect(stderr.trimEnd().split("\n")).toHaveLength(1);
+  expect(stderr).toContain(`tetrafront: error: ${subject}: `);
+  expect(stderr).toMatch(message);
+  expect(stderr).toMatch(/\. [A-Z][^.]*.*\.\n$/);
+  expect(stdout).toBe("");
+  expect(code).toBe(2);
+}
+
+function volumeIn(name: string): VolumeMesh {
+  const read = parseVtu(bytesOf(name));
+  return {
+    points: read.points,
+    tetrahedra: Uint32Array.from(read.tetrahedra.flat()),
+    regions: Uint32Array.from(read.regions),
+    front: new Uint32Array(),
+  };
+}
+
+describe("meshing", () => {
+  const sphere = sphereSurface(6);
+  const rounded: SurfaceInput = { ...sphere, points: Float64Array.from(new Float32Array(sphere.points)) };
+
+  test.each<[string, Uint8Array, SurfaceInput]>([
+    ["part.off", offFile(sphere), sphere],
+    ["part.stl", stlBinary(sphere), rounded],
+    ["PART.STL", stlText(sphere), sphere],
+  ])("a surface in %s gives a valid mesh and a report", async (name, file, surface) => {
+    save(name, file);
+    const { code, stdout, stderr } = await tetrafront(folder, [
+      "mesh",
+      name,
+      "-o",
+      "out.vtu",
+      "--report",
+      "r.json",
+    ]);
+    expect([code, stdout]).toEqual([0, ""]);
+    expect(stderr).toMatch(/^tetrafront: .* done, \d+ tetrahedra, .* -> out\.vtu\n$/);
+    const volume = volumeIn("out.vtu");
+    expect(faultsOf(volume, surface)).toEqual(NO_FAULTS);
+    expect(Math.abs(meshVolume(volume) / enclosedVolume(surface) - 1)).toBeLessThan(1e-10);
+    expect(reportIn("r.json")).toMatchObject({
+      status: "done",
+      points: volume.points.length / 3,
+      tetrahedra: volume.tetrahedra.length / 4,
+      triangles: surface.triangles.length / 3,
+      diagnostics: [],
+      input: name,
+      output: "out.vtu",
+    });
+    expect(readdirSync(folder).sort()).toEqual([name, "out.vtu", "r.json"].sort());
+  });
+
+  test("a project gives a Gmsh file with its patches by name", async () => {
+    save("cube.json", writeProject(cubeProject()));
+    const { code } = await tetrafront(folder, ["mesh", "cube.json", "-o", "cube.msh", "--quiet"]);
+    expect(code).toBe(0);
+    const read = parseMsh(bytesOf("cube.msh"));
+    expect(read.triangles.map(({ name }) => name)).toEqual([
+      "bottom",
+      "top",
+      "front",
+      "back",
+      "left",
+      "right",
+    ]);
+    expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1"]);
+  });
+
+  test("the report on standard output is all there is on it, and has every figure", async () => {
+    save("cube.json", writeProject(cubeProject()));
+    const args = ["mesh", "cube.json", "-o", "cube.vtu", "--size", "0.5", "--report", "-"];
+    const { code, stdout } = await tetrafront(folder, args);
+    expect(code).toBe(0);
+    const report = JSON.parse(stdout) as MeshReport;
+    expect(Object.keys(report.seconds).sort()).toEqual([
+      "check",
+      "optimize",
+      "sides",
+      "surface",
+      "total",
+      "volume",
+    ]);
+    expect(report.dihedral.min).toBeGreaterThan(0);
+    expect(report.dihedral.max).toBeLessThan(180);
+    expect(report.radiusRatio.min).toBeGreaterThan(0);
+    expect(report.radiusRatio.mean).toBeLessThanOrEqual(1);
+    expect(report.fingerprint).toMatch(/^[0-9a-f]{16}$/);
+  });
+
+  test("--size replaces the background grid", async () => {
+    save("cube.json", writeProject(cubeProject(0.5)));
+    await tetrafront(folder, ["mesh", "cube.json", "-o", "a.vtu", "--report", "a.json"]);
+    await tetrafront(folder, ["mesh", "cube.json", "-o", "b.vtu", "--report", "b.json", "-s", "0.2"]);
+    expect(reportIn("b.json").tetrahedra).toBeGreaterThan(4 * reportIn("a.json").tetrahedra);
+  });
+
+  test("an existing output is replaced, and only by a whole mesh", async () => {
+    save("cube.off", offFile(boxSurface(2)));
+    save("out.vtu", "old");
+    const open = { ...boxSurface(2), triangles: boxSurface(2).triangles.subarray(3) };
+    save("open.off", offFile(open));
+    expect((await tetrafront(folder, ["mesh", "open.off", "-o", "out.vtu"])).code).toBe(2);
+    expect(readFileSync(inFolder("out.vtu"), "utf8")).toBe("old");
+    expect((await tetrafront(folder, ["mesh", "cube.off", "-o", "out.vtu"])).code).toBe(0);
+    expect(bytesOf("out.vtu").length).toBeGreaterThan(1000);
+  });
+
+  test("--quiet says nothing where nothing is wrong", async () => {
+    save("cube.off", offFile(boxSurface(1)));
+    expect(await tetrafront(folder, ["mesh", "cube.off", "-o", "out.vtu", "--quiet"])).toEqual({
+      code: 0,
+      stdout: "",
+      stderr: "",
+    });
+  });
+});
+
+describe("an interrupt", () => {
+  /** Interrupts a long run as soon as it is under way. */
+  async function interrupted(args: readonly string[]): Promise<CommandResult> {
+    save("large.off", offFile(sphereSurface(80)));
+    return tetrafront(
+      folder,
+      ["mesh", "large.off", "-o", "out.vtu", "--report", "r.json", ...args],
+      (child) => setTimeout(() => child.kill("SIGINT"), 1500),
+    );
+  }
+
+  test("ends with code 1, a report and no mesh", async () => {
+    expect((await interrupted([])).code).toBe(1);
+    expect(reportIn("r.json").status).toBe("cancelled");
+    expect(readdirSync(folder).sort()).toEqual(["large.off", "r.json"]);
+  });
+
+  test("with --keep-partial leaves what exists", async () => {
+    expect((await interrupted(["--keep-partial"])).code).toBe(1);
+    expect(volumeIn("out.vtu").tetrahedra.length / 4).toBe(reportIn("r.json").tetrahedra);
+  });
+});
+
+describe("bad input ends with code 2 and one line:", () => {
+  const args = (input: string, ...more: string[]) => ["mesh", input, "-o", "out.vtu", ...more];
+  beforeEach(() => save("cube.off", offFile(boxSurface(1))));
+
+  test.each<[string, string, RegExp]>([
+    ["a file that is not there", "none.stl", /no such file/],
+    ["a folder for a file", "folder.stl", /directory/],
+    ["an empty STL file", "empty.stl", /empty/],
+    ["an empty OFF file", "empty.off", /empty/],
+    ["an empty project", "empty.json", /empty/],
+    ["an extension nobody knows", "cube.step", /"\.step" cannot be read.*\.json, \.stl, \.off/],
+    ["no extension", "cube", /no extension/],
+    ["a file that breaks off", "short.stl", /ends at byte 300/],
+    ["text that is no JSON", "broken.json", /line 2/i],
+    ["a project of a later version", "later.json", /version 7/],
+    [
+      "a project with a wrong reference",
+      "wrong.json",
+      /lines\[0\]\.points\[1\]: there is no point with the id 99/i,
+    ],
+  ])("%s", async (_, name, message) => {
+    mkdirSync(inFolder("folder.stl"));
+    for (const empty of ["empty.stl", "empty.off", "empty.json"]) save(empty, "");
+    save("cube.step", "x");
+    save("cube", "x");
+    save("short.stl", stlBinary(boxSurface(1)).subarray(0, 300));
+    save("broken.json", "{\n  'format': 1\n}");
+    save("later.json", JSON.stringify({ format: "tetrafront-project", version: 7 }));
+    const cube = cubeProject();
+    const lines = cube.lines.map((line) => (line.id === 1 ? { ...line, points: [1, 99] } : line));
+    save("wrong.json", writeProject({ ...cube, lines }));
+    expectComplaint(await tetrafront(folder, args(name, "--report", "r.json")), name, message);
+    expect(reportIn("r.json")).toMatchObject({ status: "invalid-input", tetrahedra: 0, output: null });
+    expect(reportIn("r.json").diagnostics.length).toBeGreaterThan(0);
+  });
+
+  test("an open surface, with the triangle and the place", async () => {
+    const { points, triangles } = boxSurface(1);
+    save("open.off", offFile({ points, triangles: triangles.subarray(0, triangles.length - 3) }));
+    const result = await tetrafront(folder, args("open.off", "--quiet", "--report", "r.json"));
+    expect(result.code).toBe(2);
+    expect(result.stderr).toMatch(/^tetrafront: error: open\.off: .*triangle \d+.* at \(.*\)/);
+    expect(reportIn("r.json").diagnostics[0]).toMatchObject({ code: "open-edge", severity: "error" });
+  });
+
+  test("a project without a grid and without --size", async () => {
+    save("bare.json", writeProject({ ...cubeProject(), background: { nodes: [], tetrahedra: [] } }));
+    expectComplaint(await tetrafront(folder, args("bare.json")), "bare.json", /no background grid.*--size/);
+    expect((await tetrafront(folder, args("bare.json", "--size", "0.5"))).code).toBe(0);
+  });
+
+  test.each(["NaN", "0", "-1", "Infinity", "", "large", "1e", "0x"])("--size %j", async (size) => {
+    const result = await tetrafront(folder, args("cube.off", `--size=${size}`, "--report", "r.json"));
+    expect(result.code).toBe(2);
+    expect(result.stderr).toMatch(/^tetrafront: error: [^\n]*\. Give [^\n]*\.\n$/);
+    expect(reportIn("r.json").status).toBe("invalid-input");
+  });
+
+  test.each<[string, string[], RegExp]>([
+    ["an unknown output format", ["cube.off", "-o", "out.stl"], /\.vtu or \.msh/],
+    ["an output without extension", ["cube.off", "-o", "out"], /no extension/],
+    ["an output in no folder", ["cube.off", "-o", "none/out.vtu"], /no folder none/],
+    ["an output that is a folder", ["cube.off", "-o", "taken.vtu"], /directory/],
+    ["a report in no folder", ["cube.off", "-o", "out.vtu", "--report", "none/r.json"], /no folder none/],
+    [
+      "a report in place of the input",
+      ["cube.off", "-o", "out.vtu", "--report", "./cube.off"],
+      /replace the input/,
+    ],
+  ])("%s", async (_, more, message) => {
+    mkdirSync(inFolder("taken.vtu"));
+    const result = await tetrafront(folder, ["mesh", ...more]);
+    expect(result).toMatchObject({ code: 2, stdout: "" });
+    expect(result.stderr).toMatch(message);
+    expect(result.stderr.split("\n")).toHaveLength(2);
+    expect(readdirSync(folder).sort()).toEqual(["cube.off", "taken.vtu"]);
+  });
+
+  test.each<[string, string[]]>([
+    ["no input", ["mesh", "-o", "out.vtu"]],
+    ["no output", ["mesh", "cube.off"]],
+    ["two inputs", ["mesh", "cube.off", "cube.off", "-o", "out.vtu"]],
+    ["an unknown option", ["mesh", "cube.off", "-o", "out.vtu", "--fast"]],
+    ["an unknown order", ["mesh", "cube.off", "-o", "out.vtu", "--order", "random"]],
+    ["an unknown command", ["refine", "cube.off"]],
+  ])("%s", async (_, words) => {
+    const result = await tetrafront(folder, words);
+    expect(result).toMatchObject({ code: 2, stdout: "" });
+    expect(result.stderr).toMatch(/^tetrafront: error: [^\n]*--help\n$/);
+  });
+});
+
+test("--help teaches, --version tells, both with code 0", async () => {
+  const help = await tetrafront(folder, ["mesh", "--help"]);
+  expect(help).toMatchObject({ code: 0, stderr: "" });
+  for (const word of [
+    "--output",
+    "--size",
+    "--growth",
+    "--order",
+    "--report",
+    "--keep-partial",
+    ".stl",
+    ".msh",
+  ]) {
+    expect(help.stdout).toContain(word);
+  }
+  expect((await tetrafront(folder, ["--help"])).stdout).toContain("mesh");
+  expect((await tetrafront(folder, ["--version"])).stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
+});

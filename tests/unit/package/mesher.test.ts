@@ -1,0 +1,384 @@
+import { readdirSync, readFileSync } from "node:fs";
+
+import {
+  createMesher,
+  MesherError,
+  readProject,
+  type Mesher,
+  type MeshResult,
+  type Progress,
+  type Project,
+  type SurfaceInput,
+} from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
+import { cubeProject } from "../../support/projects.js";
+import {
+  boxSurface,
+  cavitySurface,
+  joined,
+  sphereSurface,
+  torusSurface,
+  turned,
+} from "../../support/surfaces.js";
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+function expectValid({ report, surface, volume }: MeshResult, boundary: SurfaceInput = surface): void {
+  expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
+  expect(report.status).toBe("done");
+  expect(faultsOf(volume, boundary)).toEqual(NO_FAULTS);
+  const enclosed = enclosedVolume(boundary);
+  expect(Math.abs(meshVolume(volume) / enclosed - 1)).toBeLessThan(1e-10);
+  expect(Math.abs(report.volume / enclosed - 1)).toBeLessThan(1e-10);
+  expect(volume.front).toHaveLength(0);
+  expect(report.points).toBe(volume.points.length / 3);
+  expect(report.tetrahedra).toBe(volume.tetrahedra.length / 4);
+  expect(report.triangles).toBe(surface.triangles.length / 3);
+  expect(report.fingerprint).toMatch(/^[0-9a-f]{16}$/);
+}
+
+describe("a given surface is filled and kept triangle for triangle:", () => {
+  test.each<[string, SurfaceInput, number]>([
+    [
+      "a tetrahedron",
+      {
+        points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+        triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3),
+      },
+      1,
+    ],
+    ["a cube of 12 triangles", boxSurface(1), 5],
+    ["a cube", boxSurface(10), 4000],
+    ["a sphere", sphereSurface(12), 3000],
+    ["a torus", torusSurface(60, 24), 4000],
+    ["a cube with a cavity", cavitySurface(12), 5000],
+    [
+      "a box 1e-9 across, a million away",
+      boxSurface(4, [1e6, 1e6, 1e6], [1e6 + 1e-3, 1e6 + 1e-3, 1e6 + 1e-3]),
+      50,
+    ],
+  ])("%s", async (_, surface, least) => {
+    const result = await mesher.fillSurface(surface);
+    expectValid(result, surface);
+    expect(result.report.tetrahedra).toBeGreaterThanOrEqual(least);
+  });
+
+  test("two bodies apart become two regions", async () => {
+    const surface = joined(sphereSurface(6), sphereSurface(5, 0.7, [4, 0, 0]));
+    const result = await mesher.fillSurface(surface);
+    expectValid(result, surface);
+    expect([...new Set(result.volume.regions)].sort()).toEqual([0, 1]);
+    expect([...new Set(result.surface.trianglePatch)].sort()).toEqual([0, 1]);
+  });
+
+  test("drawn inside out it is turned round and told so", async () => {
+    const surface = sphereSurface(6);
+    const result = await mesher.fillSurface(turned(surface));
+    expectValid(result, surface);
+    expect(result.report.diagnostics).toMatchObject([{ code: "reoriented-patch", severity: "information" }]);
+  });
+
+  test("a size given caps the elements inside", async () => {
+    const surface = boxSurface(4);
+    const [free, fine] = [
+      await mesher.fillSurface(surface),
+      await mesher.fillSurface(surface, { size: 0.1 }),
+    ];
+    expectValid(fine, surface);
+    expect(fine.report.tetrahedra).toBeGreaterThan(2 * free.report.tetrahedra);
+  });
+
+  test("the paper's order fills it too", async () => {
+    const surface = sphereSurface(8);
+    expectValid(await mesher.fillSurface(surface, { order: "smallest-first" }), surface);
+  });
+
+  test("the caller's arrays stay his own", async () => {
+    const surface = boxSurface(2);
+    const before = { points: [...surface.points], triangles: [...surface.triangles] };
+    await mesher.fillSurface(surface);
+    expect({ points: [...surface.points], triangles: [...surface.triangles] }).toEqual(before);
+  });
+});
+
+describe("a project is meshed:", () => {
+  test("the unit cube", async () => {
+    const result = await mesher.meshProject(cubeProject(0.2));
+    expectValid(result);
+    expect(Math.abs(result.report.volume - 1)).toBeLessThan(1e-12);
+    // Twelve lines of five sides, and every patch is there.
+    expect(result.surface.sideLine).toHaveLength(60);
+    expect([...new Set(result.surface.trianglePatch)].sort()).toEqual([0, 1, 2, 3, 4, 5]);
+  });
+
+  test("a uniform size stands in for the background grid", async () => {
+    const bare = { ...cubeProject(), background: { nodes: [], tetrahedra: [] } };
+    const [coarse, fine] = [
+      await mesher.meshProject(bare, { size: 0.25 }),
+      await mesher.meshProject(bare, { size: 0.125 }),
+    ];
+    expectValid(coarse);
+    expectValid(fine);
+    // Half the size makes about eight times the elements.
+    expect(fine.report.tetrahedra / coarse.report.tetrahedra).toBeGreaterThan(4);
+    expect(fine.report.tetrahedra / coarse.report.tetrahedra).toBeLessThan(16);
+  });
+
+  const models = new URL("../../../public/models/", import.meta.url);
+  const files = readdirSync(models).filter((file) => file.endsWith(".json") && file !== "index.json");
+
+  test("there are bundled models", () => expect(files.length).toBeGreaterThanOrEqual(3));
+
+  test.each(files)("the bundled model %s", async (file) => {
+    const read = readProject(readFileSync(new URL(file, models), "utf8"));
+    if (!read.success) throw new Error(read.problems[0].message);
+    const result = await mesher.meshProject(read.value);
+    expectValid(result);
+    expect(result.report.tetrahedra).toBeGreaterThan(100);
+  });
+
+  test("the example of docs/FORMAT.md", async () => {
+    const text = readFileSync(new URL("../../../docs/FORMAT.md", import.meta.url), "utf8");
+    const read = readProject(/```json\n([^]*?)```/.exec(text)?.[1] ?? "");
+    if (!read.success) throw new Error(read.problems[0].message);
+    const result = await mesher.meshProject(read.value);
+    expectValid(result);
+    expect(Math.abs(result.report.volume - 8 / 6)).toBeLessThan(1e-12);
+  });
+});
+
+describe("bad input is a result, and says what is wrong:", () => {
+  const { points, triangles } = boxSurface(2);
+  const withPatches = (change: (cube: Project) => Partial<Project>): Project => {
+    const cube = cubeProject();
+    return { ...cube, ...change(cube) };
+  };
+
+  test.each<[string, SurfaceInput, string]>([
+    ["an open surface", { points, triangles: triangles.subarray(3) }, "open-edge"],
+    ["a coordinate that is no number", { points: points.with(4, NaN), triangles }, "not-finite"],
+    ["a node that does not exist", { points, triangles: triangles.with(7, 1000) }, "index-out-of-range"],
+    [
+      "two spheres that cut each other",
+      joined(sphereSurface(4), sphereSurface(4, 1, [0.9, 0, 0])),
+      "self-intersection",
+    ],
+    ["no triangle", { points: new Float64Array(), triangles: new Uint32Array() }, "empty-model"],
+    ["half a triangle", { points, triangles: triangles.subarray(1) }, "invalid-arrays"],
+    [
+      "plain lists",
+      { points: [...points], triangles: [...triangles] } as unknown as SurfaceInput,
+      "invalid-arrays",
+    ],
+  ])("%s", async (_, surface, code) => {
+    const { report, volume } = await mesher.fillSurface(surface);
+    expect(report.status).toBe("invalid-input");
+    expect(report.diagnostics.map((diagnostic) => diagnostic.code)).toContain(code);
+    expect(volume.tetrahedra).toHaveLength(0);
+  });
+
+  test.each<[string, Project, string, RegExp]>([
+    ["a missing patch", withPatches((cube) => ({ patches: cube.patches.slice(1) })), "open-edge", /line \d+/],
+    [
+      "a corner that leaves the plane",
+      withPatches((cube) => ({
+        points: cube.points.map((p) => (p.id === 8 ? { ...p, at: [1, 1, 1.5] } : p)),
+      })),
+      "not-planar",
+      /patch "(back|right)"/,
+    ],
+    [
+      "a loop with a gap",
+      withPatches((cube) => ({
+        patches: cube.patches.map((p) => (p.id === 3 ? { ...p, loops: [p.loops[0]?.slice(1) ?? []] } : p)),
+      })),
+      "loop-not-closed",
+      /patch "front"/,
+    ],
+    [
+      "a size of 0 at a node",
+      withPatches((cube) => ({
+        background: {
+          ...cube.background,
+          nodes: cube.background.nodes.map((n) => (n.id === 4 ? { ...n, size: 0 } : n)),
+        },
+      })),
+      "bad-size",
+      /background node 4/,
+    ],
+    [
+      "a grid that does not cover the model",
+      withPatches((cube) => ({
+        background: { ...cube.background, tetrahedra: cube.background.tetrahedra.slice(0, 1) },
+      })),
+      "outside-background-grid",
+      / at \(/,
+    ],
+    [
+      "no grid and no size",
+      withPatches(() => ({ background: { nodes: [], tetrahedra: [] } })),
+      "empty-background-grid",
+      /background/,
+    ],
+    ["no patches", withPatches(() => ({ patches: [] })), "empty-model", /nothing to mesh/],
+    [
+      "an id used twice",
+      withPatches((cube) => ({ points: [...cube.points, { id: 1, at: [0, 0, 0] }] })),
+      "invalid-project",
+      /points\[8\]\.id/,
+    ],
+  ])("%s", async (_, project, code, message) => {
+    const { report } = await mesher.meshProject(project);
+    expect(report.status).toBe("invalid-input");
+    const found = report.diagnostics.find((diagnostic) => diagnostic.code === code);
+    expect(report.diagnostics.map((diagnostic) => diagnostic.code)).toContain(code);
+    expect(found?.message).toMatch(message);
+  });
+
+  test.each([
+    { size: NaN },
+    { size: 0 },
+    { size: -1 },
+    { size: Infinity },
+    { growth: -0.1 },
+    { growth: NaN },
+  ])("the options %j", async (options) => {
+    const { report } = await mesher.fillSurface(boxSurface(2), options);
+    expect(report).toMatchObject({ status: "invalid-input", diagnostics: [{ code: "invalid-option" }] });
+  });
+});
+
+describe("a preview", () => {
+  test("samples every line and patch", async () => {
+    const preview = await mesher.previewProject(cubeProject());
+    expect(preview.diagnostics).toEqual([]);
+    expect(preview.lineOffsets).toHaveLength(13);
+    expect(preview.patchOffsets).toHaveLength(7);
+    expect(preview.patchOffsets[6]).toBe(preview.patchTriangles.length / 3);
+    expect(Math.max(...preview.linePoints)).toBe(1);
+  });
+
+  test("of a broken project shows what can be shown and tells the rest", async () => {
+    const cube = cubeProject();
+    const patches = cube.patches.map((p) => (p.id === 1 ? { ...p, loops: [[1, 2]] } : p));
+    const preview = await mesher.previewProject({ ...cube, patches });
+    expect(preview.lineOffsets).toHaveLength(13);
+    expect(preview.patchTriangles.length).toBeGreaterThan(0);
+    expect(preview.diagnostics.map(({ entities }) => entities[0]?.label)).toContain('patch "bottom"');
+  });
+
+  test("is answered while a run is under way", async () => {
+    let running = true;
+    const run = mesher.fillSurface(sphereSurface(40)).finally(() => (running = false));
+    await mesher.previewProject(cubeProject());
+    expect(running).toBe(true);
+    expect((await run).report.status).toBe("done");
+  });
+});
+
+test("the same input makes the same mesh, in this worker and in another", async () => {
+  const surface = cavitySurface(8);
+  const other = await createMesher();
+  const results = [
+    await mesher.fillSurface(surface),
+    await mesher.fillSurface(surface),
+    await other.fillSurface(surface),
+  ];
+  other.dispose();
+  const [first, ...rest] = results.map(({ volume, report }) => ({ volume, fingerprint: report.fingerprint }));
+  for (const same of rest) expect(same).toEqual(first);
+});
+
+describe("progress", () => {
+  test("never decreases, comes at most ten times a second and once at the end", async () => {
+    const seen: { progress: Progress; at: number }[] = [];
+    const { report } = await mesher.fillSurface(
+      sphereSurface(36),
+      {},
+      {
+        onProgress: (progress) => seen.push({ progress, at: progress.elapsedSeconds }),
+      },
+    );
+    expect(seen.length).toBeGreaterThan(0);
+    expect(seen.length).toBeLessThanOrEqual(2 + 10 * report.seconds.total);
+    seen.reduce((before, after) => {
+      expect(after.progress.fraction).toBeGreaterThanOrEqual(before.progress.fraction);
+      expect(after.at).toBeGreaterThanOrEqual(before.at);
+      return after;
+    });
+    expect(seen.at(-1)?.progress.tetrahedra).toBe(report.tetrahedra);
+    expect(Math.max(...seen.map(({ progress }) => progress.fraction))).toBeLessThanOrEqual(1);
+  });
+
+  test("the times of the phases add up to no more than the whole", async () => {
+    const { total, ...phases } = (await mesher.meshProject(cubeProject(0.1))).report.seconds;
+    const sum = Object.values(phases).reduce((a, b) => a + b, 0);
+    expect(sum).toBeGreaterThan(0);
+    expect(sum).toBeLessThanOrEqual(total);
+  });
+});
+
+describe("cancelling", () => {
+  /** Large enough to be under way for long on any machine. */
+  const large = sphereSurface(90);
+  /** The promise is 100 ms; a loaded machine delays timers and messages. */
+  const LENIENT_MS = 400;
+
+  test("ends a run and returns what exists", async () => {
+    const stop = new AbortController();
+    let abortedAt = NaN;
+    const result = await mesher.fillSurface(
+      large,
+      {},
+      {
+        signal: stop.signal,
+        onProgress: ({ tetrahedra }) => {
+          if (tetrahedra === 0 || stop.signal.aborted) return;
+          abortedAt = performance.now();
+          stop.abort();
+        },
+      },
+    );
+    expect(performance.now() - abortedAt).toBeLessThan(LENIENT_MS);
+    expect(result.report.status).toBe("cancelled");
+    expect(result.report.tetrahedra).toBeGreaterThan(0);
+    expect(result.volume.front.length).toBeGreaterThan(0);
+  });
+
+  test("at the very start, before the engine is asked, or while waiting ends at once", async () => {
+    const before = await mesher.fillSurface(large, {}, { signal: AbortSignal.abort() });
+    expect(before.report).toMatchObject({ status: "cancelled", tetrahedra: 0 });
+    const stops = [new AbortController(), new AbortController()] as const;
+    const runs = stops.map(({ signal }) => mesher.fillSurface(large, {}, { signal }));
+    stops[1].abort();
+    expect((await runs[1])?.report.status).toBe("cancelled");
+    stops[0].abort();
+    expect((await runs[0])?.report.status).toBe("cancelled");
+  });
+
+  test("leaves the mesher fit for the next run", async () => {
+    const stop = new AbortController();
+    const run = mesher.fillSurface(large, {}, { signal: stop.signal });
+    setTimeout(() => stop.abort(), 30);
+    expect((await run).report.status).toBe("cancelled");
+    expectValid(await mesher.fillSurface(boxSurface(3)), boxSurface(3));
+  });
+});
+
+describe("disposing", () => {
+  test("rejects what is under way and everything after", async () => {
+    const short = await createMesher();
+    const runs = [short.fillSurface(sphereSurface(40)), short.previewProject(cubeProject())];
+    short.dispose();
+    short.dispose();
+    const after = short.fillSurface(boxSurface(1));
+    for (const run of [...runs, after]) await expect(run).rejects.toMatchObject({ code: "disposed" });
+    await expect(after).rejects.toBeInstanceOf(MesherError);
+  });
+});
