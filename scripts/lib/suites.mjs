@@ -85,7 +85,8 @@ export const suites = {
   },
   unit: {
     title: "unit tests",
-    needs: ["wasm", "package"],
+    // The native program too: its meshes and the package's are compared.
+    needs: ["wasm", "package", "native"],
     async run() {
       const args = ["run", "--reporter=dot", "--reporter=json", `--outputFile.json=${report("unit")}`];
       await run(bin("vitest"), args, { quietOut: true });
