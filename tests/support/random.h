@@ -10,7 +10,7 @@ namespace tetrafront::testing {
 
 /// SplitMix64 (Steele, Lea & Flood 2014).
 class Random {
-public:
+ public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t bits() {
@@ -36,8 +36,8 @@ public:
     return {x, y, between(-half, half)};
   }
 
-private:
+ private:
   std::uint64_t state_;
 };
 
-} // namespace tetrafront::testing
+}  // namespace tetrafront::testing

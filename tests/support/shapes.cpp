@@ -15,7 +15,7 @@ namespace {
 
 /// Collects nodes and triangles, joining nodes that are made for the same key.
 class Builder {
-public:
+ public:
   using Key = std::array<int, 4>;
 
   std::uint32_t node(const Key& key, const Vec3& place) {
@@ -28,7 +28,7 @@ public:
   }
   SurfaceMesh take() { return std::move(mesh_); }
 
-private:
+ private:
   std::map<Key, std::uint32_t> nodes_;
   SurfaceMesh mesh_;
 };
@@ -42,11 +42,21 @@ struct Icosahedron {
 
 Icosahedron icosahedron() {
   const double p = std::numbers::phi;
-  return {{{{-1, p, 0}, {1, p, 0}, {-1, -p, 0}, {1, -p, 0}, {0, -1, p}, {0, 1, p}, {0, -1, -p},
-            {0, 1, -p}, {p, 0, -1}, {p, 0, 1}, {-p, 0, -1}, {-p, 0, 1}}},
-          {{{0, 11, 5}, {0, 5, 1}, {0, 1, 7}, {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
-            {11, 10, 2}, {10, 7, 6}, {7, 1, 8}, {3, 9, 4}, {3, 4, 2}, {3, 2, 6}, {3, 6, 8},
-            {3, 8, 9}, {4, 9, 5}, {2, 4, 11}, {6, 2, 10}, {8, 6, 7}, {9, 8, 1}}}};
+  return {{{{-1, p, 0},
+            {1, p, 0},
+            {-1, -p, 0},
+            {1, -p, 0},
+            {0, -1, p},
+            {0, 1, p},
+            {0, -1, -p},
+            {0, 1, -p},
+            {p, 0, -1},
+            {p, 0, 1},
+            {-p, 0, -1},
+            {-p, 0, 1}}},
+          {{{0, 11, 5},  {0, 5, 1},  {0, 1, 7},  {0, 7, 10}, {0, 10, 11}, {1, 5, 9}, {5, 11, 4},
+            {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
+            {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}}};
 }
 
 /// Names the node with weights i, j, k (sum n) at the corners a, b, c the same from every face.
@@ -63,15 +73,19 @@ Builder::Key weightKey(std::array<int, 3> corners, std::array<int, 3> weights, i
 /// Is the square (i, j) cut from its lowest corner to the opposite one?
 bool cutsForward(Diagonals diagonals, int i, int j, Random& random) {
   switch (diagonals) {
-  case Diagonals::kParallel: return true;
-  case Diagonals::kAlternating: return (i + j) % 2 == 0;
-  case Diagonals::kUnionJack: return i % 2 == j % 2;
-  case Diagonals::kRandom: return random.coin();
+    case Diagonals::kParallel:
+      return true;
+    case Diagonals::kAlternating:
+      return (i + j) % 2 == 0;
+    case Diagonals::kUnionJack:
+      return i % 2 == j % 2;
+    case Diagonals::kRandom:
+      return random.coin();
   }
   return true;
 }
 
-} // namespace
+}  // namespace
 
 SurfaceMesh geodesicSphere(int n) {
   const Icosahedron ico = icosahedron();
@@ -106,8 +120,8 @@ SurfaceMesh latitudeSphere(int rings, int sectors) {
     const double phi = 2.0 * std::numbers::pi * (sector % sectors) / sectors;
     const bool isPole = ring == 0 || ring == rings;
     const Vec3 place = isPole ? Vec3(0.0, 0.0, ring == 0 ? 1.0 : -1.0)
-                              : Vec3(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                                     std::cos(theta));
+                              : Vec3(std::sin(theta) * std::cos(phi),
+                                     std::sin(theta) * std::sin(phi), std::cos(theta));
     return builder.node({ring, isPole ? 0 : sector % sectors, 0, 0}, place);
   };
   for (int r = 0; r < rings; ++r) {
@@ -244,7 +258,7 @@ SurfaceMesh cubesJoined(double dz) {
   return mesh;
 }
 
-} // namespace
+}  // namespace
 
 SurfaceMesh cubesSharingEdge() { return cubesJoined(0.0); }
 SurfaceMesh cubesSharingNode() { return cubesJoined(1.0); }
@@ -269,7 +283,8 @@ SurfaceMesh tetrahedronSurface(const std::array<Vec3, 4>& corners) {
 }
 
 void translate(SurfaceMesh& mesh, const Vec3& by) {
-  for (std::size_t i = 0; i < mesh.points.size(); ++i) mesh.points[i] += by[static_cast<int>(i % 3)];
+  for (std::size_t i = 0; i < mesh.points.size(); ++i)
+    mesh.points[i] += by[static_cast<int>(i % 3)];
 }
 
 void scale(SurfaceMesh& mesh, double factor) {
@@ -299,7 +314,8 @@ void rotateRandomly(SurfaceMesh& mesh, std::uint64_t seed) {
     const Vec3 p = pointOf(mesh, i);
     const Vec3 t = 2.0 * glm::cross(axis, p);
     const Vec3 r = p + w * t + glm::cross(axis, t);
-    for (int a = 0; a < 3; ++a) mesh.points[3 * std::size_t{i} + static_cast<std::size_t>(a)] = r[a];
+    for (int a = 0; a < 3; ++a)
+      mesh.points[3 * std::size_t{i} + static_cast<std::size_t>(a)] = r[a];
   }
 }
 
@@ -322,7 +338,8 @@ void shuffle(SurfaceMesh& mesh, std::uint64_t seed) {
     std::vector<std::uint32_t> order(n);
     std::iota(order.begin(), order.end(), 0U);
     for (std::size_t i = n; i > 1; --i) {
-      std::swap(order[i - 1], order[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
+      std::swap(order[i - 1],
+                order[static_cast<std::size_t>(random.integer(0, static_cast<int>(i) - 1))]);
     }
     return order;
   };
@@ -337,7 +354,8 @@ void shuffle(SurfaceMesh& mesh, std::uint64_t seed) {
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
     const auto turn = static_cast<std::size_t>(random.integer(0, 2));
     for (std::size_t k = 0; k < 3; ++k) {
-      result.triangles[3 * std::size_t{newTriangle[t]} + k] = newNode[mesh.triangles[3 * t + (k + turn) % 3]];
+      result.triangles[3 * std::size_t{newTriangle[t]} + k] =
+          newNode[mesh.triangles[3 * t + (k + turn) % 3]];
     }
   }
   mesh = std::move(result);
@@ -366,4 +384,4 @@ double enclosedVolume(const SurfaceMesh& mesh) {
   return sum / 6.0;
 }
 
-} // namespace tetrafront::testing
+}  // namespace tetrafront::testing

@@ -91,4 +91,4 @@ std::size_t triangleCount(const SurfaceMesh& mesh);
 /// By the divergence theorem; positive for an outward surface.
 double enclosedVolume(const SurfaceMesh& mesh);
 
-} // namespace tetrafront::testing
+}  // namespace tetrafront::testing

@@ -12,7 +12,9 @@ namespace {
 /// flat: its weights would be rounding errors.
 constexpr double kFlatVolume = 1e-12;
 
-bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool isFinite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
   Diagnostic diagnostic;
@@ -32,7 +34,8 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, std::vector<Diag
     found.push_back(std::move(diagnostic));
   };
   if (!isFinite(node.position)) report(DiagnosticCode::kNotFinite, {});
-  if (!(node.size > 0.0) || !std::isfinite(node.size)) report(DiagnosticCode::kBadSize, {node.size});
+  if (!(node.size > 0.0) || !std::isfinite(node.size))
+    report(DiagnosticCode::kBadSize, {node.size});
   if (!(node.stretching >= 1.0) || !std::isfinite(node.stretching)) {
     report(DiagnosticCode::kBadStretching, {node.stretching});
   } else if (node.stretching > 1.0 && (!isFinite(node.direction) || node.direction == Vec3(0.0))) {
@@ -57,15 +60,17 @@ void checkTetrahedron(const BackgroundGrid& grid, std::uint32_t t, std::vector<D
   for (std::size_t i = 0; i < 4; ++i) {
     const std::uint32_t node = grid.tetrahedra[t][i];
     if (node >= grid.nodes.size()) {
-      found.push_back(about(DiagnosticCode::kIndexOutOfRange, EntityKind::kBackgroundTetrahedron, t));
+      found.push_back(
+          about(DiagnosticCode::kIndexOutOfRange, EntityKind::kBackgroundTetrahedron, t));
       found.back().values = {static_cast<double>(node)};
       return;
     }
     corners[i] = grid.nodes[node].position;
-    if (!isFinite(corners[i])) return; // reported with the node
+    if (!isFinite(corners[i])) return;  // reported with the node
   }
   if (!isFlat(corners)) return;
-  found.push_back(about(DiagnosticCode::kFlatBackgroundTetrahedron, EntityKind::kBackgroundTetrahedron, t));
+  found.push_back(
+      about(DiagnosticCode::kFlatBackgroundTetrahedron, EntityKind::kBackgroundTetrahedron, t));
   found.back().hasPlace = true;
   found.back().place = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
@@ -87,14 +92,14 @@ void checkRepeated(const BackgroundGrid& grid, std::vector<Diagnostic>& found) {
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {
     if (entries[i].nodes != entries[i - 1].nodes) continue;
-    Diagnostic repeated = about(DiagnosticCode::kDuplicateTriangle, EntityKind::kBackgroundTetrahedron,
-                                entries[i].tetrahedron);
+    Diagnostic repeated = about(DiagnosticCode::kDuplicateTriangle,
+                                EntityKind::kBackgroundTetrahedron, entries[i].tetrahedron);
     repeated.entities.push_back({EntityKind::kBackgroundTetrahedron, entries[i - 1].tetrahedron});
     found.push_back(std::move(repeated));
   }
 }
 
-} // namespace
+}  // namespace
 
 std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid) {
   std::vector<Diagnostic> found;
@@ -109,4 +114,4 @@ std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid) {
   return found;
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

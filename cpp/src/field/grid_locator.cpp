@@ -21,7 +21,8 @@ constexpr std::uint32_t kFreeSteps = 64;
 constexpr std::uint32_t kStepsPerLayer = 4;
 
 /// Nodes of the face opposite to node i.
-constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{{{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
+    {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
 
 std::uint32_t cubeRootUp(std::size_t n) {
   std::uint32_t root = 1;
@@ -31,7 +32,8 @@ std::uint32_t cubeRootUp(std::size_t n) {
 
 /// Weights of a, b, c at the point of the triangle nearest to `p` (Voronoi regions of its corners
 /// and sides in turn).
-std::array<double, 3> nearestInTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+std::array<double, 3> nearestInTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
+                                        const Vec3& c) {
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
   const double d1 = glm::dot(ab, p - a);
@@ -69,7 +71,7 @@ std::array<double, 4> clampedWeights(std::array<double, 4> weights) {
   return weights;
 }
 
-} // namespace
+}  // namespace
 
 GridLocator::GridLocator(BackgroundGrid grid) : grid_(std::move(grid)) {
   maxSteps_ = kFreeSteps + kStepsPerLayer * cubeRootUp(grid_.tetrahedra.size());
@@ -95,9 +97,10 @@ void GridLocator::buildFrames() {
     const Vec3 u = grid_.nodes[tet[1]].position - origin;
     const Vec3 v = grid_.nodes[tet[2]].position - origin;
     const Vec3 w = grid_.nodes[tet[3]].position - origin;
-    const double volume = glm::dot(u, glm::cross(v, w)); // of either sign: it cancels
+    const double volume = glm::dot(u, glm::cross(v, w));  // of either sign: it cancels
     frames_.push_back(
-        {origin, {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume}});
+        {origin,
+         {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume}});
   }
 }
 
@@ -180,7 +183,7 @@ GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t gues
       return;
     }
     for (std::size_t i = 0; i < 4; ++i) {
-      if (weights[i] >= 0.0) continue; // seen from inside: another face is nearer
+      if (weights[i] >= 0.0) continue;  // seen from inside: another face is nearer
       std::array<Vec3, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
         corners[k] = grid_.nodes[grid_.tetrahedra[t][kFaces[i][k]]].position;
@@ -207,4 +210,4 @@ double GridLocator::sizeAt(const Location& location) const {
   return size;
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

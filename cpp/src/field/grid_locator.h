@@ -15,11 +15,11 @@
 namespace tetrafront {
 
 class GridLocator {
-public:
+ public:
   struct Location {
     std::uint32_t tetrahedron = 0;
-    std::array<double, 4> weights{}; ///< of the four nodes; sum 1, all >= 0
-    bool inside = false;             ///< false if the place is outside the grid by more than rounding
+    std::array<double, 4> weights{};  ///< of the four nodes; sum 1, all >= 0
+    bool inside = false;  ///< false if the place is outside the grid by more than rounding
   };
 
   /// `grid` must have passed checkBackgroundGrid(). O(n log n).
@@ -34,7 +34,7 @@ public:
 
   [[nodiscard]] const BackgroundGrid& grid() const { return grid_; }
 
-private:
+ private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
 
   /// The linear functions that are the weights of nodes 1, 2, 3; they vanish at node 0.
@@ -51,13 +51,13 @@ private:
 
   BackgroundGrid grid_;
   std::vector<Frame> frames_;
-  std::vector<std::array<std::uint32_t, 4>> neighbours_; ///< across the face opposite to node i
+  std::vector<std::array<std::uint32_t, 4>> neighbours_;  ///< across the face opposite to node i
   BoxTree tree_;
   std::uint32_t maxSteps_ = 0;
-  double slack_ = 0.0; ///< how far outside counts as rounding
+  double slack_ = 0.0;  ///< how far outside counts as rounding
 };
 
 /// Everything wrong with the grid itself, all at once; empty if it can be used.
 [[nodiscard]] std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid);
 
-} // namespace tetrafront
+}  // namespace tetrafront

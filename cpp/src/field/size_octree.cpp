@@ -84,7 +84,7 @@ double rootEdge(double extent, double size) {
   return std::max(edge, extent);
 }
 
-} // namespace
+}  // namespace
 
 std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
                                         std::span<const std::uint32_t> triangles) {
@@ -97,7 +97,7 @@ std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
 /// Splits cells depth first. Every cell arrives with the values at its corners; a split adds the
 /// 18 places between them and the centre. Small cells hand down the list of the cones that reach them.
 class SizeOctreeBuilder {
-public:
+ public:
   SizeOctreeBuilder(SizeOctree& tree, const SizeSites& sites, double edge)
       : tree_(tree), sites_(sites), edge_(edge) {}
 
@@ -112,7 +112,7 @@ public:
     refine(root, nullptr);
   }
 
-private:
+ private:
   using Value = SizeSites::Value;
   using List = std::vector<std::uint32_t>;
   struct Cell {
@@ -131,7 +131,7 @@ private:
     const double w = width(cell.level);
     const Value centre = sample(cell.lower + Vec3(0.5 * w), cell.corners[0].site, reaching);
     // The field's slope is at most `growth`: that bounds it from the value at the centre.
-    constexpr double kHalfDiagonal = 0.8660254037844386; // of the unit cube
+    constexpr double kHalfDiagonal = 0.8660254037844386;  // of the unit cube
     const double swing = kHalfDiagonal * w * sites_.growth();
     const double most = std::min(tree_.cap_, centre.size + swing);
     const SizeSites::Range range{cell.lower, cell.lower + Vec3(w)};
@@ -177,7 +177,8 @@ private:
     for (unsigned k = 0; k < 8; ++k) {
       leaf[k] = static_cast<float>(std::min(cell.corners[k].size, tree_.cap_));
     }
-    tree_.nodes_[cell.node] = SizeOctree::kLeafBit | static_cast<std::uint32_t>(tree_.leaves_.size());
+    tree_.nodes_[cell.node] =
+        SizeOctree::kLeafBit | static_cast<std::uint32_t>(tree_.leaves_.size());
     tree_.leaves_.push_back(leaf);
   }
 
@@ -189,7 +190,7 @@ private:
       const unsigned x = i % 3, y = i / 3 % 3, z = i / 9;
       const Value& corner = cell.corners[x / 2 + 2 * (y / 2) + 4 * (z / 2)];
       const bool isCorner = x != 1 && y != 1 && z != 1;
-      lattice[i] = isCorner   ? corner
+      lattice[i] = isCorner  ? corner
                    : i == 13 ? centre
                              : sample(cell.lower + half * Vec3(x, y, z), centre.site, reaching);
     }
@@ -209,7 +210,7 @@ private:
   SizeOctree& tree_;
   const SizeSites& sites_;
   double edge_;
-  std::array<List, SizeOctree::kMaxLevel + 1> lists_; ///< of the cells being split, by level
+  std::array<List, SizeOctree::kMaxLevel + 1> lists_;  ///< of the cells being split, by level
 };
 
 SizeOctree::SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
@@ -242,8 +243,9 @@ void SizeOctree::fillDirectory(std::uint32_t node, std::uint32_t level,
   const bool isLeaf = (nodes_[node] & kLeafBit) != 0;
   if (!isLeaf && level < kDirectoryLevel) {
     for (std::uint32_t c = 0; c < 8; ++c) {
-      fillDirectory(nodes_[node] + c, level + 1,
-                    {2 * corner[0] + (c & 1U), 2 * corner[1] + (c >> 1U & 1U), 2 * corner[2] + (c >> 2U)});
+      fillDirectory(
+          nodes_[node] + c, level + 1,
+          {2 * corner[0] + (c & 1U), 2 * corner[1] + (c >> 1U & 1U), 2 * corner[2] + (c >> 2U)});
     }
     return;
   }
@@ -252,7 +254,8 @@ void SizeOctree::fillDirectory(std::uint32_t node, std::uint32_t level,
   for (std::uint32_t z = 0; z < side; ++z) {
     for (std::uint32_t y = 0; y < side; ++y) {
       for (std::uint32_t x = 0; x < side; ++x) {
-        const std::uint32_t row = ((corner[2] << shift) + z) << kDirectoryLevel | ((corner[1] << shift) + y);
+        const std::uint32_t row =
+            ((corner[2] << shift) + z) << kDirectoryLevel | ((corner[1] << shift) + y);
         directory_[row << kDirectoryLevel | ((corner[0] << shift) + x)] = {node, level};
       }
     }
@@ -272,7 +275,8 @@ double SizeOctree::sizeAt(const Vec3& place) const {
   const std::uint32_t k = std::min(static_cast<std::uint32_t>(z), kLast);
   constexpr std::uint32_t kSkip = kMaxLevel - kDirectoryLevel;
   const DirectoryEntry entry =
-      directory_[((k >> kSkip) << kDirectoryLevel | (j >> kSkip)) << kDirectoryLevel | (i >> kSkip)];
+      directory_[((k >> kSkip) << kDirectoryLevel | (j >> kSkip)) << kDirectoryLevel |
+                 (i >> kSkip)];
   std::uint32_t shift = kMaxLevel - entry.level;
   std::uint32_t node = nodes_[entry.node];
   while ((node & kLeafBit) == 0) {
@@ -290,4 +294,4 @@ double SizeOctree::sizeAt(const Vec3& place) const {
   return low + w * (high - low);
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

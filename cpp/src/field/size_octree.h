@@ -13,7 +13,7 @@
 namespace tetrafront {
 
 class SizeOctree {
-public:
+ public:
   /// h(x) = min(cap, min_i h_i + growth |x - x_i|), h_i the twice averaged mean edge at node i.
   /// `cap` 0: the 90th percentile of the h_i. Triangles are three positions in `points` each;
   /// nodes of no triangle are ignored. About 1 µs per triangle.
@@ -29,7 +29,7 @@ public:
 
   [[nodiscard]] std::size_t leafCount() const { return leaves_.size(); }
 
-private:
+ private:
   friend class SizeOctreeBuilder;
 
   /// Values at the corners; corner k is at the upper end of axis a where bit a of k is set.
@@ -64,4 +64,4 @@ private:
 [[nodiscard]] std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
                                                       std::span<const std::uint32_t> triangles);
 
-} // namespace tetrafront
+}  // namespace tetrafront

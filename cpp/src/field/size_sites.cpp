@@ -68,7 +68,7 @@ double gapSquared(const Vec3& lowerA, const Vec3& upperA, const Vec3& lowerB, co
   return dx * dx + dy * dy + dz * dz;
 }
 
-} // namespace
+}  // namespace
 
 double SizeSites::cone(std::uint32_t site, const Vec3& place) const {
   const Vec3 d = place - sites_[site].place;
@@ -78,7 +78,8 @@ double SizeSites::cone(std::uint32_t site, const Vec3& place) const {
 /// The least value of the cone in the range.
 double SizeSites::cone(std::uint32_t site, const Range& range) const {
   const Vec3& place = sites_[site].place;
-  return sites_[site].size + growth_ * std::sqrt(gapSquared(place, place, range.lower, range.upper));
+  return sites_[site].size +
+         growth_ * std::sqrt(gapSquared(place, place, range.lower, range.upper));
 }
 
 /// size + growth * distance < limit, without the root.
@@ -95,12 +96,13 @@ double SizeSites::squaredDistance(std::uint32_t box, const Range& range) const {
 /// branches first; `limit` may sink meanwhile. Boxes over which a cone changes by less than
 /// `merge` are visited through their smallest site alone. Stops when visit returns false.
 template <class Visit>
-void SizeSites::visitBoxes(const Range& range, const double& limit, const double& merge, Visit visit) const {
+void SizeSites::visitBoxes(const Range& range, const double& limit, const double& merge,
+                           Visit visit) const {
   struct Open {
     std::uint32_t box;
     double squaredDistance;
   };
-  std::array<Open, 64> stack; // at most one entry per level waits
+  std::array<Open, 64> stack;  // at most one entry per level waits
   std::size_t waiting = 0;
   stack[waiting++] = {0, squaredDistance(0, range)};
   while (waiting > 0) {
@@ -113,7 +115,8 @@ void SizeSites::visitBoxes(const Range& range, const double& limit, const double
     }
     if (open.box >= firstLeaf_) {
       const std::uint32_t first = (open.box - firstLeaf_) * kSitesPerLeaf;
-      if (!visit(first, std::min(first + kSitesPerLeaf, static_cast<std::uint32_t>(sites_.size())))) return;
+      if (!visit(first, std::min(first + kSitesPerLeaf, static_cast<std::uint32_t>(sites_.size()))))
+        return;
       continue;
     }
     const Open left{2 * open.box + 1, squaredDistance(2 * open.box + 1, range)};
@@ -195,4 +198,4 @@ double SizeSites::collect(const Range& range, double limit, std::span<const std:
   return least;
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

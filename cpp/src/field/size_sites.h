@@ -13,7 +13,7 @@
 namespace tetrafront {
 
 class SizeSites {
-public:
+ public:
   /// Nodes whose size is 0 are left out. At least one size must be > 0.
   SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth);
 
@@ -22,7 +22,7 @@ public:
 
   struct Value {
     double size = 0.0;
-    std::uint32_t site = 0; ///< which cone is lowest: a good first guess for places nearby
+    std::uint32_t site = 0;  ///< which cone is lowest: a good first guess for places nearby
   };
 
   /// min_i h_i + growth |x - x_i|, at most kSlack + kMerge above the true minimum. `guess` is any site.
@@ -50,7 +50,7 @@ public:
   /// The least value in the range, or `limit` if that is less; at most kSlack too high.
   [[nodiscard]] double leastIn(const Range& range, double limit) const;
 
-private:
+ private:
   struct Site {
     Vec3 place;
     double size;
@@ -58,9 +58,9 @@ private:
   struct Box {
     Vec3 lower;
     Vec3 upper;
-    double size;        ///< smallest below
-    double diagonal;    ///< of the box
-    std::uint32_t site; ///< one with that size
+    double size;         ///< smallest below
+    double diagonal;     ///< of the box
+    std::uint32_t site;  ///< one with that size
   };
 
   [[nodiscard]] double cone(std::uint32_t site, const Vec3& place) const;
@@ -78,11 +78,11 @@ private:
 
   double growth_;
   std::vector<Site> sites_;
-  std::vector<Box> boxes_; ///< a complete binary tree: children of b are 2b+1 and 2b+2
+  std::vector<Box> boxes_;  ///< a complete binary tree: children of b are 2b+1 and 2b+2
   std::uint32_t firstLeaf_ = 0;
 
   template <class Visit>
   void visitBoxes(const Range& range, const double& limit, const double& merge, Visit visit) const;
 };
 
-} // namespace tetrafront
+}  // namespace tetrafront

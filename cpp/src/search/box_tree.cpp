@@ -23,7 +23,7 @@ Box hull(const Box& a, const Box& b) {
   return result;
 }
 
-} // namespace
+}  // namespace
 
 BoxTree::BoxTree(std::span<const Box> boxes) {
   if (boxes.empty()) return;
@@ -62,4 +62,4 @@ double BoxTree::squaredDistance(const Box& box, const Vec3& place) {
   return sum;
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

@@ -15,7 +15,7 @@
 namespace tetrafront {
 
 class BoxTree {
-public:
+ public:
   BoxTree() = default;
 
   /// O(n log n). The boxes' positions are the names of the items below.
@@ -31,7 +31,7 @@ public:
   template <class Visit>
   void visitNear(const Vec3& place, const double& squaredLimit, Visit visit) const;
 
-private:
+ private:
   static constexpr std::uint32_t kItemsPerLeaf = 4;
   /// One entry per level waits at most; 2^32 items make 32 levels.
   static constexpr std::size_t kStack = 40;
@@ -46,10 +46,10 @@ private:
   }
   [[nodiscard]] std::uint32_t leafEnd(std::uint32_t node) const;
 
-  std::vector<Box> nodes_; ///< children of n are 2n+1 and 2n+2
+  std::vector<Box> nodes_;  ///< children of n are 2n+1 and 2n+2
   std::uint32_t firstLeaf_ = 0;
-  std::vector<std::uint32_t> items_; ///< in the order of the leaves
-  std::vector<Box> boxes_;           ///< of items_, in the same order
+  std::vector<std::uint32_t> items_;  ///< in the order of the leaves
+  std::vector<Box> boxes_;            ///< of items_, in the same order
 };
 
 template <class Visit>
@@ -100,4 +100,4 @@ void BoxTree::visitNear(const Vec3& place, const double& squaredLimit, Visit vis
   }
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

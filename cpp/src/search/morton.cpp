@@ -25,7 +25,7 @@ struct Key {
   }
 };
 
-} // namespace
+}  // namespace
 
 std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places) {
   Vec3 lower(std::numeric_limits<double>::max());
@@ -54,4 +54,4 @@ std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places) {
   return order;
 }
 
-} // namespace tetrafront
+}  // namespace tetrafront

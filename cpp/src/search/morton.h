@@ -14,4 +14,4 @@ namespace tetrafront {
 /// O(n log n).
 [[nodiscard]] std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places);
 
-} // namespace tetrafront
+}  // namespace tetrafront

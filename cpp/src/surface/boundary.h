@@ -1,0 +1,62 @@
+#pragma once
+
+/// @file One closed, oriented boundary (between steps F2 and F3 of Löhner & Parikh 1988): finds
+/// what would keep a surface from enclosing a volume and names it, turns triangles outward
+/// whatever way they were drawn, and tells which region lies inside each. Topology is decided by
+/// exact signs; the one tolerance is the rounding of a shell's volume against zero.
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "surface/boundary_report.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+struct BoundaryResult {
+  bool valid = false;
+  /// Per triangle: the region on its inner side, numbered by the lowest triangle of the outer
+  /// shells. Empty unless valid.
+  std::vector<std::uint32_t> triangleRegion;
+  std::uint32_t regionCount = 0;
+};
+
+/// The check in slices. Surfaces that pass are left
+///   - with every triangle counter-clockwise seen from outside its region, where places inside an
+///     odd number of shells are in a region: a shell within a shell bounds a cavity, one more an
+///     island, whatever way they were drawn;
+///   - in their order of nodes and triangles, which only ever have two nodes exchanged;
+///   - for a given surface with trianglePatch set to the shell, numbered by its lowest triangle.
+/// Edges with an even number of triangles above two are accepted: bodies touching along an edge.
+class BoundaryCheck {
+ public:
+  /// `mesh` must outlive this, and not change meanwhile.
+  BoundaryCheck(SurfaceMesh& mesh, BoundarySource source);
+  BoundaryCheck(BoundaryCheck&&) noexcept;
+  BoundaryCheck& operator=(BoundaryCheck&&) noexcept;
+  ~BoundaryCheck();
+
+  /// Works on for about `budget` triangles; true when finished. O(n log n) in all for surfaces
+  /// that do not meet themselves everywhere.
+  bool advance(std::uint32_t budget);
+
+  /// Of its own work, 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Both complete once advance() has returned true. Not valid iff there is an error among the
+  /// diagnostics; the last of an error's values counts the findings of its kind.
+  [[nodiscard]] const BoundaryResult& result() const;
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The whole check at once; findings are appended to `out`.
+BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
+                             std::vector<Diagnostic>& out);
+
+}  // namespace tetrafront

@@ -1,0 +1,159 @@
+#include "surface/boundary_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrafront {
+
+Vec3 BoundaryReport::pointOf(std::uint32_t node) const {
+  const std::size_t i = 3 * std::size_t{node};
+  return {mesh_.points[i], mesh_.points[i + 1], mesh_.points[i + 2]};
+}
+
+Vec3 BoundaryReport::centreOf(std::uint32_t triangle) const {
+  const std::size_t i = 3 * std::size_t{triangle};
+  return (pointOf(mesh_.triangles[i]) + pointOf(mesh_.triangles[i + 1]) +
+          pointOf(mesh_.triangles[i + 2])) /
+         3.0;
+}
+
+Entity BoundaryReport::patchOf(std::uint32_t triangle) const {
+  return {EntityKind::kPatch, mesh_.trianglePatch[triangle]};
+}
+
+bool BoundaryReport::lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& line) {
+  if (sides_.empty()) {
+    for (std::size_t s = 0; s < mesh_.sideLine.size(); ++s) {
+      const auto [low, high] = std::minmax(mesh_.sides[2 * s], mesh_.sides[2 * s + 1]);
+      sides_.push_back({low, high, mesh_.sideLine[s]});
+    }
+    std::sort(sides_.begin(), sides_.end());
+  }
+  const std::array<std::uint32_t, 3> key{std::min(a, b), std::max(a, b), 0};
+  const auto at = std::lower_bound(sides_.begin(), sides_.end(), key);
+  if (at == sides_.end() || (*at)[0] != key[0] || (*at)[1] != key[1]) return false;
+  line = (*at)[2];
+  return true;
+}
+
+void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
+                         std::vector<double> values) {
+  ++errors_;
+  Kind& kind = kinds_[code];
+  ++kind.total;
+  if (isDrawn()) {
+    std::vector<std::uint64_t> key;
+    for (const Entity& entity : entities) {
+      key.push_back(static_cast<std::uint64_t>(entity.kind) << 32U | entity.index);
+    }
+    const auto [at, isNew] = known_.try_emplace({code, std::move(key)}, findings_.size());
+    if (!isNew) {
+      if (at->second < findings_.size()) ++findings_[at->second].count;
+      return;
+    }
+    if (kind.kept == kMaxOfAKind) at->second = findings_.max_size();
+  }
+  if (kind.kept == kMaxOfAKind) return;
+  ++kind.kept;
+  Finding finding;
+  finding.diagnostic.code = code;
+  finding.diagnostic.entities = std::move(entities);
+  finding.diagnostic.values = std::move(values);
+  finding.count = 1;
+  if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z)) {
+    finding.diagnostic.hasPlace = true;
+    finding.diagnostic.place = place;
+  }
+  findings_.push_back(std::move(finding));
+}
+
+void BoundaryReport::addNode(DiagnosticCode code, std::uint32_t node, std::vector<double> values) {
+  add(code, {{EntityKind::kSurfaceNode, node}}, pointOf(node), std::move(values));
+}
+
+void BoundaryReport::addNodePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b) {
+  add(code, {{EntityKind::kSurfaceNode, a}, {EntityKind::kSurfaceNode, b}}, pointOf(a), {});
+}
+
+void BoundaryReport::addTriangle(DiagnosticCode code, std::uint32_t triangle,
+                                 std::vector<double> values) {
+  std::vector<Entity> entities{{EntityKind::kTriangle, triangle}};
+  if (isDrawn()) entities = {patchOf(triangle)};
+  const std::size_t i = 3 * std::size_t{triangle};
+  const std::size_t nodes = mesh_.points.size() / 3;
+  Vec3 place(std::nan(""));
+  if (std::max({mesh_.triangles[i], mesh_.triangles[i + 1], mesh_.triangles[i + 2]}) < nodes) {
+    place = centreOf(triangle);
+  }
+  add(code, std::move(entities), place, std::move(values));
+}
+
+void BoundaryReport::addTrianglePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b,
+                                     const Vec3& place) {
+  std::vector<Entity> entities{{EntityKind::kTriangle, a}, {EntityKind::kTriangle, b}};
+  if (isDrawn()) {
+    entities = {patchOf(a), patchOf(b)};
+    if (entities[1].index < entities[0].index) std::swap(entities[0], entities[1]);
+    if (entities[1].index == entities[0].index) entities.pop_back();
+  }
+  add(code, std::move(entities), place, {});
+}
+
+void BoundaryReport::addEdge(DiagnosticCode code, std::uint32_t from, std::uint32_t to,
+                             std::span<const std::uint32_t> triangles) {
+  std::vector<Entity> entities;
+  std::uint32_t line = 0;
+  if (isDrawn()) {
+    if (lineOf(from, to, line)) entities.push_back({EntityKind::kLine, line});
+    std::vector<std::uint32_t> patches;
+    for (const std::uint32_t t : triangles) patches.push_back(mesh_.trianglePatch[t]);
+    std::sort(patches.begin(), patches.end());
+    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+    for (const std::uint32_t patch : patches) entities.push_back({EntityKind::kPatch, patch});
+  } else {
+    for (const std::uint32_t t : triangles) entities.push_back({EntityKind::kTriangle, t});
+  }
+  add(code, std::move(entities), 0.5 * (pointOf(from) + pointOf(to)), {});
+}
+
+void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> entities,
+                                    const Vec3& place, std::vector<double> values) {
+  Finding finding;
+  finding.diagnostic = {code,  Severity::kInformation, std::move(entities), true,
+                        place, std::move(values)};
+  finding.isCounted = false;
+  Kind& kind = kinds_[code];
+  ++kind.total;
+  // A drawn model has as many as patches; a given surface may have a million inverted shells.
+  if (!isDrawn() && kind.kept == kMaxOfAKind) return;
+  ++kind.kept;
+  findings_.push_back(std::move(finding));
+}
+
+void BoundaryReport::addEmpty() {
+  ++errors_;
+  Finding finding;
+  finding.diagnostic.code = DiagnosticCode::kEmptyModel;
+  finding.isCounted = false;
+  findings_.push_back(std::move(finding));
+}
+
+std::size_t BoundaryReport::countOf(DiagnosticCode code) const {
+  const auto at = kinds_.find(code);
+  return at == kinds_.end() ? 0 : static_cast<std::size_t>(at->second.total);
+}
+
+std::vector<Diagnostic> BoundaryReport::take() {
+  std::vector<Diagnostic> diagnostics;
+  for (Finding& finding : findings_) {
+    if (finding.isCounted) {
+      const std::uint64_t count = isDrawn() ? finding.count : kinds_[finding.diagnostic.code].total;
+      finding.diagnostic.values.push_back(static_cast<double>(count));
+    }
+    diagnostics.push_back(std::move(finding.diagnostic));
+  }
+  findings_.clear();
+  return diagnostics;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,81 @@
+#pragma once
+
+/// @file What the boundary check has to say: names lines and patches for a drawn model, triangles
+/// for a given surface, and keeps a million findings of one kind from becoming a million messages.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "tetrafront/mesh.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+/// Where a boundary comes from, which decides how findings are named.
+enum class BoundarySource : std::uint8_t {
+  kDrawnPatches,  ///< SurfaceMesh::trianglePatch, sides and sideLine are filled
+  kGivenSurface,  ///< points and triangles only
+};
+
+/// Collects findings. Of each code the first kMaxOfAKind are kept; the last of their `values` is
+/// the number of findings of that code in all (for a drawn model: with the same entities).
+class BoundaryReport {
+ public:
+  BoundaryReport(const SurfaceMesh& mesh, BoundarySource source) : mesh_(mesh), source_(source) {}
+
+  void addNode(DiagnosticCode code, std::uint32_t node, std::vector<double> values);
+  void addNodePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b);
+  void addTriangle(DiagnosticCode code, std::uint32_t triangle, std::vector<double> values = {});
+  void addTrianglePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b, const Vec3& place);
+  /// `triangles`: those that meet at the edge.
+  void addEdge(DiagnosticCode code, std::uint32_t from, std::uint32_t to,
+               std::span<const std::uint32_t> triangles);
+  /// Not counted with others of its kind.
+  void addInformation(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
+                      std::vector<double> values);
+  void addEmpty();
+
+  [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
+  [[nodiscard]] std::size_t countOf(DiagnosticCode code) const;
+
+  /// Everything, with the counts filled in.
+  [[nodiscard]] std::vector<Diagnostic> take();
+
+  [[nodiscard]] Vec3 centreOf(std::uint32_t triangle) const;
+
+ private:
+  static constexpr std::size_t kMaxOfAKind = 20;
+
+  struct Kind {
+    std::uint64_t total = 0;
+    std::size_t kept = 0;
+  };
+  struct Finding {
+    Diagnostic diagnostic;
+    std::uint64_t count = 0;  ///< with the same entities; drawn models only
+    bool isCounted = true;
+  };
+
+  void add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
+           std::vector<double> values);
+  [[nodiscard]] bool isDrawn() const { return source_ == BoundarySource::kDrawnPatches; }
+  [[nodiscard]] Entity patchOf(std::uint32_t triangle) const;
+  [[nodiscard]] bool lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& line);
+  [[nodiscard]] Vec3 pointOf(std::uint32_t node) const;
+
+  const SurfaceMesh& mesh_;
+  BoundarySource source_;
+  std::size_t errors_ = 0;
+  std::vector<Finding> findings_;
+  std::map<DiagnosticCode, Kind> kinds_;
+  /// Findings of a drawn model by code and entities.
+  std::map<std::pair<DiagnosticCode, std::vector<std::uint64_t>>, std::size_t> known_;
+  /// Sides as {lower node, higher node, line}, sorted when first asked for.
+  std::vector<std::array<std::uint32_t, 3>> sides_;
+};
+
+}  // namespace tetrafront

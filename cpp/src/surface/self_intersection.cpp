@@ -1,0 +1,81 @@
+#include "surface/self_intersection.h"
+
+#include <algorithm>
+
+#include "geom/intersect.h"
+
+namespace tetrafront {
+namespace {
+
+Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
+  const std::size_t i = 3 * std::size_t{node};
+  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
+}
+
+NumberedTriangle triangleOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
+  NumberedTriangle result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    result.nodes[k] = mesh.triangles[3 * std::size_t{triangle} + k];
+    result.corners[k] = pointOf(mesh, result.nodes[k]);
+  }
+  return result;
+}
+
+Box boxOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
+  const std::size_t i = 3 * std::size_t{triangle};
+  return Box::of(pointOf(mesh, mesh.triangles[i]), pointOf(mesh, mesh.triangles[i + 1]),
+                 pointOf(mesh, mesh.triangles[i + 2]));
+}
+
+/// The middle of what two boxes have in common: near enough to point at.
+Vec3 meetingPlace(const Box& a, const Box& b) {
+  Vec3 place;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    place[i] =
+        0.5 * (double{std::max(a.low[k], b.low[k])} + double{std::min(a.high[k], b.high[k])});
+  }
+  return place;
+}
+
+}  // namespace
+
+std::vector<Box> triangleBoxes(const SurfaceMesh& mesh) {
+  std::vector<Box> boxes;
+  const std::size_t count = mesh.triangles.size() / 3;
+  boxes.reserve(count);
+  for (std::uint32_t t = 0; t < count; ++t) boxes.push_back(boxOf(mesh, t));
+  return boxes;
+}
+
+SelfIntersectionCheck::SelfIntersectionCheck(const SurfaceMesh& mesh,
+                                             std::span<const std::uint8_t> ignored,
+                                             const BoxTree& tree, BoundaryReport& report)
+    : mesh_(mesh), ignored_(ignored), tree_(tree), report_(report) {}
+
+bool SelfIntersectionCheck::advance(std::uint32_t budget) {
+  const auto count = static_cast<std::uint32_t>(mesh_.triangles.size() / 3);
+  for (std::uint32_t i = 0; i < budget && next_ < count; ++i) {
+    if (report_.countOf(DiagnosticCode::kSelfIntersection) >= kEnough) return true;
+    if (ignored_[next_] == 0) testTriangle(next_);
+    ++next_;
+  }
+  return next_ >= count;
+}
+
+void SelfIntersectionCheck::testTriangle(std::uint32_t triangle) {
+  const NumberedTriangle own = triangleOf(mesh_, triangle);
+  const Box box = boxOf(mesh_, triangle);
+  near_.clear();
+  tree_.visitOverlaps(box, [&](std::uint32_t other) {
+    if (other > triangle && ignored_[other] == 0) near_.push_back(other);
+  });
+  std::sort(near_.begin(), near_.end());
+  for (const std::uint32_t other : near_) {
+    if (!meetImproperly(own, triangleOf(mesh_, other))) continue;
+    const Vec3 place = meetingPlace(box, boxOf(mesh_, other));
+    report_.addTrianglePair(DiagnosticCode::kSelfIntersection, triangle, other, place);
+  }
+}
+
+}  // namespace tetrafront

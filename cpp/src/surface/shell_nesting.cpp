@@ -1,0 +1,139 @@
+#include "surface/shell_nesting.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "geom/predicates.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr std::uint32_t kNoShell = 0xffffffffU;
+constexpr std::uint32_t kManyShells = 0xfffffffeU;
+
+/// A volume below this share of the sum of its terms' magnitudes is rounding.
+constexpr double kVolumeRounding = 1e-14;
+
+Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
+  const std::size_t i = 3 * std::size_t{node};
+  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
+}
+
+std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
+  const std::size_t i = 3 * std::size_t{triangle};
+  return {pointOf(mesh, mesh.triangles[i]), pointOf(mesh, mesh.triangles[i + 1]),
+          pointOf(mesh, mesh.triangles[i + 2])};
+}
+
+/// A sum that carries its rounding errors along (Neumaier 1974).
+class CarefulSum {
+ public:
+  void add(double value) {
+    const double sum = sum_ + value;
+    error_ += std::fabs(sum_) >= std::fabs(value) ? (sum_ - sum) + value : (value - sum) + sum_;
+    sum_ = sum;
+  }
+  [[nodiscard]] double value() const { return sum_ + error_; }
+
+ private:
+  double sum_ = 0.0;
+  double error_ = 0.0;
+};
+
+Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
+
+/// As glm::cross, but all products added up.
+Vec3 crossMagnitudes(const Vec3& a, const Vec3& b) {
+  return {a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x};
+}
+
+Vec2 alongX(const Vec3& v) { return {v.y, v.z}; }
+
+}  // namespace
+
+std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const std::uint32_t> shellOf) {
+  std::vector<Shell> shells;
+  std::vector<CarefulSum> volumes;
+  std::vector<double> magnitude;
+  for (std::uint32_t t = 0; t < shellOf.size(); ++t) {
+    const std::uint32_t s = shellOf[t];
+    if (s == shells.size()) {
+      shells.push_back({t, 0, 0.0, false});
+      volumes.emplace_back();
+      magnitude.push_back(0.0);
+    }
+    ++shells[s].triangleCount;
+    const Vec3 origin = cornersOf(mesh, shells[s].firstTriangle)[0];
+    const std::array<Vec3, 3> p = cornersOf(mesh, t);
+    const Vec3 a = p[0] - origin;
+    const Vec3 b = p[1] - origin;
+    const Vec3 c = p[2] - origin;
+    volumes[s].add(glm::dot(a, glm::cross(b, c)));
+    magnitude[s] += glm::dot(magnitudes(a), crossMagnitudes(magnitudes(b), magnitudes(c)));
+  }
+  for (std::size_t s = 0; s < shells.size(); ++s) {
+    shells[s].volume = volumes[s].value() / 6.0;
+    shells[s].isFlat = std::fabs(volumes[s].value()) <= kVolumeRounding * magnitude[s];
+  }
+  return shells;
+}
+
+ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> shellOf,
+                           std::size_t shellCount, const BoxTree& tree)
+    : mesh_(mesh), shellOf_(shellOf), tree_(tree), start_(shellCount) {
+  std::vector<std::uint32_t> nodeShell(mesh.points.size() / 3, kNoShell);
+  for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
+    std::uint32_t& shell = nodeShell[mesh.triangles[h]];
+    shell = shell == kNoShell || shell == shellOf[h / 3] ? shellOf[h / 3] : kManyShells;
+  }
+  std::vector<std::uint8_t> hasStart(shellCount, 0);
+  for (std::uint32_t t = 0; t < shellOf.size(); ++t) {
+    if (hasStart[shellOf[t]] != 0) continue;
+    const std::array<Vec3, 3> p = cornersOf(mesh, t);
+    start_[shellOf[t]] = (p[0] + p[1] + p[2]) / 3.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (nodeShell[mesh.triangles[3 * std::size_t{t} + k]] != shellOf[t]) continue;
+      start_[shellOf[t]] = p[k];
+      hasStart[shellOf[t]] = 1;
+    }
+  }
+}
+
+std::vector<std::uint32_t> ShellNesting::around(std::uint32_t shell) const {
+  const Vec3& place = start_[shell];
+  Box ray = Box::of(place, place, place);
+  ray.high[0] = std::numeric_limits<float>::max();
+  std::vector<std::uint32_t> crossed;
+  tree_.visitOverlaps(ray, [&](std::uint32_t t) {
+    if (shellOf_[t] != shell && isAheadOf(place, t)) crossed.push_back(shellOf_[t]);
+  });
+  std::sort(crossed.begin(), crossed.end());
+  std::vector<std::uint32_t> result;
+  for (std::size_t i = 0, j = 0; i < crossed.size(); i = j) {
+    while (j < crossed.size() && crossed[j] == crossed[i]) ++j;
+    if ((j - i) % 2 == 1) result.push_back(crossed[i]);
+  }
+  return result;
+}
+
+/// Does the ray from `place` along x pass through the triangle? Where it would meet an edge or a
+/// node, it is moved by less than anything, the same way for all triangles: the z of `place`
+/// counts as higher than any equal one, and its y as lower.
+bool ShellNesting::isAheadOf(const Vec3& place, std::uint32_t triangle) const {
+  const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
+  bool isInside = false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3* low = &p[k];
+    const Vec3* high = &p[(k + 1) % 3];
+    if (low->z > high->z) std::swap(low, high);
+    if (low->z > place.z || high->z <= place.z) continue;
+    if (orient2d(alongX(*low), alongX(*high), alongX(place)) > 0) isInside = !isInside;
+  }
+  if (!isInside) return false;
+  const int facing = orient2d(alongX(p[0]), alongX(p[1]), alongX(p[2]));
+  return orient3d(p[0], p[1], p[2], place) * facing < 0;
+}
+
+}  // namespace tetrafront
