@@ -1,0 +1,87 @@
+#include "quality/metrics.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace tetrafront {
+namespace {
+
+double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
+
+/// acos, here alone, since it only ever reaches a report.
+double degreesOf(double cosine) {
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * (180.0 / std::numbers::pi);
+}
+
+}  // namespace
+
+TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 w = d - a;
+  // Outward normals of the faces opposite to b, c, d and a, as long as twice the areas.
+  const Vec3 vw = glm::cross(v, w);
+  const Vec3 wu = glm::cross(w, u);
+  const Vec3 uv = glm::cross(u, v);
+  const std::array<Vec3, 4> normals{-vw, -wu, -uv, vw + wu + uv};
+  std::array<double, 4> lengths;
+  for (std::size_t i = 0; i < 4; ++i) lengths[i] = length(normals[i]);
+
+  TetrahedronMeasures measures;
+  const double det = glm::dot(u, vw);
+  measures.volume = det / 6.0;
+  measures.largestCosine = -1.0;
+  measures.smallestCosine = 1.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double product = lengths[i] * lengths[j];
+      // The angle between faces is that between one normal and the other turned round.
+      const double cosine = product > 0.0 ? -glm::dot(normals[i], normals[j]) / product : 1.0;
+      measures.largestCosine = std::max(measures.largestCosine, cosine);
+      measures.smallestCosine = std::min(measures.smallestCosine, cosine);
+    }
+  }
+  // Inradius = det / sum of lengths; circumradius = |k| / (2 det).
+  const Vec3 k = glm::dot(u, u) * vw + glm::dot(v, v) * wu + glm::dot(w, w) * uv;
+  const double denominator = (lengths[0] + lengths[1] + lengths[2] + lengths[3]) * length(k);
+  if (det > 0.0 && denominator > 0.0) measures.radiusRatio = 6.0 * det * det / denominator;
+  return measures;
+}
+
+void QualityMeter::add(const VolumeMesh& mesh, std::size_t first, std::size_t last) {
+  const auto corner = [&](std::size_t t, std::size_t k) {
+    const std::size_t i = 3 * std::size_t{mesh.tetrahedra[4 * t + k]};
+    return Vec3(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
+  };
+  for (std::size_t t = first; t < last; ++t) {
+    const TetrahedronMeasures measures =
+        measureTetrahedron(corner(t, 0), corner(t, 1), corner(t, 2), corner(t, 3));
+    ++count_;
+    volume_ += measures.volume;
+    sumOfRatios_ += measures.radiusRatio;
+    minRatio_ = std::min(minRatio_, measures.radiusRatio);
+    largestCosine_ = std::max(largestCosine_, measures.largestCosine);
+    smallestCosine_ = std::min(smallestCosine_, measures.smallestCosine);
+  }
+}
+
+QualitySummary QualityMeter::summary() const {
+  if (count_ == 0) return {};
+  QualitySummary summary;
+  summary.minDihedral = degreesOf(largestCosine_);
+  summary.maxDihedral = degreesOf(smallestCosine_);
+  summary.minRadiusRatio = minRatio_;
+  summary.meanRadiusRatio = sumOfRatios_ / static_cast<double>(count_);
+  summary.volume = volume_;
+  return summary;
+}
+
+QualitySummary measureQuality(const VolumeMesh& mesh) {
+  QualityMeter meter;
+  meter.add(mesh, 0, mesh.tetrahedra.size() / 4);
+  return meter.summary();
+}
+
+}  // namespace tetrafront

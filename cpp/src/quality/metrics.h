@@ -1,0 +1,45 @@
+#pragma once
+
+/// @file How good the elements are: volume, dihedral angles, radius ratio. For reports; nothing
+/// here decides anything.
+
+#include <cstdint>
+#include <span>
+
+#include "tetrafront/mesh.h"
+#include "tetrafront/status.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+struct TetrahedronMeasures {
+  double volume = 0.0;         ///< positive if (b-a) x (c-a) . (d-a) > 0
+  double radiusRatio = 0.0;    ///< 3 x inradius / circumradius, 1 if regular; 0 if flat or inverted
+  double largestCosine = 0.0;  ///< of the dihedral angles: the smallest angle's
+  double smallestCosine = 0.0;  ///< the largest angle's
+};
+
+[[nodiscard]] TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c,
+                                                     const Vec3& d);
+
+/// Gathers the QualitySummary of a mesh in slices.
+class QualityMeter {
+ public:
+  /// Adds tetrahedra [first, last) of the mesh. About 0.1 µs each.
+  void add(const VolumeMesh& mesh, std::size_t first, std::size_t last);
+
+  /// All zero if nothing was added.
+  [[nodiscard]] QualitySummary summary() const;
+
+ private:
+  std::size_t count_ = 0;
+  double volume_ = 0.0;
+  double sumOfRatios_ = 0.0;
+  double minRatio_ = 1.0;
+  double largestCosine_ = -1.0;
+  double smallestCosine_ = 1.0;
+};
+
+[[nodiscard]] QualitySummary measureQuality(const VolumeMesh& mesh);
+
+}  // namespace tetrafront
