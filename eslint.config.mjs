@@ -86,6 +86,8 @@ export default tseslint.config(
     files: ["scripts/**/*.mjs", "tests/**/*.mjs", "wasm/bin/**/*.mjs", "*.mjs"],
     languageOptions: { globals: globals.node },
   },
+  // A benchmark is a program whose output is its result.
+  { files: ["tests/bench/**/*.mjs"], rules: { "no-console": "off" } },
 
   // Arrows.
   {

@@ -1,19 +1,21 @@
 // npm run bench [NAME...]: builds the engine natively and to WebAssembly and runs tests/bench/NAME.mjs
 // (default: all), one after the other. A benchmark finds the native program in TETRAFRONT_FILL.
-import { existsSync, readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { build } from "./build.mjs";
 import { buildFolders, inRoot } from "./lib/paths.mjs";
 import { main, must, say, UserError } from "./lib/run.mjs";
 import { setup } from "./setup.mjs";
 
+const folder = inRoot("tests", "bench");
+
+/** Modules that export something are helpers of the benchmarks beside them. */
+function isBenchmark(name) {
+  return name.endsWith(".mjs") && !/^export /m.test(readFileSync(path.join(folder, name), "utf8"));
+}
+
 await main(async () => {
-  const folder = inRoot("tests", "bench");
-  const all = existsSync(folder)
-    ? readdirSync(folder)
-        .filter((name) => name.endsWith(".mjs"))
-        .sort()
-    : [];
+  const all = readdirSync(folder).filter(isBenchmark).sort();
   const names = process.argv.slice(2).map((name) => `${path.basename(name, ".mjs")}.mjs`);
   const unknown = names.find((name) => !all.includes(name));
   if (unknown) throw new UserError(`There is no tests/bench/${unknown}; there are ${all.join(", ")}`);
