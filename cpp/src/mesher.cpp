@@ -7,6 +7,9 @@
 #include "base/fingerprint.h"
 #include "field/size_field.h"
 #include "model/check_model.h"
+#include "quality/check_mesh.h"
+#include "quality/metrics.h"
+#include "surface/boundary.h"
 #include "surface/surface_mesher.h"
 #include "volume/volume_mesher.h"
 
@@ -108,6 +111,9 @@ class MeshRun::Impl {
       case Stage::kVolume:
         fillVolume(budget);
         break;
+      case Stage::kMeasure:
+        measure(budget);
+        break;
       case Stage::kVerify:
         verify(budget);
         break;
@@ -118,7 +124,7 @@ class MeshRun::Impl {
   void cancel() {
     if (status_ != MeshStatus::kRunning) return;
     status_ = MeshStatus::kCancelled;
-    if (volumeMesher_) finishedMesh_ = volumeMesher_->mesh();
+    if (volumeMesher_) keepMesh();
   }
 
   [[nodiscard]] MeshStatus status() const { return status_; }
@@ -130,12 +136,14 @@ class MeshRun::Impl {
     return volumeMesher_ ? volumeMesher_->mesh() : VolumeMesh{};
   }
 
-  [[nodiscard]] QualitySummary quality() const { return {}; }
+  [[nodiscard]] QualitySummary quality() const {
+    return status_ == MeshStatus::kDone ? meter_.summary() : measureQuality(volume());
+  }
   [[nodiscard]] RecoverySummary recovery() const {
-    return volumeMesher_ ? volumeMesher_->recovery() : RecoverySummary{};
+    return volumeMesher_ ? volumeMesher_->recovery() : recovery_;
   }
   [[nodiscard]] FrontCounters counters() const {
-    return volumeMesher_ ? volumeMesher_->counters() : FrontCounters{};
+    return volumeMesher_ ? volumeMesher_->counters() : counters_;
   }
 
   [[nodiscard]] std::uint64_t fingerprint() const {
@@ -156,6 +164,10 @@ class MeshRun::Impl {
       progress.points = volumeMesher_->pointCount();
       progress.tetrahedra = volumeMesher_->tetrahedronCount();
       progress.frontFaces = volumeMesher_->frontFaceCount();
+    } else if (finishedMesh_) {
+      progress.points = static_cast<std::uint32_t>(finishedMesh_->points.size() / 3);
+      progress.tetrahedra = static_cast<std::uint32_t>(finishedMesh_->tetrahedra.size() / 4);
+      progress.frontFaces = static_cast<std::uint32_t>(finishedMesh_->front.size() / 3);
     }
     return progress;
   }
@@ -168,6 +180,7 @@ class MeshRun::Impl {
     kField,
     kEstimate,
     kVolume,
+    kMeasure,
     kVerify,
   };
 
@@ -188,22 +201,30 @@ class MeshRun::Impl {
     }
   }
 
+  /// Estimated part of the whole run that is done.
   [[nodiscard]] double fraction() const {
     const double surfaceEnd = isModel() ? kModelSurfaceEnd : kCheckEnd;
+    const auto between = [](double from, double to, double part) {
+      return from + (to - from) * part;
+    };
     switch (stage_) {
       case Stage::kCheckModel:
         return 0.0;
-      case Stage::kSurface: {
-        const double part = surfaceMesher_ ? surfaceMesher_->fraction() : 0.0;
-        return kCheckEnd + (surfaceEnd - kCheckEnd) * part;
-      }
-      case Stage::kVolume:
-        return surfaceEnd + (kVolumeEnd - surfaceEnd) * volumeMesher_->filledFraction();
-      case Stage::kVerify:
-        return status_ == MeshStatus::kDone ? 1.0 : kVolumeEnd;
-      default:
+      case Stage::kSurface:
+        return between(kCheckEnd, surfaceEnd, surfaceMesher_->fraction());
+      case Stage::kCheckBoundary:
         return isModel() ? surfaceEnd : 0.0;
+      case Stage::kField:
+      case Stage::kEstimate:
+        return surfaceEnd;
+      case Stage::kVolume:
+        return between(surfaceEnd, kVolumeEnd, filled_);
+      case Stage::kMeasure:
+        return kVolumeEnd;
+      case Stage::kVerify:
+        return status_ == MeshStatus::kDone ? 1.0 : between(kVolumeEnd, 1.0, verifier_->fraction());
     }
+    return 0.0;
   }
 
   void fail() { status_ = MeshStatus::kInvalidInput; }
@@ -232,9 +253,13 @@ class MeshRun::Impl {
   }
 
   void checkBoundary(std::uint32_t budget) {
-    static_cast<void>(budget);
-    if (surface_.triangles.empty()) return fail();
-    triangleRegion_.assign(surface_.triangles.size() / 3, 0);
+    if (!boundaryCheck_) {
+      boundaryCheck_.emplace(
+          surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface);
+    }
+    if (!boundaryCheck_->advance(budget)) return;
+    report(boundaryCheck_->diagnostics());
+    if (!boundaryCheck_->result().valid) return fail();
     stage_ = isModel() ? Stage::kEstimate : Stage::kField;
   }
 
@@ -253,26 +278,53 @@ class MeshRun::Impl {
       report({tooMany});
       return fail();
     }
-    volumeMesher_.emplace(surface_, triangleRegion_, *field_, options_);
+    volumeMesher_.emplace(surface_, boundaryCheck_->result().triangleRegion, *field_, options_);
     stage_ = Stage::kVolume;
   }
 
   void fillVolume(std::uint32_t budget) {
     const MeshStatus status = volumeMesher_->advance(budget);
+    filled_ = volumeMesher_->filledFraction();
     if (status == MeshStatus::kRunning) return;
     report(volumeMesher_->diagnostics());
-    finishedMesh_ = volumeMesher_->mesh();
-    if (status == MeshStatus::kDone) {
-      stage_ = Stage::kVerify;
-    } else {
+    keepMesh();
+    if (status != MeshStatus::kDone) {
       status_ = status;
+      return;
     }
+    verifier_.emplace(*finishedMesh_, surface_);
+    stage_ = Stage::kMeasure;
+  }
+
+  /// Takes what the volume mesher has made and frees it: the front needs more room than the mesh.
+  void keepMesh() {
+    finishedMesh_ = volumeMesher_->mesh();
+    recovery_ = volumeMesher_->recovery();
+    counters_ = volumeMesher_->counters();
+    volumeMesher_.reset();
+  }
+
+  void measure(std::uint32_t budget) {
+    const std::size_t count = finishedMesh_->tetrahedra.size() / 4;
+    const std::size_t last = std::min<std::size_t>(count, measured_ + budget);
+    meter_.add(*finishedMesh_, measured_, last);
+    measured_ = last;
+    if (measured_ == count) stage_ = Stage::kVerify;
   }
 
   /// The engine's own exact verdict; a failure is our mistake, and is told rather than hidden.
   void verify(std::uint32_t budget) {
-    static_cast<void>(budget);
-    status_ = MeshStatus::kDone;
+    if (!verifier_->advance(budget)) return;
+    const std::uint64_t defects = verifier_->defects().count();
+    if (defects == 0) {
+      status_ = MeshStatus::kDone;
+      return;
+    }
+    Diagnostic failed;
+    failed.code = DiagnosticCode::kVerificationFailed;
+    failed.values = {static_cast<double>(defects)};
+    report({failed});
+    status_ = MeshStatus::kStalled;
   }
 
   MeshOptions options_;
@@ -283,9 +335,15 @@ class MeshRun::Impl {
   SurfaceMesh surface_;
   std::optional<SizeField> field_;
   std::optional<SurfaceMesher> surfaceMesher_;
-  std::vector<std::uint32_t> triangleRegion_;
+  std::optional<BoundaryCheck> boundaryCheck_;
   std::optional<VolumeMesher> volumeMesher_;
   std::optional<VolumeMesh> finishedMesh_;
+  double filled_ = 0.0;
+  RecoverySummary recovery_;
+  FrontCounters counters_;
+  QualityMeter meter_;
+  std::size_t measured_ = 0;
+  std::optional<MeshVerifier> verifier_;
   std::vector<Diagnostic> diagnostics_;
 };
 
