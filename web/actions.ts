@@ -1,0 +1,108 @@
+import { MESH_WRITERS, type MeshResult, type Project } from "tetrafront";
+import type { App } from "./app";
+import { deleteEntities } from "./document/edits";
+import type { Entity } from "./document/entities";
+import { download, fileStem, openProjectFile, readProjectFile, saveProjectFile } from "./document/files";
+import type { OpenResult } from "./document/files";
+import { loadModel, type GalleryModel } from "./document/gallery";
+import type { Problem } from "./document/validate";
+import { formatCount } from "./ui/format";
+import { strings } from "./ui/strings";
+
+/** What commands and panels do that concerns more than one room. */
+
+function tell(app: App, title: string, lines: readonly string[]): void {
+  app.shell.setState({ message: { title, lines } });
+}
+
+/** Shows another project and meshes it at once. Undoable. */
+export function openProject(app: App, project: Project): void {
+  app.documents.open(project, `Open ${project.name}`);
+  app.file.handle = null;
+  app.view.reset();
+  app.view.setCut({ enabled: false });
+  app.viewer.getState().viewer?.setProject(app.documents.project, true);
+  app.shell.setState({ drawer: null, leftTab: "model" });
+  void app.run.restart();
+}
+
+export async function openExample(app: App, model: GalleryModel): Promise<void> {
+  try {
+    openProject(app, await loadModel(model));
+  } catch (error) {
+    tell(app, strings.messages.openFailed(model.title), [String(error)]);
+  }
+}
+
+function takeOpened(app: App, result: OpenResult): void {
+  if (result.kind === "opened") openProject(app, result.project);
+  else if (result.kind === "failed") tell(app, strings.messages.openFailed(result.fileName), result.reasons);
+}
+
+export async function openFromDialog(app: App): Promise<void> {
+  takeOpened(app, await openProjectFile());
+}
+
+export async function openDropped(app: App, file: File): Promise<void> {
+  takeOpened(app, await readProjectFile(file));
+}
+
+/** Saves into the file saved before, or asks for one. */
+export async function save(app: App, askForName: boolean): Promise<void> {
+  try {
+    const saved = await saveProjectFile(app.documents.project, askForName ? null : app.file.handle);
+    if (!saved) return;
+    app.file.handle = saved.handle;
+    app.documents.markSaved();
+  } catch (error) {
+    tell(app, strings.messages.saveFailed, [String(error)]);
+  }
+}
+
+/** Extensions of the mesh files that can be written. */
+export type MeshExtension = ".vtu" | ".msh";
+
+export function downloadMesh(app: App, extension: MeshExtension): void {
+  const { mesh } = app.run.state.getState();
+  const write = MESH_WRITERS[extension];
+  if (!mesh || !write) return;
+  const { project } = app.documents;
+  const bytes = write(mesh, project);
+  download([bytes], `${fileStem(project.name)}${extension}`, "application/octet-stream");
+}
+
+export function downloadReport(app: App): void {
+  const { mesh } = app.run.state.getState();
+  if (!mesh) return;
+  const text = `${JSON.stringify(mesh.report, null, 2)}\n`;
+  download([text], `${fileStem(app.documents.project.name)}-report.json`, "application/json");
+}
+
+export function deleteSelection(app: App): void {
+  const { selection } = app.view.state.getState();
+  if (selection.length === 0) return;
+  app.documents.edit(deleteEntities(app.documents.project, selection));
+  app.view.select(null);
+}
+
+/** Selects an entity and moves the view to it. */
+export function showEntity(app: App, entity: Entity): void {
+  app.view.select(entity);
+  if (entity.kind === "background-node") app.view.setLayer("background", true);
+  app.shell.setState({ rightTab: "inspector", leftTab: "model" });
+  app.viewer.getState().viewer?.fit([entity]);
+}
+
+/** Selects the first entity that a problem is about and moves the view to its place. */
+export function showProblem(app: App, problem: Problem): void {
+  const [first] = problem.entities;
+  if (first) showEntity(app, first);
+  if (problem.place) app.viewer.getState().viewer?.fitPlace(problem.place);
+}
+
+/** One sentence on the mesh, for the label of the picture. */
+export function describeMesh(project: Project, mesh: MeshResult | null): string {
+  if (!mesh) return strings.viewport.summaryNoMesh(project.name);
+  const { tetrahedra, dihedral } = mesh.report;
+  return strings.viewport.summary(project.name, formatCount(tetrahedra), `${dihedral.min.toFixed(1)}°`);
+}

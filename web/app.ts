@@ -1,0 +1,91 @@
+import { createMesher, type Project } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { Autosave } from "./document/autosave";
+import { emptyProject } from "./document/edits";
+import { loadGallery, loadModel, type Gallery } from "./document/gallery";
+import { PreviewFeed } from "./document/preview";
+import { ProblemList } from "./document/problems";
+import { MeshRun } from "./document/run";
+import { ViewStore } from "./document/selection";
+import { createShell, type Shell } from "./document/shell";
+import { contentKey, DocumentStore } from "./document/store";
+import { strings } from "./ui/strings";
+import type { Viewer } from "./viewer/viewer";
+
+/** Everything the panels and commands work with. Made once, when the page has loaded. */
+export interface App {
+  readonly documents: DocumentStore;
+  readonly view: ViewStore;
+  readonly run: MeshRun;
+  readonly previews: PreviewFeed;
+  readonly problems: ProblemList;
+  readonly autosave: Autosave;
+  readonly shell: Shell;
+  readonly gallery: Gallery;
+  /** The view, while there is one: no WebGL, no view. */
+  readonly viewer: StoreApi<{ readonly viewer: Viewer | null }>;
+  /** The file that Save writes to without asking. */
+  readonly file: { handle: FileSystemFileHandle | null };
+  /** `?test=1`: no motion, no multisampling. */
+  readonly still: boolean;
+}
+
+interface Start {
+  readonly project: Project;
+  readonly savedKey: string;
+}
+
+const noGallery: Gallery = { opening: "", models: [] };
+
+async function firstProject(autosave: Autosave, gallery: Gallery): Promise<Start> {
+  const kept = await autosave.load();
+  if (kept) return kept;
+  const opening = gallery.models.find(({ id }) => id === gallery.opening);
+  const project = opening ? await loadModel(opening) : emptyProject("Untitled");
+  return { project, savedKey: contentKey(project) };
+}
+
+/** Loads what was last worked on, or the opening model, and wires the rooms together. */
+export async function createApp(still: boolean): Promise<App> {
+  const mesher = createMesher();
+  // Runs and previews report the failure; here it only must not count as unhandled.
+  mesher.catch(() => undefined);
+  const shell = createShell();
+  const fail = (error: unknown): void =>
+    shell.setState({ message: { title: strings.messages.galleryFailed, lines: [String(error)] } });
+  const gallery = await loadGallery().catch((error: unknown) => {
+    fail(error);
+    return noGallery;
+  });
+  const documents = new DocumentStore(emptyProject("Untitled"));
+  const autosave = new Autosave(documents);
+  const start = await firstProject(autosave, gallery).catch((error: unknown) => {
+    fail(error);
+    return null;
+  });
+  if (start) documents.restore(start.project, start.savedKey);
+  autosave.follow();
+  const run = new MeshRun(documents, mesher);
+  const previews = new PreviewFeed(documents, mesher);
+  const view = new ViewStore();
+  const problems = new ProblemList(documents, previews, run);
+  run.state.subscribe((state, before) => {
+    if (state.mesh !== before.mesh && view.state.getState().element !== null) view.selectElement(null);
+    const failed =
+      state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";
+    if (failed) shell.setState({ bottomTab: "problems" });
+  });
+  return {
+    documents,
+    view,
+    run,
+    previews,
+    problems,
+    autosave,
+    shell,
+    gallery,
+    viewer: createStore<{ readonly viewer: Viewer | null }>(() => ({ viewer: null })),
+    file: { handle: null },
+    still,
+  };
+}

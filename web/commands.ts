@@ -1,0 +1,260 @@
+import type { App } from "./app";
+import { deleteSelection, downloadMesh, downloadReport, openFromDialog, save } from "./actions";
+import { scaleSizes } from "./document/edits";
+import type { CutAxis, Layer, Shading } from "./document/selection";
+import type { StandardView } from "./viewer/camera";
+
+export type MenuName = "file" | "edit" | "view" | "mesh" | "help";
+
+/** One thing the user can do: menu, palette, hotkeys and help all read this table. */
+export interface Command {
+  readonly id: string;
+  readonly menu: MenuName;
+  /** Items of a menu with different sections are set apart. */
+  readonly section: number;
+  readonly label: (app: App) => string;
+  /** In Mantine's notation, e.g. "mod+Z". The first is shown. */
+  readonly keys: readonly string[];
+  /** Hotkey works even while a text field has the focus. */
+  readonly inFields: boolean;
+  readonly enabled: (app: App) => boolean;
+  /** For commands that switch something: is it on? */
+  readonly checked: ((app: App) => boolean) | null;
+  readonly run: (app: App) => void;
+}
+
+interface Extra {
+  readonly keys?: readonly string[];
+  readonly inFields?: boolean;
+  readonly enabled?: (app: App) => boolean;
+  readonly checked?: (app: App) => boolean;
+}
+
+type Label = string | ((app: App) => string);
+
+const define =
+  (menu: MenuName, section: number) =>
+  (id: string, label: Label, run: (app: App) => void, extra: Extra = {}): Command => ({
+    id,
+    menu,
+    section,
+    label: typeof label === "string" ? () => label : label,
+    keys: extra.keys ?? [],
+    inFields: extra.inFields ?? false,
+    enabled: extra.enabled ?? (() => true),
+    checked: extra.checked ?? null,
+    run,
+  });
+
+const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
+const isBusy = (app: App): boolean => app.run.state.getState().busy;
+const hasSelection = (app: App): boolean => app.view.state.getState().selection.length > 0;
+const hasViewer = (app: App): boolean => app.viewer.getState().viewer !== null;
+const viewState = (app: App) => app.view.state.getState();
+const past = (app: App) => app.documents.state.getState().history.past;
+const future = (app: App) => app.documents.state.getState().history.future;
+
+const withLabel = (verb: string, label: string | undefined): string =>
+  label === undefined ? verb : `${verb}: ${label}`;
+
+const fileMenu: readonly Command[] = [
+  define("file", 0)("open", "Open project…", (app) => void openFromDialog(app), {
+    keys: ["mod+O"],
+    inFields: true,
+  }),
+  define("file", 0)("examples", "Open example…", (app) =>
+    app.shell.setState({ leftTab: "examples", drawer: "left" }),
+  ),
+  define("file", 1)("save", "Save project", (app) => void save(app, false), {
+    keys: ["mod+S"],
+    inFields: true,
+  }),
+  define("file", 1)("save-as", "Save project as…", (app) => void save(app, true), {
+    keys: ["mod+shift+S"],
+    inFields: true,
+  }),
+  define("file", 2)("download-vtu", "Download mesh as VTU (ParaView)", (app) => downloadMesh(app, ".vtu"), {
+    enabled: hasMesh,
+  }),
+  define("file", 2)("download-msh", "Download mesh as MSH 4.1 (Gmsh)", (app) => downloadMesh(app, ".msh"), {
+    enabled: hasMesh,
+  }),
+  define("file", 2)("download-report", "Download mesh report (JSON)", downloadReport, { enabled: hasMesh }),
+];
+
+const editMenu: readonly Command[] = [
+  define("edit", 0)(
+    "undo",
+    (app) => withLabel("Undo", past(app).at(-1)?.label),
+    (app) => app.documents.undo(),
+    { keys: ["mod+Z"], enabled: (app) => past(app).length > 0 },
+  ),
+  define("edit", 0)(
+    "redo",
+    (app) => withLabel("Redo", future(app)[0]?.label),
+    (app) => app.documents.redo(),
+    { keys: ["mod+shift+Z", "mod+Y"], enabled: (app) => future(app).length > 0 },
+  ),
+  define("edit", 1)("delete", "Delete selection", deleteSelection, {
+    keys: ["Delete"],
+    enabled: hasSelection,
+  }),
+  define("edit", 1)("deselect", "Clear selection", (app) => app.view.select(null), {
+    keys: ["Escape"],
+    enabled: (app) => hasSelection(app) || viewState(app).element !== null,
+  }),
+];
+
+const standardViews: readonly (readonly [StandardView, string, string])[] = [
+  ["isometric", "Isometric", "0"],
+  ["front", "Front", "1"],
+  ["right", "Right", "3"],
+  ["top", "Top", "7"],
+  ["back", "Back", "alt+1"],
+  ["left", "Left", "alt+3"],
+  ["bottom", "Bottom", "alt+7"],
+];
+
+const layerNames: readonly (readonly [Layer, string])[] = [
+  ["points", "Points"],
+  ["lines", "Lines"],
+  ["patches", "Patches"],
+  ["background", "Background grid"],
+  ["mesh", "Mesh"],
+];
+
+const shadings: readonly (readonly [Shading, string])[] = [
+  ["radius-ratio", "Shade by radius ratio"],
+  ["dihedral", "Shade by smallest dihedral angle"],
+  ["plain", "Plain shading"],
+];
+
+const cutAxes: readonly CutAxis[] = ["x", "y", "z"];
+
+const viewMenu: readonly Command[] = [
+  define("view", 0)("fit", "Fit model", (app) => app.viewer.getState().viewer?.fit(null), {
+    keys: ["F"],
+    enabled: hasViewer,
+  }),
+  define("view", 0)(
+    "fit-selection",
+    "Fit selection",
+    (app) => {
+      const { selection, element } = viewState(app);
+      const { viewer } = app.viewer.getState();
+      if (element === null) viewer?.fit(selection);
+      else viewer?.fitElement(element);
+    },
+    {
+      keys: ["shift+F"],
+      enabled: (app) => hasViewer(app) && (hasSelection(app) || viewState(app).element !== null),
+    },
+  ),
+  ...standardViews.map(([view, name, key]) =>
+    define("view", 1)(`view-${view}`, `${name} view`, (app) => app.viewer.getState().viewer?.look(view), {
+      keys: [key],
+      enabled: hasViewer,
+    }),
+  ),
+  define("view", 2)("cut", "Cut", (app) => app.view.setCut({ enabled: !viewState(app).cut.enabled }), {
+    keys: ["X"],
+    checked: (app) => viewState(app).cut.enabled,
+  }),
+  define("view", 2)(
+    "cut-flip",
+    "Other side of the cut",
+    (app) => app.view.setCut({ flipped: !viewState(app).cut.flipped }),
+    { keys: ["shift+X"], enabled: (app) => viewState(app).cut.enabled },
+  ),
+  ...cutAxes.map((axis) =>
+    define("view", 2)(
+      `cut-${axis}`,
+      `Cut across ${axis}`,
+      (app) => app.view.setCut({ axis, enabled: true }),
+      { checked: (app) => viewState(app).cut.enabled && viewState(app).cut.axis === axis },
+    ),
+  ),
+  ...layerNames.map(([layer, name]) =>
+    define("view", 3)(`layer-${layer}`, name, (app) => app.view.toggleLayer(layer), {
+      checked: (app) => viewState(app).layers[layer],
+    }),
+  ),
+  define("view", 4)("hide", "Hide selection", (app) => app.view.setHidden(viewState(app).selection, true), {
+    keys: ["H"],
+    enabled: hasSelection,
+  }),
+  define("view", 4)("show-all", "Show all", (app) => app.view.showAll(), { keys: ["shift+H"] }),
+  ...shadings.map(([shading, name]) =>
+    define("view", 5)(`shade-${shading}`, name, (app) => app.view.state.setState({ shading }), {
+      checked: (app) => viewState(app).shading === shading,
+    }),
+  ),
+  define("view", 5)(
+    "edges",
+    "Element edges",
+    (app) => app.view.state.setState({ edges: !viewState(app).edges }),
+    {
+      keys: ["E"],
+      checked: (app) => viewState(app).edges,
+    },
+  ),
+];
+
+/** Factors on all sizes of the background grid. */
+const finer = 0.8;
+const coarser = 1.25;
+
+const meshMenu: readonly Command[] = [
+  define("mesh", 0)("generate", "Generate mesh", (app) => void app.run.generate(), {
+    keys: ["mod+Enter"],
+    inFields: true,
+    enabled: (app) => !isBusy(app),
+  }),
+  define("mesh", 0)("cancel", "Cancel meshing", (app) => app.run.cancel(), {
+    keys: ["shift+Escape"],
+    inFields: true,
+    enabled: isBusy,
+  }),
+  define("mesh", 1)("refine", "Make all sizes finer (× 0.8)", (app) => app.documents.edit(scaleSizes(finer))),
+  define("mesh", 1)("coarsen", "Make all sizes coarser (× 1.25)", (app) =>
+    app.documents.edit(scaleSizes(coarser)),
+  ),
+  define("mesh", 2)("problems", "Show problems", (app) =>
+    app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),
+  ),
+];
+
+const helpMenu: readonly Command[] = [
+  define("help", 0)("help", "Keyboard and mouse", (app) => app.shell.setState({ helpOpen: true }), {
+    keys: ["shift+?"],
+  }),
+];
+
+/** Every command, in the order of the menus. */
+export const commands: readonly Command[] = [...fileMenu, ...editMenu, ...viewMenu, ...meshMenu, ...helpMenu];
+
+const byId = new Map(commands.map((command) => [command.id, command]));
+
+/** The command of a name that is known to exist. */
+export function commandNamed(id: string): Command {
+  const command = byId.get(id);
+  if (!command) throw new Error(`There is no command "${id}"`);
+  return command;
+}
+
+/** Runs a command if it may run now. */
+export function runCommand(app: App, command: Command): void {
+  if (command.enabled(app)) command.run(app);
+}
+
+/** A hotkey for people: "mod+shift+Z" as "Ctrl Shift Z". */
+export function keyNames(key: string): readonly string[] {
+  const names: Readonly<Record<string, string>> = {
+    mod: "Ctrl",
+    shift: "Shift",
+    alt: "Alt",
+    Escape: "Esc",
+    Delete: "Del",
+  };
+  return key.split("+").map((part) => names[part] ?? part);
+}

@@ -1,0 +1,90 @@
+import { openDB, type DBSchema, type IDBPDatabase } from "idb";
+import { parseProject, type Project } from "tetrafront";
+import type { DocumentStore } from "./store";
+
+interface Saved {
+  readonly project: Project;
+  readonly savedKey: string;
+  /** Milliseconds since 1970. */
+  readonly at: number;
+}
+
+interface AutosaveSchema extends DBSchema {
+  versions: { key: number; value: Saved };
+}
+
+/** The browser keeps this many states of the document, the newest last. */
+const ringLength = 5;
+const idleMs = 1000;
+
+/**
+ * Writes the document to IndexedDB a second after the last change, and at once when the page is being
+ * left. A browser without storage (private mode) loses only this safety net.
+ */
+export class Autosave {
+  readonly #documents: DocumentStore;
+  readonly #database: Promise<IDBPDatabase<AutosaveSchema> | null>;
+  #timer: ReturnType<typeof setTimeout> | null = null;
+  #writing: Promise<void> = Promise.resolve();
+  #pending = false;
+
+  constructor(documents: DocumentStore, databaseName = "tetrafront") {
+    this.#documents = documents;
+    this.#database = openDB<AutosaveSchema>(databaseName, 1, {
+      upgrade: (database) => {
+        database.createObjectStore("versions", { autoIncrement: true });
+      },
+    }).catch(() => null);
+  }
+
+  /** Is there a change that no storage holds yet? Then leaving the page deserves a warning. */
+  get pending(): boolean {
+    return this.#pending;
+  }
+
+  /** The newest state kept, or null; a state that no longer reads is passed over. */
+  async load(): Promise<{ project: Project; savedKey: string } | null> {
+    const database = await this.#database;
+    if (!database) return null;
+    const versions = await database.getAll("versions");
+    for (const version of versions.reverse()) {
+      const read = parseProject(version.project);
+      if (read.success) return { project: read.value, savedKey: version.savedKey };
+    }
+    return null;
+  }
+
+  /** Begins to follow the document. Returns the way to stop. */
+  follow(): () => void {
+    return this.#documents.state.subscribe(() => {
+      this.#pending = true;
+      if (this.#timer !== null) clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => void this.flush(), idleMs);
+    });
+  }
+
+  /** Writes now what is not yet written. */
+  flush(): Promise<void> {
+    if (this.#timer !== null) clearTimeout(this.#timer);
+    this.#timer = null;
+    if (this.#pending) this.#writing = this.#writing.then(() => this.#write());
+    return this.#writing;
+  }
+
+  async #write(): Promise<void> {
+    const database = await this.#database;
+    if (!database) return;
+    const { project } = this.#documents;
+    const { savedKey } = this.#documents.state.getState();
+    try {
+      const transaction = database.transaction("versions", "readwrite");
+      await transaction.store.add({ project, savedKey, at: Date.now() });
+      const keys = await transaction.store.getAllKeys();
+      await Promise.all(keys.slice(0, -ringLength).map((key) => transaction.store.delete(key)));
+      await transaction.done;
+      this.#pending = this.#documents.project !== project;
+    } catch {
+      this.#pending = true;
+    }
+  }
+}

@@ -1,0 +1,216 @@
+import type { Project, ProjectLine, ProjectPatch } from "tetrafront";
+import type { Draft } from "mutative";
+import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
+import type { DocumentContent, ProjectEdit } from "./store";
+
+/**
+ * Every change a user can make to the project, as a named edit for the history. An edit of an
+ * entity that is not there changes nothing.
+ */
+
+export type Axis = 0 | 1 | 2;
+export type Vector = readonly [number, number, number];
+
+const kindWords: { readonly [K in DrawnKind]: string } = {
+  point: "point",
+  line: "line",
+  patch: "patch",
+  "background-node": "background node",
+};
+
+type ProjectDraft = Draft<DocumentContent>["project"];
+
+function listOf(project: ProjectDraft, kind: DrawnKind): { id: number; name?: string | undefined }[] {
+  switch (kind) {
+    case "point":
+      return project.points;
+    case "line":
+      return project.lines;
+    case "patch":
+      return project.patches;
+    case "background-node":
+      return project.background.nodes;
+  }
+}
+
+const byId =
+  (id: number) =>
+  (record: { readonly id: number }): boolean =>
+    record.id === id;
+
+/** Moves a point or a background node along one axis. */
+export function moveEntity(
+  kind: "point" | "background-node",
+  id: number,
+  axis: Axis,
+  value: number,
+): ProjectEdit {
+  return {
+    label: `Move ${kindWords[kind]} ${id}`,
+    mergeKey: `move-${kind}-${id}-${axis}`,
+    change: ({ project }) => {
+      const records = kind === "point" ? project.points : project.background.nodes;
+      const record = records.find(byId(id));
+      if (record) record.at[axis] = value;
+    },
+  };
+}
+
+/** Names a point, line or patch; an empty name takes the name away. */
+export function renameEntity(entity: Entity, name: string): ProjectEdit {
+  return {
+    label: `Rename ${kindWords[entity.kind]} ${entity.id}`,
+    change: ({ project }) => {
+      const record = listOf(project, entity.kind).find(byId(entity.id));
+      if (!record) return;
+      if (name === "") delete record.name;
+      else record.name = name;
+    },
+  };
+}
+
+export function renameProject(name: string): ProjectEdit {
+  return {
+    label: "Rename project",
+    change: ({ project }) => {
+      project.name = name;
+    },
+  };
+}
+
+export function setLineType(id: number, type: ProjectLine["type"]): ProjectEdit {
+  return {
+    label: `Change type of line ${id}`,
+    change: ({ project }) => {
+      const line = project.lines.find(byId(id));
+      if (line) line.type = type;
+    },
+  };
+}
+
+export function setLinePoints(id: number, points: readonly number[]): ProjectEdit {
+  return {
+    label: `Change points of line ${id}`,
+    change: ({ project }) => {
+      const line = project.lines.find(byId(id));
+      if (line && line.points.join() !== points.join()) line.points = [...points];
+    },
+  };
+}
+
+export function setPatchType(id: number, type: ProjectPatch["type"]): ProjectEdit {
+  return {
+    label: `Change type of patch ${id}`,
+    change: ({ project }) => {
+      const patch = project.patches.find(byId(id));
+      if (patch) patch.type = type;
+    },
+  };
+}
+
+/** The outer loop first; a negative id walks that line backwards. */
+export function setPatchLoops(id: number, loops: readonly (readonly number[])[]): ProjectEdit {
+  return {
+    label: `Change loops of patch ${id}`,
+    change: ({ project }) => {
+      const patch = project.patches.find(byId(id));
+      if (patch && JSON.stringify(patch.loops) !== JSON.stringify(loops)) {
+        patch.loops = loops.map((loop) => [...loop]);
+      }
+    },
+  };
+}
+
+export function setNodeSize(id: number, size: number): ProjectEdit {
+  return {
+    label: `Set size of background node ${id}`,
+    mergeKey: `size-${id}`,
+    change: ({ project }) => {
+      const node = project.background.nodes.find(byId(id));
+      if (node) node.size = size;
+    },
+  };
+}
+
+export function setNodeStretching(id: number, stretching: number): ProjectEdit {
+  return {
+    label: `Set stretching of background node ${id}`,
+    mergeKey: `stretching-${id}`,
+    change: ({ project }) => {
+      const node = project.background.nodes.find(byId(id));
+      if (!node) return;
+      node.stretching = stretching;
+      node.direction ??= [1, 0, 0];
+    },
+  };
+}
+
+export function setNodeDirection(id: number, axis: Axis, value: number): ProjectEdit {
+  return {
+    label: `Set direction of background node ${id}`,
+    mergeKey: `direction-${id}-${axis}`,
+    change: ({ project }) => {
+      const node = project.background.nodes.find(byId(id));
+      if (!node) return;
+      node.direction ??= [1, 0, 0];
+      node.direction[axis] = value;
+    },
+  };
+}
+
+/** Multiplies the size of every background node: coarser above 1, finer below. */
+export function scaleSizes(factor: number): ProjectEdit {
+  return {
+    label: factor < 1 ? "Refine all sizes" : "Coarsen all sizes",
+    change: ({ project }) => {
+      for (const node of project.background.nodes) node.size *= factor;
+    },
+  };
+}
+
+/** The given entities with everything built on them, directly or not. */
+export function withDependents(project: Project, entities: readonly Entity[]): Entity[] {
+  const found = new Map<string, Entity>();
+  const visit = (entity: Entity): void => {
+    if (found.has(entityKey(entity))) return;
+    found.set(entityKey(entity), entity);
+    dependentsOf(project, entity).forEach(visit);
+  };
+  entities.forEach(visit);
+  return [...found.values()];
+}
+
+/** Takes entities away, and with them what is built on them: no reference is left dangling. */
+export function deleteEntities(project: Project, entities: readonly Entity[]): ProjectEdit {
+  const doomed = withDependents(project, entities);
+  const [first] = entities;
+  const extra = doomed.length - entities.length;
+  const subject =
+    entities.length === 1 && first ? `${kindWords[first.kind]} ${first.id}` : `${entities.length} entities`;
+  return {
+    label: extra > 0 ? `Delete ${subject} and ${extra} built on it` : `Delete ${subject}`,
+    change: ({ project: draft }) => {
+      for (const { kind, id } of doomed) {
+        const list = listOf(draft, kind);
+        const position = list.findIndex(byId(id));
+        if (position >= 0) list.splice(position, 1);
+        if (kind === "background-node") {
+          draft.background.tetrahedra = draft.background.tetrahedra.filter((nodes) => !nodes.includes(id));
+        }
+      }
+    },
+  };
+}
+
+/** A project with nothing in it but a name. */
+export function emptyProject(name: string): Project {
+  return {
+    format: "tetrafront-project",
+    version: 1,
+    name,
+    points: [],
+    lines: [],
+    patches: [],
+    background: { nodes: [], tetrahedra: [] },
+  };
+}

@@ -1,0 +1,77 @@
+import type { Project, ProjectBackgroundNode, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+
+/** What the user draws, and what tree, view and inspector can select. */
+export type DrawnKind = "point" | "line" | "patch" | "background-node";
+
+/** One drawn entity, by its id in the project file. */
+export interface Entity {
+  readonly kind: DrawnKind;
+  readonly id: number;
+}
+
+/** In the order in which the tree lists them. */
+export const drawnKinds: readonly DrawnKind[] = ["point", "line", "patch", "background-node"];
+
+/** A string that identifies the entity in sets, maps and test ids, e.g. "point-12". */
+export function entityKey(entity: Entity): string {
+  return `${entity.kind}-${entity.id}`;
+}
+
+export function sameEntity(a: Entity | null, b: Entity | null): boolean {
+  return a === b || (a !== null && b !== null && a.kind === b.kind && a.id === b.id);
+}
+
+interface RecordOfKind {
+  point: ProjectPoint;
+  line: ProjectLine;
+  patch: ProjectPatch;
+  "background-node": ProjectBackgroundNode;
+}
+
+/** The project's records of one kind, in file order. */
+export function recordsOf<K extends DrawnKind>(project: Project, kind: K): readonly RecordOfKind[K][] {
+  const lists: { readonly [P in DrawnKind]: readonly RecordOfKind[P][] } = {
+    point: project.points,
+    line: project.lines,
+    patch: project.patches,
+    "background-node": project.background.nodes,
+  };
+  return lists[kind];
+}
+
+/** The record of an entity, or undefined if the project has none (any more). Linear in the list. */
+export function findRecord<K extends DrawnKind>(
+  project: Project,
+  kind: K,
+  id: number,
+): RecordOfKind[K] | undefined {
+  return recordsOf(project, kind).find((record) => record.id === id);
+}
+
+/** The user's own name of the entity, if it has one. */
+export function entityName(project: Project, entity: Entity): string | undefined {
+  const record = findRecord(project, entity.kind, entity.id);
+  return record && "name" in record ? record.name : undefined;
+}
+
+/** Position of each id in its list: the engine speaks of positions, the project file of ids. */
+export function positionsById(project: Project, kind: DrawnKind): ReadonlyMap<number, number> {
+  return new Map(recordsOf(project, kind).map((record, position) => [record.id, position]));
+}
+
+/** The entities built directly on this one: lines of a point, patches of a line. */
+export function dependentsOf(project: Project, entity: Entity): Entity[] {
+  switch (entity.kind) {
+    case "point":
+      return project.lines
+        .filter((line) => line.points.includes(entity.id))
+        .map(({ id }) => ({ kind: "line", id }));
+    case "line":
+      return project.patches
+        .filter((patch) => patch.loops.some((loop) => loop.some((step) => Math.abs(step) === entity.id)))
+        .map(({ id }) => ({ kind: "patch", id }));
+    case "patch":
+    case "background-node":
+      return [];
+  }
+}

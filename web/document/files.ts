@@ -1,0 +1,73 @@
+import { fileOpen, fileSave } from "browser-fs-access";
+import { readProject, writeProject, type Project } from "tetrafront";
+
+/** What opening a file came to. `cancelled` means that the user closed the dialog. */
+export type OpenResult =
+  | { readonly kind: "opened"; readonly project: Project; readonly fileName: string }
+  | { readonly kind: "cancelled" }
+  | { readonly kind: "failed"; readonly fileName: string; readonly reasons: readonly string[] };
+
+const projectFile = {
+  description: "Tetrafront project",
+  extensions: [".json"],
+  mimeTypes: ["application/json"],
+};
+
+const isAbort = (error: unknown): boolean => error instanceof DOMException && error.name === "AbortError";
+
+/** Reads a project file, from the dialog or dropped on the page. */
+export async function readProjectFile(file: File): Promise<OpenResult> {
+  const read = readProject(await file.text());
+  if (read.success) return { kind: "opened", project: read.value, fileName: file.name };
+  const reasons = read.problems.map(({ message, remedy, line }) =>
+    line === undefined ? `${message}. ${remedy}` : `Line ${line}: ${message}. ${remedy}`,
+  );
+  return { kind: "failed", fileName: file.name, reasons };
+}
+
+export async function openProjectFile(): Promise<OpenResult> {
+  try {
+    return await readProjectFile(await fileOpen(projectFile));
+  } catch (error) {
+    if (isAbort(error)) return { kind: "cancelled" };
+    throw error;
+  }
+}
+
+/** "Engine intake" as "engine-intake". */
+export function fileStem(name: string): string {
+  const stem = name
+    .toLowerCase()
+    .replaceAll(/[^\p{L}\p{N}]+/gu, "-")
+    .replaceAll(/^-+|-+$/g, "");
+  return stem === "" ? "untitled" : stem;
+}
+
+/** Saves under a name the user chooses, or into the file saved before. Null if the user thought better. */
+export async function saveProjectFile(
+  project: Project,
+  handle: FileSystemFileHandle | null,
+): Promise<{ readonly handle: FileSystemFileHandle | null } | null> {
+  const blob = new Blob([writeProject(project)], { type: "application/json" });
+  try {
+    const saved = await fileSave(
+      blob,
+      { ...projectFile, fileName: `${fileStem(project.name)}.json` },
+      handle,
+    );
+    return { handle: saved };
+  } catch (error) {
+    if (isAbort(error)) return null;
+    throw error;
+  }
+}
+
+/** Hands a file to the browser's downloads. */
+export function download(parts: BlobPart[], fileName: string, type: string): void {
+  const url = URL.createObjectURL(new Blob(parts, { type }));
+  const anchor = document.createElement("a");
+  anchor.href = url;
+  anchor.download = fileName;
+  anchor.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000);
+}

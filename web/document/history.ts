@@ -1,0 +1,83 @@
+import { apply, create, type Draft, type Patches } from "mutative";
+
+/** A named change of a state: what undo lists and what the change does to a draft. */
+export interface Edit<State> {
+  /** Verb and object, e.g. "Move point 12". */
+  readonly label: string;
+  /** Edits of equal key within the merge window become one entry (arrow keys, held sliders). */
+  readonly mergeKey?: string;
+  readonly change: (draft: Draft<State>) => void;
+}
+
+export interface HistoryEntry {
+  readonly label: string;
+  readonly mergeKey: string | undefined;
+  /** Milliseconds, any origin. */
+  readonly at: number;
+  readonly forward: Patches;
+  readonly backward: Patches;
+}
+
+/** The state with the way back and the way forth. Plain data; every function returns a new one. */
+export interface History<State> {
+  readonly present: State;
+  readonly past: readonly HistoryEntry[];
+  readonly future: readonly HistoryEntry[];
+}
+
+/** Two edits of the same field within this time are one act of the user. */
+const mergeWindowMs = 600;
+/** Patches are small; this bounds the memory of a day's work. */
+const maxEntries = 500;
+
+export function startHistory<State>(present: State): History<State> {
+  return { present, past: [], future: [] };
+}
+
+/** The history after an edit. Returns the same object if the edit changes nothing. */
+export function commit<State extends object>(
+  history: History<State>,
+  edit: Edit<State>,
+  now: number,
+): History<State> {
+  const [present, forward, backward] = create(history.present, edit.change, { enablePatches: true });
+  if (forward.length === 0) return history;
+  const last = history.past.at(-1);
+  const merges =
+    last !== undefined &&
+    edit.mergeKey !== undefined &&
+    last.mergeKey === edit.mergeKey &&
+    now - last.at <= mergeWindowMs &&
+    history.future.length === 0;
+  const entry: HistoryEntry = {
+    label: edit.label,
+    mergeKey: edit.mergeKey,
+    at: now,
+    forward: merges ? [...last.forward, ...forward] : forward,
+    backward: merges ? [...backward, ...last.backward] : backward,
+  };
+  const kept = merges ? history.past.slice(0, -1) : history.past.slice(1 - maxEntries);
+  return { present, past: [...kept, entry], future: [] };
+}
+
+/** One step back, or the same object if there is none. */
+export function undo<State extends object>(history: History<State>): History<State> {
+  const entry = history.past.at(-1);
+  if (entry === undefined) return history;
+  return {
+    present: apply<State>(history.present, entry.backward),
+    past: history.past.slice(0, -1),
+    future: [entry, ...history.future],
+  };
+}
+
+/** One step forth, or the same object if there is none. */
+export function redo<State extends object>(history: History<State>): History<State> {
+  const [entry, ...rest] = history.future;
+  if (entry === undefined) return history;
+  return {
+    present: apply<State>(history.present, entry.forward),
+    past: [...history.past, { ...entry, mergeKey: undefined }],
+    future: rest,
+  };
+}

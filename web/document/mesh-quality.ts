@@ -1,0 +1,144 @@
+import type { VolumeMesh } from "tetrafront";
+
+/** The measures a mesh can be shaded by. Both are per tetrahedron, higher is better. */
+export type QualityMeasure = "radius-ratio" | "dihedral";
+
+/** Best value of each measure: the regular tetrahedron has ratio 1 and angles of arccos(1/3). */
+export const bestValue: { readonly [M in QualityMeasure]: number } = {
+  "radius-ratio": 1,
+  dihedral: 70.528779,
+};
+
+const cache = new WeakMap<VolumeMesh, Map<QualityMeasure, Float32Array>>();
+
+/** The measure of every tetrahedron, by position; computed once per mesh. O(tetrahedra). */
+export function qualityOf(mesh: VolumeMesh, measure: QualityMeasure): Float32Array {
+  const known = cache.get(mesh) ?? new Map<QualityMeasure, Float32Array>();
+  cache.set(mesh, known);
+  let values = known.get(measure);
+  if (!values) {
+    values = measure === "radius-ratio" ? radiusRatios(mesh) : smallestDihedrals(mesh);
+    known.set(measure, values);
+  }
+  return values;
+}
+
+/** Coordinates of three edge vectors from the first node, in the order a b c, each x y z. */
+function edgeVectors(mesh: VolumeMesh, tetrahedron: number, edges: Float64Array): void {
+  const { points, tetrahedra } = mesh;
+  const base = 3 * (tetrahedra[4 * tetrahedron] ?? 0);
+  for (let k = 0; k < 3; ++k) {
+    const node = 3 * (tetrahedra[4 * tetrahedron + k + 1] ?? 0);
+    for (let axis = 0; axis < 3; ++axis) {
+      edges[3 * k + axis] = (points[node + axis] ?? 0) - (points[base + axis] ?? 0);
+    }
+  }
+}
+
+/**
+ * 3 × inradius / circumradius per tetrahedron. With edge vectors a b c from one node, 6V = a·(b×c),
+ * inradius = 3V / area, circumradius = |a²(b×c) + b²(c×a) + c²(a×b)| / 12V.
+ */
+function radiusRatios(mesh: VolumeMesh): Float32Array {
+  const count = mesh.tetrahedra.length / 4;
+  const ratios = new Float32Array(count);
+  const edges = new Float64Array(9);
+  for (let t = 0; t < count; ++t) {
+    edgeVectors(mesh, t, edges);
+    const [ax = 0, ay = 0, az = 0, bx = 0, by = 0, bz = 0, cx = 0, cy = 0, cz = 0] = edges;
+    const bcX = by * cz - bz * cy;
+    const bcY = bz * cx - bx * cz;
+    const bcZ = bx * cy - by * cx;
+    const caX = cy * az - cz * ay;
+    const caY = cz * ax - cx * az;
+    const caZ = cx * ay - cy * ax;
+    const abX = ay * bz - az * by;
+    const abY = az * bx - ax * bz;
+    const abZ = ax * by - ay * bx;
+    const a2 = ax * ax + ay * ay + az * az;
+    const b2 = bx * bx + by * by + bz * bz;
+    const c2 = cx * cx + cy * cy + cz * cz;
+    const sixVolumes = ax * bcX + ay * bcY + az * bcZ;
+    const doubleArea =
+      Math.hypot(bcX, bcY, bcZ) +
+      Math.hypot(caX, caY, caZ) +
+      Math.hypot(abX, abY, abZ) +
+      Math.hypot(abX + bcX + caX, abY + bcY + caY, abZ + bcZ + caZ);
+    const numerator = Math.hypot(
+      a2 * bcX + b2 * caX + c2 * abX,
+      a2 * bcY + b2 * caY + c2 * abY,
+      a2 * bcZ + b2 * caZ + c2 * abZ,
+    );
+    ratios[t] = (6 * sixVolumes * sixVolumes) / (doubleArea * numerator);
+  }
+  return ratios;
+}
+
+/** The smallest of the six angles between faces, in degrees, per tetrahedron. */
+function smallestDihedrals(mesh: VolumeMesh): Float32Array {
+  const count = mesh.tetrahedra.length / 4;
+  const angles = new Float32Array(count);
+  const edges = new Float64Array(9);
+  const normals = new Float64Array(12);
+  for (let t = 0; t < count; ++t) {
+    edgeVectors(mesh, t, edges);
+    faceNormals(edges, normals);
+    let largestCosine = -1;
+    for (let i = 0; i < 4; ++i) {
+      for (let j = 0; j < i; ++j) {
+        const cosine =
+          -(normals[3 * i] ?? 0) * (normals[3 * j] ?? 0) -
+          (normals[3 * i + 1] ?? 0) * (normals[3 * j + 1] ?? 0) -
+          (normals[3 * i + 2] ?? 0) * (normals[3 * j + 2] ?? 0);
+        largestCosine = Math.max(largestCosine, cosine);
+      }
+    }
+    angles[t] = (Math.acos(Math.min(1, largestCosine)) * 180) / Math.PI;
+  }
+  return angles;
+}
+
+/** Unit outward normals of the four faces: three through the first node, then the opposite one. */
+function faceNormals(edges: Float64Array, normals: Float64Array): void {
+  for (let face = 0; face < 3; ++face) {
+    const p = 3 * face;
+    const q = 3 * ((face + 1) % 3);
+    for (let axis = 0; axis < 3; ++axis) {
+      const u = (axis + 1) % 3;
+      const v = (axis + 2) % 3;
+      normals[p + axis] =
+        (edges[q + u] ?? 0) * (edges[p + v] ?? 0) - (edges[q + v] ?? 0) * (edges[p + u] ?? 0);
+    }
+  }
+  for (let axis = 0; axis < 3; ++axis) {
+    normals[9 + axis] = -((normals[axis] ?? 0) + (normals[3 + axis] ?? 0) + (normals[6 + axis] ?? 0));
+  }
+  for (let face = 0; face < 4; ++face) {
+    const length =
+      Math.hypot(normals[3 * face] ?? 0, normals[3 * face + 1] ?? 0, normals[3 * face + 2] ?? 0) || 1;
+    for (let axis = 0; axis < 3; ++axis) normals[3 * face + axis] = (normals[3 * face + axis] ?? 0) / length;
+  }
+}
+
+export interface Histogram {
+  /** Number of tetrahedra per bar; bar i covers [i, i + 1) / bars.length of `best`. */
+  readonly bars: readonly number[];
+  readonly best: number;
+  readonly min: number;
+  readonly mean: number;
+}
+
+export function qualityHistogram(mesh: VolumeMesh, measure: QualityMeasure, barCount: number): Histogram {
+  const values = qualityOf(mesh, measure);
+  const best = bestValue[measure];
+  const bars = new Array<number>(barCount).fill(0);
+  let min = Infinity;
+  let sum = 0;
+  for (const value of values) {
+    const bar = Math.min(barCount - 1, Math.max(0, Math.floor((value / best) * barCount)));
+    bars[bar] = (bars[bar] ?? 0) + 1;
+    min = Math.min(min, value);
+    sum += value;
+  }
+  return { bars, best, min: values.length > 0 ? min : 0, mean: values.length > 0 ? sum / values.length : 0 };
+}

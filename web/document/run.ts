@@ -1,0 +1,179 @@
+import type { Mesher, MeshOptions, MeshResult, Progress, Project } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { contentKey, type DocumentStore } from "./store";
+
+export type LogLevel = "information" | "success" | "warning" | "error";
+
+export interface LogLine {
+  readonly id: number;
+  /** Seconds since the run began. */
+  readonly seconds: number;
+  readonly level: LogLevel;
+  readonly text: string;
+}
+
+export interface RunState {
+  readonly busy: boolean;
+  /** Between the click on Cancel and the worker's answer. */
+  readonly cancelling: boolean;
+  readonly progress: Progress | null;
+  /** The mesh on show, whatever project it belongs to. */
+  readonly mesh: MeshResult | null;
+  /** Content key of the project that `mesh` was made from. */
+  readonly meshKey: string | null;
+  /** The last run's answer: unlike `mesh` it may hold no mesh but only diagnostics. */
+  readonly outcome: { readonly key: string; readonly result: MeshResult } | null;
+  /** The engine itself failed, e.g. could not be loaded or ran out of memory. */
+  readonly failure: string | null;
+  readonly log: readonly LogLine[];
+}
+
+const emptyRun: RunState = {
+  busy: false,
+  cancelling: false,
+  progress: null,
+  mesh: null,
+  meshKey: null,
+  outcome: null,
+  failure: null,
+  log: [],
+};
+
+/** Meshes kept so that undo brings the old mesh back at once. */
+const cachedMeshes = 4;
+/** Above this many tetrahedra a mesh is not kept: memory first. */
+const maxCachedTetrahedra = 400_000;
+const maxLogLines = 400;
+
+const phaseTexts: { readonly [P in Progress["phase"]]: string } = {
+  check: "Checking the model",
+  sides: "Dividing lines into sides",
+  surface: "Meshing patches",
+  volume: "Advancing the front",
+  verify: "Verifying the mesh",
+};
+
+const count = (value: number): string => value.toLocaleString("en-US");
+
+/** Runs the mesher on the document's project, one run at a time, and keeps what came of it. */
+export class MeshRun {
+  readonly state: StoreApi<RunState> = createStore<RunState>(() => emptyRun);
+  readonly #documents: DocumentStore;
+  readonly #mesher: Promise<Mesher>;
+  readonly #cache = new Map<string, MeshResult>();
+  #abort: AbortController | null = null;
+  #running: Promise<void> = Promise.resolve();
+  #lastLogId = 0;
+
+  constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
+    this.#documents = documents;
+    this.#mesher = mesher;
+    documents.onProject((project) => this.#showCached(contentKey(project)));
+  }
+
+  /** Meshes the present project; a run under way is left alone. Resolves when the run is over. */
+  generate(options: MeshOptions = {}): Promise<void> {
+    if (!this.#abort) this.#running = this.#mesh(options);
+    return this.#running;
+  }
+
+  async #mesh(options: MeshOptions): Promise<void> {
+    const abort = new AbortController();
+    this.#abort = abort;
+    const { project } = this.#documents;
+    this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
+    const started = performance.now();
+    const log = (level: LogLevel, text: string): void =>
+      this.#log((performance.now() - started) / 1000, level, text);
+    log("information", `Meshing “${project.name}”`);
+    try {
+      const result = await (
+        await this.#mesher
+      ).meshProject(project, options, {
+        signal: abort.signal,
+        onProgress: (progress) => this.#report(progress, log),
+      });
+      this.#finish(project, result, log);
+    } catch (error) {
+      const failure = error instanceof Error ? error.message : String(error);
+      this.state.setState({ failure });
+      log("error", failure);
+    } finally {
+      this.#abort = null;
+      this.state.setState({ busy: false, cancelling: false, progress: null });
+    }
+  }
+
+  /** Meshes the present project, giving up a run under way. */
+  async restart(): Promise<void> {
+    this.cancel();
+    await this.#running;
+    await this.generate();
+  }
+
+  cancel(): void {
+    if (!this.#abort) return;
+    this.state.setState({ cancelling: true });
+    this.#abort.abort();
+  }
+
+  #report(progress: Progress, log: (level: LogLevel, text: string) => void): void {
+    const before = this.state.getState().progress;
+    if (before?.phase !== progress.phase) {
+      if (before?.phase === "surface") log("information", `${count(progress.triangles)} boundary triangles`);
+      log("information", phaseTexts[progress.phase]);
+    }
+    this.state.setState({ progress });
+  }
+
+  #finish(project: Project, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
+    const key = contentKey(project);
+    const { report } = result;
+    for (const { severity, message, remedy } of report.diagnostics) {
+      log(severity, `${message} ${remedy}`);
+    }
+    log(report.status === "done" ? "success" : "warning", summary(result));
+    this.state.setState({ outcome: { key, result } });
+    const showable = result.volume.tetrahedra.length > 0 || result.surface.triangles.length > 0;
+    if (!showable) return;
+    this.state.setState({ mesh: result, meshKey: key });
+    if (report.status === "done" && report.tetrahedra <= maxCachedTetrahedra) this.#remember(key, result);
+  }
+
+  #remember(key: string, result: MeshResult): void {
+    this.#cache.delete(key);
+    this.#cache.set(key, result);
+    const [oldest] = this.#cache.keys();
+    if (this.#cache.size > cachedMeshes && oldest !== undefined) this.#cache.delete(oldest);
+  }
+
+  #showCached(key: string): void {
+    const mesh = this.#cache.get(key);
+    if (mesh) this.state.setState({ mesh, meshKey: key, outcome: { key, result: mesh }, failure: null });
+  }
+
+  #log(seconds: number, level: LogLevel, text: string): void {
+    const line: LogLine = { id: ++this.#lastLogId, seconds, level, text };
+    this.state.setState(({ log }) => ({ log: [...log, line].slice(-maxLogLines) }));
+  }
+}
+
+function summary({ report }: MeshResult): string {
+  const size = `${count(report.tetrahedra)} tetrahedra, ${count(report.points)} points`;
+  const seconds = `${report.seconds.total.toFixed(2)} s`;
+  switch (report.status) {
+    case "done":
+      return `Done: ${size} in ${seconds}; fingerprint ${report.fingerprint}`;
+    case "cancelled":
+      return `Cancelled after ${seconds}; ${size} so far`;
+    case "stalled":
+      return `Stalled after ${seconds}; ${size}, the remaining front is shown`;
+    case "invalid-input":
+      return "Not meshed: the model has errors";
+  }
+}
+
+/** Is the mesh on show that of another state of the project? */
+export function isStale(run: RunState, project: Project): boolean {
+  return run.mesh !== null && run.meshKey !== contentKey(project);
+}

@@ -1,0 +1,104 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { entityKey, sameEntity, type Entity } from "./entities";
+
+/** Everything about looking that is never undone: selection, visibility, cut, shading. */
+
+export type Layer = "points" | "lines" | "patches" | "background" | "mesh";
+export type CutAxis = "x" | "y" | "z";
+export type Shading = "radius-ratio" | "dihedral" | "plain";
+
+export interface Cut {
+  readonly enabled: boolean;
+  readonly axis: CutAxis;
+  /** Between the two ends of the mesh along the axis, 0 to 1. */
+  readonly position: number;
+  /** False keeps the part below the plane, true the part above. */
+  readonly flipped: boolean;
+}
+
+export interface ViewState {
+  readonly selection: readonly Entity[];
+  readonly hover: Entity | null;
+  /** A tetrahedron picked on a cut, by its position in the mesh. */
+  readonly element: number | null;
+  /** Keys of the entities that are not drawn. */
+  readonly hidden: ReadonlySet<string>;
+  readonly layers: Readonly<Record<Layer, boolean>>;
+  readonly cut: Cut;
+  readonly shading: Shading;
+  readonly edges: boolean;
+}
+
+const initialView: ViewState = {
+  selection: [],
+  hover: null,
+  element: null,
+  hidden: new Set(),
+  layers: { points: true, lines: true, patches: true, background: false, mesh: true },
+  cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
+  shading: "radius-ratio",
+  edges: true,
+};
+
+export type SelectMode = "replace" | "add" | "toggle";
+
+export class ViewStore {
+  readonly state: StoreApi<ViewState> = createStore<ViewState>(() => initialView);
+
+  /** Selects an entity; null with `replace` clears the selection. */
+  select(entity: Entity | null, mode: SelectMode = "replace"): void {
+    const { selection } = this.state.getState();
+    if (entity === null) {
+      if (mode === "replace") this.state.setState({ selection: [], element: null });
+      return;
+    }
+    const others = selection.filter((selected) => !sameEntity(selected, entity));
+    const wasSelected = others.length < selection.length;
+    if (mode === "replace") this.state.setState({ selection: [entity], element: null });
+    else if (mode === "toggle" && wasSelected) this.state.setState({ selection: others });
+    else this.state.setState({ selection: [...others, entity], element: null });
+  }
+
+  selectElement(element: number | null): void {
+    this.state.setState({ element, selection: [] });
+  }
+
+  setHover(hover: Entity | null): void {
+    if (!sameEntity(hover, this.state.getState().hover)) this.state.setState({ hover });
+  }
+
+  setLayer(layer: Layer, visible: boolean): void {
+    this.state.setState(({ layers }) => ({ layers: { ...layers, [layer]: visible } }));
+  }
+
+  toggleLayer(layer: Layer): void {
+    this.setLayer(layer, !this.state.getState().layers[layer]);
+  }
+
+  setCut(change: Partial<Cut>): void {
+    this.state.setState(({ cut }) => ({ cut: { ...cut, ...change } }));
+  }
+
+  setHidden(entities: readonly Entity[], hide: boolean): void {
+    this.state.setState(({ hidden }) => {
+      const next = new Set(hidden);
+      for (const entity of entities) {
+        if (hide) next.add(entityKey(entity));
+        else next.delete(entityKey(entity));
+      }
+      return { hidden: next };
+    });
+  }
+
+  showAll(): void {
+    this.state.setState(({ layers }) => ({
+      hidden: new Set(),
+      layers: { ...layers, points: true, lines: true, patches: true, mesh: true },
+    }));
+  }
+
+  /** Forgets what belonged to another project. */
+  reset(): void {
+    this.state.setState({ selection: [], hover: null, element: null, hidden: new Set() });
+  }
+}

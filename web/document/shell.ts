@@ -1,0 +1,26 @@
+import { createStore, type StoreApi } from "zustand/vanilla";
+
+/** Which tabs, drawers and dialogs are open; never undone, not kept over a reload. */
+export interface ShellState {
+  readonly leftTab: "model" | "examples";
+  readonly rightTab: "inspector" | "display";
+  readonly bottomTab: "log" | "problems";
+  /** On small screens the panels are drawers. */
+  readonly drawer: "left" | "right" | "bottom" | null;
+  readonly helpOpen: boolean;
+  /** Something the user must know and nothing else on the screen says. */
+  readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
+}
+
+export type Shell = StoreApi<ShellState>;
+
+export function createShell(): Shell {
+  return createStore<ShellState>(() => ({
+    leftTab: "model",
+    rightTab: "inspector",
+    bottomTab: "log",
+    drawer: null,
+    helpOpen: false,
+    message: null,
+  }));
+}

@@ -1,0 +1,95 @@
+import type { Project } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
+import { commit, redo, startHistory, undo, type Edit, type History } from "./history";
+
+/** What undo and redo travel through: opening another file is an edit like any other. */
+export interface DocumentContent {
+  readonly project: Project;
+}
+
+export type ProjectEdit = Edit<DocumentContent>;
+
+export interface DocumentState {
+  readonly history: History<DocumentContent>;
+  /** Content key of the project as last opened or saved to a file. */
+  readonly savedKey: string;
+}
+
+const keys = new WeakMap<Project, string>();
+
+/** Equal for projects of equal content, whatever their identity. Computed once per object. */
+export function contentKey(project: Project): string {
+  let key = keys.get(project);
+  if (key === undefined) {
+    key = JSON.stringify(project);
+    keys.set(project, key);
+  }
+  return key;
+}
+
+/** The undoable document: the project, its history, and whether a file holds it. */
+export class DocumentStore {
+  readonly state: StoreApi<DocumentState>;
+  readonly #now: () => number;
+
+  constructor(project: Project, now: () => number = () => performance.now()) {
+    this.#now = now;
+    this.state = createStore<DocumentState>(() => ({
+      history: startHistory({ project }),
+      savedKey: contentKey(project),
+    }));
+  }
+
+  get project(): Project {
+    return this.state.getState().history.present.project;
+  }
+
+  edit(edit: ProjectEdit): void {
+    this.#set(commit(this.state.getState().history, edit, this.#now()));
+  }
+
+  undo(): void {
+    this.#set(undo(this.state.getState().history));
+  }
+
+  redo(): void {
+    this.#set(redo(this.state.getState().history));
+  }
+
+  /** Replaces the document, undoably, so that nothing unsaved is lost by opening something else. */
+  open(project: Project, label: string): void {
+    this.edit({
+      label,
+      change: (draft) => {
+        draft.project = structuredClone(project) as typeof draft.project;
+      },
+    });
+    this.markSaved();
+  }
+
+  /** Starts afresh with a project that was kept over a reload; no history, perhaps unsaved. */
+  restore(project: Project, savedKey: string): void {
+    this.state.setState({ history: startHistory({ project }), savedKey });
+  }
+
+  markSaved(): void {
+    this.state.setState({ savedKey: contentKey(this.project) });
+  }
+
+  /** Calls back whenever the project is another one. Returns the way to stop. */
+  onProject(listener: (project: Project) => void): () => void {
+    return this.state.subscribe((state, before) => {
+      const { project } = state.history.present;
+      if (project !== before.history.present.project) listener(project);
+    });
+  }
+
+  #set(history: History<DocumentContent>): void {
+    if (history !== this.state.getState().history) this.state.setState({ history });
+  }
+}
+
+/** Does the project differ from what the last opened or saved file holds? */
+export function hasUnsavedChanges(state: DocumentState): boolean {
+  return contentKey(state.history.present.project) !== state.savedKey;
+}

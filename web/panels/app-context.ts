@@ -1,0 +1,55 @@
+import { createContext, useContext } from "react";
+import { useStore } from "zustand";
+import type { App } from "../app";
+import { hasUnsavedChanges, type DocumentState } from "../document/store";
+import type { ProblemState } from "../document/problems";
+import type { PreviewState } from "../document/preview";
+import { isStale, type RunState } from "../document/run";
+import type { ViewState } from "../document/selection";
+import type { ShellState } from "../document/shell";
+import type { Project } from "tetrafront";
+
+export const AppContext = createContext<App | null>(null);
+
+export function useApp(): App {
+  const app = useContext(AppContext);
+  if (!app) throw new Error("A panel was used outside the app");
+  return app;
+}
+
+export function useDocument<T>(select: (state: DocumentState) => T): T {
+  return useStore(useApp().documents.state, select);
+}
+
+export function useProject(): Project {
+  return useDocument((state) => state.history.present.project);
+}
+
+export function useUnsaved(): boolean {
+  return useDocument(hasUnsavedChanges);
+}
+
+export function useView<T>(select: (state: ViewState) => T): T {
+  return useStore(useApp().view.state, select);
+}
+
+export function useRun<T>(select: (state: RunState) => T): T {
+  return useStore(useApp().run.state, select);
+}
+
+export function usePreview<T>(select: (state: PreviewState) => T): T {
+  return useStore(useApp().previews.state, select);
+}
+
+export function useProblems<T>(select: (state: ProblemState) => T): T {
+  return useStore(useApp().problems.state, select);
+}
+
+export function useShell<T>(select: (state: ShellState) => T): T {
+  return useStore(useApp().shell, select);
+}
+
+export function useStale(): boolean {
+  const project = useProject();
+  return useRun((state) => isStale(state, project));
+}

@@ -1,0 +1,84 @@
+import { Badge, Tabs, Text } from "@mantine/core";
+import { useEffect, useRef } from "react";
+import { strings } from "../ui/strings";
+import { useApp, useProblems, useRun, useShell } from "./app-context";
+import { ProblemCard } from "./problem-card";
+
+/** The mesher's messages, and everything that is wrong. */
+export function BottomPanel() {
+  const app = useApp();
+  const tab = useShell((state) => state.bottomTab);
+  const problemCount = useProblems((state) => state.problems.length);
+  return (
+    <Tabs
+      className="tf-tabs"
+      value={tab}
+      keepMounted={false}
+      onChange={(value) => app.shell.setState({ bottomTab: value === "problems" ? "problems" : "log" })}
+    >
+      <Tabs.List>
+        <Tabs.Tab value="log">{strings.bottom.log}</Tabs.Tab>
+        <Tabs.Tab
+          value="problems"
+          rightSection={
+            problemCount > 0 && (
+              <Badge size="sm" circle color="red" variant="filled">
+                {problemCount}
+              </Badge>
+            )
+          }
+        >
+          {strings.bottom.problems}
+        </Tabs.Tab>
+      </Tabs.List>
+      <Tabs.Panel value="log">
+        <LogList />
+      </Tabs.Panel>
+      <Tabs.Panel value="problems">
+        <ProblemPanel />
+      </Tabs.Panel>
+    </Tabs>
+  );
+}
+
+function LogList() {
+  const log = useRun((state) => state.log);
+  const end = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (end.current) end.current.scrollTop = end.current.scrollHeight;
+  }, [log]);
+  return (
+    <div
+      ref={end}
+      className="tf-scroll tf-log"
+      role="log"
+      aria-label={strings.bottom.log}
+      data-testid="log"
+      tabIndex={0}
+    >
+      {log.length === 0 && <Text c="dimmed">{strings.bottom.logEmpty}</Text>}
+      {log.map((line) => (
+        <p key={line.id} data-level={line.level}>
+          <span>{line.seconds.toFixed(3).padStart(7, "\u2007")}</span>
+          {line.text}
+        </p>
+      ))}
+    </div>
+  );
+}
+
+function ProblemPanel() {
+  const problems = useProblems((state) => state.problems);
+  return (
+    <div className="tf-scroll tf-pad" tabIndex={0} role="region" aria-label={strings.bottom.problems}>
+      {problems.length === 0 && (
+        <Text size="sm" c="dimmed">
+          {strings.bottom.noProblems}
+        </Text>
+      )}
+      {problems.map((problem, index) => (
+        <ProblemCard key={problem.key} problem={problem} testId={`issue-${index}`} />
+      ))}
+    </div>
+  );
+}

@@ -1,0 +1,70 @@
+import { Kbd, Menu, Menubar } from "@mantine/core";
+import { IconCheck } from "@tabler/icons-react";
+import { Fragment } from "react";
+import { useStore } from "zustand";
+import { commands, keyNames, runCommand, type Command, type MenuName } from "../commands";
+import { strings } from "../ui/strings";
+import { useApp, useDocument, useRun, useView } from "./app-context";
+
+const menuNames: readonly MenuName[] = ["file", "edit", "view", "mesh", "help"];
+
+/** The menus of the header, written from the registry. */
+export function CommandMenubar() {
+  return (
+    <Menubar className="tf-menubar" aria-label={strings.header.menu}>
+      {menuNames.map((menu) => (
+        <Menubar.Menu key={menu}>
+          <Menubar.Target className="tf-menu-target">{strings.menus[menu]}</Menubar.Target>
+          <Menubar.Dropdown>
+            <CommandItems menu={menu} />
+          </Menubar.Dropdown>
+        </Menubar.Menu>
+      ))}
+    </Menubar>
+  );
+}
+
+/** The items of one menu, with dividers between sections. Mounted only while the menu is open. */
+export function CommandItems({ menu }: { readonly menu: MenuName }) {
+  const app = useApp();
+  // What is enabled and checked depends on any of these.
+  useDocument((state) => state);
+  useView((state) => state);
+  useRun((state) => state.busy);
+  useStore(app.viewer);
+  const items = commands.filter((command) => command.menu === menu);
+  return items.map((command, index) => (
+    <Fragment key={command.id}>
+      {index > 0 && items[index - 1]?.section !== command.section && <Menu.Divider />}
+      <CommandItem command={command} />
+    </Fragment>
+  ));
+}
+
+function CommandItem({ command }: { readonly command: Command }) {
+  const app = useApp();
+  const [key] = command.keys;
+  const checked = command.checked?.(app);
+  return (
+    <Menu.Item
+      role={checked === undefined ? "menuitem" : "menuitemcheckbox"}
+      aria-checked={checked}
+      disabled={!command.enabled(app)}
+      leftSection={<span className="tf-check">{checked && <IconCheck size={14} aria-hidden />}</span>}
+      rightSection={
+        key !== undefined && (
+          <span className="tf-keys">
+            {keyNames(key).map((name) => (
+              <Kbd key={name} size="xs">
+                {name}
+              </Kbd>
+            ))}
+          </span>
+        )
+      }
+      onClick={() => runCommand(app, command)}
+    >
+      {command.label(app)}
+    </Menu.Item>
+  );
+}

@@ -1,0 +1,115 @@
+import { Button, SegmentedControl, Slider, Switch } from "@mantine/core";
+import { IconArrowsExchange } from "@tabler/icons-react";
+import type { CutAxis, Layer, Shading } from "../document/selection";
+import { FieldRow, SectionTitle } from "../ui/field-row";
+import { measureNames, strings } from "../ui/strings";
+import { useApp, useView } from "./app-context";
+
+const layers: readonly Layer[] = ["points", "lines", "patches", "background", "mesh"];
+const shadings: readonly { value: Shading; label: string }[] = [
+  { value: "radius-ratio", label: measureNames["radius-ratio"] },
+  { value: "dihedral", label: strings.display.dihedral },
+  { value: "plain", label: strings.display.plain },
+];
+
+/** What is drawn, and how. */
+export function DisplayPanel() {
+  const app = useApp();
+  const visible = useView((state) => state.layers);
+  const shading = useView((state) => state.shading);
+  const edges = useView((state) => state.edges);
+  const cut = useView((state) => state.cut);
+  return (
+    <div className="tf-scroll tf-pad" tabIndex={0} role="region" aria-label={strings.inspector.display}>
+      <SectionTitle>{strings.display.layers}</SectionTitle>
+      {layers.map((layer) => (
+        <Switch
+          key={layer}
+          size="xs"
+          my={6}
+          label={strings.display[layer]}
+          checked={visible[layer]}
+          onChange={(event) => app.view.setLayer(layer, event.currentTarget.checked)}
+        />
+      ))}
+      <SectionTitle>{strings.display.shading}</SectionTitle>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        aria-label={strings.display.shading}
+        data={[...shadings]}
+        value={shading}
+        onChange={(value) => app.view.state.setState({ shading: value })}
+      />
+      <Switch
+        size="xs"
+        my={10}
+        label={strings.display.edges}
+        checked={edges}
+        onChange={(event) => app.view.state.setState({ edges: event.currentTarget.checked })}
+      />
+      <SectionTitle>{strings.display.cut}</SectionTitle>
+      <Switch
+        size="xs"
+        my={6}
+        label={strings.display.cutOn}
+        checked={cut.enabled}
+        onChange={(event) => app.view.setCut({ enabled: event.currentTarget.checked })}
+      />
+      <FieldRow label={strings.display.cutAxis}>
+        <CutAxisControl />
+      </FieldRow>
+      <FieldRow label={strings.display.cutPosition}>
+        <CutSlider />
+      </FieldRow>
+      <Button
+        size="compact-sm"
+        mt={8}
+        variant="default"
+        leftSection={<IconArrowsExchange size={14} aria-hidden />}
+        disabled={!cut.enabled}
+        onClick={() => app.view.setCut({ flipped: !cut.flipped })}
+      >
+        {strings.display.flip}
+      </Button>
+    </div>
+  );
+}
+
+const axes: readonly CutAxis[] = ["x", "y", "z"];
+
+export function CutAxisControl() {
+  const app = useApp();
+  const axis = useView((state) => state.cut.axis);
+  return (
+    <SegmentedControl
+      size="xs"
+      aria-label={strings.display.cutAxis}
+      data={[...axes]}
+      value={axis}
+      onChange={(value) => app.view.setCut({ axis: value, enabled: true })}
+    />
+  );
+}
+
+/** Steps of a slider that covers the whole model. */
+const sliderStep = 0.005;
+
+export function CutSlider() {
+  const app = useApp();
+  const { position, enabled } = useView((state) => state.cut);
+  return (
+    <Slider
+      className="tf-slider"
+      size="sm"
+      min={0}
+      max={1}
+      step={sliderStep}
+      label={null}
+      disabled={!enabled}
+      thumbLabel={strings.display.cutPosition}
+      value={position}
+      onChange={(value) => app.view.setCut({ position: value })}
+    />
+  );
+}

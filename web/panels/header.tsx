@@ -1,0 +1,168 @@
+import { ActionIcon, Button, Kbd, Menu, Toolbar, Tooltip, useMantineColorScheme } from "@mantine/core";
+import { spotlight } from "@mantine/spotlight";
+import {
+  IconArrowBackUp,
+  IconArrowForwardUp,
+  IconDownload,
+  IconFocusCentered,
+  IconMenu2,
+  IconMoon,
+  IconPlayerPlayFilled,
+  IconScissors,
+  IconSearch,
+  IconSun,
+} from "@tabler/icons-react";
+import { commandNamed, runCommand } from "../commands";
+import { Logo } from "../ui/logo";
+import { strings } from "../ui/strings";
+import { useApp, useDocument, useRun, useView } from "./app-context";
+import { CommandButton } from "./command-button";
+import { CommandItems, CommandMenubar } from "./command-menu";
+import type { Layout } from "./use-layout";
+
+const icon = { size: 17, "aria-hidden": true } as const;
+
+/** Name, menus, frequent commands, palette, download, theme, and the one primary button. */
+export function Header({ layout }: { readonly layout: Layout }) {
+  const phone = layout === "phone";
+  const canUndo = useDocument((state) => state.history.past.length > 0);
+  const canRedo = useDocument((state) => state.history.future.length > 0);
+  const cut = useView((state) => state.cut.enabled);
+  return (
+    <header className="tf-header">
+      <span className="tf-brand">
+        <Logo />
+        <h1>{strings.appName}</h1>
+      </span>
+      {phone ? <PhoneMenu /> : <CommandMenubar />}
+      <Toolbar aria-label={strings.header.tools} className="tf-toolbar">
+        <CommandButton command="undo" disabled={!canUndo} testId="undo">
+          <IconArrowBackUp {...icon} />
+        </CommandButton>
+        <CommandButton command="redo" disabled={!canRedo} testId="redo">
+          <IconArrowForwardUp {...icon} />
+        </CommandButton>
+        {!phone && (
+          <CommandButton command="fit" testId="fit">
+            <IconFocusCentered {...icon} />
+          </CommandButton>
+        )}
+        {!phone && (
+          <CommandButton command="cut" pressed={cut} testId="cut-button">
+            <IconScissors {...icon} />
+          </CommandButton>
+        )}
+      </Toolbar>
+      {!phone && <PaletteBox />}
+      <span className="tf-header-end">
+        <DownloadMenu />
+        <SchemeToggle />
+        <GenerateButton compact={phone} />
+      </span>
+    </header>
+  );
+}
+
+function PaletteBox() {
+  return (
+    <button type="button" className="tf-palette" data-testid="palette" onClick={() => spotlight.open()}>
+      <IconSearch size={14} aria-hidden />
+      <span>{strings.header.palette}</span>
+      <Kbd size="xs">Ctrl K</Kbd>
+    </button>
+  );
+}
+
+function PhoneMenu() {
+  return (
+    <Menu position="bottom-start" width={260}>
+      <Menu.Target>
+        <ActionIcon size={32} variant="subtle" color="gray" aria-label={strings.header.menu}>
+          <IconMenu2 size={18} aria-hidden />
+        </ActionIcon>
+      </Menu.Target>
+      <Menu.Dropdown mah="80vh" style={{ overflowY: "auto" }}>
+        {(["file", "edit", "view", "mesh", "help"] as const).map((menu) => (
+          <Menu.Sub key={menu}>
+            <Menu.Sub.Target>
+              <Menu.Sub.Item>{strings.menus[menu]}</Menu.Sub.Item>
+            </Menu.Sub.Target>
+            <Menu.Sub.Dropdown>
+              <CommandItems menu={menu} />
+            </Menu.Sub.Dropdown>
+          </Menu.Sub>
+        ))}
+      </Menu.Dropdown>
+    </Menu>
+  );
+}
+
+function DownloadMenu() {
+  const app = useApp();
+  const hasMesh = useRun((state) => state.mesh !== null);
+  return (
+    <Menu position="bottom-end">
+      <Menu.Target>
+        <ActionIcon
+          size={28}
+          variant="subtle"
+          color="gray"
+          aria-label={strings.header.download}
+          data-testid="download"
+          disabled={!hasMesh}
+        >
+          <IconDownload {...icon} />
+        </ActionIcon>
+      </Menu.Target>
+      <Menu.Dropdown>
+        {["download-vtu", "download-msh", "download-report"].map((id) => {
+          const command = commandNamed(id);
+          return (
+            <Menu.Item key={id} onClick={() => runCommand(app, command)}>
+              {command.label(app)}
+            </Menu.Item>
+          );
+        })}
+      </Menu.Dropdown>
+    </Menu>
+  );
+}
+
+function SchemeToggle() {
+  const { colorScheme, setColorScheme } = useMantineColorScheme();
+  const dark = colorScheme === "dark";
+  const label = dark ? strings.header.light : strings.header.dark;
+  return (
+    <Tooltip label={label} openDelay={400}>
+      <ActionIcon
+        size={28}
+        variant="subtle"
+        color="gray"
+        aria-label={label}
+        data-testid="theme"
+        onClick={() => setColorScheme(dark ? "light" : "dark")}
+      >
+        {dark ? <IconSun {...icon} /> : <IconMoon {...icon} />}
+      </ActionIcon>
+    </Tooltip>
+  );
+}
+
+function GenerateButton({ compact }: { readonly compact: boolean }) {
+  const app = useApp();
+  const busy = useRun((state) => state.busy);
+  return (
+    <Button
+      size="compact-md"
+      h={30}
+      px={compact ? 10 : 14}
+      fz="sm"
+      leftSection={<IconPlayerPlayFilled size={13} aria-hidden />}
+      data-testid="generate"
+      disabled={busy}
+      onClick={() => void app.run.generate()}
+    >
+      {busy ? strings.header.meshing : compact ? strings.header.generateShort : strings.header.generate}
+    </Button>
+  );
+}

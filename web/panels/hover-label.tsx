@@ -1,0 +1,34 @@
+import { entityName, findRecord, type Entity } from "../document/entities";
+import { formatPlace, formatShort } from "../ui/format";
+import { entityWords, lineTypeNames, patchTypeNames } from "../ui/strings";
+import { useProject } from "./app-context";
+
+export interface HoverPlace {
+  readonly entity: Entity;
+  /** CSS pixels in the view. */
+  readonly x: number;
+  readonly y: number;
+}
+
+/** Names what lies under the pointer. */
+export function HoverLabel({ hover: { entity, x, y } }: { readonly hover: HoverPlace }) {
+  const project = useProject();
+  const { kind, id } = entity;
+  const describe = (): string => {
+    switch (kind) {
+      case "point":
+        return formatPlace(findRecord(project, "point", id)?.at ?? []);
+      case "line":
+        return lineTypeNames[findRecord(project, "line", id)?.type ?? "straight"];
+      case "patch":
+        return patchTypeNames[findRecord(project, "patch", id)?.type ?? "planar"];
+      case "background-node":
+        return `δ ${formatShort(findRecord(project, "background-node", id)?.size ?? 0)}`;
+    }
+  };
+  return (
+    <div className="tf-hover" style={{ transform: `translate(${x + 14}px, ${y + 14}px)` }} aria-hidden>
+      <b>{entityName(project, entity) ?? `${entityWords[kind].one} ${id}`}</b> {describe()}
+    </div>
+  );
+}

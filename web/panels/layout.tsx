@@ -1,0 +1,157 @@
+import { ActionIcon, Drawer, Splitter, Tabs, Tooltip } from "@mantine/core";
+import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
+import type { ReactNode } from "react";
+import { strings } from "../ui/strings";
+import { useApp, useShell } from "./app-context";
+import { BottomPanel } from "./bottom-panel";
+import { DisplayPanel } from "./display-panel";
+import { GalleryPanel } from "./gallery";
+import { Header } from "./header";
+import { Inspector } from "./inspector";
+import { ModelTree } from "./model-tree";
+import { StatusBar } from "./status-bar";
+import { useLayout, type Layout } from "./use-layout";
+import { ViewportPanel } from "./viewport-panel";
+
+/** The whole page: panels beside the view where there is room, in drawers where there is not. */
+export function PageLayout() {
+  const layout = useLayout();
+  return (
+    <div className="tf-page" data-testid="app" data-layout={layout}>
+      <Header layout={layout} />
+      {layout === "wide" ? <WideBody /> : <NarrowBody layout={layout} />}
+      <StatusBar />
+    </div>
+  );
+}
+
+function WideBody() {
+  return (
+    <Splitter className="tf-body" withHandle={false} lineSize={1}>
+      <Splitter.Pane defaultSize="250px" min="180px" max="480px">
+        <LeftPanel />
+      </Splitter.Pane>
+      <Splitter.Pane defaultSize={100} min={20}>
+        <Splitter orientation="vertical" className="tf-fill" withHandle={false} lineSize={1}>
+          <Splitter.Pane defaultSize={100} min={20}>
+            <ViewportPanel layout="wide" />
+          </Splitter.Pane>
+          <Splitter.Pane defaultSize="168px" min="60px" max="420px">
+            <BottomPanel />
+          </Splitter.Pane>
+        </Splitter>
+      </Splitter.Pane>
+      <Splitter.Pane defaultSize="292px" min="220px" max="520px">
+        <RightPanel />
+      </Splitter.Pane>
+    </Splitter>
+  );
+}
+
+const drawers = [
+  { key: "left", label: strings.tree.model, Icon: IconListDetails },
+  { key: "right", label: strings.inspector.title, Icon: IconAdjustments },
+  { key: "bottom", label: strings.bottom.title, Icon: IconMessage2 },
+] as const;
+
+function NarrowBody({ layout }: { readonly layout: Layout }) {
+  const app = useApp();
+  const open = useShell((state) => state.drawer);
+  const phone = layout === "phone";
+  const panels: Readonly<Record<"left" | "right" | "bottom", ReactNode>> = {
+    left: <LeftPanel />,
+    right: <RightPanel />,
+    bottom: <BottomPanel />,
+  };
+  return (
+    <>
+      <div className="tf-body tf-narrow">
+        <nav className="tf-rail" aria-label={strings.header.panels}>
+          {drawers.map(({ key, label, Icon }) => (
+            <Tooltip key={key} label={label} disabled={phone} position="right">
+              <ActionIcon
+                size={phone ? 44 : 32}
+                variant="subtle"
+                color="gray"
+                aria-label={label}
+                aria-haspopup="dialog"
+                data-testid={`drawer-${key}`}
+                onClick={() => app.shell.setState({ drawer: key })}
+              >
+                <Icon size={18} aria-hidden />
+                {phone && <span className="tf-rail-label">{label}</span>}
+              </ActionIcon>
+            </Tooltip>
+          ))}
+        </nav>
+        <ViewportPanel layout={layout} />
+      </div>
+      {drawers.map(({ key, label }) => (
+        <Drawer
+          key={key}
+          opened={open === key}
+          position={phone ? "bottom" : key}
+          size={phone || key === "bottom" ? "62%" : 320}
+          title={label}
+          withOverlay={!phone}
+          overlayProps={{ backgroundOpacity: 0.25 }}
+          closeButtonProps={{ "aria-label": strings.messages.close }}
+          classNames={{ body: "tf-drawer-body", header: "tf-drawer-header" }}
+          onClose={() => app.shell.setState({ drawer: null })}
+        >
+          {panels[key]}
+        </Drawer>
+      ))}
+    </>
+  );
+}
+
+function LeftPanel() {
+  const app = useApp();
+  const tab = useShell((state) => state.leftTab);
+  return (
+    <Tabs
+      className="tf-tabs"
+      value={tab}
+      keepMounted={false}
+      onChange={(value) => app.shell.setState({ leftTab: value === "examples" ? "examples" : "model" })}
+    >
+      <Tabs.List>
+        <Tabs.Tab value="model">{strings.tree.model}</Tabs.Tab>
+        <Tabs.Tab value="examples" data-testid="tab-examples">
+          {strings.tree.examples}
+        </Tabs.Tab>
+      </Tabs.List>
+      <Tabs.Panel value="model">
+        <ModelTree />
+      </Tabs.Panel>
+      <Tabs.Panel value="examples">
+        <GalleryPanel />
+      </Tabs.Panel>
+    </Tabs>
+  );
+}
+
+function RightPanel() {
+  const app = useApp();
+  const tab = useShell((state) => state.rightTab);
+  return (
+    <Tabs
+      className="tf-tabs"
+      value={tab}
+      keepMounted={false}
+      onChange={(value) => app.shell.setState({ rightTab: value === "display" ? "display" : "inspector" })}
+    >
+      <Tabs.List>
+        <Tabs.Tab value="inspector">{strings.inspector.title}</Tabs.Tab>
+        <Tabs.Tab value="display">{strings.inspector.display}</Tabs.Tab>
+      </Tabs.List>
+      <Tabs.Panel value="inspector">
+        <Inspector />
+      </Tabs.Panel>
+      <Tabs.Panel value="display">
+        <DisplayPanel />
+      </Tabs.Panel>
+    </Tabs>
+  );
+}

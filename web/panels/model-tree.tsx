@@ -1,0 +1,268 @@
+import { ActionIcon, CloseButton, Text, TextInput } from "@mantine/core";
+import {
+  IconAlertTriangle,
+  IconChevronDown,
+  IconChevronRight,
+  IconEye,
+  IconEyeOff,
+  IconSearch,
+} from "@tabler/icons-react";
+import { useEffect, useMemo, useRef, useState, type KeyboardEvent, type MouseEvent } from "react";
+import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "../document/entities";
+import type { SelectMode } from "../document/selection";
+import { entityWords, strings } from "../ui/strings";
+import { formatCount } from "../ui/format";
+import { useApp, useProblems, useProject, useView } from "./app-context";
+import { EntityIcon } from "./entity-icon";
+import { treeRows, type TreeRow } from "./tree-rows";
+import { useRowWindow } from "./use-row-window";
+
+/** Pixels per row. */
+const rowHeight = 24;
+
+const rowKey = (row: TreeRow): string => (row.type === "group" ? row.kind : entityKey(row.entity));
+
+function modeOf(event: MouseEvent | KeyboardEvent): SelectMode {
+  if (event.ctrlKey || event.metaKey) return "toggle";
+  return event.shiftKey ? "add" : "replace";
+}
+
+/** Everything drawn, grouped by kind. Only the rows in sight are in the page. */
+export function ModelTree() {
+  const app = useApp();
+  const project = useProject();
+  const selection = useView((state) => state.selection);
+  const [filter, setFilter] = useState("");
+  const [closed, setClosed] = useState<ReadonlySet<DrawnKind>>(() => new Set(["point"] as const));
+  const [focusedKey, setFocusedKey] = useState<string | null>(null);
+  const rows = useMemo(() => treeRows(project, filter, closed), [project, filter, closed]);
+  const focused = Math.max(
+    0,
+    rows.findIndex((row) => rowKey(row) === focusedKey),
+  );
+  const scroller = useRef<HTMLDivElement>(null);
+  const { first, last, scrollTo } = useRowWindow(scroller, rows.length, rowHeight);
+
+  const setOpen = (kind: DrawnKind, open: boolean): void => {
+    const next = new Set(closed);
+    if (open) next.delete(kind);
+    else next.add(kind);
+    setClosed(next);
+  };
+  const focusRow = (index: number): void => {
+    const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
+    if (!row) return;
+    setFocusedKey(rowKey(row));
+    scrollTo(rows.indexOf(row));
+    requestAnimationFrame(() => document.getElementById(`row-${rowKey(row)}`)?.focus());
+  };
+  const activate = (row: TreeRow, mode: SelectMode): void => {
+    setFocusedKey(rowKey(row));
+    if (row.type === "group") setOpen(row.kind, !row.open);
+    else {
+      app.view.select(row.entity, mode);
+      if (row.entity.kind === "background-node") app.view.setLayer("background", true);
+    }
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    const row = rows[focused];
+    if (!row) return;
+    const steps: Readonly<Record<string, () => void>> = {
+      ArrowDown: () => focusRow(focused + 1),
+      ArrowUp: () => focusRow(focused - 1),
+      Home: () => focusRow(0),
+      End: () => focusRow(rows.length - 1),
+      ArrowRight: () => (row.type === "group" && !row.open ? setOpen(row.kind, true) : focusRow(focused + 1)),
+      ArrowLeft: () => {
+        if (row.type === "group") setOpen(row.kind, false);
+        else focusRow(rows.findIndex((other) => other.type === "group" && other.kind === row.entity.kind));
+      },
+      Enter: () => activate(row, modeOf(event)),
+      " ": () => activate(row, modeOf(event)),
+    };
+    const step = steps[event.key];
+    if (!step || (event.key === "Enter" && (event.ctrlKey || event.metaKey))) return;
+    event.preventDefault();
+    step();
+  };
+
+  // What is selected in the view comes into sight here.
+  const [selected] = selection;
+  const selectedKey = selected ? entityKey(selected) : null;
+  useEffect(() => {
+    if (!selected) return;
+    setClosed((kinds) =>
+      kinds.has(selected.kind) ? new Set([...kinds].filter((kind) => kind !== selected.kind)) : kinds,
+    );
+  }, [selected]);
+  useEffect(() => {
+    const index = rows.findIndex((row) => rowKey(row) === selectedKey);
+    if (index >= 0) scrollTo(index);
+  }, [selectedKey, rows, scrollTo]);
+
+  return (
+    <div className="tf-fill" data-testid="model-tree">
+      <TextInput
+        m={6}
+        size="xs"
+        aria-label={strings.tree.filter}
+        placeholder={strings.tree.filter}
+        leftSection={<IconSearch size={14} aria-hidden />}
+        rightSection={
+          filter === "" ? null : (
+            <CloseButton size="xs" aria-label={strings.tree.clearFilter} onClick={() => setFilter("")} />
+          )
+        }
+        value={filter}
+        onChange={(event) => setFilter(event.currentTarget.value)}
+      />
+      <div ref={scroller} className="tf-scroll" tabIndex={-1}>
+        {rows.length === 0 && (
+          <Text c="dimmed" p="sm" size="sm">
+            {drawnKinds.every((kind) => recordsOf(project, kind).length === 0)
+              ? strings.tree.empty
+              : strings.tree.nothing}
+          </Text>
+        )}
+        <div
+          role="tree"
+          aria-label={strings.tree.model}
+          aria-multiselectable
+          className="tf-tree"
+          style={{ height: rows.length * rowHeight }}
+          onKeyDown={onKeyDown}
+          onMouseLeave={() => app.view.setHover(null)}
+        >
+          {rows.slice(first, last).map((row, index) => (
+            <TreeItem
+              key={rowKey(row)}
+              row={row}
+              top={(first + index) * rowHeight}
+              focusable={first + index === focused}
+              onActivate={(mode) => activate(row, mode)}
+            />
+          ))}
+        </div>
+      </div>
+    </div>
+  );
+}
+
+interface TreeItemProps {
+  readonly row: TreeRow;
+  readonly top: number;
+  readonly focusable: boolean;
+  readonly onActivate: (mode: SelectMode) => void;
+}
+
+function TreeItem({ row, top, focusable, onActivate }: TreeItemProps) {
+  const app = useApp();
+  const project = useProject();
+  const key = rowKey(row);
+  const selected = useView(
+    (state) => row.type === "entity" && state.selection.some((e) => entityKey(e) === key),
+  );
+  const hovered = useView((state) => state.hover !== null && entityKey(state.hover) === key);
+  const problemCount = useProblems((state) =>
+    row.type === "entity" ? (state.byEntity.get(key)?.length ?? 0) : 0,
+  );
+  const common = {
+    id: `row-${key}`,
+    role: "treeitem",
+    tabIndex: focusable ? 0 : -1,
+    style: { top, height: rowHeight },
+    "data-testid": `tree-${key}`,
+    onClick: (event: MouseEvent) => onActivate(modeOf(event)),
+  } as const;
+  if (row.type === "group") {
+    const Chevron = row.open ? IconChevronDown : IconChevronRight;
+    return (
+      <div
+        {...common}
+        className="tf-row tf-row-group"
+        aria-level={1}
+        aria-expanded={row.open}
+        aria-setsize={drawnKinds.length}
+        aria-posinset={row.position}
+      >
+        <Chevron size={14} aria-hidden />
+        <span className="tf-row-title">{entityWords[row.kind].many}</span>
+        <span className="tf-row-detail">{formatCount(row.total)}</span>
+        <GroupEye kind={row.kind} />
+      </div>
+    );
+  }
+  return (
+    <div
+      {...common}
+      className="tf-row"
+      data-hover={hovered || undefined}
+      aria-level={2}
+      aria-selected={selected}
+      aria-setsize={row.siblings}
+      aria-posinset={row.position}
+      onMouseEnter={() => app.view.setHover(row.entity)}
+      onDoubleClick={() => app.viewer.getState().viewer?.fit([row.entity])}
+    >
+      <EntityIcon entity={row.entity} project={project} />
+      <span className="tf-row-title" title={row.title}>
+        {row.title}
+      </span>
+      {problemCount > 0 && (
+        <span className="tf-row-problem" role="img" aria-label={strings.tree.problems(problemCount)}>
+          <IconAlertTriangle size={14} aria-hidden />
+        </span>
+      )}
+      <span className="tf-row-detail">{row.detail}</span>
+      <EntityEye entity={row.entity} title={row.title} />
+    </div>
+  );
+}
+
+interface EyeProps {
+  readonly hidden: boolean;
+  readonly what: string;
+  readonly onToggle: () => void;
+}
+
+function Eye({ hidden, what, onToggle }: EyeProps) {
+  const Icon = hidden ? IconEyeOff : IconEye;
+  return (
+    <ActionIcon
+      className="tf-eye"
+      size={22}
+      variant="subtle"
+      color="gray"
+      tabIndex={-1}
+      data-off={hidden || undefined}
+      aria-label={hidden ? strings.tree.show(what) : strings.tree.hide(what)}
+      onClick={(event) => {
+        event.stopPropagation();
+        onToggle();
+      }}
+    >
+      <Icon size={14} aria-hidden />
+    </ActionIcon>
+  );
+}
+
+function EntityEye({ entity, title }: { readonly entity: Entity; readonly title: string }) {
+  const app = useApp();
+  const hidden = useView((state) => state.hidden.has(entityKey(entity)));
+  return <Eye hidden={hidden} what={title} onToggle={() => app.view.setHidden([entity], !hidden)} />;
+}
+
+const layerOfKind = {
+  point: "points",
+  line: "lines",
+  patch: "patches",
+  "background-node": "background",
+} as const;
+
+function GroupEye({ kind }: { readonly kind: DrawnKind }) {
+  const app = useApp();
+  const layer = layerOfKind[kind];
+  const visible = useView((state) => state.layers[layer]);
+  const what = entityWords[kind].many.toLowerCase();
+  return <Eye hidden={!visible} what={what} onToggle={() => app.view.setLayer(layer, !visible)} />;
+}

@@ -1,0 +1,74 @@
+import { useEffect, useState } from "react";
+import { openDropped } from "../actions";
+import type { App } from "../app";
+import { strings } from "../ui/strings";
+import { AppContext } from "./app-context";
+import { CommandPalette, HelpDialog, MessageDialog } from "./dialogs";
+import { PageLayout } from "./layout";
+import { useCommandHotkeys } from "./use-hotkeys";
+
+/** The app with its dialogs, hotkeys and drop target. */
+export function Page({ app }: { readonly app: App }) {
+  useCommandHotkeys(app);
+  useLeaveGuard(app);
+  const dropping = useFileDrop(app);
+  return (
+    <AppContext value={app}>
+      <PageLayout />
+      <CommandPalette />
+      <HelpDialog />
+      <MessageDialog />
+      {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}
+    </AppContext>
+  );
+}
+
+/** Writes the document away when the page is left, and warns only while that is not done. */
+function useLeaveGuard(app: App): void {
+  useEffect(() => {
+    const flush = (): void => {
+      if (document.visibilityState === "hidden") void app.autosave.flush();
+    };
+    const warn = (event: BeforeUnloadEvent): void => {
+      if (!app.autosave.pending) return;
+      void app.autosave.flush();
+      event.preventDefault();
+    };
+    document.addEventListener("visibilitychange", flush);
+    window.addEventListener("beforeunload", warn);
+    return () => {
+      document.removeEventListener("visibilitychange", flush);
+      window.removeEventListener("beforeunload", warn);
+    };
+  }, [app]);
+}
+
+/** A project file dropped anywhere on the page is opened. True while one hovers above it. */
+function useFileDrop(app: App): boolean {
+  const [dropping, setDropping] = useState(false);
+  useEffect(() => {
+    const onDragOver = (event: DragEvent): void => {
+      if (!event.dataTransfer?.types.includes("Files")) return;
+      event.preventDefault();
+      setDropping(true);
+    };
+    const onDragLeave = (event: DragEvent): void => {
+      if (event.relatedTarget === null) setDropping(false);
+    };
+    const onDrop = (event: DragEvent): void => {
+      event.preventDefault();
+      setDropping(false);
+      const file = event.dataTransfer?.files[0];
+      if (file) void openDropped(app, file);
+    };
+    window.addEventListener("dragover", onDragOver);
+    window.addEventListener("dragleave", onDragLeave);
+    window.addEventListener("drop", onDrop);
+    return () => {
+      window.removeEventListener("dragover", onDragOver);
+      window.removeEventListener("dragleave", onDragLeave);
+      window.removeEventListener("drop", onDrop);
+    };
+  }, [app]);
+  return dropping;
+}

@@ -1,0 +1,95 @@
+import { CopyButton, Text, UnstyledButton } from "@mantine/core";
+import { useMemo } from "react";
+import { bestValue, qualityHistogram, type QualityMeasure } from "../document/mesh-quality";
+import { SectionTitle } from "../ui/field-row";
+import { formatAngle, formatCount, formatSeconds, formatShort } from "../ui/format";
+import { HistogramChart } from "../ui/histogram-chart";
+import { measureNames, strings } from "../ui/strings";
+import { useRun, useStale, useView } from "./app-context";
+
+/** Bars of the histogram. */
+const barCount = 20;
+
+function valueText(measure: QualityMeasure, value: number): string {
+  return measure === "dihedral" ? formatAngle(value) : value.toFixed(3);
+}
+
+/** Statistics of the mesh on show, and how its elements are spread over the quality measure. */
+export function QualityPanel() {
+  const mesh = useRun((state) => state.mesh);
+  const shading = useView((state) => state.shading);
+  const stale = useStale();
+  const measure = shading === "dihedral" ? "dihedral" : "radius-ratio";
+  const histogram = useMemo(
+    () => (mesh ? qualityHistogram(mesh.volume, measure, barCount) : null),
+    [mesh, measure],
+  );
+  if (!mesh || !histogram) {
+    return (
+      <>
+        <SectionTitle>{strings.quality.title}</SectionTitle>
+        <Text size="sm" c="dimmed">
+          {strings.quality.none}
+        </Text>
+      </>
+    );
+  }
+  const { report } = mesh;
+  return (
+    <section className="tf-quality" data-stale={stale || undefined}>
+      <SectionTitle>
+        {strings.quality.title}
+        {stale && <span className="tf-section-note">{strings.viewport.stale.toLowerCase()}</span>}
+      </SectionTitle>
+      {report.tetrahedra > 0 && (
+        <>
+          <Text size="sm" c="dimmed" mb={4}>
+            {measureNames[measure]}
+          </Text>
+          <HistogramChart
+            bars={histogram.bars}
+            best={bestValue[measure]}
+            label={strings.quality.histogram(measureNames[measure])}
+            describe={(count, from, to) =>
+              strings.quality.bar(formatCount(count), valueText(measure, from), valueText(measure, to))
+            }
+          />
+          <p className="tf-histogram-foot">
+            <span>
+              {strings.quality.min} <b>{valueText(measure, histogram.min)}</b>
+            </span>
+            <span>
+              {strings.quality.mean} <b>{valueText(measure, histogram.mean)}</b>
+            </span>
+          </p>
+        </>
+      )}
+      <dl className="tf-facts">
+        <dt>{strings.quality.tetrahedra}</dt>
+        <dd>{formatCount(report.tetrahedra)}</dd>
+        <dt>{strings.quality.points}</dt>
+        <dd>{formatCount(report.points)}</dd>
+        <dt>{strings.quality.triangles}</dt>
+        <dd>{formatCount(report.triangles)}</dd>
+        <dt>{strings.quality.dihedral}</dt>
+        <dd>
+          {formatAngle(report.dihedral.min)} – {formatAngle(report.dihedral.max)}
+        </dd>
+        <dt>{strings.quality.volume}</dt>
+        <dd>{formatShort(report.volume)}</dd>
+        <dt>{strings.quality.time}</dt>
+        <dd>{formatSeconds(report.seconds.total)}</dd>
+        <dt>{strings.quality.fingerprint}</dt>
+        <dd>
+          <CopyButton value={report.fingerprint}>
+            {({ copied, copy }) => (
+              <UnstyledButton className="tf-mono" data-testid="fingerprint" onClick={copy}>
+                {copied ? strings.quality.copied : report.fingerprint}
+              </UnstyledButton>
+            )}
+          </CopyButton>
+        </dd>
+      </dl>
+    </section>
+  );
+}

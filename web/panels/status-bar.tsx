@@ -1,0 +1,127 @@
+import { ActionIcon, Progress, Tooltip } from "@mantine/core";
+import { IconX } from "@tabler/icons-react";
+import type { RunState } from "../document/run";
+import { formatAngle, formatCount, formatSeconds } from "../ui/format";
+import { phaseNames, strings } from "../ui/strings";
+import { useApp, useRun, useStale, useUnsaved } from "./app-context";
+import { useThrottled } from "./use-throttled";
+
+/** Between two announcements to screen readers. */
+const announceEveryMs = 5000;
+
+function outcomeText(run: RunState, stale: boolean): string {
+  if (run.failure !== null) return strings.messages.engineFailed;
+  if (run.outcome?.result.report.status === "invalid-input" && stale) return strings.status.invalid;
+  if (!run.mesh) {
+    return run.outcome?.result.report.status === "invalid-input"
+      ? strings.status.invalid
+      : strings.status.ready;
+  }
+  if (stale) return strings.status.stale;
+  switch (run.mesh.report.status) {
+    case "done":
+      return strings.status.done;
+    case "stalled":
+      return strings.status.stalled;
+    case "cancelled":
+      return strings.status.cancelled;
+    case "invalid-input":
+      return strings.status.invalid;
+  }
+}
+
+/** Progress while meshing, else how things stand; and the numbers of the mesh on show. */
+export function StatusBar() {
+  const busy = useRun((state) => state.busy);
+  return (
+    <footer className="tf-status" data-testid="status">
+      {busy ? <RunProgress /> : <Outcome />}
+      <MeshNumbers />
+    </footer>
+  );
+}
+
+function Outcome() {
+  const run = useRun((state) => state);
+  const stale = useStale();
+  return <span role="status">{outcomeText(run, stale)}</span>;
+}
+
+function RunProgress() {
+  const app = useApp();
+  const progress = useRun((state) => state.progress);
+  const cancelling = useRun((state) => state.cancelling);
+  const percent = Math.round((progress?.fraction ?? 0) * 100);
+  const phase = progress ? phaseNames[progress.phase] : strings.header.meshing;
+  const text = cancelling ? strings.status.cancelling : `${phase} ${percent} %`;
+  const announced = useThrottled(text, announceEveryMs);
+  return (
+    <>
+      <Progress
+        className="tf-progress"
+        value={percent}
+        size="sm"
+        aria-label={strings.status.progress}
+        transitionDuration={150}
+      />
+      <span className="tf-status-text" aria-hidden>
+        {text}
+      </span>
+      {progress && progress.frontFaces > 0 && (
+        <span className="tf-wide" aria-hidden>
+          {strings.status.front(formatCount(progress.frontFaces))}
+        </span>
+      )}
+      <span role="status" className="tf-hidden">
+        {announced}
+      </span>
+      <Tooltip label={strings.status.cancel}>
+        <ActionIcon
+          size={22}
+          variant="subtle"
+          color="gray"
+          aria-label={strings.status.cancel}
+          data-testid="cancel"
+          disabled={cancelling}
+          onClick={() => app.run.cancel()}
+        >
+          <IconX size={14} aria-hidden />
+        </ActionIcon>
+      </Tooltip>
+    </>
+  );
+}
+
+function MeshNumbers() {
+  const mesh = useRun((state) => state.mesh);
+  const progress = useRun((state) => (state.busy ? state.progress : null));
+  const stale = useStale();
+  const unsaved = useUnsaved();
+  const points = progress?.points ?? mesh?.report.points;
+  const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
+  return (
+    <div className="tf-numbers" data-stale={(stale && !progress) || undefined}>
+      {points !== undefined && (
+        <span className="tf-wide" data-testid="count-points">
+          {strings.status.points(formatCount(points))}
+        </span>
+      )}
+      {tetrahedra !== undefined && (
+        <span data-testid="count-tetrahedra">{strings.status.tetrahedra(formatCount(tetrahedra))}</span>
+      )}
+      {mesh && !progress && (
+        <>
+          <span className="tf-wide" data-testid="min-dihedral">
+            {strings.status.minDihedral(formatAngle(mesh.report.dihedral.min))}
+          </span>
+          <span className="tf-wide" data-testid="seconds">
+            {formatSeconds(mesh.report.seconds.total)}
+          </span>
+        </>
+      )}
+      <span className="tf-wide" data-testid="saved-state">
+        {unsaved ? strings.status.unsaved : strings.status.saved}
+      </span>
+    </div>
+  );
+}

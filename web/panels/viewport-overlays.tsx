@@ -1,0 +1,129 @@
+import { ActionIcon, Button, Kbd, Switch, Text, Tooltip } from "@mantine/core";
+import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
+import { bestValue } from "../document/mesh-quality";
+import { formatShort } from "../ui/format";
+import { measureNames, strings } from "../ui/strings";
+import { viridis } from "../ui/viridis";
+import { useApp, useRun, useStale, useView } from "./app-context";
+import { CutAxisControl, CutSlider } from "./display-panel";
+
+/** The cut, where the eye is: on or off, axis, position, side. */
+export function CutBar() {
+  const app = useApp();
+  const cut = useView((state) => state.cut);
+  return (
+    <div className="tf-cutbar" role="group" aria-label={strings.display.cut}>
+      <Switch
+        size="xs"
+        label={strings.display.cut}
+        checked={cut.enabled}
+        data-testid="cut-toggle"
+        onChange={(event) => app.view.setCut({ enabled: event.currentTarget.checked })}
+      />
+      {cut.enabled && (
+        <>
+          <CutAxisControl />
+          <CutSlider />
+          <Tooltip label={strings.display.flip}>
+            <ActionIcon
+              size={24}
+              variant="subtle"
+              color="gray"
+              aria-label={strings.display.flip}
+              aria-pressed={cut.flipped}
+              data-testid="cut-flip"
+              onClick={() => app.view.setCut({ flipped: !cut.flipped })}
+            >
+              <IconArrowsExchange size={15} aria-hidden />
+            </ActionIcon>
+          </Tooltip>
+        </>
+      )}
+    </div>
+  );
+}
+
+/** Says when the mesh on show is not what the model asks for, and offers the remedy. */
+export function MeshBadge() {
+  const app = useApp();
+  const stale = useStale();
+  const busy = useRun((state) => state.busy);
+  const failure = useRun((state) => state.failure);
+  const status = useRun((state) => state.mesh?.report.status);
+  if (busy) return null;
+  const incomplete = status === "stalled" || status === "cancelled";
+  if (!stale && !incomplete && failure === null) return null;
+  const [title, hint] =
+    failure !== null
+      ? [strings.messages.engineFailed, failure]
+      : stale
+        ? [strings.viewport.stale, strings.viewport.staleHint]
+        : [
+            strings.viewport.incomplete,
+            status === "stalled" ? strings.viewport.incompleteStalled : strings.viewport.incompleteCancelled,
+          ];
+  return (
+    <div className="tf-badge" data-testid="mesh-badge" role="status">
+      <span>
+        <b>{title}</b> <span className="tf-wide">{hint}</span>
+      </span>
+      <Button size="compact-xs" variant="default" onClick={() => void app.run.generate()}>
+        {strings.viewport.update}
+      </Button>
+    </div>
+  );
+}
+
+const legendMarks = [1, 0.75, 0.5, 0.25, 0];
+
+/** What the colours of the mesh mean, in numbers. */
+export function Legend() {
+  const shading = useView((state) => state.shading);
+  const visible = useView((state) => state.layers.mesh);
+  const hasMesh = useRun((state) => (state.mesh?.report.tetrahedra ?? 0) > 0);
+  if (shading === "plain" || !visible || !hasMesh) return null;
+  return (
+    <figure className="tf-legend" aria-label={`${strings.viewport.legend}: ${measureNames[shading]}`}>
+      <div
+        className="tf-legend-bar"
+        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
+      />
+      <div className="tf-legend-marks">
+        {legendMarks.map((mark) => (
+          <span key={mark}>
+            {shading === "dihedral"
+              ? `${formatShort(Math.round(mark * bestValue.dihedral))}°`
+              : mark.toFixed(2)}
+          </span>
+        ))}
+      </div>
+      <figcaption>{measureNames[shading].toLowerCase()}</figcaption>
+    </figure>
+  );
+}
+
+export function MouseHint() {
+  return (
+    <div className="tf-hint">
+      {strings.viewport.hints.map(([key, effect]) => (
+        <span key={key}>
+          <Kbd size="xs">{key}</Kbd> {effect}
+        </span>
+      ))}
+    </div>
+  );
+}
+
+/** Instead of a blank view. */
+export function ViewNotice({ trouble }: { readonly trouble: "no-webgl" | "context-lost" }) {
+  const lost = trouble === "context-lost";
+  return (
+    <div className="tf-notice" role="alert">
+      <IconPlugConnectedX size={28} aria-hidden />
+      <Text fw={600}>{lost ? strings.viewport.contextLost : strings.viewport.noWebgl}</Text>
+      <Text size="sm" c="dimmed">
+        {lost ? strings.viewport.contextLostHint : strings.viewport.noWebglHint}
+      </Text>
+    </div>
+  );
+}

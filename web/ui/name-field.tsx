@@ -1,0 +1,40 @@
+import { TextInput } from "@mantine/core";
+import { useState, type KeyboardEvent } from "react";
+
+export interface NameFieldProps {
+  readonly label: string;
+  readonly value: string;
+  readonly placeholder: string;
+  readonly onCommit: (value: string) => void;
+  readonly testId?: string;
+}
+
+/** A name, committed with Enter or by leaving the field, taken back with Escape. */
+export function NameField({ label, value, placeholder, onCommit, testId }: NameFieldProps) {
+  const [draft, setDraft] = useState<string | null>(null);
+  const commit = (): void => {
+    const next = draft?.trim();
+    setDraft(null);
+    if (next !== undefined && next !== value) onCommit(next);
+  };
+  const onKeyDown = (event: KeyboardEvent): void => {
+    if (event.key === "Enter") commit();
+    else if (event.key === "Escape" && draft !== null) {
+      event.stopPropagation();
+      setDraft(null);
+    }
+  };
+  return (
+    <TextInput
+      size="xs"
+      aria-label={label}
+      autoComplete="off"
+      placeholder={placeholder}
+      data-testid={testId}
+      value={draft ?? value}
+      onChange={(event) => setDraft(event.currentTarget.value)}
+      onBlur={commit}
+      onKeyDown={onKeyDown}
+    />
+  );
+}

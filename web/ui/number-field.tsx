@@ -1,0 +1,92 @@
+import { TextInput, type TextInputProps } from "@mantine/core";
+import { useState, type KeyboardEvent, type ReactNode } from "react";
+import { readNumber } from "./expression";
+import { formatNumber } from "./format";
+import { strings } from "./strings";
+
+export interface NumberFieldProps {
+  /** For screen readers; the row around the field shows a label. */
+  readonly label: string;
+  readonly value: number;
+  /** What one press of an arrow key adds; Shift times 10, Alt a tenth. */
+  readonly step: number;
+  /** Why a number cannot be taken, or null if it can. */
+  readonly refuse?: (value: number) => string | null;
+  readonly onCommit: (value: number) => void;
+  /** Shown before or after the number, e.g. the axis or the unit. */
+  readonly leftSection?: ReactNode;
+  readonly rightSection?: ReactNode;
+  readonly leftSectionWidth?: number;
+  readonly testId?: string;
+}
+
+/** Which way the arrow keys go. */
+const directions: Readonly<Record<string, 1 | -1>> = { ArrowUp: 1, ArrowDown: -1 };
+
+function stepOf(event: KeyboardEvent, step: number): number {
+  return step * (event.shiftKey ? 10 : event.altKey ? 0.1 : 1);
+}
+
+/**
+ * A number that can be typed as an expression, committed with Enter or by leaving the field, taken
+ * back with Escape, and stepped with the arrow keys. What cannot be taken stays, with the reason.
+ */
+export function NumberField(props: NumberFieldProps) {
+  const { label, value, step, refuse, onCommit, testId } = props;
+  const [draft, setDraft] = useState<string | null>(null);
+  const [error, setError] = useState<string | null>(null);
+
+  const take = (next: number | null): void => {
+    const reason = next === null ? strings.fields.notANumber : (refuse?.(next) ?? null);
+    setError(reason);
+    if (next === null || reason !== null) return;
+    setDraft(null);
+    if (next !== value) onCommit(next);
+  };
+  const commit = (): void => {
+    if (draft === null) return;
+    if (draft.trim() === formatNumber(value)) {
+      setDraft(null);
+      setError(null);
+    } else take(readNumber(draft));
+  };
+  const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
+    const direction = directions[event.key];
+    if (direction !== undefined) {
+      event.preventDefault();
+      const base = draft === null ? value : (readNumber(draft) ?? value);
+      take(Number((base + direction * stepOf(event, step)).toPrecision(12)));
+    } else if (event.key === "Enter") commit();
+    else if (event.key === "Escape" && (draft !== null || error !== null)) {
+      event.stopPropagation();
+      setDraft(null);
+      setError(null);
+    }
+  };
+
+  const sections: TextInputProps = {};
+  if (props.leftSection !== undefined) {
+    sections.leftSection = props.leftSection;
+    sections.leftSectionWidth = props.leftSectionWidth ?? 20;
+  }
+  if (props.rightSection !== undefined) sections.rightSection = props.rightSection;
+  return (
+    <TextInput
+      {...sections}
+      size="xs"
+      aria-label={label}
+      role="spinbutton"
+      aria-valuenow={value}
+      aria-valuetext={formatNumber(value)}
+      autoComplete="off"
+      spellCheck={false}
+      data-testid={testId}
+      value={draft ?? formatNumber(value)}
+      error={error}
+      onChange={(event) => setDraft(event.currentTarget.value)}
+      onFocus={(event) => event.currentTarget.select()}
+      onBlur={commit}
+      onKeyDown={onKeyDown}
+    />
+  );
+}

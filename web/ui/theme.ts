@@ -1,0 +1,112 @@
+import { createTheme, type CSSVariablesResolver, type MantineColorsTuple } from "@mantine/core";
+import { viridis } from "./viridis";
+
+/**
+ * The one place for colours, sizes and type. Text colours keep a contrast of at least 4.5 : 1 on the
+ * surfaces they stand on, in both schemes.
+ */
+
+const dark: MantineColorsTuple = [
+  "#d3dae4",
+  "#b3bdca",
+  "#97a3b4",
+  "#5f6b7c",
+  "#3a4350",
+  "#2f3641",
+  "#272d36",
+  "#20252d",
+  "#1a1e25",
+  "#14171c",
+];
+
+export const fontFamily = '"Inter Variable", Inter, system-ui, sans-serif';
+
+export const theme = createTheme({
+  fontFamily,
+  fontFamilyMonospace: "ui-monospace, SFMono-Regular, Menlo, Consolas, monospace",
+  primaryColor: "blue",
+  primaryShade: { light: 8, dark: 8 },
+  defaultRadius: 4,
+  cursorType: "pointer",
+  respectReducedMotion: true,
+  colors: { dark },
+  fontSizes: { xs: "11.5px", sm: "12.5px", md: "13px", lg: "14px", xl: "16px" },
+  headings: { fontWeight: "600" },
+});
+
+export const cssVariables: CSSVariablesResolver = () => ({
+  variables: {},
+  light: {
+    "--mantine-color-dimmed": "#526071",
+    "--mantine-color-placeholder": "#66737f",
+    "--tf-panel": "#fbfcfd",
+    "--tf-line": "#d5dbe3",
+    "--tf-rise": "#eef1f5",
+    "--tf-selected": "#d6e8fa",
+    "--tf-accent": "#1864ab",
+    "--tf-view-near": "#ffffff",
+    "--tf-view-far": "#dde3ea",
+    "--tf-overlay": "rgba(246, 248, 251, 0.92)",
+    "--tf-error": "#c92a2a",
+    "--tf-warning": "#8f5100",
+    "--tf-success": "#1f7a33",
+  },
+  dark: {
+    "--mantine-color-dimmed": dark[2],
+    "--mantine-color-placeholder": "#8894a5",
+    "--tf-panel": dark[7],
+    "--tf-line": "#343c48",
+    "--tf-rise": dark[6],
+    "--tf-selected": "#24425f",
+    "--tf-accent": "#74c0fc",
+    "--tf-view-near": "#343b47",
+    "--tf-view-far": "#1a1d23",
+    "--tf-overlay": "rgba(32, 37, 45, 0.9)",
+    "--tf-error": "#ff8787",
+    "--tf-warning": "#ffc078",
+    "--tf-success": "#69db7c",
+  },
+});
+
+/** Colours of the three-dimensional view, which CSS does not reach. */
+export const viewerColors = {
+  dark: {
+    point: "#e9edf3",
+    line: "#aebccd",
+    patch: "#7f93ad",
+    backgroundGrid: "#c39bf5",
+    selection: "#4dabf7",
+    hover: "#ffd43b",
+    front: "#f59f00",
+    meshEdge: "#10141a",
+    meshPlain: "#9fb0c4",
+    faded: "#262b33",
+    ground: "#566274",
+    cubeFace: "#3a424f",
+    cubeTrim: "#2c333d",
+    cubeText: "#e6ebf2",
+    cubeHover: "#1971c2",
+    ramp: viridis,
+  },
+  light: {
+    point: "#1f2a37",
+    line: "#3a4a5e",
+    patch: "#8fa3bb",
+    backgroundGrid: "#7048c0",
+    selection: "#1c7ed6",
+    hover: "#e8590c",
+    front: "#f08c00",
+    meshEdge: "#1b232d",
+    meshPlain: "#b9c6d6",
+    faded: "#e9edf2",
+    ground: "#a4b0bf",
+    cubeFace: "#ffffff",
+    cubeTrim: "#d3dbe5",
+    cubeText: "#26323f",
+    cubeHover: "#1971c2",
+    ramp: viridis,
+  },
+} as const;
+
+/** Widths in pixels below which the layout changes. */
+export const breakpoints = { sidePanels: 1100, phone: 700 } as const;

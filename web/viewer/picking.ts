@@ -1,0 +1,162 @@
+import type { Project, ProjectPreview } from "tetrafront";
+import { DoubleSide, Raycaster, Vector2, Vector3, type Camera } from "three";
+import { MeshBVH } from "three-mesh-bvh";
+import { entityKey, type Entity } from "../document/entities";
+import type { ViewState } from "../document/selection";
+import type { Place } from "./layers/layer";
+import type { MeshLayer } from "./layers/mesh-layer";
+import type { PatchesLayer } from "./layers/patches-layer";
+
+/** What lies under the pointer: something drawn, or a tetrahedron on a cut. */
+export interface Pick {
+  readonly entity: Entity | null;
+  readonly element: number | null;
+}
+
+export interface PickScene {
+  readonly project: Project;
+  readonly preview: ProjectPreview | null;
+  /** The project that `preview` shows. */
+  readonly previewProject: Project | null;
+  readonly view: ViewState;
+  readonly origin: Place;
+  readonly patchOfFace: (nodes: readonly number[]) => number | null;
+}
+
+/** How near the pointer must be, in pixels. */
+const dotReach = 9;
+const lineReach = 6;
+/** What lies this little behind a surface, relative to the distance, still counts as on it. */
+const depthSlack = 0.004;
+
+const nothing: Pick = { entity: null, element: null };
+
+/** Finds what is drawn at a place of the screen: dots before lines before surfaces. */
+export class Picker {
+  readonly #camera: Camera;
+  readonly #meshLayer: MeshLayer;
+  readonly #patchesLayer: PatchesLayer;
+  readonly #raycaster = new Raycaster();
+  readonly #scratch = new Vector3();
+  #meshTree: MeshBVH | null = null;
+
+  constructor(camera: Camera, meshLayer: MeshLayer, patchesLayer: PatchesLayer) {
+    this.#camera = camera;
+    this.#meshLayer = meshLayer;
+    this.#patchesLayer = patchesLayer;
+  }
+
+  /** To be called when the drawn faces of the mesh have changed. */
+  forgetMesh(): void {
+    this.#meshTree = null;
+  }
+
+  /** `at` and `size` in CSS pixels of the canvas. */
+  pick(at: Vector2, size: Vector2, scene: PickScene): Pick {
+    const pointer = new Vector2((2 * at.x) / size.x - 1, 1 - (2 * at.y) / size.y);
+    this.#raycaster.setFromCamera(pointer, this.#camera);
+    const surface = this.#surfaceHit(scene.view);
+    const limit = surface ? surface.distance * (1 + depthSlack) : Infinity;
+    const dot = this.#nearestDot(at, size, scene, limit) ?? this.#nearestLine(at, size, scene, limit);
+    if (dot) return { entity: dot, element: null };
+    return surface ? this.#surfacePick(surface.triangle, scene) : this.#patchPick(scene);
+  }
+
+  /** Position on the screen in CSS pixels, and the distance from the eye; null behind the camera. */
+  toScreen(place: Place, size: Vector2, origin: Place): { x: number; y: number; distance: number } | null {
+    this.#scratch.set(place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]);
+    const distance = this.#scratch.distanceTo(this.#camera.position);
+    this.#scratch.project(this.#camera);
+    if (this.#scratch.z > 1 || this.#scratch.z < -1) return null;
+    return { x: ((this.#scratch.x + 1) / 2) * size.x, y: ((1 - this.#scratch.y) / 2) * size.y, distance };
+  }
+
+  #surfaceHit(view: ViewState): { triangle: number; distance: number } | null {
+    const { geometry } = this.#meshLayer.drawn;
+    const { count } = geometry.drawRange;
+    // An empty geometry has an infinite range.
+    if (!view.layers.mesh || count === 0 || !Number.isFinite(count)) return null;
+    this.#meshTree ??= new MeshBVH(geometry, { indirect: true, range: geometry.drawRange });
+    const hit = this.#meshTree.raycastFirst(this.#raycaster.ray);
+    return hit && hit.faceIndex != null ? { triangle: hit.faceIndex, distance: hit.distance } : null;
+  }
+
+  #surfacePick(triangle: number, scene: PickScene): Pick {
+    const face = this.#meshLayer.faceAt(triangle);
+    if (!face) return nothing;
+    const position = face.onBoundary ? scene.patchOfFace(face.nodes) : null;
+    const patch = position === null ? undefined : scene.project.patches[position];
+    if (patch) return { entity: { kind: "patch", id: patch.id }, element: null };
+    return { entity: null, element: face.tetrahedron };
+  }
+
+  #patchPick({ previewProject, view }: PickScene): Pick {
+    if (!view.layers.patches) return nothing;
+    const hit = this.#patchesLayer.searchTree?.raycastFirst(this.#raycaster.ray, DoubleSide);
+    const position = hit?.faceIndex == null ? null : this.#patchesLayer.patchOf(hit.faceIndex);
+    const patch = position === null ? undefined : previewProject?.patches[position];
+    return patch ? { entity: { kind: "patch", id: patch.id }, element: null } : nothing;
+  }
+
+  #nearestDot(at: Vector2, size: Vector2, scene: PickScene, limit: number): Entity | null {
+    const { project, view, origin } = scene;
+    const kinds = [
+      ["point", view.layers.points ? project.points : []],
+      ["background-node", view.layers.background ? project.background.nodes : []],
+    ] as const;
+    let best: Entity | null = null;
+    let bestDistance = dotReach;
+    for (const [kind, records] of kinds) {
+      for (const { id, at: place } of records) {
+        if (view.hidden.has(entityKey({ kind, id }))) continue;
+        const screen = this.toScreen(place, size, origin);
+        if (!screen || screen.distance > limit) continue;
+        const distance = Math.hypot(screen.x - at.x, screen.y - at.y);
+        if (distance >= bestDistance) continue;
+        best = { kind, id };
+        bestDistance = distance;
+      }
+    }
+    return best;
+  }
+
+  #nearestLine(at: Vector2, size: Vector2, scene: PickScene, limit: number): Entity | null {
+    const { preview, previewProject, view, origin } = scene;
+    if (!preview || !previewProject || !view.layers.lines) return null;
+    let best: Entity | null = null;
+    let bestDistance = lineReach;
+    previewProject.lines.forEach(({ id }, position) => {
+      if (view.hidden.has(entityKey({ kind: "line", id }))) return;
+      const first = preview.lineOffsets[position] ?? 0;
+      const last = (preview.lineOffsets[position + 1] ?? 0) - 1;
+      for (let i = first; i < last; ++i) {
+        const a = this.toScreen(samplePlace(preview, i), size, origin);
+        const b = this.toScreen(samplePlace(preview, i + 1), size, origin);
+        if (!a || !b || Math.min(a.distance, b.distance) > limit) continue;
+        const distance = distanceToSegment(at.x, at.y, a, b);
+        if (distance >= bestDistance) continue;
+        best = { kind: "line", id };
+        bestDistance = distance;
+      }
+    });
+    return best;
+  }
+}
+
+function samplePlace({ linePoints }: ProjectPreview, sample: number): Place {
+  return [linePoints[3 * sample] ?? 0, linePoints[3 * sample + 1] ?? 0, linePoints[3 * sample + 2] ?? 0];
+}
+
+interface Flat {
+  readonly x: number;
+  readonly y: number;
+}
+
+function distanceToSegment(x: number, y: number, a: Flat, b: Flat): number {
+  const dx = b.x - a.x;
+  const dy = b.y - a.y;
+  const length2 = dx * dx + dy * dy;
+  const along = length2 === 0 ? 0 : ((x - a.x) * dx + (y - a.y) * dy) / length2;
+  const t = Math.min(1, Math.max(0, along));
+  return Math.hypot(a.x + t * dx - x, a.y + t * dy - y);
+}

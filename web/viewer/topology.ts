@@ -1,0 +1,55 @@
+/**
+ * Faces of a tetrahedron abcd with (b-a)×(c-a)·(d-a) > 0: face f lies opposite its node f and turns
+ * counter-clockwise seen from outside. Local node numbers, three per face.
+ */
+export const faceNodes = [1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1] as const;
+
+/** There is nothing beyond this face. */
+export const outside = -1;
+
+/** Spreads node triples over the table; odd constants of about 32 random bits. */
+function hash(a: number, b: number, c: number): number {
+  return (Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca77) ^ Math.imul(c, 0xc2b2ae3d)) >>> 0;
+}
+
+/**
+ * For face 4t + f of tetrahedron t, the tetrahedron on its other side or `outside`. Linear: a table
+ * with open addressing holds the faces whose other side has not been met yet.
+ */
+export function findNeighbours(tetrahedra: Uint32Array): Int32Array {
+  const faceCount = tetrahedra.length;
+  const neighbours = new Int32Array(faceCount).fill(outside);
+  let capacity = 16;
+  while (capacity < 2 * faceCount) capacity *= 2;
+  const mask = capacity - 1;
+  const table = new Int32Array(capacity).fill(-1);
+  const keys = new Uint32Array(3 * faceCount);
+  for (let face = 0; face < faceCount; ++face) {
+    const base = face & ~3;
+    const local = 3 * (face & 3);
+    const p = tetrahedra[base + (faceNodes[local] ?? 0)] ?? 0;
+    const q = tetrahedra[base + (faceNodes[local + 1] ?? 0)] ?? 0;
+    const r = tetrahedra[base + (faceNodes[local + 2] ?? 0)] ?? 0;
+    const low = Math.min(p, q, r);
+    const high = Math.max(p, q, r);
+    const middle = p + q + r - low - high;
+    keys[3 * face] = low;
+    keys[3 * face + 1] = middle;
+    keys[3 * face + 2] = high;
+    let slot = hash(low, middle, high) & mask;
+    for (;;) {
+      const other = table[slot] ?? -1;
+      if (other < 0) {
+        table[slot] = face;
+        break;
+      }
+      if (keys[3 * other] === low && keys[3 * other + 1] === middle && keys[3 * other + 2] === high) {
+        neighbours[face] = other >> 2;
+        neighbours[other] = face >> 2;
+        break;
+      }
+      slot = (slot + 1) & mask;
+    }
+  }
+  return neighbours;
+}

@@ -1,0 +1,87 @@
+import type CameraControls from "camera-controls";
+import type { PerspectiveCamera, WebGLRenderer } from "three";
+import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
+import type { ViewerColors } from "./colors";
+
+/** The clickable cube in the corner; small screens have no room for it. */
+export class ViewCube {
+  readonly #gizmo: ViewportGizmo;
+  readonly #fixed: GizmoOptions;
+
+  constructor(
+    camera: PerspectiveCamera,
+    renderer: WebGLRenderer,
+    controls: CameraControls,
+    colors: ViewerColors,
+    options: { readonly container: HTMLElement; readonly animated: boolean; readonly onChange: () => void },
+  ) {
+    this.#fixed = { container: options.container, animated: options.animated };
+    this.#gizmo = new ViewportGizmo(camera, renderer, { ...lookOf(colors), ...this.#fixed });
+    this.#gizmo.addEventListener("start", () => {
+      controls.enabled = false;
+      options.onChange();
+    });
+    this.#gizmo.addEventListener("change", () => {
+      const { x, y, z } = camera.position;
+      void controls.setPosition(x, y, z, false);
+      options.onChange();
+    });
+    this.#gizmo.addEventListener("end", () => {
+      controls.enabled = true;
+      options.onChange();
+    });
+    controls.addEventListener("update", () => {
+      controls.getTarget(this.#gizmo.target);
+      this.#gizmo.update(false);
+    });
+    options.container.addEventListener("pointermove", options.onChange);
+  }
+
+  get animating(): boolean {
+    return this.#gizmo.animating;
+  }
+
+  setColors(colors: ViewerColors): void {
+    this.#gizmo.set({ ...lookOf(colors), ...this.#fixed });
+  }
+
+  resize(): void {
+    this.#gizmo.update(false);
+  }
+
+  render(): void {
+    this.#gizmo.render();
+  }
+
+  dispose(): void {
+    this.#gizmo.dispose();
+  }
+}
+
+function lookOf(colors: ViewerColors): GizmoOptions {
+  const face = (label: string) => ({
+    label,
+    color: colors.cubeFace,
+    labelColor: colors.cubeText,
+    hover: { color: colors.cubeHover, labelColor: "#ffffff" },
+  });
+  const trim = { color: colors.cubeTrim, opacity: 1, hover: { color: colors.cubeHover, opacity: 1 } };
+  return {
+    type: "cube",
+    size: 92,
+    placement: "top-right",
+    offset: { top: 10, right: 10 },
+    resolution: 128,
+    font: { family: "Inter Variable, sans-serif", weight: 600 },
+    background: { enabled: false },
+    corners: trim,
+    edges: trim,
+    right: face("Right"),
+    left: face("Left"),
+    top: face("Top"),
+    bottom: face("Bottom"),
+    // With z up the cube's own names of these two are the other way round.
+    front: face("Back"),
+    back: face("Front"),
+  };
+}

@@ -1,0 +1,363 @@
+import type { MeshResult, Project, ProjectPreview } from "tetrafront";
+import { Scene, Timer, Vector2, Vector3, WebGLRenderer } from "three";
+import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
+import type { SelectMode, ViewState } from "../document/selection";
+import { elementBounds, entityBounds, projectBounds, type Bounds } from "./bounds";
+import { ViewCamera, type StandardView } from "./camera";
+import type { ViewerColors } from "./colors";
+import { DotsLayer } from "./layers/dots-layer";
+import { GridLayer } from "./layers/grid-layer";
+import { GroundLayer } from "./layers/ground-layer";
+import type { Place, SceneLayer } from "./layers/layer";
+import { LinesLayer } from "./layers/lines-layer";
+import { MeshLayer } from "./layers/mesh-layer";
+import { PatchesLayer } from "./layers/patches-layer";
+import { PatchFinder } from "./patch-finder";
+import { Picker, type Pick } from "./picking";
+import { watchPointer } from "./pointer";
+import { ViewCube } from "./view-cube";
+
+export interface ViewerEvents {
+  /** The user clicked: on something, or on nothing. */
+  readonly onPick: (pick: Pick, mode: SelectMode) => void;
+  readonly onHover: (entity: Entity | null, at: { x: number; y: number } | null) => void;
+  readonly onFrame: (frames: number) => void;
+  readonly onContextLost: () => void;
+  readonly onContextRestored: () => void;
+}
+
+export interface ViewerOptions {
+  readonly colors: ViewerColors;
+  /** For tests: no multisampling, no motion, so that pictures and positions are exact. */
+  readonly still: boolean;
+  readonly events: ViewerEvents;
+}
+
+const maxPixelRatio = 2;
+/** A point, or a tetrahedron, is shown with this much of the model around it. */
+const closeUp = 0.12;
+
+/**
+ * The three-dimensional view: an imperative object outside React. It is told what to show and draws
+ * when something has changed, never otherwise. Throws if the browser offers no WebGL 2.
+ */
+export class Viewer {
+  readonly #container: HTMLElement;
+  readonly #options: ViewerOptions;
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #view: ViewCamera;
+  readonly #cube: ViewCube;
+  readonly #mesh = new MeshLayer();
+  readonly #patches = new PatchesLayer();
+  readonly #lines = new LinesLayer();
+  readonly #points = new DotsLayer("round", (colors) => colors.point);
+  readonly #grid = new GridLayer();
+  readonly #ground = new GroundLayer();
+  readonly #picker: Picker;
+  readonly #timer = new Timer();
+  readonly #size = new Vector2(1, 1);
+  readonly #observer: ResizeObserver;
+  readonly #unwatchPointer: () => void;
+  readonly #drawnListeners = new Set<() => void>();
+  #frameRequest = 0;
+  #frames = 0;
+  #origin: Place = [0, 0, 0];
+  #project: Project | null = null;
+  #preview: ProjectPreview | null = null;
+  #previewProject: Project | null = null;
+  #result: MeshResult | null = null;
+  #patchFinder: PatchFinder | null = null;
+  #state: ViewState | null = null;
+
+  constructor(container: HTMLElement, canvas: HTMLCanvasElement, options: ViewerOptions) {
+    this.#container = container;
+    this.#options = options;
+    this.#renderer = new WebGLRenderer({ canvas, antialias: !options.still, alpha: true });
+    this.#renderer.setPixelRatio(options.still ? 1 : Math.min(window.devicePixelRatio, maxPixelRatio));
+    this.#renderer.setClearColor(0x000000, 0);
+    this.#view = new ViewCamera(canvas, !options.still);
+    this.#picker = new Picker(this.#view.camera, this.#mesh, this.#patches);
+    for (const layer of this.#layers) this.#scene.add(layer.root);
+    this.#cube = new ViewCube(this.#view.camera, this.#renderer, this.#view.controls, options.colors, {
+      container,
+      animated: !options.still,
+      onChange: () => this.#requestFrame(),
+    });
+    this.#view.controls.addEventListener("control", () => this.#requestFrame());
+    canvas.addEventListener("webglcontextlost", this.#onContextLost);
+    canvas.addEventListener("webglcontextrestored", this.#onContextRestored);
+    this.#unwatchPointer = watchPointer(canvas, {
+      onClick: (at, mode) => this.#click(at, mode),
+      onDoubleClick: (at) => this.#fitAt(at),
+      onHover: (at) => this.#hover(at),
+    });
+    this.setColors(options.colors);
+    this.#observer = new ResizeObserver(() => this.#resize());
+    this.#observer.observe(container);
+    this.#resize();
+  }
+
+  setColors(colors: ViewerColors): void {
+    for (const layer of this.#layers) layer.setColors(colors);
+    this.#cube.setColors(colors);
+    this.#requestFrame();
+  }
+
+  /** Shows another state of the project. `fit` where it is another project altogether. */
+  setProject(project: Project, fit: boolean): void {
+    this.#project = project;
+    const bounds = projectBounds(project);
+    // Single precision suffices near the origin only, so the origin follows the model if it is far off.
+    const drift = Math.hypot(...bounds.centre.map((x, k) => x - (this.#origin[k] ?? 0)));
+    if (fit || drift > 2 * bounds.radius) this.#moveOrigin(bounds);
+    this.#view.setModelRadius(bounds.radius);
+    this.#points.setPlaces(
+      project.points.map(({ at }) => at),
+      this.#origin,
+    );
+    this.#grid.setGrid(project, this.#origin);
+    this.#updateMarkings();
+    if (fit) this.fit(null, false);
+    this.#requestFrame();
+  }
+
+  /** Shows the sampled lines and patches of a project. */
+  setPreview(preview: ProjectPreview | null, project: Project | null): void {
+    this.#preview = preview;
+    this.#previewProject = project;
+    this.#lines.setPreview(preview, this.#origin);
+    this.#patches.setPreview(preview, this.#origin);
+    this.#updateMarkings();
+    this.#requestFrame();
+  }
+
+  setMesh(result: MeshResult | null): void {
+    this.#result = result;
+    this.#mesh.setMesh(result, this.#origin);
+    this.#patchFinder = null;
+    this.#picker.forgetMesh();
+    this.#updateMarkings();
+    this.#requestFrame();
+  }
+
+  setStale(stale: boolean): void {
+    this.#mesh.setStale(stale);
+    this.#requestFrame();
+  }
+
+  setView(state: ViewState): void {
+    const before = this.#state;
+    this.#state = state;
+    this.#mesh.root.visible = state.layers.mesh;
+    this.#patches.root.visible = state.layers.patches;
+    this.#lines.root.visible = state.layers.lines;
+    this.#points.root.visible = state.layers.points;
+    this.#grid.root.visible = state.layers.background;
+    this.#mesh.setShading(state.shading, state.edges);
+    if (state.cut !== before?.cut) {
+      this.#mesh.setCut(state.cut);
+      this.#picker.forgetMesh();
+    }
+    if (state.element !== before?.element) this.#mesh.showElement(state.element);
+    this.#updateMarkings();
+    this.#requestFrame();
+  }
+
+  /** Moves to the given entities, or to the whole model. */
+  fit(entities: readonly Entity[] | null, animate = !this.#options.still): void {
+    if (!this.#project) return;
+    const whole = projectBounds(this.#project);
+    let target = whole;
+    if (entities && entities.length > 0) {
+      const [first] = entities;
+      if (first) target = entityBounds(first, this.#project, this.#preview);
+      for (const entity of entities.slice(1)) {
+        const { low, high, empty } = entityBounds(entity, this.#project, this.#preview);
+        if (!empty) target.add(...low).add(...high);
+      }
+    }
+    this.#fitBounds(target.empty ? whole : target, whole, animate);
+  }
+
+  fitElement(tetrahedron: number): void {
+    if (!this.#project || !this.#result) return;
+    this.#fitBounds(elementBounds(this.#result, tetrahedron), projectBounds(this.#project), true);
+  }
+
+  fitPlace(place: Place): void {
+    if (!this.#project) return;
+    const whole = projectBounds(this.#project);
+    this.#moveTo(place, closeUp * whole.radius * 2, !this.#options.still);
+  }
+
+  look(view: StandardView): void {
+    this.#view.look(view, !this.#options.still);
+    this.fit(null);
+    this.#requestFrame();
+  }
+
+  turn(azimuth: number, polar: number): void {
+    this.#view.turn(azimuth, polar, !this.#options.still);
+    this.#requestFrame();
+  }
+
+  shift(right: number, down: number): void {
+    this.#view.shift(right, down, !this.#options.still);
+    this.#requestFrame();
+  }
+
+  zoom(factor: number): void {
+    this.#view.zoom(factor, !this.#options.still);
+    this.#requestFrame();
+  }
+
+  /** Where a place of the model appears, in CSS pixels of the view; null if behind the eye. */
+  toScreen(place: Place): { x: number; y: number } | null {
+    return this.#picker.toScreen(place, this.#size, this.#origin);
+  }
+
+  /** Calls back after every frame drawn. Returns the way to stop. */
+  onDrawn(listener: () => void): () => void {
+    this.#drawnListeners.add(listener);
+    return () => this.#drawnListeners.delete(listener);
+  }
+
+  get counts(): { readonly tetrahedra: number; readonly drawnFaces: number } {
+    return this.#mesh.counts;
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frameRequest);
+    this.#observer.disconnect();
+    this.#unwatchPointer();
+    this.#renderer.domElement.removeEventListener("webglcontextlost", this.#onContextLost);
+    this.#renderer.domElement.removeEventListener("webglcontextrestored", this.#onContextRestored);
+    this.#cube.dispose();
+    for (const layer of this.#layers) layer.dispose();
+    this.#view.dispose();
+    this.#timer.dispose();
+    this.#renderer.dispose();
+  }
+
+  get #layers(): readonly SceneLayer[] {
+    return [this.#ground, this.#patches, this.#mesh, this.#lines, this.#points, this.#grid];
+  }
+
+  readonly #onContextLost = (event: Event): void => {
+    event.preventDefault();
+    this.#options.events.onContextLost();
+  };
+
+  readonly #onContextRestored = (): void => {
+    this.#options.events.onContextRestored();
+    this.#requestFrame();
+  };
+
+  #moveOrigin(bounds: Bounds): void {
+    this.#origin = bounds.centre;
+    this.#lines.setPreview(this.#preview, this.#origin);
+    this.#patches.setPreview(this.#preview, this.#origin);
+    this.#mesh.setMesh(this.#result, this.#origin);
+    this.#picker.forgetMesh();
+    this.#ground.setExtent(
+      bounds.radius,
+      (bounds.empty ? 0 : bounds.low[2] - bounds.centre[2]) - bounds.radius * 0.04,
+    );
+  }
+
+  #fitBounds(target: Bounds, whole: Bounds, animate: boolean): void {
+    this.#moveTo(target.centre, Math.max(target.radius, closeUp * whole.radius), animate);
+  }
+
+  #moveTo(place: Place, radius: number, animate: boolean): void {
+    const [x, y, z] = this.#origin;
+    this.#view.fit(new Vector3(place[0] - x, place[1] - y, place[2] - z), radius, animate);
+    this.#requestFrame();
+  }
+
+  /** Brings colours and visibility of all entities in line with the view state. */
+  #updateMarkings(): void {
+    const state = this.#state;
+    if (!state || !this.#project) return;
+    const selected = new Set(state.selection.map(entityKey));
+    const markingOf = (kind: DrawnKind, id: number) => {
+      const key = entityKey({ kind, id });
+      if (state.hidden.has(key)) return null;
+      if (selected.has(key)) return "selected";
+      return sameEntity(state.hover, { kind, id }) ? "hover" : "normal";
+    };
+    const { points, background } = this.#project;
+    this.#points.setStates(points.map(({ id }) => markingOf("point", id) ?? "hidden"));
+    this.#grid.setStates(background.nodes.map(({ id }) => markingOf("background-node", id) ?? "hidden"));
+    const drawn = this.#previewProject;
+    const idAt = (list: readonly { readonly id: number }[] | undefined, position: number) =>
+      list?.[position]?.id ?? 0;
+    this.#lines.update((position) => markingOf("line", idAt(drawn?.lines, position)));
+    this.#patches.update((position) => markingOf("patch", idAt(drawn?.patches, position)));
+    this.#patches.setOverMesh(state.layers.mesh && this.counts.tetrahedra > 0);
+  }
+
+  #pick(at: Vector2): Pick | null {
+    if (!this.#project || !this.#state) return null;
+    return this.#picker.pick(at, this.#size, {
+      project: this.#project,
+      preview: this.#preview,
+      previewProject: this.#previewProject,
+      view: this.#state,
+      origin: this.#origin,
+      patchOfFace: (nodes) => {
+        if (!this.#result) return null;
+        this.#patchFinder ??= new PatchFinder(this.#result.surface);
+        return this.#patchFinder.find(nodes);
+      },
+    });
+  }
+
+  #click(at: Vector2, mode: SelectMode): void {
+    const pick = this.#pick(at);
+    if (pick) this.#options.events.onPick(pick, mode);
+  }
+
+  #fitAt(at: Vector2): void {
+    const pick = this.#pick(at);
+    if (pick?.entity) this.fit([pick.entity]);
+    else if (pick?.element != null) this.fitElement(pick.element);
+    else this.fit(null);
+  }
+
+  #hover(at: Vector2 | null): void {
+    const entity = at ? (this.#pick(at)?.entity ?? null) : null;
+    this.#options.events.onHover(entity, at && entity ? { x: at.x, y: at.y } : null);
+  }
+
+  #resize(): void {
+    const { clientWidth, clientHeight } = this.#container;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.#size.set(clientWidth, clientHeight);
+    this.#renderer.setSize(clientWidth, clientHeight, false);
+    this.#view.resize(clientWidth, clientHeight);
+    this.#cube.resize();
+    const pixelRatio = this.#renderer.getPixelRatio();
+    this.#points.setPixelRatio(pixelRatio);
+    this.#grid.nodes.setPixelRatio(pixelRatio);
+    this.#lines.setResolution(clientWidth, clientHeight);
+    this.#draw();
+  }
+
+  #requestFrame(): void {
+    if (this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(() => this.#draw());
+  }
+
+  #draw(): void {
+    cancelAnimationFrame(this.#frameRequest);
+    this.#frameRequest = 0;
+    this.#timer.update();
+    const moving = this.#view.update(Math.min(this.#timer.getDelta(), 0.1));
+    this.#renderer.render(this.#scene, this.#view.camera);
+    this.#cube.render();
+    this.#options.events.onFrame(++this.#frames);
+    for (const listener of this.#drawnListeners) listener();
+    if (moving || this.#cube.animating) this.#requestFrame();
+  }
+}

@@ -1,0 +1,76 @@
+import type { VolumeMesh } from "tetrafront";
+import type { Cut } from "../document/selection";
+import { faceNodes, outside } from "./topology";
+
+const axisIndex = { x: 0, y: 1, z: 2 } as const;
+
+/** Lowest and highest coordinate of the nodes along one axis. */
+export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i: number = axisIndex[axis]; i < points.length; i += 3) {
+    const value = points[i] ?? 0;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return low <= high ? [low, high] : [0, 0];
+}
+
+/** Coordinate of each tetrahedron's centroid along one axis. */
+export function centroidsAlong({ points, tetrahedra }: VolumeMesh, axis: Cut["axis"]): Float32Array {
+  const k = axisIndex[axis];
+  const centroids = new Float32Array(tetrahedra.length / 4);
+  for (let t = 0; t < centroids.length; ++t) {
+    let sum = 0;
+    for (let node = 4 * t; node < 4 * t + 4; ++node) sum += points[3 * (tetrahedra[node] ?? 0) + k] ?? 0;
+    centroids[t] = sum / 4;
+  }
+  return centroids;
+}
+
+/**
+ * A cut of whole tetrahedra: those whose centroid lies on the kept side of the plane are shown, and of
+ * them the faces with nothing shown beyond. Writes the faces, as 4t + f, to `faces`; returns their
+ * number. Without `centroids` everything is kept. Linear, about 2 ms per 100 000 tetrahedra.
+ */
+export function collectVisibleFaces(
+  neighbours: Int32Array,
+  centroids: Float32Array | null,
+  limit: number,
+  keepAbove: boolean,
+  faces: Uint32Array,
+): number {
+  let count = 0;
+  const hides = (t: number): boolean =>
+    centroids !== null && (keepAbove ? (centroids[t] ?? 0) < limit : (centroids[t] ?? 0) > limit);
+  for (let t = 0; 4 * t < neighbours.length; ++t) {
+    if (hides(t)) continue;
+    for (let face = 4 * t; face < 4 * t + 4; ++face) {
+      const beyond = neighbours[face] ?? outside;
+      if (beyond === outside || hides(beyond)) faces[count++] = face;
+    }
+  }
+  return count;
+}
+
+/** Fills three corners per face, relative to `origin`, x y z each. */
+export function writeCorners(
+  { points, tetrahedra }: VolumeMesh,
+  faces: Uint32Array,
+  count: number,
+  origin: readonly [number, number, number],
+  corners: Float32Array,
+): void {
+  let out = 0;
+  for (let i = 0; i < count; ++i) {
+    const face = faces[i] ?? 0;
+    const base = face & ~3;
+    const local = 3 * (face & 3);
+    for (let corner = local; corner < local + 3; ++corner) {
+      const at = 3 * (tetrahedra[base + (faceNodes[corner] ?? 0)] ?? 0);
+      corners[out++] = (points[at] ?? 0) - origin[0];
+      corners[out++] = (points[at + 1] ?? 0) - origin[1];
+      corners[out++] = (points[at + 2] ?? 0) - origin[2];
+    }
+  }
+}
