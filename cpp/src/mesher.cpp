@@ -306,7 +306,7 @@ class MeshRun::Impl {
 
   void measure(std::uint32_t budget) {
     const std::size_t count = finishedMesh_->tetrahedra.size() / 4;
-    const std::size_t last = std::min<std::size_t>(count, measured_ + budget);
+    const std::size_t last = measured_ + std::min<std::size_t>(budget, count - measured_);
     meter_.add(*finishedMesh_, measured_, last);
     measured_ = last;
     if (measured_ == count) stage_ = Stage::kVerify;

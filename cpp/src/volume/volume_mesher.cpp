@@ -94,7 +94,7 @@ MeshStatus BasicVolumeMesher<Trace>::advance(std::uint32_t budget) {
 template <class Trace>
 void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
   const std::size_t count = boundary_.triangles.size() / 3;
-  const std::size_t end = std::min<std::size_t>(count, nextTriangle_ + budget);
+  const std::size_t end = nextTriangle_ + std::min<std::size_t>(budget, count - nextTriangle_);
   const Vec3 origin = count > 0 ? boundaryNode(boundary_, NodeId(0U)) : Vec3(0.0);
   for (; nextTriangle_ < end; ++nextTriangle_) {
     const NodeTriple n = boundaryTriangle(boundary_, nextTriangle_);
