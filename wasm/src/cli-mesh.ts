@@ -89,7 +89,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   tell(input, report.diagnostics, isQuiet);
   const isWanted = mayWrite(result, options);
   const written = isWanted && (await writeMesh(options.output, result, model)) ? options.output : null;
-  if (!isQuiet) say(summary(input, report, written));
+  if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written));
   const isLost = isWanted && written === null;
   return { report, written, exitCode: isLost ? ExitCode.notCompleted : EXIT_CODES[report.status] };
 }
@@ -237,17 +237,17 @@ async function tryWrite(file: string, content: string | Uint8Array): Promise<boo
   }
 }
 
-/** One line per diagnostic; `quiet` leaves the errors. */
-function tell(subject: string, diagnostics: readonly Diagnostic[], quiet: boolean): void {
+/** One line per warning and error; `isQuiet` leaves the errors. Information is for the report. */
+function tell(subject: string, diagnostics: readonly Diagnostic[], isQuiet: boolean): void {
   for (const { severity, message, remedy } of diagnostics) {
-    if (quiet && severity !== "error") continue;
-    say(`${severity}: ${subject}: ${message}.${remedy === "" ? "" : ` ${remedy}`}`);
+    if (severity === "error" || (severity === "warning" && !isQuiet)) {
+      say(`${severity}: ${subject}: ${message}.${remedy === "" ? "" : ` ${remedy}`}`);
+    }
   }
 }
 
 function summary(input: string, report: MeshReport, written: string | null): string {
   const { status, tetrahedra, points, dihedral, seconds } = report;
-  if (status === "invalid-input") return `${input}: not meshed`;
   const figures = [
     `${tetrahedra} tetrahedra`,
     `${points} points`,

@@ -191,7 +191,7 @@ describe("bad input is a result, and says what is wrong:", () => {
         points: cube.points.map((p) => (p.id === 8 ? { ...p, at: [1, 1, 1.5] } : p)),
       })),
       "not-planar",
-      /patch "(back|right)"/,
+      /patch "(top|back|right)" is planar/i,
     ],
     [
       "a loop with a gap",
@@ -210,7 +210,7 @@ describe("bad input is a result, and says what is wrong:", () => {
         },
       })),
       "bad-size",
-      /background node 4/,
+      /^Background node 4 /,
     ],
     [
       "a grid that does not cover the model",
