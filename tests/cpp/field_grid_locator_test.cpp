@@ -1,0 +1,172 @@
+#include "field/grid_locator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "field/size_field.h"
+#include "support/random.h"
+#include "support/tet_grids.h"
+
+namespace tetrafront::testing {
+namespace {
+
+double linearSize(const Vec3& p) { return 2.0 + 0.3 * p.x - 0.5 * p.y + 0.7 * p.z; }
+
+BackgroundGrid cubeGrid(int n) {
+  BackgroundGrid grid = gridOf(cubeOfTetrahedra(n, 0.15, 7));
+  for (BackgroundNode& node : grid.nodes) node.size = linearSize(node.position);
+  // Orientation must not matter.
+  for (std::size_t t = 0; t < grid.tetrahedra.size(); t += 3) {
+    std::swap(grid.tetrahedra[t][0], grid.tetrahedra[t][3]);
+  }
+  return grid;
+}
+
+Vec3 placeOf(const GridLocator& locator, const GridLocator::Location& location) {
+  Vec3 place(0.0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::uint32_t node = locator.grid().tetrahedra[location.tetrahedron][i];
+    place += location.weights[i] * locator.grid().nodes[node].position;
+  }
+  return place;
+}
+
+void expectPlace(const Vec3& found, const Vec3& expected, double tolerance) {
+  EXPECT_LT(glm::length(found - expected), tolerance)
+      << "(" << found.x << " " << found.y << " " << found.z << ") instead of (" << expected.x << " "
+      << expected.y << " " << expected.z << ")";
+}
+
+TEST(GridLocatorTest, FindsPlacesInsideFromAnywhere) {
+  const GridLocator locator(cubeGrid(7));
+  Random random(401);
+  const auto count = static_cast<int>(locator.grid().tetrahedra.size());
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 place = Vec3(0.5) + random.inBox(0.5);
+    const auto start = static_cast<std::uint32_t>(random.integer(0, count - 1));
+    const GridLocator::Location location = locator.locate(place, start);
+    ASSERT_TRUE(location.inside);
+    expectPlace(placeOf(locator, location), place, 1e-12);
+    EXPECT_NEAR(locator.sizeAt(location), linearSize(place), 1e-12);
+    for (const double weight : location.weights) EXPECT_GE(weight, 0.0);
+  }
+}
+
+TEST(GridLocatorTest, NodesAndBorderCountAsInside) {
+  const GridLocator locator(cubeGrid(5));
+  for (const BackgroundNode& node : locator.grid().nodes) {
+    const GridLocator::Location location = locator.locate(node.position, 3);
+    ASSERT_TRUE(location.inside);
+    EXPECT_NEAR(locator.sizeAt(location), node.size, 1e-12);
+  }
+  // Decimals in a file are rounded; a thousandth is not rounding.
+  EXPECT_TRUE(locator.locate(Vec3(1.0 + 1e-12, 0.3, 0.3), 0).inside);
+  EXPECT_FALSE(locator.locate(Vec3(1.0 + 1e-3, 0.3, 0.3), 0).inside);
+}
+
+TEST(GridLocatorTest, OutsideGivesTheNearestPointOfTheGrid) {
+  const GridLocator locator(cubeGrid(6));
+  Random random(402);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec3 place = Vec3(0.5) + random.inBox(2.0);
+    const Vec3 nearest = glm::clamp(place, Vec3(0.0), Vec3(1.0));
+    const GridLocator::Location location = locator.locate(place, 0);
+    EXPECT_EQ(location.inside, place == nearest);
+    expectPlace(placeOf(locator, location), nearest, 1e-10);
+    EXPECT_NEAR(locator.sizeAt(location), linearSize(nearest), 1e-10);
+  }
+}
+
+/// A walk straight to the place leaves this grid and has to be taken up elsewhere.
+TEST(GridLocatorTest, FindsPlacesAcrossANotch) {
+  BackgroundGrid grid = cubeGrid(6);
+  std::vector<std::array<std::uint32_t, 4>> kept;
+  for (const auto& tet : grid.tetrahedra) {
+    Vec3 centre(0.0);
+    for (const std::uint32_t node : tet) centre += 0.25 * grid.nodes[node].position;
+    if (centre.x < 0.34 || centre.x > 0.66 || centre.y < 0.34) kept.push_back(tet);
+  }
+  ASSERT_LT(kept.size(), grid.tetrahedra.size());
+  grid.tetrahedra = kept;
+  const GridLocator locator(grid);
+  const std::uint32_t left = locator.locate(Vec3(0.1, 0.9, 0.5), 0).tetrahedron;
+  const GridLocator::Location across = locator.locate(Vec3(0.9, 0.9, 0.5), left);
+  EXPECT_TRUE(across.inside);
+  expectPlace(placeOf(locator, across), Vec3(0.9, 0.9, 0.5), 1e-12);
+  EXPECT_FALSE(locator.locate(Vec3(0.5, 0.9, 0.5), left).inside);
+}
+
+TEST(GridLocatorTest, SizeFieldCoversWhatTheGridCovers) {
+  const SizeField field = SizeField::fromGrid(GridLocator(cubeGrid(4)));
+  FieldHint hint;
+  EXPECT_TRUE(field.covers(Vec3(0.2, 0.7, 0.9), hint));
+  EXPECT_NEAR(field.sizeAt(Vec3(0.2, 0.7, 0.9), hint), linearSize(Vec3(0.2, 0.7, 0.9)), 1e-12);
+  EXPECT_FALSE(field.covers(Vec3(0.2, 0.7, 1.1), hint));
+}
+
+// ---- checkBackgroundGrid ---------------------------------------------------------------------
+
+std::vector<DiagnosticCode> codesOf(const BackgroundGrid& grid) {
+  std::vector<DiagnosticCode> codes;
+  for (const Diagnostic& d : checkBackgroundGrid(grid)) codes.push_back(d.code);
+  return codes;
+}
+
+TEST(BackgroundGridCheckTest, AcceptsASoundGrid) {
+  BackgroundGrid grid = cubeGrid(3);
+  grid.nodes[2].stretching = 4.0;
+  EXPECT_TRUE(codesOf(grid).empty());
+}
+
+TEST(BackgroundGridCheckTest, RefusesAnEmptyGrid) {
+  EXPECT_EQ(codesOf({}), std::vector{DiagnosticCode::kEmptyBackgroundGrid});
+  BackgroundGrid nodesOnly = cubeGrid(1);
+  nodesOnly.tetrahedra.clear();
+  EXPECT_EQ(codesOf(nodesOnly), std::vector{DiagnosticCode::kEmptyBackgroundGrid});
+}
+
+TEST(BackgroundGridCheckTest, NamesTheNodeAndItsValue) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double size : {0.0, -1.0, nan, std::numeric_limits<double>::infinity()}) {
+    BackgroundGrid grid = cubeGrid(2);
+    grid.nodes[5].size = size;
+    const std::vector<Diagnostic> found = checkBackgroundGrid(grid);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].code, DiagnosticCode::kBadSize);
+    EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kBackgroundNode);
+    EXPECT_EQ(found[0].entities.at(0).index, 5U);
+    EXPECT_TRUE(found[0].hasPlace);
+    ASSERT_EQ(found[0].values.size(), 1U);
+    EXPECT_TRUE(found[0].values[0] == size || std::isnan(size));
+  }
+}
+
+TEST(BackgroundGridCheckTest, RefusesBadStretching) {
+  BackgroundGrid grid = cubeGrid(2);
+  grid.nodes[1].stretching = 0.5;
+  grid.nodes[2].stretching = std::numeric_limits<double>::quiet_NaN();
+  grid.nodes[3].stretching = 2.0;
+  grid.nodes[3].direction = Vec3(0.0);
+  grid.nodes[4].direction = Vec3(0.0);  // not stretched, so its direction does not matter
+  EXPECT_EQ(codesOf(grid), std::vector(3, DiagnosticCode::kBadStretching));
+}
+
+TEST(BackgroundGridCheckTest, ReportsEverythingAtOnce) {
+  BackgroundGrid grid = cubeGrid(2);
+  grid.nodes[0].position.x = std::numeric_limits<double>::infinity();
+  grid.tetrahedra.push_back({1, 2, 3, 999});
+  grid.tetrahedra.push_back({1, 1, 2, 3});
+  grid.tetrahedra.push_back(grid.tetrahedra[7]);
+  std::swap(grid.tetrahedra.back()[0], grid.tetrahedra.back()[2]);
+  EXPECT_EQ(codesOf(grid),
+            (std::vector{DiagnosticCode::kNotFinite, DiagnosticCode::kIndexOutOfRange,
+                         DiagnosticCode::kFlatBackgroundTetrahedron,
+                         DiagnosticCode::kDuplicateTriangle}));
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

@@ -1,0 +1,146 @@
+#include "field/size_octree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "field/size_sites.h"
+#include "support/random.h"
+#include "support/shapes.h"
+
+namespace tetrafront::testing {
+namespace {
+
+std::vector<Vec3> pointsOf(const SurfaceMesh& mesh) {
+  std::vector<Vec3> points;
+  for (std::uint32_t i = 0; i < nodeCount(mesh); ++i) points.push_back(pointOf(mesh, i));
+  return points;
+}
+
+/// The definition, over all nodes.
+double bruteForce(const std::vector<Vec3>& points, const std::vector<double>& sizes, double growth,
+                  double cap, const Vec3& place) {
+  double least = cap;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (sizes[i] > 0.0) least = std::min(least, sizes[i] + growth * glm::length(place - points[i]));
+  }
+  return least;
+}
+
+/// A sphere whose southern triangles are far smaller than its northern ones.
+SurfaceMesh gradedSphere() {
+  SurfaceMesh mesh = geodesicSphere(24);
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+    Vec3 p(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
+    p = p - Vec3(0.0, 0.0, 0.85);
+    p /= glm::dot(p, p);  // inversion about a place near the north pole keeps it a sphere
+    mesh.points[i] = p.x;
+    mesh.points[i + 1] = p.y;
+    mesh.points[i + 2] = p.z;
+  }
+  return mesh;
+}
+
+TEST(SizeOctreeTest, MeanEdgeOfACubeOfUnitSquares) {
+  // Every node of the single-square cube has three sides of length 1 and 0 to 3 diagonals.
+  const SurfaceMesh mesh = gridCube(1);
+  const std::vector<double> sizes = averagedEdgeLengths(pointsOf(mesh), mesh.triangles);
+  for (const double size : sizes) {
+    EXPECT_GT(size, 1.0);
+    EXPECT_LT(size, std::sqrt(2.0));
+  }
+}
+
+TEST(SizeOctreeTest, UniformTriangulationGivesItsEdgeLength) {
+  const SurfaceMesh mesh = gridCube(8, Diagonals::kUnionJack);
+  const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 0.0);
+  for (const Vec3& place : {Vec3(0.5), Vec3(0.0), Vec3(1.0, 0.5, 0.2), Vec3(-3.0, 0.4, 9.0)}) {
+    EXPECT_GT(octree.sizeAt(place), 1.0 / 8.0);
+    EXPECT_LT(octree.sizeAt(place), std::sqrt(2.0) / 8.0);
+  }
+}
+
+TEST(SizeOctreeTest, SitesAgreeWithBruteForce) {
+  const SurfaceMesh mesh = gradedSphere();
+  const std::vector<Vec3> points = pointsOf(mesh);
+  const std::vector<double> sizes = averagedEdgeLengths(points, mesh.triangles);
+  const SizeSites sites(points, sizes, 0.3);
+  Random random(301);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 place = random.inBox(8.0) - Vec3(0.0, 0.0, 3.0);
+    const double expected = bruteForce(points, sizes, 0.3, 1e30, place);
+    const double found = sites.at(place, 0).size;
+    EXPECT_GE(found, expected * (1.0 - 1e-12));
+    EXPECT_LE(found, expected * 1.07);
+  }
+}
+
+TEST(SizeOctreeTest, OctreeAgreesWithBruteForce) {
+  for (const double cap : {0.0, 0.5, 1e9}) {
+    const SurfaceMesh mesh = gradedSphere();
+    const std::vector<Vec3> points = pointsOf(mesh);
+    const std::vector<double> sizes = averagedEdgeLengths(points, mesh.triangles);
+    const SizeOctree octree(points, mesh.triangles, 0.3, cap);
+    Random random(302);
+    double sum = 0.0;
+    constexpr int kSamples = 2000;
+    for (int i = 0; i < kSamples; ++i) {
+      // Half of the places near the surface, where the field is not smooth.
+      const Vec3 near = points[static_cast<std::size_t>(random.integer(0, 5000))];
+      const Vec3 place =
+          i % 2 == 0 ? near + random.inBox(0.05) : random.inBox(3.0) - Vec3(0.0, 0.0, 3.0);
+      const Vec3 held = glm::clamp(place, Vec3(-8.0), Vec3(8.0));
+      const double expected = bruteForce(points, sizes, 0.3, octree.cap(), held);
+      const double error = octree.sizeAt(held) / expected - 1.0;
+      sum += std::fabs(error);
+      EXPECT_LT(std::fabs(error), 0.45) << "cap " << cap;
+    }
+    EXPECT_LT(sum / kSamples, 0.06) << "cap " << cap;
+  }
+}
+
+/// A few tiny triangles inside a large cell must not be overlooked.
+TEST(SizeOctreeTest, FindsASmallFeatureAmongLargeTriangles) {
+  SurfaceMesh mesh = gridCube(2);
+  SurfaceMesh speck = geodesicSphere(2);
+  scale(speck, 1e-3);
+  translate(speck, Vec3(0.41, 0.53, 0.37));
+  append(mesh, speck);
+  for (const double cap : {0.0, 0.4}) {
+    const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, cap);
+    EXPECT_LT(octree.sizeAt(Vec3(0.41, 0.53, 0.37)), 2e-3);
+    EXPECT_GT(octree.sizeAt(Vec3(0.9)), 0.1);
+  }
+}
+
+TEST(SizeOctreeTest, DefaultCapIsTheNinetiethPercentile) {
+  const SurfaceMesh mesh = gradedSphere();
+  std::vector<double> sizes = averagedEdgeLengths(pointsOf(mesh), mesh.triangles);
+  const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 0.0);
+  const auto below =
+      std::count_if(sizes.begin(), sizes.end(), [&](double size) { return size <= octree.cap(); });
+  EXPECT_NEAR(static_cast<double>(below) / static_cast<double>(sizes.size()), 0.9, 0.01);
+}
+
+TEST(SizeOctreeTest, OutsideItsBoxTakesTheNearestValue) {
+  const SurfaceMesh mesh = geodesicSphere(6);
+  const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 1e9);
+  EXPECT_NEAR(octree.sizeAt(Vec3(1e30, 0.0, 0.0)), octree.sizeAt(Vec3(5.0, 0.0, 0.0)), 1e-12);
+  EXPECT_TRUE(std::isfinite(octree.sizeAt(Vec3(-1e300))));
+}
+
+/// Nodes that no triangle uses have no say.
+TEST(SizeOctreeTest, IgnoresUnusedNodes) {
+  const SurfaceMesh mesh = geodesicSphere(4);
+  std::vector<Vec3> points = pointsOf(mesh);
+  const SizeOctree without(points, mesh.triangles, 0.3, 1e9);
+  points.push_back(Vec3(100.0));
+  const SizeOctree with(points, mesh.triangles, 0.3, 1e9);
+  EXPECT_EQ(with.leafCount(), without.leafCount());
+  EXPECT_EQ(with.sizeAt(Vec3(0.3)), without.sizeAt(Vec3(0.3)));
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

@@ -1,0 +1,174 @@
+#include "quality/check_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "support/mesh_validator.h"
+#include "support/tet_grids.h"
+
+namespace tetrafront::testing {
+namespace {
+
+/// A sound mesh and its surface, to be damaged. The tests' own validator must agree each time.
+struct Specimen {
+  static constexpr int kCubes = 4;
+  VolumeMesh mesh = cubeOfTetrahedra(kCubes, 0.15);
+  SurfaceMesh surface = surfaceOf(mesh, surfaceNodeCount(kCubes));
+
+  [[nodiscard]] MeshDefects judged() const {
+    const MeshDefects defects = verifyMesh(mesh, surface);
+    EXPECT_EQ(defects.count() == 0, complaintAbout(mesh, surface).empty())
+        << "the validator says: " << complaintAbout(mesh, surface);
+    return defects;
+  }
+  std::uint32_t& node(std::size_t tetrahedron, std::size_t k) {
+    return mesh.tetrahedra[4 * tetrahedron + k];
+  }
+  /// A tetrahedron with an inner node, and which of its nodes that is.
+  std::pair<std::size_t, std::size_t> innerCorner() {
+    std::size_t h = 0;
+    while (mesh.tetrahedra[h] < surfaceNodeCount(kCubes)) ++h;
+    return {h / 4, h % 4};
+  }
+};
+
+TEST(CheckMeshTest, AcceptsASoundMesh) {
+  const Specimen specimen;
+  const MeshDefects defects = specimen.judged();
+  EXPECT_EQ(defects.count(), 0U);
+  EXPECT_NEAR(defects.meshVolume, 1.0, 1e-13);
+  EXPECT_NEAR(defects.surfaceVolume, 1.0, 1e-13);
+}
+
+TEST(CheckMeshTest, AcceptsUnusedNodes) {
+  Specimen specimen;
+  specimen.mesh.points.insert(specimen.mesh.points.end(), {0.5, 0.5, 0.5});
+  EXPECT_EQ(specimen.judged().count(), 0U);
+}
+
+TEST(CheckMeshTest, FindsAnInvertedTetrahedron) {
+  Specimen specimen;
+  std::swap(specimen.node(7, 0), specimen.node(7, 1));
+  const MeshDefects defects = specimen.judged();
+  EXPECT_EQ(defects.invertedTetrahedra, 1U);
+  EXPECT_GT(defects.onesidedFaces + defects.missingTriangles, 0U);
+}
+
+TEST(CheckMeshTest, FindsATetrahedronThatIsExactlyFlat) {
+  Specimen specimen;
+  specimen.mesh = cubeOfTetrahedra(Specimen::kCubes);  // no jitter: all coordinates are quarters
+  // An inner node moved onto the plane of a face opposite to it flattens that tetrahedron.
+  const auto [t, k] = specimen.innerCorner();
+  const auto place = [&](std::size_t corner, std::size_t axis) -> double& {
+    return specimen.mesh.points[3 * std::size_t{specimen.node(t, corner)} + axis];
+  };
+  for (std::size_t a = 0; a < 3; ++a) {
+    place(k, a) = place((k + 1) % 4, a) + 0.25 * (place((k + 2) % 4, a) - place((k + 1) % 4, a)) +
+                  0.25 * (place((k + 3) % 4, a) - place((k + 1) % 4, a));
+  }
+  EXPECT_GE(specimen.judged().invertedTetrahedra, 1U);
+}
+
+TEST(CheckMeshTest, FindsAMissingTetrahedron) {
+  Specimen specimen;
+  specimen.mesh.tetrahedra.resize(specimen.mesh.tetrahedra.size() - 4);
+  const MeshDefects defects = specimen.judged();
+  EXPECT_GT(defects.extraBoundaryFaces, 0U);
+  EXPECT_EQ(defects.wrongVolume, 1U);
+  EXPECT_EQ(defects.invertedTetrahedra, 0U);
+}
+
+TEST(CheckMeshTest, FindsARepeatedTetrahedron) {
+  Specimen specimen;
+  const auto [t, k] = specimen.innerCorner();
+  // Another order of the same nodes, and of the same sign.
+  specimen.mesh.tetrahedra.insert(
+      specimen.mesh.tetrahedra.end(),
+      {specimen.node(t, 1), specimen.node(t, 2), specimen.node(t, 0), specimen.node(t, 3)});
+  const MeshDefects defects = specimen.judged();
+  EXPECT_EQ(defects.repeatedTetrahedra, 1U);
+  EXPECT_GT(defects.overfullFaces, 0U);
+  EXPECT_EQ(defects.wrongVolume, 1U);
+}
+
+TEST(CheckMeshTest, FindsATetrahedronPutAcrossOthers) {
+  Specimen specimen;
+  const auto [t, k] = specimen.innerCorner();
+  const std::uint32_t other = specimen.node((t + 40) % (specimen.mesh.tetrahedra.size() / 4), 0);
+  specimen.node(t, k) = other;
+  EXPECT_GT(specimen.judged().count(), 0U);
+}
+
+TEST(CheckMeshTest, FindsATurnedSurfaceTriangle) {
+  Specimen specimen;
+  std::swap(specimen.surface.triangles[3], specimen.surface.triangles[4]);
+  const MeshDefects defects = specimen.judged();
+  EXPECT_EQ(defects.missingTriangles, 1U);
+  EXPECT_EQ(defects.extraBoundaryFaces, 1U);
+}
+
+TEST(CheckMeshTest, FindsASurfaceTriangleTooManyOrTooFew) {
+  Specimen fewer;
+  fewer.surface.triangles.resize(fewer.surface.triangles.size() - 3);
+  EXPECT_EQ(fewer.judged().extraBoundaryFaces, 1U);
+  Specimen more;
+  const auto [t, k] = more.innerCorner();
+  // Nodes of the surface that have no triangle in common.
+  more.surface.triangles.insert(more.surface.triangles.end(), {0, 30, 60});
+  EXPECT_EQ(more.judged().missingTriangles, 1U) << t << " " << k;
+}
+
+TEST(CheckMeshTest, FindsMovedSurfaceNodes) {
+  Specimen specimen;
+  specimen.mesh.points[3 * 4] += 1e-15;
+  EXPECT_EQ(specimen.judged().movedNodes, 1U);
+}
+
+TEST(CheckMeshTest, FindsCoincidentNodes) {
+  Specimen specimen;
+  const auto [t, k] = specimen.innerCorner();
+  const std::size_t from = 3 * std::size_t{specimen.node(t, (k + 1) % 4)};
+  const std::size_t to = 3 * std::size_t{specimen.node(t, k)};
+  for (std::size_t a = 0; a < 3; ++a) specimen.mesh.points[to + a] = specimen.mesh.points[from + a];
+  const MeshDefects defects = specimen.judged();
+  EXPECT_EQ(defects.coincidentNodes, 1U);
+  EXPECT_GT(defects.invertedTetrahedra, 0U);
+}
+
+TEST(CheckMeshTest, FindsNumbersThatCannotBe) {
+  Specimen notFinite;
+  notFinite.mesh.points[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_GT(notFinite.judged().badNumbers, 0U);
+  Specimen outOfRange;
+  outOfRange.node(3, 2) = 1000000;
+  EXPECT_EQ(outOfRange.judged().badNumbers, 1U);
+}
+
+TEST(CheckMeshTest, AnEmptyMeshDoesNotFillASurface) {
+  Specimen specimen;
+  specimen.mesh.tetrahedra.clear();
+  const MeshDefects defects = specimen.judged();
+  EXPECT_EQ(defects.missingTriangles, specimen.surface.triangles.size() / 3);
+  EXPECT_EQ(defects.wrongVolume, 1U);
+}
+
+TEST(CheckMeshTest, SlicesGiveTheSameAsOneRun) {
+  Specimen specimen;
+  std::swap(specimen.node(7, 0), specimen.node(7, 1));
+  const MeshDefects whole = specimen.judged();
+  MeshVerifier verifier(specimen.mesh, specimen.surface);
+  double fraction = 0.0;
+  while (!verifier.advance(5)) {
+    EXPECT_GE(verifier.fraction(), fraction);
+    fraction = verifier.fraction();
+  }
+  EXPECT_EQ(verifier.defects().count(), whole.count());
+  EXPECT_EQ(verifier.defects().meshVolume, whole.meshVolume);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
