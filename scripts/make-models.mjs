@@ -104,6 +104,9 @@ const zAxis = [0, 0, 1];
 const quarters = [0, 1, 2, 3];
 const next = (quarter) => (quarter + 1) % 4;
 
+/** The same loop walked the other way: a patch is drawn counter-clockwise seen from outside. */
+const turned = (loop) => loop.toReversed().map((step) => -step);
+
 /** Four lines of a closed section, one per quarter, beginning on the diagonal below right. */
 const circle = (builder, centre, radius, across, up, label) =>
   quarters.map((q) =>
@@ -117,11 +120,15 @@ const circle = (builder, centre, radius, across, up, label) =>
 const square = (builder, corners, label) =>
   quarters.map((q) => builder.line("straight", [corners[q], corners[next(q)]], `${label} edge ${q + 1}`));
 
-/** Four Coons patches between two closed sections joined by four lengthwise lines. */
-const skin = (builder, first, last, lengthwise, label) => {
+/**
+ * Four Coons patches between two closed sections joined by four lengthwise lines; the material lies
+ * inside them, or around them.
+ */
+const skin = (builder, first, last, lengthwise, label, materialInside = true) => {
   const names = ["right", "top", "left", "bottom"];
   for (const q of quarters) {
-    builder.patch("coons", `${label} ${names[q]}`, [first[q], lengthwise[next(q)], -last[q], -lengthwise[q]]);
+    const loop = [first[q], lengthwise[next(q)], -last[q], -lengthwise[q]];
+    builder.patch("coons", `${label} ${names[q]}`, materialInside ? loop : turned(loop));
   }
 };
 
@@ -160,10 +167,10 @@ function intake() {
     return builder.line("spline", places, `centrebody rib ${q + 1}`);
   });
 
-  builder.patch("planar", "inlet", inlet);
+  builder.patch("planar", "inlet", turned(inlet));
   skin(builder, inlet, outlet, edges, "duct");
   builder.patch("planar", "nose", nose);
-  skin(builder, nose, hub, ribs, "centrebody");
+  skin(builder, nose, hub, ribs, "centrebody", false);
   builder.patch("planar", "outlet", outlet, hub);
   builder.backgroundRow(
     [
@@ -185,7 +192,7 @@ function intake() {
 function unitCube() {
   const builder = new Builder();
   const corner = (code) => [code & 1, (code >> 1) & 1, code >> 2];
-  const faces = { left: [0, 2, 6, 4], right: [1, 3, 7, 5], front: [0, 1, 5, 4], back: [2, 3, 7, 6], bottom: [0, 1, 3, 2], top: [4, 5, 7, 6] }; // prettier-ignore
+  const faces = { left: [0, 4, 6, 2], right: [1, 3, 7, 5], front: [0, 1, 5, 4], back: [2, 6, 7, 3], bottom: [0, 2, 3, 1], top: [4, 5, 7, 6] }; // prettier-ignore
   for (const [name, codes] of Object.entries(faces)) {
     const sides = codes.map((code, i) =>
       builder.line("straight", [corner(code), corner(codes[(i + 1) % 4])]),
@@ -221,7 +228,7 @@ function duct() {
       `edge ${q + 1}`,
     );
   });
-  builder.patch("planar", "square end", bottom);
+  builder.patch("planar", "square end", turned(bottom));
   skin(builder, bottom, top, edges, "wall");
   builder.patch("planar", "round end", top);
   builder.nodes.push(
@@ -256,13 +263,13 @@ function plate() {
     const [at] = arc([0, 0, 0], radius, xAxis, yAxis, 90 * q - 45, 90 * q + 45, 5);
     return builder.line("straight", [at, [at[0], at[1], thickness]], `bore ${q + 1}`);
   });
-  builder.patch("planar", "bottom", bottom, lowRim);
+  builder.patch("planar", "bottom", turned(bottom), turned(lowRim));
   builder.patch("planar", "top", top, highRim);
   const names = ["right", "back", "left", "front"];
   for (const q of quarters) {
     builder.patch("planar", `${names[q]} side`, [bottom[q], posts[next(q)], -top[q], -posts[q]]);
   }
-  skin(builder, lowRim, highRim, bores, "bore");
+  skin(builder, lowRim, highRim, bores, "bore", false);
   builder.backgroundRow(
     [
       { x: -1.1, size: 0.14 },

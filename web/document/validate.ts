@@ -5,7 +5,7 @@ import { entityKey, recordsOf, type DrawnKind, type Entity } from "./entities";
 export interface Problem {
   /** Stable while the problem stays the same. */
   readonly key: string;
-  readonly severity: Diagnostic["severity"];
+  readonly severity: "warning" | "error";
   readonly code: string;
   readonly message: string;
   readonly remedy: string;
@@ -23,12 +23,15 @@ function toEntity(project: Project, ref: EntityRef): Entity | null {
   return id === undefined ? null : { kind: ref.kind, id };
 }
 
-/** Diagnostics of check and run as problems: without repetition, errors first, else in order. */
+/**
+ * Diagnostics of check and run as problems: without repetition, errors first, else in order. What is
+ * for information only is in the log and asks nothing of the user.
+ */
 export function toProblems(project: Project, diagnostics: readonly Diagnostic[]): Problem[] {
   const problems = new Map<string, Problem>();
   for (const { code, severity, message, remedy, entities, place } of diagnostics) {
     const key = `${code}: ${message}`;
-    if (problems.has(key)) continue;
+    if (severity === "information" || problems.has(key)) continue;
     problems.set(key, {
       key,
       severity,
@@ -39,7 +42,7 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
       place: place ?? null,
     });
   }
-  const rank = { error: 0, warning: 1, information: 2 };
+  const rank = { error: 0, warning: 1 };
   return [...problems.values()].sort((a, b) => rank[a.severity] - rank[b.severity]);
 }
 

@@ -1,5 +1,5 @@
 import { Button, Text } from "@mantine/core";
-import { IconAlertTriangle, IconExclamationCircle, IconInfoCircle } from "@tabler/icons-react";
+import { IconAlertTriangle, IconExclamationCircle } from "@tabler/icons-react";
 import { showProblem } from "../actions";
 import type { Problem } from "../document/validate";
 import { formatPlace } from "../ui/format";
@@ -9,7 +9,6 @@ import { useApp } from "./app-context";
 const icons = {
   error: IconExclamationCircle,
   warning: IconAlertTriangle,
-  information: IconInfoCircle,
 } as const;
 
 export interface ProblemCardProps {

@@ -137,7 +137,7 @@ export const strings = {
     cutPosition: "Position",
     flip: "Other side",
   },
-  severities: { error: "Error", warning: "Warning", information: "Note" },
+  severities: { error: "Error", warning: "Warning" },
   bottom: {
     title: "Log and problems",
     log: "Log",

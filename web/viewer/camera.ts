@@ -23,7 +23,7 @@ export type StandardView = "isometric" | "front" | "back" | "right" | "left" | "
 
 /** Where the camera stands, as azimuth and polar angle in degrees. Front looks along +y. */
 const standardAngles: { readonly [V in StandardView]: readonly [number, number] } = {
-  isometric: [-35, 62],
+  isometric: [38, 64],
   front: [0, 90],
   back: [180, 90],
   right: [90, 90],
@@ -34,8 +34,8 @@ const standardAngles: { readonly [V in StandardView]: readonly [number, number] 
 
 const degrees = Math.PI / 180;
 const fieldOfView = 32;
-/** Room around a fitted model, as a factor on its radius. */
-const fitMargin = 1.02;
+/** Room around a fitted model, as a factor on its width and height. */
+const fitMargin = 1.06;
 
 /** Orbit, pan, zoom and fit around the model. The angles are those of a z-up world. */
 export class ViewCamera {
@@ -71,10 +71,30 @@ export class ViewCamera {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Moves so that a sphere fills the view; the direction stays. */
-  fit(centre: Vector3, radius: number, animate: boolean): void {
-    const sphere = new Sphere(centre, Math.max(radius * fitMargin, this.#radius * 0.02));
-    void this.controls.fitToSphere(sphere, animate);
+  /** Moves so that a box, given by two corners, fills the view; the direction stays. */
+  fit(low: Vector3, high: Vector3, animate: boolean): void {
+    const centre = new Vector3().addVectors(low, high).multiplyScalar(0.5);
+    // Where a turn under way will end, not where it now is.
+    const { theta: azimuthAngle, phi: polarAngle } = this.controls.getSpherical(new Spherical(), true);
+    const toEye = new Vector3(
+      Math.sin(polarAngle) * Math.sin(azimuthAngle),
+      -Math.sin(polarAngle) * Math.cos(azimuthAngle),
+      Math.cos(polarAngle),
+    );
+    const right = new Vector3(Math.cos(azimuthAngle), Math.sin(azimuthAngle), 0);
+    const up = new Vector3().crossVectors(toEye, right);
+    const upward = Math.tan((fieldOfView / 2) * degrees);
+    const sideward = upward * this.camera.aspect;
+    let distance = 0;
+    const corner = new Vector3();
+    for (let i = 0; i < 8; ++i) {
+      corner.set(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z).sub(centre);
+      const needed = Math.max(Math.abs(corner.dot(right)) / sideward, Math.abs(corner.dot(up)) / upward);
+      distance = Math.max(distance, needed * fitMargin + corner.dot(toEye));
+    }
+    void this.controls.moveTo(centre.x, centre.y, centre.z, animate);
+    void this.controls.setFocalOffset(0, 0, 0, animate);
+    void this.controls.dollyTo(Math.max(distance, this.#radius * 0.02), animate);
   }
 
   look(view: StandardView, animate: boolean): void {

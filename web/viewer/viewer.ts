@@ -2,7 +2,7 @@ import type { MeshResult, Project, ProjectPreview } from "tetrafront";
 import { Scene, Timer, Vector2, Vector3, WebGLRenderer } from "three";
 import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
 import type { SelectMode, ViewState } from "../document/selection";
-import { elementBounds, entityBounds, projectBounds, type Bounds } from "./bounds";
+import { Bounds, elementBounds, entityBounds, projectBounds } from "./bounds";
 import { ViewCamera, type StandardView } from "./camera";
 import type { ViewerColors } from "./colors";
 import { DotsLayer } from "./layers/dots-layer";
@@ -187,8 +187,7 @@ export class Viewer {
 
   fitPlace(place: Place): void {
     if (!this.#project) return;
-    const whole = projectBounds(this.#project);
-    this.#moveTo(place, closeUp * whole.radius * 2, !this.#options.still);
+    this.#fitBounds(new Bounds().add(...place), projectBounds(this.#project), !this.#options.still);
   }
 
   look(view: StandardView): void {
@@ -266,13 +265,18 @@ export class Viewer {
     );
   }
 
+  /** Something smaller than a part of the model is shown with this part around it. */
   #fitBounds(target: Bounds, whole: Bounds, animate: boolean): void {
-    this.#moveTo(target.centre, Math.max(target.radius, closeUp * whole.radius), animate);
-  }
-
-  #moveTo(place: Place, radius: number, animate: boolean): void {
+    const least = target.radius < closeUp * whole.radius ? closeUp * whole.radius : 0;
+    const { low, high, centre } = target;
     const [x, y, z] = this.#origin;
-    this.#view.fit(new Vector3(place[0] - x, place[1] - y, place[2] - z), radius, animate);
+    const from = new Vector3(low[0] - x, low[1] - y, low[2] - z);
+    const to = new Vector3(high[0] - x, high[1] - y, high[2] - z);
+    if (least > 0) {
+      from.set(centre[0] - x, centre[1] - y, centre[2] - z).subScalar(least);
+      to.copy(from).addScalar(2 * least);
+    }
+    this.#view.fit(from, to, animate);
     this.#requestFrame();
   }
 
