@@ -184,6 +184,8 @@ class PatchCheck {
       if (glm::dot(normalFrom, normalTo) >= 0.0) return false;
       const Vec2 middle = 0.5 * (from + to);
       const Vec3 normal = normalAt(surface, middle);
+      // A bend keeps its area; a fold has none where it turns.
+      if (glm::length(normal) < leastNormal_) return true;
       if (glm::dot(normalFrom, normal) < 0.0) {
         to = middle;
         normalTo = normal;

@@ -48,6 +48,7 @@ class BoundaryBuilder {
   void addLoop(std::size_t loop) {
     const auto firstNode = static_cast<std::uint32_t>(boundary.mesh.plane.size());
     const std::size_t firstSide = boundary.origins.size();
+    boundary.loops.push_back(static_cast<std::uint32_t>(firstSide));
     const Loop& drawn = patch_->loops[loop];
     for (std::size_t position = 0; position < drawn.size(); ++position) addLine(loop, position);
     const auto endNode = static_cast<std::uint32_t>(boundary.mesh.plane.size());
@@ -58,6 +59,8 @@ class BoundaryBuilder {
     tagStraights(loop, firstNode, endNode);
     const bool counterClockwise = area(firstNode, endNode) > 0.0;
     if (counterClockwise != (loop == 0)) reverse(firstSide);
+    // The plane is oriented by the outer loop's lines.
+    if (loop == 0) boundary.inverted = !counterClockwise;
   }
 
   PatchBoundary boundary;
@@ -140,18 +143,6 @@ bool sidesTouch(const PlanarMesh& mesh, std::uint32_t first, std::uint32_t secon
   return segmentsTouch(mesh, a, b, c, d);
 }
 
-}  // namespace
-
-PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
-                             const PatchSurface& surface, const SizeField& field,
-                             const DividedLines& lines) {
-  BoundaryBuilder builder(model, patch, surface, field, lines);
-  for (std::size_t loop = 0; loop < patch.loops.size(); ++loop) builder.addLoop(loop);
-  builder.boundary.mesh.boundaryCount =
-      static_cast<std::uint32_t>(builder.boundary.mesh.plane.size());
-  return std::move(builder.boundary);
-}
-
 std::vector<std::uint32_t> findTouchingSides(const PlanarMesh& mesh) {
   PlaneBox region = PlaneBox::of(mesh.plane.front(), mesh.plane.front());
   for (const Vec2& node : mesh.plane) region.include(node);
@@ -168,10 +159,75 @@ std::vector<std::uint32_t> findTouchingSides(const PlanarMesh& mesh) {
       if (sidesTouch(mesh, other, side)) touching.insert(touching.end(), {other, side});
     tree.insert(side, box);
   }
-  std::ranges::sort(touching);
-  const auto repeated = std::ranges::unique(touching);
-  touching.erase(repeated.begin(), repeated.end());
   return touching;
+}
+
+/// The sides from `from` up to `to`, of one loop.
+struct SideRange {
+  std::uint32_t from;
+  std::uint32_t to;
+};
+
+SideRange sidesOfLoop(const PatchBoundary& boundary, std::size_t loop) {
+  const bool last = loop + 1 == boundary.loops.size();
+  return {boundary.loops[loop],
+          last ? static_cast<std::uint32_t>(boundary.origins.size()) : boundary.loops[loop + 1]};
+}
+
+/// Even-odd rule on a ray in the first direction, by exact turns; no side touches the place.
+bool isInside(const PlanarMesh& mesh, std::uint32_t node, const SideRange& loop) {
+  const Vec2& place = mesh.plane[node];
+  bool inside = false;
+  for (std::uint32_t side = loop.from; side < loop.to; ++side) {
+    const std::uint32_t a = mesh.sides[2 * std::size_t{side}];
+    const std::uint32_t b = mesh.sides[2 * std::size_t{side} + 1];
+    const bool rises = mesh.plane[b].y > mesh.plane[a].y;
+    if ((mesh.plane[a].y > place.y) == (mesh.plane[b].y > place.y)) continue;
+    if ((orient2d(mesh.plane[a], mesh.plane[b], place) > 0) == rises) inside = !inside;
+  }
+  return inside;
+}
+
+/// Sides of an inverted outer loop; of holes outside it or in each other, and their counterparts.
+std::vector<std::uint32_t> findMisplacedSides(const PatchBoundary& boundary) {
+  std::vector<std::uint32_t> misplaced;
+  const auto add = [&](const SideRange& range) {
+    for (std::uint32_t side = range.from; side < range.to; ++side) misplaced.push_back(side);
+  };
+  if (boundary.inverted) add(sidesOfLoop(boundary, 0));
+  for (std::size_t hole = 1; hole < boundary.loops.size(); ++hole) {
+    const SideRange sides = sidesOfLoop(boundary, hole);
+    const std::uint32_t node = boundary.mesh.sides[2 * std::size_t{sides.from}];
+    for (std::size_t loop = 0; loop < boundary.loops.size(); ++loop) {
+      if (loop == hole) continue;
+      const SideRange other = sidesOfLoop(boundary, loop);
+      if (isInside(boundary.mesh, node, other) == (loop == 0)) continue;
+      add(sides);
+      add(other);
+    }
+  }
+  return misplaced;
+}
+
+}  // namespace
+
+PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
+                             const PatchSurface& surface, const SizeField& field,
+                             const DividedLines& lines) {
+  BoundaryBuilder builder(model, patch, surface, field, lines);
+  for (std::size_t loop = 0; loop < patch.loops.size(); ++loop) builder.addLoop(loop);
+  builder.boundary.mesh.boundaryCount =
+      static_cast<std::uint32_t>(builder.boundary.mesh.plane.size());
+  return std::move(builder.boundary);
+}
+
+std::vector<std::uint32_t> findFaultySides(const PatchBoundary& boundary) {
+  std::vector<std::uint32_t> faulty = findTouchingSides(boundary.mesh);
+  if (faulty.empty()) faulty = findMisplacedSides(boundary);
+  std::ranges::sort(faulty);
+  const auto repeated = std::ranges::unique(faulty);
+  faulty.erase(repeated.begin(), repeated.end());
+  return faulty;
 }
 
 }  // namespace tetrafront

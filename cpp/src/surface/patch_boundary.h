@@ -26,8 +26,12 @@ struct SideOrigin {
 };
 
 struct PatchBoundary {
-  PlanarMesh mesh;                  ///< boundary nodes and sides only, the patch on their left
-  std::vector<SideOrigin> origins;  ///< per side
+  PlanarMesh mesh;                   ///< boundary nodes and sides only, the patch on their left
+  std::vector<SideOrigin> origins;   ///< per side
+  std::vector<std::uint32_t> loops;  ///< first side of each loop; node i begins side i
+  /// True if the sides are so coarse that the outer loop of a planar patch turns the other way
+  /// than its lines do.
+  bool inverted = false;
 };
 
 /// Lays the sides of all loops out in the patch's plane, the outer loop counter-clockwise, holes
@@ -36,8 +40,10 @@ struct PatchBoundary {
                                            const PatchSurface& surface, const SizeField& field,
                                            const DividedLines& lines);
 
-/// Positions of boundary sides that touch or cross another one where they share no node, or run
-/// over each other from a common one; ascending, each once. Exact. Empty: simple loops.
-[[nodiscard]] std::vector<std::uint32_t> findTouchingSides(const PlanarMesh& mesh);
+/// The boundary sides that keep the loops from bounding a piece of the plane; ascending, each
+/// once, exact. Sides that touch or cross another one where they share no node, or run over each
+/// other from a common one; if there are none, those of an inverted outer loop, and the sides of holes that are not inside the outer
+/// loop or are inside another hole, and of the loop that should hold them or should not.
+[[nodiscard]] std::vector<std::uint32_t> findFaultySides(const PatchBoundary& boundary);
 
 }  // namespace tetrafront

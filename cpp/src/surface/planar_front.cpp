@@ -222,7 +222,7 @@ bool PlanarFront::tryNewNode(const Base& base) {
   Base lowered = base;
   for (const double share : {1.0, kLowerHeight}) {
     lowered.ideal = base.middle + share * (base.ideal - base.middle);
-    if (tooClose(lowered)) continue;
+    if (!region_.holds(lowered.ideal) || tooClose(lowered)) continue;
     const std::uint32_t node =
         mesh_->addNode(lowered.ideal, base.sample.position, base.sample.size);
     if (mesh_->turn(base.side.from, base.side.to, node) > 0 && !crossesFront(lowered, node)) {

@@ -103,8 +103,9 @@ class PreviewBuilder {
   void addPlanar(const Patch& patch, const PatchSurface& surface) {
     // A size beyond all sides: triangles grow as fast away from short ones as the front lets them.
     const SizeField field = SizeField::uniform(extentOf(patch));
-    PlanarMesh mesh = layOutBoundary(resolved_, patch, surface, field, lines_).mesh;
-    if (!findTouchingSides(mesh).empty()) return;
+    PatchBoundary boundary = layOutBoundary(resolved_, patch, surface, field, lines_);
+    if (!findFaultySides(boundary).empty()) return;
+    PlanarMesh& mesh = boundary.mesh;
     const PatchMetric metric(surface, field);
     PlanarFront front(metric, mesh);
     if (front.advance(kFrontBudget) != MeshStatus::kDone) return;

@@ -17,6 +17,9 @@ constexpr std::uint32_t kSidesPerStep = 4;
 /// need two each (one of them would do, but which one must not depend on who asks).
 constexpr std::uint32_t kClosedLineSides = 3;
 constexpr std::uint32_t kParallelLineSides = 2;
+/// A closed line of a patch with a seam: with fewer sides a node could be joined to both images
+/// of a seam's node, which are one node of the surface.
+constexpr std::uint32_t kSeamedLineSides = 6;
 
 }  // namespace
 
@@ -39,9 +42,9 @@ class SurfaceMesher::Impl {
   void numberNodes();
   std::uint32_t layOutNextPatch();
   bool halveSides(std::uint32_t patch, const PatchBoundary& boundary,
-                  const std::vector<std::uint32_t>& touching);
-  void reportTouching(std::uint32_t patch, const PatchBoundary& boundary,
-                      const std::vector<std::uint32_t>& touching);
+                  const std::vector<std::uint32_t>& faulty);
+  void reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
+                    const std::vector<std::uint32_t>& faulty);
   void writeLines();
   std::uint32_t meshPatch(std::uint32_t budget);
   void takePatch(std::uint32_t patch);
@@ -105,6 +108,11 @@ void SurfaceMesher::Impl::findMinimumSides() {
     if (first) continue;
     minimumSides_[line] = kParallelLineSides;
     minimumSides_[entry->second] = kParallelLineSides;
+  }
+  for (const Patch& patch : model.patches) {
+    if (patch.type != PatchType::kCoons) continue;
+    for (const OrientedLine& line : patch.loops.front())
+      if (minimumSides_[line.line] == kClosedLineSides) minimumSides_[line.line] = kSeamedLineSides;
   }
 }
 
@@ -220,22 +228,22 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
   const std::uint32_t patch = cursor_++;
   const PatchBoundary boundary =
       layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
-  const std::vector<std::uint32_t> touching = findTouchingSides(boundary.mesh);
-  if (!touching.empty()) {
-    if (round_ < kMaxHalvingRounds && halveSides(patch, boundary, touching))
+  const std::vector<std::uint32_t> faulty = findFaultySides(boundary);
+  if (!faulty.empty()) {
+    if (round_ < kMaxHalvingRounds && halveSides(patch, boundary, faulty))
       halved_ = true;
     else
-      reportTouching(patch, boundary, touching);
+      reportFaulty(patch, boundary, faulty);
   }
   return static_cast<std::uint32_t>(boundary.origins.size()) / kSidesPerStep + 1;
 }
 
-/// Halves those of the touching sides that lie on bent lines; false if there are none.
+/// Halves those of the faulty sides that lie on bent lines; false if there are none.
 bool SurfaceMesher::Impl::halveSides(std::uint32_t patch, const PatchBoundary& boundary,
-                                     const std::vector<std::uint32_t>& touching) {
+                                     const std::vector<std::uint32_t>& faulty) {
   static_cast<void>(patch);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wanted;
-  for (const std::uint32_t side : touching) {
+  for (const std::uint32_t side : faulty) {
     const SideOrigin& origin = boundary.origins[side];
     if (!model_.curve(origin.line).isStraight()) wanted.emplace_back(origin.line, origin.side);
   }
@@ -248,19 +256,19 @@ bool SurfaceMesher::Impl::halveSides(std::uint32_t patch, const PatchBoundary& b
   return !wanted.empty();
 }
 
-void SurfaceMesher::Impl::reportTouching(std::uint32_t patch, const PatchBoundary& boundary,
-                                         const std::vector<std::uint32_t>& touching) {
+void SurfaceMesher::Impl::reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
+                                       const std::vector<std::uint32_t>& faulty) {
   Diagnostic diagnostic;
   diagnostic.code = DiagnosticCode::kLoopTouchesItself;
   diagnostic.entities = {{EntityKind::kPatch, patch}};
   std::vector<std::uint32_t> lines;
-  for (const std::uint32_t side : touching) lines.push_back(boundary.origins[side].line);
+  for (const std::uint32_t side : faulty) lines.push_back(boundary.origins[side].line);
   std::ranges::sort(lines);
   const auto repeated = std::ranges::unique(lines);
   lines.erase(repeated.begin(), repeated.end());
   for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
   diagnostic.hasPlace = true;
-  diagnostic.place = boundary.mesh.places[boundary.mesh.sides[2 * std::size_t{touching.front()}]];
+  diagnostic.place = boundary.mesh.places[boundary.mesh.sides[2 * std::size_t{faulty.front()}]];
   diagnostics.push_back(std::move(diagnostic));
 }
 

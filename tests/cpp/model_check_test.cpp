@@ -1,0 +1,324 @@
+// Every fault of a drawn model, provoked one at a time, and models that have none.
+
+#include "model/check_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "support/models.h"
+#include "support/random.h"
+
+namespace tetrafront::testing {
+namespace {
+
+std::vector<DiagnosticCode> codesOf(const Model& model) {
+  std::vector<DiagnosticCode> codes;
+  for (const Diagnostic& diagnostic : checkModel(model)) codes.push_back(diagnostic.code);
+  return codes;
+}
+
+/// The only diagnostic of a model that must have exactly one.
+Diagnostic onlyFault(const Model& model) {
+  const std::vector<Diagnostic> found = checkModel(model);
+  EXPECT_EQ(found.size(), 1U);
+  return found.empty() ? Diagnostic{} : found.front();
+}
+
+bool names(const Diagnostic& diagnostic, EntityKind kind, std::uint32_t index) {
+  return std::ranges::any_of(diagnostic.entities, [&](const Entity& entity) {
+    return entity.kind == kind && entity.index == index;
+  });
+}
+
+Model square() { return polygonModel({squareCorners({0, 0, 0}, 1.0)}); }
+
+Model coonsSquare() {
+  Model model = square();
+  model.patches.front().type = PatchType::kCoons;
+  return model;
+}
+
+TEST(ModelCheck, GoodModelsPass) {
+  EXPECT_TRUE(codesOf(square()).empty());
+  EXPECT_TRUE(codesOf(coonsSquare()).empty());
+  EXPECT_TRUE(codesOf(boxModel({0, 0, 0}, {1, 2, 3})).empty());
+  EXPECT_TRUE(codesOf(seamedTube(1.0, 3.0)).empty());
+  EXPECT_TRUE(codesOf(polygonModel({squareCorners({0, 0, 0}, 3.0), squareCorners({1, 1, 0}, 1.0)}))
+                  .empty());
+}
+
+TEST(ModelCheck, DiscOfOneClosedSplineAndOfTwoLinesPass) {
+  for (const int arcs : {1, 2, 3}) {
+    ModelBuilder builder;
+    builder.patch(PatchType::kPlanar, {builder.circle({0, 0, 0}, 1.0, arcs)});
+    EXPECT_TRUE(codesOf(builder.model).empty()) << arcs;
+  }
+}
+
+TEST(ModelCheck, RandomModelsPass) {
+  for (std::uint64_t seed = 0; seed < 50; ++seed) {
+    double area = 0.0;
+    EXPECT_TRUE(codesOf(randomPolygonModel(seed, area)).empty()) << seed;
+    EXPECT_TRUE(codesOf(randomCoonsModel(seed, 0.15)).empty()) << seed;
+  }
+}
+
+TEST(ModelCheck, NotFinite) {
+  for (const double wrong :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e40}) {
+    Model model = square();
+    model.points[2].y = wrong;
+    const Diagnostic fault = onlyFault(model);
+    EXPECT_EQ(fault.code, DiagnosticCode::kNotFinite);
+    EXPECT_TRUE(names(fault, EntityKind::kPoint, 2));
+  }
+}
+
+TEST(ModelCheck, IndexOutOfRange) {
+  Model model = square();
+  model.lines[1].points[1] = 77;
+  const std::vector<Diagnostic> found = checkModel(model);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().code, DiagnosticCode::kIndexOutOfRange);
+  EXPECT_TRUE(names(found.front(), EntityKind::kLine, 1));
+  EXPECT_EQ(found.front().values, std::vector<double>{77.0});
+
+  model = square();
+  model.patches.front().loops.front()[3].line = 9;
+  const Diagnostic fault = onlyFault(model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kIndexOutOfRange);
+  EXPECT_TRUE(names(fault, EntityKind::kPatch, 0));
+}
+
+TEST(ModelCheck, WrongPointCount) {
+  Model model = square();
+  model.lines[2].type = LineType::kParabolic;
+  Diagnostic fault = onlyFault(model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kWrongPointCount);
+  EXPECT_TRUE(names(fault, EntityKind::kLine, 2));
+  EXPECT_EQ(fault.values, std::vector<double>{2.0});
+
+  model = square();
+  model.lines[0].points.clear();
+  fault = onlyFault(model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kWrongPointCount);
+  EXPECT_EQ(fault.values, std::vector<double>{0.0});
+}
+
+TEST(ModelCheck, CoincidentPoints) {
+  ModelBuilder builder;
+  const std::uint32_t line =
+      builder.line(LineType::kCubicSpline, {{0, 0, 0}, {1, 0, 0}, {2, 0, 1}, {3, 0, 0}});
+  builder.patch(PatchType::kPlanar, {{{line, false}, builder.straight({3, 0, 0}, {0, 0, 0})}});
+  builder.model.points[2] = builder.model.points[1];
+  const Diagnostic fault = onlyFault(builder.model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kCoincidentPoints);
+  EXPECT_TRUE(names(fault, EntityKind::kLine, line));
+  EXPECT_TRUE(names(fault, EntityKind::kPoint, 1));
+  EXPECT_TRUE(names(fault, EntityKind::kPoint, 2));
+  EXPECT_TRUE(fault.hasPlace);
+}
+
+TEST(ModelCheck, ZeroLengthLine) {
+  Model model = square();
+  model.points[1] = model.points[0];
+  const Diagnostic fault = onlyFault(model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kZeroLengthLine);
+  EXPECT_TRUE(names(fault, EntityKind::kLine, 0));
+}
+
+TEST(ModelCheck, WrongLineCount) {
+  Model model = polygonModel({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+  model.patches.front().type = PatchType::kCoons;
+  Diagnostic fault = onlyFault(model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kWrongLineCount);
+  EXPECT_EQ(fault.values, (std::vector<double>{3.0, 4.0}));
+
+  model = square();
+  model.patches.front().loops.clear();
+  fault = onlyFault(model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kWrongLineCount);
+  EXPECT_EQ(fault.values, (std::vector<double>{0.0, 1.0}));
+}
+
+TEST(ModelCheck, WrongLineTypeAndUnsupportedPatchType) {
+  Model model = polygonModel({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
+  model.patches.front().type = PatchType::kIsoparametricTriangle;
+  const std::vector<DiagnosticCode> codes = codesOf(model);
+  EXPECT_EQ(std::ranges::count(codes, DiagnosticCode::kWrongLineType), 3);
+  EXPECT_EQ(std::ranges::count(codes, DiagnosticCode::kPatchTypeNotSupported), 1);
+
+  model.patches.front().type = PatchType::kBarnhillGregoryNielson;
+  EXPECT_EQ(codesOf(model), std::vector{DiagnosticCode::kPatchTypeNotSupported});
+}
+
+TEST(ModelCheck, LoopNotClosedNamesPatchLineAndPoint) {
+  Model model = square();
+  model.patches.front().loops.front()[1].reversed = true;
+  const std::vector<Diagnostic> found = checkModel(model);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].code, DiagnosticCode::kLoopNotClosed);
+  EXPECT_TRUE(names(found[0], EntityKind::kPatch, 0));
+  EXPECT_TRUE(names(found[0], EntityKind::kLine, 0));
+  EXPECT_TRUE(names(found[0], EntityKind::kPoint, 1));
+  EXPECT_TRUE(found[0].hasPlace);
+  EXPECT_EQ(found[0].place, model.points[1]);
+}
+
+TEST(ModelCheck, OneOpenLineIsNoLoop) {
+  ModelBuilder builder;
+  builder.patch(PatchType::kPlanar, {{builder.straight({0, 0, 0}, {1, 0, 0})}});
+  EXPECT_EQ(onlyFault(builder.model).code, DiagnosticCode::kLoopNotClosed);
+}
+
+TEST(ModelCheck, LoopTouchesItself) {
+  // A bow tie of unequal wings; a hole across the edge; a hole touching it; a line used twice.
+  const Model bowTie = polygonModel({{{0, 0, 0}, {3, 1, 0}, {3, 0, 0}, {0, 2, 0}}});
+  EXPECT_EQ(onlyFault(bowTie).code, DiagnosticCode::kLoopTouchesItself);
+  const Model crossing =
+      polygonModel({squareCorners({0, 0, 0}, 2.0), squareCorners({1.5, 0.5, 0}, 1.0)});
+  const Diagnostic fault = onlyFault(crossing);
+  EXPECT_EQ(fault.code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
+  const Model touching =
+      polygonModel({squareCorners({0, 0, 0}, 2.0), {{2, 1, 0}, {1, 0.5, 0}, {1, 1.5, 0}}});
+  EXPECT_EQ(onlyFault(touching).code, DiagnosticCode::kLoopTouchesItself);
+  const Model spike =
+      polygonModel({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}}});
+  EXPECT_EQ(onlyFault(spike).code, DiagnosticCode::kLoopTouchesItself);
+}
+
+TEST(ModelCheck, HoleOutside) {
+  const Model beside = polygonModel({squareCorners({0, 0, 0}, 1.0), squareCorners({2, 0, 0}, 1.0)});
+  const Diagnostic fault = onlyFault(beside);
+  EXPECT_EQ(fault.code, DiagnosticCode::kHoleOutside);
+  EXPECT_TRUE(names(fault, EntityKind::kLine, 4));
+  const Model nested = polygonModel({squareCorners({0, 0, 0}, 4.0), squareCorners({1, 1, 0}, 2.0),
+                                     squareCorners({1.5, 1.5, 0}, 1.0)});
+  EXPECT_EQ(onlyFault(nested).code, DiagnosticCode::kHoleOutside);
+}
+
+TEST(ModelCheck, NotPlanarTellsTheDistance) {
+  Model model = square();
+  model.points[2].z = 0.1;
+  const Diagnostic fault = onlyFault(model);
+  EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
+  ASSERT_EQ(fault.values.size(), 1U);
+  // The plane lies between the four corners, each of them a quarter of the lift away.
+  EXPECT_NEAR(fault.values.front(), 0.025, 2e-3);
+}
+
+TEST(ModelCheck, PlanarityDoesNotDependOnTheModelsSize) {
+  for (const double scale : {1e-6, 1.0, 1e6}) {
+    Model model = square();
+    model.points[2].z = 2e-5;
+    for (Vec3& point : model.points) point *= scale;
+    EXPECT_TRUE(codesOf(model).empty()) << scale;
+  }
+}
+
+TEST(ModelCheck, HolesNotSupported) {
+  Model model = polygonModel({squareCorners({0, 0, 0}, 3.0), squareCorners({1, 1, 0}, 1.0)});
+  model.patches.front().type = PatchType::kCoons;
+  EXPECT_EQ(onlyFault(model).code, DiagnosticCode::kHolesNotSupported);
+}
+
+TEST(ModelCheck, EmptyModel) {
+  EXPECT_EQ(onlyFault(Model{}).code, DiagnosticCode::kEmptyModel);
+  Model lines = square();
+  lines.patches.clear();
+  EXPECT_EQ(onlyFault(lines).code, DiagnosticCode::kEmptyModel);
+}
+
+TEST(ModelCheck, DegeneratePatch) {
+  const Model flat = polygonModel({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}});
+  EXPECT_EQ(onlyFault(flat).code, DiagnosticCode::kDegeneratePatch);
+  Model bowTie = polygonModel({{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}});
+  bowTie.patches.front().type = PatchType::kCoons;
+  EXPECT_EQ(onlyFault(bowTie).code, DiagnosticCode::kDegeneratePatch);
+}
+
+TEST(ModelCheck, SharpBendOfACoonsPatchIsNoFold) {
+  // A thin wing: the chordwise lines turn by nearly 180 degrees at the nose.
+  ModelBuilder builder;
+  const auto profile = [](double z) {
+    return std::vector<Vec3>{{1, -0.02, z},   {0.5, -0.05, z}, {0.02, -0.02, z}, {0, 0, z},
+                             {0.02, 0.02, z}, {0.5, 0.05, z},  {1, 0.02, z}};
+  };
+  const std::uint32_t root = builder.line(LineType::kCubicSpline, profile(0));
+  const std::uint32_t tip = builder.line(LineType::kCubicSpline, profile(2));
+  builder.patch(PatchType::kCoons, {{{root, false},
+                                     builder.straight({1, 0.02, 0}, {1, 0.02, 2}),
+                                     {tip, true},
+                                     builder.straight({1, -0.02, 2}, {1, -0.02, 0})}});
+  EXPECT_TRUE(codesOf(builder.model).empty());
+}
+
+TEST(ModelCheck, MisusedSeams) {
+  Model tube = seamedTube(1.0, 2.0);
+  tube.patches.front().loops.front()[3] = tube.patches.front().loops.front()[1];
+  EXPECT_FALSE(codesOf(tube).empty());
+  Model slit = square();
+  slit.patches.front().loops.front() = {{0, false}, {0, true}};
+  EXPECT_FALSE(codesOf(slit).empty());
+}
+
+TEST(ModelCheck, ReportsAllFaultsAtOnce) {
+  Model model = boxModel({0, 0, 0}, {1, 1, 1});
+  model.points[3].x = std::numeric_limits<double>::quiet_NaN();
+  model.lines[0].type = LineType::kCubicSpline;
+  model.patches[5].type = PatchType::kSerendipity;
+  const std::vector<DiagnosticCode> codes = codesOf(model);
+  for (const DiagnosticCode code :
+       {DiagnosticCode::kNotFinite, DiagnosticCode::kWrongPointCount,
+        DiagnosticCode::kPatchTypeNotSupported, DiagnosticCode::kWrongLineType})
+    EXPECT_NE(std::ranges::find(codes, code), codes.end()) << static_cast<int>(code);
+}
+
+TEST(ModelCheck, SurvivesRandomDamage) {
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    Random random(seed);
+    Model model = seed % 2 == 0 ? boxModel({0, 0, 0}, {1, 2, 3}) : randomCoonsModel(seed, 0.2);
+    for (int damage = random.integer(1, 4); damage > 0; --damage) {
+      Line& line = model.lines[random.bits() % model.lines.size()];
+      Patch& patch = model.patches[random.bits() % model.patches.size()];
+      switch (random.integer(0, 7)) {
+        case 0:
+          model.points[random.bits() % model.points.size()] *= random.coin() ? 1e300 : 0.0;
+          break;
+        case 1:
+          line.points.resize(random.bits() % 6, 4000000000U);
+          break;
+        case 2:
+          line.type = static_cast<LineType>(random.integer(0, 2));
+          break;
+        case 3:
+          patch.type = static_cast<PatchType>(random.integer(0, 4));
+          break;
+        case 4:
+          patch.loops.resize(random.bits() % 3);
+          break;
+        case 5:
+          if (!patch.loops.empty())
+            patch.loops[0].push_back(
+                {static_cast<std::uint32_t>(random.bits() % 20), random.coin()});
+          break;
+        case 6:
+          if (!patch.loops.empty() && !patch.loops[0].empty())
+            patch.loops[0][0].reversed = random.coin();
+          break;
+        default:
+          if (!line.points.empty()) line.points[0] = static_cast<std::uint32_t>(random.bits() % 12);
+          break;
+      }
+    }
+    const ModelExamination found = examineModel(model);
+    EXPECT_EQ(found.soundLines.size(), model.lines.size());
+    EXPECT_EQ(found.soundPatches.size(), model.patches.size());
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

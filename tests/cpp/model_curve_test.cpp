@@ -1,0 +1,146 @@
+// Lines as curves: they pass their points, their derivative is the limit of differences, their
+// length that of known shapes.
+
+#include "model/curve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/random.h"
+
+namespace tetrafront::testing {
+namespace {
+
+std::vector<Vec3> randomPoints(Random& random, int count) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < count; ++i) points.push_back(Vec3(i, 0, 0) + random.inBox(0.8));
+  return points;
+}
+
+std::vector<Curve> randomCurves(std::uint64_t seed) {
+  Random random(seed);
+  std::vector<Curve> curves;
+  curves.emplace_back(LineType::kStraight, randomPoints(random, 2));
+  curves.emplace_back(LineType::kParabolic, randomPoints(random, 3));
+  for (int count = 4; count < 9; ++count)
+    curves.emplace_back(LineType::kCubicSpline, randomPoints(random, count));
+  return curves;
+}
+
+TEST(ModelCurve, EndsAreTheGivenPointsBitForBit) {
+  Random random(1);
+  for (int count = 4; count < 30; ++count) {
+    const std::vector<Vec3> points = randomPoints(random, count);
+    const Curve curve(LineType::kCubicSpline, points);
+    EXPECT_EQ(curve.position(0.0), points.front());
+    EXPECT_EQ(curve.position(1.0), points.back());
+  }
+}
+
+TEST(ModelCurve, SplinePassesEveryPointAtItsKnot) {
+  Random random(2);
+  const std::vector<Vec3> points = randomPoints(random, 12);
+  const Curve curve(LineType::kCubicSpline, points);
+  ASSERT_EQ(curve.knots().size(), points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    EXPECT_LT(glm::length(curve.position(curve.knots()[i]) - points[i]), 1e-13);
+}
+
+TEST(ModelCurve, SplineKnotsAreProportionalToTheChords) {
+  const Curve curve(LineType::kCubicSpline, {{0, 0, 0}, {1, 0, 0}, {1, 2, 0}, {1, 2, 1}});
+  EXPECT_DOUBLE_EQ(curve.knots()[1], 0.25);
+  EXPECT_DOUBLE_EQ(curve.knots()[2], 0.75);
+}
+
+TEST(ModelCurve, ParabolaPassesItsMiddlePointHalfway) {
+  const Curve curve(LineType::kParabolic, {{0, 0, 0}, {0.4, 1, 0.2}, {2, 0, 0}});
+  EXPECT_LT(glm::length(curve.position(0.5) - Vec3(0.4, 1, 0.2)), 1e-15);
+}
+
+TEST(ModelCurve, DerivativeIsTheLimitOfDifferences) {
+  constexpr double kStep = 1e-6;
+  for (const Curve& curve : randomCurves(3)) {
+    for (double t = 0.013; t < 1.0; t += 0.0617) {
+      const Vec3 difference =
+          (curve.position(t + kStep) - curve.position(t - kStep)) / (2.0 * kStep);
+      EXPECT_LT(glm::length(curve.derivative(t) - difference),
+                1e-7 * glm::length(difference) + 1e-8);
+    }
+  }
+}
+
+TEST(ModelCurve, SplineIsSmoothToTheSecondDerivativeAcrossKnots) {
+  constexpr double kStep = 1e-5;
+  Random random(4);
+  const Curve curve(LineType::kCubicSpline, randomPoints(random, 8));
+  for (std::size_t i = 1; i + 1 < curve.knots().size(); ++i) {
+    const double knot = curve.knots()[i];
+    const Vec3 slopeBefore = curve.derivative(knot - 1e-12);
+    EXPECT_LT(glm::length(curve.derivative(knot) - slopeBefore), 1e-8 * glm::length(slopeBefore));
+    const Vec3 bendBefore = (curve.derivative(knot) - curve.derivative(knot - kStep)) / kStep;
+    const Vec3 bendAfter = (curve.derivative(knot + kStep) - curve.derivative(knot)) / kStep;
+    EXPECT_LT(glm::length(bendAfter - bendBefore), 1e-2 * (1.0 + glm::length(bendBefore)));
+  }
+}
+
+TEST(ModelCurve, SplineEndsAreNatural) {
+  constexpr double kStep = 1e-6;
+  Random random(5);
+  const Curve curve(LineType::kCubicSpline, randomPoints(random, 6));
+  const Vec3 atStart = (curve.derivative(kStep) - curve.derivative(0.0)) / kStep;
+  const Vec3 inside = (curve.derivative(0.1 + kStep) - curve.derivative(0.1)) / kStep;
+  EXPECT_LT(glm::length(atStart), 1e-3 * glm::length(inside));
+}
+
+TEST(ModelCurve, SplineThroughCollinearEvenPointsIsStraight) {
+  const Curve curve(LineType::kCubicSpline, {{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {3, 3, 3}});
+  EXPECT_TRUE(curve.isStraight());
+  EXPECT_NEAR(curve.length(), 3.0 * std::sqrt(3.0), 1e-13);
+  EXPECT_FALSE(Curve(LineType::kParabolic, {{0, 0, 0}, {1, 1e-3, 0}, {2, 0, 0}}).isStraight());
+}
+
+TEST(ModelCurve, ParabolaHasItsKnownLength) {
+  // y = x^2 from 0 to 1: sqrt(5)/2 + asinh(2)/4.
+  const Curve curve(LineType::kParabolic, {{0, 0, 0}, {0.5, 0.25, 0}, {1, 1, 0}});
+  EXPECT_NEAR(curve.length(), std::sqrt(5.0) / 2.0 + std::asinh(2.0) / 4.0, 1e-12);
+}
+
+TEST(ModelCurve, SplineLengthConvergesToTheArc) {
+  double previousError = 1.0;
+  for (const int count : {8, 16, 32}) {
+    std::vector<Vec3> points;
+    for (int i = 0; i <= count; ++i) {
+      const double angle = std::numbers::pi * i / count;
+      points.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+    }
+    const double error =
+        std::fabs(Curve(LineType::kCubicSpline, points).length() - std::numbers::pi);
+    EXPECT_LT(error, 0.3 * previousError) << count;
+    previousError = error;
+  }
+  EXPECT_LT(previousError, 1e-4);
+}
+
+TEST(ModelCurve, LengthIsAdditive) {
+  for (const Curve& curve : randomCurves(6)) {
+    // Where a spline nearly stands still its speed has a kink, which no quadrature likes.
+    EXPECT_NEAR(curve.length(0.0, 0.37) + curve.length(0.37, 1.0), curve.length(),
+                1e-5 * curve.length());
+    EXPECT_EQ(curve.length(0.4, 0.4), 0.0);
+  }
+}
+
+TEST(ModelCurve, ReversedCurveRunsTheOtherWay) {
+  for (const Curve& curve : randomCurves(7)) {
+    const OrientedCurve backward(curve, true);
+    EXPECT_EQ(backward.start(), curve.end());
+    EXPECT_EQ(backward.position(0.25), curve.position(0.75));
+    EXPECT_EQ(backward.sample(0.25).derivative, -curve.derivative(0.75));
+    EXPECT_EQ(backward.reverse().position(0.25), curve.position(0.25));
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

@@ -1,0 +1,228 @@
+// Whole surfaces: patches share the nodes of their lines, in a promised order, the same in every
+// run, in slices of any size.
+
+#include "surface/surface_mesher.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "base/fingerprint.h"
+#include "model/check_model.h"
+#include "support/models.h"
+#include "support/shapes.h"
+#include "support/surface_measures.h"
+
+namespace tetrafront::testing {
+namespace {
+
+SurfaceMesh meshOf(const Model& model, const SizeField& field, std::uint32_t budget = 500) {
+  SurfaceMesher mesher(model, field);
+  MeshStatus status = MeshStatus::kRunning;
+  while (status == MeshStatus::kRunning) status = mesher.advance(budget);
+  EXPECT_EQ(status, MeshStatus::kDone);
+  return mesher.takeMesh();
+}
+
+std::uint64_t fingerprintOf(const SurfaceMesh& mesh) {
+  Fingerprint fingerprint;
+  fingerprint.add(mesh.points);
+  fingerprint.add(mesh.triangles);
+  fingerprint.add(mesh.trianglePatch);
+  fingerprint.add(mesh.sides);
+  return fingerprint.value();
+}
+
+/// A body between two circles and a seamed tube.
+Model cylinder() {
+  Model model = seamedTube(1.0, 2.0);
+  model.patches.push_back({PatchType::kPlanar, {{{0, false}}}});
+  model.patches.push_back({PatchType::kPlanar, {{{1, false}}}});
+  return model;
+}
+
+TEST(SurfaceMesher, BoxIsWatertight) {
+  const Model model = boxModel({0, 0, 0}, {1, 2, 3});
+  for (const double size : {5.0, 0.7, 0.1}) {
+    const SizeField field = SizeField::uniform(size);
+    const SurfaceMesh mesh = meshOf(model, field);
+    const SurfaceMeasures found = measure(mesh, field);
+    EXPECT_EQ(found.borderEdges, 0U);
+    EXPECT_EQ(found.crowdedEdges, 0U);
+    EXPECT_EQ(found.eulerCharacteristic(), 2);
+    EXPECT_NEAR(found.area, 22.0, 1e-11);
+    EXPECT_EQ(mesh.trianglePatch.size(), found.triangles);
+  }
+}
+
+TEST(SurfaceMesher, CylinderWithASeamAndTwoDiscsIsWatertight) {
+  const Model model = cylinder();
+  ASSERT_TRUE(checkModel(model).empty());
+  for (const double size : {3.0, 0.8, 0.2}) {
+    const SizeField field = SizeField::uniform(size);
+    const SurfaceMeasures found = measure(meshOf(model, field), field);
+    EXPECT_EQ(found.borderEdges, 0U) << size;
+    EXPECT_EQ(found.crowdedEdges, 0U) << size;
+    EXPECT_EQ(found.eulerCharacteristic(), 2) << size;
+  }
+}
+
+TEST(SurfaceMesher, NodesComeInThePromisedOrder) {
+  Model model = boxModel({0, 0, 0}, {1, 1, 1});
+  // A point and a line that nothing uses leave no node.
+  model.points.insert(model.points.begin(), Vec3(9, 9, 9));
+  for (Line& line : model.lines)
+    for (std::uint32_t& point : line.points) ++point;
+  model.points.emplace_back(8, 8, 8);
+  model.lines.push_back({LineType::kStraight, {0, 9}});
+  const SurfaceMesh mesh = meshOf(model, SizeField::uniform(0.3));
+  for (std::uint32_t corner = 0; corner < 8; ++corner)
+    EXPECT_EQ(pointOf(mesh, corner), model.points[corner + 1]);
+  // Then the inner nodes of the lines, which are exactly those that sides refer to.
+  const std::uint32_t lastOnLines = *std::ranges::max_element(mesh.sides);
+  EXPECT_EQ(mesh.sides.size(), 2 * mesh.sideLine.size());
+  EXPECT_EQ(lastOnLines + 1, 8 + mesh.sideLine.size() - 12);
+  EXPECT_TRUE(std::ranges::is_sorted(mesh.sideLine));
+  EXPECT_TRUE(std::ranges::is_sorted(mesh.trianglePatch));
+  for (std::uint32_t node = 0; node < nodeCount(mesh); ++node)
+    EXPECT_LT(pointOf(mesh, node).x, 1.5);
+}
+
+TEST(SurfaceMesher, TrianglesTurnAlikeWithinAPatch) {
+  const SurfaceMesh mesh = meshOf(cylinder(), SizeField::uniform(0.3));
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> directed;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t next = mesh.triangles[i % 3 == 2 ? i - 2 : i + 1];
+    directed[{mesh.triangles[i], next}].push_back(mesh.trianglePatch[i / 3]);
+  }
+  for (auto& [edge, patches] : directed) {
+    std::ranges::sort(patches);
+    EXPECT_EQ(std::ranges::adjacent_find(patches), patches.end())
+        << edge.first << ' ' << edge.second;
+  }
+}
+
+TEST(SurfaceMesher, SliceSizeDoesNotChangeTheMesh) {
+  const Model model = cylinder();
+  const SizeField field = SizeField::uniform(0.15);
+  const std::uint64_t whole = fingerprintOf(meshOf(model, field, 100'000'000));
+  EXPECT_EQ(fingerprintOf(meshOf(model, field, 1)), whole);
+  EXPECT_EQ(fingerprintOf(meshOf(model, field, 97)), whole);
+}
+
+TEST(SurfaceMesher, DirectionInWhichLinesAreDrawnDoesNotChangeTheMesh) {
+  const Model model = cylinder();
+  Model turned = model;
+  for (std::size_t line = 0; line < turned.lines.size(); ++line) {
+    // A closed line has no lower end: its direction is the drawn one.
+    if (turned.lines[line].points.front() == turned.lines[line].points.back()) continue;
+    std::ranges::reverse(turned.lines[line].points);
+    for (Patch& patch : turned.patches)
+      for (Loop& loop : patch.loops)
+        for (OrientedLine& walked : loop)
+          if (walked.line == line) walked.reversed = !walked.reversed;
+  }
+  const SizeField field = SizeField::uniform(0.2);
+  EXPECT_EQ(fingerprintOf(meshOf(turned, field)), fingerprintOf(meshOf(model, field)));
+}
+
+TEST(SurfaceMesher, SlicesAreShort) {
+  const Model model = polygonModel({squareCorners({0, 0, 0}, 1.0)});
+  const SizeField field = SizeField::uniform(0.005);
+  SurfaceMesher mesher(model, field);
+  double longest = 0.0;
+  for (MeshStatus status = MeshStatus::kRunning; status == MeshStatus::kRunning;) {
+    const auto begin = std::chrono::steady_clock::now();
+    status = mesher.advance(500);
+    longest = std::max(
+        longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  }
+  EXPECT_GT(mesher.mesh().triangles.size() / 3, 90'000U);
+  // Milliseconds when alone; the bound leaves room for sanitizers and a busy machine.
+  EXPECT_LT(longest, 0.5);
+}
+
+TEST(SurfaceMesher, FractionAndPhaseOnlyAdvance) {
+  const Model model = boxModel({0, 0, 0}, {1, 1, 1});
+  const SizeField field = SizeField::uniform(0.05);
+  SurfaceMesher mesher(model, field);
+  double fraction = 0.0;
+  Phase phase = mesher.phase();
+  EXPECT_EQ(phase, Phase::kSides);
+  while (mesher.advance(300) == MeshStatus::kRunning) {
+    EXPECT_GE(mesher.fraction(), fraction);
+    EXPECT_GE(mesher.phase(), phase);
+    fraction = mesher.fraction();
+    phase = mesher.phase();
+  }
+  EXPECT_EQ(mesher.fraction(), 1.0);
+  EXPECT_EQ(mesher.phase(), Phase::kSurface);
+}
+
+TEST(SurfaceMesher, ReportsEveryLineOutsideTheGrid) {
+  const Model model = boxModel({0, 0, 0}, {1, 1, 1});
+  const SizeField field = SizeField::fromGrid(
+      GridLocator(boxGrid({-0.5, -0.5, -0.5}, {1.5, 1.5, 0.5}, [](const Vec3&) { return 0.2; })));
+  SurfaceMesher mesher(model, field);
+  MeshStatus status = MeshStatus::kRunning;
+  while (status == MeshStatus::kRunning) status = mesher.advance(100);
+  EXPECT_EQ(status, MeshStatus::kInvalidInput);
+  // Four lines around the top, four that go up to it.
+  EXPECT_EQ(mesher.diagnostics().size(), 8U);
+  for (const Diagnostic& diagnostic : mesher.diagnostics()) {
+    EXPECT_EQ(diagnostic.code, DiagnosticCode::kOutsideBackgroundGrid);
+    ASSERT_EQ(diagnostic.entities.size(), 1U);
+    EXPECT_EQ(diagnostic.entities.front().kind, EntityKind::kLine);
+    EXPECT_TRUE(diagnostic.hasPlace);
+    EXPECT_GT(diagnostic.place.z, 0.5);
+  }
+}
+
+TEST(SurfaceMesher, ReportsAPatchThatBulgesOutOfTheGrid) {
+  // The lines stay inside; the paraboloid between them does not.
+  ModelBuilder builder;
+  const std::uint32_t front = builder.line(LineType::kParabolic, {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}});
+  const std::uint32_t right = builder.line(LineType::kParabolic, {{2, 0, 0}, {2, 1, 1}, {2, 2, 0}});
+  const std::uint32_t back = builder.line(LineType::kParabolic, {{2, 2, 0}, {1, 2, 1}, {0, 2, 0}});
+  const std::uint32_t left = builder.line(LineType::kParabolic, {{0, 2, 0}, {0, 1, 1}, {0, 0, 0}});
+  builder.patch(PatchType::kCoons,
+                {{{front, false}, {right, false}, {back, false}, {left, false}}});
+  const SizeField field = SizeField::fromGrid(
+      GridLocator(boxGrid({-1, -1, -1}, {3, 3, 1.5}, [](const Vec3&) { return 0.2; })));
+  SurfaceMesher mesher(builder.model, field);
+  MeshStatus status = MeshStatus::kRunning;
+  while (status == MeshStatus::kRunning) status = mesher.advance(100);
+  EXPECT_EQ(status, MeshStatus::kInvalidInput);
+  ASSERT_EQ(mesher.diagnostics().size(), 1U);
+  EXPECT_EQ(mesher.diagnostics().front().code, DiagnosticCode::kOutsideBackgroundGrid);
+  EXPECT_EQ(mesher.diagnostics().front().entities.front().kind, EntityKind::kPatch);
+}
+
+TEST(SurfaceMesher, RefusesAnAbsurdSizeAtOnce) {
+  const Model model = boxModel({0, 0, 0}, {1, 1, 1});
+  const SizeField field = SizeField::uniform(1e-8);
+  SurfaceMesher mesher(model, field);
+  MeshStatus status = MeshStatus::kRunning;
+  while (status == MeshStatus::kRunning) status = mesher.advance(100);
+  EXPECT_EQ(status, MeshStatus::kInvalidInput);
+  EXPECT_EQ(mesher.diagnostics().front().code, DiagnosticCode::kTooManyElements);
+}
+
+TEST(SurfaceMesher, ReportsLinesThatTouchWhereSamplesCannotSee) {
+  // The hole's edge lies on the outer edge to the last bit, but for the samples' tolerance.
+  const Model model =
+      polygonModel({squareCorners({0, 0, 0}, 1.0), {{0.25, 0, 0}, {0.75, 0, 0}, {0.5, 0.5, 0}}});
+  const SizeField field = SizeField::uniform(0.3);
+  SurfaceMesher mesher(model, field);
+  MeshStatus status = MeshStatus::kRunning;
+  while (status == MeshStatus::kRunning) status = mesher.advance(100);
+  EXPECT_EQ(status, MeshStatus::kInvalidInput);
+  ASSERT_FALSE(mesher.diagnostics().empty());
+  EXPECT_EQ(mesher.diagnostics().front().code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_EQ(mesher.diagnostics().front().entities.front().kind, EntityKind::kPatch);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

@@ -1,0 +1,200 @@
+#include "support/models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "support/random.h"
+
+namespace tetrafront::testing {
+
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+/// Spline pieces per circle, whatever the number of arcs.
+constexpr int kCirclePieces = 24;
+
+/// An orthonormal pair spanning a random plane.
+std::pair<Vec3, Vec3> randomPlane(Random& random) {
+  Vec3 u = random.inBox();
+  while (glm::length(u) < 0.1) u = random.inBox();
+  u = glm::normalize(u);
+  Vec3 v = glm::cross(u, random.inBox());
+  while (glm::length(v) < 0.1) v = glm::cross(u, random.inBox());
+  return {u, glm::normalize(v)};
+}
+
+double shoelace(const std::vector<Vec2>& polygon) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2& a = polygon[i];
+    const Vec2& b = polygon[(i + 1) % polygon.size()];
+    sum += a.x * b.y - a.y * b.x;
+  }
+  return 0.5 * std::fabs(sum);
+}
+
+std::vector<Vec2> starPolygon(Random& random, const Vec2& centre, double low, double high,
+                              int corners) {
+  std::vector<Vec2> polygon;
+  const double first = random.between(0.0, kTurn);
+  for (int i = 0; i < corners; ++i) {
+    const double angle = first + kTurn * (i + random.between(-0.2, 0.2)) / corners;
+    const double radius = random.between(low, high);
+    polygon.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  return polygon;
+}
+
+/// A line from a to b, bent at random.
+std::vector<Vec3> randomLine(Random& random, const Vec3& a, const Vec3& b, double bend,
+                             LineType& type) {
+  type = static_cast<LineType>(random.integer(0, 2));
+  const int inner = type == LineType::kStraight    ? 0
+                    : type == LineType::kParabolic ? 1
+                                                   : random.integer(2, 4);
+  std::vector<Vec3> places{a};
+  for (int i = 1; i <= inner; ++i)
+    places.push_back(a + (static_cast<double>(i) / (inner + 1)) * (b - a) +
+                     random.inBox(bend / (inner == 1 ? 1 : 2)));
+  places.push_back(b);
+  return places;
+}
+
+}  // namespace
+
+std::uint32_t ModelBuilder::point(const Vec3& place) {
+  const auto found = std::ranges::find(model.points, place);
+  const auto position = static_cast<std::uint32_t>(found - model.points.begin());
+  if (found == model.points.end()) model.points.push_back(place);
+  return position;
+}
+
+std::uint32_t ModelBuilder::line(LineType type, const std::vector<Vec3>& places) {
+  Line drawn{type, {}};
+  for (const Vec3& place : places) drawn.points.push_back(point(place));
+  model.lines.push_back(std::move(drawn));
+  return static_cast<std::uint32_t>(model.lines.size() - 1);
+}
+
+OrientedLine ModelBuilder::straight(const Vec3& from, const Vec3& to) {
+  const std::uint32_t a = point(from);
+  const std::uint32_t b = point(to);
+  for (std::uint32_t i = 0; i < model.lines.size(); ++i) {
+    const Line& drawn = model.lines[i];
+    if (drawn.type != LineType::kStraight) continue;
+    if (drawn.points[0] == a && drawn.points[1] == b) return {i, false};
+    if (drawn.points[0] == b && drawn.points[1] == a) return {i, true};
+  }
+  return {line(LineType::kStraight, {from, to}), false};
+}
+
+Loop ModelBuilder::polygon(const std::vector<Vec3>& corners) {
+  Loop loop;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    loop.push_back(straight(corners[i], corners[(i + 1) % corners.size()]));
+  return loop;
+}
+
+Loop ModelBuilder::circle(const Vec3& centre, double radius, int arcs, const Vec3& u,
+                          const Vec3& v) {
+  Loop loop;
+  const int pieces = kCirclePieces / arcs;
+  for (int arc = 0; arc < arcs; ++arc) {
+    std::vector<Vec3> places;
+    for (int i = 0; i <= pieces; ++i) {
+      const int step = (arc * pieces + i) % (arcs * pieces);
+      const double angle = kTurn * step / (arcs * pieces);
+      places.push_back(centre + radius * std::cos(angle) * u + radius * std::sin(angle) * v);
+    }
+    loop.push_back({line(LineType::kCubicSpline, places), false});
+  }
+  return loop;
+}
+
+void ModelBuilder::patch(PatchType type, std::vector<Loop> loops) {
+  model.patches.push_back({type, std::move(loops)});
+}
+
+Model polygonModel(const std::vector<std::vector<Vec3>>& loops) {
+  ModelBuilder builder;
+  std::vector<Loop> drawn;
+  for (const std::vector<Vec3>& corners : loops) drawn.push_back(builder.polygon(corners));
+  builder.patch(PatchType::kPlanar, std::move(drawn));
+  return builder.model;
+}
+
+std::vector<Vec3> squareCorners(const Vec3& corner, double edge) {
+  return {corner, corner + Vec3(edge, 0, 0), corner + Vec3(edge, edge, 0),
+          corner + Vec3(0, edge, 0)};
+}
+
+Model randomCoonsModel(std::uint64_t seed, double bend) {
+  Random random(seed);
+  const double width = random.between(0.7, 3.0);
+  const double taper = random.between(0.4, 1.6);
+  const std::array<Vec3, 4> corners{random.inBox(bend), Vec3(width, 0, 0) + random.inBox(bend),
+                                    Vec3(0.5 * width * (1 + taper), 1, 0) + random.inBox(bend),
+                                    Vec3(0.5 * width * (1 - taper), 1, 0) + random.inBox(bend)};
+  ModelBuilder builder;
+  Loop loop;
+  for (std::size_t i = 0; i < 4; ++i) {
+    LineType type{};
+    std::vector<Vec3> places = randomLine(random, corners[i], corners[(i + 1) % 4], bend, type);
+    const bool reversed = random.coin();
+    if (reversed) std::ranges::reverse(places);
+    loop.push_back({builder.line(type, places), reversed});
+  }
+  builder.patch(PatchType::kCoons, {loop});
+  return builder.model;
+}
+
+Model randomPolygonModel(std::uint64_t seed, double& area) {
+  Random random(seed);
+  const auto [u, v] = randomPlane(random);
+  const Vec3 origin = random.inBox(3.0);
+  std::vector<std::vector<Vec2>> loops{
+      starPolygon(random, Vec2(0.0), 0.7, 1.3, random.integer(3, 12))};
+  // A star polygon of few corners may pass near its centre, so holes stay small and close to it.
+  const int holes = loops.front().size() < 5 ? 0 : random.integer(0, 4);
+  for (int hole = 0; hole < holes; ++hole) {
+    const Vec2 centre((hole & 1) != 0 ? 0.17 : -0.17, (hole & 2) != 0 ? 0.17 : -0.17);
+    loops.push_back(starPolygon(random, centre, 0.05, 0.13, random.integer(3, 7)));
+  }
+  area = 0.0;
+  std::vector<std::vector<Vec3>> places;
+  for (std::vector<Vec2>& loop : loops) {
+    area += places.empty() ? shoelace(loop) : -shoelace(loop);
+    if (random.coin()) std::ranges::reverse(loop);
+    std::vector<Vec3>& corners = places.emplace_back();
+    for (const Vec2& corner : loop) corners.push_back(origin + corner.x * u + corner.y * v);
+  }
+  return polygonModel(places);
+}
+
+Model boxModel(const Vec3& low, const Vec3& high) {
+  const auto corner = [&](int i) {
+    return Vec3((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y,
+                (i & 4) != 0 ? high.z : low.z);
+  };
+  ModelBuilder builder;
+  const std::array<std::array<int, 4>, 6> faces{
+      {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+  for (const std::array<int, 4>& face : faces)
+    builder.patch(
+        PatchType::kPlanar,
+        {builder.polygon({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])})});
+  return builder.model;
+}
+
+Model seamedTube(double radius, double height) {
+  ModelBuilder builder;
+  const Loop bottom = builder.circle({0, 0, 0}, radius, 1);
+  const Loop top = builder.circle({0, 0, height}, radius, 1);
+  const OrientedLine seam = builder.straight({radius, 0, 0}, {radius, 0, height});
+  builder.patch(PatchType::kCoons, {{bottom[0], seam, {top[0].line, true}, {seam.line, true}}});
+  return builder.model;
+}
+
+}  // namespace tetrafront::testing

@@ -1,0 +1,70 @@
+#pragma once
+
+/// @file Drawn models for tests.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/background_grid.h"
+#include "tetrafront/model.h"
+
+namespace tetrafront::testing {
+
+/// Draws points, lines and patches; a point given twice with the same coordinates is one point.
+class ModelBuilder {
+ public:
+  std::uint32_t point(const Vec3& place);
+  std::uint32_t line(LineType type, const std::vector<Vec3>& places);
+  OrientedLine straight(const Vec3& from, const Vec3& to);
+
+  /// A closed polygon of straight lines.
+  Loop polygon(const std::vector<Vec3>& corners);
+
+  /// A circle of `arcs` splines about `centre`, in the plane of the orthonormal u and v.
+  Loop circle(const Vec3& centre, double radius, int arcs, const Vec3& u = {1, 0, 0},
+              const Vec3& v = {0, 1, 0});
+
+  void patch(PatchType type, std::vector<Loop> loops);
+
+  Model model;
+};
+
+/// One planar patch: the outer polygon first, then holes.
+Model polygonModel(const std::vector<std::vector<Vec3>>& loops);
+
+/// The unit square in the plane z = 0 moved by `corner`, with edges of length `edge`.
+std::vector<Vec3> squareCorners(const Vec3& corner, double edge);
+
+/// A Coons patch over a quadrilateral whose lines are straight, parabolic or splines, bent and
+/// twisted by up to `bend`; which, the seed decides.
+Model randomCoonsModel(std::uint64_t seed, double bend);
+
+/// A planar patch in a random plane: a star-shaped polygon of mean radius 1 with up to four
+/// polygonal holes. `area` receives its area.
+Model randomPolygonModel(std::uint64_t seed, double& area);
+
+/// The box of six planar patches that share twelve lines; some lines and loops run backward.
+Model boxModel(const Vec3& low, const Vec3& high);
+
+/// The side of a tube, one Coons patch between two circles of one spline each, with a seam.
+Model seamedTube(double radius, double height);
+
+/// Six tetrahedra over the box; `sizeAt` gives the size at its corners.
+template <class SizeAt>
+BackgroundGrid boxGrid(const Vec3& low, const Vec3& high, SizeAt&& sizeAt) {
+  BackgroundGrid grid;
+  for (int corner = 0; corner < 8; ++corner) {
+    BackgroundNode node;
+    node.position = {(corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                     (corner & 4) != 0 ? high.z : low.z};
+    node.size = sizeAt(node.position);
+    grid.nodes.push_back(node);
+  }
+  // Kuhn's division: all six share the diagonal 0-7.
+  grid.tetrahedra = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
+                     {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
+  return grid;
+}
+
+}  // namespace tetrafront::testing

@@ -1,0 +1,67 @@
+#include "support/surface_measures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "support/shapes.h"
+
+namespace tetrafront::testing {
+
+namespace {
+
+double angleOpposite(double side, double second, double third) {
+  const double cosine = (second * second + third * third - side * side) / (2.0 * second * third);
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
+}
+
+void addTriangle(const std::array<Vec3, 3>& corners, SurfaceMeasures& measures) {
+  std::array<double, 3> sides{};
+  for (std::size_t k = 0; k < 3; ++k)
+    sides[k] = glm::length(corners[(k + 1) % 3] - corners[(k + 2) % 3]);
+  measures.area += 0.5 * glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+  const double half = 0.5 * (sides[0] + sides[1] + sides[2]);
+  measures.meanRadiusRatio += 8.0 * (half - sides[0]) * (half - sides[1]) * (half - sides[2]) /
+                              (sides[0] * sides[1] * sides[2]);
+  for (std::size_t k = 0; k < 3; ++k)
+    measures.minAngle = std::min(measures.minAngle,
+                                 angleOpposite(sides[k], sides[(k + 1) % 3], sides[(k + 2) % 3]));
+}
+
+}  // namespace
+
+EdgeUse countEdges(const SurfaceMesh& mesh) {
+  EdgeUse edges;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const std::uint32_t from = mesh.triangles[i];
+    const std::uint32_t to = mesh.triangles[i % 3 == 2 ? i - 2 : i + 1];
+    ++edges[std::minmax(from, to)];
+  }
+  return edges;
+}
+
+SurfaceMeasures measure(const SurfaceMesh& mesh, const SizeField& field) {
+  SurfaceMeasures measures;
+  measures.nodes = nodeCount(mesh);
+  measures.triangles = triangleCount(mesh);
+  for (std::size_t t = 0; t < measures.triangles; ++t) {
+    const auto corner = [&](std::size_t k) { return pointOf(mesh, mesh.triangles[3 * t + k]); };
+    addTriangle({corner(0), corner(1), corner(2)}, measures);
+  }
+  measures.meanRadiusRatio /= static_cast<double>(measures.triangles);
+  FieldHint hint;
+  const EdgeUse edges = countEdges(mesh);
+  measures.edges = edges.size();
+  for (const auto& [nodes, uses] : edges) {
+    if (uses == 1) ++measures.borderEdges;
+    if (uses > 2) ++measures.crowdedEdges;
+    const Vec3 a = pointOf(mesh, nodes.first);
+    const Vec3 b = pointOf(mesh, nodes.second);
+    measures.meanEdgeRatio += glm::length(b - a) / field.sizeAt(0.5 * (a + b), hint);
+  }
+  measures.meanEdgeRatio /= static_cast<double>(measures.edges);
+  return measures;
+}
+
+}  // namespace tetrafront::testing

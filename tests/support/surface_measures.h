@@ -1,0 +1,37 @@
+#pragma once
+
+/// @file What tests want to know about a triangle surface.
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "field/size_field.h"
+#include "tetrafront/mesh.h"
+
+namespace tetrafront::testing {
+
+struct SurfaceMeasures {
+  std::size_t nodes = 0;
+  std::size_t edges = 0;
+  std::size_t triangles = 0;
+  std::size_t borderEdges = 0;   ///< with one triangle
+  std::size_t crowdedEdges = 0;  ///< with more than two
+  double area = 0.0;
+  double minAngle = 180.0;       ///< degrees
+  double meanRadiusRatio = 0.0;  ///< 2 x inradius / circumradius, 1 equilateral
+  double meanEdgeRatio = 0.0;    ///< edge length / size asked for at its middle
+
+  [[nodiscard]] long eulerCharacteristic() const {
+    return static_cast<long>(nodes) - static_cast<long>(edges) + static_cast<long>(triangles);
+  }
+};
+
+using EdgeUse = std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>;
+
+/// How many triangles have each edge; nodes of an edge ascending.
+EdgeUse countEdges(const SurfaceMesh& mesh);
+
+SurfaceMeasures measure(const SurfaceMesh& mesh, const SizeField& field);
+
+}  // namespace tetrafront::testing
