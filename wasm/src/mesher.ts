@@ -24,7 +24,9 @@ import type {
 import type { WorkerHandle } from "./worker-host.js";
 
 /** Time for the worker to say that it stops; then it is ended by force, within the promised 100 ms. */
-const CANCEL_GRACE_MS = 80;
+const CANCEL_GRACE_MS = 75;
+/** Where this thread was busy itself, what the worker said in time is still to be heard. */
+const LAST_HEARING_MS = 5;
 
 export type MesherErrorCode = FailureReason | "disposed";
 
@@ -175,11 +177,15 @@ class WorkerMesher implements Mesher {
     }
     this.#worker.post({ kind: "cancel", id: job.request.id }, []);
     this.#forceTimer = setTimeout(() => {
-      this.#worker.terminate();
-      this.#worker = this.#startWorker();
-      for (const { request } of this.#previews.values()) this.#worker.post(request, []);
-      this.#finish(() => job.resolve("cancelled"));
+      this.#forceTimer = setTimeout(() => this.#cancelByForce(job), LAST_HEARING_MS);
     }, CANCEL_GRACE_MS);
+  }
+
+  #cancelByForce(job: Job): void {
+    this.#worker.terminate();
+    this.#worker = this.#startWorker();
+    for (const { request } of this.#previews.values()) this.#worker.post(request, []);
+    this.#finish(() => job.resolve("cancelled"));
   }
 
   /** The active job is over, in whatever way `settle` says; the next one begins. */

@@ -7,13 +7,13 @@ import type { EngineRun } from "./engine.js";
 import { PHASES, type RunClock } from "./run-clock.js";
 import type { MeshStatus, Phase, Progress } from "./types.js";
 
-/** What one slice should last, in milliseconds: a fifth of what a cancel may take at most. */
-const SLICE_MS = 15;
-/** The first slice is short: nothing is known yet about the machine or the model. */
-const FIRST_BUDGET = 64;
-const MAX_BUDGET = 1 << 20;
-/** A slice that was far too short or too long changes the next one by no more than this factor. */
-const MAX_CHANGE = 4;
+/** How long the worker may be deaf, in milliseconds: a fraction of what a cancel may take. */
+const SLICE_MS = 12;
+/**
+ * Work per call. About half a millisecond while the front advances; a larger amount, grown while a cheap
+ * phase lasts, would be far too much at the beginning of the next one.
+ */
+const BUDGET = 256;
 /** At most ten reports a second. */
 const PROGRESS_MS = 100;
 
@@ -38,31 +38,32 @@ export async function runInSlices(
   clock: RunClock,
   control: SliceControl,
 ): Promise<MeshStatus> {
-  let budget = FIRST_BUDGET;
   let reportedAt = 0;
   for (;;) {
-    const began = performance.now();
-    const phase = phaseOf(run);
-    const status = STATUSES[run.advance(budget)];
-    const ended = performance.now();
-    clock.book(phase, ended - began);
-    if (status !== undefined) {
-      control.onProgress(progressOf(run, clock));
-      return status;
-    }
-    budget = nextBudget(budget, ended - began);
-    if (ended - reportedAt >= PROGRESS_MS) {
-      reportedAt = ended;
+    const status = advanceFor(SLICE_MS, run, clock);
+    const now = performance.now();
+    if (status !== undefined || now - reportedAt >= PROGRESS_MS) {
+      reportedAt = now;
       control.onProgress(progressOf(run, clock));
     }
+    if (status !== undefined) return status;
     await control.letRequestsIn();
     if (control.isCancelled()) run.cancel();
   }
 }
 
-function nextBudget(budget: number, milliseconds: number): number {
-  const change = Math.min(MAX_CHANGE, Math.max(1 / MAX_CHANGE, SLICE_MS / Math.max(milliseconds, 0.01)));
-  return Math.min(MAX_BUDGET, Math.max(1, Math.round(budget * change)));
+/** One slice of many short calls. Undefined while the run goes on. */
+function advanceFor(milliseconds: number, run: EngineRun, clock: RunClock): MeshStatus | undefined {
+  const deadline = performance.now() + milliseconds;
+  for (let began = performance.now(); began < deadline;) {
+    const phase = phaseOf(run);
+    const status = STATUSES[run.advance(BUDGET)];
+    const ended = performance.now();
+    clock.book(phase, ended - began);
+    if (status !== undefined) return status;
+    began = ended;
+  }
+  return undefined;
 }
 
 function phaseOf(run: EngineRun): Phase {

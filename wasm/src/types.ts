@@ -141,7 +141,10 @@ export interface MeshReport {
     readonly facesAnalysed: number;
     readonly exactPredicates: number;
   };
-  /** 16 hexadecimal digits: a hash over coordinates and indices, equal on every platform. Empty without a run. */
+  /**
+   * 16 hexadecimal digits: a hash over coordinates and indices, equal on every platform for the same
+   * input and options. Empty where the run was cancelled or never began.
+   */
   readonly fingerprint: string;
   readonly diagnostics: readonly Diagnostic[];
 }

@@ -74,7 +74,8 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     volume: quality.volume,
     recovery: run.recovery(),
     front: run.counters(),
-    fingerprint: run.fingerprint(),
+    // A cancelled mesh depends on the moment of the cancel, and the caller is waiting.
+    fingerprint: status === "cancelled" ? "" : run.fingerprint(),
   };
   const diagnostics = run.diagnostics();
   assertHealthy(run);
