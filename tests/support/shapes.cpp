@@ -227,8 +227,8 @@ SurfaceMesh schoenhardtPrism(double degrees) {
   mesh.triangles = {0, 2, 1, 3, 4, 5};
   for (std::uint32_t k = 0; k < 3; ++k) {
     const std::uint32_t l = (k + 1) % 3;
-    // Turning the top counter-clockwise bends the side inward along the shorter diagonal l, k+3.
-    mesh.triangles.insert(mesh.triangles.end(), {k, l, k + 3, l, l + 3, k + 3});
+    // Turning the top counter-clockwise, away from k, bends the side inward along k, l+3.
+    mesh.triangles.insert(mesh.triangles.end(), {k, l, l + 3, k, l + 3, k + 3});
   }
   return mesh;
 }

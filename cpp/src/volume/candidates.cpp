@@ -96,11 +96,14 @@ void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTes
     const Vec3 place = around.place(node);
     const Vec3 toIdeal = place - ideal.place;
     if (!wedge && glm::dot(toIdeal, toIdeal) > radiusSquare) continue;
+    // Too flat for plain double to see its volume is fine where nothing better can be: the exact
+    // sign decides later. Four faces around such a sliver must be closable.
+    const bool fillsPocket = closed >= 3;
     const double quality = cubedMeanRatio(base, place);
-    if (!(quality > 0.0) || quality < least * (wedge ? kWedgeQualityFactor : 1.0)) continue;
+    if (!fillsPocket && quality < least * (wedge ? kWedgeQualityFactor : 1.0)) continue;
     double score = quality * kClosingFactor[std::min<std::size_t>(closed, 3)];
     if (wedge) score += kWedgeBonus;
-    if (closed >= 3) score += kPocketBonus;
+    if (fillsPocket) score += kPocketBonus;
     candidates_.push_back({score, node, place});
   }
 }

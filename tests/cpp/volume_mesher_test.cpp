@@ -1,0 +1,285 @@
+/// The volume front on closed surfaces, from the front's own side: what comes out is judged by the
+/// tests' validator, and what must not matter (slices, tracing, place, scale) is varied.
+
+#include "volume/volume_mesher.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "base/fingerprint.h"
+#include "support/mesh_validator.h"
+#include "support/shapes.h"
+#include "surface/boundary.h"
+
+namespace tetrafront {
+namespace {
+
+std::vector<Vec3> pointsOf(const SurfaceMesh& surface) {
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
+    points.emplace_back(surface.points[i], surface.points[i + 1], surface.points[i + 2]);
+  }
+  return points;
+}
+
+SizeField ownSizes(const SurfaceMesh& surface) {
+  return SizeField::fromOctree(SizeOctree(pointsOf(surface), surface.triangles, 0.3, 0.0));
+}
+
+struct Outcome {
+  MeshStatus status = MeshStatus::kRunning;
+  VolumeMesh mesh;
+  SurfaceMesh boundary;
+  RecoverySummary recovery;
+  FrontCounters counters;
+  [[nodiscard]] std::size_t tetrahedra() const { return mesh.tetrahedra.size() / 4; }
+  [[nodiscard]] std::uint64_t fingerprint() const {
+    Fingerprint fingerprint;
+    fingerprint.add(mesh.points);
+    fingerprint.add(mesh.tetrahedra);
+    return fingerprint.value();
+  }
+};
+
+template <class Trace = NullTrace>
+Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& options = {},
+             std::uint32_t budget = 5000, Trace* trace = nullptr) {
+  Outcome outcome;
+  outcome.boundary = std::move(surface);
+  std::vector<Diagnostic> diagnostics;
+  const BoundaryResult closed =
+      closeBoundary(outcome.boundary, BoundarySource::kGivenSurface, diagnostics);
+  EXPECT_TRUE(closed.valid);
+  BasicVolumeMesher<Trace> mesher(outcome.boundary, closed.triangleRegion, field, options);
+  while (mesher.advance(budget) == MeshStatus::kRunning) {
+  }
+  outcome.status = mesher.status();
+  outcome.mesh = mesher.mesh();
+  outcome.recovery = mesher.recovery();
+  outcome.counters = mesher.counters();
+  if (trace != nullptr) *trace = mesher.trace();
+  return outcome;
+}
+
+Outcome fillByOwnSizes(const SurfaceMesh& surface, const MeshOptions& options = {}) {
+  return fill(surface, ownSizes(surface), options);
+}
+
+struct NamedSurface {
+  std::string name;
+  SurfaceMesh surface;
+};
+
+void PrintTo(const NamedSurface& named, std::ostream* out) { *out << named.name; }
+
+SurfaceMesh rotated(SurfaceMesh surface) {
+  testing::rotateRandomly(surface, 5);
+  return surface;
+}
+SurfaceMesh moved(SurfaceMesh surface, double by) {
+  testing::translate(surface, Vec3(by, -2.0 * by, 0.5 * by));
+  return surface;
+}
+SurfaceMesh scaled(SurfaceMesh surface, double factor) {
+  testing::scale(surface, factor);
+  return surface;
+}
+
+class EverySurface : public ::testing::TestWithParam<NamedSurface> {};
+
+TEST_P(EverySurface, IsFilledByAValidMesh) {
+  const Outcome outcome = fillByOwnSizes(GetParam().surface);
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
+  EXPECT_TRUE(outcome.mesh.front.empty());
+}
+
+TEST_P(EverySurface, IsFilledInThePapersOrderToo) {
+  MeshOptions options;
+  options.order = FrontOrder::kSmallestFirst;
+  const Outcome outcome = fillByOwnSizes(GetParam().surface, options);
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Volume, EverySurface,
+    ::testing::Values(
+        NamedSurface{"oneTetrahedron", testing::tetrahedronSurface({Vec3(0, 0, 0), Vec3(1, 0, 0),
+                                                                    Vec3(0, 1, 0), Vec3(0, 0, 1)})},
+        NamedSurface{"cubeOfTwelveTriangles", testing::gridCube(1)},
+        NamedSurface{"cubeParallel", testing::gridCube(8)},
+        NamedSurface{"cubeAlternating", testing::gridCube(7, testing::Diagonals::kAlternating)},
+        NamedSurface{"cubeUnionJack", testing::gridCube(6, testing::Diagonals::kUnionJack)},
+        NamedSurface{"cubeRandom", testing::gridCube(9, testing::Diagonals::kRandom, 3)},
+        NamedSurface{"cubeRotated", rotated(testing::gridCube(8))},
+        NamedSurface{"cubeFarAway", moved(rotated(testing::gridCube(6)), 1e6)},
+        NamedSurface{"sphere", testing::geodesicSphere(8)},
+        NamedSurface{"sphereTiny", scaled(testing::geodesicSphere(5), 1e-9)},
+        NamedSurface{"sphereHuge", scaled(testing::geodesicSphere(5), 1e9)},
+        NamedSurface{"sphereWithNeedlesAtItsPoles", testing::latitudeSphere(16, 32)},
+        NamedSurface{"torus", testing::torus(1.0, 0.35, 48, 16)},
+        NamedSurface{"torusCoarseAndThin", testing::torus(1.0, 0.1, 24, 4)},
+        NamedSurface{"cubicCavity", testing::cubeWithCubicCavity(8, 4)},
+        NamedSurface{"sphericalCavity", testing::cubeWithSphericalCavity(10, 4)},
+        NamedSurface{"schoenhardt30", testing::schoenhardtPrism(30.0)},
+        NamedSurface{"schoenhardt50", testing::schoenhardtPrism(50.0)},
+        NamedSurface{"schoenhardt59", testing::schoenhardtPrism(59.9)},
+        NamedSurface{"thinPlate", testing::thinPlate(20, 0.01)},
+        NamedSurface{"cubesSharingAnEdge", testing::cubesSharingEdge()},
+        NamedSurface{"cubesSharingANode", testing::cubesSharingNode()},
+        NamedSurface{"shellsWithinShells", testing::nestedSpheres(5, 6)}),
+    [](const auto& each) { return each.param.name; });
+
+TEST(VolumeMesher, NumbersRegionsByTheShellsAroundThem) {
+  const SurfaceMesh shells = testing::nestedSpheres(3, 6);  // a shell with an island inside
+  const Outcome outcome = fillByOwnSizes(shells);
+  ASSERT_EQ(outcome.mesh.regions.size(), outcome.tetrahedra());
+  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}});
+  // Every element of the island is nearer to the centre than any of the shell.
+  double shellNearest = 1.0;
+  double islandFarthest = 0.0;
+  for (std::size_t t = 0; t < outcome.tetrahedra(); ++t) {
+    Vec3 centre(0.0);
+    for (std::size_t k = 0; k < 4; ++k) {
+      centre += points[outcome.mesh.tetrahedra[4 * t + k]] * 0.25;
+    }
+    const double distance = glm::length(centre);
+    ASSERT_LT(outcome.mesh.regions[t], 2U);
+    if (outcome.mesh.regions[t] == 0) {
+      shellNearest = std::min(shellNearest, distance);
+    } else {
+      islandFarthest = std::max(islandFarthest, distance);
+    }
+  }
+  EXPECT_GT(islandFarthest, 0.0);
+  EXPECT_LT(islandFarthest, shellNearest);
+}
+
+TEST(VolumeMesher, DoesNotDependOnHowTheWorkIsSliced) {
+  const SurfaceMesh surface = testing::geodesicSphere(7);
+  const SizeField field = ownSizes(surface);
+  const std::uint64_t whole = fill(surface, field, {}, 1000000).fingerprint();
+  EXPECT_EQ(fill(surface, field, {}, 1).fingerprint(), whole);
+  EXPECT_EQ(fill(surface, field, {}, 777).fingerprint(), whole);
+}
+
+TEST(VolumeMesher, GivesTheSameMeshTwice) {
+  const SurfaceMesh surface = testing::torus(1.0, 0.35, 60, 20);
+  EXPECT_EQ(fillByOwnSizes(surface).fingerprint(), fillByOwnSizes(surface).fingerprint());
+}
+
+TEST(VolumeMesher, ScalingByAPowerOfTwoScalesTheMesh) {
+  const Outcome one = fillByOwnSizes(testing::geodesicSphere(6));
+  const Outcome other = fillByOwnSizes(scaled(testing::geodesicSphere(6), 1024.0));
+  ASSERT_EQ(one.mesh.tetrahedra, other.mesh.tetrahedra);
+  for (std::size_t i = 0; i < one.mesh.points.size(); ++i) {
+    ASSERT_EQ(one.mesh.points[i] * 1024.0, other.mesh.points[i]) << "coordinate " << i;
+  }
+}
+
+TEST(VolumeMesher, AsksForElementsOfTheSizeOfTheField) {
+  const SurfaceMesh surface = testing::geodesicSphere(16);
+  const double edge = 0.069;  // mean edge of that sphere's triangles
+  const Outcome outcome = fill(surface, SizeField::uniform(edge));
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  double sum = 0.0;
+  std::size_t count = 0;
+  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}});
+  for (std::size_t t = 0; t < outcome.mesh.tetrahedra.size(); t += 4) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        sum += glm::length(points[outcome.mesh.tetrahedra[t + i]] -
+                           points[outcome.mesh.tetrahedra[t + j]]);
+        ++count;
+      }
+    }
+  }
+  EXPECT_NEAR(sum / static_cast<double>(count) / edge, 1.0, 0.15);
+}
+
+TEST(VolumeMesher, KeepsWithinPopsAndExactPredicatesPerElement) {
+  const Outcome outcome = fillByOwnSizes(testing::geodesicSphere(12));
+  const auto count = static_cast<double>(outcome.tetrahedra());
+  EXPECT_LT(static_cast<double>(outcome.counters.pops) / count, 1.05);
+  EXPECT_LT(static_cast<double>(outcome.counters.candidatesTried) / count, 1.3);
+  EXPECT_LT(static_cast<double>(outcome.counters.exactPredicates) / count, 0.1);
+  EXPECT_GT(outcome.counters.facesTested, outcome.counters.facesAnalysed);
+}
+
+TEST(VolumeMesher, StarsWhatNoExistingNodeCanClose) {
+  const Outcome outcome = fillByOwnSizes(testing::schoenhardtPrism(59.99));
+  EXPECT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_EQ(outcome.recovery.starred, 1U);
+  EXPECT_EQ(outcome.tetrahedra(), 8U) << "one element per triangle, around one interior node";
+}
+
+TEST(VolumeMesher, ReopensWhatCannotBeStarred) {
+  // Two concentric spheres, coarse outside and fine inside, leave pockets that no single point
+  // sees. If a change of the rules closes them all at once, this fixture has to be made harder.
+  SurfaceMesh surface = testing::geodesicSphere(12);
+  SurfaceMesh inner = testing::geodesicSphere(40);
+  testing::scale(inner, 0.9);
+  const auto first = static_cast<std::uint32_t>(surface.points.size() / 3);
+  surface.points.insert(surface.points.end(), inner.points.begin(), inner.points.end());
+  for (const std::uint32_t node : inner.triangles) surface.triangles.push_back(first + node);
+  const Outcome outcome = fillByOwnSizes(surface);
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_GT(outcome.recovery.reopened, 0U);
+  EXPECT_GT(outcome.recovery.relaxed, 0U);
+  EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
+}
+
+TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {
+  MeshOptions options;
+  options.maxTetrahedra = 500;
+  const SurfaceMesh surface = testing::geodesicSphere(8);
+  const Outcome outcome = fill(surface, ownSizes(surface), options, 100);
+  EXPECT_EQ(outcome.status, MeshStatus::kStalled);
+  EXPECT_GT(outcome.tetrahedra(), 500U);
+  // The elements made and the front left bound the same space: their oriented faces cancel.
+  ASSERT_FALSE(outcome.mesh.front.empty());
+  double filled = 0.0;
+  double left = 0.0;
+  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}});
+  for (std::size_t t = 0; t < outcome.mesh.tetrahedra.size(); t += 4) {
+    const std::uint32_t* n = outcome.mesh.tetrahedra.data() + t;
+    const Vec3& a = points[n[0]];
+    filled += glm::dot(glm::cross(points[n[1]] - a, points[n[2]] - a), points[n[3]] - a) / 6.0;
+  }
+  for (std::size_t t = 0; t < outcome.mesh.front.size(); t += 3) {
+    const std::uint32_t* n = outcome.mesh.front.data() + t;
+    left -= glm::dot(points[n[0]], glm::cross(points[n[1]], points[n[2]])) / 6.0;
+  }
+  double enclosed = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
+    const std::uint32_t* n = surface.triangles.data() + t;
+    enclosed += glm::dot(points[n[0]], glm::cross(points[n[1]], points[n[2]])) / 6.0;
+  }
+  EXPECT_NEAR(filled + left, enclosed, 1e-10);
+}
+
+TEST(VolumeMesher, TracingTellsEveryStepAndChangesNothing) {
+  const SurfaceMesh surface = testing::gridCube(4, testing::Diagonals::kAlternating);
+  const SizeField field = ownSizes(surface);
+  StepTrace trace;
+  const Outcome plain = fill(surface, field);
+  const Outcome traced = fill(surface, field, {}, 5000, &trace);
+  EXPECT_EQ(traced.fingerprint(), plain.fingerprint());
+  std::size_t bases = 0;
+  std::size_t accepted = 0;
+  std::size_t postponed = 0;
+  for (const StepTrace::Step& step : trace.steps) {
+    bases += step.event == StepTrace::Event::kBase ? 1 : 0;
+    accepted += step.event == StepTrace::Event::kAccepted ? 1 : 0;
+    postponed += step.event == StepTrace::Event::kPostponed ? 1 : 0;
+  }
+  EXPECT_EQ(bases, traced.counters.pops);
+  EXPECT_EQ(accepted + postponed, bases);
+  EXPECT_EQ(accepted, traced.tetrahedra());
+}
+
+}  // namespace
+}  // namespace tetrafront
