@@ -151,7 +151,7 @@ bool PlanarOptimizer::flip(std::uint32_t t, std::uint32_t k) {
   const std::uint32_t overDB = neighbours_[other][otherA];
   const std::uint32_t overAD = neighbours_[other][corner(other, b)];
   const auto put = [&](std::uint32_t at, std::array<std::uint32_t, 3> nodes, Neighbours around) {
-    std::ranges::copy(nodes, mesh_->triangles.begin() + 3 * std::ptrdiff_t{at});
+    std::ranges::copy(nodes, mesh_->triangles.begin() + 3 * static_cast<std::ptrdiff_t>(at));
     neighbours_[at] = around;
   };
   put(t, {c, a, d}, {overAD, other, overCA});
