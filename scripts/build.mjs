@@ -23,7 +23,12 @@ export const steps = {
     await must("ninja", [jobs, "-C", buildFolders.wasm, "engine"], { env: emscripten.env, quietOut: true });
   },
   async package() {
+    const inputs = filesUnder([inRoot("wasm"), inRoot("tsconfig.base.json"), inRoot("package-lock.json")]);
+    const hash = hashOf([...inputs, inRoot("wasm", "dist", "engine.d.mts")]);
+    const stamp = inRoot("wasm", "dist", ".built-from");
+    if (isFresh(stamp, hash)) return;
     await must(bin("tsc"), ["-p", "wasm"], { quietOut: true });
+    markFresh(stamp, hash);
   },
   async site() {
     const inputs = filesUnder([
