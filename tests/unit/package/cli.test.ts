@@ -10,7 +10,7 @@ import { tetrafront, type CommandResult } from "../../support/command-line.js";
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
 import { cubeProject } from "../../support/projects.js";
 import { offFile, stlBinary, stlText } from "../../support/surface-files.js";
-import { boxSurface, sphereSurface } from "../../support/surfaces.js";
+import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
 
 let folder: string;
 beforeEach(() => {
@@ -92,6 +92,14 @@ describe("meshing", () => {
       "right",
     ]);
     expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1"]);
+  });
+
+  test("a surface gives a Gmsh file with its shells by number", async () => {
+    save("two.off", offFile(joined(boxSurface(2), boxSurface(2, [3, 0, 0], [4, 1, 1]))));
+    expect((await tetrafront(folder, ["mesh", "two.off", "-o", "two.msh", "-q"])).code).toBe(0);
+    const read = parseMsh(bytesOf("two.msh"));
+    expect(read.triangles.map(({ name }) => name)).toEqual(["shell 1", "shell 2"]);
+    expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1", "region 2"]);
   });
 
   test("the report on standard output is all there is on it, and has every figure", async () => {

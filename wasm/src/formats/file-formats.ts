@@ -18,12 +18,18 @@ export const MESH_WRITERS: Readonly<
   Record<string, (mesh: MeshResult, project?: Project) => Uint8Array<ArrayBuffer>>
 > = {
   ".vtu": (mesh) => writeVtu(mesh),
-  ".msh": (mesh, project) => writeMsh(mesh, { patches: project && patchNames(project) }),
+  ".msh": (mesh, project) => writeMsh(mesh, { patches: project ? patchNames(project) : shellNames(mesh) }),
 };
 
 /** What to call each patch in a file: its name, else its id. */
 export function patchNames(project: Project): string[] {
   return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
+}
+
+/** A given surface has no patches; its triangles belong to its shells. */
+function shellNames({ surface }: MeshResult): string[] {
+  const shells = surface.trianglePatch.reduce((most, shell) => Math.max(most, shell + 1), 0);
+  return Array.from({ length: shells }, (_, shell) => `shell ${shell + 1}`);
 }
 
 /** The extension of a file name in lower case, with its dot; empty where there is none. */
