@@ -237,13 +237,17 @@ async function tryWrite(file: string, content: string | Uint8Array): Promise<boo
   }
 }
 
+/** More lines than this scroll the first, most telling ones away. */
+const MAX_LINES = 10;
+
 /** One line per warning and error; `isQuiet` leaves the errors. Information is for the report. */
 function tell(subject: string, diagnostics: readonly Diagnostic[], isQuiet: boolean): void {
-  for (const { severity, message, remedy } of diagnostics) {
-    if (severity === "error" || (severity === "warning" && !isQuiet)) {
-      say(`${severity}: ${subject}: ${message}.${remedy === "" ? "" : ` ${remedy}`}`);
-    }
-  }
+  const lines = diagnostics
+    .filter(({ severity }) => severity === "error" || (severity === "warning" && !isQuiet))
+    .map(({ severity, message, remedy }) => `${severity}: ${subject}: ${message}. ${remedy}`.trimEnd());
+  for (const line of lines.slice(0, MAX_LINES)) say(line);
+  const rest = lines.length - MAX_LINES;
+  if (rest > 0) say(`${subject}: ${rest} more; --report FILE tells them all`);
 }
 
 function summary(input: string, report: MeshReport, written: string | null): string {

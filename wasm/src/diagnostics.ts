@@ -43,6 +43,8 @@ interface Subject {
   readonly value: (index: number) => string;
   /** The entity the diagnostic names first, else "the model". */
   readonly main: string;
+  /** Its kind, if there is one. */
+  readonly kind: EntityKind | undefined;
   /** Whether lines or patches are involved, which a given surface does not have. */
   readonly drawn: boolean;
 }
@@ -57,8 +59,11 @@ const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"]
 /** One entry per engine code: the compiler refuses a table with a gap. */
 const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   "not-finite": {
-    message: ({ main }) => `${main} has a coordinate that is not a finite number`,
-    remedy: "Give it finite coordinates.",
+    message: ({ main, value }) =>
+      Number.isFinite(Number(value(0)))
+        ? `${main} has the coordinate ${value(0)}, too large or too small to compute with`
+        : `${main} has a coordinate that is not a finite number`,
+    remedy: "Give finite coordinates, not beyond 1e30 and not all below 1e-30; scale the model if need be.",
   },
   "index-out-of-range": {
     message: ({ main, value }) => `${main} refers to number ${value(0)}, which does not exist`,
@@ -142,12 +147,21 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Extend the background grid until it covers the whole model.",
   },
   "too-many-elements": {
-    message: ({ value }) => `The sizes ask for about ${value(0)} tetrahedra, the limit is ${value(1)}`,
+    message: ({ main, kind, value }) => {
+      switch (kind) {
+        case "line":
+          return `${main} asks for more than ${value(1)} sides`;
+        case "patch":
+          return `${main} asks for more than ${value(1)} triangles`;
+        default:
+          return `The sizes ask for about ${value(0)} tetrahedra, the limit is ${value(1)}`;
+      }
+    },
     remedy: "Ask for larger elements.",
   },
   "open-edge": {
     message: ({ all, at, value }) =>
-      `The surface is not closed: ${all(["line", "patch", "triangle"], "an edge")} has an open edge${at}${total(value(0), "open edge")}`,
+      `The surface is not closed: one side is missing at ${all(["line", "patch", "triangle"], "an edge")}${at}${total(value(0), "open edge")}`,
     remedy: ({ drawn }) =>
       drawn
         ? "Add the patch that is missing there, or let its neighbour use the same line."
@@ -257,6 +271,7 @@ function subjectOf(raw: EngineDiagnostic, entities: readonly EntityRef[]): Subje
     at: raw.place.length === 3 ? ` at (${[...raw.place].map(shortNumber).join(", ")})` : "",
     value: (index) => shortNumber(raw.values[index]),
     main: entities[0]?.label ?? "the model",
+    kind: entities[0]?.kind,
     drawn: entities.some(({ kind }) => kind === "line" || kind === "patch" || kind === "point"),
   };
 }
@@ -266,10 +281,10 @@ function joined(labels: readonly string[]): string | undefined {
   return `${labels.slice(0, -1).join(", ")} and ${labels[labels.length - 1] ?? ""}`;
 }
 
-/** Six significant digits: enough to find the place, short enough to read. */
+/** Counts in full, else six significant digits: enough to find the place, short enough to read. */
 function shortNumber(value: number | undefined): string {
   if (value === undefined) return "?";
-  return Number.isInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
+  return Number.isSafeInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
 }
 
 /** A path such as `points[8].id` at the beginning stays as it is. */
