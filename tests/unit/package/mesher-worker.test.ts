@@ -1,0 +1,220 @@
+/** The client of the worker against a worker that misbehaves: one that a test plays. */
+import { createMesher, MesherError, type Mesher } from "tetrafront";
+import { beforeEach, describe, expect, test, vi } from "vitest";
+
+import type { EngineResult, Reply, Request } from "../../../wasm/src/protocol.js";
+import type { WorkerEvents } from "../../../wasm/src/worker-host.js";
+import { cubeProject } from "../../support/projects.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+/** A worker as the client sees it, and the strings a test pulls. */
+interface PlayedWorker {
+  readonly requests: Request[];
+  readonly reply: (reply: Reply) => void;
+  readonly crash: (message: string) => void;
+  terminated: boolean;
+}
+
+const workers: PlayedWorker[] = [];
+
+vi.mock("../../../wasm/dist/worker-host-node.js", () => ({
+  startWorker: (events: WorkerEvents) => {
+    const worker: PlayedWorker = {
+      requests: [],
+      reply: (reply) => events.onReply(reply),
+      crash: (message) => events.onCrash(message),
+      terminated: false,
+    };
+    workers.push(worker);
+    return {
+      post: (request: Request) => worker.requests.push(request),
+      keepAlive: () => undefined,
+      terminate: () => (worker.terminated = true),
+    };
+  },
+}));
+
+function workerNumber(index: number): PlayedWorker {
+  const worker = workers[index];
+  if (worker === undefined) throw new Error(`there is no worker ${index}`);
+  return worker;
+}
+
+async function readyMesher(): Promise<Mesher> {
+  const starting = createMesher();
+  workerNumber(0).reply({ kind: "ready" });
+  return starting;
+}
+
+/** The id of the request a worker got as number `index`. */
+const idOf = (worker: PlayedWorker, index = 0) => worker.requests[index]?.id ?? NaN;
+
+const none = new Uint32Array();
+const noPoints = new Float64Array();
+
+function resultWith(fingerprint: string): EngineResult {
+  return {
+    status: "done",
+    surface: { points: noPoints, triangles: none, trianglePatch: none, sides: none, sideLine: none },
+    volume: { points: noPoints, tetrahedra: none, regions: none, front: none },
+    diagnostics: [],
+    figures: {
+      points: 0,
+      tetrahedra: 0,
+      triangles: 0,
+      seconds: { total: 0, check: 0, sides: 0, surface: 0, volume: 0, optimize: 0 },
+      dihedral: { min: 0, max: 0 },
+      radiusRatio: { min: 0, mean: 0 },
+      volume: 0,
+      recovery: { relaxed: 0, starred: 0, reopened: 0 },
+      front: {
+        pops: 0,
+        gatheredFaces: 0,
+        candidatesTried: 0,
+        facesTested: 0,
+        facesAnalysed: 0,
+        exactPredicates: 0,
+      },
+      fingerprint,
+    },
+  };
+}
+
+beforeEach(() => void workers.splice(0));
+
+describe("starting", () => {
+  test("waits until the engine is loaded", async () => {
+    let isReady = false;
+    const starting = createMesher().then(() => (isReady = true));
+    await Promise.resolve();
+    expect(isReady).toBe(false);
+    workerNumber(0).reply({ kind: "ready" });
+    expect(await starting).toBe(true);
+  });
+
+  test("is rejected where the engine cannot be loaded, or the worker dies", async () => {
+    const unusable = createMesher();
+    workerNumber(0).reply({ kind: "unusable", message: "no WebAssembly" });
+    await expect(unusable).rejects.toThrow(/cannot be loaded.*no WebAssembly/);
+    const dead = createMesher();
+    workerNumber(1).crash("out of threads");
+    await expect(dead).rejects.toBeInstanceOf(MesherError);
+    expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
+  });
+});
+
+describe("runs", () => {
+  test("are sent one at a time, in order", async () => {
+    const mesher = await readyMesher();
+    const worker = workerNumber(0);
+    const runs = [mesher.fillSurface(boxSurface(1)), mesher.meshProject(cubeProject())];
+    expect(worker.requests.map(({ kind }) => kind)).toEqual(["fill-surface"]);
+    worker.reply({ kind: "result", id: idOf(worker), result: resultWith("first") });
+    expect((await runs[0])?.report.fingerprint).toBe("first");
+    expect(worker.requests.map(({ kind }) => kind)).toEqual(["fill-surface", "mesh-model"]);
+    worker.reply({ kind: "result", id: idOf(worker, 1), result: resultWith("second") });
+    expect((await runs[1])?.report.fingerprint).toBe("second");
+  });
+
+  test("take no replies but their own", async () => {
+    const mesher = await readyMesher();
+    const worker = workerNumber(0);
+    const progress = vi.fn();
+    const run = mesher.fillSurface(boxSurface(1), {}, { onProgress: progress });
+    const id = idOf(worker);
+    const figures = {
+      phase: "volume",
+      fraction: 0,
+      points: 0,
+      triangles: 0,
+      tetrahedra: 0,
+      frontFaces: 0,
+    } as const;
+    worker.reply({ kind: "progress", id: id - 1, progress: { ...figures, elapsedSeconds: 0 } });
+    worker.reply({ kind: "result", id: id - 1, result: resultWith("late") });
+    worker.reply({ kind: "result", id, result: resultWith("own") });
+    worker.reply({ kind: "result", id, result: resultWith("again") });
+    expect((await run).report.fingerprint).toBe("own");
+    expect(progress).not.toHaveBeenCalled();
+  });
+});
+
+describe("a worker that fails", () => {
+  test.each<[string, (worker: PlayedWorker) => void, string]>([
+    ["crashes", (worker) => worker.crash("unreachable executed"), "engine-failed"],
+    [
+      "runs out of memory",
+      (worker) =>
+        worker.reply({
+          kind: "failure",
+          id: idOf(worker),
+          reason: "out-of-memory",
+          message: "out of memory",
+        }),
+      "out-of-memory",
+    ],
+    [
+      "reports a failure",
+      (worker) =>
+        worker.reply({ kind: "failure", id: idOf(worker), reason: "engine-failed", message: "trap" }),
+      "engine-failed",
+    ],
+  ])("because it %s is replaced; what waited goes on", async (_, fail, code) => {
+    const mesher = await readyMesher();
+    const first = mesher.fillSurface(boxSurface(1));
+    const second = mesher.fillSurface(boxSurface(2));
+    const preview = mesher.previewProject(cubeProject());
+    fail(workerNumber(0));
+    await expect(first).rejects.toMatchObject({ name: "MesherError", code });
+    await expect(preview).rejects.toMatchObject({ code });
+    expect(workerNumber(0).terminated).toBe(true);
+    const fresh = workerNumber(1);
+    fresh.reply({ kind: "ready" });
+    // A last word of the old worker changes nothing.
+    workerNumber(0).crash("again");
+    workerNumber(0).reply({ kind: "result", id: idOf(fresh), result: resultWith("ghost") });
+    fresh.reply({ kind: "result", id: idOf(fresh), result: resultWith("fresh") });
+    expect((await second).report.fingerprint).toBe("fresh");
+    expect(workers).toHaveLength(2);
+  });
+});
+
+describe("a worker that is asked to cancel", () => {
+  test("and says that it stops may take its time to copy", async () => {
+    const mesher = await readyMesher();
+    const worker = workerNumber(0);
+    const stop = new AbortController();
+    const run = mesher.fillSurface(boxSurface(1), {}, { signal: stop.signal });
+    stop.abort();
+    expect(worker.requests.at(-1)).toEqual({ kind: "cancel", id: idOf(worker) });
+    worker.reply({ kind: "stopping", id: idOf(worker) });
+    await new Promise((resolve) => setTimeout(resolve, 150));
+    expect(worker.terminated).toBe(false);
+    worker.reply({ kind: "result", id: idOf(worker), result: { ...resultWith(""), status: "cancelled" } });
+    expect((await run).report.status).toBe("cancelled");
+  });
+
+  test("and does not answer is ended by force in time; a preview is asked for again", async () => {
+    const mesher = await readyMesher();
+    const stop = new AbortController();
+    const run = mesher.fillSurface(boxSurface(1), {}, { signal: stop.signal });
+    const preview = mesher.previewProject(cubeProject());
+    const aborted = performance.now();
+    stop.abort();
+    expect((await run).report).toMatchObject({ status: "cancelled", tetrahedra: 0 });
+    expect(performance.now() - aborted).toBeLessThan(300);
+    expect(workerNumber(0).terminated).toBe(true);
+    const fresh = workerNumber(1);
+    fresh.reply({ kind: "ready" });
+    expect(fresh.requests.map(({ kind }) => kind)).toEqual(["preview"]);
+    const arrays = {
+      linePoints: noPoints,
+      lineOffsets: none,
+      patchPoints: noPoints,
+      patchTriangles: none,
+      patchOffsets: none,
+    };
+    fresh.reply({ kind: "preview", id: idOf(fresh), preview: { ...arrays, diagnostics: [] } });
+    expect((await preview).diagnostics).toEqual([]);
+  });
+});
