@@ -120,7 +120,7 @@ bool engineSays(const std::vector<Integers>& points, const std::array<int, 4>& e
   front.addFace(base, 0, {}, false);
   front.addFace({id(face[0]), id(face[1]), id(face[2])}, 0, {}, false);
   Box everything = front.boxOf(FaceId(0U));
-  everything.include(Vec3(0.0), 100.0);
+  everything.include(Vec3(0.0), Vec3(100.0));
   Neighbourhood around;
   around.gather(front, base, everything, front.node(id(element[3])));
   CrossingTest test(around);

@@ -85,9 +85,18 @@ GridLocator::GridLocator(BackgroundGrid grid) : grid_(std::move(grid)) {
   }
   const Vec3 extent = upper - lower;
   slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
+  buildTensors();
   buildFrames();
   buildNeighbours();
   buildTree();
+}
+
+void GridLocator::buildTensors() {
+  const bool stretched = std::any_of(grid_.nodes.begin(), grid_.nodes.end(),
+                                     [](const BackgroundNode& n) { return n.stretching != 1.0; });
+  if (!stretched) return;
+  tensors_.reserve(grid_.nodes.size());
+  for (const BackgroundNode& node : grid_.nodes) tensors_.push_back(sizeTensor(node));
 }
 
 void GridLocator::buildFrames() {
@@ -201,6 +210,14 @@ GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t gues
   tree_.visitNear(place, leastSquared, consider);
   best.weights = clampedWeights(best.weights);
   return best;
+}
+
+SymmetricTensor GridLocator::tensorAt(const Location& location) const {
+  if (tensors_.empty()) return SymmetricTensor::isotropic(sizeAt(location));
+  const auto& tet = grid_.tetrahedra[location.tetrahedron];
+  SymmetricTensor tensor = SymmetricTensor::isotropic(0.0);
+  for (std::size_t i = 0; i < 4; ++i) tensor.accumulate(tensors_[tet[i]], location.weights[i]);
+  return tensor;
 }
 
 double GridLocator::sizeAt(const Location& location) const {

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "field/size_tensor.h"
 #include "search/box_tree.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/status.h"
@@ -29,8 +30,14 @@ class GridLocator {
   /// A few steps from a near start; O(n^(1/3)) from a far one; O(log n) after a failed walk.
   [[nodiscard]] Location locate(const Vec3& place, std::uint32_t startTetrahedron) const;
 
-  /// Wanted edge length: linear interpolation of the nodes' sizes.
+  /// Linear interpolation of the nodes' sizes: the wanted edge length where nothing is stretched.
   [[nodiscard]] double sizeAt(const Location& location) const;
+
+  /// Linear interpolation of the nodes' size tensors H.
+  [[nodiscard]] SymmetricTensor tensorAt(const Location& location) const;
+
+  /// Whether any node asks for a stretching other than 1.
+  [[nodiscard]] bool isStretched() const { return !tensors_.empty(); }
 
   [[nodiscard]] const BackgroundGrid& grid() const { return grid_; }
 
@@ -43,6 +50,7 @@ class GridLocator {
     std::array<Vec3, 3> gradients;
   };
 
+  void buildTensors();
   void buildFrames();
   void buildNeighbours();
   void buildTree();
@@ -50,6 +58,7 @@ class GridLocator {
   [[nodiscard]] Location nearest(const Vec3& place, std::uint32_t guess) const;
 
   BackgroundGrid grid_;
+  std::vector<SymmetricTensor> tensors_;  ///< per node; empty where nothing is stretched
   std::vector<Frame> frames_;
   std::vector<std::array<std::uint32_t, 4>> neighbours_;  ///< across the face opposite to node i
   BoxTree tree_;

@@ -17,6 +17,19 @@ double SizeField::sizeAt(const Vec3& place, FieldHint& hint) const {
   return grid.sizeAt(location);
 }
 
+bool SizeField::isStretched() const {
+  const auto* grid = std::get_if<GridLocator>(&source_);
+  return grid != nullptr && grid->isStretched();
+}
+
+SymmetricTensor SizeField::tensorAt(const Vec3& place, FieldHint& hint) const {
+  const auto* grid = std::get_if<GridLocator>(&source_);
+  if (grid == nullptr) return SymmetricTensor::isotropic(sizeAt(place, hint));
+  const GridLocator::Location location = grid->locate(place, hint.tetrahedron);
+  hint.tetrahedron = location.tetrahedron;
+  return grid->tensorAt(location);
+}
+
 bool SizeField::covers(const Vec3& place, FieldHint& hint) const {
   const auto* grid = std::get_if<GridLocator>(&source_);
   if (grid == nullptr) return true;

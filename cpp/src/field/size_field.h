@@ -9,6 +9,7 @@
 
 #include "field/grid_locator.h"
 #include "field/size_octree.h"
+#include "field/size_tensor.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -27,6 +28,12 @@ class SizeField {
   /// Wanted edge length at `place`, > 0. Outside a background grid: the value at the nearest
   /// point of the nearest tetrahedron met; whoever must not accept that asks covers() first.
   [[nodiscard]] double sizeAt(const Vec3& place, FieldHint& hint) const;
+
+  /// Whether sizes depend on the direction anywhere. If not, sizeAt() says all.
+  [[nodiscard]] bool isStretched() const;
+
+  /// The size tensor H at `place`; outside a background grid as sizeAt().
+  [[nodiscard]] SymmetricTensor tensorAt(const Vec3& place, FieldHint& hint) const;
 
   /// False if `place` is outside the background grid by more than rounding; always true for the
   /// other kinds.

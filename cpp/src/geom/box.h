@@ -43,12 +43,12 @@ struct Box {
     return box;
   }
 
-  /// Grows to hold the cube of half width `radius` around `centre`. Returns true if it grew.
-  bool include(const Vec3& centre, double radius = 0.0) {
+  /// Grows to hold the box that reaches so far around `centre`. Returns true if it grew.
+  bool include(const Vec3& centre, const Vec3& reach = Vec3(0.0)) {
     bool grew = false;
     for (int k = 0; k < 3; ++k) {
-      const float from = roundedDown(centre[k] - radius);
-      const float to = roundedUp(centre[k] + radius);
+      const float from = roundedDown(centre[k] - reach[k]);
+      const float to = roundedUp(centre[k] + reach[k]);
       grew = grew || from < low[k] || to > high[k];
       low[k] = std::min(low[k], from);
       high[k] = std::max(high[k], to);

@@ -55,8 +55,8 @@ bool SideNeighbours::find(const Neighbourhood& around, const BaseFace& base, Box
     ++sidesClosed_[apex];
     const LocalNode third = 3 - from - to;
     if (wedgeCount_ == wedgeApexes_.size() ||
-        !isWedge(around.place(from), around.place(to), around.place(third), around.place(apex),
-                 base.normal)) {
+        !isWedge(around.unitPlace(from), around.unitPlace(to), around.unitPlace(third),
+                 around.unitPlace(apex), base.normal)) {
       continue;
     }
     wedgeApexes_[wedgeCount_++] = apex;
@@ -93,7 +93,7 @@ void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTes
     if (crossing.behindBase(node)) continue;
     const std::uint8_t closed = neighbours.sidesClosedBy(node);
     const bool wedge = closed > 0 && neighbours.isWedgeApex(node);
-    const Vec3 place = around.place(node);
+    const Vec3 place = around.unitPlace(node);
     const Vec3 toIdeal = place - ideal.place;
     if (!wedge && glm::dot(toIdeal, toIdeal) > radiusSquare) continue;
     // Too flat for plain double to see its volume is fine where nothing better can be: the exact
@@ -111,9 +111,9 @@ void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTes
 void CandidateList::offerNew(const Neighbourhood& around, const BaseFace& base,
                              const IdealPoint& ideal, const RuleClass& rules, double weight) {
   const double least = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
-  const double* x = around.x();
-  const double* y = around.y();
-  const double* z = around.z();
+  const double* x = around.unitX();
+  const double* y = around.unitY();
+  const double* z = around.unitZ();
   const std::size_t count = around.nodeCount();
   for (const double factor : kHeights) {
     const Vec3 place = base.centroid + base.unitNormal * (ideal.height * factor);

@@ -19,7 +19,7 @@ struct Candidate {
   static constexpr LocalNode kNewNode = 0xffffffffU;
   double score;
   LocalNode node;  ///< in the neighbourhood, or kNewNode
-  Vec3 place;
+  Vec3 unitPlace;  ///< in unit space
 };
 
 /// The nodes of faces that share a side with the base face.

@@ -25,21 +25,21 @@ bool FrontAdvance<Trace>::complete(FaceId face) {
   const FrontFace& faceData = front_.face(face);
   const NodeTriple nodes = faceData.nodes;
   const RuleClass& rules = kRuleClasses[faceData.ruleClass];
-  const BaseFace base = describeBase(front_, nodes);
   FieldHint hint = faceData.hint;
-  const double asked = field_.sizeAt(fieldQueryPlace(base), hint) * variant_.sizeFactor;
+  const UnitSpace space = unitSpaceOf(front_, nodes, field_, hint, variant_.sizeFactor);
   front_.setHint(face, hint);
-  const IdealPoint ideal = placeIdealPoint(base, asked);
+  const BaseFace base = describeBase(front_, nodes, space);
+  const IdealPoint ideal = placeIdealPoint(base, space.wantedEdge());
   if constexpr (Trace::kOn) {
     trace_.base(face, faceData.ruleClass);
-    trace_.ideal(ideal.place);
+    trace_.ideal(space.toSpace(ideal.place));
   }
-  gatherAround(nodes, base, ideal, rules);
+  gatherAround(nodes, space, base, ideal, rules);
   candidates_.rank(around_, crossing_, base, ideal, neighbours_, rules, variant_);
   for (std::uint32_t tries = 0; tries < rules.maxTries; ++tries) {
     const Candidate* candidate = candidates_.next();
     if (candidate == nullptr) return false;
-    if (tryCandidate(face, *candidate, ideal, rules)) {
+    if (tryCandidate(face, *candidate, space, rules.faceDistance * ideal.size)) {
       counters_.relaxed += &rules == kRuleClasses.data() ? 0 : 1;
       return true;
     }
@@ -48,14 +48,17 @@ bool FrontAdvance<Trace>::complete(FaceId face) {
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const BaseFace& base,
-                                       const IdealPoint& ideal, const RuleClass& rules) {
-  Box box = Box::of(base.a, base.b, base.c);
-  box.include(ideal.place, rules.searchRadius * ideal.size);
+void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace& space,
+                                       const BaseFace& base, const IdealPoint& ideal,
+                                       const RuleClass& rules) {
+  const Vec3 idealPlace = space.toSpace(ideal.place);
+  Box box = Box::of(front_.node(nodes[0]), front_.node(nodes[1]), front_.node(nodes[2]));
+  box.include(idealPlace, space.extentOfBall(rules.searchRadius * ideal.size));
   // A wedge apex may lie outside; then the box grows, as every apex that is tried must have all
   // faces it could cross in the neighbourhood. The box only grows, so this ends.
   do {
-    around_.gather(front_, nodes, box, ideal.place);
+    around_.gather(front_, nodes, box, idealPlace);
+    around_.mapTo(space);
     crossing_.setBase();
     counters_.gatheredFaces += around_.faceCount();
   } while (neighbours_.find(around_, base, box));
@@ -63,7 +66,7 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const BaseFace& 
 
 template <class Trace>
 bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
-                                       const IdealPoint& ideal, const RuleClass& rules) {
+                                       const UnitSpace& space, double minFaceDistance) {
   const bool isNew = candidate.node == Candidate::kNewNode;
   const NodeId name = isNew ? NodeId() : around_.nodeId(candidate.node);
   FaceId culprit;
@@ -73,10 +76,11 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
     static_cast<void>(name);
     return false;
   };
-  if (isNew && tooCloseToFace(candidate.place, rules.faceDistance * ideal.size, culprit)) {
+  if (isNew && tooCloseToFace(candidate.unitPlace, minFaceDistance, culprit)) {
     return refuse(Refusal::kTooCloseToFace);
   }
-  const LocalNode apex = isNew ? around_.setNewNode(candidate.place) : candidate.node;
+  const Vec3 place = space.toSpace(candidate.unitPlace);
+  const LocalNode apex = isNew ? around_.setNewNode(place) : candidate.node;
   if (crossing_.volumeSign(apex) <= 0) return refuse(Refusal::kBehind);
   ++counters_.candidatesTried;
   crossing_.setApex(apex);
@@ -92,9 +96,9 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
     const NodeTriple& n = front_.face(face).nodes;
     const std::uint16_t layer =
         std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
-    node = front_.addNode(candidate.place, static_cast<std::uint16_t>(layer + 1));
+    node = front_.addNode(place, static_cast<std::uint16_t>(layer + 1));
   }
-  if constexpr (Trace::kOn) trace_.accepted(node, candidate.place);
+  if constexpr (Trace::kOn) trace_.accepted(node, place);
   accept(face, node, sides);
   return true;
 }
@@ -105,8 +109,8 @@ bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance, Fac
   for (std::size_t i = 0; i < around_.faceCount(); ++i) {
     const LocalTriple& f = around_.face(i);
     if (f[0] < 3 || f[1] < 3 || f[2] < 3) continue;
-    if (squaredDistanceToTriangle(place, around_.place(f[0]), around_.place(f[1]),
-                                  around_.place(f[2])) < distance * distance) {
+    if (squaredDistanceToTriangle(place, around_.unitPlace(f[0]), around_.unitPlace(f[1]),
+                                  around_.unitPlace(f[2])) < distance * distance) {
       culprit = around_.faceId(i);
       return true;
     }

@@ -49,10 +49,10 @@ class FrontAdvance {
   using SideFaces = std::array<FaceId, 3>;
 
   bool complete(FaceId face);
-  void gatherAround(const NodeTriple& nodes, const BaseFace& base, const IdealPoint& ideal,
-                    const RuleClass& rules);
-  bool tryCandidate(FaceId face, const Candidate& candidate, const IdealPoint& ideal,
-                    const RuleClass& rules);
+  void gatherAround(const NodeTriple& nodes, const UnitSpace& space, const BaseFace& base,
+                    const IdealPoint& ideal, const RuleClass& rules);
+  bool tryCandidate(FaceId face, const Candidate& candidate, const UnitSpace& space,
+                    double minFaceDistance);
   [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, FaceId& culprit);
   bool findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const;
   void accept(FaceId face, NodeId apex, const SideFaces& sides);

@@ -7,11 +7,11 @@
 
 namespace tetrafront {
 
-BaseFace describeBase(const Front& front, const NodeTriple& nodes) {
+BaseFace describeBase(const Front& front, const NodeTriple& nodes, const UnitSpace& space) {
   BaseFace base{};
-  base.a = front.node(nodes[0]);
-  base.b = front.node(nodes[1]);
-  base.c = front.node(nodes[2]);
+  base.a = space.toUnit(front.node(nodes[0]));
+  base.b = space.toUnit(front.node(nodes[1]));
+  base.c = space.toUnit(front.node(nodes[2]));
   const Vec3 ab = base.b - base.a;
   const Vec3 bc = base.c - base.b;
   const Vec3 ca = base.a - base.c;
@@ -24,12 +24,24 @@ BaseFace describeBase(const Front& front, const NodeTriple& nodes) {
   return base;
 }
 
-Vec3 fieldQueryPlace(const BaseFace& base) {
-  return base.centroid + base.unitNormal * (kFieldLookAhead * base.size);
+UnitSpace unitSpaceOf(const Front& front, const NodeTriple& nodes, const SizeField& field,
+                      FieldHint& hint, double sizeFactor) {
+  const auto lookAhead = [](const BaseFace& base) {
+    return base.centroid + base.unitNormal * (kFieldLookAhead * base.size);
+  };
+  const BaseFace plainBase = describeBase(front, nodes, UnitSpace::plain(1.0));
+  if (!field.isStretched()) {
+    return UnitSpace::plain(field.sizeAt(lookAhead(plainBase), hint) * sizeFactor);
+  }
+  // How far "a little" is depends on the stretching, so that is asked for at the centroid first.
+  const Vec3& origin = plainBase.centroid;
+  const UnitSpace atCentroid = UnitSpace::stretched(field.tensorAt(origin, hint), origin);
+  const Vec3 ahead = atCentroid.toSpace(lookAhead(describeBase(front, nodes, atCentroid)));
+  return UnitSpace::stretched(field.tensorAt(ahead, hint).scaledBy(sizeFactor), origin);
 }
 
-IdealPoint placeIdealPoint(const BaseFace& base, double fieldSize) {
-  const double h = std::clamp(fieldSize, kMinSizePerBase * base.size, kMaxSizePerBase * base.size);
+IdealPoint placeIdealPoint(const BaseFace& base, double wantedEdge) {
+  const double h = std::clamp(wantedEdge, kMinSizePerBase * base.size, kMaxSizePerBase * base.size);
   const Vec3 ab = base.b - base.a;
   const Vec3 bc = base.c - base.b;
   const Vec3 ca = base.a - base.c;

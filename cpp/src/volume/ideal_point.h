@@ -4,10 +4,11 @@
 
 #include "tetrafront/vec3.h"
 #include "volume/front.h"
+#include "volume/unit_space.h"
 
 namespace tetrafront {
 
-/// The base face's measures, computed once and used by all steps.
+/// The base face's measures in unit space, computed once and used by all steps.
 struct BaseFace {
   Vec3 a;
   Vec3 b;
@@ -21,19 +22,22 @@ struct BaseFace {
 };
 
 struct IdealPoint {
-  Vec3 place;
+  Vec3 place;     ///< in unit space
   double height;  ///< above the centroid
   double size;    ///< the element size h used
 };
 
-[[nodiscard]] BaseFace describeBase(const Front& front, const NodeTriple& nodes);
+[[nodiscard]] BaseFace describeBase(const Front& front, const NodeTriple& nodes,
+                                    const UnitSpace& space);
 
-/// Where the size field is to be asked for this face.
-[[nodiscard]] Vec3 fieldQueryPlace(const BaseFace& base);
+/// The unit space of a face: asks the size field a little in front of its centroid, on the empty
+/// side. `sizeFactor` scales what it answers.
+[[nodiscard]] UnitSpace unitSpaceOf(const Front& front, const NodeTriple& nodes,
+                                    const SizeField& field, FieldHint& hint, double sizeFactor);
 
-/// `fieldSize`: what the field asks there. For an equilateral base of that size the point makes
+/// `wantedEdge`: what the field asks there, in unit space. For an equilateral base of that size the point makes
 /// the regular tetrahedron; for others an isosceles one.
-[[nodiscard]] IdealPoint placeIdealPoint(const BaseFace& base, double fieldSize);
+[[nodiscard]] IdealPoint placeIdealPoint(const BaseFace& base, double wantedEdge);
 
 /// Cube of the mean ratio of base and apex, 12 (3V)^(2/3) / sum of squared edges: 1 for the
 /// regular tetrahedron, 0 for a flat one or one behind the base. Cubed, it needs no root.

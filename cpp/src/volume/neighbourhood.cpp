@@ -85,6 +85,19 @@ void Neighbourhood::gather(const Front& front, const NodeTriple& base, const Box
   finish(reach);
 }
 
+void Neighbourhood::mapTo(const UnitSpace& space) {
+  unit_ = {x_.data(), y_.data(), z_.data()};
+  if (!space.isStretched()) return;
+  for (std::vector<double>& axis : mapped_) axis.resize(std::max(axis.size(), nodeCount_));
+  for (LocalNode i = 0; i < nodeCount_; ++i) {
+    const Vec3 unit = space.toUnit(place(i));
+    mapped_[0][i] = unit.x;
+    mapped_[1][i] = unit.y;
+    mapped_[2][i] = unit.z;
+  }
+  unit_ = {mapped_[0].data(), mapped_[1].data(), mapped_[2].data()};
+}
+
 LocalNode Neighbourhood::setNewNode(const Vec3& place) {
   const std::size_t local = nodeCount();
   x_[local] = place.x;

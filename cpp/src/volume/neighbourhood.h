@@ -12,6 +12,7 @@
 #include "geom/box.h"
 #include "tetrafront/vec3.h"
 #include "volume/front.h"
+#include "volume/unit_space.h"
 
 namespace tetrafront {
 
@@ -25,6 +26,9 @@ class Neighbourhood {
   /// use; it only widens the error bound.
   void gather(const Front& front, const NodeTriple& base, const Box& box, const Vec3& reach);
 
+  /// Sets the space of unitPlace() and its kin; to be called after each gather().
+  void mapTo(const UnitSpace& space);
+
   [[nodiscard]] std::size_t nodeCount() const { return nodeCount_; }
   [[nodiscard]] std::size_t faceCount() const { return faceCount_; }
   [[nodiscard]] NodeId nodeId(LocalNode local) const { return nodeIds_[local]; }
@@ -34,6 +38,14 @@ class Neighbourhood {
   [[nodiscard]] const double* x() const { return x_.data(); }
   [[nodiscard]] const double* y() const { return y_.data(); }
   [[nodiscard]] const double* z() const { return z_.data(); }
+
+  // The nodes in unit space; the same arrays as above where that is plain space.
+  [[nodiscard]] const double* unitX() const { return unit_[0]; }
+  [[nodiscard]] const double* unitY() const { return unit_[1]; }
+  [[nodiscard]] const double* unitZ() const { return unit_[2]; }
+  [[nodiscard]] Vec3 unitPlace(LocalNode local) const {
+    return {unit_[0][local], unit_[1][local], unit_[2][local]};
+  }
 
   /// A place beside the gathered nodes for a node that does not exist yet; its local number is
   /// nodeCount().
@@ -59,6 +71,8 @@ class Neighbourhood {
   std::vector<double> x_;
   std::vector<double> y_;
   std::vector<double> z_;
+  std::array<std::vector<double>, 3> mapped_;  ///< used in stretched spaces only
+  std::array<const double*, 3> unit_{};
   /// Local number of a node, valid where its stamp is the current one.
   struct Mark {
     std::uint32_t stamp = 0;

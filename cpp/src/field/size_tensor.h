@@ -1,0 +1,80 @@
+#pragma once
+
+/// @file The wanted size in every direction at once. A node of the background grid asks for size
+/// d across and stretching s times d along a direction a; as a symmetric tensor
+///
+///     H = d (I + (s - 1) a a^T),    T = H^-1,
+///
+/// H maps the unit sphere to the wanted edges, T maps space to where the wanted element is regular
+/// with edge 1. H is what is interpolated: it stays positive definite, and does not see the sign
+/// of a, which interpolating a itself would trip over.
+
+#include <cmath>
+
+#include "tetrafront/background_grid.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// A symmetric 3 x 3 matrix.
+struct SymmetricTensor {
+  double xx = 1.0;
+  double yy = 1.0;
+  double zz = 1.0;
+  double xy = 0.0;
+  double xz = 0.0;
+  double yz = 0.0;
+
+  static SymmetricTensor isotropic(double size) { return {size, size, size, 0.0, 0.0, 0.0}; }
+
+  [[nodiscard]] Vec3 row(int i) const {
+    if (i == 0) return {xx, xy, xz};
+    if (i == 1) return {xy, yy, yz};
+    return {xz, yz, zz};
+  }
+
+  friend Vec3 operator*(const SymmetricTensor& m, const Vec3& v) {
+    return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
+            m.xz * v.x + m.yz * v.y + m.zz * v.z};
+  }
+
+  [[nodiscard]] SymmetricTensor scaledBy(double factor) const {
+    return {xx * factor, yy * factor, zz * factor, xy * factor, xz * factor, yz * factor};
+  }
+
+  /// Adds `weight` times `other`.
+  void accumulate(const SymmetricTensor& other, double weight) {
+    xx += weight * other.xx;
+    yy += weight * other.yy;
+    zz += weight * other.zz;
+    xy += weight * other.xy;
+    xz += weight * other.xz;
+    yz += weight * other.yz;
+  }
+
+  [[nodiscard]] double determinant() const {
+    return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  }
+
+  /// Must be invertible.
+  [[nodiscard]] SymmetricTensor inverse() const {
+    const double scale = 1.0 / determinant();
+    return {scale * (yy * zz - yz * yz), scale * (xx * zz - xz * xz), scale * (xx * yy - xy * xy),
+            scale * (xz * yz - xy * zz), scale * (xy * yz - xz * yy), scale * (xy * xz - xx * yz)};
+  }
+};
+
+/// H of one node.
+[[nodiscard]] inline SymmetricTensor sizeTensor(const BackgroundNode& node) {
+  const double square = glm::dot(node.direction, node.direction);
+  const Vec3 a = square > 0.0 ? node.direction * (1.0 / std::sqrt(square)) : Vec3(0.0);
+  const double extra = node.size * (node.stretching - 1.0);
+  return {node.size + extra * a.x * a.x,
+          node.size + extra * a.y * a.y,
+          node.size + extra * a.z * a.z,
+          extra * a.x * a.y,
+          extra * a.x * a.z,
+          extra * a.y * a.z};
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,64 @@
+#pragma once
+
+/// @file The space in which the element wanted at a base face is regular: the transformation T of
+/// the size tensor there, taken as constant around the face. Shapes and distances are judged in
+/// it; signs and crossings are not, since they are the same in both. Where nothing is stretched it
+/// is plain space, and the wanted edge is the size.
+
+#include <cmath>
+
+#include "field/size_tensor.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+class UnitSpace {
+ public:
+  /// Plain space with wanted edges of that size.
+  static UnitSpace plain(double size) {
+    UnitSpace space;
+    space.wantedEdge_ = size;
+    return space;
+  }
+
+  /// Coordinates T (x - origin), with wanted edges of length 1.
+  static UnitSpace stretched(const SymmetricTensor& size, const Vec3& origin) {
+    UnitSpace space;
+    space.stretched_ = true;
+    space.toSpace_ = size;
+    space.toUnit_ = size.inverse();
+    space.origin_ = origin;
+    return space;
+  }
+
+  [[nodiscard]] bool isStretched() const { return stretched_; }
+  [[nodiscard]] double wantedEdge() const { return wantedEdge_; }
+
+  [[nodiscard]] Vec3 toUnit(const Vec3& place) const {
+    return stretched_ ? toUnit_ * (place - origin_) : place;
+  }
+  [[nodiscard]] Vec3 toSpace(const Vec3& unit) const {
+    return stretched_ ? origin_ + toSpace_ * unit : unit;
+  }
+
+  /// Half the extents, in plain space, of a ball of this space.
+  [[nodiscard]] Vec3 extentOfBall(double radius) const {
+    if (!stretched_) return Vec3(radius);
+    // The image of the unit ball under a symmetric H reaches as far along axis k as row k is long.
+    Vec3 extent;
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 row = toSpace_.row(k);
+      extent[k] = radius * std::sqrt(glm::dot(row, row));
+    }
+    return extent;
+  }
+
+ private:
+  bool stretched_ = false;
+  double wantedEdge_ = 1.0;
+  SymmetricTensor toUnit_;
+  SymmetricTensor toSpace_;
+  Vec3 origin_{0.0};
+};
+
+}  // namespace tetrafront
