@@ -13,6 +13,10 @@ namespace {
 constexpr double kCellPerSize = 1.5;
 /// Nor is one whose sizes differ by less than this share of the smallest.
 constexpr double kFlatSpread = 0.10;
+/// Far from the surface the field is nearly linear: a cell may be this wide ...
+constexpr double kSmoothCellPerSize = 4.0;
+/// ... where its centre is within this share of the mean of its corners.
+constexpr double kFlatBend = 0.03;
 /// Cells reached by at most this many cones keep a list of them; larger ones ask the tree.
 constexpr std::size_t kMaxListLength = 128;
 /// Where no cap is given: this share of the node sizes lies below it.
@@ -133,30 +137,60 @@ class SizeOctreeBuilder {
     // The field's slope is at most `growth`: that bounds it from the value at the centre.
     constexpr double kHalfDiagonal = 0.8660254037844386;  // of the unit cube
     const double swing = kHalfDiagonal * w * sites_.growth();
-    const double most = std::min(tree_.cap_, centre.size + swing);
+    Extremes sizes = extremesAt(cell, centre);
+    sizes.most = std::min(tree_.cap_, centre.size + swing);
     const SizeSites::Range range{cell.lower, cell.lower + Vec3(w)};
     List& own = lists_[static_cast<std::size_t>(cell.level)];
     own.clear();
-    double least = std::min(most, centre.size - swing);
-    const bool mayBeLeaf = !isUneven(w, std::min(most, centre.size), most);
     bool hasList = false;
+    double least = std::min(sizes.most, centre.size - swing);
     if (reaching != nullptr) {
-      least = sites_.collect(range, most, *reaching, own);
+      least = sites_.collect(range, sizes.most, *reaching, own);
       hasList = true;
-    } else if (estimatedReach(centre, most) < static_cast<double>(kMaxListLength)) {
-      least = sites_.collect(range, most, kMaxListLength, own);
+    } else if (estimatedReach(centre, sizes.most) < static_cast<double>(kMaxListLength)) {
+      least = sites_.collect(range, sizes.most, kMaxListLength, own);
       hasList = own.size() <= kMaxListLength;
     }
-    if (!hasList && mayBeLeaf && isUneven(w, least, most)) least = sites_.leastIn(range, most);
-    if (isUneven(w, least, most) && cell.level < SizeOctree::kMaxLevel) {
-      split(cell, centre, hasList ? &own : nullptr);
-    } else {
+    // Samples may miss a small feature; where they would let the cell be, it is looked for.
+    if (!hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
+      least = sites_.leastIn(range, sizes.most);
+    }
+    if (isFine(w, sizes.loweredTo(least)) || cell.level == SizeOctree::kMaxLevel) {
       close(cell);
+    } else {
+      split(cell, centre, hasList ? &own : nullptr);
     }
   }
 
-  static bool isUneven(double width, double least, double most) {
-    return width > kCellPerSize * least && most - least > kFlatSpread * least;
+  /// What is known of the field in a cell.
+  struct Extremes {
+    double least;   ///< of the samples, or in the whole cell
+    double most;    ///< an upper bound
+    double lowest;  ///< of the samples
+    double bend;    ///< how far the centre is from the mean of the corners
+
+    [[nodiscard]] Extremes loweredTo(double size) const {
+      return {std::min(least, size), most, lowest, bend};
+    }
+  };
+
+  [[nodiscard]] Extremes extremesAt(const Cell& cell, const Value& centre) const {
+    const double middle = std::min(centre.size, tree_.cap_);
+    double lowest = middle;
+    double sum = 0.0;
+    for (const Value& corner : cell.corners) {
+      const double size = std::min(corner.size, tree_.cap_);
+      lowest = std::min(lowest, size);
+      sum += size;
+    }
+    return {lowest, tree_.cap_, lowest, std::fabs(sum / 8.0 - middle)};
+  }
+
+  static bool isFine(double width, const Extremes& sizes) {
+    if (width <= kCellPerSize * sizes.least) return true;
+    if (sizes.most - sizes.least <= kFlatSpread * sizes.least) return true;
+    return width <= kSmoothCellPerSize * sizes.least && sizes.bend <= kFlatBend * sizes.least &&
+           sizes.lowest - sizes.least <= kFlatSpread * sizes.least;
   }
 
   /// How many sites have cones below `most`, were the surface a plane of the nearest one's size.

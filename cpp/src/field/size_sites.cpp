@@ -1,201 +1,250 @@
 #include "field/size_sites.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "search/morton.h"
 
 namespace tetrafront {
-SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth)
-    : growth_(growth) {
-  std::vector<Site> used;
-  std::vector<Vec3> places;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(sizes[i] > 0.0)) continue;
-    used.push_back({points[i], sizes[i]});
-    places.push_back(points[i]);
-  }
-  sites_.reserve(used.size());
-  for (const std::uint32_t i : mortonOrder(places)) sites_.push_back(used[i]);
-  buildBoxes();
-}
-
-void SizeSites::buildBoxes() {
-  const auto count = static_cast<std::uint32_t>(sites_.size());
-  std::uint32_t leaves = 1;
-  while (leaves * kSitesPerLeaf < count) leaves *= 2;
-  firstLeaf_ = leaves - 1;
-  const double far = std::numeric_limits<double>::max();
-  // Empty leaves keep a size no bound can pass.
-  boxes_.assign(2 * std::size_t{leaves} - 1, Box{Vec3(far), Vec3(-far), far, 0.0, 0});
-  for (std::uint32_t i = 0; i < count; ++i) {
-    Box& box = boxes_[firstLeaf_ + i / kSitesPerLeaf];
-    for (int a = 0; a < 3; ++a) {
-      box.lower[a] = std::min(box.lower[a], sites_[i].place[a]);
-      box.upper[a] = std::max(box.upper[a], sites_[i].place[a]);
-    }
-    if (sites_[i].size < box.size) {
-      box.size = sites_[i].size;
-      box.site = i;
-    }
-  }
-  for (std::uint32_t b = firstLeaf_; b-- > 0;) {
-    const Box& left = boxes_[2 * std::size_t{b} + 1];
-    const Box& right = boxes_[2 * std::size_t{b} + 2];
-    for (int a = 0; a < 3; ++a) {
-      boxes_[b].lower[a] = std::min(left.lower[a], right.lower[a]);
-      boxes_[b].upper[a] = std::max(left.upper[a], right.upper[a]);
-    }
-    const Box& least = right.size < left.size ? right : left;
-    boxes_[b].size = least.size;
-    boxes_[b].site = least.site;
-  }
-  for (Box& box : boxes_) {
-    const Vec3 d = box.upper - box.lower;
-    if (box.size < far) box.diagonal = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-  }
-}
-
 namespace {
 
+float larger(float a, float b) { return a > b ? a : b; }
+
 /// Squared distance between two boxes; 0 if they overlap.
-double gapSquared(const Vec3& lowerA, const Vec3& upperA, const Vec3& lowerB, const Vec3& upperB) {
-  const double dx = std::max({lowerA.x - upperB.x, lowerB.x - upperA.x, 0.0});
-  const double dy = std::max({lowerA.y - upperB.y, lowerB.y - upperA.y, 0.0});
-  const double dz = std::max({lowerA.z - upperB.z, lowerB.z - upperA.z, 0.0});
-  return dx * dx + dy * dy + dz * dz;
+template <class LowA, class HighA, class LowB, class HighB>
+float gapSquared(const LowA& lowA, const HighA& highA, const LowB& lowB, const HighB& highB) {
+  float sum = 0.0F;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const float gap = larger(larger(lowA[k] - highB[k], lowB[k] - highA[k]), 0.0F);
+    sum += gap * gap;
+  }
+  return sum;
 }
 
 }  // namespace
 
-double SizeSites::cone(std::uint32_t site, const Vec3& place) const {
-  const Vec3 d = place - sites_[site].place;
-  return sites_[site].size + growth_ * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
+SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth)
+    : growth_(growth), squaredGrowth_(static_cast<float>(growth * growth)) {
+  std::vector<std::uint32_t> used;
+  std::vector<Vec3> places;
+  Vec3 lower(std::numeric_limits<double>::max());
+  Vec3 upper(-std::numeric_limits<double>::max());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    if (!(sizes[i] > 0.0)) continue;
+    used.push_back(i);
+    places.push_back(points[i]);
+    lower = glm::min(lower, points[i]);
+    upper = glm::max(upper, points[i]);
+  }
+  centre_ = 0.5 * (lower + upper);
+  extent_ = std::max(std::max(upper.x - lower.x, upper.y - lower.y), upper.z - lower.z);
+  sites_.reserve(used.size());
+  for (const std::uint32_t i : mortonOrder(places)) {
+    sites_.push_back({inward(places[i]), inward(sizes[used[i]])});
+  }
+  build();
 }
 
-/// The least value of the cone in the range.
-double SizeSites::cone(std::uint32_t site, const Range& range) const {
-  const Vec3& place = sites_[site].place;
-  return sites_[site].size +
-         growth_ * std::sqrt(gapSquared(place, place, range.lower, range.upper));
+std::array<float, 3> SizeSites::inward(const Vec3& place) const {
+  const Vec3 p = (place - centre_) / extent_;
+  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+}
+
+SizeSites::Reach SizeSites::inward(const Range& range) const {
+  return {inward(range.lower), inward(range.upper)};
+}
+
+void SizeSites::build() {
+  const auto count = static_cast<std::uint32_t>(sites_.size());
+  std::uint32_t leaves = 1;
+  while (std::size_t{leaves} * kSitesPerLeaf < count) leaves *= 2;
+  firstLeaf_ = leaves - 1;
+  constexpr float kFar = std::numeric_limits<float>::max();
+  // Empty leaves keep a size that is below no limit.
+  const Reach nothing{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
+  std::vector<Reach> boxes(2 * std::size_t{leaves} - 1, nothing);
+  std::vector<float> sizes(boxes.size(), kFar);
+  smallest_.assign(boxes.size(), 0);
+  const auto include = [&](std::size_t node, const Reach& reach, float size, std::uint32_t site) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      boxes[node].low[k] = std::min(boxes[node].low[k], reach.low[k]);
+      boxes[node].high[k] = std::max(boxes[node].high[k], reach.high[k]);
+    }
+    if (size >= sizes[node]) return;
+    sizes[node] = size;
+    smallest_[node] = site;
+  };
+  for (std::uint32_t i = 0; i < count; ++i) {
+    include(firstLeaf_ + i / kSitesPerLeaf, {sites_[i].place, sites_[i].place}, sites_[i].size, i);
+  }
+  children_.resize(firstLeaf_);
+  for (std::size_t n = firstLeaf_; n-- > 0;) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::size_t child = 2 * n + 1 + side;
+      include(n, boxes[child], sizes[child], smallest_[child]);
+      float squared = 0.0F;
+      for (std::size_t k = 0; k < 3; ++k) {
+        children_[n].low[k][side] = boxes[child].low[k];
+        children_[n].high[k][side] = boxes[child].high[k];
+        const float width = sizes[child] < kFar ? boxes[child].high[k] - boxes[child].low[k] : 0.0F;
+        squared += width * width;
+      }
+      children_[n].size[side] = sizes[child];
+      children_[n].diagonal[side] = std::sqrt(squared);
+    }
+  }
+}
+
+/// The least value of the cone in the reach.
+float SizeSites::cone(std::uint32_t site, const Reach& reach) const {
+  const Site& s = sites_[site];
+  const float squared = gapSquared(s.place, s.place, reach.low, reach.high);
+  return s.size + static_cast<float>(growth_) * std::sqrt(squared);
 }
 
 /// size + growth * distance < limit, without the root.
-bool SizeSites::liesBelow(double size, double squaredDistance, double limit) const {
-  const double room = limit - size;
-  return room > 0.0 && growth_ * growth_ * squaredDistance < room * room;
+bool SizeSites::liesBelow(float size, float squaredDistance, float limit) const {
+  const float room = limit - size;
+  return room > 0.0F && squaredGrowth_ * squaredDistance < room * room;
 }
 
-double SizeSites::squaredDistance(std::uint32_t box, const Range& range) const {
-  return gapSquared(boxes_[box].lower, boxes_[box].upper, range.lower, range.upper);
-}
-
-/// Calls visit(first, last) for runs of sites that may fall below `limit` in the range, nearer
+/// Calls visit(first, last) for runs of sites that may fall below `limit` in the reach, nearer
 /// branches first; `limit` may sink meanwhile. Boxes over which a cone changes by less than
 /// `merge` are visited through their smallest site alone. Stops when visit returns false.
 template <class Visit>
-void SizeSites::visitBoxes(const Range& range, const double& limit, const double& merge,
+void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& merge,
                            Visit visit) const {
+  const auto count = static_cast<std::uint32_t>(sites_.size());
+  if (firstLeaf_ == 0) {
+    visit(0, count);
+    return;
+  }
   struct Open {
-    std::uint32_t box;
-    double squaredDistance;
+    std::uint32_t node;
+    float squared;
+    float size;
+    float diagonal;
   };
   std::array<Open, 64> stack;  // at most one entry per level waits
   std::size_t waiting = 0;
-  stack[waiting++] = {0, squaredDistance(0, range)};
+  stack[waiting++] = {0, 0.0F, 0.0F, std::numeric_limits<float>::max()};
   while (waiting > 0) {
     const Open open = stack[--waiting];
-    const Box& box = boxes_[open.box];
-    if (!liesBelow(box.size, open.squaredDistance, limit)) continue;
-    if (growth_ * box.diagonal < merge) {
-      if (!visit(box.site, box.site + 1)) return;
+    if (!liesBelow(open.size, open.squared, limit)) continue;
+    if (static_cast<float>(growth_) * open.diagonal < merge) {
+      if (!visit(smallest_[open.node], smallest_[open.node] + 1)) return;
       continue;
     }
-    if (open.box >= firstLeaf_) {
-      const std::uint32_t first = (open.box - firstLeaf_) * kSitesPerLeaf;
-      if (!visit(first, std::min(first + kSitesPerLeaf, static_cast<std::uint32_t>(sites_.size()))))
-        return;
+    if (open.node >= firstLeaf_) {
+      const std::uint32_t first = (open.node - firstLeaf_) * kSitesPerLeaf;
+      if (!visit(first, std::min(first + kSitesPerLeaf, count))) return;
       continue;
     }
-    const Open left{2 * open.box + 1, squaredDistance(2 * open.box + 1, range)};
-    const Open right{2 * open.box + 2, squaredDistance(2 * open.box + 2, range)};
-    const bool leftFirst = left.squaredDistance <= right.squaredDistance;
-    stack[waiting++] = leftFirst ? right : left;
-    stack[waiting++] = leftFirst ? left : right;
+    const Children& pair = children_[open.node];
+    std::array<float, 2> squared{0.0F, 0.0F};
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t side = 0; side < 2; ++side) {
+        const float below = pair.low[k][side] - reach.high[k];
+        const float above = reach.low[k] - pair.high[k][side];
+        const float gap = larger(larger(below, above), 0.0F);
+        squared[side] += gap * gap;
+      }
+    }
+    const std::size_t near = squared[0] <= squared[1] ? 0 : 1;
+    for (const std::size_t side : {1 - near, near}) {
+      if (!liesBelow(pair.size[side], squared[side], limit)) continue;
+      const std::uint32_t child = 2 * open.node + 1 + static_cast<std::uint32_t>(side);
+      stack[waiting++] = {child, squared[side], pair.size[side], pair.diagonal[side]};
+    }
   }
 }
 
 SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess) const {
-  Value best{cone(guess, place), guess};
-  double limit = best.size * (1.0 - kSlack);
-  double merge = best.size * kMerge;
-  visitBoxes({place, place}, limit, merge, [&](std::uint32_t first, std::uint32_t last) {
+  const std::array<float, 3> p = inward(place);
+  const Reach reach{p, p};
+  std::uint32_t site = guess;
+  float best = cone(guess, reach);
+  float limit = best * (1.0F - kSlack);
+  float merge = best * kMerge;
+  visitBoxes(reach, limit, merge, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) {
-      const double size = cone(i, place);
-      if (size < best.size) best = {size, i};
+      const float size = cone(i, reach);
+      if (size >= best) continue;
+      best = size;
+      site = i;
     }
-    limit = best.size * (1.0 - kSlack);
-    merge = best.size * kMerge;
+    limit = best * (1.0F - kSlack);
+    merge = best * kMerge;
     return true;
   });
-  return best;
+  return {best * extent_, site};
 }
 
 SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess,
                                std::span<const std::uint32_t> list) const {
-  Value best{cone(guess, place), guess};
+  const std::array<float, 3> p = inward(place);
+  const Reach reach{p, p};
+  std::uint32_t site = guess;
+  float best = cone(guess, reach);
   for (const std::uint32_t i : list) {
-    const Vec3 d = place - sites_[i].place;
-    if (liesBelow(sites_[i].size, d.x * d.x + d.y * d.y + d.z * d.z, best.size)) {
-      best = {cone(i, place), i};
-    }
+    const std::array<float, 3>& q = sites_[i].place;
+    const float dx = p[0] - q[0];
+    const float dy = p[1] - q[1];
+    const float dz = p[2] - q[2];
+    if (!liesBelow(sites_[i].size, dx * dx + dy * dy + dz * dz, best)) continue;
+    best = cone(i, reach);
+    site = i;
   }
-  return best;
+  return {best * extent_, site};
 }
 
 double SizeSites::leastIn(const Range& range, double limit) const {
-  double least = limit;
-  double worthwhile = least * (1.0 - kSlack);
-  double merge = least * kMerge;
-  visitBoxes(range, worthwhile, merge, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t i = first; i < last; ++i) least = std::min(least, cone(i, range));
-    worthwhile = least * (1.0 - kSlack);
+  const Reach reach = inward(range);
+  float least = inward(limit);
+  float worthwhile = least * (1.0F - kSlack);
+  float merge = least * kMerge;
+  visitBoxes(reach, worthwhile, merge, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t i = first; i < last; ++i) least = std::min(least, cone(i, reach));
+    worthwhile = least * (1.0F - kSlack);
     merge = least * kMerge;
     return true;
   });
-  return least;
+  return std::min(limit, least * extent_);
 }
 
 double SizeSites::collect(const Range& range, double limit, std::size_t maxCount,
                           std::vector<std::uint32_t>& list) const {
   list.clear();
-  double least = limit;
-  visitBoxes(range, limit, 0.0, [&](std::uint32_t first, std::uint32_t last) {
+  const Reach reach = inward(range);
+  const float highest = inward(limit);
+  float least = highest;
+  constexpr float kNoMerge = 0.0F;
+  visitBoxes(reach, highest, kNoMerge, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) {
-      const double size = cone(i, range);
-      if (size >= limit) continue;
+      const float size = cone(i, reach);
+      if (size >= highest) continue;
       least = std::min(least, size);
       list.push_back(i);
     }
     return list.size() <= maxCount;
   });
-  return least;
+  return std::min(limit, least * extent_);
 }
 
 double SizeSites::collect(const Range& range, double limit, std::span<const std::uint32_t> among,
                           std::vector<std::uint32_t>& list) const {
   list.clear();
-  double least = limit;
+  const Reach reach = inward(range);
+  const float highest = inward(limit);
+  float least = highest;
   for (const std::uint32_t i : among) {
-    const Vec3& place = sites_[i].place;
-    const double gap = gapSquared(place, place, range.lower, range.upper);
-    if (!liesBelow(sites_[i].size, gap, limit)) continue;
-    least = std::min(least, cone(i, range));
+    const std::array<float, 3>& q = sites_[i].place;
+    if (!liesBelow(sites_[i].size, gapSquared(q, q, reach.low, reach.high), highest)) continue;
+    least = std::min(least, cone(i, reach));
     list.push_back(i);
   }
-  return least;
+  return std::min(limit, least * extent_);
 }
 
 }  // namespace tetrafront

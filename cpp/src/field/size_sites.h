@@ -3,7 +3,11 @@
 /// @file The lower envelope of cones h_i + growth |x - x_i|, evaluated by branch and bound over a
 /// tree of boxes along a Morton curve. Brute force over all nodes would dominate everything else
 /// on graded surfaces.
+///
+/// Single precision, relative to the centre and the extent of the sites: half the memory, and
+/// its error is far below the slack that is granted anyway.
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,14 +22,15 @@ class SizeSites {
   SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth);
 
   [[nodiscard]] double growth() const { return growth_; }
-  [[nodiscard]] double sizeOf(std::uint32_t site) const { return sites_[site].size; }
+  [[nodiscard]] double sizeOf(std::uint32_t site) const { return sites_[site].size * extent_; }
 
   struct Value {
     double size = 0.0;
     std::uint32_t site = 0;  ///< which cone is lowest: a good first guess for places nearby
   };
 
-  /// min_i h_i + growth |x - x_i|, at most kSlack + kMerge above the true minimum. `guess` is any site.
+  /// min_i h_i + growth |x - x_i|, at most kSlack + kMerge above the true minimum. `guess` is any
+  /// site.
   [[nodiscard]] Value at(const Vec3& place, std::uint32_t guess) const;
 
   /// The same over a list of sites, exactly. One step per site.
@@ -47,42 +52,52 @@ class SizeSites {
   double collect(const Range& range, double limit, std::span<const std::uint32_t> among,
                  std::vector<std::uint32_t>& list) const;
 
-  /// The least value in the range, or `limit` if that is less; at most kSlack too high.
+  /// The least value in the range, or `limit` if that is less; at most kSlack + kMerge too high.
   [[nodiscard]] double leastIn(const Range& range, double limit) const;
 
  private:
   struct Site {
-    Vec3 place;
-    double size;
+    std::array<float, 3> place;
+    float size;
   };
-  struct Box {
-    Vec3 lower;
-    Vec3 upper;
-    double size;         ///< smallest below
-    double diagonal;     ///< of the box
-    std::uint32_t site;  ///< one with that size
+  /// A box of places, or one place.
+  struct Reach {
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+  };
+  /// The two boxes below a node of the tree, side by side: one cache line.
+  struct alignas(64) Children {
+    std::array<std::array<float, 2>, 3> low;
+    std::array<std::array<float, 2>, 3> high;
+    std::array<float, 2> size;      ///< smallest in the box
+    std::array<float, 2> diagonal;  ///< of the box
   };
 
-  [[nodiscard]] double cone(std::uint32_t site, const Vec3& place) const;
-  [[nodiscard]] double cone(std::uint32_t site, const Range& range) const;
-  [[nodiscard]] bool liesBelow(double size, double squaredDistance, double limit) const;
-  [[nodiscard]] double squaredDistance(std::uint32_t box, const Range& range) const;
-  void buildBoxes();
+  [[nodiscard]] std::array<float, 3> inward(const Vec3& place) const;
+  [[nodiscard]] Reach inward(const Range& range) const;
+  [[nodiscard]] float inward(double size) const { return static_cast<float>(size / extent_); }
+  [[nodiscard]] float cone(std::uint32_t site, const Reach& reach) const;
+  [[nodiscard]] bool liesBelow(float size, float squaredDistance, float limit) const;
+  void build();
+  template <class Visit>
+  void visitBoxes(const Reach& reach, const float& limit, const float& merge, Visit visit) const;
 
   /// A branch is not opened for less than this relative gain. Bounds the work at places that are
   /// equally far from everything, such as the centre of a sphere.
-  static constexpr double kSlack = 0.03;
+  static constexpr float kSlack = 0.03F;
   /// Nor is one whose sites agree this well, seen from so far: its smallest stands for all.
-  static constexpr double kMerge = 0.03;
+  static constexpr float kMerge = 0.03F;
   static constexpr std::uint32_t kSitesPerLeaf = 8;
 
   double growth_;
+  float squaredGrowth_;
+  Vec3 centre_{0.0};
+  double extent_ = 1.0;
   std::vector<Site> sites_;
-  std::vector<Box> boxes_;  ///< a complete binary tree: children of b are 2b+1 and 2b+2
+  /// Of the inner nodes of a complete binary tree; the children of node n are 2n+1 and 2n+2.
+  std::vector<Children> children_;
+  std::vector<std::uint32_t> smallest_;  ///< per node of the tree: its site with the smallest size
   std::uint32_t firstLeaf_ = 0;
-
-  template <class Visit>
-  void visitBoxes(const Range& range, const double& limit, const double& merge, Visit visit) const;
 };
 
 }  // namespace tetrafront
