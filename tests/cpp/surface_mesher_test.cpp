@@ -90,6 +90,22 @@ TEST(SurfaceMesher, NodesComeInThePromisedOrder) {
     EXPECT_LT(pointOf(mesh, node).x, 1.5);
 }
 
+TEST(SurfaceMesher, NodesOfAPatchInACoordinatePlaneAreExactlyInIt) {
+  // 0.1 and 0.3 have no finite binary fraction, and neither have the weights of a spline.
+  const Vec3 u(0, 1, 0);
+  const Vec3 v(0, 0, 1);
+  ModelBuilder builder;
+  builder.patch(PatchType::kPlanar, {builder.circle({0.1, 0, 0}, 1.0, 3, u, v)});
+  builder.patch(PatchType::kPlanar, {builder.polygon(squareCorners({0.2, 0.7, 0.3}, 0.9))});
+  builder.patch(PatchType::kCoons, {builder.circle({0.3, 5, 5}, 1.0, 4, u, v)});
+  const SurfaceMesh mesh = meshOf(builder.model, SizeField::uniform(0.13));
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Vec3 node = pointOf(mesh, mesh.triangles[i]);
+    const std::uint32_t patch = mesh.trianglePatch[i / 3];
+    EXPECT_EQ(patch == 1 ? node.z : node.x, patch == 0 ? 0.1 : 0.3);
+  }
+}
+
 TEST(SurfaceMesher, TrianglesTurnAlikeWithinAPatch) {
   const SurfaceMesh mesh = meshOf(cylinder(), SizeField::uniform(0.3));
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> directed;

@@ -37,8 +37,8 @@ class PatchCheck {
   bool run() { return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCoons(); }
 
  private:
-  void report(DiagnosticCode code, std::vector<std::uint32_t> lines, std::optional<Vec3> place,
-              std::vector<double> values = {}) {
+  void report(DiagnosticCode code, const std::vector<std::uint32_t>& lines,
+              std::optional<Vec3> place, std::vector<double> values = {}) {
     Diagnostic diagnostic;
     diagnostic.code = code;
     diagnostic.entities = {{EntityKind::kPatch, patch_}};

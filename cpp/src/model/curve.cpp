@@ -26,7 +26,8 @@ constexpr double kStraight = 1e-9;
 
 }  // namespace
 
-Curve::Curve(LineType type, std::vector<Vec3> points) : type_(type), points_(std::move(points)) {
+Curve::Curve(LineType type, std::vector<Vec3> points)
+    : type_(type), points_(std::move(points)), flat_(points_) {
   if (type_ == LineType::kCubicSpline)
     fitSpline();
   else
@@ -60,6 +61,13 @@ void Curve::fitSpline() {
 }
 
 Curve::Sample Curve::sample(double t) const {
+  Sample result = sampleByType(t);
+  flat_.settle(result.position);
+  flat_.settleDirection(result.derivative);
+  return result;
+}
+
+Curve::Sample Curve::sampleByType(double t) const {
   switch (type_) {
     case LineType::kStraight:
       return {points_[0] + t * (points_[1] - points_[0]), points_[1] - points_[0]};

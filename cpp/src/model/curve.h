@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "model/flat_axes.h"
 #include "tetrafront/model.h"
 
 namespace tetrafront {
@@ -30,6 +31,7 @@ class Curve {
   [[nodiscard]] double length(double from, double to) const;
 
   [[nodiscard]] LineType type() const { return type_; }
+  [[nodiscard]] std::span<const Vec3> points() const { return points_; }
   [[nodiscard]] const Vec3& start() const { return points_.front(); }
   [[nodiscard]] const Vec3& end() const { return points_.back(); }
 
@@ -40,6 +42,7 @@ class Curve {
   [[nodiscard]] std::span<const double> knots() const { return knots_; }
 
  private:
+  [[nodiscard]] Sample sampleByType(double t) const;
   [[nodiscard]] Sample sampleParabola(double t) const;
   [[nodiscard]] Sample sampleSpline(double t) const;
   void fitSpline();
@@ -48,6 +51,7 @@ class Curve {
   std::vector<Vec3> points_;
   std::vector<double> knots_;
   std::vector<Vec3> secondDerivatives_;  ///< of a spline, one per point
+  FlatAxes flat_;
   double length_ = 0.0;
 };
 
@@ -61,6 +65,7 @@ class OrientedCurve {
   [[nodiscard]] const Vec3& start() const { return reversed_ ? curve_->end() : curve_->start(); }
   [[nodiscard]] const Vec3& end() const { return reversed_ ? curve_->start() : curve_->end(); }
   [[nodiscard]] double length() const { return curve_->length(); }
+  [[nodiscard]] std::span<const Vec3> points() const { return curve_->points(); }
   [[nodiscard]] bool isStraight() const { return curve_->isStraight(); }
   [[nodiscard]] OrientedCurve reverse() const { return {*curve_, !reversed_}; }
 

@@ -76,7 +76,12 @@ SurfacePoint CoonsSurface::evaluate(const Vec2& plane) const {
 // ---- any patch ---------------------------------------------------------------------------------
 
 PatchSurface::PatchSurface(const ResolvedModel& model, const Patch& patch)
-    : model_(&model), patch_(&patch), surface_(makeSurface(model, patch)) {}
+    : model_(&model), patch_(&patch), surface_(makeSurface(model, patch)) {
+  const Loop& outer = patch.loops.front();
+  flat_ = FlatAxes(model.curve(outer.front()).points());
+  for (const OrientedLine& line : outer)
+    for (const Vec3& point : model.curve(line).points()) flat_.restrictTo(point);
+}
 
 PatchSurface::Surface PatchSurface::makeSurface(const ResolvedModel& model, const Patch& patch) {
   const Loop& outer = patch.loops.front();
@@ -90,8 +95,12 @@ PatchSurface::Surface PatchSurface::makeSurface(const ResolvedModel& model, cons
 }
 
 SurfacePoint PatchSurface::evaluate(const Vec2& plane) const {
-  if (const PlanarSurface* flat = planar()) return flat->evaluate(plane);
-  return coons()->evaluate(plane);
+  const PlanarSurface* flat = planar();
+  SurfacePoint point = flat != nullptr ? flat->evaluate(plane) : coons()->evaluate(plane);
+  flat_.settle(point.position);
+  flat_.settleDirection(point.alongXi);
+  flat_.settleDirection(point.alongEta);
+  return point;
 }
 
 Vec2 PatchSurface::boundaryToPlane(std::size_t loop, std::size_t position, double t,

@@ -77,6 +77,7 @@ class PatchSurface {
   const ResolvedModel* model_;
   const Patch* patch_;
   Surface surface_;
+  FlatAxes flat_;
 };
 
 /// The plane of a closed chain of lines: its area-weighted normal (Newell's sum over samples of
