@@ -4,7 +4,11 @@ import type { Reply } from "./protocol.js";
 import type { StartWorker } from "./worker-host.js";
 
 export const startWorker: StartWorker = (events) => {
-  const worker = new Worker(new URL("./worker.js", import.meta.url), { name: "tetrafront-mesher" });
+  const worker = new Worker(new URL("./worker.js", import.meta.url), {
+    name: "tetrafront-mesher",
+    // Some options of the process, such as --input-type, are errors in a worker; it needs none of them.
+    execArgv: [],
+  });
   let terminated = false;
   worker.on("message", (reply: Reply) => events.onReply(reply));
   worker.on("error", (failure: unknown) => events.onCrash(String(failure)));

@@ -1,4 +1,6 @@
+import { execFile } from "node:child_process";
 import { readdirSync, readFileSync } from "node:fs";
+import { promisify } from "node:util";
 
 import {
   createMesher,
@@ -372,6 +374,18 @@ describe("cancelling", () => {
 });
 
 describe("disposing", () => {
+  test("may be left out: a program ends without it", async () => {
+    const program = `
+      import { createMesher } from "tetrafront";
+      const mesher = await createMesher();
+      const points = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+      const triangles = Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3);
+      console.log((await mesher.fillSurface({ points, triangles })).report.status);`;
+    const args = ["--input-type=module", "--eval", program];
+    const { stdout } = await promisify(execFile)(process.execPath, args, { timeout: 20_000 });
+    expect(stdout).toBe("done\n");
+  });
+
   test("rejects what is under way and everything after", async () => {
     const short = await createMesher();
     const runs = [short.fillSurface(sphereSurface(40)), short.previewProject(cubeProject())];

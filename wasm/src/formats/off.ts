@@ -17,7 +17,7 @@ export function readOff(bytes: Uint8Array): ReadResult<SurfaceInput> {
   return readSafely(() => {
     if (bytes.length === 0)
       throw new ReadFailure({ message: "the file is empty", remedy: REMEDY, offset: 0 });
-    const scanner = new TextScanner(new TextDecoder().decode(bytes), { comment: "#", remedy: REMEDY });
+    const scanner = new TextScanner(bytes, { comment: "#", remedy: REMEDY });
     const hasExtras = readHeader(scanner);
     const pointCount = scanner.index("the number of points", MAX_COUNT);
     const faceCount = scanner.index("the number of faces", MAX_COUNT);

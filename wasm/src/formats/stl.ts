@@ -23,7 +23,7 @@ export function readStl(bytes: Uint8Array): ReadResult<SurfaceInput> {
   return readSafely(() => {
     if (bytes.length === 0)
       throw new ReadFailure({ message: "the file is empty", remedy: REMEDY, offset: 0 });
-    const corners = isBinary(bytes) ? readBinary(bytes) : readText(new TextDecoder().decode(bytes));
+    const corners = isBinary(bytes) ? readBinary(bytes) : readText(bytes);
     const { points, positions } = weldPoints(corners);
     return { points, triangles: positions };
   });
@@ -67,8 +67,8 @@ function readBinary(bytes: Uint8Array): Float64Array {
   return corners;
 }
 
-function readText(text: string): Float64Array {
-  const scanner = new TextScanner(text, { remedy: REMEDY });
+function readText(bytes: Uint8Array): Float64Array {
+  const scanner = new TextScanner(bytes, { remedy: REMEDY });
   const corners: number[] = [];
   for (let word = scanner.next(); word !== undefined; word = scanner.next()) {
     switch (word.toLowerCase()) {

@@ -12,8 +12,8 @@ export class TextScanner {
   readonly #remedy: string;
 
   /** `comment`: a character that hides the rest of its line. `remedy`: what `fail` advises. */
-  constructor(text: string, options: { comment?: string; remedy: string }) {
-    this.#text = text;
+  constructor(bytes: Uint8Array, options: { comment?: string; remedy: string }) {
+    this.#text = decoded(bytes);
     this.#comment = options.comment?.charCodeAt(0);
     this.#remedy = options.remedy;
   }
@@ -87,6 +87,16 @@ export class TextScanner {
         this.#line++;
       } else if (code > SPACE) return;
     }
+  }
+}
+
+function decoded(bytes: Uint8Array): string {
+  try {
+    return new TextDecoder().decode(bytes);
+  } catch {
+    // JavaScript has a longest string, of half a thousand million characters in V8.
+    const message = `the text of ${bytes.length} bytes is too long to be read`;
+    throw new ReadFailure({ message, remedy: "Use a binary format, for example binary STL." });
   }
 }
 
