@@ -5,14 +5,10 @@
 #include <utility>
 
 #include "geom/predicates.h"
+#include "surface/surface_access.h"
 
 namespace tetrafront {
 namespace {
-
-Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
-  const std::size_t i = 3 * std::size_t{node};
-  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
-}
 
 /// Disjoint sets of triangles whose root is the lowest member; each knows whether it is turned
 /// against its root.

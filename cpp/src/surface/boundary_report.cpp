@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "surface/surface_access.h"
+
 namespace tetrafront {
 
-Vec3 BoundaryReport::pointOf(std::uint32_t node) const {
-  const std::size_t i = 3 * std::size_t{node};
-  return {mesh_.points[i], mesh_.points[i + 1], mesh_.points[i + 2]};
-}
-
 Vec3 BoundaryReport::centreOf(std::uint32_t triangle) const {
-  const std::size_t i = 3 * std::size_t{triangle};
-  return (pointOf(mesh_.triangles[i]) + pointOf(mesh_.triangles[i + 1]) +
-          pointOf(mesh_.triangles[i + 2])) /
-         3.0;
+  const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
+  return (p[0] + p[1] + p[2]) / 3.0;
 }
 
 Entity BoundaryReport::patchOf(std::uint32_t triangle) const {
@@ -48,10 +43,10 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
     }
     const auto [at, isNew] = known_.try_emplace({code, std::move(key)}, findings_.size());
     if (!isNew) {
-      if (at->second < findings_.size()) ++findings_[at->second].count;
+      if (at->second != kNotKept) ++findings_[at->second].count;
       return;
     }
-    if (kind.kept == kMaxOfAKind) at->second = findings_.max_size();
+    if (kind.kept == kMaxOfAKind) at->second = kNotKept;
   }
   if (kind.kept == kMaxOfAKind) return;
   ++kind.kept;
@@ -68,11 +63,11 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
 }
 
 void BoundaryReport::addNode(DiagnosticCode code, std::uint32_t node, std::vector<double> values) {
-  add(code, {{EntityKind::kSurfaceNode, node}}, pointOf(node), std::move(values));
+  add(code, {{EntityKind::kSurfaceNode, node}}, pointOf(mesh_, node), std::move(values));
 }
 
 void BoundaryReport::addNodePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b) {
-  add(code, {{EntityKind::kSurfaceNode, a}, {EntityKind::kSurfaceNode, b}}, pointOf(a), {});
+  add(code, {{EntityKind::kSurfaceNode, a}, {EntityKind::kSurfaceNode, b}}, pointOf(mesh_, a), {});
 }
 
 void BoundaryReport::addTriangle(DiagnosticCode code, std::uint32_t triangle,
@@ -113,7 +108,7 @@ void BoundaryReport::addEdge(DiagnosticCode code, std::uint32_t from, std::uint3
   } else {
     for (const std::uint32_t t : triangles) entities.push_back({EntityKind::kTriangle, t});
   }
-  add(code, std::move(entities), 0.5 * (pointOf(from) + pointOf(to)), {});
+  add(code, std::move(entities), 0.5 * (pointOf(mesh_, from) + pointOf(mesh_, to)), {});
 }
 
 void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> entities,

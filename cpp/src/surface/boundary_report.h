@@ -49,6 +49,7 @@ class BoundaryReport {
 
  private:
   static constexpr std::size_t kMaxOfAKind = 20;
+  static constexpr std::size_t kNotKept = static_cast<std::size_t>(-1);
 
   struct Kind {
     std::uint64_t total = 0;
@@ -65,7 +66,6 @@ class BoundaryReport {
   [[nodiscard]] bool isDrawn() const { return source_ == BoundarySource::kDrawnPatches; }
   [[nodiscard]] Entity patchOf(std::uint32_t triangle) const;
   [[nodiscard]] bool lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& line);
-  [[nodiscard]] Vec3 pointOf(std::uint32_t node) const;
 
   const SurfaceMesh& mesh_;
   BoundarySource source_;

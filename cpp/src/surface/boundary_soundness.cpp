@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geom/predicates.h"
+#include "surface/surface_access.h"
 
 namespace tetrafront {
 namespace {
@@ -14,11 +15,6 @@ constexpr double kLargest = 0x1p100;
 constexpr double kSmallest = 0x1p-100;
 /// Single coordinates may be smaller than the model by far, as rounded zeros are.
 constexpr double kSmallestCoordinate = 0x1p-250;
-
-Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
-  const std::size_t i = 3 * std::size_t{node};
-  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
-}
 
 }  // namespace
 

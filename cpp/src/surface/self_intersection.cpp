@@ -3,28 +3,20 @@
 #include <algorithm>
 
 #include "geom/intersect.h"
+#include "surface/surface_access.h"
 
 namespace tetrafront {
 namespace {
 
-Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
-  const std::size_t i = 3 * std::size_t{node};
-  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
-}
-
 NumberedTriangle triangleOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
-  NumberedTriangle result;
-  for (std::size_t k = 0; k < 3; ++k) {
-    result.nodes[k] = mesh.triangles[3 * std::size_t{triangle} + k];
-    result.corners[k] = pointOf(mesh, result.nodes[k]);
-  }
-  return result;
+  const std::size_t i = 3 * std::size_t{triangle};
+  return {{mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]},
+          cornersOf(mesh, triangle)};
 }
 
 Box boxOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
-  const std::size_t i = 3 * std::size_t{triangle};
-  return Box::of(pointOf(mesh, mesh.triangles[i]), pointOf(mesh, mesh.triangles[i + 1]),
-                 pointOf(mesh, mesh.triangles[i + 2]));
+  const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
+  return Box::of(p[0], p[1], p[2]);
 }
 
 /// The middle of what two boxes have in common: near enough to point at.

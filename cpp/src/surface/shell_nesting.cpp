@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "geom/predicates.h"
+#include "surface/surface_access.h"
 
 namespace tetrafront {
 namespace {
@@ -15,17 +16,6 @@ constexpr std::uint32_t kManyShells = 0xfffffffeU;
 
 /// A volume below this share of the sum of its terms' magnitudes is rounding.
 constexpr double kVolumeRounding = 1e-14;
-
-Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
-  const std::size_t i = 3 * std::size_t{node};
-  return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
-}
-
-std::array<Vec3, 3> cornersOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
-  const std::size_t i = 3 * std::size_t{triangle};
-  return {pointOf(mesh, mesh.triangles[i]), pointOf(mesh, mesh.triangles[i + 1]),
-          pointOf(mesh, mesh.triangles[i + 2])};
-}
 
 /// A sum that carries its rounding errors along (Neumaier 1974).
 class CarefulSum {
