@@ -1,5 +1,6 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import { parseProject, type Project } from "tetrafront";
+import { createStore, type StoreApi } from "zustand/vanilla";
 import type { DocumentStore } from "./store";
 
 interface Saved {
@@ -26,7 +27,10 @@ export class Autosave {
   readonly #database: Promise<IDBPDatabase<AutosaveSchema> | null>;
   #timer: ReturnType<typeof setTimeout> | null = null;
   #writing: Promise<void> = Promise.resolve();
-  #pending = false;
+  /** `pending`: there is a change that no storage holds yet; leaving the page deserves a warning. */
+  readonly state: StoreApi<{ readonly pending: boolean }> = createStore<{ readonly pending: boolean }>(
+    () => ({ pending: false }),
+  );
 
   constructor(documents: DocumentStore, databaseName = "tetrafront") {
     this.#documents = documents;
@@ -35,11 +39,6 @@ export class Autosave {
         database.createObjectStore("versions", { autoIncrement: true });
       },
     }).catch(() => null);
-  }
-
-  /** Is there a change that no storage holds yet? Then leaving the page deserves a warning. */
-  get pending(): boolean {
-    return this.#pending;
   }
 
   /** The newest state kept, or null; a state that no longer reads is passed over. */
@@ -57,7 +56,7 @@ export class Autosave {
   /** Begins to follow the document. Returns the way to stop. */
   follow(): () => void {
     return this.#documents.state.subscribe(() => {
-      this.#pending = true;
+      this.state.setState({ pending: true });
       if (this.#timer !== null) clearTimeout(this.#timer);
       this.#timer = setTimeout(() => void this.flush(), idleMs);
     });
@@ -67,24 +66,25 @@ export class Autosave {
   flush(): Promise<void> {
     if (this.#timer !== null) clearTimeout(this.#timer);
     this.#timer = null;
-    if (this.#pending) this.#writing = this.#writing.then(() => this.#write());
+    if (this.state.getState().pending) this.#writing = this.#writing.then(() => this.#write());
     return this.#writing;
   }
 
   async #write(): Promise<void> {
     const database = await this.#database;
     if (!database) return;
-    const { project } = this.#documents;
-    const { savedKey } = this.#documents.state.getState();
+    const state = this.#documents.state.getState();
+    const { project } = state.history.present;
+    const { savedKey } = state;
     try {
       const transaction = database.transaction("versions", "readwrite");
       await transaction.store.add({ project, savedKey, at: Date.now() });
       const keys = await transaction.store.getAllKeys();
       await Promise.all(keys.slice(0, -ringLength).map((key) => transaction.store.delete(key)));
       await transaction.done;
-      this.#pending = this.#documents.project !== project;
+      this.state.setState({ pending: this.#documents.state.getState() !== state });
     } catch {
-      this.#pending = true;
+      this.state.setState({ pending: true });
     }
   }
 }

@@ -1,5 +1,4 @@
 import { Kbd, Menu, Menubar } from "@mantine/core";
-import { IconCheck } from "@tabler/icons-react";
 import { Fragment } from "react";
 import { useStore } from "zustand";
 import { commands, keyNames, runCommand, type Command, type MenuName } from "../commands";
@@ -44,27 +43,19 @@ export function CommandItems({ menu }: { readonly menu: MenuName }) {
 function CommandItem({ command }: { readonly command: Command }) {
   const app = useApp();
   const [key] = command.keys;
-  const checked = command.checked?.(app);
-  return (
-    <Menu.Item
-      role={checked === undefined ? "menuitem" : "menuitemcheckbox"}
-      aria-checked={checked}
-      disabled={!command.enabled(app)}
-      leftSection={<span className="tf-check">{checked && <IconCheck size={14} aria-hidden />}</span>}
-      rightSection={
-        key !== undefined && (
-          <span className="tf-keys">
-            {keyNames(key).map((name) => (
-              <Kbd key={name} size="xs">
-                {name}
-              </Kbd>
-            ))}
-          </span>
-        )
-      }
-      onClick={() => runCommand(app, command)}
-    >
-      {command.label(app)}
-    </Menu.Item>
+  const keys = key !== undefined && (
+    <span className="tf-keys">
+      {keyNames(key).map((name) => (
+        <Kbd key={name} size="xs">
+          {name}
+        </Kbd>
+      ))}
+    </span>
   );
+  const common = { disabled: !command.enabled(app), rightSection: keys, children: command.label(app) };
+  const run = (): void => runCommand(app, command);
+  if (command.checked) {
+    return <Menu.CheckboxItem {...common} checked={command.checked(app)} onChange={run} />;
+  }
+  return <Menu.Item {...common} leftSection={<span className="tf-check" />} onClick={run} />;
 }

@@ -1,9 +1,10 @@
-import { Button, Kbd, List, Modal, Text } from "@mantine/core";
+import { Button, Kbd, List, Text } from "@mantine/core";
 import { Spotlight } from "@mantine/spotlight";
 import { IconSearch } from "@tabler/icons-react";
 import { useStore } from "zustand";
 import { commands, keyNames, runCommand } from "../commands";
 import { SectionTitle } from "../ui/field-row";
+import { FramedDialog } from "../ui/framed-dialog";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useShell, useView } from "./app-context";
 
@@ -53,11 +54,10 @@ export function HelpDialog() {
   const opened = useShell((state) => state.helpOpen);
   const keyed = commands.filter(({ keys }) => keys.length > 0);
   return (
-    <Modal
+    <FramedDialog
       opened={opened}
       size="lg"
       title={strings.help.title}
-      closeButtonProps={{ "aria-label": strings.messages.close }}
       onClose={() => app.shell.setState({ helpOpen: false })}
     >
       <div className="tf-help">
@@ -88,7 +88,7 @@ export function HelpDialog() {
       <Text size="sm" c="dimmed">
         {strings.help.about}
       </Text>
-    </Modal>
+    </FramedDialog>
   );
 }
 
@@ -98,12 +98,7 @@ export function MessageDialog() {
   const message = useShell((state) => state.message);
   const close = (): void => app.shell.setState({ message: null });
   return (
-    <Modal
-      opened={message !== null}
-      title={message?.title}
-      closeButtonProps={{ "aria-label": strings.messages.close }}
-      onClose={close}
-    >
+    <FramedDialog opened={message !== null} title={message?.title} onClose={close}>
       <List size="sm" spacing={4} data-testid="message">
         {message?.lines.map((line) => (
           <List.Item key={line}>{line}</List.Item>
@@ -112,6 +107,6 @@ export function MessageDialog() {
       <Button mt="md" onClick={close} data-autofocus>
         {strings.messages.close}
       </Button>
-    </Modal>
+    </FramedDialog>
   );
 }

@@ -95,7 +95,7 @@ function EntityCard({ entity }: { readonly entity: Entity }) {
           </Text>
         )}
         {!problems && (
-          <Badge size="sm" variant="outline" color="green" className="tf-valid">
+          <Badge size="sm" variant="outline" color="var(--tf-success)" className="tf-valid">
             {strings.inspector.valid}
           </Badge>
         )}

@@ -1,6 +1,7 @@
-import { ActionIcon, Drawer, Splitter, Tabs, Tooltip } from "@mantine/core";
+import { ActionIcon, Splitter, Tabs, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
 import type { ReactNode } from "react";
+import { FramedDrawer } from "../ui/framed-drawer";
 import { strings } from "../ui/strings";
 import { useApp, useShell } from "./app-context";
 import { BottomPanel } from "./bottom-panel";
@@ -29,7 +30,9 @@ function WideBody() {
   return (
     <Splitter className="tf-body" withHandle={false} lineSize={1}>
       <Splitter.Pane defaultSize="250px" min="180px" max="480px">
-        <LeftPanel />
+        <aside className="tf-fill" aria-label={strings.tree.model}>
+          <LeftPanel />
+        </aside>
       </Splitter.Pane>
       <Splitter.Pane defaultSize={100} min={20}>
         <Splitter orientation="vertical" className="tf-fill" withHandle={false} lineSize={1}>
@@ -37,12 +40,16 @@ function WideBody() {
             <ViewportPanel layout="wide" />
           </Splitter.Pane>
           <Splitter.Pane defaultSize="168px" min="60px" max="420px">
-            <BottomPanel />
+            <aside className="tf-fill" aria-label={strings.bottom.title}>
+              <BottomPanel />
+            </aside>
           </Splitter.Pane>
         </Splitter>
       </Splitter.Pane>
       <Splitter.Pane defaultSize="292px" min="220px" max="520px">
-        <RightPanel />
+        <aside className="tf-fill" aria-label={strings.inspector.title}>
+          <RightPanel />
+        </aside>
       </Splitter.Pane>
     </Splitter>
   );
@@ -87,20 +94,16 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
         <ViewportPanel layout={layout} />
       </div>
       {drawers.map(({ key, label }) => (
-        <Drawer
+        <FramedDrawer
           key={key}
           opened={open === key}
           position={phone ? "bottom" : key}
           size={phone || key === "bottom" ? "62%" : 320}
           title={label}
-          withOverlay={!phone}
-          overlayProps={{ backgroundOpacity: 0.25 }}
-          closeButtonProps={{ "aria-label": strings.messages.close }}
-          classNames={{ body: "tf-drawer-body", header: "tf-drawer-header" }}
           onClose={() => app.shell.setState({ drawer: null })}
         >
           {panels[key]}
-        </Drawer>
+        </FramedDrawer>
       ))}
     </>
   );

@@ -30,7 +30,7 @@ function useLeaveGuard(app: App): void {
       if (document.visibilityState === "hidden") void app.autosave.flush();
     };
     const warn = (event: BeforeUnloadEvent): void => {
-      if (!app.autosave.pending) return;
+      if (!app.autosave.state.getState().pending) return;
       void app.autosave.flush();
       event.preventDefault();
     };

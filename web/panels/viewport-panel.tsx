@@ -1,5 +1,6 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
+import { useStore } from "zustand";
 import { describeMesh } from "../actions";
 import { isStale } from "../document/run";
 import { strings } from "../ui/strings";
@@ -173,6 +174,7 @@ function ViewState({ container }: { readonly container: React.RefObject<HTMLDivE
   const cut = useView((state) => state.cut);
   const app = useApp();
   const stale = useStale();
+  const pending = useStore(app.autosave.state, (state) => state.pending);
   useEffect(() => {
     const data = container.current?.dataset;
     if (!data) return;
@@ -182,7 +184,8 @@ function ViewState({ container }: { readonly container: React.RefObject<HTMLDivE
     data["front"] = String(front);
     data["stale"] = String(stale);
     data["busy"] = String(busy);
+    data["autosaved"] = String(!pending);
     data["faces"] = String(app.viewer.getState().viewer?.counts.drawnFaces ?? 0);
-  }, [container, mesh, front, stale, busy, cut, app]);
+  }, [container, mesh, front, stale, busy, pending, cut, app]);
   return null;
 }

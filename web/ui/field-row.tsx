@@ -11,5 +11,5 @@ export function FieldRow({ label, children }: { readonly label: string; readonly
 }
 
 export function SectionTitle({ children }: { readonly children: ReactNode }) {
-  return <h3 className="tf-section">{children}</h3>;
+  return <h2 className="tf-section">{children}</h2>;
 }

@@ -1,4 +1,4 @@
-import { createTheme, type CSSVariablesResolver, type MantineColorsTuple } from "@mantine/core";
+import { createTheme, Menu, type CSSVariablesResolver, type MantineColorsTuple } from "@mantine/core";
 import { viridis } from "./viridis";
 
 /**
@@ -32,6 +32,10 @@ export const theme = createTheme({
   colors: { dark },
   fontSizes: { xs: "11.5px", sm: "12.5px", md: "13px", lg: "14px", xl: "16px" },
   headings: { fontWeight: "600" },
+  components: {
+    // The placeholder is a child that a menu must not have (ARIA); the first item takes the focus.
+    Menu: Menu.extend({ defaultProps: { withInitialFocusPlaceholder: false } }),
+  },
 });
 
 export const cssVariables: CSSVariablesResolver = () => ({

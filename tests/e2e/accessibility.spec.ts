@@ -1,0 +1,67 @@
+import AxeBuilder from "@axe-core/playwright";
+import { expect, test, type Page } from "@playwright/test";
+import { AppPage } from "./app-page";
+
+async function violations(page: Page): Promise<string[]> {
+  const { violations: found } = await new AxeBuilder({ page }).analyze();
+  return found.flatMap(({ id, nodes }) =>
+    nodes.map(({ html, failureSummary }) => `${id}: ${html} ${failureSummary}`),
+  );
+}
+
+for (const scheme of ["dark", "light"] as const) {
+  test(`axe finds nothing in the ${scheme} theme`, async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open(scheme);
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press("x");
+    await app.select("line-1");
+    expect(await violations(page)).toEqual([]);
+    await app.select("background-node-3");
+    await app.type("bg-stretch", "2");
+    await expect(page.getByTestId("mesh-badge")).toBeVisible();
+    await page.getByRole("tab", { name: "Display" }).click();
+    expect(await violations(page)).toEqual([]);
+    await page.getByTestId("tab-examples").click();
+    await page.getByRole("tab", { name: "Problems" }).click();
+    expect(await violations(page)).toEqual([]);
+  });
+
+  test(`axe finds nothing in menus, palette, help and errors in the ${scheme} theme`, async ({ page }) => {
+    const app = new AppPage(page);
+    await app.open(scheme);
+    await page.getByRole("menuitem", { name: "View" }).click();
+    await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeVisible();
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Control+k");
+    await expect(page.getByRole("textbox", { name: "Search commands" })).toBeVisible();
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press("Escape");
+    await page.keyboard.press("Shift+?");
+    await expect(page.getByRole("dialog", { name: "Keyboard and mouse" })).toBeVisible();
+    expect(await violations(page)).toEqual([]);
+    await page.keyboard.press("Escape");
+    await app.openExample("unit-cube");
+    await app.select("point-7");
+    await app.type("at-x", "1.5");
+    await expect(page.getByTestId("marker-0")).toBeVisible();
+    await page.getByTestId("tree-patch-2").click();
+    await page.getByRole("tab", { name: "Problems" }).click();
+    expect(await violations(page)).toEqual([]);
+  });
+
+  test(`axe finds nothing on a phone in the ${scheme} theme`, async ({ page }) => {
+    await page.setViewportSize({ width: 390, height: 844 });
+    const app = new AppPage(page);
+    await app.open(scheme);
+    expect(await violations(page)).toEqual([]);
+    for (const drawer of ["left", "right", "bottom"]) {
+      await page.getByTestId(`drawer-${drawer}`).click();
+      await expect(page.getByRole("dialog")).toBeVisible();
+      expect(await violations(page)).toEqual([]);
+      await page.keyboard.press("Escape");
+      await expect(page.getByRole("dialog")).toBeHidden();
+    }
+  });
+}

@@ -1,0 +1,147 @@
+import { readFileSync } from "node:fs";
+import { expect, type Locator, type Page } from "@playwright/test";
+import { inflateSync } from "node:zlib";
+import { readProject, type Project } from "tetrafront";
+
+/** The numbers the app shows of its mesh, as it holds them in the page. */
+export interface MeshState {
+  readonly tets: number;
+  readonly fingerprint: string;
+}
+
+const modelsFolder = new URL("../../public/models/", import.meta.url);
+
+export function sampleProject(id: string): Project {
+  const read = readProject(readFileSync(new URL(`${id}.json`, modelsFolder), "utf8"));
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+/** The application in a browser tab. Waits are for states of the page, never for time. */
+export class AppPage {
+  readonly page: Page;
+  readonly viewport: Locator;
+
+  constructor(page: Page) {
+    this.page = page;
+    this.viewport = page.getByTestId("viewport");
+  }
+
+  /** Opens the app and waits for the mesh of its first model. */
+  async open(scheme: "dark" | "light" = "dark"): Promise<void> {
+    await this.page.addInitScript((wanted) => {
+      localStorage.setItem("mantine-color-scheme-value", wanted);
+      // Native file dialogs are out of a test's reach; without them the app uses downloads and inputs.
+      Reflect.deleteProperty(window, "showOpenFilePicker");
+      Reflect.deleteProperty(window, "showSaveFilePicker");
+    }, scheme);
+    await this.page.goto("./?test=1");
+    await this.meshed();
+  }
+
+  /** Waits until the mesh on show is that of the model. */
+  async meshed(): Promise<MeshState> {
+    await expect(this.viewport).toHaveAttribute("data-busy", "false");
+    await expect(this.viewport).toHaveAttribute("data-stale", "false");
+    await expect(this.viewport).toHaveAttribute("data-status", "done");
+    return this.mesh();
+  }
+
+  async mesh(): Promise<MeshState> {
+    return {
+      tets: Number(await this.viewport.getAttribute("data-tets")),
+      fingerprint: (await this.viewport.getAttribute("data-fingerprint")) ?? "",
+    };
+  }
+
+  async openExample(id: string): Promise<MeshState> {
+    const before = await this.mesh();
+    await this.page.getByTestId("tab-examples").click();
+    await this.page.getByTestId(`example-${id}`).click();
+    await expect(this.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
+    return this.meshed();
+  }
+
+  /** Opens a project through the file dialog's stand-in. */
+  async openFile(name: string, content: string): Promise<void> {
+    const choosing = this.page.waitForEvent("filechooser");
+    await this.page.keyboard.press("Control+o");
+    const chooser = await choosing;
+    await chooser.setFiles({ name, mimeType: "application/json", buffer: Buffer.from(content) });
+  }
+
+  /** Selects an entity in the tree by kind and id, e.g. "point-2". */
+  async select(key: string): Promise<void> {
+    const filter = this.page.getByLabel("Filter (name, type, number)");
+    await filter.fill(key.replace("background-", "").replace("-", " "));
+    await this.page.getByTestId(`tree-${key}`).click();
+    await filter.fill("");
+  }
+
+  /** Types a value into a field and commits it. */
+  async type(testId: string, value: string): Promise<void> {
+    await this.page.getByTestId(testId).fill(value);
+    await this.page.getByTestId(testId).press("Enter");
+  }
+
+  async generate(): Promise<MeshState> {
+    await this.page.getByTestId("generate").click();
+    return this.meshed();
+  }
+
+  /** Number of colours in the picture, with 5 bits per channel. */
+  async colours(): Promise<number> {
+    return countColours(await this.viewport.screenshot());
+  }
+}
+
+/** Waits until a frame later than the given one has been drawn. */
+export async function nextFrame(viewport: Locator, act: () => Promise<void>): Promise<void> {
+  const before = Number(await viewport.getAttribute("data-frames"));
+  await act();
+  await expect.poll(async () => Number(await viewport.getAttribute("data-frames"))).toBeGreaterThan(before);
+}
+
+/** Colours of a PNG as Chromium writes it: 8 bits per channel, not interlaced. */
+export function countColours(png: Buffer): number {
+  const width = png.readUInt32BE(16);
+  const height = png.readUInt32BE(20);
+  const channels = png[25] === 6 ? 4 : 3;
+  const data: Buffer[] = [];
+  for (let at = 8; at < png.length; at += 12 + png.readUInt32BE(at)) {
+    if (png.toString("latin1", at + 4, at + 8) === "IDAT") {
+      data.push(png.subarray(at + 8, at + 8 + png.readUInt32BE(at)));
+    }
+  }
+  const rows = unfilter(inflateSync(Buffer.concat(data)), width * channels, height, channels);
+  const colours = new Set<number>();
+  for (let i = 0; i < rows.length; i += channels) {
+    const [r = 0, g = 0, b = 0] = rows.subarray(i, i + 3);
+    colours.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
+  }
+  return colours.size;
+}
+
+/** Undoes PNG's row filters (PNG specification, section 9). */
+function unfilter(raw: Buffer, stride: number, height: number, pixel: number): Uint8Array {
+  const rows = new Uint8Array(stride * height);
+  for (let y = 0; y < height; ++y) {
+    const filter = raw[y * (stride + 1)] ?? 0;
+    for (let x = 0; x < stride; ++x) {
+      const at = y * stride + x;
+      const left = x >= pixel ? (rows[at - pixel] ?? 0) : 0;
+      const above = y > 0 ? (rows[at - stride] ?? 0) : 0;
+      const corner = x >= pixel && y > 0 ? (rows[at - stride - pixel] ?? 0) : 0;
+      const guess = [0, left, above, (left + above) >> 1, paeth(left, above, corner)][filter] ?? 0;
+      rows[at] = ((raw[y * (stride + 1) + 1 + x] ?? 0) + guess) & 255;
+    }
+  }
+  return rows;
+}
+
+function paeth(left: number, above: number, corner: number): number {
+  const guess = left + above - corner;
+  const distances = [left, above, corner].map((value) => Math.abs(guess - value));
+  const nearest = Math.min(...distances);
+  return [left, above, corner][distances.indexOf(nearest)] ?? 0;
+}

@@ -1,0 +1,106 @@
+import { readFile } from "node:fs/promises";
+import { expect, test, type Page } from "@playwright/test";
+import { readProject } from "tetrafront";
+import { parseMsh, parseVtu } from "../support/mesh-files";
+import { AppPage, sampleProject } from "./app-page";
+
+async function downloaded(page: Page, act: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
+  const [download] = await Promise.all([page.waitForEvent("download"), act()]);
+  return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+}
+
+const choose = (page: Page, item: RegExp) => async (): Promise<void> => {
+  await page.getByTestId("download").click();
+  await page.getByRole("menuitem", { name: item }).click();
+};
+
+test("downloads the mesh as VTU and MSH with the numbers on the screen", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const { tets } = await app.mesh();
+  const points = Number((await page.getByTestId("count-points").textContent())?.replaceAll(/\D/g, ""));
+
+  const vtu = await downloaded(page, choose(page, /VTU/));
+  expect(vtu.name).toBe("engine-intake.vtu");
+  const vtuMesh = parseVtu(vtu.bytes);
+  expect(vtuMesh.tetrahedra).toHaveLength(tets);
+  expect(vtuMesh.points.length / 3).toBe(points);
+
+  const msh = await downloaded(page, choose(page, /MSH/));
+  expect(msh.name).toBe("engine-intake.msh");
+  const mshMesh = parseMsh(msh.bytes);
+  expect(mshMesh.tetrahedra.flatMap(({ elements }) => elements)).toHaveLength(tets);
+  expect(mshMesh.points.length / 3).toBe(points);
+  expect(mshMesh.triangles.map(({ name }) => name)).toContain("duct top");
+});
+
+test("downloads the report of the run", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const { tets, fingerprint } = await app.mesh();
+  const { name, bytes } = await downloaded(page, choose(page, /report/));
+  expect(name).toBe("engine-intake-report.json");
+  expect(JSON.parse(bytes.toString())).toMatchObject({ status: "done", tetrahedra: tets, fingerprint });
+});
+
+test("a saved project opens again as it was", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await app.select("background-node-2");
+  await app.type("bg-size", "0.3");
+  const edited = await app.generate();
+  const { name, bytes } = await downloaded(page, () => page.keyboard.press("Control+s"));
+  expect(name).toBe("unit-cube.json");
+  await expect(page.getByTestId("saved-state")).toHaveText("saved");
+  const read = readProject(bytes.toString());
+  expect(read.success && read.value.background.nodes[1]?.size).toBe(0.3);
+
+  await app.openExample("plate-with-hole");
+  await app.openFile("unit-cube.json", bytes.toString());
+  await expect(app.viewport).toHaveAttribute("data-fingerprint", edited.fingerprint);
+  expect(await app.meshed()).toEqual(edited);
+});
+
+test("a file that is no project is refused with the reason", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.mesh();
+  const project = sampleProject("unit-cube");
+  const broken = { ...project, lines: project.lines.map((line) => ({ ...line, points: [1, 99] })) };
+  await app.openFile("broken.json", JSON.stringify(broken));
+  const dialog = page.getByRole("dialog", { name: "broken.json could not be opened" });
+  await expect(dialog).toContainText("there is no point with the id 99");
+  await dialog.getByRole("button", { name: "Close" }).last().click();
+  await expect(dialog).toBeHidden();
+  expect(await app.meshed()).toEqual(before);
+});
+
+test("a project file dropped on the page is opened", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.mesh();
+  const text = JSON.stringify({ ...sampleProject("unit-cube"), name: "Dropped cube" });
+  await page.evaluate((content) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], "dropped.json", { type: "application/json" }));
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
+  }, text);
+  await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
+  await app.meshed();
+  await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
+});
+
+test("an edit survives a reload, and so does the knowledge that it is unsaved", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await app.select("background-node-1");
+  await app.type("bg-size", "0.1");
+  const edited = await app.generate();
+  await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
+  await page.reload();
+  await expect(app.viewport).toHaveAttribute("data-fingerprint", edited.fingerprint);
+  expect(await app.meshed()).toEqual(edited);
+  await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
+});

@@ -1,0 +1,67 @@
+import { expect, test } from "@playwright/test";
+import { AppPage } from "./app-page";
+
+test("a model is opened, edited, meshed and undone without a mouse", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const opening = await app.mesh();
+
+  await page.keyboard.press("Control+k");
+  await page.getByRole("textbox", { name: "Search commands" }).fill("example");
+  await page.keyboard.press("Enter");
+  const card = page.getByTestId("example-unit-cube");
+  await expect(card).toBeVisible();
+  await card.focus();
+  await page.keyboard.press("Enter");
+  await expect(app.viewport).not.toHaveAttribute("data-fingerprint", opening.fingerprint);
+  const before = await app.meshed();
+
+  await page.getByTestId("tree-point").focus();
+  await page.keyboard.press("End");
+  await expect(page.getByTestId("tree-background-node-4")).toBeFocused();
+  await page.keyboard.press("ArrowUp");
+  await page.keyboard.press("Enter");
+  await expect(page.getByTestId("tree-background-node-3")).toHaveAttribute("aria-selected", "true");
+  await page.getByTestId("bg-size").focus();
+  await page.keyboard.type("0.11");
+  await page.keyboard.press("Control+Enter");
+  await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
+  const after = await app.meshed();
+  expect(after.tets).toBeGreaterThan(before.tets);
+
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+z");
+  expect(await app.meshed()).toEqual(before);
+  await page.keyboard.press("Control+Shift+z");
+  expect(await app.meshed()).toEqual(after);
+});
+
+test("menus open, walk and run by keys, and single keys rest while typing", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await page.getByRole("menuitem", { name: "File" }).focus();
+  await page.keyboard.press("ArrowRight");
+  await expect(page.getByRole("menuitem", { name: "Edit" })).toBeFocused();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Enter");
+  await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeChecked();
+  await page.keyboard.press("Escape");
+  const cut = page.getByTestId("cut-toggle");
+  await page.getByLabel("Filter (name, type, number)").fill("x");
+  await expect(cut).not.toBeChecked();
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("x");
+  await expect(cut).toBeChecked();
+});
+
+test("help lists every hotkey", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await page.keyboard.press("Shift+?");
+  const help = page.getByRole("dialog", { name: "Keyboard and mouse" });
+  for (const text of ["Generate mesh", "Fit model", "Clear selection", "Save project", "Top view"]) {
+    await expect(help).toContainText(text);
+  }
+  await page.keyboard.press("Escape");
+  await expect(help).toBeHidden();
+});

@@ -1,0 +1,53 @@
+import { expect, test } from "@playwright/test";
+import { AppPage } from "./app-page";
+
+test("on a phone the panels are drawers and everything needed is in reach", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.open();
+  await expect(page.getByTestId("app")).toHaveAttribute("data-layout", "phone");
+  await expect(page.getByTestId("inspector")).toBeHidden();
+  const overflow = await page.evaluate(() => document.documentElement.scrollWidth - window.innerWidth);
+  expect(overflow).toBeLessThanOrEqual(0);
+
+  await page.getByTestId("drawer-left").click();
+  await page.getByTestId("tree-patch-1").click();
+  await page.keyboard.press("Escape");
+  await page.getByTestId("drawer-right").click();
+  await expect(page.getByTestId("entity-name")).toHaveValue("inlet");
+  await page.getByRole("button", { name: "Close" }).click();
+  await page.getByTestId("drawer-bottom").click();
+  await expect(page.getByTestId("log")).toContainText("Done");
+  await page.getByRole("button", { name: "Close" }).click();
+
+  const before = await app.mesh();
+  await page.getByTestId("drawer-left").click();
+  await page.getByTestId("tab-examples").click();
+  await page.getByTestId("example-unit-cube").click();
+  await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
+  await app.meshed();
+  await expect(page.getByRole("dialog")).toBeHidden();
+});
+
+test("below 1100 pixels the side panels make room for the view", async ({ page }) => {
+  await page.setViewportSize({ width: 1000, height: 700 });
+  const app = new AppPage(page);
+  await app.open();
+  await expect(page.getByTestId("app")).toHaveAttribute("data-layout", "narrow");
+  const view = await app.viewport.boundingBox();
+  expect(view?.width).toBeGreaterThan(900);
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await expect(page.getByTestId("app")).toHaveAttribute("data-layout", "wide");
+  await expect(page.getByTestId("inspector")).toBeVisible();
+  expect((await app.mesh()).tets).toBeGreaterThan(1000);
+});
+
+test("panels are resized by keys and by dragging", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.viewport.boundingBox();
+  const handle = page.getByRole("separator").first();
+  await handle.focus();
+  await page.keyboard.press("Shift+ArrowRight");
+  await expect.poll(async () => (await app.viewport.boundingBox())?.width).toBeLessThan(before?.width ?? 0);
+});

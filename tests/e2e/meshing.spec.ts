@@ -1,0 +1,103 @@
+import { expect, test } from "@playwright/test";
+import { createMesher } from "tetrafront";
+import { AppPage, sampleProject } from "./app-page";
+
+test("opens on a meshed model and tells its numbers", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const { tets, fingerprint } = await app.mesh();
+  expect(tets).toBeGreaterThan(5_000);
+  expect(tets).toBeLessThan(20_000);
+  expect(fingerprint).toMatch(/^[0-9a-f]{16}$/);
+  await expect(page.getByTestId("count-tetrahedra")).toHaveText(`${tets.toLocaleString("en-US")} tetrahedra`);
+  await expect(page.getByTestId("count-points")).toHaveText(/^[\d,]+ points$/);
+  await expect(page.getByTestId("min-dihedral")).toHaveText(/^min dihedral \d+\.\d°$/);
+  await expect(page.getByTestId("seconds")).toHaveText(/^\d+\.\d+ s$/);
+  await expect(page.getByTestId("log")).toContainText(fingerprint);
+  await expect(page.getByRole("img", { name: /Engine intake, meshed with/ })).toBeVisible();
+});
+
+for (const id of ["engine-intake", "square-to-circle", "plate-with-hole", "unit-cube"]) {
+  test(`${id} has the same fingerprint in the browser as in Node`, async ({ page }) => {
+    const mesher = await createMesher();
+    const { report } = await mesher.meshProject(sampleProject(id));
+    mesher.dispose();
+    expect(report.status).toBe("done");
+    const app = new AppPage(page);
+    await app.open();
+    const shown = id === "engine-intake" ? await app.mesh() : await app.openExample(id);
+    expect(shown).toEqual({ tets: report.tetrahedra, fingerprint: report.fingerprint });
+    await expect(page.getByTestId("fingerprint")).toHaveText(report.fingerprint);
+  });
+}
+
+test("moving a point makes the mesh stale, meshing again changes it, undo brings it back", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.openExample("unit-cube");
+  await app.select("point-7");
+  await app.type("at-x", "1 + 1/2");
+  await expect(app.viewport).toHaveAttribute("data-stale", "true");
+  await expect(page.getByTestId("mesh-badge")).toContainText("Out of date");
+  await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
+  // Moving one corner of a cube leaves three of its faces without a plane: make them Coons patches.
+  for (const patch of [2, 4, 6]) {
+    await app.select(`patch-${patch}`);
+    await page.getByTestId("patch-kind").click();
+    await page.getByRole("option", { name: "Coons" }).click();
+  }
+  const after = await app.generate();
+  expect(after.fingerprint).not.toBe(before.fingerprint);
+  await expect(page.getByTestId("mesh-badge")).toBeHidden();
+  for (const patch of [6, 4, 2]) {
+    await expect(page.getByRole("button", { name: `Undo: Change type of patch ${patch}` })).toBeEnabled();
+    await page.getByTestId("undo").click();
+  }
+  await page.getByRole("button", { name: "Undo: Move point 7" }).click();
+  // The old mesh is still at hand: no second run is needed.
+  expect(await app.meshed()).toEqual(before);
+  await page.getByTestId("redo").click();
+  await expect(app.viewport).toHaveAttribute("data-stale", "true");
+});
+
+test("a smaller size in the background grid gives more tetrahedra", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.openExample("unit-cube");
+  await app.select("background-node-1");
+  await app.type("bg-size", "0.08");
+  const finer = await app.generate();
+  expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
+});
+
+test("the arrow keys step a number, and holding them is one step of undo", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await app.select("background-node-1");
+  const size = page.getByTestId("bg-size");
+  await size.press("ArrowDown");
+  await size.press("ArrowDown");
+  await size.press("Shift+ArrowUp");
+  await expect(size).toHaveValue("0.24");
+  await page.getByTestId("undo").click();
+  await expect(size).toHaveValue("0.16");
+});
+
+test("a long run shows progress and can be cancelled", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const cube = sampleProject("unit-cube");
+  const fine = cube.background.nodes.map((node) => ({ ...node, size: 0.02 }));
+  const project = { ...cube, name: "Fine cube", background: { ...cube.background, nodes: fine } };
+  await app.openFile("fine.json", JSON.stringify(project));
+  await expect(app.viewport).toHaveAttribute("data-busy", "true");
+  await expect(page.getByRole("progressbar", { name: "Meshing progress" })).toBeVisible();
+  await expect.poll(async () => Number(await app.viewport.getAttribute("data-front"))).toBeGreaterThan(1000);
+  await page.getByTestId("cancel").click();
+  await expect(app.viewport).toHaveAttribute("data-busy", "false");
+  await expect(page.getByTestId("log")).toContainText("Cancelled after");
+  await expect(page.getByTestId("generate")).toBeEnabled();
+});

@@ -1,0 +1,61 @@
+import { expect, test } from "@playwright/test";
+import { AppPage } from "./app-page";
+
+test("a broken model is explained beside the entity, in the view and in the list", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.openExample("unit-cube");
+  await app.select("point-7");
+  await app.type("at-x", "1.5");
+  const tree = page.getByTestId("tree-patch-2");
+  await expect(tree.getByRole("img", { name: "1 problem" })).toBeVisible();
+  await tree.click();
+  await expect(page.getByTestId("inspector")).toContainText("right");
+  await expect(page.getByTestId("inspector").locator("[data-code=not-planar]")).toContainText(/plan/);
+  await expect(page.getByTestId("marker-0")).toBeVisible();
+
+  await page.getByTestId("generate").click();
+  await expect(page.getByTestId("status")).toContainText("The model has errors");
+  await expect(page.getByTestId("issue-0")).toBeVisible();
+  // The last mesh stays, marked as out of date.
+  await expect(app.viewport).toHaveAttribute("data-stale", "true");
+  expect(await app.mesh()).toEqual(before);
+
+  await page.getByTestId("tree-point-1").or(page.getByTestId("tree-line-1")).first().click();
+  await page.getByTestId("issue-0").getByRole("button", { name: "Show" }).click();
+  await expect(page.locator('[role="treeitem"][aria-selected="true"]')).toHaveCount(1);
+  await expect(page.getByTestId("inspector").locator("[data-code]")).not.toHaveCount(0);
+
+  await page.getByRole("button", { name: /^Undo/ }).click();
+  await expect(page.getByTestId("marker-0")).toBeHidden();
+  await expect(page.getByText("No problems found.")).toBeVisible();
+  expect(await app.meshed()).toEqual(before);
+});
+
+test("a value that cannot be taken stays in its field with the reason", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await app.select("background-node-1");
+  await app.type("bg-size", "-1");
+  await expect(page.getByText("Must be above 0")).toBeVisible();
+  await expect(page.getByTestId("bg-size")).toHaveValue("-1");
+  await expect(app.viewport).toHaveAttribute("data-stale", "false");
+  await page.getByTestId("bg-size").press("Escape");
+  await expect(page.getByTestId("bg-size")).toHaveValue("0.16");
+  await app.type("bg-size", "a tenth");
+  await expect(page.getByText("Type a number, such as 0.25 or 1/3")).toBeVisible();
+});
+
+test("deleting a point takes what is built on it, and undo brings it all back", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.openExample("unit-cube");
+  await app.select("point-1");
+  await page.getByTestId("tree-point-1").press("Delete");
+  await expect(page.getByTestId("tree-point-1")).toBeHidden();
+  await expect(page.getByTestId("tree-line-1")).toBeHidden();
+  await page.getByRole("button", { name: "Undo: Delete point 1 and 6 built on it" }).click();
+  await expect(page.getByTestId("tree-line-1")).toBeVisible();
+  expect(await app.meshed()).toEqual(before);
+});

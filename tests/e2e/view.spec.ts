@@ -1,0 +1,138 @@
+import { expect, test, type Page } from "@playwright/test";
+import { AppPage, nextFrame } from "./app-page";
+
+/** Where an entity is on the screen: the query that `?test=1` offers. */
+async function screenPlace(page: Page, kind: string, id: number): Promise<{ x: number; y: number }> {
+  const at = await page.evaluate(
+    ([wantedKind, wantedId]) => {
+      const query = Reflect.get(window, "tetrafrontProject") as (
+        kind: string,
+        id: number,
+      ) => { x: number; y: number } | null;
+      return query(wantedKind, wantedId);
+    },
+    [kind, id] as const,
+  );
+  const box = await page.getByTestId("viewport").boundingBox();
+  if (!at || !box) throw new Error(`${kind} ${id} is not in view`);
+  return { x: box.x + at.x, y: box.y + at.y };
+}
+
+test("draws the mesh, in many colours, and nothing of it when hidden", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const withMesh = await app.colours();
+  expect(withMesh).toBeGreaterThan(150);
+  await page.getByRole("tab", { name: "Display" }).click();
+  await nextFrame(app.viewport, () => page.getByRole("switch", { name: "Mesh" }).press("Space"));
+  expect(await app.colours()).toBeLessThan(withMesh / 2);
+});
+
+test("draws only when something has changed", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await nextFrame(app.viewport, () => page.keyboard.press("7"));
+  const settled = await app.viewport.getAttribute("data-frames");
+  // Two turns of the event loop with animation frames in between: a running loop would draw.
+  await page.evaluate(
+    () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+  );
+  expect(await app.viewport.getAttribute("data-frames")).toBe(settled);
+});
+
+test("the cut shows whole tetrahedra inside, on either side and along any axis", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const faces = async (): Promise<number> => Number(await app.viewport.getAttribute("data-faces"));
+  const whole = await faces();
+  const picture = await app.viewport.screenshot();
+  await nextFrame(app.viewport, () => page.keyboard.press("x"));
+  await expect.poll(faces).not.toBe(whole);
+  const first = await faces();
+  expect((await app.viewport.screenshot()).equals(picture)).toBe(false);
+  await page.getByTestId("cut-flip").click();
+  await expect.poll(faces).not.toBe(first);
+  // Both parts together show the boundary once and the faces of the cut twice.
+  const second = await faces();
+  expect(first + second).toBeGreaterThan(whole);
+  expect((first + second - whole) % 2).toBe(0);
+  await page.getByRole("slider", { name: "Position" }).first().press("End");
+  await expect.poll(faces).toBeLessThan(second);
+  await page.getByTestId("cut-toggle").press("Space");
+  await expect.poll(faces).toBe(whole);
+});
+
+test("a click in the view selects in the tree, and the tree marks in the view", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  const corner = await screenPlace(page, "point", 6);
+  await page.mouse.click(corner.x, corner.y);
+  await expect(page.getByTestId("tree-point-6")).toHaveAttribute("aria-selected", "true");
+  await expect(page.getByTestId("at-x")).toHaveValue("1");
+  const front = await screenPlace(page, "patch", 3);
+  await page.mouse.click(front.x, front.y);
+  await expect(page.getByTestId("tree-patch-3")).toHaveAttribute("aria-selected", "true");
+  await expect(page.getByTestId("tree-point-6")).toHaveAttribute("aria-selected", "false");
+  await nextFrame(app.viewport, () => page.getByTestId("tree-patch-6").click());
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("tree-patch-6")).toHaveAttribute("aria-selected", "false");
+});
+
+test("a click on the cut tells the tetrahedron's quality", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await page.keyboard.press("x");
+  await page.keyboard.press("3");
+  const middle = await app.viewport.boundingBox();
+  if (!middle) throw new Error("The view has no box");
+  await page.getByTestId("viewport-canvas").click({
+    position: { x: middle.width / 2, y: middle.height / 2 },
+  });
+  await expect(page.getByTestId("inspector")).toContainText(/Tetrahedron \d+/);
+});
+
+test("standard views and keys on the picture move the camera", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const seen = new Set<string>();
+  for (const key of ["0", "1", "3", "7"]) {
+    await nextFrame(app.viewport, () => page.keyboard.press(key));
+    seen.add((await app.viewport.screenshot()).toString("base64"));
+  }
+  await page.getByTestId("viewport-canvas").focus();
+  for (const key of ["ArrowLeft", "ArrowUp", "+", "Shift+ArrowRight"]) {
+    await nextFrame(app.viewport, () => page.keyboard.press(key));
+    seen.add((await app.viewport.screenshot()).toString("base64"));
+  }
+  expect(seen.size).toBe(8);
+});
+
+test("without WebGL the page says so and still meshes", async ({ page }) => {
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  const app = new AppPage(page);
+  await app.open();
+  await expect(page.getByRole("alert")).toContainText("This browser cannot draw the view");
+  expect((await app.mesh()).tets).toBeGreaterThan(1000);
+  await expect(page.getByTestId("download")).toBeEnabled();
+});
+
+test("a lost graphics context is told and comes back", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.colours();
+  await page.getByTestId("viewport-canvas").evaluate((canvas) => {
+    const context = (canvas as HTMLCanvasElement).getContext("webgl2");
+    const loss = context?.getExtension("WEBGL_lose_context");
+    loss?.loseContext();
+    Reflect.set(window, "restoreContext", () => loss?.restoreContext());
+  });
+  await expect(page.getByRole("alert")).toContainText("has reset the view");
+  await page.evaluate(() => (Reflect.get(window, "restoreContext") as () => void)());
+  await expect(page.getByRole("alert")).toBeHidden();
+  await nextFrame(app.viewport, () => page.keyboard.press("0"));
+  expect(await app.colours()).toBeGreaterThan(before / 2);
+});
