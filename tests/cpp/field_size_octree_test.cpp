@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "field/size_octree_builder.h"
 #include "field/size_sites.h"
 #include "support/random.h"
 #include "support/shapes.h"
@@ -148,6 +149,22 @@ TEST(SizeOctreeTest, OutsideItsBoxTakesTheNearestValue) {
   const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 1e9);
   EXPECT_NEAR(octree.sizeAt(Vec3(1e30, 0.0, 0.0)), octree.sizeAt(Vec3(5.0, 0.0, 0.0)), 1e-12);
   EXPECT_TRUE(std::isfinite(octree.sizeAt(Vec3(-1e300))));
+}
+
+TEST(SizeOctreeTest, SlicesGiveTheSameAsOneRun) {
+  const SurfaceMesh mesh = gradedSphere();
+  const SizeOctree whole(pointsOf(mesh), mesh.triangles, 0.3, 1e9);
+  SizeOctreeBuilder builder(pointsOf(mesh), mesh.triangles, 0.3, 1e9);
+  int slices = 1;
+  while (!builder.advance(100)) ++slices;
+  EXPECT_GT(slices, 50);
+  const SizeOctree sliced = builder.take();
+  EXPECT_EQ(sliced.leafCount(), whole.leafCount());
+  Random random(304);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 place = random.inBox(4.0);
+    EXPECT_EQ(sliced.sizeAt(place), whole.sizeAt(place));
+  }
 }
 
 /// Nodes that no triangle uses have no say.

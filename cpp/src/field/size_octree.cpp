@@ -1,273 +1,23 @@
 #include "field/size_octree.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-#include "field/size_sites.h"
+#include "field/size_octree_builder.h"
 
 namespace tetrafront {
-namespace {
-
-/// A cell at most this many times as wide as the smallest size in it is not split.
-constexpr double kCellPerSize = 1.5;
-/// Nor is one whose sizes differ by less than this share of the smallest.
-constexpr double kFlatSpread = 0.10;
-/// Far from the surface the field is nearly linear: a cell may be this wide ...
-constexpr double kSmoothCellPerSize = 4.0;
-/// ... where its centre is within this share of the mean of its corners.
-constexpr double kFlatBend = 0.03;
-/// Cells reached by at most this many cones keep a list of them; larger ones ask the tree.
-constexpr std::size_t kMaxListLength = 128;
-/// Where no cap is given: this share of the node sizes lies below it.
-constexpr double kCapQuantile = 0.9;
-/// The box is wider than the surface by this share, so that rounding never leaves it.
-constexpr double kBoxMargin = 1.0 / 64.0;
-/// The node size from which the box is chosen: this share of the sizes lies below it.
-constexpr double kFinestQuantile = 0.2;
-
-/// Adds each triangle's edge lengths to both of their ends. An edge of a closed surface is met
-/// from both sides, once in each direction, so every edge at a node counts twice.
-std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
-                                    std::span<const std::uint32_t> triangles) {
-  std::vector<double> sum(points.size(), 0.0);
-  std::vector<std::uint32_t> count(points.size(), 0);
-  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles[t + k];
-      const std::uint32_t b = triangles[t + (k + 1) % 3];
-      const Vec3 d = points[b] - points[a];
-      const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-      sum[a] += length;
-      sum[b] += length;
-      ++count[a];
-      ++count[b];
-    }
-  }
-  for (std::size_t i = 0; i < sum.size(); ++i) {
-    if (count[i] > 0) sum[i] /= count[i];
-  }
-  return sum;
-}
-
-/// Half the own value, half the mean of the neighbours'.
-void averageOnce(std::span<const std::uint32_t> triangles, std::vector<double>& sizes) {
-  std::vector<double> sum(sizes.size(), 0.0);
-  std::vector<std::uint32_t> count(sizes.size(), 0);
-  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = triangles[t + k];
-      const std::uint32_t b = triangles[t + (k + 1) % 3];
-      sum[a] += sizes[b];
-      sum[b] += sizes[a];
-      ++count[a];
-      ++count[b];
-    }
-  }
-  for (std::size_t i = 0; i < sizes.size(); ++i) {
-    if (count[i] > 0) sizes[i] = 0.5 * (sizes[i] + sum[i] / count[i]);
-  }
-}
-
-double quantile(std::span<const double> sizes, double share) {
-  std::vector<double> used;
-  used.reserve(sizes.size());
-  for (const double size : sizes) {
-    if (size > 0.0) used.push_back(size);
-  }
-  const auto rank = static_cast<std::size_t>(share * static_cast<double>(used.size() - 1));
-  std::nth_element(used.begin(), used.begin() + static_cast<std::ptrdiff_t>(rank), used.end());
-  return used[rank];
-}
-
-/// An edge of the root at least as long as `extent` whose halves hit upon the widest cells that
-/// `size` allows: up to eight times fewer than with an unlucky edge.
-double rootEdge(double extent, double size) {
-  double edge = kCellPerSize * size;
-  for (int level = 0; level < 64 && edge < extent; ++level) edge *= 2.0;
-  return std::max(edge, extent);
-}
-
-}  // namespace
-
-std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
-                                        std::span<const std::uint32_t> triangles) {
-  std::vector<double> sizes = meanEdgeLengths(points, triangles);
-  averageOnce(triangles, sizes);
-  averageOnce(triangles, sizes);
-  return sizes;
-}
-
-/// Splits cells depth first. Every cell arrives with the values at its corners; a split adds the
-/// 18 places between them and the centre. Small cells hand down the list of the cones that reach them.
-class SizeOctreeBuilder {
- public:
-  SizeOctreeBuilder(SizeOctree& tree, const SizeSites& sites, double edge)
-      : tree_(tree), sites_(sites), edge_(edge) {}
-
-  void build() {
-    Cell root{0, 0, tree_.origin_, {}};
-    std::uint32_t guess = 0;
-    for (unsigned k = 0; k < 8; ++k) {
-      root.corners[k] = sites_.at(root.lower + edge_ * Vec3(k & 1U, k >> 1U & 1U, k >> 2U), guess);
-      guess = root.corners[k].site;
-    }
-    tree_.nodes_.assign(1, 0);
-    refine(root, nullptr);
-  }
-
- private:
-  using Value = SizeSites::Value;
-  using List = std::vector<std::uint32_t>;
-  struct Cell {
-    std::uint32_t node;
-    int level;
-    Vec3 lower;
-    std::array<Value, 8> corners;
-  };
-
-  [[nodiscard]] double width(int level) const {
-    return edge_ / static_cast<double>(std::uint64_t{1} << static_cast<unsigned>(level));
-  }
-
-  /// `reaching`: the cones that reach the parent cell, or null if they are too many.
-  void refine(const Cell& cell, const List* reaching) {
-    const double w = width(cell.level);
-    const Value centre = sample(cell.lower + Vec3(0.5 * w), cell.corners[0].site, reaching);
-    // The field's slope is at most `growth`: that bounds it from the value at the centre.
-    constexpr double kHalfDiagonal = 0.8660254037844386;  // of the unit cube
-    const double swing = kHalfDiagonal * w * sites_.growth();
-    Extremes sizes = extremesAt(cell, centre);
-    sizes.most = std::min(tree_.cap_, centre.size + swing);
-    const SizeSites::Range range{cell.lower, cell.lower + Vec3(w)};
-    List& own = lists_[static_cast<std::size_t>(cell.level)];
-    own.clear();
-    bool hasList = false;
-    double least = std::min(sizes.most, centre.size - swing);
-    if (reaching != nullptr) {
-      least = sites_.collect(range, sizes.most, *reaching, own);
-      hasList = true;
-    } else if (estimatedReach(centre, sizes.most) < static_cast<double>(kMaxListLength)) {
-      least = sites_.collect(range, sizes.most, kMaxListLength, own);
-      hasList = own.size() <= kMaxListLength;
-    }
-    // Samples may miss a small feature; where they would let the cell be, it is looked for.
-    if (!hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
-      least = sites_.leastIn(range, sizes.most);
-    }
-    if (isFine(w, sizes.loweredTo(least)) || cell.level == SizeOctree::kMaxLevel) {
-      close(cell);
-    } else {
-      split(cell, centre, hasList ? &own : nullptr);
-    }
-  }
-
-  /// What is known of the field in a cell.
-  struct Extremes {
-    double least;   ///< of the samples, or in the whole cell
-    double most;    ///< an upper bound
-    double lowest;  ///< of the samples
-    double bend;    ///< how far the centre is from the mean of the corners
-
-    [[nodiscard]] Extremes loweredTo(double size) const {
-      return {std::min(least, size), most, lowest, bend};
-    }
-  };
-
-  [[nodiscard]] Extremes extremesAt(const Cell& cell, const Value& centre) const {
-    const double middle = std::min(centre.size, tree_.cap_);
-    double lowest = middle;
-    double sum = 0.0;
-    for (const Value& corner : cell.corners) {
-      const double size = std::min(corner.size, tree_.cap_);
-      lowest = std::min(lowest, size);
-      sum += size;
-    }
-    return {lowest, tree_.cap_, lowest, std::fabs(sum / 8.0 - middle)};
-  }
-
-  static bool isFine(double width, const Extremes& sizes) {
-    if (width <= kCellPerSize * sizes.least) return true;
-    if (sizes.most - sizes.least <= kFlatSpread * sizes.least) return true;
-    return width <= kSmoothCellPerSize * sizes.least && sizes.bend <= kFlatBend * sizes.least &&
-           sizes.lowest - sizes.least <= kFlatSpread * sizes.least;
-  }
-
-  /// How many sites have cones below `most`, were the surface a plane of the nearest one's size.
-  [[nodiscard]] double estimatedReach(const Value& nearest, double most) const {
-    const double size = sites_.sizeOf(nearest.site);
-    const double reach = most - size;
-    const double height = nearest.size - size;
-    const double scale = size * sites_.growth();
-    return 4.0 * (reach * reach - height * height) / (scale * scale);
-  }
-
-  [[nodiscard]] Value sample(const Vec3& place, std::uint32_t guess, const List* reaching) const {
-    return reaching != nullptr ? sites_.at(place, guess, *reaching) : sites_.at(place, guess);
-  }
-
-  void close(const Cell& cell) {
-    SizeOctree::Leaf leaf;
-    for (unsigned k = 0; k < 8; ++k) {
-      leaf[k] = static_cast<float>(std::min(cell.corners[k].size, tree_.cap_));
-    }
-    tree_.nodes_[cell.node] =
-        SizeOctree::kLeafBit | static_cast<std::uint32_t>(tree_.leaves_.size());
-    tree_.leaves_.push_back(leaf);
-  }
-
-  void split(const Cell& cell, const Value& centre, const List* reaching) {
-    // The lattice of 3 x 3 x 3 places; index x + 3 y + 9 z. Even coordinates are corners.
-    const double half = 0.5 * width(cell.level);
-    std::array<Value, 27> lattice;
-    for (unsigned i = 0; i < 27; ++i) {
-      const unsigned x = i % 3, y = i / 3 % 3, z = i / 9;
-      const Value& corner = cell.corners[x / 2 + 2 * (y / 2) + 4 * (z / 2)];
-      const bool isCorner = x != 1 && y != 1 && z != 1;
-      lattice[i] = isCorner  ? corner
-                   : i == 13 ? centre
-                             : sample(cell.lower + half * Vec3(x, y, z), centre.site, reaching);
-    }
-    const auto first = static_cast<std::uint32_t>(tree_.nodes_.size());
-    tree_.nodes_[cell.node] = first;
-    tree_.nodes_.resize(tree_.nodes_.size() + 8);
-    for (unsigned c = 0; c < 8; ++c) {
-      const unsigned x = c & 1U, y = c >> 1U & 1U, z = c >> 2U;
-      Cell child{first + c, cell.level + 1, cell.lower + half * Vec3(x, y, z), {}};
-      for (unsigned k = 0; k < 8; ++k) {
-        child.corners[k] = lattice[(x + (k & 1U)) + 3 * (y + (k >> 1U & 1U)) + 9 * (z + (k >> 2U))];
-      }
-      refine(child, reaching);
-    }
-  }
-
-  SizeOctree& tree_;
-  const SizeSites& sites_;
-  double edge_;
-  std::array<List, SizeOctree::kMaxLevel + 1> lists_;  ///< of the cells being split, by level
-};
 
 SizeOctree::SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
                        double growth, double cap) {
-  const std::vector<double> sizes = averagedEdgeLengths(points, triangles);
-  cap_ = cap > 0.0 ? cap : quantile(sizes, kCapQuantile);
-  Vec3 lower(std::numeric_limits<double>::max());
-  Vec3 upper(-std::numeric_limits<double>::max());
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (!(sizes[i] > 0.0)) continue;
-    for (int a = 0; a < 3; ++a) {
-      lower[a] = std::min(lower[a], points[i][a]);
-      upper[a] = std::max(upper[a], points[i][a]);
-    }
+  constexpr std::uint32_t kSlice = 1U << 20U;
+  SizeOctreeBuilder builder(points, triangles, growth, cap);
+  while (!builder.advance(kSlice)) {
   }
-  const double extent = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
-  const double edge = rootEdge(extent * (1.0 + 2.0 * kBoxMargin), quantile(sizes, kFinestQuantile));
-  origin_ = 0.5 * (lower + upper) - Vec3(0.5 * edge);
-  latticePerLength_ = static_cast<double>(1U << kMaxLevel) / edge;
-  const SizeSites sites(points, sizes, growth);
-  SizeOctreeBuilder(*this, sites, edge).build();
-  constexpr std::size_t side = std::size_t{1} << kDirectoryLevel;
-  directory_.resize(side * side * side);
+  *this = builder.take();
+}
+
+void SizeOctree::fillDirectory() {
+  constexpr std::size_t kSide = std::size_t{1} << kDirectoryLevel;
+  directory_.resize(kSide * kSide * kSide);
   fillDirectory(0, 0, {0, 0, 0});
 }
 
@@ -299,7 +49,7 @@ void SizeOctree::fillDirectory(std::uint32_t node, std::uint32_t level,
 double SizeOctree::sizeAt(const Vec3& place) const {
   constexpr double kLattice = static_cast<double>(1U << kMaxLevel);
   // Clamped as doubles: a far place must not overflow the integers.
-  const auto clamped = [kLattice](double v) { return std::min(std::max(v, 0.0), kLattice); };
+  const auto clamped = [kLattice](double v) { return std::min(std::max(0.0, v), kLattice); };
   const double x = clamped((place.x - origin_.x) * latticePerLength_);
   const double y = clamped((place.y - origin_.y) * latticePerLength_);
   const double z = clamped((place.z - origin_.z) * latticePerLength_);
