@@ -18,7 +18,8 @@ export interface EngineDiagnostic {
   readonly values: Float64Array;
 }
 
-const SEVERITIES: readonly Severity[] = ["information", "warning", "error"];
+/** The engine's numbers of severities. */
+export const SEVERITIES: readonly Severity[] = ["information", "warning", "error"];
 
 /** The engine's numbers of entity kinds (cpp/include/tetrafront/status.h). */
 export const ENTITY_KINDS: readonly EntityKind[] = [

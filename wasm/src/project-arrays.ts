@@ -25,8 +25,8 @@ export interface ModelArrays {
 }
 
 /** The engine's numbers (cpp/include/tetrafront/model.h). */
-const LINE_TYPES: Readonly<Record<LineType, number>> = { straight: 0, parabolic: 1, spline: 2 };
-const PATCH_TYPES: Readonly<Record<PatchType, number>> = {
+export const LINE_TYPES: Readonly<Record<LineType, number>> = { straight: 0, parabolic: 1, spline: 2 };
+export const PATCH_TYPES: Readonly<Record<PatchType, number>> = {
   planar: 0,
   "isoparametric-triangle": 1,
   serendipity: 2,

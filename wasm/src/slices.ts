@@ -18,7 +18,7 @@ const BUDGET = 256;
 const PROGRESS_MS = 100;
 
 /** The engine's statuses by number; undefined while running (cpp/include/tetrafront/status.h). */
-const STATUSES: readonly (MeshStatus | undefined)[] = [
+export const STATUSES: readonly (MeshStatus | undefined)[] = [
   undefined,
   "done",
   "stalled",

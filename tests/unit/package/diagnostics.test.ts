@@ -1,34 +1,7 @@
-import { readFileSync } from "node:fs";
-
 import { describeDiagnostic, ENGINE_CODES, ENTITY_KINDS, nameByPosition, projectNamer } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";
-
-const header = readFileSync(new URL("../../../cpp/include/tetrafront/status.h", import.meta.url), "utf8");
-
-/** Enumerators of a C++ enum with their values, as the header gives them. */
-function enumerators(name: string): [number, string][] {
-  const body = new RegExp(`enum class ${name} [^{]*{([^}]*)}`).exec(header)?.[1] ?? "";
-  return [...body.matchAll(/^\s*k(\w+) = (\d+)/gm)].map(([, word, value]) => [
-    Number(value),
-    kebab(word ?? ""),
-  ]);
-}
-
-function kebab(name: string): string {
-  return name.replace(/(?<=.)([A-Z])/g, "-$1").toLowerCase();
-}
-
-test("the codes are those of the engine, by number and name", () => {
-  const engine = enumerators("DiagnosticCode");
-  expect(engine.length).toBeGreaterThan(20);
-  expect(Object.entries(ENGINE_CODES).map(([value, name]) => [Number(value), name])).toEqual(engine);
-});
-
-test("the entity kinds are those of the engine, in its order", () => {
-  expect(ENTITY_KINDS.map((kind, value) => [value, kind])).toEqual(enumerators("EntityKind"));
-});
 
 /** About everything at once: two of each kind, a place, and three values. */
 const rich = {

@@ -1,0 +1,17 @@
+import { readFileSync } from "node:fs";
+
+/** Numbers and names of an enum in a public header of the engine: `kOpenEdge = 40` is [40, "open-edge"]. */
+export function engineEnum(header: string, name: string): [number, string][] {
+  const file = new URL(`../../cpp/include/tetrafront/${header}`, import.meta.url);
+  const body = new RegExp(`enum class ${name} [^{]*{([^}]*)}`).exec(readFileSync(file, "utf8"))?.[1] ?? "";
+  const found = [...body.matchAll(/(?:^|,)\s*k(\w+) = (\d+)/gm)].map(([, word, value]): [number, string] => [
+    Number(value),
+    kebab(word ?? ""),
+  ]);
+  if (found.length === 0) throw new Error(`no enum ${name} in ${header}`);
+  return found;
+}
+
+function kebab(name: string): string {
+  return name.replace(/(?<=.)([A-Z])/g, "-$1").toLowerCase();
+}

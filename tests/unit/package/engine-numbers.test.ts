@@ -1,0 +1,38 @@
+/** Both sides of the border number things alike: the package's tables against the engine's headers. */
+import { ENGINE_CODES, ENTITY_KINDS } from "tetrafront";
+import { expect, test } from "vitest";
+
+import { SEVERITIES } from "../../../wasm/src/diagnostics.js";
+import { FRONT_ORDERS } from "../../../wasm/src/options.js";
+import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project-arrays.js";
+import { PHASES } from "../../../wasm/src/run-clock.js";
+import { STATUSES } from "../../../wasm/src/slices.js";
+import { engineEnum } from "../../support/engine-enums.js";
+
+const listed = (names: readonly (string | undefined)[]) => names.map((name, value) => [value, name]);
+const swapped = (numbers: Readonly<Record<string, number>>) =>
+  Object.entries(numbers).map(([name, value]) => [value, name]);
+
+test("diagnostic codes", () => {
+  const ours = Object.entries(ENGINE_CODES).map(([value, name]) => [Number(value), name]);
+  expect(ours).toEqual(engineEnum("status.h", "DiagnosticCode"));
+});
+
+test("entity kinds, severities and phases", () => {
+  expect(listed(ENTITY_KINDS)).toEqual(engineEnum("status.h", "EntityKind"));
+  expect(listed(SEVERITIES)).toEqual(engineEnum("status.h", "Severity"));
+  expect(listed(PHASES)).toEqual(engineEnum("status.h", "Phase"));
+});
+
+test("statuses, of which running is none to the outside", () => {
+  expect(listed(STATUSES).map(([value, name]) => [value, name ?? "running"])).toEqual(
+    engineEnum("status.h", "MeshStatus"),
+  );
+});
+
+test("line types, patch types and orders of the front", () => {
+  const lines = engineEnum("model.h", "LineType").map(([value, name]) => [value, name.replace("cubic-", "")]);
+  expect(swapped(LINE_TYPES)).toEqual(lines);
+  expect(swapped(PATCH_TYPES)).toEqual(engineEnum("model.h", "PatchType"));
+  expect(swapped(FRONT_ORDERS)).toEqual(engineEnum("options.h", "FrontOrder"));
+});
