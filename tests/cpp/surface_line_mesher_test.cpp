@@ -144,8 +144,9 @@ TEST(SurfaceLineMesher, ReportsWhereALineLeavesTheGrid) {
 
 TEST(SurfaceLineMesher, RefusesAnAbsurdSize) {
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {1, 0, 0}});
-  EXPECT_EQ(divideLine(curve, SizeField::uniform(1e-9), 1).status,
-            LineDivisionStatus::kTooManySides);
+  const LineDivision division = divideLine(curve, SizeField::uniform(1e-9), 1);
+  EXPECT_EQ(division.status, LineDivisionStatus::kTooManySides);
+  EXPECT_NEAR(division.wantedSides, 1e9, 1e5);
 }
 
 TEST(SurfaceLineMesher, HalvedSideHasItsNodeInTheMiddle) {

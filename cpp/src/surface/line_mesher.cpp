@@ -162,6 +162,7 @@ LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_
   if (!tabulate(walker, curve, table)) {
     division.status = LineDivisionStatus::kTooManySides;
     division.place = curve.position(table.back().t);
+    division.wantedSides = table.back().lambda / table.back().t;
     return division;
   }
   const auto wanted = static_cast<std::uint32_t>(table.back().lambda + 0.5);

@@ -22,7 +22,8 @@ struct LineDivision {
   LineDivisionStatus status = LineDivisionStatus::kDivided;
   std::vector<double> parameters;
   std::vector<Vec3> nodes;
-  Vec3 place{0.0};
+  Vec3 place{0.0};           ///< where, unless divided
+  double wantedSides = 0.0;  ///< of kTooManySides: about how many the sizes ask for, at least
 
   [[nodiscard]] std::size_t sideCount() const { return nodes.empty() ? 0 : nodes.size() - 1; }
 };

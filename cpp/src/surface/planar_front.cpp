@@ -13,9 +13,9 @@ namespace {
 constexpr double kShortestToBase = 0.55;
 constexpr double kLongestToBase = 2.0;
 /// A node this near to the ideal point, in new sides, is used in its stead.
-constexpr double kCaptureRadius = 0.55;
+constexpr double kCaptureRadius = 0.65;
 /// A new node keeps this distance, in new sides, from every side of the front.
-constexpr double kClearance = 0.5;
+constexpr double kClearance = 0.65;
 /// Candidates are sought this far around the ideal point, in new sides.
 constexpr double kSearchRadius = 1.7;
 /// How much farther in each pass; the last pass takes in the whole front.

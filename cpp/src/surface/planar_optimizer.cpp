@@ -17,10 +17,21 @@ namespace {
 constexpr int kSweeps = 5;
 /// A flip must raise the worse shape by this, or rounding could flip for ever.
 constexpr double kLeastGain = 1e-6;
+/// Cosine of the angle between two triangles' normals below which a flip must not fold them more
+/// than they were: on coarsely divided bends the better shapes may cut across the bend.
+constexpr double kSharpFold = 0.5;
 /// Shares of the wanted move that are tried.
 constexpr std::array<double, 2> kMoves{1.0, 0.4};
 /// Height of the equilateral triangle over its side.
 constexpr double kEquilateralHeight = 0.86602540378443865;
+
+/// Cosine of the angle between the normals of the triangles a b c and b a d.
+double foldCosine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 first = glm::cross(b - a, c - a);
+  const Vec3 second = glm::cross(d - a, b - a);
+  const double product = glm::length(first) * glm::length(second);
+  return product > 0.0 ? glm::dot(first, second) / product : 1.0;
+}
 
 }  // namespace
 
@@ -144,6 +155,8 @@ bool PlanarOptimizer::flip(std::uint32_t t, std::uint32_t k) {
       std::min(triangleShape(placeC, placeA, placeD), triangleShape(placeC, placeD, placeB));
   if (after <= before + kLeastGain || mesh_->turn(c, a, d) <= 0 || mesh_->turn(c, d, b) <= 0)
     return false;
+  const double fold = foldCosine(placeC, placeD, placeB, placeA);
+  if (fold < kSharpFold && fold < foldCosine(placeA, placeB, placeC, placeD)) return false;
 
   // Neighbours across b c, c a (of t) and a d, d b (of the other).
   const std::uint32_t overBC = neighbours_[t][(k + 1) % 3];

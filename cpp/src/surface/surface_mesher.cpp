@@ -1,8 +1,11 @@
 #include "surface/surface_mesher.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
+
+#include "tetrafront/options.h"
 
 namespace tetrafront {
 
@@ -20,6 +23,14 @@ constexpr std::uint32_t kParallelLineSides = 2;
 /// A closed line of a patch with a seam: with fewer sides a node could be joined to both images
 /// of a seam's node, which are one node of the surface.
 constexpr std::uint32_t kSeamedLineSides = 6;
+
+/// The values of kTooManyElements for a body of `sides` sides in each direction: regular
+/// tetrahedra of edge 1 fill a cube of edge n by about 6 sqrt(2) n^3.
+std::vector<double> tetrahedraAsked(double sides) {
+  constexpr double kTetrahedraPerCube = 8.485281374238571;
+  return {kTetrahedraPerCube * sides * sides * sides,
+          static_cast<double>(MeshOptions{}.maxTetrahedra)};
+}
 
 }  // namespace
 
@@ -175,8 +186,7 @@ std::uint32_t SurfaceMesher::Impl::divideNextLine() {
                           ? DiagnosticCode::kOutsideBackgroundGrid
                           : DiagnosticCode::kTooManyElements;
     if (division.status == LineDivisionStatus::kTooManySides)
-      diagnostic.values = {static_cast<double>(kMaxSidesPerLine),
-                           static_cast<double>(kMaxSidesPerLine)};
+      diagnostic.values = tetrahedraAsked(division.wantedSides);
     diagnostic.entities = {{EntityKind::kLine, line}};
     diagnostic.hasPlace = true;
     diagnostic.place = division.place;
@@ -341,8 +351,9 @@ void SurfaceMesher::Impl::reportPatch(std::uint32_t patch) {
   diagnostic.code = DiagnosticCode::kDegeneratePatch;
   if (patchMesher_->tooMany()) {
     diagnostic.code = DiagnosticCode::kTooManyElements;
-    diagnostic.values = {static_cast<double>(kMaxTrianglesPerPatch),
-                         static_cast<double>(kMaxTrianglesPerPatch)};
+    // A square of t triangles has about sqrt(t / 2) sides along each edge.
+    const auto triangles = static_cast<double>(patchMesher_->mesh().triangles.size() / 3);
+    diagnostic.values = tetrahedraAsked(std::sqrt(0.5 * triangles));
   }
   diagnostics.push_back(std::move(diagnostic));
 }
