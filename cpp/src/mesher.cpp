@@ -7,6 +7,7 @@
 #include "base/fingerprint.h"
 #include "field/size_field.h"
 #include "model/check_model.h"
+#include "optimize/optimizer.h"
 #include "quality/check_mesh.h"
 #include "quality/metrics.h"
 #include "surface/boundary.h"
@@ -22,7 +23,8 @@ constexpr double kTetrahedraPerUnitVolume = 8.48528137423857;  // 6 sqrt 2
 /// Where each phase ends on the progress bar, 0 to 1.
 constexpr double kCheckEnd = 0.02;
 constexpr double kModelSurfaceEnd = 0.15;
-constexpr double kVolumeEnd = 0.97;
+constexpr double kVolumeEnd = 0.4;
+constexpr double kOptimizeEnd = 0.97;
 
 bool anyError(const std::vector<Diagnostic>& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
@@ -111,6 +113,9 @@ class MeshRun::Impl {
       case Stage::kVolume:
         fillVolume(budget);
         break;
+      case Stage::kOptimize:
+        optimize(budget);
+        break;
       case Stage::kMeasure:
         measure(budget);
         break;
@@ -125,6 +130,7 @@ class MeshRun::Impl {
     if (status_ != MeshStatus::kRunning) return;
     status_ = MeshStatus::kCancelled;
     if (volumeMesher_) keepMesh();
+    if (optimizer_) finishedMesh_ = optimizer_->mesh();
   }
 
   [[nodiscard]] MeshStatus status() const { return status_; }
@@ -164,6 +170,9 @@ class MeshRun::Impl {
       progress.points = volumeMesher_->pointCount();
       progress.tetrahedra = volumeMesher_->tetrahedronCount();
       progress.frontFaces = volumeMesher_->frontFaceCount();
+    } else if (optimizer_) {
+      progress.points = optimizer_->pointCount();
+      progress.tetrahedra = optimizer_->tetrahedronCount();
     } else if (finishedMesh_) {
       progress.points = static_cast<std::uint32_t>(finishedMesh_->points.size() / 3);
       progress.tetrahedra = static_cast<std::uint32_t>(finishedMesh_->tetrahedra.size() / 4);
@@ -180,6 +189,7 @@ class MeshRun::Impl {
     kField,
     kEstimate,
     kVolume,
+    kOptimize,
     kMeasure,
     kVerify,
   };
@@ -192,6 +202,8 @@ class MeshRun::Impl {
         return surfaceMesher_ ? surfaceMesher_->phase() : Phase::kSides;
       case Stage::kVolume:
         return Phase::kVolume;
+      case Stage::kOptimize:
+        return Phase::kOptimize;
       case Stage::kVerify:
         return Phase::kVerify;
       case Stage::kCheckBoundary:
@@ -219,10 +231,13 @@ class MeshRun::Impl {
         return surfaceEnd;
       case Stage::kVolume:
         return between(surfaceEnd, kVolumeEnd, filled_);
+      case Stage::kOptimize:
+        return between(kVolumeEnd, kOptimizeEnd, optimizer_ ? optimizer_->fraction() : 0.0);
       case Stage::kMeasure:
-        return kVolumeEnd;
+        return kOptimizeEnd;
       case Stage::kVerify:
-        return status_ == MeshStatus::kDone ? 1.0 : between(kVolumeEnd, 1.0, verifier_->fraction());
+        return status_ == MeshStatus::kDone ? 1.0
+                                            : between(kOptimizeEnd, 1.0, verifier_->fraction());
     }
     return 0.0;
   }
@@ -292,6 +307,21 @@ class MeshRun::Impl {
       status_ = status;
       return;
     }
+    stage_ = Stage::kOptimize;
+  }
+
+  void optimize(std::uint32_t budget) {
+    // In stretched fields shapes would have to be judged in each element's own unit space.
+    const bool skip = options_.optimization == Optimization::kNone || field_->isStretched();
+    if (!skip) {
+      if (!optimizer_) {
+        optimizer_.emplace(*finishedMesh_, surface_.points.size() / 3, *field_,
+                           options_.optimization);
+      }
+      if (!optimizer_->advance(budget)) return;
+      finishedMesh_ = optimizer_->mesh();
+      optimizer_.reset();
+    }
     verifier_.emplace(*finishedMesh_, surface_);
     stage_ = Stage::kMeasure;
   }
@@ -343,6 +373,7 @@ class MeshRun::Impl {
   FrontCounters counters_;
   QualityMeter meter_;
   std::size_t measured_ = 0;
+  std::optional<MeshOptimizer> optimizer_;
   std::optional<MeshVerifier> verifier_;
   std::vector<Diagnostic> diagnostics_;
 };

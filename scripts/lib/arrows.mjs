@@ -4,7 +4,7 @@ import { filesUnder } from "./fresh.mjs";
 import { inRoot, root } from "./paths.mjs";
 
 /** The rooms of cpp/src from the bottom up (docs/ARCHITECTURE.md): a room may include those on lower floors. */
-const floors = [["base"], ["geom"], ["search"], ["field", "model", "quality"], ["surface", "volume"]];
+const floors = [["base"], ["geom"], ["search"], ["field", "model", "quality"], ["surface", "volume", "optimize"]];
 const floorOf = new Map(floors.flatMap((rooms, floor) => rooms.map((room) => [room, floor])));
 
 /** Includes that point against the arrows, as "file: include" in words; empty when all is well. */

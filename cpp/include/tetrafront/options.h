@@ -12,13 +12,28 @@ enum class FrontOrder : std::uint8_t {
   kSmallestFirst = 1,  ///< the paper's: the face forming the smallest element is next
 };
 
+/// How much work goes into the shape of the elements after the front.
+enum class Optimization : std::uint8_t {
+  kNone = 0,     ///< the mesh as the front leaves it
+  kFast = 1,     ///< swaps and moves, then repair of the worst elements
+  kDefault = 2,  ///< with splits and collapses too, until they come to rest
+  kStrive = 3,   ///< and repair towards higher angles: 35 to 130 degrees
+};
+
 struct MeshOptions {
-  /// Uniform element size, in model units, > 0. Given, it replaces the background grid of a
-  /// model, and caps the interior size of a given surface. 0: not given.
+  /// Uniform element size, in model units, > 0. Given, it replaces the nodes and tetrahedra of a
+  /// model's background grid, but not its sources, and caps the interior size of a given surface.
+  /// 0: not given.
   double size = 0.0;
   /// Growth of the element size per unit of distance from a given surface's edges, >= 0.
   double growth = 0.3;
+  /// The most by which sizes may grow from one element to the next, > 1: nodes of the background
+  /// grid that ask for more than their neighbours' size + (gradation - 1) times the distance are
+  /// given that. Grids that change more gently are used as they are. 0: so are all. Sources have
+  /// a growth of their own.
+  double gradation = 1.3;
   FrontOrder order = FrontOrder::kLayered;
+  Optimization optimization = Optimization::kDefault;
   /// More tetrahedra than this are not attempted (kTooManyElements).
   std::uint32_t maxTetrahedra = 50'000'000;
 };

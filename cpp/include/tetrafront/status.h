@@ -20,13 +20,14 @@ enum class MeshStatus : std::uint8_t {
 
 /// The stages of a run in their order.
 enum class Phase : std::uint8_t {
-  kCheck = 0,    ///< the input is examined
-  kSides = 1,    ///< lines are divided into sides (5.1)
-  kSurface = 2,  ///< patches are triangulated (5.2) and stitched
-  kVolume = 3,   ///< the front advances (section 2, F4-F9)
-  kVerify = 4,   ///< the result is checked and measured
+  kCheck = 0,     ///< the input is examined
+  kSides = 1,     ///< lines are divided into sides (5.1)
+  kSurface = 2,   ///< patches are triangulated (5.2) and stitched
+  kVolume = 3,    ///< the front advances (section 2, F4-F9)
+  kOptimize = 4,  ///< elements are made better; the boundary stays
+  kVerify = 5,    ///< the result is checked and measured
 };
-inline constexpr std::size_t kPhaseCount = 5;
+inline constexpr std::size_t kPhaseCount = 6;
 
 enum class EntityKind : std::uint8_t {
   kPoint = 0,
@@ -36,6 +37,7 @@ enum class EntityKind : std::uint8_t {
   kBackgroundTetrahedron = 4,
   kTriangle = 5,     ///< of the given or generated surface
   kSurfaceNode = 6,  ///< of the given or generated surface
+  kSource = 7,       ///< of size, in BackgroundGrid::sources
 };
 
 /// Something a diagnostic is about: a kind and a position in the array of that kind.
@@ -70,6 +72,7 @@ enum class DiagnosticCode : std::uint16_t {
   kFlatBackgroundTetrahedron = 23,
   kOutsideBackgroundGrid = 24,  ///< place (and line or patch): the grid does not cover the domain
   kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
+  kBadSource = 26,              ///< source; values: size, distance, growth
   // Closed boundary
   kOpenEdge = 40,         ///< line or triangle with one side missing; values: number of such edges
   kNonManifoldEdge = 41,  ///< edge with an odd number > 2 of triangles

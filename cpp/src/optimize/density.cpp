@@ -1,0 +1,217 @@
+#include "optimize/density.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrafront {
+namespace {
+
+/// Edges above this many wanted sizes are split; anywhere in 1.15 .. 1.45 gives the same meshes.
+constexpr double kMaxEdge = 1.3;
+/// No collapse makes an edge longer than this.
+constexpr double kMaxEdgeAfterCollapse = 1.8;
+constexpr std::size_t kMaxSplitRing = kMaxRing - 1;
+
+double distance(const Vec3& a, const Vec3& b) {
+  const Vec3 d = a - b;
+  return std::sqrt(glm::dot(d, d));
+}
+
+}  // namespace
+
+double relativeLength(const TetComplex& complex, NodeId a, NodeId b) {
+  return distance(complex.place(a), complex.place(b)) / (0.5 * (complex.size(a) + complex.size(b)));
+}
+
+void EdgeSplitter::collect(std::size_t first, std::size_t last, std::uint32_t since) {
+  EdgeRing ring;
+  for (std::size_t t = first; t < last; ++t) {
+    const TetId tet(t);
+    if (!complex_.isLive(tet) || complex_.changedIn(tet) < since) continue;
+    const Corners& nodes = complex_.element(tet).nodes;
+    for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+      const NodeId a = nodes[kEdgeCorners[e][0]];
+      const NodeId b = nodes[kEdgeCorners[e][1]];
+      const double length = relativeLength(complex_, a, b);
+      if (length <= kMaxEdge || !findRing(complex_, tet, e, kMaxSplitRing, ring)) continue;
+      // Of the ring's changed elements, the first one speaks for the edge.
+      const bool speaks = std::none_of(
+          ring.elements.begin(), ring.elements.begin() + static_cast<int>(ring.elementCount),
+          [&](TetId other) { return other < tet && complex_.changedIn(other) >= since; });
+      if (ring.closed && speaks) edges_.push_back({length, a, b, tet});
+    }
+  }
+}
+
+void EdgeSplitter::sortCollected() {
+  std::stable_sort(edges_.begin(), edges_.end(),
+                   [](const LongEdge& p, const LongEdge& q) { return p.length > q.length; });
+}
+
+std::size_t EdgeSplitter::splitSome(std::size_t next, std::size_t count, const ElementCost& cost) {
+  std::size_t done = 0;
+  EdgeRing ring;
+  for (std::size_t i = next; i < std::min(next + count, edges_.size()); ++i) {
+    const LongEdge& edge = edges_[i];
+    if (!complex_.isLive(edge.tet)) continue;
+    const std::size_t at = edgeBetween(complex_.element(edge.tet), edge.a, edge.b);
+    if (at == kEdgeCorners.size()) continue;
+    if (!findRing(complex_, edge.tet, at, kMaxSplitRing, ring) || !ring.closed) continue;
+    done += split(ring, cost) ? 1 : 0;
+  }
+  return done;
+}
+
+/// The middle of the edge, moved to where the new elements cost least.
+Vec3 EdgeSplitter::bestMiddle(const EdgeRing& ring, const ElementCost& cost) {
+  const Vec3& from = complex_.place(ring.from);
+  const Vec3& to = complex_.place(ring.to);
+  hollow_.clear();
+  for (std::size_t i = 0; i < ring.nodeCount; ++i) {
+    const Vec3& p = complex_.place(ring.nodes[i]);
+    const Vec3& q = complex_.place(ring.nodes[(i + 1) % ring.nodeCount]);
+    hollow_.add(to, p, q);
+    hollow_.add(from, q, p);
+  }
+  Vec3 place = (from + to) * 0.5;
+  constexpr int kSteps = 2;
+  for (int i = 0; i < kSteps; ++i) {
+    Vec3 step(0.0);
+    if (!newtonStep(hollow_, place, false, step)) break;
+    const double here = hollow_.costAt(place, cost, kInvalidCost);
+    if (hollow_.costAt(place + step, cost, here) < here) place += step;
+  }
+  return place;
+}
+
+bool EdgeSplitter::makeHalves(const EdgeRing& ring, const ElementCost& cost, NodeId middle) {
+  for (std::size_t i = 0; i < ring.nodeCount; ++i) {
+    const NodeId p = ring.nodes[i];
+    const NodeId q = ring.nodes[(i + 1) % ring.nodeCount];
+    const Corners upper{middle, ring.to, p, q};
+    const Corners lower{ring.from, middle, p, q};
+    fresh_[2 * i] = {upper, complex_.costOf(cost, upper)};
+    fresh_[2 * i + 1] = {lower, complex_.costOf(cost, lower)};
+    if (fresh_[2 * i].cost >= kInvalidCost || fresh_[2 * i + 1].cost >= kInvalidCost) return false;
+  }
+  return true;
+}
+
+bool EdgeSplitter::split(const EdgeRing& ring, const ElementCost& cost) {
+  const Vec3 place = bestMiddle(ring, cost);
+  double worst = 0.0;
+  for (const TetId tet : ring.elementSpan()) worst = std::max(worst, complex_.cost(tet));
+  // The worst decides, whatever the sum: by the sum, empty interiors would never fill.
+  for (std::size_t i = 0; i < hollow_.size(); ++i) {
+    if (hollow_.costOf(i, place, cost) > worst) return false;
+  }
+  const NodeId middle =
+      complex_.addNode(place, 0.5 * (complex_.size(ring.from) + complex_.size(ring.to)));
+  // The corners' order in makeHalves() differs from the hollow's, and so may the last bit.
+  if (!makeHalves(ring, cost, middle)) return false;
+  complex_.replace(ring.elementSpan(), std::span(fresh_).first(2 * ring.nodeCount));
+  return true;
+}
+
+NodeId EdgeSplitter::force(const EdgeRing& ring, const ElementCost& cost) {
+  const Vec3 place = (complex_.place(ring.from) + complex_.place(ring.to)) * 0.5;
+  const NodeId middle =
+      complex_.addNode(place, 0.5 * (complex_.size(ring.from) + complex_.size(ring.to)));
+  if (!makeHalves(ring, cost, middle)) return {};
+  complex_.replace(ring.elementSpan(), std::span(fresh_).first(2 * ring.nodeCount));
+  return middle;
+}
+
+void NodeCollapser::findNeighbours(NodeId node) {
+  if (marks_.size() < complex_.nodeCount()) marks_.resize(complex_.nodeCount() * 3 / 2, 0);
+  ++mark_;
+  marks_[node.index()] = mark_;
+  neighbours_.clear();
+  for (std::size_t i = 0; i < star_.size; ++i) {
+    for (const NodeId other : complex_.element(star_.elements[i]).nodes) {
+      if (marks_[other.index()] == mark_) continue;
+      marks_[other.index()] = mark_;
+      neighbours_.push_back(other);
+    }
+  }
+}
+
+void NodeCollapser::collect(std::size_t first, std::size_t last, std::uint32_t since) {
+  for (std::size_t i = first; i < last; ++i) {
+    const NodeId node(i);
+    if (complex_.isFixed(node) || !complex_.isUsed(node)) continue;
+    if (complex_.starChangedIn(node) < since || !complex_.findStar(node, star_)) continue;
+    findNeighbours(node);
+    double sum = 0.0;
+    for (const NodeId other : neighbours_) sum += relativeLength(complex_, node, other);
+    nodes_.push_back({sum / static_cast<double>(neighbours_.size()), node});
+  }
+}
+
+void NodeCollapser::sortCollected() {
+  std::stable_sort(nodes_.begin(), nodes_.end(),
+                   [](const Crowded& p, const Crowded& q) { return p.length < q.length; });
+}
+
+std::size_t NodeCollapser::collapseSome(std::size_t next, std::size_t count,
+                                        const ElementCost& cost) {
+  std::size_t done = 0;
+  for (std::size_t i = next; i < std::min(next + count, nodes_.size()); ++i) {
+    done += collapse(nodes_[i].node, cost, kMaxEdgeAfterCollapse, 0.0) ? 1 : 0;
+  }
+  return done;
+}
+
+/// Cost of the star's elements with the node at the target; fills fresh_.
+double NodeCollapser::costOnto(NodeId target, const ElementCost& cost, double maxLength,
+                               double bound) {
+  freshCount_ = 0;
+  const Vec3& place = complex_.place(target);
+  double sum = 0.0;
+  for (std::size_t i = 0; i < star_.size; ++i) {
+    const Corners& nodes = complex_.element(star_.elements[i]).nodes;
+    if (std::find(nodes.begin(), nodes.end(), target) != nodes.end()) continue;
+    const auto& side = kSideCorners[star_.corner[i]];
+    const Corners moved{target, nodes[side[0]], nodes[side[1]], nodes[side[2]]};
+    const double one = complex_.costOf(cost, moved);
+    if (one >= kInvalidCost) return kInvalidCost;
+    sum = cost.combined(sum, one);
+    if (sum >= bound) return kInvalidCost;
+    for (int k = 1; k < 4; ++k) {
+      if (distance(complex_.place(moved[k]), place) > maxLength) return kInvalidCost;
+    }
+    fresh_[freshCount_++] = {moved, one};
+  }
+  return sum;
+}
+
+bool NodeCollapser::collapse(NodeId node, const ElementCost& cost, double maxLength,
+                             double minGain) {
+  if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
+    return false;
+  }
+  double old = 0.0;
+  for (std::size_t i = 0; i < star_.size; ++i) {
+    old = cost.combined(old, complex_.cost(star_.elements[i]));
+  }
+  findNeighbours(node);
+  const auto limit = [&](NodeId target) {
+    return maxLength * std::max(complex_.size(node), complex_.size(target));
+  };
+  double best = old * (1.0 - minGain);
+  NodeId target;
+  for (const NodeId other : neighbours_) {
+    const double sum = costOnto(other, cost, limit(other), best);
+    if (sum >= best) continue;
+    best = sum;
+    target = other;
+  }
+  if (target.isNone()) return false;
+  costOnto(target, cost, limit(target), kInvalidCost);
+  complex_.replace(std::span(star_.elements).first(star_.size),
+                   std::span(fresh_).first(freshCount_));
+  complex_.forget(node);
+  return true;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,89 @@
+#pragma once
+
+/// @file Too few nodes or too many: splitting long edges and collapsing short ones. Density follows
+/// the cost; the size field only sets the limits of edge lengths.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "optimize/edge_removal.h"
+#include "optimize/element_cost.h"
+#include "optimize/node_moves.h"
+#include "optimize/tet_complex.h"
+
+namespace tetrafront {
+
+/// Edge length divided by the mean of its ends' wanted sizes.
+[[nodiscard]] double relativeLength(const TetComplex& complex, NodeId a, NodeId b);
+
+class EdgeSplitter {
+ public:
+  explicit EdgeSplitter(TetComplex& complex) : complex_(complex) {}
+
+  /// The inner edges longer than the limit among elements [first, last) changed since `since`,
+  /// added to the list. Each edge is met once.
+  void collect(std::size_t first, std::size_t last, std::uint32_t since);
+  /// Sorts the list, longest first.
+  void sortCollected();
+  /// Splits edges [next, next + count) of the list where no element of the ring gets worse than
+  /// its worst was. Returns the number of splits.
+  std::size_t splitSome(std::size_t next, std::size_t count, const ElementCost& cost);
+  [[nodiscard]] std::size_t collected() const { return edges_.size(); }
+  void clear() { edges_.clear(); }
+
+  /// Splits one edge by a new node at its middle, at whatever cost. The new node, or none.
+  NodeId force(const EdgeRing& ring, const ElementCost& cost);
+
+ private:
+  struct LongEdge {
+    double length;
+    NodeId a;
+    NodeId b;
+    TetId tet;
+  };
+  bool split(const EdgeRing& ring, const ElementCost& cost);
+  bool makeHalves(const EdgeRing& ring, const ElementCost& cost, NodeId middle);
+  [[nodiscard]] Vec3 bestMiddle(const EdgeRing& ring, const ElementCost& cost);
+
+  TetComplex& complex_;
+  std::vector<LongEdge> edges_;
+  Hollow hollow_;
+  std::array<NewElement, 2 * kMaxRing> fresh_;
+};
+
+class NodeCollapser {
+ public:
+  explicit NodeCollapser(TetComplex& complex) : complex_(complex) {}
+
+  /// The free nodes among [first, last) whose star changed since `since`, with their mean relative
+  /// edge length.
+  void collect(std::size_t first, std::size_t last, std::uint32_t since);
+  void sortCollected();
+  std::size_t collapseSome(std::size_t next, std::size_t count, const ElementCost& cost);
+  [[nodiscard]] std::size_t collected() const { return nodes_.size(); }
+  void clear() { nodes_.clear(); }
+
+  /// Collapses a free node onto its best neighbour if the combined cost of its elements falls by
+  /// `minGain` (relative) and no new edge is longer than `maxLength` wanted sizes.
+  bool collapse(NodeId node, const ElementCost& cost, double maxLength, double minGain);
+
+ private:
+  struct Crowded {
+    double length;
+    NodeId node;
+  };
+  void findNeighbours(NodeId node);
+  double costOnto(NodeId target, const ElementCost& cost, double maxLength, double bound);
+
+  TetComplex& complex_;
+  std::vector<Crowded> nodes_;
+  Star star_;
+  std::vector<NodeId> neighbours_;
+  std::vector<std::uint32_t> marks_;
+  std::uint32_t mark_ = 0;
+  std::array<NewElement, kMaxCavity> fresh_;
+  std::size_t freshCount_ = 0;
+};
+
+}  // namespace tetrafront

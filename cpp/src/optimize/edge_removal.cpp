@@ -1,0 +1,267 @@
+#include "optimize/edge_removal.h"
+
+#include <algorithm>
+
+namespace tetrafront {
+namespace {
+
+std::size_t cornerOf(const Element& element, NodeId node) {
+  return static_cast<std::size_t>(std::find(element.nodes.begin(), element.nodes.end(), node) -
+                                  element.nodes.begin());
+}
+
+/// Walks around an edge from one of its elements, leaving through the side opposite `opposite` and
+/// keeping `kept`. Calls `visit(element, new node)`; ends at the boundary or back at `start`.
+/// Returns 0 at the boundary, 1 when closed, -1 when the visitor wants no more.
+template <class Visit>
+int walkAround(const TetComplex& complex, TetId start, NodeId opposite, NodeId kept, Visit visit) {
+  TetId tet = start;
+  for (;;) {
+    const Facing across = complex.element(tet).across[cornerOf(complex.element(tet), opposite)];
+    if (across.isNone()) return 0;
+    if (across.tet() == start) return 1;
+    const NodeId fresh = complex.element(across.tet()).nodes[across.corner()];
+    if (!visit(across.tet(), fresh)) return -1;
+    opposite = kept;
+    kept = fresh;
+    tet = across.tet();
+  }
+}
+
+}  // namespace
+
+std::size_t edgeBetween(const Element& element, NodeId a, NodeId b) {
+  for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+    const NodeId one = element.nodes[kEdgeCorners[e][0]];
+    const NodeId other = element.nodes[kEdgeCorners[e][1]];
+    if ((one == a && other == b) || (one == b && other == a)) return e;
+  }
+  return kEdgeCorners.size();
+}
+
+bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_t maxNodes,
+              EdgeRing& ring) {
+  const auto& corners = kEdgeCorners[edge];
+  const Element& element = complex.element(tet);
+  const NodeId first = element.nodes[corners[2]];
+  const NodeId second = element.nodes[corners[3]];
+  ring.from = element.nodes[corners[0]];
+  ring.to = element.nodes[corners[1]];
+  ring.nodes[0] = first;
+  ring.nodes[1] = second;
+  ring.elements[0] = tet;
+  ring.nodeCount = 2;
+  ring.elementCount = 1;
+  const int end = walkAround(complex, tet, first, second, [&](TetId next, NodeId node) {
+    if (ring.nodeCount == maxNodes) {
+      // In a closed ring the last element brings the first node again.
+      if (node != first) return false;
+    } else {
+      ring.nodes[ring.nodeCount] = node;
+    }
+    ++ring.nodeCount;
+    ring.elements[ring.elementCount++] = next;
+    return ring.elementCount < kMaxRing;
+  });
+  if (end < 0) return false;
+  ring.closed = end == 1;
+  if (ring.closed) {
+    --ring.nodeCount;  // the first node was met again
+    return ring.nodeCount <= maxNodes;
+  }
+  // Open: the part on the other side comes before.
+  const int back = walkAround(complex, tet, second, first, [&](TetId next, NodeId node) {
+    if (ring.nodeCount + 1 > maxNodes || ring.nodeCount + 1 > kMaxRing) return false;
+    std::copy_backward(ring.nodes.begin(), ring.nodes.begin() + static_cast<int>(ring.nodeCount),
+                       ring.nodes.begin() + static_cast<int>(ring.nodeCount) + 1);
+    std::copy_backward(ring.elements.begin(),
+                       ring.elements.begin() + static_cast<int>(ring.elementCount),
+                       ring.elements.begin() + static_cast<int>(ring.elementCount) + 1);
+    ring.nodes[0] = node;
+    ring.elements[0] = next;
+    ++ring.nodeCount;
+    ++ring.elementCount;
+    return true;
+  });
+  return back == 0 && ring.nodeCount <= maxNodes;
+}
+
+double EdgeRemoval::triangle(std::size_t i, std::size_t j, std::size_t k) const {
+  if (i > j) std::swap(i, j);
+  if (j > k) std::swap(j, k);
+  if (i > j) std::swap(i, j);
+  return triangles_[i][j][k];
+}
+
+void EdgeRemoval::costTriangles(const EdgeRing& ring, const ElementCost& cost, double bound) {
+  std::array<Vec3, kMaxRing> places;
+  for (std::size_t i = 0; i < ring.nodeCount; ++i) places[i] = complex_.place(ring.nodes[i]);
+  const Vec3& from = complex_.place(ring.from);
+  const Vec3& to = complex_.place(ring.to);
+  for (std::size_t i = 0; i < ring.nodeCount; ++i) {
+    for (std::size_t j = i + 1; j < ring.nodeCount; ++j) {
+      for (std::size_t k = j + 1; k < ring.nodeCount; ++k) {
+        double& value = triangles_[i][j][k];
+        value = kInvalidCost;
+        const double above = cost(places[i], places[j], places[k], to);
+        if (above >= bound) continue;
+        const double below = cost(places[i], places[k], places[j], from);
+        if (below < bound) value = cost.combined(above, below);
+      }
+    }
+  }
+}
+
+/// intervals_[i][n] for all intervals; false if none beats the bound. An open ring's intervals do
+/// not pass its ends.
+bool EdgeRemoval::costIntervals(const EdgeRing& ring, const ElementCost& cost, double bound) {
+  const std::size_t count = ring.nodeCount;
+  bool any = false;
+  for (std::size_t i = 0; i < count; ++i) intervals_[i][1] = 0.0;
+  for (std::size_t length = 2; length < count; ++length) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!ring.closed && i + length >= count) break;
+      double best = kInvalidCost;
+      for (std::size_t cut = 1; cut < length; ++cut) {
+        const std::size_t middle = (i + cut) % count;
+        const double left = intervals_[i][cut];
+        const double right = intervals_[middle][length - cut];
+        if (left >= bound || right >= bound) continue;
+        const double here = triangle(i, middle, (i + length) % count);
+        if (here >= bound) continue;
+        const double sum = cost.combined(cost.combined(left, right), here);
+        if (sum >= best) continue;
+        best = sum;
+        cuts_[i][length] = static_cast<std::uint8_t>(cut);
+      }
+      intervals_[i][length] = best;
+      any = any || best < bound;
+    }
+  }
+  return any;
+}
+
+void EdgeRemoval::costSectors(const EdgeRing& ring, const ElementCost& cost, double bound) {
+  const std::size_t count = ring.nodeCount;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t length = 1; length < count; ++length) {
+      if (!ring.closed && i + length >= count) break;
+      double& value = sectors_[i][length];
+      if (length == 1) {
+        value = complex_.cost(ring.elements[i]);
+      } else if ((ring.closed && length + 1 == count) || intervals_[i][length] >= bound) {
+        value = kInvalidCost;
+      } else {
+        value = complex_.costOf(
+            cost, {ring.from, ring.to, ring.nodes[i], ring.nodes[(i + length) % count]});
+      }
+    }
+  }
+}
+
+/// Keeps the edge, with some sectors joined into one each: the best way to go once round, for each
+/// node to start from.
+void EdgeRemoval::planFans(const EdgeRing& ring, const ElementCost& cost, double bound) {
+  costSectors(ring, cost, bound);
+  const std::size_t count = ring.nodeCount;
+  const std::size_t steps = ring.closed ? count : count - 1;
+  std::array<double, kMaxRing + 1> best{};
+  std::array<std::uint8_t, kMaxRing + 1> cameFrom{};
+  for (std::size_t start = 0; start < (ring.closed ? count : 1); ++start) {
+    best[0] = 0.0;
+    for (std::size_t at = 1; at <= steps; ++at) {
+      best[at] = kInvalidCost;
+      for (std::size_t before = 0; before < at; ++before) {
+        const std::size_t length = at - before;
+        const std::size_t i = (start + before) % count;
+        if (length >= count || best[before] >= bound || sectors_[i][length] >= bound) continue;
+        if (intervals_[i][length] >= bound) continue;
+        const double sum =
+            cost.combined(best[before], cost.combined(sectors_[i][length], intervals_[i][length]));
+        if (sum >= best[at]) continue;
+        best[at] = sum;
+        cameFrom[at] = static_cast<std::uint8_t>(before);
+      }
+    }
+    if (best[steps] >= planCost_) continue;
+    plan_ = Plan::kFans;
+    planCost_ = best[steps];
+    fanStart_ = start;
+    fanCount_ = 0;
+    for (std::size_t at = steps; at > 0; at = cameFrom[at]) {
+      fanCuts_[fanCount_++] = static_cast<std::uint8_t>(at);
+    }
+    fanCuts_[fanCount_++] = 0;
+  }
+}
+
+bool EdgeRemoval::plan(const EdgeRing& ring, const ElementCost& cost, bool fans, double bound) {
+  plan_ = Plan::kNone;
+  planCost_ = bound;
+  if (ring.nodeCount < 3) return false;
+  costTriangles(ring, cost, bound);
+  if (!costIntervals(ring, cost, bound)) return false;
+  const double removed = ring.closed ? intervals_[0][ring.nodeCount - 1] : kInvalidCost;
+  if (removed < planCost_) {
+    plan_ = Plan::kRemove;
+    planCost_ = removed;
+  }
+  if (fans) planFans(ring, cost, bound);
+  return plan_ != Plan::kNone;
+}
+
+void EdgeRemoval::put(const ElementCost& cost, NodeId a, NodeId b, NodeId c, NodeId d) {
+  const Corners nodes{a, b, c, d};
+  // Kept sectors may be ones that were too flat on entry.
+  fresh_[freshCount_++] = {nodes, std::min(complex_.costOf(cost, nodes), kEntryCost)};
+}
+
+void EdgeRemoval::fillInterval(const EdgeRing& ring, const ElementCost& cost, std::size_t first,
+                               std::size_t length) {
+  if (length < 2) return;
+  const std::size_t count = ring.nodeCount;
+  const std::size_t cut = cuts_[first][length];
+  const std::size_t middle = (first + cut) % count;
+  const NodeId a = ring.nodes[first];
+  const NodeId b = ring.nodes[middle];
+  const NodeId c = ring.nodes[(first + length) % count];
+  put(cost, a, b, c, ring.to);
+  put(cost, a, c, b, ring.from);
+  fillInterval(ring, cost, first, cut);
+  fillInterval(ring, cost, middle, length - cut);
+}
+
+void EdgeRemoval::apply(const EdgeRing& ring, const ElementCost& cost) {
+  freshCount_ = 0;
+  if (plan_ == Plan::kRemove) {
+    fillInterval(ring, cost, 0, ring.nodeCount - 1);
+  } else {
+    for (std::size_t i = fanCount_ - 1; i > 0; --i) {
+      const std::size_t first = (fanStart_ + fanCuts_[i]) % ring.nodeCount;
+      const std::size_t length = fanCuts_[i - 1] - fanCuts_[i];
+      put(cost, ring.from, ring.to, ring.nodes[first],
+          ring.nodes[(first + length) % ring.nodeCount]);
+      fillInterval(ring, cost, first, length);
+    }
+  }
+  complex_.replace(ring.elementSpan(), std::span(fresh_).first(freshCount_));
+}
+
+bool EdgeRemoval::improve(const EdgeRing& ring, const ElementCost& cost, const Options& options) {
+  double old = 0.0;
+  for (const TetId tet : ring.elementSpan()) old = cost.combined(old, complex_.cost(tet));
+  constexpr double kLeastGain = 1e-12;
+  const double bound = old * (1.0 - options.minGain) - kLeastGain;
+  if (!(bound > 0.0) || (!ring.closed && !options.fans)) return false;
+  if (!plan(ring, cost, options.fans, bound)) return false;
+  apply(ring, cost);
+  return true;
+}
+
+bool EdgeRemoval::force(const EdgeRing& ring, const ElementCost& cost) {
+  if (!ring.closed || !plan(ring, cost, false, kInvalidCost)) return false;
+  apply(ring, cost);
+  return true;
+}
+
+}  // namespace tetrafront

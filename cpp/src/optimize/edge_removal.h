@@ -1,0 +1,94 @@
+#pragma once
+
+/// @file Swaps around an edge. The elements around it form a ring; the best way to fill the same
+/// space without the edge, or with fewer sectors around it, is found by dynamic programming over
+/// intervals of the ring.
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "optimize/element_cost.h"
+#include "optimize/tet_complex.h"
+
+namespace tetrafront {
+
+/// Corners of an element's six edges, each followed by the other two so that (edge, others) is
+/// positively oriented.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 6> kEdgeCorners{
+    {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
+
+inline constexpr std::size_t kMaxRing = 11;
+
+/// The elements around an edge from `from` to `to` and the nodes between them, counter-clockwise
+/// seen from `to`. Element i has nodes i and i+1 of the ring; in a closed one, the last has the
+/// last and the first.
+struct EdgeRing {
+  NodeId from;
+  NodeId to;
+  bool closed = true;
+  std::size_t nodeCount = 0;
+  std::size_t elementCount = 0;
+  std::array<NodeId, kMaxRing> nodes;
+  std::array<TetId, kMaxRing> elements;
+
+  [[nodiscard]] std::span<const TetId> elementSpan() const {
+    return std::span(elements).first(elementCount);
+  }
+};
+
+/// Position in kEdgeCorners of the edge between two nodes of an element, or 6.
+[[nodiscard]] std::size_t edgeBetween(const Element& element, NodeId a, NodeId b);
+
+/// Collects the ring; false if it has more than `maxNodes` nodes.
+[[nodiscard]] bool findRing(const TetComplex& complex, TetId tet, std::size_t edge,
+                            std::size_t maxNodes, EdgeRing& ring);
+
+class EdgeRemoval {
+ public:
+  struct Options {
+    std::size_t maxRing = 7;
+    bool fans = false;      ///< also try keeping the edge with fewer sectors, at boundary edges too
+    double minGain = 1e-4;  ///< relative
+  };
+
+  explicit EdgeRemoval(TetComplex& complex) : complex_(complex) {}
+
+  /// Swaps if the ring's combined cost falls. Returns whether it did.
+  bool improve(const EdgeRing& ring, const ElementCost& cost, const Options& options);
+
+  /// Removes the edge of a closed ring at whatever cost, if that is possible at all.
+  bool force(const EdgeRing& ring, const ElementCost& cost);
+
+ private:
+  enum class Plan : std::uint8_t { kNone, kRemove, kFans };
+
+  bool plan(const EdgeRing& ring, const ElementCost& cost, bool fans, double bound);
+  void costTriangles(const EdgeRing& ring, const ElementCost& cost, double bound);
+  [[nodiscard]] bool costIntervals(const EdgeRing& ring, const ElementCost& cost, double bound);
+  void planFans(const EdgeRing& ring, const ElementCost& cost, double bound);
+  void costSectors(const EdgeRing& ring, const ElementCost& cost, double bound);
+  void apply(const EdgeRing& ring, const ElementCost& cost);
+  void fillInterval(const EdgeRing& ring, const ElementCost& cost, std::size_t first,
+                    std::size_t length);
+  void put(const ElementCost& cost, NodeId a, NodeId b, NodeId c, NodeId d);
+  [[nodiscard]] double triangle(std::size_t i, std::size_t j, std::size_t k) const;
+
+  TetComplex& complex_;
+  Plan plan_ = Plan::kNone;
+  double planCost_ = 0.0;
+  /// Cost of the two elements over ring nodes i < j < k.
+  std::array<std::array<std::array<double, kMaxRing>, kMaxRing>, kMaxRing> triangles_{};
+  /// Of the best filling of ring nodes i .. i + length, without the edge, and where it is cut.
+  std::array<std::array<double, kMaxRing + 1>, kMaxRing> intervals_{};
+  std::array<std::array<std::uint8_t, kMaxRing + 1>, kMaxRing> cuts_{};
+  /// Of the one sector (from, to, node i, node i + length).
+  std::array<std::array<double, kMaxRing + 1>, kMaxRing> sectors_{};
+  std::array<std::uint8_t, kMaxRing + 1> fanCuts_{};
+  std::size_t fanCount_ = 0;
+  std::size_t fanStart_ = 0;
+  std::array<NewElement, 4 * kMaxRing> fresh_;
+  std::size_t freshCount_ = 0;
+};
+
+}  // namespace tetrafront

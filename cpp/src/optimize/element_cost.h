@@ -1,0 +1,117 @@
+#pragma once
+
+/// @file What the optimizer makes small. All costs are functions of the four corners, grow without
+/// bound as an element flattens, and need only + - * / and square roots, so that they are the same
+/// everywhere.
+///
+///   bulk, finish   e^(1/2) - 1 and e - 1, e = (sum of squared edges)^3 / (432 D^2), D six times
+///                  the volume: the mean ratio to the power -3, 1 for the regular tetrahedron.
+///                  Summed over elements; a convex barrier in each free node. The -1 makes a
+///                  regular element free: without it, deleting elements would pay.
+///   dihedral       the largest of k1 (1 + c)/(1 - c) over the dihedral cosines c and
+///                  k2 (1 - c)/(1 + c), k the squared tangent of half the angle aimed at: at most
+///                  1 iff no angle is below, and none above, its target. The worst counts.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+enum class Measure : std::uint8_t { kBulk, kFinish, kDihedral };
+
+/// Cost of what must not be.
+inline constexpr double kInvalidCost = 1e30;
+/// Cost of an element that was so flat on entry that plain double cannot vouch for its sign;
+/// worse than anything an operator may make.
+inline constexpr double kEntryCost = 1e21;
+/// Beyond this an element counts as invalid. Below, six times the volume is at least a thousand
+/// times its rounding error, so its sign is proved without exact arithmetic.
+inline constexpr double kMaxShape = 1e20;
+
+/// Squared tangents of half the wanted least angle, and of half of 180 degrees minus the greatest.
+struct DihedralTargets {
+  double least;
+  double greatest;
+};
+inline constexpr DihedralTargets kTargets18And150{0.02508563093691659, 0.07179676972449082};
+inline constexpr DihedralTargets kTargets30And135{0.07179676972449082, 0.17157287525380988};
+inline constexpr DihedralTargets kTargets35And130{0.099413326268553801, 0.21744283205399903};
+
+/// (mean ratio)^-3, or kInvalidCost.
+inline double shapeOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  const Vec3 w = d - a;
+  const double sixVolumes = glm::dot(u, glm::cross(v, w));
+  if (!(sixVolumes > 0.0)) return kInvalidCost;
+  const double squares = 3.0 * (glm::dot(u, u) + glm::dot(v, v) + glm::dot(w, w)) -
+                         2.0 * (glm::dot(u, v) + glm::dot(v, w) + glm::dot(u, w));
+  const double top = squares * squares * squares;
+  const double bottom = 432.0 * sixVolumes * sixVolumes;
+  return bottom * kMaxShape > top ? top / bottom : kInvalidCost;
+}
+
+/// Computes costs by one measure.
+class ElementCost {
+ public:
+  explicit ElementCost(Measure measure, DihedralTargets targets = kTargets18And150)
+      : measure_(measure), targets_(targets) {}
+
+  [[nodiscard]] Measure measure() const { return measure_; }
+
+  [[nodiscard]] double operator()(const Vec3& a, const Vec3& b, const Vec3& c,
+                                  const Vec3& d) const {
+    const double shape = shapeOf(a, b, c, d);
+    if (shape >= kInvalidCost) return kInvalidCost;
+    switch (measure_) {
+      case Measure::kBulk:
+        return std::sqrt(shape) - 1.0;
+      case Measure::kFinish:
+        return shape - 1.0;
+      case Measure::kDihedral:
+        return dihedral(a, b, c, d);
+    }
+    return kInvalidCost;
+  }
+
+  /// Of two sets of elements together.
+  [[nodiscard]] double combined(double one, double other) const {
+    return measure_ == Measure::kDihedral ? std::max(one, other) : one + other;
+  }
+
+ private:
+  [[nodiscard]] double dihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
+    const Vec3 u = b - a;
+    const Vec3 v = c - a;
+    const Vec3 w = d - a;
+    const Vec3 vw = glm::cross(v, w);
+    const Vec3 wu = glm::cross(w, u);
+    const Vec3 uv = glm::cross(u, v);
+    const std::array<Vec3, 4> normals{-vw - wu - uv, vw, wu, uv};
+    std::array<double, 4> inverse{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      inverse[i] = 1.0 / std::sqrt(glm::dot(normals[i], normals[i]));
+    }
+    double greatest = -1.0;
+    double least = 1.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        const double cosine = -glm::dot(normals[i], normals[j]) * inverse[i] * inverse[j];
+        greatest = std::max(greatest, cosine);
+        least = std::min(least, cosine);
+      }
+    }
+    if (greatest >= 1.0 || least <= -1.0) return kInvalidCost;
+    return std::max(targets_.least * (1.0 + greatest) / (1.0 - greatest),
+                    targets_.greatest * (1.0 - least) / (1.0 + least));
+  }
+
+  Measure measure_;
+  DihedralTargets targets_;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,245 @@
+#include "optimize/node_moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "field/size_tensor.h"
+
+namespace tetrafront {
+namespace {
+
+double lengthOf(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
+
+/// A move shorter than this part of an edge is not worth its star's new costs; one longer than
+/// the second counts as a change that neighbours should look at again.
+constexpr double kLeastMove = 0.0005;
+constexpr double kChangingMove = 0.01;
+constexpr double kLeastGain = 1e-6;  // relative
+constexpr int kHalvings = 4;
+
+/// Gradients of one element's cost at its apex by central differences.
+Vec3 gradientOf(const Hollow& hollow, std::size_t i, const Vec3& apex, const ElementCost& cost,
+                double radius) {
+  const double step = 1e-5 * radius;  // the cube root of the rounding error
+  Vec3 gradient(0.0);
+  for (int k = 0; k < 3; ++k) {
+    Vec3 forth = apex;
+    Vec3 back = apex;
+    forth[k] += step;
+    back[k] -= step;
+    gradient[k] = (hollow.costOf(i, forth, cost) - hollow.costOf(i, back, cost)) / (2.0 * step);
+  }
+  return gradient;
+}
+
+constexpr std::size_t kMaxGradients = 24;
+
+/// The shortest vector in the convex hull of the gradients (Frank & Wolfe 1956): against it, all of
+/// them descend.
+Vec3 shortestInHull(const std::array<Vec3, kMaxGradients>& gradients, std::size_t count) {
+  constexpr int kIterations = 40;
+  constexpr double kClose = 1e-6;
+  Vec3 z = gradients[0];
+  for (int iteration = 0; iteration < kIterations; ++iteration) {
+    std::size_t least = 0;
+    for (std::size_t i = 1; i < count; ++i) {
+      if (glm::dot(z, gradients[i]) < glm::dot(z, gradients[least])) least = i;
+    }
+    const double square = glm::dot(z, z);
+    const double gap = square - glm::dot(z, gradients[least]);
+    if (gap <= kClose * square) break;
+    const Vec3 towards = z - gradients[least];
+    z -= towards * std::min(1.0, gap / glm::dot(towards, towards));
+  }
+  return z;
+}
+
+}  // namespace
+
+double Hollow::costAt(const Vec3& apex, const ElementCost& cost, double bound) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < size_; ++i) {
+    const double one = costOf(i, apex, cost);
+    if (one >= kInvalidCost) return kInvalidCost;
+    sum = cost.combined(sum, one);
+    if (sum >= bound) return kInvalidCost;
+  }
+  return sum;
+}
+
+double Hollow::meanRadius(const Vec3& apex) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < size_; ++i) sum += lengthOf(faces_[i][0] - apex);
+  return sum / static_cast<double>(size_);
+}
+
+Vec3 circumcentreMean(const Hollow& hollow, const Vec3& apex) {
+  Vec3 sum(0.0);
+  double volumes = 0.0;
+  for (std::size_t i = 0; i < hollow.size(); ++i) {
+    const Vec3 u = hollow.face(i)[0] - apex;
+    const Vec3 v = hollow.face(i)[1] - apex;
+    const Vec3 w = hollow.face(i)[2] - apex;
+    const Vec3 vw = glm::cross(v, w);
+    // The circumcentre, seen from the apex, times the volume.
+    sum += (vw * glm::dot(u, u) + glm::cross(w, u) * glm::dot(v, v) +
+            glm::cross(u, v) * glm::dot(w, w)) *
+           0.5;
+    volumes += glm::dot(u, vw);
+  }
+  return volumes > 0.0 ? apex + sum * (1.0 / volumes) : apex;
+}
+
+bool newtonStep(const Hollow& hollow, const Vec3& apex, bool squareRoot, Vec3& step) {
+  const double power = squareRoot ? 0.5 : 1.0;
+  Vec3 gradient(0.0);
+  double xx = 0.0;
+  double xy = 0.0;
+  double xz = 0.0;
+  double yy = 0.0;
+  double yz = 0.0;
+  double zz = 0.0;
+  for (std::size_t i = 0; i < hollow.size(); ++i) {
+    const auto& [a, b, c] = hollow.face(i);
+    const Vec3 ab = b - a;
+    const Vec3 ac = c - a;
+    const Vec3 bc = c - b;
+    const Vec3 normal = glm::cross(ac, ab);
+    const double volume = glm::dot(normal, apex - a);
+    if (!(volume > 0.0)) return false;
+    const Vec3 pa = apex - a;
+    const Vec3 pb = apex - b;
+    const Vec3 pc = apex - c;
+    const double squares = glm::dot(pa, pa) + glm::dot(pb, pb) + glm::dot(pc, pc) +
+                           glm::dot(ab, ab) + glm::dot(ac, ac) + glm::dot(bc, bc);
+    const double e = squares * squares * squares / (432.0 * volume * volume);
+    const double weight = squareRoot ? std::sqrt(e) : e;
+    const Vec3 s = (pa + pb + pc) * (2.0 / squares);  // gradient of log squares
+    const Vec3 n = normal * (1.0 / volume);           // of log volume
+    const Vec3 w = s * 3.0 - n * 2.0;                 // of log e
+    gradient += w * weight;
+    const double k = 18.0 / squares;
+    xx += weight * (power * w.x * w.x + k - 3.0 * s.x * s.x + 2.0 * n.x * n.x);
+    yy += weight * (power * w.y * w.y + k - 3.0 * s.y * s.y + 2.0 * n.y * n.y);
+    zz += weight * (power * w.z * w.z + k - 3.0 * s.z * s.z + 2.0 * n.z * n.z);
+    xy += weight * (power * w.x * w.y - 3.0 * s.x * s.y + 2.0 * n.x * n.y);
+    xz += weight * (power * w.x * w.z - 3.0 * s.x * s.z + 2.0 * n.x * n.z);
+    yz += weight * (power * w.y * w.z - 3.0 * s.y * s.z + 2.0 * n.y * n.z);
+  }
+  const SymmetricTensor hessian{xx, yy, zz, xy, xz, yz};
+  if (!(hessian.determinant() > 0.0)) return false;
+  step = hessian.inverse() * gradient * -1.0;
+  return glm::dot(step, gradient) < 0.0;
+}
+
+bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& apex,
+                double& worst) {
+  constexpr double kBand = 0.85;  // elements within 15 % of the worst go along
+  constexpr double kFirstStep = 0.2;
+  constexpr int kTries = 9;
+  constexpr double kWorthwhile = 1e-3;
+  const double radius = hollow.meanRadius(apex);
+  double reach = kFirstStep * radius;
+  bool fell = false;
+  for (int step = 0; step < steps; ++step) {
+    const double before = hollow.costAt(apex, cost, kInvalidCost);
+    if (before >= kInvalidCost) return fell;
+    worst = before;
+    std::array<Vec3, kMaxGradients> gradients;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < hollow.size() && count < kMaxGradients; ++i) {
+      if (hollow.costOf(i, apex, cost) < kBand * before) continue;
+      gradients[count++] = gradientOf(hollow, i, apex, cost, radius);
+    }
+    const Vec3 up = shortestInHull(gradients, count);
+    const double slope = lengthOf(up);
+    if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
+    const Vec3 down = up * (-1.0 / slope);
+    Vec3 best = apex;
+    double length = reach;
+    for (int i = 0; i < kTries; ++i, length *= 0.5) {
+      const Vec3 place = apex + down * length;
+      const double there = hollow.costAt(place, cost, worst);
+      if (there < worst) {
+        worst = there;
+        best = place;
+      } else if (worst < before) {
+        break;
+      }
+    }
+    if (!(worst < before)) return fell;
+    reach = std::min(kFirstStep * radius, 2.0 * lengthOf(best - apex) + 4.0 * length);
+    apex = best;
+    fell = true;
+    if (worst > before * (1.0 - kWorthwhile)) return fell;
+  }
+  return fell;
+}
+
+bool NodeMover::improve(NodeId node, MoveKind kind, const ElementCost& cost) {
+  if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
+    return false;
+  }
+  hollow_.clear();
+  double old = 0.0;
+  for (std::size_t i = 0; i < star_.size; ++i) {
+    const Element& element = complex_.element(star_.elements[i]);
+    const auto& side = kSideCorners[star_.corner[i]];
+    hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
+                complex_.place(element.nodes[side[2]]));
+    old = cost.combined(old, complex_.cost(star_.elements[i]));
+  }
+  Vec3 place = complex_.place(node);
+  if (kind == MoveKind::kLowerWorst) {
+    constexpr int kSteps = 5;
+    constexpr double kWorthwhile = 1e-4;
+    double worst = old;
+    if (!lowerWorst(hollow_, cost, kSteps, place, worst) || worst >= old * (1.0 - kWorthwhile)) {
+      return false;
+    }
+    return takePlace(node, place, cost);
+  }
+  Vec3 direction(0.0);
+  if (kind == MoveKind::kCircumcentres) {
+    direction = circumcentreMean(hollow_, place) - place;
+  } else if (!newtonStep(hollow_, place, cost.measure() == Measure::kBulk, direction)) {
+    return false;
+  }
+  return stepAlong(direction, cost, old, place) && takePlace(node, place, cost);
+}
+
+/// The largest of the step and its halves that lowers the cost.
+bool NodeMover::stepAlong(const Vec3& direction, const ElementCost& cost, double old, Vec3& place) {
+  const double edge = lengthOf(hollow_.face(0)[0] - place);
+  if (!(lengthOf(direction) >= kLeastMove * edge)) return false;
+  const double bound = old * (1.0 - kLeastGain);
+  double step = 1.0;
+  for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
+    const Vec3 tried = place + direction * step;
+    if (hollow_.costAt(tried, cost, bound) >= bound) continue;
+    place = tried;
+    return true;
+  }
+  return false;
+}
+
+/// Sets place and costs. Elements are marked as changed where their cost moved by a tenth, stars
+/// where the move was more than a small part of an edge; the rest need no second look.
+bool NodeMover::takePlace(NodeId node, const Vec3& place, const ElementCost& cost) {
+  constexpr double kCostChange = 0.1;
+  const Vec3 old = complex_.place(node);
+  const double edge = lengthOf(hollow_.face(0)[0] - old);
+  const bool far = lengthOf(place - old) > kChangingMove * edge;
+  complex_.move(node, place);
+  for (std::size_t i = 0; i < star_.size; ++i) {
+    const TetId tet = star_.elements[i];
+    const double before = complex_.cost(tet);
+    const double now = hollow_.costOf(i, place, cost);
+    complex_.setCost(tet, now);
+    if (std::fabs(now - before) > kCostChange * (before + kCostChange)) complex_.markChanged(tet);
+    if (far) complex_.markStars(tet);
+  }
+  return true;
+}
+
+}  // namespace tetrafront

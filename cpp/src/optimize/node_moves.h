@@ -1,0 +1,66 @@
+#pragma once
+
+/// @file Moving a free node within the hollow of its star, so that the cost of its elements falls.
+
+#include <array>
+#include <cstdint>
+
+#include "optimize/element_cost.h"
+#include "optimize/tet_complex.h"
+
+namespace tetrafront {
+
+/// The outer faces of a star or cavity, as places: an element is the apex and one of them.
+class Hollow {
+ public:
+  void clear() { size_ = 0; }
+  [[nodiscard]] bool isFull() const { return size_ == faces_.size(); }
+  void add(const Vec3& a, const Vec3& b, const Vec3& c) { faces_[size_++] = {a, b, c}; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const std::array<Vec3, 3>& face(std::size_t i) const { return faces_[i]; }
+
+  [[nodiscard]] double costOf(std::size_t i, const Vec3& apex, const ElementCost& cost) const {
+    return cost(apex, faces_[i][0], faces_[i][1], faces_[i][2]);
+  }
+  /// Of all elements together; kInvalidCost as soon as `bound` is reached.
+  [[nodiscard]] double costAt(const Vec3& apex, const ElementCost& cost, double bound) const;
+
+  /// Mean distance from `apex` to the first corners.
+  [[nodiscard]] double meanRadius(const Vec3& apex) const;
+
+ private:
+  std::array<std::array<Vec3, 3>, kMaxCavity> faces_;
+  std::size_t size_ = 0;
+};
+
+/// The mean of the circumcentres of the elements, weighted by volume: what minimizes the error of
+/// optimal Delaunay triangulations (ODT).
+[[nodiscard]] Vec3 circumcentreMean(const Hollow& hollow, const Vec3& apex);
+
+/// A Newton step on the sum of e^power, power 1/2 or 1, from `apex`. False if it does not descend.
+[[nodiscard]] bool newtonStep(const Hollow& hollow, const Vec3& apex, bool squareRoot, Vec3& step);
+
+/// Moves `apex` against the gradients of the worst elements until their cost does not fall any
+/// more (at most `steps` times). `worst` is the cost there. Returns whether it fell.
+bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& apex,
+                double& worst);
+
+enum class MoveKind : std::uint8_t { kCircumcentres, kNewton, kLowerWorst };
+
+class NodeMover {
+ public:
+  explicit NodeMover(TetComplex& complex) : complex_(complex) {}
+
+  /// Moves a free node if that lowers its elements' cost. Returns whether it did.
+  bool improve(NodeId node, MoveKind kind, const ElementCost& cost);
+
+ private:
+  bool stepAlong(const Vec3& direction, const ElementCost& cost, double old, Vec3& place);
+  bool takePlace(NodeId node, const Vec3& place, const ElementCost& cost);
+
+  TetComplex& complex_;
+  Star star_;
+  Hollow hollow_;
+};
+
+}  // namespace tetrafront

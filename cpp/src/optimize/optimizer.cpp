@@ -1,0 +1,357 @@
+#include "optimize/optimizer.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+#include "optimize/density.h"
+#include "optimize/edge_removal.h"
+#include "optimize/element_cost.h"
+#include "optimize/node_moves.h"
+#include "optimize/repair.h"
+#include "optimize/tet_complex.h"
+
+namespace tetrafront {
+namespace {
+
+/// One sweep over elements or nodes.
+enum class Sweep : std::uint8_t {
+  kSwap,              ///< E: edge removal
+  kMove,              ///< O: circumcentre means
+  kNewton,            ///< N
+  kCollectSplits,     ///< P, first half
+  kSplit,             ///< P
+  kCollectCollapses,  ///< C, first half
+  kCollapse,          ///< C
+  kCollectBad,        ///< elements over the target, worst first
+  kRepair,
+};
+constexpr std::size_t kSweepKinds = 9;
+
+/// Splits and collapses need a settled mesh between them: back to back they undo each other.
+constexpr std::array kFirstSweeps{Sweep::kSwap, Sweep::kMove, Sweep::kMove};
+constexpr std::array kRound{
+    Sweep::kCollectSplits,    Sweep::kSplit,    Sweep::kSwap, Sweep::kMove, Sweep::kMove,
+    Sweep::kCollectCollapses, Sweep::kCollapse, Sweep::kSwap, Sweep::kMove, Sweep::kMove};
+constexpr std::array kFinishSweeps{Sweep::kSwap, Sweep::kNewton, Sweep::kNewton, Sweep::kSwap};
+constexpr std::array kFastSweeps{Sweep::kSwap, Sweep::kNewton, Sweep::kSwap, Sweep::kNewton,
+                                 Sweep::kSwap};
+constexpr std::array kRepairSweeps{Sweep::kCollectBad, Sweep::kRepair};
+
+constexpr int kMaxRounds = 10;
+/// Rounds end when splits and collapses together are fewer than this part of the free nodes.
+constexpr double kQuietRound = 0.1;
+constexpr int kRepairPasses = 5;
+/// A target is worth its cost only where few elements miss it: in a gap thinner than an element
+/// many do, and chasing them only adds elements.
+constexpr double kMaxMissingLow = 0.1;
+constexpr double kMaxMissingHigh = 0.01;
+constexpr std::uint32_t kRepairWork = 64;  ///< elements of a sweep that one repair costs
+
+enum class Stage : std::uint8_t {
+  kFirst,
+  kRounds,
+  kFinish,
+  kRepairLow,
+  kRepairHigh,
+  kRepairStrive,
+  kDone
+};
+
+std::vector<double> sizesAtNodes(const VolumeMesh& mesh, const SizeField& field) {
+  std::vector<double> sizes;
+  sizes.reserve(mesh.points.size() / 3);
+  FieldHint hint;
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+    sizes.push_back(field.sizeAt({mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]}, hint));
+  }
+  return sizes;
+}
+
+}  // namespace
+
+class MeshOptimizer::Impl {
+ public:
+  Impl(const VolumeMesh& mesh, std::size_t boundaryNodes, const SizeField& field,
+       Optimization level)
+      : level_(level),
+        complex_(mesh, boundaryNodes, sizesAtNodes(mesh, field)),
+        removal_(complex_),
+        mover_(complex_),
+        splitter_(complex_),
+        collapser_(complex_),
+        repair_(complex_, removal_, splitter_, collapser_, mover_) {
+    if (level == Optimization::kNone || complex_.elementCount() == 0) {
+      stage_ = Stage::kDone;
+    } else if (level == Optimization::kFast) {
+      begin(Stage::kFinish, kFastSweeps, ElementCost(Measure::kFinish));
+    } else {
+      begin(Stage::kFirst, kFirstSweeps, ElementCost(Measure::kBulk));
+    }
+  }
+
+  bool advance(std::uint32_t budget) {
+    while (budget > 0 && stage_ != Stage::kDone) {
+      const std::size_t size = sweepSize();
+      const std::uint32_t each = sweeps_[sweep_] == Sweep::kRepair ? kRepairWork : 1;
+      const std::size_t count = std::min<std::size_t>(size - next_, std::max(1U, budget / each));
+      work(next_, next_ + count);
+      next_ += count;
+      budget -= std::min<std::uint32_t>(budget, static_cast<std::uint32_t>(count) * each + 1);
+      if (next_ >= size) endSweep();
+    }
+    return stage_ == Stage::kDone;
+  }
+
+  [[nodiscard]] double fraction() const {
+    const double stages = static_cast<double>(Stage::kDone);
+    const auto done = static_cast<double>(stage_);
+    return (done + static_cast<double>(sweep_) / static_cast<double>(sweeps_.size() + 1)) / stages;
+  }
+  [[nodiscard]] const TetComplex& complex() const { return complex_; }
+
+ private:
+  void begin(Stage stage, std::span<const Sweep> sweeps, const ElementCost& cost) {
+    stage_ = stage;
+    repeats_ = 0;
+    sweeps_ = sweeps;
+    cost_ = cost;
+    complex_.costAll(cost_);
+    lastRun_.fill(0);
+    beginSweeps();
+  }
+
+  void beginSweeps() {
+    sweep_ = 0;
+    beginSweep();
+  }
+
+  void beginSweep() {
+    next_ = 0;
+    changes_ += changesInSweep_;
+    changesInSweep_ = 0;
+    complex_.beginPass();
+    std::uint32_t& last = lastRun_[static_cast<std::size_t>(sweeps_[sweep_])];
+    since_ = last;
+    last = complex_.pass();
+  }
+
+  [[nodiscard]] std::size_t sweepSize() const {
+    switch (sweeps_[sweep_]) {
+      case Sweep::kSwap:
+      case Sweep::kCollectSplits:
+      case Sweep::kCollectBad:
+        return complex_.slotCount();
+      case Sweep::kMove:
+      case Sweep::kNewton:
+      case Sweep::kCollectCollapses:
+        return complex_.nodeCount();
+      case Sweep::kSplit:
+        return splitter_.collected();
+      case Sweep::kCollapse:
+        return collapser_.collected();
+      case Sweep::kRepair:
+        return bad_.size();
+    }
+    return 0;
+  }
+
+  void work(std::size_t first, std::size_t last) {
+    switch (sweeps_[sweep_]) {
+      case Sweep::kSwap:
+        swap(first, last);
+        break;
+      case Sweep::kMove:
+        move(first, last, MoveKind::kCircumcentres);
+        break;
+      case Sweep::kNewton:
+        move(first, last, MoveKind::kNewton);
+        break;
+      case Sweep::kCollectSplits:
+        splitter_.collect(first, last, since_);
+        break;
+      case Sweep::kCollectCollapses:
+        collapser_.collect(first, last, since_);
+        break;
+      case Sweep::kSplit:
+        changesInSweep_ += splitter_.splitSome(first, last - first, cost_);
+        break;
+      case Sweep::kCollapse:
+        changesInSweep_ += collapser_.collapseSome(first, last - first, cost_);
+        break;
+      case Sweep::kCollectBad:
+        collectBad(first, last);
+        break;
+      case Sweep::kRepair:
+        repair(first, last);
+        break;
+    }
+  }
+
+  void swap(std::size_t first, std::size_t last) {
+    constexpr std::size_t kBulkRing = 7;
+    EdgeRing ring;
+    for (std::size_t t = first; t < last; ++t) {
+      const TetId tet(t);
+      for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+        if (!complex_.isLive(tet) || complex_.changedIn(tet) < since_) break;
+        if (!findRing(complex_, tet, e, kBulkRing, ring) || !ring.closed) continue;
+        // Each edge once: the first changed element of its ring speaks for it.
+        const bool speaks = std::none_of(
+            ring.elementSpan().begin(), ring.elementSpan().end(),
+            [&](TetId other) { return other < tet && complex_.changedIn(other) >= since_; });
+        if (!speaks || !removal_.improve(ring, cost_, {kBulkRing, false, kSwapGain})) continue;
+        e = static_cast<std::size_t>(-1);  // another element may live here now: all its edges
+      }
+    }
+  }
+
+  void move(std::size_t first, std::size_t last, MoveKind kind) {
+    for (std::size_t i = std::max(first, complex_.boundaryNodeCount()); i < last; ++i) {
+      const NodeId node(i);
+      if (complex_.starChangedIn(node) >= since_) mover_.improve(node, kind, cost_);
+    }
+  }
+
+  void collectBad(std::size_t first, std::size_t last) {
+    if (first == 0) bad_.clear();
+    for (std::size_t t = first; t < last; ++t) {
+      if (complex_.isLive(TetId(t)) && complex_.cost(TetId(t)) > 1.0) bad_.emplace_back(t);
+    }
+  }
+
+  void repair(std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const TetId tet = bad_[i];
+      if (!complex_.isLive(tet) || complex_.cost(tet) <= 1.0) continue;
+      if (complex_.changedIn(tet) == complex_.pass()) continue;  // made in this pass: in the next
+      changesInSweep_ += repair_.repair(tet, cost_) ? 1 : 0;
+    }
+  }
+
+  void endSweep() {
+    switch (sweeps_[sweep_]) {
+      case Sweep::kCollectSplits:
+        splitter_.sortCollected();
+        break;
+      case Sweep::kCollectCollapses:
+        collapser_.sortCollected();
+        break;
+      case Sweep::kSplit:
+        splitter_.clear();
+        break;
+      case Sweep::kCollapse:
+        collapser_.clear();
+        break;
+      case Sweep::kCollectBad:
+        std::stable_sort(bad_.begin(), bad_.end(),
+                         [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+        break;
+      default:
+        break;
+    }
+    if (++sweep_ < sweeps_.size()) {
+      beginSweep();
+    } else {
+      endStage();
+    }
+  }
+
+  /// After the last sweep of a stage: the same again, or the next stage.
+  void endStage() {
+    const std::size_t changes = changes_ + changesInSweep_;
+    changes_ = 0;
+    changesInSweep_ = 0;
+    ++repeats_;
+    const auto free = static_cast<double>(complex_.freeNodeCount());
+    switch (stage_) {
+      case Stage::kFirst:
+        repeats_ = 0;
+        stage_ = Stage::kRounds;
+        sweeps_ = kRound;
+        return beginSweeps();
+      case Stage::kRounds:
+        if (repeats_ < kMaxRounds && static_cast<double>(changes) >= kQuietRound * free) {
+          return beginSweeps();
+        }
+        return begin(Stage::kFinish, kFinishSweeps, ElementCost(Measure::kFinish));
+      case Stage::kFinish:
+        return beginRepair(Stage::kRepairLow);
+      case Stage::kRepairLow:
+      case Stage::kRepairHigh:
+      case Stage::kRepairStrive:
+        if (changes > 0 && repeats_ < kRepairPasses) return beginSweeps();
+        return endRepair();
+      case Stage::kDone:
+        return;
+    }
+  }
+
+  void beginRepair(Stage stage) {
+    const DihedralTargets targets = stage == Stage::kRepairLow    ? kTargets18And150
+                                    : stage == Stage::kRepairHigh ? kTargets30And135
+                                                                  : kTargets35And130;
+    begin(stage, kRepairSweeps, ElementCost(Measure::kDihedral, targets));
+    const double share = stage == Stage::kRepairLow ? kMaxMissingLow : kMaxMissingHigh;
+    if (missing() > share * static_cast<double>(complex_.elementCount())) stage_ = Stage::kDone;
+  }
+
+  void endRepair() {
+    if (stage_ == Stage::kRepairLow) return beginRepair(Stage::kRepairHigh);
+    if (stage_ == Stage::kRepairHigh && level_ == Optimization::kStrive) {
+      return beginRepair(Stage::kRepairStrive);
+    }
+    stage_ = Stage::kDone;
+  }
+
+  [[nodiscard]] double missing() const {
+    double count = 0.0;
+    for (std::size_t t = 0; t < complex_.slotCount(); ++t) {
+      if (complex_.isLive(TetId(t)) && complex_.cost(TetId(t)) > 1.0) count += 1.0;
+    }
+    return count;
+  }
+
+  static constexpr double kSwapGain = 1e-4;
+
+  Optimization level_;
+  TetComplex complex_;
+  EdgeRemoval removal_;
+  NodeMover mover_;
+  EdgeSplitter splitter_;
+  NodeCollapser collapser_;
+  ElementRepair repair_;
+  ElementCost cost_{Measure::kBulk};
+  Stage stage_ = Stage::kFirst;
+  std::span<const Sweep> sweeps_;
+  std::size_t sweep_ = 0;
+  std::size_t next_ = 0;
+  std::uint32_t since_ = 0;
+  std::array<std::uint32_t, kSweepKinds> lastRun_{};
+  std::size_t changesInSweep_ = 0;
+  std::size_t changes_ = 0;
+  int repeats_ = 0;
+  std::vector<TetId> bad_;
+};
+
+MeshOptimizer::MeshOptimizer(const VolumeMesh& mesh, std::size_t boundaryNodes,
+                             const SizeField& field, Optimization level)
+    : impl_(std::make_unique<Impl>(mesh, boundaryNodes, field, level)) {}
+
+MeshOptimizer::MeshOptimizer(MeshOptimizer&&) noexcept = default;
+MeshOptimizer& MeshOptimizer::operator=(MeshOptimizer&&) noexcept = default;
+MeshOptimizer::~MeshOptimizer() = default;
+
+bool MeshOptimizer::advance(std::uint32_t budget) { return impl_->advance(budget); }
+double MeshOptimizer::fraction() const { return impl_->fraction(); }
+std::uint32_t MeshOptimizer::pointCount() const {
+  const TetComplex& complex = impl_->complex();
+  return static_cast<std::uint32_t>(complex.boundaryNodeCount() + complex.freeNodeCount());
+}
+std::uint32_t MeshOptimizer::tetrahedronCount() const {
+  return static_cast<std::uint32_t>(impl_->complex().elementCount());
+}
+VolumeMesh MeshOptimizer::mesh() const { return impl_->complex().toMesh(); }
+
+}  // namespace tetrafront

@@ -1,0 +1,237 @@
+#include "optimize/repair.h"
+
+#include <algorithm>
+
+namespace tetrafront {
+namespace {
+
+constexpr std::size_t kRepairRing = 9;
+constexpr double kRepairGain = 1e-3;    // relative, of swaps and collapses
+constexpr double kCompoundGain = 1e-2;  // of the worst of all elements touched
+constexpr std::size_t kMaxRepairCavity = 60;
+
+EdgeRemoval::Options repairOptions() { return {kRepairRing, true, kRepairGain}; }
+
+}  // namespace
+
+bool ElementRepair::stillBad(TetId tet, const Corners& nodes) const {
+  return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;
+}
+
+bool ElementRepair::repair(TetId tet, const ElementCost& cost) {
+  const Corners nodes = complex_.element(tet).nodes;
+  swapAround(tet, cost);
+  if (!stillBad(tet, nodes)) return true;
+  moveCorners(nodes, cost);
+  if (!stillBad(tet, nodes)) return true;
+  if (collapseCorner(nodes, cost)) return true;
+  if (insertNode(tet, cost) && !stillBad(tet, nodes)) return true;
+  compound(tet, cost);
+  return !stillBad(tet, nodes);
+}
+
+bool ElementRepair::swapAround(TetId tet, const ElementCost& cost) {
+  EdgeRing ring;
+  for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+    if (!findRing(complex_, tet, e, kRepairRing, ring)) continue;
+    if (removal_.improve(ring, cost, repairOptions())) return true;
+  }
+  return false;
+}
+
+bool ElementRepair::moveCorners(const Corners& nodes, const ElementCost& cost) {
+  bool moved = false;
+  for (const NodeId node : nodes) {
+    moved = mover_.improve(node, MoveKind::kLowerWorst, cost) || moved;
+  }
+  return moved;
+}
+
+bool ElementRepair::collapseCorner(const Corners& nodes, const ElementCost& cost) {
+  constexpr double kMaxLength = 2.0;  // wanted sizes
+  return std::any_of(nodes.begin(), nodes.end(), [&](NodeId node) {
+    return collapser_.collapse(node, cost, kMaxLength, kRepairGain);
+  });
+}
+
+bool ElementRepair::insertNode(TetId tet, const ElementCost& cost) {
+  const Corners nodes = complex_.element(tet).nodes;
+  Vec3 centroid(0.0);
+  double size = 0.0;
+  for (const NodeId node : nodes) {
+    centroid += complex_.place(node) * 0.25;
+    size += complex_.size(node) * 0.25;
+  }
+  if (insertAt(std::span(&tet, 1), centroid, size, cost)) return true;
+  for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+    EdgeRing ring;
+    if (!findRing(complex_, tet, e, kRepairRing, ring) || !ring.closed) continue;
+    const Vec3 middle = (complex_.place(ring.from) + complex_.place(ring.to)) * 0.5;
+    if (insertAt(ring.elementSpan(), middle, size, cost)) return true;
+  }
+  return false;
+}
+
+/// Adds every neighbour whose common face would make an element with `place` that is worse than
+/// the limit. False where that leads to the boundary, or too far.
+bool ElementRepair::growCavity(const Vec3& place, const ElementCost& cost, double limit) {
+  for (std::size_t i = 0; i < cavity_.size(); ++i) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Element& element = complex_.element(cavity_[i]);
+      const Facing across = element.across[k];
+      if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
+      const auto& side = kSideCorners[k];
+      const double here =
+          cost(place, complex_.place(element.nodes[side[0]]),
+               complex_.place(element.nodes[side[1]]), complex_.place(element.nodes[side[2]]));
+      if (here <= limit) continue;
+      if (across.isNone()) {
+        if (here >= kInvalidCost) return false;
+        continue;
+      }
+      if (cavity_.size() == kMaxRepairCavity) return false;
+      cavity_.push_back(across.tet());
+      inCavity_[across.tet().index()] = cavityStamp_;
+    }
+  }
+  return true;
+}
+
+void ElementRepair::hollowOut() {
+  hollow_.clear();
+  for (const TetId tet : cavity_) {
+    const Element& element = complex_.element(tet);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Facing across = element.across[k];
+      if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
+      const auto& side = kSideCorners[k];
+      hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
+                  complex_.place(element.nodes[side[2]]));
+    }
+  }
+}
+
+bool ElementRepair::insertAt(std::span<const TetId> seeds, const Vec3& start, double size,
+                             const ElementCost& cost) {
+  constexpr int kRounds = 3;
+  constexpr int kSteps = 6;
+  constexpr double kAbsorb = 0.7;  // cone elements worse than this part of the worst go
+  constexpr double kTighten = 0.95;
+  inCavity_.resize(std::max(inCavity_.size(), complex_.slotCount()), 0);
+  ++cavityStamp_;
+  cavity_.assign(seeds.begin(), seeds.end());
+  double worst = 0.0;
+  for (const TetId tet : cavity_) {
+    inCavity_[tet.index()] = cavityStamp_;
+    worst = std::max(worst, complex_.cost(tet));
+  }
+  Vec3 place = start;
+  double limit = worst * kAbsorb;
+  for (int round = 0; round < kRounds; ++round) {
+    if (!growCavity(place, cost, limit)) return false;
+    for (const TetId tet : cavity_) worst = std::max(worst, complex_.cost(tet));
+    hollowOut();
+    double best = hollow_.costAt(place, cost, kInvalidCost);
+    if (best >= kInvalidCost) return false;
+    lowerWorst(hollow_, cost, kSteps, place, best);
+    if (best < worst * (1.0 - kRepairGain)) return fillCavity(place, size, cost);
+    limit = best * kTighten;
+  }
+  return false;
+}
+
+bool ElementRepair::fillCavity(const Vec3& place, double size, const ElementCost& cost) {
+  const NodeId apex = complex_.addNode(place, size);
+  fresh_.clear();
+  std::vector<NodeId> kept;
+  for (const TetId tet : cavity_) {
+    const Element& element = complex_.element(tet);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Facing across = element.across[k];
+      if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
+      const auto& side = kSideCorners[k];
+      const Corners nodes{apex, element.nodes[side[0]], element.nodes[side[1]],
+                          element.nodes[side[2]]};
+      fresh_.push_back({nodes, complex_.costOf(cost, nodes)});
+      if (fresh_.back().cost >= kInvalidCost) return false;
+      kept.insert(kept.end(), nodes.begin() + 1, nodes.end());
+    }
+  }
+  // A cavity may swallow free nodes, but not fixed ones.
+  std::sort(kept.begin(), kept.end());
+  std::vector<NodeId> swallowed;
+  for (const TetId tet : cavity_) {
+    for (const NodeId node : complex_.element(tet).nodes) {
+      if (std::binary_search(kept.begin(), kept.end(), node)) continue;
+      if (complex_.isFixed(node)) return false;
+      swallowed.push_back(node);
+    }
+  }
+  complex_.replace(cavity_, fresh_);
+  for (const NodeId node : swallowed) complex_.forget(node);
+  return true;
+}
+
+bool ElementRepair::compound(TetId tet, const ElementCost& cost) {
+  const Corners nodes = complex_.element(tet).nodes;
+  for (const auto& corners : kEdgeCorners) {
+    for (const bool split : {false, true}) {
+      if (tryCompound(tet, nodes[corners[0]], nodes[corners[1]], split, cost)) return true;
+      if (!complex_.isLive(tet) || complex_.element(tet).nodes != nodes) return false;
+    }
+  }
+  return false;
+}
+
+/// Removes or splits the edge at whatever cost, lets the surroundings settle, and keeps the whole
+/// if its worst element is better than before.
+bool ElementRepair::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
+                                const ElementCost& cost) {
+  EdgeRing ring;
+  const std::size_t edge = edgeBetween(complex_.element(tet), a, b);
+  if (edge == kEdgeCorners.size() || !findRing(complex_, tet, edge, kRepairRing, ring)) {
+    return false;
+  }
+  if (!ring.closed) return false;
+  complex_.beginTrial();
+  std::vector<NodeId> nodes;
+  bool made = false;
+  if (split) {
+    const NodeId middle = splitter_.force(ring, cost);
+    made = !middle.isNone();
+    if (made) nodes.push_back(middle);
+  } else {
+    made = removal_.force(ring, cost);
+  }
+  if (made) {
+    nodes.insert(nodes.end(), {ring.from, ring.to});
+    nodes.insert(nodes.end(), ring.nodes.begin(),
+                 ring.nodes.begin() + static_cast<std::ptrdiff_t>(ring.nodeCount));
+    settle(nodes, cost);
+    const TetComplex::WorstCosts worst = complex_.worstOfTrial();
+    if (worst.now < worst.before * (1.0 - kCompoundGain)) {
+      complex_.keepTrial();
+      return true;
+    }
+  }
+  complex_.takeBack();
+  return false;
+}
+
+void ElementRepair::settle(std::span<const NodeId> nodes, const ElementCost& cost) {
+  constexpr int kSwaps = 4;
+  const auto moveAll = [&] {
+    for (const NodeId node : nodes) mover_.improve(node, MoveKind::kLowerWorst, cost);
+  };
+  moveAll();
+  for (int i = 0; i < kSwaps; ++i) {
+    const std::vector<TetId> touched = complex_.touchedByTrial();
+    const auto worst = std::max_element(touched.begin(), touched.end(), [&](TetId p, TetId q) {
+      return complex_.cost(p) < complex_.cost(q);
+    });
+    if (worst == touched.end() || !swapAround(*worst, cost)) break;
+  }
+  moveAll();
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,301 @@
+#include "optimize/tet_complex.h"
+
+#include <algorithm>
+
+namespace tetrafront {
+
+TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, std::vector<double> sizes)
+    : boundaryNodes_(boundaryNodes),
+      sizes_(std::move(sizes)),
+      regions_(mesh.regions),
+      faceSlots_(kFaceSlots) {
+  places_.reserve(mesh.points.size() / 3);
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+    places_.emplace_back(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
+  }
+  elementAt_.resize(places_.size());
+  starPass_.assign(places_.size(), pass_);
+  const std::size_t count = mesh.tetrahedra.size() / 4;
+  elements_.resize(count);
+  for (std::size_t t = 0; t < count; ++t) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      elements_[t].nodes[k] = NodeId(mesh.tetrahedra[4 * t + k]);
+      elementAt_[elements_[t].nodes[k].index()] = TetId(t);
+    }
+  }
+  costs_.resize(count);
+  elementPass_.assign(count, pass_);
+  stamps_.assign(count, 0);
+  connectAll();
+}
+
+/// Neighbours by sorting all sides by their nodes.
+void TetComplex::connectAll() {
+  struct Side {
+    FaceKey key;
+    Facing facing;
+  };
+  // A counting sort by the least node; the few sides of each node are then sorted in place.
+  std::vector<std::uint32_t> starts(places_.size() + 1, 0);
+  const auto forEachSide = [&](auto use) {
+    for (std::size_t t = 0; t < elements_.size(); ++t) {
+      for (std::size_t k = 0; k < 4; ++k) use(Side{keyOf(elements_[t].nodes, k), {TetId(t), k}});
+    }
+  };
+  forEachSide([&](const Side& side) { ++starts[side.key.nodes[0] + 1]; });
+  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
+  std::vector<Side> sides(4 * elements_.size());
+  std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
+  forEachSide([&](const Side& side) { sides[next[side.key.nodes[0]]++] = side; });
+  for (std::size_t node = 0; node + 1 < starts.size(); ++node) {
+    const auto first = sides.begin() + static_cast<std::ptrdiff_t>(starts[node]);
+    const auto last = sides.begin() + static_cast<std::ptrdiff_t>(starts[node + 1]);
+    std::sort(first, last, [](const Side& a, const Side& b) { return a.key.nodes < b.key.nodes; });
+    for (auto side = first; side != last; ++side) {
+      if (side + 1 == last || !(side->key == (side + 1)->key)) continue;
+      const Facing one = side->facing;
+      const Facing other = (side + 1)->facing;
+      elements_[one.tet().index()].across[one.corner()] = other;
+      elements_[other.tet().index()].across[other.corner()] = one;
+      ++side;
+    }
+  }
+}
+
+VolumeMesh TetComplex::toMesh() const {
+  constexpr std::uint32_t kUnused = 0xffffffffU;
+  std::vector<std::uint32_t> newId(places_.size(), kUnused);
+  VolumeMesh mesh;
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (i >= boundaryNodes_ && elementAt_[i].isNone()) continue;
+    newId[i] = static_cast<std::uint32_t>(mesh.points.size() / 3);
+    mesh.points.insert(mesh.points.end(), {places_[i].x, places_[i].y, places_[i].z});
+  }
+  mesh.tetrahedra.reserve(4 * elementCount());
+  mesh.regions.reserve(elementCount());
+  for (std::size_t t = 0; t < elements_.size(); ++t) {
+    if (!isLive(TetId(t))) continue;
+    for (const NodeId node : elements_[t].nodes) mesh.tetrahedra.push_back(newId[node.index()]);
+    mesh.regions.push_back(regions_[t]);
+  }
+  return mesh;
+}
+
+std::size_t TetComplex::freeNodeCount() const {
+  return static_cast<std::size_t>(
+      std::count_if(elementAt_.begin() + static_cast<std::ptrdiff_t>(boundaryNodes_),
+                    elementAt_.end(), [](TetId tet) { return !tet.isNone(); }));
+}
+
+NodeId TetComplex::addNode(const Vec3& place, double size) {
+  places_.push_back(place);
+  sizes_.push_back(size);
+  elementAt_.emplace_back();
+  starPass_.push_back(pass_);
+  return NodeId(places_.size() - 1);
+}
+
+void TetComplex::move(NodeId node, const Vec3& place) {
+  if (inTrial_) savedPlaces_.push_back({node, places_[node.index()]});
+  places_[node.index()] = place;
+}
+
+void TetComplex::setCost(TetId tet, double cost) {
+  save(tet);
+  costs_[tet.index()] = cost;
+}
+
+void TetComplex::costAll(const ElementCost& cost) {
+  for (std::size_t t = 0; t < elements_.size(); ++t) {
+    if (!isLive(TetId(t))) continue;
+    costs_[t] = std::min(costOf(cost, elements_[t].nodes), kEntryCost);
+  }
+}
+
+void TetComplex::markStars(TetId tet) {
+  for (const NodeId node : elements_[tet.index()].nodes) starPass_[node.index()] = pass_;
+}
+
+bool TetComplex::findStar(NodeId node, Star& star) {
+  const std::uint32_t stamp = freshStamp();
+  star.elements[0] = elementAt_[node.index()];
+  stamps_[star.elements[0].index()] = stamp;
+  star.size = 1;
+  for (std::size_t i = 0; i < star.size; ++i) {
+    const Element& element = elements_[star.elements[i].index()];
+    const auto at = std::find(element.nodes.begin(), element.nodes.end(), node);
+    star.corner[i] = static_cast<std::uint8_t>(at - element.nodes.begin());
+    for (std::size_t k = 0; k < 4; ++k) {
+      if (k == star.corner[i] || element.across[k].isNone()) continue;
+      const TetId next = element.across[k].tet();
+      if (stamps_[next.index()] == stamp) continue;
+      if (star.size == kMaxCavity) return false;
+      stamps_[next.index()] = stamp;
+      star.elements[star.size++] = next;
+    }
+  }
+  return true;
+}
+
+TetComplex::FaceKey TetComplex::keyOf(const Corners& nodes, std::size_t corner) const {
+  const auto& side = kSideCorners[corner];
+  std::uint32_t a = nodes[side[0]].value;
+  std::uint32_t b = nodes[side[1]].value;
+  std::uint32_t c = nodes[side[2]].value;
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {{a, b, c}};
+}
+
+TetComplex::FaceSlot& TetComplex::slotFor(const FaceKey& key) {
+  constexpr std::uint64_t kGolden = 0x9E3779B97F4A7C15U;
+  std::uint64_t hash = key.nodes[0];
+  hash = hash * kGolden + key.nodes[1];
+  hash = hash * kGolden + key.nodes[2];
+  hash *= kGolden;
+  std::size_t slot = static_cast<std::size_t>(hash >> 40) & (kFaceSlots - 1);
+  while (faceSlots_[slot].stamp == faceStamp_ && !(faceSlots_[slot].key == key)) {
+    slot = (slot + 1) & (kFaceSlots - 1);
+  }
+  return faceSlots_[slot];
+}
+
+TetId TetComplex::takeSlot() {
+  if (!freeSlots_.empty()) {
+    const TetId slot = freeSlots_.back();
+    freeSlots_.pop_back();
+    return slot;
+  }
+  elements_.emplace_back();
+  regions_.push_back(0);
+  costs_.push_back(0.0);
+  elementPass_.push_back(0);
+  stamps_.push_back(0);
+  return TetId(elements_.size() - 1);
+}
+
+void TetComplex::replace(std::span<const TetId> old, std::span<const NewElement> fresh) {
+  const std::uint32_t region = regions_[old.front().index()];
+  const std::uint32_t stamp = freshStamp();
+  for (const TetId tet : old) stamps_[tet.index()] = stamp;
+  ++faceStamp_;
+  for (const TetId tet : old) {
+    const Element& element = elements_[tet.index()];
+    for (std::size_t k = 0; k < 4; ++k) {
+      const Facing across = element.across[k];
+      if (!across.isNone() && stamps_[across.tet().index()] == stamp) continue;
+      const FaceKey key = keyOf(element.nodes, k);
+      slotFor(key) = {key, across, faceStamp_};
+    }
+  }
+  for (const TetId tet : old) save(tet);
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    const TetId tet = i < old.size() ? old[i] : takeSlot();
+    if (i >= old.size()) save(tet);
+    elements_[tet.index()].nodes = fresh[i].nodes;
+    regions_[tet.index()] = region;
+    costs_[tet.index()] = fresh[i].cost;
+    elementPass_[tet.index()] = pass_;
+    for (const NodeId node : fresh[i].nodes) {
+      elementAt_[node.index()] = tet;
+      starPass_[node.index()] = pass_;
+    }
+    for (std::size_t k = 0; k < 4; ++k) link(tet, k);
+  }
+  for (std::size_t i = old.size(); i > fresh.size(); --i) {
+    elements_[old[i - 1].index()].nodes[0] = NodeId();
+    freeSlots_.push_back(old[i - 1]);
+  }
+}
+
+/// Joins a new element's side with the outer face or the other new element that has the same one.
+void TetComplex::link(TetId tet, std::size_t corner) {
+  Element& element = elements_[tet.index()];
+  const FaceKey key = keyOf(element.nodes, corner);
+  FaceSlot& slot = slotFor(key);
+  if (slot.stamp != faceStamp_) {
+    element.across[corner] = Facing();
+    slot = {key, {tet, corner}, faceStamp_};
+    return;
+  }
+  element.across[corner] = slot.facing;
+  if (slot.facing.isNone()) return;
+  save(slot.facing.tet());
+  elements_[slot.facing.tet().index()].across[slot.facing.corner()] = {tet, corner};
+}
+
+void TetComplex::save(TetId tet) {
+  if (!inTrial_) return;
+  const std::size_t i = tet.index();
+  savedElements_.push_back({tet, elements_[i], costs_[i], elementPass_[i]});
+}
+
+void TetComplex::beginTrial() {
+  inTrial_ = true;
+  savedElements_.clear();
+  savedPlaces_.clear();
+  savedFreeSlots_ = freeSlots_;
+  slotsBeforeTrial_ = elements_.size();
+  nodesBeforeTrial_ = places_.size();
+}
+
+void TetComplex::keepTrial() { inTrial_ = false; }
+
+void TetComplex::takeBack() {
+  inTrial_ = false;
+  for (std::size_t i = savedPlaces_.size(); i-- > 0;) {
+    places_[savedPlaces_[i].node.index()] = savedPlaces_[i].place;
+  }
+  for (std::size_t i = savedElements_.size(); i-- > 0;) {
+    const SavedElement& saved = savedElements_[i];
+    elements_[saved.id.index()] = saved.element;
+    costs_[saved.id.index()] = saved.cost;
+    elementPass_[saved.id.index()] = saved.pass;
+  }
+  elements_.resize(slotsBeforeTrial_);
+  regions_.resize(slotsBeforeTrial_);
+  costs_.resize(slotsBeforeTrial_);
+  elementPass_.resize(slotsBeforeTrial_);
+  stamps_.resize(slotsBeforeTrial_);
+  for (const SavedElement& saved : savedElements_) {
+    if (saved.id.index() >= slotsBeforeTrial_ || !isLive(saved.id)) continue;
+    for (const NodeId node : elements_[saved.id.index()].nodes) {
+      elementAt_[node.index()] = saved.id;
+    }
+  }
+  places_.resize(nodesBeforeTrial_);
+  sizes_.resize(nodesBeforeTrial_);
+  elementAt_.resize(nodesBeforeTrial_);
+  starPass_.resize(nodesBeforeTrial_);
+  freeSlots_ = savedFreeSlots_;
+}
+
+TetComplex::WorstCosts TetComplex::worstOfTrial() {
+  WorstCosts worst{0.0, 0.0};
+  const std::uint32_t stamp = freshStamp();
+  for (const SavedElement& saved : savedElements_) {
+    // The first save of an element holds its state before the trial.
+    if (stamps_[saved.id.index()] == stamp) continue;
+    stamps_[saved.id.index()] = stamp;
+    const bool wasLive = !saved.element.nodes[0].isNone() && saved.id.index() < slotsBeforeTrial_;
+    if (wasLive) worst.before = std::max(worst.before, saved.cost);
+  }
+  for (const TetId tet : touchedByTrial()) worst.now = std::max(worst.now, costs_[tet.index()]);
+  return worst;
+}
+
+std::vector<TetId> TetComplex::touchedByTrial() {
+  std::vector<TetId> touched;
+  const std::uint32_t stamp = freshStamp();
+  const auto add = [&](TetId tet) {
+    if (stamps_[tet.index()] == stamp || !isLive(tet)) return;
+    stamps_[tet.index()] = stamp;
+    touched.push_back(tet);
+  };
+  for (const SavedElement& saved : savedElements_) add(saved.id);
+  for (std::size_t t = slotsBeforeTrial_; t < elements_.size(); ++t) add(TetId(t));
+  return touched;
+}
+
+}  // namespace tetrafront

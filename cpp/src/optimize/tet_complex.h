@@ -1,0 +1,180 @@
+#pragma once
+
+/// @file A tetrahedral mesh that can be changed: elements with their neighbours, nodes with one of
+/// their elements. Every change is the same one: the elements of a cavity out, others with the
+/// same outer faces in.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "optimize/element_cost.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+using Corners = std::array<NodeId, 4>;
+
+/// Corners of the side opposite corner i, counter-clockwise seen from outside.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kSideCorners{
+    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+
+/// An element's side: the element, and the corner opposite.
+class Facing {
+ public:
+  constexpr Facing() = default;
+  constexpr Facing(TetId tet, std::size_t corner)
+      : packed_(tet.value << 2 | static_cast<std::uint32_t>(corner)) {}
+  [[nodiscard]] constexpr bool isNone() const { return packed_ == kNone; }
+  [[nodiscard]] constexpr TetId tet() const { return TetId(packed_ >> 2); }
+  [[nodiscard]] constexpr std::size_t corner() const { return packed_ & 3U; }
+
+ private:
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  std::uint32_t packed_ = kNone;
+};
+
+struct Element {
+  Corners nodes;
+  std::array<Facing, 4> across;  ///< the neighbour's side; none on the boundary
+};
+
+/// An element to be put in, with its cost.
+struct NewElement {
+  Corners nodes;
+  double cost;
+};
+
+/// No cavity is larger; operators give up on larger ones.
+inline constexpr std::size_t kMaxCavity = 500;
+
+/// The elements around a node, and which corner of each it is.
+struct Star {
+  std::array<TetId, kMaxCavity> elements;
+  std::array<std::uint8_t, kMaxCavity> corner;
+  std::size_t size = 0;
+};
+
+class TetComplex {
+ public:
+  /// The first `boundaryNodes` nodes are fixed. `sizes` is the wanted edge at each node.
+  TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, std::vector<double> sizes);
+
+  /// Elements and used nodes, the boundary's first; orders kept.
+  [[nodiscard]] VolumeMesh toMesh() const;
+
+  // Nodes.
+  [[nodiscard]] std::size_t nodeCount() const { return places_.size(); }
+  [[nodiscard]] const Vec3& place(NodeId node) const { return places_[node.index()]; }
+  [[nodiscard]] double size(NodeId node) const { return sizes_[node.index()]; }
+  [[nodiscard]] bool isFixed(NodeId node) const { return node.index() < boundaryNodes_; }
+  /// Whether any element uses the node.
+  [[nodiscard]] bool isUsed(NodeId node) const { return !elementAt_[node.index()].isNone(); }
+  [[nodiscard]] std::size_t boundaryNodeCount() const { return boundaryNodes_; }
+  [[nodiscard]] std::size_t freeNodeCount() const;
+  NodeId addNode(const Vec3& place, double size);
+  void move(NodeId node, const Vec3& place);
+  void forget(NodeId node) { elementAt_[node.index()] = TetId(); }
+
+  // Elements. Slots of removed ones are used again.
+  [[nodiscard]] std::size_t slotCount() const { return elements_.size(); }
+  [[nodiscard]] std::size_t elementCount() const { return elements_.size() - freeSlots_.size(); }
+  [[nodiscard]] bool isLive(TetId tet) const { return !elements_[tet.index()].nodes[0].isNone(); }
+  [[nodiscard]] const Element& element(TetId tet) const { return elements_[tet.index()]; }
+  [[nodiscard]] double cost(TetId tet) const { return costs_[tet.index()]; }
+  void setCost(TetId tet, double cost);
+  [[nodiscard]] double costOf(const ElementCost& cost, const Corners& nodes) const {
+    return cost(place(nodes[0]), place(nodes[1]), place(nodes[2]), place(nodes[3]));
+  }
+  /// All costs anew, by another measure.
+  void costAll(const ElementCost& cost);
+
+  // What has changed since when. Passes are numbered from 1 on.
+  void beginPass() { ++pass_; }
+  [[nodiscard]] std::uint32_t pass() const { return pass_; }
+  [[nodiscard]] std::uint32_t changedIn(TetId tet) const { return elementPass_[tet.index()]; }
+  [[nodiscard]] std::uint32_t starChangedIn(NodeId node) const { return starPass_[node.index()]; }
+  void markChanged(TetId tet) { elementPass_[tet.index()] = pass_; }
+  void markStars(TetId tet);
+
+  /// False if the star is larger than kMaxCavity. `node` must be used.
+  bool findStar(NodeId node, Star& star);
+  /// Marks of a fresh set of elements; used to tell whether an element is in a cavity.
+  std::uint32_t freshStamp() { return ++stamp_; }
+  void stamp(TetId tet, std::uint32_t value) { stamps_[tet.index()] = value; }
+  [[nodiscard]] bool hasStamp(TetId tet, std::uint32_t value) const {
+    return stamps_[tet.index()] == value;
+  }
+
+  /// Replaces the elements `old` by `fresh`. The outer faces must be the same.
+  void replace(std::span<const TetId> old, std::span<const NewElement> fresh);
+
+  // A change that may have to be taken back.
+  void beginTrial();
+  void keepTrial();
+  void takeBack();
+  /// The largest cost among the elements that the trial has touched: before it, and now.
+  struct WorstCosts {
+    double before;
+    double now;
+  };
+  [[nodiscard]] WorstCosts worstOfTrial();
+  /// Live elements that the trial has touched or made.
+  [[nodiscard]] std::vector<TetId> touchedByTrial();
+
+ private:
+  struct SavedElement {
+    TetId id;
+    Element element;
+    double cost;
+    std::uint32_t pass;
+  };
+  struct SavedPlace {
+    NodeId node;
+    Vec3 place;
+  };
+  struct FaceKey {
+    std::array<std::uint32_t, 3> nodes;
+    friend bool operator==(const FaceKey&, const FaceKey&) = default;
+  };
+  struct FaceSlot {
+    FaceKey key;
+    Facing facing;
+    std::uint32_t stamp = 0;
+  };
+  static constexpr std::size_t kFaceSlots = 8192;  // a power of two, above 4 x 2 x kMaxCavity
+
+  [[nodiscard]] FaceKey keyOf(const Corners& nodes, std::size_t corner) const;
+  FaceSlot& slotFor(const FaceKey& key);
+  TetId takeSlot();
+  void link(TetId tet, std::size_t corner);
+  void connectAll();
+  void save(TetId tet);
+
+  std::size_t boundaryNodes_;
+  std::vector<Vec3> places_;
+  std::vector<double> sizes_;
+  std::vector<TetId> elementAt_;
+  std::vector<std::uint32_t> starPass_;
+  std::vector<Element> elements_;
+  std::vector<std::uint32_t> regions_;
+  std::vector<double> costs_;
+  std::vector<std::uint32_t> elementPass_;
+  std::vector<std::uint32_t> stamps_;
+  std::vector<TetId> freeSlots_;
+  std::uint32_t pass_ = 1;
+  std::uint32_t stamp_ = 0;
+  std::vector<FaceSlot> faceSlots_;
+  std::uint32_t faceStamp_ = 0;
+  bool inTrial_ = false;
+  std::vector<SavedElement> savedElements_;
+  std::vector<SavedPlace> savedPlaces_;
+  std::vector<TetId> savedFreeSlots_;
+  std::size_t slotsBeforeTrial_ = 0;
+  std::size_t nodesBeforeTrial_ = 0;
+};
+
+}  // namespace tetrafront
