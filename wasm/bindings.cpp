@@ -23,6 +23,7 @@ struct Options {
   double size = 0.0;
   double growth = 0.0;
   std::uint32_t order = 0;
+  std::uint32_t optimization = 0;
 };
 
 struct DiagnosticRecord {
@@ -87,6 +88,7 @@ MeshOptions toOptions(const Options& options) {
   result.size = options.size;
   result.growth = options.growth;
   result.order = static_cast<FrontOrder>(options.order);
+  result.optimization = static_cast<Optimization>(options.optimization);
   return result;
 }
 
@@ -298,7 +300,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<Options>("Options")
       .field("size", &Options::size)
       .field("growth", &Options::growth)
-      .field("order", &Options::order);
+      .field("order", &Options::order)
+      .field("optimization", &Options::optimization);
   value_object<DiagnosticRecord>("DiagnosticRecord")
       .field("code", &DiagnosticRecord::code)
       .field("severity", &DiagnosticRecord::severity)

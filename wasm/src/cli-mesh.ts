@@ -16,6 +16,7 @@ import type {
   MeshReport,
   MeshResult,
   MeshStatus,
+  Optimization,
   RunControl,
   SurfaceInput,
 } from "./types.js";
@@ -26,6 +27,7 @@ export interface MeshCommandOptions {
   readonly size?: string;
   readonly growth?: string;
   readonly order?: FrontOrder;
+  readonly optimize?: Optimization;
   readonly report?: string;
   readonly keepPartial?: boolean;
   readonly quiet?: boolean;
@@ -122,6 +124,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
     size: numberIn(options.size, "--size"),
     growth: numberIn(options.growth, "--growth"),
     order: options.order,
+    optimization: options.optimize,
   };
   const wrong = checkOptions(meshOptions);
   if (wrong.length > 0) throw new BadInput("command line", wrong);

@@ -4,7 +4,13 @@ import { readFileSync } from "node:fs";
 import { Command, CommanderError, Option } from "commander";
 
 import { ExitCode, meshFile, type MeshCommandOptions } from "./cli-mesh.js";
-import { DEFAULT_GROWTH, DEFAULT_ORDER, FRONT_ORDERS } from "./options.js";
+import {
+  DEFAULT_GROWTH,
+  DEFAULT_OPTIMIZATION,
+  DEFAULT_ORDER,
+  FRONT_ORDERS,
+  OPTIMIZATIONS,
+} from "./options.js";
 
 const EXAMPLES = `
 Input
@@ -59,6 +65,12 @@ function commandLine(setExitCode: (code: number) => void): Command {
         "--order <order>",
         `in which order faces leave the front (default ${DEFAULT_ORDER})`,
       ).choices(Object.keys(FRONT_ORDERS)),
+    )
+    .addOption(
+      new Option(
+        "--optimize <level>",
+        `work on the shape of the elements after the front (default ${DEFAULT_OPTIMIZATION})`,
+      ).choices(Object.keys(OPTIMIZATIONS)),
     )
     .option("-r, --report <file>", "write figures and diagnostics as JSON; - for standard output")
     .option("-k, --keep-partial", "write what exists even if the mesh is not complete")

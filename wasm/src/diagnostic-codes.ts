@@ -24,6 +24,7 @@ export const ENGINE_CODES = {
   23: "flat-background-tetrahedron",
   24: "outside-background-grid",
   25: "too-many-elements",
+  26: "bad-source",
   40: "open-edge",
   41: "non-manifold-edge",
   42: "inconsistent-orientation",

@@ -30,6 +30,7 @@ export const ENTITY_KINDS: readonly EntityKind[] = [
   "background-tetrahedron",
   "triangle",
   "surface-node",
+  "source",
 ];
 
 /** What a sentence is made from. */
@@ -159,6 +160,11 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       }
     },
     remedy: "Ask for larger elements.",
+  },
+  "bad-source": {
+    message: ({ main, value }) =>
+      `${main} has the size ${value(0)}, the distance ${value(1)} and the growth ${value(2)}`,
+    remedy: "Give a finite size above 0, and a distance and a growth of 0 or more.",
   },
   "open-edge": {
     message: ({ all, at, value }) =>

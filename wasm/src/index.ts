@@ -40,6 +40,7 @@ export type {
   MeshReport,
   MeshResult,
   MeshStatus,
+  Optimization,
   Phase,
   Progress,
   ProjectPreview,

@@ -1,7 +1,7 @@
 /** The options as the engine takes them, or what is wrong with them. */
 import { packageDiagnostic } from "./diagnostics.js";
 import type { EngineOptions } from "./protocol.js";
-import type { Diagnostic, FrontOrder, MeshOptions } from "./types.js";
+import type { Diagnostic, FrontOrder, MeshOptions, Optimization } from "./types.js";
 
 /** Growth of the element size per unit of distance from a given surface's edges. */
 export const DEFAULT_GROWTH = 0.3;
@@ -9,9 +9,23 @@ export const DEFAULT_ORDER: FrontOrder = "layered";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
 export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, "smallest-first": 1 };
 
+export const DEFAULT_OPTIMIZATION: Optimization = "default";
+/** The engine's numbers, in the order of effort. */
+export const OPTIMIZATIONS: Readonly<Record<Optimization, number>> = {
+  none: 0,
+  fast: 1,
+  default: 2,
+  strive: 3,
+};
+
 /** What is wrong with the options; empty where nothing is. */
 export function checkOptions(options: MeshOptions): Diagnostic[] {
-  const { size, growth = DEFAULT_GROWTH, order = DEFAULT_ORDER } = options;
+  const {
+    size,
+    growth = DEFAULT_GROWTH,
+    order = DEFAULT_ORDER,
+    optimization = DEFAULT_OPTIMIZATION,
+  } = options;
   const wrong: Diagnostic[] = [];
   if (size !== undefined && !(Number.isFinite(size) && size > 0)) {
     wrong.push(invalidOption(`the element size is ${size}`, "Give a finite size above 0, in model units."));
@@ -25,6 +39,10 @@ export function checkOptions(options: MeshOptions): Diagnostic[] {
     const known = Object.keys(FRONT_ORDERS).join(" or ");
     wrong.push(invalidOption(`the order of the front is "${order}"`, `Give ${known}.`));
   }
+  if (!Object.hasOwn(OPTIMIZATIONS, optimization)) {
+    const known = Object.keys(OPTIMIZATIONS).join(", ");
+    wrong.push(invalidOption(`the optimization is "${optimization}"`, `Give one of ${known}.`));
+  }
   return wrong;
 }
 
@@ -34,6 +52,11 @@ function invalidOption(message: string, remedy: string): Diagnostic {
 
 /** Options that passed the check; a size of 0 stands for none. */
 export function engineOptions(options: MeshOptions): EngineOptions {
-  const { size = 0, growth = DEFAULT_GROWTH, order = DEFAULT_ORDER } = options;
-  return { size, growth, order: FRONT_ORDERS[order] };
+  const {
+    size = 0,
+    growth = DEFAULT_GROWTH,
+    order = DEFAULT_ORDER,
+    optimization = DEFAULT_OPTIMIZATION,
+  } = options;
+  return { size, growth, order: FRONT_ORDERS[order], optimization: OPTIMIZATIONS[optimization] };
 }

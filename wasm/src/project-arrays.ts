@@ -102,6 +102,7 @@ const KIND_WORDS: Readonly<Record<EntityKind, string>> = {
   "background-tetrahedron": "background tetrahedron",
   triangle: "triangle",
   "surface-node": "surface node",
+  source: "source",
 };
 
 /** Names by number, for a given surface, whose entities nobody named. */
@@ -140,6 +141,7 @@ function entityAt(
     case "background-tetrahedron":
     case "triangle":
     case "surface-node":
+    case "source":
       return undefined;
   }
 }

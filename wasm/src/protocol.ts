@@ -9,6 +9,8 @@ export interface EngineOptions {
   readonly growth: number;
   /** 0 layered, 1 smallest first. */
   readonly order: number;
+  /** 0 none to 3 strive. */
+  readonly optimization: number;
 }
 
 /** Every request but `cancel` carries an id of its own; replies repeat it, late ones are dropped by it. */

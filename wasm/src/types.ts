@@ -13,6 +13,8 @@ export interface SurfaceInput {
 }
 
 export type FrontOrder = "layered" | "smallest-first";
+/** How much work goes into the shape of the elements after the front. */
+export type Optimization = "none" | "fast" | "default" | "strive";
 
 export interface MeshOptions {
   /** Uniform element size in model units, > 0. Replaces a project's background grid. */
@@ -21,10 +23,12 @@ export interface MeshOptions {
   readonly growth?: number | undefined;
   /** In which order faces leave the front. Default `layered`; `smallest-first` is the paper's. */
   readonly order?: FrontOrder | undefined;
+  /** Default `default`; `none` leaves the mesh as the front made it. */
+  readonly optimization?: Optimization | undefined;
 }
 
 export type MeshStatus = "done" | "stalled" | "cancelled" | "invalid-input";
-export type Phase = "check" | "sides" | "surface" | "volume" | "verify";
+export type Phase = "check" | "sides" | "surface" | "volume" | "optimize" | "verify";
 
 export interface Progress {
   readonly phase: Phase;
@@ -48,7 +52,14 @@ export interface RunControl {
 }
 
 export type EntityKind =
-  "point" | "line" | "patch" | "background-node" | "background-tetrahedron" | "triangle" | "surface-node";
+  | "point"
+  | "line"
+  | "patch"
+  | "background-node"
+  | "background-tetrahedron"
+  | "triangle"
+  | "surface-node"
+  | "source";
 
 /** What a diagnostic is about. `id` is the project's id where the entity has one. */
 export interface EntityRef {

@@ -50,6 +50,7 @@ const phaseTexts: { readonly [P in Progress["phase"]]: string } = {
   sides: "Dividing lines into sides",
   surface: "Meshing patches",
   volume: "Advancing the front",
+  optimize: "Optimizing the elements",
   verify: "Verifying the mesh",
 };
 

@@ -28,6 +28,7 @@ export const phaseNames = {
   sides: "Dividing lines",
   surface: "Meshing patches",
   volume: "Advancing the front",
+  optimize: "Optimizing the elements",
   verify: "Verifying",
 } as const;
 

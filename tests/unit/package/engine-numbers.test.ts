@@ -3,7 +3,7 @@ import { ENGINE_CODES, ENTITY_KINDS } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { SEVERITIES } from "../../../wasm/src/diagnostics.js";
-import { FRONT_ORDERS } from "../../../wasm/src/options.js";
+import { FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/options.js";
 import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project-arrays.js";
 import { PHASES } from "../../../wasm/src/run-clock.js";
 import { STATUSES } from "../../../wasm/src/slices.js";
@@ -30,9 +30,10 @@ test("statuses, of which running is none to the outside", () => {
   );
 });
 
-test("line types, patch types and orders of the front", () => {
+test("line types, patch types, orders of the front and levels of optimization", () => {
   const lines = engineEnum("model.h", "LineType").map(([value, name]) => [value, name.replace("cubic-", "")]);
   expect(swapped(LINE_TYPES)).toEqual(lines);
   expect(swapped(PATCH_TYPES)).toEqual(engineEnum("model.h", "PatchType"));
   expect(swapped(FRONT_ORDERS)).toEqual(engineEnum("options.h", "FrontOrder"));
+  expect(swapped(OPTIMIZATIONS)).toEqual(engineEnum("options.h", "Optimization"));
 });
