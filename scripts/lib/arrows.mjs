@@ -4,7 +4,13 @@ import { filesUnder } from "./fresh.mjs";
 import { inRoot, root } from "./paths.mjs";
 
 /** The rooms of cpp/src from the bottom up (docs/ARCHITECTURE.md): a room may include those on lower floors. */
-const floors = [["base"], ["geom"], ["search"], ["field", "model", "quality"], ["surface", "volume", "optimize"]];
+const floors = [
+  ["base"],
+  ["geom"],
+  ["search"],
+  ["field", "model", "quality"],
+  ["surface", "volume", "optimize"],
+];
 const floorOf = new Map(floors.flatMap((rooms, floor) => rooms.map((room) => [room, floor])));
 
 /** Includes that point against the arrows, as "file: include" in words; empty when all is well. */
@@ -26,6 +32,6 @@ function includesOf(file) {
 
 /** Files directly in cpp/src (mesher.cpp) stand above all rooms; the public headers are for everyone. */
 function mayInclude(room, other) {
-  if (!floorOf.has(room) || !floorOf.has(other) || room === other) return true;
-  return floorOf.get(other) < floorOf.get(room);
+  if (room.endsWith(".cpp") || other === "tetrafront" || room === other) return true;
+  return floorOf.has(room) && floorOf.has(other) && floorOf.get(other) < floorOf.get(room);
 }
