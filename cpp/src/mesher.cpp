@@ -6,19 +6,19 @@
 
 #include "base/fingerprint.h"
 #include "field/size_field.h"
+#include "field/size_octree_builder.h"
 #include "model/check_model.h"
 #include "optimize/optimizer.h"
 #include "quality/check_mesh.h"
 #include "quality/metrics.h"
 #include "surface/boundary.h"
+#include "surface/check_coverage.h"
+#include "surface/expected_count.h"
 #include "surface/surface_mesher.h"
 #include "volume/volume_mesher.h"
 
 namespace tetrafront {
 namespace {
-
-/// A regular tetrahedron of edge 1 fits this often into the unit volume.
-constexpr double kTetrahedraPerUnitVolume = 8.48528137423857;  // 6 sqrt 2
 
 /// Where each phase ends on the progress bar, 0 to 1.
 constexpr double kCheckEnd = 0.02;
@@ -37,43 +37,6 @@ std::vector<Vec3> pointsOf(const SurfaceMesh& surface) {
     points[i] = {surface.points[3 * i], surface.points[3 * i + 1], surface.points[3 * i + 2]};
   }
   return points;
-}
-
-double enclosedVolume(const SurfaceMesh& surface, const std::vector<Vec3>& points) {
-  double sixVolumes = 0.0;
-  for (std::size_t t = 0; t + 2 < surface.triangles.size(); t += 3) {
-    const Vec3 a = points[surface.triangles[t]] - points[0];
-    const Vec3 b = points[surface.triangles[t + 1]] - points[0];
-    const Vec3 c = points[surface.triangles[t + 2]] - points[0];
-    sixVolumes += glm::dot(a, glm::cross(b, c));
-  }
-  return sixVolumes / 6.0;
-}
-
-/// The number of tetrahedra that the field asks for: the mean of 1/h^3 over a lattice of samples
-/// in the boundary's box, times the enclosed volume.
-double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {
-  constexpr int kSamplesPerAxis = 12;
-  const std::vector<Vec3> points = pointsOf(surface);
-  Vec3 low = points.front();
-  Vec3 high = low;
-  for (const Vec3& p : points) {
-    low = glm::min(low, p);
-    high = glm::max(high, p);
-  }
-  double density = 0.0;
-  FieldHint hint;
-  for (int i = 0; i < kSamplesPerAxis; ++i) {
-    for (int j = 0; j < kSamplesPerAxis; ++j) {
-      for (int k = 0; k < kSamplesPerAxis; ++k) {
-        const Vec3 part = (Vec3(i, j, k) + 0.5) * (1.0 / kSamplesPerAxis);
-        const double size = field.sizeAt(low + part * (high - low), hint);
-        density += 1.0 / (size * size * size);
-      }
-    }
-  }
-  const double samples = kSamplesPerAxis * kSamplesPerAxis * kSamplesPerAxis;
-  return kTetrahedraPerUnitVolume * enclosedVolume(surface, points) * density / samples;
 }
 
 }  // namespace
@@ -105,7 +68,7 @@ class MeshRun::Impl {
         checkBoundary(budget);
         break;
       case Stage::kField:
-        makeSurfaceField();
+        makeSurfaceField(budget);
         break;
       case Stage::kEstimate:
         estimate();
@@ -249,11 +212,15 @@ class MeshRun::Impl {
   }
 
   void checkInput() {
+    const bool usesGrid = !(options_.size > 0.0);
     report(checkModel(*model_));
-    if (!(options_.size > 0.0)) report(checkBackgroundGrid(grid_));
+    report(usesGrid ? checkBackgroundGrid(grid_) : checkSizeSources(grid_.sources));
     if (anyError(diagnostics_)) return fail();
-    field_ = options_.size > 0.0 ? SizeField::uniform(options_.size)
-                                 : SizeField::fromGrid(GridLocator(grid_));
+    field_ = usesGrid ? SizeField::fromGrid(GridLocator(grid_, options_.gradation - 1.0))
+                      : SizeField::uniform(options_.size);
+    field_->addSources(grid_.sources);
+    if (usesGrid) report(checkCoverage(*model_, *field_));
+    if (anyError(diagnostics_)) return fail();
     surfaceMesher_.emplace(*model_, *field_);
     stage_ = Stage::kSurface;
   }
@@ -278,9 +245,14 @@ class MeshRun::Impl {
     stage_ = isModel() ? Stage::kEstimate : Stage::kField;
   }
 
-  void makeSurfaceField() {
-    field_ = SizeField::fromOctree(
-        SizeOctree(pointsOf(surface_), surface_.triangles, options_.growth, options_.size));
+  void makeSurfaceField(std::uint32_t budget) {
+    if (!octreeBuilder_) {
+      octreeBuilder_.emplace(pointsOf(surface_), surface_.triangles, options_.growth,
+                             options_.size);
+    }
+    if (!octreeBuilder_->advance(budget)) return;
+    field_ = SizeField::fromOctree(octreeBuilder_->take());
+    octreeBuilder_.reset();
     stage_ = Stage::kEstimate;
   }
 
@@ -364,6 +336,7 @@ class MeshRun::Impl {
   MeshStatus status_ = MeshStatus::kRunning;
   SurfaceMesh surface_;
   std::optional<SizeField> field_;
+  std::optional<SizeOctreeBuilder> octreeBuilder_;
   std::optional<SurfaceMesher> surfaceMesher_;
   std::optional<BoundaryCheck> boundaryCheck_;
   std::optional<VolumeMesher> volumeMesher_;

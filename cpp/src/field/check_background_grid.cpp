@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "field/grid_locator.h"
+#include "field/size_sources.h"
 #include "geom/predicates.h"
 
 namespace tetrafront {
@@ -102,7 +103,7 @@ void checkRepeated(const BackgroundGrid& grid, std::vector<Diagnostic>& found) {
 }  // namespace
 
 std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid) {
-  std::vector<Diagnostic> found;
+  std::vector<Diagnostic> found = checkSizeSources(grid.sources);
   if (grid.nodes.empty() || grid.tetrahedra.empty()) {
     found.emplace_back();
     found.back().code = DiagnosticCode::kEmptyBackgroundGrid;

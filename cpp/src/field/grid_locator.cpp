@@ -6,6 +6,9 @@
 #include <span>
 #include <utility>
 
+#include "field/grid_gradation.h"
+#include "field/tensor_limits.h"
+
 namespace tetrafront {
 namespace {
 
@@ -73,7 +76,7 @@ std::array<double, 4> clampedWeights(std::array<double, 4> weights) {
 
 }  // namespace
 
-GridLocator::GridLocator(BackgroundGrid grid) : grid_(std::move(grid)) {
+GridLocator::GridLocator(BackgroundGrid grid, double growth) : grid_(std::move(grid)) {
   maxSteps_ = kFreeSteps + kStepsPerLayer * cubeRootUp(grid_.tetrahedra.size());
   Vec3 lower(std::numeric_limits<double>::max());
   Vec3 upper(-std::numeric_limits<double>::max());
@@ -85,18 +88,28 @@ GridLocator::GridLocator(BackgroundGrid grid) : grid_(std::move(grid)) {
   }
   const Vec3 extent = upper - lower;
   slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
-  buildTensors();
+  buildTensors(growth);
   buildFrames();
   buildNeighbours();
   buildTree();
 }
 
-void GridLocator::buildTensors() {
+void GridLocator::buildTensors(double growth) {
   const bool stretched = std::any_of(grid_.nodes.begin(), grid_.nodes.end(),
                                      [](const BackgroundNode& n) { return n.stretching != 1.0; });
-  if (!stretched) return;
+  if (!stretched) {
+    if (growth > 0.0) limitSizes(grid_, growth);
+    return;
+  }
   tensors_.reserve(grid_.nodes.size());
   for (const BackgroundNode& node : grid_.nodes) tensors_.push_back(sizeTensor(node));
+  if (!(growth > 0.0)) return;
+  limitTensors(grid_, growth, tensors_);
+  for (std::size_t i = 0; i < tensors_.size(); ++i) {
+    const std::array<double, 3> sizes = principalAxes(tensors_[i]).values;
+    const double least = std::min({sizes[0], sizes[1], sizes[2]});
+    grid_.nodes[i].size = std::min(grid_.nodes[i].size, least);
+  }
 }
 
 void GridLocator::buildFrames() {
@@ -172,12 +185,32 @@ GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t start
     for (std::size_t i = 1; i < 4; ++i) {
       if (weights[i] < weights[exit]) exit = i;
     }
-    if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true};
+    if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true, step + 1};
     const std::uint32_t next = neighbours_[at][exit];
-    if (next == kNone) break;
+    if (next == kNone) {
+      Location found = nearest(place, at);
+      found.visited = step + 1;
+      return found;
+    }
     at = next;
   }
-  return nearest(place, at);
+  Location found = nearest(place, at);
+  found.visited = maxSteps_;
+  return found;
+}
+
+/// How far a place may be outside, with this tetrahedron nearest, and still count as covered.
+double GridLocator::allowanceAt(std::uint32_t tetrahedron) const {
+  if (!(grid_.overhang > 0.0)) return slack_;
+  double squared = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const Vec3 edge = grid_.nodes[grid_.tetrahedra[tetrahedron][i]].position -
+                        grid_.nodes[grid_.tetrahedra[tetrahedron][j]].position;
+      squared = std::max(squared, glm::dot(edge, edge));
+    }
+  }
+  return slack_ + grid_.overhang * std::sqrt(squared);
 }
 
 /// Branch and bound over all tetrahedra, beginning with the distance to `guess`.
@@ -188,7 +221,7 @@ GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t gues
     const std::array<double, 4> weights = weightsAt(t, place);
     if (*std::min_element(weights.begin(), weights.end()) >= -kWeightRounding) {
       leastSquared = 0.0;
-      best = {t, clampedWeights(weights), true};
+      best = {t, clampedWeights(weights), true, 0};
       return;
     }
     for (std::size_t i = 0; i < 4; ++i) {
@@ -202,12 +235,14 @@ GridLocator::Location GridLocator::nearest(const Vec3& place, std::uint32_t gues
       const double squared = glm::dot(d, d);
       if (squared >= leastSquared) continue;
       leastSquared = squared;
-      best = {t, {}, squared <= slack_ * slack_};
+      best = {t, {}, false, 0};
       for (std::size_t k = 0; k < 3; ++k) best.weights[kFaces[i][k]] = w[k];
     }
   };
   consider(guess);
   tree_.visitNear(place, leastSquared, consider);
+  const double allowance = allowanceAt(best.tetrahedron);
+  best.inside = leastSquared <= allowance * allowance;
   best.weights = clampedWeights(best.weights);
   return best;
 }

@@ -20,11 +20,13 @@ class GridLocator {
   struct Location {
     std::uint32_t tetrahedron = 0;
     std::array<double, 4> weights{};  ///< of the four nodes; sum 1, all >= 0
-    bool inside = false;  ///< false if the place is outside the grid by more than rounding
+    bool inside = false;        ///< false if outside by more than rounding and the grid's overhang
+    std::uint32_t visited = 0;  ///< tetrahedra walked through, the last one included
   };
 
-  /// `grid` must have passed checkBackgroundGrid(). O(n log n).
-  explicit GridLocator(BackgroundGrid grid);
+  /// `grid` must have passed checkBackgroundGrid(); its sources are not looked at. `growth` > 0
+  /// limits the sizes of its nodes (grid_gradation.h). O(n log n).
+  explicit GridLocator(BackgroundGrid grid, double growth = 0.0);
 
   /// The tetrahedron that holds `place`, or the nearest one with the weights of its nearest point.
   /// A few steps from a near start; O(n^(1/3)) from a far one; O(log n) after a failed walk.
@@ -50,12 +52,13 @@ class GridLocator {
     std::array<Vec3, 3> gradients;
   };
 
-  void buildTensors();
+  void buildTensors(double growth);
   void buildFrames();
   void buildNeighbours();
   void buildTree();
   [[nodiscard]] std::array<double, 4> weightsAt(std::uint32_t tetrahedron, const Vec3& place) const;
   [[nodiscard]] Location nearest(const Vec3& place, std::uint32_t guess) const;
+  [[nodiscard]] double allowanceAt(std::uint32_t tetrahedron) const;
 
   BackgroundGrid grid_;
   std::vector<SymmetricTensor> tensors_;  ///< per node; empty where nothing is stretched
@@ -66,7 +69,7 @@ class GridLocator {
   double slack_ = 0.0;  ///< how far outside counts as rounding
 };
 
-/// Everything wrong with the grid itself, all at once; empty if it can be used.
+/// Everything wrong with the grid itself and its sources, all at once; empty if it can be used.
 [[nodiscard]] std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid);
 
 }  // namespace tetrafront

@@ -2,36 +2,45 @@
 
 #include <utility>
 
+#include "field/tensor_limits.h"
+
 namespace tetrafront {
 
-SizeField SizeField::uniform(double size) { return SizeField(Source(size)); }
-SizeField SizeField::fromGrid(GridLocator locator) { return SizeField(Source(std::move(locator))); }
-SizeField SizeField::fromOctree(SizeOctree octree) { return SizeField(Source(std::move(octree))); }
+SizeField SizeField::uniform(double size) { return SizeField(Base(size)); }
+SizeField SizeField::fromGrid(GridLocator locator) { return SizeField(Base(std::move(locator))); }
+SizeField SizeField::fromOctree(SizeOctree octree) { return SizeField(Base(std::move(octree))); }
 
 double SizeField::sizeAt(const Vec3& place, FieldHint& hint) const {
-  if (const auto* octree = std::get_if<SizeOctree>(&source_)) return octree->sizeAt(place);
-  if (const auto* size = std::get_if<double>(&source_)) return *size;
-  const auto& grid = std::get<GridLocator>(source_);
+  const double size = baseSizeAt(place, hint);
+  return sources_.empty() ? size : sources_.cappedSize(place, size);
+}
+
+double SizeField::baseSizeAt(const Vec3& place, FieldHint& hint) const {
+  if (const auto* octree = std::get_if<SizeOctree>(&base_)) return octree->sizeAt(place);
+  if (const auto* size = std::get_if<double>(&base_)) return *size;
+  const auto& grid = std::get<GridLocator>(base_);
   const GridLocator::Location location = grid.locate(place, hint.tetrahedron);
   hint.tetrahedron = location.tetrahedron;
   return grid.sizeAt(location);
 }
 
 bool SizeField::isStretched() const {
-  const auto* grid = std::get_if<GridLocator>(&source_);
+  const auto* grid = std::get_if<GridLocator>(&base_);
   return grid != nullptr && grid->isStretched();
 }
 
 SymmetricTensor SizeField::tensorAt(const Vec3& place, FieldHint& hint) const {
-  const auto* grid = std::get_if<GridLocator>(&source_);
+  const auto* grid = std::get_if<GridLocator>(&base_);
   if (grid == nullptr) return SymmetricTensor::isotropic(sizeAt(place, hint));
   const GridLocator::Location location = grid->locate(place, hint.tetrahedron);
   hint.tetrahedron = location.tetrahedron;
-  return grid->tensorAt(location);
+  const SymmetricTensor tensor = grid->tensorAt(location);
+  if (sources_.empty()) return tensor;
+  return cappedTo(tensor, sources_.cappedSize(place, largestPossible(tensor)));
 }
 
 bool SizeField::covers(const Vec3& place, FieldHint& hint) const {
-  const auto* grid = std::get_if<GridLocator>(&source_);
+  const auto* grid = std::get_if<GridLocator>(&base_);
   if (grid == nullptr) return true;
   const GridLocator::Location location = grid->locate(place, hint.tetrahedron);
   hint.tetrahedron = location.tetrahedron;

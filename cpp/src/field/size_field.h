@@ -1,14 +1,16 @@
 #pragma once
 
 /// @file The size field: what the background grid, a uniform size or the surface's own edges ask
-/// for at a place (steps F1, F3, F7). One concrete class without virtual calls, as it is asked
+/// for at a place (steps F1, F3, F7), cut down to what sources ask for. One concrete class without virtual calls, as it is asked
 /// several times per element.
 
 #include <cstdint>
+#include <span>
 #include <variant>
 
 #include "field/grid_locator.h"
 #include "field/size_octree.h"
+#include "field/size_sources.h"
 #include "field/size_tensor.h"
 #include "tetrafront/vec3.h"
 
@@ -25,6 +27,9 @@ class SizeField {
   static SizeField fromGrid(GridLocator locator);
   static SizeField fromOctree(SizeOctree octree);
 
+  /// Adds sources, which must have passed checkSizeSources(), to what there is.
+  void addSources(std::span<const SizeSource> sources) { sources_ = SizeSources(sources); }
+
   /// Wanted edge length at `place`, > 0. Outside a background grid: the value at the nearest
   /// point of the nearest tetrahedron met; whoever must not accept that asks covers() first.
   [[nodiscard]] double sizeAt(const Vec3& place, FieldHint& hint) const;
@@ -40,9 +45,12 @@ class SizeField {
   [[nodiscard]] bool covers(const Vec3& place, FieldHint& hint) const;
 
  private:
-  using Source = std::variant<double, GridLocator, SizeOctree>;
-  explicit SizeField(Source source) : source_(std::move(source)) {}
-  Source source_;
+  using Base = std::variant<double, GridLocator, SizeOctree>;
+  explicit SizeField(Base base) : base_(std::move(base)) {}
+  [[nodiscard]] double baseSizeAt(const Vec3& place, FieldHint& hint) const;
+
+  Base base_;
+  SizeSources sources_;
 };
 
 }  // namespace tetrafront

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 namespace tetrafront {
-namespace {
 
 double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
@@ -13,8 +12,6 @@ double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 rest = ap - ab * t;
   return glm::dot(rest, rest);
 }
-
-}  // namespace
 
 double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 normal = glm::cross(b - a, c - a);

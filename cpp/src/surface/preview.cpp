@@ -7,6 +7,8 @@
 
 #include "field/grid_locator.h"
 #include "model/check_model.h"
+#include "surface/check_coverage.h"
+#include "surface/model_sampling.h"
 #include "surface/patch_boundary.h"
 #include "surface/planar_front.h"
 #include "tetrafront/mesher.h"
@@ -137,12 +139,18 @@ class PreviewBuilder {
 
 }  // namespace
 
-ModelPreview previewModel(const Model& model, const BackgroundGrid& grid) {
+ModelPreview sampleModel(const Model& model) {
   ModelExamination found = examineModel(model);
   ModelPreview preview = PreviewBuilder(model, found).build();
   preview.diagnostics = std::move(found.diagnostics);
-  for (Diagnostic& diagnostic : checkBackgroundGrid(grid))
-    preview.diagnostics.push_back(std::move(diagnostic));
+  return preview;
+}
+
+ModelPreview previewModel(const Model& model, const BackgroundGrid& grid) {
+  ModelPreview preview = sampleModel(model);
+  std::vector<Diagnostic> found = checkBackgroundGrid(grid);
+  if (found.empty()) found = checkCoverage(model, preview, SizeField::fromGrid(GridLocator(grid)));
+  for (Diagnostic& diagnostic : found) preview.diagnostics.push_back(std::move(diagnostic));
   return preview;
 }
 

@@ -100,8 +100,10 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
     const NodeTriple n = boundaryTriangle(boundary_, nextTriangle_);
     enclosedVolume_ += glm::dot(front_.node(n[0]) - origin,
                                 glm::cross(front_.node(n[1]) - origin, front_.node(n[2]) - origin));
+    // Neighbours in the list are near each other: asked in its order, walks are short.
+    static_cast<void>(field_.covers(front_.node(n[0]), coverHint_));
     // Turned: the front looks into the region.
-    front_.addFace({n[0], n[2], n[1]}, triangleRegion_[nextTriangle_], FieldHint{}, true);
+    front_.addFace({n[0], n[2], n[1]}, triangleRegion_[nextTriangle_], coverHint_, true);
   }
   if (nextTriangle_ == count) stage_ = Stage::kAdvance;
 }

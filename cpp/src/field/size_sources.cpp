@@ -1,0 +1,164 @@
+#include "field/size_sources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geom/measure.h"
+#include "search/morton.h"
+
+namespace tetrafront {
+namespace {
+
+/// More sources than this stand in a tree.
+constexpr std::size_t kHandful = 8;
+
+bool isFinite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::size_t pointCountOf(SourceType type) { return static_cast<std::size_t>(type) + 1; }
+
+double distanceTo(const SizeSource& source, const Vec3& place) {
+  const auto& [a, b, c] = source.points;
+  switch (source.type) {
+    case SourceType::kPoint:
+      return glm::length(place - a);
+    case SourceType::kSegment:
+      return std::sqrt(squaredDistanceToSegment(place, a, b));
+    case SourceType::kTriangle:
+      return std::sqrt(squaredDistanceToTriangle(place, a, b, c));
+  }
+  return 0.0;
+}
+
+double grown(double size, double growth, double beyond) {
+  return size + growth * std::max(0.0, beyond);
+}
+
+}  // namespace
+
+double sizeOf(const SizeSource& source, const Vec3& place) {
+  return grown(source.size, source.growth, distanceTo(source, place) - source.distance);
+}
+
+SizeSources::SizeSources(std::span<const SizeSource> sources)
+    : sources_(sources.begin(), sources.end()) {
+  if (sources_.size() > kHandful) buildTree();
+}
+
+void SizeSources::buildTree() {
+  std::vector<Vec3> centres;
+  centres.reserve(sources_.size());
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    const Branch own = branchOf(i, i + 1);
+    centres.push_back(0.5 * (own.low + own.high));
+  }
+  std::vector<SizeSource> ordered;
+  ordered.reserve(sources_.size());
+  for (const std::uint32_t i : mortonOrder(centres)) ordered.push_back(sources_[i]);
+  sources_ = std::move(ordered);
+  std::size_t leaves = 1;
+  while (leaves * kSourcesPerLeaf < sources_.size()) leaves *= 2;
+  firstLeaf_ = leaves - 1;
+  branches_.reserve(2 * leaves - 1);
+  branches_.resize(firstLeaf_);
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf) {
+    const std::size_t first = std::min(leaf * kSourcesPerLeaf, sources_.size());
+    branches_.push_back(branchOf(first, std::min(first + kSourcesPerLeaf, sources_.size())));
+  }
+  for (std::size_t n = firstLeaf_; n-- > 0;) {
+    branches_[n] = branches_[2 * n + 1];
+    widen(branches_[n], branches_[2 * n + 2]);
+  }
+}
+
+/// The branch of the sources `first` to `last` - 1; of none, one that asks for nothing.
+SizeSources::Branch SizeSources::branchOf(std::size_t first, std::size_t last) const {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  Branch branch{Vec3(kFar), Vec3(-kFar), kFar, 0.0, kFar};
+  for (std::size_t i = first; i < last; ++i) {
+    const SizeSource& source = sources_[i];
+    Branch own{source.points[0], source.points[0], source.size, source.distance, source.growth};
+    for (std::size_t k = 1; k < pointCountOf(source.type); ++k) {
+      own.low = glm::min(own.low, source.points[k]);
+      own.high = glm::max(own.high, source.points[k]);
+    }
+    widen(branch, own);
+  }
+  return branch;
+}
+
+void SizeSources::widen(Branch& branch, const Branch& by) {
+  branch.low = glm::min(branch.low, by.low);
+  branch.high = glm::max(branch.high, by.high);
+  branch.size = std::min(branch.size, by.size);
+  branch.distance = std::max(branch.distance, by.distance);
+  branch.growth = std::min(branch.growth, by.growth);
+}
+
+double SizeSources::leastOf(const Branch& branch, const Vec3& place) {
+  const Vec3 gap = glm::max(glm::max(branch.low - place, place - branch.high), Vec3(0.0));
+  return grown(branch.size, branch.growth, std::sqrt(glm::dot(gap, gap)) - branch.distance);
+}
+
+double SizeSources::cappedSize(const Vec3& place, double size) const {
+  if (branches_.empty()) {
+    for (const SizeSource& source : sources_) size = std::min(size, sizeOf(source, place));
+    return size;
+  }
+  struct Open {
+    std::size_t branch;
+    double least;
+  };
+  std::array<Open, kStack> stack;
+  std::size_t waiting = 0;
+  stack[waiting++] = {0, leastOf(branches_[0], place)};
+  while (waiting > 0) {
+    const Open open = stack[--waiting];
+    if (!(open.least < size)) continue;
+    if (open.branch < firstLeaf_) {
+      const std::size_t child = 2 * open.branch + 1;
+      const Open left{child, leastOf(branches_[child], place)};
+      const Open right{child + 1, leastOf(branches_[child + 1], place)};
+      const bool leftFirst = left.least <= right.least;
+      stack[waiting++] = leftFirst ? right : left;
+      stack[waiting++] = leftFirst ? left : right;
+      continue;
+    }
+    const std::size_t first = (open.branch - firstLeaf_) * kSourcesPerLeaf;
+    const std::size_t last = std::min(first + kSourcesPerLeaf, sources_.size());
+    for (std::size_t i = first; i < last; ++i) size = std::min(size, sizeOf(sources_[i], place));
+  }
+  return size;
+}
+
+std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
+  std::vector<Diagnostic> found;
+  const auto report = [&found](DiagnosticCode code, std::size_t index) -> Diagnostic& {
+    found.emplace_back();
+    found.back().code = code;
+    found.back().entities = {{EntityKind::kSource, static_cast<std::uint32_t>(index)}};
+    return found.back();
+  };
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const SizeSource& source = sources[i];
+    const std::size_t points = std::min(pointCountOf(source.type), source.points.size());
+    const bool finite = std::all_of(source.points.begin(),
+                                    source.points.begin() + static_cast<std::ptrdiff_t>(points),
+                                    [](const Vec3& p) { return isFinite(p); });
+    if (!finite) report(DiagnosticCode::kNotFinite, i);
+    const bool sound = source.size > 0.0 && source.distance >= 0.0 && source.growth >= 0.0 &&
+                       std::isfinite(source.size) && std::isfinite(source.distance) &&
+                       std::isfinite(source.growth) && source.type <= SourceType::kTriangle;
+    if (sound) continue;
+    Diagnostic& bad = report(DiagnosticCode::kBadSource, i);
+    bad.values = {source.size, source.distance, source.growth};
+    if (!finite) continue;
+    bad.hasPlace = true;
+    bad.place = source.points[0];
+  }
+  return found;
+}
+
+}  // namespace tetrafront
