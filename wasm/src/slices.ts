@@ -39,12 +39,16 @@ export async function runInSlices(
   control: SliceControl,
 ): Promise<MeshStatus> {
   let reportedAt = 0;
+  let reached = 0;
   for (;;) {
     const status = advanceFor(SLICE_MS, run, clock);
     const now = performance.now();
     if (status !== undefined || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;
-      control.onProgress(progressOf(run, clock));
+      const progress = progressOf(run, clock);
+      // An estimate may turn out too high; a bar that goes back helps nobody.
+      reached = Math.max(reached, progress.fraction);
+      control.onProgress({ ...progress, fraction: reached });
     }
     if (status !== undefined) return status;
     await control.letRequestsIn();

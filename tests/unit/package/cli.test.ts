@@ -262,6 +262,7 @@ describe("bad input ends with code 2 and one line:", () => {
     ["two inputs", ["mesh", "cube.off", "cube.off", "-o", "out.vtu"]],
     ["an unknown option", ["mesh", "cube.off", "-o", "out.vtu", "--fast"]],
     ["an unknown order", ["mesh", "cube.off", "-o", "out.vtu", "--order", "random"]],
+    ["an unknown optimization", ["mesh", "cube.off", "-o", "out.vtu", "--optimize", "much"]],
     ["an unknown command", ["refine", "cube.off"]],
   ])("%s", async (_, words) => {
     const result = await tetrafront(folder, words);

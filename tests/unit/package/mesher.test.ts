@@ -101,6 +101,20 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     expectValid(await mesher.fillSurface(surface, { order: "smallest-first" }), surface);
   });
 
+  test("optimizing makes the elements better and leaves the boundary", async () => {
+    const surface = cavitySurface(8);
+    const [raw, fast, full] = await Promise.all([
+      mesher.fillSurface(surface, { optimization: "none" }),
+      mesher.fillSurface(surface, { optimization: "fast" }),
+      mesher.fillSurface(surface),
+    ]);
+    for (const result of [raw, fast, full]) expectValid(result, surface);
+    expect(raw.report.seconds.optimize).toBeLessThan(0.01);
+    expect(full.report.seconds.optimize).toBeGreaterThan(0);
+    expect(fast.report.dihedral.min).toBeGreaterThan(raw.report.dihedral.min + 5);
+    expect(full.report.radiusRatio.mean).toBeGreaterThan(raw.report.radiusRatio.mean + 0.05);
+  });
+
   test("the caller's arrays stay his own", async () => {
     const surface = boxSurface(2);
     const before = { points: [...surface.points], triangles: [...surface.triangles] };
