@@ -4,9 +4,17 @@ import { readProject } from "tetrafront";
 import { parseMsh, parseVtu } from "../support/mesh-files";
 import { AppPage, sampleProject } from "./app-page";
 
-async function downloaded(page: Page, act: () => Promise<void>): Promise<{ name: string; bytes: Buffer }> {
+interface Downloaded {
+  readonly name: string;
+  readonly bytes: Uint8Array;
+  readonly text: string;
+}
+
+async function downloaded(page: Page, act: () => Promise<void>): Promise<Downloaded> {
   const [download] = await Promise.all([page.waitForEvent("download"), act()]);
-  return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+  const buffer = await readFile(await download.path());
+  // A copy: a Buffer's slices share memory, which the parsers do not expect.
+  return { name: download.suggestedFilename(), bytes: new Uint8Array(buffer), text: buffer.toString() };
 }
 
 const choose = (page: Page, item: RegExp) => async (): Promise<void> => {
@@ -38,9 +46,9 @@ test("downloads the report of the run", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets, fingerprint } = await app.mesh();
-  const { name, bytes } = await downloaded(page, choose(page, /report/));
+  const { name, text } = await downloaded(page, choose(page, /report/));
   expect(name).toBe("engine-intake-report.json");
-  expect(JSON.parse(bytes.toString())).toMatchObject({ status: "done", tetrahedra: tets, fingerprint });
+  expect(JSON.parse(text)).toMatchObject({ status: "done", tetrahedra: tets, fingerprint });
 });
 
 test("a saved project opens again as it was", async ({ page }) => {
@@ -50,14 +58,14 @@ test("a saved project opens again as it was", async ({ page }) => {
   await app.select("background-node-2");
   await app.type("bg-size", "0.3");
   const edited = await app.generate();
-  const { name, bytes } = await downloaded(page, () => page.keyboard.press("Control+s"));
+  const { name, text } = await downloaded(page, () => page.keyboard.press("Control+s"));
   expect(name).toBe("unit-cube.json");
   await expect(page.getByTestId("saved-state")).toHaveText("saved");
-  const read = readProject(bytes.toString());
+  const read = readProject(text);
   expect(read.success && read.value.background.nodes[1]?.size).toBe(0.3);
 
   await app.openExample("plate-with-hole");
-  await app.openFile("unit-cube.json", bytes.toString());
+  await app.openFile("unit-cube.json", text);
   await expect(app.viewport).toHaveAttribute("data-fingerprint", edited.fingerprint);
   expect(await app.meshed()).toEqual(edited);
 });

@@ -11,7 +11,7 @@ test("on a phone the panels are drawers and everything needed is in reach", asyn
   expect(overflow).toBeLessThanOrEqual(0);
 
   await page.getByTestId("drawer-left").click();
-  await page.getByTestId("tree-patch-1").click();
+  await app.select("patch-1");
   await page.keyboard.press("Escape");
   await page.getByTestId("drawer-right").click();
   await expect(page.getByTestId("entity-name")).toHaveValue("inlet");

@@ -24,7 +24,7 @@ test("draws the mesh, in many colours, and nothing of it when hidden", async ({ 
   const withMesh = await app.colours();
   expect(withMesh).toBeGreaterThan(150);
   await page.getByRole("tab", { name: "Display" }).click();
-  await nextFrame(app.viewport, () => page.getByRole("switch", { name: "Mesh" }).press("Space"));
+  await nextFrame(app.viewport, () => page.getByRole("switch", { name: "Mesh", exact: true }).press("Space"));
   expect(await app.colours()).toBeLessThan(withMesh / 2);
 });
 
@@ -102,7 +102,7 @@ test("standard views and keys on the picture move the camera", async ({ page }) 
     seen.add((await app.viewport.screenshot()).toString("base64"));
   }
   await page.getByTestId("viewport-canvas").focus();
-  for (const key of ["ArrowLeft", "ArrowUp", "+", "Shift+ArrowRight"]) {
+  for (const key of ["ArrowLeft", "ArrowDown", "+", "Shift+ArrowRight"]) {
     await nextFrame(app.viewport, () => page.keyboard.press(key));
     seen.add((await app.viewport.screenshot()).toString("base64"));
   }

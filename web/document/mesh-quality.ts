@@ -9,6 +9,17 @@ export const bestValue: { readonly [M in QualityMeasure]: number } = {
   dihedral: 70.528779,
 };
 
+/** Where the colour scale begins; anything worse has its darkest colour. */
+export const worstShown: { readonly [M in QualityMeasure]: number } = {
+  "radius-ratio": 0.2,
+  dihedral: 10,
+};
+
+/** A value's place on the colour scale, 0 to 1 where it is within. */
+export function placeOnScale(value: number, measure: QualityMeasure): number {
+  return (value - worstShown[measure]) / (bestValue[measure] - worstShown[measure]);
+}
+
 const cache = new WeakMap<VolumeMesh, Map<QualityMeasure, Float32Array>>();
 
 /** The measure of every tetrahedron, by position; computed once per mesh. O(tetrahedra). */

@@ -1,7 +1,7 @@
 import { ActionIcon, Tooltip } from "@mantine/core";
 import type { ReactNode } from "react";
 import { commandNamed, keyNames, runCommand } from "../commands";
-import { useApp } from "./app-context";
+import { useApp, useDocument } from "./app-context";
 
 export interface CommandButtonProps {
   /** Id in the registry. */
@@ -17,6 +17,8 @@ export interface CommandButtonProps {
 export function CommandButton({ command: id, disabled, pressed, testId, children }: CommandButtonProps) {
   const app = useApp();
   const command = commandNamed(id);
+  // Undo and redo tell what they would do.
+  useDocument((state) => state.history);
   const label = command.label(app);
   const [key] = command.keys;
   return (

@@ -37,6 +37,8 @@ export function CommandPalette() {
       nothingFound={strings.header.paletteEmpty}
       highlightQuery
       overlayProps={{ blur: 0, backgroundOpacity: 0.5 }}
+      attributes={{ content: { "aria-label": strings.header.palette } }}
+      scrollAreaProps={{ viewportProps: { tabIndex: 0 } }}
       scrollable
       maxHeight={420}
       searchProps={{

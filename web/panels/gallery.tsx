@@ -25,7 +25,7 @@ export function GalleryPanel() {
               {model.title}
             </Text>
             {model.title === name && (
-              <Badge size="xs" variant="outline">
+              <Badge size="sm" variant="outline" color="var(--tf-accent)" tt="none">
                 {strings.gallery.current}
               </Badge>
             )}

@@ -1,10 +1,11 @@
 import { CopyButton, Text, UnstyledButton } from "@mantine/core";
 import { useMemo } from "react";
-import { bestValue, qualityHistogram, type QualityMeasure } from "../document/mesh-quality";
+import { bestValue, placeOnScale, qualityHistogram, type QualityMeasure } from "../document/mesh-quality";
 import { SectionTitle } from "../ui/field-row";
 import { formatAngle, formatCount, formatSeconds, formatShort } from "../ui/format";
 import { HistogramChart } from "../ui/histogram-chart";
 import { measureNames, strings } from "../ui/strings";
+import { viridisAt } from "../ui/viridis";
 import { useRun, useStale, useView } from "./app-context";
 
 /** Bars of the histogram. */
@@ -50,6 +51,7 @@ export function QualityPanel() {
             bars={histogram.bars}
             best={bestValue[measure]}
             label={strings.quality.histogram(measureNames[measure])}
+            colorOf={(value) => viridisAt(placeOnScale(value, measure))}
             describe={(count, from, to) =>
               strings.quality.bar(formatCount(count), valueText(measure, from), valueText(measure, to))
             }

@@ -1,7 +1,6 @@
 import { ActionIcon, Button, Kbd, Switch, Text, Tooltip } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
-import { bestValue } from "../document/mesh-quality";
-import { formatShort } from "../ui/format";
+import { bestValue, worstShown } from "../document/mesh-quality";
 import { measureNames, strings } from "../ui/strings";
 import { viridis } from "../ui/viridis";
 import { useApp, useRun, useStale, useView } from "./app-context";
@@ -89,13 +88,13 @@ export function Legend() {
         style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
       />
       <div className="tf-legend-marks">
-        {legendMarks.map((mark) => (
-          <span key={mark}>
-            {shading === "dihedral"
-              ? `${formatShort(Math.round(mark * bestValue.dihedral))}°`
-              : mark.toFixed(2)}
-          </span>
-        ))}
+        {legendMarks.map((mark) => {
+          const worst = worstShown[shading];
+          const value = worst + mark * (bestValue[shading] - worst);
+          return (
+            <span key={mark}>{shading === "dihedral" ? `${Math.round(value)}°` : value.toFixed(2)}</span>
+          );
+        })}
       </div>
       <figcaption>{measureNames[shading].toLowerCase()}</figcaption>
     </figure>

@@ -1,11 +1,12 @@
 import { formatShort } from "./format";
-import { viridisAt } from "./viridis";
 
 export interface HistogramChartProps {
   readonly bars: readonly number[];
   /** The measure's best value, where the last bar ends; the first begins at 0. */
   readonly best: number;
   readonly label: string;
+  /** Colour of a bar, from the value in its middle. */
+  readonly colorOf: (value: number) => string;
   readonly describe: (count: number, from: number, to: number) => string;
 }
 
@@ -15,7 +16,7 @@ const leastHeight = 1.5;
 const axisMarks = [0, 0.25, 0.5, 0.75, 1];
 
 /** Bars in the colours of the view. Each carries its numbers for the mouse and for screen readers. */
-export function HistogramChart({ bars, best, label, describe }: HistogramChartProps) {
+export function HistogramChart({ bars, best, label, colorOf, describe }: HistogramChartProps) {
   const highest = Math.max(1, ...bars);
   return (
     <div className="tf-histogram" data-testid="quality-histogram">
@@ -29,7 +30,7 @@ export function HistogramChart({ bars, best, label, describe }: HistogramChartPr
               <div
                 style={{
                   height: count === 0 ? 0 : Math.max(leastHeight, (count / highest) * height),
-                  background: viridisAt((index + 0.5) / bars.length),
+                  background: colorOf((from + to) / 2),
                 }}
               />
             </div>

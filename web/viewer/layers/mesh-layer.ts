@@ -8,7 +8,7 @@ import {
   Mesh,
   type DataTexture,
 } from "three";
-import { bestValue, qualityOf } from "../../document/mesh-quality";
+import { placeOnScale, qualityOf } from "../../document/mesh-quality";
 import type { Cut, CutAxis, Shading } from "../../document/selection";
 import type { ViewerColors } from "../colors";
 import { createFacetMaterial, createMeshMaterial, rampTexture, setColor, setNumber } from "../materials";
@@ -186,9 +186,9 @@ export class MeshLayer implements SceneLayer {
   #writeValues(volume: VolumeMesh, values: Float32Array): void {
     if (this.#shading === "plain") return;
     const quality = qualityOf(volume, this.#shading);
-    const scale = 1 / bestValue[this.#shading];
     for (let i = 0; i < this.#faceCount; ++i) {
-      values.fill((quality[(this.#faces[i] ?? 0) >> 2] ?? 0) * scale, 3 * i, 3 * i + 3);
+      const value = quality[(this.#faces[i] ?? 0) >> 2] ?? 0;
+      values.fill(placeOnScale(value, this.#shading), 3 * i, 3 * i + 3);
     }
   }
 
