@@ -6,12 +6,9 @@ import { fileURLToPath } from "node:url";
 import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
 import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
 import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
-import { main, must, say, UserError } from "./lib/run.mjs";
+import { jobs, main, must, say, UserError } from "./lib/run.mjs";
 import { which } from "./lib/tools.mjs";
 import { setup } from "./setup.mjs";
-
-/** Enough for the two cores of a small machine, and no more than there is memory for on a large one. */
-const jobs = `-j${process.env.TETRAFRONT_JOBS ?? 2}`;
 
 const bin = (name) => inRoot("node_modules", ".bin", name);
 
@@ -20,7 +17,10 @@ export const steps = {
   async wasm({ emscripten }) {
     const file = emscriptenToolchainFile(emscripten.folder);
     await configure(buildFolders.wasm, inRoot("wasm"), [`-DCMAKE_TOOLCHAIN_FILE=${file}`], emscripten.env);
-    await must("ninja", [jobs, "-C", buildFolders.wasm, "engine"], { env: emscripten.env, quietOut: true });
+    await must("ninja", [`-j${jobs}`, "-C", buildFolders.wasm, "engine"], {
+      env: emscripten.env,
+      quietOut: true,
+    });
   },
   async package() {
     const inputs = filesUnder([inRoot("wasm"), inRoot("tsconfig.base.json"), inRoot("package-lock.json")]);
@@ -45,7 +45,7 @@ export const steps = {
   },
   async native(tools) {
     await steps.database(tools);
-    await must("ninja", [jobs, "-C", buildFolders.native], { quietOut: true });
+    await must("ninja", [`-j${jobs}`, "-C", buildFolders.native], { quietOut: true });
   },
   /** Only configures: clang-tidy reads compile_commands.json and needs nothing compiled. */
   async database({ compiler }) {
@@ -61,7 +61,7 @@ export const steps = {
       "-DTETRAFRONT_APPS=OFF",
       "-DTETRAFRONT_SANITIZE=address,undefined",
     ]);
-    await must("ninja", [jobs, "-C", buildFolders.asan], { quietOut: true });
+    await must("ninja", [`-j${jobs}`, "-C", buildFolders.asan], { quietOut: true });
   },
 };
 

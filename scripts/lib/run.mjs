@@ -1,7 +1,11 @@
 import { spawn, spawnSync } from "node:child_process";
 import { closeSync, mkdirSync, openSync, readFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import path from "node:path";
 import { root } from "./paths.mjs";
+
+/** How many processes at once: the processors there are, or TETRAFRONT_JOBS where they are shared. */
+export const jobs = Number(process.env.TETRAFRONT_JOBS) || availableParallelism();
 
 /** Something the user must read and act on: printed without a stack. */
 export class UserError extends Error {}

@@ -5,7 +5,7 @@ import { formatCpp, formatScript } from "../format.mjs";
 import { wrongIncludes } from "./arrows.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
 import { buildFolders, inRoot, reports } from "./paths.mjs";
-import { run } from "./run.mjs";
+import { jobs, run } from "./run.mjs";
 import { tidy } from "./tidy.mjs";
 
 const bin = (name) => inRoot("node_modules", ".bin", name);
@@ -14,15 +14,13 @@ const report = (name) => path.join(reports, `${name}.json`);
 /** A static check counts as one test. */
 const check = (ok, name) => ({ passed: ok ? 1 : 0, failed: ok ? 0 : 1, failures: ok ? [] : [name] });
 
-/** The C++ tests run in this many processes; each takes every n-th test. */
-const kShards = 2;
-
+/** The C++ tests run in `jobs` processes; each takes every n-th test. */
 async function cpp(folder, name, env) {
   const program = path.join(folder, "tetrafront_tests");
   const shards = await Promise.all(
-    Array.from({ length: kShards }, async (_, shard) => {
+    Array.from({ length: jobs }, async (_, shard) => {
       const file = report(`${name}-${shard}`);
-      const sharding = { GTEST_TOTAL_SHARDS: `${kShards}`, GTEST_SHARD_INDEX: `${shard}` };
+      const sharding = { GTEST_TOTAL_SHARDS: `${jobs}`, GTEST_SHARD_INDEX: `${shard}` };
       await run(program, ["--gtest_brief=1", `--gtest_output=json:${file}`], {
         env: { ...env, ...sharding },
         quietOut: true,

@@ -3,10 +3,8 @@ import { readFileSync } from "node:fs";
 import path from "node:path";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { buildFolders, glmFolder, inRoot, root } from "./paths.mjs";
-import { say } from "./run.mjs";
+import { jobs, say } from "./run.mjs";
 import { findTidy } from "./tools.mjs";
-
-const kParallel = 2;
 
 /**
  * clang-tidy over every source the native build compiles. A file is checked again only when it, any header
@@ -31,7 +29,7 @@ export async function tidy() {
       else bad.push(path.relative(root, file));
     }
   };
-  await Promise.all(Array.from({ length: kParallel }, worker));
+  await Promise.all(Array.from({ length: jobs }, worker));
   return bad.sort();
 }
 
