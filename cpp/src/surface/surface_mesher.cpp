@@ -352,7 +352,7 @@ void SurfaceMesher::Impl::reportPatch(std::uint32_t patch) {
   if (patchMesher_->tooMany()) {
     diagnostic.code = DiagnosticCode::kTooManyElements;
     // A square of t triangles has about sqrt(t / 2) sides along each edge.
-    const auto triangles = static_cast<double>(patchMesher_->mesh().triangles.size() / 3);
+    const double triangles = static_cast<double>(patchMesher_->mesh().triangles.size()) / 3.0;
     diagnostic.values = tetrahedraAsked(std::sqrt(0.5 * triangles));
   }
   diagnostics.push_back(std::move(diagnostic));
