@@ -167,12 +167,9 @@ const viewMenu: readonly Command[] = [
     { keys: ["shift+X"], enabled: (app) => viewState(app).cut.enabled },
   ),
   ...cutAxes.map((axis) =>
-    define("view", 2)(
-      `cut-${axis}`,
-      `Cut across ${axis}`,
-      (app) => app.view.setCut({ axis, enabled: true }),
-      { checked: (app) => viewState(app).cut.enabled && viewState(app).cut.axis === axis },
-    ),
+    define("view", 2)(`cut-${axis}`, `Cut across ${axis}`, (app) => app.view.cutAcross(axis), {
+      checked: (app) => viewState(app).cut.enabled && viewState(app).cut.axis === axis,
+    }),
   ),
   ...layerNames.map(([layer, name]) =>
     define("view", 3)(`layer-${layer}`, name, (app) => app.view.toggleLayer(layer), {

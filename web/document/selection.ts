@@ -79,6 +79,11 @@ export class ViewStore {
     this.state.setState(({ cut }) => ({ cut: { ...cut, ...change } }));
   }
 
+  /** Cuts across another axis and keeps the part whose cut faces the isometric view. */
+  cutAcross(axis: CutAxis): void {
+    this.setCut({ enabled: true, axis, flipped: axis === "y" });
+  }
+
   setHidden(entities: readonly Entity[], hide: boolean): void {
     this.state.setState(({ hidden }) => {
       const next = new Set(hidden);

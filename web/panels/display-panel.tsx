@@ -87,7 +87,7 @@ export function CutAxisControl() {
       aria-label={strings.display.cutAxis}
       data={[...axes]}
       value={axis}
-      onChange={(value) => app.view.setCut({ axis: value, enabled: true })}
+      onChange={(value) => app.view.cutAcross(value)}
     />
   );
 }

@@ -54,6 +54,9 @@ export const cssVariables: CSSVariablesResolver = () => ({
     "--tf-error": "#c92a2a",
     "--tf-warning": "#8f5100",
     "--tf-success": "#1f7a33",
+    "--tf-axis-x": "#c92a2a",
+    "--tf-axis-y": "#1f7a33",
+    "--tf-axis-z": "#1864ab",
   },
   dark: {
     "--mantine-color-dimmed": dark[2],
@@ -69,6 +72,9 @@ export const cssVariables: CSSVariablesResolver = () => ({
     "--tf-error": "#ff8787",
     "--tf-warning": "#ffc078",
     "--tf-success": "#69db7c",
+    "--tf-axis-x": "#ff8787",
+    "--tf-axis-y": "#69db7c",
+    "--tf-axis-z": "#74c0fc",
   },
 });
 

@@ -138,25 +138,30 @@ const facetFragment = /* glsl */ `
 export interface FacetOptions {
   readonly opacity: number;
   readonly depthWrite?: boolean;
+  readonly depthTest?: boolean;
   readonly polygonOffset?: number;
   readonly side?: Side;
 }
 
 /** Evenly coloured surfaces: patches, highlights, the remaining front. */
 export function createFacetMaterial(options: FacetOptions): ShaderMaterial {
-  const { opacity, depthWrite = false, polygonOffset = 0, side = DoubleSide } = options;
+  const { opacity, depthWrite = false, depthTest = true, polygonOffset = 0, side = DoubleSide } = options;
   return new ShaderMaterial({
     vertexShader: facetVertex,
     fragmentShader: facetFragment,
     side,
     transparent: opacity < 1,
     depthWrite,
+    depthTest,
     polygonOffset: polygonOffset !== 0,
     polygonOffsetFactor: polygonOffset,
     polygonOffsetUnits: polygonOffset,
     uniforms: { color: { value: new Color() }, opacity: { value: opacity } },
   });
 }
+
+/** Dots above this diameter in pixels are marked ones. */
+const largestPlainDot = 8;
 
 const dotVertex = /* glsl */ `
   attribute vec3 tint;
@@ -169,8 +174,9 @@ const dotVertex = /* glsl */ `
     vDiameter = diameter * pixelRatio;
     gl_PointSize = vDiameter;
     vec4 viewPosition = modelViewMatrix * vec4(position, 1.0);
-    // A dot lies on the surface it belongs to; a little nearer, it is not cut in half by it.
-    viewPosition.xyz *= 0.997;
+    // Nearer along the line of sight, the picture is the same but the depth is not: a dot on a surface
+    // is not cut in half by it, and a marked one shows through what lies before it.
+    viewPosition.xyz *= diameter > ${largestPlainDot.toFixed(1)} ? 0.4 : 0.997;
     gl_Position = projectionMatrix * viewPosition;
   }
 `;

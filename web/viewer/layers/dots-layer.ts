@@ -6,7 +6,7 @@ import type { Place, SceneLayer } from "./layer";
 /** How one dot is drawn. */
 export type DotState = "normal" | "hover" | "selected" | "hidden";
 
-/** Diameters on the screen in pixels. */
+/** Diameters on the screen in pixels; the material tells marked ones by it. */
 const diameters: { readonly [S in DotState]: number } = { normal: 7, hover: 11, selected: 11, hidden: 0 };
 
 /** Places drawn as dots: the model's points, or the nodes of the background grid. */

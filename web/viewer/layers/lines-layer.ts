@@ -21,9 +21,9 @@ export class LinesLayer implements SceneLayer {
 
   constructor() {
     this.#bundles = {
-      normal: createBundle(normalWidth, 3),
-      hover: createBundle(markedWidth, 4),
-      selected: createBundle(markedWidth, 4),
+      normal: createBundle(normalWidth, 3, true),
+      hover: createBundle(markedWidth, 4, false),
+      selected: createBundle(markedWidth, 4, false),
     };
     this.root.add(...Object.values(this.#bundles));
   }
@@ -78,9 +78,11 @@ export class LinesLayer implements SceneLayer {
   }
 }
 
-function createBundle(linewidth: number, renderOrder: number): LineSegments2 {
+/** Marked lines show through what lies before them. */
+function createBundle(linewidth: number, renderOrder: number, depthTest: boolean): LineSegments2 {
   const material = new LineMaterial({
     linewidth,
+    depthTest,
     toneMapped: false,
     polygonOffset: true,
     polygonOffsetFactor: -2,

@@ -10,11 +10,17 @@ type Marking = "normal" | "hover" | "selected";
 /** Over a mesh the patches are only a hint of the hull; alone they are the model. */
 const opacityOverMesh = 0.14;
 const opacityAlone = 0.42;
+const opacityThrough = 0.16;
 
 /** The model's patches as sampled by the engine; marked ones are drawn again in their colour. */
 export class PatchesLayer implements SceneLayer {
   readonly root = new Group();
   readonly #meshes: { readonly [M in Marking]: Mesh<BufferGeometry, ReturnType<typeof createFacetMaterial>> };
+  /** The selected patches once more, faintly, where something lies before them. */
+  readonly #through = new Mesh(
+    new BufferGeometry(),
+    createFacetMaterial({ opacity: opacityThrough, depthTest: false }),
+  );
   #position = new BufferAttribute(new Float32Array(), 3);
   #preview: ProjectPreview | null = null;
   #bvh: MeshBVH | null = null;
@@ -32,13 +38,16 @@ export class PatchesLayer implements SceneLayer {
       hover: create(0.35, -1, 2),
       selected: create(0.5, -1, 2),
     };
-    this.root.add(...Object.values(this.#meshes));
+    this.#through.frustumCulled = false;
+    this.#through.renderOrder = 3;
+    this.root.add(...Object.values(this.#meshes), this.#through);
   }
 
   setColors(colors: ViewerColors): void {
     setColor(this.#meshes.normal.material, "color", colors.patch);
     setColor(this.#meshes.hover.material, "color", colors.hover);
     setColor(this.#meshes.selected.material, "color", colors.selection);
+    setColor(this.#through.material, "color", colors.selection);
   }
 
   setOverMesh(overMesh: boolean): void {
@@ -71,6 +80,8 @@ export class PatchesLayer implements SceneLayer {
       mesh.geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles[marking]), 1));
       mesh.visible = triangles[marking].length > 0;
     }
+    this.#through.geometry = this.#meshes.selected.geometry;
+    this.#through.visible = this.#meshes.selected.visible;
     this.#bvh = null;
   }
 
@@ -92,6 +103,7 @@ export class PatchesLayer implements SceneLayer {
       mesh.geometry.dispose();
       mesh.material.dispose();
     }
+    this.#through.material.dispose();
   }
 
   #rangeOf(position: number): Uint32Array {

@@ -1,0 +1,137 @@
+import { describe, expect, it } from "vitest";
+import type { VolumeMesh } from "tetrafront";
+import { qualityHistogram, qualityOf } from "../../../web/document/mesh-quality";
+import { faceNodes, findNeighbours } from "../../../web/viewer/topology";
+import { centroidsAlong, collectVisibleFaces, writeCorners } from "../../../web/viewer/visible-faces";
+
+/** The six tetrahedra around the diagonal of each cell of a grid, all of positive volume. */
+function gridMesh(n: number): VolumeMesh {
+  const at = (x: number, y: number, z: number) => x + (n + 1) * (y + (n + 1) * z);
+  const points: number[] = [];
+  const tetrahedra: number[] = [];
+  for (let z = 0; z <= n; ++z) for (let y = 0; y <= n; ++y) for (let x = 0; x <= n; ++x) points.push(x, y, z);
+  const walks = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0, 2, 1], [2, 1, 0]] as const; // prettier-ignore
+  for (let cell = 0; cell < n ** 3; ++cell) {
+    const place = [cell % n, Math.floor(cell / n) % n, Math.floor(cell / n ** 2)] as [number, number, number];
+    walks.forEach((walk, i) => {
+      const nodes = [at(...place)];
+      const step = [...place] as [number, number, number];
+      for (const axis of walk) {
+        step[axis] += 1;
+        nodes.push(at(...step));
+      }
+      const [a = 0, b = 0, c = 0, d = 0] = nodes;
+      tetrahedra.push(...(i < 3 ? [a, b, c, d] : [a, c, b, d]));
+    });
+  }
+  return {
+    points: Float64Array.from(points),
+    tetrahedra: Uint32Array.from(tetrahedra),
+    regions: new Uint32Array(tetrahedra.length / 4),
+    front: new Uint32Array(),
+  };
+}
+
+const nodesOfFace = ({ tetrahedra }: VolumeMesh, face: number): number[] =>
+  [0, 1, 2].map((k) => tetrahedra[(face & ~3) + (faceNodes[3 * (face & 3) + k] ?? 0)] ?? 0);
+
+/** Faces that belong to one of the given tetrahedra only, found by comparing all with all. */
+function lonelyFaces(mesh: VolumeMesh, kept: readonly number[]): string[] {
+  const seen = new Map<string, number>();
+  for (const t of kept) {
+    for (let face = 4 * t; face < 4 * t + 4; ++face) {
+      const key = nodesOfFace(mesh, face)
+        .sort((a, b) => a - b)
+        .join();
+      seen.set(key, (seen.get(key) ?? 0) + 1);
+    }
+  }
+  return [...seen].filter(([, count]) => count === 1).map(([key]) => key);
+}
+
+/** Volume enclosed by triangles, by the divergence theorem: positive if they face outward. */
+function enclosed(corners: Float32Array): number {
+  let sum = 0;
+  for (let i = 0; i < corners.length; i += 9) {
+    const [ax = 0, ay = 0, az = 0, bx = 0, by = 0, bz = 0, cx = 0, cy = 0, cz = 0] = corners.subarray(
+      i,
+      i + 9,
+    );
+    sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+  }
+  return sum / 6;
+}
+
+const mesh = gridMesh(4);
+const neighbours = findNeighbours(mesh.tetrahedra);
+
+describe("findNeighbours", () => {
+  it("is mutual, and pairs faces of equal nodes", () => {
+    let boundary = 0;
+    neighbours.forEach((other, face) => {
+      if (other < 0) return ++boundary;
+      const back = [0, 1, 2, 3].map((f) => 4 * other + f).filter((f) => neighbours[f] === face >> 2);
+      const nodes = (f: number) => nodesOfFace(mesh, f).sort((a, b) => a - b);
+      expect(back.map(nodes)).toContainEqual(nodes(face));
+      return undefined;
+    });
+    // Two triangles per square of the cube's surface.
+    expect(boundary).toBe(6 * 4 * 4 * 2);
+  });
+});
+
+describe("collectVisibleFaces", () => {
+  for (const axis of ["x", "y", "z"] as const) {
+    for (const above of [false, true]) {
+      for (const limit of [-1, 0.3, 1.7, 2, 3.6, 9]) {
+        it(`shows the skin of the kept tetrahedra: ${axis} ${above ? "above" : "below"} ${limit}`, () => {
+          const centroids = centroidsAlong(mesh, axis);
+          const faces = new Uint32Array(neighbours.length);
+          const count = collectVisibleFaces(neighbours, centroids, limit, above, faces);
+          const kept = [...centroids.keys()].filter((t) =>
+            above ? (centroids[t] ?? 0) >= limit : (centroids[t] ?? 0) <= limit,
+          );
+          const keys = [...faces.subarray(0, count)].map((face) =>
+            nodesOfFace(mesh, face)
+              .sort((a, b) => a - b)
+              .join(),
+          );
+          expect(keys.sort()).toEqual(lonelyFaces(mesh, kept).sort());
+          const corners = new Float32Array(9 * count);
+          writeCorners(mesh, faces, count, [2, 2, 2], corners);
+          expect(enclosed(corners)).toBeCloseTo(kept.length / 6, 4);
+        });
+      }
+    }
+  }
+});
+
+describe("qualityOf", () => {
+  const single = (points: number[]): VolumeMesh => ({
+    points: Float64Array.from(points),
+    tetrahedra: Uint32Array.from([0, 1, 2, 3]),
+    regions: new Uint32Array(1),
+    front: new Uint32Array(),
+  });
+
+  it("is best for the regular tetrahedron, whatever its place and size", () => {
+    const regular = [1, 1, 1, -1, 1, -1, 1, -1, -1, -1, -1, 1].map((x) => 7 + 0.01 * x);
+    expect(qualityOf(single(regular), "radius-ratio")[0]).toBeCloseTo(1, 6);
+    expect(qualityOf(single(regular), "dihedral")[0]).toBeCloseTo(70.528779, 4);
+  });
+
+  it("matches the values known for the corner of a cube", () => {
+    const corner = single([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
+    // Inradius 1 / (3 + √3), circumradius √3 / 2; the slanted face meets the others at 54.7356°.
+    expect(qualityOf(corner, "radius-ratio")[0]).toBeCloseTo(6 / ((3 + Math.sqrt(3)) * Math.sqrt(3)), 6);
+    expect(qualityOf(corner, "dihedral")[0]).toBeCloseTo(54.73561, 4);
+  });
+
+  it("is nearly zero for a sliver, and the histogram counts every tetrahedron", () => {
+    const sliver = single([0, 0, 0, 1, 1, 0, 1, 0, 1e-4, 0, 1, 1e-4]);
+    expect(qualityOf(sliver, "dihedral")[0]).toBeLessThan(0.1);
+    const { bars, min, mean } = qualityHistogram(mesh, "radius-ratio", 10);
+    expect(bars.reduce((sum, count) => sum + count)).toBe(mesh.tetrahedra.length / 4);
+    expect(min).toBeLessThanOrEqual(mean);
+  });
+});

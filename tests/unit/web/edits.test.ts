@@ -1,0 +1,122 @@
+import { describe, expect, it } from "vitest";
+import { parseProject } from "tetrafront";
+import {
+  deleteEntities,
+  moveEntity,
+  renameEntity,
+  scaleSizes,
+  setNodeDirection,
+  setNodeStretching,
+} from "../../../web/document/edits";
+import { contentKey, DocumentStore, hasUnsavedChanges } from "../../../web/document/store";
+import { toProblems } from "../../../web/document/validate";
+import { treeRows } from "../../../web/panels/tree-rows";
+import { cubeProject } from "../../support/projects";
+
+describe("the document", () => {
+  it("moves, renames and sizes what an edit names, and nothing else", () => {
+    const before = cubeProject();
+    const documents = new DocumentStore(before, () => 0);
+    const [point] = before.points;
+    if (!point) throw new Error("The cube has no points");
+    documents.edit(moveEntity("point", point.id, 2, -3));
+    documents.edit(renameEntity({ kind: "point", id: point.id }, "corner"));
+    const after = documents.project;
+    expect(after.points[0]).toEqual({ id: point.id, name: "corner", at: [point.at[0], point.at[1], -3] });
+    expect(after.points.slice(1)).toEqual(before.points.slice(1));
+    expect(after.lines).toBe(before.lines);
+    documents.edit(renameEntity({ kind: "point", id: point.id }, ""));
+    expect(documents.project.points[0]).not.toHaveProperty("name");
+    documents.edit(scaleSizes(0.5));
+    expect(documents.project.background.nodes.map(({ size }) => size)).toEqual(
+      before.background.nodes.map(({ size }) => size / 2),
+    );
+  });
+
+  it("gives a node a direction when it is stretched", () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    const id = documents.project.background.nodes[0]?.id ?? 0;
+    documents.edit(setNodeStretching(id, 3));
+    documents.edit(setNodeDirection(id, 1, 2));
+    expect(documents.project.background.nodes[0]).toMatchObject({ stretching: 3, direction: [1, 2, 0] });
+  });
+
+  it("leaves a readable project whatever is deleted", () => {
+    const project = cubeProject();
+    for (const [kind, list] of [
+      ["point", project.points],
+      ["line", project.lines],
+      ["patch", project.patches],
+      ["background-node", project.background.nodes],
+    ] as const) {
+      for (const { id } of list) {
+        const documents = new DocumentStore(project, () => 0);
+        documents.edit(deleteEntities(project, [{ kind, id }]));
+        expect(parseProject(documents.project).success).toBe(true);
+        expect(contentKey(documents.project)).not.toBe(contentKey(project));
+        documents.undo();
+        expect(documents.project).toEqual(project);
+      }
+    }
+  });
+
+  it("knows what a file holds, across undo and opening", () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    const unsaved = () => hasUnsavedChanges(documents.state.getState());
+    expect(unsaved()).toBe(false);
+    documents.edit(scaleSizes(2));
+    expect(unsaved()).toBe(true);
+    documents.undo();
+    expect(unsaved()).toBe(false);
+    documents.redo();
+    documents.open({ ...cubeProject(), name: "another" }, "Open another");
+    expect(unsaved()).toBe(false);
+    documents.undo();
+    expect(unsaved()).toBe(true);
+  });
+});
+
+describe("toProblems", () => {
+  it("ties diagnostics to ids, errors first, without notes and repetition", () => {
+    const project = cubeProject();
+    const about = (index: number) => [{ kind: "patch", index, label: "" } as const];
+    const diagnostic = { code: "not-planar", remedy: "Mend it.", values: [] } as const;
+    const problems = toProblems(project, [
+      { ...diagnostic, severity: "information", message: "note", entities: [] },
+      { ...diagnostic, severity: "warning", message: "warned", entities: about(1), place: [1, 2, 3] },
+      { ...diagnostic, severity: "error", message: "failed", entities: about(0) },
+      { ...diagnostic, severity: "error", message: "failed", entities: about(0) },
+    ]);
+    expect(problems.map(({ severity, message }) => [severity, message])).toEqual([
+      ["error", "failed"],
+      ["warning", "warned"],
+    ]);
+    expect(problems.map(({ entities }) => entities)).toEqual([
+      [{ kind: "patch", id: project.patches[0]?.id }],
+      [{ kind: "patch", id: project.patches[1]?.id }],
+    ]);
+    expect(problems[1]?.place).toEqual([1, 2, 3]);
+  });
+});
+
+describe("treeRows", () => {
+  const project = cubeProject();
+
+  it("lists every entity under the heading of its kind", () => {
+    const rows = treeRows(project, "", new Set());
+    const listed = rows.filter((row) => row.type === "entity").length;
+    const { points, lines, patches, background } = project;
+    expect(listed).toBe(points.length + lines.length + patches.length + background.nodes.length);
+    expect(rows.filter((row) => row.type === "group")).toHaveLength(4);
+    expect(treeRows(project, "", new Set(["line"]))).toHaveLength(rows.length - lines.length);
+  });
+
+  it("filters by number and type, and opens what is closed", () => {
+    const id = project.lines[3]?.id ?? 0;
+    const rows = treeRows(project, `line ${id}`, new Set(["line"]));
+    expect(
+      rows.some((row) => row.type === "entity" && row.entity.kind === "line" && row.entity.id === id),
+    ).toBe(true);
+    expect(treeRows(project, "no such thing", new Set())).toEqual([]);
+  });
+});
