@@ -1,0 +1,352 @@
+/// The optimizer: its costs against their definitions, its operators against what they promise, and
+/// whole runs against the tests' validator and the angles they are for.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "base/fingerprint.h"
+#include "optimize/density.h"
+#include "optimize/edge_removal.h"
+#include "optimize/element_cost.h"
+#include "optimize/node_moves.h"
+#include "optimize/optimizer.h"
+#include "optimize/tet_complex.h"
+#include "quality/metrics.h"
+#include "support/mesh_validator.h"
+#include "support/random.h"
+#include "support/shapes.h"
+#include "surface/boundary.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront {
+namespace {
+
+const std::array<Vec3, 4> kRegular{Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1),
+                                   Vec3(-1, -1, 1)};
+
+double costOf(const ElementCost& cost, const std::array<Vec3, 4>& t) {
+  return cost(t[0], t[1], t[2], t[3]);
+}
+
+std::array<Vec3, 4> randomElement(testing::Random& random) {
+  for (;;) {
+    std::array<Vec3, 4> t{random.inBox(), random.inBox(), random.inBox(), random.inBox()};
+    const double volume = measureTetrahedron(t[0], t[1], t[2], t[3]).volume;
+    if (volume < 0.0) std::swap(t[2], t[3]);
+    if (std::fabs(volume) > 1e-4) return t;
+  }
+}
+
+TEST(ElementCost, IsZeroForTheRegularElementAndGrowsAwayFromIt) {
+  for (const Measure measure : {Measure::kBulk, Measure::kFinish}) {
+    const ElementCost cost(measure);
+    EXPECT_NEAR(costOf(cost, kRegular), 0.0, 1e-12);
+    testing::Random random(1);
+    for (int i = 0; i < 1000; ++i) EXPECT_GE(costOf(cost, randomElement(random)), -1e-12);
+  }
+}
+
+TEST(ElementCost, RefusesFlatAndInvertedElements) {
+  std::array<Vec3, 4> flat = kRegular;
+  flat[3] = (flat[0] + flat[1] + flat[2]) * (1.0 / 3.0);
+  std::array<Vec3, 4> inverted = kRegular;
+  std::swap(inverted[0], inverted[1]);
+  for (const Measure measure : {Measure::kBulk, Measure::kFinish, Measure::kDihedral}) {
+    EXPECT_EQ(costOf(ElementCost(measure), flat), kInvalidCost);
+    EXPECT_EQ(costOf(ElementCost(measure), inverted), kInvalidCost);
+  }
+}
+
+TEST(ElementCost, DihedralCostIsAtMostOneExactlyWhenBothTargetsAreMet) {
+  testing::Random random(2);
+  const ElementCost cost(Measure::kDihedral, kTargets18And150);
+  int met = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const auto t = randomElement(random);
+    const TetrahedronMeasures measures = measureTetrahedron(t[0], t[1], t[2], t[3]);
+    const double least = std::acos(measures.largestCosine) * 180.0 / std::numbers::pi;
+    const double greatest = std::acos(measures.smallestCosine) * 180.0 / std::numbers::pi;
+    if (std::fabs(least - 18.0) < 1e-6 || std::fabs(greatest - 150.0) < 1e-6) continue;
+    const bool wanted = least > 18.0 && greatest < 150.0;
+    ASSERT_EQ(costOf(cost, t) <= 1.0, wanted) << least << " " << greatest;
+    met += wanted ? 1 : 0;
+  }
+  EXPECT_GT(met, 200);
+}
+
+/// The mesh of a closed surface as the front leaves it.
+struct Filled {
+  VolumeMesh mesh;
+  SurfaceMesh surface;
+};
+
+Filled fill(const SurfaceMesh& surface) {
+  MeshOptions options;
+  options.optimization = Optimization::kNone;
+  MeshRun run(surface.points, surface.triangles, options);
+  while (run.advance(10000) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  return {run.volume(), run.surface()};
+}
+
+TetComplex complexOf(const Filled& filled) {
+  const std::size_t nodes = filled.mesh.points.size() / 3;
+  return {filled.mesh, filled.surface.points.size() / 3, std::vector<double>(nodes, 0.2)};
+}
+
+std::uint64_t fingerprintOf(const VolumeMesh& mesh) {
+  Fingerprint fingerprint;
+  fingerprint.add(mesh.points);
+  fingerprint.add(mesh.tetrahedra);
+  return fingerprint.value();
+}
+
+double totalCost(const TetComplex& complex) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < complex.slotCount(); ++t) {
+    if (complex.isLive(TetId(t))) sum += complex.cost(TetId(t));
+  }
+  return sum;
+}
+
+TEST(EdgeRemoval, LowersTheCostByWhatItSaysAndKeepsTheMeshValid) {
+  const Filled filled = fill(testing::geodesicSphere(4));
+  for (const bool fans : {false, true}) {
+    TetComplex complex = complexOf(filled);
+    const ElementCost cost(Measure::kBulk);
+    complex.costAll(cost);
+    EdgeRemoval removal(complex);
+    int swaps = 0;
+    for (std::size_t t = 0; t < complex.slotCount(); ++t) {
+      for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+        EdgeRing ring;
+        if (!complex.isLive(TetId(t)) || !findRing(complex, TetId(t), e, 7, ring)) continue;
+        const double before = totalCost(complex);
+        if (!removal.improve(ring, cost, {7, fans, 1e-4})) continue;
+        ++swaps;
+        ASSERT_LT(totalCost(complex), before);
+      }
+    }
+    EXPECT_GT(swaps, 20);
+    EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+  }
+}
+
+TEST(EdgeSplitter, AndNodeCollapserKeepTheMeshValid) {
+  const Filled filled = fill(testing::gridCube(4));
+  TetComplex complex = complexOf(filled);
+  const ElementCost cost(Measure::kBulk);
+  complex.costAll(cost);
+  EdgeSplitter splitter(complex);
+  splitter.collect(0, complex.slotCount(), 0);
+  splitter.sortCollected();
+  const std::size_t splits = splitter.splitSome(0, splitter.collected(), cost);
+  EXPECT_GT(splits, 0U);
+  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+  NodeCollapser collapser(complex);
+  collapser.collect(0, complex.nodeCount(), 0);
+  collapser.sortCollected();
+  const double before = totalCost(complex);
+  EXPECT_GT(collapser.collapseSome(0, collapser.collected(), cost), 0U);
+  EXPECT_LT(totalCost(complex), before);
+  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+}
+
+TEST(TetComplex, TakesATrialBackWithoutATrace) {
+  const Filled filled = fill(testing::geodesicSphere(5));
+  TetComplex complex = complexOf(filled);
+  const ElementCost cost(Measure::kBulk);
+  complex.costAll(cost);
+  EdgeRemoval removal(complex);
+  EdgeSplitter splitter(complex);
+  NodeMover mover(complex);
+  const std::uint64_t before = fingerprintOf(complex.toMesh());
+  const double costBefore = totalCost(complex);
+  int trials = 0;
+  for (std::size_t t = 0; t < complex.slotCount(); t += 7) {
+    for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+      EdgeRing ring;
+      if (!findRing(complex, TetId(t), e, 9, ring) || !ring.closed) continue;
+      complex.beginTrial();
+      const bool made =
+          e % 2 == 0 ? removal.force(ring, cost) : !splitter.force(ring, cost).isNone();
+      if (made) {
+        for (std::size_t i = 0; i < ring.nodeCount; ++i) {
+          mover.improve(ring.nodes[i], MoveKind::kCircumcentres, cost);
+        }
+        ++trials;
+      }
+      complex.takeBack();
+    }
+  }
+  EXPECT_GT(trials, 100);
+  EXPECT_EQ(fingerprintOf(complex.toMesh()), before);
+  EXPECT_EQ(totalCost(complex), costBefore);
+  // Neighbours and elements at nodes were restored too, or this would go wrong.
+  for (std::size_t node = complex.boundaryNodeCount(); node < complex.nodeCount(); ++node) {
+    mover.improve(NodeId(node), MoveKind::kCircumcentres, cost);
+  }
+  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+}
+
+/// A hollow of 20 faces around the origin, shaken.
+Hollow shakenHollow(std::uint64_t seed) {
+  testing::Random random(seed);
+  const SurfaceMesh surface = testing::geodesicSphere(1);
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
+    points.push_back(Vec3(surface.points[i], surface.points[i + 1], surface.points[i + 2]) +
+                     random.inBox(0.1));
+  }
+  Hollow hollow;
+  for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
+    hollow.add(points[surface.triangles[t]], points[surface.triangles[t + 1]],
+               points[surface.triangles[t + 2]]);
+  }
+  return hollow;
+}
+
+TEST(NodeMoves, NewtonStepsConvergeToAPlaceWithoutSlope) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (const bool squareRoot : {true, false}) {
+      const Hollow hollow = shakenHollow(seed);
+      const ElementCost cost(squareRoot ? Measure::kBulk : Measure::kFinish);
+      Vec3 place(0.1, -0.05, 0.08);
+      for (int i = 0; i < 20; ++i) {
+        Vec3 step(0.0);
+        if (!newtonStep(hollow, place, squareRoot, step)) break;
+        if (hollow.costAt(place + step, cost, kInvalidCost) >=
+            hollow.costAt(place, cost, kInvalidCost)) {
+          break;
+        }
+        place += step;
+      }
+      constexpr double kStep = 1e-4;
+      const double here = hollow.costAt(place, cost, kInvalidCost);
+      for (int k = 0; k < 3; ++k) {
+        for (const double sign : {-1.0, 1.0}) {
+          Vec3 beside = place;
+          beside[k] += sign * kStep;
+          EXPECT_GT(hollow.costAt(beside, cost, kInvalidCost), here) << "seed " << seed;
+        }
+      }
+    }
+  }
+}
+
+TEST(NodeMoves, CircumcentreMeanDoesNotDependOnWhereTheApexIs) {
+  const Hollow hollow = shakenHollow(3);
+  const Vec3 one = circumcentreMean(hollow, Vec3(0.1, 0.0, 0.0));
+  const Vec3 other = circumcentreMean(hollow, Vec3(-0.05, 0.12, 0.02));
+  EXPECT_LT(glm::length(one), 0.3);
+  EXPECT_LT(glm::length(other - one), 1e-12);
+  const Vec3 by(3.0, -2.0, 1.0);
+  Hollow moved;
+  for (std::size_t i = 0; i < hollow.size(); ++i) {
+    moved.add(hollow.face(i)[0] + by, hollow.face(i)[1] + by, hollow.face(i)[2] + by);
+  }
+  const Vec3 there = circumcentreMean(moved, Vec3(0.1, 0.0, 0.0) + by);
+  EXPECT_LT(glm::length(there - by - one), 1e-12) << there.x << " " << one.x;
+}
+
+TEST(NodeMoves, LoweringTheWorstNeverRaisesIt) {
+  const ElementCost cost(Measure::kDihedral, kTargets30And135);
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Hollow hollow = shakenHollow(seed);
+    Vec3 place(0.3, 0.2, -0.1);
+    const double before = hollow.costAt(place, cost, kInvalidCost);
+    if (before >= kInvalidCost) continue;
+    double worst = before;
+    lowerWorst(hollow, cost, 5, place, worst);
+    EXPECT_LE(worst, before);
+    EXPECT_NEAR(hollow.costAt(place, cost, kInvalidCost), worst, 1e-9 * worst);
+  }
+}
+
+struct Goal {
+  std::string name;
+  SurfaceMesh surface;
+  double leastDihedral;
+  double greatestDihedral;
+  double meanRadiusRatio;
+};
+void PrintTo(const Goal& goal, std::ostream* out) { *out << goal.name; }
+
+class OptimizedSurface : public ::testing::TestWithParam<Goal> {};
+
+TEST_P(OptimizedSurface, IsValidAndMeetsItsAngles) {
+  const Goal& goal = GetParam();
+  MeshRun run(goal.surface.points, goal.surface.triangles, {});
+  while (run.advance(10000) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
+  const QualitySummary quality = run.quality();
+  EXPECT_GE(quality.minDihedral, goal.leastDihedral);
+  EXPECT_LE(quality.maxDihedral, goal.greatestDihedral);
+  EXPECT_GE(quality.meanRadiusRatio, goal.meanRadiusRatio);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Optimize, OptimizedSurface,
+    ::testing::Values(
+        Goal{"sphere", testing::geodesicSphere(10), 30.0, 135.0, 0.88},
+        Goal{"cube", testing::gridCube(12, testing::Diagonals::kAlternating), 30.0, 135.0, 0.87},
+        Goal{"torus", testing::torus(1.0, 0.35, 80, 28), 30.0, 135.0, 0.84},
+        Goal{"sphericalCavity", testing::cubeWithSphericalCavity(12, 5), 30.0, 135.0, 0.85},
+        // No target can be met here; the mesh must stay valid all the same.
+        Goal{"thinPlate", testing::thinPlate(20, 0.002), 0.0, 180.0, 0.0},
+        Goal{"schoenhardt", testing::schoenhardtPrism(50.0), 0.5, 180.0, 0.0},
+        Goal{"twoCubesSharingAnEdge", testing::cubesSharingEdge(), 30.0, 135.0, 0.5},
+        Goal{"shells", testing::nestedSpheres(3, 8), 18.0, 150.0, 0.8}),
+    [](const auto& each) { return each.param.name; });
+
+TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {
+  const Filled filled = fill(testing::geodesicSphere(6));
+  const auto optimized = [&](std::uint32_t budget) {
+    const SizeField field = SizeField::uniform(0.2);
+    MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,
+                            Optimization::kDefault);
+    while (!optimizer.advance(budget)) {
+    }
+    return fingerprintOf(optimizer.mesh());
+  };
+  const std::uint64_t whole = optimized(10000000);
+  EXPECT_EQ(optimized(1), whole);
+  EXPECT_EQ(optimized(999), whole);
+}
+
+TEST(MeshOptimizer, MoreEffortGivesBetterWorstElements) {
+  const SurfaceMesh surface = testing::geodesicSphere(8);
+  double before = 0.0;
+  for (const Optimization level :
+       {Optimization::kNone, Optimization::kFast, Optimization::kDefault, Optimization::kStrive}) {
+    MeshOptions options;
+    options.optimization = level;
+    MeshRun run(surface.points, surface.triangles, options);
+    while (run.advance(10000) == MeshStatus::kRunning) {
+    }
+    const double least = run.quality().minDihedral;
+    EXPECT_GE(least, before - (level == Optimization::kDefault ? 3.0 : 0.0));
+    before = least;
+  }
+  EXPECT_GT(before, 33.0);
+}
+
+TEST(MeshOptimizer, IsValidAtEveryMomentItIsStopped) {
+  const Filled filled = fill(testing::gridCube(5));
+  const SizeField field = SizeField::uniform(0.2);
+  MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,
+                          Optimization::kDefault);
+  for (int i = 0; i < 40 && !optimizer.advance(500); ++i) {
+    ASSERT_EQ(testing::complaintAbout(optimizer.mesh(), filled.surface), "") << "slice " << i;
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront
