@@ -9,7 +9,6 @@ import type { DocumentContent, ProjectEdit } from "./store";
  */
 
 export type Axis = 0 | 1 | 2;
-export type Vector = readonly [number, number, number];
 
 const kindWords: { readonly [K in DrawnKind]: string } = {
   point: "point",

@@ -3,7 +3,6 @@ import { useStore } from "zustand";
 import type { App } from "../app";
 import { hasUnsavedChanges, type DocumentState } from "../document/store";
 import type { ProblemState } from "../document/problems";
-import type { PreviewState } from "../document/preview";
 import { isStale, type RunState } from "../document/run";
 import type { ViewState } from "../document/selection";
 import type { ShellState } from "../document/shell";
@@ -35,10 +34,6 @@ export function useView<T>(select: (state: ViewState) => T): T {
 
 export function useRun<T>(select: (state: RunState) => T): T {
   return useStore(useApp().run.state, select);
-}
-
-export function usePreview<T>(select: (state: PreviewState) => T): T {
-  return useStore(useApp().previews.state, select);
 }
 
 export function useProblems<T>(select: (state: ProblemState) => T): T {

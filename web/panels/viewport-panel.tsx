@@ -66,7 +66,8 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
     try {
       made = new Viewer(box, surface, {
         colors: firstColors.current,
-        still: app.still,
+        motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
+        multisampling: !app.still,
         events: {
           onPick: ({ entity, element }, mode) => {
             if (element === null) app.view.select(entity, mode);

@@ -63,7 +63,6 @@ export const strings = {
     show: (what: string) => `Show ${what}`,
     hide: (what: string) => `Hide ${what}`,
     problems: (count: number) => (count === 1 ? "1 problem" : `${count} problems`),
-    tetrahedra: (count: string) => `${count} tets`,
   },
   gallery: {
     intro: "Open one and it is meshed at once. Undo brings back what you had.",
@@ -81,13 +80,10 @@ export const strings = {
     direction: "Direction",
     type: "Type",
     points: "Points",
-    loops: "Loops",
     outerLoop: "Outer loop",
     hole: (index: number) => `Hole ${index}`,
     usedBy: "Used by",
     project: "Project",
-    description: "Description",
-    units: "Units",
     linePointsHint: "Point numbers along the line, separated by commas.",
     loopHint: "Line numbers in walking order; a minus walks backwards.",
     valid: "valid",
@@ -106,7 +102,6 @@ export const strings = {
   },
   quality: {
     title: "Mesh quality",
-    measure: "Measure",
     min: "min",
     mean: "mean",
     tetrahedra: "Tetrahedra",
@@ -147,7 +142,6 @@ export const strings = {
     noProblems: "No problems found.",
     show: "Show",
     at: (place: string) => `at ${place}`,
-    showPlace: "Show the place in the view",
   },
   viewport: {
     label: "Three-dimensional view",

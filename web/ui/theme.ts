@@ -19,7 +19,7 @@ const dark: MantineColorsTuple = [
   "#14171c",
 ];
 
-export const fontFamily = '"Inter Variable", Inter, system-ui, sans-serif';
+const fontFamily = '"Inter Variable", Inter, system-ui, sans-serif';
 
 export const theme = createTheme({
   fontFamily,

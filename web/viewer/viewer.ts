@@ -28,8 +28,9 @@ export interface ViewerEvents {
 
 export interface ViewerOptions {
   readonly colors: ViewerColors;
-  /** For tests: no multisampling, no motion, so that pictures and positions are exact. */
-  readonly still: boolean;
+  /** Without it the camera jumps where it would glide. */
+  readonly motion: boolean;
+  readonly multisampling: boolean;
   readonly events: ViewerEvents;
 }
 
@@ -73,15 +74,15 @@ export class Viewer {
   constructor(container: HTMLElement, canvas: HTMLCanvasElement, options: ViewerOptions) {
     this.#container = container;
     this.#options = options;
-    this.#renderer = new WebGLRenderer({ canvas, antialias: !options.still, alpha: true });
-    this.#renderer.setPixelRatio(options.still ? 1 : Math.min(window.devicePixelRatio, maxPixelRatio));
+    this.#renderer = new WebGLRenderer({ canvas, antialias: options.multisampling, alpha: true });
+    this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, maxPixelRatio));
     this.#renderer.setClearColor(0x000000, 0);
-    this.#view = new ViewCamera(canvas, !options.still);
+    this.#view = new ViewCamera(canvas, options.motion);
     this.#picker = new Picker(this.#view.camera, this.#mesh, this.#patches);
     for (const layer of this.#layers) this.#scene.add(layer.root);
     this.#cube = new ViewCube(this.#view.camera, this.#renderer, this.#view.controls, options.colors, {
       container,
-      animated: !options.still,
+      animated: options.motion,
       onChange: () => this.#requestFrame(),
     });
     this.#view.controls.addEventListener("control", () => this.#requestFrame());
@@ -160,12 +161,17 @@ export class Viewer {
       this.#picker.forgetMesh();
     }
     if (state.element !== before?.element) this.#mesh.showElement(state.element);
-    this.#updateMarkings();
+    const marked =
+      state.selection !== before?.selection ||
+      state.hover !== before.hover ||
+      state.hidden !== before.hidden ||
+      state.layers !== before.layers;
+    if (marked) this.#updateMarkings();
     this.#requestFrame();
   }
 
   /** Moves to the given entities, or to the whole model. */
-  fit(entities: readonly Entity[] | null, animate = !this.#options.still): void {
+  fit(entities: readonly Entity[] | null, animate = this.#options.motion): void {
     if (!this.#project) return;
     const whole = projectBounds(this.#project);
     let target = whole;
@@ -187,27 +193,27 @@ export class Viewer {
 
   fitPlace(place: Place): void {
     if (!this.#project) return;
-    this.#fitBounds(new Bounds().add(...place), projectBounds(this.#project), !this.#options.still);
+    this.#fitBounds(new Bounds().add(...place), projectBounds(this.#project), this.#options.motion);
   }
 
   look(view: StandardView): void {
-    this.#view.look(view, !this.#options.still);
+    this.#view.look(view, this.#options.motion);
     this.fit(null);
     this.#requestFrame();
   }
 
   turn(azimuth: number, polar: number): void {
-    this.#view.turn(azimuth, polar, !this.#options.still);
+    this.#view.turn(azimuth, polar, this.#options.motion);
     this.#requestFrame();
   }
 
   shift(right: number, down: number): void {
-    this.#view.shift(right, down, !this.#options.still);
+    this.#view.shift(right, down, this.#options.motion);
     this.#requestFrame();
   }
 
   zoom(factor: number): void {
-    this.#view.zoom(factor, !this.#options.still);
+    this.#view.zoom(factor, this.#options.motion);
     this.#requestFrame();
   }
 
@@ -358,6 +364,7 @@ export class Viewer {
     this.#frameRequest = 0;
     this.#timer.update();
     const moving = this.#view.update(Math.min(this.#timer.getDelta(), 0.1));
+    this.#mesh.refresh();
     this.#renderer.render(this.#scene, this.#view.camera);
     this.#cube.render();
     this.#options.events.onFrame(++this.#frames);

@@ -34,6 +34,7 @@ export class MeshLayer implements SceneLayer {
   #origin: Place = [0, 0, 0];
   #faces = new Uint32Array();
   #faceCount = 0;
+  #outdated = false;
   #cut: Cut | null = null;
   #shading: Shading = "radius-ratio";
   readonly #centroids = new Map<CutAxis, Float32Array>();
@@ -67,12 +68,19 @@ export class MeshLayer implements SceneLayer {
     // A sheet is drawn once per side, so every face may become visible.
     this.#faces = new Uint32Array(this.#neighbours.length);
     this.showElement(null);
-    this.#rebuild();
+    this.#outdated = true;
     this.#showFront(result);
   }
 
   setCut(cut: Cut): void {
     this.#cut = cut;
+    this.#outdated = true;
+  }
+
+  /** Brings the drawn faces up to date: once per frame, however often the cut has moved. */
+  refresh(): void {
+    if (!this.#outdated) return;
+    this.#outdated = false;
     this.#rebuild();
   }
 
@@ -81,7 +89,7 @@ export class MeshLayer implements SceneLayer {
     setNumber(this.#material, "shaded", shading === "plain" ? 0 : 1);
     if (shading === this.#shading) return;
     this.#shading = shading;
-    this.#rebuild();
+    this.#outdated = true;
   }
 
   setStale(stale: boolean): void {
@@ -90,10 +98,12 @@ export class MeshLayer implements SceneLayer {
 
   /** Number of tetrahedra in the mesh, and of faces drawn of them. */
   get counts(): { readonly tetrahedra: number; readonly drawnFaces: number } {
+    this.refresh();
     return { tetrahedra: (this.#volume?.tetrahedra.length ?? 0) / 4, drawnFaces: this.#faceCount };
   }
 
   get drawn(): Mesh {
+    this.refresh();
     return this.#mesh;
   }
 
