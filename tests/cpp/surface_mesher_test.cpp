@@ -69,6 +69,19 @@ TEST(SurfaceMesher, CylinderWithASeamAndTwoDiscsIsWatertight) {
   }
 }
 
+TEST(SurfaceMesher, BentBoxesOfCoonsPatchesAreWatertight) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const Model model = randomBentBox(seed, 0.2);
+    ASSERT_TRUE(checkModel(model).empty()) << seed;
+    const SizeField field = SizeField::uniform(seed % 3 == 0 ? 2.0 : 0.15);
+    const SurfaceMeasures found = measure(meshOf(model, field), field);
+    SCOPED_TRACE(seed);
+    EXPECT_EQ(found.borderEdges, 0U);
+    EXPECT_EQ(found.crowdedEdges, 0U);
+    EXPECT_EQ(found.eulerCharacteristic(), 2);
+  }
+}
+
 TEST(SurfaceMesher, NodesComeInThePromisedOrder) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   // A point and a line that nothing uses leave no node.

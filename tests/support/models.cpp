@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -185,6 +186,34 @@ Model boxModel(const Vec3& low, const Vec3& high) {
     builder.patch(
         PatchType::kPlanar,
         {builder.polygon({corner(face[0]), corner(face[1]), corner(face[2]), corner(face[3])})});
+  return builder.model;
+}
+
+Model randomBentBox(std::uint64_t seed, double bend) {
+  Random random(seed);
+  const Vec3 edges(random.between(0.6, 2), random.between(0.6, 2), random.between(0.6, 2));
+  std::array<Vec3, 8> corners;
+  for (int i = 0; i < 8; ++i)
+    corners[i] = edges * Vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1) + random.inBox(bend);
+  ModelBuilder builder;
+  std::map<std::pair<int, int>, std::uint32_t> lines;
+  const auto join = [&](int from, int to) {
+    const std::pair<int, int> ends = std::minmax(from, to);
+    const auto known = lines.find(ends);
+    if (known != lines.end()) return OrientedLine{known->second, from > to};
+    LineType type{};
+    const std::vector<Vec3> places =
+        randomLine(random, corners[ends.first], corners[ends.second], 0.5 * bend, type);
+    lines[ends] = builder.line(type, places);
+    return OrientedLine{lines[ends], from > to};
+  };
+  const std::array<std::array<int, 4>, 6> faces{
+      {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
+  for (const std::array<int, 4>& face : faces) {
+    Loop loop;
+    for (std::size_t k = 0; k < 4; ++k) loop.push_back(join(face[k], face[(k + 1) % 4]));
+    builder.patch(PatchType::kCoons, {loop});
+  }
   return builder.model;
 }
 

@@ -47,6 +47,10 @@ Model randomPolygonModel(std::uint64_t seed, double& area);
 /// The box of six planar patches that share twelve lines; some lines and loops run backward.
 Model boxModel(const Vec3& low, const Vec3& high);
 
+/// A box of six Coons patches whose corners are moved and whose twelve lines, of random types,
+/// are bent by up to `bend`.
+Model randomBentBox(std::uint64_t seed, double bend);
+
 /// The side of a tube, one Coons patch between two circles of one spline each, with a seam.
 Model seamedTube(double radius, double height);
 
