@@ -10,7 +10,7 @@ namespace tetrafront {
 namespace {
 
 /// Wanted size per mean edge length of the mesh it leads to.
-constexpr double kSizePerEdge = 1.0;
+constexpr double kSizePerEdge = 0.9;
 
 /// A facet of a curved patch is not covered by the grid where another mesh has a node: the bulge
 /// over an edge that spans 100 degrees of a circle.

@@ -185,17 +185,17 @@ GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t start
     for (std::size_t i = 1; i < 4; ++i) {
       if (weights[i] < weights[exit]) exit = i;
     }
-    if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true, step + 1};
+    if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true, step};
     const std::uint32_t next = neighbours_[at][exit];
     if (next == kNone) {
       Location found = nearest(place, at);
-      found.visited = step + 1;
+      found.steps = step;
       return found;
     }
     at = next;
   }
   Location found = nearest(place, at);
-  found.visited = maxSteps_;
+  found.steps = maxSteps_;
   return found;
 }
 

@@ -20,8 +20,8 @@ class GridLocator {
   struct Location {
     std::uint32_t tetrahedron = 0;
     std::array<double, 4> weights{};  ///< of the four nodes; sum 1, all >= 0
-    bool inside = false;        ///< false if outside by more than rounding and the grid's overhang
-    std::uint32_t visited = 0;  ///< tetrahedra walked through, the last one included
+    bool inside = false;      ///< false if outside by more than rounding and the grid's overhang
+    std::uint32_t steps = 0;  ///< of the walk, from one tetrahedron to the next
   };
 
   /// `grid` must have passed checkBackgroundGrid(); its sources are not looked at. `growth` > 0

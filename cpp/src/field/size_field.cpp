@@ -19,9 +19,7 @@ double SizeField::baseSizeAt(const Vec3& place, FieldHint& hint) const {
   if (const auto* octree = std::get_if<SizeOctree>(&base_)) return octree->sizeAt(place);
   if (const auto* size = std::get_if<double>(&base_)) return *size;
   const auto& grid = std::get<GridLocator>(base_);
-  const GridLocator::Location location = grid.locate(place, hint.tetrahedron);
-  hint.tetrahedron = location.tetrahedron;
-  return grid.sizeAt(location);
+  return grid.sizeAt(locate(grid, place, hint));
 }
 
 bool SizeField::isStretched() const {
@@ -32,19 +30,23 @@ bool SizeField::isStretched() const {
 SymmetricTensor SizeField::tensorAt(const Vec3& place, FieldHint& hint) const {
   const auto* grid = std::get_if<GridLocator>(&base_);
   if (grid == nullptr) return SymmetricTensor::isotropic(sizeAt(place, hint));
-  const GridLocator::Location location = grid->locate(place, hint.tetrahedron);
-  hint.tetrahedron = location.tetrahedron;
-  const SymmetricTensor tensor = grid->tensorAt(location);
+  const SymmetricTensor tensor = grid->tensorAt(locate(*grid, place, hint));
   if (sources_.empty()) return tensor;
   return cappedTo(tensor, sources_.cappedSize(place, largestPossible(tensor)));
 }
 
 bool SizeField::covers(const Vec3& place, FieldHint& hint) const {
   const auto* grid = std::get_if<GridLocator>(&base_);
-  if (grid == nullptr) return true;
-  const GridLocator::Location location = grid->locate(place, hint.tetrahedron);
+  return grid == nullptr || locate(*grid, place, hint).inside;
+}
+
+GridLocator::Location SizeField::locate(const GridLocator& grid, const Vec3& place,
+                                        FieldHint& hint) const {
+  const GridLocator::Location location = grid.locate(place, hint.tetrahedron);
   hint.tetrahedron = location.tetrahedron;
-  return location.inside;
+  ++walked_.queries;
+  walked_.steps += location.steps;
+  return location;
 }
 
 }  // namespace tetrafront

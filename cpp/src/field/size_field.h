@@ -21,6 +21,12 @@ struct FieldHint {
   std::uint32_t tetrahedron = 0;
 };
 
+/// How far the queries of a background grid had to walk.
+struct WalkCount {
+  std::uint64_t queries = 0;
+  std::uint64_t steps = 0;  ///< from one tetrahedron to the next
+};
+
 class SizeField {
  public:
   static SizeField uniform(double size);
@@ -44,13 +50,18 @@ class SizeField {
   /// other kinds.
   [[nodiscard]] bool covers(const Vec3& place, FieldHint& hint) const;
 
+  /// Of all queries so far.
+  [[nodiscard]] WalkCount walkCount() const { return walked_; }
+
  private:
   using Base = std::variant<double, GridLocator, SizeOctree>;
   explicit SizeField(Base base) : base_(std::move(base)) {}
   [[nodiscard]] double baseSizeAt(const Vec3& place, FieldHint& hint) const;
+  GridLocator::Location locate(const GridLocator& grid, const Vec3& place, FieldHint& hint) const;
 
   Base base_;
   SizeSources sources_;
+  mutable WalkCount walked_;  ///< a measurement, which no answer depends on
 };
 
 }  // namespace tetrafront

@@ -36,15 +36,17 @@ std::uint32_t logBits(float ratio, std::uint32_t offsetOctaves) {
 Front::Front(double typicalSize, const Vec3& origin, FrontOrder order)
     : order_(order), typicalSize_(typicalSize), grid_(kCellPerSize * typicalSize, origin) {}
 
-NodeId Front::addNode(const Vec3& place, std::uint16_t layer) {
+NodeId Front::addNode(const Vec3& place, std::uint16_t layer, FieldHint hint) {
   nodes_.push_back(place);
   layers_.push_back(layer);
+  hints_.push_back(hint);
   return NodeId(nodes_.size() - 1);
 }
 
 void Front::dropNodesFrom(std::size_t count) {
   nodes_.resize(count);
   layers_.resize(count);
+  hints_.resize(count);
 }
 
 Box Front::boxOf(FaceId face) const {

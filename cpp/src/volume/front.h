@@ -45,11 +45,13 @@ class Front {
   Front(double typicalSize, const Vec3& origin, FrontOrder order);
 
   // Nodes. The layer is 0 on the given surface and grows inward by one per new node.
-  NodeId addNode(const Vec3& place, std::uint16_t layer);
+  // The hint tells where the size field was last asked near it.
+  NodeId addNode(const Vec3& place, std::uint16_t layer, FieldHint hint = {});
   void dropNodesFrom(std::size_t count);
   [[nodiscard]] const Vec3& node(NodeId id) const { return nodes_[id.index()]; }
   [[nodiscard]] std::span<const Vec3> nodes() const { return nodes_; }
   [[nodiscard]] std::uint16_t layer(NodeId id) const { return layers_[id.index()]; }
+  [[nodiscard]] FieldHint hint(NodeId id) const { return hints_[id.index()]; }
 
   // Faces.
   /// Adds an active face; `queued` puts it into the heap too.
@@ -85,6 +87,7 @@ class Front {
   double typicalSize_;
   std::vector<Vec3> nodes_;
   std::vector<std::uint16_t> layers_;
+  std::vector<FieldHint> hints_;
   std::vector<FrontFace> faces_;
   std::vector<FaceId> freeFaces_;
   std::uint32_t activeCount_ = 0;

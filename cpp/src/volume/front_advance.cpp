@@ -93,10 +93,11 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
   if (!isNew && !findSideFaces(apex, sides, culprit)) return refuse(Refusal::kSameOrientation);
   NodeId node = name;
   if (isNew) {
-    const NodeTriple& n = front_.face(face).nodes;
+    const FrontFace& base = front_.face(face);
+    const NodeTriple& n = base.nodes;
     const std::uint16_t layer =
         std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
-    node = front_.addNode(place, static_cast<std::uint16_t>(layer + 1));
+    node = front_.addNode(place, static_cast<std::uint16_t>(layer + 1), base.hint);
   }
   if constexpr (Trace::kOn) trace_.accepted(node, place);
   accept(face, node, sides);

@@ -72,7 +72,7 @@ bool Recovery<Trace>::star(const Pocket& pocket) {
   if (!pocket.single) return false;
   const std::optional<Vec3> place = findStarPoint(front_, pocket);
   if (!place) return false;
-  const NodeId apex = front_.addNode(*place, kStarLayer);
+  const NodeId apex = front_.addNode(*place, kStarLayer, front_.face(pocket.faces.front()).hint);
   for (const FaceId face : pocket.faces) {
     const FrontFace& f = front_.face(face);
     elements_.add({f.nodes[0], f.nodes[1], f.nodes[2], apex}, f.region);

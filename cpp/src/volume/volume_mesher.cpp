@@ -155,7 +155,8 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::inspectNewNodes() {
   for (; inspectedNodes_ < front_.nodes().size(); ++inspectedNodes_) {
     const Vec3& place = front_.node(NodeId(inspectedNodes_));
-    if (field_.covers(place, coverHint_)) continue;
+    FieldHint hint = front_.hint(NodeId(inspectedNodes_));
+    if (field_.covers(place, hint)) continue;
     Diagnostic outside;
     outside.code = DiagnosticCode::kOutsideBackgroundGrid;
     outside.hasPlace = true;

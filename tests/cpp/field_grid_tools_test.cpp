@@ -1,0 +1,170 @@
+/// Background grids made around a model and from a mesh.
+
+#include "tetrafront/grid_tools.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "field/size_field.h"
+#include "support/models.h"
+#include "support/random.h"
+#include "support/shapes.h"
+#include "support/tet_grids.h"
+#include "surface/boundary.h"
+#include "tetrafront/mesher.h"
+#include "volume/volume_mesher.h"
+
+namespace tetrafront::testing {
+namespace {
+
+constexpr std::uint32_t kBudget = 100'000;
+
+MeshStatus finish(MeshRun& run) {
+  while (run.advance(kBudget) == MeshStatus::kRunning) {
+  }
+  return run.status();
+}
+
+std::size_t tetrahedraOf(const VolumeMesh& mesh) { return mesh.tetrahedra.size() / 4; }
+
+// ---- covering a box or a model -------------------------------------------------------------------
+
+double volumeOf(const BackgroundGrid& grid) {
+  double sum = 0.0;
+  for (const auto& tet : grid.tetrahedra) {
+    const Vec3 a = grid.nodes[tet[0]].position;
+    const auto edge = [&](std::size_t i) { return grid.nodes[tet[i]].position - a; };
+    sum += std::fabs(glm::dot(edge(1), glm::cross(edge(2), edge(3)))) / 6.0;
+  }
+  return sum;
+}
+
+TEST(CoveringGridTest, HoldsTheBoxWithAMargin) {
+  Random random(941);
+  for (const CoverShape shape : {CoverShape::kBox, CoverShape::kSingleTetrahedron}) {
+    for (int i = 0; i < 30; ++i) {
+      const Vec3 low = random.inBox(10.0);
+      const Vec3 extent = Vec3(1.0) + random.inBox();
+      const BackgroundGrid grid = coveringGrid(low, low + extent, 0.25, shape);
+      EXPECT_TRUE(checkBackgroundGrid(grid).empty());
+      const GridLocator locator(grid);
+      for (int k = 0; k < 50; ++k) {
+        const Vec3 place = low + extent * (0.5 + random.inBox(0.52));
+        const GridLocator::Location location = locator.locate(place, 0);
+        EXPECT_TRUE(location.inside);
+        EXPECT_NEAR(locator.sizeAt(location), 0.25, 1e-15);
+      }
+    }
+  }
+}
+
+TEST(CoveringGridTest, FiveTetrahedraFillTheBoxOnce) {
+  const BackgroundGrid grid = coveringGrid(Vec3(0.0), Vec3(3.0, 4.0, 0.0), 1.0, CoverShape::kBox);
+  EXPECT_EQ(grid.tetrahedra.size(), 5U);
+  EXPECT_EQ(grid.nodes.size(), 8U);
+  const Vec3 extent = Vec3(3.0, 4.0, 0.0) + 2.0 * 5.0 / 20.0;  // a diagonal of 5
+  EXPECT_NEAR(volumeOf(grid), extent.x * extent.y * extent.z, 1e-12);
+  const BackgroundGrid one =
+      coveringGrid(Vec3(0.0), Vec3(1.0), 1.0, CoverShape::kSingleTetrahedron);
+  EXPECT_EQ(one.tetrahedra.size(), 1U);
+}
+
+TEST(CoveringGridTest, GoesAroundWhatBulges) {
+  // The circles' spline points are no corners of the tube's box, nor is its side flat.
+  const Model tube = seamedTube(1.0, 2.0);
+  for (const CoverShape shape : {CoverShape::kBox, CoverShape::kSingleTetrahedron}) {
+    const BackgroundGrid grid = coveringGrid(tube, 0.0, shape);
+    for (const Diagnostic& d : previewModel(tube, grid).diagnostics)
+      EXPECT_NE(d.code, DiagnosticCode::kOutsideBackgroundGrid);
+    // A twentieth of the diagonal of the box 2 x 2 x 2.
+    EXPECT_NEAR(grid.nodes[0].size, std::sqrt(12.0) / 20.0, 2e-3);
+  }
+  EXPECT_TRUE(coveringGrid(Model{}, 0.0, CoverShape::kBox).tetrahedra.empty());
+}
+
+TEST(CoveringGridTest, MeshesLikeAUniformSize) {
+  const Model box = boxModel(Vec3(0.0), Vec3(1.0));
+  MeshOptions uniform;
+  uniform.size = 0.2;
+  MeshRun byOption(box, {}, uniform);
+  MeshRun byGrid(box, coveringGrid(box, 0.2, CoverShape::kBox), {});
+  ASSERT_EQ(finish(byOption), MeshStatus::kDone);
+  ASSERT_EQ(finish(byGrid), MeshStatus::kDone);
+  EXPECT_EQ(tetrahedraOf(byGrid.volume()), tetrahedraOf(byOption.volume()));
+}
+
+// ---- a mesh as background grid --------------------------------------------------------------------
+
+VolumeMesh filled(const SurfaceMesh& surface, const MeshOptions& options) {
+  MeshRun run(surface.points, surface.triangles, options);
+  EXPECT_EQ(finish(run), MeshStatus::kDone);
+  return run.volume();
+}
+
+TEST(GridFromMeshTest, TakesGivenSizesAndDropsUnusedNodes) {
+  VolumeMesh mesh = cubeOfTetrahedra(2);
+  const std::size_t nodes = mesh.points.size() / 3;
+  mesh.points.insert(mesh.points.begin(), {9.0, 9.0, 9.0});
+  for (std::uint32_t& node : mesh.tetrahedra) ++node;
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i <= nodes; ++i) sizes.push_back(0.1 + static_cast<double>(i));
+  const BackgroundGrid grid = gridFromMesh(mesh, sizes);
+  ASSERT_EQ(grid.nodes.size(), nodes);
+  EXPECT_EQ(grid.tetrahedra.size(), 48U);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    EXPECT_EQ(grid.nodes[i].size, sizes[i + 1]);
+    EXPECT_EQ(grid.nodes[i].position.x, mesh.points[3 * i + 3]);
+  }
+  EXPECT_TRUE(checkBackgroundGrid(grid).empty());
+}
+
+TEST(GridFromMeshTest, ARefillOfTheSameModelHasAboutTheSameCount) {
+  const Model box = boxModel(Vec3(0.0), Vec3(1.0, 1.2, 0.8));
+  const BackgroundGrid graded =
+      boxGrid(Vec3(-0.1), Vec3(1.3), [](const Vec3& p) { return p.x < 0.5 ? 0.06 : 0.16; });
+  MeshRun first(box, graded, {});
+  ASSERT_EQ(finish(first), MeshStatus::kDone);
+  MeshRun second(box, gridFromMesh(first.volume(), {}), {});
+  ASSERT_EQ(finish(second), MeshStatus::kDone);
+  const double ratio = static_cast<double>(tetrahedraOf(second.volume())) /
+                       static_cast<double>(tetrahedraOf(first.volume()));
+  EXPECT_GT(ratio, 0.85);
+  EXPECT_LT(ratio, 1.15);
+}
+
+TEST(GridFromMeshTest, CoversCurvedPatchesItDoesNotQuiteReach) {
+  const BackgroundGrid grid = gridFromMesh(filled(geodesicSphere(4), MeshOptions{}), {});
+  FieldHint hint;
+  const SizeField field = SizeField::fromGrid(GridLocator(grid));
+  Random random(942);
+  for (int i = 0; i < 500; ++i) {
+    Vec3 place = random.inBox();
+    if (glm::length(place) < 0.1) continue;
+    place /= glm::length(place);
+    EXPECT_TRUE(field.covers(place, hint));
+    EXPECT_FALSE(field.covers(1.3 * place, hint));
+  }
+}
+
+TEST(GridFromMeshTest, WalksAreShortInTheFrontsOrderOnALargeGrid) {
+  SurfaceMesh sphere = sphereOfAbout(12'000);
+  MeshOptions unoptimized;
+  unoptimized.optimization = Optimization::kNone;
+  const VolumeMesh mesh = filled(sphere, unoptimized);
+  ASSERT_GT(tetrahedraOf(mesh), 90'000U);
+  const SizeField field = SizeField::fromGrid(GridLocator(gridFromMesh(mesh, {})));
+  std::vector<Diagnostic> diagnostics;
+  const BoundaryResult closed = closeBoundary(sphere, BoundarySource::kGivenSurface, diagnostics);
+  VolumeMesher mesher(sphere, closed.triangleRegion, field, {});
+  while (mesher.advance(kBudget) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(mesher.status(), MeshStatus::kDone);
+  const WalkCount walked = field.walkCount();
+  EXPECT_GT(walked.queries, mesher.tetrahedronCount());
+  EXPECT_LT(static_cast<double>(walked.steps), 3.0 * static_cast<double>(walked.queries));
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
