@@ -103,10 +103,8 @@ SurfacePoint PatchSurface::evaluate(const Vec2& plane) const {
   return point;
 }
 
-Vec2 PatchSurface::boundaryToPlane(std::size_t loop, std::size_t position, double t,
-                                   const Vec3& place) const {
+Vec2 PatchSurface::boundaryToPlane(std::size_t position, double t, const Vec3& place) const {
   if (const PlanarSurface* flat = planar()) return flat->project(place);
-  static_cast<void>(loop);
   const std::array<Vec2, 4> unit{Vec2(t, 0.0), Vec2(1.0, t), Vec2(1.0 - t, 1.0),
                                  Vec2(0.0, 1.0 - t)};
   return coons()->stretchedPlane().toPlane(unit[position]);

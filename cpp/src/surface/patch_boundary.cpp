@@ -78,7 +78,7 @@ class BoundaryBuilder {
       const std::uint32_t at = backward ? count - i : i;
       const double t = backward ? 1.0 - division.parameters[at] : division.parameters[at];
       const Vec3& place = division.nodes[at];
-      boundary.mesh.addNode(surface_->boundaryToPlane(loop, position, t, place), place,
+      boundary.mesh.addNode(surface_->boundaryToPlane(position, t, place), place,
                             field_->sizeAt(place, hint_));
       boundary.mesh.aliases.back() = nodes[at];
       boundary.origins.push_back({line.line, backward ? at - 1 : at});

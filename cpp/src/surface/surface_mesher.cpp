@@ -52,8 +52,7 @@ class SurfaceMesher::Impl {
   std::uint32_t divideNextLine();
   void numberNodes();
   std::uint32_t layOutNextPatch();
-  bool halveSides(std::uint32_t patch, const PatchBoundary& boundary,
-                  const std::vector<std::uint32_t>& faulty);
+  bool halveSides(const PatchBoundary& boundary, const std::vector<std::uint32_t>& faulty);
   void reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
                     const std::vector<std::uint32_t>& faulty);
   void writeLines();
@@ -240,7 +239,7 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
       layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
   const std::vector<std::uint32_t> faulty = findFaultySides(boundary);
   if (!faulty.empty()) {
-    if (round_ < kMaxHalvingRounds && halveSides(patch, boundary, faulty))
+    if (round_ < kMaxHalvingRounds && halveSides(boundary, faulty))
       halved_ = true;
     else
       reportFaulty(patch, boundary, faulty);
@@ -249,9 +248,8 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
 }
 
 /// Halves those of the faulty sides that lie on bent lines; false if there are none.
-bool SurfaceMesher::Impl::halveSides(std::uint32_t patch, const PatchBoundary& boundary,
+bool SurfaceMesher::Impl::halveSides(const PatchBoundary& boundary,
                                      const std::vector<std::uint32_t>& faulty) {
-  static_cast<void>(patch);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> wanted;
   for (const std::uint32_t side : faulty) {
     const SideOrigin& origin = boundary.origins[side];
