@@ -1,0 +1,142 @@
+/// Stretched meshes really come out stretched: in the metric of a constant size tensor H, edges are
+/// about 1 long, and the elements are as many as in the box that T = H^-1 makes of the box, meshed
+/// with size 1.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "field/size_field.h"
+#include "support/mesh_validator.h"
+#include "support/models.h"
+#include "surface/boundary.h"
+#include "tetrafront/mesher.h"
+#include "volume/volume_mesher.h"
+
+namespace tetrafront::testing {
+namespace {
+
+constexpr std::uint32_t kBudget = 100'000;
+const Vec3 kSlanted(2.0, 1.0, -0.7);
+
+struct Stretch {
+  double stretching;
+  double size;
+};
+void PrintTo(const Stretch& s, std::ostream* out) { *out << "stretching " << s.stretching; }
+
+BackgroundNode parameters(const Stretch& stretch) {
+  BackgroundNode node;
+  node.size = stretch.size;
+  node.stretching = stretch.stretching;
+  node.direction = kSlanted;
+  return node;
+}
+
+Model unitBox() { return boxModel(Vec3(0.0), Vec3(1.0)); }
+
+BackgroundGrid stretchedGrid(const Stretch& stretch) {
+  BackgroundGrid grid = boxGrid(Vec3(-0.1), Vec3(1.1), [](const Vec3&) { return 1.0; });
+  for (BackgroundNode& node : grid.nodes) {
+    const Vec3 place = node.position;
+    node = parameters(stretch);
+    node.position = place;
+    // Which way it points must not matter.
+    if (place.x > 0.5) node.direction = -3.0 * node.direction;
+  }
+  return grid;
+}
+
+struct Finished {
+  SurfaceMesh surface;
+  VolumeMesh volume;
+  [[nodiscard]] std::size_t count() const { return volume.tetrahedra.size() / 4; }
+};
+
+Finished meshed(const Model& model, const BackgroundGrid& grid, double size) {
+  MeshOptions options;
+  options.size = size;
+  options.optimization = Optimization::kNone;
+  MeshRun run(model, grid, options);
+  while (run.advance(kBudget) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  return {run.surface(), run.volume()};
+}
+
+/// The box as the metric sees it, meshed with size 1.
+Finished unstretched(const Stretch& stretch) {
+  const SymmetricTensor toUnit = sizeTensor(parameters(stretch)).inverse();
+  Model model = unitBox();
+  for (Vec3& point : model.points) point = toUnit * point;
+  return meshed(model, {}, 1.0);
+}
+
+/// Mean length of the edges, each once, in the metric.
+double meanMetricEdge(const VolumeMesh& mesh, const Stretch& stretch) {
+  const SymmetricTensor toUnit = sizeTensor(parameters(stretch)).inverse();
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size(); t += 4) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j)
+        edges.push_back(std::minmax(mesh.tetrahedra[t + i], mesh.tetrahedra[t + j]));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  double sum = 0.0;
+  for (const auto& [a, b] : edges) {
+    const auto at = [&mesh](std::size_t n) {
+      return Vec3(mesh.points[3 * n], mesh.points[3 * n + 1], mesh.points[3 * n + 2]);
+    };
+    sum += glm::length(toUnit * (at(a) - at(b)));
+  }
+  return sum / static_cast<double>(edges.size());
+}
+
+class StretchedBox : public ::testing::TestWithParam<Stretch> {
+ protected:
+  void expectStretched(const Finished& mesh) const {
+    EXPECT_EQ(complaintAbout(mesh.volume, mesh.surface), "");
+    EXPECT_NEAR(meanMetricEdge(mesh.volume, GetParam()), 1.0, 0.15);
+    const double expected = static_cast<double>(unstretched(GetParam()).count());
+    EXPECT_NEAR(static_cast<double>(mesh.count()), expected, 0.2 * expected);
+  }
+};
+
+/// The volume part alone: the surface is the one of the box as the metric sees it, taken back.
+TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
+  const SymmetricTensor toSpace = sizeTensor(parameters(GetParam()));
+  Finished mesh = unstretched(GetParam());
+  for (std::size_t i = 0; i < mesh.surface.points.size(); i += 3) {
+    double* at = &mesh.surface.points[i];
+    const Vec3 place = toSpace * Vec3(at[0], at[1], at[2]);
+    for (int k = 0; k < 3; ++k) {
+      // The box's faces are planes again, exactly.
+      const double rounded = std::round(place[k]);
+      at[k] = std::fabs(place[k] - rounded) < 1e-9 ? rounded : place[k];
+    }
+  }
+  const SizeField field = SizeField::fromGrid(GridLocator(stretchedGrid(GetParam())));
+  std::vector<Diagnostic> diagnostics;
+  const BoundaryResult closed =
+      closeBoundary(mesh.surface, BoundarySource::kGivenSurface, diagnostics);
+  ASSERT_TRUE(closed.valid);
+  VolumeMesher mesher(mesh.surface, closed.triangleRegion, field, {});
+  while (mesher.advance(kBudget) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(mesher.status(), MeshStatus::kDone);
+  mesh.volume = mesher.mesh();
+  expectStretched(mesh);
+}
+
+INSTANTIATE_TEST_SUITE_P(Mesher, StretchedBox,
+                         ::testing::Values(Stretch{5.0, 0.05}, Stretch{20.0, 0.02}));
+
+}  // namespace
+}  // namespace tetrafront::testing
