@@ -81,17 +81,26 @@ export function QualityPanel() {
         <dd>{formatShort(report.volume)}</dd>
         <dt>{strings.quality.time}</dt>
         <dd>{formatSeconds(report.seconds.total)}</dd>
-        <dt>{strings.quality.fingerprint}</dt>
-        <dd>
-          <CopyButton value={report.fingerprint}>
-            {({ copied, copy }) => (
-              <UnstyledButton className="tf-mono" data-testid="fingerprint" onClick={copy}>
-                {copied ? strings.quality.copied : report.fingerprint}
-              </UnstyledButton>
-            )}
-          </CopyButton>
-        </dd>
+        {report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
       </dl>
     </section>
+  );
+}
+
+/** Equal for equal meshes, on every platform. A click copies it. */
+function Fingerprint({ value }: { readonly value: string }) {
+  return (
+    <>
+      <dt>{strings.quality.fingerprint}</dt>
+      <dd>
+        <CopyButton value={value}>
+          {({ copied, copy }) => (
+            <UnstyledButton className="tf-mono" data-testid="fingerprint" onClick={copy}>
+              {copied ? strings.quality.copied : value}
+            </UnstyledButton>
+          )}
+        </CopyButton>
+      </dd>
+    </>
   );
 }

@@ -1,5 +1,6 @@
 import { ActionIcon, Button, Kbd, Switch, Text, Tooltip } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
+import type { MeshStatus } from "tetrafront";
 import { bestValue, worstShown } from "../document/mesh-quality";
 import { measureNames, strings } from "../ui/strings";
 import { viridis } from "../ui/viridis";
@@ -42,6 +43,19 @@ export function CutBar() {
   );
 }
 
+function badgeTexts(
+  failure: string | null,
+  stale: boolean,
+  status: MeshStatus | undefined,
+  hasFront: boolean,
+): readonly [title: string, hint: string] {
+  const { viewport } = strings;
+  if (failure !== null) return [strings.messages.engineFailed, failure];
+  if (stale) return [viewport.stale, viewport.staleHint];
+  if (status === "stalled") return [viewport.incomplete, viewport.incompleteStalled];
+  return [viewport.incomplete, hasFront ? viewport.incompleteCancelled : viewport.incompleteUnpolished];
+}
+
 /** Says when the mesh on show is not what the model asks for, and offers the remedy. */
 export function MeshBadge() {
   const app = useApp();
@@ -49,18 +63,11 @@ export function MeshBadge() {
   const busy = useRun((state) => state.busy);
   const failure = useRun((state) => state.failure);
   const status = useRun((state) => state.mesh?.report.status);
+  const hasFront = useRun((state) => (state.mesh?.volume.front.length ?? 0) > 0);
   if (busy) return null;
   const incomplete = status === "stalled" || status === "cancelled";
   if (!stale && !incomplete && failure === null) return null;
-  const [title, hint] =
-    failure !== null
-      ? [strings.messages.engineFailed, failure]
-      : stale
-        ? [strings.viewport.stale, strings.viewport.staleHint]
-        : [
-            strings.viewport.incomplete,
-            status === "stalled" ? strings.viewport.incompleteStalled : strings.viewport.incompleteCancelled,
-          ];
+  const [title, hint] = badgeTexts(failure, stale, status, hasFront);
   return (
     <div className="tf-badge" data-testid="mesh-badge" role="status">
       <span>

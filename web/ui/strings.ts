@@ -151,6 +151,7 @@ export const strings = {
     incomplete: "Incomplete",
     incompleteStalled: "The front stalled; what is left of it is orange.",
     incompleteCancelled: "Cancelled; what is left of the front is orange.",
+    incompleteUnpolished: "Cancelled before the mesh was improved and verified.",
     noWebgl: "This browser cannot draw the view",
     noWebglHint:
       "The view needs WebGL 2. Turn on hardware acceleration or use a current browser; everything else still works, downloads too.",
