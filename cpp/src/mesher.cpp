@@ -86,6 +86,8 @@ class MeshRun::Impl {
         verify(budget);
         break;
     }
+    // Sweeps that repeat take their estimate back; the bar must not.
+    fraction_ = std::max(fraction_, estimateFraction());
     return status_;
   }
 
@@ -126,7 +128,7 @@ class MeshRun::Impl {
   [[nodiscard]] Progress progress() const {
     Progress progress;
     progress.phase = phase();
-    progress.fraction = fraction();
+    progress.fraction = fraction_;
     progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
     progress.points = static_cast<std::uint32_t>(surface_.points.size() / 3);
     if (volumeMesher_) {
@@ -167,6 +169,7 @@ class MeshRun::Impl {
         return Phase::kVolume;
       case Stage::kOptimize:
         return Phase::kOptimize;
+      case Stage::kMeasure:
       case Stage::kVerify:
         return Phase::kVerify;
       case Stage::kCheckBoundary:
@@ -177,7 +180,7 @@ class MeshRun::Impl {
   }
 
   /// Estimated part of the whole run that is done.
-  [[nodiscard]] double fraction() const {
+  [[nodiscard]] double estimateFraction() const {
     const double surfaceEnd = isModel() ? kModelSurfaceEnd : kCheckEnd;
     const auto between = [](double from, double to, double part) {
       return from + (to - from) * part;
@@ -342,6 +345,7 @@ class MeshRun::Impl {
   std::optional<VolumeMesher> volumeMesher_;
   std::optional<VolumeMesh> finishedMesh_;
   double filled_ = 0.0;
+  double fraction_ = 0.0;
   RecoverySummary recovery_;
   FrontCounters counters_;
   QualityMeter meter_;

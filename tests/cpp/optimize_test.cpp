@@ -94,9 +94,15 @@ Filled fill(const SurfaceMesh& surface) {
   return {run.volume(), run.surface()};
 }
 
-TetComplex complexOf(const Filled& filled) {
-  const std::size_t nodes = filled.mesh.points.size() / 3;
-  return {filled.mesh, filled.surface.points.size() / 3, std::vector<double>(nodes, 0.2)};
+constexpr double kSize = 0.2;
+
+TetComplex complexOf(const Filled& filled, const ElementCost& cost) {
+  TetComplex complex(filled.mesh, filled.surface.points.size() / 3);
+  while (!complex.build(filled.mesh, 100)) {
+  }
+  for (std::size_t i = 0; i < complex.nodeCount(); ++i) complex.setSize(NodeId(i), kSize);
+  complex.costAnew(cost, 0, complex.slotCount());
+  return complex;
 }
 
 std::uint64_t fingerprintOf(const VolumeMesh& mesh) {
@@ -117,9 +123,8 @@ double totalCost(const TetComplex& complex) {
 TEST(EdgeRemoval, LowersTheCostByWhatItSaysAndKeepsTheMeshValid) {
   const Filled filled = fill(testing::geodesicSphere(4));
   for (const bool fans : {false, true}) {
-    TetComplex complex = complexOf(filled);
     const ElementCost cost(Measure::kBulk);
-    complex.costAll(cost);
+    TetComplex complex = complexOf(filled, cost);
     EdgeRemoval removal(complex);
     int swaps = 0;
     for (std::size_t t = 0; t < complex.slotCount(); ++t) {
@@ -139,9 +144,8 @@ TEST(EdgeRemoval, LowersTheCostByWhatItSaysAndKeepsTheMeshValid) {
 
 TEST(EdgeSplitter, AndNodeCollapserKeepTheMeshValid) {
   const Filled filled = fill(testing::gridCube(4));
-  TetComplex complex = complexOf(filled);
   const ElementCost cost(Measure::kBulk);
-  complex.costAll(cost);
+  TetComplex complex = complexOf(filled, cost);
   EdgeSplitter splitter(complex);
   splitter.collect(0, complex.slotCount(), 0);
   splitter.sortCollected();
@@ -159,9 +163,8 @@ TEST(EdgeSplitter, AndNodeCollapserKeepTheMeshValid) {
 
 TEST(TetComplex, TakesATrialBackWithoutATrace) {
   const Filled filled = fill(testing::geodesicSphere(5));
-  TetComplex complex = complexOf(filled);
   const ElementCost cost(Measure::kBulk);
-  complex.costAll(cost);
+  TetComplex complex = complexOf(filled, cost);
   EdgeRemoval removal(complex);
   EdgeSplitter splitter(complex);
   NodeMover mover(complex);

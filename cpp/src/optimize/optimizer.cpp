@@ -50,6 +50,7 @@ constexpr double kMaxMissingHigh = 0.01;
 constexpr std::uint32_t kRepairWork = 64;  ///< elements of a sweep that one repair costs
 
 enum class Stage : std::uint8_t {
+  kBuild,
   kFirst,
   kRounds,
   kFinish,
@@ -59,16 +60,6 @@ enum class Stage : std::uint8_t {
   kDone
 };
 
-std::vector<double> sizesAtNodes(const VolumeMesh& mesh, const SizeField& field) {
-  std::vector<double> sizes;
-  sizes.reserve(mesh.points.size() / 3);
-  FieldHint hint;
-  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
-    sizes.push_back(field.sizeAt({mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]}, hint));
-  }
-  return sizes;
-}
-
 }  // namespace
 
 class MeshOptimizer::Impl {
@@ -76,30 +67,26 @@ class MeshOptimizer::Impl {
   Impl(const VolumeMesh& mesh, std::size_t boundaryNodes, const SizeField& field,
        Optimization level)
       : level_(level),
-        complex_(mesh, boundaryNodes, sizesAtNodes(mesh, field)),
+        mesh_(mesh),
+        field_(field),
+        complex_(mesh, boundaryNodes),
         removal_(complex_),
         mover_(complex_),
         splitter_(complex_),
         collapser_(complex_),
-        repair_(complex_, removal_, splitter_, collapser_, mover_) {
-    if (level == Optimization::kNone || complex_.elementCount() == 0) {
-      stage_ = Stage::kDone;
-    } else if (level == Optimization::kFast) {
-      begin(Stage::kFinish, kFastSweeps, ElementCost(Measure::kFinish));
-    } else {
-      begin(Stage::kFirst, kFirstSweeps, ElementCost(Measure::kBulk));
-    }
-  }
+        repair_(complex_, removal_, splitter_, collapser_, mover_) {}
 
   bool advance(std::uint32_t budget) {
     while (budget > 0 && stage_ != Stage::kDone) {
-      const std::size_t size = sweepSize();
-      const std::uint32_t each = sweeps_[sweep_] == Sweep::kRepair ? kRepairWork : 1;
-      const std::size_t count = std::min<std::size_t>(size - next_, std::max(1U, budget / each));
-      work(next_, next_ + count);
-      next_ += count;
-      budget -= std::min<std::uint32_t>(budget, static_cast<std::uint32_t>(count) * each + 1);
-      if (next_ >= size) endSweep();
+      std::size_t done = 0;
+      if (stage_ == Stage::kBuild) {
+        done = build(budget);
+      } else if (costing_) {
+        done = costSome(budget);
+      } else {
+        done = sweepSome(budget);
+      }
+      budget -= std::min<std::uint32_t>(budget, static_cast<std::uint32_t>(done) + 1);
     }
     return stage_ == Stage::kDone;
   }
@@ -110,14 +97,65 @@ class MeshOptimizer::Impl {
     return (done + static_cast<double>(sweep_) / static_cast<double>(sweeps_.size() + 1)) / stages;
   }
   [[nodiscard]] const TetComplex& complex() const { return complex_; }
+  /// Until the complex is built there is nothing but the mesh as it came.
+  [[nodiscard]] VolumeMesh mesh() const {
+    return stage_ == Stage::kBuild ? mesh_ : complex_.toMesh();
+  }
+  [[nodiscard]] std::size_t pointCount() const {
+    if (stage_ == Stage::kBuild) return mesh_.points.size() / 3;
+    return complex_.boundaryNodeCount() + complex_.freeNodeCount();
+  }
 
  private:
+  std::size_t build(std::uint32_t budget) {
+    if (sized_ < complex_.nodeCount()) {
+      const std::size_t count = std::min<std::size_t>(budget, complex_.nodeCount() - sized_);
+      for (std::size_t i = 0; i < count; ++i, ++sized_) {
+        complex_.setSize(NodeId(sized_), field_.sizeAt(complex_.place(NodeId(sized_)), hint_));
+      }
+      return count;
+    }
+    if (!complex_.build(mesh_, budget)) return budget;
+    if (level_ == Optimization::kNone || complex_.elementCount() == 0) {
+      stage_ = Stage::kDone;
+    } else if (level_ == Optimization::kFast) {
+      begin(Stage::kFinish, kFastSweeps, ElementCost(Measure::kFinish));
+    } else {
+      begin(Stage::kFirst, kFirstSweeps, ElementCost(Measure::kBulk));
+    }
+    return budget;
+  }
+
+  /// Costs by a new measure; after the last one a repair may turn out not to be worth its while.
+  std::size_t costSome(std::uint32_t budget) {
+    const std::size_t count = std::min<std::size_t>(budget, complex_.slotCount() - costed_);
+    complex_.costAnew(cost_, costed_, costed_ + count);
+    costed_ += count;
+    costing_ = costed_ < complex_.slotCount();
+    if (!costing_ && cost_.measure() == Measure::kDihedral) {
+      const double share = stage_ == Stage::kRepairLow ? kMaxMissingLow : kMaxMissingHigh;
+      if (missing() > share * static_cast<double>(complex_.elementCount())) stage_ = Stage::kDone;
+    }
+    return count;
+  }
+
+  std::size_t sweepSome(std::uint32_t budget) {
+    const std::size_t size = sweepSize();
+    const std::uint32_t each = sweeps_[sweep_] == Sweep::kRepair ? kRepairWork : 1;
+    const std::size_t count = std::min<std::size_t>(size - next_, std::max(1U, budget / each));
+    work(next_, next_ + count);
+    next_ += count;
+    if (next_ >= size) endSweep();
+    return count * each;
+  }
+
   void begin(Stage stage, std::span<const Sweep> sweeps, const ElementCost& cost) {
     stage_ = stage;
     repeats_ = 0;
     sweeps_ = sweeps;
     cost_ = cost;
-    complex_.costAll(cost_);
+    costed_ = 0;
+    costing_ = true;
     lastRun_.fill(0);
     beginSweeps();
   }
@@ -266,6 +304,8 @@ class MeshOptimizer::Impl {
     ++repeats_;
     const auto free = static_cast<double>(complex_.freeNodeCount());
     switch (stage_) {
+      case Stage::kBuild:
+        return;
       case Stage::kFirst:
         repeats_ = 0;
         stage_ = Stage::kRounds;
@@ -293,8 +333,6 @@ class MeshOptimizer::Impl {
                                     : stage == Stage::kRepairHigh ? kTargets30And135
                                                                   : kTargets35And130;
     begin(stage, kRepairSweeps, ElementCost(Measure::kDihedral, targets));
-    const double share = stage == Stage::kRepairLow ? kMaxMissingLow : kMaxMissingHigh;
-    if (missing() > share * static_cast<double>(complex_.elementCount())) stage_ = Stage::kDone;
   }
 
   void endRepair() {
@@ -316,6 +354,12 @@ class MeshOptimizer::Impl {
   static constexpr double kSwapGain = 1e-4;
 
   Optimization level_;
+  const VolumeMesh& mesh_;
+  const SizeField& field_;
+  FieldHint hint_;
+  std::size_t sized_ = 0;
+  std::size_t costed_ = 0;
+  bool costing_ = false;
   TetComplex complex_;
   EdgeRemoval removal_;
   NodeMover mover_;
@@ -323,7 +367,7 @@ class MeshOptimizer::Impl {
   NodeCollapser collapser_;
   ElementRepair repair_;
   ElementCost cost_{Measure::kBulk};
-  Stage stage_ = Stage::kFirst;
+  Stage stage_ = Stage::kBuild;
   std::span<const Sweep> sweeps_;
   std::size_t sweep_ = 0;
   std::size_t next_ = 0;
@@ -346,12 +390,11 @@ MeshOptimizer::~MeshOptimizer() = default;
 bool MeshOptimizer::advance(std::uint32_t budget) { return impl_->advance(budget); }
 double MeshOptimizer::fraction() const { return impl_->fraction(); }
 std::uint32_t MeshOptimizer::pointCount() const {
-  const TetComplex& complex = impl_->complex();
-  return static_cast<std::uint32_t>(complex.boundaryNodeCount() + complex.freeNodeCount());
+  return static_cast<std::uint32_t>(impl_->pointCount());
 }
 std::uint32_t MeshOptimizer::tetrahedronCount() const {
   return static_cast<std::uint32_t>(impl_->complex().elementCount());
 }
-VolumeMesh MeshOptimizer::mesh() const { return impl_->complex().toMesh(); }
+VolumeMesh MeshOptimizer::mesh() const { return impl_->mesh(); }
 
 }  // namespace tetrafront

@@ -15,7 +15,8 @@ namespace tetrafront {
 
 class MeshOptimizer {
  public:
-  /// The first `boundaryNodes` nodes of the mesh are fixed. O(n log n).
+  /// The first `boundaryNodes` nodes of the mesh are fixed. Mesh and field must outlive this. Costs
+  /// are O(n) per sweep.
   MeshOptimizer(const VolumeMesh& mesh, std::size_t boundaryNodes, const SizeField& field,
                 Optimization level);
   MeshOptimizer(MeshOptimizer&&) noexcept;

@@ -4,55 +4,90 @@
 
 namespace tetrafront {
 
-TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, std::vector<double> sizes)
-    : boundaryNodes_(boundaryNodes),
-      sizes_(std::move(sizes)),
-      regions_(mesh.regions),
-      faceSlots_(kFaceSlots) {
+TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes)
+    : boundaryNodes_(boundaryNodes), regions_(mesh.regions), faceSlots_(kFaceSlots) {
   places_.reserve(mesh.points.size() / 3);
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
     places_.emplace_back(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
   }
+  sizes_.assign(places_.size(), 0.0);
   elementAt_.resize(places_.size());
   starPass_.assign(places_.size(), pass_);
   const std::size_t count = mesh.tetrahedra.size() / 4;
   elements_.resize(count);
-  for (std::size_t t = 0; t < count; ++t) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      elements_[t].nodes[k] = NodeId(mesh.tetrahedra[4 * t + k]);
-      elementAt_[elements_[t].nodes[k].index()] = TetId(t);
-    }
-  }
   costs_.resize(count);
   elementPass_.assign(count, pass_);
   stamps_.assign(count, 0);
-  connectAll();
+  build_.starts.assign(places_.size() + 1, 0);
 }
 
-/// Neighbours by sorting all sides by their nodes.
-void TetComplex::connectAll() {
-  struct Side {
-    FaceKey key;
-    Facing facing;
-  };
-  // A counting sort by the least node; the few sides of each node are then sorted in place.
-  std::vector<std::uint32_t> starts(places_.size() + 1, 0);
-  const auto forEachSide = [&](auto use) {
-    for (std::size_t t = 0; t < elements_.size(); ++t) {
-      for (std::size_t k = 0; k < 4; ++k) use(Side{keyOf(elements_[t].nodes, k), {TetId(t), k}});
+bool TetComplex::build(const VolumeMesh& mesh, std::size_t budget) {
+  const bool byNode = build_.step == BuildStep::kMatch;
+  const std::size_t size = byNode ? places_.size() : elements_.size();
+  const std::size_t last = build_.next + std::min(budget, size - build_.next);
+  switch (build_.step) {
+    case BuildStep::kTake:
+      takeElements(mesh, build_.next, last);
+      break;
+    case BuildStep::kPlace:
+      placeSides(build_.next, last);
+      break;
+    case BuildStep::kMatch:
+      matchSides(build_.next, last);
+      break;
+    case BuildStep::kBuilt:
+      return true;
+  }
+  build_.next = last;
+  if (last < size) return false;
+  build_.next = 0;
+  if (build_.step == BuildStep::kTake) {
+    for (std::size_t i = 1; i < build_.starts.size(); ++i) {
+      build_.starts[i] += build_.starts[i - 1];
     }
-  };
-  forEachSide([&](const Side& side) { ++starts[side.key.nodes[0] + 1]; });
-  for (std::size_t i = 1; i < starts.size(); ++i) starts[i] += starts[i - 1];
-  std::vector<Side> sides(4 * elements_.size());
-  std::vector<std::uint32_t> next(starts.begin(), starts.end() - 1);
-  forEachSide([&](const Side& side) { sides[next[side.key.nodes[0]]++] = side; });
-  for (std::size_t node = 0; node + 1 < starts.size(); ++node) {
-    const auto first = sides.begin() + static_cast<std::ptrdiff_t>(starts[node]);
-    const auto last = sides.begin() + static_cast<std::ptrdiff_t>(starts[node + 1]);
-    std::sort(first, last, [](const Side& a, const Side& b) { return a.key.nodes < b.key.nodes; });
-    for (auto side = first; side != last; ++side) {
-      if (side + 1 == last || !(side->key == (side + 1)->key)) continue;
+    build_.filled.assign(build_.starts.begin(), build_.starts.end() - 1);
+    build_.sides.resize(4 * elements_.size());
+    build_.step = BuildStep::kPlace;
+  } else if (build_.step == BuildStep::kPlace) {
+    build_.step = BuildStep::kMatch;
+  } else {
+    build_ = BuildState{};
+    build_.step = BuildStep::kBuilt;
+  }
+  return build_.step == BuildStep::kBuilt;
+}
+
+/// Copies elements and counts their sides by the least node.
+void TetComplex::takeElements(const VolumeMesh& mesh, std::size_t first, std::size_t last) {
+  for (std::size_t t = first; t < last; ++t) {
+    Element& element = elements_[t];
+    for (std::size_t k = 0; k < 4; ++k) {
+      element.nodes[k] = NodeId(mesh.tetrahedra[4 * t + k]);
+      elementAt_[element.nodes[k].index()] = TetId(t);
+    }
+    for (std::size_t k = 0; k < 4; ++k) ++build_.starts[keyOf(element.nodes, k).nodes[0] + 1];
+  }
+}
+
+void TetComplex::placeSides(std::size_t first, std::size_t last) {
+  for (std::size_t t = first; t < last; ++t) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const FaceKey key = keyOf(elements_[t].nodes, k);
+      build_.sides[build_.filled[key.nodes[0]]++] = {key, {TetId(t), k}};
+    }
+  }
+}
+
+/// Sorts the few sides of each node and joins equal ones.
+void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
+  for (std::size_t node = firstNode; node < lastNode; ++node) {
+    const auto at = [&](std::size_t i) {
+      return build_.sides.begin() + static_cast<std::ptrdiff_t>(build_.starts[i]);
+    };
+    std::sort(at(node), at(node + 1),
+              [](const Side& a, const Side& b) { return a.key.nodes < b.key.nodes; });
+    for (auto side = at(node); side != at(node + 1); ++side) {
+      if (side + 1 == at(node + 1) || !(side->key == (side + 1)->key)) continue;
       const Facing one = side->facing;
       const Facing other = (side + 1)->facing;
       elements_[one.tet().index()].across[one.corner()] = other;
@@ -105,8 +140,8 @@ void TetComplex::setCost(TetId tet, double cost) {
   costs_[tet.index()] = cost;
 }
 
-void TetComplex::costAll(const ElementCost& cost) {
-  for (std::size_t t = 0; t < elements_.size(); ++t) {
+void TetComplex::costAnew(const ElementCost& cost, std::size_t first, std::size_t last) {
+  for (std::size_t t = first; t < last; ++t) {
     if (!isLive(TetId(t))) continue;
     costs_[t] = std::min(costOf(cost, elements_[t].nodes), kEntryCost);
   }

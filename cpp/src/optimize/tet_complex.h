@@ -60,8 +60,12 @@ struct Star {
 
 class TetComplex {
  public:
-  /// The first `boundaryNodes` nodes are fixed. `sizes` is the wanted edge at each node.
-  TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, std::vector<double> sizes);
+  /// The first `boundaryNodes` nodes are fixed. Not usable before build() has finished.
+  TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes);
+
+  /// Finds the neighbours, about `budget` elements or nodes at a time; true when finished. `mesh`
+  /// is the one given to the constructor. O(n log k) for k elements at a node.
+  bool build(const VolumeMesh& mesh, std::size_t budget);
 
   /// Elements and used nodes, the boundary's first; orders kept.
   [[nodiscard]] VolumeMesh toMesh() const;
@@ -69,7 +73,9 @@ class TetComplex {
   // Nodes.
   [[nodiscard]] std::size_t nodeCount() const { return places_.size(); }
   [[nodiscard]] const Vec3& place(NodeId node) const { return places_[node.index()]; }
+  /// Wanted edge length; 0 until set.
   [[nodiscard]] double size(NodeId node) const { return sizes_[node.index()]; }
+  void setSize(NodeId node, double size) { sizes_[node.index()] = size; }
   [[nodiscard]] bool isFixed(NodeId node) const { return node.index() < boundaryNodes_; }
   /// Whether any element uses the node.
   [[nodiscard]] bool isUsed(NodeId node) const { return !elementAt_[node.index()].isNone(); }
@@ -89,8 +95,8 @@ class TetComplex {
   [[nodiscard]] double costOf(const ElementCost& cost, const Corners& nodes) const {
     return cost(place(nodes[0]), place(nodes[1]), place(nodes[2]), place(nodes[3]));
   }
-  /// All costs anew, by another measure.
-  void costAll(const ElementCost& cost);
+  /// The costs of slots [first, last) anew, by another measure.
+  void costAnew(const ElementCost& cost, std::size_t first, std::size_t last);
 
   // What has changed since when. Passes are numbered from 1 on.
   void beginPass() { ++pass_; }
@@ -145,13 +151,28 @@ class TetComplex {
     Facing facing;
     std::uint32_t stamp = 0;
   };
+  /// Work of build(): all sides, grouped by their least node.
+  struct Side {
+    FaceKey key;
+    Facing facing;
+  };
+  enum class BuildStep : std::uint8_t { kTake, kPlace, kMatch, kBuilt };
+  struct BuildState {
+    BuildStep step = BuildStep::kTake;
+    std::size_t next = 0;
+    std::vector<std::uint32_t> starts;  ///< sides of node i begin at starts[i]
+    std::vector<std::uint32_t> filled;
+    std::vector<Side> sides;
+  };
   static constexpr std::size_t kFaceSlots = 8192;  // a power of two, above 4 x 2 x kMaxCavity
 
   [[nodiscard]] FaceKey keyOf(const Corners& nodes, std::size_t corner) const;
   FaceSlot& slotFor(const FaceKey& key);
   TetId takeSlot();
   void link(TetId tet, std::size_t corner);
-  void connectAll();
+  void takeElements(const VolumeMesh& mesh, std::size_t first, std::size_t last);
+  void placeSides(std::size_t first, std::size_t last);
+  void matchSides(std::size_t firstNode, std::size_t lastNode);
   void save(TetId tet);
 
   std::size_t boundaryNodes_;
@@ -165,6 +186,7 @@ class TetComplex {
   std::vector<std::uint32_t> elementPass_;
   std::vector<std::uint32_t> stamps_;
   std::vector<TetId> freeSlots_;
+  BuildState build_;
   std::uint32_t pass_ = 1;
   std::uint32_t stamp_ = 0;
   std::vector<FaceSlot> faceSlots_;
