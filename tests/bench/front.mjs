@@ -80,7 +80,5 @@ try {
   mesher.dispose();
   rmSync(folder, { recursive: true });
 }
-console.log(
-  `growth exponent: native ${exponent(natives).toFixed(3)}, wasm ${exponent(wasms).toFixed(3)}`,
-);
+console.log(`growth exponent: native ${exponent(natives).toFixed(3)}, wasm ${exponent(wasms).toFixed(3)}`);
 if (natives.some((run, i) => run.fingerprint !== wasms[i].fingerprint)) process.exit(1);

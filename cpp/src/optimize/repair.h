@@ -37,7 +37,7 @@ class ElementRepair {
   bool moveCorners(const Corners& nodes, const ElementCost& cost);
   bool collapseCorner(const Corners& nodes, const ElementCost& cost);
   bool insertNode(TetId tet, const ElementCost& cost);
-  bool insertAt(std::span<const TetId> seeds, const Vec3& place, double size,
+  bool insertAt(std::span<const TetId> seeds, const Vec3& start, double size,
                 const ElementCost& cost);
   bool growCavity(const Vec3& place, const ElementCost& cost, double limit);
   void hollowOut();
