@@ -150,5 +150,24 @@ TEST(PredicatesTest, CountsOnlyWhatNeededTheExactStage) {
   EXPECT_EQ(exactPredicateCount(), before + 1);
 }
 
+TEST(PredicatesTest, NeedsNoExactStageInAxisParallelPlanes) {
+  Random random(77);
+  const std::uint64_t before = exactPredicateCount();
+  for (int i = 0; i < 300; ++i) {
+    std::array<Vec3, 4> points;
+    for (Vec3& p : points) {
+      p = random.inBox();
+      p[i % 3] = 0.1;
+    }
+    EXPECT_EQ(orient3d(points[0], points[1], points[2], points[3]), 0);
+  }
+  EXPECT_EQ(exactPredicateCount(), before);
+  // One unit in the last place out of the plane is out of it.
+  const double above = std::nextafter(0.1, 1.0);
+  EXPECT_EQ(orient3d(Vec3(0.0, 0.0, 0.1), Vec3(1.0, 0.0, 0.1), Vec3(0.0, 1.0, 0.1),
+                     Vec3(0.3, 0.3, above)),
+            1);
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

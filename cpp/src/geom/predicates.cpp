@@ -17,6 +17,13 @@ std::uint64_t exactCount = 0;
 
 int signOf(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
 
+/// True if all three differences vanish along one axis. A difference rounds to zero only where it
+/// is zero, so the points lie in one axis-parallel plane, exactly: the common case on drawn boxes.
+bool shareCoordinate(const Vec3& u, const Vec3& v, const Vec3& w) {
+  return (u.x == 0.0 && v.x == 0.0 && w.x == 0.0) || (u.y == 0.0 && v.y == 0.0 && w.y == 0.0) ||
+         (u.z == 0.0 && v.z == 0.0 && w.z == 0.0);
+}
+
 /// a x d - b x c of exact differences.
 Expansion<16> minor2(const Expansion<2>& a, const Expansion<2>& b, const Expansion<2>& c,
                      const Expansion<2>& d) {
@@ -72,6 +79,7 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
                            std::fabs(u.y) * (std::fabs(vzWx) + std::fabs(vxWz)) +
                            std::fabs(u.z) * (std::fabs(vxWy) + std::fabs(vyWx));
   if (std::fabs(det) > kOrient3dBound * permanent) return signOf(det);
+  if (shareCoordinate(u, v, w)) return 0;
   return orient3dExact(a, b, c, d);
 }
 
