@@ -6,9 +6,13 @@
 
 namespace tetrafront {
 
-SizeField SizeField::uniform(double size) { return SizeField(Base(size)); }
-SizeField SizeField::fromGrid(GridLocator locator) { return SizeField(Base(std::move(locator))); }
-SizeField SizeField::fromOctree(SizeOctree octree) { return SizeField(Base(std::move(octree))); }
+SizeField SizeField::uniform(double size) { return {std::in_place_type<double>, size}; }
+SizeField SizeField::fromGrid(GridLocator locator) {
+  return {std::in_place_type<GridLocator>, std::move(locator)};
+}
+SizeField SizeField::fromOctree(SizeOctree octree) {
+  return {std::in_place_type<SizeOctree>, std::move(octree)};
+}
 
 double SizeField::sizeAt(const Vec3& place, FieldHint& hint) const {
   const double size = baseSizeAt(place, hint);

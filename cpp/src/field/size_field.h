@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <variant>
 
 #include "field/grid_locator.h"
@@ -55,7 +56,8 @@ class SizeField {
 
  private:
   using Base = std::variant<double, GridLocator, SizeOctree>;
-  explicit SizeField(Base base) : base_(std::move(base)) {}
+  template <class Kind>
+  SizeField(std::in_place_type_t<Kind> kind, Kind base) : base_(kind, std::move(base)) {}
   [[nodiscard]] double baseSizeAt(const Vec3& place, FieldHint& hint) const;
   GridLocator::Location locate(const GridLocator& grid, const Vec3& place, FieldHint& hint) const;
 
