@@ -57,6 +57,7 @@ class MeshRun::Impl {
 
   MeshStatus advance(std::uint32_t budget) {
     if (status_ != MeshStatus::kRunning) return status_;
+    budget = std::max(budget, 1U);
     switch (stage_) {
       case Stage::kCheckModel:
         checkInput();
@@ -163,8 +164,15 @@ class MeshRun::Impl {
 
   [[nodiscard]] Phase phase() const {
     switch (stage_) {
+      case Stage::kCheckModel:
+        return Phase::kCheck;
       case Stage::kSurface:
-        return surfaceMesher_ ? surfaceMesher_->phase() : Phase::kSides;
+        return surfaceMesher_->phase();
+      case Stage::kCheckBoundary:
+        return isModel() ? Phase::kSurface : Phase::kCheck;
+      case Stage::kField:
+        return Phase::kCheck;
+      case Stage::kEstimate:
       case Stage::kVolume:
         return Phase::kVolume;
       case Stage::kOptimize:
@@ -172,11 +180,8 @@ class MeshRun::Impl {
       case Stage::kMeasure:
       case Stage::kVerify:
         return Phase::kVerify;
-      case Stage::kCheckBoundary:
-        return isModel() ? Phase::kSurface : Phase::kCheck;
-      default:
-        return Phase::kCheck;
     }
+    return Phase::kCheck;
   }
 
   /// Estimated part of the whole run that is done.

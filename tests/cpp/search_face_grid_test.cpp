@@ -92,7 +92,10 @@ TEST(Box, RoundsOutward) {
 
 TEST(Incidence, ListsEachElementOnceAtEachOfItsNodes) {
   const std::vector<std::uint32_t> corners{0, 1, 2, 3, 3, 2, 1, 5, 0, 5, 3, 1};
-  const Incidence incidence(corners, 4, 6);
+  Incidence incidence(6);
+  for (const std::uint32_t node : corners) incidence.count(node);
+  incidence.endCounting();
+  for (std::uint32_t i = 0; i < corners.size(); ++i) incidence.add(corners[i], i / 4);
   const auto at = [&](std::uint32_t node) {
     const auto list = incidence.at(node);
     return std::vector<std::uint32_t>(list.begin(), list.end());

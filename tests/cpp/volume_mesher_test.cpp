@@ -230,6 +230,8 @@ TEST(VolumeMesher, ReopensWhatCannotBeStarred) {
   EXPECT_GT(outcome.recovery.reopened, 0U);
   EXPECT_GT(outcome.recovery.relaxed, 0U);
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
+  // Recovery too must not care how it is sliced, down to single steps.
+  EXPECT_EQ(fill(surface, ownSizes(surface), {}, 1).fingerprint(), outcome.fingerprint());
 }
 
 TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {

@@ -15,7 +15,7 @@ enum class MeshStatus : std::uint8_t {
   kDone = 1,          ///< the region is filled
   kStalled = 2,       ///< no face of the remaining front can be completed; the partial mesh is kept
   kCancelled = 3,     ///< stopped on request; the partial mesh is kept
-  kInvalidInput = 4,  ///< see the diagnostics; nothing was meshed
+  kInvalidInput = 4,  ///< see the diagnostics; what is meshed, if anything, is partial
 };
 
 /// The stages of a run in their order.

@@ -47,7 +47,6 @@ struct EdgeRing {
 class EdgeRemoval {
  public:
   struct Options {
-    std::size_t maxRing = 7;
     bool fans = false;      ///< also try keeping the edge with fewer sectors, at boundary edges too
     double minGain = 1e-4;  ///< relative
   };

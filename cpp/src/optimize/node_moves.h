@@ -14,7 +14,6 @@ namespace tetrafront {
 class Hollow {
  public:
   void clear() { size_ = 0; }
-  [[nodiscard]] bool isFull() const { return size_ == faces_.size(); }
   void add(const Vec3& a, const Vec3& b, const Vec3& c) { faces_[size_++] = {a, b, c}; }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::array<Vec3, 3>& face(std::size_t i) const { return faces_[i]; }

@@ -103,7 +103,7 @@ class MeshOptimizer::Impl {
   }
   [[nodiscard]] std::size_t pointCount() const {
     if (stage_ == Stage::kBuild) return mesh_.points.size() / 3;
-    return complex_.boundaryNodeCount() + complex_.freeNodeCount();
+    return complex_.boundaryNodeCount() + freeNodes_;
   }
 
  private:
@@ -116,6 +116,7 @@ class MeshOptimizer::Impl {
       return count;
     }
     if (!complex_.build(mesh_, budget)) return budget;
+    freeNodes_ = complex_.freeNodeCount();
     if (level_ == Optimization::kNone || complex_.elementCount() == 0) {
       stage_ = Stage::kDone;
     } else if (level_ == Optimization::kFast) {
@@ -228,21 +229,27 @@ class MeshOptimizer::Impl {
   }
 
   void swap(std::size_t first, std::size_t last) {
-    constexpr std::size_t kBulkRing = 7;
-    EdgeRing ring;
     for (std::size_t t = first; t < last; ++t) {
-      const TetId tet(t);
-      for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
-        if (!complex_.isLive(tet) || complex_.changedIn(tet) < since_) break;
-        if (!findRing(complex_, tet, e, kBulkRing, ring) || !ring.closed) continue;
-        // Each edge once: the first changed element of its ring speaks for it.
-        const bool speaks = std::none_of(
-            ring.elementSpan().begin(), ring.elementSpan().end(),
-            [&](TetId other) { return other < tet && complex_.changedIn(other) >= since_; });
-        if (!speaks || !removal_.improve(ring, cost_, {kBulkRing, false, kSwapGain})) continue;
-        e = static_cast<std::size_t>(-1);  // another element may live here now: all its edges
+      // After a swap another element may live here: then all its edges.
+      while (swapOneEdgeOf(TetId(t))) {
       }
     }
+  }
+
+  bool swapOneEdgeOf(TetId tet) {
+    constexpr std::size_t kBulkRing = 7;
+    constexpr double kSwapGain = 1e-4;
+    if (!complex_.isLive(tet) || complex_.changedIn(tet) < since_) return false;
+    EdgeRing ring;
+    for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
+      if (!findRing(complex_, tet, e, kBulkRing, ring) || !ring.closed) continue;
+      // Each edge once: the first changed element of its ring speaks for it.
+      const bool speaks = std::none_of(
+          ring.elementSpan().begin(), ring.elementSpan().end(),
+          [&](TetId other) { return other < tet && complex_.changedIn(other) >= since_; });
+      if (speaks && removal_.improve(ring, cost_, {false, kSwapGain})) return true;
+    }
+    return false;
   }
 
   void move(std::size_t first, std::size_t last, MoveKind kind) {
@@ -269,6 +276,7 @@ class MeshOptimizer::Impl {
   }
 
   void endSweep() {
+    freeNodes_ = complex_.freeNodeCount();
     switch (sweeps_[sweep_]) {
       case Sweep::kCollectSplits:
         splitter_.sortCollected();
@@ -302,7 +310,7 @@ class MeshOptimizer::Impl {
     changes_ = 0;
     changesInSweep_ = 0;
     ++repeats_;
-    const auto free = static_cast<double>(complex_.freeNodeCount());
+    const auto free = static_cast<double>(freeNodes_);
     switch (stage_) {
       case Stage::kBuild:
         return;
@@ -351,8 +359,6 @@ class MeshOptimizer::Impl {
     return count;
   }
 
-  static constexpr double kSwapGain = 1e-4;
-
   Optimization level_;
   const VolumeMesh& mesh_;
   const SizeField& field_;
@@ -376,6 +382,7 @@ class MeshOptimizer::Impl {
   std::size_t changesInSweep_ = 0;
   std::size_t changes_ = 0;
   int repeats_ = 0;
+  std::size_t freeNodes_ = 0;  ///< when the last sweep ended: counting them is O(nodes)
   std::vector<TetId> bad_;
 };
 

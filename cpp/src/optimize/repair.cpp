@@ -10,7 +10,7 @@ constexpr double kRepairGain = 1e-3;    // relative, of swaps and collapses
 constexpr double kCompoundGain = 1e-2;  // of the worst of all elements touched
 constexpr std::size_t kMaxRepairCavity = 60;
 
-EdgeRemoval::Options repairOptions() { return {kRepairRing, true, kRepairGain}; }
+EdgeRemoval::Options repairOptions() { return {true, kRepairGain}; }
 
 }  // namespace
 

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file Which elements stand at a node? A flat list of lists (Löhner & Parikh 1988, second
-/// section 6, structure (3)), built once in O(n).
+/// section 6, structure (3)), built in two rounds over all corners, each of which may be taken in
+/// slices: O(corners) in all.
 
 #include <cstddef>
 #include <cstdint>
@@ -13,16 +14,20 @@ namespace tetrafront {
 class Incidence {
  public:
   Incidence() = default;
+  explicit Incidence(std::size_t nodeCount) : starts_(nodeCount + 2, 0) {}
 
-  /// `corners`: `perElement` nodes for each element, all below `nodeCount`.
-  Incidence(std::span<const std::uint32_t> corners, std::size_t perElement, std::size_t nodeCount)
-      : starts_(nodeCount + 2, 0), elements_(corners.size()) {
-    // Counted two places ahead, so that filling moves each start to where its list begins.
-    for (const std::uint32_t node : corners) ++starts_[node + 2];
+  /// First round: once per corner.
+  void count(std::uint32_t node) {
+    // Two places ahead, so that the second round moves each start to where its list begins.
+    ++starts_[node + std::size_t{2}];
+  }
+  void endCounting() {
     for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      elements_[starts_[corners[i] + 1]++] = static_cast<std::uint32_t>(i / perElement);
-    }
+    elements_.resize(starts_.back());
+  }
+  /// Second round: the same corners again, elements in rising order.
+  void add(std::uint32_t node, std::uint32_t element) {
+    elements_[starts_[node + std::size_t{1}]++] = element;
   }
 
   /// Elements at `node`, in rising order; none for nodes added later.

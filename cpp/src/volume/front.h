@@ -61,6 +61,8 @@ class Front {
   void setHint(FaceId face, FieldHint hint) { faces_[face.index()].hint = hint; }
   /// Active faces in the order of their ids. O(all faces there ever were at once).
   [[nodiscard]] std::vector<FaceId> activeFaces() const;
+  /// Active faces and free places for faces.
+  [[nodiscard]] std::size_t slotCount() const { return faces_.size(); }
   [[nodiscard]] std::uint32_t activeCount() const { return activeCount_; }
   [[nodiscard]] Box boxOf(FaceId face) const;
 

@@ -5,6 +5,15 @@
 #include "geom/measure.h"
 
 namespace tetrafront {
+namespace {
+
+/// One layer deeper, as far as the type counts.
+std::uint16_t nextLayer(std::uint16_t layer) {
+  constexpr std::uint16_t kDeepest = 0xffff;
+  return layer == kDeepest ? layer : static_cast<std::uint16_t>(layer + 1);
+}
+
+}  // namespace
 
 template <class Trace>
 void FrontAdvance<Trace>::step() {
@@ -97,7 +106,7 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
     const NodeTriple& n = base.nodes;
     const std::uint16_t layer =
         std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
-    node = front_.addNode(place, static_cast<std::uint16_t>(layer + 1), base.hint);
+    node = front_.addNode(place, nextLayer(layer), base.hint);
   }
   if constexpr (Trace::kOn) trace_.accepted(node, place);
   accept(face, node, sides);

@@ -23,8 +23,10 @@ constexpr std::size_t kMaxRemovedElements = 4000;
 constexpr std::uint64_t kPopsPerRemovedElement = 30;
 constexpr std::uint64_t kExtraPops = 2000;
 
-/// Layer of a star point: as deep as anything near it.
-constexpr std::uint16_t kStarLayer = 8;
+/// Looking at this many active faces, or slots of faces, costs about as much as one step of the
+/// front.
+constexpr std::size_t kFacesPerStep = 4;
+constexpr std::size_t kSlotsPerStep = 1000;
 
 /// The element's sides as faces seen from inside it.
 std::array<NodeTriple, 4> innerSides(const NodeQuad& n) {
@@ -45,26 +47,67 @@ std::map<NodeTriple, FaceId> facesByNodes(const Front& front) {
 template <class Trace>
 typename Recovery<Trace>::State Recovery<Trace>::advance(std::uint32_t budget) {
   while (budget > 0) {
-    if (stage_ == Stage::kFinished || front_.activeCount() == 0) {
-      stage_ = Stage::kFinished;
+    if (front_.activeCount() == 0 && stage_ != Stage::kRefront) stage_ = Stage::kFinished;
+    if (stage_ == Stage::kFinished) {
       return front_.activeCount() == 0 ? State::kClosed : State::kStalled;
     }
-    if (stage_ == Stage::kStar) {
-      starAll();
-      startPass();
-    } else if (stage_ == Stage::kChoose) {
-      chooseAndReopen();
-    } else {
-      refront(budget);
-    }
-    --budget;
+    const std::size_t cost = std::max<std::size_t>(work(budget), 1);
+    budget -= static_cast<std::uint32_t>(std::min<std::size_t>(cost, budget));
   }
   return State::kRunning;
 }
 
 template <class Trace>
-void Recovery<Trace>::starAll() {
-  for (const Pocket& pocket : findPockets(front_)) starred_ += star(pocket) ? 1 : 0;
+std::size_t Recovery<Trace>::work(std::uint32_t budget) {
+  switch (stage_) {
+    case Stage::kFindPockets:
+      findPocketsOfPass();
+      return lookCost();
+    case Stage::kStar:
+      return starNext();
+    case Stage::kCount:
+    case Stage::kIndex:
+      return indexElements(budget);
+    case Stage::kReopen:
+      return reopenNext();
+    case Stage::kRefront:
+      return refront(budget);
+    case Stage::kFinished:
+      break;
+  }
+  return 1;
+}
+
+template <class Trace>
+std::size_t Recovery<Trace>::lookCost() const {
+  return 1 + front_.activeCount() / kFacesPerStep + front_.slotCount() / kSlotsPerStep;
+}
+
+template <class Trace>
+void Recovery<Trace>::findPocketsOfPass() {
+  pockets_ = findPockets(front_);
+  queue_.clear();
+  nextInQueue_ = 0;
+  if (pass_ == 0) {
+    stage_ = Stage::kStar;
+    return;
+  }
+  for (const Pocket& pocket : pockets_) {
+    queue_.push_back(leastFirst(front_.face(pocket.faces.front()).nodes));
+  }
+  beginPass();
+}
+
+template <class Trace>
+std::size_t Recovery<Trace>::starNext() {
+  if (nextInQueue_ == pockets_.size()) {
+    pass_ = 1;
+    stage_ = Stage::kFindPockets;
+    return 1;
+  }
+  const Pocket& pocket = pockets_[nextInQueue_++];
+  starred_ += star(pocket) ? 1 : 0;
+  return 1 + pocket.faces.size();
 }
 
 template <class Trace>
@@ -72,7 +115,11 @@ bool Recovery<Trace>::star(const Pocket& pocket) {
   if (!pocket.single) return false;
   const std::optional<Vec3> place = findStarPoint(front_, pocket);
   if (!place) return false;
-  const NodeId apex = front_.addNode(*place, kStarLayer, front_.face(pocket.faces.front()).hint);
+  std::uint16_t layer = 0;
+  for (const FaceId face : pocket.faces) {
+    for (const NodeId node : front_.face(face).nodes) layer = std::max(layer, front_.layer(node));
+  }
+  const NodeId apex = front_.addNode(*place, layer, front_.face(pocket.faces.front()).hint);
   for (const FaceId face : pocket.faces) {
     const FrontFace& f = front_.face(face);
     elements_.add({f.nodes[0], f.nodes[1], f.nodes[2], apex}, f.region);
@@ -82,52 +129,81 @@ bool Recovery<Trace>::star(const Pocket& pocket) {
 }
 
 template <class Trace>
-void Recovery<Trace>::startPass() {
-  stage_ = pass_ < kPasses ? Stage::kChoose : Stage::kFinished;
-  queue_.clear();
-  nextInQueue_ = 0;
-  for (const Pocket& pocket : findPockets(front_)) {
-    queue_.push_back(leastFirst(front_.face(pocket.faces.front()).nodes));
+void Recovery<Trace>::beginPass() {
+  if (pass_ > kPasses) {
+    stage_ = Stage::kFinished;
+  } else if ((pass_ - 1) % kVariants.size() != 0) {
+    stage_ = Stage::kReopen;
+  } else {
+    // Elements made later than this are found by a scan.
+    indexedElements_ = elements_.size();
+    elementsAtNode_ = Incidence(front_.nodes().size());
+    nextToIndex_ = 0;
+    stage_ = Stage::kCount;
   }
-  if (pass_ % kVariants.size() != 0 || queue_.empty()) return;
-  // Elements made later than this are found by a scan.
-  indexedElements_ = elements_.size();
-  std::vector<std::uint32_t> corners;
-  corners.reserve(4 * indexedElements_);
-  for (const NodeQuad& quad : elements_.nodes) {
-    for (const NodeId node : quad) corners.push_back(node.value);
-  }
-  elementsAtNode_ = Incidence(corners, 4, front_.nodes().size());
 }
 
 template <class Trace>
-void Recovery<Trace>::chooseAndReopen() {
-  while (nextInQueue_ < queue_.size()) {
-    const NodeTriple sought = queue_[nextInQueue_++];
-    for (const Pocket& pocket : findPockets(front_)) {
-      for (const FaceId face : pocket.faces) {
-        if (leastFirst(front_.face(face).nodes) == sought) return reopen(pocket);
+std::size_t Recovery<Trace>::indexElements(std::uint32_t budget) {
+  constexpr std::size_t kElementsPerStep = 100;
+  const std::size_t last = std::min(indexedElements_, nextToIndex_ + kElementsPerStep * budget);
+  const std::size_t done = last - nextToIndex_;
+  for (; nextToIndex_ < last; ++nextToIndex_) {
+    for (const NodeId node : elements_.nodes[nextToIndex_]) {
+      if (stage_ == Stage::kCount) {
+        elementsAtNode_.count(node.value);
+      } else {
+        elementsAtNode_.add(node.value, static_cast<std::uint32_t>(nextToIndex_));
       }
     }
   }
-  ++pass_;
-  startPass();
+  if (nextToIndex_ == indexedElements_) {
+    nextToIndex_ = 0;
+    if (stage_ == Stage::kCount) {
+      elementsAtNode_.endCounting();
+      stage_ = Stage::kIndex;
+    } else {
+      stage_ = Stage::kReopen;
+    }
+  }
+  return 1 + done / kElementsPerStep;
 }
 
 template <class Trace>
-void Recovery<Trace>::reopen(const Pocket& pocket) {
+std::size_t Recovery<Trace>::reopenNext() {
+  const FaceMap active = facesByNodes(front_);
+  while (nextInQueue_ < queue_.size() && !active.contains(queue_[nextInQueue_])) ++nextInQueue_;
+  if (nextInQueue_ == queue_.size()) {
+    ++pass_;
+    stage_ = Stage::kFindPockets;
+    return lookCost();
+  }
+  const FaceId sought = active.at(queue_[nextInQueue_++]);
+  const std::vector<Pocket> pockets = findPockets(front_);
+  for (std::size_t i = 0; i < pockets.size(); ++i) {
+    if (std::binary_search(pockets[i].faces.begin(), pockets[i].faces.end(), sought)) {
+      reopen(pockets, i, active);
+      break;
+    }
+  }
+  return 3 * lookCost() + attempt_.removedElements.size();
+}
+
+template <class Trace>
+void Recovery<Trace>::reopen(const std::vector<Pocket>& pockets, std::size_t chosen,
+                             const FaceMap& active) {
   attempt_ = Attempt{};
-  for (const auto& [nodes, face] : facesByNodes(front_)) {
+  for (const auto& [nodes, face] : active) {
     const FrontFace& f = front_.face(face);
     attempt_.facesBefore.emplace(nodes, FaceRecord{f.region, f.hint, f.ruleClass});
   }
   attempt_.elementsBefore = elements_.size();
   attempt_.nodesBefore = front_.nodes().size();
-  const auto rings = static_cast<std::uint32_t>(pass_ / kVariants.size() + 1);
-  attempt_.removedElements = elementsAround(pocket, rings);
+  const auto rings = static_cast<std::uint32_t>((pass_ - 1) / kVariants.size() + 1);
+  attempt_.removedElements = elementsAround(pockets[chosen], rings);
   attempt_.popsLeft = kPopsPerRemovedElement * attempt_.removedElements.size() + kExtraPops;
-  const std::vector<FaceId> rim = takeAway(attempt_.removedElements, pocket);
-  const RuleVariant& variant = kVariants[pass_ % kVariants.size()];
+  const std::vector<FaceId> rim = takeAway(pockets, chosen, active);
+  const RuleVariant& variant = kVariants[(pass_ - 1) % kVariants.size()];
   advance_.setVariant(variant);
   front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
   for (const FaceId face : rim) front_.requeue(face, 0);
@@ -167,17 +243,15 @@ std::vector<TetId> Recovery<Trace>::elementsAround(const Pocket& pocket,
 /// Removes the elements and updates the front. Returns the faces that bound the empty place: the
 /// pocket's, those of other pockets that it has grown into, and the new rim. The rest is foreign.
 template <class Trace>
-std::vector<FaceId> Recovery<Trace>::takeAway(const std::vector<TetId>& elements,
-                                              const Pocket& pocket) {
-  std::map<FaceId, std::uint32_t> pocketOfFace;
-  const std::vector<Pocket> pockets = findPockets(front_);
-  for (std::uint32_t i = 0; i < pockets.size(); ++i) {
+std::vector<FaceId> Recovery<Trace>::takeAway(const std::vector<Pocket>& pockets,
+                                              std::size_t chosen, FaceMap active) {
+  std::map<FaceId, std::size_t> pocketOfFace;
+  for (std::size_t i = 0; i < pockets.size(); ++i) {
     for (const FaceId face : pockets[i].faces) pocketOfFace.emplace(face, i);
   }
-  std::set<std::uint32_t> touchedPockets{pocketOfFace.at(pocket.faces.front())};
-  std::map<NodeTriple, FaceId> active = facesByNodes(front_);
+  std::set<std::size_t> touchedPockets{chosen};
   std::set<NodeTriple> rim;
-  for (const TetId element : elements) {
+  for (const TetId element : attempt_.removedElements) {
     elements_.remove(element);
     for (const NodeTriple& side : innerSides(elements_.nodes[element.index()])) {
       const auto exposed = active.find(leastFirst(reversed(side)));
@@ -206,13 +280,16 @@ std::vector<FaceId> Recovery<Trace>::takeAway(const std::vector<TetId>& elements
 }
 
 template <class Trace>
-void Recovery<Trace>::refront(std::uint32_t& budget) {
-  while (budget > 1 && attempt_.popsLeft > 0 && !front_.nothingQueued()) {
+std::size_t Recovery<Trace>::refront(std::uint32_t budget) {
+  std::uint32_t steps = 0;
+  while (steps < budget && attempt_.popsLeft > 0 && !front_.nothingQueued()) {
     advance_.step();
     --attempt_.popsLeft;
-    --budget;
+    ++steps;
   }
-  if (front_.nothingQueued() || attempt_.popsLeft == 0) finishAttempt();
+  if (!front_.nothingQueued() && attempt_.popsLeft > 0) return steps;
+  finishAttempt();
+  return steps + 2 * lookCost();
 }
 
 template <class Trace>
@@ -220,19 +297,27 @@ void Recovery<Trace>::finishAttempt() {
   front_.unqueueAll();
   advance_.setVariant(RuleVariant{});
   front_.setOrder(order_);
-  stage_ = Stage::kChoose;
-  if (front_.activeCount() > attempt_.foreignFaces.size()) {
+  stage_ = Stage::kReopen;
+  if (!onlyForeignLeft(facesByNodes(front_))) {
     for (const Pocket& pocket : findPockets(front_)) {
-      const bool foreign =
-          attempt_.foreignFaces.contains(leastFirst(front_.face(pocket.faces.front()).nodes));
+      const bool foreign = std::all_of(pocket.faces.begin(), pocket.faces.end(), [&](FaceId face) {
+        return attempt_.foreignFaces.contains(leastFirst(front_.face(face).nodes));
+      });
       if (!foreign) star(pocket);
     }
   }
-  if (front_.activeCount() == attempt_.foreignFaces.size()) {
+  if (onlyForeignLeft(facesByNodes(front_))) {
     ++reopened_;
   } else {
     putBack();
   }
+}
+
+template <class Trace>
+bool Recovery<Trace>::onlyForeignLeft(const FaceMap& active) const {
+  return std::all_of(active.begin(), active.end(), [&](const auto& entry) {
+    return attempt_.foreignFaces.contains(entry.first);
+  });
 }
 
 /// Every face, element and node as it was before the attempt.
@@ -240,7 +325,14 @@ template <class Trace>
 void Recovery<Trace>::putBack() {
   std::map<NodeTriple, FaceRecord> missing = attempt_.facesBefore;
   for (const auto& [nodes, face] : facesByNodes(front_)) {
-    if (missing.erase(nodes) == 0) front_.removeFace(face);
+    const auto known = missing.find(nodes);
+    if (known == missing.end()) {
+      front_.removeFace(face);
+      continue;
+    }
+    front_.park(face, known->second.ruleClass);
+    front_.setHint(face, known->second.hint);
+    missing.erase(known);
   }
   elements_.dropFrom(attempt_.elementsBefore);
   for (const TetId element : attempt_.removedElements) elements_.restore(element);

@@ -35,7 +35,15 @@ class Recovery {
   [[nodiscard]] std::uint32_t reopened() const { return reopened_; }
 
  private:
-  enum class Stage : std::uint8_t { kStar, kChoose, kRefront, kFinished };
+  enum class Stage : std::uint8_t {
+    kFindPockets,  ///< the pockets of the next pass
+    kStar,         ///< the first pass: each pocket from one point
+    kCount,        ///< incidence of the elements, first round
+    kIndex,        ///< and second
+    kReopen,       ///< the other passes: choose a pocket and open the place
+    kRefront,      ///< fill it again
+    kFinished
+  };
 
   /// A face as it was before a place was reopened.
   struct FaceRecord {
@@ -52,29 +60,41 @@ class Recovery {
     std::set<NodeTriple> foreignFaces;  ///< active faces that do not bound the reopened place
     std::uint64_t popsLeft = 0;
   };
+  using FaceMap = std::map<NodeTriple, FaceId>;
 
-  void starAll();
+  /// One piece of work; returns what it cost, in faces taken from the front.
+  std::size_t work(std::uint32_t budget);
+  void findPocketsOfPass();
+  std::size_t starNext();
   bool star(const Pocket& pocket);
-  void chooseAndReopen();
-  void startPass();
-  void reopen(const Pocket& pocket);
+  void beginPass();
+  std::size_t indexElements(std::uint32_t budget);
+  std::size_t reopenNext();
+  void reopen(const std::vector<Pocket>& pockets, std::size_t chosen, const FaceMap& active);
   [[nodiscard]] std::vector<TetId> elementsAround(const Pocket& pocket, std::uint32_t rings) const;
-  std::vector<FaceId> takeAway(const std::vector<TetId>& elements, const Pocket& pocket);
-  void refront(std::uint32_t& budget);
+  std::vector<FaceId> takeAway(const std::vector<Pocket>& pockets, std::size_t chosen,
+                               FaceMap active);
+  std::size_t refront(std::uint32_t budget);
   void finishAttempt();
+  [[nodiscard]] bool onlyForeignLeft(const FaceMap& active) const;
   void putBack();
+  /// What looking at all active faces costs, in faces taken from the front.
+  [[nodiscard]] std::size_t lookCost() const;
 
   Front& front_;
   Elements& elements_;
   FrontAdvance<Trace>& advance_;
   FrontOrder order_;
-  Stage stage_ = Stage::kStar;
+  Stage stage_ = Stage::kFindPockets;
+  /// 0 is the star pass; then one per number of rings and variant of the rules.
   std::uint32_t pass_ = 0;
-  /// One face of each pocket that was there when the pass began, and the next to try.
+  std::vector<Pocket> pockets_;  ///< of the star pass
+  /// One face of each pocket that was there when the pass began.
   std::vector<NodeTriple> queue_;
   std::size_t nextInQueue_ = 0;
   Incidence elementsAtNode_;
   std::size_t indexedElements_ = 0;
+  std::size_t nextToIndex_ = 0;
   Attempt attempt_;
   std::uint32_t starred_ = 0;
   std::uint32_t reopened_ = 0;

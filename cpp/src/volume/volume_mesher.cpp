@@ -110,9 +110,13 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
 
 template <class Trace>
 void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
-  for (; budget > 0 && !front_.nothingQueued(); --budget) advance_.step();
+  // Looked at after each step, so that where it stops does not depend on the slices.
+  for (; budget > 0 && stage_ == Stage::kAdvance && !front_.nothingQueued(); --budget) {
+    advance_.step();
+    inspectNewNodes();
+    if (elements_.size() > maxTetrahedra_) stopAtLimit();
+  }
   inspectNewElements();
-  inspectNewNodes();
   if (stage_ == Stage::kAdvance && front_.nothingQueued()) stage_ = Stage::kRecover;
 }
 
@@ -141,7 +145,11 @@ void BasicVolumeMesher<Trace>::inspectNewElements() {
     filledVolume_ +=
         sixVolumes(front_.node(n[0]), front_.node(n[1]), front_.node(n[2]), front_.node(n[3]));
   }
-  if (elements_.size() <= maxTetrahedra_) return;
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::stopAtLimit() {
+  inspectNewElements();
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   const double expected = static_cast<double>(elements_.size()) / std::max(filledFraction(), 1e-9);

@@ -56,6 +56,7 @@ class BasicVolumeMesher {
   void recover(std::uint32_t budget);
   void inspectNewElements();
   void inspectNewNodes();
+  void stopAtLimit();
   void finish(MeshStatus status);
 
   const SurfaceMesh& boundary_;
