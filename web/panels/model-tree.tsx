@@ -7,7 +7,15 @@ import {
   IconEyeOff,
   IconSearch,
 } from "@tabler/icons-react";
-import { useEffect, useMemo, useRef, useState, type KeyboardEvent, type MouseEvent } from "react";
+import {
+  useEffect,
+  useLayoutEffect,
+  useMemo,
+  useRef,
+  useState,
+  type KeyboardEvent,
+  type MouseEvent,
+} from "react";
 import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "../document/entities";
 import type { SelectMode } from "../document/selection";
 import { entityWords, strings } from "../ui/strings";
@@ -43,6 +51,16 @@ export function ModelTree() {
   const scroller = useRef<HTMLDivElement>(null);
   const { first, last, scrollTo } = useRowWindow(scroller, rows.length, rowHeight);
 
+  // A row far away is in the page only after scrolling; the focus waits for it, unless it has moved on.
+  const wantsFocus = useRef(false);
+  useLayoutEffect(() => {
+    const row = wantsFocus.current ? document.getElementById(`row-${focusedKey}`) : null;
+    if (!row) return;
+    wantsFocus.current = false;
+    const holder = document.activeElement;
+    if (holder === document.body || scroller.current?.contains(holder)) row.focus();
+  });
+
   const setOpen = (kind: DrawnKind, open: boolean): void => {
     const next = new Set(closed);
     if (open) next.delete(kind);
@@ -54,7 +72,7 @@ export function ModelTree() {
     if (!row) return;
     setFocusedKey(rowKey(row));
     scrollTo(rows.indexOf(row));
-    requestAnimationFrame(() => document.getElementById(`row-${rowKey(row)}`)?.focus());
+    wantsFocus.current = true;
   };
   const activate = (row: TreeRow, mode: SelectMode): void => {
     setFocusedKey(rowKey(row));
