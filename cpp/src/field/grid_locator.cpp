@@ -89,6 +89,7 @@ GridLocator::GridLocator(BackgroundGrid grid, double growth) : grid_(std::move(g
   const Vec3 extent = upper - lower;
   slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
   buildTensors(growth);
+  for (const BackgroundNode& node : grid_.nodes) sizes_.push_back(node.size);
   buildFrames();
   buildNeighbours();
   buildTree();
@@ -122,7 +123,8 @@ void GridLocator::buildFrames() {
     const double volume = glm::dot(u, glm::cross(v, w));  // of either sign: it cancels
     frames_.push_back(
         {origin,
-         {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume}});
+         {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume},
+         {kNone, kNone, kNone, kNone}});
   }
 }
 
@@ -145,13 +147,12 @@ void GridLocator::buildNeighbours() {
   std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
     return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
   });
-  neighbours_.assign(grid_.tetrahedra.size(), {kNone, kNone, kNone, kNone});
   for (std::size_t i = 1; i < faces.size(); ++i) {
     const Face& a = faces[i - 1];
     const Face& b = faces[i];
     if (a.nodes != b.nodes) continue;
-    neighbours_[a.tetrahedron][a.opposite] = b.tetrahedron;
-    neighbours_[b.tetrahedron][b.opposite] = a.tetrahedron;
+    frames_[a.tetrahedron].neighbours[a.opposite] = b.tetrahedron;
+    frames_[b.tetrahedron].neighbours[b.opposite] = a.tetrahedron;
     ++i;
   }
 }
@@ -186,7 +187,7 @@ GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t start
       if (weights[i] < weights[exit]) exit = i;
     }
     if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true, step};
-    const std::uint32_t next = neighbours_[at][exit];
+    const std::uint32_t next = frames_[at].neighbours[exit];
     if (next == kNone) {
       Location found = nearest(place, at);
       found.steps = step;
@@ -258,7 +259,7 @@ SymmetricTensor GridLocator::tensorAt(const Location& location) const {
 double GridLocator::sizeAt(const Location& location) const {
   const auto& tet = grid_.tetrahedra[location.tetrahedron];
   double size = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) size += location.weights[i] * grid_.nodes[tet[i]].size;
+  for (std::size_t i = 0; i < 4; ++i) size += location.weights[i] * sizes_[tet[i]];
   return size;
 }
 

@@ -46,10 +46,12 @@ class GridLocator {
  private:
   static constexpr std::uint32_t kNone = 0xffffffffU;
 
-  /// The linear functions that are the weights of nodes 1, 2, 3; they vanish at node 0.
+  /// What a walk needs of a tetrahedron, side by side in memory: the linear functions that are the
+  /// weights of nodes 1, 2, 3, which vanish at node 0; what is across the face opposite to node i.
   struct Frame {
     Vec3 origin;
     std::array<Vec3, 3> gradients;
+    std::array<std::uint32_t, 4> neighbours;
   };
 
   void buildTensors(double growth);
@@ -63,7 +65,7 @@ class GridLocator {
   BackgroundGrid grid_;
   std::vector<SymmetricTensor> tensors_;  ///< per node; empty where nothing is stretched
   std::vector<Frame> frames_;
-  std::vector<std::array<std::uint32_t, 4>> neighbours_;  ///< across the face opposite to node i
+  std::vector<double> sizes_;  ///< per node, close together
   BoxTree tree_;
   std::uint32_t maxSteps_ = 0;
   double slack_ = 0.0;  ///< how far outside counts as rounding
