@@ -22,6 +22,7 @@ namespace {
 struct Options {
   double size = 0.0;
   double growth = 0.0;
+  double gradation = 0.0;
   std::uint32_t order = 0;
   std::uint32_t optimization = 0;
 };
@@ -87,6 +88,7 @@ MeshOptions toOptions(const Options& options) {
   MeshOptions result;
   result.size = options.size;
   result.growth = options.growth;
+  result.gradation = options.gradation;
   result.order = static_cast<FrontOrder>(options.order);
   result.optimization = static_cast<Optimization>(options.optimization);
   return result;
@@ -300,6 +302,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<Options>("Options")
       .field("size", &Options::size)
       .field("growth", &Options::growth)
+      .field("gradation", &Options::gradation)
       .field("order", &Options::order)
       .field("optimization", &Options::optimization);
   value_object<DiagnosticRecord>("DiagnosticRecord")

@@ -1,6 +1,7 @@
 #include "tetrafront/mesher.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -58,6 +59,14 @@ class MeshRun::Impl {
   MeshStatus advance(std::uint32_t budget) {
     if (status_ != MeshStatus::kRunning) return status_;
     budget = std::max(budget, 1U);
+    if (!optionsChecked_) {
+      optionsChecked_ = true;
+      report(checkOptions());
+      if (anyError(diagnostics_)) {
+        fail();
+        return status_;
+      }
+    }
     switch (stage_) {
       case Stage::kCheckModel:
         checkInput();
@@ -219,6 +228,25 @@ class MeshRun::Impl {
     diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
   }
 
+  /// Options that make no sense, as a caller of the engine may give them.
+  [[nodiscard]] std::vector<Diagnostic> checkOptions() const {
+    const auto finite = [](double value) { return value - value == 0.0; };
+    const std::array<double, 3> given{options_.size, options_.growth, options_.gradation};
+    const std::array<bool, 3> sound{
+        finite(options_.size) && options_.size >= 0.0,
+        finite(options_.growth) && options_.growth >= 0.0,
+        finite(options_.gradation) && (options_.gradation == 0.0 || options_.gradation > 1.0)};
+    std::vector<Diagnostic> found;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      if (sound[i]) continue;
+      Diagnostic bad;
+      bad.code = DiagnosticCode::kBadOption;
+      bad.values = {static_cast<double>(i), given[i]};
+      found.push_back(std::move(bad));
+    }
+    return found;
+  }
+
   void checkInput() {
     const bool usesGrid = !(options_.size > 0.0);
     report(checkModel(*model_));
@@ -351,6 +379,7 @@ class MeshRun::Impl {
   std::optional<VolumeMesh> finishedMesh_;
   double filled_ = 0.0;
   double fraction_ = 0.0;
+  bool optionsChecked_ = false;
   RecoverySummary recovery_;
   FrontCounters counters_;
   QualityMeter meter_;

@@ -26,6 +26,7 @@ export interface MeshCommandOptions {
   readonly output: string;
   readonly size?: string;
   readonly growth?: string;
+  readonly gradation?: string;
   readonly order?: FrontOrder;
   readonly optimize?: Optimization;
   readonly report?: string;
@@ -123,6 +124,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
   const meshOptions: MeshOptions = {
     size: numberIn(options.size, "--size"),
     growth: numberIn(options.growth, "--growth"),
+    gradation: numberIn(options.gradation, "--gradation"),
     order: options.order,
     optimization: options.optimize,
   };

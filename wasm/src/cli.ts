@@ -5,6 +5,7 @@ import { Command, CommanderError, Option } from "commander";
 
 import { ExitCode, meshFile, type MeshCommandOptions } from "./cli-mesh.js";
 import {
+  DEFAULT_GRADATION,
   DEFAULT_GROWTH,
   DEFAULT_OPTIMIZATION,
   DEFAULT_ORDER,
@@ -60,6 +61,10 @@ function commandLine(setExitCode: (code: number) => void): Command {
     .requiredOption("-o, --output <file>", "where the mesh goes (.vtu or .msh)")
     .option("-s, --size <length>", "uniform element size; replaces a project's background grid")
     .option("-g, --growth <rate>", `growth of the size away from a given surface (default ${DEFAULT_GROWTH})`)
+    .option(
+      "--gradation <ratio>",
+      `the most by which a grid's sizes grow from element to element; 0: as they are (default ${DEFAULT_GRADATION})`,
+    )
     .addOption(
       new Option(
         "--order <order>",

@@ -18,6 +18,7 @@ export const ENGINE_CODES = {
   12: "empty-model",
   13: "degenerate-patch",
   14: "hole-outside",
+  15: "bad-option",
   20: "empty-background-grid",
   21: "bad-size",
   22: "bad-stretching",

@@ -56,6 +56,9 @@ interface Sentence {
   readonly remedy: string | ((subject: Subject) => string);
 }
 
+/** The engine's numbers of options in `bad-option`. */
+const OPTION_NAMES = ["size", "growth", "gradation"] as const;
+
 const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"];
 
 /** One entry per engine code: the compiler refuses a table with a gap. */
@@ -126,6 +129,10 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     message: ({ the, at }) =>
       `The hole of ${the("patch")} that begins with ${the("line")} is not inside its outer loop, or lies in another hole${at}`,
     remedy: "Move the hole into the patch, or list the outermost loop first.",
+  },
+  "bad-option": {
+    message: ({ value }) => `The ${OPTION_NAMES[Number(value(0))] ?? "option"} is ${value(1)}`,
+    remedy: "Give a size above 0, a growth of 0 or more, and a gradation of 0 or above 1.",
   },
   "empty-background-grid": {
     message: () => "The project has no background grid, so no element size is known",

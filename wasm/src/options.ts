@@ -5,6 +5,8 @@ import type { Diagnostic, FrontOrder, MeshOptions, Optimization } from "./types.
 
 /** Growth of the element size per unit of distance from a given surface's edges. */
 export const DEFAULT_GROWTH = 0.3;
+/** The most by which sizes grow from one element to the next. */
+export const DEFAULT_GRADATION = 1.3;
 export const DEFAULT_ORDER: FrontOrder = "layered";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
 export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, "smallest-first": 1 };
@@ -23,6 +25,7 @@ export function checkOptions(options: MeshOptions): Diagnostic[] {
   const {
     size,
     growth = DEFAULT_GROWTH,
+    gradation = DEFAULT_GRADATION,
     order = DEFAULT_ORDER,
     optimization = DEFAULT_OPTIMIZATION,
   } = options;
@@ -33,6 +36,11 @@ export function checkOptions(options: MeshOptions): Diagnostic[] {
   if (!(Number.isFinite(growth) && growth >= 0)) {
     wrong.push(
       invalidOption(`the growth is ${growth}`, "Give a finite growth of 0 or more, for example 0.3."),
+    );
+  }
+  if (!(Number.isFinite(gradation) && (gradation === 0 || gradation > 1))) {
+    wrong.push(
+      invalidOption(`the gradation is ${gradation}`, "Give 0, or a finite gradation above 1, such as 1.3."),
     );
   }
   if (!Object.hasOwn(FRONT_ORDERS, order)) {
@@ -55,8 +63,9 @@ export function engineOptions(options: MeshOptions): EngineOptions {
   const {
     size = 0,
     growth = DEFAULT_GROWTH,
+    gradation = DEFAULT_GRADATION,
     order = DEFAULT_ORDER,
     optimization = DEFAULT_OPTIMIZATION,
   } = options;
-  return { size, growth, order: FRONT_ORDERS[order], optimization: OPTIMIZATIONS[optimization] };
+  return { size, growth, gradation, order: FRONT_ORDERS[order], optimization: OPTIMIZATIONS[optimization] };
 }

@@ -7,6 +7,7 @@ import type { MeshReport, MeshStatus, Progress, ProjectPreview, SurfaceMesh, Vol
 export interface EngineOptions {
   readonly size: number;
   readonly growth: number;
+  readonly gradation: number;
   /** 0 layered, 1 smallest first. */
   readonly order: number;
   /** 0 none to 3 strive. */

@@ -21,6 +21,11 @@ export interface MeshOptions {
   readonly size?: number | undefined;
   /** Growth of the size per unit of distance from a given surface's edges, >= 0. Default 0.3. */
   readonly growth?: number | undefined;
+  /**
+   * The most by which sizes of the background grid may grow from one element to the next, above 1;
+   * nodes that ask for more are given less. Default 1.3; 0 takes all grids as they are.
+   */
+  readonly gradation?: number | undefined;
   /** In which order faces leave the front. Default `layered`; `smallest-first` is the paper's. */
   readonly order?: FrontOrder | undefined;
   /** Default `default`; `none` leaves the mesh as the front made it. */

@@ -65,6 +65,7 @@ enum class DiagnosticCode : std::uint16_t {
   kEmptyModel = 12,             ///< no patch, or no triangle
   kDegeneratePatch = 13,        ///< patch whose surface has no area or folds over itself
   kHoleOutside = 14,            ///< planar patch, line: a hole outside the outer loop or in a hole
+  kBadOption = 15,              ///< values: which (0 size, 1 growth, 2 gradation), what was given
   // Background grid
   kEmptyBackgroundGrid = 20,
   kBadSize = 21,        ///< node; values: size

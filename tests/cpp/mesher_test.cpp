@@ -1,0 +1,69 @@
+/// The composed run: what it says of itself while it works, and options that make no sense.
+
+#include "tetrafront/mesher.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "support/mesh_validator.h"
+#include "support/shapes.h"
+
+namespace tetrafront {
+namespace {
+
+TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
+  const SurfaceMesh surface = testing::gridCube(2);
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+  for (const double bad : {-1.0, kInfinity, kNotANumber}) {
+    for (int which = 0; which < 3; ++which) {
+      MeshOptions options;
+      (which == 0 ? options.size : which == 1 ? options.growth : options.gradation) = bad;
+      MeshRun run(surface.points, surface.triangles, options);
+      ASSERT_EQ(run.advance(1), MeshStatus::kInvalidInput) << which << " " << bad;
+      ASSERT_EQ(run.diagnostics().size(), 1U);
+      EXPECT_EQ(run.diagnostics()[0].code, DiagnosticCode::kBadOption);
+      EXPECT_EQ(run.diagnostics()[0].values[0], which);
+    }
+  }
+}
+
+TEST(MeshRun, ReportsPhasesInTheirOrderAndAFractionThatNeverFalls) {
+  const SurfaceMesh surface = testing::geodesicSphere(6);
+  MeshRun run(surface.points, surface.triangles, {});
+  Progress before = run.progress();
+  while (run.advance(200) == MeshStatus::kRunning) {
+    const Progress now = run.progress();
+    ASSERT_GE(now.phase, before.phase);
+    ASSERT_GE(now.fraction, before.fraction);
+    ASSERT_LE(now.fraction, 1.0);
+    before = now;
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_EQ(run.progress().fraction, 1.0);
+}
+
+TEST(MeshRun, CanBeCancelledAtAnyTimeAndKeepsWhatIsThere) {
+  const SurfaceMesh surface = testing::geodesicSphere(6);
+  MeshRun whole(surface.points, surface.triangles, {});
+  int slices = 0;
+  while (whole.advance(300) == MeshStatus::kRunning) ++slices;
+  for (int stop = 0; stop < slices; stop += 5) {
+    MeshRun run(surface.points, surface.triangles, {});
+    for (int i = 0; i < stop; ++i) run.advance(300);
+    run.cancel();
+    ASSERT_EQ(run.status(), MeshStatus::kCancelled);
+    ASSERT_EQ(run.advance(300), MeshStatus::kCancelled);
+    const VolumeMesh mesh = run.volume();
+    // Once the front is closed, what is there is a valid mesh, optimized or not.
+    if (mesh.front.empty() && !mesh.tetrahedra.empty()) {
+      ASSERT_EQ(testing::complaintAbout(mesh, run.surface()), "") << "stopped at " << stop;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront
