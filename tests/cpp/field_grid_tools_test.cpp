@@ -76,7 +76,8 @@ TEST(CoveringGridTest, GoesAroundWhatBulges) {
   const Model tube = seamedTube(1.0, 2.0);
   for (const CoverShape shape : {CoverShape::kBox, CoverShape::kSingleTetrahedron}) {
     const BackgroundGrid grid = coveringGrid(tube, 0.0, shape);
-    for (const Diagnostic& d : previewModel(tube, grid).diagnostics)
+    const ModelPreview preview = previewModel(tube, grid);
+    for (const Diagnostic& d : preview.diagnostics)
       EXPECT_NE(d.code, DiagnosticCode::kOutsideBackgroundGrid);
     // A twentieth of the diagonal of the box 2 x 2 x 2.
     EXPECT_NEAR(grid.nodes[0].size, std::sqrt(12.0) / 20.0, 2e-3);
