@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -80,6 +81,51 @@ TEST(SurfaceMesher, BentBoxesOfCoonsPatchesAreWatertight) {
     EXPECT_EQ(found.crowdedEdges, 0U);
     EXPECT_EQ(found.eulerCharacteristic(), 2);
   }
+}
+
+/// A ring between two tubes, each of two Coons patches, whose inner circle is turned so that few
+/// sides of it cross few sides of the outer one: both planar patches want the lines that they share
+/// with the Coons patches halved.
+Model ringOfTubes() {
+  ModelBuilder builder;
+  const double diagonal = std::sqrt(0.5);
+  std::array<std::array<Loop, 2>, 2> circles;  // [bottom or top][outer or inner]
+  for (std::size_t level = 0; level < 2; ++level) {
+    const Vec3 centre(0.0, 0.0, static_cast<double>(level));
+    circles[level] = {
+        builder.circle(centre, 1.0, 2),
+        builder.circle(centre, 0.9, 2, {diagonal, diagonal, 0.0}, {-diagonal, diagonal, 0.0})};
+    builder.patch(PatchType::kPlanar, {circles[level][0], circles[level][1]});
+  }
+  const auto startOf = [&](const OrientedLine& line) {
+    return builder.model.points[builder.model.lines[line.line].points.front()];
+  };
+  for (std::size_t tube = 0; tube < 2; ++tube) {
+    std::array<OrientedLine, 2> rises;
+    for (std::size_t i = 0; i < 2; ++i)
+      rises[i] = builder.straight(startOf(circles[0][tube][i]), startOf(circles[1][tube][i]));
+    for (std::size_t i = 0; i < 2; ++i) {
+      builder.patch(PatchType::kCoons, {{circles[0][tube][i],
+                                         rises[1 - i],
+                                         {circles[1][tube][i].line, true},
+                                         {rises[i].line, true}}});
+    }
+  }
+  return std::move(builder.model);
+}
+
+TEST(SurfaceMesher, HalvingSidesOfSharedLinesDoesNotDependOnTheOrderOfPatches) {
+  Model model = ringOfTubes();
+  ASSERT_TRUE(checkModel(model).empty());
+  const SizeField field = SizeField::uniform(3.0);
+  const SurfaceMesh mesh = meshOf(model, field);
+  const SurfaceMeasures found = measure(mesh, field);
+  EXPECT_EQ(found.borderEdges, 0U);
+  EXPECT_EQ(found.crowdedEdges, 0U);
+  EXPECT_EQ(found.eulerCharacteristic(), 0);
+  EXPECT_GT(mesh.sideLine.size(), 8U * 2U + 4U) << "nothing had to be halved";
+  std::ranges::reverse(model.patches);
+  EXPECT_EQ(meshOf(model, field).sides, mesh.sides);
 }
 
 TEST(SurfaceMesher, NodesComeInThePromisedOrder) {

@@ -8,9 +8,6 @@
 namespace tetrafront {
 namespace {
 
-/// A regular tetrahedron of edge 1 fits this often into the unit volume.
-constexpr double kTetrahedraPerUnitVolume = 8.48528137423857;  // 6 sqrt 2
-
 constexpr int kSamplesPerAxis = 12;
 
 double enclosedVolume(const SurfaceMesh& surface) {

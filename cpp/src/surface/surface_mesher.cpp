@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "surface/expected_count.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {
@@ -24,11 +26,12 @@ constexpr std::uint32_t kParallelLineSides = 2;
 /// of a seam's node, which are one node of the surface.
 constexpr std::uint32_t kSeamedLineSides = 6;
 
-/// The values of kTooManyElements for a body of `sides` sides in each direction: regular
-/// tetrahedra of edge 1 fill a cube of edge n by about 6 sqrt(2) n^3.
+/// A line, and one of its sides.
+using LineSide = std::pair<std::uint32_t, std::uint32_t>;
+
+/// The values of kTooManyElements for a body of `sides` sides in each direction.
 std::vector<double> tetrahedraAsked(double sides) {
-  constexpr double kTetrahedraPerCube = 8.485281374238571;
-  return {kTetrahedraPerCube * sides * sides * sides,
+  return {kTetrahedraPerUnitVolume * sides * sides * sides,
           static_cast<double>(MeshOptions{}.maxTetrahedra)};
 }
 
@@ -52,7 +55,8 @@ class SurfaceMesher::Impl {
   std::uint32_t divideNextLine();
   void numberNodes();
   std::uint32_t layOutNextPatch();
-  bool halveSides(const PatchBoundary& boundary, const std::vector<std::uint32_t>& faulty);
+  bool gatherHalvings(const PatchBoundary& boundary, const std::vector<std::uint32_t>& faulty);
+  void halveSides();
   void reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
                     const std::vector<std::uint32_t>& faulty);
   void writeLines();
@@ -66,8 +70,8 @@ class SurfaceMesher::Impl {
   Stage stage_ = Stage::kDivide;
   std::uint32_t cursor_ = 0;
   int round_ = 0;
-  bool halved_ = false;
   DividedLines lines_;
+  std::set<LineSide> halvings_;  ///< wanted by the patches of this round so far
   std::vector<std::uint8_t> used_;
   std::vector<std::uint32_t> minimumSides_;
   std::vector<std::uint32_t> endPoints_;  ///< model points that are nodes, ascending
@@ -214,7 +218,6 @@ void SurfaceMesher::Impl::numberNodes() {
   }
   stage_ = Stage::kLayOut;
   cursor_ = 0;
-  halved_ = false;
 }
 
 // ---- loops -------------------------------------------------------------------------------------
@@ -224,7 +227,8 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
     cursor_ = 0;
     if (!diagnostics.empty()) {
       stage_ = Stage::kFailed;
-    } else if (halved_) {
+    } else if (!halvings_.empty()) {
+      halveSides();
       ++round_;
       stage_ = Stage::kNumber;
     } else {
@@ -239,29 +243,32 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
       layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
   const std::vector<std::uint32_t> faulty = findFaultySides(boundary);
   if (!faulty.empty()) {
-    if (round_ < kMaxHalvingRounds && halveSides(boundary, faulty))
-      halved_ = true;
-    else
-      reportFaulty(patch, boundary, faulty);
+    const bool mayHelp = round_ < kMaxHalvingRounds && gatherHalvings(boundary, faulty);
+    if (!mayHelp) reportFaulty(patch, boundary, faulty);
   }
   return static_cast<std::uint32_t>(boundary.origins.size()) / kSidesPerStep + 1;
 }
 
-/// Halves those of the faulty sides that lie on bent lines; false if there are none.
-bool SurfaceMesher::Impl::halveSides(const PatchBoundary& boundary,
-                                     const std::vector<std::uint32_t>& faulty) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> wanted;
+/// Remembers those of the faulty sides that lie on bent lines; false if there are none. Nothing is
+/// halved before all patches of the round have been laid out: they share the lines, whose nodes
+/// are numbered once per round, and which patch comes first must not matter.
+bool SurfaceMesher::Impl::gatherHalvings(const PatchBoundary& boundary,
+                                         const std::vector<std::uint32_t>& faulty) {
+  bool found = false;
   for (const std::uint32_t side : faulty) {
     const SideOrigin& origin = boundary.origins[side];
-    if (!model_.curve(origin.line).isStraight()) wanted.emplace_back(origin.line, origin.side);
+    if (model_.curve(origin.line).isStraight()) continue;
+    halvings_.emplace(origin.line, origin.side);
+    found = true;
   }
-  // Last first, so that the positions of those to come stay right; a seam's sides come twice.
-  std::ranges::sort(wanted, std::ranges::greater());
-  const auto repeated = std::ranges::unique(wanted);
-  wanted.erase(repeated.begin(), repeated.end());
-  for (const auto& [line, side] : wanted)
-    halveSide(model_.curve(line), side, lines_.divisions[line]);
-  return !wanted.empty();
+  return found;
+}
+
+/// Last first, so that the positions of those to come stay right.
+void SurfaceMesher::Impl::halveSides() {
+  for (auto at = halvings_.rbegin(); at != halvings_.rend(); ++at)
+    halveSide(model_.curve(at->first), at->second, lines_.divisions[at->first]);
+  halvings_.clear();
 }
 
 void SurfaceMesher::Impl::reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
