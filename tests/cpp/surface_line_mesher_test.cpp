@@ -149,6 +149,24 @@ TEST(SurfaceLineMesher, RefusesAnAbsurdSize) {
   EXPECT_NEAR(division.wantedSides, 1e9, 1e5);
 }
 
+TEST(SurfaceLineMesher, RefusesASizeThatNoParameterCanTellFromZero) {
+  // Sizes dwindle from both sides towards a node in the middle of the line.
+  constexpr double kTiny = 1e-17;
+  BackgroundGrid grid =
+      boxGrid({0, -1, -1}, {1, 1, 1}, [](const Vec3& p) { return p.x > 0.5 ? kTiny : 0.3; });
+  const BackgroundGrid right =
+      boxGrid({1, -1, -1}, {2, 1, 1}, [](const Vec3& p) { return p.x < 1.5 ? kTiny : 0.3; });
+  for (const auto& tet : right.tetrahedra)
+    grid.tetrahedra.push_back({tet[0] + 8, tet[1] + 8, tet[2] + 8, tet[3] + 8});
+  grid.nodes.insert(grid.nodes.end(), right.nodes.begin(), right.nodes.end());
+  const Curve curve(LineType::kStraight, {{0, 0, 0}, {2, 0, 0}});
+  const LineDivision division = divideLine(curve, SizeField::fromGrid(GridLocator(grid)), 1);
+  ASSERT_EQ(division.status, LineDivisionStatus::kTooManySides);
+  EXPECT_NEAR(division.place.x, 1.0, 1e-9);
+  EXPECT_GE(division.wantedSides, kMaxSidesPerLine);
+  EXPECT_TRUE(std::isfinite(division.wantedSides));
+}
+
 TEST(SurfaceLineMesher, HalvedSideHasItsNodeInTheMiddle) {
   const Curve curve(LineType::kParabolic, {{0, 0, 0}, {0.2, 1, 0}, {2, 0, 0}});
   LineDivision division = divideLine(curve, SizeField::uniform(0.7), 1);

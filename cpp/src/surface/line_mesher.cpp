@@ -101,7 +101,8 @@ void integrate(LineWalker& walker, double to, double rateTo, int depth,
   integrate(walker, to, rateTo, depth + 1, table);
 }
 
-/// The table of metric length over the walk's steps; false if there are too many.
+/// The table of metric length over the walk's steps; false if there are too many, or one is too
+/// short to move the parameter at all.
 bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table) {
   table.push_back({0.0, 0.0, walker.rateAt(0.0)});
   std::size_t nextKnot = 1;
@@ -113,10 +114,18 @@ bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& tabl
       to = knot;
       nextKnot = std::min(nextKnot + 1, curve.knots().size() - 1);
     }
+    if (!(to > table.back().t)) return false;
     integrate(walker, to, walker.rateAt(to), 0, table);
     if (!(table.back().lambda <= kMaxSidesPerLine)) return false;
   }
   return true;
+}
+
+/// Of a table that was given up: the sides of the whole line if it went on as it did up to there,
+/// or as it is just there, whichever are more.
+double sidesAsked(const Station& last) {
+  const double soFar = last.t > 0.0 ? last.lambda / last.t : 0.0;
+  return std::max({soFar, last.rate, static_cast<double>(kMaxSidesPerLine)});
 }
 
 /// The first station that the background grid does not cover; stations are never farther apart
@@ -162,7 +171,7 @@ LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_
   if (!tabulate(walker, curve, table)) {
     division.status = LineDivisionStatus::kTooManySides;
     division.place = curve.position(table.back().t);
-    division.wantedSides = table.back().lambda / table.back().t;
+    division.wantedSides = sidesAsked(table.back());
     return division;
   }
   const auto wanted = static_cast<std::uint32_t>(table.back().lambda + 0.5);
