@@ -145,6 +145,34 @@ TEST(BackgroundGridCheckTest, NamesTheNodeAndItsValue) {
   }
 }
 
+TEST(BackgroundGridCheckTest, RefusesCoordinatesBeyondWhatPredicatesBear) {
+  BackgroundGrid grid = cubeGrid(2);
+  grid.nodes[5].position.y = 0x1p101;
+  const std::vector<Diagnostic> found = checkBackgroundGrid(grid);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, DiagnosticCode::kNotFinite);
+  EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kBackgroundNode);
+  EXPECT_EQ(found[0].entities.at(0).index, 5U);
+}
+
+TEST(BackgroundGridCheckTest, RefusesSizesThatVanishBesideTheGrid) {
+  BackgroundGrid grid = cubeGrid(2);
+  grid.nodes[5].size = 1e-11;
+  grid.sources.resize(2);
+  grid.sources[0].size = 1e-11;
+  grid.sources[1].size = 1e-11;
+  EXPECT_TRUE(codesOf(grid).empty());
+  grid.nodes[5].size = 1e-13;
+  grid.sources[1].size = 1e-13;
+  const std::vector<Diagnostic> found = checkBackgroundGrid(grid);
+  ASSERT_EQ(codesOf(grid), std::vector(2, DiagnosticCode::kBadSize));
+  EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kBackgroundNode);
+  EXPECT_EQ(found[0].entities.at(0).index, 5U);
+  EXPECT_EQ(found[1].entities.at(0).kind, EntityKind::kSource);
+  EXPECT_EQ(found[1].entities.at(0).index, 1U);
+  EXPECT_EQ(found[1].values, std::vector{1e-13});
+}
+
 TEST(BackgroundGridCheckTest, RefusesBadStretching) {
   BackgroundGrid grid = cubeGrid(2);
   grid.nodes[1].stretching = 0.5;

@@ -143,6 +143,13 @@ TEST(SizeSourcesTest, ChecksLookOnlyAtThePointsThatTheTypeUses) {
   EXPECT_EQ(found[0].code, DiagnosticCode::kNotFinite);
 }
 
+TEST(SizeSourcesTest, ChecksRefuseCoordinatesBeyondWhatPredicatesBear) {
+  const std::vector<SizeSource> far{pointSource(Vec3(0.0, -0x1p101, 0.0), 0.1, 0.0, 0.3)};
+  const std::vector<Diagnostic> found = checkSizeSources(far);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].code, DiagnosticCode::kNotFinite);
+}
+
 TEST(SizeSourcesTest, AreCheckedWithTheirGrid) {
   BackgroundGrid grid = boxGrid(Vec3(0.0), Vec3(1.0), [](const Vec3&) { return 0.3; });
   grid.sources.push_back(pointSource(Vec3(0.5), -1.0, 0.0, 0.3));

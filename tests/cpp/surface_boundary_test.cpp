@@ -285,6 +285,26 @@ TEST(BoundaryDiagnosticsTest, IndexOutOfRange) {
   EXPECT_EQ(outcome.diagnostics.at(0).values.at(0), 4000.0);
 }
 
+TEST(BoundaryDiagnosticsTest, PointsAndTrianglesOfLessThanThreeNumbers) {
+  for (const std::size_t missing : {1U, 2U}) {
+    SurfaceMesh mesh = geodesicSphere(2);
+    const std::size_t triangles = triangleCount(mesh);
+    mesh.triangles.resize(mesh.triangles.size() - missing);
+    const Outcome cutTriangle = close(mesh);
+    ASSERT_EQ(cutTriangle.codes(), std::set{DiagnosticCode::kIndexOutOfRange});
+    EXPECT_EQ(cutTriangle.diagnostics[0].entities.at(0).kind, EntityKind::kTriangle);
+    EXPECT_EQ(cutTriangle.diagnostics[0].entities.at(0).index, triangles - 1);
+
+    mesh = geodesicSphere(2);
+    const std::size_t nodes = nodeCount(mesh);
+    mesh.points.resize(mesh.points.size() - missing);
+    const Outcome cutPoint = close(mesh);
+    ASSERT_EQ(cutPoint.codes(), std::set{DiagnosticCode::kIndexOutOfRange});
+    EXPECT_EQ(cutPoint.diagnostics[0].entities.at(0).kind, EntityKind::kSurfaceNode);
+    EXPECT_EQ(cutPoint.diagnostics[0].entities.at(0).index, nodes - 1);
+  }
+}
+
 TEST(BoundaryDiagnosticsTest, OpenEdgesAreCountedAndPlaced) {
   SurfaceMesh mesh = geodesicSphere(4);
   const std::array<std::uint32_t, 3> lost{mesh.triangles[30], mesh.triangles[31],

@@ -141,7 +141,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "bad-size": {
     message: ({ main, value }) => `${main} has the element size ${value(0)}`,
-    remedy: "Give a finite size above 0.",
+    remedy: "Give a finite size above 0, and not below 1e-12 of the extent of the background grid.",
   },
   "bad-stretching": {
     message: ({ main, value }) => `${main} has the stretching ${value(0)}`,

@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "field/grid_locator.h"
 #include "field/size_sources.h"
+#include "geom/coordinates.h"
 #include "geom/predicates.h"
 
 namespace tetrafront {
@@ -13,9 +15,9 @@ namespace {
 /// flat: its weights would be rounding errors.
 constexpr double kFlatVolume = 1e-12;
 
-bool isFinite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
+/// Sizes below this share of the grid's extent are a slip: places that near each other could not be
+/// told from rounding, and no line would hold the sides.
+constexpr double kSmallestSize = 1e-12;
 
 Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
   Diagnostic diagnostic;
@@ -24,7 +26,20 @@ Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
   return diagnostic;
 }
 
-void checkNode(const BackgroundNode& node, std::uint32_t index, std::vector<Diagnostic>& found) {
+/// The smallest size that the grid may ask for.
+double smallestSize(const BackgroundGrid& grid) {
+  std::optional<Vec3> low;
+  Vec3 high(0.0);
+  for (const BackgroundNode& node : grid.nodes) {
+    if (!isFinite(node.position)) continue;
+    high = low ? glm::max(high, node.position) : node.position;
+    low = low ? glm::min(*low, node.position) : node.position;
+  }
+  return low ? kSmallestSize * glm::length(high - *low) : 0.0;
+}
+
+void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
+               std::vector<Diagnostic>& found) {
   const auto report = [&](DiagnosticCode code, std::vector<double> values) {
     Diagnostic diagnostic = about(code, EntityKind::kBackgroundNode, index);
     diagnostic.values = std::move(values);
@@ -35,13 +50,21 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, std::vector<Diag
     found.push_back(std::move(diagnostic));
   };
   if (!isFinite(node.position)) report(DiagnosticCode::kNotFinite, {});
-  if (!(node.size > 0.0) || !std::isfinite(node.size))
+  if (!(node.size > 0.0 && node.size >= smallest) || !std::isfinite(node.size))
     report(DiagnosticCode::kBadSize, {node.size});
   if (!(node.stretching >= 1.0) || !std::isfinite(node.stretching)) {
     report(DiagnosticCode::kBadStretching, {node.stretching});
   } else if (node.stretching > 1.0 && (!isFinite(node.direction) || node.direction == Vec3(0.0))) {
     report(DiagnosticCode::kBadStretching, {node.stretching});
   }
+}
+
+/// Those that are not above 0 are reported by checkSizeSources().
+void checkSourceSize(const SizeSource& source, std::uint32_t index, double smallest,
+                     std::vector<Diagnostic>& found) {
+  if (!(source.size > 0.0 && source.size < smallest)) return;
+  found.push_back(about(DiagnosticCode::kBadSize, EntityKind::kSource, index));
+  found.back().values = {source.size};
 }
 
 bool isFlat(const std::array<Vec3, 4>& p) {
@@ -109,7 +132,13 @@ std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid) {
     found.back().code = DiagnosticCode::kEmptyBackgroundGrid;
     return found;
   }
-  for (std::uint32_t i = 0; i < grid.nodes.size(); ++i) checkNode(grid.nodes[i], i, found);
+  const double smallest = smallestSize(grid);
+  for (std::uint32_t i = 0; i < grid.nodes.size(); ++i) {
+    checkNode(grid.nodes[i], i, smallest, found);
+  }
+  for (std::uint32_t i = 0; i < grid.sources.size(); ++i) {
+    checkSourceSize(grid.sources[i], i, smallest, found);
+  }
   for (std::uint32_t t = 0; t < grid.tetrahedra.size(); ++t) checkTetrahedron(grid, t, found);
   checkRepeated(grid, found);
   return found;

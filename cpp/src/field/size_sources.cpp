@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "search/morton.h"
 
@@ -12,10 +13,6 @@ namespace {
 
 /// More sources than this stand in a tree.
 constexpr std::size_t kHandful = 8;
-
-bool isFinite(const Vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 std::size_t pointCountOf(SourceType type) { return static_cast<std::size_t>(type) + 1; }
 

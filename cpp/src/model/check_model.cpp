@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "geom/coordinates.h"
 #include "model/check_patch.h"
 #include "model/resolved_model.h"
 
@@ -13,18 +14,9 @@ namespace tetrafront {
 
 namespace {
 
-/// Larger coordinates would overflow the exact predicates' expansions; they are as good as
-/// infinite.
-constexpr double kLargestCoordinate = 0x1p100;
 /// Points nearer than this, relative to the model's extent, are at one place: no side between
 /// them could be told from rounding.
 constexpr double kSamePlace = 1e-12;
-
-bool isFinite(const Vec3& place) {
-  // A comparison with NaN is false.
-  return std::fabs(place.x) <= kLargestCoordinate && std::fabs(place.y) <= kLargestCoordinate &&
-         std::fabs(place.z) <= kLargestCoordinate;
-}
 
 /// What a patch type asks of its outer loop.
 struct PatchRule {

@@ -133,6 +133,11 @@ void BoundaryReport::addEmpty() {
   findings_.push_back(std::move(finding));
 }
 
+void BoundaryReport::addCutOff(EntityKind kind, std::size_t length) {
+  add(DiagnosticCode::kIndexOutOfRange, {{kind, static_cast<std::uint32_t>(length / 3)}},
+      Vec3(std::nan("")), {static_cast<double>(length)});
+}
+
 std::size_t BoundaryReport::countOf(DiagnosticCode code) const {
   const auto at = kinds_.find(code);
   return at == kinds_.end() ? 0 : static_cast<std::size_t>(at->second.total);

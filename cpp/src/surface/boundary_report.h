@@ -38,6 +38,8 @@ class BoundaryReport {
   void addInformation(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
                       std::vector<double> values);
   void addEmpty();
+  /// The last node or triangle is incomplete: its array has `length` numbers.
+  void addCutOff(EntityKind kind, std::size_t length);
 
   [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t countOf(DiagnosticCode code) const;

@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "geom/coordinates.h"
 #include "geom/predicates.h"
 #include "surface/surface_access.h"
 
 namespace tetrafront {
 namespace {
 
-/// Products of three coordinate differences must neither overflow nor lose their last bits.
-constexpr double kLargest = 0x1p100;
+/// Products of three coordinate differences must not lose their last bits, as beyond
+/// kLargestCoordinate they would overflow.
 constexpr double kSmallest = 0x1p-100;
 /// Single coordinates may be smaller than the model by far, as rounded zeros are.
 constexpr double kSmallestCoordinate = 0x1p-250;
@@ -19,7 +20,11 @@ constexpr double kSmallestCoordinate = 0x1p-250;
 }  // namespace
 
 void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
-  if (mesh.triangles.size() < 3) report.addEmpty();
+  if (mesh.points.size() % 3 != 0) report.addCutOff(EntityKind::kSurfaceNode, mesh.points.size());
+  if (mesh.triangles.size() % 3 != 0)
+    report.addCutOff(EntityKind::kTriangle, mesh.triangles.size());
+  if (report.hasErrors()) return;
+  if (mesh.triangles.empty()) report.addEmpty();
   const std::size_t nodes = mesh.points.size() / 3;
   double largest = 0.0;
   for (std::uint32_t i = 0; i < nodes; ++i) {
@@ -27,7 +32,7 @@ void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
       const double x = mesh.points[3 * std::size_t{i} + a];
       const double magnitude = std::fabs(x);
       const bool isExact =
-          magnitude == 0.0 || (magnitude >= kSmallestCoordinate && magnitude <= kLargest);
+          magnitude == 0.0 || (magnitude >= kSmallestCoordinate && magnitude <= kLargestCoordinate);
       if (!isExact) {
         report.addNode(DiagnosticCode::kNotFinite, i, {x});
         break;

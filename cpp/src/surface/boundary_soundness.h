@@ -10,8 +10,8 @@
 
 namespace tetrafront {
 
-/// Finite coordinates of a magnitude that exact arithmetic can bear, and indices in range. Nothing
-/// else may be asked of the mesh if this reports anything.
+/// Whole points and triangles, finite coordinates of a magnitude that exact arithmetic can bear, and
+/// indices in range. Nothing else may be asked of the mesh if this reports anything.
 void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report);
 
 /// One flag per triangle: set where other checks would stumble over what is reported already.
