@@ -6,15 +6,18 @@
 ///
 /// Prints `name value` lines. Exit status: 0 done, 1 not completed, 2 bad arguments or input.
 
+#include <array>
 #include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "tetrafront/mesher.h"
@@ -26,6 +29,17 @@ struct Surface {
   std::vector<std::uint32_t> triangles;
 };
 
+/// The whole text as a number. std::from_chars rounds correctly everywhere; a fingerprint depends on
+/// the last bit.
+std::optional<double> numberIn(std::string_view text) {
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const std::from_chars_result read = std::from_chars(text.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end) return {};
+  return number;
+}
+
+/// The counts in the file's head only say how much to read: memory grows with what is there.
 std::optional<Surface> readOff(const char* path) {
   std::ifstream file(path);
   std::string magic;
@@ -34,18 +48,20 @@ std::optional<Surface> readOff(const char* path) {
   std::size_t edges = 0;
   if (!(file >> magic >> points >> faces >> edges) || magic != "OFF") return {};
   Surface surface;
-  surface.points.resize(3 * points);
-  surface.triangles.resize(3 * faces);
-  for (double& coordinate : surface.points) {
-    std::string word;
-    if (!(file >> word)) return {};
-    // std::from_chars rounds correctly everywhere; a fingerprint depends on the last bit.
-    std::from_chars(word.data(), word.data() + word.size(), coordinate);
+  std::string word;
+  for (std::size_t point = 0; point < points; ++point) {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(file >> word)) return {};
+      const std::optional<double> coordinate = numberIn(word);
+      if (!coordinate) return {};
+      surface.points.push_back(*coordinate);
+    }
   }
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    int corners = 3;
-    if (i % 3 == 0 && (!(file >> corners) || corners != 3)) return {};
-    if (!(file >> surface.triangles[i])) return {};
+  for (std::size_t face = 0; face < faces; ++face) {
+    int corners = 0;
+    std::array<std::uint32_t, 3> nodes{};
+    if (!(file >> corners >> nodes[0] >> nodes[1] >> nodes[2]) || corners != 3) return {};
+    surface.triangles.insert(surface.triangles.end(), nodes.begin(), nodes.end());
   }
   return surface;
 }
@@ -79,7 +95,13 @@ int main(int argc, char** argv) {
     return 2;
   }
   tetrafront::MeshOptions options;
-  if (argc == 3) std::from_chars(argv[2], argv[2] + std::strlen(argv[2]), options.size);
+  if (argc == 3) {
+    options.size = numberIn(argv[2]).value_or(0.0);
+    if (!(options.size > 0.0) || !std::isfinite(options.size)) {
+      std::fprintf(stderr, "%s: not an element size; give a finite number above 0\n", argv[2]);
+      return 2;
+    }
+  }
 
   using Clock = std::chrono::steady_clock;
   constexpr std::uint32_t kBudget = 4096;

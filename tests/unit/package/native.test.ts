@@ -1,4 +1,4 @@
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
@@ -23,6 +23,40 @@ function nativeFingerprint(surface: SurfaceInput): string | undefined {
     rmSync(folder, { recursive: true, force: true });
   }
 }
+
+/** Exit status and complaint of the native program for a file of this text. */
+function nativeRefusal(text: string, ...options: string[]): { status: number | null; said: string } {
+  const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+  try {
+    const file = path.join(folder, "surface.off");
+    writeFileSync(file, text);
+    const { status, stderr } = spawnSync(fill, [file, ...options], { encoding: "utf8" });
+    return { status, said: stderr };
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+test.each<[string, string]>([
+  ["a word for a number", "OFF\n3 1 0\n0 0 0\n1 abc 0\n0 1 0\n3 0 1 2\n"],
+  ["a number with a tail", "OFF\n3 1 0\n0 0 0\n1 0x 0\n0 1 0\n3 0 1 2\n"],
+  ["a number beyond all doubles", "OFF\n3 1 0\n0 0 0\n1e999 0 0\n0 1 0\n3 0 1 2\n"],
+  ["counts that nothing could hold", "OFF\n999999999999999999 4 0\n0 0 0\n"],
+  ["a face that is cut off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n"],
+])("the native program refuses %s", (_, text) => {
+  const { status, said } = nativeRefusal(text);
+  expect(status).toBe(2);
+  expect(said).toContain("cannot be read as an OFF file of triangles");
+});
+
+test.each(["abc", "0.2x", "0", "-1", "inf", "nan", ""])(
+  "the native program refuses the element size '%s'",
+  (size) => {
+    const { status, said } = nativeRefusal(offFile(boxSurface(2)), size);
+    expect(status).toBe(2);
+    expect(said).toContain("not an element size");
+  },
+);
 
 test.each<[string, SurfaceInput]>([
   ["a sphere", sphereSurface(12)],
