@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
 #include "support/mesh_validator.h"
+#include "support/random.h"
 #include "support/tet_grids.h"
 
 namespace tetrafront::testing {
@@ -137,6 +140,33 @@ TEST(CheckMeshTest, FindsCoincidentNodes) {
   const MeshDefects defects = specimen.judged();
   EXPECT_EQ(defects.coincidentNodes, 1U);
   EXPECT_GT(defects.invertedTetrahedra, 0U);
+}
+
+TEST(CheckMeshTest, CountsEveryUsedNodeAtThePlaceOfAnother) {
+  // Places on a coarse lattice, 0 and -0 among them: most are taken many times.
+  Specimen specimen;
+  Random random(77);
+  std::set<std::array<double, 3>> places;
+  std::uint64_t expected = 0;
+  std::set<std::uint32_t> used(specimen.mesh.tetrahedra.begin(), specimen.mesh.tetrahedra.end());
+  for (const std::uint32_t node : used) {
+    std::array<double, 3> place{};
+    for (double& x : place) x = 0.5 * random.integer(-1, 1) * (random.coin() ? 1.0 : -1.0);
+    std::copy(place.begin(), place.end(),
+              specimen.mesh.points.begin() + 3 * static_cast<std::ptrdiff_t>(node));
+    if (!places.insert(place).second) ++expected;
+  }
+  EXPECT_GT(expected, 50U);
+  EXPECT_EQ(verifyMesh(specimen.mesh, specimen.surface).coincidentNodes, expected);
+}
+
+TEST(CheckMeshTest, NoSliceDoesMoreThanItsShare) {
+  const Specimen specimen;
+  MeshVerifier verifier(specimen.mesh, specimen.surface);
+  std::size_t slices = 1;
+  while (!verifier.advance(1)) ++slices;
+  // Nodes are looked at four times and tetrahedra four times; numbers of both at once.
+  EXPECT_GT(slices, specimen.mesh.points.size() + specimen.mesh.tetrahedra.size());
 }
 
 TEST(CheckMeshTest, FindsNumbersThatCannotBe) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <span>
 
@@ -25,6 +26,18 @@ Vec3 pointOf(const std::vector<double>& points, std::uint32_t node) {
 
 double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c) {
   return glm::dot(a, glm::cross(b, c));
+}
+
+/// Equal for equal places, though 0 and -0 differ in their bits.
+std::uint64_t hashOf(const Vec3& place) {
+  // Any odd constant with well mixed bits: here 2^64 divided by the golden ratio.
+  constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15U;
+  std::uint64_t hash = 0;
+  for (const double x : {place.x, place.y, place.z}) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(x + 0.0)) * kMultiplier;
+    hash ^= hash >> 32U;
+  }
+  return hash;
 }
 
 /// Nodes in ascending order, and whether an even number of exchanges led there.
@@ -73,15 +86,36 @@ bool MeshVerifier::advance(std::uint32_t budget) {
     stage_ = following;
   };
   switch (stage_) {
-    case Stage::kNodes:
-      checkNodes();
-      if (defects_.badNumbers > 0) {
-        stage_ = Stage::kDone;
-        break;
-      }
-      checkCoincident();
-      buckets_.assign(nodes + 1, 0);
-      stage_ = Stage::kTetrahedra;
+    case Stage::kNumbers:
+      slice(std::max({nodes, surface_.points.size() / 3, elementCount()}), Stage::kMarkNodes,
+            [this](std::size_t a, std::size_t b) { checkNumbers(a, b); });
+      if (stage_ != Stage::kMarkNodes) break;
+      if (defects_.badNumbers > 0) stage_ = Stage::kDone;
+      isUsed_.assign(nodes, 0);
+      break;
+    case Stage::kMarkNodes:
+      slice(tetrahedra, Stage::kCountPlaces,
+            [this](std::size_t a, std::size_t b) { markNodes(a, b); });
+      if (stage_ == Stage::kCountPlaces) emptyBuckets();
+      break;
+    case Stage::kCountPlaces:
+      slice(nodes, Stage::kSortPlaces, [this](std::size_t a, std::size_t b) {
+        forEachPlace(a, b, [this](std::uint32_t, std::size_t bucket) { ++buckets_[bucket + 1]; });
+      });
+      if (stage_ != Stage::kSortPlaces) break;
+      layOutBuckets();
+      places_.resize(buckets_[nodes]);
+      break;
+    case Stage::kSortPlaces:
+      slice(nodes, Stage::kMatchPlaces, [this](std::size_t a, std::size_t b) {
+        forEachPlace(a, b, [this](std::uint32_t node, std::size_t bucket) {
+          places_[filled_[bucket]++] = node;
+        });
+      });
+      break;
+    case Stage::kMatchPlaces:
+      slice(nodes, Stage::kTetrahedra, [this](std::size_t a, std::size_t b) { matchPlaces(a, b); });
+      if (stage_ == Stage::kTetrahedra) emptyBuckets();
       break;
     case Stage::kTetrahedra:
       slice(tetrahedra, Stage::kCountFaces,
@@ -91,9 +125,9 @@ bool MeshVerifier::advance(std::uint32_t budget) {
       slice(elementCount(), Stage::kSortFaces,
             [this](std::size_t a, std::size_t b) { countFaces(a, b); });
       if (stage_ != Stage::kSortFaces) break;
-      for (std::size_t i = 1; i <= nodes; ++i) buckets_[i] += buckets_[i - 1];
-      filled_.assign(buckets_.begin(), buckets_.end() - 1);
-      faces_.resize(buckets_[nodes]);
+      layOutBuckets();
+      // Not set to zero at once: the pages of a large mesh's faces are touched slice by slice.
+      faces_ = std::make_unique_for_overwrite<Face[]>(buckets_[nodes]);
       break;
     case Stage::kSortFaces:
       slice(elementCount(), Stage::kMatchFaces,
@@ -113,35 +147,64 @@ double MeshVerifier::fraction() const {
   return static_cast<double>(stage_) / static_cast<double>(Stage::kDone);
 }
 
-void MeshVerifier::checkNodes() {
+void MeshVerifier::emptyBuckets() { buckets_.assign(mesh_.points.size() / 3 + 1, 0); }
+
+/// From counts, bucket i's at i + 1, to where each bucket begins.
+void MeshVerifier::layOutBuckets() {
+  for (std::size_t i = 1; i < buckets_.size(); ++i) buckets_[i] += buckets_[i - 1];
+  filled_.assign(buckets_.begin(), buckets_.end() - 1);
+}
+
+/// The nodes, surface nodes, tetrahedra and triangles [first, last).
+void MeshVerifier::checkNumbers(std::size_t first, std::size_t last) {
   const std::size_t nodes = mesh_.points.size() / 3;
   const std::size_t surfaceNodes = std::min(nodes, surface_.points.size() / 3);
-  for (const double x : mesh_.points) defects_.badNumbers += std::isfinite(x) ? 0U : 1U;
-  for (const std::uint32_t node : mesh_.tetrahedra) defects_.badNumbers += node < nodes ? 0U : 1U;
-  for (const std::uint32_t node : surface_.triangles) {
-    defects_.badNumbers += node < surfaceNodes ? 0U : 1U;
-  }
-  for (std::size_t i = 0; i < surface_.points.size(); i += 3) {
-    const bool isKept = i + 2 < mesh_.points.size() && mesh_.points[i] == surface_.points[i] &&
-                        mesh_.points[i + 1] == surface_.points[i + 1] &&
-                        mesh_.points[i + 2] == surface_.points[i + 2];
+  const auto count = [&](const auto& numbers, std::size_t perItem, auto isBad) {
+    const std::size_t end = std::min(perItem * last, numbers.size());
+    for (std::size_t i = perItem * first; i < end; ++i)
+      defects_.badNumbers += isBad(numbers[i]) ? 1U : 0U;
+  };
+  count(mesh_.points, 3, [](double x) { return !std::isfinite(x); });
+  count(mesh_.tetrahedra, 4, [&](std::uint32_t node) { return node >= nodes; });
+  count(surface_.triangles, 3, [&](std::uint32_t node) { return node >= surfaceNodes; });
+  checkKept(first, last);
+}
+
+void MeshVerifier::checkKept(std::size_t first, std::size_t last) {
+  const std::size_t nodes = mesh_.points.size() / 3;
+  for (std::size_t node = first; node < std::min(last, surface_.points.size() / 3); ++node) {
+    const auto i = static_cast<std::uint32_t>(node);
+    const bool isKept = node < nodes && pointOf(mesh_.points, i) == pointOf(surface_.points, i);
     defects_.movedNodes += isKept ? 0U : 1U;
   }
 }
 
-void MeshVerifier::checkCoincident() {
-  std::vector<std::uint8_t> isUsed(mesh_.points.size() / 3, 0);
-  for (const std::uint32_t node : mesh_.tetrahedra) isUsed[node] = 1;
-  std::vector<std::array<double, 3>> places;
-  places.reserve(isUsed.size());
-  for (std::uint32_t i = 0; i < isUsed.size(); ++i) {
-    if (isUsed[i] == 0) continue;
-    const Vec3 p = pointOf(mesh_.points, i);
-    places.push_back({p.x, p.y, p.z});
+void MeshVerifier::markNodes(std::size_t first, std::size_t last) {
+  for (std::size_t i = 4 * first; i < 4 * last; ++i) isUsed_[mesh_.tetrahedra[i]] = 1;
+}
+
+/// Calls use(node, bucket) for the used nodes of [first, last).
+template <class Use>
+void MeshVerifier::forEachPlace(std::size_t first, std::size_t last, Use use) const {
+  for (std::size_t node = first; node < last; ++node) {
+    if (isUsed_[node] == 0) continue;
+    const auto i = static_cast<std::uint32_t>(node);
+    use(i, hashOf(pointOf(mesh_.points, i)) % isUsed_.size());
   }
-  std::sort(places.begin(), places.end());
-  for (std::size_t i = 1; i < places.size(); ++i) {
-    defects_.coincidentNodes += places[i] == places[i - 1] ? 1U : 0U;
+}
+
+void MeshVerifier::matchPlaces(std::size_t firstBucket, std::size_t lastBucket) {
+  std::vector<std::array<double, 3>> places;
+  for (std::size_t bucket = firstBucket; bucket < lastBucket; ++bucket) {
+    if (buckets_[bucket + 1] - buckets_[bucket] < 2) continue;
+    places.clear();
+    for (std::uint32_t i = buckets_[bucket]; i < buckets_[bucket + 1]; ++i) {
+      const Vec3 p = pointOf(mesh_.points, places_[i]);
+      places.push_back({p.x, p.y, p.z});
+    }
+    std::sort(places.begin(), places.end());
+    for (std::size_t i = 1; i < places.size(); ++i)
+      defects_.coincidentNodes += places[i] == places[i - 1] ? 1U : 0U;
   }
 }
 
@@ -184,8 +247,8 @@ void MeshVerifier::sortFaces(std::size_t first, std::size_t last) {
 
 void MeshVerifier::matchFaces(std::size_t firstNode, std::size_t lastNode) {
   for (std::size_t node = firstNode; node < lastNode; ++node) {
-    Face* const begin = faces_.data() + buckets_[node];
-    Face* const end = faces_.data() + buckets_[node + 1];
+    Face* const begin = faces_.get() + buckets_[node];
+    Face* const end = faces_.get() + buckets_[node + 1];
     std::sort(begin, end, [](const Face& a, const Face& b) {
       if (a.middle != b.middle) return a.middle < b.middle;
       if (a.highest != b.highest) return a.highest < b.highest;

@@ -6,6 +6,7 @@
 /// once and keep its boundary.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tetrafront/mesh.h"
@@ -44,7 +45,11 @@ class MeshVerifier {
 
  private:
   enum class Stage : std::uint8_t {
-    kNodes,
+    kNumbers,
+    kMarkNodes,
+    kCountPlaces,
+    kSortPlaces,
+    kMatchPlaces,
     kTetrahedra,
     kCountFaces,
     kSortFaces,
@@ -62,8 +67,14 @@ class MeshVerifier {
   };
   static constexpr std::uint32_t kTriangle = 0x7fffffffU;
 
-  void checkNodes();
-  void checkCoincident();
+  void emptyBuckets();
+  void layOutBuckets();
+  void checkNumbers(std::size_t first, std::size_t last);
+  void checkKept(std::size_t first, std::size_t last);
+  void markNodes(std::size_t first, std::size_t last);
+  template <class Use>
+  void forEachPlace(std::size_t first, std::size_t last, Use use) const;
+  void matchPlaces(std::size_t firstBucket, std::size_t lastBucket);
   void checkTetrahedra(std::size_t first, std::size_t last);
   void countFaces(std::size_t first, std::size_t last);
   void sortFaces(std::size_t first, std::size_t last);
@@ -76,12 +87,16 @@ class MeshVerifier {
 
   const VolumeMesh& mesh_;
   const SurfaceMesh& surface_;
-  Stage stage_ = Stage::kNodes;
+  Stage stage_ = Stage::kNumbers;
   std::size_t next_ = 0;
   MeshDefects defects_;
-  std::vector<std::uint32_t> buckets_;  ///< faces whose lowest node is i begin at buckets_[i]
+  /// What is in bucket i begins at buckets_[i]: the used nodes whose places hash to i; later the
+  /// faces whose lowest node is i.
+  std::vector<std::uint32_t> buckets_;
   std::vector<std::uint32_t> filled_;
-  std::vector<Face> faces_;
+  std::vector<std::uint8_t> isUsed_;
+  std::vector<std::uint32_t> places_;    ///< nodes, by bucket
+  std::unique_ptr<Face[]> faces_;        ///< by bucket
   std::vector<std::uint32_t> suspects_;  ///< tetrahedra of faces that do not match
 };
 
