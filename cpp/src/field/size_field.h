@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file The size field: what the background grid, a uniform size or the surface's own edges ask
-/// for at a place (steps F1, F3, F7), cut down to what sources ask for. One concrete class without virtual calls, as it is asked
-/// several times per element.
+/// for at a place (steps F1, F3, F7), cut down to what sources ask for. One concrete class without
+/// virtual calls, as it is asked several times per element.
 
 #include <cstdint>
 #include <span>

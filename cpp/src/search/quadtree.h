@@ -54,7 +54,7 @@ class Quadtree {
   struct Node {
     Vec2 centre{0.0};
     Vec2 halfWidth{0.0};
-    Vec2 reach{0.0};  ///< largest half extent of a box ever put below
+    Vec2 reach{0.0};  ///< how far a box ever put below has reached beyond the edge
     std::uint32_t firstChild = kNone;
     std::uint32_t head = kNone;
     std::uint32_t count = 0;

@@ -42,8 +42,9 @@ struct PatchBoundary {
 
 /// The boundary sides that keep the loops from bounding a piece of the plane; ascending, each
 /// once, exact. Sides that touch or cross another one where they share no node, or run over each
-/// other from a common one; if there are none, those of an inverted outer loop, and the sides of holes that are not inside the outer
-/// loop or are inside another hole, and of the loop that should hold them or should not.
+/// other from a common one; if there are none, those of an inverted outer loop, and the sides of
+/// holes that are not inside the outer loop or are inside another hole, and of the loop that should
+/// hold them or should not.
 [[nodiscard]] std::vector<std::uint32_t> findFaultySides(const PatchBoundary& boundary);
 
 }  // namespace tetrafront

@@ -49,7 +49,7 @@ std::uint64_t PlanarFront::keyOf(const Side& side, double size) {
   const double squared = size * size;
   const std::uint64_t sizeClass = std::bit_cast<std::uint64_t>(squared) >> 52U;
   return (std::uint64_t{side.pass} << 62U) | (sizeClass << 48U) |
-         (std::uint64_t{std::min<std::uint16_t>(side.layer, 0xffff)} << 32U) | sequence_++;
+         (std::uint64_t{side.layer} << 32U) | sequence_++;
 }
 
 void PlanarFront::addSide(std::uint32_t from, std::uint32_t to, std::uint16_t layer) {
