@@ -24,12 +24,15 @@ function nativeFingerprint(surface: SurfaceInput): string | undefined {
   }
 }
 
-/** Exit status and complaint of the native program for a file of this text. */
-function nativeRefusal(text: string, ...options: string[]): { status: number | null; said: string } {
+/** Exit status and complaint of the native program for a file of these contents. */
+function nativeRefusal(
+  contents: string | Uint8Array,
+  ...options: string[]
+): { status: number | null; said: string } {
   const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
   try {
     const file = path.join(folder, "surface.off");
-    writeFileSync(file, text);
+    writeFileSync(file, contents);
     const { status, stderr } = spawnSync(fill, [file, ...options], { encoding: "utf8" });
     return { status, said: stderr };
   } finally {
