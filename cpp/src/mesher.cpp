@@ -257,6 +257,11 @@ class MeshRun::Impl {
     field_->addSources(grid_.sources);
     if (usesGrid) report(checkCoverage(*model_, *field_));
     if (anyError(diagnostics_)) return fail();
+    // A model fills some part of its box. Where even a small part is too much, lines and patches
+    // need not be tried.
+    constexpr double kLeastPart = 0.05;
+    const double expected = kLeastPart * tetrahedraInBoxOf(*model_, *field_);
+    if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
     surfaceMesher_.emplace(*model_, *field_);
     stage_ = Stage::kSurface;
   }
@@ -292,15 +297,17 @@ class MeshRun::Impl {
     stage_ = Stage::kEstimate;
   }
 
+  void refuse(double expectedCount) {
+    Diagnostic tooMany;
+    tooMany.code = DiagnosticCode::kTooManyElements;
+    tooMany.values = {expectedCount, static_cast<double>(options_.maxTetrahedra)};
+    report({tooMany});
+    fail();
+  }
+
   void estimate() {
     const double expected = expectedTetrahedra(surface_, *field_);
-    if (expected > static_cast<double>(options_.maxTetrahedra)) {
-      Diagnostic tooMany;
-      tooMany.code = DiagnosticCode::kTooManyElements;
-      tooMany.values = {expected, static_cast<double>(options_.maxTetrahedra)};
-      report({tooMany});
-      return fail();
-    }
+    if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
     volumeMesher_.emplace(surface_, boundaryCheck_->result().triangleRegion, *field_, options_);
     stage_ = Stage::kVolume;
   }

@@ -135,6 +135,20 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
   expectStretched(mesh);
 }
 
+/// From points, lines and patches to the volume.
+TEST_P(StretchedBox, IsMeshedFromItsLines) {
+  expectStretched(meshed(unitBox(), stretchedGrid(GetParam()), 0.0));
+}
+
+/// In numbers of elements: with stretching s, an s-th of those of the same size without.
+TEST(StretchedBoxTest, NeedsFewerElementsByTheStretching) {
+  const Stretch stretch{5.0, 0.06};
+  const double stretched =
+      static_cast<double>(meshed(unitBox(), stretchedGrid(stretch), 0.0).count());
+  const double isotropic = static_cast<double>(meshed(unitBox(), {}, stretch.size).count());
+  EXPECT_NEAR(isotropic / stretched, stretch.stretching, 0.2 * stretch.stretching);
+}
+
 INSTANTIATE_TEST_SUITE_P(Mesher, StretchedBox,
                          ::testing::Values(Stretch{5.0, 0.05}, Stretch{20.0, 0.03}));
 

@@ -31,6 +31,34 @@ TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
   }
 }
 
+TEST(MeshRun, RefusesAbsurdSizesBeforeAnythingIsDivided) {
+  Model model;
+  model.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  model.lines.resize(6);
+  const std::array<std::array<std::uint32_t, 2>, 6> ends{
+      {{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    model.lines[i] = {LineType::kStraight, {ends[i][0], ends[i][1]}};
+  }
+  model.patches = {{PatchType::kPlanar, {{{0, false}, {1, false}, {2, false}}}},
+                   {PatchType::kPlanar, {{{0, false}, {4, false}, {3, true}}}},
+                   {PatchType::kPlanar, {{{1, false}, {5, false}, {4, true}}}},
+                   {PatchType::kPlanar, {{{2, false}, {3, false}, {5, true}}}}};
+  for (const double size : {1e-4, 1e-9, 1e-320}) {
+    MeshOptions options;
+    options.size = size;
+    MeshRun run(model, {}, options);
+    ASSERT_EQ(run.advance(1), MeshStatus::kInvalidInput) << size;
+    EXPECT_EQ(run.diagnostics().back().code, DiagnosticCode::kTooManyElements);
+  }
+  MeshOptions options;
+  options.size = 0.3;
+  MeshRun run(model, {}, options);
+  while (run.advance(1000) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+}
+
 TEST(MeshRun, ReportsPhasesInTheirOrderAndAFractionThatNeverFalls) {
   const SurfaceMesh surface = testing::geodesicSphere(6);
   MeshRun run(surface.points, surface.triangles, {});

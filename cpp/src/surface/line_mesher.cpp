@@ -37,7 +37,14 @@ class LineWalker {
  public:
   LineWalker(const Curve& curve, const SizeField& field) : curve_(&curve), field_(&field) {}
 
-  [[nodiscard]] double sizeAt(double t) { return field_->sizeAt(curve_->position(t), hint_); }
+  /// Wanted length of a side along the line.
+  [[nodiscard]] double sizeAt(double t) {
+    if (!field_->isStretched()) return field_->sizeAt(curve_->position(t), hint_);
+    const Curve::Sample at = curve_->sample(t);
+    const double sides =
+        glm::length(field_->tensorAt(at.position, hint_).inverse() * at.derivative);
+    return sides > 0.0 ? glm::length(at.derivative) / sides : field_->sizeAt(at.position, hint_);
+  }
   [[nodiscard]] bool covers(const Vec3& place) { return field_->covers(place, hint_); }
 
   /// d lambda / dt: sides per unit of the parameter.

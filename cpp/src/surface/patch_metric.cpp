@@ -8,13 +8,8 @@ namespace {
 /// equilateral in space; beyond, the patch is degenerate there and shape has no meaning.
 constexpr double kSmallestEigenvalueRatio = 1e-4;
 
-}  // namespace
-
-Metric2 planeMetric(const SurfacePoint& point, double size) {
-  const double scale = 1.0 / (size * size);
-  Metric2 metric{scale * glm::dot(point.alongXi, point.alongXi),
-                 scale * glm::dot(point.alongXi, point.alongEta),
-                 scale * glm::dot(point.alongEta, point.alongEta)};
+/// Keeps a metric from becoming singular; `scale` stands for all of it where it vanishes.
+Metric2 madeRegular(Metric2 metric, double scale) {
   const double trace = metric.xx + metric.yy;
   if (!(trace > 0.0)) return {scale, 0.0, scale};
   // det / trace^2 is about the ratio of the eigenvalues where that is small.
@@ -25,10 +20,39 @@ Metric2 planeMetric(const SurfacePoint& point, double size) {
   return metric;
 }
 
+}  // namespace
+
+Metric2 planeMetric(const SurfacePoint& point, double size) {
+  const double scale = 1.0 / (size * size);
+  return madeRegular({scale * glm::dot(point.alongXi, point.alongXi),
+                      scale * glm::dot(point.alongXi, point.alongEta),
+                      scale * glm::dot(point.alongEta, point.alongEta)},
+                     scale);
+}
+
 PlaneSample PatchMetric::sample(const Vec2& plane, FieldHint& hint) const {
   const SurfacePoint point = surface_->evaluate(plane);
+  if (!field_->isStretched()) {
+    const double size = field_->sizeAt(point.position, hint);
+    return {point.position, planeMetric(point, size), size};
+  }
+  const SymmetricTensor toUnit = field_->tensorAt(point.position, hint).inverse();
+  const Vec3 xi = toUnit * point.alongXi;
+  const Vec3 eta = toUnit * point.alongEta;
   const double size = field_->sizeAt(point.position, hint);
-  return {point.position, planeMetric(point, size), size};
+  const Metric2 metric{glm::dot(xi, xi), glm::dot(xi, eta), glm::dot(eta, eta)};
+  return {point.position, madeRegular(metric, 1.0 / (size * size)), size};
+}
+
+LocalSpace PatchMetric::spaceAt(const Vec3& place, double size, FieldHint& hint) const {
+  LocalSpace local;
+  local.wantedSide = size;
+  if (!field_->isStretched()) return local;
+  local.isStretched = true;
+  local.wantedSide = 1.0;
+  local.toSpace = field_->tensorAt(place, hint);
+  local.toUnit = local.toSpace.inverse();
+  return local;
 }
 
 }  // namespace tetrafront

@@ -34,6 +34,18 @@ struct PlaneSample {
 /// at which two lines of a Coons patch meet smoothly, G is kept from becoming singular.
 [[nodiscard]] Metric2 planeMetric(const SurfacePoint& point, double size);
 
+/// Where sizes depend on the direction: a linear map of space after which the triangle wanted at a
+/// place is equilateral with side 1, and its inverse. Where they do not, nothing is mapped.
+struct LocalSpace {
+  bool isStretched = false;
+  double wantedSide = 1.0;
+  SymmetricTensor toUnit;
+  SymmetricTensor toSpace;
+
+  [[nodiscard]] Vec3 unit(const Vec3& v) const { return isStretched ? toUnit * v : v; }
+  [[nodiscard]] Vec3 space(const Vec3& v) const { return isStretched ? toSpace * v : v; }
+};
+
 class PatchMetric {
  public:
   /// Both must outlive this.
@@ -41,6 +53,9 @@ class PatchMetric {
       : surface_(&surface), field_(&field) {}
 
   [[nodiscard]] PlaneSample sample(const Vec2& plane, FieldHint& hint) const;
+
+  /// For shapes at `place`, where `size` is the size without direction.
+  [[nodiscard]] LocalSpace spaceAt(const Vec3& place, double size, FieldHint& hint) const;
   [[nodiscard]] bool covers(const Vec3& place, FieldHint& hint) const {
     return field_->covers(place, hint);
   }

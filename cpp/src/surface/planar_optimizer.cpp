@@ -145,10 +145,11 @@ bool PlanarOptimizer::flip(std::uint32_t t, std::uint32_t k) {
   const std::uint32_t otherA = corner(other, a);
   const std::uint32_t d = node(other, (otherA + 1) % 3);
   if (mesh_->sameNode(c, d)) return false;
-  const Vec3& placeA = mesh_->places[a];
-  const Vec3& placeB = mesh_->places[b];
-  const Vec3& placeC = mesh_->places[c];
-  const Vec3& placeD = mesh_->places[d];
+  const LocalSpace local = metric_->spaceAt(mesh_->places[a], mesh_->sizes[a], hint_);
+  const Vec3 placeA = local.unit(mesh_->places[a]);
+  const Vec3 placeB = local.unit(mesh_->places[b]);
+  const Vec3 placeC = local.unit(mesh_->places[c]);
+  const Vec3 placeD = local.unit(mesh_->places[d]);
   const double before =
       std::min(triangleShape(placeA, placeB, placeC), triangleShape(placeB, placeA, placeD));
   const double after =
@@ -195,12 +196,12 @@ bool PlanarOptimizer::collectStar(std::uint32_t centre) {
   return true;
 }
 
-Vec3 PlanarOptimizer::wantedPlace(std::uint32_t centre) const {
-  const Vec3& here = mesh_->places[centre];
+Vec3 PlanarOptimizer::wantedPlace(std::uint32_t centre, const LocalSpace& local) const {
+  const Vec3 here = local.unit(mesh_->places[centre]);
   Vec3 sum(0.0);
   for (std::size_t i = 0; i < ring_.size(); ++i) {
-    const Vec3& p = mesh_->places[ring_[i]];
-    const Vec3& q = mesh_->places[ring_[(i + 1) % ring_.size()]];
+    const Vec3 p = local.unit(mesh_->places[ring_[i]]);
+    const Vec3 q = local.unit(mesh_->places[ring_[(i + 1) % ring_.size()]]);
     const Vec3 middle = 0.5 * (p + q);
     const Vec3 along = q - p;
     const double squared = glm::dot(along, along);
@@ -212,36 +213,41 @@ Vec3 PlanarOptimizer::wantedPlace(std::uint32_t centre) const {
       sum += here;
       continue;
     }
-    const double wanted = 0.5 * (std::sqrt(squared) + mesh_->sizes[centre]);
+    const double wanted = 0.5 * (std::sqrt(squared) + local.wantedSide);
     sum += middle + (kEquilateralHeight * wanted / height) * across;
   }
-  return sum / static_cast<double>(ring_.size());
+  return local.space(sum / static_cast<double>(ring_.size()));
 }
 
-double PlanarOptimizer::worstShape(const Vec3& place) const {
+double PlanarOptimizer::worstShape(const Vec3& place, const LocalSpace& local) const {
   double worst = 1.0;
-  for (std::size_t i = 0; i < ring_.size(); ++i)
-    worst = std::min(worst, triangleShape(place, mesh_->places[ring_[i]],
-                                          mesh_->places[ring_[(i + 1) % ring_.size()]]));
+  const Vec3 centre = local.unit(place);
+  for (std::size_t i = 0; i < ring_.size(); ++i) {
+    const Vec3 p = local.unit(mesh_->places[ring_[i]]);
+    const Vec3 q = local.unit(mesh_->places[ring_[(i + 1) % ring_.size()]]);
+    worst = std::min(worst, triangleShape(centre, p, q));
+  }
   return worst;
 }
 
 void PlanarOptimizer::smooth(std::uint32_t centre) {
   if (!collectStar(centre)) return;
   const SurfacePoint here = metric_->surface().evaluate(mesh_->plane[centre]);
-  const Vec3 move = wantedPlace(centre) - here.position;
+  const LocalSpace local = metric_->spaceAt(here.position, mesh_->sizes[centre], hint_);
+  const Vec3 move = wantedPlace(centre, local) - here.position;
   // The step of the plane whose image is nearest to the move: (J^T J) step = J^T move.
   const Metric2 metric = planeMetric(here, 1.0);
   const Vec2 right(glm::dot(here.alongXi, move), glm::dot(here.alongEta, move));
   const double determinant = metric.determinant();
   const Vec2 step((metric.yy * right.x - metric.xy * right.y) / determinant,
                   (metric.xx * right.y - metric.xy * right.x) / determinant);
-  const double worst = worstShape(mesh_->places[centre]);
+  const double worst = worstShape(mesh_->places[centre], local);
   for (const double share : kMoves)
-    if (moveIfBetter(centre, mesh_->plane[centre] + share * step, worst)) return;
+    if (moveIfBetter(centre, mesh_->plane[centre] + share * step, worst, local)) return;
 }
 
-bool PlanarOptimizer::moveIfBetter(std::uint32_t centre, const Vec2& to, double worst) {
+bool PlanarOptimizer::moveIfBetter(std::uint32_t centre, const Vec2& to, double worst,
+                                   const LocalSpace& local) {
   const Vec2 from = mesh_->plane[centre];
   mesh_->plane[centre] = to;
   bool valid = true;
@@ -249,7 +255,7 @@ bool PlanarOptimizer::moveIfBetter(std::uint32_t centre, const Vec2& to, double 
     valid = mesh_->turn(centre, ring_[i], ring_[(i + 1) % ring_.size()]) > 0;
   if (valid) {
     const PlaneSample sample = metric_->sample(to, hint_);
-    if (worstShape(sample.position) >= worst) {
+    if (worstShape(sample.position, local) >= worst) {
       mesh_->places[centre] = sample.position;
       mesh_->sizes[centre] = sample.size;
       return true;

@@ -31,9 +31,9 @@ class PlanarOptimizer {
   void replaceNeighbour(std::uint32_t triangle, std::uint32_t old, std::uint32_t now);
   void smooth(std::uint32_t centre);
   bool collectStar(std::uint32_t centre);
-  [[nodiscard]] Vec3 wantedPlace(std::uint32_t centre) const;
-  [[nodiscard]] double worstShape(const Vec3& place) const;
-  bool moveIfBetter(std::uint32_t centre, const Vec2& to, double worst);
+  [[nodiscard]] Vec3 wantedPlace(std::uint32_t centre, const LocalSpace& local) const;
+  [[nodiscard]] double worstShape(const Vec3& place, const LocalSpace& local) const;
+  bool moveIfBetter(std::uint32_t centre, const Vec2& to, double worst, const LocalSpace& local);
   [[nodiscard]] std::uint32_t corner(std::uint32_t triangle, std::uint32_t wanted) const;
   [[nodiscard]] std::uint32_t node(std::uint32_t triangle, std::uint32_t corner) const {
     return mesh_->triangles[3 * std::size_t{triangle} + corner];

@@ -22,6 +22,10 @@ constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
 constexpr std::size_t kMaxRemovedElements = 4000;
 constexpr std::uint64_t kPopsPerRemovedElement = 30;
 constexpr std::uint64_t kExtraPops = 2000;
+/// And of all attempts together, per element of the mesh: where pockets are many, the sizes asked
+/// for contradict the boundary, and trying everything everywhere would only take its time.
+constexpr std::uint64_t kStepsPerElement = 4;
+constexpr std::uint64_t kExtraSteps = 100'000;
 
 /// Looking at this many active faces, or slots of faces, costs about as much as one step of the
 /// front.
@@ -173,6 +177,10 @@ template <class Trace>
 std::size_t Recovery<Trace>::reopenNext() {
   const FaceMap active = facesByNodes(front_);
   while (nextInQueue_ < queue_.size() && !active.contains(queue_[nextInQueue_])) ++nextInQueue_;
+  if (refrontSteps_ > kStepsPerElement * elements_.size() + kExtraSteps) {
+    stage_ = Stage::kFinished;
+    return lookCost();
+  }
   if (nextInQueue_ == queue_.size()) {
     ++pass_;
     stage_ = Stage::kFindPockets;
@@ -285,6 +293,7 @@ std::size_t Recovery<Trace>::refront(std::uint32_t budget) {
   while (steps < budget && attempt_.popsLeft > 0 && !front_.nothingQueued()) {
     advance_.step();
     --attempt_.popsLeft;
+    ++refrontSteps_;
     ++steps;
   }
   if (!front_.nothingQueued() && attempt_.popsLeft > 0) return steps;

@@ -96,6 +96,7 @@ class Recovery {
   std::size_t indexedElements_ = 0;
   std::size_t nextToIndex_ = 0;
   Attempt attempt_;
+  std::uint64_t refrontSteps_ = 0;  ///< of all attempts
   std::uint32_t starred_ = 0;
   std::uint32_t reopened_ = 0;
 };
