@@ -22,7 +22,7 @@ export function openProject(app: App, project: Project): void {
   app.view.reset();
   app.view.setCut({ enabled: false });
   app.viewer.getState().viewer?.setProject(app.documents.project, true);
-  app.shell.setState({ drawer: null, leftTab: "model" });
+  app.shell.setState({ drawer: null, leftTab: "model", message: null });
   void app.run.restart();
 }
 
@@ -102,7 +102,7 @@ export function showProblem(app: App, problem: Problem): void {
 
 /** One sentence on the mesh, for the label of the picture. */
 export function describeMesh(project: Project, mesh: MeshResult | null): string {
-  if (!mesh) return strings.viewport.summaryNoMesh(project.name);
+  if (!mesh || mesh.report.tetrahedra === 0) return strings.viewport.summaryNoMesh(project.name);
   const { tetrahedra, dihedral } = mesh.report;
   return strings.viewport.summary(project.name, formatCount(tetrahedra), `${dihedral.min.toFixed(1)}°`);
 }

@@ -33,7 +33,7 @@ if (root) {
     <MantineProvider
       theme={theme}
       cssVariablesResolver={cssVariables}
-      defaultColorScheme="dark"
+      defaultColorScheme="auto"
       env={still ? "test" : "default"}
     >
       <Page app={app} />

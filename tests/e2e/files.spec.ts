@@ -22,6 +22,14 @@ const choose = (page: Page, item: RegExp) => async (): Promise<void> => {
   await page.getByRole("menuitem", { name: item }).click();
 };
 
+async function dropProject(page: Page, text: string): Promise<void> {
+  await page.evaluate((content) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], "dropped.json", { type: "application/json" }));
+    window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
+  }, text);
+}
+
 test("downloads the mesh as VTU and MSH with the numbers on the screen", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
@@ -89,13 +97,20 @@ test("a project file dropped on the page is opened", async ({ page }) => {
   await app.open();
   const before = await app.mesh();
   const text = JSON.stringify({ ...sampleProject("unit-cube"), name: "Dropped cube" });
-  await page.evaluate((content) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([content], "dropped.json", { type: "application/json" }));
-    window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
-  }, text);
+  await dropProject(page, text);
   await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
   await app.meshed();
+  await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
+});
+
+test("the message of a failed open goes with the next successful one", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await dropProject(page, "no project");
+  const dialog = page.getByRole("dialog", { name: "dropped.json could not be opened" });
+  await expect(dialog).toBeVisible();
+  await dropProject(page, JSON.stringify({ ...sampleProject("unit-cube"), name: "Dropped cube" }));
+  await expect(dialog).toBeHidden();
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 

@@ -29,6 +29,50 @@ test("on a phone the panels are drawers and everything needed is in reach", asyn
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
+test("the header fits at every width, idle and meshing", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const overflow = () =>
+    page.evaluate(() => {
+      const header = document.querySelector("header.tf-header");
+      const label = header?.querySelector("[data-testid=generate] .mantine-Button-label");
+      if (!header || !label) throw new Error("The page has no header");
+      const excess = (): number =>
+        Math.max(
+          document.documentElement.scrollWidth - window.innerWidth,
+          header.scrollWidth - header.clientWidth,
+          header.scrollHeight - header.clientHeight,
+        );
+      const idleText = label.textContent;
+      const idle = excess();
+      label.textContent = "Meshing…";
+      const meshing = excess();
+      label.textContent = idleText;
+      return Math.max(idle, meshing);
+    });
+  for (const width of [360, 390, 429, 430, 520, 699, 700, 720, 799, 800, 899, 900, 1099, 1100, 1440]) {
+    await page.setViewportSize({ width, height: 800 });
+    const layout = width < 700 ? "phone" : width < 1100 ? "narrow" : "wide";
+    await expect(page.getByTestId("app")).toHaveAttribute("data-layout", layout);
+    expect(await overflow(), `at ${width} pixels`).toBeLessThanOrEqual(0);
+    const generate = await page.getByTestId("generate").boundingBox();
+    expect((generate?.x ?? width) + (generate?.width ?? 0), `at ${width} pixels`).toBeLessThanOrEqual(width);
+  }
+});
+
+for (const scheme of ["light", "dark"] as const) {
+  test(`without a choice the page is ${scheme} where the system is`, async ({ page }) => {
+    await page.emulateMedia({ colorScheme: scheme });
+    await page.goto("./?test=1");
+    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", scheme);
+    const other = scheme === "light" ? "dark" : "light";
+    await page.getByTestId("theme").click();
+    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", other);
+    await page.reload();
+    await expect(page.locator("html")).toHaveAttribute("data-mantine-color-scheme", other);
+  });
+}
+
 test("below 1100 pixels the side panels make room for the view", async ({ page }) => {
   await page.setViewportSize({ width: 1000, height: 700 });
   const app = new AppPage(page);

@@ -1,6 +1,7 @@
 import { Button, Kbd, List, Text } from "@mantine/core";
 import { Spotlight } from "@mantine/spotlight";
 import { IconSearch } from "@tabler/icons-react";
+import { useState } from "react";
 import { useStore } from "zustand";
 import { commands, keyNames, runCommand } from "../commands";
 import { SectionTitle } from "../ui/field-row";
@@ -11,6 +12,8 @@ import { useApp, useDocument, useRun, useShell, useView } from "./app-context";
 /** The command palette: every command that may run now. */
 export function CommandPalette() {
   const app = useApp();
+  // Held here, for a palette opened again before it has quite closed would keep the old text.
+  const [query, setQuery] = useState("");
   useDocument((state) => state.history.past.length + state.history.future.length);
   useRun((state) => state.busy);
   useView((state) => state.selection.length);
@@ -32,6 +35,9 @@ export function CommandPalette() {
   return (
     <Spotlight
       shortcut="mod+K"
+      query={query}
+      onQueryChange={setQuery}
+      onSpotlightOpen={() => setQuery("")}
       tagsToIgnore={[]}
       actions={groups.filter((group) => group.actions.length > 0)}
       nothingFound={strings.header.paletteEmpty}

@@ -1,4 +1,13 @@
-import { ActionIcon, Button, Kbd, Menu, Toolbar, Tooltip, useMantineColorScheme } from "@mantine/core";
+import {
+  ActionIcon,
+  Button,
+  Kbd,
+  Menu,
+  Toolbar,
+  Tooltip,
+  useComputedColorScheme,
+  useMantineColorScheme,
+} from "@mantine/core";
 import { spotlight } from "@mantine/spotlight";
 import {
   IconArrowBackUp,
@@ -129,8 +138,8 @@ function DownloadMenu() {
 }
 
 function SchemeToggle() {
-  const { colorScheme, setColorScheme } = useMantineColorScheme();
-  const dark = colorScheme === "dark";
+  const { setColorScheme } = useMantineColorScheme();
+  const dark = useComputedColorScheme("dark", { getInitialValueInEffect: false }) === "dark";
   const label = dark ? strings.header.light : strings.header.dark;
   return (
     <Tooltip label={label} openDelay={400}>

@@ -36,13 +36,16 @@ export function QualityPanel() {
     );
   }
   const { report } = mesh;
+  const { unmeasured } = strings.quality;
+  // Without an element the report holds zeros that nobody measured.
+  const measured = report.tetrahedra > 0;
   return (
     <section className="tf-quality" data-stale={stale || undefined}>
       <SectionTitle>
         {strings.quality.title}
         {stale && <span className="tf-section-note">{strings.viewport.stale.toLowerCase()}</span>}
       </SectionTitle>
-      {report.tetrahedra > 0 && (
+      {measured && (
         <>
           <Text size="sm" c="dimmed" mb={4}>
             {measureNames[measure]}
@@ -70,18 +73,20 @@ export function QualityPanel() {
         <dt>{strings.quality.tetrahedra}</dt>
         <dd>{formatCount(report.tetrahedra)}</dd>
         <dt>{strings.quality.points}</dt>
-        <dd>{formatCount(report.points)}</dd>
+        <dd>{measured ? formatCount(report.points) : unmeasured}</dd>
         <dt>{strings.quality.triangles}</dt>
         <dd>{formatCount(report.triangles)}</dd>
         <dt>{strings.quality.dihedral}</dt>
         <dd>
-          {formatAngle(report.dihedral.min)} – {formatAngle(report.dihedral.max)}
+          {measured
+            ? `${formatAngle(report.dihedral.min)} – ${formatAngle(report.dihedral.max)}`
+            : unmeasured}
         </dd>
         <dt>{strings.quality.volume}</dt>
-        <dd>{formatShort(report.volume)}</dd>
+        <dd>{measured ? formatShort(report.volume) : unmeasured}</dd>
         <dt>{strings.quality.time}</dt>
         <dd>{formatSeconds(report.seconds.total)}</dd>
-        {report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
+        {measured && report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
       </dl>
     </section>
   );

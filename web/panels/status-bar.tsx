@@ -97,8 +97,10 @@ function MeshNumbers() {
   const progress = useRun((state) => (state.busy ? state.progress : null));
   const stale = useStale();
   const unsaved = useUnsaved();
-  const points = progress?.points ?? mesh?.report.points;
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
+  // Without an element the report holds zeros that nobody measured.
+  const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
+  const points = progress?.points ?? report?.points;
   return (
     <div className="tf-numbers" data-stale={(stale && !progress) || undefined}>
       {points !== undefined && (
@@ -109,13 +111,13 @@ function MeshNumbers() {
       {tetrahedra !== undefined && (
         <span data-testid="count-tetrahedra">{strings.status.tetrahedra(formatCount(tetrahedra))}</span>
       )}
-      {mesh && !progress && (
+      {report && !progress && (
         <>
           <span className="tf-wide" data-testid="min-dihedral">
-            {strings.status.minDihedral(formatAngle(mesh.report.dihedral.min))}
+            {strings.status.minDihedral(formatAngle(report.dihedral.min))}
           </span>
           <span className="tf-wide" data-testid="seconds">
-            {formatSeconds(mesh.report.seconds.total)}
+            {formatSeconds(report.seconds.total)}
           </span>
         </>
       )}

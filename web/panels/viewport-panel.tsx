@@ -55,7 +55,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [trouble, setTrouble] = useState<Trouble>(null);
   const [hover, setHover] = useState<HoverPlace | null>(null);
-  const scheme = useComputedColorScheme("dark");
+  const scheme = useComputedColorScheme("dark", { getInitialValueInEffect: false });
   const firstColors = useRef(viewerColors[scheme]);
 
   useEffect(() => {

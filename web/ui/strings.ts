@@ -113,6 +113,7 @@ export const strings = {
     fingerprint: "Fingerprint",
     copied: "copied",
     none: "No mesh yet.",
+    unmeasured: "–",
     bar: (count: string, from: string, to: string) => `${count} tetrahedra from ${from} to ${to}`,
     histogram: (measure: string) => `Histogram of the ${measure.toLowerCase()}`,
   },
