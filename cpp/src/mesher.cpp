@@ -287,6 +287,11 @@ class MeshRun::Impl {
   }
 
   void makeSurfaceField(std::uint32_t budget) {
+    // No size of the field will be above the one asked for; if that is too small, so is the field.
+    if (!octreeBuilder_ && options_.size > 0.0) {
+      const double expected = expectedTetrahedra(surface_, SizeField::uniform(options_.size));
+      if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
+    }
     if (!octreeBuilder_) {
       octreeBuilder_.emplace(pointsOf(surface_), surface_.triangles, options_.growth,
                              options_.size);

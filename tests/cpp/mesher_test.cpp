@@ -51,6 +51,16 @@ TEST(MeshRun, RefusesAbsurdSizesBeforeAnythingIsDivided) {
     ASSERT_EQ(run.advance(1), MeshStatus::kInvalidInput) << size;
     EXPECT_EQ(run.diagnostics().back().code, DiagnosticCode::kTooManyElements);
   }
+  const SurfaceMesh surface = testing::gridCube(2);
+  for (const double size : {1e-4, 1e-320}) {
+    MeshOptions options;
+    options.size = size;
+    MeshRun run(surface.points, surface.triangles, options);
+    while (run.advance(1000) == MeshStatus::kRunning) {
+    }
+    ASSERT_EQ(run.status(), MeshStatus::kInvalidInput) << size;
+    EXPECT_EQ(run.diagnostics().back().code, DiagnosticCode::kTooManyElements);
+  }
   MeshOptions options;
   options.size = 0.3;
   MeshRun run(model, {}, options);

@@ -227,7 +227,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   stalled: {
     message: ({ value, at }) =>
       `The front stalled with ${value(0)} faces that no tetrahedron completes${at}; the mesh is partial`,
-    remedy: "Use smaller elements there, or sizes that change more gently.",
+    remedy:
+      "Use sizes that change more gently there; in a given surface, a size nearer to that of its own edges.",
   },
   "verification-failed": {
     message: ({ value, at }) => `The finished mesh failed its own check in ${value(0)} places${at}`,
