@@ -32,6 +32,19 @@ test("a broken model is explained beside the entity, in the view and in the list
   expect(await app.meshed()).toEqual(before);
 });
 
+test("a surface left open is told at once", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  const before = await app.openExample("unit-cube");
+  await app.select("patch-2");
+  await page.getByTestId("tree-patch-2").press("Delete");
+  await expect(page.getByTestId("tree-line-5").getByRole("img", { name: "1 problem" })).toBeVisible();
+  await expect(page.getByTestId("tree-line-1").getByRole("img")).toHaveCount(0);
+  await page.getByRole("button", { name: /^Undo/ }).click();
+  await expect(page.getByTestId("tree-line-5").getByRole("img")).toHaveCount(0);
+  expect(await app.meshed()).toEqual(before);
+});
+
 test("a value that cannot be taken stays in its field with the reason", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();

@@ -1,4 +1,5 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { findOpenLines } from "./open-lines";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
 import { contentKey, type DocumentStore } from "./store";
@@ -27,7 +28,8 @@ export class ProblemList {
       if (!current && previewed !== null && previews.busy) return;
       const problems = toProblems(project, [
         ...(current ? (preview?.diagnostics ?? []) : []),
-        ...(outcome?.key === key ? outcome.result.report.diagnostics : []),
+        // A run looks closer; until it has, the loops tell where the surface is open.
+        ...(outcome?.key === key ? outcome.result.report.diagnostics : findOpenLines(project)),
       ]);
       this.state.setState({ problems, byEntity: problemsByEntity(problems) });
     };
