@@ -1,9 +1,9 @@
 import { expect, test, type Page } from "@playwright/test";
 import { AppPage, nextFrame } from "./app-page";
 
-/** Where an entity is on the screen: the query that `?test=1` offers. */
-async function screenPlace(page: Page, kind: string, id: number): Promise<{ x: number; y: number }> {
-  const at = await page.evaluate(
+/** Where an entity is on the screen, by the query that `?test=1` offers; null if out of view. */
+async function projected(page: Page, kind: string, id: number): Promise<{ x: number; y: number } | null> {
+  return page.evaluate(
     ([wantedKind, wantedId]) => {
       const query = Reflect.get(window, "tetrafrontProject") as (
         kind: string,
@@ -13,7 +13,24 @@ async function screenPlace(page: Page, kind: string, id: number): Promise<{ x: n
     },
     [kind, id] as const,
   );
-  const box = await page.getByTestId("viewport").boundingBox();
+}
+
+/** The same in the page, once the view has come to rest: a model just opened is still to be fitted. */
+async function screenPlace(page: Page, kind: string, id: number): Promise<{ x: number; y: number }> {
+  const viewport = page.getByTestId("viewport");
+  const look = async (): Promise<string> =>
+    JSON.stringify([await viewport.getAttribute("data-frames"), await projected(page, kind, id)]);
+  await expect
+    .poll(async () => {
+      const before = await look();
+      await page.evaluate(
+        () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+      );
+      return before === (await look());
+    })
+    .toBe(true);
+  const at = await projected(page, kind, id);
+  const box = await viewport.boundingBox();
   if (!at || !box) throw new Error(`${kind} ${id} is not in view`);
   return { x: box.x + at.x, y: box.y + at.y };
 }
