@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "base/fingerprint.h"
@@ -232,6 +234,43 @@ TEST(VolumeMesher, ReopensWhatCannotBeStarred) {
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
   // Recovery too must not care how it is sliced, down to single steps.
   EXPECT_EQ(fill(surface, ownSizes(surface), {}, 1).fingerprint(), outcome.fingerprint());
+}
+
+/// A tube as CAD systems tessellate it: walls of long needle triangles, one element thick.
+SurfaceMesh coarseTube(int sectors, double innerRadius, double length) {
+  SurfaceMesh mesh;
+  for (const double radius : {1.0, innerRadius}) {
+    for (const double z : {0.0, length}) {
+      for (int i = 0; i < sectors; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / sectors;
+        mesh.points.insert(mesh.points.end(),
+                           {radius * std::cos(angle), radius * std::sin(angle), z});
+      }
+    }
+  }
+  const auto n = static_cast<std::uint32_t>(sectors);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    const std::uint32_t inner = 2 * n;
+    for (const NodeTriple& t : {NodeTriple{NodeId(i), NodeId(j), NodeId(n + j)},
+                                {NodeId(i), NodeId(n + j), NodeId(n + i)},
+                                {NodeId(inner + i), NodeId(inner + n + j), NodeId(inner + j)},
+                                {NodeId(inner + i), NodeId(inner + n + i), NodeId(inner + n + j)},
+                                {NodeId(i), NodeId(inner + j), NodeId(j)},
+                                {NodeId(i), NodeId(inner + i), NodeId(inner + j)},
+                                {NodeId(n + i), NodeId(n + j), NodeId(inner + n + j)},
+                                {NodeId(n + i), NodeId(inner + n + j), NodeId(inner + n + i)}}) {
+      for (const NodeId node : t) mesh.triangles.push_back(node.value);
+    }
+  }
+  return mesh;
+}
+
+TEST(VolumeMesher, ClosesATubeOfNeedleTrianglesByLongRecovery) {
+  const Outcome outcome = fillByOwnSizes(coarseTube(64, 0.9, 10.0));
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_GT(outcome.recovery.reopened, 0U);
+  EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
 }
 
 TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {

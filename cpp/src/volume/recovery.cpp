@@ -24,8 +24,9 @@ constexpr std::uint64_t kPopsPerRemovedElement = 30;
 constexpr std::uint64_t kExtraPops = 2000;
 /// And of all attempts together, per element of the mesh: where pockets are many, the sizes asked
 /// for contradict the boundary, and trying everything everywhere would only take its time.
+/// Thin tubes of long triangles, with few elements, do close after more than 100 000.
 constexpr std::uint64_t kStepsPerElement = 4;
-constexpr std::uint64_t kExtraSteps = 100'000;
+constexpr std::uint64_t kExtraSteps = 500'000;
 
 /// Looking at this many active faces, or slots of faces, costs about as much as one step of the
 /// front.
