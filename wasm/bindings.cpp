@@ -298,7 +298,10 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("loopOffsets", &ModelArrays::loopOffsets)
       .field("loopLines", &ModelArrays::loopLines)
       .field("gridNodes", &ModelArrays::gridNodes)
-      .field("gridTetrahedra", &ModelArrays::gridTetrahedra);
+      .field("gridTetrahedra", &ModelArrays::gridTetrahedra)
+      .field("sourceTypes", &ModelArrays::sourceTypes)
+      .field("sourceValues", &ModelArrays::sourceValues)
+      .field("overhang", &ModelArrays::overhang);
   value_object<Options>("Options")
       .field("size", &Options::size)
       .field("growth", &Options::growth)

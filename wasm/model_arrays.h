@@ -15,6 +15,9 @@ namespace tetrafront::border {
 /// Doubles per background node: x y z, size, stretching, direction x y z.
 inline constexpr std::size_t kNodeStride = 8;
 
+/// Doubles per source of size: x y z of three places, size, distance, growth.
+inline constexpr std::size_t kSourceStride = 12;
+
 /// What JavaScript sends for a drawn model; see ModelArrays in src/project-arrays.ts.
 struct ModelArrays {
   Float64Array points{emscripten::val::undefined()};
@@ -27,6 +30,9 @@ struct ModelArrays {
   Uint32Array loopLines{emscripten::val::undefined()};
   Float64Array gridNodes{emscripten::val::undefined()};
   Uint32Array gridTetrahedra{emscripten::val::undefined()};
+  Uint8Array sourceTypes{emscripten::val::undefined()};
+  Float64Array sourceValues{emscripten::val::undefined()};
+  double overhang = 0.0;
 };
 
 inline std::vector<Vec3> toPoints(const std::vector<double>& xyz) {
@@ -79,6 +85,22 @@ inline Model toModel(const ModelArrays& arrays) {
           .patches = toPatches(arrays)};
 }
 
+inline std::vector<SizeSource> toSources(const ModelArrays& arrays) {
+  const auto types = copyIn<std::uint8_t>(arrays.sourceTypes);
+  const auto values = copyIn<double>(arrays.sourceValues);
+  std::vector<SizeSource> sources(types.size());
+  for (std::size_t s = 0; s < sources.size(); ++s) {
+    const double* v = values.data() + kSourceStride * s;
+    sources[s] = {
+        .type = static_cast<SourceType>(types[s]),
+        .points = {Vec3(v[0], v[1], v[2]), Vec3(v[3], v[4], v[5]), Vec3(v[6], v[7], v[8])},
+        .size = v[9],
+        .distance = v[10],
+        .growth = v[11]};
+  }
+  return sources;
+}
+
 inline BackgroundGrid toGrid(const ModelArrays& arrays) {
   const auto values = copyIn<double>(arrays.gridNodes);
   const auto corners = copyIn<std::uint32_t>(arrays.gridTetrahedra);
@@ -93,6 +115,8 @@ inline BackgroundGrid toGrid(const ModelArrays& arrays) {
   for (std::size_t i = 0; i + 4 <= corners.size(); i += 4) {
     grid.tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
   }
+  grid.sources = toSources(arrays);
+  grid.overhang = arrays.overhang;
   return grid;
 }
 

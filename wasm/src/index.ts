@@ -28,9 +28,14 @@ export type {
   ProjectLine,
   ProjectPatch,
   ProjectPoint,
+  ProjectSource,
+  SourceId,
+  SourceType,
 } from "./project-schema.js";
 export type { ReadProblem, ReadResult } from "./read-result.js";
 export type {
+  BackgroundArrays,
+  CoverOptions,
   Diagnostic,
   EntityKind,
   EntityRef,
@@ -44,9 +49,11 @@ export type {
   Phase,
   Progress,
   ProjectPreview,
+  ProposalOptions,
   RunControl,
   Seconds,
   Severity,
+  SizeProposal,
   SurfaceInput,
   SurfaceMesh,
   VolumeMesh,

@@ -1,5 +1,12 @@
 /** From a project, with ids and names, to the flat arrays the engine takes; and back from positions to names. */
-import type { LineType, PatchType, Project, ProjectBackgroundNode } from "./project-schema.js";
+import type {
+  LineType,
+  PatchType,
+  Project,
+  ProjectBackgroundNode,
+  ProjectSource,
+  SourceType,
+} from "./project-schema.js";
 import type { EntityKind, EntityRef } from "./types.js";
 
 /** A model and its background grid as they cross into the engine. All references are positions. */
@@ -22,6 +29,12 @@ export interface ModelArrays {
   readonly gridNodes: Float64Array;
   /** Four node positions per tetrahedron. */
   readonly gridTetrahedra: Uint32Array;
+  /** 0 point, 1 segment, 2 triangle. */
+  readonly sourceTypes: Uint8Array;
+  /** x y z of three places (those its type lacks are 0), size, distance, growth per source. */
+  readonly sourceValues: Float64Array;
+  /** What this far outside the grid still counts as covered. */
+  readonly overhang: number;
 }
 
 /** The engine's numbers (cpp/include/tetrafront/model.h). */
@@ -33,7 +46,12 @@ export const PATCH_TYPES: Readonly<Record<PatchType, number>> = {
   "barnhill-gregory-nielson": 3,
   coons: 4,
 };
+export const SOURCE_TYPES: Readonly<Record<SourceType, number>> = { point: 0, segment: 1, triangle: 2 };
+/** Growth of the size per unit of distance from a source that does not say. */
+export const DEFAULT_SOURCE_GROWTH = 0.3;
 
+/** Doubles per source; the last three are size, distance and growth. */
+const SOURCE_STRIDE = 12;
 /** Doubles per background node. */
 const NODE_STRIDE = 8;
 
@@ -45,6 +63,7 @@ export function projectArrays(project: Project): ModelArrays {
   const pointAt = positionsById(project.points);
   const lineAt = positionsById(project.lines);
   const nodeAt = positionsById(project.background.nodes);
+  const sources = project.background.sources ?? [];
   const lines = flatten(project.lines.map((line) => line.points.map((id) => pointAt.get(id) ?? NOWHERE)));
   const loops = project.patches.flatMap((patch) => patch.loops);
   const loopLines = flatten(loops.map((loop) => loop.map((signed) => orientedLine(signed, lineAt))));
@@ -63,6 +82,9 @@ export function projectArrays(project: Project): ModelArrays {
         tetrahedron.map((id) => nodeAt.get(id) ?? NOWHERE),
       ),
     ),
+    sourceTypes: Uint8Array.from(sources, (source) => SOURCE_TYPES[source.type]),
+    sourceValues: sourceValues(sources),
+    overhang: project.background.overhang ?? 0,
   };
 }
 
@@ -75,6 +97,16 @@ function gridNodes(nodes: readonly ProjectBackgroundNode[]): Float64Array {
   nodes.forEach((node, i) => {
     const direction = node.direction ?? [1, 0, 0];
     values.set([...node.at, node.size, node.stretching ?? 1, ...direction], NODE_STRIDE * i);
+  });
+  return values;
+}
+
+function sourceValues(sources: readonly ProjectSource[]): Float64Array {
+  const values = new Float64Array(SOURCE_STRIDE * sources.length);
+  sources.forEach(({ places, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
+    // No more than three: previews show drawings that nobody has checked.
+    values.set(places.slice(0, 3).flat(), SOURCE_STRIDE * s);
+    values.set([size, distance, growth], SOURCE_STRIDE * (s + 1) - 3);
   });
   return values;
 }
@@ -138,10 +170,11 @@ function entityAt(
       return project.patches[index];
     case "background-node":
       return project.background.nodes[index];
+    case "source":
+      return project.background.sources?.[index];
     case "background-tetrahedron":
     case "triangle":
     case "surface-node":
-    case "source":
       return undefined;
   }
 }

@@ -59,6 +59,29 @@ const backgroundNodeSchema = z
   })
   .readonly();
 
+const sourceSchema = z
+  .strictObject({
+    id,
+    name,
+    type: z.enum(["point", "segment", "triangle"]),
+    places: z
+      .array(triple)
+      .min(1)
+      .max(3)
+      .readonly()
+      .meta({ description: "Corners: one of a point, two of a segment, three of a triangle" }),
+    size: z.number().meta({ description: "Wanted edge length there, in model units, above 0" }),
+    distance: z
+      .number()
+      .optional()
+      .meta({ description: "Up to this far away `size` holds too; 0 or more, 0 if not given" }),
+    growth: z
+      .number()
+      .optional()
+      .meta({ description: "Of the size per unit of distance beyond; 0 or more, 0.3 if not given" }),
+  })
+  .readonly();
+
 const backgroundSchema = z
   .strictObject({
     nodes: z.array(backgroundNodeSchema).readonly(),
@@ -66,6 +89,15 @@ const backgroundSchema = z
       .array(z.tuple([z.int(), z.int(), z.int(), z.int()]).readonly())
       .readonly()
       .meta({ description: "Four node ids each, in any orientation" }),
+    sources: z
+      .array(sourceSchema)
+      .readonly()
+      .optional()
+      .meta({ description: "Places around which elements are wanted no larger than a size" }),
+    overhang: z.number().min(0).optional().meta({
+      description:
+        "What this far outside still counts as covered, as a share of the nearest tetrahedron's longest edge",
+    }),
   })
   .readonly();
 
@@ -88,12 +120,17 @@ const documentSchema = z
 
 type Document = z.infer<typeof documentSchema>;
 type Path = (string | number)[];
+type Report = (path: Path, message: string) => void;
 
-/** Reports what `report` is told about ids used twice and references that lead nowhere. */
-export function checkReferences(
-  project: Document,
-  report: (path: (string | number)[], message: string) => void,
-): void {
+/** Corners of a source of each type. */
+const PLACES: Readonly<Record<z.infer<typeof sourceSchema>["type"], number>> = {
+  point: 1,
+  segment: 2,
+  triangle: 3,
+};
+
+/** Tells `report` about ids used twice, references that lead nowhere, and sources short of places. */
+export function checkReferences(project: Document, report: Report): void {
   const points = uniqueIds(project.points, ["points"], "point", report);
   const lines = uniqueIds(project.lines, ["lines"], "line", report);
   uniqueIds(project.patches, ["patches"], "patch", report);
@@ -114,13 +151,27 @@ export function checkReferences(
       expect(nodes, "background node", node, ["background", "tetrahedra", t, i]),
     ),
   );
+  checkSources(project.background.sources ?? [], report);
+}
+
+function checkSources(sources: readonly z.infer<typeof sourceSchema>[], report: Report): void {
+  uniqueIds(sources, ["background", "sources"], "source", report);
+  sources.forEach(({ type, places }, s) => {
+    const wanted = PLACES[type];
+    if (places.length === wanted) return;
+    const noun = wanted === 1 ? "place" : "places";
+    report(
+      ["background", "sources", s, "places"],
+      `a source of type "${type}" has ${wanted} ${noun}, here are ${places.length}`,
+    );
+  });
 }
 
 function uniqueIds(
   entities: readonly { readonly id: number }[],
   path: Path,
   kind: string,
-  report: (path: Path, message: string) => void,
+  report: Report,
 ): ReadonlySet<number> {
   const seen = new Set<number>();
   entities.forEach((entity, index) => {
@@ -142,12 +193,16 @@ export type ProjectLine = Project["lines"][number];
 export type ProjectPatch = Project["patches"][number];
 export type ProjectBackground = Project["background"];
 export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
+/** A place around which elements are wanted no larger than size + growth max(0, r - distance). */
+export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
+export type SourceType = ProjectSource["type"];
 export type LineType = ProjectLine["type"];
 export type PatchType = ProjectPatch["type"];
 
 export type PointId = number;
 export type LineId = number;
 export type PatchId = number;
+export type SourceId = number;
 
 /** The schema as JSON Schema (draft 2020-12), for editors and other programs. */
 export function projectJsonSchema(): Record<string, unknown> {

@@ -1,7 +1,13 @@
 /** Reading and writing project files (docs/FORMAT.md). */
 import type { z } from "zod";
 
-import { PROJECT_FORMAT, PROJECT_VERSION, projectSchema, type Project } from "./project-schema.js";
+import {
+  PROJECT_FORMAT,
+  PROJECT_VERSION,
+  projectSchema,
+  type Project,
+  type ProjectBackground,
+} from "./project-schema.js";
 import type { ReadProblem, ReadResult } from "./read-result.js";
 
 /** More problems than this help nobody; the first ones usually cause the rest. */
@@ -45,10 +51,16 @@ export function writeProject(project: Project): string {
     `  "points": ${rows(points, "  ")}`,
     `  "lines": ${rows(lines, "  ")}`,
     `  "patches": ${rows(patches, "  ")}`,
-    `  "background": {\n    "nodes": ${rows(background.nodes, "    ")},\n` +
-      `    "tetrahedra": ${rows(background.tetrahedra, "    ")}\n  }`,
+    `  "background": ${backgroundText(background)}`,
   ];
   return `{\n${[...head, ...body].join(",\n")}\n}\n`;
+}
+
+function backgroundText({ nodes, tetrahedra, sources, overhang }: ProjectBackground): string {
+  const parts = [`"nodes": ${rows(nodes, "    ")}`, `"tetrahedra": ${rows(tetrahedra, "    ")}`];
+  if (sources !== undefined) parts.push(`"sources": ${rows(sources, "    ")}`);
+  if (overhang !== undefined) parts.push(`"overhang": ${JSON.stringify(overhang)}`);
+  return `{\n${parts.map((part) => `    ${part}`).join(",\n")}\n  }`;
 }
 
 function rows(entities: readonly unknown[], indent: string): string {

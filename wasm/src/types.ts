@@ -4,12 +4,60 @@
  */
 
 import type { DiagnosticCode } from "./diagnostic-codes.js";
-import type { Project } from "./project-schema.js";
+import type { Project, ProjectSource } from "./project-schema.js";
 
 /** A closed triangle surface: x y z per node, three node positions per triangle, any turning. */
 export interface SurfaceInput {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
+}
+
+/**
+ * A background grid as flat arrays: what a generated mesh becomes (`meshAsBackground`), at full speed
+ * also with hundreds of thousands of tetrahedra.
+ */
+export interface BackgroundArrays {
+  /** x y z per node. */
+  readonly points: Float64Array;
+  /** Wanted edge length per node, above 0. */
+  readonly sizes: Float64Array;
+  /** Per node: wanted length along its direction divided by its size, 1 or more. Default 1. */
+  readonly stretchings?: Float64Array | undefined;
+  /** x y z per node, of any length but 0. Needed where a stretching is above 1. */
+  readonly directions?: Float64Array | undefined;
+  /** Four node positions per tetrahedron, in any orientation. */
+  readonly tetrahedra: Uint32Array;
+  /** What this far outside still counts as covered, as in `ProjectBackground`. Default 0. */
+  readonly overhang?: number | undefined;
+}
+
+/** How a covering grid is built. */
+export interface CoverOptions {
+  /** At every node, in model units. Default: a twentieth of the model's diagonal. */
+  readonly size?: number | undefined;
+  /** Five tetrahedra that fill a box, or a single one. Default `box`. */
+  readonly shape?: "box" | "tetrahedron" | undefined;
+}
+
+/** What `proposeSizes` looks at. */
+export interface ProposalOptions {
+  /** The largest size. Default: a twentieth of the model's diagonal. */
+  readonly uniform?: number | undefined;
+  /** No proposal below this. Default: a fiftieth of the largest. */
+  readonly smallest?: number | undefined;
+  /** Around a full turn of a curved line or patch; 0 leaves curvature out. Default 24. */
+  readonly elementsPerCircle?: number | undefined;
+  /** Between opposite patches, across the inside; 0 leaves nearness out. Default 3. */
+  readonly elementsPerGap?: number | undefined;
+  /** Of the proposed sources, per unit of distance. Default 0.3. */
+  readonly growth?: number | undefined;
+}
+
+export interface SizeProposal {
+  /** Uniform, to be refined by the sources; 0 where there is nothing to see. */
+  readonly size: number;
+  /** The smallest first, with ids from 1. */
+  readonly sources: readonly ProjectSource[];
 }
 
 export type FrontOrder = "layered" | "smallest-first";

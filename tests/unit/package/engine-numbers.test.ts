@@ -4,7 +4,7 @@ import { expect, test } from "vitest";
 
 import { SEVERITIES } from "../../../wasm/src/diagnostics.js";
 import { FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/options.js";
-import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project-arrays.js";
+import { LINE_TYPES, PATCH_TYPES, SOURCE_TYPES } from "../../../wasm/src/project-arrays.js";
 import { PHASES } from "../../../wasm/src/run-clock.js";
 import { STATUSES } from "../../../wasm/src/slices.js";
 import { engineEnum } from "../../support/engine-enums.js";
@@ -30,10 +30,11 @@ test("statuses, of which running is none to the outside", () => {
   );
 });
 
-test("line types, patch types, orders of the front and levels of optimization", () => {
+test("line types, patch types, source types, orders of the front and levels of optimization", () => {
   const lines = engineEnum("model.h", "LineType").map(([value, name]) => [value, name.replace("cubic-", "")]);
   expect(swapped(LINE_TYPES)).toEqual(lines);
   expect(swapped(PATCH_TYPES)).toEqual(engineEnum("model.h", "PatchType"));
+  expect(swapped(SOURCE_TYPES)).toEqual(engineEnum("background_grid.h", "SourceType"));
   expect(swapped(FRONT_ORDERS)).toEqual(engineEnum("options.h", "FrontOrder"));
   expect(swapped(OPTIMIZATIONS)).toEqual(engineEnum("options.h", "Optimization"));
 });

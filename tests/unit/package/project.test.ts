@@ -1,4 +1,4 @@
-import { parseProject, projectJsonSchema, readProject, writeProject } from "tetrafront";
+import { parseProject, projectJsonSchema, readProject, writeProject, type ProjectSource } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";
@@ -10,6 +10,10 @@ function problem(value: unknown): { path: string | undefined; message: string } 
   const [{ path, message, remedy }] = read.problems;
   expect(remedy).toMatch(/\.$/);
   return { path, message };
+}
+
+function addSource(cube: PlainProject, ...sources: unknown[]): void {
+  Object.assign(cube.background ?? {}, { sources });
 }
 
 /** The cube as plain JSON, to be damaged. */
@@ -24,12 +28,36 @@ interface PlainProject {
   points: { id: unknown; at: unknown }[];
   lines: { points: unknown[] }[];
   patches: { loops: unknown[][] }[];
-  background?: { tetrahedra: unknown[] };
+  background?: { tetrahedra: unknown[]; sources?: unknown[]; overhang?: unknown };
 }
 
 function plainCube(): PlainProject {
   return JSON.parse(JSON.stringify(cubeProject())) as PlainProject;
 }
+
+const SOURCES = [
+  { id: 7, name: "tip", type: "point", places: [[0, 0, 0]], size: 0.1, distance: 0.05, growth: 0 },
+  {
+    id: 2,
+    type: "segment",
+    places: [
+      [0, 0, 0],
+      [0, 0, 1],
+    ],
+    size: 0.1,
+  },
+  {
+    id: 9,
+    type: "triangle",
+    places: [
+      [0, 0, 0],
+      [1, 0, 0],
+      [0, 1, 0],
+    ],
+    size: 0.2,
+    growth: 0.5,
+  },
+] as const satisfies readonly ProjectSource[];
 
 describe("a project that is whole", () => {
   test("comes back from its text as it was", () => {
@@ -46,6 +74,13 @@ describe("a project that is whole", () => {
   test("may leave the background grid out", () => {
     const { background: _, ...cube } = cubeProject();
     expect(parseProject(cube)).toMatchObject({ value: { background: { nodes: [], tetrahedra: [] } } });
+  });
+
+  test("keeps sources and the overhang of its grid, with defaults left out", () => {
+    const background = { ...cubeProject().background, sources: SOURCES, overhang: 0.25 };
+    const cube = { ...cubeProject(), background };
+    expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
+    expect(writeProject(cube)).toContain('\n      {"id":7,"name":"tip","type":"point",');
   });
 
   test("may begin with a byte order mark", () => {
@@ -98,6 +133,36 @@ describe("a project that is damaged is refused with the path of the damage:", ()
       (c) => c.background?.tetrahedra.push([1, 2, 3, 44]),
       "background.tetrahedra[5][3]",
       /no background node with the id 44/,
+    ],
+    [
+      "a source with a place too few",
+      (c) => addSource(c, { ...SOURCES[1], places: [[0, 0, 0]] }),
+      "background.sources[0].places",
+      /"segment" has 2 places, here are 1/,
+    ],
+    [
+      "a source with four places",
+      (c) => addSource(c, { ...SOURCES[2], places: [0, 1, 2, 3].map((x) => [x, 0, 0]) }),
+      "background.sources[0].places",
+      /3|big/i,
+    ],
+    [
+      "a source without a size",
+      (c) => addSource(c, { id: 1, type: "point", places: [[0, 0, 0]] }),
+      "background.sources[0].size",
+      /number/,
+    ],
+    [
+      "a source id used twice",
+      (c) => addSource(c, SOURCES[0], SOURCES[0]),
+      "background.sources[1].id",
+      /another source has the id 7/,
+    ],
+    [
+      "an overhang below 0",
+      (c) => Object.assign(c.background ?? {}, { overhang: -0.1 }),
+      "background.overhang",
+      />=0|small/i,
     ],
     ["an unknown field", (c) => (c["pionts"] = []), "", /pionts/],
     ["no lines", (c) => delete (c as Partial<PlainProject>).lines, "lines", /array/],
