@@ -112,6 +112,8 @@ class MeshRun::Impl {
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   [[nodiscard]] const SurfaceMesh& surface() const { return surface_; }
 
+  [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
+
   [[nodiscard]] VolumeMesh volume() const {
     if (finishedMesh_) return *finishedMesh_;
     return volumeMesher_ ? volumeMesher_->mesh() : VolumeMesh{};
@@ -272,6 +274,7 @@ class MeshRun::Impl {
     report(surfaceMesher_->diagnostics());
     if (status != MeshStatus::kDone || anyError(diagnostics_)) return fail();
     surface_ = surfaceMesher_->takeMesh();
+    patches_ = surfaceMesher_->patchSummaries();
     stage_ = Stage::kCheckBoundary;
   }
 
@@ -383,6 +386,7 @@ class MeshRun::Impl {
   Stage stage_ = Stage::kCheckModel;
   MeshStatus status_ = MeshStatus::kRunning;
   SurfaceMesh surface_;
+  std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
   std::optional<SizeOctreeBuilder> octreeBuilder_;
   std::optional<SurfaceMesher> surfaceMesher_;
@@ -419,6 +423,7 @@ Progress MeshRun::progress() const { return impl_->progress(); }
 const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
 const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
 VolumeMesh MeshRun::volume() const { return impl_->volume(); }
+const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
 QualitySummary MeshRun::quality() const { return impl_->quality(); }
 RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
 FrontCounters MeshRun::counters() const { return impl_->counters(); }

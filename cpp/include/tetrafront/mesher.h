@@ -48,6 +48,10 @@ class MeshRun {
   /// The boundary, oriented outward; complete from the end of Phase::kSurface on.
   [[nodiscard]] const SurfaceMesh& surface() const;
 
+  /// One summary per patch, in the model's order, from the end of Phase::kSurface on; none for a
+  /// given surface.
+  [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const;
+
   /// A copy of the mesh as it stands, complete or not. O(size of the mesh).
   [[nodiscard]] VolumeMesh volume() const;
 

@@ -109,6 +109,18 @@ struct QualitySummary {
   double volume = 0.0;  ///< sum over the tetrahedra
 };
 
+/// The triangulation of one patch of a drawn model.
+struct PatchSummary {
+  std::uint32_t patch = 0;  ///< position in Model::patches
+  std::uint32_t triangles = 0;
+  double minAngle = 0.0;         ///< degrees, in space
+  double meanRadiusRatio = 0.0;  ///< 2 x inradius / circumradius, 1 for the equilateral triangle
+  double meanEdge = 0.0;  ///< edge length over the wanted one, in the metric; 1 is as asked for
+  /// Largest distance, in model units, between a triangle and the true patch, sampled at the
+  /// triangles' centroids and the middles of their edges.
+  double chordDeviation = 0.0;
+};
+
 /// Live figures, cheap enough to be read after every slice.
 struct Progress {
   Phase phase = Phase::kCheck;

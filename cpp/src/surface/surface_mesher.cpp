@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surface/expected_count.h"
+#include "surface/patch_summary.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {
@@ -46,6 +47,7 @@ class SurfaceMesher::Impl {
   Phase phase = Phase::kSides;
   SurfaceMesh mesh;
   std::vector<Diagnostic> diagnostics;
+  std::vector<PatchSummary> patches;
 
  private:
   enum class Stage : std::uint8_t { kDivide, kNumber, kLayOut, kMesh, kDone, kFailed };
@@ -348,6 +350,7 @@ void SurfaceMesher::Impl::takePatch(std::uint32_t patch) {
     mesh.triangles.push_back(node < planar.boundaryCount ? planar.aliases[node]
                                                          : inner + (node - planar.boundaryCount));
   mesh.trianglePatch.insert(mesh.trianglePatch.end(), planar.triangles.size() / 3, patch);
+  patches.push_back(summarizePatch({surfaces_[patch], *field_}, planar, patch));
 }
 
 void SurfaceMesher::Impl::reportPatch(std::uint32_t patch) {
@@ -376,6 +379,7 @@ Phase SurfaceMesher::phase() const { return impl_->phase; }
 double SurfaceMesher::fraction() const { return impl_->fraction(); }
 const std::vector<Diagnostic>& SurfaceMesher::diagnostics() const { return impl_->diagnostics; }
 const SurfaceMesh& SurfaceMesher::mesh() const { return impl_->mesh; }
+const std::vector<PatchSummary>& SurfaceMesher::patchSummaries() const { return impl_->patches; }
 SurfaceMesh SurfaceMesher::takeMesh() { return std::move(impl_->mesh); }
 
 }  // namespace tetrafront

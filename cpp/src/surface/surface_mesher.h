@@ -42,6 +42,8 @@ class SurfaceMesher {
   /// yet. Complete after kDone.
   [[nodiscard]] const SurfaceMesh& mesh() const;
   [[nodiscard]] SurfaceMesh takeMesh();
+  /// Per patch, in the model's order. Complete after kDone.
+  [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const;
 
  private:
   class Impl;
