@@ -5,6 +5,8 @@ export interface GalleryModel {
   readonly id: string;
   readonly title: string;
   readonly blurb: string;
+  /** Models of one group stand together; the heading above them. */
+  readonly group: string;
   /** Relative to the page. */
   readonly file: string;
 }

@@ -1,0 +1,58 @@
+/** Background grids of few tetrahedra. */
+
+/**
+ * Prisms between sections of corresponding nodes, each of three tetrahedra. A section is a list of
+ * { at, size } (and stretching, direction); `triangles` are positions in it, ascending, so that
+ * neighbouring prisms cut their common side the same way.
+ */
+export const prisms = (builder, sections, triangles) => {
+  const ids = sections.map((section) => section.map(({ at, size, ...more }) => builder.node(at, size, more)));
+  for (let cell = 0; cell + 1 < ids.length; ++cell) {
+    const [low, high] = [ids[cell], ids[cell + 1]];
+    for (const [a, b, c] of triangles) {
+      builder.tetrahedron(low[a], low[b], low[c], high[c]);
+      builder.tetrahedron(low[a], low[b], high[b], high[c]);
+      builder.tetrahedron(low[a], high[a], high[b], high[c]);
+    }
+  }
+};
+
+/**
+ * A row of boxes along x, each of six tetrahedra. Every station is { x, size } (and stretching,
+ * direction); the boxes reach over the given ranges of y and z.
+ */
+export const boxRow = (builder, stations, [y0, y1], [z0, z1]) => {
+  const corners = [[y0, z0], [y1, z0], [y0, z1], [y1, z1]]; // prettier-ignore
+  const sections = stations.map(({ x, ...station }) =>
+    corners.map(([y, z]) => ({ ...station, at: [x, y, z] })),
+  );
+  prisms(builder, sections, [[0, 1, 3], [0, 2, 3]]); // prettier-ignore
+};
+
+/**
+ * Half a row of prisms along an axis at y = 0: every station is { x, z, inner, outer, reach }, the size
+ * on the axis, and the size `reach` away from it below, beside and above.
+ */
+export const halfPrismsAlongAxis = (builder, stations) => {
+  const sections = stations.map(({ x, z = 0, inner, outer, reach }) => [
+    { at: [x, 0, z], size: inner },
+    { at: [x, 0, z - reach], size: outer },
+    { at: [x, reach, z], size: outer },
+    { at: [x, 0, z + reach], size: outer },
+  ]);
+  prisms(builder, sections, [[0, 1, 2], [0, 2, 3]]); // prettier-ignore
+};
+
+/** One tetrahedron: four nodes { at, size }. */
+export const singleTetrahedron = (builder, nodes) => {
+  builder.tetrahedron(...nodes.map(({ at, size, ...more }) => builder.node(at, size, more)));
+};
+
+/** One tetrahedron of one size, its right corner below the origin of the first octant. */
+export const uniform = (builder, corner, reach, size) => {
+  const along = (k) => corner.map((c, i) => (i === k ? c + reach : c));
+  singleTetrahedron(
+    builder,
+    [corner, along(0), along(1), along(2)].map((at) => ({ at, size })),
+  );
+};

@@ -1,0 +1,125 @@
+const decimals = 6;
+const round = (value) => Number(value.toFixed(decimals)) + 0;
+const rounded = (at) => at.map(round);
+
+/** The same loop walked the other way: a patch is drawn counter-clockwise seen from outside. */
+export const turned = (loop) => loop.toReversed().map((step) => -step);
+
+/**
+ * Collects the entities of a project under running ids. Equal points and equal lines are made once,
+ * so that patches which meet share them. Coordinates are rounded: the files read well, and the result
+ * does not depend on the platform's sine.
+ */
+export class ProjectBuilder {
+  points = [];
+  lines = [];
+  patches = [];
+  nodes = [];
+  tetrahedra = [];
+  sources = [];
+  #pointOf = new Map();
+  #lineOf = new Map();
+
+  point(at, name) {
+    const place = rounded(at);
+    const key = place.join(" ");
+    let id = this.#pointOf.get(key);
+    if (id === undefined) {
+      id = this.points.length + 1;
+      this.#pointOf.set(key, id);
+      this.points.push({ id, ...(name && { name }), at: place });
+    }
+    return id;
+  }
+
+  /** The id of the line through these places, negative if it was drawn the other way round. */
+  line(type, places, name) {
+    const ids = places.map((at) => this.point(at));
+    const forward = this.#lineOf.get(ids.join(" "));
+    if (forward !== undefined) return forward;
+    const backward = this.#lineOf.get(ids.toReversed().join(" "));
+    if (backward !== undefined) return -backward;
+    const id = this.lines.length + 1;
+    this.#lineOf.set(ids.join(" "), id);
+    this.lines.push({ id, ...(name && { name }), type, points: ids });
+    return id;
+  }
+
+  straight(from, to, name) {
+    return this.line("straight", [from, to], name);
+  }
+
+  spline(places, name) {
+    return this.line("spline", places, name);
+  }
+
+  parabola(from, middle, to, name) {
+    return this.line("parabolic", [from, middle, to], name);
+  }
+
+  /** The straight lines around a polygon, closed. */
+  polygon(places, label) {
+    return places.map((at, i) =>
+      this.straight(at, places[(i + 1) % places.length], label && `${label} ${i + 1}`),
+    );
+  }
+
+  patch(type, name, ...loops) {
+    this.patches.push({ id: this.patches.length + 1, name, type, loops });
+  }
+
+  planar(name, ...loops) {
+    this.patch("planar", name, ...loops);
+  }
+
+  coons(name, ...loops) {
+    this.patch("coons", name, ...loops);
+  }
+
+  /** A node of the background grid; `more` may give its stretching and direction. */
+  node(at, size, more = {}) {
+    const id = this.nodes.length + 1;
+    this.nodes.push({ id, at: rounded(at), size: round(size), ...more });
+    return id;
+  }
+
+  tetrahedron(...nodes) {
+    this.tetrahedra.push(nodes);
+  }
+
+  /** A source of size at one, two or three places (a point, a segment, a triangle). */
+  source(name, places, size, more = {}) {
+    const type = ["point", "segment", "triangle"][places.length - 1];
+    this.sources.push({
+      id: this.sources.length + 1,
+      name,
+      type,
+      places: places.map(rounded),
+      size: round(size),
+      ...more,
+    });
+  }
+
+  /** The project file, one entity per row. */
+  toText(name, description) {
+    const row = (entity) => `    ${JSON.stringify(entity)}`;
+    const list = (entities) => `[\n${entities.map(row).join(",\n")}\n  ]`;
+    const inner = (entities) => list(entities).replaceAll("\n", "\n  ");
+    const sources = this.sources.length > 0 ? `,\n    "sources": ${inner(this.sources)}` : "";
+    return `{
+  "format": "tetrafront-project",
+  "version": 1,
+  "name": ${JSON.stringify(name)},
+  "description": ${JSON.stringify(description)},
+  "units": "m",
+  "points": ${list(this.points)},
+  "lines": ${list(this.lines)},
+  "patches": ${list(this.patches)},
+  "background": {
+    "nodes": ${inner(this.nodes)},
+    "tetrahedra": ${inner(this.tetrahedra)}${sources}
+  }
+}
+`;
+  }
+}
