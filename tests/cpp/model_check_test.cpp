@@ -143,15 +143,16 @@ TEST(ModelCheck, WrongLineCount) {
   EXPECT_EQ(fault.values, (std::vector<double>{0.0, 1.0}));
 }
 
-TEST(ModelCheck, WrongLineTypeAndUnsupportedPatchType) {
+TEST(ModelCheck, WrongLineTypeNamesPatchAndLine) {
   Model model = polygonModel({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   model.patches.front().type = PatchType::kIsoparametricTriangle;
-  const std::vector<DiagnosticCode> codes = codesOf(model);
-  EXPECT_EQ(std::ranges::count(codes, DiagnosticCode::kWrongLineType), 3);
-  EXPECT_EQ(std::ranges::count(codes, DiagnosticCode::kPatchTypeNotSupported), 1);
-
-  model.patches.front().type = PatchType::kBarnhillGregoryNielson;
-  EXPECT_EQ(codesOf(model), std::vector{DiagnosticCode::kPatchTypeNotSupported});
+  const std::vector<Diagnostic> found = checkModel(model);
+  ASSERT_EQ(found.size(), 3U);
+  for (std::uint32_t line = 0; line < 3; ++line) {
+    EXPECT_EQ(found[line].code, DiagnosticCode::kWrongLineType);
+    EXPECT_TRUE(names(found[line], EntityKind::kPatch, 0));
+    EXPECT_TRUE(names(found[line], EntityKind::kLine, line));
+  }
 }
 
 TEST(ModelCheck, LoopNotClosedNamesPatchLineAndPoint) {
@@ -271,9 +272,8 @@ TEST(ModelCheck, ReportsAllFaultsAtOnce) {
   model.lines[0].type = LineType::kCubicSpline;
   model.patches[5].type = PatchType::kSerendipity;
   const std::vector<DiagnosticCode> codes = codesOf(model);
-  for (const DiagnosticCode code :
-       {DiagnosticCode::kNotFinite, DiagnosticCode::kWrongPointCount,
-        DiagnosticCode::kPatchTypeNotSupported, DiagnosticCode::kWrongLineType})
+  for (const DiagnosticCode code : {DiagnosticCode::kNotFinite, DiagnosticCode::kWrongPointCount,
+                                    DiagnosticCode::kWrongLineType})
     EXPECT_NE(std::ranges::find(codes, code), codes.end()) << static_cast<int>(code);
 }
 

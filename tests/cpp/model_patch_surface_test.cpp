@@ -16,9 +16,7 @@ namespace {
 constexpr double kBend = 0.3;
 
 CoonsSurface coonsOf(const ResolvedModel& model) {
-  const Loop& loop = model.model().patches.front().loops.front();
-  return CoonsSurface({model.curve(loop[0]), model.curve(loop[1]), model.curve(loop[2]).reverse(),
-                       model.curve(loop[3]).reverse()});
+  return CoonsSurface(curvesOf(model, model.model().patches.front().loops.front()));
 }
 
 TEST(ModelStretchedPlane, InverseUndoesTheMapping) {
@@ -79,7 +77,7 @@ TEST(ModelCoons, ReproducesItsFourLines) {
       const std::array<Vec2, 4> unit{Vec2(t, 0), Vec2(1, t), Vec2(1 - t, 1), Vec2(0, 1 - t)};
       for (std::size_t i = 0; i < 4; ++i) {
         const Vec3 onLine = resolved.curve(loop[i]).position(t);
-        EXPECT_LT(glm::length(surface.evaluateUnit(unit[i]).position - onLine), 1e-13 * 4.0)
+        EXPECT_LT(glm::length(surface.evaluate(unit[i]).position - onLine), 1e-13 * 4.0)
             << "seed " << seed << " line " << i << " t " << t;
       }
     }
@@ -92,7 +90,7 @@ TEST(ModelCoons, TangentsAreTheLimitOfDifferences) {
     const Model model = randomCoonsModel(seed, kBend);
     const ResolvedModel resolved(model);
     const PatchSurface surface(resolved, model.patches.front());
-    const Vec2 at = surface.coons()->stretchedPlane().toPlane({0.37, 0.61});
+    const Vec2 at = surface.mapped()->stretchedPlane().toPlane({0.37, 0.61});
     const SurfacePoint here = surface.evaluate(at);
     const auto difference = [&](const Vec2& step) {
       return (surface.evaluate(at + step).position - surface.evaluate(at - step).position) /
@@ -120,8 +118,8 @@ TEST(ModelCoons, FollowsAffineMaps) {
     const ResolvedModel resolved(model);
     const ResolvedModel resolvedImage(image);
     const Vec2 unit(0.3, 0.8);
-    const Vec3 expected = transform(coonsOf(resolved).evaluateUnit(unit).position);
-    EXPECT_LT(glm::length(coonsOf(resolvedImage).evaluateUnit(unit).position - expected), 1e-12);
+    const Vec3 expected = transform(coonsOf(resolved).evaluate(unit).position);
+    EXPECT_LT(glm::length(coonsOf(resolvedImage).evaluate(unit).position - expected), 1e-12);
   }
 }
 
@@ -132,7 +130,7 @@ TEST(ModelCoons, OfAParallelogramIsTheParallelogram) {
   const Vec3 v(0, 1, 1);
   builder.patch(PatchType::kCoons, {builder.polygon({a, a + u, a + u + v, a + v})});
   const ResolvedModel resolved(builder.model);
-  const SurfacePoint point = coonsOf(resolved).evaluateUnit({0.25, 0.5});
+  const SurfacePoint point = coonsOf(resolved).evaluate({0.25, 0.5});
   EXPECT_LT(glm::length(point.position - (a + 0.25 * u + 0.5 * v)), 1e-14);
   EXPECT_LT(glm::length(point.alongXi - u), 1e-14);
   EXPECT_LT(glm::length(point.alongEta - v), 1e-14);

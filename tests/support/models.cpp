@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "support/random.h"
@@ -48,10 +49,12 @@ std::vector<Vec2> starPolygon(Random& random, const Vec2& centre, double low, do
   return polygon;
 }
 
-/// A line from a to b, bent at random.
+/// A line from a to b, bent at random; of a type that the patch type accepts.
 std::vector<Vec3> randomLine(Random& random, const Vec3& a, const Vec3& b, double bend,
-                             LineType& type) {
-  type = static_cast<LineType>(random.integer(0, 2));
+                             PatchType patch, LineType& type) {
+  const bool parabolic =
+      patch == PatchType::kIsoparametricTriangle || patch == PatchType::kSerendipity;
+  type = parabolic ? LineType::kParabolic : static_cast<LineType>(random.integer(0, 2));
   const int inner = type == LineType::kStraight    ? 0
                     : type == LineType::kParabolic ? 1
                                                    : random.integer(2, 4);
@@ -61,6 +64,56 @@ std::vector<Vec3> randomLine(Random& random, const Vec3& a, const Vec3& b, doubl
                      random.inBox(bend / (inner == 1 ? 1 : 2)));
   places.push_back(b);
   return places;
+}
+
+/// One patch over a polygon; each line drawn either way.
+Model randomPatchOver(Random& random, std::span<const Vec3> corners, double bend, PatchType patch) {
+  ModelBuilder builder;
+  Loop loop;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    LineType type{};
+    std::vector<Vec3> places =
+        randomLine(random, corners[i], corners[(i + 1) % corners.size()], bend, patch, type);
+    const bool reversed = random.coin();
+    if (reversed) std::ranges::reverse(places);
+    loop.push_back({builder.line(type, places), reversed});
+  }
+  builder.patch(patch, {loop});
+  return builder.model;
+}
+
+Model randomQuadrilateral(PatchType type, std::uint64_t seed, double bend) {
+  Random random(seed);
+  const double width = random.between(0.7, 3.0);
+  const double taper = random.between(0.4, 1.6);
+  const std::array<Vec3, 4> corners{random.inBox(bend), Vec3(width, 0, 0) + random.inBox(bend),
+                                    Vec3(0.5 * width * (1 + taper), 1, 0) + random.inBox(bend),
+                                    Vec3(0.5 * width * (1 - taper), 1, 0) + random.inBox(bend)};
+  return randomPatchOver(random, corners, bend, type);
+}
+
+/// A body of one patch per face; faces share the lines between their corners.
+Model randomBody(Random& random, std::span<const Vec3> corners,
+                 std::span<const std::vector<int>> faces, double bend, PatchType patch) {
+  ModelBuilder builder;
+  std::map<std::pair<int, int>, std::uint32_t> lines;
+  const auto join = [&](int from, int to) {
+    const std::pair<int, int> ends = std::minmax(from, to);
+    const auto known = lines.find(ends);
+    if (known != lines.end()) return OrientedLine{known->second, from > to};
+    LineType type{};
+    const std::vector<Vec3> places =
+        randomLine(random, corners[ends.first], corners[ends.second], bend, patch, type);
+    lines[ends] = builder.line(type, places);
+    return OrientedLine{lines[ends], from > to};
+  };
+  for (const std::vector<int>& face : faces) {
+    Loop loop;
+    for (std::size_t k = 0; k < face.size(); ++k)
+      loop.push_back(join(face[k], face[(k + 1) % face.size()]));
+    builder.patch(patch, {loop});
+  }
+  return builder.model;
 }
 
 }  // namespace
@@ -132,23 +185,22 @@ std::vector<Vec3> squareCorners(const Vec3& corner, double edge) {
 }
 
 Model randomCoonsModel(std::uint64_t seed, double bend) {
+  return randomQuadrilateral(PatchType::kCoons, seed, bend);
+}
+
+Model randomTriangleModel(PatchType type, std::uint64_t seed, double bend) {
   Random random(seed);
-  const double width = random.between(0.7, 3.0);
-  const double taper = random.between(0.4, 1.6);
-  const std::array<Vec3, 4> corners{random.inBox(bend), Vec3(width, 0, 0) + random.inBox(bend),
-                                    Vec3(0.5 * width * (1 + taper), 1, 0) + random.inBox(bend),
-                                    Vec3(0.5 * width * (1 - taper), 1, 0) + random.inBox(bend)};
-  ModelBuilder builder;
-  Loop loop;
-  for (std::size_t i = 0; i < 4; ++i) {
-    LineType type{};
-    std::vector<Vec3> places = randomLine(random, corners[i], corners[(i + 1) % 4], bend, type);
-    const bool reversed = random.coin();
-    if (reversed) std::ranges::reverse(places);
-    loop.push_back({builder.line(type, places), reversed});
-  }
-  builder.patch(PatchType::kCoons, {loop});
-  return builder.model;
+  const double width = random.between(0.7, 2.0);
+  const std::array<Vec3, 3> corners{
+      random.inBox(bend), Vec3(width, 0, 0) + random.inBox(bend),
+      Vec3(width * random.between(-0.2, 1.2), random.between(0.7, 1.5), 0) + random.inBox(bend)};
+  return randomPatchOver(random, corners, bend, type);
+}
+
+Model randomCurvedModel(PatchType type, std::uint64_t seed, double bend) {
+  const bool triangle =
+      type == PatchType::kIsoparametricTriangle || type == PatchType::kBarnhillGregoryNielson;
+  return triangle ? randomTriangleModel(type, seed, bend) : randomQuadrilateral(type, seed, bend);
 }
 
 Model randomPolygonModel(std::uint64_t seed, double& area) {
@@ -189,32 +241,24 @@ Model boxModel(const Vec3& low, const Vec3& high) {
   return builder.model;
 }
 
-Model randomBentBox(std::uint64_t seed, double bend) {
+Model randomBentBox(std::uint64_t seed, double bend, PatchType type) {
   Random random(seed);
   const Vec3 edges(random.between(0.6, 2), random.between(0.6, 2), random.between(0.6, 2));
   std::array<Vec3, 8> corners;
   for (int i = 0; i < 8; ++i)
     corners[i] = edges * Vec3(i & 1, (i >> 1) & 1, (i >> 2) & 1) + random.inBox(bend);
-  ModelBuilder builder;
-  std::map<std::pair<int, int>, std::uint32_t> lines;
-  const auto join = [&](int from, int to) {
-    const std::pair<int, int> ends = std::minmax(from, to);
-    const auto known = lines.find(ends);
-    if (known != lines.end()) return OrientedLine{known->second, from > to};
-    LineType type{};
-    const std::vector<Vec3> places =
-        randomLine(random, corners[ends.first], corners[ends.second], 0.5 * bend, type);
-    lines[ends] = builder.line(type, places);
-    return OrientedLine{lines[ends], from > to};
-  };
-  const std::array<std::array<int, 4>, 6> faces{
+  const std::array<std::vector<int>, 6> faces{
       {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}}};
-  for (const std::array<int, 4>& face : faces) {
-    Loop loop;
-    for (std::size_t k = 0; k < 4; ++k) loop.push_back(join(face[k], face[(k + 1) % 4]));
-    builder.patch(PatchType::kCoons, {loop});
-  }
-  return builder.model;
+  return randomBody(random, corners, faces, 0.5 * bend, type);
+}
+
+Model randomBentTetrahedron(std::uint64_t seed, double bend, PatchType type) {
+  Random random(seed);
+  std::array<Vec3, 4> corners{Vec3(0, 0, 0), Vec3(1.6, 0, 0), Vec3(0.7, 1.4, 0),
+                              Vec3(0.8, 0.5, 1.3)};
+  for (Vec3& corner : corners) corner += random.inBox(bend);
+  const std::array<std::vector<int>, 4> faces{{{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {3, 2, 0}}};
+  return randomBody(random, corners, faces, bend, type);
 }
 
 Model seamedTube(double radius, double height) {

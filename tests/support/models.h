@@ -40,6 +40,12 @@ std::vector<Vec3> squareCorners(const Vec3& corner, double edge);
 /// twisted by up to `bend`; which, the seed decides.
 Model randomCoonsModel(std::uint64_t seed, double bend);
 
+/// A triangular patch of either type, likewise; the lines of an isoparametric one are parabolic.
+Model randomTriangleModel(PatchType type, std::uint64_t seed, double bend);
+
+/// A patch of any type but planar; as randomCoonsModel() and randomTriangleModel().
+Model randomCurvedModel(PatchType type, std::uint64_t seed, double bend);
+
 /// A planar patch in a random plane: a star-shaped polygon of mean radius 1 with up to four
 /// polygonal holes. `area` receives its area.
 Model randomPolygonModel(std::uint64_t seed, double& area);
@@ -47,9 +53,12 @@ Model randomPolygonModel(std::uint64_t seed, double& area);
 /// The box of six planar patches that share twelve lines; some lines and loops run backward.
 Model boxModel(const Vec3& low, const Vec3& high);
 
-/// A box of six Coons patches whose corners are moved and whose twelve lines, of random types,
-/// are bent by up to `bend`.
-Model randomBentBox(std::uint64_t seed, double bend);
+/// A box of six Coons, or serendipity, patches whose corners are moved and whose twelve lines, of
+/// random types, or parabolic, are bent by up to `bend`.
+Model randomBentBox(std::uint64_t seed, double bend, PatchType type = PatchType::kCoons);
+
+/// A tetrahedron of four triangular patches of either type, likewise.
+Model randomBentTetrahedron(std::uint64_t seed, double bend, PatchType type);
 
 /// The side of a tube, one Coons patch between two circles of one spline each, with a seam.
 Model seamedTube(double radius, double height);

@@ -14,7 +14,6 @@ export const ENGINE_CODES = {
   8: "loop-touches-itself",
   9: "not-planar",
   10: "holes-not-supported",
-  11: "patch-type-not-supported",
   12: "empty-model",
   13: "degenerate-patch",
   14: "hole-outside",

@@ -93,8 +93,9 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Change the patch's type, or join or split lines until the number fits.",
   },
   "wrong-line-type": {
-    message: ({ the }) => `${the("patch")} does not accept the type of ${the("line")}`,
-    remedy: "Change the type of the line or of the patch.",
+    message: ({ the }) => `${the("patch")} takes parabolic lines only, and ${the("line")} is not`,
+    remedy:
+      "Make the line parabolic, with the point it passes at its middle (the mid-point keeps a straight line straight), or give the patch a type that takes any line.",
   },
   "loop-not-closed": {
     message: ({ the, at }) => `A loop of ${the("patch")} is not closed: it breaks after ${the("line")}${at}`,
@@ -112,10 +113,6 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   "holes-not-supported": {
     message: ({ the }) => `${the("patch")} has holes, which its type does not allow`,
     remedy: "Make the patch planar, or draw several patches around the hole.",
-  },
-  "patch-type-not-supported": {
-    message: ({ the }) => `${the("patch")} is of a type that cannot be meshed yet`,
-    remedy: "Use a planar or a Coons patch.",
   },
   "empty-model": {
     message: () => "There is nothing to mesh: the model has no surface",

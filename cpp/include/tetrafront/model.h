@@ -18,13 +18,17 @@ enum class LineType : std::uint8_t {
   kCubicSpline = 2,  ///< four or more points, all passed, chord-length parameter, natural ends
 };
 
-/// How a patch spans the lines of its loops.
+/// How a patch spans the lines of its loops (Löhner & Parikh 1988, appendix). All but the planar
+/// one take a single loop; its lines are F1, F2, ... in the order in which the loop walks them.
 enum class PatchType : std::uint8_t {
-  kPlanar = 0,                  ///< any number of lines and holes, all in one plane (eq. 8-10)
-  kIsoparametricTriangle = 1,   ///< three parabolic lines (eq. 11, 12)
-  kSerendipity = 2,             ///< four parabolic lines (eq. 13)
-  kBarnhillGregoryNielson = 3,  ///< three lines of any type (eq. 14)
-  kCoons = 4,                   ///< four lines of any type (eq. 15)
+  kPlanar = 0,                 ///< any number of lines and holes, all in one plane (eq. 8-10)
+  kIsoparametricTriangle = 1,  ///< three parabolic lines (eq. 11, 12)
+  kSerendipity = 2,            ///< four parabolic lines (eq. 13)
+  /// Three lines of any type (eq. 14). The loop's second line, F2, plays another role than the
+  /// other two: which line the loop begins with changes the surface between the lines, though not
+  /// along them. Take for F2 the line that differs from the others, say the base of a fan.
+  kBarnhillGregoryNielson = 3,
+  kCoons = 4,  ///< four lines of any type (eq. 15)
 };
 
 struct Line {

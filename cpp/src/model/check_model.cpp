@@ -23,23 +23,22 @@ struct PatchRule {
   std::uint32_t lines;  ///< 0: any number
   bool parabolicOnly;
   bool holes;
-  bool supported;
 };
 
 PatchRule ruleOf(PatchType type) {
   switch (type) {
     case PatchType::kPlanar:
-      return {0, false, true, true};
+      return {0, false, true};
     case PatchType::kIsoparametricTriangle:
-      return {3, true, false, false};
+      return {3, true, false};
     case PatchType::kSerendipity:
-      return {4, true, false, false};
+      return {4, true, false};
     case PatchType::kBarnhillGregoryNielson:
-      return {3, false, false, false};
+      return {3, false, false};
     case PatchType::kCoons:
       break;
   }
-  return {4, false, false, true};
+  return {4, false, false};
 }
 
 class ModelCheck {
@@ -154,9 +153,7 @@ class ModelCheck {
     const Patch& drawn = model_->patches[patch];
     if (!checkLineNumbers(patch)) return false;
     const PatchRule rule = ruleOf(drawn.type);
-    if (!rule.supported)
-      report(DiagnosticCode::kPatchTypeNotSupported, {{EntityKind::kPatch, patch}});
-    bool sound = checkLoops(patch, rule) && rule.supported;
+    bool sound = checkLoops(patch, rule);
     if (!rule.holes && drawn.loops.size() > 1)
       report(DiagnosticCode::kHolesNotSupported, {{EntityKind::kPatch, patch}});
     sound = checkChains(patch) && sound;

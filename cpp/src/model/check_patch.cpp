@@ -1,11 +1,11 @@
 #include "model/check_patch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "model/check_fold.h"
 #include "model/check_loops.h"
 #include "model/patch_surface.h"
 
@@ -13,18 +13,11 @@ namespace tetrafront {
 
 namespace {
 
-/// A patch of less area than this share of its squared extent has none.
-constexpr double kLeastArea = 1e-9;
 /// Samples per curved line when looking for lines off the plane.
 constexpr std::uint32_t kPlaneSamples = 16;
-/// Cells per direction of a Coons patch whose normals are compared.
-constexpr int kFoldCells = 16;
-/// A normal shorter than this share of the longest belongs to a degenerate corner, where it
-/// points anywhere.
-constexpr double kLeastNormal = 1e-6;
-/// A turn of the normal by more than 90 degrees that persists between parameters this many times
-/// halved is a fold and not a bend.
-constexpr int kFoldHalvings = 24;
+/// The mid-point of an isoparametric patch's line must lie beside the chord's middle half; nearer
+/// to one end, a straight line would run back over itself.
+constexpr double kMidPointMargin = 0.25;
 
 class PatchCheck {
  public:
@@ -34,7 +27,7 @@ class PatchCheck {
         drawn_(&model.model().patches[patch]),
         diagnostics_(&diagnostics) {}
 
-  bool run() { return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCoons(); }
+  bool run() { return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCurved(); }
 
  private:
   void report(DiagnosticCode code, const std::vector<std::uint32_t>& lines,
@@ -132,90 +125,68 @@ class PatchCheck {
              surface.evaluate(loops[*hole].points.front()).position);
   }
 
-  // ---- Coons -----------------------------------------------------------------------------------
+  // ---- curved ----------------------------------------------------------------------------------
 
-  bool checkCoons() {
-    if (!checkCorners()) return false;
+  bool checkCurved() {
+    if (!checkSeams() || !checkCorners()) return false;
+    const UnitSurface surface(drawn_->type, curvesOf(*model_, drawn_->loops.front()));
+    const FoldSearch search = isIsoparametric() ? FoldSearch::kUpToEdges : FoldSearch::kInside;
+    const std::optional<SurfaceFault> fault = findSurfaceFault(surface, search, extent());
+    if (!fault) return true;
+    report(DiagnosticCode::kDegeneratePatch, offCentreLines(), fault->place);
+    return !fault->hasNoArea;
+  }
+
+  [[nodiscard]] bool isIsoparametric() const {
+    return drawn_->type == PatchType::kIsoparametricTriangle ||
+           drawn_->type == PatchType::kSerendipity;
+  }
+
+  /// Of an isoparametric patch, the lines whose mid-points are too near one end.
+  [[nodiscard]] std::vector<std::uint32_t> offCentreLines() const {
+    std::vector<std::uint32_t> lines;
+    if (!isIsoparametric()) return lines;
+    for (const OrientedLine& line : drawn_->loops.front()) {
+      const std::span<const Vec3> points = model_->curve(line.line).points();
+      const Vec3 chord = points[2] - points[0];
+      const double foot = glm::dot(points[1] - points[0], chord) / glm::dot(chord, chord);
+      if (foot < kMidPointMargin || foot > 1.0 - kMidPointMargin) lines.push_back(line.line);
+    }
+    return lines;
+  }
+
+  /// A line used twice only as a seam, walked both ways: by opposite lines of a quadrilateral (a
+  /// tube has one) or by any two of a triangle (a cone).
+  bool checkSeams() {
     const Loop& loop = drawn_->loops.front();
-    const CoonsSurface surface({model_->curve(loop[0]), model_->curve(loop[1]),
-                                model_->curve(loop[2]).reverse(),
-                                model_->curve(loop[3]).reverse()});
-    const auto centre = [](int cell) { return (cell + 0.5) / kFoldCells; };
-    std::array<std::array<Vec3, kFoldCells>, kFoldCells> normals;
-    double longest = 0.0;
-    for (int j = 0; j < kFoldCells; ++j) {
-      for (int i = 0; i < kFoldCells; ++i) {
-        normals[j][i] = normalAt(surface, {centre(i), centre(j)});
-        longest = std::max(longest, glm::length(normals[j][i]));
-      }
-    }
-    const double size = extent();
-    if (!(longest > kLeastArea * size * size)) {
-      report(DiagnosticCode::kDegeneratePatch, {}, surface.evaluateUnit({0.5, 0.5}).position);
-      return false;
-    }
-    leastNormal_ = kLeastNormal * longest;
-    for (int j = 0; j < kFoldCells; ++j) {
-      for (int i = 0; i < kFoldCells; ++i) {
-        const Vec2 here(centre(i), centre(j));
-        if ((i + 1 < kFoldCells && foldsBetween(surface, here, {centre(i + 1), centre(j)})) ||
-            (j + 1 < kFoldCells && foldsBetween(surface, here, {centre(i), centre(j + 1)}))) {
-          report(DiagnosticCode::kDegeneratePatch, {}, surface.evaluateUnit(here).position);
-          return true;
-        }
-      }
-    }
-    return true;
-  }
-
-  static Vec3 normalAt(const CoonsSurface& surface, const Vec2& unit) {
-    const SurfacePoint point = surface.evaluateUnit(unit);
-    return glm::cross(point.alongXi, point.alongEta);
-  }
-
-  /// True if the normal turns by more than 90 degrees from one parameter to the other, however
-  /// near each other these are.
-  [[nodiscard]] bool foldsBetween(const CoonsSurface& surface, Vec2 from, Vec2 to) const {
-    Vec3 normalFrom = normalAt(surface, from);
-    Vec3 normalTo = normalAt(surface, to);
-    if (glm::length(normalFrom) < leastNormal_ || glm::length(normalTo) < leastNormal_)
-      return false;
-    for (int halving = 0; halving < kFoldHalvings; ++halving) {
-      if (glm::dot(normalFrom, normalTo) >= 0.0) return false;
-      const Vec2 middle = 0.5 * (from + to);
-      const Vec3 normal = normalAt(surface, middle);
-      // A bend keeps its area; a fold has none where it turns.
-      if (glm::length(normal) < leastNormal_) return true;
-      if (glm::dot(normalFrom, normal) < 0.0) {
-        to = middle;
-        normalTo = normal;
-      } else {
-        from = middle;
-        normalFrom = normal;
-      }
-    }
-    return true;
-  }
-
-  /// Opposite corners apart; a line used twice only as a seam, walked both ways by opposite lines
-  /// of the loop (a tube has one).
-  bool checkCorners() {
-    const Loop& loop = drawn_->loops.front();
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t k = i + 1; k < 4; ++k) {
-        const bool seam = k == i + 2 && loop[i].reversed != loop[k].reversed;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      for (std::size_t k = i + 1; k < loop.size(); ++k) {
+        const bool apart = loop.size() == 3 || k == i + 2;
+        const bool seam = apart && loop[i].reversed != loop[k].reversed;
         if (loop[i].line != loop[k].line || seam) continue;
         report(DiagnosticCode::kLoopTouchesItself, {loop[i].line},
                model_->curve(loop[i].line).start());
         return false;
       }
     }
-    for (std::size_t i = 0; i < 2; ++i) {
-      if (model_->startPoint(loop[i]) != model_->startPoint(loop[i + 2])) continue;
-      report(DiagnosticCode::kLoopTouchesItself, {loop[i].line, loop[i + 2].line},
-             model_->curve(loop[i]).start());
+    return true;
+  }
+
+  /// Opposite corners of a quadrilateral apart; not all corners of a triangle at one point.
+  bool checkCorners() {
+    const Loop& loop = drawn_->loops.front();
+    const auto corner = [&](std::size_t i) { return model_->startPoint(loop[i]); };
+    const auto fail = [&](std::size_t first, std::size_t second) {
+      report(DiagnosticCode::kLoopTouchesItself, {loop[first].line, loop[second].line},
+             model_->curve(loop[first]).start());
       return false;
+    };
+    if (loop.size() == 3) {
+      const bool allOne = corner(0) == corner(1) && corner(1) == corner(2);
+      return !allOne || fail(0, 1);
     }
+    for (std::size_t i = 0; i < 2; ++i)
+      if (corner(i) == corner(i + 2)) return fail(i, i + 2);
     return true;
   }
 
@@ -223,7 +194,6 @@ class PatchCheck {
   std::uint32_t patch_;
   const Patch* drawn_;
   std::vector<Diagnostic>* diagnostics_;
-  double leastNormal_ = 0.0;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "model/patch_surface.h"
 
+#include <algorithm>
+
 namespace tetrafront {
 
 namespace {
@@ -10,67 +12,34 @@ constexpr std::uint32_t kPlaneSamples = 16;
 
 }  // namespace
 
-// ---- planar ------------------------------------------------------------------------------------
+// ---- curved ------------------------------------------------------------------------------------
 
-PlanarSurface::PlanarSurface(const Vec3& origin, const Vec3& normal, const Vec3& firstDirection)
-    : origin_(origin), normal_(glm::normalize(normal)) {
-  first_ = glm::normalize(firstDirection - glm::dot(firstDirection, normal_) * normal_);
-  second_ = glm::cross(normal_, first_);
+MappedSurface::MappedSurface(PatchType type, std::span<const OrientedCurve> loop)
+    : surface_(type, loop) {
+  if (surface_.shape() == UnitShape::kTriangle) {
+    plane_ = StretchedPlane::ofTriangle(loop[0].length(), loop[2].length(), loop[1].length());
+    return;
+  }
+  const SurfacePoint corner = surface_.evaluate({0.0, 0.0});
+  plane_ = StretchedPlane(loop[0].length(), loop[3].length(), loop[2].length(), corner.alongXi,
+                          corner.alongEta);
 }
 
-SurfacePoint PlanarSurface::evaluate(const Vec2& plane) const {
-  return {origin_ + (plane.x * first_ + plane.y * second_), first_, second_};
-}
-
-Vec2 PlanarSurface::project(const Vec3& place) const {
-  const Vec3 offset = place - origin_;
-  return {glm::dot(first_, offset), glm::dot(second_, offset)};
-}
-
-double PlanarSurface::distance(const Vec3& place) const {
-  return glm::dot(normal_, place - origin_);
-}
-
-// ---- Coons -------------------------------------------------------------------------------------
-
-CoonsSurface::CoonsSurface(const std::array<OrientedCurve, 4>& lines) : lines_(lines) {
-  const SurfacePoint corner = evaluateUnit({0.0, 0.0});
-  plane_ = StretchedPlane(lines_[0].length(), lines_[3].length(), lines_[2].length(),
-                          corner.alongXi, corner.alongEta);
-}
-
-SurfacePoint CoonsSurface::evaluateUnit(const Vec2& unit) const {
-  const double xi = unit.x;
-  const double eta = unit.y;
-  const Curve::Sample f1 = lines_[0].sample(xi);
-  const Curve::Sample f2 = lines_[1].sample(eta);
-  const Curve::Sample f3 = lines_[2].sample(xi);
-  const Curve::Sample f4 = lines_[3].sample(eta);
-  const Vec3& a = lines_[0].start();
-  const Vec3& b = lines_[1].start();
-  const Vec3& c = lines_[1].end();
-  const Vec3& d = lines_[2].start();
-  const double xi1 = 1.0 - xi;
-  const double eta1 = 1.0 - eta;
-
-  SurfacePoint result;
-  result.position =
-      ((eta1 * f1.position + eta * f3.position) + (xi * f2.position + xi1 * f4.position)) -
-      ((xi1 * eta1) * a + (xi * eta1) * b + (xi * eta) * c + (eta * xi1) * d);
-  result.alongXi = ((eta1 * f1.derivative + eta * f3.derivative) + (f2.position - f4.position)) -
-                   (eta1 * (b - a) + eta * (c - d));
-  result.alongEta = ((f3.position - f1.position) + (xi * f2.derivative + xi1 * f4.derivative)) -
-                    (xi1 * (d - a) + xi * (c - b));
-  return result;
-}
-
-SurfacePoint CoonsSurface::evaluate(const Vec2& plane) const {
+SurfacePoint MappedSurface::evaluate(const Vec2& plane) const {
   const Vec2 unit = plane_.toUnit(plane);
-  SurfacePoint result = evaluateUnit(unit);
+  SurfacePoint result = surface_.evaluate(unit);
   const StretchedPlane::Derivatives chain = plane_.derivatives(unit);
   result.alongEta = chain.xiByEta * result.alongXi + chain.etaByEta * result.alongEta;
   result.alongXi = chain.xiByXi * result.alongXi;
   return result;
+}
+
+Vec2 MappedSurface::clamped(const Vec2& plane) const {
+  // Eta first: at a height outside the domain, xi would have no meaning.
+  const Vec2 inside(plane.x, std::clamp(plane.y, 0.0, plane_.toPlane({0.0, 1.0}).y));
+  const Vec2 unit = plane_.toUnit(inside);
+  const Vec2 nearest = clampedToUnit(surface_.shape(), unit);
+  return nearest == unit ? inside : plane_.toPlane(nearest);
 }
 
 // ---- any patch ---------------------------------------------------------------------------------
@@ -85,18 +54,14 @@ PatchSurface::PatchSurface(const ResolvedModel& model, const Patch& patch)
 
 PatchSurface::Surface PatchSurface::makeSurface(const ResolvedModel& model, const Patch& patch) {
   const Loop& outer = patch.loops.front();
-  if (patch.type == PatchType::kCoons) {
-    // The loop walks A B C D A; eq. (15) wants its third and fourth line the other way round.
-    return CoonsSurface({model.curve(outer[0]), model.curve(outer[1]),
-                         model.curve(outer[2]).reverse(), model.curve(outer[3]).reverse()});
-  }
+  if (patch.type != PatchType::kPlanar) return MappedSurface(patch.type, curvesOf(model, outer));
   const LoopPlane plane = loopPlane(model, outer);
   return PlanarSurface(plane.origin, plane.areaVector, plane.firstDirection);
 }
 
 SurfacePoint PatchSurface::evaluate(const Vec2& plane) const {
   const PlanarSurface* flat = planar();
-  SurfacePoint point = flat != nullptr ? flat->evaluate(plane) : coons()->evaluate(plane);
+  SurfacePoint point = flat != nullptr ? flat->evaluate(plane) : mapped()->evaluate(plane);
   flat_.settle(point.position);
   flat_.settleDirection(point.alongXi);
   flat_.settleDirection(point.alongEta);
@@ -105,17 +70,27 @@ SurfacePoint PatchSurface::evaluate(const Vec2& plane) const {
 
 Vec2 PatchSurface::boundaryToPlane(std::size_t position, double t, const Vec3& place) const {
   if (const PlanarSurface* flat = planar()) return flat->project(place);
-  const std::array<Vec2, 4> unit{Vec2(t, 0.0), Vec2(1.0, t), Vec2(1.0 - t, 1.0),
-                                 Vec2(0.0, 1.0 - t)};
-  return coons()->stretchedPlane().toPlane(unit[position]);
+  const MappedSurface& curved = *mapped();
+  return curved.stretchedPlane().toPlane(unitBorder(curved.unitSurface().shape(), position, t));
 }
 
 bool PatchSurface::straightInPlane(std::size_t loop, std::size_t position) const {
-  if (coons() != nullptr) return true;
+  if (mapped() != nullptr) return true;
   return model_->curve(patch_->loops[loop][position]).isStraight();
 }
 
+Vec2 PatchSurface::clamped(const Vec2& plane) const {
+  return mapped() != nullptr ? mapped()->clamped(plane) : plane;
+}
+
 // ---- loops -------------------------------------------------------------------------------------
+
+std::vector<OrientedCurve> curvesOf(const ResolvedModel& model, const Loop& loop) {
+  std::vector<OrientedCurve> curves;
+  curves.reserve(loop.size());
+  for (const OrientedLine& line : loop) curves.push_back(model.curve(line));
+  return curves;
+}
 
 std::vector<Vec3> sampleLoop(const ResolvedModel& model, const Loop& loop,
                              std::uint32_t samplesPerLine) {

@@ -2,51 +2,35 @@
 
 /// @file A patch as a surface over its plane (xi'', eta''): T1 of Löhner & Parikh 1988, section
 /// 5.2, and the mappings of its appendix. The plane of a planar patch is the patch's own plane
-/// (eq. 8-10); that of a Coons patch is the stretched and sheared unit square (eq. 16, 17).
+/// (eq. 8-10); that of any other is the unit triangle or square, stretched and sheared to resemble
+/// the patch (eq. 16, 17).
 
-#include <array>
 #include <cstdint>
 #include <variant>
 #include <vector>
 
+#include "model/planar_surface.h"
 #include "model/resolved_model.h"
 #include "model/stretched_plane.h"
+#include "model/unit_surface.h"
 
 namespace tetrafront {
 
-/// Position and the two tangents of a surface at a place of its parameter plane.
-struct SurfacePoint {
-  Vec3 position{0.0};
-  Vec3 alongXi{0.0};   ///< derivative by the first coordinate
-  Vec3 alongEta{0.0};  ///< derivative by the second
-};
-
-/// An orthonormal frame in the plane of a planar patch, eq. (8).
-class PlanarSurface {
+/// A curved patch: its surface over the unit triangle or square, and that domain as stretched.
+class MappedSurface {
  public:
-  PlanarSurface(const Vec3& origin, const Vec3& normal, const Vec3& firstDirection);
-  [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;  ///< eq. (9)
-  [[nodiscard]] Vec2 project(const Vec3& place) const;           ///< eq. (10)
-  [[nodiscard]] double distance(const Vec3& place) const;        ///< signed, from the plane
+  /// As for UnitSurface.
+  MappedSurface(PatchType type, std::span<const OrientedCurve> loop);
 
- private:
-  Vec3 origin_;
-  Vec3 first_;
-  Vec3 second_;
-  Vec3 normal_;
-};
-
-/// The bilinear transfinite patch, eq. (15).
-class CoonsSurface {
- public:
-  /// F1 from A to B, F2 from B to C, F3 from D to C, F4 from A to D.
-  explicit CoonsSurface(const std::array<OrientedCurve, 4>& lines);
-  [[nodiscard]] SurfacePoint evaluateUnit(const Vec2& unit) const;  ///< over (xi, eta)
-  [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;     ///< over (xi'', eta'')
+  [[nodiscard]] const UnitSurface& unitSurface() const { return surface_; }
   [[nodiscard]] const StretchedPlane& stretchedPlane() const { return plane_; }
+  [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;
+
+  /// The place of the domain nearest to one that may be outside.
+  [[nodiscard]] Vec2 clamped(const Vec2& plane) const;
 
  private:
-  std::array<OrientedCurve, 4> lines_;
+  UnitSurface surface_;
   StretchedPlane plane_;
 };
 
@@ -64,13 +48,20 @@ class PatchSurface {
   /// True if the loop's line number `position` is a straight line in the plane.
   [[nodiscard]] bool straightInPlane(std::size_t loop, std::size_t position) const;
 
+  /// The place at which the surface is known, nearest to one that may be outside its domain: the
+  /// lines of a curved patch go nowhere beyond their ends. A plane has no end.
+  [[nodiscard]] Vec2 clamped(const Vec2& plane) const;
+
   [[nodiscard]] const PlanarSurface* planar() const {
     return std::get_if<PlanarSurface>(&surface_);
   }
-  [[nodiscard]] const CoonsSurface* coons() const { return std::get_if<CoonsSurface>(&surface_); }
+  /// The curved patch; null for a planar one.
+  [[nodiscard]] const MappedSurface* mapped() const {
+    return std::get_if<MappedSurface>(&surface_);
+  }
 
  private:
-  using Surface = std::variant<PlanarSurface, CoonsSurface>;
+  using Surface = std::variant<PlanarSurface, MappedSurface>;
   static Surface makeSurface(const ResolvedModel& model, const Patch& patch);
 
   const ResolvedModel* model_;
@@ -78,6 +69,9 @@ class PatchSurface {
   Surface surface_;
   FlatAxes flat_;
 };
+
+/// The curves of a loop as it walks them.
+[[nodiscard]] std::vector<OrientedCurve> curvesOf(const ResolvedModel& model, const Loop& loop);
 
 /// The plane of a closed chain of lines: its area-weighted normal (Newell's sum over samples of
 /// the curves; length = enclosed area). Zero if the loop encloses nothing.

@@ -23,7 +23,21 @@ double cosineBetween(const Vec3& a, const Vec3& b) {
 StretchedPlane::StretchedPlane(double lengthAB, double lengthAD, double lengthDC,
                                const Vec3& tangentAlongAB, const Vec3& tangentAlongAD)
     : xB_(lengthAB), shear_(lengthDC - lengthAB) {
-  const double cosine = cosineBetween(tangentAlongAB, tangentAlongAD);
+  placeD(lengthAD, cosineBetween(tangentAlongAB, tangentAlongAD));
+}
+
+StretchedPlane StretchedPlane::ofTriangle(double lengthAB, double lengthAD, double lengthBD) {
+  StretchedPlane plane;
+  plane.xB_ = lengthAB;
+  // The law of cosines. The angle between the lines at A would do as well but for bent ones, whose
+  // plane triangle would have one side unlike its line.
+  const double squares = lengthAB * lengthAB + lengthAD * lengthAD - lengthBD * lengthBD;
+  plane.placeD(lengthAD,
+               std::clamp(squares / (2.0 * lengthAB * lengthAD), -kLargestCosine, kLargestCosine));
+  return plane;
+}
+
+void StretchedPlane::placeD(double lengthAD, double cosine) {
   xD_ = lengthAD * cosine;
   yD_ = lengthAD * std::sqrt(1.0 - cosine * cosine);
 }

@@ -1,7 +1,8 @@
 #pragma once
 
-/// @file The unit square stretched and sheared to resemble a surface patch in the plane
-/// (Löhner & Parikh 1988, appendix, eq. 16 and 17, figure 1).
+/// @file The unit square, or triangle, stretched and sheared to resemble a surface patch in the
+/// plane (Löhner & Parikh 1988, appendix, eq. 16 and 17, figure 1). Of a triangle A B D the point C
+/// is omitted: what remains of the mapping is affine.
 ///
 ///     eta'' ^    D-----------C        A = (0, 0)      B = (x_B, 0)
 ///           |   /           /         D = (x_D, y_D)  C = (x_D + |DC|, y_D)
@@ -22,6 +23,10 @@ class StretchedPlane {
   /// The unit square itself.
   StretchedPlane() = default;
 
+  /// For a triangular patch: the plane triangle A B D with the lengths of its three lines, where
+  /// there is one with an angle at A of 20 .. 160 degrees; lengths > 0.
+  [[nodiscard]] static StretchedPlane ofTriangle(double lengthAB, double lengthAD, double lengthBD);
+
   /// Eq. (16).
   [[nodiscard]] Vec2 toPlane(const Vec2& unit) const;
   /// Eq. (17), the inverse.
@@ -37,10 +42,12 @@ class StretchedPlane {
   [[nodiscard]] Derivatives derivatives(const Vec2& unit) const;
 
  private:
+  void placeD(double lengthAD, double cosine);
+
   double xB_ = 1.0;
   double xD_ = 0.0;
   double yD_ = 1.0;
-  double shear_ = 0.0;  ///< -x_B + x_C - x_D
+  double shear_ = 0.0;  ///< -x_B + x_C - x_D; 0 for a triangle
 };
 
 }  // namespace tetrafront

@@ -120,8 +120,8 @@ PlanarFront::Base PlanarFront::examine(std::uint32_t id) {
          kCentreHeight *
              std::clamp(1.0, kShortestToBase * base.length, kLongestToBase * base.length) *
              base.inward;
-    at = {std::clamp(at.x, region_.low.x, region_.high.x),
-          std::clamp(at.y, region_.low.y, region_.high.y)};
+    at = metric_->surface().clamped({std::clamp(at.x, region_.low.x, region_.high.x),
+                                     std::clamp(at.y, region_.low.y, region_.high.y)});
   }
   base.wanted = std::clamp(1.0, kShortestToBase * base.length, kLongestToBase * base.length);
   placeIdealPoint(base, std::sqrt(base.wanted * base.wanted - 0.25 * base.length * base.length));

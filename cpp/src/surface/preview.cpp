@@ -1,4 +1,4 @@
-// What the viewer shows before anything is meshed: the lines as polylines, Coons patches as a
+// What the viewer shows before anything is meshed: the lines as polylines, curved patches as a
 // grid, planar patches by the same front that meshes them, with the coarsest sides that show
 // their lines' bends.
 
@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint32_t kLinePieces = 48;
 /// Sides of a curved line around a planar patch.
 constexpr std::uint32_t kBoundaryPieces = 24;
-/// Cells per direction of a Coons patch.
-constexpr std::uint32_t kCoonsCells = 16;
+/// Cells per direction of a curved patch.
+constexpr std::uint32_t kGridCells = 16;
 /// Sides taken from a patch's front before it is given up; models people draw need some hundreds.
 constexpr std::uint32_t kFrontBudget = 200'000;
 
@@ -77,28 +77,35 @@ class PreviewBuilder {
 
   void addPatch(const Patch& patch) {
     const PatchSurface surface(resolved_, patch);
-    if (const CoonsSurface* coons = surface.coons()) {
-      addGrid(*coons);
+    if (const MappedSurface* curved = surface.mapped()) {
+      addGrid(curved->unitSurface());
     } else {
       addPlanar(patch, surface);
     }
   }
 
-  void addGrid(const CoonsSurface& surface) {
-    constexpr std::uint32_t kRow = kCoonsCells + 1;
-    const std::uint32_t first = nextPoint();
-    for (std::uint32_t j = 0; j < kRow; ++j) {
-      for (std::uint32_t i = 0; i < kRow; ++i) {
-        const Vec2 unit(static_cast<double>(i) / kCoonsCells, static_cast<double>(j) / kCoonsCells);
-        append(preview_.patchPoints, surface.evaluateUnit(unit).position);
+  /// Row by row of the unit square; of the unit triangle, each row one point shorter.
+  void addGrid(const UnitSurface& surface) {
+    const bool isTriangle = surface.shape() == UnitShape::kTriangle;
+    std::uint32_t row = nextPoint();
+    for (std::uint32_t j = 0; j <= kGridCells; ++j) {
+      const std::uint32_t cells = isTriangle ? kGridCells - j : kGridCells;
+      for (std::uint32_t i = 0; i <= cells; ++i) {
+        const Vec2 unit(static_cast<double>(i) / kGridCells, static_cast<double>(j) / kGridCells);
+        append(preview_.patchPoints, surface.evaluate(unit).position);
       }
+      if (j < kGridCells) addCells(row, row + cells + 1, cells, isTriangle);
+      row += cells + 1;
     }
-    for (std::uint32_t j = 0; j < kCoonsCells; ++j) {
-      for (std::uint32_t i = 0; i < kCoonsCells; ++i) {
-        const std::uint32_t a = first + j * kRow + i;
-        preview_.patchTriangles.insert(preview_.patchTriangles.end(),
-                                       {a, a + 1, a + kRow + 1, a, a + kRow + 1, a + kRow});
-      }
+  }
+
+  /// The cells between two rows of a grid; the last one of a triangle's row is half a cell.
+  void addCells(std::uint32_t row, std::uint32_t next, std::uint32_t cells, bool isTriangle) {
+    std::vector<std::uint32_t>& triangles = preview_.patchTriangles;
+    for (std::uint32_t i = 0; i < cells; ++i) {
+      triangles.insert(triangles.end(), {row + i, row + i + 1, next + i});
+      if (!isTriangle || i + 1 < cells)
+        triangles.insert(triangles.end(), {row + i + 1, next + i + 1, next + i});
     }
   }
 

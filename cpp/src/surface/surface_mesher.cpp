@@ -126,7 +126,7 @@ void SurfaceMesher::Impl::findMinimumSides() {
     minimumSides_[entry->second] = kParallelLineSides;
   }
   for (const Patch& patch : model.patches) {
-    if (patch.type != PatchType::kCoons) continue;
+    if (patch.type == PatchType::kPlanar) continue;
     for (const OrientedLine& line : patch.loops.front())
       if (minimumSides_[line.line] == kClosedLineSides) minimumSides_[line.line] = kSeamedLineSides;
   }

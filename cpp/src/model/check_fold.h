@@ -1,0 +1,27 @@
+#pragma once
+
+/// @file Does a curved patch fold over itself? By the turns of its normal on a grid of its domain.
+
+#include <cstdint>
+#include <optional>
+
+#include "model/unit_surface.h"
+
+namespace tetrafront {
+
+/// How far the grid goes. Two lines of a transfinite patch may meet smoothly at a corner, where
+/// the normal then vanishes and, for lines a little off, points the other way; that does no harm.
+/// The shape functions of an isoparametric patch fold along an edge whose mid-point is too near
+/// one end, and nowhere else.
+enum class FoldSearch : std::uint8_t { kInside, kUpToEdges };
+
+struct SurfaceFault {
+  bool hasNoArea;  ///< otherwise it folds
+  Vec3 place;
+};
+
+/// The first fault found; `extent` is the patch's size.
+[[nodiscard]] std::optional<SurfaceFault> findSurfaceFault(const UnitSurface& surface,
+                                                           FoldSearch search, double extent);
+
+}  // namespace tetrafront
