@@ -5,13 +5,15 @@
 import { mkdirSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { inRoot } from "./lib/paths.mjs";
+import { models as engineIntake } from "./models/engine-intake.mjs";
 import { models as firstSteps } from "./models/first-steps.mjs";
+import { models as missileLauncher } from "./models/missile-launcher.mjs";
 import { models as sDuct } from "./models/s-duct.mjs";
 
 const opening = "engine-intake";
 
 /** In the order of the gallery; a group's models stand together. */
-const models = [...sDuct, ...firstSteps.toReversed()];
+const models = [...engineIntake, ...missileLauncher, ...firstSteps, ...sDuct];
 
 const publicFolder = inRoot("public");
 const modelsFolder = path.join(publicFolder, "models");

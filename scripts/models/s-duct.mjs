@@ -59,9 +59,9 @@ function sDuct() {
 
 export const models = [
   {
-    id: "engine-intake",
-    title: "Engine intake",
-    blurb: "S-shaped, from a square inlet to a round outlet, with a centrebody. The size varies along it.",
+    id: "s-duct",
+    title: "S-duct",
+    blurb: "An intake that rises from a square inlet to a round outlet, around a blunt centrebody.",
     group: "Curved patches",
     build: sDuct,
   },
