@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/models.h"
@@ -15,9 +16,9 @@ namespace {
 
 constexpr double kBend = 0.3;
 
-CoonsSurface coonsOf(const ResolvedModel& model) {
-  return CoonsSurface(curvesOf(model, model.model().patches.front().loops.front()));
-}
+constexpr std::array<PatchType, 4> kCurvedTypes{
+    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
+    PatchType::kCoons};
 
 TEST(ModelStretchedPlane, InverseUndoesTheMapping) {
   Random random(11);
@@ -67,73 +68,91 @@ TEST(ModelStretchedPlane, DerivativesAreTheLimitOfDifferences) {
   EXPECT_NEAR(byXi.y, 0.0, 1e-8);
 }
 
-TEST(ModelCoons, ReproducesItsFourLines) {
-  for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    const Model model = randomCoonsModel(seed, kBend);
-    const ResolvedModel resolved(model);
-    const CoonsSurface surface = coonsOf(resolved);
-    const Loop& loop = model.patches.front().loops.front();
-    for (double t = 0.0; t <= 1.0; t += 0.0625) {
-      const std::array<Vec2, 4> unit{Vec2(t, 0), Vec2(1, t), Vec2(1 - t, 1), Vec2(0, 1 - t)};
-      for (std::size_t i = 0; i < 4; ++i) {
-        const Vec3 onLine = resolved.curve(loop[i]).position(t);
-        EXPECT_LT(glm::length(surface.evaluate(unit[i]).position - onLine), 1e-13 * 4.0)
-            << "seed " << seed << " line " << i << " t " << t;
+TEST(ModelStretchedPlane, OfATriangleKeepsItsThreeLengths) {
+  Random random(12);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 d(random.between(-1, 2), random.between(0.9, 3));
+    const double sideAB = random.between(0.5, 1.5);
+    const Vec2 b(sideAB, 0);
+    const StretchedPlane plane =
+        StretchedPlane::ofTriangle(sideAB, glm::length(d), glm::length(d - b));
+    EXPECT_LT(glm::length(plane.toPlane({1, 0}) - b), 1e-13);
+    EXPECT_LT(glm::length(plane.toPlane({0, 1}) - d), 1e-13);
+    // Affine: the centre of the sides' middles is that of the corners.
+    EXPECT_LT(glm::length(plane.toPlane({1 / 3.0, 1 / 3.0}) - (b + d) / 3.0), 1e-13);
+    const Vec2 unit(random.unit(), random.unit());
+    EXPECT_LT(glm::length(plane.toUnit(plane.toPlane(unit)) - unit), 1e-13);
+  }
+}
+
+TEST(ModelStretchedPlane, OfATriangleThatNoPlaneHasIsStillOne) {
+  // Lines that bulge so much that the third is longer than the other two together, or so short
+  // that the first two coincide.
+  for (const double sideBD : {2.5, 1e-3}) {
+    const StretchedPlane plane = StretchedPlane::ofTriangle(1.0, 1.0, sideBD);
+    EXPECT_GE(plane.toPlane({0, 1}).y, 0.342);  // sin 20 degrees
+    EXPECT_NEAR(glm::length(plane.toPlane({0, 1})), 1.0, 1e-14);
+  }
+}
+
+TEST(ModelMapped, TangentsAreTheLimitOfDifferences) {
+  constexpr double kStep = 1e-6;
+  for (const PatchType type : kCurvedTypes) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const Model model = randomCurvedModel(type, seed, kBend);
+      const ResolvedModel resolved(model);
+      const PatchSurface surface(resolved, model.patches.front());
+      const Vec2 at = surface.mapped()->stretchedPlane().toPlane({0.37, 0.41});
+      const SurfacePoint here = surface.evaluate(at);
+      const auto difference = [&](const Vec2& step) {
+        return (surface.evaluate(at + step).position - surface.evaluate(at - step).position) /
+               (2 * kStep);
+      };
+      EXPECT_LT(glm::length(here.alongXi - difference({kStep, 0})), 1e-7);
+      EXPECT_LT(glm::length(here.alongEta - difference({0, kStep})), 1e-7);
+    }
+  }
+}
+
+TEST(ModelMapped, LinesLieOnTheBorderOfThePlane) {
+  for (const PatchType type : kCurvedTypes) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+      const Model model = randomCurvedModel(type, seed, kBend);
+      const ResolvedModel resolved(model);
+      const PatchSurface surface(resolved, model.patches.front());
+      const Loop& loop = model.patches.front().loops.front();
+      for (std::size_t i = 0; i < loop.size(); ++i) {
+        EXPECT_TRUE(surface.straightInPlane(0, i));
+        for (const double t : {0.0, 0.3, 1.0}) {
+          const Vec3 place = resolved.curve(loop[i]).position(t);
+          const Vec2 plane = surface.boundaryToPlane(i, t, place);
+          EXPECT_LT(glm::length(surface.evaluate(plane).position - place), 1e-12);
+          EXPECT_LT(glm::length(surface.clamped(plane) - plane), 1e-14);
+        }
       }
     }
   }
 }
 
-TEST(ModelCoons, TangentsAreTheLimitOfDifferences) {
-  constexpr double kStep = 1e-6;
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const Model model = randomCoonsModel(seed, kBend);
+TEST(ModelMapped, PlacesOutsideAreClampedToTheDomain) {
+  for (const PatchType type : kCurvedTypes) {
+    const Model model = randomCurvedModel(type, 3, kBend);
     const ResolvedModel resolved(model);
     const PatchSurface surface(resolved, model.patches.front());
-    const Vec2 at = surface.mapped()->stretchedPlane().toPlane({0.37, 0.61});
-    const SurfacePoint here = surface.evaluate(at);
-    const auto difference = [&](const Vec2& step) {
-      return (surface.evaluate(at + step).position - surface.evaluate(at - step).position) /
-             (2 * kStep);
-    };
-    EXPECT_LT(glm::length(here.alongXi - difference({kStep, 0})), 1e-7);
-    EXPECT_LT(glm::length(here.alongEta - difference({0, kStep})), 1e-7);
-  }
-}
-
-TEST(ModelCoons, FollowsAffineMaps) {
-  const auto transform = [](const Vec3& p) {
-    return Vec3(2 * p.x - p.y + 1, 0.5 * p.y + p.z - 3, p.x + 4 * p.z);
-  };
-  for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    // Parabolas only: a spline's chord-length knots do not survive an affine map, nor need they.
-    Model model = randomCoonsModel(seed, kBend);
-    for (Line& line : model.lines) {
-      if (line.type != LineType::kCubicSpline) continue;
-      line.points = {line.points[0], line.points[1], line.points.back()};
-      line.type = LineType::kParabolic;
+    const StretchedPlane& plane = surface.mapped()->stretchedPlane();
+    const double most = unitShapeOf(type) == UnitShape::kTriangle ? 1.0 : 2.0;
+    Random random(13);
+    for (int i = 0; i < 200; ++i) {
+      const Vec2 unit =
+          plane.toUnit(surface.clamped(Vec2(random.between(-30, 30), random.between(-30, 30))));
+      EXPECT_GE(unit.x, -1e-13);
+      EXPECT_GE(unit.y, -1e-13);
+      EXPECT_LE(std::max(unit.x, unit.y), 1.0 + 1e-13);
+      EXPECT_LE(unit.x + unit.y, most + 1e-13);
+      const Vec2 inside(0.4 * random.unit(), 0.5 * random.unit());
+      EXPECT_EQ(surface.clamped(plane.toPlane(inside)), plane.toPlane(inside));
     }
-    Model image = model;
-    for (Vec3& point : image.points) point = transform(point);
-    const ResolvedModel resolved(model);
-    const ResolvedModel resolvedImage(image);
-    const Vec2 unit(0.3, 0.8);
-    const Vec3 expected = transform(coonsOf(resolved).evaluate(unit).position);
-    EXPECT_LT(glm::length(coonsOf(resolvedImage).evaluate(unit).position - expected), 1e-12);
   }
-}
-
-TEST(ModelCoons, OfAParallelogramIsTheParallelogram) {
-  ModelBuilder builder;
-  const Vec3 a(1, 2, 3);
-  const Vec3 u(2, 0, 1);
-  const Vec3 v(0, 1, 1);
-  builder.patch(PatchType::kCoons, {builder.polygon({a, a + u, a + u + v, a + v})});
-  const ResolvedModel resolved(builder.model);
-  const SurfacePoint point = coonsOf(resolved).evaluate({0.25, 0.5});
-  EXPECT_LT(glm::length(point.position - (a + 0.25 * u + 0.5 * v)), 1e-14);
-  EXPECT_LT(glm::length(point.alongXi - u), 1e-14);
-  EXPECT_LT(glm::length(point.alongEta - v), 1e-14);
 }
 
 TEST(ModelPlanar, FrameIsOrthonormalAndProjectionInverts) {

@@ -155,14 +155,13 @@ class PatchCheck {
     return lines;
   }
 
-  /// A line used twice only as a seam, walked both ways: by opposite lines of a quadrilateral (a
-  /// tube has one) or by any two of a triangle (a cone).
+  /// A line used twice only as a seam, walked both ways by opposite lines of a quadrilateral (a
+  /// tube has one).
   bool checkSeams() {
     const Loop& loop = drawn_->loops.front();
     for (std::size_t i = 0; i < loop.size(); ++i) {
       for (std::size_t k = i + 1; k < loop.size(); ++k) {
-        const bool apart = loop.size() == 3 || k == i + 2;
-        const bool seam = apart && loop[i].reversed != loop[k].reversed;
+        const bool seam = loop.size() == 4 && k == i + 2 && loop[i].reversed != loop[k].reversed;
         if (loop[i].line != loop[k].line || seam) continue;
         report(DiagnosticCode::kLoopTouchesItself, {loop[i].line},
                model_->curve(loop[i].line).start());
@@ -172,21 +171,18 @@ class PatchCheck {
     return true;
   }
 
-  /// Opposite corners of a quadrilateral apart; not all corners of a triangle at one point.
+  /// Opposite corners of a quadrilateral apart, all corners of a triangle: whatever equation (14)
+  /// makes of a closed line, it is no cone.
   bool checkCorners() {
     const Loop& loop = drawn_->loops.front();
-    const auto corner = [&](std::size_t i) { return model_->startPoint(loop[i]); };
-    const auto fail = [&](std::size_t first, std::size_t second) {
-      report(DiagnosticCode::kLoopTouchesItself, {loop[first].line, loop[second].line},
-             model_->curve(loop[first]).start());
+    const std::size_t apart = loop.size() == 4 ? 2 : 1;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::size_t k = (i + apart) % loop.size();
+      if (model_->startPoint(loop[i]) != model_->startPoint(loop[k])) continue;
+      report(DiagnosticCode::kLoopTouchesItself, {loop[i].line, loop[k].line},
+             model_->curve(loop[i]).start());
       return false;
-    };
-    if (loop.size() == 3) {
-      const bool allOne = corner(0) == corner(1) && corner(1) == corner(2);
-      return !allOne || fail(0, 1);
     }
-    for (std::size_t i = 0; i < 2; ++i)
-      if (corner(i) == corner(i + 2)) return fail(i, i + 2);
     return true;
   }
 
