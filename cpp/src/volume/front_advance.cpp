@@ -68,7 +68,10 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace&
   do {
     around_.gather(front_, nodes, box, idealPlace);
     around_.mapTo(space);
-    crossing_.setBase();
+    {
+      [[maybe_unused]] const CrossingScope scope(trace_);
+      crossing_.setBase();
+    }
     counters_.gatheredFaces += around_.faceCount();
   } while (neighbours_.find(around_, base, box));
 }
@@ -92,8 +95,7 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
   const LocalNode apex = isNew ? around_.setNewNode(place) : candidate.node;
   if (crossing_.volumeSign(apex) <= 0) return refuse(Refusal::kBehind);
   ++counters_.candidatesTried;
-  crossing_.setApex(apex);
-  const std::size_t crossed = crossing_.firstCrossedFace();
+  const std::size_t crossed = firstCrossedFace(apex);
   if (crossed != CrossingTest::kNoFace) {
     culprit = around_.faceId(crossed);
     return refuse(Refusal::kCrosses);
@@ -111,6 +113,13 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
   if constexpr (Trace::kOn) trace_.accepted(node, place);
   accept(face, node, sides);
   return true;
+}
+
+template <class Trace>
+std::size_t FrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
+  [[maybe_unused]] const CrossingScope scope(trace_);
+  crossing_.setApex(apex);
+  return crossing_.firstCrossedFace();
 }
 
 template <class Trace>
@@ -165,6 +174,7 @@ void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const SideFaces& side
 }
 
 template class FrontAdvance<NullTrace>;
+template class FrontAdvance<ClockTrace>;
 template class FrontAdvance<StepTrace>;
 
 }  // namespace tetrafront

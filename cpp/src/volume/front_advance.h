@@ -45,6 +45,7 @@ class FrontAdvance {
   [[nodiscard]] Trace& trace() { return trace_; }
 
  private:
+  using CrossingScope = typename Trace::CrossingScope;
   /// The face that stands already on the element's side opposite base corner i, if any.
   using SideFaces = std::array<FaceId, 3>;
 
@@ -53,6 +54,7 @@ class FrontAdvance {
                     const IdealPoint& ideal, const RuleClass& rules);
   bool tryCandidate(FaceId face, const Candidate& candidate, const UnitSpace& space,
                     double minFaceDistance);
+  [[nodiscard]] std::size_t firstCrossedFace(LocalNode apex);
   [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, FaceId& culprit);
   bool findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const;
   void accept(FaceId face, NodeId apex, const SideFaces& sides);
@@ -70,6 +72,7 @@ class FrontAdvance {
 };
 
 extern template class FrontAdvance<NullTrace>;
+extern template class FrontAdvance<ClockTrace>;
 extern template class FrontAdvance<StepTrace>;
 
 }  // namespace tetrafront

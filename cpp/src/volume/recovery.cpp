@@ -353,6 +353,7 @@ void Recovery<Trace>::putBack() {
 }
 
 template class Recovery<NullTrace>;
+template class Recovery<ClockTrace>;
 template class Recovery<StepTrace>;
 
 }  // namespace tetrafront

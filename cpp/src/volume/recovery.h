@@ -102,6 +102,7 @@ class Recovery {
 };
 
 extern template class Recovery<NullTrace>;
+extern template class Recovery<ClockTrace>;
 extern template class Recovery<StepTrace>;
 
 }  // namespace tetrafront

@@ -3,6 +3,7 @@
 /// @file What the front tells about its steps, for teaching: a compile-time hook. With NullTrace
 /// every call site vanishes; the plain build carries no branch.
 
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -19,13 +20,38 @@ enum class Refusal : std::uint8_t {
   kTooCloseToFace = 3,   ///< a new node would stand too close to a face
 };
 
+/// A trace's CrossingScope lives as long as one piece of the crossing test; most take no notice.
 struct NullTrace {
   static constexpr bool kOn = false;
+  struct CrossingScope {
+    explicit CrossingScope(NullTrace& /*trace*/) {}
+  };
+};
+
+/// Seconds spent in the crossing test, for the comparison with the paper's share (section 6).
+struct ClockTrace {
+  static constexpr bool kOn = false;
+  using Clock = std::chrono::steady_clock;
+  class CrossingScope {
+   public:
+    explicit CrossingScope(ClockTrace& trace) : trace_(trace), begin_(Clock::now()) {}
+    ~CrossingScope() { trace_.inCrossingTest += Clock::now() - begin_; }
+    CrossingScope(const CrossingScope&) = delete;
+    CrossingScope& operator=(const CrossingScope&) = delete;
+
+   private:
+    ClockTrace& trace_;
+    Clock::time_point begin_;
+  };
+  Clock::duration inCrossingTest{0};
 };
 
 /// Records every step. A candidate without a number is the ideal point, or one below it.
 struct StepTrace {
   static constexpr bool kOn = true;
+  struct CrossingScope {
+    explicit CrossingScope(StepTrace& /*trace*/) {}
+  };
 
   enum class Event : std::uint8_t {
     kBase = 0,       ///< subject: face, detail: rule class

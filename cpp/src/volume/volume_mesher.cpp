@@ -234,6 +234,7 @@ FrontCounters BasicVolumeMesher<Trace>::counters() const {
 }
 
 template class BasicVolumeMesher<NullTrace>;
+template class BasicVolumeMesher<ClockTrace>;
 template class BasicVolumeMesher<StepTrace>;
 
 }  // namespace tetrafront

@@ -81,6 +81,7 @@ class BasicVolumeMesher {
 };
 
 extern template class BasicVolumeMesher<NullTrace>;
+extern template class BasicVolumeMesher<ClockTrace>;
 extern template class BasicVolumeMesher<StepTrace>;
 
 using VolumeMesher = BasicVolumeMesher<NullTrace>;

@@ -1,0 +1,111 @@
+// The two examples of Löhner & Parikh 1988, section 7, beside what the paper prints: the figures of
+// docs/PAPER.md. Counts and element volumes are of the whole run with default options; the rates and
+// the share of the crossing test are of the front alone, natively, in both orders of the front.
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import path from "node:path";
+import { createMesher, readProject } from "tetrafront";
+import { volumeRange } from "./element-volumes.mjs";
+
+const REPEATS = 3; // the least time counts: everything else on the machine only adds
+
+const printed = [
+  {
+    id: "engine-intake",
+    points: 4381,
+    tetrahedra: 22743,
+    nose: "nose of the centrebody",
+    volumeRatio: "> 1e4",
+    smallestAt: "at the nose",
+  },
+  { id: "missile-launcher", points: 3465, tetrahedra: 17572, nose: "nose of the missile" },
+];
+const printedRate = "480-490";
+const printedShare = "25 %";
+const printedFaces = "about 40";
+
+const fill = process.env.TETRAFRONT_FILL;
+if (!fill) {
+  console.error("Run this by `npm run bench paper`: it needs the native programs beside TETRAFRONT_FILL.");
+  process.exit(2);
+}
+const frontClock = path.join(path.dirname(fill), "front_clock");
+
+function load(id) {
+  const file = new URL(`../../public/models/${id}.json`, import.meta.url);
+  const read = readProject(readFileSync(file, "utf8"));
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+async function quickest(mesher, project) {
+  let best;
+  for (let i = 0; i < REPEATS; ++i) {
+    const result = await mesher.meshProject(project);
+    if (result.report.status !== "done") throw new Error(`${project.name}: ${result.report.status}`);
+    if (best === undefined || result.report.seconds.total < best.report.seconds.total) best = result;
+  }
+  return best;
+}
+
+/** The boundary and the background grid as front_clock reads them. */
+function frontProblem({ points, triangles }, { nodes, tetrahedra }) {
+  const positions = new Map(nodes.map(({ id }, position) => [id, position]));
+  const counts = [points.length / 3, triangles.length / 3, nodes.length, tetrahedra.length];
+  const gridNodes = nodes.flatMap(({ at, size }) => [...at, size]);
+  const corners = tetrahedra.flat().map((id) => positions.get(id));
+  return [counts, points, triangles, gridNodes, corners].map((list) => list.join(" ")).join("\n");
+}
+
+function clockFront(order, input) {
+  const lines = execFileSync(frontClock, [order], { input, encoding: "utf8" }).trim().split("\n");
+  return Object.fromEntries(
+    lines.map((line) => line.split(" ")).map(([name, value]) => [name, Number(value)]),
+  );
+}
+
+const perSecond = (count, seconds) => Math.round(count / seconds).toLocaleString("en-US");
+const percent = (share) => `${(100 * share).toFixed(1)} %`;
+const row = (name, measured, paper) =>
+  console.log(`${name.padEnd(52)} ${String(measured).padStart(14)} ${String(paper).padStart(12)}`);
+const compared = (name, measured, paper) =>
+  row(`${name} (${((100 * measured) / paper - 100).toFixed(1)} %)`, measured, paper);
+
+function showMesh({ report, volume }, project, paper) {
+  const range = volumeRange(volume);
+  const nose = project.points.find(({ name }) => name === paper.nose).at;
+  const distance = Math.hypot(...nose.map((c, k) => c - range.centroid[k]));
+  compared("points", report.points, paper.points);
+  compared("tetrahedra", report.tetrahedra, paper.tetrahedra);
+  row("boundary triangles", report.triangles, "");
+  row("largest over smallest element volume", range.ratio.toExponential(1), paper.volumeRatio ?? ""); // prettier-ignore
+  row(`smallest element: distance from the ${paper.nose}`, distance.toPrecision(2), paper.smallestAt ?? "");
+  row("   edge of the regular tetrahedron of its volume", range.edge.toPrecision(2), "");
+  row("dihedral angles, smallest", `${report.dihedral.min.toFixed(1)}°`, "");
+  row("   largest", `${report.dihedral.max.toFixed(1)}°`, "");
+  row("mean radius ratio", report.radiusRatio.mean.toFixed(3), "");
+  row("seconds, whole run in Node", report.seconds.total.toFixed(2), "");
+  row("tetrahedra per second, whole run in Node", perSecond(report.tetrahedra, report.seconds.total), ""); // prettier-ignore
+}
+
+function showFront(order, clocked) {
+  row(`front, ${order}: tetrahedra per second`, perSecond(clocked.tetrahedra, clocked.seconds), printedRate); // prettier-ignore
+  row("   share of time in the crossing test", percent(clocked.crossingShare), printedShare);
+  row("   faces per crossing test", clocked.facesPerCheck.toFixed(1), printedFaces);
+  row("   of these left to the analysis", clocked.analysedPerCheck.toFixed(2), "");
+}
+
+const mesher = await createMesher();
+try {
+  for (const paper of printed) {
+    const project = load(paper.id);
+    const result = await quickest(mesher, project);
+    console.log(`\n${project.name}`);
+    row("", "measured", "paper");
+    showMesh(result, project, paper);
+    const input = frontProblem(result.surface, project.background);
+    for (const order of ["layered", "smallest-first"]) showFront(order, clockFront(order, input));
+  }
+} finally {
+  mesher.dispose();
+}
