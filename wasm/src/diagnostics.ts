@@ -106,9 +106,9 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Move the lines apart, or split the patch where they meet.",
   },
   "not-planar": {
-    message: ({ the, value, at }) =>
-      `${the("patch")} is planar, but ${the("line")} leaves its plane by ${value(0)}${at}`,
-    remedy: "Move the line's points into the plane, or make the patch a Coons patch of four lines.",
+    message: ({ the, all, value, at }) =>
+      `${the("patch")} is planar, but its plane misses ${all(["point"], the("line"))} by ${value(0)}${at}`,
+    remedy: "Move the points into the plane, or give the patch a type that is curved.",
   },
   "holes-not-supported": {
     message: ({ the }) => `${the("patch")} has holes, which its type does not allow`,
@@ -119,8 +119,15 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Draw patches, or give triangles, that enclose a region.",
   },
   "degenerate-patch": {
-    message: ({ the, at }) => `${the("patch")} has no area or folds over itself${at}`,
-    remedy: "Move its points so that it spreads out, or split it into simpler patches.",
+    message: ({ the, all, at }) => {
+      const lines = all(["line"], "");
+      const cause = lines === "" ? "" : `: a mid-point is too near one end of ${lines}`;
+      return `${the("patch")} has no area or folds over itself${at}${cause}`;
+    },
+    remedy: ({ all }) =>
+      all(["line"], "") === ""
+        ? "Move its points so that it spreads out, or split it into simpler patches."
+        : "Move the middle point of the line into the middle half of its length.",
   },
   "hole-outside": {
     message: ({ the, at }) =>

@@ -50,16 +50,16 @@ struct Entity {
 /// what the user called things; `values` holds the numbers the sentence needs, in the order given.
 enum class DiagnosticCode : std::uint16_t {
   // Model
-  kNotFinite = 0,           ///< entity: point, node or surface node with a NaN or infinity
-  kIndexOutOfRange = 1,     ///< entity refers to something that does not exist; values: index
-  kWrongPointCount = 2,     ///< line; values: points given
-  kCoincidentPoints = 3,    ///< two points of one line at the same place
-  kZeroLengthLine = 4,      ///< line
-  kWrongLineCount = 5,      ///< patch; values: lines given in its outer loop, lines wanted
-  kWrongLineType = 6,       ///< patch and line: the patch type does not accept this line type
-  kLoopNotClosed = 7,       ///< patch, line, point: the chain breaks after the line
-  kLoopTouchesItself = 8,   ///< patch, line(s): loop crosses or touches itself or another loop
-  kNotPlanar = 9,           ///< planar patch, line; values: distance from the plane
+  kNotFinite = 0,          ///< entity: point, node or surface node with a NaN or infinity
+  kIndexOutOfRange = 1,    ///< entity refers to something that does not exist; values: index
+  kWrongPointCount = 2,    ///< line; values: points given
+  kCoincidentPoints = 3,   ///< two points of one line at the same place
+  kZeroLengthLine = 4,     ///< line
+  kWrongLineCount = 5,     ///< patch; values: lines given in its outer loop, lines wanted
+  kWrongLineType = 6,      ///< patch and line: the patch type does not accept this line type
+  kLoopNotClosed = 7,      ///< patch, line, point: the chain breaks after the line
+  kLoopTouchesItself = 8,  ///< patch, line(s): loop crosses or touches itself or another loop
+  kNotPlanar = 9,  ///< planar patch, line(s), point(s) moved; values: distance from the plane
   kHolesNotSupported = 10,  ///< patch of a type that takes one loop only
   kEmptyModel = 12,         ///< no patch, or no triangle
   kDegeneratePatch = 13,    ///< patch whose surface has no area or folds over itself

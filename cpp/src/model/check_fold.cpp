@@ -35,18 +35,38 @@ class NormalGrid {
   [[nodiscard]] double longestNormal() const { return longest_; }
 
   [[nodiscard]] std::optional<Vec2> findFold() const {
-    for (int j = 0; j < rows_; ++j) {
-      for (int i = 0; has(i, j); ++i) {
-        std::optional<Vec2> fold;
-        if (has(i + 1, j)) fold = foldBetween(unitAt(i, j), unitAt(i + 1, j));
-        if (!fold && has(i, j + 1)) fold = foldBetween(unitAt(i, j), unitAt(i, j + 1));
-        if (fold) return fold;
-      }
+    for (int line = 0; line < rows_; ++line) {
+      std::optional<Vec2> fold = findFoldAlong(line, [](int row, int i) { return Cell{i, row}; });
+      if (!fold) fold = findFoldAlong(line, [](int column, int j) { return Cell{column, j}; });
+      if (fold) return fold;
     }
     return std::nullopt;
   }
 
  private:
+  struct Cell {
+    int i;
+    int j;
+  };
+
+  /// In one row or column, between each place with a normal and the next one that has.
+  template <class CellAt>
+  [[nodiscard]] std::optional<Vec2> findFoldAlong(int line, CellAt&& cellAt) const {
+    std::optional<Vec2> before;
+    for (int step = 0;; ++step) {
+      const Cell cell = cellAt(line, step);
+      if (!has(cell.i, cell.j)) return std::nullopt;
+      const Vec2 here = unitAt(cell.i, cell.j);
+      if (glm::length(normalAt(here)) < leastNormal()) continue;
+      if (before)
+        if (const std::optional<Vec2> fold = foldBetween(*before, here)) return fold;
+      before = here;
+    }
+  }
+
+  /// Below it, a normal points anywhere.
+  [[nodiscard]] double leastNormal() const { return kLeastNormal * longest_; }
+
   [[nodiscard]] bool has(int i, int j) const {
     return i < rows_ && j < rows_ && (!isTriangle_ || i + j < rows_);
   }
@@ -63,16 +83,14 @@ class NormalGrid {
   /// Where the normal turns by more than 90 degrees between the two parameters, if it still does
   /// however near each other these are.
   [[nodiscard]] std::optional<Vec2> foldBetween(Vec2 from, Vec2 to) const {
-    const double least = kLeastNormal * longest_;
     Vec3 normalFrom = normalAt(from);
     Vec3 normalTo = normalAt(to);
-    if (glm::length(normalFrom) < least || glm::length(normalTo) < least) return std::nullopt;
     for (int halving = 0; halving < kFoldHalvings; ++halving) {
       if (glm::dot(normalFrom, normalTo) >= 0.0) return std::nullopt;
       const Vec2 middle = 0.5 * (from + to);
       const Vec3 normal = normalAt(middle);
       // A bend keeps its area; a fold has none where it turns.
-      if (glm::length(normal) < least) return middle;
+      if (glm::length(normal) < leastNormal()) return middle;
       if (glm::dot(normalFrom, normal) < 0.0) {
         to = middle;
         normalTo = normal;

@@ -7,6 +7,7 @@
 
 #include "model/check_fold.h"
 #include "model/check_loops.h"
+#include "model/check_plane.h"
 #include "model/patch_surface.h"
 
 namespace tetrafront {
@@ -18,6 +19,9 @@ constexpr std::uint32_t kPlaneSamples = 16;
 /// The mid-point of an isoparametric patch's line must lie beside the chord's middle half; nearer
 /// to one end, a straight line would run back over itself.
 constexpr double kMidPointMargin = 0.25;
+
+/// So many points off a plane are named; more would hide the farthest ones.
+constexpr std::size_t kMostNamed = 8;
 
 class PatchCheck {
  public:
@@ -84,8 +88,34 @@ class PatchCheck {
         }
       }
     }
-    if (worstLine) report(DiagnosticCode::kNotPlanar, {*worstLine}, place, {worst});
-    return !worstLine;
+    if (!worstLine) return true;
+    if (!reportMovedPoints(size)) report(DiagnosticCode::kNotPlanar, {*worstLine}, place, {worst});
+    return false;
+  }
+
+  /// Names the points that the user moved out of the plane, where that can be told.
+  bool reportMovedPoints(double size) {
+    const MovedPoints moved = findMovedPoints(model_->model(), *drawn_, kPlaneTolerance * size);
+    if (moved.points.empty()) return false;
+    const std::uint32_t farthest = moved.points.front();
+    report(DiagnosticCode::kNotPlanar, linesThrough(farthest), model_->model().points[farthest],
+           {moved.distance});
+    for (std::size_t i = 0; i < std::min(moved.points.size(), kMostNamed); ++i)
+      diagnostics_->back().entities.push_back({EntityKind::kPoint, moved.points[i]});
+    return true;
+  }
+
+  [[nodiscard]] std::vector<std::uint32_t> linesThrough(std::uint32_t point) const {
+    std::vector<std::uint32_t> lines;
+    for (const Loop& loop : drawn_->loops) {
+      for (const OrientedLine& line : loop) {
+        const std::vector<std::uint32_t>& points = model_->model().lines[line.line].points;
+        const bool passes = std::ranges::find(points, point) != points.end();
+        if (passes && std::ranges::find(lines, line.line) == lines.end())
+          lines.push_back(line.line);
+      }
+    }
+    return lines;
   }
 
   /// No line twice, no point passed twice.

@@ -207,7 +207,7 @@ describe("bad input is a result, and says what is wrong:", () => {
         points: cube.points.map((p) => (p.id === 8 ? { ...p, at: [1, 1, 1.5] } : p)),
       })),
       "not-planar",
-      /patch "(top|back|right)" is planar/i,
+      /patch "(top|back|right)" is planar, but its plane misses point 8 by 0.5/i,
     ],
     [
       "a loop with a gap",

@@ -1,0 +1,147 @@
+// The plane is the one of three points that has the most others on it: a least-squares plane would
+// follow the very point that was moved.
+
+#include "model/check_plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "model/planar_surface.h"
+
+namespace tetrafront {
+
+namespace {
+
+/// All triples are tried of so many points, about 500; of more, three from each point on.
+constexpr std::size_t kFewPoints = 16;
+/// Three points span a plane if their triangle has this share of the squared extent.
+constexpr double kSpanningArea = 1e-6;
+
+/// Where so many planes are as good as one another, none is the plane that was meant.
+constexpr std::size_t kMostRivals = 8;
+
+struct CandidatePlane {
+  std::size_t agreeing = 0;
+  MovedPoints moved;
+  bool alongAxes = false;
+};
+
+/// The points of a patch's lines, each once; none if something it refers to does not exist.
+std::vector<std::uint32_t> pointsOfPatch(const Model& model, const Patch& patch) {
+  std::vector<std::uint32_t> points;
+  for (const Loop& loop : patch.loops) {
+    for (const OrientedLine& walked : loop) {
+      if (walked.line >= model.lines.size()) return {};
+      for (const std::uint32_t point : model.lines[walked.line].points) {
+        if (point >= model.points.size()) return {};
+        points.push_back(point);
+      }
+    }
+  }
+  std::ranges::sort(points);
+  const auto repeated = std::ranges::unique(points);
+  points.erase(repeated.begin(), repeated.end());
+  return points;
+}
+
+class PlaneVote {
+ public:
+  PlaneVote(const Model& model, std::vector<std::uint32_t> points, double tolerance)
+      : model_(&model), points_(std::move(points)), tolerance_(tolerance) {
+    const Vec3& origin = place(0);
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      extent_ = std::max(extent_, glm::length(place(i) - origin));
+  }
+
+  /// The planes that most points agree on, one for each set of points off it.
+  std::vector<CandidatePlane> run() {
+    const std::size_t count = points_.size();
+    if (count <= kFewPoints) {
+      for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 1; j < count; ++j)
+          for (std::size_t k = j + 1; k < count; ++k) consider(i, j, k);
+    } else {
+      for (std::size_t i = 0; i < count; ++i)
+        consider(i, (i + count / 3) % count, (i + 2 * count / 3) % count);
+    }
+    return std::move(best_);
+  }
+
+ private:
+  [[nodiscard]] const Vec3& place(std::size_t i) const { return model_->points[points_[i]]; }
+
+  void consider(std::size_t i, std::size_t j, std::size_t k) {
+    const Vec3 side = place(j) - place(i);
+    const Vec3 normal = glm::cross(side, place(k) - place(i));
+    if (!(glm::length(normal) > kSpanningArea * extent_ * extent_)) return;
+    CandidatePlane plane = judge(PlanarSurface(place(i), normal, side));
+    if (plane.agreeing < mostAgreeing_) return;
+    if (plane.agreeing > mostAgreeing_) best_.clear();
+    mostAgreeing_ = plane.agreeing;
+    const auto known = std::ranges::find_if(best_, [&](const CandidatePlane& other) {
+      return other.moved.points == plane.moved.points;
+    });
+    if (known != best_.end()) return;
+    for (int axis = 0; axis < 3; ++axis)
+      plane.alongAxes =
+          plane.alongAxes || (place(i)[axis] == place(j)[axis] && place(i)[axis] == place(k)[axis]);
+    best_.push_back(std::move(plane));
+  }
+
+  [[nodiscard]] CandidatePlane judge(const PlanarSurface& surface) const {
+    CandidatePlane plane;
+    std::vector<std::pair<double, std::uint32_t>> off;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double distance = std::fabs(surface.distance(place(i)));
+      if (distance > tolerance_) off.emplace_back(-distance, points_[i]);
+    }
+    std::ranges::sort(off);
+    plane.agreeing = points_.size() - off.size();
+    for (const auto& [distance, point] : off) plane.moved.points.push_back(point);
+    plane.moved.distance = off.empty() ? 0.0 : -off.front().first;
+    return plane;
+  }
+
+  const Model* model_;
+  std::vector<std::uint32_t> points_;
+  double tolerance_;
+  double extent_ = 0.0;
+  std::size_t mostAgreeing_ = 0;
+  std::vector<CandidatePlane> best_;
+};
+
+/// Planar patches that the point belongs to and whose points lie in no one plane.
+std::size_t countBentPatches(const Model& model, std::uint32_t point, double tolerance) {
+  return static_cast<std::size_t>(std::ranges::count_if(model.patches, [&](const Patch& patch) {
+    if (patch.type != PatchType::kPlanar) return false;
+    std::vector<std::uint32_t> points = pointsOfPatch(model, patch);
+    if (!std::ranges::binary_search(points, point)) return false;
+    const std::size_t count = points.size();
+    const std::vector<CandidatePlane> planes = PlaneVote(model, std::move(points), tolerance).run();
+    return !planes.empty() && planes.front().agreeing < count;
+  }));
+}
+
+}  // namespace
+
+MovedPoints findMovedPoints(const Model& model, const Patch& patch, double tolerance) {
+  const std::vector<std::uint32_t> points = pointsOfPatch(model, patch);
+  if (points.size() < 4) return {};
+  std::vector<CandidatePlane> planes = PlaneVote(model, points, tolerance).run();
+  if (planes.empty() || planes.size() > kMostRivals) return {};
+  const std::size_t agreeing = planes.front().agreeing;
+  // Any three points agree; of four they are as many as can be hoped for.
+  const bool isMajority = 2 * agreeing > points.size() && (agreeing > 3 || points.size() == 4);
+  if (!isMajority) return {};
+  if (planes.size() == 1) return std::move(planes.front().moved);
+  const auto rank = [&](const CandidatePlane& plane) {
+    return std::tuple(countBentPatches(model, plane.moved.points.front(), tolerance),
+                      plane.alongAxes);
+  };
+  const auto best = std::ranges::max_element(planes, {}, rank);
+  return std::move(best->moved);
+}
+
+}  // namespace tetrafront
