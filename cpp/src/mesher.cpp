@@ -334,9 +334,7 @@ class MeshRun::Impl {
   }
 
   void optimize(std::uint32_t budget) {
-    // In stretched fields shapes would have to be judged in each element's own unit space.
-    const bool skip = options_.optimization == Optimization::kNone || field_->isStretched();
-    if (!skip) {
+    if (options_.optimization != Optimization::kNone) {
       if (!optimizer_) {
         optimizer_.emplace(*finishedMesh_, surface_.points.size() / 3, *field_,
                            options_.optimization);

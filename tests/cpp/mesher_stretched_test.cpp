@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "field/size_field.h"
+#include "quality/metrics.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
 #include "surface/boundary.h"
@@ -58,10 +59,11 @@ struct Finished {
   [[nodiscard]] std::size_t count() const { return volume.tetrahedra.size() / 4; }
 };
 
-Finished meshed(const Model& model, const BackgroundGrid& grid, double size) {
+Finished meshed(const Model& model, const BackgroundGrid& grid, double size,
+                Optimization optimization = Optimization::kNone) {
   MeshOptions options;
   options.size = size;
-  options.optimization = Optimization::kNone;
+  options.optimization = optimization;
   MeshRun run(model, grid, options);
   while (run.advance(kBudget) == MeshStatus::kRunning) {
   }
@@ -70,11 +72,22 @@ Finished meshed(const Model& model, const BackgroundGrid& grid, double size) {
 }
 
 /// The box as the metric sees it, meshed with size 1.
-Finished unstretched(const Stretch& stretch) {
+Finished unstretched(const Stretch& stretch, Optimization optimization = Optimization::kNone) {
   const SymmetricTensor toUnit = sizeTensor(parameters(stretch)).inverse();
   Model model = unitBox();
   for (Vec3& point : model.points) point = toUnit * point;
-  return meshed(model, {}, 1.0);
+  return meshed(model, {}, 1.0, optimization);
+}
+
+/// As the metric sees it: where the wanted element is regular.
+QualitySummary metricQuality(VolumeMesh mesh, const Stretch& stretch) {
+  const SymmetricTensor toUnit = sizeTensor(parameters(stretch)).inverse();
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+    double* at = &mesh.points[i];
+    const Vec3 place = toUnit * Vec3(at[0], at[1], at[2]);
+    for (int k = 0; k < 3; ++k) at[k] = place[k];
+  }
+  return measureQuality(mesh);
 }
 
 /// Mean length of the edges, each once, in the metric.
@@ -138,6 +151,63 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
 /// From points, lines and patches to the volume.
 TEST_P(StretchedBox, IsMeshedFromItsLines) {
   expectStretched(meshed(unitBox(), stretchedGrid(GetParam()), 0.0));
+}
+
+/// Elements come out as good, in the metric, as those of the box that the metric sees: there is no
+/// sliver but where the metric sees the box's own edges sharp, as it does with a stretching of 20.
+TEST_P(StretchedBox, IsOptimizedInItsMetric) {
+  const Stretch stretch{GetParam().stretching, 1.4 * GetParam().size};
+  const Finished mesh = meshed(unitBox(), stretchedGrid(stretch), 0.0, Optimization::kDefault);
+  const Finished twin = unstretched(stretch, Optimization::kDefault);
+  EXPECT_EQ(complaintAbout(mesh.volume, mesh.surface), "");
+  EXPECT_NEAR(meanMetricEdge(mesh.volume, stretch), 1.0, 0.15);
+  const auto wanted = static_cast<double>(twin.count());
+  EXPECT_NEAR(static_cast<double>(mesh.count()), wanted, 0.1 * wanted);
+  const QualitySummary here = metricQuality(mesh.volume, stretch);
+  const QualitySummary there = measureQuality(twin.volume);
+  EXPECT_GT(here.minDihedral, std::min(20.0, 0.95 * there.minDihedral));
+  EXPECT_LT(here.maxDihedral, std::max(145.0, 1.02 * there.maxDihedral));
+  EXPECT_GT(here.meanRadiusRatio, there.meanRadiusRatio - 0.02);
+}
+
+/// Size, stretching and direction all change from place to place: each element is judged by the
+/// tensor at its centroid.
+TEST(StretchedBoxTest, IsOptimizedWhereTheMetricChanges) {
+  BackgroundGrid grid = boxGrid(Vec3(-0.1), Vec3(1.1), [](const Vec3&) { return 1.0; });
+  for (BackgroundNode& node : grid.nodes) {
+    const Vec3& at = node.position;
+    node.size = at.x > 0.5 ? 0.06 : 0.1;
+    node.stretching = at.y > 0.5 ? 6.0 : 2.0;
+    node.direction = at.z > 0.5 ? Vec3(1.0, 0.3, 0.0) : Vec3(1.0, -0.3, 0.4);
+  }
+  const SizeField field = SizeField::fromGrid(GridLocator(grid));
+  const auto measured = [&](Optimization optimization) {
+    const Finished mesh = meshed(unitBox(), grid, 0.0, optimization);
+    EXPECT_EQ(complaintAbout(mesh.volume, mesh.surface), "");
+    FieldHint hint;
+    VolumeMesh unit;
+    for (std::size_t i = 0; i < mesh.volume.tetrahedra.size(); i += 4) {
+      std::array<Vec3, 4> corners;
+      for (std::size_t k = 0; k < 4; ++k) {
+        const double* at = &mesh.volume.points[3 * std::size_t{mesh.volume.tetrahedra[i + k]}];
+        corners[k] = {at[0], at[1], at[2]};
+      }
+      const Vec3 centroid = (corners[0] + corners[1] + corners[2] + corners[3]) * 0.25;
+      const SymmetricTensor toUnit = field.tensorAt(centroid, hint).inverse();
+      for (const Vec3& corner : corners) {
+        const Vec3 place = toUnit * (corner - centroid);
+        unit.tetrahedra.push_back(static_cast<std::uint32_t>(unit.points.size() / 3));
+        unit.points.insert(unit.points.end(), {place.x, place.y, place.z});
+      }
+    }
+    return measureQuality(unit);
+  };
+  const QualitySummary before = measured(Optimization::kNone);
+  const QualitySummary after = measured(Optimization::kDefault);
+  EXPECT_LT(before.minDihedral, 5.0);
+  EXPECT_GT(after.minDihedral, 22.0);
+  EXPECT_LT(after.maxDihedral, 145.0);
+  EXPECT_GT(after.meanRadiusRatio, 0.86);
 }
 
 /// In numbers of elements: with stretching s, an s-th of those of the same size without.

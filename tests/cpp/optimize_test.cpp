@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/fingerprint.h"
+#include "field/size_tensor.h"
 #include "optimize/density.h"
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
@@ -28,7 +29,7 @@ namespace {
 const std::array<Vec3, 4> kRegular{Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1),
                                    Vec3(-1, -1, 1)};
 
-double costOf(const ElementCost& cost, const std::array<Vec3, 4>& t) {
+double costOf(const ElementCost<>& cost, const std::array<Vec3, 4>& t) {
   return cost(t[0], t[1], t[2], t[3]);
 }
 
@@ -96,11 +97,12 @@ Filled fill(const SurfaceMesh& surface) {
 
 constexpr double kSize = 0.2;
 
-TetComplex complexOf(const Filled& filled, const ElementCost& cost) {
+TetComplex complexOf(const Filled& filled, const ElementCost<>& cost) {
   TetComplex complex(filled.mesh, filled.surface.points.size() / 3);
   while (!complex.build(filled.mesh, 100)) {
   }
-  for (std::size_t i = 0; i < complex.nodeCount(); ++i) complex.setSize(NodeId(i), kSize);
+  for (std::size_t i = 0; i < complex.nodeCount(); ++i)
+    complex.setWanted<PlainSpace>(NodeId(i), kSize);
   complex.costAnew(cost, 0, complex.slotCount());
   return complex;
 }
@@ -198,7 +200,7 @@ TEST(TetComplex, TakesATrialBackWithoutATrace) {
 }
 
 /// A hollow of 20 faces around the origin, shaken.
-Hollow shakenHollow(std::uint64_t seed) {
+Hollow<> shakenHollow(std::uint64_t seed) {
   testing::Random random(seed);
   const SurfaceMesh surface = testing::geodesicSphere(1);
   std::vector<Vec3> points;
@@ -206,7 +208,7 @@ Hollow shakenHollow(std::uint64_t seed) {
     points.push_back(Vec3(surface.points[i], surface.points[i + 1], surface.points[i + 2]) +
                      random.inBox(0.1));
   }
-  Hollow hollow;
+  Hollow<> hollow;
   for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
     hollow.add(points[surface.triangles[t]], points[surface.triangles[t + 1]],
                points[surface.triangles[t + 2]]);
@@ -217,7 +219,7 @@ Hollow shakenHollow(std::uint64_t seed) {
 TEST(NodeMoves, NewtonStepsConvergeToAPlaceWithoutSlope) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const bool squareRoot : {true, false}) {
-      const Hollow hollow = shakenHollow(seed);
+      const Hollow<> hollow = shakenHollow(seed);
       const ElementCost cost(squareRoot ? Measure::kBulk : Measure::kFinish);
       Vec3 place(0.1, -0.05, 0.08);
       for (int i = 0; i < 20; ++i) {
@@ -243,13 +245,13 @@ TEST(NodeMoves, NewtonStepsConvergeToAPlaceWithoutSlope) {
 }
 
 TEST(NodeMoves, CircumcentreMeanDoesNotDependOnWhereTheApexIs) {
-  const Hollow hollow = shakenHollow(3);
+  const Hollow<> hollow = shakenHollow(3);
   const Vec3 one = circumcentreMean(hollow, Vec3(0.1, 0.0, 0.0));
   const Vec3 other = circumcentreMean(hollow, Vec3(-0.05, 0.12, 0.02));
   EXPECT_LT(glm::length(one), 0.3);
   EXPECT_LT(glm::length(other - one), 1e-12);
   const Vec3 by(3.0, -2.0, 1.0);
-  Hollow moved;
+  Hollow<> moved;
   for (std::size_t i = 0; i < hollow.size(); ++i) {
     moved.add(hollow.face(i)[0] + by, hollow.face(i)[1] + by, hollow.face(i)[2] + by);
   }
@@ -260,7 +262,7 @@ TEST(NodeMoves, CircumcentreMeanDoesNotDependOnWhereTheApexIs) {
 TEST(NodeMoves, LoweringTheWorstNeverRaisesIt) {
   const ElementCost cost(Measure::kDihedral, kTargets30And135);
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    const Hollow hollow = shakenHollow(seed);
+    const Hollow<> hollow = shakenHollow(seed);
     Vec3 place(0.3, 0.2, -0.1);
     const double before = hollow.costAt(place, cost, kInvalidCost);
     if (before >= kInvalidCost) continue;
@@ -268,6 +270,64 @@ TEST(NodeMoves, LoweringTheWorstNeverRaisesIt) {
     lowerWorst(hollow, cost, 5, place, worst);
     EXPECT_LE(worst, before);
     EXPECT_NEAR(hollow.costAt(place, cost, kInvalidCost), worst, 1e-9 * worst);
+  }
+}
+
+/// The tensor T of a stretching by 6 along a slanted direction.
+SymmetricTensor slantedTensor() {
+  BackgroundNode node;
+  node.size = 0.4;
+  node.stretching = 6.0;
+  node.direction = Vec3(1.0, 0.5, -0.8);
+  return sizeTensor(node).inverse();
+}
+
+/// Judging a stretched element is judging in plain space what T makes of it.
+TEST(StretchedSpace, CostsAreThoseOfTheElementThatTheMetricSees) {
+  const SymmetricTensor toUnit = slantedTensor();
+  testing::Random random(7);
+  for (int i = 0; i < 1000; ++i) {
+    const auto t = randomElement(random);
+    for (const Measure measure : {Measure::kBulk, Measure::kFinish, Measure::kDihedral}) {
+      const double here = ElementCost<StretchedSpace>(measure)(t[0], t[1], t[2], t[3], toUnit);
+      const double there =
+          ElementCost(measure)(toUnit * t[0], toUnit * t[1], toUnit * t[2], toUnit * t[3]);
+      ASSERT_NEAR(here, there, 1e-7 * (1.0 + there));
+    }
+  }
+}
+
+TEST(StretchedSpace, MovesAreThoseOfTheHollowThatTheMetricSees) {
+  const SymmetricTensor toUnit = slantedTensor();
+  const SymmetricTensor toSpace = toUnit.inverse();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const Hollow<> unit = shakenHollow(seed);
+    Hollow<StretchedSpace> hollow;
+    for (std::size_t i = 0; i < unit.size(); ++i) {
+      const auto& [a, b, c] = unit.face(i);
+      hollow.add(toSpace * a, toSpace * b, toSpace * c, toUnit);
+    }
+    const Vec3 place(0.1, -0.05, 0.08);
+    const auto expectSame = [&](const Vec3& here, const Vec3& there) {
+      EXPECT_LT(glm::length(toUnit * here - there), 1e-9) << "seed " << seed;
+    };
+    expectSame(circumcentreMean(hollow, toSpace * place), circumcentreMean(unit, place));
+    for (const bool squareRoot : {true, false}) {
+      Vec3 here(0.0);
+      Vec3 there(0.0);
+      ASSERT_TRUE(newtonStep(unit, place, squareRoot, there));
+      ASSERT_TRUE(newtonStep(hollow, toSpace * place, squareRoot, here));
+      expectSame(here, there);
+    }
+    double worstHere = 0.0;
+    double worstThere = 0.0;
+    Vec3 here = toSpace * place;
+    Vec3 there = place;
+    const bool fellHere =
+        lowerWorst(hollow, ElementCost<StretchedSpace>(Measure::kDihedral), 1, here, worstHere);
+    EXPECT_EQ(lowerWorst(unit, ElementCost(Measure::kDihedral), 1, there, worstThere), fellHere);
+    // Central differences leave a rounding error here, of which the step length makes a little.
+    EXPECT_NEAR(worstHere, worstThere, 1e-4 * worstThere) << "seed " << seed;
   }
 }
 

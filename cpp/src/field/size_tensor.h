@@ -56,6 +56,11 @@ struct SymmetricTensor {
     return xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
   }
 
+  [[nodiscard]] SymmetricTensor squared() const {
+    return {xx * xx + xy * xy + xz * xz, xy * xy + yy * yy + yz * yz, xz * xz + yz * yz + zz * zz,
+            xx * xy + xy * yy + xz * yz, xx * xz + xy * yz + xz * zz, xy * xz + yy * yz + yz * zz};
+  }
+
   /// Must be invertible.
   [[nodiscard]] SymmetricTensor inverse() const {
     const double scale = 1.0 / determinant();

@@ -1,7 +1,6 @@
 #include "optimize/density.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace tetrafront {
 namespace {
@@ -12,18 +11,10 @@ constexpr double kMaxEdge = 1.3;
 constexpr double kMaxEdgeAfterCollapse = 1.8;
 constexpr std::size_t kMaxSplitRing = kMaxRing - 1;
 
-double distance(const Vec3& a, const Vec3& b) {
-  const Vec3 d = a - b;
-  return std::sqrt(glm::dot(d, d));
-}
-
 }  // namespace
 
-double relativeLength(const TetComplex& complex, NodeId a, NodeId b) {
-  return distance(complex.place(a), complex.place(b)) / (0.5 * (complex.size(a) + complex.size(b)));
-}
-
-void EdgeSplitter::collect(std::size_t first, std::size_t last, std::uint32_t since) {
+template <class Space>
+void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint32_t since) {
   EdgeRing ring;
   for (std::size_t t = first; t < last; ++t) {
     const TetId tet(t);
@@ -32,7 +23,7 @@ void EdgeSplitter::collect(std::size_t first, std::size_t last, std::uint32_t si
     for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
       const NodeId a = nodes[kEdgeCorners[e][0]];
       const NodeId b = nodes[kEdgeCorners[e][1]];
-      const double length = relativeLength(complex_, a, b);
+      const double length = relativeLength<Space>(complex_, a, b);
       if (length <= kMaxEdge || !findRing(complex_, tet, e, kMaxSplitRing, ring)) continue;
       // Of the ring's changed elements, the first one speaks for the edge.
       const bool speaks = std::none_of(
@@ -43,12 +34,15 @@ void EdgeSplitter::collect(std::size_t first, std::size_t last, std::uint32_t si
   }
 }
 
-void EdgeSplitter::sortCollected() {
+template <class Space>
+void EdgeSplitter<Space>::sortCollected() {
   std::stable_sort(edges_.begin(), edges_.end(),
                    [](const LongEdge& p, const LongEdge& q) { return p.length > q.length; });
 }
 
-std::size_t EdgeSplitter::splitSome(std::size_t next, std::size_t count, const ElementCost& cost) {
+template <class Space>
+std::size_t EdgeSplitter<Space>::splitSome(std::size_t next, std::size_t count,
+                                           const ElementCost<Space>& cost) {
   std::size_t done = 0;
   EdgeRing ring;
   for (std::size_t i = next; i < std::min(next + count, edges_.size()); ++i) {
@@ -63,15 +57,25 @@ std::size_t EdgeSplitter::splitSome(std::size_t next, std::size_t count, const E
 }
 
 /// The middle of the edge, moved to where the new elements cost least.
-Vec3 EdgeSplitter::bestMiddle(const EdgeRing& ring, const ElementCost& cost) {
+template <class Space>
+Vec3 EdgeSplitter<Space>::bestMiddle(const EdgeRing& ring, const ElementCost<Space>& cost) {
   const Vec3& from = complex_.place(ring.from);
   const Vec3& to = complex_.place(ring.to);
   hollow_.clear();
+  const auto frame = [&](NodeId end, std::size_t i) -> typename Space::Frame {
+    if constexpr (Space::kIsStretched) {
+      return Space::frameOf(wantedAtMiddle(ring), complex_.wanted<Space>(end),
+                            complex_.wanted<Space>(ring.nodes[i]),
+                            complex_.wanted<Space>(ring.nodes[(i + 1) % ring.nodeCount]));
+    } else {
+      return {};
+    }
+  };
   for (std::size_t i = 0; i < ring.nodeCount; ++i) {
     const Vec3& p = complex_.place(ring.nodes[i]);
     const Vec3& q = complex_.place(ring.nodes[(i + 1) % ring.nodeCount]);
-    hollow_.add(to, p, q);
-    hollow_.add(from, q, p);
+    hollow_.add(to, p, q, frame(ring.to, i));
+    hollow_.add(from, q, p, frame(ring.from, i));
   }
   Vec3 place = (from + to) * 0.5;
   constexpr int kSteps = 2;
@@ -84,7 +88,9 @@ Vec3 EdgeSplitter::bestMiddle(const EdgeRing& ring, const ElementCost& cost) {
   return place;
 }
 
-bool EdgeSplitter::makeHalves(const EdgeRing& ring, const ElementCost& cost, NodeId middle) {
+template <class Space>
+bool EdgeSplitter<Space>::makeHalves(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                     NodeId middle) {
   for (std::size_t i = 0; i < ring.nodeCount; ++i) {
     const NodeId p = ring.nodes[i];
     const NodeId q = ring.nodes[(i + 1) % ring.nodeCount];
@@ -97,7 +103,8 @@ bool EdgeSplitter::makeHalves(const EdgeRing& ring, const ElementCost& cost, Nod
   return true;
 }
 
-bool EdgeSplitter::split(const EdgeRing& ring, const ElementCost& cost) {
+template <class Space>
+bool EdgeSplitter<Space>::split(const EdgeRing& ring, const ElementCost<Space>& cost) {
   const Vec3 place = bestMiddle(ring, cost);
   double worst = 0.0;
   for (const TetId tet : ring.elementSpan()) worst = std::max(worst, complex_.cost(tet));
@@ -105,24 +112,24 @@ bool EdgeSplitter::split(const EdgeRing& ring, const ElementCost& cost) {
   for (std::size_t i = 0; i < hollow_.size(); ++i) {
     if (hollow_.costOf(i, place, cost) > worst) return false;
   }
-  const NodeId middle =
-      complex_.addNode(place, 0.5 * (complex_.size(ring.from) + complex_.size(ring.to)));
+  const NodeId middle = complex_.addNode<Space>(place, wantedAtMiddle(ring));
   // The corners' order in makeHalves() differs from the hollow's, and so may the last bit.
   if (!makeHalves(ring, cost, middle)) return false;
   complex_.replace(ring.elementSpan(), std::span(fresh_).first(2 * ring.nodeCount));
   return true;
 }
 
-NodeId EdgeSplitter::force(const EdgeRing& ring, const ElementCost& cost) {
+template <class Space>
+NodeId EdgeSplitter<Space>::force(const EdgeRing& ring, const ElementCost<Space>& cost) {
   const Vec3 place = (complex_.place(ring.from) + complex_.place(ring.to)) * 0.5;
-  const NodeId middle =
-      complex_.addNode(place, 0.5 * (complex_.size(ring.from) + complex_.size(ring.to)));
+  const NodeId middle = complex_.addNode<Space>(place, wantedAtMiddle(ring));
   if (!makeHalves(ring, cost, middle)) return {};
   complex_.replace(ring.elementSpan(), std::span(fresh_).first(2 * ring.nodeCount));
   return middle;
 }
 
-void NodeCollapser::findNeighbours(NodeId node) {
+template <class Space>
+void NodeCollapser<Space>::findNeighbours(NodeId node) {
   if (marks_.size() < complex_.nodeCount()) marks_.resize(complex_.nodeCount() * 3 / 2, 0);
   ++mark_;
   marks_[node.index()] = mark_;
@@ -136,25 +143,28 @@ void NodeCollapser::findNeighbours(NodeId node) {
   }
 }
 
-void NodeCollapser::collect(std::size_t first, std::size_t last, std::uint32_t since) {
+template <class Space>
+void NodeCollapser<Space>::collect(std::size_t first, std::size_t last, std::uint32_t since) {
   for (std::size_t i = first; i < last; ++i) {
     const NodeId node(i);
     if (complex_.isFixed(node) || !complex_.isUsed(node)) continue;
     if (complex_.starChangedIn(node) < since || !complex_.findStar(node, star_)) continue;
     findNeighbours(node);
     double sum = 0.0;
-    for (const NodeId other : neighbours_) sum += relativeLength(complex_, node, other);
+    for (const NodeId other : neighbours_) sum += relativeLength<Space>(complex_, node, other);
     nodes_.push_back({sum / static_cast<double>(neighbours_.size()), node});
   }
 }
 
-void NodeCollapser::sortCollected() {
+template <class Space>
+void NodeCollapser<Space>::sortCollected() {
   std::stable_sort(nodes_.begin(), nodes_.end(),
                    [](const Crowded& p, const Crowded& q) { return p.length < q.length; });
 }
 
-std::size_t NodeCollapser::collapseSome(std::size_t next, std::size_t count,
-                                        const ElementCost& cost) {
+template <class Space>
+std::size_t NodeCollapser<Space>::collapseSome(std::size_t next, std::size_t count,
+                                               const ElementCost<Space>& cost) {
   std::size_t done = 0;
   for (std::size_t i = next; i < std::min(next + count, nodes_.size()); ++i) {
     done += collapse(nodes_[i].node, cost, kMaxEdgeAfterCollapse, 0.0) ? 1 : 0;
@@ -163,8 +173,9 @@ std::size_t NodeCollapser::collapseSome(std::size_t next, std::size_t count,
 }
 
 /// Cost of the star's elements with the node at the target; fills fresh_.
-double NodeCollapser::costOnto(NodeId target, const ElementCost& cost, double maxLength,
-                               double bound) {
+template <class Space>
+double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& cost,
+                                      const typename Space::Limit& limit, double bound) {
   freshCount_ = 0;
   const Vec3& place = complex_.place(target);
   double sum = 0.0;
@@ -178,15 +189,16 @@ double NodeCollapser::costOnto(NodeId target, const ElementCost& cost, double ma
     sum = cost.combined(sum, one);
     if (sum >= bound) return kInvalidCost;
     for (int k = 1; k < 4; ++k) {
-      if (distance(complex_.place(moved[k]), place) > maxLength) return kInvalidCost;
+      if (limit.isExceededBy(complex_.place(moved[k]) - place)) return kInvalidCost;
     }
     fresh_[freshCount_++] = {moved, one};
   }
   return sum;
 }
 
-bool NodeCollapser::collapse(NodeId node, const ElementCost& cost, double maxLength,
-                             double minGain) {
+template <class Space>
+bool NodeCollapser<Space>::collapse(NodeId node, const ElementCost<Space>& cost, double maxLength,
+                                    double minGain) {
   if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
     return false;
   }
@@ -196,7 +208,8 @@ bool NodeCollapser::collapse(NodeId node, const ElementCost& cost, double maxLen
   }
   findNeighbours(node);
   const auto limit = [&](NodeId target) {
-    return maxLength * std::max(complex_.size(node), complex_.size(target));
+    return typename Space::Limit(maxLength, complex_.wanted<Space>(node),
+                                 complex_.wanted<Space>(target));
   };
   double best = old * (1.0 - minGain);
   NodeId target;
@@ -213,5 +226,10 @@ bool NodeCollapser::collapse(NodeId node, const ElementCost& cost, double maxLen
   complex_.forget(node);
   return true;
 }
+
+template class EdgeSplitter<PlainSpace>;
+template class EdgeSplitter<StretchedSpace>;
+template class NodeCollapser<PlainSpace>;
+template class NodeCollapser<StretchedSpace>;
 
 }  // namespace tetrafront

@@ -14,9 +14,14 @@
 
 namespace tetrafront {
 
-/// Edge length divided by the mean of its ends' wanted sizes.
-[[nodiscard]] double relativeLength(const TetComplex& complex, NodeId a, NodeId b);
+/// Edge length divided by the mean of what is wanted at its ends.
+template <class Space = PlainSpace>
+[[nodiscard]] double relativeLength(const TetComplex& complex, NodeId a, NodeId b) {
+  return Space::relativeLength(complex.place(a) - complex.place(b), complex.wanted<Space>(a),
+                               complex.wanted<Space>(b));
+}
 
+template <class Space = PlainSpace>
 class EdgeSplitter {
  public:
   explicit EdgeSplitter(TetComplex& complex) : complex_(complex) {}
@@ -28,12 +33,12 @@ class EdgeSplitter {
   void sortCollected();
   /// Splits edges [next, next + count) of the list where no element of the ring gets worse than
   /// its worst was. Returns the number of splits.
-  std::size_t splitSome(std::size_t next, std::size_t count, const ElementCost& cost);
+  std::size_t splitSome(std::size_t next, std::size_t count, const ElementCost<Space>& cost);
   [[nodiscard]] std::size_t collected() const { return edges_.size(); }
   void clear() { edges_.clear(); }
 
   /// Splits one edge by a new node at its middle, at whatever cost. The new node, or none.
-  NodeId force(const EdgeRing& ring, const ElementCost& cost);
+  NodeId force(const EdgeRing& ring, const ElementCost<Space>& cost);
 
  private:
   struct LongEdge {
@@ -42,16 +47,20 @@ class EdgeSplitter {
     NodeId b;
     TetId tet;
   };
-  bool split(const EdgeRing& ring, const ElementCost& cost);
-  bool makeHalves(const EdgeRing& ring, const ElementCost& cost, NodeId middle);
-  [[nodiscard]] Vec3 bestMiddle(const EdgeRing& ring, const ElementCost& cost);
+  bool split(const EdgeRing& ring, const ElementCost<Space>& cost);
+  bool makeHalves(const EdgeRing& ring, const ElementCost<Space>& cost, NodeId middle);
+  [[nodiscard]] typename Space::Wanted wantedAtMiddle(const EdgeRing& ring) const {
+    return Space::meanOf(complex_.wanted<Space>(ring.from), complex_.wanted<Space>(ring.to));
+  }
+  [[nodiscard]] Vec3 bestMiddle(const EdgeRing& ring, const ElementCost<Space>& cost);
 
   TetComplex& complex_;
   std::vector<LongEdge> edges_;
-  Hollow hollow_;
+  Hollow<Space> hollow_;
   std::array<NewElement, 2 * kMaxRing> fresh_;
 };
 
+template <class Space = PlainSpace>
 class NodeCollapser {
  public:
   explicit NodeCollapser(TetComplex& complex) : complex_(complex) {}
@@ -60,13 +69,13 @@ class NodeCollapser {
   /// edge length.
   void collect(std::size_t first, std::size_t last, std::uint32_t since);
   void sortCollected();
-  std::size_t collapseSome(std::size_t next, std::size_t count, const ElementCost& cost);
+  std::size_t collapseSome(std::size_t next, std::size_t count, const ElementCost<Space>& cost);
   [[nodiscard]] std::size_t collected() const { return nodes_.size(); }
   void clear() { nodes_.clear(); }
 
   /// Collapses a free node onto its best neighbour if the combined cost of its elements falls by
   /// `minGain` (relative) and no new edge is longer than `maxLength` wanted sizes.
-  bool collapse(NodeId node, const ElementCost& cost, double maxLength, double minGain);
+  bool collapse(NodeId node, const ElementCost<Space>& cost, double maxLength, double minGain);
 
  private:
   struct Crowded {
@@ -74,7 +83,8 @@ class NodeCollapser {
     NodeId node;
   };
   void findNeighbours(NodeId node);
-  double costOnto(NodeId target, const ElementCost& cost, double maxLength, double bound);
+  double costOnto(NodeId target, const ElementCost<Space>& cost, const typename Space::Limit& limit,
+                  double bound);
 
   TetComplex& complex_;
   std::vector<Crowded> nodes_;

@@ -86,14 +86,17 @@ bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_
   return back == 0 && ring.nodeCount <= maxNodes;
 }
 
-double EdgeRemoval::triangle(std::size_t i, std::size_t j, std::size_t k) const {
+template <class Space>
+double EdgeRemoval<Space>::triangle(std::size_t i, std::size_t j, std::size_t k) const {
   if (i > j) std::swap(i, j);
   if (j > k) std::swap(j, k);
   if (i > j) std::swap(i, j);
   return triangles_[i][j][k];
 }
 
-void EdgeRemoval::costTriangles(const EdgeRing& ring, const ElementCost& cost, double bound) {
+template <class Space>
+void EdgeRemoval<Space>::costTriangles(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                       double bound) {
   std::array<Vec3, kMaxRing> places;
   for (std::size_t i = 0; i < ring.nodeCount; ++i) places[i] = complex_.place(ring.nodes[i]);
   const Vec3& from = complex_.place(ring.from);
@@ -103,9 +106,13 @@ void EdgeRemoval::costTriangles(const EdgeRing& ring, const ElementCost& cost, d
       for (std::size_t k = j + 1; k < ring.nodeCount; ++k) {
         double& value = triangles_[i][j][k];
         value = kInvalidCost;
-        const double above = cost(places[i], places[j], places[k], to);
+        const Corners upper{ring.nodes[i], ring.nodes[j], ring.nodes[k], ring.to};
+        const double above =
+            cost(places[i], places[j], places[k], to, complex_.frameOf<Space>(upper));
         if (above >= bound) continue;
-        const double below = cost(places[i], places[k], places[j], from);
+        const Corners lower{ring.nodes[i], ring.nodes[k], ring.nodes[j], ring.from};
+        const double below =
+            cost(places[i], places[k], places[j], from, complex_.frameOf<Space>(lower));
         if (below < bound) value = cost.combined(above, below);
       }
     }
@@ -114,7 +121,9 @@ void EdgeRemoval::costTriangles(const EdgeRing& ring, const ElementCost& cost, d
 
 /// intervals_[i][n] for all intervals; false if none beats the bound. An open ring's intervals do
 /// not pass its ends.
-bool EdgeRemoval::costIntervals(const EdgeRing& ring, const ElementCost& cost, double bound) {
+template <class Space>
+bool EdgeRemoval<Space>::costIntervals(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                       double bound) {
   const std::size_t count = ring.nodeCount;
   bool any = false;
   for (std::size_t i = 0; i < count; ++i) intervals_[i][1] = 0.0;
@@ -141,7 +150,9 @@ bool EdgeRemoval::costIntervals(const EdgeRing& ring, const ElementCost& cost, d
   return any;
 }
 
-void EdgeRemoval::costSectors(const EdgeRing& ring, const ElementCost& cost, double bound) {
+template <class Space>
+void EdgeRemoval<Space>::costSectors(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                     double bound) {
   const std::size_t count = ring.nodeCount;
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t length = 1; length < count; ++length) {
@@ -161,7 +172,9 @@ void EdgeRemoval::costSectors(const EdgeRing& ring, const ElementCost& cost, dou
 
 /// Keeps the edge, with some sectors joined into one each: the best way to go once round, for each
 /// node to start from.
-void EdgeRemoval::planFans(const EdgeRing& ring, const ElementCost& cost, double bound) {
+template <class Space>
+void EdgeRemoval<Space>::planFans(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                  double bound) {
   costSectors(ring, cost, bound);
   const std::size_t count = ring.nodeCount;
   const std::size_t steps = ring.closed ? count : count - 1;
@@ -195,7 +208,9 @@ void EdgeRemoval::planFans(const EdgeRing& ring, const ElementCost& cost, double
   }
 }
 
-bool EdgeRemoval::plan(const EdgeRing& ring, const ElementCost& cost, bool fans, double bound) {
+template <class Space>
+bool EdgeRemoval<Space>::plan(const EdgeRing& ring, const ElementCost<Space>& cost, bool fans,
+                              double bound) {
   plan_ = Plan::kNone;
   planCost_ = bound;
   if (ring.nodeCount < 3) return false;
@@ -210,14 +225,17 @@ bool EdgeRemoval::plan(const EdgeRing& ring, const ElementCost& cost, bool fans,
   return plan_ != Plan::kNone;
 }
 
-void EdgeRemoval::put(const ElementCost& cost, NodeId a, NodeId b, NodeId c, NodeId d) {
+template <class Space>
+void EdgeRemoval<Space>::put(const ElementCost<Space>& cost, NodeId a, NodeId b, NodeId c,
+                             NodeId d) {
   const Corners nodes{a, b, c, d};
   // Kept sectors may be ones that were too flat on entry.
   fresh_[freshCount_++] = {nodes, std::min(complex_.costOf(cost, nodes), kEntryCost)};
 }
 
-void EdgeRemoval::fillInterval(const EdgeRing& ring, const ElementCost& cost, std::size_t first,
-                               std::size_t length) {
+template <class Space>
+void EdgeRemoval<Space>::fillInterval(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                      std::size_t first, std::size_t length) {
   if (length < 2) return;
   const std::size_t count = ring.nodeCount;
   const std::size_t cut = cuts_[first][length];
@@ -231,7 +249,8 @@ void EdgeRemoval::fillInterval(const EdgeRing& ring, const ElementCost& cost, st
   fillInterval(ring, cost, middle, length - cut);
 }
 
-void EdgeRemoval::apply(const EdgeRing& ring, const ElementCost& cost) {
+template <class Space>
+void EdgeRemoval<Space>::apply(const EdgeRing& ring, const ElementCost<Space>& cost) {
   freshCount_ = 0;
   if (plan_ == Plan::kRemove) {
     fillInterval(ring, cost, 0, ring.nodeCount - 1);
@@ -247,7 +266,9 @@ void EdgeRemoval::apply(const EdgeRing& ring, const ElementCost& cost) {
   complex_.replace(ring.elementSpan(), std::span(fresh_).first(freshCount_));
 }
 
-bool EdgeRemoval::improve(const EdgeRing& ring, const ElementCost& cost, const Options& options) {
+template <class Space>
+bool EdgeRemoval<Space>::improve(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                 const EdgeRemovalOptions& options) {
   double old = 0.0;
   for (const TetId tet : ring.elementSpan()) old = cost.combined(old, complex_.cost(tet));
   constexpr double kLeastGain = 1e-12;
@@ -258,10 +279,14 @@ bool EdgeRemoval::improve(const EdgeRing& ring, const ElementCost& cost, const O
   return true;
 }
 
-bool EdgeRemoval::force(const EdgeRing& ring, const ElementCost& cost) {
+template <class Space>
+bool EdgeRemoval<Space>::force(const EdgeRing& ring, const ElementCost<Space>& cost) {
   if (!ring.closed || !plan(ring, cost, false, kInvalidCost)) return false;
   apply(ring, cost);
   return true;
 }
+
+template class EdgeRemoval<PlainSpace>;
+template class EdgeRemoval<StretchedSpace>;
 
 }  // namespace tetrafront

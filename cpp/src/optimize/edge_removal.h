@@ -44,33 +44,36 @@ struct EdgeRing {
 [[nodiscard]] bool findRing(const TetComplex& complex, TetId tet, std::size_t edge,
                             std::size_t maxNodes, EdgeRing& ring);
 
+struct EdgeRemovalOptions {
+  bool fans = false;      ///< also try keeping the edge with fewer sectors, at boundary edges too
+  double minGain = 1e-4;  ///< relative
+};
+
+template <class Space = PlainSpace>
 class EdgeRemoval {
  public:
-  struct Options {
-    bool fans = false;      ///< also try keeping the edge with fewer sectors, at boundary edges too
-    double minGain = 1e-4;  ///< relative
-  };
-
   explicit EdgeRemoval(TetComplex& complex) : complex_(complex) {}
 
   /// Swaps if the ring's combined cost falls. Returns whether it did.
-  bool improve(const EdgeRing& ring, const ElementCost& cost, const Options& options);
+  bool improve(const EdgeRing& ring, const ElementCost<Space>& cost,
+               const EdgeRemovalOptions& options);
 
   /// Removes the edge of a closed ring at whatever cost, if that is possible at all.
-  bool force(const EdgeRing& ring, const ElementCost& cost);
+  bool force(const EdgeRing& ring, const ElementCost<Space>& cost);
 
  private:
   enum class Plan : std::uint8_t { kNone, kRemove, kFans };
 
-  bool plan(const EdgeRing& ring, const ElementCost& cost, bool fans, double bound);
-  void costTriangles(const EdgeRing& ring, const ElementCost& cost, double bound);
-  [[nodiscard]] bool costIntervals(const EdgeRing& ring, const ElementCost& cost, double bound);
-  void planFans(const EdgeRing& ring, const ElementCost& cost, double bound);
-  void costSectors(const EdgeRing& ring, const ElementCost& cost, double bound);
-  void apply(const EdgeRing& ring, const ElementCost& cost);
-  void fillInterval(const EdgeRing& ring, const ElementCost& cost, std::size_t first,
+  bool plan(const EdgeRing& ring, const ElementCost<Space>& cost, bool fans, double bound);
+  void costTriangles(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
+  [[nodiscard]] bool costIntervals(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                   double bound);
+  void planFans(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
+  void costSectors(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
+  void apply(const EdgeRing& ring, const ElementCost<Space>& cost);
+  void fillInterval(const EdgeRing& ring, const ElementCost<Space>& cost, std::size_t first,
                     std::size_t length);
-  void put(const ElementCost& cost, NodeId a, NodeId b, NodeId c, NodeId d);
+  void put(const ElementCost<Space>& cost, NodeId a, NodeId b, NodeId c, NodeId d);
   [[nodiscard]] double triangle(std::size_t i, std::size_t j, std::size_t k) const;
 
   TetComplex& complex_;

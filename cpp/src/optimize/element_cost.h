@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "optimize/judging_space.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -37,43 +38,66 @@ struct DihedralTargets {
   double least;
   double greatest;
 };
+inline constexpr DihedralTargets kTargets2And175{0.0003046792916482916, 0.0019062779356603494};
+inline constexpr DihedralTargets kTargets8And165{0.00488975902858307, 0.017332380120999264};
 inline constexpr DihedralTargets kTargets18And150{0.02508563093691659, 0.07179676972449082};
 inline constexpr DihedralTargets kTargets30And135{0.07179676972449082, 0.17157287525380988};
 inline constexpr DihedralTargets kTargets35And130{0.099413326268553801, 0.21744283205399903};
 
-/// (mean ratio)^-3, or kInvalidCost.
-inline double shapeOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 u = b - a;
-  const Vec3 v = c - a;
-  const Vec3 w = d - a;
+/// An element's edges from its first corner.
+struct Edges {
+  Vec3 u;
+  Vec3 v;
+  Vec3 w;
+};
+
+/// Mean ratio as a fraction: bottom / top = (mean ratio)^3; bottom 0 for what has no volume.
+struct ShapeFraction {
+  double top;
+  double bottom;
+  [[nodiscard]] bool isValid() const { return bottom * kMaxShape > top; }
+};
+
+inline ShapeFraction shapeFraction(const Edges& edges) {
+  const auto& [u, v, w] = edges;
   const double sixVolumes = glm::dot(u, glm::cross(v, w));
-  if (!(sixVolumes > 0.0)) return kInvalidCost;
+  if (!(sixVolumes > 0.0)) return {1.0, 0.0};
   const double squares = 3.0 * (glm::dot(u, u) + glm::dot(v, v) + glm::dot(w, w)) -
                          2.0 * (glm::dot(u, v) + glm::dot(v, w) + glm::dot(u, w));
-  const double top = squares * squares * squares;
-  const double bottom = 432.0 * sixVolumes * sixVolumes;
-  return bottom * kMaxShape > top ? top / bottom : kInvalidCost;
+  return {squares * squares * squares, 432.0 * sixVolumes * sixVolumes};
 }
 
-/// Computes costs by one measure.
+/// Computes costs by one measure, judged in one kind of space.
+template <class Space = PlainSpace>
 class ElementCost {
  public:
+  using Frame = typename Space::Frame;
+
   explicit ElementCost(Measure measure, DihedralTargets targets = kTargets18And150)
       : measure_(measure), targets_(targets) {}
 
   [[nodiscard]] Measure measure() const { return measure_; }
 
-  [[nodiscard]] double operator()(const Vec3& a, const Vec3& b, const Vec3& c,
-                                  const Vec3& d) const {
-    const double shape = shapeOf(a, b, c, d);
-    if (shape >= kInvalidCost) return kInvalidCost;
+  [[nodiscard]] double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                                  const Frame& frame = {}) const {
+    Edges edges{b - a, c - a, d - a};
+    if constexpr (Space::kIsStretched) {
+      // Plain space decides the sign. Positive there, a volume is so in unit space too, where
+      // rounding may have left nothing of it.
+      if (!shapeFraction(edges).isValid()) return kInvalidCost;
+      edges = {Space::toUnit(frame, edges.u), Space::toUnit(frame, edges.v),
+               Space::toUnit(frame, edges.w)};
+    }
+    const ShapeFraction fraction = shapeFraction(edges);
+    if (!fraction.isValid()) return kInvalidCost;
+    const double shape = fraction.top / fraction.bottom;
     switch (measure_) {
       case Measure::kBulk:
         return std::sqrt(shape) - 1.0;
       case Measure::kFinish:
         return shape - 1.0;
       case Measure::kDihedral:
-        return dihedral(a, b, c, d);
+        return dihedral(edges);
     }
     return kInvalidCost;
   }
@@ -84,10 +108,8 @@ class ElementCost {
   }
 
  private:
-  [[nodiscard]] double dihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) const {
-    const Vec3 u = b - a;
-    const Vec3 v = c - a;
-    const Vec3 w = d - a;
+  [[nodiscard]] double dihedral(const Edges& edges) const {
+    const auto& [u, v, w] = edges;
     const Vec3 vw = glm::cross(v, w);
     const Vec3 wu = glm::cross(w, u);
     const Vec3 uv = glm::cross(u, v);

@@ -17,17 +17,19 @@ constexpr double kChangingMove = 0.01;
 constexpr double kLeastGain = 1e-6;  // relative
 constexpr int kHalvings = 4;
 
-/// Gradients of one element's cost at its apex by central differences.
-Vec3 gradientOf(const Hollow& hollow, std::size_t i, const Vec3& apex, const ElementCost& cost,
-                double radius) {
+/// Gradient of one element's cost at its apex by central differences, in a unit space.
+template <class Space>
+Vec3 gradientOf(const Hollow<Space>& hollow, std::size_t i, const Vec3& apex,
+                const ElementCost<Space>& cost, double radius, const typename Space::Back& back) {
   const double step = 1e-5 * radius;  // the cube root of the rounding error
   Vec3 gradient(0.0);
   for (int k = 0; k < 3; ++k) {
-    Vec3 forth = apex;
-    Vec3 back = apex;
-    forth[k] += step;
-    back[k] -= step;
-    gradient[k] = (hollow.costOf(i, forth, cost) - hollow.costOf(i, back, cost)) / (2.0 * step);
+    Vec3 along(0.0);
+    along[k] = step;
+    along = Space::toSpace(back, along);
+    const double forth = hollow.costOf(i, apex + along, cost);
+    const double before = hollow.costOf(i, apex - along, cost);
+    gradient[k] = (forth - before) / (2.0 * step);
   }
   return gradient;
 }
@@ -56,7 +58,8 @@ Vec3 shortestInHull(const std::array<Vec3, kMaxGradients>& gradients, std::size_
 
 }  // namespace
 
-double Hollow::costAt(const Vec3& apex, const ElementCost& cost, double bound) const {
+template <class Space>
+double Hollow<Space>::costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
     const double one = costOf(i, apex, cost);
@@ -67,78 +70,98 @@ double Hollow::costAt(const Vec3& apex, const ElementCost& cost, double bound) c
   return sum;
 }
 
-double Hollow::meanRadius(const Vec3& apex) const {
+template <class Space>
+double Hollow<Space>::meanRadius(const Vec3& apex, const Frame& frame) const {
   double sum = 0.0;
-  for (std::size_t i = 0; i < size_; ++i) sum += lengthOf(faces_[i][0] - apex);
+  for (std::size_t i = 0; i < size_; ++i) {
+    sum += lengthOf(Space::toUnit(frame, faces_[i][0] - apex));
+  }
   return sum / static_cast<double>(size_);
 }
 
-Vec3 circumcentreMean(const Hollow& hollow, const Vec3& apex) {
+template <class Space>
+Vec3 circumcentreMean(const Hollow<Space>& hollow, const Vec3& apex) {
   Vec3 sum(0.0);
   double volumes = 0.0;
   for (std::size_t i = 0; i < hollow.size(); ++i) {
-    const Vec3 u = hollow.face(i)[0] - apex;
-    const Vec3 v = hollow.face(i)[1] - apex;
-    const Vec3 w = hollow.face(i)[2] - apex;
+    const auto& frame = hollow.frame(i);
+    const Vec3 u = Space::toUnit(frame, hollow.face(i)[0] - apex);
+    const Vec3 v = Space::toUnit(frame, hollow.face(i)[1] - apex);
+    const Vec3 w = Space::toUnit(frame, hollow.face(i)[2] - apex);
     const Vec3 vw = glm::cross(v, w);
     // The circumcentre, seen from the apex, times the volume.
-    sum += (vw * glm::dot(u, u) + glm::cross(w, u) * glm::dot(v, v) +
-            glm::cross(u, v) * glm::dot(w, w)) *
-           0.5;
+    const Vec3 centre = (vw * glm::dot(u, u) + glm::cross(w, u) * glm::dot(v, v) +
+                         glm::cross(u, v) * glm::dot(w, w)) *
+                        0.5;
+    sum += Space::toSpace(Space::backFrom(frame), centre);
     volumes += glm::dot(u, vw);
   }
   return volumes > 0.0 ? apex + sum * (1.0 / volumes) : apex;
 }
 
-bool newtonStep(const Hollow& hollow, const Vec3& apex, bool squareRoot, Vec3& step) {
+template <class Space>
+bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot, Vec3& step) {
   const double power = squareRoot ? 0.5 : 1.0;
   Vec3 gradient(0.0);
-  double xx = 0.0;
-  double xy = 0.0;
-  double xz = 0.0;
-  double yy = 0.0;
-  double yz = 0.0;
-  double zz = 0.0;
+  SymmetricTensor hessian = SymmetricTensor::isotropic(0.0);
   for (std::size_t i = 0; i < hollow.size(); ++i) {
+    const auto& frame = hollow.frame(i);
     const auto& [a, b, c] = hollow.face(i);
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const Vec3 bc = c - b;
+    const Vec3 ab = Space::toUnit(frame, b - a);
+    const Vec3 ac = Space::toUnit(frame, c - a);
+    const Vec3 bc = Space::toUnit(frame, c - b);
+    const Vec3 pa = Space::toUnit(frame, apex - a);
+    const Vec3 pb = Space::toUnit(frame, apex - b);
+    const Vec3 pc = Space::toUnit(frame, apex - c);
     const Vec3 normal = glm::cross(ac, ab);
-    const double volume = glm::dot(normal, apex - a);
+    const double volume = glm::dot(normal, pa);
     if (!(volume > 0.0)) return false;
-    const Vec3 pa = apex - a;
-    const Vec3 pb = apex - b;
-    const Vec3 pc = apex - c;
     const double squares = glm::dot(pa, pa) + glm::dot(pb, pb) + glm::dot(pc, pc) +
                            glm::dot(ab, ab) + glm::dot(ac, ac) + glm::dot(bc, bc);
     const double e = squares * squares * squares / (432.0 * volume * volume);
     const double weight = squareRoot ? std::sqrt(e) : e;
-    const Vec3 s = (pa + pb + pc) * (2.0 / squares);  // gradient of log squares
-    const Vec3 n = normal * (1.0 / volume);           // of log volume
-    const Vec3 w = s * 3.0 - n * 2.0;                 // of log e
+    // Gradients with respect to the place: those of unit space, through T (which is symmetric).
+    const Vec3 s = Space::toUnit(frame, (pa + pb + pc) * (2.0 / squares));  // of log squares
+    const Vec3 n = Space::toUnit(frame, normal * (1.0 / volume));           // of log volume
+    const Vec3 w = s * 3.0 - n * 2.0;                                       // of log e
     gradient += w * weight;
     const double k = 18.0 / squares;
-    xx += weight * (power * w.x * w.x + k - 3.0 * s.x * s.x + 2.0 * n.x * n.x);
-    yy += weight * (power * w.y * w.y + k - 3.0 * s.y * s.y + 2.0 * n.y * n.y);
-    zz += weight * (power * w.z * w.z + k - 3.0 * s.z * s.z + 2.0 * n.z * n.z);
-    xy += weight * (power * w.x * w.y - 3.0 * s.x * s.y + 2.0 * n.x * n.y);
-    xz += weight * (power * w.x * w.z - 3.0 * s.x * s.z + 2.0 * n.x * n.z);
-    yz += weight * (power * w.y * w.z - 3.0 * s.y * s.z + 2.0 * n.y * n.z);
+    double kx = k;
+    double ky = k;
+    double kz = k;
+    if constexpr (Space::kIsStretched) {
+      // The second derivative of the squares is 6 T^2.
+      const SymmetricTensor square = frame.squared();
+      kx = k * square.xx;
+      ky = k * square.yy;
+      kz = k * square.zz;
+      hessian.xy += weight * k * square.xy;
+      hessian.xz += weight * k * square.xz;
+      hessian.yz += weight * k * square.yz;
+    }
+    hessian.xx += weight * (power * w.x * w.x + kx - 3.0 * s.x * s.x + 2.0 * n.x * n.x);
+    hessian.yy += weight * (power * w.y * w.y + ky - 3.0 * s.y * s.y + 2.0 * n.y * n.y);
+    hessian.zz += weight * (power * w.z * w.z + kz - 3.0 * s.z * s.z + 2.0 * n.z * n.z);
+    hessian.xy += weight * (power * w.x * w.y - 3.0 * s.x * s.y + 2.0 * n.x * n.y);
+    hessian.xz += weight * (power * w.x * w.z - 3.0 * s.x * s.z + 2.0 * n.x * n.z);
+    hessian.yz += weight * (power * w.y * w.z - 3.0 * s.y * s.z + 2.0 * n.y * n.z);
   }
-  const SymmetricTensor hessian{xx, yy, zz, xy, xz, yz};
   if (!(hessian.determinant() > 0.0)) return false;
   step = hessian.inverse() * gradient * -1.0;
   return glm::dot(step, gradient) < 0.0;
 }
 
-bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& apex,
+template <class Space>
+bool lowerWorst(const Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst) {
   constexpr double kBand = 0.85;  // elements within 15 % of the worst go along
   constexpr double kFirstStep = 0.2;
   constexpr int kTries = 9;
   constexpr double kWorthwhile = 1e-3;
-  const double radius = hollow.meanRadius(apex);
+  // Steps are taken in the unit space of any one of the elements.
+  const auto& frame = hollow.frame(0);
+  const auto back = Space::backFrom(frame);
+  const double radius = hollow.meanRadius(apex, frame);
   double reach = kFirstStep * radius;
   bool fell = false;
   for (int step = 0; step < steps; ++step) {
@@ -149,7 +172,7 @@ bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& 
     std::size_t count = 0;
     for (std::size_t i = 0; i < hollow.size() && count < kMaxGradients; ++i) {
       if (hollow.costOf(i, apex, cost) < kBand * before) continue;
-      gradients[count++] = gradientOf(hollow, i, apex, cost, radius);
+      gradients[count++] = gradientOf(hollow, i, apex, cost, radius, back);
     }
     const Vec3 up = shortestInHull(gradients, count);
     const double slope = lengthOf(up);
@@ -158,7 +181,7 @@ bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& 
     Vec3 best = apex;
     double length = reach;
     for (int i = 0; i < kTries; ++i, length *= 0.5) {
-      const Vec3 place = apex + down * length;
+      const Vec3 place = apex + Space::toSpace(back, down * length);
       const double there = hollow.costAt(place, cost, worst);
       if (there < worst) {
         worst = there;
@@ -168,7 +191,8 @@ bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& 
       }
     }
     if (!(worst < before)) return fell;
-    reach = std::min(kFirstStep * radius, 2.0 * lengthOf(best - apex) + 4.0 * length);
+    reach = std::min(kFirstStep * radius,
+                     2.0 * lengthOf(Space::toUnit(frame, best - apex)) + 4.0 * length);
     apex = best;
     fell = true;
     if (worst > before * (1.0 - kWorthwhile)) return fell;
@@ -176,7 +200,8 @@ bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& 
   return fell;
 }
 
-bool NodeMover::improve(NodeId node, MoveKind kind, const ElementCost& cost) {
+template <class Space>
+bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Space>& cost) {
   if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
     return false;
   }
@@ -186,7 +211,7 @@ bool NodeMover::improve(NodeId node, MoveKind kind, const ElementCost& cost) {
     const Element& element = complex_.element(star_.elements[i]);
     const auto& side = kSideCorners[star_.corner[i]];
     hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
-                complex_.place(element.nodes[side[2]]));
+                complex_.place(element.nodes[side[2]]), complex_.frameOf<Space>(element.nodes));
     old = cost.combined(old, complex_.cost(star_.elements[i]));
   }
   Vec3 place = complex_.place(node);
@@ -209,9 +234,12 @@ bool NodeMover::improve(NodeId node, MoveKind kind, const ElementCost& cost) {
 }
 
 /// The largest of the step and its halves that lowers the cost.
-bool NodeMover::stepAlong(const Vec3& direction, const ElementCost& cost, double old, Vec3& place) {
-  const double edge = lengthOf(hollow_.face(0)[0] - place);
-  if (!(lengthOf(direction) >= kLeastMove * edge)) return false;
+template <class Space>
+bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old,
+                                 Vec3& place) {
+  const auto& frame = hollow_.frame(0);
+  const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - place));
+  if (!(lengthOf(Space::toUnit(frame, direction)) >= kLeastMove * edge)) return false;
   const double bound = old * (1.0 - kLeastGain);
   double step = 1.0;
   for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
@@ -225,11 +253,13 @@ bool NodeMover::stepAlong(const Vec3& direction, const ElementCost& cost, double
 
 /// Sets place and costs. Elements are marked as changed where their cost moved by a tenth, stars
 /// where the move was more than a small part of an edge; the rest need no second look.
-bool NodeMover::takePlace(NodeId node, const Vec3& place, const ElementCost& cost) {
+template <class Space>
+bool NodeMover<Space>::takePlace(NodeId node, const Vec3& place, const ElementCost<Space>& cost) {
   constexpr double kCostChange = 0.1;
   const Vec3 old = complex_.place(node);
-  const double edge = lengthOf(hollow_.face(0)[0] - old);
-  const bool far = lengthOf(place - old) > kChangingMove * edge;
+  const auto& frame = hollow_.frame(0);
+  const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - old));
+  const bool far = lengthOf(Space::toUnit(frame, place - old)) > kChangingMove * edge;
   complex_.move(node, place);
   for (std::size_t i = 0; i < star_.size; ++i) {
     const TetId tet = star_.elements[i];
@@ -241,5 +271,18 @@ bool NodeMover::takePlace(NodeId node, const Vec3& place, const ElementCost& cos
   }
   return true;
 }
+
+template class Hollow<PlainSpace>;
+template class Hollow<StretchedSpace>;
+template Vec3 circumcentreMean(const Hollow<PlainSpace>&, const Vec3&);
+template Vec3 circumcentreMean(const Hollow<StretchedSpace>&, const Vec3&);
+template bool newtonStep(const Hollow<PlainSpace>&, const Vec3&, bool, Vec3&);
+template bool newtonStep(const Hollow<StretchedSpace>&, const Vec3&, bool, Vec3&);
+template bool lowerWorst(const Hollow<PlainSpace>&, const ElementCost<PlainSpace>&, int, Vec3&,
+                         double&);
+template bool lowerWorst(const Hollow<StretchedSpace>&, const ElementCost<StretchedSpace>&, int,
+                         Vec3&, double&);
+template class NodeMover<PlainSpace>;
+template class NodeMover<StretchedSpace>;
 
 }  // namespace tetrafront

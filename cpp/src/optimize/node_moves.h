@@ -10,56 +10,71 @@
 
 namespace tetrafront {
 
-/// The outer faces of a star or cavity, as places: an element is the apex and one of them.
+/// The outer faces of a star or cavity, as places: an element is the apex and one of them. Each
+/// has the frame of its element, which does not change as the apex moves.
+template <class Space = PlainSpace>
 class Hollow {
  public:
+  using Frame = typename Space::Frame;
+
   void clear() { size_ = 0; }
-  void add(const Vec3& a, const Vec3& b, const Vec3& c) { faces_[size_++] = {a, b, c}; }
+  void add(const Vec3& a, const Vec3& b, const Vec3& c, const Frame& frame = {}) {
+    frames_[size_] = frame;
+    faces_[size_++] = {a, b, c};
+  }
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::array<Vec3, 3>& face(std::size_t i) const { return faces_[i]; }
+  [[nodiscard]] const Frame& frame(std::size_t i) const { return frames_[i]; }
 
-  [[nodiscard]] double costOf(std::size_t i, const Vec3& apex, const ElementCost& cost) const {
-    return cost(apex, faces_[i][0], faces_[i][1], faces_[i][2]);
+  [[nodiscard]] double costOf(std::size_t i, const Vec3& apex,
+                              const ElementCost<Space>& cost) const {
+    return cost(apex, faces_[i][0], faces_[i][1], faces_[i][2], frames_[i]);
   }
   /// Of all elements together; kInvalidCost as soon as `bound` is reached.
-  [[nodiscard]] double costAt(const Vec3& apex, const ElementCost& cost, double bound) const;
+  [[nodiscard]] double costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound) const;
 
-  /// Mean distance from `apex` to the first corners.
-  [[nodiscard]] double meanRadius(const Vec3& apex) const;
+  /// Mean distance from `apex` to the first corners, in the unit space of a frame.
+  [[nodiscard]] double meanRadius(const Vec3& apex, const Frame& frame) const;
 
  private:
   std::array<std::array<Vec3, 3>, kMaxCavity> faces_;
+  std::array<Frame, kMaxCavity> frames_;
   std::size_t size_ = 0;
 };
 
 /// The mean of the circumcentres of the elements, weighted by volume: what minimizes the error of
 /// optimal Delaunay triangulations (ODT).
-[[nodiscard]] Vec3 circumcentreMean(const Hollow& hollow, const Vec3& apex);
+template <class Space>
+[[nodiscard]] Vec3 circumcentreMean(const Hollow<Space>& hollow, const Vec3& apex);
 
 /// A Newton step on the sum of e^power, power 1/2 or 1, from `apex`. False if it does not descend.
-[[nodiscard]] bool newtonStep(const Hollow& hollow, const Vec3& apex, bool squareRoot, Vec3& step);
+template <class Space>
+[[nodiscard]] bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot,
+                              Vec3& step);
 
 /// Moves `apex` against the gradients of the worst elements until their cost does not fall any
 /// more (at most `steps` times). `worst` is the cost there. Returns whether it fell.
-bool lowerWorst(const Hollow& hollow, const ElementCost& cost, int steps, Vec3& apex,
+template <class Space>
+bool lowerWorst(const Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst);
 
 enum class MoveKind : std::uint8_t { kCircumcentres, kNewton, kLowerWorst };
 
+template <class Space = PlainSpace>
 class NodeMover {
  public:
   explicit NodeMover(TetComplex& complex) : complex_(complex) {}
 
   /// Moves a free node if that lowers its elements' cost. Returns whether it did.
-  bool improve(NodeId node, MoveKind kind, const ElementCost& cost);
+  bool improve(NodeId node, MoveKind kind, const ElementCost<Space>& cost);
 
  private:
-  bool stepAlong(const Vec3& direction, const ElementCost& cost, double old, Vec3& place);
-  bool takePlace(NodeId node, const Vec3& place, const ElementCost& cost);
+  bool stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old, Vec3& place);
+  bool takePlace(NodeId node, const Vec3& place, const ElementCost<Space>& cost);
 
   TetComplex& complex_;
   Star star_;
-  Hollow hollow_;
+  Hollow<Space> hollow_;
 };
 
 }  // namespace tetrafront

@@ -47,6 +47,8 @@ constexpr int kRepairPasses = 5;
 /// many do, and chasing them only adds elements.
 constexpr double kMaxMissingLow = 0.1;
 constexpr double kMaxMissingHigh = 0.01;
+/// The lower targets: the first that few elements miss.
+constexpr std::array kLowTargets{kTargets18And150, kTargets8And165, kTargets2And175};
 constexpr std::uint32_t kRepairWork = 64;  ///< elements of a sweep that one repair costs
 
 enum class Stage : std::uint8_t {
@@ -62,24 +64,43 @@ enum class Stage : std::uint8_t {
 
 }  // namespace
 
+/// What is asked once per slice, whichever space shapes are judged in.
 class MeshOptimizer::Impl {
  public:
-  Impl(const VolumeMesh& mesh, std::size_t boundaryNodes, const SizeField& field,
-       Optimization level)
+  Impl() = default;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  virtual ~Impl() = default;
+
+  virtual bool advance(std::uint32_t budget) = 0;
+  [[nodiscard]] virtual double fraction() const = 0;
+  [[nodiscard]] virtual const TetComplex& complex() const = 0;
+  [[nodiscard]] virtual VolumeMesh mesh() const = 0;
+  [[nodiscard]] virtual std::size_t pointCount() const = 0;
+};
+
+template <class Space>
+class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
+ public:
+  ImplIn(const VolumeMesh& mesh, std::size_t boundaryNodes, const SizeField& field,
+         Optimization level)
       : level_(level),
         mesh_(mesh),
         field_(field),
-        complex_(mesh, boundaryNodes),
+        toAsk_(mesh.points.size() / 3),
+        complex_(mesh, boundaryNodes, Space::kIsStretched),
         removal_(complex_),
         mover_(complex_),
         splitter_(complex_),
         collapser_(complex_),
         repair_(complex_, removal_, splitter_, collapser_, mover_) {}
 
-  bool advance(std::uint32_t budget) {
+  bool advance(std::uint32_t budget) override {
     while (budget > 0 && stage_ != Stage::kDone) {
       std::size_t done = 0;
-      if (stage_ == Stage::kBuild) {
+      if (asked_ < toAsk_) {
+        done = askField(budget);
+      } else if (stage_ == Stage::kBuild) {
         done = build(budget);
       } else if (costing_) {
         done = costSome(budget);
@@ -91,38 +112,41 @@ class MeshOptimizer::Impl {
     return stage_ == Stage::kDone;
   }
 
-  [[nodiscard]] double fraction() const {
+  [[nodiscard]] double fraction() const override {
     const double stages = static_cast<double>(Stage::kDone);
     const auto done = static_cast<double>(stage_);
     return (done + static_cast<double>(sweep_) / static_cast<double>(sweeps_.size() + 1)) / stages;
   }
-  [[nodiscard]] const TetComplex& complex() const { return complex_; }
+  [[nodiscard]] const TetComplex& complex() const override { return complex_; }
   /// Until the complex is built there is nothing but the mesh as it came.
-  [[nodiscard]] VolumeMesh mesh() const {
+  [[nodiscard]] VolumeMesh mesh() const override {
     return stage_ == Stage::kBuild ? mesh_ : complex_.toMesh();
   }
-  [[nodiscard]] std::size_t pointCount() const {
+  [[nodiscard]] std::size_t pointCount() const override {
     if (stage_ == Stage::kBuild) return mesh_.points.size() / 3;
     return complex_.boundaryNodeCount() + freeNodes_;
   }
 
  private:
-  std::size_t build(std::uint32_t budget) {
-    if (sized_ < complex_.nodeCount()) {
-      const std::size_t count = std::min<std::size_t>(budget, complex_.nodeCount() - sized_);
-      for (std::size_t i = 0; i < count; ++i, ++sized_) {
-        complex_.setSize(NodeId(sized_), field_.sizeAt(complex_.place(NodeId(sized_)), hint_));
-      }
-      return count;
+  std::size_t askField(std::uint32_t budget) {
+    const std::size_t count = std::min<std::size_t>(budget, toAsk_ - asked_);
+    for (std::size_t i = 0; i < count; ++i, ++asked_) {
+      const NodeId node(asked_);
+      if (!complex_.isUsed(node) && stage_ != Stage::kBuild) continue;
+      complex_.setWanted<Space>(node, Space::wantedAt(field_, complex_.place(node), hint_));
     }
+    return count;
+  }
+
+  std::size_t build(std::uint32_t budget) {
     if (!complex_.build(mesh_, budget)) return budget;
     freeNodes_ = complex_.freeNodeCount();
     if (level_ == Optimization::kNone || complex_.elementCount() == 0) {
       stage_ = Stage::kDone;
     } else if (level_ == Optimization::kFast) {
-      begin(Stage::kFinish, kFastSweeps, ElementCost(Measure::kFinish));
+      begin(Stage::kFinish, kFastSweeps, ElementCost<Space>(Measure::kFinish));
     } else {
-      begin(Stage::kFirst, kFirstSweeps, ElementCost(Measure::kBulk));
+      begin(Stage::kFirst, kFirstSweeps, ElementCost<Space>(Measure::kBulk));
     }
     return budget;
   }
@@ -135,7 +159,7 @@ class MeshOptimizer::Impl {
     costing_ = costed_ < complex_.slotCount();
     if (!costing_ && cost_.measure() == Measure::kDihedral) {
       const double share = stage_ == Stage::kRepairLow ? kMaxMissingLow : kMaxMissingHigh;
-      if (missing() > share * static_cast<double>(complex_.elementCount())) stage_ = Stage::kDone;
+      if (missing() > share * static_cast<double>(complex_.elementCount())) giveUpTarget();
     }
     return count;
   }
@@ -150,7 +174,7 @@ class MeshOptimizer::Impl {
     return count * each;
   }
 
-  void begin(Stage stage, std::span<const Sweep> sweeps, const ElementCost& cost) {
+  void begin(Stage stage, std::span<const Sweep> sweeps, const ElementCost<Space>& cost) {
     stage_ = stage;
     repeats_ = 0;
     sweeps_ = sweeps;
@@ -158,6 +182,12 @@ class MeshOptimizer::Impl {
     costed_ = 0;
     costing_ = true;
     lastRun_.fill(0);
+    // Nodes have moved since. Where nothing is stretched only lengths are concerned, which matter
+    // less, and not in the stages after the first.
+    if (Space::kIsStretched && stage_ != Stage::kFirst) {
+      asked_ = complex_.boundaryNodeCount();
+      toAsk_ = complex_.nodeCount();
+    }
     beginSweeps();
   }
 
@@ -323,7 +353,7 @@ class MeshOptimizer::Impl {
         if (repeats_ < kMaxRounds && static_cast<double>(changes) >= kQuietRound * free) {
           return beginSweeps();
         }
-        return begin(Stage::kFinish, kFinishSweeps, ElementCost(Measure::kFinish));
+        return begin(Stage::kFinish, kFinishSweeps, ElementCost<Space>(Measure::kFinish));
       case Stage::kFinish:
         return beginRepair(Stage::kRepairLow);
       case Stage::kRepairLow:
@@ -337,14 +367,22 @@ class MeshOptimizer::Impl {
   }
 
   void beginRepair(Stage stage) {
-    const DihedralTargets targets = stage == Stage::kRepairLow    ? kTargets18And150
+    const DihedralTargets targets = stage == Stage::kRepairLow    ? kLowTargets[lowTarget_]
                                     : stage == Stage::kRepairHigh ? kTargets30And135
                                                                   : kTargets35And130;
-    begin(stage, kRepairSweeps, ElementCost(Measure::kDihedral, targets));
+    begin(stage, kRepairSweeps, ElementCost<Space>(Measure::kDihedral, targets));
+  }
+
+  /// Too many elements miss the target. So they would the higher ones.
+  void giveUpTarget() {
+    if (stage_ == Stage::kRepairLow && ++lowTarget_ < kLowTargets.size()) {
+      return beginRepair(Stage::kRepairLow);
+    }
+    stage_ = Stage::kDone;
   }
 
   void endRepair() {
-    if (stage_ == Stage::kRepairLow) return beginRepair(Stage::kRepairHigh);
+    if (stage_ == Stage::kRepairLow && lowTarget_ == 0) return beginRepair(Stage::kRepairHigh);
     if (stage_ == Stage::kRepairHigh && level_ == Optimization::kStrive) {
       return beginRepair(Stage::kRepairStrive);
     }
@@ -363,16 +401,17 @@ class MeshOptimizer::Impl {
   const VolumeMesh& mesh_;
   const SizeField& field_;
   FieldHint hint_;
-  std::size_t sized_ = 0;
+  std::size_t asked_ = 0;  ///< of the field: for nodes up to here
+  std::size_t toAsk_;      ///< for nodes up to here
   std::size_t costed_ = 0;
   bool costing_ = false;
   TetComplex complex_;
-  EdgeRemoval removal_;
-  NodeMover mover_;
-  EdgeSplitter splitter_;
-  NodeCollapser collapser_;
-  ElementRepair repair_;
-  ElementCost cost_{Measure::kBulk};
+  EdgeRemoval<Space> removal_;
+  NodeMover<Space> mover_;
+  EdgeSplitter<Space> splitter_;
+  NodeCollapser<Space> collapser_;
+  ElementRepair<Space> repair_;
+  ElementCost<Space> cost_{Measure::kBulk};
   Stage stage_ = Stage::kBuild;
   std::span<const Sweep> sweeps_;
   std::size_t sweep_ = 0;
@@ -382,13 +421,19 @@ class MeshOptimizer::Impl {
   std::size_t changesInSweep_ = 0;
   std::size_t changes_ = 0;
   int repeats_ = 0;
+  std::size_t lowTarget_ = 0;  ///< in kLowTargets
   std::size_t freeNodes_ = 0;  ///< when the last sweep ended: counting them is O(nodes)
   std::vector<TetId> bad_;
 };
 
 MeshOptimizer::MeshOptimizer(const VolumeMesh& mesh, std::size_t boundaryNodes,
-                             const SizeField& field, Optimization level)
-    : impl_(std::make_unique<Impl>(mesh, boundaryNodes, field, level)) {}
+                             const SizeField& field, Optimization level) {
+  if (field.isStretched()) {
+    impl_ = std::make_unique<ImplIn<StretchedSpace>>(mesh, boundaryNodes, field, level);
+  } else {
+    impl_ = std::make_unique<ImplIn<PlainSpace>>(mesh, boundaryNodes, field, level);
+  }
+}
 
 MeshOptimizer::MeshOptimizer(MeshOptimizer&&) noexcept = default;
 MeshOptimizer& MeshOptimizer::operator=(MeshOptimizer&&) noexcept = default;

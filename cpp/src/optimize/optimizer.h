@@ -1,8 +1,9 @@
 #pragma once
 
 /// @file Makes a valid mesh a good one: swaps, moves, splits and collapses in sweeps over the whole
-/// mesh, then repair of the elements that still miss their angles. The boundary is not touched, and
-/// every change keeps every element's volume positive.
+/// mesh, then repair of the elements that still miss their angles. Shapes are judged as the size
+/// field wants them: where it is stretched, in the space where the wanted element is regular. The
+/// boundary is not touched, and every change keeps every element's volume positive.
 
 #include <cstdint>
 #include <memory>
@@ -36,6 +37,8 @@ class MeshOptimizer {
 
  private:
   class Impl;
+  template <class Space>
+  class ImplIn;
   std::unique_ptr<Impl> impl_;
 };
 

@@ -10,15 +10,17 @@ constexpr double kRepairGain = 1e-3;    // relative, of swaps and collapses
 constexpr double kCompoundGain = 1e-2;  // of the worst of all elements touched
 constexpr std::size_t kMaxRepairCavity = 60;
 
-EdgeRemoval::Options repairOptions() { return {true, kRepairGain}; }
+constexpr EdgeRemovalOptions kRepairOptions{true, kRepairGain};
 
 }  // namespace
 
-bool ElementRepair::stillBad(TetId tet, const Corners& nodes) const {
+template <class Space>
+bool ElementRepair<Space>::stillBad(TetId tet, const Corners& nodes) const {
   return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;
 }
 
-bool ElementRepair::repair(TetId tet, const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::repair(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   swapAround(tet, cost);
   if (!stillBad(tet, nodes)) return true;
@@ -30,16 +32,18 @@ bool ElementRepair::repair(TetId tet, const ElementCost& cost) {
   return !stillBad(tet, nodes);
 }
 
-bool ElementRepair::swapAround(TetId tet, const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::swapAround(TetId tet, const ElementCost<Space>& cost) {
   EdgeRing ring;
   for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
     if (!findRing(complex_, tet, e, kRepairRing, ring)) continue;
-    if (removal_.improve(ring, cost, repairOptions())) return true;
+    if (removal_.improve(ring, cost, kRepairOptions)) return true;
   }
   return false;
 }
 
-bool ElementRepair::moveCorners(const Corners& nodes, const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::moveCorners(const Corners& nodes, const ElementCost<Space>& cost) {
   bool moved = false;
   for (const NodeId node : nodes) {
     moved = mover_.improve(node, MoveKind::kLowerWorst, cost) || moved;
@@ -47,43 +51,60 @@ bool ElementRepair::moveCorners(const Corners& nodes, const ElementCost& cost) {
   return moved;
 }
 
-bool ElementRepair::collapseCorner(const Corners& nodes, const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::collapseCorner(const Corners& nodes, const ElementCost<Space>& cost) {
   constexpr double kMaxLength = 2.0;  // wanted sizes
   return std::any_of(nodes.begin(), nodes.end(), [&](NodeId node) {
     return collapser_.collapse(node, cost, kMaxLength, kRepairGain);
   });
 }
 
-bool ElementRepair::insertNode(TetId tet, const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::insertNode(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   Vec3 centroid(0.0);
-  double size = 0.0;
-  for (const NodeId node : nodes) {
-    centroid += complex_.place(node) * 0.25;
-    size += complex_.size(node) * 0.25;
-  }
-  if (insertAt(std::span(&tet, 1), centroid, size, cost)) return true;
+  for (const NodeId node : nodes) centroid += complex_.place(node) * 0.25;
+  const Wanted wanted =
+      Space::meanOf(complex_.wanted<Space>(nodes[0]), complex_.wanted<Space>(nodes[1]),
+                    complex_.wanted<Space>(nodes[2]), complex_.wanted<Space>(nodes[3]));
+  if (insertAt(std::span(&tet, 1), centroid, wanted, cost)) return true;
   for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
     EdgeRing ring;
     if (!findRing(complex_, tet, e, kRepairRing, ring) || !ring.closed) continue;
     const Vec3 middle = (complex_.place(ring.from) + complex_.place(ring.to)) * 0.5;
-    if (insertAt(ring.elementSpan(), middle, size, cost)) return true;
+    if (insertAt(ring.elementSpan(), middle, wanted, cost)) return true;
   }
   return false;
 }
 
+/// Of the element that an apex makes with a side.
+template <class Space>
+typename Space::Frame ElementRepair<Space>::coneFrame(const Wanted& apex, const Corners& nodes,
+                                                      std::size_t side) const {
+  if constexpr (Space::kIsStretched) {
+    const auto& corners = kSideCorners[side];
+    return Space::frameOf(apex, complex_.wanted<Space>(nodes[corners[0]]),
+                          complex_.wanted<Space>(nodes[corners[1]]),
+                          complex_.wanted<Space>(nodes[corners[2]]));
+  } else {
+    return {};
+  }
+}
+
 /// Adds every neighbour whose common face would make an element with `place` that is worse than
 /// the limit. False where that leads to the boundary, or too far.
-bool ElementRepair::growCavity(const Vec3& place, const ElementCost& cost, double limit) {
+template <class Space>
+bool ElementRepair<Space>::growCavity(const Vec3& place, const Wanted& wanted,
+                                      const ElementCost<Space>& cost, double limit) {
   for (std::size_t i = 0; i < cavity_.size(); ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
       const Element& element = complex_.element(cavity_[i]);
       const Facing across = element.across[k];
       if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
       const auto& side = kSideCorners[k];
-      const double here =
-          cost(place, complex_.place(element.nodes[side[0]]),
-               complex_.place(element.nodes[side[1]]), complex_.place(element.nodes[side[2]]));
+      const double here = cost(
+          place, complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
+          complex_.place(element.nodes[side[2]]), coneFrame(wanted, element.nodes, k));
       if (here <= limit) continue;
       if (across.isNone()) {
         if (here >= kInvalidCost) return false;
@@ -97,7 +118,8 @@ bool ElementRepair::growCavity(const Vec3& place, const ElementCost& cost, doubl
   return true;
 }
 
-void ElementRepair::hollowOut() {
+template <class Space>
+void ElementRepair<Space>::hollowOut(const Wanted& wanted) {
   hollow_.clear();
   for (const TetId tet : cavity_) {
     const Element& element = complex_.element(tet);
@@ -106,13 +128,14 @@ void ElementRepair::hollowOut() {
       if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
       const auto& side = kSideCorners[k];
       hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
-                  complex_.place(element.nodes[side[2]]));
+                  complex_.place(element.nodes[side[2]]), coneFrame(wanted, element.nodes, k));
     }
   }
 }
 
-bool ElementRepair::insertAt(std::span<const TetId> seeds, const Vec3& start, double size,
-                             const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::insertAt(std::span<const TetId> seeds, const Vec3& start,
+                                    const Wanted& wanted, const ElementCost<Space>& cost) {
   constexpr int kRounds = 3;
   constexpr int kSteps = 6;
   constexpr double kAbsorb = 0.7;  // cone elements worse than this part of the worst go
@@ -128,20 +151,22 @@ bool ElementRepair::insertAt(std::span<const TetId> seeds, const Vec3& start, do
   Vec3 place = start;
   double limit = worst * kAbsorb;
   for (int round = 0; round < kRounds; ++round) {
-    if (!growCavity(place, cost, limit)) return false;
+    if (!growCavity(place, wanted, cost, limit)) return false;
     for (const TetId tet : cavity_) worst = std::max(worst, complex_.cost(tet));
-    hollowOut();
+    hollowOut(wanted);
     double best = hollow_.costAt(place, cost, kInvalidCost);
     if (best >= kInvalidCost) return false;
     lowerWorst(hollow_, cost, kSteps, place, best);
-    if (best < worst * (1.0 - kRepairGain)) return fillCavity(place, size, cost);
+    if (best < worst * (1.0 - kRepairGain)) return fillCavity(place, wanted, cost);
     limit = best * kTighten;
   }
   return false;
 }
 
-bool ElementRepair::fillCavity(const Vec3& place, double size, const ElementCost& cost) {
-  const NodeId apex = complex_.addNode(place, size);
+template <class Space>
+bool ElementRepair<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
+                                      const ElementCost<Space>& cost) {
+  const NodeId apex = complex_.addNode<Space>(place, wanted);
   fresh_.clear();
   std::vector<NodeId> kept;
   for (const TetId tet : cavity_) {
@@ -172,7 +197,8 @@ bool ElementRepair::fillCavity(const Vec3& place, double size, const ElementCost
   return true;
 }
 
-bool ElementRepair::compound(TetId tet, const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::compound(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   for (const auto& corners : kEdgeCorners) {
     for (const bool split : {false, true}) {
@@ -185,8 +211,9 @@ bool ElementRepair::compound(TetId tet, const ElementCost& cost) {
 
 /// Removes or splits the edge at whatever cost, lets the surroundings settle, and keeps the whole
 /// if its worst element is better than before.
-bool ElementRepair::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
-                                const ElementCost& cost) {
+template <class Space>
+bool ElementRepair<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
+                                       const ElementCost<Space>& cost) {
   EdgeRing ring;
   const std::size_t edge = edgeBetween(complex_.element(tet), a, b);
   if (edge == kEdgeCorners.size() || !findRing(complex_, tet, edge, kRepairRing, ring)) {
@@ -218,7 +245,8 @@ bool ElementRepair::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
   return false;
 }
 
-void ElementRepair::settle(std::span<const NodeId> nodes, const ElementCost& cost) {
+template <class Space>
+void ElementRepair<Space>::settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost) {
   constexpr int kSwaps = 4;
   const auto moveAll = [&] {
     for (const NodeId node : nodes) mover_.improve(node, MoveKind::kLowerWorst, cost);
@@ -233,5 +261,8 @@ void ElementRepair::settle(std::span<const NodeId> nodes, const ElementCost& cos
   }
   moveAll();
 }
+
+template class ElementRepair<PlainSpace>;
+template class ElementRepair<StretchedSpace>;
 
 }  // namespace tetrafront

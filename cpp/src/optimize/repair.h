@@ -17,10 +17,11 @@
 
 namespace tetrafront {
 
+template <class Space = PlainSpace>
 class ElementRepair {
  public:
-  ElementRepair(TetComplex& complex, EdgeRemoval& removal, EdgeSplitter& splitter,
-                NodeCollapser& collapser, NodeMover& mover)
+  ElementRepair(TetComplex& complex, EdgeRemoval<Space>& removal, EdgeSplitter<Space>& splitter,
+                NodeCollapser<Space>& collapser, NodeMover<Space>& mover)
       : complex_(complex),
         removal_(removal),
         splitter_(splitter),
@@ -29,29 +30,34 @@ class ElementRepair {
 
   /// Tries everything on one element. `cost` must be a dihedral one. Returns whether it is gone or
   /// good enough (cost at most 1).
-  bool repair(TetId tet, const ElementCost& cost);
+  bool repair(TetId tet, const ElementCost<Space>& cost);
 
  private:
+  using Wanted = typename Space::Wanted;
+
+  [[nodiscard]] typename Space::Frame coneFrame(const Wanted& apex, const Corners& nodes,
+                                                std::size_t side) const;
   [[nodiscard]] bool stillBad(TetId tet, const Corners& nodes) const;
-  bool swapAround(TetId tet, const ElementCost& cost);
-  bool moveCorners(const Corners& nodes, const ElementCost& cost);
-  bool collapseCorner(const Corners& nodes, const ElementCost& cost);
-  bool insertNode(TetId tet, const ElementCost& cost);
-  bool insertAt(std::span<const TetId> seeds, const Vec3& start, double size,
-                const ElementCost& cost);
-  bool growCavity(const Vec3& place, const ElementCost& cost, double limit);
-  void hollowOut();
-  bool fillCavity(const Vec3& place, double size, const ElementCost& cost);
-  bool compound(TetId tet, const ElementCost& cost);
-  bool tryCompound(TetId tet, NodeId a, NodeId b, bool split, const ElementCost& cost);
-  void settle(std::span<const NodeId> nodes, const ElementCost& cost);
+  bool swapAround(TetId tet, const ElementCost<Space>& cost);
+  bool moveCorners(const Corners& nodes, const ElementCost<Space>& cost);
+  bool collapseCorner(const Corners& nodes, const ElementCost<Space>& cost);
+  bool insertNode(TetId tet, const ElementCost<Space>& cost);
+  bool insertAt(std::span<const TetId> seeds, const Vec3& start, const Wanted& wanted,
+                const ElementCost<Space>& cost);
+  bool growCavity(const Vec3& place, const Wanted& wanted, const ElementCost<Space>& cost,
+                  double limit);
+  void hollowOut(const Wanted& wanted);
+  bool fillCavity(const Vec3& place, const Wanted& wanted, const ElementCost<Space>& cost);
+  bool compound(TetId tet, const ElementCost<Space>& cost);
+  bool tryCompound(TetId tet, NodeId a, NodeId b, bool split, const ElementCost<Space>& cost);
+  void settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost);
 
   TetComplex& complex_;
-  EdgeRemoval& removal_;
-  EdgeSplitter& splitter_;
-  NodeCollapser& collapser_;
-  NodeMover& mover_;
-  Hollow hollow_;
+  EdgeRemoval<Space>& removal_;
+  EdgeSplitter<Space>& splitter_;
+  NodeCollapser<Space>& collapser_;
+  NodeMover<Space>& mover_;
+  Hollow<Space> hollow_;
   std::vector<TetId> cavity_;
   std::vector<std::uint32_t> inCavity_;
   std::uint32_t cavityStamp_ = 0;

@@ -4,15 +4,16 @@
 
 namespace tetrafront {
 
-TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes)
-    : boundaryNodes_(boundaryNodes), regions_(mesh.regions), faceSlots_(kFaceSlots) {
+TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, bool isStretched)
+    : boundaryNodes_(boundaryNodes),
+      isStretched_(isStretched),
+      regions_(mesh.regions),
+      faceSlots_(kFaceSlots) {
   places_.reserve(mesh.points.size() / 3);
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
     places_.emplace_back(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
   }
-  sizes_.assign(places_.size(), 0.0);
-  elementAt_.resize(places_.size());
-  starPass_.assign(places_.size(), pass_);
+  resizeNodes(places_.size());
   const std::size_t count = mesh.tetrahedra.size() / 4;
   elements_.resize(count);
   costs_.resize(count);
@@ -122,12 +123,21 @@ std::size_t TetComplex::freeNodeCount() const {
                     elementAt_.end(), [](TetId tet) { return !tet.isNone(); }));
 }
 
-NodeId TetComplex::addNode(const Vec3& place, double size) {
+NodeId TetComplex::addNode(const Vec3& place) {
   places_.push_back(place);
-  sizes_.push_back(size);
-  elementAt_.emplace_back();
-  starPass_.push_back(pass_);
+  resizeNodes(places_.size());
   return NodeId(places_.size() - 1);
+}
+
+void TetComplex::resizeNodes(std::size_t count) {
+  places_.resize(count);
+  if (isStretched_) {
+    tensors_.resize(count);
+  } else {
+    sizes_.resize(count, 0.0);
+  }
+  elementAt_.resize(count);
+  starPass_.resize(count, pass_);
 }
 
 void TetComplex::move(NodeId node, const Vec3& place) {
@@ -140,12 +150,16 @@ void TetComplex::setCost(TetId tet, double cost) {
   costs_[tet.index()] = cost;
 }
 
-void TetComplex::costAnew(const ElementCost& cost, std::size_t first, std::size_t last) {
+template <class Space>
+void TetComplex::costAnew(const ElementCost<Space>& cost, std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     if (!isLive(TetId(t))) continue;
     costs_[t] = std::min(costOf(cost, elements_[t].nodes), kEntryCost);
   }
 }
+
+template void TetComplex::costAnew(const ElementCost<PlainSpace>&, std::size_t, std::size_t);
+template void TetComplex::costAnew(const ElementCost<StretchedSpace>&, std::size_t, std::size_t);
 
 void TetComplex::markStars(TetId tet) {
   for (const NodeId node : elements_[tet.index()].nodes) starPass_[node.index()] = pass_;
@@ -299,10 +313,7 @@ void TetComplex::takeBack() {
       elementAt_[node.index()] = saved.id;
     }
   }
-  places_.resize(nodesBeforeTrial_);
-  sizes_.resize(nodesBeforeTrial_);
-  elementAt_.resize(nodesBeforeTrial_);
-  starPass_.resize(nodesBeforeTrial_);
+  resizeNodes(nodesBeforeTrial_);
   freeSlots_ = savedFreeSlots_;
 }
 

@@ -61,7 +61,7 @@ struct Star {
 class TetComplex {
  public:
   /// The first `boundaryNodes` nodes are fixed. Not usable before build() has finished.
-  TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes);
+  TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, bool isStretched = false);
 
   /// Finds the neighbours, about `budget` elements or nodes at a time; true when finished. `mesh`
   /// is the one given to the constructor. O(n log k) for k elements at a node.
@@ -73,15 +73,26 @@ class TetComplex {
   // Nodes.
   [[nodiscard]] std::size_t nodeCount() const { return places_.size(); }
   [[nodiscard]] const Vec3& place(NodeId node) const { return places_[node.index()]; }
-  /// Wanted edge length; 0 until set.
-  [[nodiscard]] double size(NodeId node) const { return sizes_[node.index()]; }
-  void setSize(NodeId node, double size) { sizes_[node.index()] = size; }
+  /// What the size field wants at a node; nothing sensible until set.
+  template <class Space>
+  [[nodiscard]] const typename Space::Wanted& wanted(NodeId node) const {
+    return wantedOf<Space>(*this)[node.index()];
+  }
+  template <class Space>
+  void setWanted(NodeId node, const typename Space::Wanted& wanted) {
+    wantedOf<Space>(*this)[node.index()] = wanted;
+  }
   [[nodiscard]] bool isFixed(NodeId node) const { return node.index() < boundaryNodes_; }
   /// Whether any element uses the node.
   [[nodiscard]] bool isUsed(NodeId node) const { return !elementAt_[node.index()].isNone(); }
   [[nodiscard]] std::size_t boundaryNodeCount() const { return boundaryNodes_; }
   [[nodiscard]] std::size_t freeNodeCount() const;
-  NodeId addNode(const Vec3& place, double size);
+  template <class Space>
+  NodeId addNode(const Vec3& place, const typename Space::Wanted& wanted) {
+    const NodeId node = addNode(place);
+    setWanted<Space>(node, wanted);
+    return node;
+  }
   void move(NodeId node, const Vec3& place);
   void forget(NodeId node) { elementAt_[node.index()] = TetId(); }
 
@@ -92,11 +103,23 @@ class TetComplex {
   [[nodiscard]] const Element& element(TetId tet) const { return elements_[tet.index()]; }
   [[nodiscard]] double cost(TetId tet) const { return costs_[tet.index()]; }
   void setCost(TetId tet, double cost);
-  [[nodiscard]] double costOf(const ElementCost& cost, const Corners& nodes) const {
-    return cost(place(nodes[0]), place(nodes[1]), place(nodes[2]), place(nodes[3]));
+  template <class Space>
+  [[nodiscard]] typename Space::Frame frameOf(const Corners& nodes) const {
+    if constexpr (Space::kIsStretched) {
+      return Space::frameOf(wanted<Space>(nodes[0]), wanted<Space>(nodes[1]),
+                            wanted<Space>(nodes[2]), wanted<Space>(nodes[3]));
+    } else {
+      return {};
+    }
+  }
+  template <class Space>
+  [[nodiscard]] double costOf(const ElementCost<Space>& cost, const Corners& nodes) const {
+    return cost(place(nodes[0]), place(nodes[1]), place(nodes[2]), place(nodes[3]),
+                frameOf<Space>(nodes));
   }
   /// The costs of slots [first, last) anew, by another measure.
-  void costAnew(const ElementCost& cost, std::size_t first, std::size_t last);
+  template <class Space>
+  void costAnew(const ElementCost<Space>& cost, std::size_t first, std::size_t last);
 
   // What has changed since when. Passes are numbered from 1 on.
   void beginPass() { ++pass_; }
@@ -166,6 +189,17 @@ class TetComplex {
   };
   static constexpr std::size_t kFaceSlots = 8192;  // a power of two, above 4 x 2 x kMaxCavity
 
+  /// The one of the two arrays that has an entry for each node.
+  template <class Space, class Self>
+  [[nodiscard]] static auto& wantedOf(Self& self) {
+    if constexpr (Space::kIsStretched) {
+      return self.tensors_;
+    } else {
+      return self.sizes_;
+    }
+  }
+  NodeId addNode(const Vec3& place);
+  void resizeNodes(std::size_t count);
   [[nodiscard]] FaceKey keyOf(const Corners& nodes, std::size_t corner) const;
   FaceSlot& slotFor(const FaceKey& key);
   TetId takeSlot();
@@ -177,7 +211,9 @@ class TetComplex {
 
   std::size_t boundaryNodes_;
   std::vector<Vec3> places_;
-  std::vector<double> sizes_;
+  bool isStretched_;
+  std::vector<double> sizes_;             ///< wanted, where nothing is stretched
+  std::vector<SymmetricTensor> tensors_;  ///< T, where something is
   std::vector<TetId> elementAt_;
   std::vector<std::uint32_t> starPass_;
   std::vector<Element> elements_;

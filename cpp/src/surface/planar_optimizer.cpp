@@ -116,8 +116,11 @@ void PlanarOptimizer::replaceNeighbour(std::uint32_t triangle, std::uint32_t old
 // ---- flips -------------------------------------------------------------------------------------
 
 void PlanarOptimizer::flipFrom(std::uint32_t triangle) {
+  // Where the metric changes, each pair of triangles is judged in its own, and a chain of flips
+  // might come back to where it began. No other chain is nearly as long.
+  constexpr std::size_t kMaxChain = 1000;
   pending_.assign(1, triangle);
-  while (!pending_.empty()) {
+  for (std::size_t flips = 0; !pending_.empty() && flips < kMaxChain; ++flips) {
     const std::uint32_t t = pending_.back();
     pending_.pop_back();
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -145,7 +148,10 @@ bool PlanarOptimizer::flip(std::uint32_t t, std::uint32_t k) {
   const std::uint32_t otherA = corner(other, a);
   const std::uint32_t d = node(other, (otherA + 1) % 3);
   if (mesh_->sameNode(c, d)) return false;
-  const LocalSpace local = metric_->spaceAt(mesh_->places[a], mesh_->sizes[a], hint_);
+  // Summed so that the other diagonal is judged in the very same space.
+  const Vec3 middle =
+      0.25 * ((mesh_->places[a] + mesh_->places[b]) + (mesh_->places[c] + mesh_->places[d]));
+  const LocalSpace local = metric_->spaceAt(middle, mesh_->sizes[a], hint_);
   const Vec3 placeA = local.unit(mesh_->places[a]);
   const Vec3 placeB = local.unit(mesh_->places[b]);
   const Vec3 placeC = local.unit(mesh_->places[c]);

@@ -1,0 +1,102 @@
+#pragma once
+
+/// @file The space in which the optimizer judges shapes and lengths. In a size field without
+/// stretching it is plain space. In a stretched one it is each element's own unit space: T = H^-1
+/// (field/size_tensor.h), taken as constant over the element, as the mean of its corners'. So an
+/// element's cost depends on its corners alone, and a sum of costs that has fallen has fallen for
+/// good. Operators are compiled once for either space; plain space costs nothing.
+
+#include <cmath>
+
+#include "field/size_field.h"
+#include "field/size_tensor.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+struct PlainSpace {
+  static constexpr bool kIsStretched = false;
+  /// What is wanted at a node: the edge length.
+  using Wanted = double;
+  /// What judges an element.
+  struct Frame {};
+  /// The way back from an element's unit space.
+  struct Back {};
+
+  static Wanted wantedAt(const SizeField& field, const Vec3& place, FieldHint& hint) {
+    return field.sizeAt(place, hint);
+  }
+  static Wanted meanOf(Wanted a, Wanted b) { return 0.5 * (a + b); }
+  static Wanted meanOf(Wanted a, Wanted b, Wanted c, Wanted d) {
+    return a * 0.25 + b * 0.25 + c * 0.25 + d * 0.25;
+  }
+  static Vec3 toUnit(const Frame& /*frame*/, const Vec3& v) { return v; }
+  static Vec3 toSpace(const Back& /*back*/, const Vec3& v) { return v; }
+  static Back backFrom(const Frame& /*frame*/) { return {}; }
+  static double relativeLength(const Vec3& edge, Wanted a, Wanted b) {
+    return std::sqrt(glm::dot(edge, edge)) / meanOf(a, b);
+  }
+
+  /// Whether edges are longer than so many wanted lengths.
+  class Limit {
+   public:
+    Limit(double most, Wanted a, Wanted b) : longest_(most * (a < b ? b : a)) {}
+    [[nodiscard]] bool isExceededBy(const Vec3& edge) const {
+      return std::sqrt(glm::dot(edge, edge)) > longest_;
+    }
+
+   private:
+    double longest_;
+  };
+};
+
+struct StretchedSpace {
+  static constexpr bool kIsStretched = true;
+  /// T at a node.
+  using Wanted = SymmetricTensor;
+  /// The sum of T at the corners: costs do not see the scale.
+  using Frame = SymmetricTensor;
+  /// The inverse of a frame.
+  using Back = SymmetricTensor;
+
+  static Wanted wantedAt(const SizeField& field, const Vec3& place, FieldHint& hint) {
+    return field.tensorAt(place, hint).inverse();
+  }
+  static Wanted meanOf(const Wanted& a, const Wanted& b) {
+    Wanted mean = a.scaledBy(0.5);
+    mean.accumulate(b, 0.5);
+    return mean;
+  }
+  static Wanted meanOf(const Wanted& a, const Wanted& b, const Wanted& c, const Wanted& d) {
+    return frameOf(a, b, c, d).scaledBy(0.25);
+  }
+  static Frame frameOf(const Wanted& a, const Wanted& b, const Wanted& c, const Wanted& d) {
+    Frame frame = a;
+    frame.accumulate(b, 1.0);
+    frame.accumulate(c, 1.0);
+    frame.accumulate(d, 1.0);
+    return frame;
+  }
+  static Vec3 toUnit(const Frame& frame, const Vec3& v) { return frame * v; }
+  static Vec3 toSpace(const Back& back, const Vec3& v) { return back * v; }
+  static Back backFrom(const Frame& frame) { return frame.inverse(); }
+  static double relativeLength(const Vec3& edge, const Wanted& a, const Wanted& b) {
+    const Vec3 unit = meanOf(a, b) * edge;
+    return std::sqrt(glm::dot(unit, unit));
+  }
+
+  class Limit {
+   public:
+    Limit(double most, const Wanted& a, const Wanted& b) : most_(most), toUnit_(meanOf(a, b)) {}
+    [[nodiscard]] bool isExceededBy(const Vec3& edge) const {
+      const Vec3 unit = toUnit_ * edge;
+      return std::sqrt(glm::dot(unit, unit)) > most_;
+    }
+
+   private:
+    double most_;
+    SymmetricTensor toUnit_;
+  };
+};
+
+}  // namespace tetrafront
