@@ -13,76 +13,13 @@
 #include <vector>
 
 #include "model_arrays.h"
+#include "records.h"
+#include "tetrafront/grid_tools.h"
 #include "tetrafront/mesher.h"
 #include "typed_arrays.h"
 
 namespace tetrafront::border {
 namespace {
-
-struct Options {
-  double size = 0.0;
-  double growth = 0.0;
-  double gradation = 0.0;
-  std::uint32_t order = 0;
-  std::uint32_t optimization = 0;
-};
-
-struct DiagnosticRecord {
-  std::uint32_t code = 0;
-  std::uint32_t severity = 0;
-  Uint32Array entities{emscripten::val::undefined()};
-  Float64Array place{emscripten::val::undefined()};
-  Float64Array values{emscripten::val::undefined()};
-};
-
-/// A JavaScript array of DiagnosticRecord.
-EMSCRIPTEN_DECLARE_VAL_TYPE(DiagnosticRecords)
-/// A JavaScript string; std::string as a field would be declared as anything string-like.
-EMSCRIPTEN_DECLARE_VAL_TYPE(Text)
-
-struct SurfaceArrays {
-  Float64Array points = copyOut(std::vector<double>{});
-  Uint32Array triangles = copyOut(std::vector<std::uint32_t>{});
-  Uint32Array trianglePatch = triangles;
-  Uint32Array sides = triangles;
-  Uint32Array sideLine = triangles;
-};
-
-struct VolumeArrays {
-  Float64Array points = copyOut(std::vector<double>{});
-  Uint32Array tetrahedra = copyOut(std::vector<std::uint32_t>{});
-  Uint32Array regions = tetrahedra;
-  Uint32Array front = tetrahedra;
-};
-
-struct ProgressRecord {
-  std::uint32_t phase = 0;
-  double fraction = 0.0;
-  std::uint32_t points = 0;
-  std::uint32_t triangles = 0;
-  std::uint32_t tetrahedra = 0;
-  std::uint32_t frontFaces = 0;
-};
-
-struct PreviewArrays {
-  Float64Array linePoints = copyOut(std::vector<double>{});
-  Uint32Array lineOffsets = copyOut(std::vector<std::uint32_t>{});
-  Float64Array patchPoints = linePoints;
-  Uint32Array patchTriangles = lineOffsets;
-  Uint32Array patchOffsets = lineOffsets;
-  DiagnosticRecords diagnostics{emscripten::val::array()};
-  Text failure{emscripten::val("")};
-};
-
-/// FrontCounters as JavaScript numbers, exact up to 2^53.
-struct CounterRecord {
-  double pops = 0.0;
-  double gatheredFaces = 0.0;
-  double candidatesTried = 0.0;
-  double facesTested = 0.0;
-  double facesAnalysed = 0.0;
-  double exactPredicates = 0.0;
-};
 
 MeshOptions toOptions(const Options& options) {
   MeshOptions result;
@@ -92,41 +29,6 @@ MeshOptions toOptions(const Options& options) {
   result.order = static_cast<FrontOrder>(options.order);
   result.optimization = static_cast<Optimization>(options.optimization);
   return result;
-}
-
-DiagnosticRecord toRecord(const Diagnostic& diagnostic) {
-  std::vector<std::uint32_t> entities;
-  for (const Entity& entity : diagnostic.entities) {
-    entities.push_back(static_cast<std::uint32_t>(entity.kind));
-    entities.push_back(entity.index);
-  }
-  std::vector<double> place;
-  if (diagnostic.hasPlace) {
-    place = {diagnostic.place.x, diagnostic.place.y, diagnostic.place.z};
-  }
-  return {.code = static_cast<std::uint32_t>(diagnostic.code),
-          .severity = static_cast<std::uint32_t>(diagnostic.severity),
-          .entities = copyOut(entities),
-          .place = copyOut(place),
-          .values = copyOut(diagnostic.values)};
-}
-
-DiagnosticRecords toRecords(const std::vector<Diagnostic>& diagnostics) {
-  auto records = emscripten::val::array();
-  for (const Diagnostic& diagnostic : diagnostics) {
-    records.call<void>("push", toRecord(diagnostic));
-  }
-  return DiagnosticRecords{records};
-}
-
-/// Sixteen hexadecimal digits: a 64-bit number does not fit a JavaScript number.
-std::string toHex(std::uint64_t value) {
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text(16, '0');
-  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, value >>= 4) {
-    *digit = kDigits[value & 15];
-  }
-  return text;
 }
 
 /// Runs `work`; whatever it throws is put into `failure` in words and `otherwise` is returned.
@@ -148,14 +50,15 @@ Result guarded(std::string& failure, Result otherwise, const Work& work) {
 class Run {
  public:
   Run(const ModelArrays& arrays, const Options& options) {
-    start([&] { return MeshRun{toModel(arrays), toGrid(arrays), toOptions(options)}; });
+    start([&] { return MeshRun{toModel(arrays), toGrid(arrays.grid), toOptions(options)}; });
   }
 
-  Run(const Float64Array& points, const Uint32Array& triangles, const Options& options) {
+  Run(const Float64Array& points, const Uint32Array& triangles, const GridArrays& grid,
+      const Options& options) {
     start([&] {
       const auto xyz = copyIn<double>(points);
       const auto corners = copyIn<std::uint32_t>(triangles);
-      return MeshRun{xyz, corners, toOptions(options)};
+      return MeshRun{xyz, corners, toGrid(grid), toOptions(options)};
     });
   }
 
@@ -210,6 +113,11 @@ class Run {
     return read(QualitySummary{}, [](MeshRun& run) { return run.quality(); });
   }
 
+  PatchSummaries patches() {
+    return read(PatchSummaries{emscripten::val::array()},
+                [](MeshRun& run) { return toSummaries(run.patchSummaries()); });
+  }
+
   RecoverySummary recovery() {
     return read(RecoverySummary{}, [](MeshRun& run) { return run.recovery(); });
   }
@@ -249,20 +157,45 @@ class Run {
   std::string failure_;
 };
 
-PreviewArrays preview(const ModelArrays& arrays) {
+/// The answer of `work`, in which `failure` tells what it threw.
+template <class Answer, class Work>
+Answer answered(const Work& work) {
   std::string failure;
-  PreviewArrays result = guarded(failure, PreviewArrays{}, [&] {
-    const ModelPreview drawn = previewModel(toModel(arrays), toGrid(arrays));
+  Answer answer = guarded(failure, Answer{}, work);
+  answer.failure = Text{emscripten::val(failure)};
+  return answer;
+}
+
+PreviewArrays preview(const ModelArrays& arrays, double size) {
+  return answered<PreviewArrays>([&] {
+    const ModelPreview drawn = previewModel(toModel(arrays), toGrid(arrays.grid), size);
     return PreviewArrays{.linePoints = copyOut(drawn.linePoints),
                          .lineOffsets = copyOut(drawn.lineOffsets),
                          .patchPoints = copyOut(drawn.patchPoints),
                          .patchTriangles = copyOut(drawn.patchTriangles),
                          .patchOffsets = copyOut(drawn.patchOffsets),
-                         .diagnostics = toRecords(drawn.diagnostics),
-                         .failure = Text{emscripten::val("")}};
+                         .diagnostics = toRecords(drawn.diagnostics)};
   });
-  result.failure = Text{emscripten::val(failure)};
-  return result;
+}
+
+GridRecord cover(const ModelArrays& arrays, double size, std::uint32_t shape) {
+  return answered<GridRecord>([&] {
+    return toRecord(coveringGrid(toModel(arrays), size, static_cast<CoverShape>(shape)));
+  });
+}
+
+ProposalRecord propose(const ModelArrays& arrays, const ProposalOptions& options) {
+  return answered<ProposalRecord>([&] { return toRecord(proposeSizes(toModel(arrays), options)); });
+}
+
+GridRecord meshAsGrid(const Float64Array& points, const Uint32Array& tetrahedra,
+                      const Float64Array& sizes) {
+  return answered<GridRecord>([&] {
+    VolumeMesh mesh;
+    mesh.points = copyIn<double>(points);
+    mesh.tetrahedra = copyIn<std::uint32_t>(tetrahedra);
+    return toRecord(gridFromMesh(mesh, copyIn<double>(sizes)));
+  });
 }
 
 /// As raw pointers, which embind hands over to JavaScript; there delete() ends their life.
@@ -270,8 +203,9 @@ Run* meshModel(const ModelArrays& arrays, const Options& options) {
   return std::make_unique<Run>(arrays, options).release();
 }
 
-Run* fillSurface(const Float64Array& points, const Uint32Array& triangles, const Options& options) {
-  return std::make_unique<Run>(points, triangles, options).release();
+Run* fillSurface(const Float64Array& points, const Uint32Array& triangles, const GridArrays& grid,
+                 const Options& options) {
+  return std::make_unique<Run>(points, triangles, grid, options).release();
 }
 
 }  // namespace
@@ -286,8 +220,15 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   register_type<Uint32Array>("Uint32Array");
   register_type<Uint8Array>("Uint8Array");
   register_type<DiagnosticRecords>("DiagnosticRecord[]");
+  register_type<PatchSummaries>("PatchSummary[]");
   register_type<Text>("string");
 
+  value_object<GridArrays>("GridArrays")
+      .field("nodes", &GridArrays::nodes)
+      .field("tetrahedra", &GridArrays::tetrahedra)
+      .field("sourceTypes", &GridArrays::sourceTypes)
+      .field("sourceValues", &GridArrays::sourceValues)
+      .field("overhang", &GridArrays::overhang);
   value_object<ModelArrays>("ModelArrays")
       .field("points", &ModelArrays::points)
       .field("lineTypes", &ModelArrays::lineTypes)
@@ -297,11 +238,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("patchOffsets", &ModelArrays::patchOffsets)
       .field("loopOffsets", &ModelArrays::loopOffsets)
       .field("loopLines", &ModelArrays::loopLines)
-      .field("gridNodes", &ModelArrays::gridNodes)
-      .field("gridTetrahedra", &ModelArrays::gridTetrahedra)
-      .field("sourceTypes", &ModelArrays::sourceTypes)
-      .field("sourceValues", &ModelArrays::sourceValues)
-      .field("overhang", &ModelArrays::overhang);
+      .field("grid", &ModelArrays::grid);
   value_object<Options>("Options")
       .field("size", &Options::size)
       .field("growth", &Options::growth)
@@ -340,6 +277,30 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("patchOffsets", &PreviewArrays::patchOffsets)
       .field("diagnostics", &PreviewArrays::diagnostics)
       .field("failure", &PreviewArrays::failure);
+  value_object<GridRecord>("GridRecord")
+      .field("points", &GridRecord::points)
+      .field("sizes", &GridRecord::sizes)
+      .field("tetrahedra", &GridRecord::tetrahedra)
+      .field("overhang", &GridRecord::overhang)
+      .field("failure", &GridRecord::failure);
+  value_object<ProposalOptions>("ProposalOptions")
+      .field("uniform", &ProposalOptions::uniform)
+      .field("smallest", &ProposalOptions::smallest)
+      .field("elementsPerCircle", &ProposalOptions::elementsPerCircle)
+      .field("elementsPerGap", &ProposalOptions::elementsPerGap)
+      .field("growth", &ProposalOptions::growth);
+  value_object<ProposalRecord>("ProposalRecord")
+      .field("size", &ProposalRecord::size)
+      .field("sourceTypes", &ProposalRecord::sourceTypes)
+      .field("sourceValues", &ProposalRecord::sourceValues)
+      .field("failure", &ProposalRecord::failure);
+  value_object<PatchSummary>("PatchSummary")
+      .field("patch", &PatchSummary::patch)
+      .field("triangles", &PatchSummary::triangles)
+      .field("minAngle", &PatchSummary::minAngle)
+      .field("meanRadiusRatio", &PatchSummary::meanRadiusRatio)
+      .field("meanEdge", &PatchSummary::meanEdge)
+      .field("chordDeviation", &PatchSummary::chordDeviation);
   value_object<QualitySummary>("QualitySummary")
       .field("minDihedral", &QualitySummary::minDihedral)
       .field("maxDihedral", &QualitySummary::maxDihedral)
@@ -366,6 +327,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("surface", &Run::surface)
       .function("volume", &Run::volume)
       .function("quality", &Run::quality)
+      .function("patches", &Run::patches)
       .function("recovery", &Run::recovery)
       .function("counters", &Run::counters)
       .function("fingerprint", &Run::fingerprint)
@@ -374,4 +336,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
   function("preview", &preview);
+  function("cover", &cover);
+  function("propose", &propose);
+  function("meshAsGrid", &meshAsGrid);
 }

@@ -18,6 +18,15 @@ inline constexpr std::size_t kNodeStride = 8;
 /// Doubles per source of size: x y z of three places, size, distance, growth.
 inline constexpr std::size_t kSourceStride = 12;
 
+/// What JavaScript sends for a background grid; see GridArrays in src/grid-arrays.ts.
+struct GridArrays {
+  Float64Array nodes{emscripten::val::undefined()};
+  Uint32Array tetrahedra{emscripten::val::undefined()};
+  Uint8Array sourceTypes{emscripten::val::undefined()};
+  Float64Array sourceValues{emscripten::val::undefined()};
+  double overhang = 0.0;
+};
+
 /// What JavaScript sends for a drawn model; see ModelArrays in src/project-arrays.ts.
 struct ModelArrays {
   Float64Array points{emscripten::val::undefined()};
@@ -28,11 +37,7 @@ struct ModelArrays {
   Uint32Array patchOffsets{emscripten::val::undefined()};
   Uint32Array loopOffsets{emscripten::val::undefined()};
   Uint32Array loopLines{emscripten::val::undefined()};
-  Float64Array gridNodes{emscripten::val::undefined()};
-  Uint32Array gridTetrahedra{emscripten::val::undefined()};
-  Uint8Array sourceTypes{emscripten::val::undefined()};
-  Float64Array sourceValues{emscripten::val::undefined()};
-  double overhang = 0.0;
+  GridArrays grid;
 };
 
 inline std::vector<Vec3> toPoints(const std::vector<double>& xyz) {
@@ -85,7 +90,7 @@ inline Model toModel(const ModelArrays& arrays) {
           .patches = toPatches(arrays)};
 }
 
-inline std::vector<SizeSource> toSources(const ModelArrays& arrays) {
+inline std::vector<SizeSource> toSources(const GridArrays& arrays) {
   const auto types = copyIn<std::uint8_t>(arrays.sourceTypes);
   const auto values = copyIn<double>(arrays.sourceValues);
   std::vector<SizeSource> sources(types.size());
@@ -101,9 +106,9 @@ inline std::vector<SizeSource> toSources(const ModelArrays& arrays) {
   return sources;
 }
 
-inline BackgroundGrid toGrid(const ModelArrays& arrays) {
-  const auto values = copyIn<double>(arrays.gridNodes);
-  const auto corners = copyIn<std::uint32_t>(arrays.gridTetrahedra);
+inline BackgroundGrid toGrid(const GridArrays& arrays) {
+  const auto values = copyIn<double>(arrays.nodes);
+  const auto corners = copyIn<std::uint32_t>(arrays.tetrahedra);
   BackgroundGrid grid;
   for (std::size_t i = 0; i + kNodeStride <= values.size(); i += kNodeStride) {
     const double* v = values.data() + i;

@@ -35,4 +35,8 @@ template <class T>
   return Uint32Array{copyOut("Uint32Array", values)};
 }
 
+[[nodiscard]] inline Uint8Array copyOut(const std::vector<std::uint8_t>& values) {
+  return Uint8Array{copyOut("Uint8Array", values)};
+}
+
 }  // namespace tetrafront::border

@@ -15,6 +15,7 @@
 #include "surface/boundary.h"
 #include "surface/check_coverage.h"
 #include "surface/expected_count.h"
+#include "surface/surface_coverage.h"
 #include "surface/surface_mesher.h"
 #include "volume/volume_mesher.h"
 
@@ -49,8 +50,8 @@ class MeshRun::Impl {
       : options_(options), model_(std::move(model)), grid_(std::move(grid)) {}
 
   Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
-       const MeshOptions& options)
-      : options_(options) {
+       BackgroundGrid grid, const MeshOptions& options)
+      : options_(options), grid_(std::move(grid)) {
     surface_.points.assign(points.begin(), points.end());
     surface_.triangles.assign(triangles.begin(), triangles.end());
     stage_ = Stage::kCheckBoundary;
@@ -249,15 +250,28 @@ class MeshRun::Impl {
     return found;
   }
 
+  /// Whether sizes come from the grid's tetrahedra: a uniform size goes before them, and a given
+  /// surface has sizes of its own.
+  [[nodiscard]] bool usesGrid() const {
+    if (options_.size > 0.0) return false;
+    return isModel() || !grid_.nodes.empty() || !grid_.tetrahedra.empty();
+  }
+
+  [[nodiscard]] std::vector<Diagnostic> checkGrid() const {
+    return usesGrid() ? checkBackgroundGrid(grid_) : checkSizeSources(grid_.sources);
+  }
+
+  [[nodiscard]] SizeField gridField() const {
+    return SizeField::fromGrid(GridLocator(grid_, options_.gradation - 1.0));
+  }
+
   void checkInput() {
-    const bool usesGrid = !(options_.size > 0.0);
     report(checkModel(*model_));
-    report(usesGrid ? checkBackgroundGrid(grid_) : checkSizeSources(grid_.sources));
+    report(checkGrid());
     if (anyError(diagnostics_)) return fail();
-    field_ = usesGrid ? SizeField::fromGrid(GridLocator(grid_, options_.gradation - 1.0))
-                      : SizeField::uniform(options_.size);
+    field_ = usesGrid() ? gridField() : SizeField::uniform(options_.size);
     field_->addSources(grid_.sources);
-    if (usesGrid) report(checkCoverage(*model_, *field_));
+    if (usesGrid()) report(checkCoverage(*model_, *field_));
     if (anyError(diagnostics_)) return fail();
     // A model fills some part of its box. Where even a small part is too much, lines and patches
     // need not be tried.
@@ -280,16 +294,30 @@ class MeshRun::Impl {
 
   void checkBoundary(std::uint32_t budget) {
     if (!boundaryCheck_) {
+      if (!isModel()) report(checkGrid());
       boundaryCheck_.emplace(
           surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface);
     }
     if (!boundaryCheck_->advance(budget)) return;
     report(boundaryCheck_->diagnostics());
-    if (!boundaryCheck_->result().valid) return fail();
+    if (!boundaryCheck_->result().valid || anyError(diagnostics_)) return fail();
     stage_ = isModel() ? Stage::kEstimate : Stage::kField;
   }
 
+  void makeGridField(std::uint32_t budget) {
+    if (!coverage_) {
+      field_ = gridField();
+      field_->addSources(grid_.sources);
+      coverage_.emplace(surface_, *field_);
+    }
+    if (!coverage_->advance(budget)) return;
+    report(coverage_->diagnostics());
+    if (anyError(diagnostics_)) return fail();
+    stage_ = Stage::kEstimate;
+  }
+
   void makeSurfaceField(std::uint32_t budget) {
+    if (usesGrid()) return makeGridField(budget);
     // No size of the field will be above the one asked for; if that is too small, so is the field.
     if (!octreeBuilder_ && options_.size > 0.0) {
       const double expected = expectedTetrahedra(surface_, SizeField::uniform(options_.size));
@@ -301,6 +329,7 @@ class MeshRun::Impl {
     }
     if (!octreeBuilder_->advance(budget)) return;
     field_ = SizeField::fromOctree(octreeBuilder_->take());
+    field_->addSources(grid_.sources);
     octreeBuilder_.reset();
     stage_ = Stage::kEstimate;
   }
@@ -387,6 +416,7 @@ class MeshRun::Impl {
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
   std::optional<SizeOctreeBuilder> octreeBuilder_;
+  std::optional<SurfaceCoverage> coverage_;
   std::optional<SurfaceMesher> surfaceMesher_;
   std::optional<BoundaryCheck> boundaryCheck_;
   std::optional<VolumeMesher> volumeMesher_;
@@ -408,7 +438,11 @@ MeshRun::MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options)
 
 MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
                  const MeshOptions& options)
-    : impl_(std::make_unique<Impl>(points, triangles, options)) {}
+    : MeshRun(points, triangles, BackgroundGrid{}, options) {}
+
+MeshRun::MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                 BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(points, triangles, std::move(grid), options)) {}
 
 MeshRun::MeshRun(MeshRun&&) noexcept = default;
 MeshRun& MeshRun::operator=(MeshRun&&) noexcept = default;

@@ -91,6 +91,18 @@ TEST(SurfacePreview, TellsAboutTheGridToo) {
   EXPECT_EQ(preview.diagnostics.back().code, DiagnosticCode::kBadSize);
 }
 
+TEST(SurfacePreview, SaysNothingOfTheGridButItsSourcesWhereTheSizeIsUniform) {
+  const Model box = boxModel({0, 0, 0}, {1, 1, 1});
+  BackgroundGrid broken = grid();
+  broken.nodes[3].size = -1.0;
+  EXPECT_TRUE(previewModel(box, broken, 0.25).diagnostics.empty());
+  EXPECT_TRUE(previewModel(box, {}, 0.25).diagnostics.empty());
+  broken.sources.emplace_back();
+  const ModelPreview preview = previewModel(box, broken, 0.25);
+  ASSERT_EQ(preview.diagnostics.size(), 1U);
+  EXPECT_EQ(preview.diagnostics[0].code, DiagnosticCode::kBadSource);
+}
+
 TEST(SurfacePreview, SurvivesAnyInput) {
   const std::vector<double> wild{0.0,
                                  -0.0,

@@ -108,7 +108,11 @@ function failed(failure: unknown, input: string): Outcome {
     tell(failure.file, diagnostics, true);
     return badInput(diagnostics);
   }
-  if (failure instanceof MesherError && failure.code !== "disposed") {
+  if (failure instanceof MesherError && failure.code === "invalid-input") {
+    tell(input, failure.diagnostics, true);
+    return badInput(failure.diagnostics);
+  }
+  if (failure instanceof MesherError && failure.code !== "disposed" && failure.code !== "invalid-input") {
     const diagnostics = [packageDiagnostic(failure.code, failure.message, "")];
     tell(input, diagnostics, true);
     return { report: emptyReport("stalled", diagnostics), exitCode: ExitCode.notCompleted, written: null };

@@ -11,6 +11,7 @@ export { writeMsh, type MshNames } from "./formats/msh.js";
 export { readOff } from "./formats/off.js";
 export { readStl } from "./formats/stl.js";
 export { writeVtu } from "./formats/vtu.js";
+export { projectBackground } from "./grid-arrays.js";
 export { createMesher, MesherError } from "./mesher.js";
 export type { MesherErrorCode } from "./mesher.js";
 export { parseProject, readProject, writeProject } from "./project.js";
@@ -46,7 +47,9 @@ export type {
   MeshResult,
   MeshStatus,
   Optimization,
+  PatchFigures,
   Phase,
+  PreviewOptions,
   Progress,
   ProjectPreview,
   ProposalOptions,

@@ -5,21 +5,43 @@
 import { startWorker } from "#worker-host";
 
 import { packageDiagnostic } from "./diagnostics.js";
-import { checkOptions, engineOptions } from "./options.js";
-import { parseProject } from "./project.js";
-import { nameByPosition, projectArrays, projectNamer, type EntityNamer } from "./project-arrays.js";
-import type { Project } from "./project-schema.js";
-import type { EnginePreview, EngineResult, FailureReason, Reply, Request } from "./protocol.js";
+import { emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
+import { checkProject, checkSurface, checkVolume } from "./input-checks.js";
+import {
+  checkCoverOptions,
+  checkOptions,
+  checkPreviewOptions,
+  checkProposalOptions,
+  COVER_SHAPES,
+  DEFAULT_COVER_SHAPE,
+  engineOptions,
+  engineProposalOptions,
+} from "./options.js";
+import {
+  gridByPosition,
+  nameByPosition,
+  projectArrays,
+  projectNamer,
+  type EntityNamer,
+} from "./project-arrays.js";
+import type { Project, ProjectBackground } from "./project-schema.js";
+import type { Answers, EngineResult, FailureReason, Question, Reply, Request } from "./protocol.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { buffersOf } from "./transfer.js";
 import type {
+  BackgroundArrays,
+  CoverOptions,
   Diagnostic,
   Mesher,
   MeshOptions,
   MeshResult,
+  PreviewOptions,
   ProjectPreview,
+  ProposalOptions,
   RunControl,
+  SizeProposal,
   SurfaceInput,
+  VolumeMesh,
 } from "./types.js";
 import type { WorkerHandle } from "./worker-host.js";
 
@@ -28,14 +50,18 @@ const CANCEL_GRACE_MS = 75;
 /** Where this thread was busy itself, what the worker said in time is still to be heard. */
 const LAST_HEARING_MS = 5;
 
-export type MesherErrorCode = FailureReason | "disposed";
+export type MesherErrorCode = FailureReason | "disposed" | "invalid-input";
 
-/** Why a run was rejected: never because of bad input, which is a result. */
+/**
+ * Why a call was rejected. Runs never are because of bad input, which is a result; calls whose result
+ * has no place for diagnostics are, with code `invalid-input` and the diagnostics here.
+ */
 export class MesherError extends Error {
   override readonly name = "MesherError";
   constructor(
     readonly code: MesherErrorCode,
     message: string,
+    readonly diagnostics: readonly Diagnostic[] = [],
   ) {
     super(message);
   }
@@ -55,8 +81,6 @@ export async function createMesher(): Promise<Mesher> {
 }
 
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
-type PreviewRequest = Extract<Request, { kind: "preview" }>;
-
 interface Job {
   readonly request: RunRequest;
   readonly control: RunControl;
@@ -64,9 +88,9 @@ interface Job {
   readonly reject: (failure: MesherError) => void;
 }
 
-interface PendingPreview {
-  readonly request: PreviewRequest;
-  readonly resolve: (preview: EnginePreview) => void;
+interface OpenQuestion {
+  readonly question: Question;
+  readonly resolve: (answer: Answers[keyof Answers]) => void;
   readonly reject: (failure: MesherError) => void;
 }
 
@@ -77,7 +101,7 @@ class WorkerMesher implements Mesher {
   #lastId = 0;
   #active: Job | undefined;
   readonly #waiting: Job[] = [];
-  readonly #previews = new Map<number, PendingPreview>();
+  readonly #questions = new Map<number, OpenQuestion>();
   #forceTimer: ReturnType<typeof setTimeout> | undefined;
   #disposed = false;
 
@@ -89,44 +113,78 @@ class WorkerMesher implements Mesher {
   }
 
   async meshProject(project: Project, options: MeshOptions = {}, control: RunControl = {}) {
-    const parsed = parseProject(project);
-    const wrong = parsed.success
-      ? checkOptions(options)
-      : parsed.problems.map(({ message, remedy }) => packageDiagnostic("invalid-project", message, remedy));
+    const wrong = [...checkProject(project), ...checkOptions(options)];
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
-    const id = this.#nextId();
+    const { background } = options;
+    const drawn = projectArrays(project);
     const request = {
       kind: "mesh-model",
-      id,
-      model: projectArrays(project),
+      id: this.#nextId(),
+      model: background === undefined ? drawn : { ...drawn, grid: withNodes(drawn.grid, background) },
       options: engineOptions(options),
     } as const;
-    return this.#run(request, control, projectNamer(project));
+    const name = projectNamer(project);
+    return this.#run(request, control, background === undefined ? name : gridByPosition(name));
   }
 
   async fillSurface(surface: SurfaceInput, options: MeshOptions = {}, control: RunControl = {}) {
-    const wrong = [...checkArrays(surface), ...checkOptions(options)];
+    const wrong = [...checkSurface(surface), ...checkOptions(options)];
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
+    const { background } = options;
     // Copies: transferring the caller's own arrays would empty them.
     const request = {
       kind: "fill-surface",
       id: this.#nextId(),
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
+      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(options),
     } as const;
     return this.#run(request, control, nameByPosition);
   }
 
-  async previewProject(project: Project): Promise<ProjectPreview> {
-    const request = { kind: "preview", id: this.#nextId(), model: projectArrays(project) } as const;
-    const preview = await new Promise<EnginePreview>((resolve, reject) => {
-      if (this.#disposed) return reject(disposedError());
-      this.#previews.set(request.id, { request, resolve, reject });
-      this.#worker.post(request, []);
-      this.#updateKeepAlive();
-    });
-    return describedPreview(preview, projectNamer(project));
+  async previewProject(project: Project, options: PreviewOptions = {}): Promise<ProjectPreview> {
+    const wrong = checkPreviewOptions(options);
+    const size = wrong.length > 0 ? 0 : (options.size ?? 0);
+    const question = { kind: "preview", id: this.#nextId(), model: projectArrays(project), size } as const;
+    const preview = describedPreview(await this.#ask(question), projectNamer(project));
+    return { ...preview, diagnostics: [...wrong, ...preview.diagnostics] };
+  }
+
+  async coverProject(project: Project, options: CoverOptions = {}): Promise<ProjectBackground> {
+    refuse([...checkProject(project), ...checkCoverOptions(options)]);
+    const { size = 0, shape = DEFAULT_COVER_SHAPE } = options;
+    const model = projectArrays(project);
+    const id = this.#nextId();
+    const grid = await this.#ask({ kind: "cover", id, model, size, shape: COVER_SHAPES[shape] });
+    if (grid.tetrahedra.length === 0) refuse([nothingToCover()]);
+    const { sources } = project.background;
+    return { ...projectBackground(grid), ...(sources && { sources }) };
+  }
+
+  async proposeSizes(project: Project, options: ProposalOptions = {}): Promise<SizeProposal> {
+    refuse([...checkProject(project), ...checkProposalOptions(options)]);
+    const model = projectArrays(project);
+    const id = this.#nextId();
+    const answer = await this.#ask({ kind: "propose", id, model, options: engineProposalOptions(options) });
+    return { size: answer.size, sources: projectSources(answer.sourceTypes, answer.sourceValues) };
+  }
+
+  async meshAsBackground(
+    mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+    { sizes }: { readonly sizes?: Float64Array | undefined } = {},
+  ): Promise<BackgroundArrays> {
+    refuse(checkVolume(mesh, sizes));
+    const { points, tetrahedra } = mesh;
+    const id = this.#nextId();
+    const question = {
+      kind: "mesh-as-grid",
+      id,
+      points,
+      tetrahedra,
+      sizes: sizes ?? new Float64Array(),
+    } as const;
+    return this.#ask(question);
   }
 
   dispose(): void {
@@ -137,6 +195,20 @@ class WorkerMesher implements Mesher {
     this.#settleReady?.reject(disposedError());
     this.#rejectUnderWay(disposedError());
     for (const job of this.#waiting.splice(0)) job.reject(disposedError());
+  }
+
+  /** Nothing is transferred: the arrays are the caller's, and a new worker may have to be asked again. */
+  #ask<Kind extends keyof Answers>(question: Question & { readonly kind: Kind }): Promise<Answers[Kind]> {
+    return new Promise((resolve, reject) => {
+      if (this.#disposed) return reject(disposedError());
+      this.#questions.set(question.id, {
+        question,
+        resolve: (answer) => resolve(answer as Answers[Kind]),
+        reject,
+      });
+      this.#worker.post(question, []);
+      this.#updateKeepAlive();
+    });
   }
 
   async #run(request: RunRequest, control: RunControl, name: EntityNamer): Promise<MeshResult> {
@@ -163,7 +235,8 @@ class WorkerMesher implements Mesher {
       this.#active = this.#waiting.shift();
       if (this.#active !== undefined) {
         const { request } = this.#active;
-        this.#worker.post(request, buffersOf(request.kind === "mesh-model" ? request.model : request));
+        const holder = request.kind === "mesh-model" ? request.model : request;
+        this.#worker.post(request, buffersOf(holder, holder.grid));
       }
     }
     this.#updateKeepAlive();
@@ -184,7 +257,7 @@ class WorkerMesher implements Mesher {
   #cancelByForce(job: Job): void {
     this.#worker.terminate();
     this.#worker = this.#startWorker();
-    for (const { request } of this.#previews.values()) this.#worker.post(request, []);
+    for (const { question } of this.#questions.values()) this.#worker.post(question, []);
     this.#finish(() => job.resolve("cancelled"));
   }
 
@@ -220,9 +293,9 @@ class WorkerMesher implements Mesher {
         );
       case "failure":
         return this.#replaceWorker(failureError(reply.reason, reply.message));
-      case "preview":
-        this.#previews.get(reply.id)?.resolve(reply.preview);
-        this.#previews.delete(reply.id);
+      case "answer":
+        this.#questions.get(reply.id)?.resolve(reply.answer);
+        this.#questions.delete(reply.id);
         return this.#updateKeepAlive();
       case "progress":
       case "stopping":
@@ -265,12 +338,12 @@ class WorkerMesher implements Mesher {
   #rejectUnderWay(failure: MesherError): void {
     this.#active?.reject(failure);
     this.#active = undefined;
-    for (const preview of this.#previews.values()) preview.reject(failure);
-    this.#previews.clear();
+    for (const question of this.#questions.values()) question.reject(failure);
+    this.#questions.clear();
   }
 
   #updateKeepAlive(): void {
-    const isBusy = this.#active !== undefined || this.#previews.size > 0 || this.#settleReady !== undefined;
+    const isBusy = this.#active !== undefined || this.#questions.size > 0 || this.#settleReady !== undefined;
     this.#worker.keepAlive(isBusy);
   }
 
@@ -279,20 +352,16 @@ class WorkerMesher implements Mesher {
   }
 }
 
-function checkArrays(surface: SurfaceInput): Diagnostic[] {
-  const { points, triangles } = surface as { points: unknown; triangles: unknown };
-  if (!(points instanceof Float64Array) || !(triangles instanceof Uint32Array)) {
-    return [invalidArrays("the surface's points and triangles are not a Float64Array and a Uint32Array")];
-  }
-  if (points.length % 3 !== 0 || triangles.length % 3 !== 0) {
-    return [invalidArrays("the lengths of the surface's points and triangles are not multiples of 3")];
-  }
-  return [];
+/** Throws where there is anything in the list; the message is that of the first. */
+function refuse(wrong: readonly Diagnostic[]): void {
+  const [first] = wrong;
+  if (first === undefined) return;
+  throw new MesherError("invalid-input", `${first.message}. ${first.remedy}`, wrong);
 }
 
-function invalidArrays(message: string): Diagnostic {
-  const remedy = "Give x y z per node and three node positions per triangle.";
-  return packageDiagnostic("invalid-arrays", message, remedy);
+function nothingToCover(): Diagnostic {
+  const message = "there is nothing to cover: no point, line or patch can be evaluated";
+  return packageDiagnostic("invalid-project", message, "Draw points and lines first.");
 }
 
 function disposedError(): MesherError {

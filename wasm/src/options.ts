@@ -1,7 +1,16 @@
 /** The options as the engine takes them, or what is wrong with them. */
 import { packageDiagnostic } from "./diagnostics.js";
-import type { EngineOptions } from "./protocol.js";
-import type { Diagnostic, FrontOrder, MeshOptions, Optimization } from "./types.js";
+import { checkBackground } from "./input-checks.js";
+import type { EngineOptions, EngineProposalOptions } from "./protocol.js";
+import type {
+  CoverOptions,
+  Diagnostic,
+  FrontOrder,
+  MeshOptions,
+  Optimization,
+  PreviewOptions,
+  ProposalOptions,
+} from "./types.js";
 
 /** Growth of the element size per unit of distance from a given surface's edges. */
 export const DEFAULT_GROWTH = 0.3;
@@ -20,38 +29,126 @@ export const OPTIMIZATIONS: Readonly<Record<Optimization, number>> = {
   strive: 3,
 };
 
+export type CoverShape = NonNullable<CoverOptions["shape"]>;
+export const DEFAULT_COVER_SHAPE: CoverShape = "box";
+/** The engine's numbers (cpp/include/tetrafront/grid_tools.h). */
+export const COVER_SHAPES: Readonly<Record<CoverShape, number>> = { box: 0, tetrahedron: 1 };
+
+/** As the engine has them (cpp/include/tetrafront/grid_tools.h); 0 leaves the choice to it. */
+export const DEFAULT_PROPOSAL: EngineProposalOptions = {
+  uniform: 0,
+  smallest: 0,
+  elementsPerCircle: 24,
+  elementsPerGap: 3,
+  growth: 0.3,
+};
+
+/** What an option may be: undefined where it is fine, else what to give instead. */
+type Rule = (value: unknown) => string | undefined;
+type Rules<Options> = { readonly [Name in keyof Options]-?: readonly [words: string, rule: Rule] };
+
+const isFiniteNumber = (value: unknown): value is number =>
+  typeof value === "number" && Number.isFinite(value);
+const positiveLength: Rule = (value) =>
+  isFiniteNumber(value) && value > 0 ? undefined : "a finite size above 0, in model units";
+const atLeastZero =
+  (what: string): Rule =>
+  (value) =>
+    isFiniteNumber(value) && value >= 0 ? undefined : what;
+const oneOf =
+  (table: object): Rule =>
+  (value) =>
+    typeof value === "string" && Object.hasOwn(table, value)
+      ? undefined
+      : `one of ${Object.keys(table).join(", ")}`;
+const GROWTH_WANTED = "a finite growth of 0 or more, for example 0.3";
+
+const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
+  size: ["element size", positiveLength],
+  growth: ["growth", atLeastZero(GROWTH_WANTED)],
+  gradation: [
+    "gradation",
+    (value) =>
+      isFiniteNumber(value) && (value === 0 || value > 1)
+        ? undefined
+        : "0, or a finite gradation above 1, such as 1.3",
+  ],
+  order: ["order of the front", oneOf(FRONT_ORDERS)],
+  optimization: ["optimization", oneOf(OPTIMIZATIONS)],
+};
+
+const PREVIEW_RULES: Rules<PreviewOptions> = { size: MESH_RULES.size };
+
+const COVER_RULES: Rules<CoverOptions> = {
+  size: MESH_RULES.size,
+  shape: ["shape", oneOf(COVER_SHAPES)],
+};
+
+const COUNT_WANTED = "a finite number of 0 or more; 0 leaves it out";
+const PROPOSAL_RULES: Rules<ProposalOptions> = {
+  uniform: ["uniform size", positiveLength],
+  smallest: ["smallest size", positiveLength],
+  elementsPerCircle: ["number of elements per circle", atLeastZero(COUNT_WANTED)],
+  elementsPerGap: ["number of elements per gap", atLeastZero(COUNT_WANTED)],
+  growth: ["growth", atLeastZero(GROWTH_WANTED)],
+};
+
 /** What is wrong with the options; empty where nothing is. */
 export function checkOptions(options: MeshOptions): Diagnostic[] {
-  const {
-    size,
-    growth = DEFAULT_GROWTH,
-    gradation = DEFAULT_GRADATION,
-    order = DEFAULT_ORDER,
-    optimization = DEFAULT_OPTIMIZATION,
-  } = options;
+  const { background, ...rest } = asRecord(options) as MeshOptions;
+  const wrong = checkAgainst(options, rest, MESH_RULES, ["background"]);
+  if (background === undefined) return wrong;
+  if (rest.size !== undefined) {
+    const message = "both an element size and a background grid are given";
+    wrong.push(invalidOption(message, "Give one of them: the size is uniform, the grid's are not."));
+  }
+  return [...wrong, ...checkBackground(background)];
+}
+
+export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
+  return checkAgainst(options, options, PREVIEW_RULES);
+}
+
+export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
+  return checkAgainst(options, options, COVER_RULES);
+}
+
+export function checkProposalOptions(options: ProposalOptions): Diagnostic[] {
+  return checkAgainst(options, options, PROPOSAL_RULES);
+}
+
+function checkAgainst<Options>(
+  given: unknown,
+  values: Options,
+  rules: Rules<Options>,
+  alsoKnown: readonly string[] = [],
+): Diagnostic[] {
+  if (typeof given !== "object" || given === null) {
+    return [invalidOption(`the options are ${String(given)}`, "Give an object, or leave them out.")];
+  }
   const wrong: Diagnostic[] = [];
-  if (size !== undefined && !(Number.isFinite(size) && size > 0)) {
-    wrong.push(invalidOption(`the element size is ${size}`, "Give a finite size above 0, in model units."));
-  }
-  if (!(Number.isFinite(growth) && growth >= 0)) {
-    wrong.push(
-      invalidOption(`the growth is ${growth}`, "Give a finite growth of 0 or more, for example 0.3."),
-    );
-  }
-  if (!(Number.isFinite(gradation) && (gradation === 0 || gradation > 1))) {
-    wrong.push(
-      invalidOption(`the gradation is ${gradation}`, "Give 0, or a finite gradation above 1, such as 1.3."),
-    );
-  }
-  if (!Object.hasOwn(FRONT_ORDERS, order)) {
-    const known = Object.keys(FRONT_ORDERS).join(" or ");
-    wrong.push(invalidOption(`the order of the front is "${order}"`, `Give ${known}.`));
-  }
-  if (!Object.hasOwn(OPTIMIZATIONS, optimization)) {
-    const known = Object.keys(OPTIMIZATIONS).join(", ");
-    wrong.push(invalidOption(`the optimization is "${optimization}"`, `Give one of ${known}.`));
+  for (const [name, value] of Object.entries(values as object)) {
+    if (!Object.hasOwn(rules, name)) {
+      const known = [...Object.keys(rules), ...alsoKnown].join(", ");
+      wrong.push(
+        invalidOption(`there is no option "${name}"`, `Correct its name: the options are ${known}.`),
+      );
+    } else if (value !== undefined) {
+      const [words, rule] = rules[name as keyof Options];
+      const wanted = rule(value);
+      if (wanted !== undefined)
+        wrong.push(invalidOption(`the ${words} is ${shown(value)}`, `Give ${wanted}.`));
+    }
   }
   return wrong;
+}
+
+function asRecord(value: unknown): object {
+  return typeof value === "object" && value !== null ? value : {};
+}
+
+function shown(value: unknown): string {
+  return typeof value === "string" ? `"${value}"` : String(value);
 }
 
 function invalidOption(message: string, remedy: string): Diagnostic {
@@ -68,4 +165,10 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     optimization = DEFAULT_OPTIMIZATION,
   } = options;
   return { size, growth, gradation, order: FRONT_ORDERS[order], optimization: OPTIMIZATIONS[optimization] };
+}
+
+/** Options that passed the check. */
+export function engineProposalOptions(options: ProposalOptions): EngineProposalOptions {
+  const given = Object.entries(options).filter(([, value]) => value !== undefined);
+  return { ...DEFAULT_PROPOSAL, ...(Object.fromEntries(given) as Partial<EngineProposalOptions>) };
 }

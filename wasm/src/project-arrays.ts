@@ -1,12 +1,6 @@
 /** From a project, with ids and names, to the flat arrays the engine takes; and back from positions to names. */
-import type {
-  LineType,
-  PatchType,
-  Project,
-  ProjectBackgroundNode,
-  ProjectSource,
-  SourceType,
-} from "./project-schema.js";
+import { NOWHERE, projectGrid, type GridArrays } from "./grid-arrays.js";
+import type { LineType, PatchType, Project } from "./project-schema.js";
 import type { EntityKind, EntityRef } from "./types.js";
 
 /** A model and its background grid as they cross into the engine. All references are positions. */
@@ -25,16 +19,7 @@ export interface ModelArrays {
   readonly loopOffsets: Uint32Array;
   /** 2 × position of the line, plus 1 if it is walked backwards. */
   readonly loopLines: Uint32Array;
-  /** x y z, size, stretching, direction x y z per node. */
-  readonly gridNodes: Float64Array;
-  /** Four node positions per tetrahedron. */
-  readonly gridTetrahedra: Uint32Array;
-  /** 0 point, 1 segment, 2 triangle. */
-  readonly sourceTypes: Uint8Array;
-  /** x y z of three places (those its type lacks are 0), size, distance, growth per source. */
-  readonly sourceValues: Float64Array;
-  /** What this far outside the grid still counts as covered. */
-  readonly overhang: number;
+  readonly grid: GridArrays;
 }
 
 /** The engine's numbers (cpp/include/tetrafront/model.h). */
@@ -46,24 +31,11 @@ export const PATCH_TYPES: Readonly<Record<PatchType, number>> = {
   "barnhill-gregory-nielson": 3,
   coons: 4,
 };
-export const SOURCE_TYPES: Readonly<Record<SourceType, number>> = { point: 0, segment: 1, triangle: 2 };
-/** Growth of the size per unit of distance from a source that does not say. */
-export const DEFAULT_SOURCE_GROWTH = 0.3;
-
-/** Doubles per source; the last three are size, distance and growth. */
-const SOURCE_STRIDE = 12;
-/** Doubles per background node. */
-const NODE_STRIDE = 8;
-
-/** The engine reports a reference to this position as `index-out-of-range`. */
-const NOWHERE = 0x7fffffff;
 
 /** Flattens a project. References that lead nowhere become positions out of range. O(size). */
 export function projectArrays(project: Project): ModelArrays {
   const pointAt = positionsById(project.points);
   const lineAt = positionsById(project.lines);
-  const nodeAt = positionsById(project.background.nodes);
-  const sources = project.background.sources ?? [];
   const lines = flatten(project.lines.map((line) => line.points.map((id) => pointAt.get(id) ?? NOWHERE)));
   const loops = project.patches.flatMap((patch) => patch.loops);
   const loopLines = flatten(loops.map((loop) => loop.map((signed) => orientedLine(signed, lineAt))));
@@ -76,39 +48,12 @@ export function projectArrays(project: Project): ModelArrays {
     patchOffsets: flatten(project.patches.map((patch) => patch.loops.map(() => 0))).offsets,
     loopOffsets: loopLines.offsets,
     loopLines: loopLines.values,
-    gridNodes: gridNodes(project.background.nodes),
-    gridTetrahedra: Uint32Array.from(
-      project.background.tetrahedra.flatMap((tetrahedron) =>
-        tetrahedron.map((id) => nodeAt.get(id) ?? NOWHERE),
-      ),
-    ),
-    sourceTypes: Uint8Array.from(sources, (source) => SOURCE_TYPES[source.type]),
-    sourceValues: sourceValues(sources),
-    overhang: project.background.overhang ?? 0,
+    grid: projectGrid(project.background),
   };
 }
 
 function orientedLine(signed: number, lineAt: ReadonlyMap<number, number>): number {
   return 2 * (lineAt.get(Math.abs(signed)) ?? NOWHERE) + (signed < 0 ? 1 : 0);
-}
-
-function gridNodes(nodes: readonly ProjectBackgroundNode[]): Float64Array {
-  const values = new Float64Array(NODE_STRIDE * nodes.length);
-  nodes.forEach((node, i) => {
-    const direction = node.direction ?? [1, 0, 0];
-    values.set([...node.at, node.size, node.stretching ?? 1, ...direction], NODE_STRIDE * i);
-  });
-  return values;
-}
-
-function sourceValues(sources: readonly ProjectSource[]): Float64Array {
-  const values = new Float64Array(SOURCE_STRIDE * sources.length);
-  sources.forEach(({ places, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
-    // No more than three: previews show drawings that nobody has checked.
-    values.set(places.slice(0, 3).flat(), SOURCE_STRIDE * s);
-    values.set([size, distance, growth], SOURCE_STRIDE * (s + 1) - 3);
-  });
-  return values;
 }
 
 function positionsById(entities: readonly { readonly id: number }[]): ReadonlyMap<number, number> {
@@ -143,6 +88,14 @@ export const nameByPosition: EntityNamer = (kind, index) => ({
   index,
   label: `${KIND_WORDS[kind]} ${index}`,
 });
+
+/** As `name`, but for a background grid that came as arrays, whose nodes nobody named. */
+export function gridByPosition(name: EntityNamer): EntityNamer {
+  return (kind, index) =>
+    kind === "background-node" || kind === "background-tetrahedron"
+      ? nameByPosition(kind, index)
+      : name(kind, index);
+}
 
 /** Names as the project has them: `line "lip"`, else by id: `line 12`. */
 export function projectNamer(project: Project): EntityNamer {

@@ -1,7 +1,16 @@
 /** What the page (or a Node program) and the worker say to each other. Types only. */
 import type { EngineDiagnostic } from "./diagnostics.js";
+import type { GridArrays } from "./grid-arrays.js";
 import type { ModelArrays } from "./project-arrays.js";
-import type { MeshReport, MeshStatus, Progress, ProjectPreview, SurfaceMesh, VolumeMesh } from "./types.js";
+import type {
+  BackgroundArrays,
+  MeshReport,
+  MeshStatus,
+  Progress,
+  ProjectPreview,
+  SurfaceMesh,
+  VolumeMesh,
+} from "./types.js";
 
 /** Options as the engine takes them; 0 for a size that is not given. */
 export interface EngineOptions {
@@ -13,6 +22,42 @@ export interface EngineOptions {
   /** 0 none to 3 strive. */
   readonly optimization: number;
 }
+
+/** The engine's ProposalOptions; 0 for sizes that are not given. */
+export interface EngineProposalOptions {
+  readonly uniform: number;
+  readonly smallest: number;
+  readonly elementsPerCircle: number;
+  readonly elementsPerGap: number;
+  readonly growth: number;
+}
+
+/** Asked for at once and answered by one `answer` or `failure`, also while a run is under way. */
+export type Question =
+  /** `size`: the uniform one to mesh with, 0 for none. */
+  | { readonly kind: "preview"; readonly id: number; readonly model: ModelArrays; readonly size: number }
+  /** `shape`: 0 box, 1 single tetrahedron. */
+  | {
+      readonly kind: "cover";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly size: number;
+      readonly shape: number;
+    }
+  | {
+      readonly kind: "propose";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly options: EngineProposalOptions;
+    }
+  /** No sizes: from the mesh's own edges. */
+  | {
+      readonly kind: "mesh-as-grid";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly tetrahedra: Uint32Array;
+      readonly sizes: Float64Array;
+    };
 
 /** Every request but `cancel` carries an id of its own; replies repeat it, late ones are dropped by it. */
 export type Request =
@@ -29,10 +74,11 @@ export type Request =
       readonly id: number;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
+      /** Without nodes and tetrahedra the sizes come from the surface's own edges. */
+      readonly grid: GridArrays;
       readonly options: EngineOptions;
     }
-  /** Answered by one `preview` or `failure`, also while a run is under way. */
-  | { readonly kind: "preview"; readonly id: number; readonly model: ModelArrays }
+  | Question
   /** About the run of that id: answered by `stopping` and then its `result`, or by nothing if it is over. */
   | { readonly kind: "cancel"; readonly id: number };
 
@@ -49,6 +95,21 @@ export type EnginePreview = Omit<ProjectPreview, "diagnostics"> & {
   readonly diagnostics: readonly EngineDiagnostic[];
 };
 
+/** Sources as in GridArrays. */
+export interface EngineProposal {
+  readonly size: number;
+  readonly sourceTypes: Uint8Array;
+  readonly sourceValues: Float64Array;
+}
+
+/** What each question is answered with. */
+export interface Answers {
+  readonly preview: EnginePreview;
+  readonly cover: BackgroundArrays;
+  readonly propose: EngineProposal;
+  readonly "mesh-as-grid": BackgroundArrays;
+}
+
 export type FailureReason = "out-of-memory" | "engine-failed";
 
 export type Reply =
@@ -58,7 +119,7 @@ export type Reply =
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }
   | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }
-  | { readonly kind: "preview"; readonly id: number; readonly preview: EnginePreview }
+  | { readonly kind: "answer"; readonly id: number; readonly answer: Answers[keyof Answers] }
   /** The worker must be replaced: after a trap its heap cannot be trusted, and a full heap never shrinks. */
   | {
       readonly kind: "failure";

@@ -45,6 +45,7 @@ export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic
     dihedral: { min: 0, max: 0 },
     radiusRatio: { min: 0, mean: 0 },
     volume: 0,
+    patches: [],
     recovery: { relaxed: 0, starred: 0, reopened: 0 },
     front: {
       pops: 0,

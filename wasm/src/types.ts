@@ -4,7 +4,7 @@
  */
 
 import type { DiagnosticCode } from "./diagnostic-codes.js";
-import type { Project, ProjectSource } from "./project-schema.js";
+import type { Project, ProjectBackground, ProjectSource } from "./project-schema.js";
 
 /** A closed triangle surface: x y z per node, three node positions per triangle, any turning. */
 export interface SurfaceInput {
@@ -29,6 +29,11 @@ export interface BackgroundArrays {
   readonly tetrahedra: Uint32Array;
   /** What this far outside still counts as covered, as in `ProjectBackground`. Default 0. */
   readonly overhang?: number | undefined;
+}
+
+export interface PreviewOptions {
+  /** The uniform size that the project will be meshed with: then its grid is not checked. */
+  readonly size?: number | undefined;
 }
 
 /** How a covering grid is built. */
@@ -65,8 +70,16 @@ export type FrontOrder = "layered" | "smallest-first";
 export type Optimization = "none" | "fast" | "default" | "strive";
 
 export interface MeshOptions {
-  /** Uniform element size in model units, > 0. Replaces a project's background grid. */
+  /**
+   * Uniform element size in model units, > 0. Replaces the nodes and tetrahedra of a project's
+   * background grid, not its sources. Not together with `background`.
+   */
   readonly size?: number | undefined;
+  /**
+   * Sizes from these nodes and tetrahedra, which must cover the model: in place of those of a project
+   * (its sources stay), or of a given surface's own edges.
+   */
+  readonly background?: BackgroundArrays | undefined;
   /** Growth of the size per unit of distance from a given surface's edges, >= 0. Default 0.3. */
   readonly growth?: number | undefined;
   /**
@@ -175,6 +188,21 @@ export interface Seconds {
   readonly optimize: number;
 }
 
+/** The triangulation of one patch of a project. */
+export interface PatchFigures {
+  /** Position in the project. */
+  readonly patch: number;
+  readonly triangles: number;
+  /** Degrees, in space. */
+  readonly minAngle: number;
+  /** 2 × inradius / circumradius, 1 for the equilateral triangle. */
+  readonly meanRadiusRatio: number;
+  /** Length over the wanted one, in the metric: 1 is as asked for. */
+  readonly meanEdge: number;
+  /** Largest distance between a triangle and the true patch, in model units. */
+  readonly chordDeviation: number;
+}
+
 export interface MeshReport {
   readonly status: MeshStatus;
   readonly points: number;
@@ -187,6 +215,8 @@ export interface MeshReport {
   readonly radiusRatio: { readonly min: number; readonly mean: number };
   /** Sum over the tetrahedra, in cubed model units. */
   readonly volume: number;
+  /** By position of the patch; of a given surface none. */
+  readonly patches: readonly PatchFigures[];
   /** How the front was brought to an end. */
   readonly recovery: {
     /** Elements accepted by a relaxed rule. */
@@ -246,9 +276,29 @@ export interface Mesher {
   fillSurface(surface: SurfaceInput, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
   /**
    * Samples lines and patches for display and checks the project; tolerates broken input. Answered
-   * between the slices of a run, so that editing goes on while a mesh is made.
+   * between the slices of a run, so that editing goes on while a mesh is made. Options that make no
+   * sense are among the diagnostics.
    */
-  previewProject(project: Project): Promise<ProjectPreview>;
+  previewProject(project: Project, options?: PreviewOptions): Promise<ProjectPreview>;
+  /**
+   * A background grid of one size around the points, lines and patches, which keeps the project's
+   * sources. Answered as `previewProject`. Rejects with `invalid-input` where there is nothing to cover.
+   */
+  coverProject(project: Project, options?: CoverOptions): Promise<ProjectBackground>;
+  /**
+   * Sizes from the model's shape: a uniform one, and sources where lines and patches bend or come near
+   * each other. A proposal, not a promise. Answered as `previewProject`.
+   */
+  proposeSizes(project: Project, options?: ProposalOptions): Promise<SizeProposal>;
+  /**
+   * A generated mesh as background grid: with one size per node, else with sizes from its own edges,
+   * which ask for about as many elements as it has. Nodes of no tetrahedron are left out. Rejects with
+   * `invalid-input` where the arrays do not fit together.
+   */
+  meshAsBackground(
+    mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+    options?: { readonly sizes?: Float64Array | undefined },
+  ): Promise<BackgroundArrays>;
   /** Ends the worker; runs under way are rejected. */
   dispose(): void;
 }

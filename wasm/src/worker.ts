@@ -2,7 +2,7 @@
 import { workerPort } from "#worker-port";
 
 import { loadEngine, type Engine, type EngineRun } from "./engine.js";
-import type { EngineResult, FailureReason, Request } from "./protocol.js";
+import type { Answers, EngineResult, FailureReason, Question, Request } from "./protocol.js";
 import { RunClock } from "./run-clock.js";
 import { runInSlices } from "./slices.js";
 import { buffersOf } from "./transfer.js";
@@ -31,13 +31,36 @@ async function handle(engine: Engine, request: Request): Promise<void> {
     case "cancel":
       if (running.has(request.id)) cancelled.add(request.id);
       return;
-    case "preview":
-      return replyPreview(engine, request.id, request.model);
     case "mesh-model":
       return mesh(request.id, engine.meshModel(request.model, request.options));
     case "fill-surface":
-      return mesh(request.id, engine.fillSurface(request.points, request.triangles, request.options));
+      return mesh(
+        request.id,
+        engine.fillSurface(request.points, request.triangles, request.grid, request.options),
+      );
+    default:
+      return reply(request.id, answerTo(engine, request));
   }
+}
+
+type Answer = Answers[keyof Answers] & { readonly failure: string };
+
+function answerTo(engine: Engine, question: Question): Answer {
+  switch (question.kind) {
+    case "preview":
+      return engine.preview(question.model, question.size);
+    case "cover":
+      return engine.cover(question.model, question.size, question.shape);
+    case "propose":
+      return engine.propose(question.model, question.options);
+    case "mesh-as-grid":
+      return engine.meshAsGrid(question.points, question.tetrahedra, question.sizes);
+  }
+}
+
+function reply(id: number, { failure, ...answer }: Answer): void {
+  if (failure !== "") throw new EngineFailure(failure);
+  workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
 }
 
 async function mesh(id: number, run: EngineRun | null): Promise<void> {
@@ -72,6 +95,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     dihedral: { min: quality.minDihedral, max: quality.maxDihedral },
     radiusRatio: { min: quality.minRadiusRatio, mean: quality.meanRadiusRatio },
     volume: quality.volume,
+    patches: run.patches(),
     recovery: run.recovery(),
     front: run.counters(),
     // A cancelled mesh depends on the moment of the cancel, and the caller is waiting.
@@ -80,12 +104,6 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
   const diagnostics = run.diagnostics();
   assertHealthy(run);
   return { status, surface, volume, diagnostics, figures: { ...figures, seconds: clock.seconds() } };
-}
-
-function replyPreview(engine: Engine, id: number, model: Parameters<Engine["preview"]>[0]): void {
-  const { failure, ...preview } = engine.preview(model);
-  if (failure !== "") throw new EngineFailure(failure);
-  workerPort.post({ kind: "preview", id, preview }, buffersOf(preview));
 }
 
 /** After a failure the engine answers with empty values, which must not pass for a result. */

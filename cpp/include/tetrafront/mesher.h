@@ -30,6 +30,13 @@ class MeshRun {
   MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
           const MeshOptions& options);
 
+  /// The same with sizes from a background grid, which must cover the surface: its nodes and
+  /// tetrahedra replace the sizes from the surface's own edges unless options.size is set, its
+  /// sources cut down whatever sizes there are. A grid without nodes and tetrahedra leaves the
+  /// surface its own sizes.
+  MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
+          BackgroundGrid grid, const MeshOptions& options);
+
   MeshRun(MeshRun&&) noexcept;
   MeshRun& operator=(MeshRun&&) noexcept;
   ~MeshRun();
@@ -85,6 +92,9 @@ struct ModelPreview {
 
 /// Samples lines and patches coarsely for display and checks the model. Milliseconds for the
 /// models people draw; tolerates broken input, which is reported and left out of the picture.
-[[nodiscard]] ModelPreview previewModel(const Model& model, const BackgroundGrid& grid);
+/// `size` > 0: the model will be meshed with that uniform size, so that nothing is said about the
+/// grid but for its sources.
+[[nodiscard]] ModelPreview previewModel(const Model& model, const BackgroundGrid& grid,
+                                        double size = 0.0);
 
 }  // namespace tetrafront

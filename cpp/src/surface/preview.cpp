@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "field/grid_locator.h"
+#include "field/size_sources.h"
 #include "model/check_model.h"
 #include "surface/check_coverage.h"
 #include "surface/model_sampling.h"
@@ -153,10 +154,13 @@ ModelPreview sampleModel(const Model& model) {
   return preview;
 }
 
-ModelPreview previewModel(const Model& model, const BackgroundGrid& grid) {
+ModelPreview previewModel(const Model& model, const BackgroundGrid& grid, double size) {
   ModelPreview preview = sampleModel(model);
-  std::vector<Diagnostic> found = checkBackgroundGrid(grid);
-  if (found.empty()) found = checkCoverage(model, preview, SizeField::fromGrid(GridLocator(grid)));
+  const bool usesGrid = !(size > 0.0);
+  std::vector<Diagnostic> found =
+      usesGrid ? checkBackgroundGrid(grid) : checkSizeSources(grid.sources);
+  if (usesGrid && found.empty())
+    found = checkCoverage(model, preview, SizeField::fromGrid(GridLocator(grid)));
   for (Diagnostic& diagnostic : found) preview.diagnostics.push_back(std::move(diagnostic));
   return preview;
 }

@@ -1,8 +1,21 @@
 /** Where element sizes come from: sources, grids around a model, meshes used as grids, proposals. */
-import { createMesher, type Mesher, type Project, type ProjectSource, type VolumeMesh } from "tetrafront";
+import {
+  createMesher,
+  projectBackground,
+  readProject,
+  writeProject,
+  type BackgroundArrays,
+  type Mesher,
+  type MeshResult,
+  type Project,
+  type ProjectSource,
+  type VolumeMesh,
+} from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
+import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
 import { cubeProject } from "../../support/projects.js";
+import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 
 let mesher: Mesher;
 beforeAll(async () => {
@@ -71,4 +84,297 @@ describe("a source of size", () => {
     ]);
     expect(report.diagnostics[0]?.message).toMatch(/^Source "lip" has the size 0/);
   });
+});
+
+const bare = (project: Project): Project => ({ ...project, background: { nodes: [], tetrahedra: [] } });
+
+function expectDone({ report, surface, volume }: MeshResult): void {
+  expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
+  expect(report.status).toBe("done");
+  expect(faultsOf(volume, surface)).toEqual(NO_FAULTS);
+  expect(Math.abs(meshVolume(volume) / enclosedVolume(surface) - 1)).toBeLessThan(1e-10);
+}
+
+describe("a covering grid", () => {
+  test.each([
+    ["box", 8, 5],
+    ["tetrahedron", 4, 1],
+  ] as const)(
+    "of the shape %s covers the model with the size asked for",
+    async (shape, nodes, tetrahedra) => {
+      const background = await mesher.coverProject(bare(cubeProject()), { size: 0.3, shape });
+      expect([background.nodes.length, background.tetrahedra.length]).toEqual([nodes, tetrahedra]);
+      const covered = { ...cubeProject(), background };
+      expect(readProject(writeProject(covered))).toEqual({ success: true, value: covered });
+      const [byGrid, bySize] = [
+        await mesher.meshProject(covered),
+        await mesher.meshProject(bare(cubeProject()), { size: 0.3 }),
+      ];
+      expectDone(byGrid);
+      expect(Math.abs(byGrid.report.tetrahedra / bySize.report.tetrahedra - 1)).toBeLessThan(0.1);
+    },
+  );
+
+  test("keeps the sources, and takes its size from the model if none is given", async () => {
+    const source: ProjectSource = { id: 3, type: "point", places: [[0, 0, 0]], size: 0.1 };
+    const background = await mesher.coverProject(withSources(cubeProject(), source));
+    expect(background.sources).toEqual([source]);
+    for (const { size } of background.nodes) expect(size).toBeCloseTo(Math.sqrt(3) / 20, 12);
+  });
+
+  test.each<[string, Project, object, RegExp]>([
+    [
+      "nothing drawn",
+      { ...cubeProject(), points: [], lines: [], patches: [] },
+      {},
+      /nothing to cover.*\. Draw /,
+    ],
+    ["a size below 0", cubeProject(), { size: -1 }, /size is -1\. Give a finite size above 0/],
+    ["a shape unheard of", cubeProject(), { shape: "sphere" }, /"sphere"\. Give one of box, tetrahedron/],
+    ["an option unheard of", cubeProject(), { sise: 1 }, /no option "sise".*size, shape/],
+    ["no project", {} as Project, {}, /not a Tetrafront project/],
+  ])("is refused for %s", async (_, project, options, message) => {
+    const refused = mesher.coverProject(project, options);
+    await expect(refused).rejects.toMatchObject({ name: "MesherError", code: "invalid-input" });
+    await expect(refused).rejects.toThrow(message);
+  });
+});
+
+describe("proposed sizes", () => {
+  const curved = withBentEdge(cubeProject());
+
+  test("refine where lines bend, and mesh", async () => {
+    const { size, sources } = await mesher.proposeSizes(curved, { uniform: 0.5 });
+    expect(size).toBe(0.5);
+    expect(sources.length).toBeGreaterThan(0);
+    expect(sources.map(({ id }) => id)).toEqual(sources.map((_, s) => s + 1));
+    for (const source of sources) expect(source.size).toBeLessThan(0.5);
+    const [plain, refined] = [
+      await mesher.meshProject(bare(curved), { size }),
+      await mesher.meshProject(withSources(bare(curved), ...sources), { size }),
+    ];
+    expectDone(refined);
+    expect(refined.report.tetrahedra).toBeGreaterThan(plain.report.tetrahedra);
+  });
+
+  test("are uniform alone where nothing is looked at", async () => {
+    const options = { uniform: 0.5, elementsPerCircle: 0, elementsPerGap: 0 };
+    expect(await mesher.proposeSizes(curved, options)).toEqual({ size: 0.5, sources: [] });
+  });
+
+  test("are refused for options that make no sense", async () => {
+    await expect(mesher.proposeSizes(curved, { growth: -1 })).rejects.toThrow(/growth is -1\. Give /);
+  });
+});
+
+/** Its first edge, of the bottom and the front, sags within the plane of the bottom. */
+function withBentEdge(cube: Project): Project {
+  const [first] = cube.lines;
+  const middle = { id: 100, at: [0.5, 0.2, 0] as const };
+  const planeOfFront = new Set(cube.patches.filter(({ name }) => name === "front").map(({ id }) => id));
+  return {
+    ...cube,
+    points: [...cube.points, middle],
+    lines: cube.lines.map((line) =>
+      line.id === first?.id ? { ...line, type: "parabolic", points: [1, 100, 2] } : line,
+    ),
+    patches: cube.patches.map((patch) =>
+      planeOfFront.has(patch.id) ? { ...patch, type: "coons" as const } : patch,
+    ),
+  };
+}
+
+describe("a mesh as background grid", () => {
+  test("asks for about as many elements as it has", async () => {
+    const first = await mesher.meshProject(cubeProject(0.12));
+    const background = await mesher.meshAsBackground(first.volume);
+    expect(background.sizes.length).toBe(first.report.points);
+    expect(background.tetrahedra.length).toBe(first.volume.tetrahedra.length);
+    const again = await mesher.meshProject(bare(cubeProject()), { background });
+    expectDone(again);
+    expect(again.report.tetrahedra / first.report.tetrahedra).toBeGreaterThan(0.75);
+    expect(again.report.tetrahedra / first.report.tetrahedra).toBeLessThan(1.35);
+    expect(first.volume.points.length).toBe(3 * first.report.points);
+  });
+
+  test("takes sizes per node, and leaves out nodes of no tetrahedron", async () => {
+    const { volume } = await mesher.meshProject(cubeProject(0.5));
+    const points = Float64Array.of(9, 9, 9, ...volume.points);
+    const tetrahedra = volume.tetrahedra.map((node) => node + 1);
+    const sizes = new Float64Array(points.length / 3).fill(0.3);
+    const background = await mesher.meshAsBackground({ points, tetrahedra }, { sizes });
+    expect([...background.points]).toEqual([...volume.points]);
+    expect([...new Set(background.sizes)]).toEqual([0.3]);
+    const [byGrid, bySize] = [
+      await mesher.meshProject(cubeProject(), { background }),
+      await mesher.meshProject(cubeProject(), { size: 0.3 }),
+    ];
+    expectDone(byGrid);
+    expect(byGrid.report.tetrahedra).toBe(bySize.report.tetrahedra);
+  });
+
+  test("as a project's grid does the same as the arrays", async () => {
+    const { volume } = await mesher.meshProject(cubeProject(0.4));
+    const background = await mesher.meshAsBackground(volume);
+    const project = { ...cubeProject(), background: projectBackground(background) };
+    expect(readProject(writeProject(project))).toEqual({ success: true, value: project });
+    const [byArrays, byProject] = [
+      await mesher.meshProject(cubeProject(), { background }),
+      await mesher.meshProject(project),
+    ];
+    expect(byArrays.report.fingerprint).toBe(byProject.report.fingerprint);
+  });
+
+  const corner = {
+    points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+    tetrahedra: Uint32Array.of(0, 1, 2, 3),
+  };
+
+  test.each<[string, object, object, RegExp]>([
+    ["nothing", { points: corner.points, tetrahedra: new Uint32Array() }, {}, /no tetrahedron\. Mesh/],
+    ["plain lists", { points: [0, 0, 0], tetrahedra: [0] }, {}, /not a Float64Array/],
+    [
+      "a node that is not there",
+      { ...corner, tetrahedra: Uint32Array.of(0, 1, 2, 9) },
+      {},
+      /tetrahedron 0 .* node 9 of 4/i,
+    ],
+    ["sizes of other nodes", corner, { sizes: Float64Array.of(1, 1) }, /no Float64Array of 4/],
+    ["a size of 0", corner, { sizes: Float64Array.of(1, 1, 0, 1) }, /node 2 .*size 0\. Give/i],
+  ])("is refused for %s", async (_, mesh, options, message) => {
+    const refused = mesher.meshAsBackground(mesh as VolumeMesh, options);
+    await expect(refused).rejects.toMatchObject({ code: "invalid-input" });
+    await expect(refused).rejects.toThrow(message);
+  });
+
+  test("is answered while a run is under way", async () => {
+    let isOver = false;
+    const run = mesher.fillSurface(sphereSurface(24)).then(() => (isOver = true));
+    const { overhang } = await mesher.meshAsBackground(corner);
+    expect([overhang ?? 0, isOver]).toEqual([expect.closeTo(0.25, 12), false]);
+    await run;
+  });
+});
+
+/** One tetrahedron around everything, of one size. */
+function around(size: number, more: Partial<BackgroundArrays> = {}): BackgroundArrays {
+  return {
+    points: Float64Array.of(-4, -4, -4, 20, -4, -4, -4, 20, -4, -4, -4, 20),
+    sizes: new Float64Array(4).fill(size),
+    tetrahedra: Uint32Array.of(0, 1, 2, 3),
+    ...more,
+  };
+}
+
+describe("a background grid of arrays", () => {
+  test("gives a given surface its sizes", async () => {
+    const surface = boxSurface(6);
+    const [own, coarse, fine] = [
+      await mesher.fillSurface(surface),
+      await mesher.fillSurface(surface, { background: around(0.4) }),
+      await mesher.fillSurface(surface, { background: around(0.1) }),
+    ];
+    for (const result of [own, coarse, fine]) expectDone(result);
+    expect(coarse.report.tetrahedra).toBeLessThan(own.report.tetrahedra);
+    expect(fine.report.tetrahedra).toBeGreaterThan(2 * own.report.tetrahedra);
+  });
+
+  test("stretches what it says it stretches", async () => {
+    const surface = boxSurface(6);
+    const directions = Float64Array.from({ length: 12 }, (_, i) => (i % 3 === 0 ? 2 : 0));
+    const stretched = around(0.1, { stretchings: new Float64Array(4).fill(3), directions });
+    const [round, long] = [
+      await mesher.fillSurface(surface, { background: around(0.1), optimization: "none" }),
+      await mesher.fillSurface(surface, { background: stretched }),
+    ];
+    expectDone(long);
+    expect(2 * long.report.tetrahedra).toBeLessThan(round.report.tetrahedra);
+  });
+
+  test("leaves the sources of a project, and the caller's arrays", async () => {
+    const source: ProjectSource = { id: 1, type: "point", places: [[0, 0, 0]], size: 0.08, distance: 0.3 };
+    const background = around(0.5);
+    const [plain, refined] = [
+      await mesher.meshProject(cubeProject(), { background }),
+      await mesher.meshProject(withSources(cubeProject(), source), { background }),
+    ];
+    expect(refined.report.tetrahedra).toBeGreaterThan(2 * plain.report.tetrahedra);
+    expect(background.sizes).toHaveLength(4);
+  });
+
+  test.each<[string, object, string, RegExp]>([
+    ["together with a size", { background: around(0.3), size: 0.2 }, "invalid-option", /both/i],
+    ["that is no object", { background: null }, "invalid-arrays", /not Float64Arrays/],
+    [
+      "with a size too few",
+      { background: around(1, { sizes: new Float64Array(3).fill(1) }) },
+      "invalid-arrays",
+      /3 sizes/,
+    ],
+    [
+      "with half a direction",
+      { background: around(1, { directions: new Float64Array(6) }) },
+      "invalid-arrays",
+      /fit/,
+    ],
+    ["with a size of 0", { background: around(0) }, "bad-size", /^Background node 0 .*size 0/],
+    [
+      "with a stretching of 0",
+      { background: around(1, { stretchings: new Float64Array(4) }) },
+      "bad-stretching",
+      /node 0 .*stretching 0/,
+    ],
+    [
+      "that refers to nothing",
+      { background: around(1, { tetrahedra: Uint32Array.of(0, 1, 2, 4) }) },
+      "index-out-of-range",
+      /tetrahedron 0 .*number 4/,
+    ],
+    [
+      "that does not cover the cube",
+      { background: around(1, { points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1) }) },
+      "outside-background-grid",
+      /outside the background grid/,
+    ],
+    [
+      "that says how far outside is inside wrongly",
+      { background: around(1, { overhang: -1 }) },
+      "invalid-arrays",
+      /overhang is -1/,
+    ],
+  ])("is refused %s, for projects and surfaces", async (_, options, code, message) => {
+    for (const run of [
+      mesher.meshProject(cubeProject(), options),
+      mesher.fillSurface(boxSurface(2), options),
+    ]) {
+      const { report } = await run;
+      expect(report.status).toBe("invalid-input");
+      expect(report.diagnostics[0]?.code).toBe(code);
+      expect(report.diagnostics[0]?.message).toMatch(message);
+      expect(report.diagnostics[0]?.remedy).toMatch(/^[A-Z].*\.$/);
+    }
+  });
+});
+
+describe("a preview", () => {
+  test("says nothing about a missing grid where the size will be uniform", async () => {
+    const project = bare(cubeProject());
+    const codes = async (options?: object) =>
+      (await mesher.previewProject(project, options)).diagnostics.map(({ code }) => code);
+    expect(await codes()).toEqual(["empty-background-grid"]);
+    expect(await codes({ size: 0.2 })).toEqual([]);
+    expect(await codes({ size: 0 })).toEqual(["invalid-option", "empty-background-grid"]);
+  });
+});
+
+test("the report tells about every patch", async () => {
+  const { report } = await mesher.meshProject(cubeProject(0.2));
+  expect(report.patches.map(({ patch }) => patch)).toEqual([0, 1, 2, 3, 4, 5]);
+  expect(report.patches.reduce((sum, { triangles }) => sum + triangles, 0)).toBe(report.triangles);
+  for (const figures of report.patches) {
+    expect(figures.minAngle).toBeGreaterThan(20);
+    expect(figures.meanRadiusRatio).toBeGreaterThan(0.9);
+    expect(Math.abs(figures.meanEdge - 1)).toBeLessThan(0.15);
+    expect(figures.chordDeviation).toBeLessThan(1e-12);
+  }
 });

@@ -3,8 +3,9 @@ import { ENGINE_CODES, ENTITY_KINDS } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { SEVERITIES } from "../../../wasm/src/diagnostics.js";
-import { FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/options.js";
-import { LINE_TYPES, PATCH_TYPES, SOURCE_TYPES } from "../../../wasm/src/project-arrays.js";
+import { SOURCE_TYPES } from "../../../wasm/src/grid-arrays.js";
+import { COVER_SHAPES, FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/options.js";
+import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project-arrays.js";
 import { PHASES } from "../../../wasm/src/run-clock.js";
 import { STATUSES } from "../../../wasm/src/slices.js";
 import { engineEnum } from "../../support/engine-enums.js";
@@ -35,6 +36,11 @@ test("line types, patch types, source types, orders of the front and levels of o
   expect(swapped(LINE_TYPES)).toEqual(lines);
   expect(swapped(PATCH_TYPES)).toEqual(engineEnum("model.h", "PatchType"));
   expect(swapped(SOURCE_TYPES)).toEqual(engineEnum("background_grid.h", "SourceType"));
+  const shapes = engineEnum("grid_tools.h", "CoverShape").map(([value, name]) => [
+    value,
+    name.replace("single-", ""),
+  ]);
+  expect(swapped(COVER_SHAPES)).toEqual(shapes);
   expect(swapped(FRONT_ORDERS)).toEqual(engineEnum("options.h", "FrontOrder"));
   expect(swapped(OPTIMIZATIONS)).toEqual(engineEnum("options.h", "Optimization"));
 });

@@ -62,6 +62,7 @@ function resultWith(fingerprint: string): EngineResult {
       points: 0,
       tetrahedra: 0,
       triangles: 0,
+      patches: [],
       seconds: { total: 0, check: 0, sides: 0, surface: 0, volume: 0, optimize: 0 },
       dihedral: { min: 0, max: 0 },
       radiusRatio: { min: 0, mean: 0 },
@@ -214,7 +215,7 @@ describe("a worker that is asked to cancel", () => {
       patchTriangles: none,
       patchOffsets: none,
     };
-    fresh.reply({ kind: "preview", id: idOf(fresh), preview: { ...arrays, diagnostics: [] } });
+    fresh.reply({ kind: "answer", id: idOf(fresh), answer: { ...arrays, diagnostics: [] } });
     expect((await preview).diagnostics).toEqual([]);
   });
 });

@@ -1,0 +1,111 @@
+/// A given surface with sizes from a background grid and from sources instead of its own edges.
+
+#include <gtest/gtest.h>
+
+#include "support/mesh_validator.h"
+#include "support/models.h"
+#include "support/shapes.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront::testing {
+namespace {
+
+MeshRun filled(const SurfaceMesh& surface, const BackgroundGrid& grid,
+               const MeshOptions& options = {}) {
+  MeshRun run(surface.points, surface.triangles, grid, options);
+  while (run.advance(1000) == MeshStatus::kRunning) {
+  }
+  return run;
+}
+
+std::size_t countOf(const MeshRun& run) { return run.volume().tetrahedra.size() / 4; }
+
+BackgroundGrid gridOfSize(double size) {
+  return boxGrid(Vec3(-2.0), Vec3(2.0), [size](const Vec3&) { return size; });
+}
+
+void expectValid(const MeshRun& run) {
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_EQ(complaintAbout(run.volume(), run.surface()), "");
+}
+
+TEST(SurfaceWithGrid, IsFilledWithTheGridsSizes) {
+  const SurfaceMesh sphere = geodesicSphere(8);  // edges of about 0.13
+  const MeshRun own = filled(sphere, {});
+  for (const double size : {0.08, 0.13, 0.4}) {
+    const MeshRun run = filled(sphere, gridOfSize(size));
+    expectValid(run);
+    EXPECT_EQ(size < 0.1, countOf(run) > 2 * countOf(own)) << size;
+    EXPECT_EQ(size > 0.3, countOf(run) < countOf(own)) << size;
+  }
+}
+
+TEST(SurfaceWithGrid, WithoutNodesKeepsItsOwnSizes) {
+  const SurfaceMesh sphere = geodesicSphere(6);
+  MeshRun own(sphere.points, sphere.triangles, {});
+  while (own.advance(1000) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(filled(sphere, {}).fingerprint(), own.fingerprint());
+}
+
+TEST(SurfaceWithGrid, SourcesCutDownItsOwnSizes) {
+  const SurfaceMesh sphere = geodesicSphere(6);
+  BackgroundGrid grid;
+  grid.sources.emplace_back();
+  grid.sources[0].size = 0.06;
+  grid.sources[0].distance = 0.4;
+  const MeshRun run = filled(sphere, grid);
+  expectValid(run);
+  EXPECT_GT(countOf(run), 2 * countOf(filled(sphere, {})));
+}
+
+TEST(SurfaceWithGrid, IsStretchedWhereTheGridSaysSo) {
+  const SurfaceMesh cube = gridCube(4);
+  BackgroundGrid grid = gridOfSize(0.08);
+  const MeshRun round = filled(cube, grid);
+  for (BackgroundNode& node : grid.nodes) {
+    node.stretching = 3.0;
+    node.direction = Vec3(1.0, 0.0, 0.0);
+  }
+  const MeshRun stretched = filled(cube, grid);
+  expectValid(stretched);
+  EXPECT_LT(2 * countOf(stretched), countOf(round));
+}
+
+TEST(SurfaceWithGrid, AUniformSizeGoesBeforeTheGrid) {
+  const SurfaceMesh cube = gridCube(4);
+  MeshOptions options;
+  options.size = 0.2;
+  EXPECT_EQ(filled(cube, gridOfSize(0.05), options).fingerprint(),
+            filled(cube, {}, options).fingerprint());
+}
+
+TEST(SurfaceWithGrid, OutsideOfItIsRefusedWithTheFirstPlace) {
+  const SurfaceMesh cube = gridCube(4);
+  const BackgroundGrid half =
+      boxGrid(Vec3(-1.0), Vec3(2.0, 2.0, 0.5), [](const Vec3&) { return 0.2; });
+  const MeshRun run = filled(cube, half);
+  ASSERT_EQ(run.status(), MeshStatus::kInvalidInput);
+  ASSERT_EQ(run.diagnostics().size(), 1U);
+  const Diagnostic& found = run.diagnostics()[0];
+  EXPECT_EQ(found.code, DiagnosticCode::kOutsideBackgroundGrid);
+  ASSERT_EQ(found.entities.size(), 1U);
+  EXPECT_EQ(found.entities[0].kind, EntityKind::kSurfaceNode);
+  EXPECT_EQ(found.place, pointOf(cube, found.entities[0].index));
+  EXPECT_GT(found.place.z, 0.5);
+  EXPECT_GT(found.values[0], 10.0);
+}
+
+TEST(SurfaceWithGrid, IsToldWhatIsWrongWithBoth) {
+  SurfaceMesh open = gridCube(2);
+  open.triangles.resize(open.triangles.size() - 3);
+  BackgroundGrid grid = gridOfSize(0.3);
+  grid.nodes[3].size = -1.0;
+  const MeshRun run = filled(open, grid);
+  ASSERT_EQ(run.status(), MeshStatus::kInvalidInput);
+  EXPECT_EQ(run.diagnostics().front().code, DiagnosticCode::kBadSize);
+  EXPECT_EQ(run.diagnostics().back().code, DiagnosticCode::kOpenEdge);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

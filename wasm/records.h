@@ -1,0 +1,175 @@
+#pragma once
+
+/// @file What leaves the engine, and its options, as JavaScript has them.
+
+#include <emscripten/val.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "model_arrays.h"
+#include "tetrafront/background_grid.h"
+#include "tetrafront/grid_tools.h"
+#include "tetrafront/status.h"
+#include "typed_arrays.h"
+
+namespace tetrafront::border {
+
+struct Options {
+  double size = 0.0;
+  double growth = 0.0;
+  double gradation = 0.0;
+  std::uint32_t order = 0;
+  std::uint32_t optimization = 0;
+};
+
+struct DiagnosticRecord {
+  std::uint32_t code = 0;
+  std::uint32_t severity = 0;
+  Uint32Array entities{emscripten::val::undefined()};
+  Float64Array place{emscripten::val::undefined()};
+  Float64Array values{emscripten::val::undefined()};
+};
+
+/// A JavaScript array of DiagnosticRecord, and one of PatchSummary.
+EMSCRIPTEN_DECLARE_VAL_TYPE(DiagnosticRecords)
+EMSCRIPTEN_DECLARE_VAL_TYPE(PatchSummaries)
+/// A JavaScript string; std::string as a field would be declared as anything string-like.
+EMSCRIPTEN_DECLARE_VAL_TYPE(Text)
+
+struct SurfaceArrays {
+  Float64Array points = copyOut(std::vector<double>{});
+  Uint32Array triangles = copyOut(std::vector<std::uint32_t>{});
+  Uint32Array trianglePatch = triangles;
+  Uint32Array sides = triangles;
+  Uint32Array sideLine = triangles;
+};
+
+struct VolumeArrays {
+  Float64Array points = copyOut(std::vector<double>{});
+  Uint32Array tetrahedra = copyOut(std::vector<std::uint32_t>{});
+  Uint32Array regions = tetrahedra;
+  Uint32Array front = tetrahedra;
+};
+
+struct ProgressRecord {
+  std::uint32_t phase = 0;
+  double fraction = 0.0;
+  std::uint32_t points = 0;
+  std::uint32_t triangles = 0;
+  std::uint32_t tetrahedra = 0;
+  std::uint32_t frontFaces = 0;
+};
+
+struct PreviewArrays {
+  Float64Array linePoints = copyOut(std::vector<double>{});
+  Uint32Array lineOffsets = copyOut(std::vector<std::uint32_t>{});
+  Float64Array patchPoints = linePoints;
+  Uint32Array patchTriangles = lineOffsets;
+  Uint32Array patchOffsets = lineOffsets;
+  DiagnosticRecords diagnostics{emscripten::val::array()};
+  Text failure{emscripten::val("")};
+};
+
+/// FrontCounters as JavaScript numbers, exact up to 2^53.
+struct CounterRecord {
+  double pops = 0.0;
+  double gatheredFaces = 0.0;
+  double candidatesTried = 0.0;
+  double facesTested = 0.0;
+  double facesAnalysed = 0.0;
+  double exactPredicates = 0.0;
+};
+
+/// A background grid as it leaves the engine: of the tools that make one, none stretches.
+struct GridRecord {
+  Float64Array points = copyOut(std::vector<double>{});
+  Float64Array sizes = points;
+  Uint32Array tetrahedra = copyOut(std::vector<std::uint32_t>{});
+  double overhang = 0.0;
+  Text failure{emscripten::val("")};
+};
+
+struct ProposalRecord {
+  double size = 0.0;
+  Uint8Array sourceTypes = copyOut(std::vector<std::uint8_t>{});
+  Float64Array sourceValues = copyOut(std::vector<double>{});
+  Text failure{emscripten::val("")};
+};
+
+inline DiagnosticRecord toRecord(const Diagnostic& diagnostic) {
+  std::vector<std::uint32_t> entities;
+  for (const Entity& entity : diagnostic.entities) {
+    entities.push_back(static_cast<std::uint32_t>(entity.kind));
+    entities.push_back(entity.index);
+  }
+  std::vector<double> place;
+  if (diagnostic.hasPlace) {
+    place = {diagnostic.place.x, diagnostic.place.y, diagnostic.place.z};
+  }
+  return {.code = static_cast<std::uint32_t>(diagnostic.code),
+          .severity = static_cast<std::uint32_t>(diagnostic.severity),
+          .entities = copyOut(entities),
+          .place = copyOut(place),
+          .values = copyOut(diagnostic.values)};
+}
+
+inline DiagnosticRecords toRecords(const std::vector<Diagnostic>& diagnostics) {
+  auto records = emscripten::val::array();
+  for (const Diagnostic& diagnostic : diagnostics) {
+    records.call<void>("push", toRecord(diagnostic));
+  }
+  return DiagnosticRecords{records};
+}
+
+/// Sixteen hexadecimal digits: a 64-bit number does not fit a JavaScript number.
+inline std::string toHex(std::uint64_t value) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (auto digit = text.rbegin(); digit != text.rend(); ++digit, value >>= 4) {
+    *digit = kDigits[value & 15];
+  }
+  return text;
+}
+
+inline PatchSummaries toSummaries(const std::vector<PatchSummary>& summaries) {
+  auto records = emscripten::val::array();
+  for (const PatchSummary& summary : summaries) records.call<void>("push", summary);
+  return PatchSummaries{records};
+}
+
+inline GridRecord toRecord(const BackgroundGrid& grid) {
+  std::vector<double> points;
+  std::vector<double> sizes;
+  std::vector<std::uint32_t> corners;
+  points.reserve(3 * grid.nodes.size());
+  sizes.reserve(grid.nodes.size());
+  corners.reserve(4 * grid.tetrahedra.size());
+  for (const BackgroundNode& node : grid.nodes) {
+    points.insert(points.end(), {node.position.x, node.position.y, node.position.z});
+    sizes.push_back(node.size);
+  }
+  for (const auto& tetrahedron : grid.tetrahedra) {
+    corners.insert(corners.end(), tetrahedron.begin(), tetrahedron.end());
+  }
+  return {.points = copyOut(points),
+          .sizes = copyOut(sizes),
+          .tetrahedra = copyOut(corners),
+          .overhang = grid.overhang};
+}
+
+inline ProposalRecord toRecord(const SizeProposal& proposal) {
+  std::vector<std::uint8_t> types;
+  std::vector<double> values;
+  for (const SizeSource& source : proposal.sources) {
+    types.push_back(static_cast<std::uint8_t>(source.type));
+    for (const Vec3& place : source.points) {
+      values.insert(values.end(), {place.x, place.y, place.z});
+    }
+    values.insert(values.end(), {source.size, source.distance, source.growth});
+  }
+  return {.size = proposal.size, .sourceTypes = copyOut(types), .sourceValues = copyOut(values)};
+}
+
+}  // namespace tetrafront::border

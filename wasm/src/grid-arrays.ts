@@ -1,0 +1,132 @@
+/** Background grids between their three forms: a project's, flat arrays for callers, and the engine's. */
+import type {
+  ProjectBackground,
+  ProjectBackgroundNode,
+  ProjectSource,
+  SourceType,
+} from "./project-schema.js";
+import type { BackgroundArrays } from "./types.js";
+
+/** A background grid as it crosses into the engine. All references are positions. */
+export interface GridArrays {
+  /** x y z, size, stretching, direction x y z per node. */
+  readonly nodes: Float64Array;
+  /** Four node positions per tetrahedron. */
+  readonly tetrahedra: Uint32Array;
+  /** 0 point, 1 segment, 2 triangle. */
+  readonly sourceTypes: Uint8Array;
+  /** x y z of three places (those its type lacks are 0), size, distance, growth per source. */
+  readonly sourceValues: Float64Array;
+  /** What this far outside the grid still counts as covered. */
+  readonly overhang: number;
+}
+
+/** The engine's numbers (cpp/include/tetrafront/background_grid.h). */
+export const SOURCE_TYPES: Readonly<Record<SourceType, number>> = { point: 0, segment: 1, triangle: 2 };
+const SOURCE_TYPE_NAMES: readonly SourceType[] = ["point", "segment", "triangle"];
+
+/** Growth of the size per unit of distance from a source that does not say. */
+const DEFAULT_SOURCE_GROWTH = 0.3;
+/** Doubles per node. */
+const NODE_STRIDE = 8;
+/** Doubles per source; the last three are size, distance and growth. */
+const SOURCE_STRIDE = 12;
+/** The engine reports a reference to this position as `index-out-of-range`. */
+export const NOWHERE = 0x7fffffff;
+
+/** For a surface that nothing was said about. New arrays every time, as they will be transferred. */
+export function emptyGrid(): GridArrays {
+  return projectGrid({ nodes: [], tetrahedra: [] });
+}
+
+/** Flattens a project's grid. References that lead nowhere become positions out of range. O(size). */
+export function projectGrid(background: ProjectBackground): GridArrays {
+  const { nodes, tetrahedra, sources = [], overhang = 0 } = background;
+  const nodeAt = new Map(nodes.map(({ id }, position) => [id, position]));
+  return {
+    nodes: nodeValues(nodes),
+    tetrahedra: Uint32Array.from(
+      tetrahedra.flatMap((corners) => corners.map((id) => nodeAt.get(id) ?? NOWHERE)),
+    ),
+    sourceTypes: Uint8Array.from(sources, ({ type }) => SOURCE_TYPES[type]),
+    sourceValues: sourceValues(sources),
+    overhang,
+  };
+}
+
+/** `grid` with other nodes and tetrahedra; new arrays throughout, as they will be transferred. O(size). */
+export function withNodes(grid: GridArrays, background: BackgroundArrays): GridArrays {
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = background;
+  const nodes = new Float64Array(NODE_STRIDE * sizes.length);
+  for (let i = 0; i < sizes.length; i++) {
+    const out = NODE_STRIDE * i;
+    nodes.set(points.subarray(3 * i, 3 * i + 3), out);
+    nodes[out + 3] = sizes[i] ?? 0;
+    nodes[out + 4] = stretchings?.[i] ?? 1;
+    if (directions === undefined) nodes[out + 5] = 1;
+    else nodes.set(directions.subarray(3 * i, 3 * i + 3), out + 5);
+  }
+  return { ...grid, nodes, tetrahedra: tetrahedra.slice(), overhang };
+}
+
+/**
+ * A grid of flat arrays as a project has it, with ids from 1 in the order of the arrays: to be drawn,
+ * edited and saved. One object per node; large grids are better left as arrays. O(size).
+ */
+export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = arrays;
+  const triple = (values: Float64Array, i: number): [number, number, number] => [
+    values[3 * i] ?? 0,
+    values[3 * i + 1] ?? 0,
+    values[3 * i + 2] ?? 0,
+  ];
+  const id = (corner: number) => (tetrahedra[corner] ?? NOWHERE) + 1;
+  return {
+    nodes: Array.from(sizes, (size, i) => {
+      const stretching = stretchings?.[i] ?? 1;
+      const shape =
+        stretching === 1 ? {} : { stretching, ...(directions && { direction: triple(directions, i) }) };
+      return { id: i + 1, at: triple(points, i), size, ...shape };
+    }),
+    tetrahedra: Array.from({ length: tetrahedra.length / 4 }, (_, t) => [
+      id(4 * t),
+      id(4 * t + 1),
+      id(4 * t + 2),
+      id(4 * t + 3),
+    ]),
+    ...(overhang > 0 ? { overhang } : {}),
+  };
+}
+
+function nodeValues(nodes: readonly ProjectBackgroundNode[]): Float64Array {
+  const values = new Float64Array(NODE_STRIDE * nodes.length);
+  nodes.forEach(({ at, size, stretching = 1, direction = [1, 0, 0] }, i) => {
+    values.set([...at, size, stretching, ...direction], NODE_STRIDE * i);
+  });
+  return values;
+}
+
+function sourceValues(sources: readonly ProjectSource[]): Float64Array {
+  const values = new Float64Array(SOURCE_STRIDE * sources.length);
+  sources.forEach(({ places, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
+    // No more than three: previews show drawings that nobody has checked.
+    values.set(places.slice(0, 3).flat(), SOURCE_STRIDE * s);
+    values.set([size, distance, growth], SOURCE_STRIDE * (s + 1) - 3);
+  });
+  return values;
+}
+
+/** Sources as the engine gives them, with ids from 1. */
+export function projectSources(types: Uint8Array, values: Float64Array): ProjectSource[] {
+  return Array.from(types, (number, s) => {
+    const type = SOURCE_TYPE_NAMES[number] ?? "point";
+    const own = values.subarray(SOURCE_STRIDE * s, SOURCE_STRIDE * (s + 1));
+    const places = Array.from({ length: SOURCE_TYPES[type] + 1 }, (_, k): [number, number, number] => [
+      own[3 * k] ?? 0,
+      own[3 * k + 1] ?? 0,
+      own[3 * k + 2] ?? 0,
+    ]);
+    const [size = 0, distance = 0, growth = 0] = own.subarray(SOURCE_STRIDE - 3);
+    return { id: s + 1, type, places, size, ...(distance > 0 ? { distance } : {}), growth };
+  });
+}

@@ -1,0 +1,126 @@
+/** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
+import { packageDiagnostic } from "./diagnostics.js";
+import { parseProject } from "./project.js";
+import type { BackgroundArrays, Diagnostic, SurfaceInput, VolumeMesh } from "./types.js";
+
+/** What a caller without type checks may give in place of T. */
+type Unchecked<T> = { readonly [Key in keyof T]?: unknown };
+
+function asObject<T>(value: T): Unchecked<T> {
+  return typeof value === "object" && value !== null ? value : {};
+}
+
+export function checkProject(project: unknown): Diagnostic[] {
+  const parsed = parseProject(project);
+  if (parsed.success) return [];
+  return parsed.problems.map(({ message, remedy }) => packageDiagnostic("invalid-project", message, remedy));
+}
+
+export function checkSurface(surface: SurfaceInput): Diagnostic[] {
+  const { points, triangles } = asObject(surface);
+  if (!(points instanceof Float64Array) || !(triangles instanceof Uint32Array)) {
+    return [surfaceProblem("the surface's points and triangles are not a Float64Array and a Uint32Array")];
+  }
+  if (points.length % 3 !== 0 || triangles.length % 3 !== 0) {
+    return [surfaceProblem("the lengths of the surface's points and triangles are not multiples of 3")];
+  }
+  return [];
+}
+
+function surfaceProblem(message: string): Diagnostic {
+  return arraysProblem(message, "Give x y z per node and three node positions per triangle.");
+}
+
+/** The form alone: sizes, directions and tetrahedra are the engine's to judge, as in a project. */
+export function checkBackground(background: BackgroundArrays): Diagnostic[] {
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = asObject(background);
+  const isOptional = (array: unknown) => array === undefined || array instanceof Float64Array;
+  if (
+    !(points instanceof Float64Array && sizes instanceof Float64Array && tetrahedra instanceof Uint32Array) ||
+    !(isOptional(stretchings) && isOptional(directions))
+  ) {
+    return [
+      gridProblem(
+        "the background grid's points, sizes, stretchings and directions are not Float64Arrays, " +
+          "or its tetrahedra no Uint32Array",
+      ),
+    ];
+  }
+  const count = sizes.length;
+  const hasLength = (array: unknown, length: number) =>
+    !(array instanceof Float64Array) || array.length === length;
+  if (
+    !hasLength(points, 3 * count) ||
+    !hasLength(stretchings, count) ||
+    !hasLength(directions, 3 * count) ||
+    tetrahedra.length % 4 !== 0
+  ) {
+    return [gridProblem(`the arrays of the background grid do not fit its ${count} sizes`)];
+  }
+  if (!isFiniteFrom(0, overhang)) {
+    return [arraysProblem(`the overhang is ${String(overhang)}`, "Give a finite overhang of 0 or more.")];
+  }
+  return [];
+}
+
+function gridProblem(message: string): Diagnostic {
+  return arraysProblem(
+    message,
+    "Give x y z and a size per node, a stretching and x y z of its direction if need be, and four node positions per tetrahedron.",
+  );
+}
+
+/** A mesh to become a background grid, with `sizes` if given. */
+export function checkVolume(
+  mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+  sizes: Float64Array | undefined,
+): Diagnostic[] {
+  const { points, tetrahedra } = asObject(mesh);
+  if (!(points instanceof Float64Array) || !(tetrahedra instanceof Uint32Array)) {
+    return [volumeProblem("the mesh's points and tetrahedra are not a Float64Array and a Uint32Array")];
+  }
+  if (points.length % 3 !== 0 || tetrahedra.length % 4 !== 0) {
+    return [volumeProblem("the mesh has half a point or half a tetrahedron")];
+  }
+  if (tetrahedra.length === 0) {
+    return [arraysProblem("the mesh has no tetrahedron", "Mesh the model first; its front may be open.")];
+  }
+  const count = points.length / 3;
+  const wild = tetrahedra.findIndex((node) => node >= count);
+  if (wild >= 0) {
+    return [
+      volumeProblem(
+        `tetrahedron ${Math.floor(wild / 4)} (counted from 0) refers to node ${tetrahedra[wild]} of ${count}`,
+      ),
+    ];
+  }
+  return checkNodeSizes(sizes, count);
+}
+
+function checkNodeSizes(sizes: unknown, count: number): Diagnostic[] {
+  if (sizes === undefined) return [];
+  if (!(sizes instanceof Float64Array) || sizes.length !== count) {
+    return [
+      arraysProblem(
+        `the sizes are no Float64Array of ${count} numbers`,
+        "Give one size per node of the mesh, or none at all.",
+      ),
+    ];
+  }
+  const wrong = sizes.findIndex((size) => !(size > 0 && size < Infinity));
+  if (wrong < 0) return [];
+  const message = `node ${wrong} (counted from 0) has the size ${sizes[wrong]}`;
+  return [arraysProblem(message, "Give a finite size above 0 for every node.")];
+}
+
+function volumeProblem(message: string): Diagnostic {
+  return arraysProblem(message, "Give x y z per node and four node positions per tetrahedron.");
+}
+
+function arraysProblem(message: string, remedy: string): Diagnostic {
+  return packageDiagnostic("invalid-arrays", message, remedy);
+}
+
+export function isFiniteFrom(least: number, value: unknown): boolean {
+  return typeof value === "number" && Number.isFinite(value) && value >= least;
+}
