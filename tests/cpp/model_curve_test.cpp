@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -92,6 +93,67 @@ TEST(ModelCurve, SplineEndsAreNatural) {
   const Vec3 atStart = (curve.derivative(kStep) - curve.derivative(0.0)) / kStep;
   const Vec3 inside = (curve.derivative(0.1 + kStep) - curve.derivative(0.1)) / kStep;
   EXPECT_LT(glm::length(atStart), 1e-3 * glm::length(inside));
+}
+
+/// A spline that ends where it begins, through `count` random places.
+std::vector<Vec3> randomRing(Random& random, int count) {
+  std::vector<Vec3> ring;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / count;
+    ring.push_back(Vec3(std::cos(angle), std::sin(angle), 0.0) + random.inBox(0.3));
+  }
+  ring.push_back(ring.front());
+  return ring;
+}
+
+TEST(ModelCurve, ClosedSplineIsSmoothToTheSecondDerivativeAtItsSeam) {
+  constexpr double kStep = 1e-5;
+  Random random(8);
+  for (int count = 3; count < 12; ++count) {
+    const Curve curve(LineType::kCubicSpline, randomRing(random, count));
+    EXPECT_TRUE(curve.isClosed());
+    EXPECT_EQ(curve.position(0.0), curve.position(1.0));
+    const double speed = glm::length(curve.derivative(0.0));
+    EXPECT_LT(glm::length(curve.derivative(0.0) - curve.derivative(1.0)), 1e-12 * speed);
+    const Vec3 before = (curve.derivative(1.0) - curve.derivative(1.0 - kStep)) / kStep;
+    const Vec3 after = (curve.derivative(kStep) - curve.derivative(0.0)) / kStep;
+    EXPECT_GT(glm::length(after), 1.0);
+    EXPECT_LT(glm::length(after - before), 1e-3 * glm::length(after)) << count;
+    for (std::size_t i = 0; i < curve.points().size(); ++i)
+      EXPECT_LT(glm::length(curve.position(curve.knots()[i]) - curve.points()[i]), 1e-13);
+  }
+}
+
+TEST(ModelCurve, ClosedSplineDoesNotKnowWhereItBegins) {
+  Random random(9);
+  for (int count = 3; count < 12; ++count) {
+    std::vector<Vec3> ring = randomRing(random, count);
+    const Curve curve(LineType::kCubicSpline, ring);
+    ring.pop_back();
+    std::ranges::rotate(ring, ring.begin() + 2);
+    ring.push_back(ring.front());
+    const Curve later(LineType::kCubicSpline, ring);
+    const double offset = curve.knots()[2];
+    for (double t = 0.0; t < 1.0 - offset; t += 0.01)
+      EXPECT_LT(glm::length(later.position(t) - curve.position(t + offset)), 1e-13);
+    EXPECT_NEAR(later.length(), curve.length(), 1e-12);
+  }
+}
+
+TEST(ModelCurve, ClosedSplineThroughACircleHasItsSymmetry) {
+  constexpr int kPoints = 12;
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  std::vector<Vec3> ring;
+  for (int i = 0; i <= kPoints; ++i) {
+    const double angle = kTurn * (i % kPoints) / kPoints;
+    ring.emplace_back(std::cos(angle), std::sin(angle), 0.0);
+  }
+  const Curve curve(LineType::kCubicSpline, ring);
+  for (double t = 0.0; t < 1.0; t += 0.003) EXPECT_NEAR(glm::length(curve.position(t)), 1.0, 2.5e-4);
+  for (int piece = 0; piece < kPoints; ++piece)
+    EXPECT_NEAR(curve.length(piece / 12.0, (piece + 1) / 12.0), curve.length() / kPoints, 1e-12);
+  EXPECT_FALSE(
+      Curve(LineType::kCubicSpline, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}).isClosed());
 }
 
 TEST(ModelCurve, SplineThroughCollinearEvenPointsIsStraight) {

@@ -200,5 +200,18 @@ TEST(ModelResolved, DrawingALineBackwardChangesNoBit) {
   }
 }
 
+TEST(ModelResolved, DrawingAClosedLineBackwardChangesNoBit) {
+  const Model tube = seamedTube(1.3, 2.0);
+  Model turned = tube;
+  std::ranges::reverse(turned.lines.front().points);
+  const ResolvedModel first(tube);
+  const ResolvedModel second(turned);
+  EXPECT_NE(first.flipped(0), second.flipped(0));
+  for (double t = 0.0; t <= 1.0; t += 0.01) {
+    const Vec3 place = first.curve(OrientedLine{0, false}).position(t);
+    EXPECT_EQ(place, second.curve(OrientedLine{0, true}).position(t));
+  }
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

@@ -13,9 +13,11 @@ namespace tetrafront {
 
 /// How a line runs through its points.
 enum class LineType : std::uint8_t {
-  kStraight = 0,     ///< two points
-  kParabolic = 1,    ///< three points: start, a point passed at mid-parameter, end
-  kCubicSpline = 2,  ///< four or more points, all passed, chord-length parameter, natural ends
+  kStraight = 0,   ///< two points
+  kParabolic = 1,  ///< three points: start, a point passed at mid-parameter, end
+  /// Four or more points, all passed, chord-length parameter. Natural ends; if the first point is
+  /// also the last, no ends: the curve is periodic, its curvature continuous there too.
+  kCubicSpline = 2,
 };
 
 /// How a patch spans the lines of its loops (Löhner & Parikh 1988, appendix). All but the planar

@@ -1,6 +1,7 @@
 // Lines as functions of a parameter. Only + - * / sqrt are used, so that every platform places
 // the same nodes. The spline's second derivatives follow from the usual tridiagonal system for
-// continuity of the slope (any text on splines, e.g. de Boor 1978), with natural ends.
+// continuity of the slope (any text on splines, e.g. de Boor 1978), with natural ends or, of a closed
+// line, none.
 
 #include "model/curve.h"
 
@@ -26,6 +27,36 @@ constexpr double kStraight = 1e-9;
 
 }  // namespace
 
+/// The equations that couple the second derivatives i - 1, i, i + 1 at the inner knots. They are
+/// diagonally dominant, so elimination needs no pivoting.
+class Curve::SplineEquations {
+ public:
+  explicit SplineEquations(std::span<const double> knots)
+      : knots_(knots), pivots_(knots.size(), 1.0) {
+    for (std::size_t i = 1; i + 1 < knots.size(); ++i)
+      pivots_[i] = 2.0 * (step(i - 1) + step(i)) - (i > 1 ? step(i - 1) * upper(i - 1) : 0.0);
+  }
+
+  /// Right-hand sides at the inner knots become solutions; those at the ends are taken as zero.
+  template <class Value>
+  [[nodiscard]] std::vector<Value> solve(std::vector<Value> values) const {
+    const std::size_t last = values.size() - 1;
+    values.front() = Value(0.0);
+    values.back() = Value(0.0);
+    for (std::size_t i = 1; i < last; ++i)
+      values[i] = (values[i] - step(i - 1) * values[i - 1]) / pivots_[i];
+    for (std::size_t i = last - 1; i >= 1; --i) values[i] -= upper(i) * values[i + 1];
+    return values;
+  }
+
+ private:
+  [[nodiscard]] double step(std::size_t i) const { return knots_[i + 1] - knots_[i]; }
+  [[nodiscard]] double upper(std::size_t i) const { return step(i) / pivots_[i]; }
+
+  std::span<const double> knots_;
+  std::vector<double> pivots_;
+};
+
 Curve::Curve(LineType type, std::vector<Vec3> points)
     : type_(type), points_(std::move(points)), flat_(points_) {
   if (type_ == LineType::kCubicSpline)
@@ -33,6 +64,10 @@ Curve::Curve(LineType type, std::vector<Vec3> points)
   else
     knots_ = {0.0, 1.0};
   length_ = length(0.0, 1.0);
+}
+
+bool Curve::isClosed() const {
+  return type_ == LineType::kCubicSpline && points_.front() == points_.back();
 }
 
 void Curve::fitSpline() {
@@ -44,20 +79,35 @@ void Curve::fitSpline() {
   for (double& knot : knots_) knot /= total;
   knots_.back() = 1.0;
 
-  // Forward elimination and back substitution; row i couples second derivatives i-1, i, i+1.
-  secondDerivatives_.assign(count, Vec3(0.0));
-  std::vector<double> upper(count, 0.0);
-  for (std::size_t i = 1; i + 1 < count; ++i) {
-    const double before = knots_[i] - knots_[i - 1];
-    const double after = knots_[i + 1] - knots_[i];
-    const Vec3 slopeChange =
-        (points_[i + 1] - points_[i]) / after - (points_[i] - points_[i - 1]) / before;
-    const double pivot = 2.0 * (before + after) - before * upper[i - 1];
-    upper[i] = after / pivot;
-    secondDerivatives_[i] = (6.0 * slopeChange - before * secondDerivatives_[i - 1]) / pivot;
-  }
-  for (std::size_t i = count - 2; i >= 1; --i)
-    secondDerivatives_[i] -= upper[i] * secondDerivatives_[i + 1];
+  std::vector<Vec3> slopeChanges(count, Vec3(0.0));
+  for (std::size_t i = 1; i + 1 < count; ++i)
+    slopeChanges[i] = 6.0 * (chordSlope(i) - chordSlope(i - 1));
+  const SplineEquations equations(knots_);
+  secondDerivatives_ = equations.solve(std::move(slopeChanges));
+  if (isClosed()) closeSpline(equations);
+}
+
+Vec3 Curve::chordSlope(std::size_t piece) const {
+  return (points_[piece + 1] - points_[piece]) / (knots_[piece + 1] - knots_[piece]);
+}
+
+void Curve::closeSpline(const SplineEquations& equations) {
+  // One second derivative m at the seam adds a multiple of `influence` to all others; the seam's
+  // own equation then tells how much.
+  const std::size_t last = points_.size() - 1;
+  const double first = knots_[1] - knots_[0];
+  const double final = knots_[last] - knots_[last - 1];
+  std::vector<double> ends(points_.size(), 0.0);
+  ends[1] -= first;
+  ends[last - 1] -= final;
+  const std::vector<double> influence = equations.solve(std::move(ends));
+  const Vec3 slopeChange = 6.0 * (chordSlope(0) - chordSlope(last - 1));
+  const Vec3 m =
+      (slopeChange - first * secondDerivatives_[1] - final * secondDerivatives_[last - 1]) /
+      (2.0 * (first + final) + first * influence[1] + final * influence[last - 1]);
+  for (std::size_t i = 1; i < last; ++i) secondDerivatives_[i] += influence[i] * m;
+  secondDerivatives_.front() = m;
+  secondDerivatives_.back() = m;
 }
 
 Curve::Sample Curve::sample(double t) const {

@@ -38,6 +38,9 @@ class Curve {
   /// True if all points lie on the chord, up to rounding: the line is straight whatever its type.
   [[nodiscard]] bool isStraight() const;
 
+  /// True of a spline that ends where it begins; it passes there as smoothly as anywhere else.
+  [[nodiscard]] bool isClosed() const;
+
   /// Parameters at which the curve is less than infinitely smooth, 0 and 1 included, ascending.
   [[nodiscard]] std::span<const double> knots() const { return knots_; }
 
@@ -45,7 +48,10 @@ class Curve {
   [[nodiscard]] Sample sampleByType(double t) const;
   [[nodiscard]] Sample sampleParabola(double t) const;
   [[nodiscard]] Sample sampleSpline(double t) const;
+  class SplineEquations;
   void fitSpline();
+  void closeSpline(const SplineEquations& equations);
+  [[nodiscard]] Vec3 chordSlope(std::size_t piece) const;
 
   LineType type_;
   std::vector<Vec3> points_;

@@ -1,6 +1,7 @@
 #include "model/resolved_model.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace tetrafront {
@@ -26,7 +27,8 @@ ResolvedModel::ResolvedModel(const Model& model, std::span<const std::uint8_t> s
       continue;
     }
     const Line& line = model.lines[i];
-    const bool flip = line.points.front() > line.points.back();
+    const bool flip =
+        std::ranges::lexicographical_compare(std::views::reverse(line.points), line.points);
     std::vector<Vec3> points = pointsOf(model, line);
     if (flip) std::ranges::reverse(points);
     curves_.emplace_back(line.type, std::move(points));

@@ -3,7 +3,8 @@
 /// @file The model with its curves built, once for everybody.
 ///
 /// A curve is built in the line's canonical direction, from the end point with the lower position
-/// to the other, so that drawing a line the other way round moves no node, not even by rounding.
+/// to the other (of a closed line, towards the lower one of the two points next to that end), so
+/// that drawing a line the other way round moves no node, not even by rounding.
 
 #include <cstdint>
 #include <span>
