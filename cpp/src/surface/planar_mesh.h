@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -104,6 +105,38 @@ struct PlanarMesh {
   const Vec3 ca = a - c;
   const double squares = glm::dot(ab, ab) + glm::dot(bc, bc) + glm::dot(ca, ca);
   return squares > 0.0 ? kTwoRootThree * glm::length(glm::cross(ab, ca)) / squares : 0.0;
+}
+
+/// What a triangle's shape costs where shapes are summed: 1 equilateral, without bound flat, so that
+/// no gain elsewhere makes up for a bad triangle.
+[[nodiscard]] inline double shapeCost(const Vec3& a, const Vec3& b, const Vec3& c) {
+  constexpr double kFlat = 1e-6;
+  const double shape = std::max(triangleShape(a, b, c), kFlat);
+  return 1.0 / (shape * shape);
+}
+
+/// Sine of a triangle's smallest angle, in space: twice the area over the two longest edges.
+[[nodiscard]] inline double triangleSine(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 ab = b - a;
+  const Vec3 bc = c - b;
+  const Vec3 ca = a - c;
+  const double first = glm::dot(ab, ab);
+  const double second = glm::dot(bc, bc);
+  const double third = glm::dot(ca, ca);
+  const double shortest = std::min({first, second, third});
+  // The product of the two longest, without dividing by the shortest, which may vanish.
+  const double product = shortest == first    ? second * third
+                         : shortest == second ? first * third
+                                              : first * second;
+  return product > 0.0 ? glm::length(glm::cross(ab, ca)) / std::sqrt(product) : 0.0;
+}
+
+/// Cosine of the angle between the normals of the triangles a b c and b a d.
+[[nodiscard]] inline double foldCosine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 first = glm::cross(b - a, c - a);
+  const Vec3 second = glm::cross(d - a, b - a);
+  const double product = glm::length(first) * glm::length(second);
+  return product > 0.0 ? glm::dot(first, second) / product : 1.0;
 }
 
 }  // namespace tetrafront
