@@ -5,15 +5,32 @@
 import { mkdirSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { inRoot } from "./lib/paths.mjs";
+import { models as blade } from "./models/blade.mjs";
+import { models as bodies } from "./models/bodies.mjs";
+import { models as bracket } from "./models/bracket.mjs";
 import { models as engineIntake } from "./models/engine-intake.mjs";
 import { models as firstSteps } from "./models/first-steps.mjs";
+import { models as isoparametric } from "./models/isoparametric.mjs";
 import { models as missileLauncher } from "./models/missile-launcher.mjs";
+import { models as pipes } from "./models/pipes.mjs";
 import { models as sDuct } from "./models/s-duct.mjs";
+import { models as wing } from "./models/wing.mjs";
 
 const opening = "engine-intake";
 
 /** In the order of the gallery; a group's models stand together. */
-const models = [...engineIntake, ...missileLauncher, ...firstSteps, ...sDuct];
+const models = [
+  ...engineIntake,
+  ...missileLauncher,
+  ...firstSteps,
+  ...sDuct,
+  ...pipes,
+  ...blade,
+  ...isoparametric,
+  ...wing,
+  ...bracket,
+  ...bodies,
+];
 
 const publicFolder = inRoot("public");
 const modelsFolder = path.join(publicFolder, "models");

@@ -1,5 +1,8 @@
 /** Background grids of few tetrahedra. */
 
+/** The faces of a box by their corners, whose bits 0, 1, 2 say high in x, y, z. */
+const boxCorners = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]; // prettier-ignore
+
 /**
  * Prisms between sections of corresponding nodes, each of three tetrahedra. A section is a list of
  * { at, size } (and stretching, direction); `triangles` are positions in it, ascending, so that
@@ -55,4 +58,20 @@ export const uniform = (builder, corner, reach, size) => {
     builder,
     [corner, along(0), along(1), along(2)].map((at) => ({ at, size })),
   );
+};
+
+/** Prisms along a middle line: every section has its node there first, then four around it. */
+export const fanPrisms = (builder, sections) =>
+  prisms(builder, sections, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 4]]); // prettier-ignore
+
+/** Twelve tetrahedra from a node { at, size } within a box to the triangles of its faces. */
+export const boxStar = (builder, low, high, middle, outerSize) => {
+  const corner = (code) => [0, 1, 2].map((k) => ((code >> k) & 1 ? high[k] : low[k]));
+  const corners = Array.from({ length: 8 }, (_, code) => builder.node(corner(code), outerSize));
+  const { at, size, ...more } = middle;
+  const hub = builder.node(at, size, more);
+  for (const [a, b, c, d] of boxCorners) {
+    builder.tetrahedron(corners[a], corners[b], corners[c], hub);
+    builder.tetrahedron(corners[a], corners[c], corners[d], hub);
+  }
 };

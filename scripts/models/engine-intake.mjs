@@ -4,7 +4,7 @@
  */
 import { halfPrismsAlongAxis } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
-import { arc, onCircle, ruledRow, smoothStep, spread, yAxis, zAxis } from "./shapes.mjs";
+import { arc, materialAround, onCircle, ruledRow, smoothStep, spread, yAxis, zAxis } from "./shapes.mjs";
 
 const inletHalf = 1;
 const roundFrom = 3.2; // the section is a circle from here on
@@ -92,7 +92,7 @@ function centrebody(builder) {
   // differently from the other two.
   builder.patch("barnhill-gregory-nielson", "nose below", [noseDown, shoulder[0], -noseSide]);
   builder.patch("barnhill-gregory-nielson", "nose above", [noseSide, shoulder[1], -noseUp]);
-  ruledRow(builder, shoulder, hub, ribs, ["centrebody below", "centrebody above"], false);
+  ruledRow(builder, shoulder, hub, ribs, ["centrebody below", "centrebody above"], materialAround);
   return { hub, above: [noseUp, ribs[2]], below: [noseDown, ribs[0]] };
 }
 

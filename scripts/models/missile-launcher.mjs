@@ -5,7 +5,7 @@
  */
 import { halfPrismsAlongAxis } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
-import { arc, onCircle, ruledRow, spread, yAxis, zAxis } from "./shapes.mjs";
+import { arc, materialAround, onCircle, ruledRow, spread, yAxis, zAxis } from "./shapes.mjs";
 
 const radius = 0.25;
 const noseLength = 0.65;
@@ -62,7 +62,10 @@ function fin(builder, degrees, sides, label) {
   const outer = radius + finSpan;
   const tipFrom = finFrom + 0.36;
   const [front, back] = [at(finFrom, degrees), at(finTo, degrees)];
-  const [tipFront, tipBack] = [at(tipFrom, degrees, outer), at(finTo, degrees, outer)];
+  // Both tip corners are blunt: in a sharp one, a triangle of the edges' nodes alone would be the
+  // same on both sides of the fin.
+  const tipTo = finTo - 0.14;
+  const [tipFront, tipBack] = [at(tipFrom, degrees, outer), at(tipTo, degrees, outer)];
   const outline = [
     builder.straight(front, tipFront, `${label} leading edge`),
     builder.straight(tipFront, tipBack, `${label} tip`),
@@ -102,9 +105,9 @@ function missile(builder) {
   const aboveFin = fin(builder, 90, [-1], "upper fin");
   const finSeam = builder.straight(at(finFrom, railAngle), at(finTo, railAngle), "fin seam");
   const names = (label) => strips.map((strip) => `${label} ${strip}`);
-  ruledRow(builder, rings[0], rings[1], front, names("front body"), false);
-  ruledRow(builder, rings[1], rings[2], middle, names("rail body").slice(0, 2), false);
-  ruledRow(builder, rings[2], rings[3], rear, names("rear body"), false);
+  ruledRow(builder, rings[0], rings[1], front, names("front body"), materialAround);
+  ruledRow(builder, rings[1], rings[2], middle, names("rail body").slice(0, 2), materialAround);
+  ruledRow(builder, rings[2], rings[3], rear, names("rear body"), materialAround);
   // Between the fins a strip is bounded by their roots.
   const rows = [
     [belowFin.roots[1], sideFin.roots[-1]],
@@ -112,9 +115,9 @@ function missile(builder) {
     [finSeam, aboveFin.roots[-1]],
   ];
   rows.forEach((row, i) =>
-    ruledRow(builder, [rings[3][i]], [rings[4][i]], row, [`fin body ${strips[i]}`], false),
+    ruledRow(builder, [rings[3][i]], [rings[4][i]], row, [`fin body ${strips[i]}`], materialAround),
   );
-  ruledRow(builder, rings[4], rings[5], end, names("tail"), false);
+  ruledRow(builder, rings[4], rings[5], end, names("tail"), materialAround);
   const base = builder.straight(at(tail, 90), at(tail, -90), "base midline");
   builder.planar("base", turned([...rings[5], base]));
   return {

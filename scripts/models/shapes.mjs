@@ -35,21 +35,44 @@ export const circle = (builder, centre, radius, across, up, label) =>
 
 export const square = (builder, corners, label) => builder.polygon(corners, `${label} edge`);
 
+/** A place in the same direction from the origin, at this distance. */
+export const scaledTo = (at, radius) => {
+  const length = Math.hypot(...at);
+  return at.map((c) => (c * radius) / length);
+};
+
+/** On the unit sphere, half-way between two places. */
+export const unitMiddle = (a, b) =>
+  scaledTo(
+    a.map((c, k) => c + b[k]),
+    1,
+  );
+
+/** For a row of patches with the material outside it. */
+export const materialAround = { materialInside: false };
+
 /**
- * Coons patches between two sections of as many lines, joined by lengthwise lines; closed where there
- * are as many of these as lines in a section, else open with one more. `names` has one per patch.
+ * Four-sided patches between two sections of as many lines, joined by lengthwise lines; closed where
+ * there are as many of these as lines in a section, else open with one more. `names` has one per patch.
  */
-export const ruledRow = (builder, first, last, lengthwise, names, materialInside = true) => {
+export const ruledRow = (
+  builder,
+  first,
+  last,
+  lengthwise,
+  names,
+  { materialInside = true, type = "coons" } = {},
+) => {
   names.forEach((name, i) => {
     const loop = [first[i], lengthwise[(i + 1) % lengthwise.length], -last[i], -lengthwise[i]];
-    builder.coons(name, materialInside ? loop : turned(loop));
+    builder.patch(type, name, materialInside ? loop : turned(loop));
   });
 };
 
 /** Four Coons patches between two closed sections; the material lies inside them, or around them. */
 export const skin = (builder, first, last, lengthwise, label, materialInside = true) => {
   const names = ["right", "top", "left", "bottom"].map((side) => `${label} ${side}`);
-  ruledRow(builder, first, last, lengthwise, names, materialInside);
+  ruledRow(builder, first, last, lengthwise, names, { materialInside });
 };
 
 const boxFaces = {
