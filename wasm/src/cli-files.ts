@@ -53,7 +53,8 @@ export async function checkOutput(file: string): Promise<void> {
   if (place?.isDirectory() !== true) {
     throw new FileProblem(file, `there is no folder ${folder} to write to`, "Create it, or choose another.");
   }
-  const mayWrite = await access(found === undefined || found.isFile() ? folder : file, constants.W_OK).then(
+  if (found === undefined || found.isFile()) return tryPlace(file, found !== undefined);
+  const mayWrite = await access(file, constants.W_OK).then(
     () => true,
     () => false,
   );
@@ -66,6 +67,25 @@ export async function checkOutput(file: string): Promise<void> {
   }
 }
 
+/** Makes the file that writeOutput() would make first, and removes it: permissions do not tell all. */
+async function tryPlace(file: string, exists: boolean): Promise<void> {
+  try {
+    const temporary = temporaryFor(exists ? await realpath(file) : file);
+    await writeTo(temporary, "", "wx");
+    await rm(temporary, { force: true });
+  } catch (failure) {
+    throw new FileProblem(
+      file,
+      `this place may not be written to (${reasonOf(failure)})`,
+      "Choose another, or change its permissions.",
+    );
+  }
+}
+
+function temporaryFor(target: string): string {
+  return path.join(path.dirname(target), `.${path.basename(target)}.${process.pid}.part`);
+}
+
 /**
  * Writes a file so that nobody ever sees half of it: beside it first, then renamed. Devices and pipes,
  * which must not be replaced, are written to directly. Throws a FileProblem.
@@ -76,7 +96,7 @@ export async function writeOutput(file: string, content: string | Uint8Array): P
     if (found !== undefined && !found.isFile()) return await writeTo(file, content, "w");
     // Through a link to the file itself, or the link would be replaced.
     const target = found === undefined ? file : await realpath(file);
-    const temporary = path.join(path.dirname(target), `.${path.basename(target)}.${process.pid}.part`);
+    const temporary = temporaryFor(target);
     try {
       await writeTo(temporary, content, "wx");
       await rename(temporary, target);

@@ -1,24 +1,31 @@
 /** `tetrafront mesh`: reads, meshes, writes, and says what happened. */
-import { packageDiagnostic } from "./diagnostics.js";
-import { checkOutput, FileProblem, isSameFile, readInput, writeOutput } from "./cli-files.js";
+import { checkOutput, FileProblem, isSameFile, writeOutput } from "./cli-files.js";
+import {
+  gridArrays,
+  numberIn,
+  readGrid,
+  readModel,
+  refuseOptions,
+  type GridInput,
+  type Input,
+} from "./cli-input.js";
+import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { ProgressBar } from "./cli-progress-bar.js";
-import { extensionOf, MESH_WRITERS, SURFACE_READERS } from "./formats/file-formats.js";
+import { packageDiagnostic } from "./diagnostics.js";
+import { extensionOf, MESH_WRITERS } from "./formats/file-formats.js";
 import { createMesher, MesherError } from "./mesher.js";
 import { checkOptions } from "./options.js";
-import { readProject } from "./project.js";
-import type { Project } from "./project-schema.js";
-import type { ReadProblem } from "./read-result.js";
 import { emptyReport, emptyResult } from "./report.js";
 import type {
   Diagnostic,
   FrontOrder,
+  Mesher,
   MeshOptions,
   MeshReport,
   MeshResult,
   MeshStatus,
   Optimization,
   RunControl,
-  SurfaceInput,
 } from "./types.js";
 
 /** As commander hands them over: numbers are still text. */
@@ -27,14 +34,13 @@ export interface MeshCommandOptions {
   readonly size?: string;
   readonly growth?: string;
   readonly gradation?: string;
+  readonly background?: string;
   readonly order?: FrontOrder;
   readonly optimize?: Optimization;
   readonly report?: string;
   readonly keepPartial?: boolean;
   readonly quiet?: boolean;
 }
-
-export const ExitCode = { meshed: 0, notCompleted: 1, badInput: 2 } as const;
 
 const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
   done: ExitCode.meshed,
@@ -44,22 +50,6 @@ const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
 };
 
 const STANDARD_OUTPUT = "-";
-const PROJECT_EXTENSION = ".json";
-
-type Input =
-  | { readonly kind: "project"; readonly project: Project }
-  | { readonly kind: "surface"; readonly surface: SurfaceInput };
-
-/** Raised where the input is bad; becomes messages, a report, and exit code 2. */
-class BadInput extends Error {
-  constructor(
-    /** What the messages are about: a file or an option. */
-    readonly subject: string,
-    readonly diagnostics: readonly Diagnostic[],
-  ) {
-    super(subject);
-  }
-}
 
 /** What became of a command. */
 interface Outcome {
@@ -87,34 +77,27 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const meshOptions = readOptions(options);
   await checkMeshPlace(options.output);
   const model = await readModel(input);
-  const result = await mesh(model, meshOptions, isQuiet);
+  const grid = options.background === undefined ? undefined : await readGrid(options.background);
+  const result = await mesh(model, meshOptions, isQuiet, grid && { file: options.background ?? "", grid });
   const { report } = result;
-  tell(input, report.diagnostics, isQuiet);
+  tell(input, report.diagnostics, { isQuiet });
   const isWanted = mayWrite(result, options);
   const written = isWanted && (await writeMesh(options.output, result, model)) ? options.output : null;
-  if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written));
+  if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written, options));
   const isLost = isWanted && written === null;
   return { report, written, exitCode: isLost ? ExitCode.notCompleted : EXIT_CODES[report.status] };
 }
 
 /** What to report of a run that threw; the messages are out by then. Our own mistakes pass through. */
 function failed(failure: unknown, input: string): Outcome {
-  if (failure instanceof BadInput) {
-    tell(failure.subject, failure.diagnostics, true);
-    return badInput(failure.diagnostics);
-  }
-  if (failure instanceof FileProblem) {
-    const diagnostics = [packageDiagnostic("unreadable-input", failure.message, failure.remedy)];
-    tell(failure.file, diagnostics, true);
-    return badInput(diagnostics);
-  }
-  if (failure instanceof MesherError && failure.code === "invalid-input") {
-    tell(input, failure.diagnostics, true);
-    return badInput(failure.diagnostics);
+  const bad = asBadInput(failure, input);
+  if (bad !== undefined) {
+    tell(bad.subject, bad.diagnostics, { isQuiet: true });
+    return badInput(bad.diagnostics);
   }
   if (failure instanceof MesherError && failure.code !== "disposed" && failure.code !== "invalid-input") {
     const diagnostics = [packageDiagnostic(failure.code, failure.message, "")];
-    tell(input, diagnostics, true);
+    tell(input, diagnostics, { isQuiet: true });
     return { report: emptyReport("stalled", diagnostics), exitCode: ExitCode.notCompleted, written: null };
   }
   throw failure;
@@ -126,24 +109,19 @@ function badInput(diagnostics: readonly Diagnostic[]): Outcome {
 
 function readOptions(options: MeshCommandOptions): MeshOptions {
   const meshOptions: MeshOptions = {
-    size: numberIn(options.size, "--size"),
-    growth: numberIn(options.growth, "--growth"),
-    gradation: numberIn(options.gradation, "--gradation"),
+    size: numberIn(options.size),
+    growth: numberIn(options.growth),
+    gradation: numberIn(options.gradation),
     order: options.order,
     optimization: options.optimize,
   };
   const wrong = checkOptions(meshOptions);
-  if (wrong.length > 0) throw new BadInput("command line", wrong);
+  if (options.size !== undefined && options.background !== undefined) {
+    const message = "both --size and --background are given";
+    wrong.push(packageDiagnostic("invalid-option", message, "Give one of them: a size is uniform."));
+  }
+  refuseOptions(wrong);
   return meshOptions;
-}
-
-function numberIn(text: string | undefined, option: string): number | undefined {
-  if (text === undefined) return undefined;
-  const value = text.trim() === "" ? NaN : Number(text);
-  if (!Number.isNaN(value)) return value;
-  throw new BadInput(option, [
-    packageDiagnostic("invalid-option", `"${text}" is not a number`, "Give a number, for example 0.1."),
-  ]);
 }
 
 async function checkMeshPlace(output: string): Promise<void> {
@@ -168,34 +146,18 @@ async function checkReportPlace(input: string, report: string | undefined): Prom
   }
 }
 
-async function readModel(input: string): Promise<Input> {
-  const extension = extensionOf(input);
-  const readSurface = Object.hasOwn(SURFACE_READERS, extension) ? SURFACE_READERS[extension] : undefined;
-  if (extension !== PROJECT_EXTENSION && readSurface === undefined) {
-    const known = [PROJECT_EXTENSION, ...Object.keys(SURFACE_READERS)].join(", ");
-    throw new FileProblem(
-      input,
-      extension === "" ? "the name has no extension to tell the format" : `"${extension}" cannot be read`,
-      `Give a file that ends in one of ${known}.`,
-    );
-  }
-  const bytes = await readInput(input);
-  if (readSurface !== undefined) {
-    const read = readSurface(bytes);
-    if (read.success) return { kind: "surface", surface: read.value };
-    throw new BadInput(input, read.problems.map(unreadable));
-  }
-  const read = readProject(new TextDecoder().decode(bytes));
-  if (read.success) return { kind: "project", project: read.value };
-  throw new BadInput(input, read.problems.map(unreadable));
+/** A background grid still to be made of what its file holds. */
+interface GivenGrid {
+  readonly file: string;
+  readonly grid: GridInput;
 }
 
-function unreadable({ message, remedy, line }: ReadProblem): Diagnostic {
-  const place = line === undefined || message.startsWith("line ") ? "" : `line ${line}: `;
-  return packageDiagnostic("unreadable-input", `${place}${message}`, remedy);
-}
-
-async function mesh(model: Input, options: MeshOptions, isQuiet: boolean): Promise<MeshResult> {
+async function mesh(
+  model: Input,
+  options: MeshOptions,
+  isQuiet: boolean,
+  given: GivenGrid | undefined,
+): Promise<MeshResult> {
   const stop = new AbortController();
   // Once: who asks again while the mesher stops wants to be out at once, and gets the default.
   const onSignal = () => stop.abort();
@@ -204,15 +166,20 @@ async function mesh(model: Input, options: MeshOptions, isQuiet: boolean): Promi
   const mesher = await createMesher();
   const control: RunControl = { signal: stop.signal, onProgress: (progress) => bar?.update(progress) };
   try {
+    const all = given === undefined ? options : await withGrid(mesher, options, given);
     if (stop.signal.aborted) return emptyResult("cancelled");
     return model.kind === "project"
-      ? await mesher.meshProject(model.project, options, control)
-      : await mesher.fillSurface(model.surface, options, control);
+      ? await mesher.meshProject(model.project, all, control)
+      : await mesher.fillSurface(model.surface, all, control);
   } finally {
     bar?.stop();
     mesher.dispose();
     process.off("SIGINT", onSignal).off("SIGTERM", onSignal);
   }
+}
+
+async function withGrid(mesher: Mesher, options: MeshOptions, given: GivenGrid): Promise<MeshOptions> {
+  return { ...options, background: await gridArrays(mesher, given.file, given.grid) };
 }
 
 function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {
@@ -246,20 +213,12 @@ async function tryWrite(file: string, content: string | Uint8Array): Promise<boo
   }
 }
 
-/** More lines than this scroll the first, most telling ones away. */
-const MAX_LINES = 10;
-
-/** One line per warning and error; `isQuiet` leaves the errors. Information is for the report. */
-function tell(subject: string, diagnostics: readonly Diagnostic[], isQuiet: boolean): void {
-  const lines = diagnostics
-    .filter(({ severity }) => severity === "error" || (severity === "warning" && !isQuiet))
-    .map(({ severity, message, remedy }) => `${severity}: ${subject}: ${message}. ${remedy}`.trimEnd());
-  for (const line of lines.slice(0, MAX_LINES)) say(line);
-  const rest = lines.length - MAX_LINES;
-  if (rest > 0) say(`${subject}: ${rest} more; --report FILE tells them all`);
-}
-
-function summary(input: string, report: MeshReport, written: string | null): string {
+function summary(
+  input: string,
+  report: MeshReport,
+  written: string | null,
+  { keepPartial }: MeshCommandOptions,
+): string {
   const { status, tetrahedra, points, dihedral, seconds } = report;
   const figures = [
     `${tetrahedra} tetrahedra`,
@@ -267,11 +226,12 @@ function summary(input: string, report: MeshReport, written: string | null): str
     `dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
     `${seconds.total.toFixed(2)} s`,
   ].join(", ");
-  const where =
-    written ?? (status === "done" ? "not written" : "not written; --keep-partial writes what exists");
+  const where = written ?? unwritten();
   return `${input}: ${status}, ${figures} -> ${where}`;
-}
 
-function say(line: string): void {
-  process.stderr.write(`tetrafront: ${line}\n`);
+  function unwritten(): string {
+    if (status === "done") return "not written";
+    if (tetrahedra === 0) return "nothing to write";
+    return keepPartial === true ? "not written" : "not written; --keep-partial writes what exists";
+  }
 }

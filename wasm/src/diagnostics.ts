@@ -259,12 +259,25 @@ export function describeDiagnostic(raw: EngineDiagnostic, name: EntityNamer): Di
   return {
     code,
     severity: SEVERITIES[raw.severity] ?? "error",
-    message: capitalised(message(subject)),
+    message: capitalised(withCounting(message(subject), entities)),
     remedy: typeof remedy === "string" ? remedy : remedy(subject),
     entities,
     ...(x !== undefined && y !== undefined && z !== undefined ? { place: [x, y, z] as const } : {}),
     values: [...raw.values],
   };
+}
+
+/** Where something is named by its position, the first such name tells how positions are counted. */
+function withCounting(message: string, entities: readonly EntityRef[]): string {
+  const places = entities
+    .filter(({ id }) => id === undefined)
+    .flatMap(({ label }) => {
+      const at = message.search(new RegExp(`${label}(?!\\d)`));
+      return at < 0 ? [] : [at + label.length];
+    });
+  if (places.length === 0) return message;
+  const end = Math.min(...places);
+  return `${message.slice(0, end)} (counted from 0)${message.slice(end)}`;
 }
 
 /** A diagnostic that the package raises itself, about no entity in particular. */

@@ -48,15 +48,15 @@ export function projectGrid(background: ProjectBackground): GridArrays {
     tetrahedra: Uint32Array.from(
       tetrahedra.flatMap((corners) => corners.map((id) => nodeAt.get(id) ?? NOWHERE)),
     ),
-    sourceTypes: Uint8Array.from(sources, ({ type }) => SOURCE_TYPES[type]),
+    sourceTypes: sourceTypes(sources),
     sourceValues: sourceValues(sources),
     overhang,
   };
 }
 
-/** `grid` with other nodes and tetrahedra; new arrays throughout, as they will be transferred. O(size). */
+/** `grid` with other nodes and tetrahedra, and more sources; new arrays, as they are transferred. O(size). */
 export function withNodes(grid: GridArrays, background: BackgroundArrays): GridArrays {
-  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = background;
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0, sources = [] } = background;
   const nodes = new Float64Array(NODE_STRIDE * sizes.length);
   for (let i = 0; i < sizes.length; i++) {
     const out = NODE_STRIDE * i;
@@ -66,7 +66,32 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
     if (directions === undefined) nodes[out + 5] = 1;
     else nodes.set(directions.subarray(3 * i, 3 * i + 3), out + 5);
   }
-  return { ...grid, nodes, tetrahedra: tetrahedra.slice(), overhang };
+  return {
+    nodes,
+    tetrahedra: tetrahedra.slice(),
+    sourceTypes: Uint8Array.of(...grid.sourceTypes, ...sourceTypes(sources)),
+    sourceValues: Float64Array.of(...grid.sourceValues, ...sourceValues(sources)),
+    overhang,
+  };
+}
+
+/** A project's grid as flat arrays, for another project or for a given surface. O(size). */
+export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
+  const { nodes, tetrahedra, overhang } = projectGrid(background);
+  const column = (begin: number, width: number) =>
+    Float64Array.from(
+      { length: (width * nodes.length) / NODE_STRIDE },
+      (_, i) => nodes[NODE_STRIDE * Math.floor(i / width) + begin + (i % width)] ?? 0,
+    );
+  return {
+    points: column(0, 3),
+    sizes: column(3, 1),
+    stretchings: column(4, 1),
+    directions: column(5, 3),
+    tetrahedra,
+    overhang,
+    sources: background.sources,
+  };
 }
 
 /**
@@ -74,7 +99,7 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
  * edited and saved. One object per node; large grids are better left as arrays. O(size).
  */
 export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
-  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = arrays;
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0, sources } = arrays;
   const triple = (values: Float64Array, i: number): [number, number, number] => [
     values[3 * i] ?? 0,
     values[3 * i + 1] ?? 0,
@@ -94,6 +119,7 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
       id(4 * t + 2),
       id(4 * t + 3),
     ]),
+    ...(sources !== undefined && { sources }),
     ...(overhang > 0 ? { overhang } : {}),
   };
 }
@@ -104,6 +130,10 @@ function nodeValues(nodes: readonly ProjectBackgroundNode[]): Float64Array {
     values.set([...at, size, stretching, ...direction], NODE_STRIDE * i);
   });
   return values;
+}
+
+function sourceTypes(sources: readonly ProjectSource[]): Uint8Array {
+  return Uint8Array.from(sources, ({ type }) => SOURCE_TYPES[type]);
 }
 
 function sourceValues(sources: readonly ProjectSource[]): Float64Array {

@@ -6,12 +6,16 @@
 export { ENGINE_CODES } from "./diagnostic-codes.js";
 export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostic-codes.js";
 export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagnostics.js";
-export { MESH_WRITERS, patchNames, SURFACE_READERS } from "./formats/file-formats.js";
+export { MESH_WRITERS, patchNames, SURFACE_READERS, VOLUME_READERS } from "./formats/file-formats.js";
+export { readMsh } from "./formats/msh-reader.js";
 export { writeMsh, type MshNames } from "./formats/msh.js";
 export { readOff } from "./formats/off.js";
 export { readStl } from "./formats/stl.js";
+export { volumeBackground } from "./formats/volume-background.js";
+export type { NodeData, VolumeFile } from "./formats/volume-file.js";
+export { readVtu } from "./formats/vtu-reader.js";
 export { writeVtu } from "./formats/vtu.js";
-export { projectBackground } from "./grid-arrays.js";
+export { backgroundArrays, projectBackground } from "./grid-arrays.js";
 export { createMesher, MesherError } from "./mesher.js";
 export type { MesherErrorCode } from "./mesher.js";
 export { parseProject, readProject, writeProject } from "./project.js";

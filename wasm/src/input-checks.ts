@@ -1,6 +1,7 @@
 /** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
 import { packageDiagnostic } from "./diagnostics.js";
 import { parseProject } from "./project.js";
+import { sourceProblem } from "./project-schema.js";
 import type { BackgroundArrays, Diagnostic, SurfaceInput, VolumeMesh } from "./types.js";
 
 /** What a caller without type checks may give in place of T. */
@@ -9,6 +10,8 @@ type Unchecked<T> = { readonly [Key in keyof T]?: unknown };
 function asObject<T>(value: T): Unchecked<T> {
   return typeof value === "object" && value !== null ? value : {};
 }
+
+const SOURCES_WANTED = "Give sources as a project has them: id, type, places and size each.";
 
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = parseProject(project);
@@ -33,7 +36,15 @@ function surfaceProblem(message: string): Diagnostic {
 
 /** The form alone: sizes, directions and tetrahedra are the engine's to judge, as in a project. */
 export function checkBackground(background: BackgroundArrays): Diagnostic[] {
-  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = asObject(background);
+  const {
+    points,
+    sizes,
+    stretchings,
+    directions,
+    tetrahedra,
+    overhang = 0,
+    sources = [],
+  } = asObject(background);
   const isOptional = (array: unknown) => array === undefined || array instanceof Float64Array;
   if (
     !(points instanceof Float64Array && sizes instanceof Float64Array && tetrahedra instanceof Uint32Array) ||
@@ -59,6 +70,10 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
   }
   if (!isFiniteFrom(0, overhang)) {
     return [arraysProblem(`the overhang is ${String(overhang)}`, "Give a finite overhang of 0 or more.")];
+  }
+  const problem = sourceProblem(sources);
+  if (problem !== undefined) {
+    return [arraysProblem(`the background grid's sources do not fit: ${problem}`, SOURCES_WANTED)];
   }
   return [];
 }

@@ -154,6 +154,15 @@ export function checkReferences(project: Document, report: Report): void {
   checkSources(project.background.sources ?? [], report);
 }
 
+/** What is wrong with a value that should be a list of sources, in a sentence; undefined if nothing. */
+export function sourceProblem(sources: unknown): string | undefined {
+  const parsed = z.array(sourceSchema).safeParse(sources);
+  const problems =
+    parsed.error?.issues.map(({ path, message }) => `sources[${path.join("].")}: ${message}`) ?? [];
+  if (parsed.success) checkSources(parsed.data, (_, message) => problems.push(message));
+  return problems[0];
+}
+
 function checkSources(sources: readonly z.infer<typeof sourceSchema>[], report: Report): void {
   uniqueIds(sources, ["background", "sources"], "source", report);
   sources.forEach(({ type, places }, s) => {

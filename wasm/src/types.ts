@@ -29,6 +29,8 @@ export interface BackgroundArrays {
   readonly tetrahedra: Uint32Array;
   /** What this far outside still counts as covered, as in `ProjectBackground`. Default 0. */
   readonly overhang?: number | undefined;
+  /** In addition to those of a project. For a given surface they may be all there is. */
+  readonly sources?: readonly ProjectSource[] | undefined;
 }
 
 export interface PreviewOptions {
@@ -77,7 +79,7 @@ export interface MeshOptions {
   readonly size?: number | undefined;
   /**
    * Sizes from these nodes and tetrahedra, which must cover the model: in place of those of a project
-   * (its sources stay), or of a given surface's own edges.
+   * (its sources stay), or of a given surface's own edges, if there are any.
    */
   readonly background?: BackgroundArrays | undefined;
   /** Growth of the size per unit of distance from a given surface's edges, >= 0. Default 0.3. */

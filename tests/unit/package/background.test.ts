@@ -1,5 +1,6 @@
 /** Where element sizes come from: sources, grids around a model, meshes used as grids, proposals. */
 import {
+  backgroundArrays,
   createMesher,
   projectBackground,
   readProject,
@@ -302,7 +303,48 @@ describe("a background grid of arrays", () => {
     expect(background.sizes).toHaveLength(4);
   });
 
+  test("may bring sources, which for a surface may be all there is", async () => {
+    const sources: ProjectSource[] = [
+      { id: 1, type: "point", places: [[0, 0, 0]], size: 0.1, distance: 0.2 },
+    ];
+    const alone = {
+      points: new Float64Array(),
+      sizes: new Float64Array(),
+      tetrahedra: new Uint32Array(),
+      sources,
+    };
+    const [own, refined] = [
+      await mesher.fillSurface(boxSurface(3)),
+      await mesher.fillSurface(boxSurface(3), { background: alone }),
+    ];
+    expectDone(refined);
+    expect(refined.report.tetrahedra).toBeGreaterThan(1.3 * own.report.tetrahedra);
+    const project = { ...cubeProject(), background: { ...cubeProject().background, sources, overhang: 0.1 } };
+    const read = backgroundArrays(project.background);
+    expect(projectBackground(read)).toEqual(project.background);
+  });
+
   test.each<[string, object, string, RegExp]>([
+    [
+      "with a source of two places that is a point",
+      {
+        background: around(1, {
+          sources: [
+            {
+              id: 1,
+              type: "point",
+              places: [
+                [0, 0, 0],
+                [1, 0, 0],
+              ],
+              size: 1,
+            },
+          ],
+        }),
+      },
+      "invalid-arrays",
+      /"point" has 1 place, here are 2/,
+    ],
     ["together with a size", { background: around(0.3), size: 0.2 }, "invalid-option", /both/i],
     ["that is no object", { background: null }, "invalid-arrays", /not Float64Arrays/],
     [

@@ -60,3 +60,14 @@ test("an edge of a given surface asks for other repairs than one of a drawing", 
   expect(about(ENTITY_KINDS.indexOf("triangle"))).toMatch(/triangles/);
   expect(about(ENTITY_KINDS.indexOf("line"))).toMatch(/patch/);
 });
+
+test("what is named by its position says once how positions are counted", () => {
+  const said = (code: number, entities: number[], name = nameByPosition) =>
+    describeDiagnostic({ ...bare, code, entities: Uint32Array.from(entities) }, name).message;
+  const triangle = ENTITY_KINDS.indexOf("triangle");
+  expect(said(44, [triangle, 1, triangle, 12])).toBe(
+    "Triangle 1 (counted from 0) and triangle 12 lie on one another",
+  );
+  const line = ENTITY_KINDS.indexOf("line");
+  expect(said(4, [line, 2], projectNamer(cubeProject()))).toBe("Line 3 has no length");
+});

@@ -1,4 +1,16 @@
-import { readOff, readProject, readStl, writeProject } from "tetrafront";
+import {
+  readMsh,
+  readOff,
+  readProject,
+  readStl,
+  readVtu,
+  writeMsh,
+  writeProject,
+  writeVtu,
+  type MeshResult,
+  type ReadResult,
+  type VolumeFile,
+} from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";
@@ -66,4 +78,57 @@ test("damaged projects, seeds 1 to 300, are read or refused with a remedy", () =
     }
   }
   expect(refused).toBeGreaterThan(200);
+});
+
+/** A surface and a volume with nothing but what the writers need. */
+const block: Pick<MeshResult, "surface" | "volume"> = {
+  surface: {
+    ...cube,
+    trianglePatch: new Uint32Array(cube.triangles.length / 3),
+    sides: new Uint32Array(),
+    sideLine: new Uint32Array(),
+  },
+  volume: {
+    points: cube.points,
+    tetrahedra: Uint32Array.from({ length: 40 }, (_, i) => (7 * i) % (cube.points.length / 3)),
+    regions: new Uint32Array(10),
+    front: new Uint32Array(),
+  },
+};
+/** As programs other than this one write it: in words, which damage turns into other words. */
+const textVtu = `<VTKFile type="UnstructuredGrid" byte_order="LittleEndian"><Piece NumberOfPoints="4" NumberOfCells="1">
+<Points><DataArray type="Float64" format="ascii">0 0 0 1 0 0 0 1 0 0 0 1</DataArray></Points><Cells>
+<DataArray type="Int32" Name="connectivity" format="binary">EAAAAAAAAAABAAAAAgAAAAMAAAA=</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">4</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells></Piece></VTKFile>`;
+const textMsh = `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1
+$EndNodes\n$Elements\n1 1 1 1\n3 1 4 1\n1 1 2 3 4\n$EndElements\n$NodeData\n1\n"size"\n1\n0.0\n3\n0\n1\n1\n1 0.5\n$EndNodeData\n`;
+const encoded = (file: string) => new TextEncoder().encode(file);
+
+describe.each<
+  [string, Uint8Array, (bytes: Uint8Array) => ReadResult<VolumeFile> | Promise<ReadResult<VolumeFile>>]
+>([
+  ["raw VTU", writeVtu(block), readVtu],
+  ["text VTU", encoded(textVtu), readVtu],
+  ["binary MSH", writeMsh(block), readMsh],
+  ["text MSH", encoded(textMsh), readMsh],
+])("damaged %s files, seeds 1 to 300,", (_, file, read) => {
+  test("give tetrahedra of nodes that are there or a problem with a remedy", async () => {
+    expect((await read(file)).success).toBe(true);
+    for (let seed = 1; seed <= 300; seed++) {
+      const result = await read(mutated(file, randomSource(seed)));
+      if (result.success) {
+        const { points, tetrahedra, nodeData } = result.value;
+        expect([points.length % 3, tetrahedra.length % 4]).toEqual([0, 0]);
+        expect(points.every(Number.isFinite)).toBe(true);
+        expect(tetrahedra.every((node) => node < points.length / 3)).toBe(true);
+        for (const { components, values } of nodeData.values()) {
+          expect(values.length).toBe((components * points.length) / 3);
+        }
+      } else {
+        expect(result.problems[0].message, `seed ${seed}`).toMatch(/\S/);
+        expect(result.problems[0].remedy, `seed ${seed}`).toMatch(/\.$/);
+      }
+    }
+  });
 });

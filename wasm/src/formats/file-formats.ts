@@ -2,15 +2,26 @@
 import type { Project } from "../project-schema.js";
 import type { ReadResult } from "../read-result.js";
 import type { MeshResult, SurfaceInput } from "../types.js";
+import { readMsh } from "./msh-reader.js";
 import { writeMsh } from "./msh.js";
 import { readOff } from "./off.js";
 import { readStl } from "./stl.js";
+import type { VolumeFile } from "./volume-file.js";
+import { readVtu } from "./vtu-reader.js";
 import { writeVtu } from "./vtu.js";
 
 /** Closed surfaces that can be read. */
 export const SURFACE_READERS: Readonly<Record<string, (bytes: Uint8Array) => ReadResult<SurfaceInput>>> = {
   ".stl": readStl,
   ".off": readOff,
+};
+
+/** Volume meshes that can be read, to become background grids (`volumeBackground`). */
+export const VOLUME_READERS: Readonly<
+  Record<string, (bytes: Uint8Array) => Promise<ReadResult<VolumeFile>>>
+> = {
+  ".vtu": readVtu,
+  ".msh": (bytes) => Promise.resolve(readMsh(bytes)),
 };
 
 /** Meshes that can be written; the names in them come from the project, if there is one. */

@@ -52,6 +52,11 @@ function readBinary(bytes: Uint8Array): Float64Array {
     const message = `it has ${bytes.length} bytes, too few for an STL file`;
     throw new ReadFailure({ message, remedy: REMEDY, offset: bytes.length });
   }
+  const head = bytes.subarray(0, SNIFFED_BYTES);
+  if (bytes.length !== sizeOf(count) && !head.includes(0)) {
+    const message = 'this is text, but not an STL file: it does not begin with "solid"';
+    throw new ReadFailure({ message, remedy: REMEDY, offset: 0 });
+  }
   if (bytes.length < sizeOf(count)) {
     const message =
       `the file ends at byte ${bytes.length}, but the ${count} triangles it announces ` +

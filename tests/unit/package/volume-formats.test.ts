@@ -1,0 +1,301 @@
+/** Volume meshes read from files, in the forms in which this package, meshio and others write them. */
+import { deflateSync } from "node:zlib";
+
+import {
+  readMsh,
+  readVtu,
+  volumeBackground,
+  VOLUME_READERS,
+  writeMsh,
+  writeVtu,
+  type MeshResult,
+  type VolumeFile,
+  type VolumeMesh,
+} from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+/** Two tetrahedra on either side of one face, and before them a node that none of them uses. */
+const points = [9, 9, 9, 0, 0, 0, 1, 0, 0, 0, 1 + 2 ** -52, 0, 0, 0, 1, 1 / 3, 1, 1];
+const corners = [
+  [1, 2, 3, 4],
+  [2, 5, 3, 4],
+];
+const size = [7, 0.1, 0.2, 0.3, 0.4, 0.5];
+const direction = [7, 7, 7, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 1, 1];
+
+async function expectThem(read: ReturnType<typeof readVtu>, data: readonly string[]): Promise<void> {
+  const result = await read;
+  if (!result.success) throw new Error(result.problems[0].message);
+  const { points: found, tetrahedra, nodeData } = result.value;
+  expect([...found]).toEqual(points.slice(3));
+  expect([...tetrahedra]).toEqual([0, 1, 2, 3, 1, 4, 2, 3]);
+  expect([...nodeData.keys()].sort()).toEqual(data);
+  if (data.includes("size")) {
+    expect(nodeData.get("size")).toEqual({ components: 1, values: Float64Array.from(size.slice(1)) });
+  }
+  if (data.includes("direction")) {
+    expect(nodeData.get("direction")).toEqual({
+      components: 3,
+      values: Float64Array.from(direction.slice(3)),
+    });
+  }
+}
+
+describe("VTU", () => {
+  type Form = (type: string, bytes: Buffer, numbers: readonly number[]) => string;
+  const length = (bytes: number) => Buffer.from(Uint32Array.of(bytes).buffer);
+  const text: Form = (_, __, numbers) => `format="ascii">\n${numbers.join("\n")}\n`;
+  const together: Form = (_, bytes) =>
+    `format="binary">${Buffer.concat([length(bytes.length), bytes]).toString("base64")}`;
+  const apart: Form = (_, bytes) =>
+    `format="binary">${length(bytes.length).toString("base64")}${bytes.toString("base64")}`;
+  /** In blocks of 16 bytes. */
+  const packed: Form = (_, bytes) => {
+    const blocks: Buffer[] = [];
+    for (let at = 0; at < bytes.length; at += 16) blocks.push(deflateSync(bytes.subarray(at, at + 16)));
+    const header = Uint32Array.of(
+      blocks.length,
+      16,
+      bytes.length % 16,
+      ...blocks.map((block) => block.length),
+    );
+    return `format="binary">\n${Buffer.from(header.buffer).toString("base64")}${Buffer.concat(blocks).toString("base64")}\n`;
+  };
+
+  function vtu(form: Form, attributes = ""): Uint8Array {
+    const array = (type: string, name: string, numbers: readonly number[], more = "") => {
+      const values =
+        type === "Float64"
+          ? Float64Array.from(numbers)
+          : type === "Int64"
+            ? BigInt64Array.from(numbers, BigInt)
+            : Uint8Array.from(numbers);
+      return `<DataArray type="${type}" Name="${name}" ${more} ${form(type, Buffer.from(values.buffer), numbers)}</DataArray>`;
+    };
+    return new TextEncoder().encode(`<?xml version="1.0"?>
+<VTKFile type="UnstructuredGrid" version="0.1" byte_order="LittleEndian" ${attributes}>
+<!--made by hand--><UnstructuredGrid><Piece NumberOfPoints="6" NumberOfCells="3">
+<Points>${array("Float64", "Points", points, 'NumberOfComponents="3"')}</Points>
+<Cells>
+${array("Int64", "connectivity", [...(corners[0] ?? []), 1, 2, 3, ...(corners[1] ?? [])])}
+${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}</Cells>
+<PointData>${array("Float64", "size", size)}${array("Float64", "direction", direction, 'NumberOfComponents="3"')}</PointData>
+<CellData>${array("Float64", "size", [1, 2, 3])}</CellData>
+</Piece></UnstructuredGrid></VTKFile>`);
+  }
+
+  test.each<[string, Form, string]>([
+    ["as text", text, ""],
+    ["in base64 with its length", together, ""],
+    ["in base64 beside its length", apart, ""],
+    ["compressed", packed, 'compressor="vtkZLibDataCompressor"'],
+  ])("with arrays %s", async (_, form, attributes) => {
+    await expectThem(readVtu(vtu(form, attributes)), ["direction", "size"]);
+  });
+
+  test.each<[string, (file: string) => string, RegExp]>([
+    ["of another kind", (file) => file.replaceAll("UnstructuredGrid", "PolyData"), /no unstructured grid/],
+    ["with two pieces", (file) => file.replace("<Piece", '<Piece NumberOfPoints="0"/><Piece'), /2 pieces/],
+    ["with hexahedra", (file) => file.replace("10\n5\n10", "12\n5\n10"), /cells of type 12/],
+    [
+      "with a node that is not there",
+      (file) => file.replace("\n5\n3\n4\n", "\n6\n3\n4\n"),
+      /corner that is no node/,
+    ],
+    [
+      "with points missing",
+      (file) => file.replace('NumberOfPoints="6"', 'NumberOfPoints="7"'),
+      /6 points, 7 are/,
+    ],
+    ["without tetrahedra", (file) => file.replace("10\n5\n10", "5\n5\n5"), /no tetrahedron/],
+    ["without types", (file) => file.replace('"types"', '"kinds"'), /no array "types"/],
+    [
+      "packed by others",
+      (file) => file.replace(" >\n", ' compressor="vtkLZ4DataCompressor">\n'),
+      /vtkLZ4DataCompressor/,
+    ],
+  ])("%s is refused", async (_, damage, message) => {
+    const file = new TextEncoder().encode(damage(new TextDecoder().decode(vtu(text))));
+    const read = await readVtu(file);
+    expect(read.success ? "" : read.problems[0].message).toMatch(message);
+    expect(read.success ? "" : read.problems[0].remedy).toMatch(/\.$/);
+  });
+
+  test("whose blocks claim to hold a million times their bytes is refused unread", async () => {
+    const bomb: Form = (_, bytes) => {
+      const block = deflateSync(Buffer.alloc(1 << 20));
+      const header = Uint32Array.of(1, 0x7fffffff, 0, block.length);
+      return `format="binary">${Buffer.from(header.buffer).toString("base64")}${(bytes.length > 0 ? block : bytes).toString("base64")}`;
+    };
+    const read = await readVtu(vtu(bomb, 'compressor="vtkZLibDataCompressor"'));
+    expect(read.success ? "" : read.problems[0].message).toMatch(/claims to hold/);
+  });
+});
+
+describe("MSH", () => {
+  const rows = (values: readonly number[], width: number, first = 1) =>
+    Array.from({ length: values.length / width }, (_, i) =>
+      [i + first, ...values.slice(width * i, width * (i + 1))].join(" "),
+    ).join("\n");
+  const coordinates = Array.from({ length: 6 }, (_, i) => points.slice(3 * i, 3 * i + 3).join(" ")).join(
+    "\n",
+  );
+  const data = `$NodeData\n1\n"size"\n1\n0.0\n3\n0\n1\n6\n${rows(size, 1)}\n$EndNodeData
+$NodeData\n1\n"direction"\n1\n0.0\n3\n0\n3\n6\n${rows(direction, 3)}\n$EndNodeData\n`;
+  const blocks = `$MeshFormat\n4.1 0 8\n$EndMeshFormat
+$Entities\n0 0 0 1\n1 0 0 0 1 1 1 0 0\n$EndEntities
+$Nodes\n1 6 1 6\n3 1 0 6\n1\n2\n3\n4\n5\n6\n${coordinates}\n$EndNodes
+$Elements\n2 3 1 3\n2 1 2 1\n1 2 3 4\n3 1 4 2\n2 2 3 4 5\n3 3 6 4 5\n$EndElements\n${data}`;
+  const list = `$MeshFormat\n2.2 0 8\n$EndMeshFormat
+$PhysicalNames\n1\n3 1 "all"\n$EndPhysicalNames
+$Nodes\n6\n${rows(points, 3)}\n$EndNodes
+$Elements\n3\n1 2 2 0 1 2 3 4\n2 4 2 0 1 2 3 4 5\n3 4 2 0 1 3 6 4 5\n$EndElements\n${data}`;
+
+  test.each([
+    ["4.1", blocks],
+    ["2.2", list],
+    ["4.1 with line ends of Windows", blocks.replaceAll("\n", "\r\n")],
+  ])("%s as text", async (_, file) => {
+    await expectThem(Promise.resolve(readMsh(new TextEncoder().encode(file))), ["direction", "size"]);
+  });
+
+  /** The numbers of a binary file, in either byte order. */
+  function binary(version: "4.1" | "2.2", isLittle: boolean): Uint8Array {
+    const parts: Buffer[] = [];
+    const text = (words: string) => parts.push(Buffer.from(words));
+    const int = (...values: number[]) =>
+      values.forEach((value) => {
+        const bytes = Buffer.alloc(4);
+        parts.push((bytes[isLittle ? "writeInt32LE" : "writeInt32BE"](value), bytes));
+      });
+    const long = (...values: number[]) =>
+      values.forEach((value) => {
+        const bytes = Buffer.alloc(8);
+        parts.push((bytes[isLittle ? "writeBigUInt64LE" : "writeBigUInt64BE"](BigInt(value)), bytes));
+      });
+    const double = (...values: number[]) =>
+      values.forEach((value) => {
+        const bytes = Buffer.alloc(8);
+        parts.push((bytes[isLittle ? "writeDoubleLE" : "writeDoubleBE"](value), bytes));
+      });
+    text(`$MeshFormat\n${version} 1 8\n`);
+    int(1);
+    text("\n$EndMeshFormat\n$Nodes\n");
+    if (version === "4.1") {
+      long(1, 6, 1, 6);
+      int(3, 1, 0);
+      long(6, 1, 2, 3, 4, 5, 6);
+      double(...points);
+      text("\n$EndNodes\n$Elements\n");
+      long(1, 2, 1, 2);
+      int(3, 1, 4);
+      long(2, 1, 2, 3, 4, 5, 2, 3, 6, 4, 5);
+    } else {
+      text("6\n");
+      for (let i = 0; i < 6; i++) {
+        int(i + 1);
+        double(...points.slice(3 * i, 3 * i + 3));
+      }
+      text("\n$EndNodes\n$Elements\n3\n");
+      int(2, 1, 2, 1, 0, 1, 2, 3, 4, 4, 2, 2, 2, 0, 1, 2, 3, 4, 5, 3, 0, 1, 3, 6, 4, 5);
+    }
+    text('\n$EndElements\n$NodeData\n1\n"size"\n1\n0.0\n3\n0\n1\n6\n');
+    size.forEach((value, i) => {
+      int(i + 1);
+      double(value);
+    });
+    text("\n$EndNodeData\n");
+    return new Uint8Array(Buffer.concat(parts));
+  }
+
+  test.each([
+    ["4.1", true],
+    ["4.1", false],
+    ["2.2", true],
+    ["2.2", false],
+  ] as const)("%s in binary, low byte first: %s", async (version, isLittle) => {
+    await expectThem(Promise.resolve(readMsh(binary(version, isLittle))), ["size"]);
+  });
+
+  test.each<[string, string, RegExp]>([
+    ["of version 4.0", blocks.replace("4.1 0", "4.0 0"), /"4.0 0 8"/],
+    ["that is none", "solid\n", /begin with "\$MeshFormat"/],
+    ["with hexahedra", blocks.replace("3 1 4 2", "3 1 5 2"), /type 5/],
+    ["with a corner that is no node", blocks.replace("3 3 6 4 5", "3 3 7 4 5"), /corner that is no node/],
+    [
+      "that announces more than it holds",
+      blocks.replace("3 1 0 6", "3 1 0 600000"),
+      /600000 nodes are announced/,
+    ],
+    ["that breaks off", blocks.slice(0, 150), /./],
+  ])("%s is refused", (_, file, message) => {
+    const read = readMsh(new TextEncoder().encode(file));
+    expect(read.success ? "" : read.problems[0].message).toMatch(message);
+    expect(read.success ? "" : read.problems[0].remedy).toMatch(/\.$/);
+  });
+});
+
+test.each([".vtu", ".msh"])("what this package writes as %s it reads bit for bit", async (extension) => {
+  const volume: VolumeMesh = {
+    points: Float64Array.from(points.slice(3)),
+    tetrahedra: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
+    regions: Uint32Array.of(0, 1),
+    front: new Uint32Array(),
+  };
+  const surface: MeshResult["surface"] = {
+    points: volume.points,
+    triangles: Uint32Array.of(0, 2, 1),
+    trianglePatch: Uint32Array.of(0),
+    sides: new Uint32Array(),
+    sideLine: new Uint32Array(),
+  };
+  const bytes = extension === ".vtu" ? writeVtu({ volume }) : writeMsh({ surface, volume });
+  const read = VOLUME_READERS[extension]?.(bytes);
+  if (read === undefined) throw new Error("no reader");
+  await expectThem(read, []);
+});
+
+describe("as background grid", () => {
+  const volume = (data: Readonly<Record<string, number>>): VolumeFile => ({
+    points: Float64Array.from(points.slice(3)),
+    tetrahedra: Uint32Array.of(0, 1, 2, 3, 1, 4, 2, 3),
+    nodeData: new Map(
+      Object.entries(data).map(([name, components]) => [
+        name,
+        { components, values: new Float64Array(5 * components).fill(2) },
+      ]),
+    ),
+  });
+  const asked: (Float64Array | undefined)[] = [];
+  const mesher = {
+    meshAsBackground: (
+      mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+      options?: { sizes?: Float64Array | undefined },
+    ) => {
+      asked.push(options?.sizes);
+      return Promise.resolve({ ...mesh, sizes: new Float64Array(5) });
+    },
+  };
+
+  test("it has its sizes, stretchings and directions", async () => {
+    const read = await volumeBackground(mesher, volume({ size: 1, stretching: 1, direction: 3 }));
+    expect(asked.at(-1)).toEqual(new Float64Array(5).fill(2));
+    expect(read).toMatchObject({
+      success: true,
+      value: { stretchings: new Float64Array(5).fill(2), directions: new Float64Array(15).fill(2) },
+    });
+  });
+
+  test("without them its own edges speak", async () => {
+    await volumeBackground(mesher, volume({ pressure: 1 }));
+    expect(asked.at(-1)).toBeUndefined();
+  });
+
+  test.each<[string, Record<string, number>, RegExp]>([
+    ["three sizes per node", { size: 3 }, /more than one size/],
+    ["a stretching without direction", { size: 1, stretching: 1 }, /no direction/],
+  ])("%s are refused", async (_, data, message) => {
+    const read = await volumeBackground(mesher, volume(data));
+    expect(read.success ? "" : read.problems[0].message).toMatch(message);
+  });
+});

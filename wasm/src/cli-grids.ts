@@ -1,0 +1,126 @@
+/** `tetrafront cover` and `tetrafront propose`: project files with a background grid put into them. */
+import { checkOutput, FileProblem, writeOutput } from "./cli-files.js";
+import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./cli-input.js";
+import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { extensionOf } from "./formats/file-formats.js";
+import { createMesher } from "./mesher.js";
+import { checkCoverOptions, checkProposalOptions, type CoverShape } from "./options.js";
+import { writeProject } from "./project.js";
+import type { Project, ProjectSource } from "./project-schema.js";
+import type { CoverOptions, Mesher, ProposalOptions } from "./types.js";
+
+/** As commander hands them over: numbers are still text. */
+interface CommonOptions {
+  readonly output: string;
+  readonly shape?: CoverShape;
+  readonly quiet?: boolean;
+}
+
+export interface CoverCommandOptions extends CommonOptions {
+  readonly size?: string;
+}
+
+export interface ProposeCommandOptions extends CommonOptions {
+  readonly uniform?: string;
+  readonly smallest?: string;
+  readonly perCircle?: string;
+  readonly perGap?: string;
+  readonly growth?: string;
+}
+
+/** Runs `cover`; resolves with the exit code. */
+export function coverFile(input: string, options: CoverCommandOptions): Promise<number> {
+  const cover: CoverOptions = { size: numberIn(options.size), shape: options.shape };
+  return rewritten(input, options, {
+    check: () => checkCoverOptions(cover),
+    change: async (mesher, project) => {
+      const background = await mesher.coverProject(project, cover);
+      return { ...project, background };
+    },
+  });
+}
+
+/** Runs `propose`; resolves with the exit code. */
+export function proposeForFile(input: string, options: ProposeCommandOptions): Promise<number> {
+  const wanted: ProposalOptions = {
+    uniform: numberIn(options.uniform),
+    smallest: numberIn(options.smallest),
+    elementsPerCircle: numberIn(options.perCircle),
+    elementsPerGap: numberIn(options.perGap),
+    growth: numberIn(options.growth),
+  };
+  return rewritten(input, options, {
+    check: () => checkProposalOptions(wanted),
+    change: async (mesher, project) => {
+      const { size, sources } = await mesher.proposeSizes(project, wanted);
+      const background = await mesher.coverProject(project, {
+        ...(size > 0 ? { size } : {}),
+        shape: options.shape,
+      });
+      const all = withNewIds(background.sources ?? [], sources);
+      return { ...project, background: { ...background, sources: all } };
+    },
+  });
+}
+
+/** The sources there were, then the proposed ones with ids after theirs. */
+function withNewIds(old: readonly ProjectSource[], proposed: readonly ProjectSource[]): ProjectSource[] {
+  const last = old.reduce((most, { id }) => Math.max(most, id), 0);
+  return [...old, ...proposed.map((source) => ({ ...source, id: last + source.id }))];
+}
+
+interface Rewriting {
+  readonly check: () => ReturnType<typeof checkCoverOptions>;
+  readonly change: (mesher: Mesher, project: Project) => Promise<Project>;
+}
+
+async function rewritten(
+  input: string,
+  options: CommonOptions,
+  { check, change }: Rewriting,
+): Promise<number> {
+  try {
+    refuseOptions(check());
+    await checkProjectPlace(options.output);
+    const project = await readProjectFile(input);
+    const changed = await withMesher((mesher) => change(mesher, project));
+    await writeOutput(options.output, writeProject(changed));
+    if (options.quiet !== true) say(summary(input, changed, options.output));
+    return ExitCode.meshed;
+  } catch (failure) {
+    const bad = asBadInput(failure, input);
+    if (bad === undefined) throw failure;
+    tell(bad.subject, bad.diagnostics, { isQuiet: true });
+    return ExitCode.badInput;
+  }
+}
+
+export async function withMesher<T>(use: (mesher: Mesher) => Promise<T>): Promise<T> {
+  const mesher = await createMesher();
+  try {
+    return await use(mesher);
+  } finally {
+    mesher.dispose();
+  }
+}
+
+async function checkProjectPlace(output: string): Promise<void> {
+  if (extensionOf(output) !== PROJECT_EXTENSION) {
+    throw new FileProblem(
+      output,
+      "this is no name for a project",
+      `Give a name that ends in ${PROJECT_EXTENSION}.`,
+    );
+  }
+  await checkOutput(output);
+}
+
+function summary(input: string, { background }: Project, output: string): string {
+  const { nodes, tetrahedra, sources = [] } = background;
+  const size = nodes[0] === undefined ? "" : ` of size ${Number(nodes[0].size.toPrecision(6))}`;
+  const figures = [
+    `a grid of ${tetrahedra.length} ${tetrahedra.length === 1 ? "tetrahedron" : "tetrahedra"}${size}`,
+    `${sources.length} ${sources.length === 1 ? "source" : "sources"}`,
+  ];
+  return `${input}: ${figures.join(", ")} -> ${output}`;
+}

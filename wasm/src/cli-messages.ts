@@ -1,0 +1,78 @@
+/** What the command line says, and how its commands end. */
+import { FileProblem } from "./cli-files.js";
+import { packageDiagnostic } from "./diagnostics.js";
+import { MesherError } from "./mesher.js";
+import type { ReadProblem } from "./read-result.js";
+import type { Diagnostic } from "./types.js";
+
+export const ExitCode = { meshed: 0, notCompleted: 1, badInput: 2 } as const;
+
+/** Raised where the input is bad; becomes messages, a report, and exit code 2. */
+export class BadInput extends Error {
+  constructor(
+    /** What the messages are about: a file or an option. */
+    readonly subject: string,
+    readonly diagnostics: readonly Diagnostic[],
+  ) {
+    super(subject);
+  }
+}
+
+/** Input that cannot be used, as diagnostics and what they are about; undefined for other failures. */
+export function asBadInput(failure: unknown, input: string): BadInput | undefined {
+  if (failure instanceof BadInput) return failure;
+  if (failure instanceof FileProblem) {
+    const { file, message, remedy } = failure;
+    return new BadInput(file, [packageDiagnostic("unreadable-input", message, remedy)]);
+  }
+  if (failure instanceof MesherError && failure.code === "invalid-input") {
+    return new BadInput(input, failure.diagnostics);
+  }
+  return undefined;
+}
+
+export function unreadable({ message, remedy, line }: ReadProblem): Diagnostic {
+  const place = line === undefined || message.startsWith("line ") ? "" : `line ${line}: `;
+  return packageDiagnostic("unreadable-input", `${place}${message}`, remedy);
+}
+
+/** Of one code no more than these are told: more of the same teach nothing and hide the others. */
+const TOLD_PER_CODE = 5;
+
+interface TellOptions {
+  /** Leaves the errors. */
+  readonly isQuiet: boolean;
+  readonly perCode?: number;
+}
+
+/** One line per diagnostic, those of one code together, in the order in which codes first appear. */
+export function tell(subject: string, diagnostics: readonly Diagnostic[], options: TellOptions): void {
+  const { isQuiet, perCode = TOLD_PER_CODE } = options;
+  const groups = new Map<string, Diagnostic[]>();
+  for (const diagnostic of diagnostics) {
+    const { severity, code } = diagnostic;
+    if (isQuiet && severity !== "error") continue;
+    const key = `${severity} ${code}`;
+    groups.set(key, [...(groups.get(key) ?? []), diagnostic]);
+  }
+  for (const group of groups.values()) {
+    for (const { severity, message, remedy } of group.slice(0, perCode)) {
+      say(`${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd());
+    }
+    const [first] = group;
+    const rest = group.length - perCode;
+    if (first !== undefined && rest > 0) {
+      say(`${WORDS[first.severity]}: ${subject}: and ${rest} more of the kind "${first.code}".`);
+    }
+  }
+}
+
+const WORDS: Readonly<Record<Diagnostic["severity"], string>> = {
+  error: "error",
+  warning: "warning",
+  information: "note",
+};
+
+export function say(line: string): void {
+  process.stderr.write(`tetrafront: ${line}\n`);
+}

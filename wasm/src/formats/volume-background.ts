@@ -1,0 +1,36 @@
+/** A volume mesh from a file as background grid. */
+import { MesherError } from "../mesher.js";
+import type { ReadResult } from "../read-result.js";
+import type { BackgroundArrays, Mesher } from "../types.js";
+import type { VolumeFile } from "./volume-file.js";
+
+/**
+ * The sizes at the nodes if the file has them under the name `size`, else sizes from the mesh's own
+ * edges; `stretching` and `direction` if it has both. Rejects as `meshAsBackground` does, but for sizes
+ * that make no sense.
+ */
+export async function volumeBackground(
+  mesher: Pick<Mesher, "meshAsBackground">,
+  volume: VolumeFile,
+): Promise<ReadResult<BackgroundArrays>> {
+  const count = volume.points.length / 3;
+  const problem = (message: string) => {
+    const remedy = "Give the nodes one size, and one stretching and three numbers of direction, or none.";
+    return { success: false, problems: [{ message, remedy }] } as const;
+  };
+  const of = (name: string) => volume.nodeData.get(name)?.values;
+  const [sizes, stretchings, directions] = [of("size"), of("stretching"), of("direction")];
+  if (sizes !== undefined && sizes.length !== count) return problem("the nodes have more than one size");
+  if (stretchings !== undefined) {
+    if (stretchings.length !== count) return problem("the nodes have more than one stretching");
+    if (directions?.length !== 3 * count) return problem("the nodes have a stretching, but no direction");
+  }
+  try {
+    const grid = await mesher.meshAsBackground(volume, { sizes });
+    return { success: true, value: stretchings === undefined ? grid : { ...grid, stretchings, directions } };
+  } catch (failure) {
+    const [first] = failure instanceof MesherError ? failure.diagnostics : [];
+    if (first === undefined) throw failure;
+    return { success: false, problems: [{ message: first.message, remedy: first.remedy }] };
+  }
+}
