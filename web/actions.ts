@@ -1,5 +1,6 @@
 import { MESH_WRITERS, type MeshResult, type Project } from "tetrafront";
 import type { App } from "./app";
+import type { Creation, Offer } from "./document/create";
 import { deleteEntities } from "./document/edits";
 import type { Entity } from "./document/entities";
 import { download, fileStem, openProjectFile, readProjectFile, saveProjectFile } from "./document/files";
@@ -82,22 +83,36 @@ export function deleteSelection(app: App): void {
   const { selection } = app.view.state.getState();
   if (selection.length === 0) return;
   app.documents.edit(deleteEntities(app.documents.project, selection));
-  app.view.select(null);
+  app.view.clear();
 }
 
-/** Selects an entity and moves the view to it. */
-export function showEntity(app: App, entity: Entity): void {
-  app.view.select(entity);
-  if (entity.kind === "background-node") app.view.setLayer("background", true);
+/** Selects entities and moves the view to them. */
+export function showEntities(app: App, entities: readonly Entity[]): void {
+  app.view.selectAll(entities);
   app.shell.setState({ rightTab: "inspector", leftTab: "model" });
-  app.viewer.getState().viewer?.fit([entity]);
+  app.viewer.getState().viewer?.fit(entities);
 }
 
 /** Selects the first entity that a problem is about and moves the view to its place. */
 export function showProblem(app: App, problem: Problem): void {
-  const [first] = problem.entities;
-  if (first) showEntity(app, first);
+  if (problem.entities.length > 0) showEntities(app, problem.entities.slice(0, 1));
+  if (problem.code === "outside-background-grid") app.view.setLayer("background", true);
   if (problem.place) app.viewer.getState().viewer?.fitPlace(problem.place);
+}
+
+/** Adds to the project what an offer makes, and selects it; or tells why it cannot be. */
+export function takeOffer(app: App, title: string, offer: Offer): void {
+  if (!offer.possible) {
+    tell(app, title, [offer.reason]);
+    return;
+  }
+  create(app, offer.creation);
+}
+
+export function create(app: App, { edit, entities }: Creation): void {
+  app.documents.edit(edit);
+  app.view.selectAll(entities);
+  app.shell.setState({ rightTab: "inspector", leftTab: "model" });
 }
 
 /** One sentence on the mesh, for the label of the picture. */

@@ -1,50 +1,10 @@
 import type { App } from "./app";
+import { define, type Command } from "./command";
+import { createMenu } from "./create-commands";
 import { deleteSelection, downloadMesh, downloadReport, openFromDialog, save } from "./actions";
 import { scaleSizes } from "./document/edits";
 import type { CutAxis, Layer, Shading } from "./document/selection";
 import type { StandardView } from "./viewer/camera";
-
-export type MenuName = "file" | "edit" | "view" | "mesh" | "help";
-
-/** One thing the user can do: menu, palette, hotkeys and help all read this table. */
-export interface Command {
-  readonly id: string;
-  readonly menu: MenuName;
-  /** Items of a menu with different sections are set apart. */
-  readonly section: number;
-  readonly label: (app: App) => string;
-  /** In Mantine's notation, e.g. "mod+Z". The first is shown. */
-  readonly keys: readonly string[];
-  /** Hotkey works even while a text field has the focus. */
-  readonly inFields: boolean;
-  readonly enabled: (app: App) => boolean;
-  /** For commands that switch something: is it on? */
-  readonly checked: ((app: App) => boolean) | null;
-  readonly run: (app: App) => void;
-}
-
-interface Extra {
-  readonly keys?: readonly string[];
-  readonly inFields?: boolean;
-  readonly enabled?: (app: App) => boolean;
-  readonly checked?: (app: App) => boolean;
-}
-
-type Label = string | ((app: App) => string);
-
-const define =
-  (menu: MenuName, section: number) =>
-  (id: string, label: Label, run: (app: App) => void, extra: Extra = {}): Command => ({
-    id,
-    menu,
-    section,
-    label: typeof label === "string" ? () => label : label,
-    keys: extra.keys ?? [],
-    inFields: extra.inFields ?? false,
-    enabled: extra.enabled ?? (() => true),
-    checked: extra.checked ?? null,
-    run,
-  });
 
 const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
@@ -99,7 +59,13 @@ const editMenu: readonly Command[] = [
     keys: ["Delete"],
     enabled: hasSelection,
   }),
-  define("edit", 1)("deselect", "Clear selection", (app) => app.view.select(null), {
+  define("edit", 1)(
+    "select-several",
+    "Select several (each click toggles)",
+    (app) => app.view.state.setState(({ several }) => ({ several: !several })),
+    { checked: (app) => viewState(app).several },
+  ),
+  define("edit", 1)("deselect", "Clear selection", (app) => app.view.clear(), {
     keys: ["Escape"],
     enabled: (app) => hasSelection(app) || viewState(app).element !== null,
   }),
@@ -120,6 +86,7 @@ const layerNames: readonly (readonly [Layer, string])[] = [
   ["lines", "Lines"],
   ["patches", "Patches"],
   ["background", "Background grid"],
+  ["sources", "Sources"],
   ["mesh", "Mesh"],
 ];
 
@@ -222,13 +189,20 @@ const meshMenu: readonly Command[] = [
 ];
 
 const helpMenu: readonly Command[] = [
-  define("help", 0)("help", "Keyboard and mouse", (app) => app.shell.setState({ helpOpen: true }), {
+  define("help", 0)("help", "Keyboard and mouse", (app) => app.shell.setState({ dialog: "help" }), {
     keys: ["shift+?"],
   }),
 ];
 
 /** Every command, in the order of the menus. */
-export const commands: readonly Command[] = [...fileMenu, ...editMenu, ...viewMenu, ...meshMenu, ...helpMenu];
+export const commands: readonly Command[] = [
+  ...fileMenu,
+  ...editMenu,
+  ...createMenu,
+  ...viewMenu,
+  ...meshMenu,
+  ...helpMenu,
+];
 
 const byId = new Map(commands.map((command) => [command.id, command]));
 

@@ -1,4 +1,4 @@
-import type { Project, ProjectLine, ProjectPatch } from "tetrafront";
+import type { Project, ProjectBackground, ProjectLine, ProjectPatch } from "tetrafront";
 import type { Draft } from "mutative";
 import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
 import type { DocumentContent, ProjectEdit } from "./store";
@@ -15,6 +15,7 @@ const kindWords: { readonly [K in DrawnKind]: string } = {
   line: "line",
   patch: "patch",
   "background-node": "background node",
+  source: "source",
 };
 
 type ProjectDraft = Draft<DocumentContent>["project"];
@@ -29,6 +30,8 @@ function listOf(project: ProjectDraft, kind: DrawnKind): { id: number; name?: st
       return project.patches;
     case "background-node":
       return project.background.nodes;
+    case "source":
+      return (project.background.sources ??= []);
   }
 }
 
@@ -55,7 +58,7 @@ export function moveEntity(
   };
 }
 
-/** Names a point, line or patch; an empty name takes the name away. */
+/** Names a point, line, patch or source; an empty name takes the name away. */
 export function renameEntity(entity: Entity, name: string): ProjectEdit {
   return {
     label: `Rename ${kindWords[entity.kind]} ${entity.id}`,
@@ -157,12 +160,49 @@ export function setNodeDirection(id: number, axis: Axis, value: number): Project
   };
 }
 
-/** Multiplies the size of every background node: coarser above 1, finer below. */
+/** What a source says of sizes. */
+export type SourceField = "size" | "distance" | "growth";
+
+export function setSourceField(id: number, field: SourceField, value: number): ProjectEdit {
+  return {
+    label: `Set ${field} of source ${id}`,
+    mergeKey: `source-${field}-${id}`,
+    change: ({ project }) => {
+      const source = project.background.sources?.find(byId(id));
+      if (source) source[field] = value;
+    },
+  };
+}
+
+/** Moves one of a source's places along one axis. */
+export function moveSource(id: number, place: number, axis: Axis, value: number): ProjectEdit {
+  return {
+    label: `Move source ${id}`,
+    mergeKey: `move-source-${id}-${place}-${axis}`,
+    change: ({ project }) => {
+      const at = project.background.sources?.find(byId(id))?.places[place];
+      if (at) at[axis] = value;
+    },
+  };
+}
+
+/** Another background grid; what is asked of the sources is in it. */
+export function replaceBackground(label: string, background: ProjectBackground): ProjectEdit {
+  return {
+    label,
+    change: ({ project }) => {
+      project.background = background as typeof project.background;
+    },
+  };
+}
+
+/** Multiplies every size, of background nodes and sources: coarser above 1, finer below. */
 export function scaleSizes(factor: number): ProjectEdit {
   return {
     label: factor < 1 ? "Refine all sizes" : "Coarsen all sizes",
     change: ({ project }) => {
       for (const node of project.background.nodes) node.size *= factor;
+      for (const source of project.background.sources ?? []) source.size *= factor;
     },
   };
 }

@@ -1,7 +1,14 @@
-import type { Project, ProjectBackgroundNode, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+import type {
+  Project,
+  ProjectBackgroundNode,
+  ProjectLine,
+  ProjectPatch,
+  ProjectPoint,
+  ProjectSource,
+} from "tetrafront";
 
 /** What the user draws, and what tree, view and inspector can select. */
-export type DrawnKind = "point" | "line" | "patch" | "background-node";
+export type DrawnKind = "point" | "line" | "patch" | "background-node" | "source";
 
 /** One drawn entity, by its id in the project file. */
 export interface Entity {
@@ -10,7 +17,7 @@ export interface Entity {
 }
 
 /** In the order in which the tree lists them. */
-export const drawnKinds: readonly DrawnKind[] = ["point", "line", "patch", "background-node"];
+export const drawnKinds: readonly DrawnKind[] = ["point", "line", "patch", "background-node", "source"];
 
 /** A string that identifies the entity in sets, maps and test ids, e.g. "point-12". */
 export function entityKey(entity: Entity): string {
@@ -26,7 +33,10 @@ interface RecordOfKind {
   line: ProjectLine;
   patch: ProjectPatch;
   "background-node": ProjectBackgroundNode;
+  source: ProjectSource;
 }
+
+const noSources: readonly ProjectSource[] = [];
 
 /** The project's records of one kind, in file order. */
 export function recordsOf<K extends DrawnKind>(project: Project, kind: K): readonly RecordOfKind[K][] {
@@ -35,6 +45,7 @@ export function recordsOf<K extends DrawnKind>(project: Project, kind: K): reado
     line: project.lines,
     patch: project.patches,
     "background-node": project.background.nodes,
+    source: project.background.sources ?? noSources,
   };
   return lists[kind];
 }
@@ -72,6 +83,7 @@ export function dependentsOf(project: Project, entity: Entity): Entity[] {
         .map(({ id }) => ({ kind: "patch", id }));
     case "patch":
     case "background-node":
+    case "source":
       return [];
   }
 }

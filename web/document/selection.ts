@@ -3,7 +3,7 @@ import { entityKey, sameEntity, type Entity } from "./entities";
 
 /** Everything about looking that is never undone: selection, visibility, cut, shading. */
 
-export type Layer = "points" | "lines" | "patches" | "background" | "mesh";
+export type Layer = "points" | "lines" | "patches" | "background" | "sources" | "mesh";
 export type CutAxis = "x" | "y" | "z";
 export type Shading = "radius-ratio" | "dihedral" | "plain";
 
@@ -27,6 +27,8 @@ export interface ViewState {
   readonly cut: Cut;
   readonly shading: Shading;
   readonly edges: boolean;
+  /** Every click toggles, as if Ctrl were held: for fingers, and for whoever likes it. */
+  readonly several: boolean;
 }
 
 const initialView: ViewState = {
@@ -34,10 +36,11 @@ const initialView: ViewState = {
   hover: null,
   element: null,
   hidden: new Set(),
-  layers: { points: true, lines: true, patches: true, background: false, mesh: true },
+  layers: { points: true, lines: true, patches: true, background: false, sources: false, mesh: true },
   cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
   shading: "radius-ratio",
   edges: true,
+  several: false,
 };
 
 export type SelectMode = "replace" | "add" | "toggle";
@@ -46,10 +49,11 @@ export class ViewStore {
   readonly state: StoreApi<ViewState> = createStore<ViewState>(() => initialView);
 
   /** Selects an entity; null with `replace` clears the selection. */
-  select(entity: Entity | null, mode: SelectMode = "replace"): void {
-    const { selection } = this.state.getState();
+  select(entity: Entity | null, wanted: SelectMode = "replace"): void {
+    const { selection, several } = this.state.getState();
+    const mode = wanted === "replace" && several && entity !== null ? "toggle" : wanted;
     if (entity === null) {
-      if (mode === "replace") this.state.setState({ selection: [], element: null });
+      if (mode === "replace" && !several) this.clear();
       return;
     }
     const others = selection.filter((selected) => !sameEntity(selected, entity));
@@ -57,6 +61,22 @@ export class ViewStore {
     if (mode === "replace") this.state.setState({ selection: [entity], element: null });
     else if (mode === "toggle" && wasSelected) this.state.setState({ selection: others });
     else this.state.setState({ selection: [...others, entity], element: null });
+  }
+
+  clear(): void {
+    this.state.setState({ selection: [], element: null });
+  }
+
+  /** Selects these and nothing else. */
+  selectAll(entities: readonly Entity[]): void {
+    this.state.setState({ selection: entities, element: null });
+    for (const { kind } of entities) this.reveal(kind);
+  }
+
+  /** Switches on the layer of what is off by default. */
+  reveal(kind: Entity["kind"]): void {
+    if (kind === "background-node") this.setLayer("background", true);
+    if (kind === "source") this.setLayer("sources", true);
   }
 
   selectElement(element: number | null): void {
@@ -68,6 +88,7 @@ export class ViewStore {
   }
 
   setLayer(layer: Layer, visible: boolean): void {
+    if (this.state.getState().layers[layer] === visible) return;
     this.state.setState(({ layers }) => ({ layers: { ...layers, [layer]: visible } }));
   }
 
@@ -104,6 +125,12 @@ export class ViewStore {
 
   /** Forgets what belonged to another project. */
   reset(): void {
-    this.state.setState({ selection: [], hover: null, element: null, hidden: new Set() });
+    this.state.setState({
+      selection: [],
+      hover: null,
+      element: null,
+      hidden: new Set(),
+      several: false,
+    });
   }
 }

@@ -1,5 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 
+export type DialogName = "help" | "new-point" | "new-node";
+
 /** Which tabs, drawers and dialogs are open; never undone, not kept over a reload. */
 export interface ShellState {
   readonly leftTab: "model" | "examples";
@@ -7,7 +9,7 @@ export interface ShellState {
   readonly bottomTab: "log" | "problems";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
-  readonly helpOpen: boolean;
+  readonly dialog: DialogName | null;
   /** Something the user must know and nothing else on the screen says. */
   readonly message: { readonly title: string; readonly lines: readonly string[] } | null;
 }
@@ -20,7 +22,7 @@ export function createShell(): Shell {
     rightTab: "inspector",
     bottomTab: "log",
     drawer: null,
-    helpOpen: false,
+    dialog: null,
     message: null,
   }));
 }

@@ -1,5 +1,5 @@
 import type { Diagnostic, EntityRef, Project } from "tetrafront";
-import { entityKey, recordsOf, type DrawnKind, type Entity } from "./entities";
+import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "./entities";
 
 /** Something wrong with the project or its mesh, tied to what the user can select. */
 export interface Problem {
@@ -14,13 +14,18 @@ export interface Problem {
 }
 
 function isDrawn(kind: EntityRef["kind"]): kind is DrawnKind {
-  return kind === "point" || kind === "line" || kind === "patch" || kind === "background-node";
+  return (drawnKinds as readonly string[]).includes(kind);
 }
 
-function toEntity(project: Project, ref: EntityRef): Entity | null {
-  if (!isDrawn(ref.kind)) return null;
-  const id = ref.id ?? recordsOf(project, ref.kind)[ref.index]?.id;
-  return id === undefined ? null : { kind: ref.kind, id };
+/** What can be selected to show the subject of a diagnostic; of a background tetrahedron, its nodes. */
+function toEntities(project: Project, { kind, index, id }: EntityRef): Entity[] {
+  if (kind === "background-tetrahedron") {
+    const nodes = project.background.tetrahedra[index] ?? [];
+    return nodes.map((node) => ({ kind: "background-node", id: node }));
+  }
+  if (!isDrawn(kind)) return [];
+  const found = id ?? recordsOf(project, kind)[index]?.id;
+  return found === undefined ? [] : [{ kind, id: found }];
 }
 
 /**
@@ -38,7 +43,7 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
       code,
       message,
       remedy,
-      entities: entities.map((ref) => toEntity(project, ref)).filter((entity) => entity !== null),
+      entities: entities.flatMap((ref) => toEntities(project, ref)),
       place: place ?? null,
     });
   }

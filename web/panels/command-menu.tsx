@@ -1,11 +1,12 @@
 import { Kbd, Menu, Menubar } from "@mantine/core";
 import { Fragment } from "react";
 import { useStore } from "zustand";
-import { commands, keyNames, runCommand, type Command, type MenuName } from "../commands";
+import type { Command, MenuName } from "../command";
+import { commands, keyNames, runCommand } from "../commands";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 
-const menuNames: readonly MenuName[] = ["file", "edit", "view", "mesh", "help"];
+const menuNames: readonly MenuName[] = ["file", "edit", "create", "view", "mesh", "help"];
 
 /** The menus of the header, written from the registry. */
 export function CommandMenubar() {

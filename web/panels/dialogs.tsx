@@ -59,14 +59,14 @@ export function CommandPalette() {
 /** Keys and mouse, from the same registry as everything else. */
 export function HelpDialog() {
   const app = useApp();
-  const opened = useShell((state) => state.helpOpen);
+  const opened = useShell((state) => state.dialog === "help");
   const keyed = commands.filter(({ keys }) => keys.length > 0);
   return (
     <FramedDialog
       opened={opened}
       size="lg"
       title={strings.help.title}
-      onClose={() => app.shell.setState({ helpOpen: false })}
+      onClose={() => app.shell.setState({ dialog: null })}
     >
       <div className="tf-help">
         <dl>

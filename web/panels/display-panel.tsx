@@ -5,7 +5,7 @@ import { FieldRow, SectionTitle } from "../ui/field-row";
 import { measureNames, strings } from "../ui/strings";
 import { useApp, useView } from "./app-context";
 
-const layers: readonly Layer[] = ["points", "lines", "patches", "background", "mesh"];
+const layers: readonly Layer[] = ["points", "lines", "patches", "background", "sources", "mesh"];
 const shadings: readonly { value: Shading; label: string }[] = [
   { value: "radius-ratio", label: measureNames["radius-ratio"] },
   { value: "dihedral", label: strings.display.dihedral },

@@ -1,24 +1,24 @@
-import { Select } from "@mantine/core";
-import type { Project, ProjectBackgroundNode, ProjectLine, ProjectPatch, ProjectPoint } from "tetrafront";
+import { Select, Text } from "@mantine/core";
+import type { Project, ProjectBackgroundNode, ProjectLine, ProjectPoint, ProjectSource } from "tetrafront";
 import {
   moveEntity,
+  moveSource,
   setLinePoints,
   setLineType,
   setNodeDirection,
   setNodeSize,
   setNodeStretching,
-  setPatchLoops,
-  setPatchType,
+  setSourceField,
 } from "../document/edits";
 import { FieldRow } from "../ui/field-row";
 import { ListField } from "../ui/list-field";
 import { NumberField } from "../ui/number-field";
 import { PlaceFields } from "../ui/place-fields";
-import { lineTypeNames, patchTypeNames, strings } from "../ui/strings";
+import { lineTypeNames, strings } from "../ui/strings";
 import { useApp } from "./app-context";
 
 /** A round step for coordinates: about a fiftieth of the size wanted here, at least of the model's. */
-function stepFor(project: Project): number {
+export function stepFor(project: Project): number {
   const sizes = project.background.nodes.map(({ size }) => size).filter((size) => size > 0);
   const smallest = sizes.length > 0 ? Math.min(...sizes) : 1;
   return 10 ** Math.round(Math.log10(smallest / 10));
@@ -44,8 +44,6 @@ const optionsOf = (names: Readonly<Record<string, string>>) =>
   Object.entries(names).map(([value, label]) => ({ value, label }));
 
 const lineTypes = optionsOf(lineTypeNames);
-/** Those that the engine meshes; a project may hold others, which then appear too. */
-const patchTypes = optionsOf({ planar: patchTypeNames.planar, coons: patchTypeNames.coons });
 
 export function LineEditor({ line, project }: { readonly line: ProjectLine; readonly project: Project }) {
   const app = useApp();
@@ -84,54 +82,15 @@ export function LineEditor({ line, project }: { readonly line: ProjectLine; read
   );
 }
 
-export function PatchEditor({ patch, project }: { readonly patch: ProjectPatch; readonly project: Project }) {
-  const app = useApp();
-  const known = new Set(project.lines.map(({ id }) => id));
-  const refuse = (steps: readonly number[]): string | null => {
-    if (steps.length < 1) return strings.fields.oneLine;
-    const unknown = steps.find((step) => !known.has(Math.abs(step)));
-    return unknown === undefined ? null : strings.fields.unknownLine(String(Math.abs(unknown)));
-  };
-  const types = patchTypes.some(({ value }) => value === patch.type)
-    ? patchTypes
-    : [...patchTypes, { value: patch.type, label: patchTypeNames[patch.type] }];
-  return (
-    <>
-      <FieldRow label={strings.inspector.type}>
-        <Select
-          size="xs"
-          aria-label={strings.inspector.type}
-          data-testid="patch-kind"
-          allowDeselect={false}
-          data={types}
-          value={patch.type}
-          onChange={(value) => {
-            if (value !== null) app.documents.edit(setPatchType(patch.id, value as ProjectPatch["type"]));
-          }}
-        />
-      </FieldRow>
-      {patch.loops.map((loop, index) => {
-        const label = index === 0 ? strings.inspector.outerLoop : strings.inspector.hole(index);
-        return (
-          <FieldRow key={`${patch.id}-${index}`} label={label}>
-            <ListField
-              label={`${label}. ${strings.inspector.loopHint}`}
-              values={loop}
-              refuse={refuse}
-              testId={`patch-loop-${index}`}
-              onCommit={(steps) =>
-                app.documents.edit(setPatchLoops(patch.id, patch.loops.with(index, steps)))
-              }
-            />
-          </FieldRow>
-        );
-      })}
-    </>
-  );
-}
-
-const aboveZero = (value: number): string | null => (value > 0 ? null : strings.fields.aboveZero);
+export const aboveZero = (value: number): string | null => (value > 0 ? null : strings.fields.aboveZero);
+const notNegative = (value: number): string | null => (value >= 0 ? null : strings.fields.notNegative);
 const atLeastOne = (value: number): string | null => (value >= 1 ? null : strings.fields.atLeastOne);
+
+/** A round step for a size: between a fiftieth and a fifth of it. */
+const sizeStep = (size: number): number => (size > 0 ? 10 ** Math.floor(Math.log10(size / 5)) : 0.1);
+
+const unitsOf = ({ units }: Project) =>
+  units === undefined ? {} : { rightSection: <span className="tf-unit">{units}</span> };
 
 interface NodeEditorProps {
   readonly node: ProjectBackgroundNode;
@@ -151,12 +110,10 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           key={node.id}
           label={strings.inspector.size}
           value={node.size}
-          step={10 ** Math.floor(Math.log10(node.size / 5))}
+          step={sizeStep(node.size)}
           refuse={aboveZero}
           testId="bg-size"
-          {...(project.units !== undefined && {
-            rightSection: <span className="tf-unit">{project.units}</span>,
-          })}
+          {...unitsOf(project)}
           onCommit={(value) => app.documents.edit(setNodeSize(node.id, value))}
         />
       </FieldRow>
@@ -195,6 +152,74 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           onCommit={(axis, value) => app.documents.edit(moveEntity("background-node", node.id, axis, value))}
         />
       </FieldRow>
+    </>
+  );
+}
+
+/** Growth of a source that does not say. */
+const defaultGrowth = 0.3;
+
+interface SourceEditorProps {
+  readonly source: ProjectSource;
+  readonly project: Project;
+}
+
+export function SourceEditor({ source, project }: SourceEditorProps) {
+  const app = useApp();
+  const { id, size, distance = 0, growth = defaultGrowth, places } = source;
+  const set = (field: "size" | "distance" | "growth") => (value: number) =>
+    app.documents.edit(setSourceField(id, field, value));
+  return (
+    <>
+      <FieldRow label={strings.inspector.size}>
+        <NumberField
+          key={id}
+          label={strings.inspector.size}
+          value={size}
+          step={sizeStep(size)}
+          refuse={aboveZero}
+          testId="source-size"
+          {...unitsOf(project)}
+          onCommit={set("size")}
+        />
+      </FieldRow>
+      <FieldRow label={strings.inspector.distance}>
+        <NumberField
+          key={id}
+          label={strings.inspector.distance}
+          value={distance}
+          step={sizeStep(size)}
+          refuse={notNegative}
+          testId="source-distance"
+          {...unitsOf(project)}
+          onCommit={set("distance")}
+        />
+      </FieldRow>
+      <FieldRow label={strings.inspector.growth}>
+        <NumberField
+          key={id}
+          label={strings.inspector.growth}
+          value={growth}
+          step={0.05}
+          refuse={notNegative}
+          testId="source-growth"
+          onCommit={set("growth")}
+        />
+      </FieldRow>
+      {places.map((place, index) => (
+        <FieldRow key={`${id}-${index}`} label={strings.inspector.place(index, places.length)}>
+          <PlaceFields
+            label={strings.inspector.place(index, places.length)}
+            place={place}
+            step={stepFor(project)}
+            testId={`place-${index}`}
+            onCommit={(axis, value) => app.documents.edit(moveSource(id, index, axis, value))}
+          />
+        </FieldRow>
+      ))}
+      <Text size="sm" c="dimmed">
+        {strings.inspector.sourceRule}
+      </Text>
     </>
   );
 }

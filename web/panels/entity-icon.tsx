@@ -2,6 +2,7 @@ import {
   IconGridDots,
   IconLine,
   IconPoint,
+  IconTarget,
   IconTriangle,
   IconVectorBezier,
   IconVectorSpline,
@@ -29,5 +30,7 @@ export function EntityIcon({ entity, project }: { readonly entity: Entity; reado
       return <IconTriangle size={size} aria-hidden />;
     case "background-node":
       return <IconGridDots size={size} aria-hidden />;
+    case "source":
+      return <IconTarget size={size} aria-hidden />;
   }
 }

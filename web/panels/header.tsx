@@ -91,7 +91,7 @@ function PhoneMenu() {
         </ActionIcon>
       </Menu.Target>
       <Menu.Dropdown mah="80vh" style={{ overflowY: "auto" }}>
-        {(["file", "edit", "view", "mesh", "help"] as const).map((menu) => (
+        {(["file", "edit", "create", "view", "mesh", "help"] as const).map((menu) => (
           <Menu.Sub key={menu}>
             <Menu.Sub.Target>
               <Menu.Sub.Item>{strings.menus[menu]}</Menu.Sub.Item>

@@ -23,7 +23,8 @@ export function HoverLabel({ hover: { entity, x, y } }: { readonly hover: HoverP
       case "patch":
         return patchTypeNames[findRecord(project, "patch", id)?.type ?? "planar"];
       case "background-node":
-        return `δ ${formatShort(findRecord(project, "background-node", id)?.size ?? 0)}`;
+      case "source":
+        return `δ ${formatShort(findRecord(project, kind, id)?.size ?? 0)}`;
     }
   };
   return (

@@ -1,4 +1,4 @@
-import { Badge, Text, UnstyledButton } from "@mantine/core";
+import { Badge, Text } from "@mantine/core";
 import type { Project } from "tetrafront";
 import { useMemo } from "react";
 import { renameEntity, renameProject } from "../document/edits";
@@ -9,10 +9,13 @@ import { formatAngle } from "../ui/format";
 import { NameField } from "../ui/name-field";
 import { entityWords, measureNames, strings } from "../ui/strings";
 import { useApp, useProblems, useProject, useRun, useView } from "./app-context";
-import { LineEditor, NodeEditor, PatchEditor, PointEditor } from "./entity-editors";
+import { EntityChips } from "./entity-chips";
+import { LineEditor, NodeEditor, PointEditor, SourceEditor } from "./entity-editors";
 import { EntityIcon } from "./entity-icon";
 import { ProblemCard } from "./problem-card";
+import { PatchEditor } from "./patch-editor";
 import { QualityPanel } from "./quality-panel";
+import { MakeOfSelection, SelectionCard } from "./selection-card";
 
 /** What is selected, to be edited; and the mesh's quality. */
 export function Inspector() {
@@ -63,16 +66,6 @@ function ProjectCard() {
   );
 }
 
-function SelectionCard({ selection }: { readonly selection: readonly Entity[] }) {
-  const project = useProject();
-  return (
-    <>
-      <SectionTitle>{strings.inspector.several(selection.length)}</SectionTitle>
-      <EntityChips entities={selection} project={project} />
-    </>
-  );
-}
-
 function EntityCard({ entity }: { readonly entity: Entity }) {
   const app = useApp();
   const project = useProject();
@@ -113,6 +106,7 @@ function EntityCard({ entity }: { readonly entity: Entity }) {
         </FieldRow>
       )}
       <EntityFields entity={entity} project={project} />
+      <MakeOfSelection selection={[entity]} />
       {dependents.length > 0 && (
         <FieldRow label={strings.inspector.usedBy}>
           <EntityChips entities={dependents} project={project} />
@@ -143,32 +137,11 @@ function EntityFields({ entity, project }: { readonly entity: Entity; readonly p
       const node = findRecord(project, "background-node", entity.id);
       return node && <NodeEditor node={node} project={project} />;
     }
+    case "source": {
+      const source = findRecord(project, "source", entity.id);
+      return source && <SourceEditor source={source} project={project} />;
+    }
   }
-}
-
-interface EntityChipsProps {
-  readonly entities: readonly Entity[];
-  readonly project: Project;
-}
-
-/** Entities as small buttons that select them. */
-function EntityChips({ entities, project }: EntityChipsProps) {
-  const app = useApp();
-  return (
-    <div className="tf-chips">
-      {entities.map((entity) => (
-        <UnstyledButton
-          key={entityKey(entity)}
-          className="tf-chip"
-          onClick={() => app.view.select(entity)}
-          onMouseEnter={() => app.view.setHover(entity)}
-          onMouseLeave={() => app.view.setHover(null)}
-        >
-          {entityName(project, entity) ?? `${entityWords[entity.kind].one} ${entity.id}`}
-        </UnstyledButton>
-      ))}
-    </div>
-  );
 }
 
 /** A tetrahedron picked on a cut. */

@@ -5,6 +5,7 @@ import {
   IconChevronRight,
   IconEye,
   IconEyeOff,
+  IconPlus,
   IconSearch,
 } from "@tabler/icons-react";
 import {
@@ -16,6 +17,9 @@ import {
   type KeyboardEvent,
   type MouseEvent,
 } from "react";
+import type { App } from "../app";
+import { commandNamed, runCommand } from "../commands";
+import { lineMakers, makeOrTell, patchMakers } from "../create-commands";
 import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "../document/entities";
 import type { SelectMode } from "../document/selection";
 import { entityWords, strings } from "../ui/strings";
@@ -67,6 +71,15 @@ export function ModelTree() {
     else next.add(kind);
     setClosed(next);
   };
+  // Where a range of rows, selected with Shift, begins.
+  const anchor = useRef<string | null>(null);
+  const selectRange = (row: TreeRow): void => {
+    const from = rows.findIndex((other) => rowKey(other) === anchor.current);
+    const to = rows.indexOf(row);
+    const range = from < 0 ? [row] : rows.slice(Math.min(from, to), Math.max(from, to) + 1);
+    const entities = range.flatMap((other) => (other.type === "entity" ? [other.entity] : []));
+    app.view.selectAll(from > to ? entities.reverse() : entities);
+  };
   const focusRow = (index: number): void => {
     const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
     if (!row) return;
@@ -77,17 +90,31 @@ export function ModelTree() {
   const activate = (row: TreeRow, mode: SelectMode): void => {
     setFocusedKey(rowKey(row));
     if (row.type === "group") setOpen(row.kind, !row.open);
+    else if (mode === "add") selectRange(row);
     else {
+      anchor.current = rowKey(row);
       app.view.select(row.entity, mode);
-      if (row.entity.kind === "background-node") app.view.setLayer("background", true);
+      app.view.reveal(row.entity.kind);
     }
   };
+  /** Moves the focus by one row; with Shift the selection goes along. */
+  const stepTo = (index: number, extend: boolean): void => {
+    focusRow(index);
+    const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
+    if (!extend || !row) return;
+    anchor.current ??= rowKey(rows[focused] ?? row);
+    selectRange(row);
+  };
+  const selectKind = (kind: DrawnKind): void =>
+    app.view.selectAll(
+      rows.flatMap((row) => (row.type === "entity" && row.entity.kind === kind ? [row.entity] : [])),
+    );
   const onKeyDown = (event: KeyboardEvent): void => {
     const row = rows[focused];
     if (!row) return;
     const steps: Readonly<Record<string, () => void>> = {
-      ArrowDown: () => focusRow(focused + 1),
-      ArrowUp: () => focusRow(focused - 1),
+      ArrowDown: () => stepTo(focused + 1, event.shiftKey),
+      ArrowUp: () => stepTo(focused - 1, event.shiftKey),
       Home: () => focusRow(0),
       End: () => focusRow(rows.length - 1),
       ArrowRight: () => (row.type === "group" && !row.open ? setOpen(row.kind, true) : focusRow(focused + 1)),
@@ -98,14 +125,19 @@ export function ModelTree() {
       Enter: () => activate(row, modeOf(event)),
       " ": () => activate(row, modeOf(event)),
     };
+    if (event.key === "a" && (event.ctrlKey || event.metaKey)) {
+      event.preventDefault();
+      selectKind(row.type === "group" ? row.kind : row.entity.kind);
+      return;
+    }
     const step = steps[event.key];
     if (!step || (event.key === "Enter" && (event.ctrlKey || event.metaKey))) return;
     event.preventDefault();
     step();
   };
 
-  // What is selected in the view comes into sight here.
-  const [selected] = selection;
+  // What is selected in the view comes into sight here: of several things the latest.
+  const selected = selection.at(-1);
   const selectedKey = selected ? entityKey(selected) : null;
   useEffect(() => {
     if (!selected) return;
@@ -206,6 +238,7 @@ function TreeItem({ row, top, focusable, onActivate }: TreeItemProps) {
         <Chevron size={14} aria-hidden />
         <span className="tf-row-title">{entityWords[row.kind].many}</span>
         <span className="tf-row-detail">{formatCount(row.total)}</span>
+        <AddButton kind={row.kind} />
         <GroupEye kind={row.kind} />
       </div>
     );
@@ -270,11 +303,43 @@ function EntityEye({ entity, title }: { readonly entity: Entity; readonly title:
   return <Eye hidden={hidden} what={title} onToggle={() => app.view.setHidden([entity], !hidden)} />;
 }
 
+const addWhat: { readonly [K in DrawnKind]: (app: App) => void } = {
+  point: (app) => app.shell.setState({ dialog: "new-point" }),
+  line: (app) => makeOrTell(app, lineMakers, strings.create.line, strings.create.lineHint),
+  patch: (app) => makeOrTell(app, patchMakers, strings.create.patch, strings.create.patchHint),
+  "background-node": (app) => app.shell.setState({ dialog: "new-node" }),
+  source: (app) => runCommand(app, commandNamed("source-point")),
+};
+
+function AddButton({ kind }: { readonly kind: DrawnKind }) {
+  const app = useApp();
+  const label = strings.tree.add(entityWords[kind].one.toLowerCase());
+  return (
+    <ActionIcon
+      className="tf-eye"
+      size={22}
+      variant="subtle"
+      color="gray"
+      tabIndex={-1}
+      aria-label={label}
+      title={label}
+      data-testid={`add-${kind}`}
+      onClick={(event) => {
+        event.stopPropagation();
+        addWhat[kind](app);
+      }}
+    >
+      <IconPlus size={14} aria-hidden />
+    </ActionIcon>
+  );
+}
+
 const layerOfKind = {
   point: "points",
   line: "lines",
   patch: "patches",
   "background-node": "background",
+  source: "sources",
 } as const;
 
 function GroupEye({ kind }: { readonly kind: DrawnKind }) {

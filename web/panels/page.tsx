@@ -4,6 +4,7 @@ import type { App } from "../app";
 import { strings } from "../ui/strings";
 import { AppContext } from "./app-context";
 import { CommandPalette, HelpDialog, MessageDialog } from "./dialogs";
+import { CreatePlaceDialog } from "./create-dialogs";
 import { PageLayout } from "./layout";
 import { useCommandHotkeys } from "./use-hotkeys";
 
@@ -17,6 +18,8 @@ export function Page({ app }: { readonly app: App }) {
       <PageLayout />
       <CommandPalette />
       <HelpDialog />
+      <CreatePlaceDialog kind="point" />
+      <CreatePlaceDialog kind="background-node" />
       <MessageDialog />
       {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}
     </AppContext>

@@ -1,7 +1,7 @@
 import type { Project } from "tetrafront";
 import { drawnKinds, recordsOf, type DrawnKind, type Entity } from "../document/entities";
 import { formatPlace, formatShort } from "../ui/format";
-import { entityWords, lineTypeNames, patchTypeNames } from "../ui/strings";
+import { entityWords, lineTypeNames, patchTypeNames, sourceTypeNames } from "../ui/strings";
 
 /** One line of the model tree: a heading for a kind, or an entity. */
 export type TreeRow =
@@ -51,6 +51,13 @@ function describeAll(project: Project, kind: DrawnKind) {
         detail: `δ ${formatShort(size)}${stretching && stretching !== 1 ? ` ×${formatShort(stretching)}` : ""}`,
         words: "node",
       }));
+    case "source":
+      return recordsOf(project, kind).map(({ id, name, type, size }) => ({
+        id,
+        name,
+        detail: `δ ${formatShort(size)}`,
+        words: sourceTypeNames[type],
+      }));
   }
 }
 
@@ -60,6 +67,12 @@ export function treeRows(project: Project, filter: string, closed: ReadonlySet<D
   const rows: TreeRow[] = [];
   drawnKinds.forEach((kind, position) => {
     const total = recordsOf(project, kind).length;
+    const open = wanted !== "" || !closed.has(kind);
+    if (!open) {
+      // Nothing of a closed group is looked at: a background grid may have a hundred thousand nodes.
+      rows.push({ type: "group", kind, total, open, position: position + 1 });
+      return;
+    }
     const matching = describeAll(project, kind)
       .map(({ id, name, detail, words }) => ({ id, detail, words, title: titleOf(kind, id, name) }))
       .filter(({ id, detail, words, title }) => {
@@ -67,9 +80,7 @@ export function treeRows(project: Project, filter: string, closed: ReadonlySet<D
         return wanted === "" || text.includes(wanted);
       });
     if (wanted !== "" && matching.length === 0) return;
-    const open = wanted !== "" || !closed.has(kind);
     rows.push({ type: "group", kind, total, open, position: position + 1 });
-    if (!open) return;
     matching.forEach(({ id, title, detail }, index) =>
       rows.push({
         type: "entity",

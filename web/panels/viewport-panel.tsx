@@ -9,6 +9,7 @@ import { Viewer } from "../viewer/viewer";
 import type { App } from "../app";
 import { useApp, useProject, useRun, useStale, useView } from "./app-context";
 import { HoverLabel, type HoverPlace } from "./hover-label";
+import { PatchMarks } from "./patch-marks";
 import { ProblemMarkers } from "./problem-markers";
 import { CutBar, Legend, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "./use-layout";
@@ -106,6 +107,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       <div ref={container} className="tf-canvas-box" data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
         {viewer && <ProblemMarkers viewer={viewer} />}
+        {viewer && <PatchMarks viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
       </div>
       {trouble && <ViewNotice trouble={trouble} />}

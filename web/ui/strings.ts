@@ -7,6 +7,7 @@ export const entityWords: { readonly [K in DrawnKind]: { readonly one: string; r
   line: { one: "Line", many: "Lines" },
   patch: { one: "Patch", many: "Patches" },
   "background-node": { one: "Node", many: "Background grid" },
+  source: { one: "Source", many: "Sources" },
 };
 
 export const lineTypeNames = {
@@ -22,6 +23,17 @@ export const patchTypeNames = {
   serendipity: "serendipity",
   "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson",
 } as const;
+
+/** What each type of patch is spanned by. */
+export const patchTypeHints = {
+  planar: "Any lines that lie in one plane; holes allowed.",
+  coons: "Four lines of any type; opposite lines are blended. Holes allowed.",
+  "isoparametric-triangle": "Three parabolic lines: a curved triangle of six nodes. Holes allowed.",
+  serendipity: "Four parabolic lines: a curved quadrangle of eight nodes. Holes allowed.",
+  "barnhill-gregory-nielson": "Three lines of any type; the second, F2, plays another role. No holes.",
+} as const;
+
+export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;
 
 export const phaseNames = {
   check: "Checking the model",
@@ -39,7 +51,7 @@ export const measureNames = {
 
 export const strings = {
   appName: "Tetrafront",
-  menus: { file: "File", edit: "Edit", view: "View", mesh: "Mesh", help: "Help" },
+  menus: { file: "File", edit: "Edit", create: "Create", view: "View", mesh: "Mesh", help: "Help" },
   header: {
     palette: "Search commands",
     paletteEmpty: "No command of that name",
@@ -59,7 +71,8 @@ export const strings = {
     filter: "Filter (name, type, number)",
     clearFilter: "Clear the filter",
     nothing: "Nothing of that name.",
-    empty: "This project is empty. Open an example or a project file.",
+    empty: "This project is empty. Begin with a point (Create menu), an example or a project file.",
+    add: (what: string) => `Add ${what}`,
     show: (what: string) => `Show ${what}`,
     hide: (what: string) => `Hide ${what}`,
     problems: (count: number) => (count === 1 ? "1 problem" : `${count} problems`),
@@ -73,6 +86,9 @@ export const strings = {
     display: "Display",
     nothingSelected: "Select something in the tree or in the view to edit it.",
     several: (count: number) => `${count} entities selected`,
+    more: (count: number) => `and ${count} more`,
+    makeOf: "Make of the selection",
+    deleteAll: "Delete these",
     name: "Name",
     position: "Position",
     size: "Size",
@@ -86,6 +102,18 @@ export const strings = {
     project: "Project",
     linePointsHint: "Point numbers along the line, separated by commas.",
     loopHint: "Line numbers in walking order; a minus walks backwards.",
+    lines: "Lines",
+    makeSecond: (line: string) => `Make ${line} F2`,
+    makeSecondShort: "make F2",
+    holeHint: "To cut a hole, select the lines around it as well (Ctrl click) and make a hole of them.",
+    secondRole:
+      "Equation (14) blends F2 with other weights than F1 and F3. Another F2 keeps the three lines but changes the surface between them.",
+    backwards: "walked backwards",
+    removeHole: (index: number) => `Remove hole ${index}`,
+    distance: "Distance",
+    growth: "Growth",
+    place: (index: number, of: number) => (of === 1 ? "Place" : `Place ${index + 1}`),
+    sourceRule: "Elements are no larger than the size up to the distance, then grow by this much per unit.",
     valid: "valid",
     element: (index: string) => `Tetrahedron ${index}`,
     elementNodes: "Nodes",
@@ -94,6 +122,7 @@ export const strings = {
     notANumber: "Type a number, such as 0.25 or 1/3",
     aboveZero: "Must be above 0",
     atLeastOne: "Must be at least 1",
+    notNegative: "Must not be below 0",
     unknownPoint: (id: string) => `There is no point ${id}`,
     unknownLine: (id: string) => `There is no line ${id}`,
     twoPoints: "A line needs at least two points",
@@ -123,6 +152,7 @@ export const strings = {
     lines: "Lines",
     patches: "Patches",
     background: "Background grid",
+    sources: "Sources",
     mesh: "Mesh",
     shading: "Shading",
     plain: "Plain",
@@ -133,6 +163,24 @@ export const strings = {
     cutAxis: "Cut across",
     cutPosition: "Position",
     flip: "Other side",
+  },
+  create: {
+    point: "New point",
+    node: "New background node",
+    position: "Position",
+    size: "Size",
+    add: "Add",
+    addNext: "Add and next",
+    added: (what: string) => `Added ${what}.`,
+    nodeHint: "It takes effect as a corner of a tetrahedron: select four nodes and press T.",
+    line: "New line",
+    lineHint: [
+      "Select the points it runs through, in order (Ctrl click adds one), then press L for straight lines, Q for a parabola or S for a cubic spline.",
+    ],
+    patch: "New patch",
+    patchHint: [
+      "Select the lines around it, in any order (Ctrl click adds one), then press A, or choose a type in the Create menu. Several loops make a patch with holes.",
+    ],
   },
   severities: { error: "Error", warning: "Warning" },
   bottom: {
@@ -146,6 +194,7 @@ export const strings = {
   },
   viewport: {
     label: "Three-dimensional view",
+    roles: "Lines of the selected patch by their roles in equation (14)",
     stale: "Out of date",
     staleHint: "The model has changed since this mesh was made.",
     update: "Mesh again",
@@ -200,7 +249,7 @@ export const strings = {
   help: {
     title: "Keyboard and mouse",
     mouse: [
-      ["Click", "select; Shift adds, Ctrl toggles"],
+      ["Click", "select; Shift adds (in the tree: up to here), Ctrl toggles"],
       ["Double click", "fit what is under the pointer"],
       ["Left or right drag", "orbit"],
       ["Middle drag", "pan"],

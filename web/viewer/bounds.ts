@@ -63,6 +63,10 @@ export function entityBounds(entity: Entity, project: Project, preview: ProjectP
       if (record) bounds.add(...record.at);
       break;
     }
+    case "source": {
+      for (const place of findRecord(project, "source", entity.id)?.places ?? []) bounds.add(...place);
+      break;
+    }
     case "line": {
       const position = positionsById(project, "line").get(entity.id);
       if (preview && position !== undefined) {

@@ -1,0 +1,140 @@
+import type { LineType, PatchType, Project, SourceType } from "tetrafront";
+import { create, takeOffer } from "./actions";
+import type { App } from "./app";
+import { define, type Command } from "./command";
+import {
+  addSource,
+  offerHole,
+  offerLine,
+  offerPatch,
+  offerSource,
+  offerTetrahedron,
+  type Offer,
+} from "./document/create";
+import type { Entity } from "./document/entities";
+
+/** What can be made of the selection: a command each, and a button in the inspector. */
+export interface Maker {
+  readonly id: string;
+  readonly label: string;
+  readonly key: string | null;
+  /** The kind of what it is made of; the inspector offers what fits the selection. */
+  readonly from: Entity["kind"];
+  /** Not worth an explanation where it cannot be made. */
+  readonly quiet: boolean;
+  readonly offer: (project: Project, selection: readonly Entity[]) => Offer;
+}
+
+const lineMaker = (type: LineType, label: string, key: string): Maker => ({
+  id: `line-${type}`,
+  label,
+  key,
+  from: "point",
+  quiet: false,
+  offer: (project, selection) => offerLine(project, selection, type),
+});
+
+const patchMaker = (type: PatchType | null, label: string, key: string | null): Maker => ({
+  id: `patch-${type ?? "any"}`,
+  label,
+  key,
+  from: "line",
+  quiet: false,
+  offer: (project, selection) => offerPatch(project, selection, type),
+});
+
+export const lineMakers: readonly Maker[] = [
+  lineMaker("straight", "Straight line through points", "L"),
+  lineMaker("parabolic", "Parabola through points", "Q"),
+  lineMaker("spline", "Cubic spline through points", "S"),
+];
+
+export const patchMakers: readonly Maker[] = [
+  patchMaker(null, "Patch within lines", "A"),
+  patchMaker("planar", "Planar patch", null),
+  patchMaker("coons", "Coons patch", null),
+  patchMaker("isoparametric-triangle", "Isoparametric triangle", null),
+  patchMaker("serendipity", "Serendipity patch", null),
+  patchMaker("barnhill-gregory-nielson", "Barnhill–Gregory–Nielson patch", null),
+];
+
+const holeMaker: Maker = {
+  id: "hole",
+  label: "Hole in the patch",
+  key: "O",
+  from: "patch",
+  quiet: false,
+  offer: offerHole,
+};
+
+const tetrahedronMaker: Maker = {
+  id: "tetrahedron",
+  label: "Background tetrahedron",
+  key: "T",
+  from: "background-node",
+  quiet: false,
+  offer: offerTetrahedron,
+};
+
+export const makers: readonly Maker[] = [...lineMakers, ...patchMakers, holeMaker, tetrahedronMaker];
+
+const commandOf = (maker: Maker, section: number): Command =>
+  define("create", section)(
+    maker.id,
+    maker.label,
+    (app) => make(app, maker),
+    maker.key === null ? {} : { keys: [maker.key] },
+  );
+
+/** Makes it of what is selected, or tells what must be selected first. */
+export function make(app: App, maker: Maker): void {
+  const { selection } = app.view.state.getState();
+  takeOffer(app, maker.label, maker.offer(app.documents.project, selection));
+}
+
+/** Makes the first of several things that the selection allows; else tells how to select for one. */
+export function makeOrTell(
+  app: App,
+  candidates: readonly Maker[],
+  title: string,
+  hint: readonly string[],
+): void {
+  const { selection } = app.view.state.getState();
+  const possible = candidates.find(({ offer }) => offer(app.documents.project, selection).possible);
+  if (possible) make(app, possible);
+  else app.shell.setState({ message: { title, lines: hint } });
+}
+
+const sourceLabels = { point: "Point", segment: "Segment", triangle: "Triangle" } as const;
+
+const sourceMaker = (type: SourceType): Maker => ({
+  id: `source-${type}`,
+  label: `${sourceLabels[type]} source`,
+  key: null,
+  from: "point",
+  quiet: true,
+  offer: (project, selection) => offerSource(project, selection, type),
+});
+
+/** Of selected points; the commands of the same name also work without a selection. */
+export const sourceMakers: readonly Maker[] = [
+  sourceMaker("point"),
+  sourceMaker("segment"),
+  sourceMaker("triangle"),
+];
+
+export const createMenu: readonly Command[] = [
+  define("create", 0)("new-point", "Point…", (app) => app.shell.setState({ dialog: "new-point" }), {
+    keys: ["P"],
+  }),
+  ...lineMakers.map((maker) => commandOf(maker, 1)),
+  ...patchMakers.map((maker) => commandOf(maker, 2)),
+  commandOf(holeMaker, 2),
+  define("create", 3)("new-node", "Background node…", (app) => app.shell.setState({ dialog: "new-node" })),
+  commandOf(tetrahedronMaker, 3),
+  ...(["point", "segment", "triangle"] as const).map((type) =>
+    define("create", 4)(`source-${type}`, `${sourceLabels[type]} source`, (app) =>
+      create(app, addSource(app.documents.project, app.view.state.getState().selection, type)),
+    ),
+  ),
+];

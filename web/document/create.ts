@@ -1,0 +1,243 @@
+import type { LineType, PatchType, Project, SourceType } from "tetrafront";
+import { type Entity, entityName, findRecord, recordsOf, type DrawnKind } from "./entities";
+import { orderLoops } from "./loops";
+import { likelyPatchType, patchMisfit } from "./patch-rules";
+import type { ProjectEdit } from "./store";
+
+/** Something new in the project: the edit that adds it, and what is new. */
+export interface Creation {
+  readonly edit: ProjectEdit;
+  readonly entities: readonly Entity[];
+}
+
+/** What could be made of a selection, or why it cannot. */
+export type Offer =
+  | { readonly possible: true; readonly creation: Creation }
+  | { readonly possible: false; readonly reason: string };
+
+type Place = readonly [number, number, number];
+
+const refuse = (reason: string): Offer => ({ possible: false, reason });
+const offer = (creation: Creation): Offer => ({ possible: true, creation });
+
+/** Ids are never used again while something with a higher one exists. */
+export function nextId(project: Project, kind: DrawnKind): number {
+  return recordsOf(project, kind).reduce((highest, { id }) => Math.max(highest, id), 0) + 1;
+}
+
+export const idsOf = (selection: readonly Entity[], wanted: DrawnKind): number[] =>
+  selection.filter(({ kind }) => kind === wanted).map(({ id }) => id);
+
+export function addPoint(project: Project, at: Place): Creation {
+  const id = nextId(project, "point");
+  return {
+    entities: [{ kind: "point", id }],
+    edit: {
+      label: `Add point ${id}`,
+      change: (draft) => {
+        draft.project.points.push({ id, at: [...at] });
+      },
+    },
+  };
+}
+
+export function addBackgroundNode(project: Project, at: Place, size: number): Creation {
+  const id = nextId(project, "background-node");
+  return {
+    entities: [{ kind: "background-node", id }],
+    edit: {
+      label: `Add background node ${id}`,
+      change: (draft) => {
+        draft.project.background.nodes.push({ id, at: [...at], size });
+      },
+    },
+  };
+}
+
+function addLines(project: Project, type: LineType, chains: readonly (readonly number[])[]): Creation {
+  const first = nextId(project, "line");
+  const lines = chains.map((points, index) => ({ id: first + index, type, points: [...points] }));
+  const label = lines.length === 1 ? `Add line ${first}` : `Add ${lines.length} lines`;
+  return {
+    entities: lines.map(({ id }) => ({ kind: "line", id })),
+    edit: {
+      label,
+      change: ({ project: draft }) => {
+        draft.lines.push(...lines);
+      },
+    },
+  };
+}
+
+/**
+ * Lines through the selected points, in the order in which they were selected: one straight line
+ * from each to the next, one parabola through three, one spline through four and more.
+ */
+export function offerLine(project: Project, selection: readonly Entity[], type: LineType): Offer {
+  const points = idsOf(selection, "point");
+  switch (type) {
+    case "straight":
+      if (points.length < 2) return refuse("Select two points, or more for a chain.");
+      return offer(
+        addLines(
+          project,
+          type,
+          points.slice(1).map((point, i) => [points[i] ?? point, point]),
+        ),
+      );
+    case "parabolic":
+      if (points.length !== 3) return refuse("Select three points: start, middle, end.");
+      return offer(addLines(project, type, [points]));
+    case "spline":
+      if (points.length < 4) return refuse("Select four points or more, in order.");
+      return offer(addLines(project, type, [points]));
+  }
+}
+
+/** A patch of a type, or of the likeliest type, within the selected lines. */
+export function offerPatch(project: Project, selection: readonly Entity[], type: PatchType | null): Offer {
+  const found = orderLoops(project, idsOf(selection, "line"));
+  if (!found.success) return refuse(found.reason);
+  const { loops } = found;
+  const chosen = type ?? likelyPatchType(project, loops);
+  const misfit = patchMisfit(project, chosen, loops);
+  if (misfit !== null) return refuse(misfit);
+  const id = nextId(project, "patch");
+  return offer({
+    entities: [{ kind: "patch", id }],
+    edit: {
+      label: `Add patch ${id}`,
+      change: ({ project: draft }) => {
+        draft.patches.push({ id, type: chosen, loops: loops.map((loop) => [...loop]) });
+      },
+    },
+  });
+}
+
+/** The selected lines as one or more holes of the one selected patch. */
+export function offerHole(project: Project, selection: readonly Entity[]): Offer {
+  const [patchId, ...others] = idsOf(selection, "patch");
+  const patch = patchId === undefined ? undefined : findRecord(project, "patch", patchId);
+  if (!patch || others.length > 0) return refuse("Select one patch and the lines around the hole.");
+  const found = orderLoops(project, idsOf(selection, "line"));
+  if (!found.success) return refuse(found.reason);
+  const loops = [...patch.loops, ...found.loops];
+  const misfit = patchMisfit(project, patch.type, loops);
+  if (misfit !== null) return refuse(misfit);
+  const entity: Entity = { kind: "patch", id: patch.id };
+  return offer({
+    entities: [entity],
+    edit: {
+      label: `Add hole to ${entityName(project, entity) ?? `patch ${patch.id}`}`,
+      change: ({ project: draft }) => {
+        const record = draft.patches.find(({ id }) => id === patch.id);
+        if (record) record.loops = loops.map((loop) => [...loop]);
+      },
+    },
+  });
+}
+
+/** One tetrahedron of the background grid between four selected nodes. */
+export function offerTetrahedron(project: Project, selection: readonly Entity[]): Offer {
+  const nodes = idsOf(selection, "background-node");
+  const [a, b, c, d] = nodes;
+  if (nodes.length !== 4 || a === undefined || b === undefined || c === undefined || d === undefined) {
+    return refuse("Select four nodes of the background grid.");
+  }
+  const same = (other: readonly number[]): boolean => nodes.every((node) => other.includes(node));
+  if (project.background.tetrahedra.some(same)) return refuse("There is such a tetrahedron already.");
+  return offer({
+    entities: nodes.map((id) => ({ kind: "background-node", id })),
+    edit: {
+      label: "Add background tetrahedron",
+      change: ({ project: draft }) => {
+        draft.background.tetrahedra.push([a, b, c, d]);
+      },
+    },
+  });
+}
+
+/** How many corners a source has. */
+const cornersOf: { readonly [T in SourceType]: number } = { point: 1, segment: 2, triangle: 3 };
+/** A new source asks for this share of the smallest size so far, and of the model's extent without any. */
+const sourceShare = 0.5;
+const extentShare = 0.025;
+/** Its size holds this many elements away from it. */
+const elementsAround = 2;
+
+interface Box {
+  readonly centre: Place;
+  readonly extent: number;
+}
+
+function boxOf(project: Project): Box {
+  const places = (project.points.length > 0 ? project.points : project.background.nodes).map(({ at }) => at);
+  if (places.length === 0) return { centre: [0, 0, 0], extent: 1 };
+  const ranges = ([0, 1, 2] as const).map((axis) => {
+    const along = places.map((at) => at[axis]);
+    return [Math.min(...along), Math.max(...along)] as const;
+  });
+  const [x = 0, y = 0, z = 0] = ranges.map(([low, high]) => (low + high) / 2);
+  return { centre: [x, y, z], extent: Math.max(...ranges.map(([low, high]) => high - low)) || 1 };
+}
+
+/** The places selected, in order: of points and background nodes, and of the ends of lines. */
+function selectedPlaces(project: Project, selection: readonly Entity[]): Place[] {
+  return selection.flatMap(({ kind, id }) => {
+    switch (kind) {
+      case "point":
+      case "background-node": {
+        const record = findRecord(project, kind, id);
+        return record ? [record.at] : [];
+      }
+      case "line": {
+        const points = findRecord(project, "line", id)?.points ?? [];
+        return [points.at(0), points.at(-1)].flatMap((end) => {
+          const point = findRecord(project, "point", end ?? 0);
+          return point ? [point.at] : [];
+        });
+      }
+      case "patch":
+      case "source":
+        return [];
+    }
+  });
+}
+
+/** A source at the selected places, or without such, in the middle of the model. */
+export function addSource(project: Project, selection: readonly Entity[], type: SourceType): Creation {
+  const id = nextId(project, "source");
+  const { centre, extent } = boxOf(project);
+  const wanted = cornersOf[type];
+  const selected = selectedPlaces(project, selection);
+  const [x, y, z] = centre;
+  const reach = extent / 10;
+  const corners: readonly Place[] = [
+    type === "point" ? centre : [x - reach, y, z],
+    [x + reach, y, z],
+    [x, y + reach, z],
+  ];
+  const places = selected.length === wanted ? selected : corners.slice(0, wanted);
+  const sizes = recordsOf(project, "background-node").map(({ size }) => size);
+  const smallest = sizes.reduce((least, size) => Math.min(least, size), Infinity);
+  const rough = Number.isFinite(smallest) ? sourceShare * smallest : extentShare * extent;
+  const size = Number(rough.toPrecision(2));
+  const distance = Number((elementsAround * size).toPrecision(2));
+  return {
+    entities: [{ kind: "source", id }],
+    edit: {
+      label: `Add source ${id}`,
+      change: ({ project: draft }) => {
+        draft.background.sources ??= [];
+        draft.background.sources.push({ id, type, places: places.map((at) => [...at]), size, distance });
+      },
+    },
+  };
+}
+
+/** A source at the selected places, if there are as many as it has corners. */
+export function offerSource(project: Project, selection: readonly Entity[], type: SourceType): Offer {
+  const wanted = cornersOf[type];
+  if (selectedPlaces(project, selection).length === wanted) return offer(addSource(project, selection, type));
+  return refuse(`Select ${wanted === 1 ? "one place" : `${wanted} places`}.`);
+}

@@ -1,0 +1,74 @@
+import type { Project, ProjectLine } from "tetrafront";
+import { findRecord } from "./entities";
+
+/** Closed chains of lines, the outer one first; a negative id walks that line backwards. */
+export type LoopSearch =
+  | { readonly success: true; readonly loops: readonly (readonly number[])[] }
+  | { readonly success: false; readonly reason: string };
+
+const endsOf = ({ points }: ProjectLine): readonly [number, number] => [points[0] ?? 0, points.at(-1) ?? 0];
+
+/** Half-open chains leave points where another number than two of the lines meet. */
+function findLooseEnd(lines: readonly ProjectLine[]): string | null {
+  const meetings = new Map<number, number>();
+  for (const line of lines) {
+    for (const end of endsOf(line)) meetings.set(end, (meetings.get(end) ?? 0) + 1);
+  }
+  for (const [point, count] of meetings) {
+    if (count === 1) return `The lines do not close: only one of them ends at point ${point}.`;
+    if (count > 2) return `${count} of the lines meet at point ${point}; a loop passes once.`;
+  }
+  return null;
+}
+
+/** Takes one loop out of `left`, beginning with its first line, walked forwards. */
+function walkLoop(left: Map<number, ProjectLine>): number[] {
+  const [first] = left.values();
+  if (!first) return [];
+  const [start, firstEnd] = endsOf(first);
+  const loop = [first.id];
+  left.delete(first.id);
+  for (let at = firstEnd; at !== start;) {
+    const next = [...left.values()].find((line) => endsOf(line).includes(at));
+    if (!next) break;
+    const [from, to] = endsOf(next);
+    left.delete(next.id);
+    loop.push(from === at ? next.id : -next.id);
+    at = from === at ? to : from;
+  }
+  return loop;
+}
+
+/** Squared diagonal of the box around all points of a loop's lines. */
+function extentOf(project: Project, loop: readonly number[]): number {
+  const wanted = new Set(loop.flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []));
+  const places = project.points.filter(({ id }) => wanted.has(id)).map(({ at }) => at);
+  return [0, 1, 2].reduce((sum, axis) => {
+    const along = places.map((at) => at[axis] ?? 0);
+    return sum + (Math.max(...along) - Math.min(...along)) ** 2;
+  }, 0);
+}
+
+/**
+ * Puts lines, given in any order and direction, into closed loops. Each loop begins with the line
+ * given first. The loop that reaches furthest is the outer one. Quadratic in the number of lines.
+ */
+export function orderLoops(project: Project, lineIds: readonly number[]): LoopSearch {
+  const lines = lineIds.map((id) => findRecord(project, "line", id)).filter((line) => line !== undefined);
+  if (lines.length === 0) return { success: false, reason: "Select the lines around the patch." };
+  const reason = findLooseEnd(lines);
+  if (reason !== null) return { success: false, reason };
+  const left = new Map(lines.map((line) => [line.id, line]));
+  const loops: number[][] = [];
+  while (left.size > 0) loops.push(walkLoop(left));
+  const extents = loops.map((loop) => extentOf(project, loop));
+  const outer = extents.indexOf(Math.max(...extents));
+  const [first] = loops.splice(outer, 1);
+  return { success: true, loops: first ? [first, ...loops] : loops };
+}
+
+/** The loop turned so that the line at a position comes second: F2 of equation (14). */
+export function turnToSecond(loop: readonly number[], position: number): number[] {
+  const first = (position + loop.length - 1) % loop.length;
+  return [...loop.slice(first), ...loop.slice(0, first)];
+}

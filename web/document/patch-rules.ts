@@ -1,0 +1,84 @@
+import type { LineType, PatchType, Project } from "tetrafront";
+import { entityName, findRecord } from "./entities";
+
+/** What the outer loop of a patch type must be made of (Löhner & Parikh 1988, equations 11–15). */
+export interface PatchRule {
+  /** Number of lines in the outer loop; null: any. */
+  readonly lines: number | null;
+  /** The only type of line accepted; null: any. */
+  readonly lineType: LineType | null;
+  readonly holes: boolean;
+}
+
+export const patchRules: { readonly [P in PatchType]: PatchRule } = {
+  planar: { lines: null, lineType: null, holes: true },
+  "isoparametric-triangle": { lines: 3, lineType: "parabolic", holes: true },
+  serendipity: { lines: 4, lineType: "parabolic", holes: true },
+  "barnhill-gregory-nielson": { lines: 3, lineType: null, holes: false },
+  coons: { lines: 4, lineType: null, holes: true },
+};
+
+/** In the order in which the app offers them. */
+export const patchTypes = Object.keys(patchRules) as PatchType[];
+
+const countWords: Readonly<Record<number, string>> = { 3: "three", 4: "four" };
+
+/** Why loops cannot span a patch of a type, in one sentence; null if nothing speaks against it. */
+export function patchMisfit(
+  project: Project,
+  type: PatchType,
+  loops: readonly (readonly number[])[],
+): string | null {
+  const rule = patchRules[type];
+  const outer = loops[0] ?? [];
+  if (rule.lines !== null && outer.length !== rule.lines) {
+    const have = outer.length === 1 ? "is 1 line" : `are ${outer.length} lines`;
+    return `Takes ${countWords[rule.lines] ?? rule.lines} lines; here ${have}.`;
+  }
+  if (loops.length > 1 && !rule.holes) return "Takes no holes.";
+  const wrong = outer
+    .map((step) => findRecord(project, "line", Math.abs(step)))
+    .find((line) => rule.lineType !== null && line !== undefined && line.type !== rule.lineType);
+  if (!wrong) return null;
+  const name = entityName(project, { kind: "line", id: wrong.id }) ?? `line ${wrong.id}`;
+  return `Takes parabolic lines only; ${name} is not one.`;
+}
+
+type Vector = readonly [number, number, number];
+
+const subtract = (a: Vector, b: Vector): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const cross = (a: Vector, b: Vector): Vector => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+/** Points this much of their extent off a plane, and no more, count as lying in it. */
+const planarity = 1e-9;
+
+/** Do all points of the loops' lines lie in one plane? A guess for the type; the engine judges. */
+export function liesInPlane(project: Project, loops: readonly (readonly number[])[]): boolean {
+  const ids = new Set(
+    loops.flat().flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []),
+  );
+  const places = project.points.filter(({ id }) => ids.has(id)).map(({ at }) => at);
+  const [origin] = places;
+  if (!origin) return false;
+  const arms = places.map((at) => subtract(at, origin));
+  const longest = arms.reduce((best, arm) => (dot(arm, arm) > dot(best, best) ? arm : best));
+  const normal = arms
+    .map((arm) => cross(longest, arm))
+    .reduce((best, next) => (dot(next, next) > dot(best, best) ? next : best));
+  const reach = Math.sqrt(dot(longest, longest) * dot(normal, normal));
+  return arms.every((arm) => Math.abs(dot(arm, normal)) <= planarity * reach);
+}
+
+/** The type a user most likely wants for these loops. */
+export function likelyPatchType(project: Project, loops: readonly (readonly number[])[]): PatchType {
+  if (liesInPlane(project, loops)) return "planar";
+  const fitting = (["isoparametric-triangle", "barnhill-gregory-nielson", "coons"] as const).find(
+    (type) => patchMisfit(project, type, loops) === null,
+  );
+  return fitting ?? "planar";
+}

@@ -1,0 +1,112 @@
+import { Button, Group, Text } from "@mantine/core";
+import { useEffect, useRef, useState } from "react";
+import { create } from "../actions";
+import { addBackgroundNode, addPoint } from "../document/create";
+import { recordsOf } from "../document/entities";
+import { FieldRow } from "../ui/field-row";
+import { FramedDialog } from "../ui/framed-dialog";
+import { NumberField } from "../ui/number-field";
+import { PlaceFields } from "../ui/place-fields";
+import { entityWords, strings } from "../ui/strings";
+import { useApp, useProject, useShell } from "./app-context";
+import { aboveZero, stepFor } from "./entity-editors";
+
+type PlaceKind = "point" | "background-node";
+type Place = readonly [number, number, number];
+
+const dialogOf = { point: "new-point", "background-node": "new-node" } as const;
+
+/** Asks where a new point or background node shall be. */
+export function CreatePlaceDialog({ kind }: { readonly kind: PlaceKind }) {
+  const app = useApp();
+  const opened = useShell((state) => state.dialog === dialogOf[kind]);
+  return (
+    <FramedDialog
+      opened={opened}
+      title={kind === "point" ? strings.create.point : strings.create.node}
+      onClose={() => app.shell.setState({ dialog: null })}
+    >
+      <PlaceForm kind={kind} />
+    </FramedDialog>
+  );
+}
+
+/** The coordinates stay for the next one: points often share some. */
+function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
+  const app = useApp();
+  const project = useProject();
+  const last = recordsOf(project, kind).at(-1);
+  const [place, setPlace] = useState<Place>(() => last?.at ?? [0, 0, 0]);
+  const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
+  const [added, setAdded] = useState<string | null>(null);
+  const form = useRef<HTMLFormElement>(null);
+  const toFirstField = (): void => form.current?.querySelector("input")?.focus();
+  useEffect(toFirstField, []);
+  const add = (): void => {
+    const present = app.documents.project;
+    const creation = kind === "point" ? addPoint(present, place) : addBackgroundNode(present, place, size);
+    create(app, creation);
+    const [entity] = creation.entities;
+    setAdded(entity ? `${entityWords[kind].one.toLowerCase()} ${entity.id}` : null);
+  };
+  return (
+    <form ref={form} onSubmit={(event) => event.preventDefault()}>
+      <FieldRow label={strings.create.position}>
+        <PlaceFields
+          label={strings.create.position}
+          place={place}
+          step={stepFor(project)}
+          testId="new"
+          onCommit={(axis, value) => setPlace(([x, y, z]) => placeWith([x, y, z], axis, value))}
+        />
+      </FieldRow>
+      {kind === "background-node" && (
+        <>
+          <FieldRow label={strings.create.size}>
+            <NumberField
+              label={strings.create.size}
+              value={size}
+              step={0.01}
+              refuse={aboveZero}
+              testId="new-size"
+              onCommit={setSize}
+            />
+          </FieldRow>
+          <Text size="xs" c="dimmed">
+            {strings.create.nodeHint}
+          </Text>
+        </>
+      )}
+      <Text size="sm" c="dimmed" role="status" mih={20} mt={6}>
+        {added !== null && strings.create.added(added)}
+      </Text>
+      <Group justify="flex-end" gap="xs" mt={8}>
+        <Button
+          size="xs"
+          variant="default"
+          data-testid="add-next"
+          onClick={() => {
+            add();
+            toFirstField();
+          }}
+        >
+          {strings.create.addNext}
+        </Button>
+        <Button
+          size="xs"
+          data-testid="add"
+          onClick={() => {
+            add();
+            app.shell.setState({ dialog: null });
+          }}
+        >
+          {strings.create.add}
+        </Button>
+      </Group>
+    </form>
+  );
+}
+
+function placeWith([x, y, z]: Place, axis: 0 | 1 | 2, value: number): Place {
+  return [axis === 0 ? value : x, axis === 1 ? value : y, axis === 2 ? value : z];
+}
