@@ -1,6 +1,6 @@
-import { createMesher, type Project } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { Autosave } from "./document/autosave";
+import { Autosave, type Kept } from "./document/autosave";
 import { emptyProject } from "./document/edits";
 import { loadGallery, loadModel, type Gallery } from "./document/gallery";
 import { PreviewFeed } from "./document/preview";
@@ -15,6 +15,7 @@ import type { Viewer } from "./viewer/viewer";
 /** Everything the panels and commands work with. Made once, when the page has loaded. */
 export interface App {
   readonly documents: DocumentStore;
+  readonly mesher: Promise<Mesher>;
   readonly view: ViewStore;
   readonly run: MeshRun;
   readonly previews: PreviewFeed;
@@ -30,19 +31,14 @@ export interface App {
   readonly still: boolean;
 }
 
-interface Start {
-  readonly project: Project;
-  readonly savedKey: string;
-}
-
 const noGallery: Gallery = { opening: "", models: [] };
 
-async function firstProject(autosave: Autosave, gallery: Gallery): Promise<Start> {
+async function firstProject(autosave: Autosave, gallery: Gallery): Promise<Kept> {
   const kept = await autosave.load();
   if (kept) return kept;
   const opening = gallery.models.find(({ id }) => id === gallery.opening);
   const project = opening ? await loadModel(opening) : emptyProject("Untitled");
-  return { project, savedKey: contentKey(project) };
+  return { project, savedKey: contentKey(project), uniformSize: null };
 }
 
 /** Loads what was last worked on, or the opening model, and wires the rooms together. */
@@ -63,7 +59,7 @@ export async function createApp(still: boolean): Promise<App> {
     fail(error);
     return null;
   });
-  if (start) documents.restore(start.project, start.savedKey);
+  if (start) documents.restore(start.project, start.savedKey, start.uniformSize);
   autosave.follow();
   const run = new MeshRun(documents, mesher);
   const previews = new PreviewFeed(documents, mesher);
@@ -77,6 +73,7 @@ export async function createApp(still: boolean): Promise<App> {
   });
   return {
     documents,
+    mesher,
     view,
     run,
     previews,

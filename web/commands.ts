@@ -1,4 +1,5 @@
 import type { App } from "./app";
+import { takeMeshAsGrid, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
 import { createMenu } from "./create-commands";
 import { deleteSelection, downloadMesh, downloadReport, openFromDialog, save } from "./actions";
@@ -183,7 +184,15 @@ const meshMenu: readonly Command[] = [
   define("mesh", 1)("coarsen", "Make all sizes coarser (× 1.25)", (app) =>
     app.documents.edit(scaleSizes(coarser)),
   ),
-  define("mesh", 2)("problems", "Show problems", (app) =>
+  define("mesh", 2)("cover", "Make covering grid…", (app) => app.shell.setState({ dialog: "cover" })),
+  define("mesh", 2)("mesh-as-grid", "Use this mesh as background grid", (app) => void takeMeshAsGrid(app), {
+    enabled: (app) => (app.run.state.getState().mesh?.report.tetrahedra ?? 0) > 0,
+  }),
+  define("mesh", 2)("propose", "Propose sizes…", (app) => app.shell.setState({ dialog: "propose" })),
+  define("mesh", 2)("uniform-size", "Uniform size", toggleUniformSize, {
+    checked: (app) => app.documents.content.uniformSize !== null,
+  }),
+  define("mesh", 3)("problems", "Show problems", (app) =>
     app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),
   ),
 ];

@@ -4,10 +4,19 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import type { DocumentStore } from "./store";
 
 interface Saved {
-  readonly project: Project;
+  /** The project's JSON; earlier versions kept the project itself, which took its time. */
+  readonly text?: string;
+  readonly project?: Project;
   readonly savedKey: string;
+  readonly uniformSize?: number | null;
   /** Milliseconds since 1970. */
   readonly at: number;
+}
+
+export interface Kept {
+  readonly project: Project;
+  readonly savedKey: string;
+  readonly uniformSize: number | null;
 }
 
 interface AutosaveSchema extends DBSchema {
@@ -42,13 +51,14 @@ export class Autosave {
   }
 
   /** The newest state kept, or null; a state that no longer reads is passed over. */
-  async load(): Promise<{ project: Project; savedKey: string } | null> {
+  async load(): Promise<Kept | null> {
     const database = await this.#database;
     if (!database) return null;
     const versions = await database.getAll("versions");
     for (const version of versions.reverse()) {
-      const read = parseProject(version.project);
-      if (read.success) return { project: read.value, savedKey: version.savedKey };
+      const { text, project, savedKey, uniformSize = null } = version;
+      const read = parseProject(text === undefined ? project : JSON.parse(text));
+      if (read.success) return { project: read.value, savedKey, uniformSize };
     }
     return null;
   }
@@ -74,11 +84,12 @@ export class Autosave {
     const database = await this.#database;
     if (!database) return;
     const state = this.#documents.state.getState();
-    const { project } = state.history.present;
+    const { project, uniformSize } = state.history.present;
     const { savedKey } = state;
+    const text = JSON.stringify(project);
     try {
       const transaction = database.transaction("versions", "readwrite");
-      await transaction.store.add({ project, savedKey, at: Date.now() });
+      await transaction.store.add({ text, savedKey, uniformSize, at: Date.now() });
       const keys = await transaction.store.getAllKeys();
       await Promise.all(keys.slice(0, -ringLength).map((key) => transaction.store.delete(key)));
       await transaction.done;

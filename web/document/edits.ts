@@ -186,6 +186,17 @@ export function moveSource(id: number, place: number, axis: Axis, value: number)
   };
 }
 
+/** One element size everywhere, or null for that of the background grid. */
+export function setUniformSize(size: number | null): ProjectEdit {
+  return {
+    label: size === null ? "Take sizes from the background grid" : "Set uniform size",
+    ...(size !== null && { mergeKey: "uniform-size" }),
+    change: (draft) => {
+      draft.uniformSize = size;
+    },
+  };
+}
+
 /** Another background grid; what is asked of the sources is in it. */
 export function replaceBackground(label: string, background: ProjectBackground): ProjectEdit {
   return {

@@ -1,4 +1,5 @@
-import { apply, create, type Draft, type Patches } from "mutative";
+import { create, type Draft, type Patches } from "mutative";
+import { applyPatches } from "./patches";
 
 /** A named change of a state: what undo lists and what the change does to a draft. */
 export interface Edit<State> {
@@ -65,7 +66,7 @@ export function undo<State extends object>(history: History<State>): History<Sta
   const entry = history.past.at(-1);
   if (entry === undefined) return history;
   return {
-    present: apply<State>(history.present, entry.backward),
+    present: applyPatches(history.present, entry.backward),
     past: history.past.slice(0, -1),
     future: [entry, ...history.future],
   };
@@ -76,7 +77,7 @@ export function redo<State extends object>(history: History<State>): History<Sta
   const [entry, ...rest] = history.future;
   if (entry === undefined) return history;
   return {
-    present: apply<State>(history.present, entry.forward),
+    present: applyPatches(history.present, entry.forward),
     past: [...history.past, { ...entry, mergeKey: undefined }],
     future: rest,
   };

@@ -1,12 +1,14 @@
 import type { Mesher, Project, ProjectPreview } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { DocumentStore } from "./store";
+import type { DocumentContent, DocumentStore } from "./store";
 
 export interface PreviewState {
   /** The sampled lines and patches of `project`; null until the first answer. */
   readonly preview: ProjectPreview | null;
   /** The project that `preview` belongs to: the latest one answered. */
   readonly project: Project | null;
+  /** The document that `preview` belongs to. */
+  readonly content: DocumentContent | null;
   readonly failure: string | null;
 }
 
@@ -18,16 +20,17 @@ export class PreviewFeed {
   readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => ({
     preview: null,
     project: null,
+    content: null,
     failure: null,
   }));
   readonly #mesher: Promise<Mesher>;
-  #wanted: Project | null = null;
+  #wanted: DocumentContent | null = null;
   #asking = false;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#mesher = mesher;
-    documents.onProject((project) => this.request(project));
-    this.request(documents.project);
+    documents.onProject(() => this.request(documents.content));
+    this.request(documents.content);
   }
 
   /** Is an answer about the document's present state still to come? */
@@ -35,19 +38,20 @@ export class PreviewFeed {
     return this.#asking;
   }
 
-  request(project: Project): void {
-    this.#wanted = project;
+  request(content: DocumentContent): void {
+    this.#wanted = content;
     if (!this.#asking) void this.#ask();
   }
 
   async #ask(): Promise<void> {
     this.#asking = true;
     while (this.#wanted) {
-      const project = this.#wanted;
+      const content = this.#wanted;
+      const { project } = content;
       this.#wanted = null;
       try {
-        const preview = await (await this.#mesher).previewProject(project);
-        this.state.setState({ preview, project, failure: null });
+        const preview = await (await this.#mesher).previewProject(project, previewOptions(content));
+        this.state.setState({ preview, project, content, failure: null });
       } catch (error) {
         this.state.setState({ failure: error instanceof Error ? error.message : String(error) });
       }
@@ -55,3 +59,7 @@ export class PreviewFeed {
     this.#asking = false;
   }
 }
+
+/** With a uniform size nothing is asked of the background grid, and nothing is said about it. */
+const previewOptions = ({ uniformSize }: DocumentContent) =>
+  uniformSize === null ? {} : { size: uniformSize };

@@ -2,7 +2,7 @@ import { createStore, type StoreApi } from "zustand/vanilla";
 import { findOpenLines } from "./open-lines";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
-import { contentKey, type DocumentStore } from "./store";
+import { meshKey, type DocumentStore } from "./store";
 import { problemsByEntity, toProblems, type Problem } from "./validate";
 
 export interface ProblemState {
@@ -19,12 +19,12 @@ export class ProblemList {
 
   constructor(documents: DocumentStore, previews: PreviewFeed, run: MeshRun) {
     const update = (): void => {
-      const { project } = documents;
-      const { preview, project: previewed } = previews.state.getState();
+      const { content, project } = documents;
+      const { preview, content: previewed } = previews.state.getState();
       const { outcome } = run.state.getState();
-      const key = contentKey(project);
+      const key = meshKey(content);
       // While the check of an edit is under way the old findings stay, so that nothing flickers.
-      const current = previewed !== null && contentKey(previewed) === key;
+      const current = previewed !== null && meshKey(previewed) === key;
       if (!current && previewed !== null && previews.busy) return;
       const problems = toProblems(project, [
         ...(current ? (preview?.diagnostics ?? []) : []),

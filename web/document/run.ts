@@ -1,6 +1,6 @@
-import type { Mesher, MeshOptions, MeshResult, Progress, Project } from "tetrafront";
+import type { Mesher, MeshResult, Progress } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { contentKey, type DocumentStore } from "./store";
+import { meshKey, type DocumentContent, type DocumentStore } from "./store";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 
@@ -19,7 +19,7 @@ export interface RunState {
   readonly progress: Progress | null;
   /** The mesh on show, whatever project it belongs to. */
   readonly mesh: MeshResult | null;
-  /** Content key of the project that `mesh` was made from. */
+  /** Key of the document that `mesh` was made from. */
   readonly meshKey: string | null;
   /** The last run's answer: unlike `mesh` it may hold no mesh but only diagnostics. */
   readonly outcome: { readonly key: string; readonly result: MeshResult } | null;
@@ -69,19 +69,21 @@ export class MeshRun {
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
     this.#mesher = mesher;
-    documents.onProject((project) => this.#showCached(contentKey(project)));
+    documents.onProject(() => this.#showCached(meshKey(documents.content)));
   }
 
   /** Meshes the present project; a run under way is left alone. Resolves when the run is over. */
-  generate(options: MeshOptions = {}): Promise<void> {
-    if (!this.#abort) this.#running = this.#mesh(options);
+  generate(): Promise<void> {
+    if (!this.#abort) this.#running = this.#mesh();
     return this.#running;
   }
 
-  async #mesh(options: MeshOptions): Promise<void> {
+  async #mesh(): Promise<void> {
     const abort = new AbortController();
     this.#abort = abort;
-    const { project } = this.#documents;
+    const { content } = this.#documents;
+    const { project, uniformSize } = content;
+    const options = uniformSize === null ? {} : { size: uniformSize };
     this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
     const started = performance.now();
     const log = (level: LogLevel, text: string): void =>
@@ -94,7 +96,7 @@ export class MeshRun {
         signal: abort.signal,
         onProgress: (progress) => this.#report(progress, log),
       });
-      this.#finish(project, result, log);
+      this.#finish(meshKey(content), result, log);
     } catch (error) {
       const failure = error instanceof Error ? error.message : String(error);
       this.state.setState({ failure });
@@ -127,11 +129,16 @@ export class MeshRun {
     this.state.setState({ progress });
   }
 
-  #finish(project: Project, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
-    const key = contentKey(project);
+  #finish(key: string, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
     const { report } = result;
     for (const { severity, message, remedy } of report.diagnostics) {
-      log(severity, `${message} ${remedy}`);
+      log(
+        severity,
+        [message, remedy]
+          .filter((part) => part !== "")
+          .map(sentence)
+          .join(" "),
+      );
     }
     log(report.status === "done" ? "success" : "warning", summary(result));
     this.state.setState({ outcome: { key, result } });
@@ -174,7 +181,10 @@ function summary({ report }: MeshResult): string {
   }
 }
 
-/** Is the mesh on show that of another state of the project? */
-export function isStale(run: RunState, project: Project): boolean {
-  return run.mesh !== null && run.meshKey !== contentKey(project);
+/** With a full stop, unless it ends in some other mark. */
+const sentence = (text: string): string => (/[.!?…]$/.test(text) ? text : `${text}.`);
+
+/** Is the mesh on show that of another state of the document? */
+export function isStale(run: RunState, content: DocumentContent): boolean {
+  return run.mesh !== null && run.meshKey !== meshKey(content);
 }

@@ -1,6 +1,6 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 
-export type DialogName = "help" | "new-point" | "new-node";
+export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose";
 
 /** Which tabs, drawers and dialogs are open; never undone, not kept over a reload. */
 export interface ShellState {

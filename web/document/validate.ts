@@ -62,3 +62,22 @@ export function problemsByEntity(problems: readonly Problem[]): ReadonlyMap<stri
   }
   return byEntity;
 }
+
+export interface ProblemGroup {
+  readonly code: string;
+  readonly severity: Problem["severity"];
+  readonly problems: readonly Problem[];
+}
+
+/** Problems of one code together, in the order in which the codes come. */
+export function groupProblems(problems: readonly Problem[]): readonly ProblemGroup[] {
+  const groups = new Map<string, Problem[]>();
+  for (const problem of problems) {
+    const key = `${problem.severity} ${problem.code}`;
+    groups.set(key, [...(groups.get(key) ?? []), problem]);
+  }
+  return [...groups.values()].flatMap((members) => {
+    const [first] = members;
+    return first ? [{ code: first.code, severity: first.severity, problems: members }] : [];
+  });
+}

@@ -1,5 +1,6 @@
 import { Badge, Tabs, Text } from "@mantine/core";
-import { useEffect, useRef } from "react";
+import { useEffect, useMemo, useRef } from "react";
+import { groupProblems } from "../document/validate";
 import { strings } from "../ui/strings";
 import { useApp, useProblems, useRun, useShell } from "./app-context";
 import { ProblemCard } from "./problem-card";
@@ -67,8 +68,14 @@ function LogList() {
   );
 }
 
+/** More than this of one kind is not read; the rest is counted. */
+const maxPerGroup = 50;
+
+/** All problems at once, those of one kind together. */
 function ProblemPanel() {
   const problems = useProblems((state) => state.problems);
+  const groups = useMemo(() => groupProblems(problems), [problems]);
+  const indices = new Map(problems.map((problem, index) => [problem, index]));
   return (
     <div className="tf-scroll tf-pad" tabIndex={0} role="region" aria-label={strings.bottom.problems}>
       {problems.length === 0 && (
@@ -76,8 +83,21 @@ function ProblemPanel() {
           {strings.bottom.noProblems}
         </Text>
       )}
-      {problems.map((problem, index) => (
-        <ProblemCard key={problem.key} problem={problem} testId={`issue-${index}`} />
+      {groups.map(({ code, severity, problems: members }) => (
+        <section key={`${severity} ${code}`} data-testid={`problems-${code}`}>
+          <h2 className="tf-problem-group" data-severity={severity}>
+            {strings.problemTitle(code)}
+            <span>{strings.bottom.count(members.length, severity)}</span>
+          </h2>
+          {members.slice(0, maxPerGroup).map((problem) => (
+            <ProblemCard key={problem.key} problem={problem} testId={`issue-${indices.get(problem) ?? 0}`} />
+          ))}
+          {members.length > maxPerGroup && (
+            <Text size="sm" c="dimmed">
+              {strings.inspector.more(members.length - maxPerGroup)}
+            </Text>
+          )}
+        </section>
       ))}
     </div>
   );

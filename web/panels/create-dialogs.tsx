@@ -1,5 +1,5 @@
 import { Button, Group, Text } from "@mantine/core";
-import { useEffect, useRef, useState } from "react";
+import { useRef, useState } from "react";
 import { create } from "../actions";
 import { addBackgroundNode, addPoint } from "../document/create";
 import { recordsOf } from "../document/entities";
@@ -41,7 +41,6 @@ function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
   const [added, setAdded] = useState<string | null>(null);
   const form = useRef<HTMLFormElement>(null);
   const toFirstField = (): void => form.current?.querySelector("input")?.focus();
-  useEffect(toFirstField, []);
   const add = (): void => {
     const present = app.documents.project;
     const creation = kind === "point" ? addPoint(present, place) : addBackgroundNode(present, place, size);
@@ -57,6 +56,7 @@ function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
           place={place}
           step={stepFor(project)}
           testId="new"
+          first
           onCommit={(axis, value) => setPlace(([x, y, z]) => placeWith([x, y, z], axis, value))}
         />
       </FieldRow>

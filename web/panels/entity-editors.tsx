@@ -83,13 +83,13 @@ export function LineEditor({ line, project }: { readonly line: ProjectLine; read
 }
 
 export const aboveZero = (value: number): string | null => (value > 0 ? null : strings.fields.aboveZero);
-const notNegative = (value: number): string | null => (value >= 0 ? null : strings.fields.notNegative);
+export const notNegative = (value: number): string | null => (value >= 0 ? null : strings.fields.notNegative);
 const atLeastOne = (value: number): string | null => (value >= 1 ? null : strings.fields.atLeastOne);
 
 /** A round step for a size: between a fiftieth and a fifth of it. */
-const sizeStep = (size: number): number => (size > 0 ? 10 ** Math.floor(Math.log10(size / 5)) : 0.1);
+export const sizeStep = (size: number): number => (size > 0 ? 10 ** Math.floor(Math.log10(size / 5)) : 0.1);
 
-const unitsOf = ({ units }: Project) =>
+export const unitsOf = ({ units }: Project) =>
   units === undefined ? {} : { rightSection: <span className="tf-unit">{units}</span> };
 
 interface NodeEditorProps {

@@ -9,6 +9,7 @@ import { formatAngle } from "../ui/format";
 import { NameField } from "../ui/name-field";
 import { entityWords, measureNames, strings } from "../ui/strings";
 import { useApp, useProblems, useProject, useRun, useView } from "./app-context";
+import { ElementSize } from "./element-size";
 import { EntityChips } from "./entity-chips";
 import { LineEditor, NodeEditor, PointEditor, SourceEditor } from "./entity-editors";
 import { EntityIcon } from "./entity-icon";
@@ -62,6 +63,7 @@ function ProjectCard() {
       <Text size="sm" c="dimmed">
         {strings.inspector.nothingSelected}
       </Text>
+      <ElementSize />
     </>
   );
 }

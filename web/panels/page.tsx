@@ -4,6 +4,7 @@ import type { App } from "../app";
 import { strings } from "../ui/strings";
 import { AppContext } from "./app-context";
 import { CommandPalette, HelpDialog, MessageDialog } from "./dialogs";
+import { CoverDialog, ProposeDialog } from "./background-dialogs";
 import { CreatePlaceDialog } from "./create-dialogs";
 import { PageLayout } from "./layout";
 import { useCommandHotkeys } from "./use-hotkeys";
@@ -20,6 +21,8 @@ export function Page({ app }: { readonly app: App }) {
       <HelpDialog />
       <CreatePlaceDialog kind="point" />
       <CreatePlaceDialog kind="background-node" />
+      <CoverDialog />
+      <ProposeDialog />
       <MessageDialog />
       {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}
     </AppContext>

@@ -52,7 +52,7 @@ function TypeField({ patch, project }: PatchEditorProps) {
         value={patch.type}
         error={misfit}
         renderOption={({ option }) => {
-          const type = option.value as PatchType;
+          const type = option.value;
           const wrong = misfitOf(type);
           return (
             <span className="tf-option" data-misfit={wrong !== null || undefined}>

@@ -1,10 +1,11 @@
-import { Button, Text } from "@mantine/core";
+import { Button, Text, UnstyledButton } from "@mantine/core";
 import { IconAlertTriangle, IconExclamationCircle } from "@tabler/icons-react";
-import { showProblem } from "../actions";
+import { showEntities, showProblem } from "../actions";
 import type { Problem } from "../document/validate";
 import { formatPlace } from "../ui/format";
 import { strings } from "../ui/strings";
-import { useApp } from "./app-context";
+import { useApp, useProject } from "./app-context";
+import { EntityChips } from "./entity-chips";
 
 const icons = {
   error: IconExclamationCircle,
@@ -19,6 +20,7 @@ export interface ProblemCardProps {
 /** What is wrong, what to do, and the way to the place. */
 export function ProblemCard({ problem, testId }: ProblemCardProps) {
   const app = useApp();
+  const project = useProject();
   const Icon = icons[problem.severity];
   const canShow = problem.entities.length > 0 || problem.place !== null;
   return (
@@ -42,13 +44,28 @@ export function ProblemCard({ problem, testId }: ProblemCardProps) {
               {strings.bottom.show}
             </Button>
           )}
-          {problem.place && (
-            <Text size="xs" c="dimmed">
-              {strings.bottom.at(formatPlace(problem.place))}
-            </Text>
-          )}
+          <EntityChips
+            entities={problem.entities}
+            project={project}
+            onChoose={(entity) => showEntities(app, [entity])}
+          />
+          {problem.place && <PlaceButton place={problem.place} />}
+          <code className="tf-code">{problem.code}</code>
         </div>
       </div>
     </div>
+  );
+}
+
+function PlaceButton({ place }: { readonly place: readonly [number, number, number] }) {
+  const app = useApp();
+  return (
+    <UnstyledButton
+      className="tf-problem-place"
+      aria-label={strings.bottom.showPlace(formatPlace(place))}
+      onClick={() => app.viewer.getState().viewer?.fitPlace(place)}
+    >
+      {strings.bottom.at(formatPlace(place))}
+    </UnstyledButton>
   );
 }

@@ -18,6 +18,8 @@ export interface NumberFieldProps {
   readonly rightSection?: ReactNode;
   readonly leftSectionWidth?: number;
   readonly testId?: string;
+  /** The field of a dialog that is to have the focus first. */
+  readonly first?: boolean;
 }
 
 /** Which way the arrow keys go. */
@@ -81,6 +83,7 @@ export function NumberField(props: NumberFieldProps) {
       autoComplete="off"
       spellCheck={false}
       data-testid={testId}
+      data-autofocus={props.first || undefined}
       value={draft ?? formatNumber(value)}
       error={error}
       onChange={(event) => setDraft(event.currentTarget.value)}

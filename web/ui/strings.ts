@@ -49,7 +49,14 @@ export const measureNames = {
   dihedral: "Smallest dihedral angle",
 } as const;
 
+/** A code such as "loop-not-closed" as a heading. */
+function problemTitle(code: string): string {
+  const words = code.replaceAll("-", " ");
+  return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
 export const strings = {
+  problemTitle,
   appName: "Tetrafront",
   menus: { file: "File", edit: "Edit", create: "Create", view: "View", mesh: "Mesh", help: "Help" },
   header: {
@@ -182,6 +189,44 @@ export const strings = {
       "Select the lines around it, in any order (Ctrl click adds one), then press A, or choose a type in the Create menu. Several loops make a patch with holes.",
     ],
   },
+  background: {
+    cover: "Make covering grid",
+    coverHint: "A background grid around the whole model, with one element size at every node.",
+    shape: "Shape",
+    box: "Box, 5 tetrahedra",
+    tetrahedron: "One tetrahedron",
+    replaces: "The present background grid is replaced; undo brings it back. Sources stay.",
+    make: "Make it",
+    cancel: "Cancel",
+    apply: "Apply",
+    meshAsGrid: "Use this mesh as background grid",
+    propose: "Propose sizes",
+    proposeHint: "Sources of smaller size where lines and patches bend or come near each other.",
+    wishes: {
+      uniform: "Largest size",
+      smallest: "Smallest size",
+      elementsPerCircle: "Elements per circle",
+      elementsPerGap: "Elements per gap",
+      growth: "Growth",
+    },
+    coverToo: "Make a covering grid of the largest size",
+    replaceSources: (count: number) =>
+      count === 1 ? "Replace the source there is" : `Replace the ${count} sources there are`,
+    asking: "Looking at the model…",
+    largest: "Largest size",
+    smallestFound: "Smallest size",
+    sources: "Sources to add",
+    expected: "Expected",
+    about: (count: string) => `about ${count} tetrahedra`,
+    present: "Present mesh",
+    elementSize: "Element size",
+    fromGrid: "Background grid",
+    uniform: "Uniform",
+    uniformSize: "Uniform size",
+    uniformHint: "One size everywhere; only sources make it smaller. The project file does not keep it.",
+    noGrid: "There is no background grid yet.",
+    gridCounts: (nodes: string, tetrahedra: string) => `${nodes} nodes, ${tetrahedra} tetrahedra`,
+  },
   severities: { error: "Error", warning: "Warning" },
   bottom: {
     title: "Log and problems",
@@ -191,6 +236,9 @@ export const strings = {
     noProblems: "No problems found.",
     show: "Show",
     at: (place: string) => `at ${place}`,
+    showPlace: (place: string) => `Go to the place ${place}`,
+    count: (count: number, severity: "error" | "warning") =>
+      count === 1 ? `1 ${severity}` : `${count} ${severity}s`,
   },
   viewport: {
     label: "Three-dimensional view",

@@ -5,6 +5,7 @@ export interface ViewerColors {
   readonly line: string;
   readonly patch: string;
   readonly backgroundGrid: string;
+  readonly source: string;
   readonly selection: string;
   readonly hover: string;
   /** Remaining front of an incomplete mesh. */

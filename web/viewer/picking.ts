@@ -57,7 +57,10 @@ export class Picker {
     this.#raycaster.setFromCamera(pointer, this.#camera);
     const surface = this.#surfaceHit(scene.view);
     const limit = surface ? surface.distance * (1 + depthSlack) : Infinity;
-    const dot = this.#nearestDot(at, size, scene, limit) ?? this.#nearestLine(at, size, scene, limit);
+    const dot =
+      this.#nearestDot(at, size, scene, limit) ??
+      this.#nearestSource(at, size, scene) ??
+      this.#nearestLine(at, size, scene, limit);
     if (dot) return { entity: dot, element: null };
     return surface ? this.#surfacePick(surface.triangle, scene) : this.#patchPick(scene);
   }
@@ -108,14 +111,31 @@ export class Picker {
     let bestDistance = dotReach;
     for (const [kind, records] of kinds) {
       for (const { id, at: place } of records) {
-        if (view.hidden.has(entityKey({ kind, id }))) continue;
         const screen = this.toScreen(place, size, origin);
         if (!screen || screen.distance > limit) continue;
         const distance = Math.hypot(screen.x - at.x, screen.y - at.y);
-        if (distance >= bestDistance) continue;
+        if (distance >= bestDistance || view.hidden.has(entityKey({ kind, id }))) continue;
         best = { kind, id };
         bestDistance = distance;
       }
+    }
+    return best;
+  }
+
+  /** Sources are drawn through everything, and found through everything. */
+  #nearestSource(at: Vector2, size: Vector2, { project, view, origin }: PickScene): Entity | null {
+    if (!view.layers.sources) return null;
+    let best: Entity | null = null;
+    let bestDistance = lineReach;
+    for (const { id, places } of project.background.sources ?? []) {
+      places.forEach((place, i) => {
+        const a = this.toScreen(place, size, origin);
+        const b = this.toScreen(places[(i + 1) % places.length] ?? place, size, origin);
+        const distance = a && b ? distanceToSegment(at.x, at.y, a, b) : Infinity;
+        if (distance >= bestDistance || view.hidden.has(entityKey({ kind: "source", id }))) return;
+        best = { kind: "source", id };
+        bestDistance = distance;
+      });
     }
     return best;
   }

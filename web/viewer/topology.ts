@@ -53,3 +53,39 @@ export function findNeighbours(tetrahedra: Uint32Array): Int32Array {
   }
   return neighbours;
 }
+
+/** The six edges of a tetrahedron, two local nodes each. */
+const edgeNodes = [0, 1, 0, 2, 0, 3, 1, 2, 1, 3, 2, 3] as const;
+
+/** Edges of tetrahedra as two nodes each, every one once, in order of appearance. Linear. */
+export function uniqueEdges(tetrahedra: Uint32Array): Uint32Array {
+  const most = (tetrahedra.length / 4) * 6;
+  const edges = new Uint32Array(2 * most);
+  let capacity = 16;
+  while (capacity < 2 * most) capacity *= 2;
+  const mask = capacity - 1;
+  const table = new Int32Array(capacity).fill(-1);
+  let count = 0;
+  for (let base = 0; base < tetrahedra.length; base += 4) {
+    for (let k = 0; k < edgeNodes.length; k += 2) {
+      const p = tetrahedra[base + (edgeNodes[k] ?? 0)] ?? 0;
+      const q = tetrahedra[base + (edgeNodes[k + 1] ?? 0)] ?? 0;
+      const low = Math.min(p, q);
+      const high = Math.max(p, q);
+      let slot = hash(low, high, 0) & mask;
+      for (;;) {
+        const other = table[slot] ?? -1;
+        if (other < 0) {
+          table[slot] = count;
+          edges[2 * count] = low;
+          edges[2 * count + 1] = high;
+          ++count;
+          break;
+        }
+        if (edges[2 * other] === low && edges[2 * other + 1] === high) break;
+        slot = (slot + 1) & mask;
+      }
+    }
+  }
+  return edges.subarray(0, 2 * count);
+}

@@ -12,6 +12,7 @@ import type { Place, SceneLayer } from "./layers/layer";
 import { LinesLayer } from "./layers/lines-layer";
 import { MeshLayer } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
+import { SourcesLayer } from "./layers/sources-layer";
 import { PatchFinder } from "./patch-finder";
 import { Picker, type Pick } from "./picking";
 import { watchPointer } from "./pointer";
@@ -54,6 +55,7 @@ export class Viewer {
   readonly #lines = new LinesLayer();
   readonly #points = new DotsLayer("round", (colors) => colors.point);
   readonly #grid = new GridLayer();
+  readonly #sources = new SourcesLayer();
   readonly #ground = new GroundLayer();
   readonly #picker: Picker;
   readonly #timer = new Timer();
@@ -117,7 +119,7 @@ export class Viewer {
       project.points.map(({ at }) => at),
       this.#origin,
     );
-    this.#grid.setGrid(project, this.#origin);
+    this.#sources.setSources(project, this.#origin);
     this.#updateMarkings();
     if (fit) this.fit(null, false);
     this.#requestFrame();
@@ -155,6 +157,7 @@ export class Viewer {
     this.#lines.root.visible = state.layers.lines;
     this.#points.root.visible = state.layers.points;
     this.#grid.root.visible = state.layers.background;
+    this.#sources.root.visible = state.layers.sources;
     this.#mesh.setShading(state.shading, state.edges);
     if (state.cut !== before?.cut) {
       this.#mesh.setCut(state.cut);
@@ -246,7 +249,7 @@ export class Viewer {
   }
 
   get #layers(): readonly SceneLayer[] {
-    return [this.#ground, this.#patches, this.#mesh, this.#lines, this.#points, this.#grid];
+    return [this.#ground, this.#patches, this.#mesh, this.#lines, this.#points, this.#grid, this.#sources];
   }
 
   readonly #onContextLost = (event: Event): void => {
@@ -299,7 +302,15 @@ export class Viewer {
     };
     const { points, background } = this.#project;
     this.#points.setStates(points.map(({ id }) => markingOf("point", id) ?? "hidden"));
-    this.#grid.setStates(background.nodes.map(({ id }) => markingOf("background-node", id) ?? "hidden"));
+    // These may be many: nothing is done for them while they are not on show.
+    if (state.layers.background) {
+      this.#grid.setGrid(this.#project, this.#origin);
+      this.#grid.setStates(background.nodes.map(({ id }) => markingOf("background-node", id) ?? "hidden"));
+    }
+    if (state.layers.sources) {
+      const sources = background.sources ?? [];
+      this.#sources.setStates(sources.map(({ id }) => markingOf("source", id) ?? "hidden"));
+    }
     const drawn = this.#previewProject;
     const idAt = (list: readonly { readonly id: number }[] | undefined, position: number) =>
       list?.[position]?.id ?? 0;
@@ -351,6 +362,7 @@ export class Viewer {
     const pixelRatio = this.#renderer.getPixelRatio();
     this.#points.setPixelRatio(pixelRatio);
     this.#grid.nodes.setPixelRatio(pixelRatio);
+    this.#sources.places.setPixelRatio(pixelRatio);
     this.#lines.setResolution(clientWidth, clientHeight);
     this.#draw();
   }

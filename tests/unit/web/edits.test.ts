@@ -107,7 +107,7 @@ describe("treeRows", () => {
     const listed = rows.filter((row) => row.type === "entity").length;
     const { points, lines, patches, background } = project;
     expect(listed).toBe(points.length + lines.length + patches.length + background.nodes.length);
-    expect(rows.filter((row) => row.type === "group")).toHaveLength(4);
+    expect(rows.filter((row) => row.type === "group")).toHaveLength(5);
     expect(treeRows(project, "", new Set(["line"]))).toHaveLength(rows.length - lines.length);
   });
 

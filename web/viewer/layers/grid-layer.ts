@@ -2,51 +2,59 @@ import type { Project } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from "three";
 import { positionsById } from "../../document/entities";
 import type { ViewerColors } from "../colors";
+import { uniqueEdges } from "../topology";
 import { DotsLayer, type DotState } from "./dots-layer";
 import type { Place, SceneLayer } from "./layer";
 
-const edgesOfTetrahedron = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]] as const; // prettier-ignore
+type Background = Project["background"];
 
-/** The background grid: edges of its tetrahedra, and its nodes as squares. */
+/** The head of an arrow, as a share of its length, and how far it spreads. */
+const headLength = 0.22;
+const headSpread = 0.4;
+
+/**
+ * The background grid: edges of its tetrahedra, its nodes as squares, and at stretched nodes an arrow
+ * with two heads, as long as the elements wanted there. Laid out only while it is on show.
+ */
 export class GridLayer implements SceneLayer {
   readonly root = new Group();
   readonly #material = new LineBasicMaterial({ transparent: true, opacity: 0.5, depthWrite: false });
+  readonly #arrowMaterial = new LineBasicMaterial({ transparent: true, depthTest: false });
   readonly #edges = new LineSegments(new BufferGeometry(), this.#material);
+  readonly #arrows = new LineSegments(new BufferGeometry(), this.#arrowMaterial);
   readonly nodes = new DotsLayer("square", (colors) => colors.backgroundGrid);
+  #shown: Background | null = null;
+  #shownOrigin: Place = [0, 0, 0];
 
   constructor() {
     this.#edges.frustumCulled = false;
-    this.root.add(this.#edges, this.nodes.root);
+    this.#arrows.frustumCulled = false;
+    this.#arrows.renderOrder = 6;
+    this.root.add(this.#edges, this.#arrows, this.nodes.root);
   }
 
   setColors(colors: ViewerColors): void {
     this.#material.color.set(colors.backgroundGrid);
+    this.#arrowMaterial.color.set(colors.backgroundGrid);
     this.nodes.setColors(colors);
   }
 
+  /** Lays the grid out if it is another one. */
   setGrid(project: Project, origin: Place): void {
     const { background } = project;
-    const places = background.nodes.map((node) => node.at);
-    this.nodes.setPlaces(places, origin);
-    const positions = positionsById(project, "background-node");
-    const drawn = new Set<string>();
-    const ends: number[] = [];
-    for (const tetrahedron of background.tetrahedra) {
-      for (const [a, b] of edgesOfTetrahedron) {
-        const edge = [tetrahedron[a], tetrahedron[b]].sort((x, y) => x - y);
-        if (drawn.has(edge.join())) continue;
-        drawn.add(edge.join());
-        for (const id of edge) {
-          const at = places[positions.get(id) ?? -1] ?? origin;
-          ends.push(at[0] - origin[0], at[1] - origin[1], at[2] - origin[2]);
-        }
-      }
-    }
-    this.#edges.geometry.dispose();
-    this.#edges.geometry = new BufferGeometry().setAttribute(
-      "position",
-      new BufferAttribute(Float32Array.from(ends), 3),
+    const same =
+      origin === this.#shownOrigin &&
+      background.nodes === this.#shown?.nodes &&
+      background.tetrahedra === this.#shown.tetrahedra;
+    if (same) return;
+    this.#shown = background;
+    this.#shownOrigin = origin;
+    this.nodes.setPlaces(
+      background.nodes.map((node) => node.at),
+      origin,
     );
+    replacePositions(this.#edges, edgePlaces(project, origin));
+    replacePositions(this.#arrows, arrowPlaces(background, origin));
   }
 
   setStates(states: readonly DotState[]): void {
@@ -55,7 +63,56 @@ export class GridLayer implements SceneLayer {
 
   dispose(): void {
     this.#edges.geometry.dispose();
+    this.#arrows.geometry.dispose();
     this.#material.dispose();
+    this.#arrowMaterial.dispose();
     this.nodes.dispose();
   }
+}
+
+function replacePositions(lines: LineSegments, places: Float32Array): void {
+  lines.geometry.dispose();
+  lines.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
+}
+
+function edgePlaces(project: Project, origin: Place): Float32Array {
+  const { nodes, tetrahedra } = project.background;
+  const positions = positionsById(project, "background-node");
+  const corners = new Uint32Array(4 * tetrahedra.length);
+  tetrahedra.forEach((ids, t) => ids.forEach((id, k) => (corners[4 * t + k] = positions.get(id) ?? 0)));
+  const edges = uniqueEdges(corners);
+  const places = new Float32Array(3 * edges.length);
+  edges.forEach((node, i) => {
+    const at = nodes[node]?.at ?? origin;
+    for (let k = 0; k < 3; ++k) places[3 * i + k] = (at[k] ?? 0) - (origin[k] ?? 0);
+  });
+  return places;
+}
+
+/** Shaft and two heads per stretched node, in one plane. */
+function arrowPlaces({ nodes }: Background, origin: Place): Float32Array {
+  const places: number[] = [];
+  for (const { at, size, stretching = 1, direction = [1, 0, 0] } of nodes) {
+    const length = Math.hypot(...direction);
+    if (!(stretching > 1) || !(length > 0)) continue;
+    const half = (size * stretching) / 2;
+    const [x, y, z] = direction.map((d) => (d / length) * half) as [number, number, number];
+    // Any direction across the arrow will do.
+    const across: Place = Math.abs(z) < 0.9 * half ? [-y, x, 0] : [0, -z, y];
+    const breadth = (headLength * headSpread * half) / (Math.hypot(...across) || 1);
+    const push = (along: number, aside: number): void => {
+      [x, y, z].forEach((d, k) =>
+        places.push((at[k] ?? 0) - (origin[k] ?? 0) + along * d + aside * breadth * (across[k] ?? 0)),
+      );
+    };
+    push(-1, 0);
+    push(1, 0);
+    for (const end of [-1, 1]) {
+      for (const aside of [-1, 1]) {
+        push(end, 0);
+        push(end * (1 - headLength), aside);
+      }
+    }
+  }
+  return Float32Array.from(places);
 }

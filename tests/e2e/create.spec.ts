@@ -1,0 +1,215 @@
+import { expect, test, type Page } from "@playwright/test";
+import { readFile } from "node:fs/promises";
+import { readProject, type Project } from "tetrafront";
+import { AppPage, sampleProject } from "./app-page";
+
+/** The project as the app would save it. */
+async function savedProject(page: Page): Promise<Project> {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+  const read = readProject(await readFile(await download.path(), "utf8"));
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+async function openEmpty(app: AppPage): Promise<void> {
+  const { points, lines, patches, ...rest } = sampleProject("unit-cube");
+  expect([points.length, lines.length, patches.length]).toEqual([8, 12, 6]);
+  await app.openFile(
+    "empty.json",
+    JSON.stringify({ ...rest, name: "Empty", points: [], lines: [], patches: [] }),
+  );
+  await expect(app.page.getByTestId("project-name")).toHaveValue("Empty");
+}
+
+/** Adds points through the dialog, with the keyboard. */
+async function addPoints(page: Page, places: readonly (readonly number[])[]): Promise<void> {
+  await page.keyboard.press("p");
+  const dialog = page.getByRole("dialog", { name: "New point" });
+  await expect(dialog.getByTestId("new-x")).toBeFocused();
+  for (const place of places) {
+    for (const [axis, value] of place.entries()) {
+      await dialog.getByTestId(`new-${"xyz".charAt(axis)}`).fill(String(value));
+    }
+    await dialog.getByTestId("add-next").press("Enter");
+  }
+  await expect(dialog.getByRole("status")).toContainText("Added point");
+  await page.keyboard.press("Escape");
+  await expect(dialog).toBeHidden();
+}
+
+/** Opens a closed group of the tree, so that single rows can be clicked. */
+async function choose(page: Page, kind: string, ids: readonly number[]): Promise<void> {
+  for (const [index, id] of ids.entries()) {
+    const row = page.getByTestId(`tree-${kind}-${id}`);
+    await row.click(index === 0 ? {} : { modifiers: ["ControlOrMeta"] });
+    await expect(row).toHaveAttribute("aria-selected", "true");
+  }
+}
+
+const selected = '[role="treeitem"][aria-selected="true"]';
+
+test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await openEmpty(app);
+  await addPoints(page, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
+  await expect(page.getByTestId("tree-point-4")).toHaveAttribute("aria-selected", "true");
+  // A chain of lines around the floor, then the three that rise from it.
+  await choose(page, "point", [1, 2, 3]);
+  await page.keyboard.press("l");
+  await expect(page.locator(selected)).toHaveCount(2);
+  for (const ends of [
+    [3, 1],
+    [1, 4],
+    [2, 4],
+    [3, 4],
+  ]) {
+    await choose(page, "point", ends);
+    await page.keyboard.press("l");
+  }
+  for (const sides of [
+    [1, 2, 3],
+    [5, 1, 4],
+    [6, 2, 5],
+    [4, 3, 6],
+  ]) {
+    await choose(page, "line", sides);
+    await page.keyboard.press("a");
+  }
+  await expect(page.getByTestId("tree-patch-4")).toHaveAttribute("aria-selected", "true");
+  await expect(page.getByTestId("patch-kind")).toHaveValue("planar");
+  expect((await app.generate()).tets).toBeGreaterThan(20);
+  const { points, lines, patches } = await savedProject(page);
+  expect(points.map(({ at }) => at)).toEqual([
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ]);
+  expect(lines.map((line) => line.points)).toEqual([
+    [1, 2],
+    [2, 3],
+    [3, 1],
+    [1, 4],
+    [2, 4],
+    [3, 4],
+  ]);
+  expect(patches.map(({ loops }) => loops[0]?.length)).toEqual([3, 3, 3, 3]);
+  for (let i = 0; i < 4; ++i) await page.getByTestId("undo").click();
+  await expect(page.getByTestId("tree-patch-1")).toBeHidden();
+  await expect(page.getByRole("button", { name: "Undo: Add line 6" })).toBeEnabled();
+});
+
+test("what cannot be made of the selection is told with the reason", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await choose(page, "line", [1, 2]);
+  const made = page.getByTestId("make-of-selection");
+  await expect(made).toContainText("The lines do not close: only one of them ends at point");
+  await expect(made.getByRole("button", { name: "Patch within lines" })).toHaveCount(0);
+  await page.keyboard.press("a");
+  const dialog = page.getByRole("dialog", { name: "Patch within lines" });
+  await expect(dialog).toContainText("only one of them ends at point");
+  await page.keyboard.press("Escape");
+  await page.getByTestId("add-line").click();
+  await expect(page.getByRole("dialog", { name: "New line" })).toContainText("Select the points");
+});
+
+test("lines in any order become a patch with a hole, and a hole is added and taken away", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("plate-with-hole");
+  const plate = sampleProject("plate-with-hole");
+  const bottom = plate.patches.find(({ name }) => name === "bottom");
+  const [outer = [], hole = []] = (bottom?.loops ?? []).map((loop) => loop.map(Math.abs));
+  if (!bottom) throw new Error("The plate has no bottom");
+  await app.select(`patch-${bottom.id}`);
+  await page.getByRole("button", { name: "Remove hole 1" }).click();
+  await expect(page.getByTestId("patch-loop-1")).toBeHidden();
+  await page.getByTestId(`tree-patch-${bottom.id}`).click();
+  for (const line of hole) {
+    await page.getByTestId(`tree-line-${line}`).click({ modifiers: ["ControlOrMeta"] });
+  }
+  await page.getByTestId("make-hole").click();
+  await expect(page.getByTestId("patch-loop-1")).toBeVisible();
+  await page.getByTestId(`tree-patch-${bottom.id}`).press("Delete");
+  // Hole first and out of order: the outer loop is still found, and so is its walk.
+  await choose(page, "line", [hole[2] ?? 0, ...outer.toReversed(), ...hole.filter((_, i) => i !== 2)]);
+  await page.getByTestId("make-patch-any").click();
+  const again = await app.generate();
+  expect(again.tets).toBeGreaterThan(100);
+  const { patches } = await savedProject(page);
+  const made = patches.at(-1);
+  expect(made?.type).toBe("planar");
+  expect(made?.loops.map((loop) => loop.map(Math.abs).toSorted((a, b) => a - b))).toEqual(
+    [outer, hole].map((loop) => loop.toSorted((a, b) => a - b)),
+  );
+});
+
+test("the tree selects ranges with Shift, by mouse and by keys, and all of a kind", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await page.getByTestId("tree-line-2").click();
+  await page.getByTestId("tree-line-5").click({ modifiers: ["Shift"] });
+  await expect(page.locator(selected)).toHaveCount(4);
+  await expect(page.getByTestId("inspector")).toContainText("4 entities selected");
+  await page.keyboard.press("Shift+ArrowDown");
+  await expect(page.locator(selected)).toHaveCount(5);
+  await page.getByTestId("tree-line-3").click({ modifiers: ["ControlOrMeta"] });
+  await expect(page.locator(selected)).toHaveCount(4);
+  await page.keyboard.press("Control+a");
+  await expect(page.getByTestId("inspector")).toContainText("12 entities selected");
+  await page.keyboard.press("Escape");
+  await expect(page.locator(selected)).toHaveCount(0);
+});
+
+test("each type of patch says what it takes and what does not fit", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await app.openExample("unit-cube");
+  await app.select("patch-1");
+  await expect(page.getByTestId("patch-hint")).toContainText("one plane");
+  await page.getByTestId("patch-kind").click();
+  const wanted = [
+    [/^planar/, "Any lines that lie in one plane"],
+    [/^isoparametric triangle/, "Takes three lines; here are 4 lines."],
+    [/^serendipity/, "Takes parabolic lines only"],
+    [/^Barnhill/, "Takes three lines; here are 4 lines."],
+    [/^Coons/, "Four lines of any type"],
+  ] as const;
+  for (const [name, text] of wanted) {
+    await expect(page.getByRole("option", { name })).toContainText(text);
+  }
+  await page.getByRole("option", { name: /^Barnhill/ }).click();
+  await expect(page.getByTestId("inspector")).toContainText("Takes three lines; here are 4 lines.");
+  await expect(page.getByTestId("inspector").locator("[data-code=wrong-line-count]")).toBeVisible();
+  await page.getByTestId("undo").click();
+  await expect(page.getByTestId("inspector").locator("[data-code]")).toHaveCount(0);
+});
+
+test("the lines of a Barnhill–Gregory–Nielson patch have roles, in list and view", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await openEmpty(app);
+  await addPoints(page, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
+  await choose(page, "point", [1, 2, 3]);
+  await page.keyboard.press("l");
+  await choose(page, "point", [3, 1]);
+  await page.keyboard.press("l");
+  await choose(page, "line", [1, 2, 3]);
+  await page.getByTestId("make-patch-barnhill-gregory-nielson").click();
+  await expect(page.getByTestId("patch-loop-0")).toHaveValue("1, 2, 3");
+  await expect(page.getByTestId("role-2")).toHaveText("F2");
+  await expect(page.getByTestId("mark-F2")).toHaveAttribute("data-line", "2");
+  await expect(page.getByTestId("mark-F2")).toBeVisible();
+  await page.getByRole("button", { name: "Make Line 3 F2" }).click();
+  await expect(page.getByTestId("patch-loop-0")).toHaveValue("2, 3, 1");
+  await expect(page.getByTestId("role-3")).toHaveText("F2");
+  await expect(page.getByTestId("mark-F2")).toHaveAttribute("data-line", "3");
+  await page.keyboard.press("Escape");
+  await expect(page.getByTestId("mark-F2")).toBeHidden();
+});

@@ -1,0 +1,145 @@
+import { describe, expect, it } from "vitest";
+import { parseProject, type Project } from "tetrafront";
+import {
+  addPoint,
+  addSource,
+  offerHole,
+  offerLine,
+  offerPatch,
+  offerTetrahedron,
+} from "../../../web/document/create";
+import type { Entity } from "../../../web/document/entities";
+import { orderLoops, turnToSecond } from "../../../web/document/loops";
+import { likelyPatchType, patchMisfit } from "../../../web/document/patch-rules";
+import { DocumentStore } from "../../../web/document/store";
+import { cubeProject } from "../../support/projects";
+
+const lines = (...ids: number[]): Entity[] => ids.map((id) => ({ kind: "line", id }));
+
+/** Do the steps of a loop follow one another, and does it close? */
+function isClosed(project: Project, loop: readonly number[]): boolean {
+  const ends = loop.map((step) => {
+    const points = project.lines.find(({ id }) => id === Math.abs(step))?.points ?? [];
+    const forward = [points.at(0), points.at(-1)];
+    return step > 0 ? forward : forward.reverse();
+  });
+  return ends.every(([, end], i) => end === ends[(i + 1) % ends.length]?.[0]);
+}
+
+describe("orderLoops", () => {
+  const project = cubeProject();
+  const loops = project.patches.map((patch) => patch.loops[0] ?? []);
+
+  it("closes the sides of every face, in whatever order they come", () => {
+    for (const loop of loops) {
+      for (let turn = 0; turn < loop.length; ++turn) {
+        const mixed = [...loop.slice(turn), ...loop.slice(0, turn)].map(Math.abs).reverse();
+        const found = orderLoops(project, mixed);
+        if (!found.success) throw new Error(found.reason);
+        expect(found.loops).toHaveLength(1);
+        expect(found.loops[0]?.[0]).toBe(mixed[0]);
+        expect(isClosed(project, found.loops[0] ?? [])).toBe(true);
+        expect(found.loops[0]?.map(Math.abs).sort()).toEqual(mixed.toSorted());
+      }
+    }
+  });
+
+  it("finds several loops, and says where lines do not close", () => {
+    const [first = [], ...others] = loops;
+    const opposite = others.find((loop) =>
+      loop.every((step) => !first.map(Math.abs).includes(Math.abs(step))),
+    );
+    const both = orderLoops(project, [...first, ...(opposite ?? [])].map(Math.abs));
+    expect(both.success && both.loops.map((loop) => loop.length)).toEqual([4, 4]);
+    const open = orderLoops(project, first.slice(1).map(Math.abs));
+    expect(!open.success && open.reason).toMatch(/ends at point \d/);
+    const crowded = orderLoops(
+      project,
+      project.lines.map(({ id }) => id),
+    );
+    expect(!crowded.success && crowded.reason).toMatch(/^3 of the lines meet at point \d/);
+  });
+
+  it("turns any line of a loop into the second", () => {
+    const loop = [4, -7, 9];
+    for (const position of [0, 1, 2]) {
+      const turned = turnToSecond(loop, position);
+      expect(turned[1]).toBe(loop[position]);
+      expect([...turned, ...turned].join()).toContain(loop.join());
+    }
+  });
+});
+
+describe("creations", () => {
+  const project = cubeProject();
+
+  it("leave a readable project, are undone, and use new ids", () => {
+    const point = addPoint(project, [5, 6, 7]);
+    const ids = project.points.map(({ id }) => id);
+    const documents = new DocumentStore(project, () => 0);
+    documents.edit(point.edit);
+    expect(ids).not.toContain(point.entities[0]?.id);
+    for (const type of ["point", "segment", "triangle"] as const) {
+      documents.edit(addSource(documents.project, [], type).edit);
+    }
+    expect(parseProject(documents.project).success).toBe(true);
+    expect(documents.project.background.sources?.map(({ id, places }) => [id, places.length])).toEqual([
+      [1, 1],
+      [2, 2],
+      [3, 3],
+    ]);
+    for (let i = 0; i < 4; ++i) documents.undo();
+    expect(documents.project).toEqual(project);
+  });
+
+  it("take the points in the order of the selection", () => {
+    const points: Entity[] = [5, 2, 7, 1].map((id) => ({ kind: "point", id }));
+    const chain = offerLine(project, points, "straight");
+    const spline = offerLine(project, points, "spline");
+    if (!chain.possible || !spline.possible) throw new Error("refused");
+    const documents = new DocumentStore(project, () => 0);
+    documents.edit(chain.creation.edit);
+    expect(documents.project.lines.slice(-3).map((line) => line.points)).toEqual([[5, 2], [2, 7], [7, 1]]); // prettier-ignore
+    documents.undo();
+    documents.edit(spline.creation.edit);
+    expect(documents.project.lines.at(-1)).toMatchObject({ type: "spline", points: [5, 2, 7, 1] });
+    expect(offerLine(project, points, "parabolic").possible).toBe(false);
+  });
+
+  it("say why they are refused", () => {
+    const face = project.patches[0]?.loops[0]?.map(Math.abs) ?? [];
+    const triangle = offerPatch(project, lines(...face), "barnhill-gregory-nielson");
+    expect(!triangle.possible && triangle.reason).toBe("Takes three lines; here are 4 lines.");
+    const curved = offerPatch(project, lines(...face), "serendipity");
+    expect(!curved.possible && curved.reason).toMatch(/^Takes parabolic lines only; line \d+ is not one\.$/);
+    expect(offerPatch(project, lines(...face), null).possible).toBe(true);
+    expect(offerHole(project, lines(...face)).possible).toBe(false);
+    const nodes: Entity[] = project.background.nodes
+      .slice(0, 4)
+      .map(({ id }) => ({ kind: "background-node", id }));
+    expect(offerTetrahedron(project, nodes.slice(1)).possible).toBe(false);
+  });
+
+  it("guess the type from the shape", () => {
+    const [loop = []] = project.patches[0]?.loops ?? [];
+    expect(likelyPatchType(project, [loop])).toBe("planar");
+    const bent = {
+      ...project,
+      points: project.points.map((point, i) =>
+        i === 0 ? { ...point, at: [-0.3, -0.2, -0.1] as const } : point,
+      ),
+    };
+    const corner = project.points[0]?.id ?? 0;
+    const touching = bent.patches.find(({ loops }) =>
+      loops
+        .flat()
+        .some((step) => bent.lines.find(({ id }) => id === Math.abs(step))?.points.includes(corner)),
+    );
+    const moved: Project = {
+      ...bent,
+      points: bent.points.map((p) => ({ ...p, at: [p.at[0], p.at[1], p.at[2]] })),
+    };
+    expect(likelyPatchType(moved, touching?.loops ?? [])).toBe("coons");
+    expect(patchMisfit(moved, "coons", touching?.loops ?? [])).toBeNull();
+  });
+});

@@ -1,0 +1,253 @@
+import { Button, Checkbox, Group, SegmentedControl, Text } from "@mantine/core";
+import { useEffect, useState } from "react";
+import type { SizeProposal } from "tetrafront";
+import { applyProposal, coverModel, likelySize } from "../background-actions";
+import { estimateTetrahedra } from "../document/estimate";
+import { FieldRow } from "../ui/field-row";
+import { formatCount, formatShort } from "../ui/format";
+import { FramedDialog } from "../ui/framed-dialog";
+import { NumberField } from "../ui/number-field";
+import { strings } from "../ui/strings";
+import { useApp, useProject, useRun, useShell } from "./app-context";
+import { aboveZero, notNegative, sizeStep } from "./entity-editors";
+
+const texts = strings.background;
+
+export function CoverDialog() {
+  const app = useApp();
+  const opened = useShell((state) => state.dialog === "cover");
+  const close = (): void => app.shell.setState({ dialog: null });
+  return (
+    <FramedDialog opened={opened} title={texts.cover} onClose={close}>
+      <CoverForm onClose={close} />
+    </FramedDialog>
+  );
+}
+
+function CoverForm({ onClose }: { readonly onClose: () => void }) {
+  const app = useApp();
+  const hasGrid = useProject().background.nodes.length > 0;
+  const [shape, setShape] = useState<"box" | "tetrahedron">("box");
+  const [size, setSize] = useState(() => likelySize(app));
+  return (
+    <>
+      <Text size="sm" c="dimmed" mb={8}>
+        {texts.coverHint}
+      </Text>
+      <FieldRow label={texts.shape}>
+        <SegmentedControl
+          size="xs"
+          fullWidth
+          aria-label={texts.shape}
+          data={[
+            { value: "box", label: texts.box },
+            { value: "tetrahedron", label: texts.tetrahedron },
+          ]}
+          value={shape}
+          onChange={setShape}
+        />
+      </FieldRow>
+      <FieldRow label={strings.inspector.size}>
+        <NumberField
+          label={strings.inspector.size}
+          value={size}
+          step={sizeStep(size)}
+          refuse={aboveZero}
+          testId="cover-size"
+          onCommit={setSize}
+        />
+      </FieldRow>
+      {hasGrid && (
+        <Text size="sm" c="dimmed">
+          {texts.replaces}
+        </Text>
+      )}
+      <Group justify="flex-end" gap="xs" mt={12}>
+        <Button size="xs" variant="default" onClick={onClose}>
+          {texts.cancel}
+        </Button>
+        <Button
+          size="xs"
+          data-testid="cover-apply"
+          onClick={() => {
+            onClose();
+            void coverModel(app, { size, shape });
+          }}
+        >
+          {texts.make}
+        </Button>
+      </Group>
+    </>
+  );
+}
+
+export function ProposeDialog() {
+  const app = useApp();
+  const opened = useShell((state) => state.dialog === "propose");
+  const close = (): void => app.shell.setState({ dialog: null });
+  return (
+    <FramedDialog opened={opened} title={texts.propose} onClose={close}>
+      <ProposeForm onClose={close} />
+    </FramedDialog>
+  );
+}
+
+interface Wishes {
+  readonly uniform: number;
+  readonly smallest: number;
+  readonly elementsPerCircle: number;
+  readonly elementsPerGap: number;
+  readonly growth: number;
+}
+
+type WishField = keyof Wishes;
+
+const wishFields: readonly { field: WishField; step: number; zero: boolean }[] = [
+  { field: "uniform", step: 0.01, zero: false },
+  { field: "smallest", step: 0.001, zero: false },
+  { field: "elementsPerCircle", step: 1, zero: true },
+  { field: "elementsPerGap", step: 1, zero: true },
+  { field: "growth", step: 0.05, zero: true },
+];
+
+/** The smallest size proposed, as a share of the largest, unless the user says otherwise. */
+const smallestShare = 0.05;
+
+interface Answer {
+  readonly proposal: SizeProposal;
+  readonly tetrahedra: number | null;
+}
+
+function ProposeForm({ onClose }: { readonly onClose: () => void }) {
+  const app = useApp();
+  const project = useProject();
+  const presentSources = project.background.sources?.length ?? 0;
+  const [wishes, setWishes] = useState<Wishes>(() => {
+    const uniform = likelySize(app);
+    const smallest = Number((smallestShare * uniform).toPrecision(2));
+    return { uniform, smallest, elementsPerCircle: 24, elementsPerGap: 3, growth: 0.3 };
+  });
+  const [cover, setCover] = useState(true);
+  const [replaceSources, setReplaceSources] = useState(true);
+  const { answer, failure } = useProposal(wishes);
+  return (
+    <>
+      <Text size="sm" c="dimmed" mb={8}>
+        {texts.proposeHint}
+      </Text>
+      {wishFields.map(({ field, step, zero }) => (
+        <FieldRow key={field} label={texts.wishes[field]}>
+          <NumberField
+            label={texts.wishes[field]}
+            value={wishes[field]}
+            step={step}
+            refuse={zero ? notNegative : aboveZero}
+            testId={`propose-${field}`}
+            onCommit={(value) => setWishes((present) => ({ ...present, [field]: value }))}
+          />
+        </FieldRow>
+      ))}
+      <Checkbox
+        size="xs"
+        my={8}
+        label={texts.coverToo}
+        checked={cover}
+        onChange={(event) => setCover(event.currentTarget.checked)}
+      />
+      {presentSources > 0 && (
+        <Checkbox
+          size="xs"
+          my={8}
+          label={texts.replaceSources(presentSources)}
+          checked={replaceSources}
+          onChange={(event) => setReplaceSources(event.currentTarget.checked)}
+        />
+      )}
+      <ProposalSummary answer={answer} failure={failure} />
+      <Group justify="flex-end" gap="xs" mt={12}>
+        <Button size="xs" variant="default" onClick={onClose}>
+          {texts.cancel}
+        </Button>
+        <Button
+          size="xs"
+          data-testid="propose-apply"
+          disabled={answer === null}
+          onClick={() => {
+            onClose();
+            if (answer) void applyProposal(app, answer.proposal, { cover, replaceSources });
+          }}
+        >
+          {texts.apply}
+        </Button>
+      </Group>
+    </>
+  );
+}
+
+/** What the engine proposes for these wishes, and how many elements that would make. */
+function useProposal(wishes: Wishes): { readonly answer: Answer | null; readonly failure: string | null } {
+  const app = useApp();
+  const [answer, setAnswer] = useState<Answer | null>(null);
+  const [failure, setFailure] = useState<string | null>(null);
+  useEffect(() => {
+    let stopped = false;
+    const ask = async (): Promise<void> => {
+      const proposal = await (await app.mesher).proposeSizes(app.documents.project, wishes);
+      const { preview } = app.previews.state.getState();
+      const tetrahedra = preview
+        ? await estimateTetrahedra(preview, proposal.size, proposal.sources, () => stopped)
+        : null;
+      if (!stopped) setAnswer({ proposal, tetrahedra });
+    };
+    setAnswer(null);
+    setFailure(null);
+    ask().catch((error: unknown) => {
+      if (!stopped) setFailure(error instanceof Error ? error.message : String(error));
+    });
+    return () => {
+      stopped = true;
+    };
+  }, [app, wishes]);
+  return { answer, failure };
+}
+
+interface ProposalSummaryProps {
+  readonly answer: Answer | null;
+  readonly failure: string | null;
+}
+
+function ProposalSummary({ answer, failure }: ProposalSummaryProps) {
+  const present = useRun((state) => state.mesh?.report.tetrahedra);
+  const smallest = answer?.proposal.sources.reduce((least, { size }) => Math.min(least, size), Infinity);
+  return (
+    <div className="tf-proposal" role="status" data-testid="proposal">
+      {failure ?? (answer === null ? texts.asking : null)}
+      {answer && (
+        <dl className="tf-facts">
+          <dt>{texts.largest}</dt>
+          <dd>{formatShort(answer.proposal.size)}</dd>
+          <dt>{texts.sources}</dt>
+          <dd data-testid="proposal-sources">{formatCount(answer.proposal.sources.length)}</dd>
+          {smallest !== undefined && Number.isFinite(smallest) && (
+            <>
+              <dt>{texts.smallestFound}</dt>
+              <dd>{formatShort(smallest)}</dd>
+            </>
+          )}
+          <dt>{texts.expected}</dt>
+          <dd data-testid="proposal-count">
+            {answer.tetrahedra === null
+              ? strings.quality.unmeasured
+              : texts.about(formatCount(Number(answer.tetrahedra.toPrecision(2))))}
+          </dd>
+          {present !== undefined && present > 0 && (
+            <>
+              <dt>{texts.present}</dt>
+              <dd>{formatCount(present)}</dd>
+            </>
+          )}
+        </dl>
+      )}
+    </div>
+  );
+}

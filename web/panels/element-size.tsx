@@ -1,0 +1,71 @@
+import { Button, Group, SegmentedControl, Text } from "@mantine/core";
+import { likelySize } from "../background-actions";
+import { commandNamed, runCommand } from "../commands";
+import { setUniformSize } from "../document/edits";
+import { FieldRow, SectionTitle } from "../ui/field-row";
+import { formatCount } from "../ui/format";
+import { NumberField } from "../ui/number-field";
+import { strings } from "../ui/strings";
+import { useApp, useDocument, useProject } from "./app-context";
+import { aboveZero, sizeStep, unitsOf } from "./entity-editors";
+
+const texts = strings.background;
+
+/** Where the element sizes come from, and the commands that help with them. */
+export function ElementSize() {
+  const app = useApp();
+  const project = useProject();
+  const uniformSize = useDocument((state) => state.history.present.uniformSize);
+  const { nodes, tetrahedra } = project.background;
+  return (
+    <section aria-label={texts.elementSize} data-testid="element-size">
+      <SectionTitle>{texts.elementSize}</SectionTitle>
+      <SegmentedControl
+        size="xs"
+        fullWidth
+        mb={8}
+        aria-label={texts.elementSize}
+        data={[
+          { value: "grid", label: texts.fromGrid },
+          { value: "uniform", label: texts.uniform },
+        ]}
+        value={uniformSize === null ? "grid" : "uniform"}
+        onChange={(value) => app.documents.edit(setUniformSize(value === "uniform" ? likelySize(app) : null))}
+      />
+      {uniformSize === null ? (
+        <Text size="sm" c="dimmed" mb={6}>
+          {nodes.length === 0
+            ? texts.noGrid
+            : texts.gridCounts(formatCount(nodes.length), formatCount(tetrahedra.length))}
+        </Text>
+      ) : (
+        <>
+          <FieldRow label={strings.inspector.size}>
+            <NumberField
+              label={texts.uniformSize}
+              value={uniformSize}
+              step={sizeStep(uniformSize)}
+              refuse={aboveZero}
+              testId="uniform-size"
+              {...unitsOf(project)}
+              onCommit={(value) => app.documents.edit(setUniformSize(value))}
+            />
+          </FieldRow>
+          <Text size="xs" c="dimmed" mb={6}>
+            {texts.uniformHint}
+          </Text>
+        </>
+      )}
+      <Group gap={5}>
+        {["cover", "propose"].map((id) => {
+          const command = commandNamed(id);
+          return (
+            <Button key={id} size="compact-sm" variant="default" onClick={() => runCommand(app, command)}>
+              {command.label(app)}
+            </Button>
+          );
+        })}
+      </Group>
+    </section>
+  );
+}
