@@ -33,16 +33,19 @@ export interface App {
 
 const noGallery: Gallery = { opening: "", models: [] };
 
-async function firstProject(autosave: Autosave, gallery: Gallery): Promise<Kept> {
+async function firstProject(autosave: Autosave, gallery: Gallery, wanted: string | null): Promise<Kept> {
   const kept = await autosave.load();
   if (kept) return kept;
-  const opening = gallery.models.find(({ id }) => id === gallery.opening);
+  const opening = gallery.models.find(({ id }) => id === (wanted ?? gallery.opening));
   const project = opening ? await loadModel(opening) : emptyProject("Untitled");
   return { project, savedKey: contentKey(project), uniformSize: null };
 }
 
-/** Loads what was last worked on, or the opening model, and wires the rooms together. */
-export async function createApp(still: boolean): Promise<App> {
+/**
+ * Loads what was last worked on, else the model that the address names, else the opening model, and
+ * wires the rooms together.
+ */
+export async function createApp(still: boolean, model: string | null): Promise<App> {
   const mesher = createMesher();
   // Runs and previews report the failure; here it only must not count as unhandled.
   mesher.catch(() => undefined);
@@ -55,7 +58,7 @@ export async function createApp(still: boolean): Promise<App> {
   });
   const documents = new DocumentStore(emptyProject("Untitled"));
   const autosave = new Autosave(documents);
-  const start = await firstProject(autosave, gallery).catch((error: unknown) => {
+  const start = await firstProject(autosave, gallery, model).catch((error: unknown) => {
     fail(error);
     return null;
   });

@@ -10,8 +10,9 @@ import { findRecord, type DrawnKind } from "./document/entities";
 import { Page } from "./panels/page";
 import { cssVariables, theme } from "./ui/theme";
 
-const still = new URLSearchParams(window.location.search).get("test") === "1";
-const app = await createApp(still);
+const query = new URLSearchParams(window.location.search);
+const still = query.get("test") === "1";
+const app = await createApp(still, query.get("model"));
 
 if (still) {
   // For tests: where a point or background node, or the middle of a line or patch, is on the screen.

@@ -27,16 +27,21 @@ export class AppPage {
     this.viewport = page.getByTestId("viewport");
   }
 
-  /** Opens the app and waits for the mesh of its first model. */
-  async open(scheme: "dark" | "light" = "dark"): Promise<void> {
+  /** Opens the app and waits for the mesh of its first model; without a name, of the opening model. */
+  async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
     await this.page.addInitScript((wanted) => {
       localStorage.setItem("mantine-color-scheme-value", wanted);
       // Native file dialogs are out of a test's reach; without them the app uses downloads and inputs.
       Reflect.deleteProperty(window, "showOpenFilePicker");
       Reflect.deleteProperty(window, "showSaveFilePicker");
     }, scheme);
-    await this.page.goto("./?test=1");
-    await this.meshed();
+    await this.page.goto(model === undefined ? "./?test=1" : `./?test=1&model=${model}`);
+    return this.meshed();
+  }
+
+  /** Opens the app on the smallest model. */
+  async openCube(): Promise<MeshState> {
+    return this.open("dark", "unit-cube");
   }
 
   /** Waits until the mesh on show is that of the model. */

@@ -50,7 +50,7 @@ const selected = '[role="treeitem"][aria-selected="true"]';
 
 test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
+  await app.openCube();
   await openEmpty(app);
   await addPoints(page, [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
   await expect(page.getByTestId("tree-point-4")).toHaveAttribute("aria-selected", "true");
@@ -102,8 +102,7 @@ test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page })
 
 test("what cannot be made of the selection is told with the reason", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await choose(page, "line", [1, 2]);
   const made = page.getByTestId("make-of-selection");
   await expect(made).toContainText("The lines do not close: only one of them ends at point");
@@ -120,8 +119,7 @@ test("lines in any order become a patch with a hole, and a hole is added and tak
   page,
 }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("plate-with-hole");
+  await app.open("dark", "plate-with-hole");
   const plate = sampleProject("plate-with-hole");
   const bottom = plate.patches.find(({ name }) => name === "bottom");
   const [outer = [], hole = []] = (bottom?.loops ?? []).map((loop) => loop.map(Math.abs));
@@ -151,8 +149,7 @@ test("lines in any order become a patch with a hole, and a hole is added and tak
 
 test("the tree selects ranges with Shift, by mouse and by keys, and all of a kind", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await page.getByTestId("tree-line-2").click();
   await page.getByTestId("tree-line-5").click({ modifiers: ["Shift"] });
   await expect(page.locator(selected)).toHaveCount(4);
@@ -169,8 +166,7 @@ test("the tree selects ranges with Shift, by mouse and by keys, and all of a kin
 
 test("each type of patch says what it takes and what does not fit", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await app.select("patch-1");
   await expect(page.getByTestId("patch-hint")).toContainText("one plane");
   await page.getByTestId("patch-kind").click();
@@ -193,7 +189,7 @@ test("each type of patch says what it takes and what does not fit", async ({ pag
 
 test("the lines of a Barnhill–Gregory–Nielson patch have roles, in list and view", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
+  await app.openCube();
   await openEmpty(app);
   await addPoints(page, [[1, 0, 0], [0, 1, 0], [0, 0, 1]]); // prettier-ignore
   await choose(page, "point", [1, 2, 3]);

@@ -61,8 +61,7 @@ test("downloads the report of the run", async ({ page }) => {
 
 test("a saved project opens again as it was", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await app.select("background-node-2");
   await app.type("bg-size", "0.3");
   const edited = await app.generate();
@@ -116,8 +115,7 @@ test("the message of a failed open goes with the next successful one", async ({ 
 
 test("an edit survives a reload, and so does the knowledge that it is unsaved", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await app.select("background-node-1");
   await app.type("bg-size", "0.1");
   const edited = await app.generate();

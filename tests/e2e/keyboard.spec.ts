@@ -18,6 +18,8 @@ test("a model is opened, edited, meshed and undone without a mouse", async ({ pa
 
   await page.getByTestId("tree-point").focus();
   await page.keyboard.press("End");
+  await expect(page.getByTestId("tree-source")).toBeFocused();
+  await page.keyboard.press("ArrowUp");
   await expect(page.getByTestId("tree-background-node-4")).toBeFocused();
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("Enter");
@@ -42,6 +44,8 @@ test("menus open, walk and run by keys, and single keys rest while typing", asyn
   await page.getByRole("menuitem", { name: "File" }).focus();
   await page.keyboard.press("ArrowRight");
   await expect(page.getByRole("menuitem", { name: "Edit" })).toBeFocused();
+  await page.keyboard.press("ArrowRight");
+  await expect(page.getByRole("menuitem", { name: "Create" })).toBeFocused();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Enter");
   await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeChecked();

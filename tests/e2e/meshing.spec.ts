@@ -35,8 +35,7 @@ test("moving a point makes the mesh stale, meshing again changes it, undo brings
   page,
 }) => {
   const app = new AppPage(page);
-  await app.open();
-  const before = await app.openExample("unit-cube");
+  const before = await app.openCube();
   await app.select("point-7");
   await app.type("at-x", "1 + 1/2");
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
@@ -64,8 +63,7 @@ test("moving a point makes the mesh stale, meshing again changes it, undo brings
 
 test("a smaller size in the background grid gives more tetrahedra", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  const before = await app.openExample("unit-cube");
+  const before = await app.openCube();
   await app.select("background-node-1");
   await app.type("bg-size", "0.08");
   const finer = await app.generate();
@@ -74,8 +72,7 @@ test("a smaller size in the background grid gives more tetrahedra", async ({ pag
 
 test("the arrow keys step a number, and holding them is one step of undo", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await app.select("background-node-1");
   const size = page.getByTestId("bg-size");
   await size.press("ArrowDown");

@@ -3,8 +3,7 @@ import { AppPage } from "./app-page";
 
 test("a broken model is explained beside the entity, in the view and in the list", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  const before = await app.openExample("unit-cube");
+  const before = await app.openCube();
   await app.select("point-7");
   await app.type("at-x", "1.5");
   const tree = page.getByTestId("tree-patch-2");
@@ -34,8 +33,7 @@ test("a broken model is explained beside the entity, in the view and in the list
 
 test("a surface left open is told at once", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  const before = await app.openExample("unit-cube");
+  const before = await app.openCube();
   await app.select("patch-2");
   await page.getByTestId("tree-patch-2").press("Delete");
   await expect(page.getByTestId("tree-line-5").getByRole("img", { name: "1 problem" })).toBeVisible();
@@ -47,8 +45,7 @@ test("a surface left open is told at once", async ({ page }) => {
 
 test("a value that cannot be taken stays in its field with the reason", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await app.select("background-node-1");
   await app.type("bg-size", "-1");
   await expect(page.getByText("Must be above 0")).toBeVisible();
@@ -62,8 +59,7 @@ test("a value that cannot be taken stays in its field with the reason", async ({
 
 test("deleting a point takes what is built on it, and undo brings it all back", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  const before = await app.openExample("unit-cube");
+  const before = await app.openCube();
   await app.select("point-1");
   await page.getByTestId("tree-point-1").press("Delete");
   await expect(page.getByTestId("tree-point-1")).toBeHidden();

@@ -86,8 +86,7 @@ test("the cut shows whole tetrahedra inside, on either side and along any axis",
 
 test("a click in the view selects in the tree, and the tree marks in the view", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   const corner = await screenPlace(page, "point", 6);
   await page.mouse.click(corner.x, corner.y);
   await expect(page.getByTestId("tree-point-6")).toHaveAttribute("aria-selected", "true");
@@ -103,8 +102,7 @@ test("a click in the view selects in the tree, and the tree marks in the view", 
 
 test("a click on the cut tells the tetrahedron's quality", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  await app.openExample("unit-cube");
+  await app.openCube();
   await page.keyboard.press("x");
   await page.keyboard.press("3");
   const middle = await app.viewport.boundingBox();

@@ -11,6 +11,25 @@ export interface GalleryModel {
   readonly file: string;
 }
 
+/** A heading of the gallery with what is under it. */
+export interface GalleryGroup {
+  readonly title: string;
+  readonly models: readonly GalleryModel[];
+}
+
+/** The easiest first; groups of other names follow in the order of the list. */
+const groupOrder = ["First steps", "Curved patches", "Background grid", "The paper's examples"];
+
+export function groupModels(models: readonly GalleryModel[]): readonly GalleryGroup[] {
+  const titles = new Set([...groupOrder, ...models.map(({ group }) => group)]);
+  return [...titles]
+    .map((title) => ({ title, models: models.filter(({ group }) => group === title) }))
+    .filter((group) => group.models.length > 0);
+}
+
+/** A picture of the meshed model, relative to the page. */
+export const thumbnailOf = ({ id }: GalleryModel): string => `thumbnails/${id}.webp`;
+
 export interface Gallery {
   /** Id of the model a first visitor sees. */
   readonly opening: string;

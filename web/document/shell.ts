@@ -6,7 +6,7 @@ export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose"
 export interface ShellState {
   readonly leftTab: "model" | "examples";
   readonly rightTab: "inspector" | "display";
-  readonly bottomTab: "log" | "problems";
+  readonly bottomTab: "log" | "problems" | "patches";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;
   readonly dialog: DialogName | null;

@@ -9,7 +9,7 @@ import { FramedDialog } from "../ui/framed-dialog";
 import { NumberField } from "../ui/number-field";
 import { strings } from "../ui/strings";
 import { useApp, useProject, useRun, useShell } from "./app-context";
-import { aboveZero, notNegative, sizeStep } from "./entity-editors";
+import { aboveZero, notNegative, sizeStep } from "./size-fields";
 
 const texts = strings.background;
 

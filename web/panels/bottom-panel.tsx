@@ -3,6 +3,7 @@ import { useEffect, useMemo, useRef } from "react";
 import { groupProblems } from "../document/validate";
 import { strings } from "../ui/strings";
 import { useApp, useProblems, useRun, useShell } from "./app-context";
+import { PatchTable } from "./patch-figures";
 import { ProblemCard } from "./problem-card";
 
 /** The mesher's messages, and everything that is wrong. */
@@ -15,7 +16,11 @@ export function BottomPanel() {
       className="tf-tabs"
       value={tab}
       keepMounted={false}
-      onChange={(value) => app.shell.setState({ bottomTab: value === "problems" ? "problems" : "log" })}
+      onChange={(value) => {
+        if (value === "log" || value === "problems" || value === "patches") {
+          app.shell.setState({ bottomTab: value });
+        }
+      }}
     >
       <Tabs.List>
         <Tabs.Tab value="log">{strings.bottom.log}</Tabs.Tab>
@@ -31,12 +36,18 @@ export function BottomPanel() {
         >
           {strings.bottom.problems}
         </Tabs.Tab>
+        <Tabs.Tab value="patches" data-testid="tab-patches">
+          {strings.patches.tab}
+        </Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="log">
         <LogList />
       </Tabs.Panel>
       <Tabs.Panel value="problems">
         <ProblemPanel />
+      </Tabs.Panel>
+      <Tabs.Panel value="patches">
+        <PatchTable />
       </Tabs.Panel>
     </Tabs>
   );

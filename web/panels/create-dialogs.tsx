@@ -9,7 +9,7 @@ import { NumberField } from "../ui/number-field";
 import { PlaceFields } from "../ui/place-fields";
 import { entityWords, strings } from "../ui/strings";
 import { useApp, useProject, useShell } from "./app-context";
-import { aboveZero, stepFor } from "./entity-editors";
+import { aboveZero, stepFor } from "./size-fields";
 
 type PlaceKind = "point" | "background-node";
 type Place = readonly [number, number, number];

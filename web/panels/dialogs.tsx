@@ -1,60 +1,9 @@
 import { Button, Kbd, List, Text } from "@mantine/core";
-import { Spotlight } from "@mantine/spotlight";
-import { IconSearch } from "@tabler/icons-react";
-import { useState } from "react";
-import { useStore } from "zustand";
-import { commands, keyNames, runCommand } from "../commands";
+import { commands, keyNames } from "../commands";
 import { SectionTitle } from "../ui/field-row";
 import { FramedDialog } from "../ui/framed-dialog";
 import { strings } from "../ui/strings";
-import { useApp, useDocument, useRun, useShell, useView } from "./app-context";
-
-/** The command palette: every command that may run now. */
-export function CommandPalette() {
-  const app = useApp();
-  // Held here, for a palette opened again before it has quite closed would keep the old text.
-  const [query, setQuery] = useState("");
-  useDocument((state) => state.history.past.length + state.history.future.length);
-  useRun((state) => state.busy);
-  useView((state) => state.selection.length);
-  useStore(app.viewer);
-  const actions = commands
-    .filter((command) => command.enabled(app))
-    .map((command) => ({
-      id: command.id,
-      group: strings.menus[command.menu],
-      label: command.label(app),
-      rightSection:
-        command.keys[0] === undefined ? null : <Kbd size="xs">{keyNames(command.keys[0]).join(" ")}</Kbd>,
-      onClick: () => runCommand(app, command),
-    }));
-  const groups = Object.values(strings.menus).map((group) => ({
-    group,
-    actions: actions.filter((action) => action.group === group),
-  }));
-  return (
-    <Spotlight
-      shortcut="mod+K"
-      query={query}
-      onQueryChange={setQuery}
-      onSpotlightOpen={() => setQuery("")}
-      tagsToIgnore={[]}
-      actions={groups.filter((group) => group.actions.length > 0)}
-      nothingFound={strings.header.paletteEmpty}
-      highlightQuery
-      overlayProps={{ blur: 0, backgroundOpacity: 0.5 }}
-      attributes={{ content: { "aria-label": strings.header.palette } }}
-      scrollAreaProps={{ viewportProps: { tabIndex: 0 } }}
-      scrollable
-      maxHeight={420}
-      searchProps={{
-        leftSection: <IconSearch size={16} aria-hidden />,
-        placeholder: strings.header.palette,
-        "aria-label": strings.header.palette,
-      }}
-    />
-  );
-}
+import { useApp, useShell } from "./app-context";
 
 /** Keys and mouse, from the same registry as everything else. */
 export function HelpDialog() {

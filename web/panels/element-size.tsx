@@ -7,7 +7,7 @@ import { formatCount } from "../ui/format";
 import { NumberField } from "../ui/number-field";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useProject } from "./app-context";
-import { aboveZero, sizeStep, unitsOf } from "./entity-editors";
+import { aboveZero, sizeStep, unitsOf } from "./size-fields";
 
 const texts = strings.background;
 

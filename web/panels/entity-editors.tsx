@@ -14,15 +14,9 @@ import { FieldRow } from "../ui/field-row";
 import { ListField } from "../ui/list-field";
 import { NumberField } from "../ui/number-field";
 import { PlaceFields } from "../ui/place-fields";
+import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf } from "./size-fields";
 import { lineTypeNames, strings } from "../ui/strings";
 import { useApp } from "./app-context";
-
-/** A round step for coordinates: about a fiftieth of the size wanted here, at least of the model's. */
-export function stepFor(project: Project): number {
-  const sizes = project.background.nodes.map(({ size }) => size).filter((size) => size > 0);
-  const smallest = sizes.length > 0 ? Math.min(...sizes) : 1;
-  return 10 ** Math.round(Math.log10(smallest / 10));
-}
 
 export function PointEditor({ point, project }: { readonly point: ProjectPoint; readonly project: Project }) {
   const app = useApp();
@@ -81,16 +75,6 @@ export function LineEditor({ line, project }: { readonly line: ProjectLine; read
     </>
   );
 }
-
-export const aboveZero = (value: number): string | null => (value > 0 ? null : strings.fields.aboveZero);
-export const notNegative = (value: number): string | null => (value >= 0 ? null : strings.fields.notNegative);
-const atLeastOne = (value: number): string | null => (value >= 1 ? null : strings.fields.atLeastOne);
-
-/** A round step for a size: between a fiftieth and a fifth of it. */
-export const sizeStep = (size: number): number => (size > 0 ? 10 ** Math.floor(Math.log10(size / 5)) : 0.1);
-
-export const unitsOf = ({ units }: Project) =>
-  units === undefined ? {} : { rightSection: <span className="tf-unit">{units}</span> };
 
 interface NodeEditorProps {
   readonly node: ProjectBackgroundNode;

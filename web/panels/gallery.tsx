@@ -1,40 +1,68 @@
 import { Badge, Text, UnstyledButton } from "@mantine/core";
 import { openExample } from "../actions";
+import { groupModels, thumbnailOf, type GalleryModel } from "../document/gallery";
+import { SectionTitle } from "../ui/field-row";
 import { strings } from "../ui/strings";
 import { useApp, useProject } from "./app-context";
 
-/** The bundled sample projects. */
+/** The bundled sample projects, by groups, each with its picture. */
 export function GalleryPanel() {
   const app = useApp();
   const name = useProject().name;
+  const groups = groupModels(app.gallery.models);
   return (
     <div className="tf-scroll tf-pad" tabIndex={0} aria-label={strings.tree.examples} role="region">
       <Text size="sm" c="dimmed" mb="xs">
         {strings.gallery.intro}
       </Text>
-      {app.gallery.models.map((model) => (
-        <UnstyledButton
-          key={model.id}
-          className="tf-card"
-          data-testid={`example-${model.id}`}
-          data-current={model.title === name || undefined}
-          onClick={() => void openExample(app, model)}
-        >
-          <span className="tf-card-head">
-            <Text fw={600} size="sm" component="span">
-              {model.title}
-            </Text>
-            {model.title === name && (
-              <Badge size="sm" variant="outline" color="var(--tf-accent)" tt="none">
-                {strings.gallery.current}
-              </Badge>
-            )}
-          </span>
-          <Text size="sm" c="dimmed" component="span">
-            {model.blurb}
-          </Text>
-        </UnstyledButton>
+      {groups.map(({ title, models }) => (
+        <section key={title}>
+          <SectionTitle>{title}</SectionTitle>
+          {models.map((model) => (
+            <GalleryCard key={model.id} model={model} current={model.title === name} />
+          ))}
+        </section>
       ))}
     </div>
+  );
+}
+
+interface GalleryCardProps {
+  readonly model: GalleryModel;
+  readonly current: boolean;
+}
+
+function GalleryCard({ model, current }: GalleryCardProps) {
+  const app = useApp();
+  return (
+    <UnstyledButton
+      className="tf-card"
+      data-testid={`example-${model.id}`}
+      data-current={current || undefined}
+      onClick={() => void openExample(app, model)}
+    >
+      <img
+        className="tf-thumbnail"
+        src={thumbnailOf(model)}
+        alt=""
+        width={320}
+        height={200}
+        loading="lazy"
+        onError={(event) => event.currentTarget.remove()}
+      />
+      <span className="tf-card-head">
+        <Text fw={600} size="sm" component="span">
+          {model.title}
+        </Text>
+        {current && (
+          <Badge size="sm" variant="outline" color="var(--tf-accent)" tt="none">
+            {strings.gallery.current}
+          </Badge>
+        )}
+      </span>
+      <Text size="sm" c="dimmed" component="span">
+        {model.blurb}
+      </Text>
+    </UnstyledButton>
   );
 }

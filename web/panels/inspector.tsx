@@ -1,28 +1,27 @@
-import { Badge, Text } from "@mantine/core";
-import type { Project } from "tetrafront";
-import { useMemo } from "react";
-import { renameEntity, renameProject } from "../document/edits";
-import { dependentsOf, entityKey, entityName, findRecord, type Entity } from "../document/entities";
+import { Text } from "@mantine/core";
+import { lazy, Suspense } from "react";
+import { renameProject } from "../document/edits";
+import { findRecord } from "../document/entities";
 import { qualityOf } from "../document/mesh-quality";
 import { FieldRow, SectionTitle } from "../ui/field-row";
 import { formatAngle } from "../ui/format";
 import { NameField } from "../ui/name-field";
-import { entityWords, measureNames, strings } from "../ui/strings";
-import { useApp, useProblems, useProject, useRun, useView } from "./app-context";
+import { measureNames, strings } from "../ui/strings";
+import { useApp, useProject, useRun, useView } from "./app-context";
 import { ElementSize } from "./element-size";
-import { EntityChips } from "./entity-chips";
-import { LineEditor, NodeEditor, PointEditor, SourceEditor } from "./entity-editors";
-import { EntityIcon } from "./entity-icon";
-import { ProblemCard } from "./problem-card";
-import { PatchEditor } from "./patch-editor";
 import { QualityPanel } from "./quality-panel";
-import { MakeOfSelection, SelectionCard } from "./selection-card";
+import { SelectionCard } from "./selection-card";
+
+const EntityCard = lazy(() => import("./entity-card"));
 
 /** What is selected, to be edited; and the mesh's quality. */
 export function Inspector() {
   const selection = useView((state) => state.selection);
   const element = useView((state) => state.element);
-  const [only] = selection;
+  const project = useProject();
+  // What undo has taken away may still be selected.
+  const present = selection.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
+  const [only] = present;
   return (
     <div
       className="tf-scroll tf-pad"
@@ -32,9 +31,13 @@ export function Inspector() {
       aria-label={strings.inspector.title}
     >
       {element !== null && <ElementCard tetrahedron={element} />}
-      {element === null && selection.length === 0 && <ProjectCard />}
-      {selection.length > 1 && <SelectionCard selection={selection} />}
-      {selection.length === 1 && only && <EntityCard entity={only} />}
+      {element === null && !only && <ProjectCard />}
+      {present.length > 1 && <SelectionCard selection={present} />}
+      {present.length === 1 && only && (
+        <Suspense fallback={null}>
+          <EntityCard entity={only} />
+        </Suspense>
+      )}
       <QualityPanel />
     </div>
   );
@@ -66,84 +69,6 @@ function ProjectCard() {
       <ElementSize />
     </>
   );
-}
-
-function EntityCard({ entity }: { readonly entity: Entity }) {
-  const app = useApp();
-  const project = useProject();
-  const problems = useProblems((state) => state.byEntity.get(entityKey(entity)));
-  const record = findRecord(project, entity.kind, entity.id);
-  const dependents = useMemo(() => dependentsOf(project, entity), [project, entity]);
-  if (!record) return <ProjectCard />;
-  const name = entityName(project, entity) ?? "";
-  const fallback = `${entityWords[entity.kind].one} ${entity.id}`;
-  return (
-    <>
-      <div className="tf-card-title">
-        <EntityIcon entity={entity} project={project} />
-        <Text fw={600} size="md" component="h2">
-          {name === "" ? fallback : name}
-        </Text>
-        {name !== "" && (
-          <Text size="sm" c="dimmed">
-            {fallback.toLowerCase()}
-          </Text>
-        )}
-        {!problems && (
-          <Badge size="sm" variant="outline" color="var(--tf-success)" className="tf-valid">
-            {strings.inspector.valid}
-          </Badge>
-        )}
-      </div>
-      {entity.kind !== "background-node" && (
-        <FieldRow label={strings.inspector.name}>
-          <NameField
-            key={entityKey(entity)}
-            label={strings.inspector.name}
-            value={name}
-            placeholder={fallback}
-            testId="entity-name"
-            onCommit={(next) => app.documents.edit(renameEntity(entity, next))}
-          />
-        </FieldRow>
-      )}
-      <EntityFields entity={entity} project={project} />
-      <MakeOfSelection selection={[entity]} />
-      {dependents.length > 0 && (
-        <FieldRow label={strings.inspector.usedBy}>
-          <EntityChips entities={dependents} project={project} />
-        </FieldRow>
-      )}
-      {problems?.map((problem) => (
-        <ProblemCard key={problem.key} problem={problem} />
-      ))}
-    </>
-  );
-}
-
-function EntityFields({ entity, project }: { readonly entity: Entity; readonly project: Project }) {
-  switch (entity.kind) {
-    case "point": {
-      const point = findRecord(project, "point", entity.id);
-      return point && <PointEditor point={point} project={project} />;
-    }
-    case "line": {
-      const line = findRecord(project, "line", entity.id);
-      return line && <LineEditor line={line} project={project} />;
-    }
-    case "patch": {
-      const patch = findRecord(project, "patch", entity.id);
-      return patch && <PatchEditor patch={patch} project={project} />;
-    }
-    case "background-node": {
-      const node = findRecord(project, "background-node", entity.id);
-      return node && <NodeEditor node={node} project={project} />;
-    }
-    case "source": {
-      const source = findRecord(project, "source", entity.id);
-      return source && <SourceEditor source={source} project={project} />;
-    }
-  }
 }
 
 /** A tetrahedron picked on a cut. */

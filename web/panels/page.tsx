@@ -1,13 +1,12 @@
-import { useEffect, useState } from "react";
+import { lazy, Suspense, useEffect, useState } from "react";
 import { openDropped } from "../actions";
 import type { App } from "../app";
 import { strings } from "../ui/strings";
 import { AppContext } from "./app-context";
-import { CommandPalette, HelpDialog, MessageDialog } from "./dialogs";
-import { CoverDialog, ProposeDialog } from "./background-dialogs";
-import { CreatePlaceDialog } from "./create-dialogs";
 import { PageLayout } from "./layout";
 import { useCommandHotkeys } from "./use-hotkeys";
+
+const Overlays = lazy(() => import("./overlays"));
 
 /** The app with its dialogs, hotkeys and drop target. */
 export function Page({ app }: { readonly app: App }) {
@@ -17,13 +16,9 @@ export function Page({ app }: { readonly app: App }) {
   return (
     <AppContext value={app}>
       <PageLayout />
-      <CommandPalette />
-      <HelpDialog />
-      <CreatePlaceDialog kind="point" />
-      <CreatePlaceDialog kind="background-node" />
-      <CoverDialog />
-      <ProposeDialog />
-      <MessageDialog />
+      <Suspense fallback={null}>
+        <Overlays />
+      </Suspense>
       {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}
     </AppContext>
   );

@@ -153,6 +153,17 @@ export const strings = {
     bar: (count: string, from: string, to: string) => `${count} tetrahedra from ${from} to ${to}`,
     histogram: (measure: string) => `Histogram of the ${measure.toLowerCase()}`,
   },
+  patches: {
+    tab: "Patches",
+    title: "Patch triangulations",
+    patch: "Patch",
+    triangles: "Triangles",
+    minAngle: "Min angle",
+    meanRatio: "Mean 2r/R",
+    meanEdge: "Mean edge / wanted",
+    deviation: "Chord deviation",
+    none: "No figures: mesh the model as it now is.",
+  },
   display: {
     layers: "Layers",
     points: "Points",

@@ -1,11 +1,12 @@
 import type { Project, ProjectPreview } from "tetrafront";
 import { DoubleSide, Raycaster, Vector2, Vector3, type Camera } from "three";
-import { MeshBVH } from "three-mesh-bvh";
+import type { MeshBVH } from "three-mesh-bvh";
 import { entityKey, type Entity } from "../document/entities";
 import type { ViewState } from "../document/selection";
 import type { Place } from "./layers/layer";
 import type { MeshLayer } from "./layers/mesh-layer";
 import type { PatchesLayer } from "./layers/patches-layer";
+import { createSearchTree } from "./search-tree";
 
 /** What lies under the pointer: something drawn, or a tetrahedron on a cut. */
 export interface Pick {
@@ -79,8 +80,8 @@ export class Picker {
     const { count } = geometry.drawRange;
     // An empty geometry has an infinite range.
     if (!view.layers.mesh || count === 0 || !Number.isFinite(count)) return null;
-    this.#meshTree ??= new MeshBVH(geometry, { indirect: true, range: geometry.drawRange });
-    const hit = this.#meshTree.raycastFirst(this.#raycaster.ray);
+    this.#meshTree ??= createSearchTree(geometry, { indirect: true, range: geometry.drawRange });
+    const hit = this.#meshTree?.raycastFirst(this.#raycaster.ray);
     return hit && hit.faceIndex != null ? { triangle: hit.faceIndex, distance: hit.distance } : null;
   }
 

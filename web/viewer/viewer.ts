@@ -15,8 +15,9 @@ import { PatchesLayer } from "./layers/patches-layer";
 import { SourcesLayer } from "./layers/sources-layer";
 import { PatchFinder } from "./patch-finder";
 import { Picker, type Pick } from "./picking";
+import { loadSearchTrees } from "./search-tree";
 import { watchPointer } from "./pointer";
-import { ViewCube } from "./view-cube";
+import type { ViewCube } from "./view-cube";
 
 export interface ViewerEvents {
   /** The user clicked: on something, or on nothing. */
@@ -49,7 +50,10 @@ export class Viewer {
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #view: ViewCamera;
-  readonly #cube: ViewCube;
+  /** Comes a moment after the first picture. */
+  #cube: ViewCube | null = null;
+  #colors: ViewerColors;
+  #disposed = false;
   readonly #mesh = new MeshLayer();
   readonly #patches = new PatchesLayer();
   readonly #lines = new LinesLayer();
@@ -76,17 +80,13 @@ export class Viewer {
   constructor(container: HTMLElement, canvas: HTMLCanvasElement, options: ViewerOptions) {
     this.#container = container;
     this.#options = options;
+    this.#colors = options.colors;
     this.#renderer = new WebGLRenderer({ canvas, antialias: options.multisampling, alpha: true });
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, maxPixelRatio));
     this.#renderer.setClearColor(0x000000, 0);
     this.#view = new ViewCamera(canvas, options.motion);
     this.#picker = new Picker(this.#view.camera, this.#mesh, this.#patches);
     for (const layer of this.#layers) this.#scene.add(layer.root);
-    this.#cube = new ViewCube(this.#view.camera, this.#renderer, this.#view.controls, options.colors, {
-      container,
-      animated: options.motion,
-      onChange: () => this.#requestFrame(),
-    });
     this.#view.controls.addEventListener("control", () => this.#requestFrame());
     canvas.addEventListener("webglcontextlost", this.#onContextLost);
     canvas.addEventListener("webglcontextrestored", this.#onContextRestored);
@@ -99,11 +99,14 @@ export class Viewer {
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(container);
     this.#resize();
+    void this.#loadCube();
+    void loadSearchTrees();
   }
 
   setColors(colors: ViewerColors): void {
+    this.#colors = colors;
     for (const layer of this.#layers) layer.setColors(colors);
-    this.#cube.setColors(colors);
+    this.#cube?.setColors(colors);
     this.#requestFrame();
   }
 
@@ -241,7 +244,8 @@ export class Viewer {
     this.#unwatchPointer();
     this.#renderer.domElement.removeEventListener("webglcontextlost", this.#onContextLost);
     this.#renderer.domElement.removeEventListener("webglcontextrestored", this.#onContextRestored);
-    this.#cube.dispose();
+    this.#disposed = true;
+    this.#cube?.dispose();
     for (const layer of this.#layers) layer.dispose();
     this.#view.dispose();
     this.#timer.dispose();
@@ -250,6 +254,17 @@ export class Viewer {
 
   get #layers(): readonly SceneLayer[] {
     return [this.#ground, this.#patches, this.#mesh, this.#lines, this.#points, this.#grid, this.#sources];
+  }
+
+  async #loadCube(): Promise<void> {
+    const { ViewCube: Cube } = await import("./view-cube");
+    if (this.#disposed) return;
+    this.#cube = new Cube(this.#view.camera, this.#renderer, this.#view.controls, this.#colors, {
+      container: this.#container,
+      animated: this.#options.motion,
+      onChange: () => this.#requestFrame(),
+    });
+    this.#requestFrame();
   }
 
   readonly #onContextLost = (event: Event): void => {
@@ -358,7 +373,7 @@ export class Viewer {
     this.#size.set(clientWidth, clientHeight);
     this.#renderer.setSize(clientWidth, clientHeight, false);
     this.#view.resize(clientWidth, clientHeight);
-    this.#cube.resize();
+    this.#cube?.resize();
     const pixelRatio = this.#renderer.getPixelRatio();
     this.#points.setPixelRatio(pixelRatio);
     this.#grid.nodes.setPixelRatio(pixelRatio);
@@ -378,9 +393,9 @@ export class Viewer {
     const moving = this.#view.update(Math.min(this.#timer.getDelta(), 0.1));
     this.#mesh.refresh();
     this.#renderer.render(this.#scene, this.#view.camera);
-    this.#cube.render();
+    this.#cube?.render();
     this.#options.events.onFrame(++this.#frames);
     for (const listener of this.#drawnListeners) listener();
-    if (moving || this.#cube.animating) this.#requestFrame();
+    if (moving || this.#cube?.animating === true) this.#requestFrame();
   }
 }

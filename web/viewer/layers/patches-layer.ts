@@ -1,8 +1,9 @@
 import type { ProjectPreview } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, Mesh } from "three";
-import { MeshBVH } from "three-mesh-bvh";
+import type { MeshBVH } from "three-mesh-bvh";
 import type { ViewerColors } from "../colors";
 import { createFacetMaterial, setColor, setNumber } from "../materials";
+import { createSearchTree } from "../search-tree";
 import type { Place, SceneLayer } from "./layer";
 
 type Marking = "normal" | "hover" | "selected";
@@ -89,7 +90,7 @@ export class PatchesLayer implements SceneLayer {
   get searchTree(): MeshBVH | null {
     if (this.#drawnPatches.length === 0) return null;
     // `indirect` leaves the index alone, so that a triangle's number still tells its patch.
-    this.#bvh ??= new MeshBVH(this.#meshes.normal.geometry, { indirect: true });
+    this.#bvh ??= createSearchTree(this.#meshes.normal.geometry, { indirect: true });
     return this.#bvh;
   }
 
