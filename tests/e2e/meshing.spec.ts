@@ -17,7 +17,7 @@ test("opens on a meshed model and tells its numbers", async ({ page }) => {
   await expect(page.getByRole("img", { name: /Engine intake, meshed with/ })).toBeVisible();
 });
 
-for (const id of ["engine-intake", "square-to-circle", "plate-with-hole", "unit-cube"]) {
+for (const id of ["engine-intake", "square-to-circle", "unit-cube", "vault", "wing-in-a-tunnel", "bracket"]) {
   test(`${id} has the same fingerprint in the browser as in Node`, async ({ page }) => {
     const mesher = await createMesher();
     const { report } = await mesher.meshProject(sampleProject(id));

@@ -74,9 +74,12 @@ export function enclosedVolume({ points, triangles }: SurfaceInput): number {
   return preciseSum(terms) / 6;
 }
 
-export function meshVolume({ points, tetrahedra }: VolumeMesh): number {
-  const terms = rows(tetrahedra, 4).map((nodes) => sixVolumes(points, nodes as unknown as Tetrahedron));
-  return preciseSum(terms) / 6;
+export function tetrahedronVolumes({ points, tetrahedra }: VolumeMesh): number[] {
+  return rows(tetrahedra, 4).map((nodes) => sixVolumes(points, nodes as unknown as Tetrahedron) / 6);
+}
+
+export function meshVolume(mesh: VolumeMesh): number {
+  return preciseSum(tetrahedronVolumes(mesh));
 }
 
 /** Counts faces by their nodes; the key keeps the orientation. */

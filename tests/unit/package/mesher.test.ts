@@ -1,5 +1,5 @@
 import { execFile } from "node:child_process";
-import { readdirSync, readFileSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { promisify } from "node:util";
 
 import {
@@ -7,14 +7,13 @@ import {
   MesherError,
   readProject,
   type Mesher,
-  type MeshResult,
   type Progress,
   type Project,
   type SurfaceInput,
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
+import { expectValid } from "../../support/expect-valid.js";
 import { cubeProject } from "../../support/projects.js";
 import {
   boxSurface,
@@ -30,20 +29,6 @@ beforeAll(async () => {
   mesher = await createMesher();
 });
 afterAll(() => mesher.dispose());
-
-function expectValid({ report, surface, volume }: MeshResult, boundary: SurfaceInput = surface): void {
-  expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
-  expect(report.status).toBe("done");
-  expect(faultsOf(volume, boundary)).toEqual(NO_FAULTS);
-  const enclosed = enclosedVolume(boundary);
-  expect(Math.abs(meshVolume(volume) / enclosed - 1)).toBeLessThan(1e-10);
-  expect(Math.abs(report.volume / enclosed - 1)).toBeLessThan(1e-10);
-  expect(volume.front).toHaveLength(0);
-  expect(report.points).toBe(volume.points.length / 3);
-  expect(report.tetrahedra).toBe(volume.tetrahedra.length / 4);
-  expect(report.triangles).toBe(surface.triangles.length / 3);
-  expect(report.fingerprint).toMatch(/^[0-9a-f]{16}$/);
-}
 
 describe("a given surface is filled and kept triangle for triangle:", () => {
   test.each<[string, SurfaceInput, number]>([
@@ -144,19 +129,6 @@ describe("a project is meshed:", () => {
     // Half the size makes about eight times the elements.
     expect(fine.report.tetrahedra / coarse.report.tetrahedra).toBeGreaterThan(4);
     expect(fine.report.tetrahedra / coarse.report.tetrahedra).toBeLessThan(16);
-  });
-
-  const models = new URL("../../../public/models/", import.meta.url);
-  const files = readdirSync(models).filter((file) => file.endsWith(".json") && file !== "index.json");
-
-  test("there are bundled models", () => expect(files.length).toBeGreaterThanOrEqual(3));
-
-  test.each(files)("the bundled model %s", async (file) => {
-    const read = readProject(readFileSync(new URL(file, models), "utf8"));
-    if (!read.success) throw new Error(read.problems[0].message);
-    const result = await mesher.meshProject(read.value);
-    expectValid(result);
-    expect(result.report.tetrahedra).toBeGreaterThan(100);
   });
 
   test("the example of docs/FORMAT.md", async () => {

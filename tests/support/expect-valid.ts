@@ -1,0 +1,20 @@
+/** What every finished mesh must be, judged without the mesher's help. */
+import type { MeshResult, SurfaceInput } from "tetrafront";
+import { expect } from "vitest";
+
+import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "./check-mesh.js";
+
+/** Fails unless the mesh is complete and valid and fills `boundary`, by default its own surface. */
+export function expectValid({ report, surface, volume }: MeshResult, boundary: SurfaceInput = surface): void {
+  expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
+  expect(report.status).toBe("done");
+  expect(faultsOf(volume, boundary)).toEqual(NO_FAULTS);
+  const enclosed = enclosedVolume(boundary);
+  expect(Math.abs(meshVolume(volume) / enclosed - 1)).toBeLessThan(1e-10);
+  expect(Math.abs(report.volume / enclosed - 1)).toBeLessThan(1e-10);
+  expect(volume.front).toHaveLength(0);
+  expect(report.points).toBe(volume.points.length / 3);
+  expect(report.tetrahedra).toBe(volume.tetrahedra.length / 4);
+  expect(report.triangles).toBe(surface.triangles.length / 3);
+  expect(report.fingerprint).toMatch(/^[0-9a-f]{16}$/);
+}

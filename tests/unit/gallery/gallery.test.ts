@@ -1,0 +1,180 @@
+/** The bundled models: each one sound, together a picture of everything that can be drawn. */
+import { readdirSync, readFileSync } from "node:fs";
+
+import { createMesher, readProject, type Mesher, type MeshResult, type Project } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import type { Gallery } from "../../../web/document/gallery";
+import { tetrahedronVolumes } from "../../support/check-mesh.js";
+import { expectValid } from "../../support/expect-valid.js";
+
+const publicFolder = new URL("../../../public/", import.meta.url);
+const gallery = JSON.parse(readFileSync(new URL("index.json", publicFolder), "utf8")) as Gallery;
+
+function load(file: string): Project {
+  const read = readProject(readFileSync(new URL(file, publicFolder), "utf8"));
+  if (!read.success) throw new Error(`${file}: ${read.problems[0].message}`);
+  return read.value;
+}
+
+const projects = new Map(gallery.models.map(({ id, file }) => [id, load(file)]));
+const results = new Map<string, MeshResult>();
+let mesher: Mesher;
+beforeAll(async () => void (mesher = await createMesher()));
+afterAll(() => mesher.dispose());
+
+function projectOf(id: string): Project {
+  const project = projects.get(id);
+  if (!project) throw new Error(`${id} is not in the gallery`);
+  return project;
+}
+
+/** Each model is meshed once, whichever test asks first. */
+async function meshOf(id: string): Promise<MeshResult> {
+  const known = results.get(id);
+  if (known) return known;
+  const result = await mesher.meshProject(projectOf(id));
+  results.set(id, result);
+  return result;
+}
+
+const isStretched = ({ background }: Project): boolean =>
+  background.nodes.some(({ stretching = 1 }) => stretching > 1);
+
+describe("the list", () => {
+  test("names every file once, under the title of its project", () => {
+    const files = readdirSync(new URL("models/", publicFolder)).map((file) => `models/${file}`);
+    expect(gallery.models.map(({ file }) => file).sort()).toEqual(files.sort());
+    for (const { id, title, blurb } of gallery.models) {
+      expect(projectOf(id).name).toBe(title);
+      expect(blurb).toMatch(/^[A-Z][^\n]+[.]$/);
+    }
+    expect(new Set(gallery.models.map(({ title }) => title)).size).toBe(files.length);
+    expect(gallery.models.map(({ id }) => id)).toContain(gallery.opening);
+  });
+
+  test("keeps the models of a group together", () => {
+    const groups = gallery.models.map(({ group }) => group);
+    const heads = groups.filter((group, i) => group !== groups[i - 1]);
+    expect(heads).toHaveLength(new Set(groups).size);
+    expect([...heads].sort()).toEqual([
+      "Background grid",
+      "Bodies and cavities",
+      "Curved patches",
+      "First steps",
+      "The paper's examples",
+    ]);
+  });
+});
+
+describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
+  test("has named patches and nothing to complain of", async () => {
+    const names = projectOf(id).patches.map(({ name }) => name);
+    expect(names).not.toContain(undefined);
+    expect(new Set(names).size).toBe(names.length);
+    const { diagnostics } = await mesher.previewProject(projectOf(id));
+    expect(diagnostics.filter(({ severity }) => severity !== "information")).toEqual([]);
+  });
+
+  test("is meshed well", async () => {
+    const result = await meshOf(id);
+    expectValid(result);
+    const { diagnostics, dihedral, radiusRatio, tetrahedra } = result.report;
+    expect(diagnostics.filter(({ severity }) => severity === "warning")).toEqual([]);
+    expect(diagnostics.map(({ code }) => code)).not.toContain("reoriented-patch");
+    expect(tetrahedra).toBeGreaterThan(1000);
+    // Stretched elements are flat by intention; 4 in 1 leaves some 10 degrees.
+    expect(dihedral.min).toBeGreaterThan(isStretched(projectOf(id)) ? 5 : 28);
+    expect(radiusRatio.mean).toBeGreaterThan(isStretched(projectOf(id)) ? 0.7 : 0.85);
+  });
+});
+
+/** The shells of a surface: sets of triangles connected by nodes. */
+function shellCount({ surface }: MeshResult): number {
+  const parent = Array.from({ length: surface.points.length / 3 }, (_, node) => node);
+  const rootOf = (node: number): number => {
+    let at = node;
+    for (let up = parent[at] ?? at; up !== at; up = parent[at] ?? at) at = up;
+    return at;
+  };
+  for (let i = 0; i < surface.triangles.length; ++i) {
+    if (i % 3 === 0) continue;
+    const [a = 0, b = 0] = surface.triangles.subarray(i - 1, i + 1);
+    parent[rootOf(a)] = rootOf(b);
+  }
+  return new Set(parent.map((_, node) => rootOf(node))).size;
+}
+
+const regionCount = ({ volume }: MeshResult): number => new Set(volume.regions).size;
+
+describe("together the models use", () => {
+  const all = [...projects.values()];
+
+  test("every type of line and of patch, and holes", () => {
+    const lines = all.flatMap((project) => project.lines.map(({ type }) => type));
+    const patches = all.flatMap((project) => project.patches.map(({ type }) => type));
+    expect([...new Set(lines)].sort()).toEqual(["parabolic", "spline", "straight"]);
+    expect([...new Set(patches)].sort()).toEqual([
+      "barnhill-gregory-nielson",
+      "coons",
+      "isoparametric-triangle",
+      "planar",
+      "serendipity",
+    ]);
+    expect(all.some(({ patches }) => patches.some(({ loops }) => loops.length > 1))).toBe(true);
+  });
+
+  test("stretching and sources", () => {
+    expect(all.some(isStretched)).toBe(true);
+    const sources = all.flatMap(({ background }) => background.sources ?? []);
+    expect(new Set(sources.map(({ type }) => type)).size).toBeGreaterThan(1);
+  });
+
+  test("a cavity, and several bodies beside and inside each other", async () => {
+    const [box, core, chain] = [
+      await meshOf("sphere-in-a-box"),
+      await meshOf("core-in-a-shell"),
+      await meshOf("chain"),
+    ];
+    expect([shellCount(box), regionCount(box)]).toEqual([2, 1]);
+    expect([shellCount(core), regionCount(core)]).toEqual([3, 2]);
+    expect([shellCount(chain), regionCount(chain)]).toEqual([2, 2]);
+  });
+});
+
+interface Range {
+  readonly ratio: number;
+  readonly centroidOfSmallest: readonly number[];
+}
+
+function volumeRange(mesh: MeshResult["volume"]): Range {
+  const { points, tetrahedra } = mesh;
+  const volumes = tetrahedronVolumes(mesh);
+  const least = volumes.reduce((best, volume) => Math.min(best, volume));
+  const most = volumes.reduce((best, volume) => Math.max(best, volume));
+  const smallest = volumes.indexOf(least);
+  const nodes = [...tetrahedra.subarray(4 * smallest, 4 * smallest + 4)];
+  const coordinate = (k: number) => nodes.reduce((sum, node) => sum + (points[3 * node + k] ?? NaN) / 4, 0);
+  return { ratio: most / least, centroidOfSmallest: [0, 1, 2].map(coordinate) };
+}
+
+/** Löhner & Parikh 1988, section 7; docs/PAPER.md has the whole comparison. */
+describe("the paper's examples", () => {
+  test.each([
+    ["engine-intake", 4381, 22743],
+    ["missile-launcher", 3465, 17572],
+  ])("%s has the printed counts within ten per cent", async (id, points, tetrahedra) => {
+    const { report } = await meshOf(id);
+    expect(Math.abs(report.points / points - 1)).toBeLessThan(0.1);
+    expect(Math.abs(report.tetrahedra / tetrahedra - 1)).toBeLessThan(0.1);
+  });
+
+  test("the intake's volumes vary by more than 10⁴, the smallest at the nose of the centrebody", async () => {
+    const nose = projectOf("engine-intake").points.find(({ name }) => name === "nose of the centrebody");
+    const { ratio, centroidOfSmallest } = volumeRange((await meshOf("engine-intake")).volume);
+    expect(ratio).toBeGreaterThan(1e4);
+    const distance = Math.hypot(...centroidOfSmallest.map((c, k) => c - (nose?.at[k] ?? NaN)));
+    // A few of the smallest elements' edges, in an intake of length 5.
+    expect(distance).toBeLessThan(0.05);
+  });
+});
