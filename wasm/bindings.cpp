@@ -28,6 +28,7 @@ MeshOptions toOptions(const Options& options) {
   result.gradation = options.gradation;
   result.order = static_cast<FrontOrder>(options.order);
   result.optimization = static_cast<Optimization>(options.optimization);
+  result.exactFillOnly = options.exactFillOnly;
   return result;
 }
 
@@ -244,7 +245,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("growth", &Options::growth)
       .field("gradation", &Options::gradation)
       .field("order", &Options::order)
-      .field("optimization", &Options::optimization);
+      .field("optimization", &Options::optimization)
+      .field("exactFillOnly", &Options::exactFillOnly);
   value_object<DiagnosticRecord>("DiagnosticRecord")
       .field("code", &DiagnosticRecord::code)
       .field("severity", &DiagnosticRecord::severity)
@@ -310,7 +312,9 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<RecoverySummary>("RecoverySummary")
       .field("relaxed", &RecoverySummary::relaxed)
       .field("starred", &RecoverySummary::starred)
-      .field("reopened", &RecoverySummary::reopened);
+      .field("reopened", &RecoverySummary::reopened)
+      .field("filled", &RecoverySummary::filled)
+      .field("steinerPoints", &RecoverySummary::steinerPoints);
   value_object<CounterRecord>("CounterRecord")
       .field("pops", &CounterRecord::pops)
       .field("gatheredFaces", &CounterRecord::gatheredFaces)

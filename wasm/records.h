@@ -22,6 +22,7 @@ struct Options {
   double gradation = 0.0;
   std::uint32_t order = 0;
   std::uint32_t optimization = 0;
+  bool exactFillOnly = false;
 };
 
 struct DiagnosticRecord {

@@ -8,7 +8,7 @@ const floors = [
   ["base"],
   ["geom"],
   ["search"],
-  ["field", "model", "quality"],
+  ["field", "model", "quality", "fill"],
   ["surface", "volume", "optimize"],
 ];
 const floorOf = new Map(floors.flatMap((rooms, floor) => rooms.map((room) => [room, floor])));

@@ -163,8 +163,16 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     gradation = DEFAULT_GRADATION,
     order = DEFAULT_ORDER,
     optimization = DEFAULT_OPTIMIZATION,
+    exactFillOnly = false,
   } = options;
-  return { size, growth, gradation, order: FRONT_ORDERS[order], optimization: OPTIMIZATIONS[optimization] };
+  return {
+    size,
+    growth,
+    gradation,
+    order: FRONT_ORDERS[order],
+    optimization: OPTIMIZATIONS[optimization],
+    exactFillOnly,
+  };
 }
 
 /** Options that passed the check. */

@@ -21,6 +21,8 @@ export interface EngineOptions {
   readonly order: number;
   /** 0 none to 3 strive. */
   readonly optimization: number;
+  /** For tests: skips the front. */
+  readonly exactFillOnly: boolean;
 }
 
 /** The engine's ProposalOptions; 0 for sizes that are not given. */

@@ -46,7 +46,7 @@ export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic
     radiusRatio: { min: 0, mean: 0 },
     volume: 0,
     patches: [],
-    recovery: { relaxed: 0, starred: 0, reopened: 0 },
+    recovery: { relaxed: 0, starred: 0, reopened: 0, filled: 0, steinerPoints: 0 },
     front: {
       pops: 0,
       gatheredFaces: 0,

@@ -93,6 +93,8 @@ export interface MeshOptions {
   readonly order?: FrontOrder | undefined;
   /** Default `default`; `none` leaves the mesh as the front made it. */
   readonly optimization?: Optimization | undefined;
+  /** For tests: no front; the whole inside goes to the exact fill that otherwise comes last. */
+  readonly exactFillOnly?: boolean | undefined;
 }
 
 export type MeshStatus = "done" | "stalled" | "cancelled" | "invalid-input";
@@ -227,6 +229,10 @@ export interface MeshReport {
     readonly starred: number;
     /** Pockets filled after elements around them were removed. */
     readonly reopened: number;
+    /** Pockets given to the exact fill, which comes last. */
+    readonly filled: number;
+    /** Interior points that the exact fill has made. */
+    readonly steinerPoints: number;
   };
   /** How hard the front worked. */
   readonly front: {

@@ -36,6 +36,8 @@ struct MeshOptions {
   Optimization optimization = Optimization::kDefault;
   /// More tetrahedra than this are not attempted (kTooManyElements).
   std::uint32_t maxTetrahedra = 50'000'000;
+  /// For tests: no front; the whole inside goes to the exact fill that otherwise comes last.
+  bool exactFillOnly = false;
 };
 
 }  // namespace tetrafront

@@ -135,6 +135,8 @@ struct RecoverySummary {
   std::uint32_t relaxed = 0;   ///< elements accepted by a relaxed rule class (L1)
   std::uint32_t starred = 0;   ///< pockets filled from one interior point (L3)
   std::uint32_t reopened = 0;  ///< pockets filled after elements around them were removed (L2)
+  std::uint32_t filled = 0;    ///< pockets given to the exact fill (L6), all else having failed
+  std::uint32_t steinerPoints = 0;  ///< interior points made by the exact fill
 };
 
 /// Why candidates were refused while the front advanced, and how hard the crossing filters worked.

@@ -77,6 +77,13 @@ std::size_t Recovery<Trace>::work(std::uint32_t budget) {
       return reopenNext();
     case Stage::kRefront:
       return refront(budget);
+    case Stage::kFindUnfilled:
+      pockets_ = findPockets(front_);
+      nextInQueue_ = 0;
+      stage_ = Stage::kFill;
+      return lookCost();
+    case Stage::kFill:
+      return fillNext(budget);
     case Stage::kFinished:
       break;
   }
@@ -136,7 +143,7 @@ bool Recovery<Trace>::star(const Pocket& pocket) {
 template <class Trace>
 void Recovery<Trace>::beginPass() {
   if (pass_ > kPasses) {
-    stage_ = Stage::kFinished;
+    stage_ = Stage::kFindUnfilled;
   } else if ((pass_ - 1) % kVariants.size() != 0) {
     stage_ = Stage::kReopen;
   } else {
@@ -179,7 +186,7 @@ std::size_t Recovery<Trace>::reopenNext() {
   const FaceMap active = facesByNodes(front_);
   while (nextInQueue_ < queue_.size() && !active.contains(queue_[nextInQueue_])) ++nextInQueue_;
   if (refrontSteps_ > kStepsPerElement * elements_.size() + kExtraSteps) {
-    stage_ = Stage::kFinished;
+    stage_ = Stage::kFindUnfilled;
     return lookCost();
   }
   if (nextInQueue_ == queue_.size()) {
@@ -350,6 +357,27 @@ void Recovery<Trace>::putBack() {
     front_.park(front_.addFace(nodes, record.region, record.hint, false), record.ruleClass);
   }
   front_.dropNodesFrom(attempt_.nodesBefore);
+}
+
+template <class Trace>
+std::size_t Recovery<Trace>::fillNext(std::uint32_t budget) {
+  if (!fill_) {
+    if (nextInQueue_ == pockets_.size()) {
+      stage_ = Stage::kFinished;
+      return 1;
+    }
+    const Pocket& pocket = pockets_[nextInQueue_++];
+    fill_.emplace(front_, pocket);
+    return 1 + pocket.faces.size();
+  }
+  const ExactFill::State state = fill_->advance(budget);
+  if (state == ExactFill::State::kRunning) return budget;
+  if (state == ExactFill::State::kDone) {
+    steinerPoints_ += fill_->apply(front_, elements_);
+    ++filled_;
+  }
+  fill_.reset();
+  return budget;
 }
 
 template class Recovery<NullTrace>;

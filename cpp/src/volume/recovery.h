@@ -3,11 +3,13 @@
 /// @file What is done about a stall. When no face can be completed under any rule, the pockets
 /// left are closed one by one: by joining them to one interior point (star), else by taking the
 /// elements around them away and letting the front try again there under other rules (reopening,
-/// Löhner's practice). A reopened place that does not close is put back exactly as it was. All
-/// budgets are counts, so the outcome never depends on the machine's speed.
+/// Löhner's practice). A reopened place that does not close is put back exactly as it was. What is
+/// left then goes to the exact fill. All budgets are counts, so the outcome never depends on the
+/// machine's speed.
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "volume/elements.h"
 #include "volume/front.h"
 #include "volume/front_advance.h"
+#include "volume/pocket_fill.h"
 #include "volume/pockets.h"
 
 namespace tetrafront {
@@ -25,23 +28,34 @@ class Recovery {
  public:
   enum class State : std::uint8_t { kRunning, kClosed, kStalled };
 
-  Recovery(Front& front, Elements& elements, FrontAdvance<Trace>& advance, FrontOrder order)
-      : front_(front), elements_(elements), advance_(advance), order_(order) {}
+  /// `fillOnly`: nothing but the exact fill is tried.
+  Recovery(Front& front, Elements& elements, FrontAdvance<Trace>& advance, FrontOrder order,
+           bool fillOnly)
+      : front_(front),
+        elements_(elements),
+        advance_(advance),
+        order_(order),
+        stage_(fillOnly ? Stage::kFindUnfilled : Stage::kFindPockets) {}
 
   /// Works on for about `budget` faces taken from the front. To be called when nothing is queued.
   State advance(std::uint32_t budget);
 
   [[nodiscard]] std::uint32_t starred() const { return starred_; }
   [[nodiscard]] std::uint32_t reopened() const { return reopened_; }
+  [[nodiscard]] std::uint32_t filled() const { return filled_; }
+  /// Nodes that the exact fill has made.
+  [[nodiscard]] std::uint32_t steinerPoints() const { return steinerPoints_; }
 
  private:
   enum class Stage : std::uint8_t {
-    kFindPockets,  ///< the pockets of the next pass
-    kStar,         ///< the first pass: each pocket from one point
-    kCount,        ///< incidence of the elements, first round
-    kIndex,        ///< and second
-    kReopen,       ///< the other passes: choose a pocket and open the place
-    kRefront,      ///< fill it again
+    kFindPockets,   ///< the pockets of the next pass
+    kStar,          ///< the first pass: each pocket from one point
+    kCount,         ///< incidence of the elements, first round
+    kIndex,         ///< and second
+    kReopen,        ///< the other passes: choose a pocket and open the place
+    kRefront,       ///< fill it again
+    kFindUnfilled,  ///< the pockets that are left after all passes
+    kFill,          ///< each by the exact fill
     kFinished
   };
 
@@ -78,6 +92,7 @@ class Recovery {
   void finishAttempt();
   [[nodiscard]] bool onlyForeignLeft(const FaceMap& active) const;
   void putBack();
+  std::size_t fillNext(std::uint32_t budget);
   /// What looking at all active faces costs, in faces taken from the front.
   [[nodiscard]] std::size_t lookCost() const;
 
@@ -85,10 +100,10 @@ class Recovery {
   Elements& elements_;
   FrontAdvance<Trace>& advance_;
   FrontOrder order_;
-  Stage stage_ = Stage::kFindPockets;
+  Stage stage_;
   /// 0 is the star pass; then one per number of rings and variant of the rules.
   std::uint32_t pass_ = 0;
-  std::vector<Pocket> pockets_;  ///< of the star pass
+  std::vector<Pocket> pockets_;  ///< of the star pass, or left for the exact fill
   /// One face of each pocket that was there when the pass began.
   std::vector<NodeTriple> queue_;
   std::size_t nextInQueue_ = 0;
@@ -99,6 +114,9 @@ class Recovery {
   std::uint64_t refrontSteps_ = 0;  ///< of all attempts
   std::uint32_t starred_ = 0;
   std::uint32_t reopened_ = 0;
+  std::optional<PocketFill> fill_;
+  std::uint32_t filled_ = 0;
+  std::uint32_t steinerPoints_ = 0;
 };
 
 extern template class Recovery<NullTrace>;

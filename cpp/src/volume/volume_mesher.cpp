@@ -64,7 +64,8 @@ BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary,
       maxTetrahedra_(options.maxTetrahedra),
       front_(medianSize(boundary), lowestCorner(boundary), options.order),
       advance_(front_, elements_, field),
-      recovery_(front_, elements_, advance_, options.order),
+      recovery_(front_, elements_, advance_, options.order, options.exactFillOnly),
+      exactFillOnly_(options.exactFillOnly),
       boundaryNodes_(boundary.points.size() / 3),
       exactBefore_(exactPredicateCount()) {
   for (std::size_t i = 0; i < boundaryNodes_; ++i) {
@@ -103,7 +104,7 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
     // Neighbours in the list are near each other: asked in its order, walks are short.
     static_cast<void>(field_.covers(front_.node(n[0]), coverHint_));
     // Turned: the front looks into the region.
-    front_.addFace({n[0], n[2], n[1]}, triangleRegion_[nextTriangle_], coverHint_, true);
+    front_.addFace({n[0], n[2], n[1]}, triangleRegion_[nextTriangle_], coverHint_, !exactFillOnly_);
   }
   if (nextTriangle_ == count) stage_ = Stage::kAdvance;
 }
@@ -218,7 +219,7 @@ VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
 template <class Trace>
 RecoverySummary BasicVolumeMesher<Trace>::recovery() const {
   return {static_cast<std::uint32_t>(advance_.counters().relaxed), recovery_.starred(),
-          recovery_.reopened()};
+          recovery_.reopened(), recovery_.filled(), recovery_.steinerPoints()};
 }
 
 template <class Trace>

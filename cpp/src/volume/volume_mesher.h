@@ -70,6 +70,7 @@ class BasicVolumeMesher {
   Elements elements_;
   FrontAdvance<Trace> advance_;
   Recovery<Trace> recovery_;
+  bool exactFillOnly_;
   std::size_t boundaryNodes_;
   std::size_t inspectedNodes_ = 0;
   std::size_t inspectedElements_ = 0;

@@ -67,7 +67,7 @@ function resultWith(fingerprint: string): EngineResult {
       dihedral: { min: 0, max: 0 },
       radiusRatio: { min: 0, mean: 0 },
       volume: 0,
-      recovery: { relaxed: 0, starred: 0, reopened: 0 },
+      recovery: { relaxed: 0, starred: 0, reopened: 0, filled: 0, steinerPoints: 0 },
       front: {
         pops: 0,
         gatheredFaces: 0,

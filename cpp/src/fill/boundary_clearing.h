@@ -1,0 +1,71 @@
+#pragma once
+
+/// @file Frees the boundary of the points that had to be put on it: each is replaced by a point
+/// inside, an existing one that sees all that is around it, or a new one a little way inwards. The
+/// pieces of given triangles around it are triangulated anew without it, so that in the end the
+/// boundary is the given one. Existence of interior points that do: Du & Wang 2004; George, Borouchaki
+/// & Saltel 2003.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "fill/cone.h"
+#include "fill/fill_mesh.h"
+
+namespace tetrafront {
+
+class BoundaryClearing {
+ public:
+  /// `triangles` gives the planes of facets; it must outlive this. The mesh must hold the inside only.
+  BoundaryClearing(FillMesh& mesh, const std::vector<std::array<NodeId, 3>>& triangles,
+                   std::span<const NodeId> boundaryPoints);
+
+  enum class State : std::uint8_t { kRunning, kDone, kFailed };
+  /// Deals with one point.
+  State step();
+
+  /// New points inside, in the order they were made; some may have been removed again.
+  [[nodiscard]] std::span<const NodeId> interiorPoints() const { return interiorPoints_; }
+
+ private:
+  /// The faces of one given triangle around a boundary point: the nodes around it, counter-clockwise
+  /// seen from inside, and one node off the plane, inside.
+  struct Fan {
+    std::uint32_t facet = 0;
+    std::vector<NodeId> polygon;
+    NodeId above;
+    std::vector<BoundaryFace> triangles;  ///< without the point
+  };
+
+  void separateSectors(std::span<const NodeId> boundaryPoints);
+  bool describe(NodeId node);
+  bool chainFans(std::vector<std::array<NodeId, 2>>& links, Fan& fan) const;
+  bool triangulate(Fan& fan) const;
+  [[nodiscard]] std::vector<BoundaryFace> boundaryFor(NodeId apex) const;
+  bool replaceByExisting(NodeId node);
+  bool replaceByNew(NodeId node);
+  bool tryPlace(NodeId node, const Vec3& place);
+  bool tryPlace(NodeId node, const DyadicVec3& place);
+  bool tryLast(NodeId node);
+  [[nodiscard]] Vec3 inwards() const;
+  [[nodiscard]] std::optional<DyadicVec3> exactInwards() const;
+  [[nodiscard]] DyadicVec3 exactNormal(const Fan& fan) const;
+
+  FillMesh& mesh_;
+  const std::vector<std::array<NodeId, 3>>& triangles_;
+  ConstraintEdges none_;
+  Cone cone_;
+  std::vector<NodeId> waiting_;
+  std::vector<NodeId> postponed_;
+  std::size_t next_ = 0;
+  bool progress_ = false;
+  bool lifting_ = false;
+  std::vector<NodeId> interiorPoints_;
+  std::vector<TetId> star_;
+  std::vector<Fan> fans_;
+};
+
+}  // namespace tetrafront

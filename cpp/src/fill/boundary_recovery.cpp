@@ -1,0 +1,300 @@
+#include "fill/boundary_recovery.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrafront {
+namespace {
+
+/// A swap may empty a cavity of so many tetrahedra.
+constexpr std::size_t kLargestSwap = 150;
+/// How often a place is computed to more digits before the attempt is given up, 50 bits at a time.
+constexpr int kMaxRefinements = 10;
+/// Coordinates with more digits than this would make determinants too long.
+constexpr std::size_t kMaxCoordinateDigits = 28;
+constexpr std::int8_t kUnknown = 2;
+
+std::pair<NodeId, NodeId> ordered(NodeId u, NodeId v) {
+  return u < v ? std::pair(u, v) : std::pair(v, u);
+}
+
+/// numerator / denominator in so many steps of about 50 bits each.
+Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int steps) {
+  Dyadic result;
+  Dyadic rest = numerator;
+  for (int i = 0; i < steps && rest.sign() != 0; ++i) {
+    const Dyadic part(quotient(rest, denominator));
+    result = result + part;
+    rest = rest - part * denominator;
+  }
+  return result;
+}
+
+bool isShort(const DyadicVec3& place) {
+  return std::all_of(place.begin(), place.end(),
+                     [](const Dyadic& x) { return x.digitCount() <= kMaxCoordinateDigits; });
+}
+
+}  // namespace
+
+BoundaryRecovery::BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles)
+    : mesh_(mesh), triangles_(triangles), cone_(mesh, constraints_) {
+  collectEdges();
+}
+
+void BoundaryRecovery::collectEdges() {
+  for (const auto& t : triangles_) {
+    for (std::size_t k = 0; k < 3; ++k) edgeOf_.push_back({ordered(t[k], t[(k + 1) % 3]), 0});
+  }
+  std::sort(edgeOf_.begin(), edgeOf_.end());
+  edgeOf_.erase(std::unique(edgeOf_.begin(), edgeOf_.end()), edgeOf_.end());
+  for (auto& [nodes, edge] : edgeOf_) {
+    edge = static_cast<std::uint32_t>(edges_.size());
+    edges_.push_back({nodes.first, nodes.second, {}});
+  }
+}
+
+// ---- edges ---------------------------------------------------------------------------------------
+
+BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId towards) const {
+  const ExactPoints& points = mesh_.points;
+  const std::uint32_t corner = mesh_.cornerOf(tet, from);
+  const std::array<NodeId, 3> f = mesh_.innerFace(tet, corner);
+  for (const NodeId node : f) {
+    if (node == towards) return {Hit::Kind::kNode, tet, corner, node, node};
+  }
+  const std::array<int, 3> s{points.orient(towards, f[1], f[2], from),
+                             points.orient(f[0], towards, f[2], from),
+                             points.orient(f[0], f[1], towards, from)};
+  std::array<NodeId, 3> ahead;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (s[k] < 0) return {};
+    if (s[k] > 0) ahead[count++] = f[k];
+  }
+  if (count == 3) return {Hit::Kind::kFace, tet, corner, {}, {}};
+  if (count == 2) return {Hit::Kind::kEdge, tet, corner, ahead[0], ahead[1]};
+  return {count == 1 ? Hit::Kind::kNode : Hit::Kind::kNothing, tet, corner, ahead[0], ahead[0]};
+}
+
+BoundaryRecovery::Hit BoundaryRecovery::firstHit(NodeId from, NodeId towards) {
+  mesh_.star(from, star_);
+  for (const TetId tet : star_) {
+    if (mesh_.has(tet, towards)) return hitInTet(tet, from, towards);
+  }
+  for (const TetId tet : star_) {
+    const Hit hit = hitInTet(tet, from, towards);
+    if (hit.kind != Hit::Kind::kNothing) return hit;
+  }
+  return {};
+}
+
+/// What has the hit place within it.
+void BoundaryRecovery::tetsAtHit(const Hit& hit, std::vector<TetId>& result) {
+  if (hit.kind == Hit::Kind::kEdge) {
+    mesh_.ring(hit.tet, hit.u, hit.v, result);
+  } else {
+    result.assign(1, hit.tet);
+    const TetFace beyond = mesh_.tet(hit.tet).across[hit.corner];
+    if (!beyond.isNone()) result.push_back(beyond.tet);
+  }
+}
+
+/// All around the hit becomes joined to the apex, from where the ray comes: it then passes freely.
+bool BoundaryRecovery::swapAtHit(const Hit& hit, NodeId apex) {
+  tetsAtHit(hit, tets_);
+  ConeRules rules;
+  rules.largestCavity = std::max(kLargestSwap, tets_.size());
+  return cone_.make(apex, tets_, rules);
+}
+
+NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
+  ExactPoints& points = mesh_.points;
+  // Heights of the edge's ends over a plane through what was hit.
+  std::array<NodeId, 3> plane = mesh_.innerFace(hit.tet, hit.corner);
+  if (hit.kind == Hit::Kind::kEdge) {
+    const NodeId start = mesh_.tet(hit.tet).nodes[hit.corner];
+    for (const NodeId node : mesh_.tet(hit.tet).nodes) {
+      if (node != hit.u && node != hit.v && node != start) plane = {hit.u, hit.v, node};
+    }
+  }
+  const Dyadic from = points.exactVolume(plane[0], plane[1], plane[2], edge.from);
+  const Dyadic to = points.exactVolume(plane[0], plane[1], plane[2], edge.to);
+  if ((from - to).sign() == 0) return {};
+  tetsAtHit(hit, tets_);
+  const DyadicVec3 start = points.exact(edge.from);
+  const DyadicVec3 along = points.exact(edge.to) - start;
+  for (int steps = 1; steps <= kMaxRefinements; ++steps) {
+    const DyadicVec3 place = start + along * refinedQuotient(from, from - to, steps);
+    if (!isShort(place)) return {};
+    const NodeId node = points.add(place);
+    ConeRules rules;
+    rules.largestCavity = tets_.size() + kLargestSwap;
+    if (cone_.make(node, tets_, rules)) return node;
+    points.dropLast();
+  }
+  return {};
+}
+
+bool BoundaryRecovery::recoverEdge(std::size_t index) {
+  Edge& edge = edges_[index];
+  edge.chain.assign(1, edge.from);
+  while (edge.chain.back() != edge.to) {
+    const NodeId from = edge.chain.back();
+    const Hit hit = firstHit(from, edge.to);
+    if (hit.kind == Hit::Kind::kNothing) return false;
+    if (hit.kind == Hit::Kind::kNode) {
+      if (hit.u != edge.to) return false;
+      constraints_.add(from, edge.to);
+      edge.chain.push_back(edge.to);
+      break;
+    }
+    if (swapAtHit(hit, from)) continue;
+    const Hit back = firstHit(edge.to, from);
+    if (back.kind != Hit::Kind::kFace && back.kind != Hit::Kind::kEdge) return false;
+    if (swapAtHit(back, edge.to)) continue;
+    const NodeId node = splitEdgeAt(edge, hit);
+    if (node.isNone()) return false;
+    boundaryPoints_.push_back(node);
+    constraints_.add(from, node);
+    edge.chain.push_back(node);
+  }
+  return true;
+}
+
+// ---- triangles -----------------------------------------------------------------------------------
+
+std::vector<NodeId> BoundaryRecovery::chainBetween(NodeId from, NodeId to) const {
+  const auto at = std::lower_bound(edgeOf_.begin(), edgeOf_.end(),
+                                   std::pair(ordered(from, to), std::uint32_t{0}));
+  std::vector<NodeId> chain = edges_[at->second].chain;
+  if (chain.front() != from) std::reverse(chain.begin(), chain.end());
+  return chain;
+}
+
+void BoundaryRecovery::beginTriangle(std::size_t triangle) {
+  for (const NodeId node : sidesKnown_) sides_[node.index()] = kUnknown;
+  sidesKnown_.clear();
+  const auto know = [&](NodeId node) {
+    sides_.resize(mesh_.points.size(), kUnknown);
+    sides_[node.index()] = 0;
+    sidesKnown_.push_back(node);
+  };
+  open_.clear();
+  const auto& t = triangles_[triangle];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::vector<NodeId> chain = chainBetween(t[k], t[(k + 1) % 3]);
+    for (const NodeId node : chain) know(node);
+    for (std::size_t i = 1; i < chain.size(); ++i) open_.emplace(chain[i - 1], chain[i]);
+  }
+}
+
+bool BoundaryRecovery::recoverTriangle(std::size_t triangle) {
+  beginTriangle(triangle);
+  while (!open_.empty()) {
+    if (!findFaceAt(triangle, *open_.begin())) return false;
+  }
+  return true;
+}
+
+/// The face of the triangle on the left of an edge; or a step towards it.
+bool BoundaryRecovery::findFaceAt(std::size_t triangle, Direction edge) {
+  const auto [x, y] = edge;
+  const TetId seed = mesh_.findEdge(x, y);
+  if (seed.isNone()) return false;
+  mesh_.ring(seed, x, y, tets_);
+  const auto& t = triangles_[triangle];
+  const auto sideOf = [&](NodeId node) -> int {
+    sides_.resize(mesh_.points.size(), kUnknown);
+    std::int8_t& known = sides_[node.index()];
+    if (known == kUnknown) {
+      known = static_cast<std::int8_t>(mesh_.points.orient(t[0], t[1], t[2], node));
+      sidesKnown_.push_back(node);
+    }
+    return known;
+  };
+  for (const TetId tet : tets_) {
+    // The other two, so that x y u v is in order.
+    const std::uint32_t cx = mesh_.cornerOf(tet, x);
+    const std::array<NodeId, 3> f = mesh_.innerFace(tet, cx);
+    const std::size_t cy = f[0] == y ? 0 : (f[1] == y ? 1 : 2);
+    // f then x is in order, and so is x then the other way round f.
+    const NodeId u = f[(cy + 2) % 3];
+    const NodeId v = f[(cy + 1) % 3];
+    const int su = sideOf(u);
+    const int sv = sideOf(v);
+    if (su == 0 && sv > 0) {
+      markFace(triangle, tet, x, y, u);
+      return true;
+    }
+    if (sv == 0 && su < 0) {
+      markFace(triangle, tet, x, y, v);
+      return true;
+    }
+    if (su < 0 && sv > 0) return passCrossing(triangle, edge, u, v, tet);
+  }
+  return false;
+}
+
+bool BoundaryRecovery::passCrossing(std::size_t triangle, Direction edge, NodeId below,
+                                    NodeId above, TetId tet) {
+  std::vector<TetId> around;
+  mesh_.ring(tet, below, above, around);
+  ConeRules rules;
+  rules.largestCavity = std::max(kLargestSwap, around.size());
+  if (cone_.make(edge.first, around, rules) || cone_.make(edge.second, around, rules)) return true;
+  return splitCrossing(triangle, below, above, around);
+}
+
+bool BoundaryRecovery::splitCrossing(std::size_t triangle, NodeId below, NodeId above,
+                                     std::span<const TetId> around) {
+  ExactPoints& points = mesh_.points;
+  const auto& t = triangles_[triangle];
+  const Dyadic low = points.exactVolume(t[0], t[1], t[2], below);
+  const Dyadic high = points.exactVolume(t[0], t[1], t[2], above);
+  const DyadicVec3 a = points.exact(t[0]);
+  const DyadicVec3 ab = points.exact(t[1]) - a;
+  const DyadicVec3 ac = points.exact(t[2]) - a;
+  const DyadicVec3 normal = cross(ab, ac);
+  const DyadicVec3 start = points.exact(below);
+  const DyadicVec3 along = points.exact(above) - start;
+  const Dyadic square = dot(normal, normal);
+  for (int steps = 1; steps <= kMaxRefinements; ++steps) {
+    // Near where they meet, then into the plane by coordinates of the triangle.
+    const DyadicVec3 near = start + along * refinedQuotient(low, low - high, steps) - a;
+    const Dyadic s = refinedQuotient(dot(cross(near, ac), normal), square, steps);
+    const Dyadic r = refinedQuotient(dot(cross(ab, near), normal), square, steps);
+    const DyadicVec3 place = a + ab * s + ac * r;
+    if (!isShort(place)) return false;
+    const NodeId node = points.add(place);
+    ConeRules rules;
+    rules.largestCavity = around.size() + kLargestSwap;
+    if (cone_.make(node, around, rules)) {
+      boundaryPoints_.push_back(node);
+      sides_.resize(points.size(), kUnknown);
+      sides_[node.index()] = 0;
+      sidesKnown_.push_back(node);
+      return true;
+    }
+    points.dropLast();
+  }
+  return false;
+}
+
+void BoundaryRecovery::markFace(std::size_t triangle, TetId tet, NodeId x, NodeId y, NodeId w) {
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const NodeId apex = mesh_.tet(tet).nodes[k];
+    if (apex != x && apex != y && apex != w) {
+      mesh_.markFacet(tet, k, static_cast<std::uint32_t>(triangle));
+    }
+  }
+  close({x, y});
+  close({y, w});
+  close({w, x});
+}
+
+void BoundaryRecovery::close(Direction edge) {
+  if (open_.erase(edge) == 0) open_.emplace(edge.second, edge.first);
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,84 @@
+#pragma once
+
+/// @file Makes the given edges and triangles appear in a mesh of their nodes: each edge as a chain of
+/// edges, each triangle as a sheet of faces. Where swaps do not do it, a point is put where an edge
+/// meets a face, or a triangle an edge. With every such point one crossing is gone for good and none
+/// is made, so this ends.
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "fill/cone.h"
+#include "fill/fill_mesh.h"
+
+namespace tetrafront {
+
+using NodeTripleList = std::vector<std::array<NodeId, 3>>;
+
+class BoundaryRecovery {
+ public:
+  /// `triangles` must outlive this. All their nodes must be nodes of the mesh.
+  BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles);
+
+  [[nodiscard]] std::size_t edgeCount() const { return edges_.size(); }
+  [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
+  /// To be called for all edges, then for all triangles. False if it cannot be: the triangles then
+  /// meet where they should not, or a number has grown too long.
+  bool recoverEdge(std::size_t index);
+  bool recoverTriangle(std::size_t triangle);
+
+  /// Points put on the boundary, in the order they were made.
+  [[nodiscard]] std::span<const NodeId> boundaryPoints() const { return boundaryPoints_; }
+
+ private:
+  struct Edge {
+    NodeId from;
+    NodeId to;
+    std::vector<NodeId> chain;  ///< all its nodes in order, once recovered
+  };
+  /// What a ray from a node meets first.
+  struct Hit {
+    enum class Kind : std::uint8_t { kNothing, kNode, kEdge, kFace } kind = Kind::kNothing;
+    TetId tet;
+    std::uint32_t corner = 0;  ///< where the ray starts
+    NodeId u;                  ///< the node, or the edge's ends
+    NodeId v;
+  };
+  using Direction = std::pair<NodeId, NodeId>;
+
+  void collectEdges();
+  Hit firstHit(NodeId from, NodeId towards);
+  [[nodiscard]] Hit hitInTet(TetId tet, NodeId from, NodeId towards) const;
+  void tetsAtHit(const Hit& hit, std::vector<TetId>& result);
+  bool swapAtHit(const Hit& hit, NodeId apex);
+  NodeId splitEdgeAt(const Edge& edge, const Hit& hit);
+
+  void beginTriangle(std::size_t triangle);
+  [[nodiscard]] std::vector<NodeId> chainBetween(NodeId from, NodeId to) const;
+  bool findFaceAt(std::size_t triangle, Direction edge);
+  bool passCrossing(std::size_t triangle, Direction edge, NodeId below, NodeId above, TetId tet);
+  bool splitCrossing(std::size_t triangle, NodeId below, NodeId above,
+                     std::span<const TetId> around);
+  void markFace(std::size_t triangle, TetId tet, NodeId x, NodeId y, NodeId w);
+  void close(Direction edge);
+
+  FillMesh& mesh_;
+  const NodeTripleList& triangles_;
+  ConstraintEdges constraints_;
+  Cone cone_;
+  std::vector<Edge> edges_;
+  std::vector<std::pair<std::pair<NodeId, NodeId>, std::uint32_t>> edgeOf_;  ///< sorted
+  std::vector<NodeId> boundaryPoints_;
+  std::vector<TetId> tets_;
+  std::vector<TetId> star_;
+  // Of the triangle at work:
+  std::set<Direction> open_;        ///< edges whose left side is not yet covered by faces
+  std::vector<std::int8_t> sides_;  ///< per node; kUnknown until asked for
+  std::vector<NodeId> sidesKnown_;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,175 @@
+#include "fill/cone.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrafront {
+namespace {
+
+bool contains(const std::array<NodeId, 3>& nodes, NodeId node) {
+  return nodes[0] == node || nodes[1] == node || nodes[2] == node;
+}
+bool contains(const std::array<NodeId, 4>& nodes, NodeId node) {
+  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
+}
+
+/// Is p well within the circumsphere? In doubles: it only ranks.
+bool circumsphereHolds(const std::array<Vec3, 4>& corners, const Vec3& p) {
+  constexpr double kDoubt = 1e-12;
+  const Vec3 a = corners[0] - p;
+  const Vec3 b = corners[1] - p;
+  const Vec3 c = corners[2] - p;
+  const Vec3 d = corners[3] - p;
+  const double ta = glm::dot(a, a) * glm::dot(b, glm::cross(c, d));
+  const double tb = glm::dot(b, b) * glm::dot(a, glm::cross(c, d));
+  const double tc = glm::dot(c, c) * glm::dot(a, glm::cross(b, d));
+  const double td = glm::dot(d, d) * glm::dot(a, glm::cross(b, c));
+  const double size = std::fabs(ta) + std::fabs(tb) + std::fabs(tc) + std::fabs(td);
+  return ta - tb + tc - td > kDoubt * size;
+}
+
+}  // namespace
+
+double shapeOf(const ExactPoints& points, const std::array<NodeId, 4>& n) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const Vec3 edge = points.place(n[j]) - points.place(n[i]);
+      squares += glm::dot(edge, edge);
+    }
+  }
+  if (!(squares > 0.0)) return 0.0;
+  const Vec3& a = points.place(n[0]);
+  const double volume =
+      glm::dot(glm::cross(points.place(n[1]) - a, points.place(n[2]) - a), points.place(n[3]) - a);
+  const double ratio = volume / (squares * std::sqrt(squares));
+  return 432.0 * ratio * std::fabs(ratio);
+}
+
+bool Cone::make(NodeId apex, std::span<const TetId> cavity, const ConeRules& rules) {
+  return plan(apex, cavity, rules) && commit();
+}
+
+bool Cone::plan(NodeId apex, std::span<const TetId> cavity, const ConeRules& rules) {
+  apex_ = apex;
+  lost_ = rules.lost;
+  boundary_ = rules.boundary;
+  stamp_ = mesh_.freshStamp();
+  cavity_.clear();
+  faces_.clear();
+  for (const TetId t : cavity) enter(t);
+  return grow(rules) && collect(rules) && !losesNodes(rules.lost) && !losesEdges();
+}
+
+bool Cone::commit() { return mesh_.replace(cavity_, fresh_, lost_, boundary_); }
+
+void Cone::enter(TetId tet) {
+  mesh_.stamp(tet, stamp_);
+  cavity_.push_back(tet);
+}
+
+bool Cone::grow(const ConeRules& rules) {
+  for (std::size_t i = 0; i < cavity_.size(); ++i) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      if (!look({cavity_[i], k}, rules)) return false;
+    }
+  }
+  return true;
+}
+
+/// A face of the cavity: seen, already inside, or to be passed.
+bool Cone::look(TetFace face, const ConeRules& rules) {
+  const FillTet& t = mesh_.tet(face.tet);
+  const TetFace beyond = t.across[face.corner];
+  const bool marked = t.facet[face.corner] != kNoFacet;
+  if (!beyond.isNone() && mesh_.hasStamp(beyond.tet, stamp_)) return !marked;
+  const std::array<NodeId, 3> nodes = mesh_.innerFace(face.tet, face.corner);
+  if (beyond.isNone() && contains(nodes, rules.lost)) return true;
+  const bool mayPass = !beyond.isNone() && !marked && cavity_.size() < rules.largestCavity;
+  if (contains(nodes, apex_)) {
+    // Stays as a face of a new tetrahedron.
+    faces_.push_back(face);
+    return true;
+  }
+  if (mesh_.points.orient(nodes[0], nodes[1], nodes[2], apex_) > 0) {
+    if (mayPass && rules.delaunay && wantsToEnter(beyond)) {
+      enter(beyond.tet);
+    } else {
+      faces_.push_back(face);
+    }
+    return true;
+  }
+  if (!mayPass) return false;
+  enter(beyond.tet);
+  return true;
+}
+
+bool Cone::wantsToEnter(TetFace beyond) const {
+  const std::array<NodeId, 4>& n = mesh_.tet(beyond.tet).nodes;
+  const ExactPoints& points = mesh_.points;
+  return circumsphereHolds(
+      {points.place(n[0]), points.place(n[1]), points.place(n[2]), points.place(n[3])},
+      points.place(apex_));
+}
+
+/// The new tetrahedra.
+bool Cone::collect(const ConeRules& rules) {
+  fresh_.clear();
+  for (const TetFace& face : faces_) {
+    const TetFace beyond = mesh_.tet(face.tet).across[face.corner];
+    // Seen before the tetrahedron behind it joined.
+    if (!beyond.isNone() && mesh_.hasStamp(beyond.tet, stamp_)) {
+      if (mesh_.tet(face.tet).facet[face.corner] != kNoFacet) return false;
+      continue;
+    }
+    const std::array<NodeId, 3> n = mesh_.innerFace(face.tet, face.corner);
+    if (!contains(n, apex_)) fresh_.push_back({n[0], n[1], n[2], apex_});
+  }
+  for (const BoundaryFace& face : rules.boundary) {
+    const auto& n = face.nodes;
+    if (contains(n, apex_)) continue;
+    if (mesh_.points.orient(n[0], n[1], n[2], apex_) <= 0) return false;
+    fresh_.push_back({n[0], n[1], n[2], apex_});
+  }
+  return !fresh_.empty();
+}
+
+/// A node that no outer face has would be left without a tetrahedron.
+bool Cone::losesNodes(NodeId lost) const {
+  for (const TetId t : cavity_) {
+    for (const NodeId node : mesh_.tet(t).nodes) {
+      if (node == lost || node == apex_) continue;
+      if (std::none_of(fresh_.begin(), fresh_.end(),
+                       [&](const auto& nodes) { return contains(nodes, node); })) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool Cone::losesEdges() const {
+  if (constraints_.empty()) return false;
+  for (const TetId t : cavity_) {
+    const std::array<NodeId, 4>& n = mesh_.tet(t).nodes;
+    for (std::size_t i = 0; i < 4; ++i) {
+      for (std::size_t j = i + 1; j < 4; ++j) {
+        if (!constraints_.contains(n[i], n[j])) continue;
+        if (std::none_of(fresh_.begin(), fresh_.end(), [&](const auto& nodes) {
+              return contains(nodes, n[i]) && contains(nodes, n[j]);
+            })) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+double Cone::leastShape() const {
+  double least = 1.0;
+  for (const auto& nodes : fresh_) least = std::min(least, shapeOf(mesh_.points, nodes));
+  return least;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,207 @@
+#include "fill/exact_fill.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "fill/boundary_clearing.h"
+#include "fill/boundary_recovery.h"
+#include "fill/fill_mesh.h"
+#include "fill/interior_clearing.h"
+#include "fill/point_insertion.h"
+
+namespace tetrafront {
+namespace {
+
+/// Signs per unit of the budget.
+constexpr std::uint64_t kWorkPerUnit = 20;
+
+}  // namespace
+
+class ExactFill::Impl {
+ public:
+  explicit Impl(FillTask task) : task_(std::move(task)) {}
+
+  State advance(std::uint32_t budget) {
+    const std::uint64_t end = mesh_.points.work() + kWorkPerUnit * std::max(budget, 1U);
+    while (stage_ != Stage::kDone && stage_ != Stage::kFailed && mesh_.points.work() < end) step();
+    if (stage_ == Stage::kFailed) return State::kFailed;
+    return stage_ == Stage::kDone ? State::kDone : State::kRunning;
+  }
+
+  [[nodiscard]] const FillResult& result() const { return result_; }
+
+ private:
+  enum class Stage : std::uint8_t {
+    kBegin,
+    kInsert,
+    kEdges,
+    kTriangles,
+    kDropOutside,
+    kClearBoundary,
+    kClearInterior,
+    kDone,
+    kFailed
+  };
+
+  void step() {
+    switch (stage_) {
+      case Stage::kBegin:
+        return begin();
+      case Stage::kInsert:
+        if (next_ == insertion_->count()) return beginRecovery();
+        return failUnless(insertion_->insert(next_++));
+      case Stage::kEdges:
+        if (next_ == recovery_->edgeCount()) return beginStage(Stage::kTriangles);
+        return failUnless(recovery_->recoverEdge(next_++));
+      case Stage::kTriangles:
+        if (next_ == recovery_->triangleCount()) return beginStage(Stage::kDropOutside);
+        return failUnless(recovery_->recoverTriangle(next_++));
+      case Stage::kDropOutside:
+        return dropOutside();
+      case Stage::kClearBoundary:
+        return clearBoundary();
+      case Stage::kClearInterior:
+        return clearInterior();
+      case Stage::kDone:
+      case Stage::kFailed:
+        return;
+    }
+  }
+
+  void beginStage(Stage stage) {
+    stage_ = stage;
+    next_ = 0;
+  }
+  void failUnless(bool good) {
+    if (!good) stage_ = Stage::kFailed;
+  }
+
+  void begin() {
+    if (task_.triangles.empty()) return beginStage(Stage::kDone);
+    for (const Vec3& place : task_.places) mesh_.points.add(place);
+    insertion_.emplace(mesh_);
+    beginStage(Stage::kInsert);
+  }
+
+  void beginRecovery() {
+    insertion_.reset();
+    recovery_.emplace(mesh_, task_.triangles);
+    beginStage(Stage::kEdges);
+  }
+
+  /// Floods from the tetrahedra above the triangles. Sides contradict each other only where the
+  /// triangles are not the closed boundary of something.
+  void dropOutside() {
+    const std::size_t count = mesh_.slotCount();
+    std::vector<std::uint8_t> inside(count, 0);
+    std::vector<TetId> queue;
+    std::vector<TetId> outside;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!mesh_.isLive(TetId(i))) continue;
+      const FillTet& t = mesh_.tet(TetId(i));
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        if (t.facet[k] == kNoFacet) continue;
+        const auto& f = task_.triangles[t.facet[k]];
+        if (mesh_.points.orient(f[0], f[1], f[2], t.nodes[k]) < 0) {
+          outside.emplace_back(i);
+        } else if (inside[i] == 0) {
+          inside[i] = 1;
+          queue.emplace_back(i);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < queue.size(); ++i) {
+      const FillTet& t = mesh_.tet(queue[i]);
+      for (std::uint32_t k = 0; k < 4; ++k) {
+        if (t.facet[k] != kNoFacet) continue;
+        const TetFace beyond = t.across[k];
+        if (beyond.isNone()) return failUnless(false);
+        if (inside[beyond.tet.index()] != 0) continue;
+        inside[beyond.tet.index()] = 1;
+        queue.push_back(beyond.tet);
+      }
+    }
+    for (const TetId tet : outside) {
+      if (inside[tet.index()] != 0) return failUnless(false);
+    }
+    mesh_.keep(inside);
+    clearing_.emplace(mesh_, task_.triangles, recovery_->boundaryPoints());
+    recovery_.reset();
+    beginStage(Stage::kClearBoundary);
+  }
+
+  void clearBoundary() {
+    const BoundaryClearing::State state = clearing_->step();
+    if (state == BoundaryClearing::State::kRunning) return;
+    if (state == BoundaryClearing::State::kFailed) return failUnless(false);
+    interior_.emplace(mesh_, clearing_->interiorPoints());
+    clearing_.reset();
+    beginStage(Stage::kClearInterior);
+  }
+
+  void clearInterior() {
+    const InteriorClearing::State state = interior_->step();
+    if (state == InteriorClearing::State::kRunning) return;
+    if (state == InteriorClearing::State::kFailed) return failUnless(false);
+    takeResult();
+    beginStage(Stage::kDone);
+  }
+
+  void takeResult() {
+    std::vector<NodeId> numbers(mesh_.points.size());
+    for (std::size_t i = 0; i < task_.places.size(); ++i) numbers[i] = NodeId(i);
+    for (const NodeId node : interior_->points()) {
+      numbers[node.index()] = NodeId(task_.places.size() + result_.newPlaces.size());
+      result_.newPlaces.push_back(mesh_.points.place(node));
+    }
+    std::vector<std::uint8_t> seen(mesh_.slotCount(), 0);
+    for (std::size_t i = 0; i < mesh_.slotCount(); ++i) {
+      if (mesh_.isLive(TetId(i)) && seen[i] == 0) takePlaceAround(TetId(i), seen, numbers);
+    }
+  }
+
+  /// The tetrahedra joined to one by faces, all of one place.
+  void takePlaceAround(TetId first, std::vector<std::uint8_t>& seen,
+                       const std::vector<NodeId>& numbers) {
+    std::vector<TetId> place{first};
+    seen[first.index()] = 1;
+    std::uint32_t triangle = kNoFacet;
+    for (std::size_t i = 0; i < place.size(); ++i) {
+      const FillTet& t = mesh_.tet(place[i]);
+      for (std::size_t k = 0; k < 4; ++k) {
+        triangle = std::min(triangle, t.facet[k]);
+        const TetId beyond = t.across[k].tet;
+        if (beyond.isNone() || seen[beyond.index()] != 0) continue;
+        seen[beyond.index()] = 1;
+        place.push_back(beyond);
+      }
+    }
+    for (const TetId id : place) {
+      const auto& n = mesh_.tet(id).nodes;
+      result_.tetrahedra.push_back({numbers[n[0].index()], numbers[n[1].index()],
+                                    numbers[n[2].index()], numbers[n[3].index()]});
+      result_.triangleOfTetrahedron.push_back(triangle);
+    }
+  }
+
+  FillTask task_;
+  FillMesh mesh_;
+  FillResult result_;
+  Stage stage_ = Stage::kBegin;
+  std::size_t next_ = 0;
+  std::optional<PointInsertion> insertion_;
+  std::optional<BoundaryRecovery> recovery_;
+  std::optional<BoundaryClearing> clearing_;
+  std::optional<InteriorClearing> interior_;
+};
+
+ExactFill::ExactFill(FillTask task) : impl_(std::make_unique<Impl>(std::move(task))) {}
+ExactFill::ExactFill(ExactFill&&) noexcept = default;
+ExactFill& ExactFill::operator=(ExactFill&&) noexcept = default;
+ExactFill::~ExactFill() = default;
+
+ExactFill::State ExactFill::advance(std::uint32_t budget) { return impl_->advance(budget); }
+const FillResult& ExactFill::result() const { return impl_->result(); }
+
+}  // namespace tetrafront

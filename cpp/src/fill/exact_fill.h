@@ -1,0 +1,55 @@
+#pragma once
+
+/// @file The guaranteed fill: tetrahedra for any closed, embedded, consistently turned set of
+/// triangles, with new points inside only. All signs are exact, so nothing can go wrong but the last
+/// step, where points inside must be brought to places that doubles can hold; where that fails, there
+/// is no result, never a wrong one.
+///
+/// The nodes are put into a nearly Delaunay mesh; edges, then triangles are recovered, by swaps and,
+/// where these do not do it, points on the boundary; what is outside is dropped; and the points on the
+/// boundary are replaced by points inside, of which most then turn out not to be needed.
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// What is to be filled. Nodes are positions in `places`; triangles are counter-clockwise seen from
+/// where it is empty, and may bound several places, with islands in them.
+struct FillTask {
+  std::vector<Vec3> places;
+  std::vector<std::array<NodeId, 3>> triangles;
+};
+
+struct FillResult {
+  std::vector<Vec3> newPlaces;  ///< of the nodes that follow those of the task
+  std::vector<std::array<NodeId, 4>> tetrahedra;
+  std::vector<std::uint32_t> triangleOfTetrahedron;  ///< some triangle of the place each is in
+};
+
+class ExactFill {
+ public:
+  explicit ExactFill(FillTask task);
+  ExactFill(ExactFill&&) noexcept;
+  ExactFill& operator=(ExactFill&&) noexcept;
+  ~ExactFill();
+
+  enum class State : std::uint8_t { kRunning, kDone, kFailed };
+  /// Works on for about `budget` times 2 microseconds, then returns; the outcome does not depend on it.
+  State advance(std::uint32_t budget);
+
+  /// Once done.
+  [[nodiscard]] const FillResult& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace tetrafront

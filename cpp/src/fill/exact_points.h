@@ -1,0 +1,55 @@
+#pragma once
+
+/// @file Points whose places are exact although they need not be doubles, and the signs of the
+/// volumes they span.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/ids.h"
+#include "geom/dyadic.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+class ExactPoints {
+ public:
+  NodeId add(const Vec3& place);
+  NodeId add(const DyadicVec3& place);
+  /// Another point at the same place.
+  NodeId copy(NodeId node);
+  void move(NodeId node, const Vec3& place);
+  void dropLast() { points_.pop_back(); }
+
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  /// Where it is, rounded to doubles.
+  [[nodiscard]] const Vec3& place(NodeId node) const { return points_[node.index()].place; }
+  /// Is place() the exact place?
+  [[nodiscard]] bool isDouble(NodeId node) const {
+    return points_[node.index()].exact == kPlaceIsExact;
+  }
+  [[nodiscard]] DyadicVec3 exact(NodeId node) const;
+
+  /// Sign of (b-a) x (c-a) . (d-a), exact.
+  [[nodiscard]] int orient(NodeId a, NodeId b, NodeId c, NodeId d) const;
+  /// Six times the volume.
+  [[nodiscard]] Dyadic exactVolume(NodeId a, NodeId b, NodeId c, NodeId d) const;
+
+  /// Grows with the signs asked for, by what they cost; a measure of work done.
+  [[nodiscard]] std::uint64_t work() const { return work_; }
+
+ private:
+  static constexpr std::uint32_t kPlaceIsExact = 0xffffffffU;
+  struct Point {
+    Vec3 place;
+    double error;         ///< no coordinate of the exact place is farther from place's
+    std::uint32_t exact;  ///< position in exact_, or kPlaceIsExact
+  };
+
+  std::vector<Point> points_;
+  std::vector<DyadicVec3> exact_;
+  mutable std::uint64_t work_ = 0;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,117 @@
+#pragma once
+
+/// @file The tetrahedra of the exact fill, with their neighbours. There is one change: the
+/// tetrahedra of a cavity out, others with the same outer faces in.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/ids.h"
+#include "fill/exact_points.h"
+
+namespace tetrafront {
+
+/// Corners of the face opposite corner i, counter-clockwise seen from inside: with that corner they
+/// make the tetrahedron again.
+inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kInnerCorners{
+    {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
+
+/// A face of a tetrahedron: which, and the corner opposite.
+struct TetFace {
+  TetId tet;
+  std::uint32_t corner = 0;
+  [[nodiscard]] bool isNone() const { return tet.isNone(); }
+};
+
+inline constexpr std::uint32_t kNoFacet = 0xffffffffU;
+
+struct FillTet {
+  std::array<NodeId, 4> nodes;
+  std::array<TetFace, 4> across;
+  std::array<std::uint32_t, 4> facet{kNoFacet, kNoFacet, kNoFacet,
+                                     kNoFacet};  ///< the given triangle each face is a part of
+};
+
+/// A piece of the boundary, counter-clockwise seen from inside.
+struct BoundaryFace {
+  std::array<NodeId, 3> nodes;
+  std::uint32_t facet;
+};
+
+class FillMesh {
+ public:
+  ExactPoints points;
+
+  /// The first tetrahedron; its nodes must be in order. All else comes by replace().
+  void begin(const std::array<NodeId, 4>& nodes);
+
+  [[nodiscard]] std::size_t slotCount() const { return tets_.size(); }
+  [[nodiscard]] bool isLive(TetId tet) const { return !tets_[tet.index()].nodes[0].isNone(); }
+  [[nodiscard]] const FillTet& tet(TetId tet) const { return tets_[tet.index()]; }
+  [[nodiscard]] std::array<NodeId, 3> innerFace(TetId tet, std::uint32_t corner) const;
+  [[nodiscard]] std::uint32_t cornerOf(TetId tet, NodeId node) const;
+  [[nodiscard]] bool has(TetId tet, NodeId node) const { return cornerOf(tet, node) < 4; }
+  /// One tetrahedron at the node; none if no longer used.
+  [[nodiscard]] TetId at(NodeId node) const {
+    return node.index() < tetAt_.size() ? tetAt_[node.index()] : TetId();
+  }
+
+  /// The tetrahedra at a node that are joined by faces, from at(node) or from `seed` on.
+  void star(NodeId node, std::vector<TetId>& result) { spread(at(node), {node, node}, result); }
+  void starFrom(TetId seed, NodeId node, std::vector<TetId>& result) {
+    spread(seed, {node, node}, result);
+  }
+  /// Those at an edge of `seed`, likewise.
+  void ring(TetId seed, NodeId u, NodeId v, std::vector<TetId>& result) {
+    spread(seed, {u, v}, result);
+  }
+  /// A tetrahedron with both nodes; none if there is no such edge.
+  [[nodiscard]] TetId findEdge(NodeId u, NodeId v);
+
+  /// Marks both sides of a face as part of a given triangle.
+  void markFacet(TetId tet, std::uint32_t corner, std::uint32_t facet);
+
+  /// Replaces the tetrahedra of a cavity. Faces of `fresh` that pair neither with each other nor
+  /// with an outer face of the cavity must be given in `boundary`; outer faces on the boundary that
+  /// contain `lost` need no partner. False, and nothing changed, if anything is left over.
+  bool replace(std::span<const TetId> old, std::span<const std::array<NodeId, 4>> fresh,
+               NodeId lost, std::span<const BoundaryFace> boundary);
+
+  /// Keeps only the tetrahedra so marked; faces between kept ones and others become boundary.
+  void keep(const std::vector<std::uint8_t>& kept);
+  /// Gives the tetrahedra of `sector` a point of their own in place of `node`.
+  void separate(std::span<const TetId> sector, NodeId node, NodeId own);
+
+  /// Marks of a fresh set of tetrahedra.
+  std::uint32_t freshStamp() { return ++stamp_; }
+  void stamp(TetId tet, std::uint32_t value) { stamps_[tet.index()] = value; }
+  [[nodiscard]] bool hasStamp(TetId tet, std::uint32_t value) const {
+    return stamps_[tet.index()] == value;
+  }
+
+ private:
+  struct FaceSlot {
+    std::array<NodeId, 3> key;
+    TetFace face;     ///< of a fresh tetrahedron (tet: its position), or none
+    TetFace outside;  ///< for an outer face: what is beyond
+    std::uint32_t facet = kNoFacet;
+  };
+
+  void spread(TetId seed, const std::array<NodeId, 2>& nodes, std::vector<TetId>& result);
+  void collectOuterFaces(std::span<const TetId> old, NodeId lost);
+  void collectFreshFaces(std::span<const std::array<NodeId, 4>> fresh);
+  [[nodiscard]] bool facesPair() const;
+  TetId takeSlot();
+
+  std::vector<FillTet> tets_;
+  std::vector<std::uint32_t> stamps_;
+  std::vector<TetId> freeSlots_;
+  std::vector<TetId> tetAt_;
+  std::uint32_t stamp_ = 0;
+  std::vector<FaceSlot> slots_;
+  std::vector<TetId> freshIds_;
+};
+
+}  // namespace tetrafront

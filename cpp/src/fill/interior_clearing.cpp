@@ -1,0 +1,119 @@
+#include "fill/interior_clearing.h"
+
+#include <algorithm>
+
+#include "fill/star_kernel.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr std::size_t kLargestGrowth = 40;
+/// Sweeps over all points while something changes.
+constexpr int kMaxSweeps = 12;
+
+}  // namespace
+
+InteriorClearing::InteriorClearing(FillMesh& mesh, std::span<const NodeId> interiorPoints)
+    : mesh_(mesh), cone_(mesh, none_) {
+  for (const NodeId node : interiorPoints) {
+    if (!mesh.at(node).isNone()) points_.push_back(node);
+  }
+}
+
+bool InteriorClearing::allAreDoubles() const {
+  return std::all_of(points_.begin(), points_.end(),
+                     [&](NodeId node) { return mesh_.points.isDouble(node); });
+}
+
+InteriorClearing::State InteriorClearing::step() {
+  if (next_ == points_.size()) {
+    if (sweep_ > 0 && (!changed_ || sweep_ == kMaxSweeps)) {
+      return allAreDoubles() ? State::kDone : State::kFailed;
+    }
+    if (points_.empty()) return State::kDone;
+    ++sweep_;
+    changed_ = false;
+    next_ = 0;
+  }
+  const NodeId node = points_[next_];
+  mesh_.star(node, star_);
+  if (removePoint(node)) {
+    points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(next_));
+    changed_ = true;
+    return State::kRunning;
+  }
+  const NodeId moved = movePoint(node);
+  if (moved != node) changed_ = true;
+  points_[next_++] = moved;
+  return State::kRunning;
+}
+
+double InteriorClearing::leastShapeAround() const {
+  double least = 1.0;
+  for (const TetId id : star_) {
+    least = std::min(least, shapeOf(mesh_.points, mesh_.tet(id).nodes));
+  }
+  return least;
+}
+
+/// By the best neighbour. A point that is a double already stays unless shapes get better.
+bool InteriorClearing::removePoint(NodeId node) {
+  std::vector<NodeId> candidates;
+  for (const TetId id : star_) {
+    for (const NodeId other : mesh_.tet(id).nodes) {
+      if (other != node) candidates.push_back(other);
+    }
+  }
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  const double needed = mesh_.points.isDouble(node) ? leastShapeAround() : -1.0;
+  for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
+    ConeRules rules;
+    rules.lost = node;
+    rules.largestCavity = growth;
+    NodeId best;
+    double bestShape = needed;
+    for (const NodeId apex : candidates) {
+      if (!cone_.plan(apex, star_, rules)) continue;
+      const double shape = cone_.leastShape();
+      if (shape <= bestShape) continue;
+      best = apex;
+      bestShape = shape;
+    }
+    if (!best.isNone() && cone_.make(best, star_, rules)) return true;
+  }
+  return false;
+}
+
+/// To the best double found in its kernel.
+NodeId InteriorClearing::movePoint(NodeId node) {
+  StarKernel kernel;
+  for (const TetId id : star_) {
+    kernel.add(mesh_.points, mesh_.innerFace(id, mesh_.cornerOf(id, node)));
+  }
+  const Vec3 here = mesh_.points.place(node);
+  const Vec3 middle = kernel.middle();
+  const bool isDouble = mesh_.points.isDouble(node);
+  double bestShape = isDouble ? leastShapeAround() : -1.0;
+  bool found = false;
+  Vec3 best = here;
+  ConeRules rules;
+  rules.lost = node;
+  for (const Vec3& place : {kernel.deepest(here), kernel.deepest(middle), middle,
+                            here + (middle - here) * 0.5, here + (middle - here) * 0.125, here}) {
+    const NodeId trial = mesh_.points.add(place);
+    if (cone_.plan(trial, star_, rules) && cone_.leastShape() > bestShape) {
+      found = true;
+      best = place;
+      bestShape = cone_.leastShape();
+    }
+    mesh_.points.dropLast();
+  }
+  if (!found || (isDouble && best == here)) return node;
+  const NodeId moved = mesh_.points.add(best);
+  if (cone_.make(moved, star_, rules)) return moved;
+  mesh_.points.dropLast();
+  return node;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,41 @@
+#pragma once
+
+/// @file Brings the points inside to places that doubles can hold, or removes them.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "fill/cone.h"
+#include "fill/fill_mesh.h"
+
+namespace tetrafront {
+
+class InteriorClearing {
+ public:
+  InteriorClearing(FillMesh& mesh, std::span<const NodeId> interiorPoints);
+
+  enum class State : std::uint8_t { kRunning, kDone, kFailed };
+  /// Deals with one point.
+  State step();
+
+  /// Those left, all at doubles once done.
+  [[nodiscard]] const std::vector<NodeId>& points() const { return points_; }
+
+ private:
+  bool removePoint(NodeId node);
+  NodeId movePoint(NodeId node);
+  [[nodiscard]] double leastShapeAround() const;
+  [[nodiscard]] bool allAreDoubles() const;
+
+  FillMesh& mesh_;
+  ConstraintEdges none_;
+  Cone cone_;
+  std::vector<NodeId> points_;
+  std::size_t next_ = 0;
+  int sweep_ = 0;
+  bool changed_ = false;
+  std::vector<TetId> star_;
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,85 @@
+#include "fill/point_insertion.h"
+
+#include <algorithm>
+#include <array>
+
+#include "search/morton.h"
+
+namespace tetrafront {
+namespace {
+
+/// The large tetrahedron's corners are so many extents away from the middle: its sides are then 4.6
+/// away, the box's corners at most 1.8.
+constexpr double kEnclosure = 8.0;
+constexpr std::size_t kLargestCavity = 2000;
+
+}  // namespace
+
+PointInsertion::PointInsertion(FillMesh& mesh) : mesh_(mesh), cone_(mesh, none_) {
+  ExactPoints& points = mesh.points;
+  std::vector<Vec3> places;
+  for (std::size_t i = 0; i < points.size(); ++i) places.push_back(points.place(NodeId(i)));
+  order_ = mortonOrder(places);
+  Vec3 low = places.front();
+  Vec3 high = low;
+  for (const Vec3& p : places) {
+    low = glm::min(low, p);
+    high = glm::max(high, p);
+  }
+  const Vec3 middle = low + (high - low) * 0.5;
+  const Vec3 half = (high - low) * 0.5;
+  const double reach = kEnclosure * std::max({half.x, half.y, half.z});
+  last_ = points.add(middle + Vec3(reach, reach, reach));
+  const NodeId b = points.add(middle + Vec3(-reach, -reach, reach));
+  const NodeId c = points.add(middle + Vec3(-reach, reach, -reach));
+  const NodeId d = points.add(middle + Vec3(reach, -reach, -reach));
+  if (points.orient(last_, b, c, d) > 0) {
+    mesh.begin({last_, b, c, d});
+  } else {
+    mesh.begin({last_, c, b, d});
+  }
+}
+
+std::uint32_t PointInsertion::faceTowards(TetId tet, NodeId node, std::size_t first) const {
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto k = static_cast<std::uint32_t>((first + i) % 4);
+    const std::array<NodeId, 3> f = mesh_.innerFace(tet, k);
+    if (mesh_.points.orient(f[0], f[1], f[2], node) < 0) return k;
+  }
+  return 4;
+}
+
+/// A tetrahedron that holds the point. Walks towards it; walks may run in circles, so they end.
+TetId PointInsertion::locate(NodeId node) const {
+  TetId tet = mesh_.at(last_);
+  const std::size_t longest = mesh_.slotCount() + 100;
+  for (std::size_t step = 0; step < longest; ++step) {
+    const std::uint32_t face = faceTowards(tet, node, step);
+    if (face == 4) return tet;
+    const TetFace beyond = mesh_.tet(tet).across[face];
+    if (beyond.isNone()) return {};
+    tet = beyond.tet;
+  }
+  for (std::size_t i = 0; i < mesh_.slotCount(); ++i) {
+    if (mesh_.isLive(TetId(i)) && faceTowards(TetId(i), node, 0) == 4) return TetId(i);
+  }
+  return {};
+}
+
+bool PointInsertion::insert(std::size_t position) {
+  const NodeId node(order_[position]);
+  const TetId tet = locate(node);
+  if (tet.isNone()) return false;
+  ConeRules rules;
+  rules.largestCavity = kLargestCavity;
+  rules.delaunay = true;
+  bool done = cone_.make(node, std::span(&tet, 1), rules);
+  if (!done) {
+    rules.delaunay = false;
+    done = cone_.make(node, std::span(&tet, 1), rules);
+  }
+  if (done) last_ = node;
+  return done;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,193 @@
+#include "geom/dyadic.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrafront {
+namespace {
+
+constexpr int kDigitBits = 32;
+
+int floorOfDivision(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+}  // namespace
+
+Dyadic::Dyadic(double value) {
+  if (value == 0.0) return;
+  constexpr int kMantissaBits = 53;
+  int exponent = 0;
+  const double fraction = std::frexp(std::fabs(value), &exponent);
+  auto mantissa = static_cast<std::uint64_t>(std::ldexp(fraction, kMantissaBits));
+  exponent -= kMantissaBits;
+  lowest_ = floorOfDivision(exponent, kDigitBits);
+  const auto places = static_cast<unsigned>(exponent - lowest_ * kDigitBits);
+  // 53 bits moved by less than 32 places: up to three digits.
+  std::uint64_t carry = 0;
+  size_ = 3;
+  for (std::size_t i = 0; i < size_; ++i) {
+    carry |= (mantissa & 0xffffffffU) << places;
+    digits_[i] = static_cast<std::uint32_t>(carry);
+    carry >>= kDigitBits;
+    mantissa >>= kDigitBits;
+  }
+  isNegative_ = value < 0.0;
+  trim();
+}
+
+Dyadic& Dyadic::operator=(const Dyadic& other) {
+  if (this == &other) return *this;
+  size_ = other.size_;
+  lowest_ = other.lowest_;
+  isNegative_ = other.isNegative_;
+  std::copy_n(other.digits_.begin(), size_, digits_.begin());
+  return *this;
+}
+
+void Dyadic::trim() {
+  while (size_ > 0 && digits_[size_ - 1] == 0) --size_;
+  std::size_t zeros = 0;
+  while (zeros < size_ && digits_[zeros] == 0) ++zeros;
+  if (zeros > 0) {
+    std::copy(digits_.begin() + static_cast<std::ptrdiff_t>(zeros),
+              digits_.begin() + static_cast<std::ptrdiff_t>(size_), digits_.begin());
+    size_ -= zeros;
+    lowest_ += static_cast<int>(zeros);
+  }
+  if (size_ == 0) {
+    lowest_ = 0;
+    isNegative_ = false;
+  }
+}
+
+/// Room for digits of the places [lowest, end).
+bool Dyadic::reserve(int lowest, int end) {
+  if (end - lowest > static_cast<int>(kMaxDigits)) return false;
+  lowest_ = lowest;
+  size_ = static_cast<std::size_t>(end - lowest);
+  return true;
+}
+
+Dyadic Dyadic::negated() const {
+  Dyadic result = *this;
+  if (size_ > 0) result.isNegative_ = !isNegative_;
+  return result;
+}
+
+bool Dyadic::isSmaller(const Dyadic& a, const Dyadic& b) {
+  if (a.end() != b.end()) return a.end() < b.end();
+  const int lowest = std::min(a.lowest_, b.lowest_);
+  for (int place = a.end() - 1; place >= lowest; --place) {
+    const std::uint32_t da = a.digitAt(place);
+    const std::uint32_t db = b.digitAt(place);
+    if (da != db) return da < db;
+  }
+  return false;
+}
+
+Dyadic Dyadic::sumOfSizes(const Dyadic& a, const Dyadic& b) {
+  Dyadic result;
+  const int lowest = std::min(a.lowest_, b.lowest_);
+  if (!result.reserve(lowest, std::max(a.end(), b.end()) + 1)) return {};
+  std::uint64_t carry = 0;
+  for (std::size_t i = 0; i < result.size_; ++i) {
+    const int place = lowest + static_cast<int>(i);
+    carry += std::uint64_t{a.digitAt(place)} + b.digitAt(place);
+    result.digits_[i] = static_cast<std::uint32_t>(carry);
+    carry >>= kDigitBits;
+  }
+  result.trim();
+  return result;
+}
+
+Dyadic Dyadic::differenceOfSizes(const Dyadic& larger, const Dyadic& smaller) {
+  Dyadic result;
+  const int lowest = std::min(larger.lowest_, smaller.lowest_);
+  if (!result.reserve(lowest, larger.end())) return {};
+  std::int64_t borrow = 0;
+  for (std::size_t i = 0; i < result.size_; ++i) {
+    const int place = lowest + static_cast<int>(i);
+    std::int64_t digit = std::int64_t{larger.digitAt(place)} - smaller.digitAt(place) - borrow;
+    borrow = digit < 0 ? 1 : 0;
+    digit += borrow << kDigitBits;
+    result.digits_[i] = static_cast<std::uint32_t>(digit);
+  }
+  result.trim();
+  return result;
+}
+
+Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+  if (a.size_ == 0) return b;
+  if (b.size_ == 0) return a;
+  Dyadic result;
+  if (a.isNegative_ == b.isNegative_) {
+    result = Dyadic::sumOfSizes(a, b);
+    if (result.size_ > 0) result.isNegative_ = a.isNegative_;
+  } else {
+    const bool bIsLarger = Dyadic::isSmaller(a, b);
+    const Dyadic& larger = bIsLarger ? b : a;
+    result = Dyadic::differenceOfSizes(larger, bIsLarger ? a : b);
+    if (result.size_ > 0) result.isNegative_ = larger.isNegative_;
+  }
+  return result;
+}
+
+Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+  if (a.size_ == 0 || b.size_ == 0) return {};
+  Dyadic result;
+  if (!result.reserve(a.lowest_ + b.lowest_, a.end() + b.end())) return {};
+  std::fill_n(result.digits_.begin(), result.size_, 0U);
+  for (std::size_t i = 0; i < a.size_; ++i) {
+    std::uint64_t carry = 0;
+    const std::uint64_t digit = a.digits_[i];
+    for (std::size_t j = 0; j < b.size_; ++j) {
+      carry += digit * b.digits_[j] + result.digits_[i + j];
+      result.digits_[i + j] = static_cast<std::uint32_t>(carry);
+      carry >>= kDigitBits;
+    }
+    result.digits_[i + b.size_] = static_cast<std::uint32_t>(carry);
+  }
+  result.isNegative_ = a.isNegative_ != b.isNegative_;
+  result.trim();
+  return result;
+}
+
+double Dyadic::toDoubleAt(int shift) const {
+  if (size_ == 0) return 0.0;
+  const int top = end() - 1;
+  const std::uint64_t leading = std::uint64_t{digitAt(top)} << kDigitBits | digitAt(top - 1);
+  // Two digits hold at least 33 bits; the third completes a double, and where the number is one,
+  // both conversions and the sum are exact.
+  const double value =
+      static_cast<double>(leading) + static_cast<double>(digitAt(top - 2)) * 0x1p-32;
+  const double scaled = std::ldexp(value, (top - 1 + shift) * kDigitBits);
+  return isNegative_ ? -scaled : scaled;
+}
+
+double quotient(const Dyadic& a, const Dyadic& b) {
+  return a.toDoubleAt(-b.end()) / b.toDoubleAt(-b.end());
+}
+
+DyadicVec3 toDyadic(const Vec3& v) { return {Dyadic(v.x), Dyadic(v.y), Dyadic(v.z)}; }
+
+DyadicVec3 operator+(const DyadicVec3& a, const DyadicVec3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+DyadicVec3 operator-(const DyadicVec3& a, const DyadicVec3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+DyadicVec3 operator*(const DyadicVec3& a, const Dyadic& factor) {
+  return {a[0] * factor, a[1] * factor, a[2] * factor};
+}
+Dyadic dot(const DyadicVec3& a, const DyadicVec3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+DyadicVec3 cross(const DyadicVec3& a, const DyadicVec3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Dyadic determinant(const DyadicVec3& a, const DyadicVec3& b, const DyadicVec3& c,
+                   const DyadicVec3& d) {
+  return dot(cross(b - a, c - a), d - a);
+}
+
+}  // namespace tetrafront

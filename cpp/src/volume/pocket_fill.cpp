@@ -1,0 +1,49 @@
+#include "volume/pocket_fill.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tetrafront {
+
+PocketFill::PocketFill(const Front& front, Pocket pocket)
+    : pocket_(std::move(pocket)), fill_(taskFor(front, pocket_, nodes_)) {}
+
+FillTask PocketFill::taskFor(const Front& front, const Pocket& pocket, std::vector<NodeId>& nodes) {
+  for (const FaceId face : pocket.faces) {
+    const NodeTriple& n = front.face(face).nodes;
+    nodes.insert(nodes.end(), n.begin(), n.end());
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  const auto numberOf = [&](NodeId node) {
+    const auto at = std::lower_bound(nodes.begin(), nodes.end(), node);
+    return NodeId(static_cast<std::size_t>(at - nodes.begin()));
+  };
+  FillTask task;
+  for (const NodeId node : nodes) task.places.push_back(front.node(node));
+  for (const FaceId face : pocket.faces) {
+    const NodeTriple& n = front.face(face).nodes;
+    task.triangles.push_back({numberOf(n[0]), numberOf(n[1]), numberOf(n[2])});
+  }
+  return task;
+}
+
+std::uint32_t PocketFill::apply(Front& front, Elements& elements) const {
+  const FillResult& result = fill_.result();
+  std::uint16_t layer = 0;
+  for (const NodeId node : nodes_) layer = std::max(layer, front.layer(node));
+  const FieldHint hint = front.face(pocket_.faces.front()).hint;
+  std::vector<NodeId> nodes = nodes_;
+  for (const Vec3& place : result.newPlaces) nodes.push_back(front.addNode(place, layer, hint));
+  for (std::size_t i = 0; i < result.tetrahedra.size(); ++i) {
+    const auto& n = result.tetrahedra[i];
+    const FaceId face = pocket_.faces[result.triangleOfTetrahedron[i]];
+    elements.add(
+        {nodes[n[0].index()], nodes[n[1].index()], nodes[n[2].index()], nodes[n[3].index()]},
+        front.face(face).region);
+  }
+  for (const FaceId face : pocket_.faces) front.removeFace(face);
+  return static_cast<std::uint32_t>(result.newPlaces.size());
+}
+
+}  // namespace tetrafront

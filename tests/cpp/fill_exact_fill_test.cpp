@@ -1,0 +1,208 @@
+/// The last rung alone, on all that is hard: whatever is closed and embedded must be filled.
+
+#include "fill/exact_fill.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "base/fingerprint.h"
+#include "fill/exact_points.h"
+#include "support/hard_shapes.h"
+#include "support/mesh_validator.h"
+#include "support/random.h"
+#include "support/shapes.h"
+#include "surface/boundary.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront {
+namespace {
+
+FillTask taskOf(const SurfaceMesh& surface) {
+  FillTask task;
+  for (std::uint32_t i = 0; i < testing::nodeCount(surface); ++i) {
+    task.places.push_back(testing::pointOf(surface, i));
+  }
+  for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
+    const std::uint32_t* n = surface.triangles.data() + t;
+    task.triangles.push_back({NodeId(n[0]), NodeId(n[2]), NodeId(n[1])});
+  }
+  return task;
+}
+
+ExactFill::State fill(FillTask task, FillResult& result, std::uint32_t budget = 1000) {
+  ExactFill exactFill(std::move(task));
+  ExactFill::State state = ExactFill::State::kRunning;
+  while (state == ExactFill::State::kRunning) state = exactFill.advance(budget);
+  result = exactFill.result();
+  return state;
+}
+
+VolumeMesh meshOf(const SurfaceMesh& surface, const FillResult& result) {
+  VolumeMesh mesh;
+  mesh.points = surface.points;
+  for (const Vec3& p : result.newPlaces) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+  for (const auto& tetrahedron : result.tetrahedra) {
+    for (const NodeId node : tetrahedron) mesh.tetrahedra.push_back(node.value);
+  }
+  return mesh;
+}
+
+std::uint64_t fingerprintOf(const VolumeMesh& mesh) {
+  Fingerprint fingerprint;
+  fingerprint.add(mesh.points);
+  fingerprint.add(mesh.tetrahedra);
+  return fingerprint.value();
+}
+
+struct NamedSurface {
+  std::string name;
+  SurfaceMesh surface;
+};
+void PrintTo(const NamedSurface& named, std::ostream* out) { *out << named.name; }
+
+class EveryHardSurface : public ::testing::TestWithParam<NamedSurface> {};
+
+TEST_P(EveryHardSurface, IsFilledByTheLastRungAlone) {
+  const SurfaceMesh& surface = GetParam().surface;
+  FillResult result;
+  ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kDone);
+  const VolumeMesh mesh = meshOf(surface, result);
+  EXPECT_EQ(testing::complaintAbout(mesh, surface), "");
+  FillResult again;
+  fill(taskOf(surface), again, 1);
+  EXPECT_EQ(fingerprintOf(meshOf(surface, again)), fingerprintOf(mesh));
+}
+
+SurfaceMesh rotated(SurfaceMesh surface) {
+  testing::rotateRandomly(surface, 5);
+  return surface;
+}
+SurfaceMesh changed(SurfaceMesh surface, double factor, double by) {
+  testing::scale(surface, factor);
+  testing::translate(surface, Vec3(by, -2.0 * by, 0.5 * by));
+  return surface;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Fill, EveryHardSurface,
+    ::testing::Values(
+        NamedSurface{"cubeOfTwelveTriangles", testing::gridCube(1)},
+        NamedSurface{"cubeParallel", testing::gridCube(8)},
+        NamedSurface{"cubeAlternating", testing::gridCube(7, testing::Diagonals::kAlternating)},
+        NamedSurface{"cubeUnionJack", testing::gridCube(6, testing::Diagonals::kUnionJack)},
+        NamedSurface{"cubeRandom", testing::gridCube(9, testing::Diagonals::kRandom, 3)},
+        NamedSurface{"cubeRotated", rotated(testing::gridCube(6, testing::Diagonals::kRandom))},
+        NamedSurface{"sphere", testing::geodesicSphere(8)},
+        NamedSurface{"sphereOfNeedles", testing::latitudeSphere(16, 32)},
+        NamedSurface{"torus", testing::torus(1.0, 0.35, 48, 16)},
+        NamedSurface{"torusKnot", testing::torusKnot(2, 3, 60, 6)},
+        NamedSurface{"plate", testing::thinPlate(10, 1e-4)},
+        NamedSurface{"cavity", testing::cubeWithSphericalCavity(10, 4)},
+        NamedSurface{"shells", testing::nestedSpheres(5, 4)},
+        NamedSurface{"island", testing::blockWithIsland(3)},
+        NamedSurface{"sharedEdge", testing::cubesSharingEdge()},
+        NamedSurface{"sharedNode", testing::cubesSharingNode()},
+        NamedSurface{"schoenhardt30", testing::schoenhardtPrism(30.0)},
+        NamedSurface{"schoenhardt5999", testing::schoenhardtPrism(59.99)},
+        NamedSurface{"schoenhardtTower", testing::schoenhardtTower(10, 50.0)},
+        NamedSurface{"schoenhardtCavities", testing::schoenhardtCavities(10, 50.0)},
+        NamedSurface{"schoenhardtPairAtAnEdge", testing::schoenhardtPair(50.0)},
+        NamedSurface{"schoenhardtTiny", changed(testing::schoenhardtPair(50.0), 1e-9, 0.0)},
+        NamedSurface{"schoenhardtFarAway", changed(testing::schoenhardtPrism(50.0), 1.0, 1e6)},
+        NamedSurface{"chazelle1", testing::chazellePolyhedron(1, 0.1)},
+        NamedSurface{"chazelle3", testing::chazellePolyhedron(3, 0.01)},
+        NamedSurface{"chazelle6", testing::chazellePolyhedron(6, 0.01)},
+        NamedSurface{"saddleSlab", testing::saddleSlab(6, 0.01)},
+        NamedSurface{"wedge2", testing::wedge(2.0, 4)},
+        NamedSurface{"wedgeHundredth", testing::wedge(0.01, 4)},
+        NamedSurface{"wedgeMillionth", testing::wedge(1e-6, 4)},
+        NamedSurface{"slit2", testing::slitBlock(2.0, 4)},
+        NamedSurface{"slitMillionth", testing::slitBlock(1e-6, 4)},
+        NamedSurface{"slitRotated", rotated(testing::slitBlock(1e-5, 3))},
+        NamedSurface{"spikes", testing::spikySphere(4, 0.05, 1)},
+        NamedSurface{"bar", testing::coarseBar(64, 1000.0)},
+        NamedSurface{"tube", testing::coarseTube(64, 0.95, 1000.0)},
+        NamedSurface{"finePatch", testing::cubeWithFinePatch(20)},
+        NamedSurface{"graded", testing::gradedCube(8, 6)},
+        NamedSurface{"blocks", testing::randomBlocks(5, 0.5, 1)}),
+    [](const auto& each) { return each.param.name; });
+
+TEST(ExactFill, PutsNoPointWhereNoneIsNeeded) {
+  FillResult result;
+  ASSERT_EQ(fill(taskOf(testing::geodesicSphere(4)), result), ExactFill::State::kDone);
+  EXPECT_TRUE(result.newPlaces.empty());
+  ASSERT_EQ(fill(taskOf(testing::schoenhardtTower(7, 40.0)), result), ExactFill::State::kDone);
+  EXPECT_EQ(result.newPlaces.size(), 7U) << "each prism needs one";
+}
+
+TEST(ExactFill, TellsWhichPlaceATetrahedronIsIn) {
+  // Two spheres apart: triangles of each name the tetrahedra within.
+  SurfaceMesh surface = testing::geodesicSphere(2);
+  SurfaceMesh other = testing::geodesicSphere(2);
+  testing::translate(other, Vec3(3.0, 0.0, 0.0));
+  testing::append(surface, other);
+  FillResult result;
+  ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kDone);
+  const std::size_t half = surface.triangles.size() / 6;
+  for (std::size_t t = 0; t < result.tetrahedra.size(); ++t) {
+    const bool right = testing::pointOf(surface, result.tetrahedra[t][0].value).x > 1.5;
+    ASSERT_EQ(result.triangleOfTetrahedron[t] >= half, right);
+  }
+}
+
+TEST(ExactFill, HasNoResultWhereTheTrianglesAreNoClosedBoundary) {
+  FillTask open = taskOf(testing::gridCube(2));
+  open.triangles.pop_back();
+  FillResult result;
+  EXPECT_EQ(fill(open, result), ExactFill::State::kFailed);
+  // A prism through a cube.
+  SurfaceMesh crossing = testing::gridCube(1);
+  SurfaceMesh prism = testing::schoenhardtPrism(30.0);
+  testing::translate(prism, Vec3(0.3, 0.4, 0.5));
+  testing::append(crossing, prism);
+  EXPECT_EQ(fill(taskOf(crossing), result), ExactFill::State::kFailed);
+  EXPECT_TRUE(result.tetrahedra.empty());
+}
+
+TEST(ExactPoints, SignsOfConstructedPointsAreExact) {
+  ExactPoints points;
+  testing::Random random(7);
+  for (int i = 0; i < 500; ++i) {
+    const NodeId a = points.add(random.inBox());
+    const NodeId b = points.add(random.inBox());
+    const NodeId c = points.add(random.inBox());
+    const DyadicVec3 origin = points.exact(a);
+    const DyadicVec3 ab = points.exact(b) - origin;
+    const DyadicVec3 ac = points.exact(c) - origin;
+    const DyadicVec3 inPlane =
+        origin + ab * Dyadic(random.between(-1.0, 1.0)) + ac * Dyadic(random.between(-1.0, 1.0));
+    const NodeId d = points.add(inPlane);
+    EXPECT_FALSE(points.isDouble(d));
+    EXPECT_EQ(points.orient(a, b, c, d), 0);
+    // Off the plane by far less than a double's last bit.
+    const DyadicVec3 above = inPlane + cross(ab, ac) * Dyadic(0x1p-300);
+    const NodeId e = points.add(above);
+    EXPECT_EQ(points.orient(a, b, c, e), 1);
+    EXPECT_EQ(points.orient(a, c, b, e), -1);
+    EXPECT_EQ(points.place(e), points.place(d));
+  }
+}
+
+TEST(MeshRun, FillsBySteinerPointsAloneWhenAskedTo) {
+  const SurfaceMesh surface = testing::schoenhardtTower(4, 50.0);
+  MeshOptions options;
+  options.exactFillOnly = true;
+  MeshRun run(surface.points, surface.triangles, options);
+  while (run.advance(1000) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
+  EXPECT_EQ(run.recovery().filled, 1U);
+  EXPECT_EQ(run.recovery().steinerPoints, 4U);
+  EXPECT_EQ(run.recovery().starred, 0U);
+  EXPECT_EQ(run.counters().pops, 0U);
+}
+
+}  // namespace
+}  // namespace tetrafront

@@ -1,0 +1,475 @@
+#include "support/hard_shapes.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+
+#include "support/random.h"
+#include "support/shapes.h"
+
+namespace tetrafront::testing {
+namespace {
+
+std::uint32_t addPoint(SurfaceMesh& mesh, const Vec3& p) {
+  mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+  return static_cast<std::uint32_t>(mesh.points.size() / 3 - 1);
+}
+
+void addTriangle(SurfaceMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  mesh.triangles.insert(mesh.triangles.end(), {a, b, c});
+}
+
+/// a b c d counter-clockwise seen from outside.
+void addSquare(SurfaceMesh& mesh, std::array<std::uint32_t, 4> n, bool otherDiagonal) {
+  if (otherDiagonal) n = {n[1], n[2], n[3], n[0]};
+  addTriangle(mesh, n[0], n[1], n[2]);
+  addTriangle(mesh, n[0], n[2], n[3]);
+}
+
+/// Nodes at one place become one node.
+SurfaceMesh joined(const SurfaceMesh& mesh) {
+  SurfaceMesh result;
+  std::map<std::array<double, 3>, std::uint32_t> nodes;
+  std::vector<std::uint32_t> newId;
+  for (std::uint32_t i = 0; i < nodeCount(mesh); ++i) {
+    const Vec3 p = pointOf(mesh, i);
+    const auto [at, isNew] =
+        nodes.try_emplace({p.x, p.y, p.z}, static_cast<std::uint32_t>(nodes.size()));
+    if (isNew) addPoint(result, p);
+    newId.push_back(at->second);
+  }
+  for (const std::uint32_t node : mesh.triangles) result.triangles.push_back(newId[node]);
+  return result;
+}
+
+double turn(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Cuts a simple polygon, counter-clockwise, into triangles of its corners' positions.
+std::vector<std::array<std::uint32_t, 3>> earsOf(const std::vector<Vec2>& polygon) {
+  std::vector<std::uint32_t> rest(polygon.size());
+  std::iota(rest.begin(), rest.end(), 0U);
+  std::vector<std::array<std::uint32_t, 3>> ears;
+  while (rest.size() > 2) {
+    const std::size_t n = rest.size();
+    std::size_t best = 0;
+    double bestArea = -1.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec2& a = polygon[rest[(i + n - 1) % n]];
+      const Vec2& b = polygon[rest[i]];
+      const Vec2& c = polygon[rest[(i + 1) % n]];
+      if (turn(a, b, c) <= bestArea || turn(a, b, c) <= 0.0) continue;
+      bool empty = true;
+      for (const std::uint32_t k : rest) {
+        const Vec2& p = polygon[k];
+        if (p == a || p == b || p == c) continue;
+        if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) empty = false;
+      }
+      if (!empty) continue;
+      best = i;
+      bestArea = turn(a, b, c);
+    }
+    ears.push_back({rest[(best + n - 1) % n], rest[best], rest[(best + 1) % n]});
+    rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(best));
+  }
+  return ears;
+}
+
+/// Triangles over a flat polygon in space, given by its nodes; `flat` is it seen from outside.
+void addPolygon(SurfaceMesh& mesh, const std::vector<std::uint32_t>& nodes,
+                const std::vector<Vec2>& flat) {
+  for (const auto& ear : earsOf(flat)) {
+    addTriangle(mesh, nodes[ear[0]], nodes[ear[1]], nodes[ear[2]]);
+  }
+}
+
+SurfaceMesh ringOfCircle(int sectors, const std::vector<std::array<double, 2>>& radiusAndHeight) {
+  SurfaceMesh mesh;
+  for (const auto& [radius, z] : radiusAndHeight) {
+    for (int i = 0; i < sectors; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / sectors;
+      addPoint(mesh, {radius * std::cos(angle), radius * std::sin(angle), z});
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+SurfaceMesh schoenhardtTower(int levels, double degrees) {
+  SurfaceMesh mesh;
+  const double twist = degrees * std::numbers::pi / 180.0;
+  for (int level = 0; level <= levels; ++level) {
+    for (int k = 0; k < 3; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / 3.0 + twist * level;
+      addPoint(mesh, {std::cos(angle), std::sin(angle), level});
+    }
+  }
+  addTriangle(mesh, 0, 2, 1);
+  const auto top = static_cast<std::uint32_t>(3 * levels);
+  addTriangle(mesh, top, top + 1, top + 2);
+  for (std::uint32_t base = 0; base < top; base += 3) {
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t l = (k + 1) % 3;
+      addTriangle(mesh, base + k, base + l, base + l + 3);
+      addTriangle(mesh, base + k, base + l + 3, base + k + 3);
+    }
+  }
+  return mesh;
+}
+
+SurfaceMesh schoenhardtCavities(int n, double degrees) {
+  SurfaceMesh mesh = gridBox(Vec3(-1.5, -1.5, -1.0), Vec3(3.0 * n - 1.5, 3.0 * n - 1.5, 2.0),
+                             {n, n, 1}, Diagonals::kRandom);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      SurfaceMesh prism = schoenhardtPrism(degrees);
+      translate(prism, Vec3(3.0 * i, 3.0 * j, 0.0));
+      turnInsideOut(prism);
+      append(mesh, prism);
+    }
+  }
+  return mesh;
+}
+
+SurfaceMesh schoenhardtPair(double degrees) {
+  SurfaceMesh mesh = schoenhardtPrism(degrees);
+  const Vec3 p = pointOf(mesh, 0);
+  const Vec3 axis = glm::normalize(pointOf(mesh, 3) - p);
+  SurfaceMesh other = mesh;
+  for (std::uint32_t i = 0; i < nodeCount(mesh); ++i) {
+    if (i == 0 || i == 3) continue;
+    const Vec3 q = pointOf(mesh, i) - p;
+    const Vec3 turned = p + 2.0 * glm::dot(q, axis) * axis - q;
+    for (int k = 0; k < 3; ++k) other.points[3 * i + static_cast<std::size_t>(k)] = turned[k];
+  }
+  append(mesh, other);
+  return joined(mesh);
+}
+
+SurfaceMesh chazellePolyhedron(int n, double gap) {
+  constexpr double kHalfWidth = 0.25;  // of a notch
+  const double size = n + 1.0;
+  const double bottom = -2.0 * size;
+  const double top = size * size + 2.0 * size;
+  SurfaceMesh mesh;
+  // Node runs along the four upright sides, seen from outside, from the notched edges.
+  struct Notch {
+    std::array<std::uint32_t, 3> near;
+    std::array<std::uint32_t, 3> far;
+  };
+  const auto corner = [&](double x, double y, double z) { return addPoint(mesh, {x, y, z}); };
+  std::array<std::uint32_t, 4> low{corner(0, 0, bottom), corner(size, 0, bottom),
+                                   corner(size, size, bottom), corner(0, size, bottom)};
+  std::array<std::uint32_t, 4> high{corner(0, 0, top), corner(size, 0, top),
+                                    corner(size, size, top), corner(0, size, top)};
+  std::vector<Notch> below;
+  std::vector<Notch> above;
+  for (int i = 1; i <= n; ++i) {
+    const double c = i;
+    below.push_back(
+        {{corner(c - kHalfWidth, 0, bottom), corner(c, 0, 0), corner(c + kHalfWidth, 0, bottom)},
+         {corner(c - kHalfWidth, size, bottom), corner(c, size, c * size),
+          corner(c + kHalfWidth, size, bottom)}});
+    above.push_back(
+        {{corner(0, c - kHalfWidth, top), corner(0, c, gap), corner(0, c + kHalfWidth, top)},
+         {corner(size, c - kHalfWidth, top), corner(size, c, c * size + gap),
+          corner(size, c + kHalfWidth, top)}});
+  }
+  const auto square = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+    addSquare(mesh, {a, b, c, d}, false);
+  };
+  std::array<std::uint32_t, 2> previous{low[0], low[3]};  // at y = 0 and y = size
+  for (const Notch& notch : below) {
+    square(previous[0], previous[1], notch.far[0], notch.near[0]);
+    square(notch.near[0], notch.far[0], notch.far[1], notch.near[1]);
+    square(notch.near[1], notch.far[1], notch.far[2], notch.near[2]);
+    previous = {notch.near[2], notch.far[2]};
+  }
+  square(previous[0], previous[1], low[2], low[1]);
+  previous = {high[0], high[1]};  // at x = 0 and x = size
+  for (const Notch& notch : above) {
+    square(previous[0], previous[1], notch.far[0], notch.near[0]);
+    square(notch.near[0], notch.far[0], notch.far[1], notch.near[1]);
+    square(notch.near[1], notch.far[1], notch.far[2], notch.near[2]);
+    previous = {notch.near[2], notch.far[2]};
+  }
+  square(previous[0], previous[1], high[2], high[3]);
+  const auto side = [&](std::vector<std::uint32_t> nodes, int axis, double sign) {
+    std::vector<Vec2> flat;
+    for (const std::uint32_t node : nodes) {
+      const Vec3 p = pointOf(mesh, node);
+      flat.emplace_back(sign * p[axis], p.z);
+    }
+    addPolygon(mesh, nodes, flat);
+  };
+  std::vector<std::uint32_t> front{low[0]};
+  std::vector<std::uint32_t> back;
+  std::vector<std::uint32_t> right;
+  std::vector<std::uint32_t> left{high[0]};
+  for (const Notch& notch : below) {
+    front.insert(front.end(), notch.near.begin(), notch.near.end());
+    back.insert(back.begin(), notch.far.rbegin(), notch.far.rend());
+  }
+  for (const Notch& notch : above) {
+    left.insert(left.end(), notch.near.begin(), notch.near.end());
+    right.insert(right.begin(), notch.far.rbegin(), notch.far.rend());
+  }
+  front.insert(front.end(), {low[1], high[1], high[0]});
+  side(front, 0, 1.0);
+  back.insert(back.begin(), low[2]);
+  back.insert(back.end(), {low[3], high[3], high[2]});
+  side(back, 0, -1.0);
+  right.insert(right.begin(), high[2]);
+  right.insert(right.end(), {high[1], low[1], low[2]});
+  side(right, 1, 1.0);
+  left.insert(left.end(), {high[3], low[3], low[0]});
+  side(left, 1, -1.0);
+  return mesh;
+}
+
+SurfaceMesh saddleSlab(int n, double gap) {
+  SurfaceMesh mesh;
+  const auto m = static_cast<std::uint32_t>(n + 1);
+  for (const double offset : {-0.5 * gap, 0.5 * gap}) {
+    for (int i = 0; i <= n; ++i) {
+      for (int j = 0; j <= n; ++j) addPoint(mesh, {i, j, i * j + offset});
+    }
+  }
+  const auto at = [&](std::uint32_t level, std::uint32_t i, std::uint32_t j) {
+    return level * m * m + i * m + j;
+  };
+  for (std::uint32_t i = 0; i + 1 < m; ++i) {
+    for (std::uint32_t j = 0; j + 1 < m; ++j) {
+      addSquare(mesh, {at(1, i, j), at(1, i + 1, j), at(1, i + 1, j + 1), at(1, i, j + 1)}, false);
+      addSquare(mesh, {at(0, i, j), at(0, i, j + 1), at(0, i + 1, j + 1), at(0, i + 1, j)}, true);
+    }
+  }
+  for (std::uint32_t k = 0; k + 1 < m; ++k) {
+    addSquare(mesh, {at(0, k, 0), at(0, k + 1, 0), at(1, k + 1, 0), at(1, k, 0)}, false);
+    addSquare(mesh, {at(0, m - 1, k), at(0, m - 1, k + 1), at(1, m - 1, k + 1), at(1, m - 1, k)},
+              false);
+    addSquare(mesh, {at(0, k + 1, m - 1), at(0, k, m - 1), at(1, k, m - 1), at(1, k + 1, m - 1)},
+              false);
+    addSquare(mesh, {at(0, 0, k + 1), at(0, 0, k), at(1, 0, k), at(1, 0, k + 1)}, false);
+  }
+  return mesh;
+}
+
+SurfaceMesh extruded(const std::vector<Vec2>& polygon, double height, int layers,
+                     std::uint64_t seed) {
+  Random random(seed);
+  SurfaceMesh mesh;
+  for (int layer = 0; layer <= layers; ++layer) {
+    for (const Vec2& p : polygon) addPoint(mesh, {p.x, p.y, height * layer / layers});
+  }
+  const auto n = static_cast<std::uint32_t>(polygon.size());
+  const std::uint32_t top = n * static_cast<std::uint32_t>(layers);
+  for (const auto& ear : earsOf(polygon)) {
+    addTriangle(mesh, ear[0], ear[2], ear[1]);
+    addTriangle(mesh, top + ear[0], top + ear[1], top + ear[2]);
+  }
+  for (std::uint32_t base = 0; base < top; base += n) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t j = (i + 1) % n;
+      addSquare(mesh, {base + i, base + j, base + n + j, base + n + i}, random.coin());
+    }
+  }
+  return mesh;
+}
+
+SurfaceMesh wedge(double degrees, int layers) {
+  const double rise = std::tan(degrees * std::numbers::pi / 360.0);
+  return extruded({{0.0, 0.0}, {1.0, -rise}, {1.0, rise}}, 1.0, layers, 1);
+}
+
+SurfaceMesh slitBlock(double degrees, int layers) {
+  const double rise = std::tan(degrees * std::numbers::pi / 360.0);
+  return extruded(
+      {{0.0, 0.0}, {1.0, rise}, {1.0, 1.0}, {-1.0, 1.0}, {-1.0, -1.0}, {1.0, -1.0}, {1.0, -rise}},
+      1.0, layers, 1);
+}
+
+SurfaceMesh spikySphere(int n, double least, std::uint64_t seed) {
+  Random random(seed);
+  SurfaceMesh mesh = geodesicSphere(n);
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+    const double radius = random.between(least, 1.0);
+    for (std::size_t k = 0; k < 3; ++k) mesh.points[i + k] *= radius;
+  }
+  return mesh;
+}
+
+SurfaceMesh coarseBar(int sectors, double length) {
+  SurfaceMesh mesh = ringOfCircle(sectors, {{1.0, 0.0}, {1.0, length}});
+  const auto n = static_cast<std::uint32_t>(sectors);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    addSquare(mesh, {i, j, n + j, n + i}, false);
+    if (i == 0 || j == 0) continue;
+    addTriangle(mesh, 0, j, i);
+    addTriangle(mesh, n, n + i, n + j);
+  }
+  return mesh;
+}
+
+SurfaceMesh coarseTube(int sectors, double innerRadius, double length) {
+  SurfaceMesh mesh =
+      ringOfCircle(sectors, {{1.0, 0.0}, {1.0, length}, {innerRadius, 0.0}, {innerRadius, length}});
+  const auto n = static_cast<std::uint32_t>(sectors);
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    const std::uint32_t inner = 2 * n;
+    addSquare(mesh, {i, j, n + j, n + i}, false);
+    addSquare(mesh, {inner + j, inner + i, inner + n + i, inner + n + j}, true);
+    addSquare(mesh, {i, inner + i, inner + j, j}, true);
+    addSquare(mesh, {n + i, n + j, inner + n + j, inner + n + i}, false);
+  }
+  return mesh;
+}
+
+SurfaceMesh cubeWithFinePatch(int n) {
+  constexpr double kInset = 0.1;
+  SurfaceMesh mesh = gridCube(1);
+  // The triangles on top out, the patch in.
+  SurfaceMesh result;
+  result.points = mesh.points;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    const std::array<std::uint32_t, 3> c{mesh.triangles[t], mesh.triangles[t + 1],
+                                         mesh.triangles[t + 2]};
+    double lowest = 1.0;
+    for (const std::uint32_t node : c) lowest = std::min(lowest, pointOf(mesh, node).z);
+    if (lowest < 1.0) addTriangle(result, c[0], c[1], c[2]);
+  }
+  std::array<std::uint32_t, 4> outer{};
+  for (std::uint32_t i = 0; i < nodeCount(mesh); ++i) {
+    const Vec3 p = pointOf(mesh, i);
+    if (p.z < 1.0) continue;
+    outer[p.y < 0.5 ? (p.x < 0.5 ? 0 : 1) : (p.x < 0.5 ? 3 : 2)] = i;
+  }
+  std::vector<std::uint32_t> grid;
+  for (int j = 0; j <= n; ++j) {
+    for (int i = 0; i <= n; ++i) {
+      grid.push_back(addPoint(result, {kInset + (1.0 - 2.0 * kInset) * i / n,
+                                       kInset + (1.0 - 2.0 * kInset) * j / n, 1.0}));
+    }
+  }
+  const auto m = static_cast<std::uint32_t>(n);
+  const auto at = [&](std::uint32_t i, std::uint32_t j) { return grid[j * (m + 1) + i]; };
+  for (std::uint32_t j = 0; j < m; ++j) {
+    for (std::uint32_t i = 0; i < m; ++i) {
+      addSquare(result, {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)}, (i + j) % 2 == 0);
+    }
+  }
+  for (std::uint32_t k = 0; k < m; ++k) {
+    addTriangle(result, outer[0], at(k + 1, 0), at(k, 0));
+    addTriangle(result, outer[1], at(m, k + 1), at(m, k));
+    addTriangle(result, outer[2], at(m - k - 1, m), at(m - k, m));
+    addTriangle(result, outer[3], at(0, m - k - 1), at(0, m - k));
+  }
+  addTriangle(result, outer[0], outer[1], at(m, 0));
+  addTriangle(result, outer[1], outer[2], at(m, m));
+  addTriangle(result, outer[2], outer[3], at(0, m));
+  addTriangle(result, outer[3], outer[0], at(0, 0));
+  return result;
+}
+
+SurfaceMesh gradedCube(int n, int power) {
+  SurfaceMesh mesh = gridCube(n, Diagonals::kAlternating);
+  for (double& x : mesh.points) {
+    double product = 1.0;
+    for (int i = 0; i < power; ++i) product *= x;
+    x = product;
+  }
+  return mesh;
+}
+
+SurfaceMesh randomBlocks(int n, double share, std::uint64_t seed) {
+  Random random(seed);
+  const auto size = static_cast<std::size_t>(n);
+  std::vector<bool> solid(size * size * size);
+  for (std::size_t i = 0; i < solid.size(); ++i) solid[i] = random.unit() < share;
+  solid[0] = true;
+  const auto isSolid = [&](int i, int j, int k) {
+    if (i < 0 || j < 0 || k < 0 || i >= n || j >= n || k >= n) return false;
+    return static_cast<bool>(
+        solid[(static_cast<std::size_t>(i) * size + static_cast<std::size_t>(j)) * size +
+              static_cast<std::size_t>(k)]);
+  };
+  SurfaceMesh mesh;
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j < n; ++j) {
+      for (int k = 0; k < n; ++k) {
+        if (!isSolid(i, j, k)) continue;
+        for (int axis = 0; axis < 3; ++axis) {
+          for (const int step : {-1, 1}) {
+            std::array<int, 3> beyond{i, j, k};
+            beyond[static_cast<std::size_t>(axis)] += step;
+            if (isSolid(beyond[0], beyond[1], beyond[2])) continue;
+            const int u = (axis + 1) % 3;
+            const int v = (axis + 2) % 3;
+            std::array<std::uint32_t, 4> nodes{};
+            for (std::size_t c = 0; c < 4; ++c) {
+              Vec3 p(i, j, k);
+              p[axis] += step > 0 ? 1.0 : 0.0;
+              p[u] += c == 1 || c == 2 ? 1.0 : 0.0;
+              p[v] += c >= 2 ? 1.0 : 0.0;
+              nodes[c] = addPoint(mesh, p);
+            }
+            if (step < 0) std::swap(nodes[1], nodes[3]);
+            addSquare(mesh, nodes, random.coin());
+          }
+        }
+      }
+    }
+  }
+  return joined(mesh);
+}
+
+SurfaceMesh blockWithIsland(int n) {
+  SurfaceMesh mesh = gridBox(Vec3(0.0), Vec3(1.0), {n, n, n}, Diagonals::kRandom, 1);
+  SurfaceMesh cavity = gridBox(Vec3(0.2), Vec3(0.8), {n, n, n}, Diagonals::kRandom, 2);
+  turnInsideOut(cavity);
+  append(mesh, cavity);
+  append(mesh, gridBox(Vec3(0.4), Vec3(0.6), {n, n, n}, Diagonals::kRandom, 3));
+  return mesh;
+}
+
+SurfaceMesh torusKnot(int p, int q, int count, int sectors) {
+  constexpr double kMajor = 2.0;
+  constexpr double kMinor = 1.0;
+  constexpr double kRadius = 0.25;
+  const auto place = [&](double t) {
+    const double r = kMajor + kMinor * std::cos(q * t);
+    return Vec3(r * std::cos(p * t), r * std::sin(p * t), kMinor * std::sin(q * t));
+  };
+  SurfaceMesh mesh;
+  for (int i = 0; i < count; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / count;
+    const Vec3 centre = place(t);
+    const Vec3 along = glm::normalize(place(t + 1e-4) - place(t - 1e-4));
+    // Outwards from the torus's own axis circle: never along the knot.
+    const Vec3 outwards = centre - kMajor * Vec3(std::cos(p * t), std::sin(p * t), 0.0);
+    const Vec3 u = glm::normalize(outwards - along * glm::dot(outwards, along));
+    const Vec3 v = glm::cross(along, u);
+    for (int k = 0; k < sectors; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / sectors;
+      addPoint(mesh, centre + kRadius * (std::cos(angle) * u + std::sin(angle) * v));
+    }
+  }
+  const auto n = static_cast<std::uint32_t>(sectors);
+  const auto m = static_cast<std::uint32_t>(count);
+  for (std::uint32_t i = 0; i < m; ++i) {
+    const std::uint32_t next = (i + 1) % m;
+    for (std::uint32_t k = 0; k < n; ++k) {
+      const std::uint32_t l = (k + 1) % n;
+      addSquare(mesh, {i * n + k, i * n + l, next * n + l, next * n + k}, (i + k) % 2 == 0);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace tetrafront::testing
