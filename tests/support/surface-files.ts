@@ -35,3 +35,44 @@ export function stlBinary({ points, triangles }: SurfaceInput, header = "made by
   });
   return bytes;
 }
+
+export function objFile({ points, triangles }: SurfaceInput): Uint8Array {
+  const lines = ["# made by a test", "mtllib none.mtl", "o part"];
+  for (let i = 0; i < points.length; i += 3) lines.push(`v ${points.subarray(i, i + 3).join(" ")}`);
+  lines.push("vn 0 0 1", "usemtl steel", "s off");
+  for (let t = 0; t < triangles.length; t += 3) {
+    lines.push(`f ${Array.from(triangles.subarray(t, t + 3), (node) => `${node + 1}//1`).join(" ")}`);
+  }
+  return encoder.encode(`${lines.join("\n")}\n`);
+}
+
+function plyHeader(format: string, points: number, faces: number, real: string): string {
+  return `ply\nformat ${format} 1.0\ncomment made by a test
+element vertex ${points}\nproperty ${real} x\nproperty ${real} y\nproperty ${real} z\nproperty uchar red
+element face ${faces}\nproperty list uchar int vertex_indices\nend_header\n`;
+}
+
+export function plyText({ points, triangles }: SurfaceInput): Uint8Array {
+  const lines: string[] = [];
+  for (let i = 0; i < points.length; i += 3) lines.push(`${points.subarray(i, i + 3).join(" ")} 200`);
+  for (let t = 0; t < triangles.length; t += 3) lines.push(`3 ${triangles.subarray(t, t + 3).join(" ")}`);
+  const header = plyHeader("ascii", points.length / 3, triangles.length / 3, "double");
+  return encoder.encode(`${header}${lines.join("\n")}\n`);
+}
+
+export function plyBinary({ points, triangles }: SurfaceInput, isLittleEndian: boolean): Uint8Array {
+  const format = `binary_${isLittleEndian ? "little" : "big"}_endian`;
+  const header = encoder.encode(plyHeader(format, points.length / 3, triangles.length / 3, "float64"));
+  const view = new DataView(new ArrayBuffer((25 * points.length) / 3 + (13 * triangles.length) / 3));
+  let at = 0;
+  for (let i = 0; i < points.length; i++) {
+    view.setFloat64(at, points[i] ?? NaN, isLittleEndian);
+    at += i % 3 === 2 ? 9 : 8;
+  }
+  for (let t = 0; t < triangles.length; t++) {
+    if (t % 3 === 0) view.setUint8(at++, 3);
+    view.setInt32(at, triangles[t] ?? 0, isLittleEndian);
+    at += 4;
+  }
+  return Uint8Array.of(...header, ...new Uint8Array(view.buffer));
+}

@@ -29,6 +29,8 @@ Input
   model.json   a Tetrafront project: points, lines, patches, background grid
   part.stl     a closed triangle surface, STL binary or ASCII
   part.off     a closed triangle surface, OFF
+  part.obj     a closed triangle surface, OBJ
+  part.ply     a closed triangle surface, PLY binary or ASCII
 
 Background grid (--background)
   model.json   the grid and the sources of another project
@@ -38,6 +40,8 @@ Background grid (--background)
 Output
   mesh.vtu     for ParaView, VTK, meshio
   mesh.msh     Gmsh 4.1, with the patches and regions as named physical groups
+  mesh.vtk     legacy VTK
+  mesh.mesh    Medit, with patches and regions as references
 
 Exit code
   0  meshed    1  not completed (stalled, cancelled)    2  bad input
@@ -87,8 +91,8 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
   program
     .command("mesh")
     .description("Mesh a project or fill a closed surface with tetrahedra.")
-    .argument("<input>", "project (.json) or closed surface (.stl, .off)")
-    .requiredOption("-o, --output <file>", "where the mesh goes (.vtu or .msh)")
+    .argument("<input>", "project (.json) or closed surface (.stl, .off, .obj, .ply)")
+    .requiredOption("-o, --output <file>", "where the mesh goes (.vtu, .msh, .vtk or .mesh)")
     .option("-s, --size <length>", "uniform element size; replaces a project's background grid")
     .option("-b, --background <file>", "sizes from this background grid (.json, .vtu or .msh) instead")
     .option("-g, --growth <rate>", `growth of the size away from a given surface (default ${DEFAULT_GROWTH})`)

@@ -1,4 +1,4 @@
-import { writeMsh, writeVtu, type MeshResult } from "tetrafront";
+import { writeMedit, writeMsh, writeVtk, writeVtu, type MeshResult } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
@@ -89,5 +89,61 @@ describe("MSH", () => {
 
   test("of a mesh without elements is whole", () => {
     expect(parseMsh(writeMsh(empty))).toMatchObject({ triangles: [], tetrahedra: [] });
+  });
+});
+
+describe("legacy VTK", () => {
+  /** What follows a line that matches, as big-endian numbers. */
+  const after = (file: Uint8Array, line: RegExp) => {
+    const found = line.exec(new TextDecoder("latin1").decode(file));
+    if (found === null) throw new Error(`no ${line.source}`);
+    return new DataView(file.buffer, found.index + found[0].length);
+  };
+  const ints = (view: DataView, count: number) =>
+    Array.from({ length: count }, (_, i) => view.getInt32(4 * i));
+
+  test("holds the tetrahedra with coordinates bit for bit", () => {
+    const file = writeVtk(mesh);
+    const places = after(file, /^POINTS 5 double\n/m);
+    expect(Array.from(points, (_, i) => places.getFloat64(8 * i))).toEqual([...points]);
+    expect(ints(after(file, /^CELLS 2 10\n/m), 10)).toEqual([4, 0, 1, 2, 3, 4, 1, 4, 2, 3]);
+    expect(ints(after(file, /^CELL_TYPES 2\n/m), 2)).toEqual([10, 10]);
+    expect(ints(after(file, /^SCALARS region int 1\nLOOKUP_TABLE default\n/m), 2)).toEqual([0, 1]);
+  });
+
+  test("of a mesh without tetrahedra is whole", () => {
+    expect(new TextDecoder("latin1").decode(writeVtk(empty))).toMatch(/CELLS 0 0\n\nCELL_TYPES 0\n/);
+  });
+});
+
+describe("Medit", () => {
+  const rowsOf = (file: string, section: string): number[][] => {
+    const lines = file.split("\n");
+    const begin = lines.indexOf(section);
+    return lines
+      .slice(begin + 2, begin + 2 + Number(lines[begin + 1]))
+      .map((line) => line.split(" ").map(Number));
+  };
+
+  test("holds boundary and tetrahedra with their references, and coordinates bit for bit", () => {
+    const file = new TextDecoder().decode(writeMedit(mesh));
+    expect(file).toMatch(/^MeshVersionFormatted 2\n\nDimension 3\n/);
+    expect(rowsOf(file, "Vertices").flatMap((row) => row.slice(0, 3))).toEqual(
+      Array.from(points, (x) => x + 0),
+    );
+    expect(rowsOf(file, "Triangles")).toEqual([
+      [1, 3, 2, 3],
+      [1, 2, 4, 1],
+      [1, 4, 3, 3],
+    ]);
+    expect(rowsOf(file, "Tetrahedra")).toEqual([
+      [1, 2, 3, 4, 1],
+      [2, 5, 3, 4, 2],
+    ]);
+    expect(file).toMatch(/\nEnd\n$/);
+  });
+
+  test("of a mesh without elements is whole", () => {
+    expect(new TextDecoder().decode(writeMedit(empty))).toMatch(/Tetrahedra\n0\n\nEnd\n$/);
   });
 });

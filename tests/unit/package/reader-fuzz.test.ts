@@ -1,6 +1,8 @@
 import {
   readMsh,
+  readObj,
   readOff,
+  readPly,
   readProject,
   readStl,
   readVtu,
@@ -14,7 +16,7 @@ import {
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";
-import { offFile, stlBinary, stlText } from "../../support/surface-files.js";
+import { objFile, offFile, plyBinary, plyText, stlBinary, stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 /** A small generator of whole numbers below 2^32, the same on every machine (Marsaglia's xorshift). */
@@ -49,6 +51,9 @@ describe.each<[string, Uint8Array, (bytes: Uint8Array) => ReturnType<typeof read
   ["text STL", stlText(cube), readStl],
   ["binary STL", stlBinary(cube), readStl],
   ["OFF", offFile(cube), readOff],
+  ["OBJ", objFile(cube), readObj],
+  ["text PLY", plyText(cube), readPly],
+  ["binary PLY", plyBinary(cube, true), readPly],
 ])("damaged %s files, seeds 1 to 300,", (_, file, read) => {
   test("give a surface that holds together or a problem with a remedy", () => {
     for (let seed = 1; seed <= 300; seed++) {

@@ -1,7 +1,7 @@
-import { readOff, readStl, type ReadResult, type SurfaceInput } from "tetrafront";
+import { readObj, readOff, readPly, readStl, type ReadResult, type SurfaceInput } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
-import { offFile, stlBinary, stlText } from "../../support/surface-files.js";
+import { objFile, offFile, plyBinary, plyText, stlBinary, stlText } from "../../support/surface-files.js";
 import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
 
 const bytes = (text: string) => new TextEncoder().encode(text);
@@ -176,5 +176,87 @@ describe("OFF", () => {
 
   test("an empty file is refused", () => {
     expect(problemIn(readOff(new Uint8Array())).message).toMatch(/empty/);
+  });
+});
+
+/** A square pyramid, its base a polygon of four. */
+const pyramid = { points: ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0.5 0.5 1"], base: [0, 3, 2, 1] };
+
+describe("OBJ", () => {
+  test("comes back bit for bit", () => {
+    expect(soup(surfaceIn(readObj(objFile(sphere))))).toEqual(soup(sphere));
+  });
+
+  test("may count backwards, continue lines, give weights and colours, and hold polygons", () => {
+    const rows = pyramid.points.map((point) => `v ${point} 1.0`).join("\n");
+    const file = `${rows}\nf 1 4 3 2\nf -5/1/1 -4/2/2 -1/3/3\nf 2 3 \\\n 5\nf 3 4 5 # side\nf 4 1 5\n`;
+    const { triangles } = surfaceIn(readObj(bytes(file)));
+    expect([...triangles]).toEqual([0, 3, 2, 0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
+  });
+
+  test.each<[string, string, RegExp]>([
+    ["nothing", "", /empty/],
+    ["no face", "v 0 0 0\n", /no face/],
+    [
+      "a corner that is not there yet",
+      "v 0 0 0\nf 1 2 3\nv 1 0 0\nv 0 1 0\n",
+      /line 2: "2" is no corner among the 1/,
+    ],
+    ["a corner 0", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", /line 4: "0" is no corner/],
+    ["two corners", "v 0 0 0\nv 1 0 0\nf 1 2\n", /line 3: a face has 2 corners/],
+    ["a coordinate that is none", "v 0 0 zero\n", /line 1: "zero"/],
+    ["a curved surface", "v 0 0 0\ncstype bezier\n", /line 2: "cstype"/],
+    ["a dart", "v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 2 3 4 1\n", /not convex/],
+  ])("of %s is refused", (_, file, message) => {
+    expect(problemIn(readObj(bytes(file))).message).toMatch(message);
+  });
+});
+
+describe("PLY", () => {
+  test.each([
+    ["text", plyText(sphere)],
+    ["binary, low byte first", plyBinary(sphere, true)],
+    ["binary, high byte first", plyBinary(sphere, false)],
+  ])("as %s comes back bit for bit", (_, file) => {
+    expect(soup(surfaceIn(readPly(file)))).toEqual(soup(sphere));
+  });
+
+  const head = (format: string, faces: number) =>
+    `ply\nformat ${format} 1.0\nelement vertex 5\nproperty float x\nproperty float y\nproperty float z
+element face ${faces}\nproperty uchar flag\nproperty list uchar uint vertex_index\nelement edge 1\nproperty int from
+end_header\n`;
+  const rows = `${pyramid.points.join("\n")}\n0 4 ${pyramid.base.join(" ")}\n`;
+
+  test("may hold polygons, and elements nobody asked for", () => {
+    const { triangles } = surfaceIn(readPly(bytes(`${head("ascii", 1)}${rows}7\n`)));
+    expect([...triangles]).toEqual([0, 3, 2, 0, 2, 1]);
+  });
+
+  test.each<[string, string, RegExp]>([
+    ["nothing", "", /empty/],
+    ["another kind", "solid\n", /begin with "ply"/],
+    ["half a header", "ply\nformat ascii 1.0\n", /ends before "end_header"/],
+    ["a format unheard of", head("ebcdic", 1), /"ebcdic"/],
+    ["numbers unheard of", head("ascii", 1).replace("property float x", "property half x"), /"half"/],
+    ["points without z", `${head("ascii", 1).replace("float z", "float w")}${rows}7\n`, /no x, y and z/],
+    [
+      "a corner too many",
+      `${head("ascii", 1)}${rows.replace("4 0 3 2 1", "3 0 3 9")}7\n`,
+      /corner 9, there are 5/,
+    ],
+    [
+      "faces that are not there",
+      `${head("ascii", 4_000_000)}${rows}`,
+      /4000000 elements "face" are announced/,
+    ],
+    ["points that break off", `${head("ascii", 1)}0 0 0 1`, /./],
+  ])("of %s is refused", (_, file, message) => {
+    expect(problemIn(readPly(bytes(file))).message).toMatch(message);
+  });
+
+  test("binary that breaks off tells where", () => {
+    const file = plyBinary(sphere, true);
+    const problem = problemIn(readPly(file.subarray(0, file.length - 5)));
+    expect(problem.message).toMatch(/^byte \d+: the file ends in the middle of a number/);
   });
 });

@@ -1,5 +1,6 @@
 import { ReadFailure } from "../read-result.js";
 
+const LATIN1 = new TextDecoder("latin1");
 const LINE_FEED = 10;
 const SPACE = 32;
 
@@ -47,6 +48,29 @@ export class ByteCursor {
 
   int32(): number {
     return this.#view.getInt32(this.#advance(4), this.isLittleEndian);
+  }
+
+  /** A whole number of 1, 2, 4 or 8 bytes; the last only up to 2^53. */
+  integer(bytes: 1 | 2 | 4 | 8, isSigned: boolean): number {
+    const at = this.#advance(bytes);
+    const little = this.isLittleEndian;
+    switch (bytes) {
+      case 1:
+        return isSigned ? this.#view.getInt8(at) : this.#view.getUint8(at);
+      case 2:
+        return isSigned ? this.#view.getInt16(at, little) : this.#view.getUint16(at, little);
+      case 4:
+        return isSigned ? this.#view.getInt32(at, little) : this.#view.getUint32(at, little);
+      case 8:
+        return Number(isSigned ? this.#view.getBigInt64(at, little) : this.#view.getBigUint64(at, little));
+    }
+  }
+
+  float(bytes: 4 | 8): number {
+    const at = this.#advance(bytes);
+    return bytes === 4
+      ? this.#view.getFloat32(at, this.isLittleEndian)
+      : this.#view.getFloat64(at, this.isLittleEndian);
   }
 
   /** As a number, exact up to 2^53. */
@@ -99,6 +123,6 @@ export class ByteCursor {
   }
 
   #text(begin: number, end: number): string {
-    return new TextDecoder("latin1").decode(this.#bytes.subarray(begin, end));
+    return LATIN1.decode(this.#bytes.subarray(begin, end));
   }
 }

@@ -2,11 +2,15 @@
 import type { Project } from "../project-schema.js";
 import type { ReadResult } from "../read-result.js";
 import type { MeshResult, SurfaceInput } from "../types.js";
+import { writeMedit } from "./medit.js";
 import { readMsh } from "./msh-reader.js";
 import { writeMsh } from "./msh.js";
+import { readObj } from "./obj.js";
 import { readOff } from "./off.js";
+import { readPly } from "./ply.js";
 import { readStl } from "./stl.js";
 import type { VolumeFile } from "./volume-file.js";
+import { writeVtk } from "./vtk.js";
 import { readVtu } from "./vtu-reader.js";
 import { writeVtu } from "./vtu.js";
 
@@ -14,6 +18,8 @@ import { writeVtu } from "./vtu.js";
 export const SURFACE_READERS: Readonly<Record<string, (bytes: Uint8Array) => ReadResult<SurfaceInput>>> = {
   ".stl": readStl,
   ".off": readOff,
+  ".obj": readObj,
+  ".ply": readPly,
 };
 
 /** Volume meshes that can be read, to become background grids (`volumeBackground`). */
@@ -30,6 +36,8 @@ export const MESH_WRITERS: Readonly<
 > = {
   ".vtu": (mesh) => writeVtu(mesh),
   ".msh": (mesh, project) => writeMsh(mesh, { patches: project ? patchNames(project) : shellNames(mesh) }),
+  ".vtk": (mesh) => writeVtk(mesh),
+  ".mesh": (mesh) => writeMedit(mesh),
 };
 
 /** What to call each patch in a file: its name, else its id. */

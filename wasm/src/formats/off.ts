@@ -5,6 +5,7 @@
  */
 import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import type { SurfaceInput } from "../types.js";
+import { addPolygon } from "./polygons.js";
 import { TextScanner } from "./text-scanner.js";
 import { weldPoints } from "./weld.js";
 
@@ -57,34 +58,11 @@ function readFaces(scanner: TextScanner, count: number, points: Float64Array): n
     if (size < 3) scanner.fail(`face ${f} has ${size} corners`);
     const corners: number[] = [];
     for (let i = 0; i < size; i++) corners.push(scanner.index(`a corner of face ${f}`, points.length / 3));
-    if (size > 3 && !isConvex(corners, points)) {
+    if (!addPolygon(corners, points, triangles)) {
       scanner.fail(`face ${f} is a polygon that is not convex and cannot be cut into triangles safely`);
-    }
-    for (let i = 2; i < size; i++) {
-      triangles.push(corners[0] ?? 0, corners[i - 1] ?? 0, corners[i] ?? 0);
     }
     // A colour may follow, of one to four numbers.
     scanner.skipLine();
   }
   return triangles;
-}
-
-type Triple = readonly [number, number, number];
-
-/** Whether all triangles from the first corner turn the same way as the whole polygon. */
-function isConvex(corners: readonly number[], points: Float64Array): boolean {
-  const at = (corner: number): Triple => {
-    const begin = 3 * corner;
-    return [points[begin] ?? 0, points[begin + 1] ?? 0, points[begin + 2] ?? 0];
-  };
-  const first = at(corners[0] ?? 0);
-  const normals = corners.slice(2).map((corner, i) => normal(first, at(corners[i + 1] ?? 0), at(corner)));
-  const whole = normals.reduce((a, b): Triple => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
-  return normals.every((n) => n[0] * whole[0] + n[1] * whole[1] + n[2] * whole[2] > 0);
-}
-
-function normal(a: Triple, b: Triple, c: Triple): Triple {
-  const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
-  const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
-  return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
 }
