@@ -75,6 +75,10 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
   ],
   order: ["order of the front", oneOf(FRONT_ORDERS)],
   optimization: ["optimization", oneOf(OPTIMIZATIONS)],
+  exactFillOnly: [
+    "choice of the exact fill alone",
+    (value) => (typeof value === "boolean" ? undefined : "true or false"),
+  ],
 };
 
 const PREVIEW_RULES: Rules<PreviewOptions> = { size: MESH_RULES.size };
