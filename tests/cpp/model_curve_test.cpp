@@ -149,7 +149,8 @@ TEST(ModelCurve, ClosedSplineThroughACircleHasItsSymmetry) {
     ring.emplace_back(std::cos(angle), std::sin(angle), 0.0);
   }
   const Curve curve(LineType::kCubicSpline, ring);
-  for (double t = 0.0; t < 1.0; t += 0.003) EXPECT_NEAR(glm::length(curve.position(t)), 1.0, 2.5e-4);
+  for (double t = 0.0; t < 1.0; t += 0.003)
+    EXPECT_NEAR(glm::length(curve.position(t)), 1.0, 2.5e-4);
   for (int piece = 0; piece < kPoints; ++piece)
     EXPECT_NEAR(curve.length(piece / 12.0, (piece + 1) / 12.0), curve.length() / kPoints, 1e-12);
   EXPECT_FALSE(

@@ -14,20 +14,20 @@ constexpr int kFoldCells = 16;
 /// A normal shorter than this share of the longest belongs to a degenerate corner, where it
 /// points anywhere.
 constexpr double kLeastNormal = 1e-6;
+/// Sine of 10 degrees: two lines that meet at less have no corner to speak of.
+constexpr double kSmoothSine = 0.17364817766693033;
 /// A turn of the normal by more than 90 degrees that persists between parameters this many times
 /// halved is a fold and not a bend.
 constexpr int kFoldHalvings = 24;
 
-/// Nodes of the cells, corners and edges of the domain included, or centres of the cells.
+/// Nodes of the cells, those on the edges of the domain included.
 class NormalGrid {
  public:
-  NormalGrid(const UnitSurface& surface, FoldSearch search) : surface_(&surface) {
-    const bool isTriangle = surface.shape() == UnitShape::kTriangle;
-    const bool upToEdges = search == FoldSearch::kUpToEdges;
-    rows_ = upToEdges ? kFoldCells + 1 : kFoldCells;
-    if (!upToEdges) offset_ = isTriangle ? 1.0 / 3.0 : 0.5;
-    isTriangle_ = isTriangle;
-    for (int j = 0; j < rows_; ++j)
+  NormalGrid(const UnitSurface& surface, SmoothCorners corners)
+      : surface_(&surface),
+        isTriangle_(surface.shape() == UnitShape::kTriangle),
+        smoothCorners_(corners == SmoothCorners::kAllowed) {
+    for (int j = 0; j <= kFoldCells; ++j)
       for (int i = 0; has(i, j); ++i)
         longest_ = std::max(longest_, glm::length(normalAt(unitAt(i, j))));
   }
@@ -35,7 +35,7 @@ class NormalGrid {
   [[nodiscard]] double longestNormal() const { return longest_; }
 
   [[nodiscard]] std::optional<Vec2> findFold() const {
-    for (int line = 0; line < rows_; ++line) {
+    for (int line = 0; line <= kFoldCells; ++line) {
       std::optional<Vec2> fold = findFoldAlong(line, [](int row, int i) { return Cell{i, row}; });
       if (!fold) fold = findFoldAlong(line, [](int column, int j) { return Cell{column, j}; });
       if (fold) return fold;
@@ -57,7 +57,7 @@ class NormalGrid {
       const Cell cell = cellAt(line, step);
       if (!has(cell.i, cell.j)) return std::nullopt;
       const Vec2 here = unitAt(cell.i, cell.j);
-      if (glm::length(normalAt(here)) < leastNormal()) continue;
+      if (glm::length(normalAt(here)) < leastNormal() || isSmoothCorner(cell)) continue;
       if (before)
         if (const std::optional<Vec2> fold = foldBetween(*before, here)) return fold;
       before = here;
@@ -68,11 +68,23 @@ class NormalGrid {
   [[nodiscard]] double leastNormal() const { return kLeastNormal * longest_; }
 
   [[nodiscard]] bool has(int i, int j) const {
-    return i < rows_ && j < rows_ && (!isTriangle_ || i + j < rows_);
+    return (isTriangle_ ? i + j : std::max(i, j)) <= kFoldCells;
   }
 
-  [[nodiscard]] Vec2 unitAt(int i, int j) const {
-    return {(i + offset_) / kFoldCells, (j + offset_) / kFoldCells};
+  /// True where two lines meet, as seen in the domain, at 180 degrees or not much more or less,
+  /// if that is allowed.
+  [[nodiscard]] bool isSmoothCorner(const Cell& cell) const {
+    // Those of a square; of a triangle's they are three, and (1, 1) is outside.
+    const bool isCorner = cell.i % kFoldCells == 0 && cell.j % kFoldCells == 0;
+    if (!smoothCorners_ || !isCorner) return false;
+    const SurfacePoint point = surface_->evaluate(unitAt(cell.i, cell.j));
+    // A triangle's lines along its third side are as parallel as the two tangents are.
+    return glm::length(glm::cross(point.alongXi, point.alongEta)) <
+           kSmoothSine * glm::length(point.alongXi) * glm::length(point.alongEta);
+  }
+
+  [[nodiscard]] static Vec2 unitAt(int i, int j) {
+    return Vec2(i, j) / static_cast<double>(kFoldCells);
   }
 
   [[nodiscard]] Vec3 normalAt(const Vec2& unit) const {
@@ -103,17 +115,16 @@ class NormalGrid {
   }
 
   const UnitSurface* surface_;
-  bool isTriangle_ = false;
-  int rows_ = 0;
-  double offset_ = 0.0;
+  bool isTriangle_;
+  bool smoothCorners_;
   double longest_ = 0.0;
 };
 
 }  // namespace
 
-std::optional<SurfaceFault> findSurfaceFault(const UnitSurface& surface, FoldSearch search,
+std::optional<SurfaceFault> findSurfaceFault(const UnitSurface& surface, SmoothCorners corners,
                                              double extent) {
-  const NormalGrid grid(surface, search);
+  const NormalGrid grid(surface, corners);
   if (!(grid.longestNormal() > kLeastArea * extent * extent)) {
     constexpr double kThird = 1.0 / 3.0;
     return SurfaceFault{true, surface.evaluate({kThird, kThird}).position};

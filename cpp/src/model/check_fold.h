@@ -9,11 +9,10 @@
 
 namespace tetrafront {
 
-/// How far the grid goes. Two lines of a transfinite patch may meet smoothly at a corner, where
-/// the normal then vanishes and, for lines a little off, points the other way; that does no harm.
-/// The shape functions of an isoparametric patch fold along an edge whose mid-point is too near
-/// one end, and nowhere else.
-enum class FoldSearch : std::uint8_t { kInside, kUpToEdges };
+/// Two lines of a transfinite patch may meet smoothly at a corner, where the normal then vanishes
+/// or, for lines a little off, points the other way; that does no harm. The shape functions of an
+/// isoparametric patch fold from a corner on where a mid-point is too near.
+enum class SmoothCorners : std::uint8_t { kAllowed, kFold };
 
 struct SurfaceFault {
   bool hasNoArea;  ///< otherwise it folds
@@ -22,6 +21,6 @@ struct SurfaceFault {
 
 /// The first fault found; `extent` is the patch's size.
 [[nodiscard]] std::optional<SurfaceFault> findSurfaceFault(const UnitSurface& surface,
-                                                           FoldSearch search, double extent);
+                                                           SmoothCorners corners, double extent);
 
 }  // namespace tetrafront

@@ -160,8 +160,9 @@ class PatchCheck {
   bool checkCurved() {
     if (!checkSeams() || !checkCorners()) return false;
     const UnitSurface surface(drawn_->type, curvesOf(*model_, drawn_->loops.front()));
-    const FoldSearch search = isIsoparametric() ? FoldSearch::kUpToEdges : FoldSearch::kInside;
-    const std::optional<SurfaceFault> fault = findSurfaceFault(surface, search, extent());
+    const SmoothCorners corners =
+        isIsoparametric() ? SmoothCorners::kFold : SmoothCorners::kAllowed;
+    const std::optional<SurfaceFault> fault = findSurfaceFault(surface, corners, extent());
     if (!fault) return true;
     report(DiagnosticCode::kDegeneratePatch, offCentreLines(), fault->place);
     return !fault->hasNoArea;
