@@ -12,6 +12,7 @@
 #include "optimize/optimizer.h"
 #include "quality/check_mesh.h"
 #include "quality/metrics.h"
+#include "quality/survey.h"
 #include "surface/boundary.h"
 #include "surface/check_coverage.h"
 #include "surface/expected_count.h"
@@ -121,7 +122,10 @@ class MeshRun::Impl {
   }
 
   [[nodiscard]] QualitySummary quality() const {
-    return status_ == MeshStatus::kDone ? meter_.summary() : measureQuality(volume());
+    return status_ == MeshStatus::kDone ? survey_->summary() : measureQuality(volume());
+  }
+  [[nodiscard]] QualityStatistics statistics() const {
+    return status_ == MeshStatus::kDone ? survey_->statistics() : QualityStatistics{};
   }
   [[nodiscard]] RecoverySummary recovery() const {
     return volumeMesher_ ? volumeMesher_->recovery() : recovery_;
@@ -385,11 +389,8 @@ class MeshRun::Impl {
   }
 
   void measure(std::uint32_t budget) {
-    const std::size_t count = finishedMesh_->tetrahedra.size() / 4;
-    const std::size_t last = measured_ + std::min<std::size_t>(budget, count - measured_);
-    meter_.add(*finishedMesh_, measured_, last);
-    measured_ = last;
-    if (measured_ == count) stage_ = Stage::kVerify;
+    if (!survey_) survey_.emplace(*finishedMesh_, surface_, *field_);
+    if (survey_->advance(budget)) stage_ = Stage::kVerify;
   }
 
   /// The engine's own exact verdict; a failure is our mistake, and is told rather than hidden.
@@ -426,8 +427,7 @@ class MeshRun::Impl {
   bool optionsChecked_ = false;
   RecoverySummary recovery_;
   FrontCounters counters_;
-  QualityMeter meter_;
-  std::size_t measured_ = 0;
+  std::optional<QualitySurvey> survey_;
   std::optional<MeshOptimizer> optimizer_;
   std::optional<MeshVerifier> verifier_;
   std::vector<Diagnostic> diagnostics_;
@@ -457,6 +457,7 @@ const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
 VolumeMesh MeshRun::volume() const { return impl_->volume(); }
 const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
 QualitySummary MeshRun::quality() const { return impl_->quality(); }
+QualityStatistics MeshRun::statistics() const { return impl_->statistics(); }
 RecoverySummary MeshRun::recovery() const { return impl_->recovery(); }
 FrontCounters MeshRun::counters() const { return impl_->counters(); }
 std::uint64_t MeshRun::fingerprint() const { return impl_->fingerprint(); }

@@ -14,6 +14,7 @@
 #include "tetrafront/mesh.h"
 #include "tetrafront/model.h"
 #include "tetrafront/options.h"
+#include "tetrafront/quality_statistics.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
@@ -64,6 +65,8 @@ class MeshRun {
 
   /// Of the mesh as it stands after kDone, kStalled or kCancelled.
   [[nodiscard]] QualitySummary quality() const;
+  /// Of the finished mesh; empty unless kDone.
+  [[nodiscard]] QualityStatistics statistics() const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
 

@@ -34,11 +34,13 @@ TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3&
   measures.volume = det / 6.0;
   measures.largestCosine = -1.0;
   measures.smallestCosine = 1.0;
+  std::size_t pair = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
       const double product = lengths[i] * lengths[j];
       // The angle between faces is that between one normal and the other turned round.
       const double cosine = product > 0.0 ? -glm::dot(normals[i], normals[j]) / product : 1.0;
+      measures.cosines[pair++] = cosine;
       measures.largestCosine = std::max(measures.largestCosine, cosine);
       measures.smallestCosine = std::min(measures.smallestCosine, cosine);
     }
@@ -56,15 +58,17 @@ void QualityMeter::add(const VolumeMesh& mesh, std::size_t first, std::size_t la
     return Vec3(mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]);
   };
   for (std::size_t t = first; t < last; ++t) {
-    const TetrahedronMeasures measures =
-        measureTetrahedron(corner(t, 0), corner(t, 1), corner(t, 2), corner(t, 3));
-    ++count_;
-    volume_ += measures.volume;
-    sumOfRatios_ += measures.radiusRatio;
-    minRatio_ = std::min(minRatio_, measures.radiusRatio);
-    largestCosine_ = std::max(largestCosine_, measures.largestCosine);
-    smallestCosine_ = std::min(smallestCosine_, measures.smallestCosine);
+    add(measureTetrahedron(corner(t, 0), corner(t, 1), corner(t, 2), corner(t, 3)));
   }
+}
+
+void QualityMeter::add(const TetrahedronMeasures& measures) {
+  ++count_;
+  volume_ += measures.volume;
+  sumOfRatios_ += measures.radiusRatio;
+  minRatio_ = std::min(minRatio_, measures.radiusRatio);
+  largestCosine_ = std::max(largestCosine_, measures.largestCosine);
+  smallestCosine_ = std::min(smallestCosine_, measures.smallestCosine);
 }
 
 QualitySummary QualityMeter::summary() const {

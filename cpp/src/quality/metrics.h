@@ -3,8 +3,9 @@
 /// @file How good the elements are: volume, dihedral angles, radius ratio. For reports; nothing
 /// here decides anything.
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
@@ -17,7 +18,11 @@ struct TetrahedronMeasures {
   double radiusRatio = 0.0;    ///< 3 x inradius / circumradius, 1 if regular; 0 if flat or inverted
   double largestCosine = 0.0;  ///< of the dihedral angles: the smallest angle's
   double smallestCosine = 0.0;  ///< the largest angle's
+  /// Of all six, between the faces opposite kCosineFaces[i] and kCosineFaces[j] for i < j, in
+  /// lexical order.
+  std::array<double, 6> cosines{};
 };
+inline constexpr std::array<std::size_t, 4> kCosineFaces{1, 2, 3, 0};
 
 [[nodiscard]] TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c,
                                                      const Vec3& d);
@@ -27,6 +32,8 @@ class QualityMeter {
  public:
   /// Adds tetrahedra [first, last) of the mesh. About 0.1 µs each.
   void add(const VolumeMesh& mesh, std::size_t first, std::size_t last);
+
+  void add(const TetrahedronMeasures& measures);
 
   /// All zero if nothing was added.
   [[nodiscard]] QualitySummary summary() const;

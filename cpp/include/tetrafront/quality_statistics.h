@@ -1,0 +1,59 @@
+#pragma once
+
+/// @file What a report says about a finished mesh beyond QualitySummary: how angles, ratios and edge
+/// lengths are distributed, and where the worst elements are. Shapes and lengths are those the size
+/// field sees: where it is stretched, in the space where the wanted element is regular with edge 1.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+inline constexpr std::size_t kDihedralBins = 36;  ///< of 5 degrees
+inline constexpr std::size_t kRatioBins = 20;     ///< of 0.05
+inline constexpr std::size_t kEdgeBins = 30;      ///< of 0.1; the last holds all longer edges too
+
+/// Dihedral angles every element should have, in degrees; and that no better mesh may be hoped for
+/// where the boundary forbids them.
+inline constexpr double kWantedLeastDihedral = 30.0;
+inline constexpr double kWantedGreatestDihedral = 135.0;
+
+struct RegionStatistics {
+  std::uint32_t region = 0;  ///< as in VolumeMesh::regions
+  std::uint32_t tetrahedra = 0;
+  double volume = 0.0;
+  std::array<std::uint32_t, kDihedralBins> dihedral{};          ///< all six of each element
+  std::array<std::uint32_t, kDihedralBins> smallestDihedral{};  ///< one of each element
+  std::array<std::uint32_t, kRatioBins> radiusRatio{};
+  std::array<std::uint32_t, kEdgeBins> edge{};  ///< length by wanted length; each edge counts once
+};
+
+struct ElementFigures {
+  std::uint32_t tetrahedron = 0;
+  Vec3 place{0.0};                ///< centroid
+  double volume = 0.0;            ///< in cubed model units
+  double smallestDihedral = 0.0;  ///< degrees
+  double largestDihedral = 0.0;   ///< degrees
+  double radiusRatio = 0.0;
+};
+
+struct QualityStatistics {
+  std::vector<RegionStatistics> regions;  ///< ascending
+  std::vector<ElementFigures> worst;      ///< up to ten, by their angles, worst first
+  ElementFigures smallest;                ///< by volume
+  double volumeRatio = 0.0;               ///< largest by smallest volume
+  double meanEdge = 0.0;                  ///< by wanted length
+  double edgesNearWanted = 0.0;           ///< share of the edges between 0.6 and 1.5 wanted lengths
+  /// Elements with an angle beyond the wanted ones which the boundary does not excuse.
+  std::uint32_t missed = 0;
+  /// Those it does: they own both triangles of a boundary edge that is sharper than the least
+  /// wanted angle, or a boundary triangle that is a needle.
+  std::uint32_t limitedByBoundary = 0;
+  std::vector<ElementFigures> worstLimited;  ///< up to ten of them, worst first
+};
+
+}  // namespace tetrafront

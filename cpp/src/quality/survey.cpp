@@ -1,0 +1,360 @@
+#include "quality/survey.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace tetrafront {
+namespace {
+
+constexpr std::size_t kListed = 10;
+constexpr double kNearFrom = 0.6;
+constexpr double kNearTo = 1.5;
+constexpr double kBinsPerRatio = static_cast<double>(kRatioBins);
+constexpr double kBinsPerEdge = 10.0;
+/// Twice the inradius by the circumradius of a triangle, 1 for the equilateral. Below this, no
+/// place for the fourth node makes an element with all angles wanted.
+constexpr double kNeedle = 0.3;
+/// Squared tangents of half the least wanted angle, and of half of 180 degrees minus the greatest.
+constexpr double kLeast = 0.07179676972449082;
+constexpr double kGreatest = 0.17157287525380988;
+constexpr double kLeastCosine = 0.8660254037844387;
+
+/// Cosines of 0, 5 .. 180 degrees: bins must not depend on how a library rounds.
+constexpr std::array<double, kDihedralBins + 1> kBinCosines = [] {
+  constexpr std::array kQuarter{1.0,
+                                0.9961946980917455,
+                                0.984807753012208,
+                                0.9659258262890683,
+                                0.9396926207859084,
+                                0.9063077870366499,
+                                0.8660254037844387,
+                                0.8191520442889918,
+                                0.766044443118978,
+                                0.7071067811865476,
+                                0.6427876096865394,
+                                0.5735764363510462,
+                                0.5,
+                                0.42261826174069944,
+                                0.3420201433256688,
+                                0.25881904510252074,
+                                0.17364817766693041,
+                                0.08715574274765814};
+  std::array<double, kDihedralBins + 1> cosines{};
+  for (std::size_t i = 0; i < kQuarter.size(); ++i) {
+    cosines[i] = kQuarter[i];
+    cosines[kDihedralBins - i] = -kQuarter[i];
+  }
+  return cosines;
+}();
+
+std::size_t angleBin(double cosine) {
+  const auto* after = std::upper_bound(kBinCosines.begin() + 1, kBinCosines.end() - 1, cosine,
+                                       [](double a, double b) { return a > b; });
+  return static_cast<std::size_t>(after - kBinCosines.begin()) - 1;
+}
+
+std::size_t linearBin(double value, double binsPerUnit, std::size_t count) {
+  const double bin = value * binsPerUnit;
+  return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count - 1;
+}
+
+double degreesOf(double cosine) {
+  return std::acos(std::clamp(cosine, -1.0, 1.0)) * (180.0 / std::numbers::pi);
+}
+
+/// Above 1 iff an angle is beyond the wanted ones; the more, the worse.
+double badnessOf(const TetrahedronMeasures& measures) {
+  constexpr double kFlat = 1e300;
+  const double c = measures.largestCosine;
+  const double d = measures.smallestCosine;
+  if (c >= 1.0 || d <= -1.0) return kFlat;
+  return std::max(kLeast * (1.0 + c) / (1.0 - c), kGreatest * (1.0 - d) / (1.0 + d));
+}
+
+double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const double a = glm::length(q - r);
+  const double b = glm::length(r - p);
+  const double c = glm::length(p - q);
+  const double product = a * b * c;
+  return product > 0.0 ? (b + c - a) * (c + a - b) * (a + b - c) / product : 0.0;
+}
+
+/// Corners of an element's edges.
+constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{
+    {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
+
+std::array<std::uint32_t, 3> sortedTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  std::array<std::uint32_t, 3> nodes{a, b, c};
+  std::sort(nodes.begin(), nodes.end());
+  return nodes;
+}
+
+}  // namespace
+
+QualitySurvey::QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface,
+                             const SizeField& field)
+    : mesh_(mesh), surface_(surface), field_(field), isStretched_(field.isStretched()) {
+  const std::size_t nodes = mesh.points.size() / 3;
+  if (isStretched_) {
+    tensors_.resize(nodes);
+  } else {
+    sizes_.resize(nodes);
+  }
+  starts_.assign(nodes + 1, 0);
+}
+
+bool QualitySurvey::advance(std::uint32_t budget) {
+  const std::size_t nodes = mesh_.points.size() / 3;
+  const std::size_t elements = mesh_.tetrahedra.size() / 4;
+  const auto slice = [&](std::size_t end, Stage following, auto work) {
+    const std::size_t last = next_ + std::min<std::size_t>(budget, end - next_);
+    work(next_, last);
+    next_ = last;
+    if (next_ < end) return false;
+    next_ = 0;
+    stage_ = following;
+    return true;
+  };
+  switch (stage_) {
+    case Stage::kSizes:
+      slice(nodes, Stage::kElements, [&](std::size_t a, std::size_t b) { askSizes(a, b); });
+      break;
+    case Stage::kElements:
+      if (slice(elements, Stage::kPlaceEdges,
+                [&](std::size_t a, std::size_t b) { measureElements(a, b); })) {
+        startEdges();
+      }
+      break;
+    case Stage::kPlaceEdges:
+      slice(elements, Stage::kEdges, [&](std::size_t a, std::size_t b) { placeEdges(a, b); });
+      break;
+    case Stage::kEdges:
+      if (slice(nodes, Stage::kBoundary,
+                [&](std::size_t a, std::size_t b) { measureEdges(a, b); })) {
+        startBoundary();
+      }
+      break;
+    case Stage::kBoundary:
+      if (slice(surface_.triangles.size() / 3, Stage::kDone,
+                [&](std::size_t a, std::size_t b) { findBoundaryFaces(a, b); })) {
+        finish();
+      }
+      break;
+    case Stage::kDone:
+      break;
+  }
+  return stage_ == Stage::kDone;
+}
+
+Vec3 QualitySurvey::pointOf(std::uint32_t node) const {
+  const double* at = &mesh_.points[3 * std::size_t{node}];
+  return {at[0], at[1], at[2]};
+}
+
+std::span<const std::uint32_t, 4> QualitySurvey::nodesOf(std::size_t element) const {
+  return std::span<const std::uint32_t, 4>(&mesh_.tetrahedra[4 * element], 4);
+}
+
+void QualitySurvey::askSizes(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const Vec3 place = pointOf(static_cast<std::uint32_t>(i));
+    if (isStretched_) {
+      tensors_[i] = field_.tensorAt(place, hint_).inverse();
+    } else {
+      sizes_[i] = field_.sizeAt(place, hint_);
+    }
+  }
+}
+
+std::array<Vec3, 4> QualitySurvey::seenCorners(std::span<const std::uint32_t, 4> nodes) const {
+  std::array<Vec3, 4> corners;
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = pointOf(nodes[k]);
+  if (!isStretched_) return corners;
+  SymmetricTensor toUnit = tensors_[nodes[0]];
+  for (std::size_t k = 1; k < 4; ++k) toUnit.accumulate(tensors_[nodes[k]], 1.0);
+  const Vec3 origin = corners[0];
+  for (Vec3& corner : corners) corner = toUnit * (corner - origin);
+  return corners;
+}
+
+double QualitySurvey::relativeLength(std::uint32_t a, std::uint32_t b) const {
+  const Vec3 edge = pointOf(a) - pointOf(b);
+  if (!isStretched_) return glm::length(edge) / (0.5 * (sizes_[a] + sizes_[b]));
+  SymmetricTensor toUnit = tensors_[a].scaledBy(0.5);
+  toUnit.accumulate(tensors_[b], 0.5);
+  return glm::length(toUnit * edge);
+}
+
+RegionStatistics& QualitySurvey::statisticsOf(std::uint32_t region) {
+  auto& regions = statistics_.regions;
+  while (regions.size() <= region) {
+    regions.emplace_back().region = static_cast<std::uint32_t>(regions.size() - 1);
+  }
+  return regions[region];
+}
+
+void QualitySurvey::keepWorst(std::vector<Ranked>& worst, const Ranked& one) {
+  if (worst.size() == kListed && !(one.badness > worst.back().badness)) return;
+  if (worst.size() == kListed) worst.pop_back();
+  worst.insert(
+      std::upper_bound(worst.begin(), worst.end(), one,
+                       [](const Ranked& p, const Ranked& q) { return p.badness > q.badness; }),
+      one);
+}
+
+void QualitySurvey::measureElements(std::size_t first, std::size_t last) {
+  for (std::size_t t = first; t < last; ++t) {
+    const auto nodes = nodesOf(t);
+    const auto element = static_cast<std::uint32_t>(t);
+    const TetrahedronMeasures plain = measureTetrahedron(pointOf(nodes[0]), pointOf(nodes[1]),
+                                                         pointOf(nodes[2]), pointOf(nodes[3]));
+    meter_.add(plain);
+    const auto seen = seenCorners(nodes);
+    const TetrahedronMeasures measures =
+        isStretched_ ? measureTetrahedron(seen[0], seen[1], seen[2], seen[3]) : plain;
+    RegionStatistics& region = statisticsOf(mesh_.regions[t]);
+    ++region.tetrahedra;
+    region.volume += plain.volume;
+    for (const double cosine : measures.cosines) ++region.dihedral[angleBin(cosine)];
+    ++region.smallestDihedral[angleBin(measures.largestCosine)];
+    ++region.radiusRatio[linearBin(measures.radiusRatio, kBinsPerRatio, kRatioBins)];
+    if (t == 0 || plain.volume < smallestVolume_) {
+      smallestVolume_ = plain.volume;
+      smallest_ = element;
+    }
+    largestVolume_ = std::max(largestVolume_, plain.volume);
+    const double badness = badnessOf(measures);
+    keepWorst(worst_, {badness, element});
+    if (badness > 1.0) missed_.push_back({badness, element});
+    for (const auto& [i, j] : kEdges) ++starts_[std::min(nodes[i], nodes[j]) + 1];
+  }
+}
+
+void QualitySurvey::startEdges() {
+  for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
+  filled_.assign(starts_.begin(), starts_.end() - 1);
+  edges_.resize(starts_.back());
+  metBy_.assign(filled_.size(), 0);
+}
+
+void QualitySurvey::placeEdges(std::size_t first, std::size_t last) {
+  for (std::size_t t = first; t < last; ++t) {
+    const auto nodes = nodesOf(t);
+    for (std::size_t e = 0; e < kEdges.size(); ++e) {
+      const std::uint32_t lower = std::min(nodes[kEdges[e][0]], nodes[kEdges[e][1]]);
+      edges_[filled_[lower]++] = static_cast<std::uint32_t>(kEdges.size() * t + e);
+    }
+  }
+}
+
+void QualitySurvey::measureEdges(std::size_t firstNode, std::size_t lastNode) {
+  for (std::size_t lower = firstNode; lower < lastNode; ++lower) {
+    for (std::uint32_t i = starts_[lower]; i < starts_[lower + 1]; ++i) {
+      const std::size_t element = edges_[i] / kEdges.size();
+      const auto& corners = kEdges[edges_[i] % kEdges.size()];
+      const auto nodes = nodesOf(element);
+      const std::uint32_t upper = std::max(nodes[corners[0]], nodes[corners[1]]);
+      if (metBy_[upper] == lower + 1) continue;
+      metBy_[upper] = static_cast<std::uint32_t>(lower + 1);
+      const double length = relativeLength(static_cast<std::uint32_t>(lower), upper);
+      ++statisticsOf(mesh_.regions[element]).edge[linearBin(length, kBinsPerEdge, kEdgeBins)];
+      sumOfEdges_ += length;
+      ++edgeCount_;
+      nearCount_ += length >= kNearFrom && length <= kNearTo ? 1 : 0;
+    }
+  }
+}
+
+void QualitySurvey::startBoundary() {
+  edges_ = {};
+  starts_ = {};
+  filled_ = {};
+  metBy_ = {};
+  concerned_.assign(mesh_.points.size() / 3, 0);
+  for (const Ranked& one : missed_) {
+    for (const std::uint32_t node : nodesOf(one.element)) concerned_[node] = 1;
+  }
+}
+
+void QualitySurvey::findBoundaryFaces(std::size_t first, std::size_t last) {
+  for (std::size_t h = first; h < last; ++h) {
+    const std::uint32_t* nodes = &surface_.triangles[3 * h];
+    if (concerned_[nodes[0]] + concerned_[nodes[1]] + concerned_[nodes[2]] < 3) continue;
+    boundary_.push_back(sortedTriangle(nodes[0], nodes[1], nodes[2]));
+  }
+}
+
+bool QualitySurvey::isLimited(std::uint32_t element) const {
+  const auto nodes = nodesOf(element);
+  const auto corners = seenCorners(nodes);
+  const TetrahedronMeasures measures =
+      measureTetrahedron(corners[0], corners[1], corners[2], corners[3]);
+  std::array<bool, 4> isBoundary{};  // the faces opposite, in the order of the measures' cosines
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t k = kCosineFaces[i];
+    const std::array<std::size_t, 3> face{(k + 1) % 4, (k + 2) % 4, (k + 3) % 4};
+    isBoundary[i] =
+        std::binary_search(boundary_.begin(), boundary_.end(),
+                           sortedTriangle(nodes[face[0]], nodes[face[1]], nodes[face[2]]));
+    if (!isBoundary[i]) continue;
+    if (triangleQuality(corners[face[0]], corners[face[1]], corners[face[2]]) < kNeedle) {
+      return true;
+    }
+  }
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j, ++pair) {
+      if (isBoundary[i] && isBoundary[j] && measures.cosines[pair] > kLeastCosine) return true;
+    }
+  }
+  return false;
+}
+
+ElementFigures QualitySurvey::figuresOf(std::uint32_t element) const {
+  const auto nodes = nodesOf(element);
+  const auto corners = seenCorners(nodes);
+  const TetrahedronMeasures measures =
+      measureTetrahedron(corners[0], corners[1], corners[2], corners[3]);
+  ElementFigures figures;
+  figures.tetrahedron = element;
+  figures.smallestDihedral = degreesOf(measures.largestCosine);
+  figures.largestDihedral = degreesOf(measures.smallestCosine);
+  figures.radiusRatio = measures.radiusRatio;
+  const std::array<Vec3, 4> plain{pointOf(nodes[0]), pointOf(nodes[1]), pointOf(nodes[2]),
+                                  pointOf(nodes[3])};
+  figures.place = (plain[0] + plain[1] + plain[2] + plain[3]) * 0.25;
+  figures.volume = measureTetrahedron(plain[0], plain[1], plain[2], plain[3]).volume;
+  return figures;
+}
+
+std::vector<ElementFigures> QualitySurvey::figuresOf(const std::vector<Ranked>& worst) const {
+  std::vector<ElementFigures> figures;
+  for (const Ranked& one : worst) figures.push_back(figuresOf(one.element));
+  return figures;
+}
+
+void QualitySurvey::finish() {
+  std::sort(boundary_.begin(), boundary_.end());
+  std::vector<Ranked> limited;
+  for (const Ranked& one : missed_) {
+    if (isLimited(one.element)) {
+      ++statistics_.limitedByBoundary;
+      keepWorst(limited, one);
+    } else {
+      ++statistics_.missed;
+    }
+  }
+  statistics_.worst = figuresOf(worst_);
+  statistics_.worstLimited = figuresOf(limited);
+  if (mesh_.tetrahedra.empty()) return;
+  statistics_.smallest = figuresOf(smallest_);
+  statistics_.volumeRatio = smallestVolume_ > 0.0 ? largestVolume_ / smallestVolume_ : 0.0;
+  statistics_.meanEdge = sumOfEdges_ / static_cast<double>(edgeCount_);
+  statistics_.edgesNearWanted = static_cast<double>(nearCount_) / static_cast<double>(edgeCount_);
+  missed_ = {};
+  sizes_ = {};
+  tensors_ = {};
+}
+
+}  // namespace tetrafront

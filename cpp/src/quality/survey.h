@@ -1,0 +1,90 @@
+#pragma once
+
+/// @file Gathers everything a report says about a finished mesh (quality_statistics.h), in slices.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "field/size_field.h"
+#include "quality/metrics.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/quality_statistics.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+class QualitySurvey {
+ public:
+  /// `surface` is the boundary whose nodes are the mesh's first. All must outlive this.
+  QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface, const SizeField& field);
+
+  /// Works on for about `budget` elements or nodes; true when finished. O(n); about 0.5 µs for
+  /// each element.
+  bool advance(std::uint32_t budget);
+
+  /// In plain space. Final once finished.
+  [[nodiscard]] QualitySummary summary() const { return meter_.summary(); }
+  [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
+
+ private:
+  enum class Stage : std::uint8_t { kSizes, kElements, kPlaceEdges, kEdges, kBoundary, kDone };
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  void askSizes(std::size_t first, std::size_t last);
+  void measureElements(std::size_t first, std::size_t last);
+  void placeEdges(std::size_t first, std::size_t last);
+  void measureEdges(std::size_t firstNode, std::size_t lastNode);
+  void findBoundaryFaces(std::size_t first, std::size_t last);
+  void startEdges();
+  void startBoundary();
+  void finish();
+
+  [[nodiscard]] Vec3 pointOf(std::uint32_t node) const;
+  [[nodiscard]] std::span<const std::uint32_t, 4> nodesOf(std::size_t element) const;
+  /// The corners as the size field sees them, the first in the origin; plain ones up to a factor.
+  [[nodiscard]] std::array<Vec3, 4> seenCorners(std::span<const std::uint32_t, 4> nodes) const;
+  [[nodiscard]] double relativeLength(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] ElementFigures figuresOf(std::uint32_t element) const;
+  [[nodiscard]] bool isLimited(std::uint32_t element) const;
+  RegionStatistics& statisticsOf(std::uint32_t region);
+
+  struct Ranked {
+    double badness;
+    std::uint32_t element;
+  };
+  static void keepWorst(std::vector<Ranked>& worst, const Ranked& one);
+  [[nodiscard]] std::vector<ElementFigures> figuresOf(const std::vector<Ranked>& worst) const;
+
+  const VolumeMesh& mesh_;
+  const SurfaceMesh& surface_;
+  const SizeField& field_;
+  bool isStretched_;
+  FieldHint hint_;
+  Stage stage_ = Stage::kSizes;
+  std::size_t next_ = 0;
+  QualityMeter meter_;
+  QualityStatistics statistics_;
+  std::vector<double> sizes_;             ///< of nodes, where nothing is stretched
+  std::vector<SymmetricTensor> tensors_;  ///< T of nodes, where something is
+  /// Edges of elements by their lower node, as 6 x element + edge: those of node i begin at
+  /// starts_[i].
+  std::vector<std::uint32_t> starts_;
+  std::vector<std::uint32_t> filled_;
+  std::vector<std::uint32_t> edges_;
+  std::vector<std::uint32_t>
+      metBy_;  ///< of a node: the last lower node it shared an edge with, + 1
+  double sumOfEdges_ = 0.0;
+  std::uint64_t edgeCount_ = 0;
+  std::uint64_t nearCount_ = 0;
+  double largestVolume_ = 0.0;
+  double smallestVolume_ = 0.0;
+  std::uint32_t smallest_ = 0;
+  std::vector<Ranked> worst_;
+  std::vector<Ranked> missed_;
+  std::vector<std::uint8_t> concerned_;  ///< nodes of those
+  std::vector<Triangle> boundary_;       ///< triangles all of whose nodes are concerned, sorted
+};
+
+}  // namespace tetrafront

@@ -1,0 +1,204 @@
+/// The statistics of a mesh against counts made the slow way, and against meshes whose figures are
+/// known by hand.
+
+#include "quality/survey.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <numeric>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "support/models.h"
+#include "support/shapes.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront::testing {
+namespace {
+
+constexpr double kSize = 0.2;
+
+MeshRun finished(MeshRun run) {
+  while (run.advance(10'000) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  return run;
+}
+
+QualityStatistics survey(const VolumeMesh& mesh, const SurfaceMesh& surface,
+                         const SizeField& field = SizeField::uniform(kSize),
+                         std::uint32_t budget = 1000) {
+  QualitySurvey survey(mesh, surface, field);
+  while (!survey.advance(budget)) {
+  }
+  return survey.statistics();
+}
+
+std::array<Vec3, 4> cornersOf(const VolumeMesh& mesh, std::size_t t) {
+  std::array<Vec3, 4> corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double* at = &mesh.points[3 * std::size_t{mesh.tetrahedra[4 * t + k]}];
+    corners[k] = {at[0], at[1], at[2]};
+  }
+  return corners;
+}
+
+/// At edge a b, between the half-planes through c and through d.
+double slowDihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 axis = glm::normalize(b - a);
+  const Vec3 u = (c - a) - glm::dot(c - a, axis) * axis;
+  const Vec3 v = (d - a) - glm::dot(d - a, axis) * axis;
+  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180.0 / std::numbers::pi;
+}
+
+std::array<double, 6> slowDihedrals(const std::array<Vec3, 4>& p) {
+  return {slowDihedral(p[0], p[1], p[2], p[3]), slowDihedral(p[0], p[2], p[1], p[3]),
+          slowDihedral(p[0], p[3], p[1], p[2]), slowDihedral(p[1], p[2], p[0], p[3]),
+          slowDihedral(p[1], p[3], p[0], p[2]), slowDihedral(p[2], p[3], p[0], p[1])};
+}
+
+template <std::size_t N>
+std::uint32_t total(const std::array<std::uint32_t, N>& bins) {
+  return std::accumulate(bins.begin(), bins.end(), 0U);
+}
+
+TEST(QualitySurvey, CountsWhatASlowCountFinds) {
+  const SurfaceMesh surface = geodesicSphere(6);
+  const MeshRun run = finished(MeshRun(surface.points, surface.triangles, {}));
+  const VolumeMesh mesh = run.volume();
+  const QualityStatistics statistics = survey(mesh, run.surface());
+  ASSERT_EQ(statistics.regions.size(), 1U);
+  const RegionStatistics& region = statistics.regions[0];
+  std::array<std::uint32_t, kDihedralBins> dihedral{};
+  std::array<std::uint32_t, kDihedralBins> smallest{};
+  std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
+  double worst = 180.0;
+  double volume = 0.0;
+  for (std::size_t t = 0; t < mesh.tetrahedra.size() / 4; ++t) {
+    const auto corners = cornersOf(mesh, t);
+    const auto angles = slowDihedrals(corners);
+    const auto bin = [](double angle) { return static_cast<std::size_t>(angle / 5.0); };
+    for (const double angle : angles) ++dihedral[bin(angle)];
+    const double least = *std::min_element(angles.begin(), angles.end());
+    ++smallest[bin(least)];
+    worst = std::min(worst, least);
+    volume += measureTetrahedron(corners[0], corners[1], corners[2], corners[3]).volume;
+    const std::uint32_t* nodes = &mesh.tetrahedra[4 * t];
+    for (int i = 0; i < 4; ++i) {
+      for (int j = i + 1; j < 4; ++j) edges.insert(std::minmax(nodes[i], nodes[j]));
+    }
+  }
+  EXPECT_EQ(region.dihedral, dihedral);
+  EXPECT_EQ(region.smallestDihedral, smallest);
+  EXPECT_EQ(total(region.radiusRatio), mesh.tetrahedra.size() / 4);
+  EXPECT_NEAR(region.volume, volume, 1e-9 * volume);
+  double sum = 0.0;
+  double near = 0.0;
+  std::array<std::uint32_t, kEdgeBins> lengths{};
+  for (const auto& [a, b] : edges) {
+    const auto at = [&](std::uint32_t n) {
+      return Vec3(mesh.points[3 * n], mesh.points[3 * n + 1], mesh.points[3 * n + 2]);
+    };
+    const double length = glm::length(at(a) - at(b)) / kSize;
+    sum += length;
+    near += length >= 0.6 && length <= 1.5 ? 1.0 : 0.0;
+    ++lengths[std::min<std::size_t>(kEdgeBins - 1, static_cast<std::size_t>(length * 10.0))];
+  }
+  EXPECT_EQ(region.edge, lengths);
+  EXPECT_NEAR(statistics.meanEdge, sum / static_cast<double>(edges.size()), 1e-9);
+  EXPECT_NEAR(statistics.edgesNearWanted, near / static_cast<double>(edges.size()), 1e-12);
+  ASSERT_EQ(statistics.worst.size(), 10U);
+  const auto listed = std::min_element(
+      statistics.worst.begin(), statistics.worst.end(),
+      [](const auto& p, const auto& q) { return p.smallestDihedral < q.smallestDihedral; });
+  const auto corners = cornersOf(mesh, listed->tetrahedron);
+  const auto angles = slowDihedrals(corners);
+  EXPECT_NEAR(listed->smallestDihedral, *std::min_element(angles.begin(), angles.end()), 1e-9);
+  EXPECT_LT(glm::length(listed->place - 0.25 * (corners[0] + corners[1] + corners[2] + corners[3])),
+            1e-12);
+  EXPECT_EQ(statistics.missed, 0U);  // the sphere's boundary excuses nothing, and nothing misses
+  EXPECT_EQ(statistics.limitedByBoundary, 0U);
+}
+
+TEST(QualitySurvey, DoesNotDependOnHowTheWorkIsSliced) {
+  const SurfaceMesh surface = nestedSpheres(3, 4);
+  const MeshRun run = finished(MeshRun(surface.points, surface.triangles, {}));
+  const SizeField field = SizeField::uniform(kSize);
+  const QualityStatistics whole = survey(run.volume(), run.surface(), field, 10'000'000);
+  const QualityStatistics slices = survey(run.volume(), run.surface(), field, 7);
+  EXPECT_EQ(whole.regions.size(), 2U);
+  for (std::size_t r = 0; r < whole.regions.size(); ++r) {
+    EXPECT_EQ(whole.regions[r].dihedral, slices.regions[r].dihedral);
+    EXPECT_EQ(whole.regions[r].edge, slices.regions[r].edge);
+    EXPECT_EQ(total(whole.regions[r].dihedral), 6 * whole.regions[r].tetrahedra);
+  }
+  EXPECT_EQ(whole.missed, slices.missed);
+  EXPECT_EQ(whole.worst[0].tetrahedron, slices.worst[0].tetrahedron);
+  EXPECT_EQ(whole.smallest.tetrahedron, slices.smallest.tetrahedron);
+}
+
+/// A wedge of 12 degrees in one element: its sharp edge belongs to two triangles of the boundary.
+TEST(QualitySurvey, ExcusesAnElementInASharpEdgeOfTheBoundary) {
+  const double angle = 12.0 * std::numbers::pi / 180.0;
+  const SurfaceMesh wedge = tetrahedronSurface({Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.5, 1.0, 0.0),
+                                                Vec3(0.5, std::cos(angle), std::sin(angle))});
+  VolumeMesh mesh;
+  mesh.points = wedge.points;
+  mesh.tetrahedra = {0, 1, 2, 3};
+  mesh.regions = {0};
+  const QualityStatistics statistics = survey(mesh, wedge);
+  EXPECT_EQ(statistics.limitedByBoundary, 1U);
+  EXPECT_EQ(statistics.missed, 0U);
+  ASSERT_EQ(statistics.worstLimited.size(), 1U);
+  EXPECT_NEAR(statistics.worstLimited[0].smallestDihedral, 12.0, 1e-9);
+  // The same element, were it not at the boundary.
+  const QualityStatistics inner = survey(mesh, SurfaceMesh{});
+  EXPECT_EQ(inner.limitedByBoundary, 0U);
+  EXPECT_EQ(inner.missed, 1U);
+}
+
+/// An element whose base, a triangle of the boundary, is a needle.
+TEST(QualitySurvey, ExcusesAnElementOnANeedleOfTheBoundary) {
+  VolumeMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 0.5, 0.05, 0, 0.5, 0.3, 0.8};
+  mesh.tetrahedra = {0, 1, 2, 3};
+  mesh.regions = {0};
+  SurfaceMesh base;
+  base.points = mesh.points;
+  base.triangles = {0, 2, 1};
+  EXPECT_EQ(survey(mesh, base).limitedByBoundary, 1U);
+  base.triangles = {0, 1, 3};  // not a needle, and only one triangle
+  EXPECT_EQ(survey(mesh, base).limitedByBoundary, 0U);
+}
+
+/// In a stretched field the wanted element counts as regular, and its edges as 1 long.
+TEST(QualitySurvey, SeesElementsAsTheSizeFieldDoes) {
+  BackgroundGrid grid = boxGrid(Vec3(-3.0), Vec3(3.0), [](const Vec3&) { return 0.1; });
+  for (BackgroundNode& node : grid.nodes) {
+    node.stretching = 8.0;
+    node.direction = Vec3(1.0, 2.0, -0.5);
+  }
+  const SizeField field = SizeField::fromGrid(GridLocator(grid));
+  const SymmetricTensor toSpace = sizeTensor(grid.nodes[0]);
+  VolumeMesh mesh;
+  const double half = 0.5 / std::numbers::sqrt2;  // edges of length 1
+  for (const Vec3& corner : {Vec3(1, 1, 1), Vec3(-1, 1, -1), Vec3(1, -1, -1), Vec3(-1, -1, 1)}) {
+    const Vec3 place = toSpace * (corner * half);
+    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+  }
+  mesh.tetrahedra = {0, 1, 2, 3};
+  mesh.regions = {0};
+  const QualityStatistics statistics = survey(mesh, SurfaceMesh{}, field);
+  EXPECT_NEAR(statistics.meanEdge, 1.0, 1e-9);
+  EXPECT_NEAR(statistics.worst[0].radiusRatio, 1.0, 1e-9);
+  EXPECT_EQ(statistics.regions[0].dihedral[14], 6U);  // 70.5 degrees
+  EXPECT_EQ(statistics.missed, 0U);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
