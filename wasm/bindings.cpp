@@ -14,6 +14,7 @@
 
 #include "model_arrays.h"
 #include "records.h"
+#include "statistics_record.h"
 #include "tetrafront/grid_tools.h"
 #include "tetrafront/mesher.h"
 #include "typed_arrays.h"
@@ -112,6 +113,10 @@ class Run {
 
   QualitySummary quality() {
     return read(QualitySummary{}, [](MeshRun& run) { return run.quality(); });
+  }
+
+  StatisticsRecord statistics() {
+    return read(StatisticsRecord{}, [](MeshRun& run) { return toRecord(run.statistics()); });
   }
 
   PatchSummaries patches() {
@@ -296,6 +301,17 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("sourceTypes", &ProposalRecord::sourceTypes)
       .field("sourceValues", &ProposalRecord::sourceValues)
       .field("failure", &ProposalRecord::failure);
+  value_object<StatisticsRecord>("StatisticsRecord")
+      .field("regions", &StatisticsRecord::regions)
+      .field("bins", &StatisticsRecord::bins)
+      .field("worst", &StatisticsRecord::worst)
+      .field("worstLimited", &StatisticsRecord::worstLimited)
+      .field("smallest", &StatisticsRecord::smallest)
+      .field("volumeRatio", &StatisticsRecord::volumeRatio)
+      .field("meanEdge", &StatisticsRecord::meanEdge)
+      .field("edgesNearWanted", &StatisticsRecord::edgesNearWanted)
+      .field("missed", &StatisticsRecord::missed)
+      .field("limitedByBoundary", &StatisticsRecord::limitedByBoundary);
   value_object<PatchSummary>("PatchSummary")
       .field("patch", &PatchSummary::patch)
       .field("triangles", &PatchSummary::triangles)
@@ -331,6 +347,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("surface", &Run::surface)
       .function("volume", &Run::volume)
       .function("quality", &Run::quality)
+      .function("statistics", &Run::statistics)
       .function("patches", &Run::patches)
       .function("recovery", &Run::recovery)
       .function("counters", &Run::counters)

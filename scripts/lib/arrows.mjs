@@ -8,7 +8,8 @@ const floors = [
   ["base"],
   ["geom"],
   ["search"],
-  ["field", "model", "quality", "fill"],
+  ["field", "model", "fill"],
+  ["quality"],
   ["surface", "volume", "optimize"],
 ];
 const floorOf = new Map(floors.flatMap((rooms, floor) => rooms.map((room) => [room, floor])));

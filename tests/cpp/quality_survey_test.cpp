@@ -133,6 +133,7 @@ TEST(QualitySurvey, DoesNotDependOnHowTheWorkIsSliced) {
   const QualityStatistics slices = survey(run.volume(), run.surface(), field, 7);
   EXPECT_EQ(whole.regions.size(), 2U);
   for (std::size_t r = 0; r < whole.regions.size(); ++r) {
+    EXPECT_EQ(whole.regions[r].region, r);
     EXPECT_EQ(whole.regions[r].dihedral, slices.regions[r].dihedral);
     EXPECT_EQ(whole.regions[r].edge, slices.regions[r].edge);
     EXPECT_EQ(total(whole.regions[r].dihedral), 6 * whole.regions[r].tetrahedra);

@@ -219,11 +219,16 @@ function summary(
   written: string | null,
   { keepPartial }: MeshCommandOptions,
 ): string {
-  const { status, tetrahedra, points, dihedral, seconds } = report;
+  const { status, tetrahedra, points, dihedral, radiusRatio, quality, seconds } = report;
+  const { missed, limitedByBoundary: limited } = quality;
   const figures = [
     `${tetrahedra} tetrahedra`,
     `${points} points`,
     `dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
+    `mean radius ratio ${radiusRatio.mean.toFixed(3)}`,
+    ...(status === "done" ? [`mean edge ${quality.edges.mean.toFixed(2)} of the wanted`] : []),
+    ...(missed > 0 ? [`${missed} beyond 30° to 135°`] : []),
+    ...(limited.count > 0 ? [`${limited.count} so because of the boundary`] : []),
     `${seconds.total.toFixed(2)} s`,
   ].join(", ");
   const where = written ?? unwritten();

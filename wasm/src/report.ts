@@ -2,6 +2,7 @@
 import { describeDiagnostic } from "./diagnostics.js";
 import type { EntityNamer } from "./project-arrays.js";
 import type { EnginePreview, EngineResult } from "./protocol.js";
+import { NO_QUALITY } from "./quality-report.js";
 import type { Diagnostic, MeshReport, MeshResult, MeshStatus, ProjectPreview } from "./types.js";
 
 /** The result of the engine with its diagnostics told in the user's names. */
@@ -45,6 +46,7 @@ export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic
     dihedral: { min: 0, max: 0 },
     radiusRatio: { min: 0, mean: 0 },
     volume: 0,
+    quality: NO_QUALITY,
     patches: [],
     recovery: { relaxed: 0, starred: 0, reopened: 0, filled: 0, steinerPoints: 0 },
     front: {

@@ -207,6 +207,56 @@ export interface PatchFigures {
   readonly chordDeviation: number;
 }
 
+/** One tetrahedron of the report. Shapes are those the size field sees (see `QualityReport`). */
+export interface ElementFigures {
+  /** Position in the volume mesh. */
+  readonly tetrahedron: number;
+  /** Its centroid. */
+  readonly place: readonly [number, number, number];
+  /** In cubed model units. */
+  readonly volume: number;
+  /** Degrees. */
+  readonly dihedral: { readonly min: number; readonly max: number };
+  readonly radiusRatio: number;
+}
+
+/** Histograms over one region; bin i counts what is in [i, i + 1) bin widths. */
+export interface RegionQuality {
+  /** As in `VolumeMesh.regions`. */
+  readonly region: number;
+  readonly tetrahedra: number;
+  readonly volume: number;
+  /** Of all six dihedral angles of each tetrahedron. */
+  readonly dihedral: readonly number[];
+  /** Of the smallest of each. */
+  readonly smallestDihedral: readonly number[];
+  readonly radiusRatio: readonly number[];
+  /** Of each edge's length by the wanted one; the last bin also counts all longer ones. */
+  readonly edge: readonly number[];
+}
+
+/**
+ * The elements of a finished mesh. Shapes and lengths are those the size field sees: where it is
+ * stretched, in the space where the wanted element is regular with edge 1.
+ */
+export interface QualityReport {
+  /** Degrees for angles. */
+  readonly binWidths: { readonly dihedral: number; readonly radiusRatio: number; readonly edge: number };
+  readonly regions: readonly RegionQuality[];
+  /** Up to ten, worst first, by their angles. */
+  readonly worst: readonly ElementFigures[];
+  /** By volume. */
+  readonly smallest: ElementFigures | null;
+  /** Largest by smallest volume. */
+  readonly volumeRatio: number;
+  /** Length by wanted length: the mean, and the share of edges between 0.6 and 1.5. */
+  readonly edges: { readonly mean: number; readonly nearWanted: number };
+  /** Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse. */
+  readonly missed: number;
+  /** Those it does: in a sharper edge of the boundary, or on one of its needle triangles. */
+  readonly limitedByBoundary: { readonly count: number; readonly worst: readonly ElementFigures[] };
+}
+
 export interface MeshReport {
   readonly status: MeshStatus;
   readonly points: number;
@@ -219,6 +269,8 @@ export interface MeshReport {
   readonly radiusRatio: { readonly min: number; readonly mean: number };
   /** Sum over the tetrahedra, in cubed model units. */
   readonly volume: number;
+  /** Empty unless the mesh is finished. */
+  readonly quality: QualityReport;
   /** By position of the patch; of a given surface none. */
   readonly patches: readonly PatchFigures[];
   /** How the front was brought to an end. */

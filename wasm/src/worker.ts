@@ -3,6 +3,7 @@ import { workerPort } from "#worker-port";
 
 import { loadEngine, type Engine, type EngineRun } from "./engine.js";
 import type { Answers, EngineResult, FailureReason, Question, Request } from "./protocol.js";
+import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { runInSlices } from "./slices.js";
 import { buffersOf } from "./transfer.js";
@@ -95,6 +96,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
     dihedral: { min: quality.minDihedral, max: quality.maxDihedral },
     radiusRatio: { min: quality.minRadiusRatio, mean: quality.meanRadiusRatio },
     volume: quality.volume,
+    quality: qualityReport(run.statistics()),
     patches: run.patches(),
     recovery: run.recovery(),
     front: run.counters(),

@@ -189,7 +189,8 @@ double QualitySurvey::relativeLength(std::uint32_t a, std::uint32_t b) const {
 RegionStatistics& QualitySurvey::statisticsOf(std::uint32_t region) {
   auto& regions = statistics_.regions;
   while (regions.size() <= region) {
-    regions.emplace_back().region = static_cast<std::uint32_t>(regions.size() - 1);
+    const auto next = static_cast<std::uint32_t>(regions.size());
+    regions.emplace_back().region = next;
   }
   return regions[region];
 }

@@ -3,6 +3,7 @@ import { createMesher, MesherError, type Mesher } from "tetrafront";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 
 import type { EngineResult, Reply, Request } from "../../../wasm/src/protocol.js";
+import { NO_QUALITY } from "../../../wasm/src/quality-report.js";
 import type { WorkerEvents } from "../../../wasm/src/worker-host.js";
 import { cubeProject } from "../../support/projects.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -62,6 +63,7 @@ function resultWith(fingerprint: string): EngineResult {
       points: 0,
       tetrahedra: 0,
       triangles: 0,
+      quality: NO_QUALITY,
       patches: [],
       seconds: { total: 0, check: 0, sides: 0, surface: 0, volume: 0, optimize: 0 },
       dihedral: { min: 0, max: 0 },

@@ -1,0 +1,65 @@
+#pragma once
+
+/// @file QualityStatistics as flat arrays, which src/quality-report.ts takes apart.
+
+#include <cstdint>
+#include <vector>
+
+#include "tetrafront/quality_statistics.h"
+#include "typed_arrays.h"
+
+namespace tetrafront::border {
+
+struct StatisticsRecord {
+  /// Per region: its number, tetrahedra, volume.
+  Float64Array regions = copyOut(std::vector<double>{});
+  /// Per region: the bins of all dihedral angles, the smallest ones, radius ratios and edges.
+  Uint32Array bins = copyOut(std::vector<std::uint32_t>{});
+  /// Per element: its position, place, volume, smallest and largest dihedral, radius ratio.
+  Float64Array worst = regions;
+  Float64Array worstLimited = regions;
+  Float64Array smallest = regions;  ///< one element, or none
+  double volumeRatio = 0.0;
+  double meanEdge = 0.0;
+  double edgesNearWanted = 0.0;
+  std::uint32_t missed = 0;
+  std::uint32_t limitedByBoundary = 0;
+};
+
+[[nodiscard]] inline Float64Array flatFigures(const std::vector<ElementFigures>& elements) {
+  std::vector<double> flat;
+  for (const ElementFigures& e : elements) {
+    flat.insert(flat.end(), {static_cast<double>(e.tetrahedron), e.place.x, e.place.y, e.place.z,
+                             e.volume, e.smallestDihedral, e.largestDihedral, e.radiusRatio});
+  }
+  return copyOut(flat);
+}
+
+[[nodiscard]] inline StatisticsRecord toRecord(const QualityStatistics& statistics) {
+  std::vector<double> regions;
+  std::vector<std::uint32_t> bins;
+  const auto append = [&bins](const auto& counts) {
+    bins.insert(bins.end(), counts.begin(), counts.end());
+  };
+  for (const RegionStatistics& region : statistics.regions) {
+    regions.insert(regions.end(), {static_cast<double>(region.region),
+                                   static_cast<double>(region.tetrahedra), region.volume});
+    append(region.dihedral);
+    append(region.smallestDihedral);
+    append(region.radiusRatio);
+    append(region.edge);
+  }
+  const bool isEmpty = statistics.worst.empty();
+  return {.regions = copyOut(regions),
+          .bins = copyOut(bins),
+          .worst = flatFigures(statistics.worst),
+          .worstLimited = flatFigures(statistics.worstLimited),
+          .smallest = isEmpty ? flatFigures({}) : flatFigures({statistics.smallest}),
+          .volumeRatio = statistics.volumeRatio,
+          .meanEdge = statistics.meanEdge,
+          .edgesNearWanted = statistics.edgesNearWanted,
+          .missed = statistics.missed,
+          .limitedByBoundary = statistics.limitedByBoundary};
+}
+
+}  // namespace tetrafront::border
