@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "geom/predicates.h"
 #include "model/check_model.h"
 #include "model/patch_surface.h"
 #include "support/models.h"
@@ -115,6 +116,27 @@ TEST(SurfaceCurvedPatches, RandomPatchesCloseWithGoodTriangles) {
       EXPECT_GT(found.minAngle, std::min(20.0, 0.85 * smallestCorner(model)));
       EXPECT_GT(found.meanRadiusRatio, 0.93);
       EXPECT_NEAR(found.meanEdgeRatio, 1.0, 0.1);
+    }
+  }
+}
+
+TEST(SurfaceCurvedPatches, TrianglesFaceThePatch) {
+  // In a plane, any that does not would lie over others.
+  for (const PatchType type : kCurvedTypes) {
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+      Model model = randomCurvedModel(type, seed, 0.3);
+      for (Vec3& point : model.points) point.z = 0.0;
+      if (!checkModel(model).empty()) continue;
+      const SurfaceMesh mesh = meshOf(model, SizeField::uniform(seed % 2 == 0 ? 0.3 : 0.1));
+      std::size_t left = 0;
+      for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+        const Vec3 a = pointOf(mesh, mesh.triangles[3 * t]);
+        const Vec3 b = pointOf(mesh, mesh.triangles[3 * t + 1]);
+        left += orient2d(a, b, pointOf(mesh, mesh.triangles[3 * t + 2])) > 0 ? 1 : 0;
+      }
+      EXPECT_TRUE(left == 0 || left == triangleCount(mesh))
+          << "type " << static_cast<int>(type) << " seed " << seed << ": " << left << " of "
+          << triangleCount(mesh);
     }
   }
 }

@@ -121,13 +121,31 @@ bool PlanarOptimizer::flip(std::uint32_t t, std::uint32_t k) {
   const Vec3 placeD = local.unit(mesh_->places[d]);
   const double before = shapeCost(placeA, placeB, placeC) + shapeCost(placeB, placeA, placeD);
   const double after = shapeCost(placeC, placeA, placeD) + shapeCost(placeC, placeD, placeB);
-  if (after >= (1.0 - kLeastGain) * before || mesh_->turn(c, a, d) <= 0 ||
-      mesh_->turn(c, d, b) <= 0)
-    return false;
+  if (mesh_->turn(c, a, d) <= 0 || mesh_->turn(c, d, b) <= 0) return false;
+  const double foldBefore = foldCosine(placeA, placeB, placeC, placeD);
+  // The long triangles by which a front closes may face away from a bent patch, whatever their
+  // shape. Where they do, facing it counts first.
+  if (foldBefore < 0.0) {
+    const int turned = countTurned(a, b, c) + countTurned(b, a, d);
+    const int turnedAfter = countTurned(c, a, d) + countTurned(c, d, b);
+    if (turnedAfter < turned) links_.flip(t, k);
+    if (turnedAfter != turned) return turnedAfter < turned;
+  }
+  if (after >= (1.0 - kLeastGain) * before) return false;
   const double fold = foldCosine(placeC, placeD, placeB, placeA);
-  if (fold < kSharpFold && fold < foldCosine(placeA, placeB, placeC, placeD)) return false;
+  if (fold < kSharpFold && fold < foldBefore) return false;
   links_.flip(t, k);
   return true;
+}
+
+/// 1 if the triangle faces away from the patch at its centre, else 0.
+int PlanarOptimizer::countTurned(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  constexpr double kThird = 1.0 / 3.0;
+  const Vec2 centre = kThird * (mesh_->plane[a] + mesh_->plane[b] + mesh_->plane[c]);
+  const SurfacePoint point = metric_->surface().evaluate(centre);
+  const Vec3 normal =
+      glm::cross(mesh_->places[b] - mesh_->places[a], mesh_->places[c] - mesh_->places[a]);
+  return glm::dot(normal, glm::cross(point.alongXi, point.alongEta)) < 0.0 ? 1 : 0;
 }
 
 }  // namespace tetrafront

@@ -32,6 +32,7 @@ class PlanarOptimizer {
   void visit(Sweep sweep, std::uint32_t index);
   void flipFrom(std::uint32_t triangle);
   bool flip(std::uint32_t t, std::uint32_t k);
+  [[nodiscard]] int countTurned(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
 
   const PatchMetric* metric_;
   PlanarMesh* mesh_;
