@@ -27,7 +27,10 @@ const lineSchema = z
       .array(z.int().positive())
       .min(2)
       .readonly()
-      .meta({ description: "Point ids along the line: two; start, middle, end; or four and more" }),
+      .meta({
+        description:
+          "Point ids along the line: two; start, middle, end; or four and more, closed if it ends where it begins",
+      }),
   })
   .readonly();
 
@@ -41,7 +44,11 @@ const patchSchema = z
   .strictObject({
     id,
     name,
-    type: z.enum(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"]),
+    type: z
+      .enum(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"])
+      .meta({
+        description: "Of barnhill-gregory-nielson, the loop's second line plays another role than the rest",
+      }),
     loops: z.array(loopSchema).min(1).readonly().meta({ description: "The outer loop first, then holes" }),
   })
   .readonly();
