@@ -262,12 +262,6 @@ TEST(ModelCheck, PlanarityDoesNotDependOnTheModelsSize) {
   }
 }
 
-TEST(ModelCheck, HolesNotSupported) {
-  Model model = polygonModel({squareCorners({0, 0, 0}, 3.0), squareCorners({1, 1, 0}, 1.0)});
-  model.patches.front().type = PatchType::kCoons;
-  EXPECT_EQ(onlyFault(model).code, DiagnosticCode::kHolesNotSupported);
-}
-
 TEST(ModelCheck, EmptyModel) {
   EXPECT_EQ(onlyFault(Model{}).code, DiagnosticCode::kEmptyModel);
   Model lines = square();

@@ -110,10 +110,6 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       `${the("patch")} is planar, but its plane misses ${all(["point"], the("line"))} by ${value(0)}${at}`,
     remedy: "Move the points into the plane, or give the patch a type that is curved.",
   },
-  "holes-not-supported": {
-    message: ({ the }) => `${the("patch")} has holes, which its type does not allow`,
-    remedy: "Make the patch planar, or draw several patches around the hole.",
-  },
   "empty-model": {
     message: () => "There is nothing to mesh: the model has no surface",
     remedy: "Draw patches, or give triangles, that enclose a region.",
@@ -133,6 +129,11 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     message: ({ the, at }) =>
       `The hole of ${the("patch")} that begins with ${the("line")} is not inside its outer loop, or lies in another hole${at}`,
     remedy: "Move the hole into the patch, or list the outermost loop first.",
+  },
+  "hole-off-patch": {
+    message: ({ the, value, at }) =>
+      `${the("line")} bounds a hole of ${the("patch")}, but leaves the patch by ${value(0)}${at}`,
+    remedy: "Draw the line through points on the patch, the more the stronger it is curved.",
   },
   "bad-option": {
     message: ({ value }) => `The ${OPTION_NAMES[Number(value(0))] ?? "option"} is ${value(1)}`,

@@ -20,10 +20,11 @@ enum class LineType : std::uint8_t {
   kCubicSpline = 2,
 };
 
-/// How a patch spans the lines of its loops (Löhner & Parikh 1988, appendix). All but the planar
-/// one take a single loop; its lines are F1, F2, ... in the order in which the loop walks them.
+/// How a patch spans the lines of its outer loop (Löhner & Parikh 1988, appendix): F1, F2, ... in
+/// the order in which the loop walks them. All may have holes, of lines of any type that lie on the
+/// patch.
 enum class PatchType : std::uint8_t {
-  kPlanar = 0,                 ///< any number of lines and holes, all in one plane (eq. 8-10)
+  kPlanar = 0,                 ///< any number of lines, all in one plane (eq. 8-10)
   kIsoparametricTriangle = 1,  ///< three parabolic lines (eq. 11, 12)
   kSerendipity = 2,            ///< four parabolic lines (eq. 13)
   /// Three lines of any type (eq. 14). The loop's second line, F2, plays another role than the

@@ -59,12 +59,12 @@ enum class DiagnosticCode : std::uint16_t {
   kWrongLineType = 6,      ///< patch and line: the patch type does not accept this line type
   kLoopNotClosed = 7,      ///< patch, line, point: the chain breaks after the line
   kLoopTouchesItself = 8,  ///< patch, line(s): loop crosses or touches itself or another loop
-  kNotPlanar = 9,  ///< planar patch, line(s), point(s) moved; values: distance from the plane
-  kHolesNotSupported = 10,  ///< patch of a type that takes one loop only
-  kEmptyModel = 12,         ///< no patch, or no triangle
-  kDegeneratePatch = 13,    ///< patch whose surface has no area or folds over itself
-  kHoleOutside = 14,        ///< planar patch, line: a hole outside the outer loop or in a hole
-  kBadOption = 15,          ///< values: which (0 size, 1 growth, 2 gradation), what was given
+  kNotPlanar = 9,    ///< planar patch, line(s), point(s) moved; values: distance from the plane
+  kEmptyModel = 12,  ///< no patch, or no triangle
+  kDegeneratePatch = 13,  ///< patch whose surface has no area or folds over itself
+  kHoleOutside = 14,      ///< patch, line: a hole outside the outer loop or in a hole
+  kBadOption = 15,        ///< values: which (0 size, 1 growth, 2 gradation), what was given
+  kHoleOffPatch = 18,     ///< curved patch, line of a hole that is not on it; values: distance
   // Background grid
   kEmptyBackgroundGrid = 20,
   kBadSize = 21,        ///< node; values: size

@@ -22,23 +22,22 @@ constexpr double kSamePlace = 1e-12;
 struct PatchRule {
   std::uint32_t lines;  ///< 0: any number
   bool parabolicOnly;
-  bool holes;
 };
 
 PatchRule ruleOf(PatchType type) {
   switch (type) {
     case PatchType::kPlanar:
-      return {0, false, true};
+      return {0, false};
     case PatchType::kIsoparametricTriangle:
-      return {3, true, false};
+      return {3, true};
     case PatchType::kSerendipity:
-      return {4, true, false};
+      return {4, true};
     case PatchType::kBarnhillGregoryNielson:
-      return {3, false, false};
+      return {3, false};
     case PatchType::kCoons:
       break;
   }
-  return {4, false, false};
+  return {4, false};
 }
 
 class ModelCheck {
@@ -154,8 +153,6 @@ class ModelCheck {
     if (!checkLineNumbers(patch)) return false;
     const PatchRule rule = ruleOf(drawn.type);
     bool sound = checkLoops(patch, rule);
-    if (!rule.holes && drawn.loops.size() > 1)
-      report(DiagnosticCode::kHolesNotSupported, {{EntityKind::kPatch, patch}});
     sound = checkChains(patch) && sound;
     for (const Loop& loop : drawn.loops)
       for (const OrientedLine& line : loop) sound = sound && found_.soundLines[line.line] != 0;

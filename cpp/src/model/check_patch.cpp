@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "model/check_fold.h"
+#include "model/check_holes.h"
 #include "model/check_loops.h"
 #include "model/check_plane.h"
 #include "model/patch_surface.h"
@@ -163,9 +164,19 @@ class PatchCheck {
     const SmoothCorners corners =
         isIsoparametric() ? SmoothCorners::kFold : SmoothCorners::kAllowed;
     const std::optional<SurfaceFault> fault = findSurfaceFault(surface, corners, extent());
-    if (!fault) return true;
+    if (!fault) {
+      checkHoles();
+      return true;
+    }
     report(DiagnosticCode::kDegeneratePatch, offCentreLines(), fault->place);
     return !fault->hasNoArea;
+  }
+
+  void checkHoles() {
+    if (drawn_->loops.size() < 2) return;
+    std::optional<Diagnostic> fault =
+        findHoleFault(*model_, patch_, PatchSurface(*model_, *drawn_));
+    if (fault) diagnostics_->push_back(std::move(*fault));
   }
 
   [[nodiscard]] bool isIsoparametric() const {

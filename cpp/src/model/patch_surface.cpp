@@ -75,7 +75,8 @@ Vec2 PatchSurface::boundaryToPlane(std::size_t position, double t, const Vec3& p
 }
 
 bool PatchSurface::straightInPlane(std::size_t loop, std::size_t position) const {
-  if (mapped() != nullptr) return true;
+  // The border of a curved patch's domain is straight, and no line of its holes is.
+  if (mapped() != nullptr) return loop == 0;
   return model_->curve(patch_->loops[loop][position]).isStraight();
 }
 

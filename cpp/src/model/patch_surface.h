@@ -42,7 +42,8 @@ class PatchSurface {
   [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;
 
   /// Where a node of a loop's line lies in the plane: line number `position` of its loop, at
-  /// parameter t as the loop walks it, with its place in space.
+  /// parameter t as the loop walks it, with its place in space. Of a curved patch, the first loop
+  /// only; PatchProjection finds nodes of the others.
   [[nodiscard]] Vec2 boundaryToPlane(std::size_t position, double t, const Vec3& place) const;
 
   /// True if the loop's line number `position` is a straight line in the plane.

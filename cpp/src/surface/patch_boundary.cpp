@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "model/patch_projection.h"
 #include "search/quadtree.h"
 
 namespace tetrafront {
@@ -43,7 +45,9 @@ class BoundaryBuilder {
  public:
   BoundaryBuilder(const ResolvedModel& model, const Patch& patch, const PatchSurface& surface,
                   const SizeField& field, const DividedLines& lines)
-      : model_(&model), patch_(&patch), surface_(&surface), field_(&field), lines_(&lines) {}
+      : model_(&model), patch_(&patch), surface_(&surface), field_(&field), lines_(&lines) {
+    if (hasCurvedHoles(patch)) projection_.emplace(surface);
+  }
 
   void addLoop(std::size_t loop) {
     const auto firstNode = static_cast<std::uint32_t>(boundary.mesh.plane.size());
@@ -78,8 +82,9 @@ class BoundaryBuilder {
       const std::uint32_t at = backward ? count - i : i;
       const double t = backward ? 1.0 - division.parameters[at] : division.parameters[at];
       const Vec3& place = division.nodes[at];
-      boundary.mesh.addNode(surface_->boundaryToPlane(position, t, place), place,
-                            field_->sizeAt(place, hint_));
+      const Vec2 plane = loop > 0 && projection_ ? projection_->project(place).plane
+                                                 : surface_->boundaryToPlane(position, t, place);
+      boundary.mesh.addNode(plane, place, field_->sizeAt(place, hint_));
       boundary.mesh.aliases.back() = nodes[at];
       boundary.origins.push_back({line.line, backward ? at - 1 : at});
     }
@@ -127,6 +132,7 @@ class BoundaryBuilder {
   const PatchSurface* surface_;
   const SizeField* field_;
   const DividedLines* lines_;
+  std::optional<PatchProjection> projection_;
   Carriers carriers_;
   std::vector<std::uint32_t> lineStarts_;  ///< first node of each line so far, all loops
   FieldHint hint_;

@@ -8,6 +8,7 @@
 #include "field/grid_locator.h"
 #include "field/size_sources.h"
 #include "model/check_model.h"
+#include "model/patch_projection.h"
 #include "surface/check_coverage.h"
 #include "surface/model_sampling.h"
 #include "surface/patch_boundary.h"
@@ -32,14 +33,18 @@ void append(std::vector<double>& points, const Vec3& place) {
 }
 
 /// A curve cut into pieces of equal parameter.
-LineDivision cut(const Curve& curve, std::uint32_t pieces) {
+LineDivision cutEvenly(const Curve& curve, std::uint32_t pieces) {
   LineDivision division;
-  const std::uint32_t count = curve.isStraight() ? 1 : pieces;
-  for (std::uint32_t i = 0; i <= count; ++i) {
-    division.parameters.push_back(static_cast<double>(i) / count);
+  for (std::uint32_t i = 0; i <= pieces; ++i) {
+    division.parameters.push_back(static_cast<double>(i) / pieces);
     division.nodes.push_back(curve.position(division.parameters.back()));
   }
   return division;
+}
+
+/// The same, a straight line in one piece.
+LineDivision cut(const Curve& curve, std::uint32_t pieces) {
+  return cutEvenly(curve, curve.isStraight() ? 1 : pieces);
 }
 
 class PreviewBuilder {
@@ -78,10 +83,14 @@ class PreviewBuilder {
 
   void addPatch(const Patch& patch) {
     const PatchSurface surface(resolved_, patch);
-    if (const MappedSurface* curved = surface.mapped()) {
+    if (hasCurvedHoles(patch)) {
+      addWithHoles(patch, surface);
+    } else if (const MappedSurface* curved = surface.mapped()) {
       addGrid(curved->unitSurface());
     } else {
-      addPlanar(patch, surface);
+      // A size beyond all sides: triangles grow as fast away from short ones as the front lets
+      // them.
+      addMeshed(patch, surface, lines_, extentOf(patch));
     }
   }
 
@@ -110,10 +119,25 @@ class PreviewBuilder {
     }
   }
 
-  void addPlanar(const Patch& patch, const PatchSurface& surface) {
-    // A size beyond all sides: triangles grow as fast away from short ones as the front lets them.
-    const SizeField field = SizeField::uniform(extentOf(patch));
-    PatchBoundary boundary = layOutBoundary(resolved_, patch, surface, field, lines_);
+  /// A curved patch with holes: triangles of about the cells' size, straight lines cut too, as the
+  /// surface beside them need not be flat.
+  void addWithHoles(const Patch& patch, const PatchSurface& surface) {
+    DividedLines lines = lines_;
+    for (const Loop& loop : patch.loops) {
+      for (const OrientedLine& line : loop) {
+        const Curve& curve = resolved_.curve(line.line);
+        if (!curve.isStraight()) continue;
+        lines.divisions[line.line] = cutEvenly(curve, kGridCells);
+        lines.nodes[line.line].assign(kGridCells + 1, PlanarMesh::kNone);
+      }
+    }
+    addMeshed(patch, surface, lines, extentOf(patch) / kGridCells);
+  }
+
+  void addMeshed(const Patch& patch, const PatchSurface& surface, const DividedLines& lines,
+                 double size) {
+    const SizeField field = SizeField::uniform(size);
+    PatchBoundary boundary = layOutBoundary(resolved_, patch, surface, field, lines);
     if (!findFaultySides(boundary).empty()) return;
     PlanarMesh& mesh = boundary.mesh;
     const PatchMetric metric(surface, field);

@@ -57,7 +57,8 @@ class SurfaceMesher::Impl {
   std::uint32_t divideNextLine();
   void numberNodes();
   std::uint32_t layOutNextPatch();
-  bool gatherHalvings(const PatchBoundary& boundary, const std::vector<std::uint32_t>& faulty);
+  bool gatherHalvings(std::uint32_t patch, const PatchBoundary& boundary,
+                      const std::vector<std::uint32_t>& faulty);
   void halveSides();
   void reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
                     const std::vector<std::uint32_t>& faulty);
@@ -245,21 +246,26 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
       layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
   const std::vector<std::uint32_t> faulty = findFaultySides(boundary);
   if (!faulty.empty()) {
-    const bool mayHelp = round_ < kMaxHalvingRounds && gatherHalvings(boundary, faulty);
+    const bool mayHelp = round_ < kMaxHalvingRounds && gatherHalvings(patch, boundary, faulty);
     if (!mayHelp) reportFaulty(patch, boundary, faulty);
   }
   return static_cast<std::uint32_t>(boundary.origins.size()) / kSidesPerStep + 1;
 }
 
-/// Remembers those of the faulty sides that lie on bent lines; false if there are none. Nothing is
-/// halved before all patches of the round have been laid out: they share the lines, whose nodes
-/// are numbered once per round, and which patch comes first must not matter.
-bool SurfaceMesher::Impl::gatherHalvings(const PatchBoundary& boundary,
+/// Remembers those of the faulty sides that are bent in the patch's plane: on bent lines of a planar
+/// patch, in holes of a curved one; false if there are none. Nothing is halved before all patches
+/// of the round have been laid out: they share the lines, whose nodes are numbered once per round,
+/// and which patch comes first must not matter.
+bool SurfaceMesher::Impl::gatherHalvings(std::uint32_t patch, const PatchBoundary& boundary,
                                          const std::vector<std::uint32_t>& faulty) {
+  const bool curved = surfaces_[patch].mapped() != nullptr;
+  const std::uint32_t firstOfHoles = boundary.loops.size() > 1
+                                         ? boundary.loops[1]
+                                         : static_cast<std::uint32_t>(boundary.origins.size());
   bool found = false;
   for (const std::uint32_t side : faulty) {
     const SideOrigin& origin = boundary.origins[side];
-    if (model_.curve(origin.line).isStraight()) continue;
+    if (curved ? side < firstOfHoles : model_.curve(origin.line).isStraight()) continue;
     halvings_.emplace(origin.line, origin.side);
     found = true;
   }

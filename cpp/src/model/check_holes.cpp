@@ -1,0 +1,140 @@
+#include "model/check_holes.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "model/check_loops.h"
+#include "model/patch_projection.h"
+
+namespace tetrafront {
+
+namespace {
+
+/// Samples per line, straight ones too: in the plane of a curved patch nothing is straight.
+constexpr std::uint32_t kHoleSamples = 32;
+
+class HoleCheck {
+ public:
+  HoleCheck(const ResolvedModel& model, std::uint32_t patch, const PatchSurface& surface)
+      : model_(&model),
+        patch_(patch),
+        drawn_(&model.model().patches[patch]),
+        surface_(&surface),
+        projection_(surface) {}
+
+  std::optional<Diagnostic> run() {
+    if (std::optional<Diagnostic> repeated = findRepetition()) return repeated;
+    std::vector<PlaneLoop> loops{layOutBorder()};
+    for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole) {
+      loops.push_back(layOutHole(drawn_->loops[hole]));
+      if (worst_ > kHoleTolerance * extentOf(drawn_->loops[hole]))
+        return fault(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPlace_, {worst_});
+    }
+    if (const std::optional<LoopContact> contact = findContact(loops, extentInPlane(loops)))
+      return fault(DiagnosticCode::kLoopTouchesItself, {contact->firstLine, contact->secondLine},
+                   surface_->evaluate(contact->place).position);
+    if (const std::optional<std::size_t> hole = findMisplacedHole(loops))
+      return fault(DiagnosticCode::kHoleOutside, {drawn_->loops[*hole].front().line},
+                   surface_->evaluate(loops[*hole].points.front()).position);
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Diagnostic fault(DiagnosticCode code, const std::vector<std::uint32_t>& lines,
+                                 const Vec3& place, std::vector<double> values = {}) const {
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    diagnostic.entities = {{EntityKind::kPatch, patch_}};
+    for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
+    diagnostic.hasPlace = true;
+    diagnostic.place = place;
+    diagnostic.values = std::move(values);
+    return diagnostic;
+  }
+
+  /// Holes share no line and no point with each other, themselves, or the outer loop, which may
+  /// well pass its own seam twice.
+  [[nodiscard]] std::optional<Diagnostic> findRepetition() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> starts;  // point, line
+    for (const OrientedLine& line : drawn_->loops.front())
+      starts.emplace_back(model_->startPoint(line), line.line);
+    std::ranges::sort(starts);
+    const auto samePoint = [](const auto& a, const auto& b) { return a.first == b.first; };
+    starts.erase(std::unique(starts.begin(), starts.end(), samePoint), starts.end());
+    for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole)
+      for (const OrientedLine& line : drawn_->loops[hole])
+        starts.emplace_back(model_->startPoint(line), line.line);
+    std::ranges::sort(starts);
+    const auto twice = std::ranges::adjacent_find(starts, samePoint);
+    if (twice == starts.end()) return std::nullopt;
+    return fault(DiagnosticCode::kLoopTouchesItself, {twice->second, std::next(twice)->second},
+                 model_->model().points[twice->first]);
+  }
+
+  [[nodiscard]] PlaneLoop layOutBorder() const {
+    PlaneLoop result;
+    const Loop& outer = drawn_->loops.front();
+    for (std::size_t position = 0; position < outer.size(); ++position) {
+      result.points.push_back(
+          surface_->boundaryToPlane(position, 0.0, model_->curve(outer[position]).start()));
+      result.lines.push_back(outer[position].line);
+    }
+    return result;
+  }
+
+  /// Remembers the sample farthest from the patch.
+  PlaneLoop layOutHole(const Loop& loop) {
+    PlaneLoop result;
+    worst_ = 0.0;
+    for (const OrientedLine& line : loop) {
+      const OrientedCurve curve = model_->curve(line);
+      for (std::uint32_t i = 0; i < kHoleSamples; ++i) {
+        const Vec3 place = curve.position(static_cast<double>(i) / kHoleSamples);
+        const PatchProjection::Foot foot = projection_.project(place);
+        result.points.push_back(foot.plane);
+        result.lines.push_back(line.line);
+        if (foot.distance <= worst_) continue;
+        worst_ = foot.distance;
+        worstLine_ = line.line;
+        worstPlace_ = place;
+      }
+    }
+    return result;
+  }
+
+  [[nodiscard]] double extentOf(const Loop& loop) const {
+    Vec3 low = model_->curve(loop.front()).start();
+    Vec3 high = low;
+    for (const Vec3& sample : sampleLoop(*model_, loop, kHoleSamples)) {
+      low = glm::min(low, sample);
+      high = glm::max(high, sample);
+    }
+    return glm::length(high - low);
+  }
+
+  static double extentInPlane(const std::vector<PlaneLoop>& loops) {
+    double extent = 0.0;
+    for (const Vec2& point : loops.front().points)
+      extent = std::max(extent, glm::length(point - loops.front().points.front()));
+    return extent;
+  }
+
+  const ResolvedModel* model_;
+  std::uint32_t patch_;
+  const Patch* drawn_;
+  const PatchSurface* surface_;
+  PatchProjection projection_;
+  double worst_ = 0.0;
+  std::uint32_t worstLine_ = 0;
+  Vec3 worstPlace_{0.0};
+};
+
+}  // namespace
+
+std::optional<Diagnostic> findHoleFault(const ResolvedModel& model, std::uint32_t patch,
+                                        const PatchSurface& surface) {
+  return HoleCheck(model, patch, surface).run();
+}
+
+}  // namespace tetrafront
