@@ -42,6 +42,7 @@ Output
   mesh.msh     Gmsh 4.1, with the patches and regions as named physical groups
   mesh.vtk     legacy VTK
   mesh.mesh    Medit, with patches and regions as references
+  mesh.su2     SU2, with the patches as markers
 
 Exit code
   0  meshed    1  not completed (stalled, cancelled)    2  bad input
@@ -92,7 +93,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .command("mesh")
     .description("Mesh a project or fill a closed surface with tetrahedra.")
     .argument("<input>", "project (.json) or closed surface (.stl, .off, .obj, .ply)")
-    .requiredOption("-o, --output <file>", "where the mesh goes (.vtu, .msh, .vtk or .mesh)")
+    .requiredOption("-o, --output <file>", "where the mesh goes (.vtu, .msh, .vtk, .mesh or .su2)")
     .option("-s, --size <length>", "uniform element size; replaces a project's background grid")
     .option("-b, --background <file>", "sizes from this background grid (.json, .vtu or .msh) instead")
     .option("-g, --growth <rate>", `growth of the size away from a given surface (default ${DEFAULT_GROWTH})`)

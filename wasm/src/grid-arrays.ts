@@ -60,11 +60,12 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
   const nodes = new Float64Array(NODE_STRIDE * sizes.length);
   for (let i = 0; i < sizes.length; i++) {
     const out = NODE_STRIDE * i;
-    nodes.set(points.subarray(3 * i, 3 * i + 3), out);
+    for (let axis = 0; axis < 3; axis++) {
+      nodes[out + axis] = points[3 * i + axis] ?? 0;
+      nodes[out + 5 + axis] = directions === undefined ? Number(axis === 0) : (directions[3 * i + axis] ?? 0);
+    }
     nodes[out + 3] = sizes[i] ?? 0;
     nodes[out + 4] = stretchings?.[i] ?? 1;
-    if (directions === undefined) nodes[out + 5] = 1;
-    else nodes.set(directions.subarray(3 * i, 3 * i + 3), out + 5);
   }
   return {
     nodes,

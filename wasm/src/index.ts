@@ -9,11 +9,13 @@ export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagn
 export { MESH_WRITERS, patchNames, SURFACE_READERS, VOLUME_READERS } from "./formats/file-formats.js";
 export { writeMedit } from "./formats/medit.js";
 export { readMsh } from "./formats/msh-reader.js";
-export { writeMsh, type MshNames } from "./formats/msh.js";
+export type { GroupNames } from "./formats/groups.js";
+export { writeMsh } from "./formats/msh.js";
 export { readObj } from "./formats/obj.js";
 export { readOff } from "./formats/off.js";
 export { readPly } from "./formats/ply.js";
 export { readStl } from "./formats/stl.js";
+export { writeSu2 } from "./formats/su2.js";
 export { volumeBackground } from "./formats/volume-background.js";
 export type { NodeData, VolumeFile } from "./formats/volume-file.js";
 export { writeVtk } from "./formats/vtk.js";

@@ -1,4 +1,4 @@
-import { writeMedit, writeMsh, writeVtk, writeVtu, type MeshResult } from "tetrafront";
+import { writeMedit, writeMsh, writeSu2, writeVtk, writeVtu, type MeshResult } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
@@ -146,4 +146,22 @@ describe("Medit", () => {
   test("of a mesh without elements is whole", () => {
     expect(new TextDecoder().decode(writeMedit(empty))).toMatch(/Tetrahedra\n0\n\nEnd\n$/);
   });
+});
+
+test("SU2 holds the tetrahedra, the points bit for bit, and a marker per patch", () => {
+  const lines = new TextDecoder().decode(writeSu2(mesh, { patches: ["the inlet", "", "wall"] })).split("\n");
+  expect(lines.slice(0, 4)).toEqual(["NDIME= 3", "NELEM= 2", "10 0 1 2 3 0", "10 1 4 2 3 1"]);
+  expect(lines[4]).toBe("NPOIN= 5");
+  const places = lines.slice(5, 10).map((line) => line.split(" ").map(Number));
+  expect(places.flatMap((row) => row.slice(0, 3))).toEqual(Array.from(points, (x) => x + 0));
+  expect(places.map((row) => row[3])).toEqual([0, 1, 2, 3, 4]);
+  expect(lines.slice(10)).toEqual(
+    ["NMARK= 2", "MARKER_TAG= the_inlet", "MARKER_ELEMS= 1", "5 0 1 3"].concat([
+      "MARKER_TAG= wall",
+      "MARKER_ELEMS= 2",
+      "5 0 2 1",
+      "5 0 3 2",
+      "",
+    ]),
+  );
 });

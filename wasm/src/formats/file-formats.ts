@@ -2,6 +2,7 @@
 import type { Project } from "../project-schema.js";
 import type { ReadResult } from "../read-result.js";
 import type { MeshResult, SurfaceInput } from "../types.js";
+import type { GroupNames } from "./groups.js";
 import { writeMedit } from "./medit.js";
 import { readMsh } from "./msh-reader.js";
 import { writeMsh } from "./msh.js";
@@ -9,6 +10,7 @@ import { readObj } from "./obj.js";
 import { readOff } from "./off.js";
 import { readPly } from "./ply.js";
 import { readStl } from "./stl.js";
+import { writeSu2 } from "./su2.js";
 import type { VolumeFile } from "./volume-file.js";
 import { writeVtk } from "./vtk.js";
 import { readVtu } from "./vtu-reader.js";
@@ -35,10 +37,15 @@ export const MESH_WRITERS: Readonly<
   Record<string, (mesh: MeshResult, project?: Project) => Uint8Array<ArrayBuffer>>
 > = {
   ".vtu": (mesh) => writeVtu(mesh),
-  ".msh": (mesh, project) => writeMsh(mesh, { patches: project ? patchNames(project) : shellNames(mesh) }),
+  ".msh": (mesh, project) => writeMsh(mesh, namesOf(mesh, project)),
   ".vtk": (mesh) => writeVtk(mesh),
   ".mesh": (mesh) => writeMedit(mesh),
+  ".su2": (mesh, project) => writeSu2(mesh, namesOf(mesh, project)),
 };
+
+function namesOf(mesh: MeshResult, project: Project | undefined): GroupNames {
+  return { patches: project ? patchNames(project) : shellNames(mesh) };
+}
 
 /** What to call each patch in a file: its name, else its id. */
 export function patchNames(project: Project): string[] {
