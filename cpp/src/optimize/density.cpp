@@ -24,12 +24,9 @@ void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint
       const NodeId a = nodes[kEdgeCorners[e][0]];
       const NodeId b = nodes[kEdgeCorners[e][1]];
       const double length = relativeLength<Space>(complex_, a, b);
-      if (length <= kMaxEdge || !findRing(complex_, tet, e, kMaxSplitRing, ring)) continue;
-      // Of the ring's changed elements, the first one speaks for the edge.
-      const bool speaks = std::none_of(
-          ring.elements.begin(), ring.elements.begin() + static_cast<int>(ring.elementCount),
-          [&](TetId other) { return other < tet && complex_.changedIn(other) >= since; });
-      if (ring.closed && speaks) edges_.push_back({length, a, b, tet});
+      if (length <= kMaxEdge) continue;
+      if (!findClosedRing(complex_, tet, e, kMaxSplitRing, since, ring)) continue;
+      edges_.push_back({length, a, b, tet});
     }
   }
 }

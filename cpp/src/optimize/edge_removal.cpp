@@ -5,11 +5,6 @@
 namespace tetrafront {
 namespace {
 
-std::size_t cornerOf(const Element& element, NodeId node) {
-  return static_cast<std::size_t>(std::find(element.nodes.begin(), element.nodes.end(), node) -
-                                  element.nodes.begin());
-}
-
 /// Walks around an edge from one of its elements, leaving through the side opposite `opposite` and
 /// keeping `kept`. Calls `visit(element, new node)`; ends at the boundary or back at `start`.
 /// Returns 0 at the boundary, 1 when closed, -1 when the visitor wants no more.
@@ -39,8 +34,13 @@ std::size_t edgeBetween(const Element& element, NodeId a, NodeId b) {
   return kEdgeCorners.size();
 }
 
-bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_t maxNodes,
-              EdgeRing& ring) {
+namespace {
+
+/// The first way round: sets ring.closed. Returns false if the ring is too large, or if one of its
+/// elements is not welcome.
+template <class IsWelcome>
+bool walkForth(const TetComplex& complex, TetId tet, std::size_t edge, std::size_t maxNodes,
+               EdgeRing& ring, IsWelcome isWelcome) {
   const auto& corners = kEdgeCorners[edge];
   const Element& element = complex.element(tet);
   const NodeId first = element.nodes[corners[2]];
@@ -53,6 +53,7 @@ bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_
   ring.nodeCount = 2;
   ring.elementCount = 1;
   const int end = walkAround(complex, tet, first, second, [&](TetId next, NodeId node) {
+    if (!isWelcome(next)) return false;
     if (ring.nodeCount == maxNodes) {
       // In a closed ring the last element brings the first node again.
       if (node != first) return false;
@@ -65,11 +66,26 @@ bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_
   });
   if (end < 0) return false;
   ring.closed = end == 1;
-  if (ring.closed) {
-    --ring.nodeCount;  // the first node was met again
-    return ring.nodeCount <= maxNodes;
-  }
+  if (ring.closed) --ring.nodeCount;  // the first node was met again
+  return !ring.closed || ring.nodeCount <= maxNodes;
+}
+
+}  // namespace
+
+bool findClosedRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_t maxNodes,
+                    std::uint32_t since, EdgeRing& ring) {
+  return walkForth(complex, tet, edge, maxNodes, ring,
+                   [&](TetId other) { return other > tet || complex.changedIn(other) < since; }) &&
+         ring.closed;
+}
+
+bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_t maxNodes,
+              EdgeRing& ring) {
+  if (!walkForth(complex, tet, edge, maxNodes, ring, [](TetId) { return true; })) return false;
+  if (ring.closed) return true;
   // Open: the part on the other side comes before.
+  const NodeId first = ring.nodes[0];
+  const NodeId second = ring.nodes[1];
   const int back = walkAround(complex, tet, second, first, [&](TetId next, NodeId node) {
     if (ring.nodeCount + 1 > maxNodes || ring.nodeCount + 1 > kMaxRing) return false;
     std::copy_backward(ring.nodes.begin(), ring.nodes.begin() + static_cast<int>(ring.nodeCount),

@@ -44,6 +44,11 @@ struct EdgeRing {
 [[nodiscard]] bool findRing(const TetComplex& complex, TetId tet, std::size_t edge,
                             std::size_t maxNodes, EdgeRing& ring);
 
+/// Collects a closed ring of which `tet` is the first element that changed since that pass; false
+/// otherwise. So each edge with a changed element is met once in a sweep over all elements.
+[[nodiscard]] bool findClosedRing(const TetComplex& complex, TetId tet, std::size_t edge,
+                                  std::size_t maxNodes, std::uint32_t since, EdgeRing& ring);
+
 struct EdgeRemovalOptions {
   bool fans = false;      ///< also try keeping the edge with fewer sectors, at boundary edges too
   double minGain = 1e-4;  ///< relative

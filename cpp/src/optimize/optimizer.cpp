@@ -272,12 +272,8 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (!complex_.isLive(tet) || complex_.changedIn(tet) < since_) return false;
     EdgeRing ring;
     for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
-      if (!findRing(complex_, tet, e, kBulkRing, ring) || !ring.closed) continue;
-      // Each edge once: the first changed element of its ring speaks for it.
-      const bool speaks = std::none_of(
-          ring.elementSpan().begin(), ring.elementSpan().end(),
-          [&](TetId other) { return other < tet && complex_.changedIn(other) >= since_; });
-      if (speaks && removal_.improve(ring, cost_, {false, kSwapGain})) return true;
+      if (!findClosedRing(complex_, tet, e, kBulkRing, since_, ring)) continue;
+      if (removal_.improve(ring, cost_, {false, kSwapGain})) return true;
     }
     return false;
   }

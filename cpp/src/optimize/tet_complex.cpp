@@ -172,8 +172,7 @@ bool TetComplex::findStar(NodeId node, Star& star) {
   star.size = 1;
   for (std::size_t i = 0; i < star.size; ++i) {
     const Element& element = elements_[star.elements[i].index()];
-    const auto at = std::find(element.nodes.begin(), element.nodes.end(), node);
-    star.corner[i] = static_cast<std::uint8_t>(at - element.nodes.begin());
+    star.corner[i] = static_cast<std::uint8_t>(cornerOf(element, node));
     for (std::size_t k = 0; k < 4; ++k) {
       if (k == star.corner[i] || element.across[k].isNone()) continue;
       const TetId next = element.across[k].tet();

@@ -42,6 +42,14 @@ struct Element {
   std::array<Facing, 4> across;  ///< the neighbour's side; none on the boundary
 };
 
+/// Which corner of the element a node is; it must be one. Without branches, which would be taken at
+/// random.
+[[nodiscard]] inline std::size_t cornerOf(const Element& element, NodeId node) {
+  const Corners& nodes = element.nodes;
+  return static_cast<std::size_t>((nodes[1] == node ? 1 : 0) | (nodes[2] == node ? 2 : 0) |
+                                  (nodes[3] == node ? 3 : 0));
+}
+
 /// An element to be put in, with its cost.
 struct NewElement {
   Corners nodes;
