@@ -18,6 +18,7 @@
 #include "optimize/tet_complex.h"
 #include "quality/metrics.h"
 #include "support/mesh_validator.h"
+#include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "surface/boundary.h"
@@ -355,6 +356,8 @@ TEST_P(OptimizedSurface, IsValidAndMeetsItsAngles) {
   EXPECT_GE(quality.meanRadiusRatio, goal.meanRadiusRatio);
 }
 
+// The squares of grids make right triangles, whose elements cannot be as regular as those on the
+// surfaces of drawn models (below): hence the lower ratios.
 INSTANTIATE_TEST_SUITE_P(
     Optimize, OptimizedSurface,
     ::testing::Values(
@@ -367,6 +370,44 @@ INSTANTIATE_TEST_SUITE_P(
         Goal{"schoenhardt", testing::schoenhardtPrism(50.0), 0.5, 180.0, 0.0},
         Goal{"twoCubesSharingAnEdge", testing::cubesSharingEdge(), 30.0, 135.0, 0.5},
         Goal{"shells", testing::nestedSpheres(3, 8), 18.0, 150.0, 0.8}),
+    [](const auto& each) { return each.param.name; });
+
+struct DrawnGoal {
+  std::string name;
+  Model model;
+  double size;
+  double meanRadiusRatio;
+};
+void PrintTo(const DrawnGoal& goal, std::ostream* out) { *out << goal.name; }
+
+class OptimizedModel : public ::testing::TestWithParam<DrawnGoal> {};
+
+/// On uniform surfaces of good triangles: angles, shapes, and sizes as the field wants them.
+TEST_P(OptimizedModel, MeetsItsAnglesAndSizes) {
+  const DrawnGoal& goal = GetParam();
+  MeshOptions options;
+  options.size = goal.size;
+  MeshRun run(goal.model, {}, options);
+  while (run.advance(10000) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
+  const QualitySummary quality = run.quality();
+  EXPECT_GE(quality.minDihedral, 30.0);
+  EXPECT_LE(quality.maxDihedral, 135.0);
+  EXPECT_GE(quality.meanRadiusRatio, goal.meanRadiusRatio);
+  const QualityStatistics statistics = run.statistics();
+  EXPECT_NEAR(statistics.meanEdge, 1.0, 0.12);
+  EXPECT_GE(statistics.edgesNearWanted, 0.95);
+  EXPECT_EQ(statistics.missed, 0U);
+  EXPECT_EQ(statistics.limitedByBoundary, 0U);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Optimize, OptimizedModel,
+    ::testing::Values(DrawnGoal{"sphere", testing::sphereModel(1.0), 0.12, 0.89},
+                      DrawnGoal{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.08, 0.88},
+                      DrawnGoal{"torus", testing::torusModel(1.0, 0.35), 0.1, 0.88}),
     [](const auto& each) { return each.param.name; });
 
 TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {

@@ -241,6 +241,74 @@ Model boxModel(const Vec3& low, const Vec3& high) {
   return builder.model;
 }
 
+Model sphereModel(double radius) {
+  constexpr int kSteps = 8;
+  const auto corner = [](int c) {
+    return Vec3((c & 1) != 0 ? 1 : -1, (c & 2) != 0 ? 1 : -1, (c & 4) != 0 ? 1 : -1);
+  };
+  constexpr std::array<std::array<int, 4>, 6> kFaces{
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+  ModelBuilder builder;
+  std::map<std::pair<int, int>, std::uint32_t> lines;
+  for (const auto& face : kFaces) {
+    Loop loop;
+    for (std::size_t k = 0; k < 4; ++k) {
+      const int from = face[k];
+      const int to = face[(k + 1) % 4];
+      const std::pair<int, int> ends = std::minmax(from, to);
+      if (!lines.contains(ends)) {
+        std::vector<Vec3> places;
+        for (int i = 0; i <= kSteps; ++i) {
+          const double t = static_cast<double>(i) / kSteps;
+          const Vec3 chord = corner(ends.first) * (1.0 - t) + corner(ends.second) * t;
+          places.push_back(radius * glm::normalize(chord));
+        }
+        lines[ends] = builder.line(LineType::kCubicSpline, places);
+      }
+      loop.push_back({lines[ends], from > to});
+    }
+    builder.patch(PatchType::kCoons, {loop});
+  }
+  return builder.model;
+}
+
+Model torusModel(double majorRadius, double minorRadius) {
+  constexpr int kAround = 8;
+  constexpr int kAcross = 4;
+  constexpr int kSteps = 8;
+  // Places by eighths of a patch, so that the corners of neighbours are equal to the last bit.
+  const auto at = [&](int i, int j) {
+    const double u = kTurn * (i % (kAround * kSteps)) / (kAround * kSteps);
+    const double v = kTurn * (j % (kAcross * kSteps)) / (kAcross * kSteps);
+    const double distance = majorRadius + minorRadius * std::cos(v);
+    return Vec3(distance * std::cos(u), distance * std::sin(u), minorRadius * std::sin(v));
+  };
+  ModelBuilder builder;
+  std::array<std::array<std::uint32_t, kAcross>, kAround> along{};
+  std::array<std::array<std::uint32_t, kAcross>, kAround> across{};
+  for (int i = 0; i < kAround; ++i) {
+    for (int j = 0; j < kAcross; ++j) {
+      std::vector<Vec3> first;
+      std::vector<Vec3> second;
+      for (int k = 0; k <= kSteps; ++k) {
+        first.push_back(at(kSteps * i + k, kSteps * j));
+        second.push_back(at(kSteps * i, kSteps * j + k));
+      }
+      along[i][j] = builder.line(LineType::kCubicSpline, first);
+      across[i][j] = builder.line(LineType::kCubicSpline, second);
+    }
+  }
+  for (int i = 0; i < kAround; ++i) {
+    for (int j = 0; j < kAcross; ++j) {
+      builder.patch(PatchType::kCoons, {{{along[i][j], false},
+                                         {across[(i + 1) % kAround][j], false},
+                                         {along[i][(j + 1) % kAcross], true},
+                                         {across[i][j], true}}});
+    }
+  }
+  return builder.model;
+}
+
 Model randomBentBox(std::uint64_t seed, double bend, PatchType type) {
   Random random(seed);
   const Vec3 edges(random.between(0.6, 2), random.between(0.6, 2), random.between(0.6, 2));

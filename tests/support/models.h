@@ -60,6 +60,12 @@ Model randomBentBox(std::uint64_t seed, double bend, PatchType type = PatchType:
 /// A tetrahedron of four triangular patches of either type, likewise.
 Model randomBentTetrahedron(std::uint64_t seed, double bend, PatchType type);
 
+/// The sphere about the origin, nearly, as six Coons patches between twelve arcs: a cube blown up.
+Model sphereModel(double radius);
+
+/// A torus about the z axis as 8 x 4 Coons patches.
+Model torusModel(double majorRadius, double minorRadius);
+
 /// The side of a tube, one Coons patch between two circles of one spline each, with a seam.
 Model seamedTube(double radius, double height);
 
