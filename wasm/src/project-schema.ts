@@ -23,14 +23,10 @@ const lineSchema = z
     id,
     name,
     type: z.enum(["straight", "parabolic", "spline"]),
-    points: z
-      .array(z.int().positive())
-      .min(2)
-      .readonly()
-      .meta({
-        description:
-          "Point ids along the line: two; start, middle, end; or four and more, closed if it ends where it begins",
-      }),
+    points: z.array(z.int().positive()).min(2).readonly().meta({
+      description:
+        "Point ids along the line: two; start, middle, end; or four and more, closed if it ends where it begins",
+    }),
   })
   .readonly();
 

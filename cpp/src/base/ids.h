@@ -21,7 +21,7 @@ struct Id {
 
   [[nodiscard]] constexpr bool isNone() const { return value == kNone; }
   [[nodiscard]] constexpr std::size_t index() const { return value; }
-  friend constexpr auto operator<=>(const Id&, const Id&) = default;
+  friend constexpr auto operator<=>(const Id&, const Id&) = default;  // NOLINT(*-use-nullptr)
 };
 
 using NodeId = Id<struct NodeTag>;
