@@ -45,13 +45,27 @@ export function projectGrid(background: ProjectBackground): GridArrays {
   const nodeAt = new Map(nodes.map(({ id }, position) => [id, position]));
   return {
     nodes: nodeValues(nodes),
-    tetrahedra: Uint32Array.from(
-      tetrahedra.flatMap((corners) => corners.map((id) => nodeAt.get(id) ?? NOWHERE)),
-    ),
+    tetrahedra: nodePositions(tetrahedra, nodeAt),
     sourceTypes: sourceTypes(sources),
     sourceValues: sourceValues(sources),
     overhang,
   };
+}
+
+/** Written in place, number by number: an app does this at every edit, for grids of any size. */
+function nodePositions(
+  tetrahedra: ProjectBackground["tetrahedra"],
+  nodeAt: ReadonlyMap<number, number>,
+): Uint32Array {
+  const positions = new Uint32Array(4 * tetrahedra.length);
+  let at = 0;
+  for (const [a, b, c, d] of tetrahedra) {
+    positions[at++] = nodeAt.get(a) ?? NOWHERE;
+    positions[at++] = nodeAt.get(b) ?? NOWHERE;
+    positions[at++] = nodeAt.get(c) ?? NOWHERE;
+    positions[at++] = nodeAt.get(d) ?? NOWHERE;
+  }
+  return positions;
 }
 
 /** `grid` with other nodes and tetrahedra, and more sources; new arrays, as they are transferred. O(size). */

@@ -34,6 +34,7 @@ const idleMs = 1000;
 export class Autosave {
   readonly #documents: DocumentStore;
   readonly #database: Promise<IDBPDatabase<AutosaveSchema> | null>;
+  #background: { readonly of: Project["background"]; readonly text: string } | null = null;
   #timer: ReturnType<typeof setTimeout> | null = null;
   #writing: Promise<void> = Promise.resolve();
   /** `pending`: there is a change that no storage holds yet; leaving the page deserves a warning. */
@@ -80,13 +81,21 @@ export class Autosave {
     return this.#writing;
   }
 
+  /** The project's JSON. The background, which may be large and seldom changes, is not written afresh. */
+  #textOf({ background, ...rest }: Project): string {
+    if (this.#background?.of !== background) {
+      this.#background = { of: background, text: JSON.stringify(background) };
+    }
+    return `${JSON.stringify(rest).slice(0, -1)},"background":${this.#background.text}}`;
+  }
+
   async #write(): Promise<void> {
     const database = await this.#database;
     if (!database) return;
     const state = this.#documents.state.getState();
     const { project, uniformSize } = state.history.present;
     const { savedKey } = state;
-    const text = JSON.stringify(project);
+    const text = this.#textOf(project);
     try {
       const transaction = database.transaction("versions", "readwrite");
       await transaction.store.add({ text, savedKey, uniformSize, at: Date.now() });

@@ -199,12 +199,7 @@ export function setUniformSize(size: number | null): ProjectEdit {
 
 /** Another background grid; what is asked of the sources is in it. */
 export function replaceBackground(label: string, background: ProjectBackground): ProjectEdit {
-  return {
-    label,
-    change: ({ project }) => {
-      project.background = background as typeof project.background;
-    },
-  };
+  return { label, replace: [[["project", "background"], background]] };
 }
 
 /** Multiplies every size, of background nodes and sources: coarser above 1, finer below. */
@@ -237,18 +232,34 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
   const extra = doomed.length - entities.length;
   const subject =
     entities.length === 1 && first ? `${kindWords[first.kind]} ${first.id}` : `${entities.length} entities`;
+  const keysOf = (wanted: DrawnKind): ReadonlySet<number> =>
+    new Set(doomed.flatMap(({ kind, id }) => (kind === wanted ? [id] : [])));
+  /** The list itself if nothing in it goes: what stays the same is shared. */
+  const without = <Item>(list: readonly Item[], goes: (item: Item) => boolean): readonly Item[] =>
+    list.some(goes) ? list.filter((item) => !goes(item)) : list;
+  const rest = <Item extends { readonly id: number }>(list: readonly Item[], kind: DrawnKind) => {
+    const ids = keysOf(kind);
+    return without(list, ({ id }) => ids.has(id));
+  };
+  const { background } = project;
+  const nodes = keysOf("background-node");
   return {
     label: extra > 0 ? `Delete ${subject} and ${extra} built on it` : `Delete ${subject}`,
-    change: ({ project: draft }) => {
-      for (const { kind, id } of doomed) {
-        const list = listOf(draft, kind);
-        const position = list.findIndex(byId(id));
-        if (position >= 0) list.splice(position, 1);
-        if (kind === "background-node") {
-          draft.background.tetrahedra = draft.background.tetrahedra.filter((nodes) => !nodes.includes(id));
-        }
-      }
-    },
+    replace: [
+      [["project", "points"], rest(project.points, "point")],
+      [["project", "lines"], rest(project.lines, "line")],
+      [["project", "patches"], rest(project.patches, "patch")],
+      [["project", "background", "nodes"], rest(background.nodes, "background-node")],
+      [
+        ["project", "background", "tetrahedra"],
+        nodes.size === 0
+          ? background.tetrahedra
+          : without(background.tetrahedra, (corners) => corners.some((id) => nodes.has(id))),
+      ],
+      ...(background.sources
+        ? [[["project", "background", "sources"], rest(background.sources, "source")] as const]
+        : []),
+    ],
   };
 }
 

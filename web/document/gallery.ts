@@ -18,7 +18,13 @@ export interface GalleryGroup {
 }
 
 /** The easiest first; groups of other names follow in the order of the list. */
-const groupOrder = ["First steps", "Curved patches", "Background grid", "The paper's examples"];
+const groupOrder = [
+  "First steps",
+  "Curved patches",
+  "Bodies and cavities",
+  "Background grid",
+  "The paper's examples",
+];
 
 export function groupModels(models: readonly GalleryModel[]): readonly GalleryGroup[] {
   const titles = new Set([...groupOrder, ...models.map(({ group }) => group)]);

@@ -1,14 +1,25 @@
 import { create, type Draft, type Patches } from "mutative";
 import { applyPatches } from "./patches";
 
-/** A named change of a state: what undo lists and what the change does to a draft. */
-export interface Edit<State> {
+interface Named {
   /** Verb and object, e.g. "Move point 12". */
   readonly label: string;
   /** Edits of equal key within the merge window become one entry (arrow keys, held sliders). */
   readonly mergeKey?: string;
+}
+
+/** A change described by what it does to a draft. */
+interface DraftEdit<State> extends Named {
   readonly change: (draft: Draft<State>) => void;
 }
+
+/** Other values at some paths, taken as they are: nobody looks through them, however large they are. */
+interface ReplacingEdit extends Named {
+  readonly replace: readonly (readonly [path: readonly string[], value: unknown])[];
+}
+
+/** A named change of a state: what undo lists, and what changes. */
+export type Edit<State> = DraftEdit<State> | ReplacingEdit;
 
 export interface HistoryEntry {
   readonly label: string;
@@ -41,7 +52,10 @@ export function commit<State extends object>(
   edit: Edit<State>,
   now: number,
 ): History<State> {
-  const [present, forward, backward] = create(history.present, edit.change, { enablePatches: true });
+  const [present, forward, backward] =
+    "change" in edit
+      ? create(history.present, edit.change, { enablePatches: true })
+      : replaceAll(history.present, edit.replace);
   if (forward.length === 0) return history;
   const last = history.past.at(-1);
   const merges =
@@ -59,6 +73,23 @@ export function commit<State extends object>(
   };
   const kept = merges ? history.past.slice(0, -1) : history.past.slice(1 - maxEntries);
   return { present, past: [...kept, entry], future: [] };
+}
+
+function replaceAll<State extends object>(
+  state: State,
+  replace: ReplacingEdit["replace"],
+): readonly [State, Patches, Patches] {
+  const patch = (path: readonly string[], value: unknown): Patches[number] => ({
+    op: "replace",
+    path: [...path],
+    value,
+  });
+  const presentAt = (path: readonly string[]): unknown =>
+    path.reduce<unknown>((value, step) => (value as Readonly<Record<string, unknown>>)[step], state);
+  const changed = replace.filter(([path, value]) => presentAt(path) !== value);
+  const forward = changed.map(([path, value]) => patch(path, value));
+  const backward = changed.map(([path]) => patch(path, presentAt(path)));
+  return [applyPatches(state, forward), forward, backward];
 }
 
 /** One step back, or the same object if there is none. */

@@ -1,4 +1,11 @@
-import type { Mesher, MeshResult, Progress } from "tetrafront";
+import {
+  backgroundArrays,
+  type Mesher,
+  type MeshOptions,
+  type MeshResult,
+  type Progress,
+  type Project,
+} from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey, type DocumentContent, type DocumentStore } from "./store";
 
@@ -82,8 +89,7 @@ export class MeshRun {
     const abort = new AbortController();
     this.#abort = abort;
     const { content } = this.#documents;
-    const { project, uniformSize } = content;
-    const options = uniformSize === null ? {} : { size: uniformSize };
+    const { project } = content;
     this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
     const started = performance.now();
     const log = (level: LogLevel, text: string): void =>
@@ -92,7 +98,7 @@ export class MeshRun {
     try {
       const result = await (
         await this.#mesher
-      ).meshProject(project, options, {
+      ).meshProject(...meshInput(content), {
         signal: abort.signal,
         onProgress: (progress) => this.#report(progress, log),
       });
@@ -179,6 +185,19 @@ function summary({ report }: MeshResult): string {
     case "invalid-input":
       return "Not meshed: the model has errors";
   }
+}
+
+/** Above this many tetrahedra a background grid goes to the mesher as flat arrays. */
+const manyTetrahedra = 2000;
+
+/** What to mesh and with which options. A project is looked through node by node, flat arrays are not. */
+function meshInput({ project, uniformSize }: DocumentContent): [Project, MeshOptions] {
+  if (uniformSize !== null) return [project, { size: uniformSize }];
+  const { background } = project;
+  if (background.tetrahedra.length <= manyTetrahedra) return [project, {}];
+  const grid = backgroundArrays({ ...background, sources: [] });
+  const rest = { nodes: [], tetrahedra: [], ...(background.sources && { sources: background.sources }) };
+  return [{ ...project, background: rest }, { background: grid }];
 }
 
 /** With a full stop, unless it ends in some other mark. */

@@ -45,8 +45,8 @@ function GalleryCard({ model, current }: GalleryCardProps) {
         className="tf-thumbnail"
         src={thumbnailOf(model)}
         alt=""
-        width={320}
-        height={200}
+        width={240}
+        height={150}
         loading="lazy"
         onError={(event) => event.currentTarget.remove()}
       />

@@ -236,7 +236,8 @@ export const strings = {
     uniformSize: "Uniform size",
     uniformHint: "One size everywhere; only sources make it smaller. The project file does not keep it.",
     noGrid: "There is no background grid yet.",
-    gridCounts: (nodes: string, tetrahedra: string) => `${nodes} nodes, ${tetrahedra} tetrahedra`,
+    gridCounts: (nodes: string, tetrahedra: string) =>
+      `${nodes} nodes, ${tetrahedra} ${tetrahedra === "1" ? "tetrahedron" : "tetrahedra"}`,
   },
   severities: { error: "Error", warning: "Warning" },
   bottom: {

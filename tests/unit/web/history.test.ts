@@ -71,4 +71,32 @@ describe("history", () => {
     const history = startHistory<State>({ a: 0, list: [] });
     expect(commit(history, { label: "Nothing", change: () => undefined }, 0)).toBe(history);
   });
+
+  it("replaces values as they are, sharing the rest, and goes back", () => {
+    interface Nested {
+      readonly a: { readonly big: readonly number[]; readonly other: object };
+      readonly b: number;
+    }
+    const other = {};
+    const before: Nested = { a: { big: [1], other }, b: 1 };
+    const big = [1, 2, 3];
+    const replaced = commit(
+      startHistory(before),
+      {
+        label: "Replace",
+        replace: [
+          [["a", "big"], big],
+          [["b"], 2],
+        ],
+      },
+      0,
+    );
+    expect(replaced.present).toEqual({ a: { big, other }, b: 2 });
+    expect(replaced.present.a.big).toBe(big);
+    expect(replaced.present.a.other).toBe(other);
+    expect(undo(replaced).present).toEqual(before);
+    expect(redo(undo(replaced)).present.a.big).toBe(big);
+    const same = startHistory(before);
+    expect(commit(same, { label: "Nothing", replace: [[["b"], 1]] }, 0)).toBe(same);
+  });
 });

@@ -1,0 +1,172 @@
+import { expect, test, type Page } from "@playwright/test";
+import { AppPage, nextFrame } from "./app-page";
+
+async function command(page: Page, name: string): Promise<void> {
+  await page.keyboard.press("Control+k");
+  await page.getByRole("textbox", { name: "Search commands" }).fill(name);
+  await page.keyboard.press("Enter");
+}
+
+test("a source is added, edited, seen, obeyed and undone", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.openCube();
+  const bare = await app.viewport.screenshot();
+  await nextFrame(app.viewport, () => page.getByTestId("add-source").click());
+  await expect(page.getByTestId("tree-source-1")).toHaveAttribute("aria-selected", "true");
+  expect((await app.viewport.screenshot()).equals(bare)).toBe(false);
+  await expect(page.getByTestId("place-0-x")).toHaveValue("0.5");
+  await app.type("source-size", "0.05");
+  await app.type("source-distance", "0.2");
+  await app.type("place-0-x", "1");
+  await app.type("source-growth", "-1");
+  await expect(page.getByText("Must not be below 0")).toBeVisible();
+  await page.getByTestId("source-growth").press("Escape");
+  const finer = await app.generate();
+  expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
+  await page.getByTestId("tree-source-1").press("Delete");
+  await expect(page.getByTestId("tree-source-1")).toBeHidden();
+  // Without the source it is the mesh before, which is still at hand.
+  expect(await app.meshed()).toEqual(before);
+  await page.getByTestId("undo").click();
+  expect(await app.meshed()).toEqual(finer);
+});
+
+test("sources are made of selected points, of each type", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tree-point").click();
+  await page.getByTestId("tree-point-1").click();
+  await page.getByTestId("tree-point-3").click({ modifiers: ["Shift"] });
+  await page.getByTestId("make-source-triangle").click();
+  await expect(page.getByTestId("place-2-z")).toBeVisible();
+  await page.getByTestId("tree-line-1").click();
+  await command(page, "Segment source");
+  await expect(page.getByTestId("tree-source-2")).toHaveAttribute("aria-selected", "true");
+  await expect(page.getByTestId("place-1-x")).toBeVisible();
+  await expect(page.getByTestId("place-2-x")).toBeHidden();
+});
+
+test("a covering grid mends a place that is not covered", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.select("background-node-2");
+  await app.type("at-x", "1");
+  await page.getByRole("tab", { name: "Problems" }).click();
+  const group = page.getByTestId("problems-outside-background-grid");
+  await expect(group).toContainText("Outside background grid");
+  await expect(page.getByTestId("marker-0")).toBeVisible();
+  await command(page, "Make covering grid");
+  const dialog = page.getByRole("dialog", { name: "Make covering grid" });
+  await dialog.getByText("One tetrahedron").click();
+  await dialog.getByTestId("cover-size").fill("0.2");
+  await dialog.getByTestId("cover-apply").click();
+  await expect(dialog).toBeHidden();
+  await expect(page.getByText("No problems found.")).toBeVisible();
+  await expect(page.getByTestId("marker-0")).toBeHidden();
+  await app.generate();
+  await expect(page.getByTestId("tree-background-node").getByText("4", { exact: true })).toBeVisible();
+});
+
+test("a uniform size takes the grid's place, and its problems with it", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.openCube();
+  await app.select("background-node-2");
+  await app.type("at-x", "1");
+  await page.getByRole("tab", { name: "Problems" }).click();
+  await expect(page.getByTestId("problems-outside-background-grid")).toBeVisible();
+  await command(page, "Uniform size");
+  await expect(page.getByText("No problems found.")).toBeVisible();
+  await app.type("uniform-size", "0.1");
+  const finer = await app.generate();
+  expect(finer.tets).toBeGreaterThan(2 * before.tets);
+  await page.getByTestId("element-size").getByText("Background grid").click();
+  await expect(page.getByTestId("problems-outside-background-grid")).toBeVisible();
+  await page.getByTestId("undo").click();
+  expect(await app.meshed()).toEqual(finer);
+});
+
+test("sizes are proposed with the expected count before anything is changed", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.open("dark", "plate-with-hole");
+  await command(page, "Propose sizes");
+  const dialog = page.getByRole("dialog", { name: "Propose sizes" });
+  await expect(dialog.getByTestId("proposal-count")).toHaveText(/^about [\d,]+ tetrahedra$/);
+  await expect(dialog.getByTestId("proposal-sources")).not.toHaveText("0");
+  const expected = async (): Promise<number> =>
+    Number((await dialog.getByTestId("proposal-count").textContent())?.replaceAll(/\D/g, ""));
+  const first = await expected();
+  await dialog.getByTestId("propose-elementsPerCircle").fill("48");
+  await dialog.getByTestId("propose-elementsPerCircle").press("Enter");
+  await expect.poll(expected).toBeGreaterThan(first);
+  const second = await expected();
+  await dialog.getByTestId("propose-elementsPerCircle").fill("12");
+  await dialog.getByTestId("propose-elementsPerCircle").press("Enter");
+  await expect.poll(expected).toBeLessThan(second);
+  const last = await expected();
+  expect(await app.mesh()).toEqual(before);
+  await dialog.getByTestId("propose-apply").click();
+  await expect(page.getByTestId("tree-source-1")).toBeVisible();
+  const after = await app.generate();
+  expect(after.tets / last).toBeGreaterThan(0.6);
+  expect(after.tets / last).toBeLessThan(1.6);
+  await page.getByRole("button", { name: "Undo: Propose sizes" }).click();
+  expect(await app.meshed()).toEqual(before);
+});
+
+test("the mesh becomes the background grid of the next one", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.openCube();
+  await command(page, "Use this mesh as background");
+  const points = Number((await page.getByTestId("count-points").textContent())?.replaceAll(/\D/g, ""));
+  await expect(page.getByTestId("tree-background-node")).toContainText(points.toLocaleString("en-US"));
+  // Hundreds of nodes, and still only what is in sight is in the page.
+  expect(await page.getByRole("treeitem").count()).toBeLessThan(120);
+  const after = await app.generate();
+  expect(after.tets / before.tets).toBeGreaterThan(0.5);
+  expect(after.tets / before.tets).toBeLessThan(2);
+  await page.getByRole("button", { name: "Undo: Use this mesh as background grid" }).click();
+  expect(await app.meshed()).toEqual(before);
+});
+
+test("a node and a tetrahedron are added to the grid, and a direction is an arrow", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("add-background-node").click();
+  const dialog = page.getByRole("dialog", { name: "New background node" });
+  for (const axis of ["x", "y", "z"]) await dialog.getByTestId(`new-${axis}`).fill("6");
+  await dialog.getByTestId("new-size").fill("0.3");
+  await dialog.getByTestId("add").click();
+  await expect(page.getByTestId("tree-background-node-5")).toHaveAttribute("aria-selected", "true");
+  await page.getByTestId("tree-background-node-2").click();
+  for (const id of [3, 4, 5]) {
+    await page.getByTestId(`tree-background-node-${id}`).click({ modifiers: ["ControlOrMeta"] });
+  }
+  await page.keyboard.press("t");
+  await expect(page.getByRole("button", { name: "Undo: Add background tetrahedron" })).toBeEnabled();
+  await page.getByTestId("tree-background-node-1").click();
+  await nextFrame(app.viewport, () => page.keyboard.press("Shift+F"));
+  const plain = await app.viewport.screenshot();
+  await nextFrame(app.viewport, () => app.type("bg-stretch", "6"));
+  await expect(page.getByTestId("direction-x")).toHaveValue("1");
+  expect((await app.viewport.screenshot()).equals(plain)).toBe(false);
+});
+
+test("every patch has its figures, in a table and beside the patch", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByTestId("tab-patches").click();
+  const table = page.getByTestId("patch-table");
+  await expect(table.locator("tbody tr")).toHaveCount(6);
+  await table.getByRole("button", { name: "top" }).click();
+  await expect(page.getByTestId("tree-patch-6")).toHaveAttribute("aria-selected", "true");
+  const shown = await table.getByTestId("patch-row-6").locator("td").allTextContents();
+  const facts = page.getByTestId("patch-facts").locator("dd");
+  await expect(facts).toHaveText(shown);
+  const [triangles, angle, ratio] = shown.map((text) => Number(text.replace("°", "")));
+  expect(triangles).toBeGreaterThan(20);
+  expect(angle).toBeGreaterThan(20);
+  expect(ratio).toBeGreaterThan(0.85);
+  await app.select("background-node-1");
+  await app.type("bg-size", "0.2");
+  await expect(page.getByText("No figures: mesh the model as it now is.")).toBeVisible();
+});
