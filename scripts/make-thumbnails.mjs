@@ -39,17 +39,17 @@ async function picture(page, url, id) {
   const viewport = page.getByTestId("viewport");
   await viewport.and(page.locator("[data-status=done][data-busy=false]")).waitFor({ timeout: 300_000 });
   await page.addStyleTag({ content: style });
-  await page.evaluate(() => window.dispatchEvent(new Event("resize")));
+  await page.evaluate(() => globalThis.dispatchEvent(new Event("resize")));
   await page.getByTestId("viewport-canvas").focus();
   for (const key of ["0", ...closer]) await page.keyboard.press(key);
   await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 600)));
   const png = await page.screenshot({ omitBackground: true });
   const reduced = await page.evaluate(
     async ([source, { width, height }, wantedQuality]) => {
-      const image = new Image();
+      const image = new globalThis.Image();
       image.src = source;
       await image.decode();
-      const canvas = document.createElement("canvas");
+      const canvas = globalThis.document.createElement("canvas");
       canvas.width = width;
       canvas.height = height;
       const context = canvas.getContext("2d");

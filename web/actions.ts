@@ -1,4 +1,4 @@
-import { MESH_WRITERS, type MeshResult, type Project } from "tetrafront";
+import type { MeshResult, Project } from "tetrafront";
 import type { App } from "./app";
 import type { Creation, Offer } from "./document/create";
 import { deleteEntities } from "./document/edits";
@@ -63,13 +63,13 @@ export async function save(app: App, askForName: boolean): Promise<void> {
 /** Extensions of the mesh files that can be written. */
 export type MeshExtension = ".vtu" | ".msh";
 
-export function downloadMesh(app: App, extension: MeshExtension): void {
+export async function downloadMesh(app: App, extension: MeshExtension): Promise<void> {
   const { mesh } = app.run.state.getState();
-  const write = MESH_WRITERS[extension];
-  if (!mesh || !write) return;
   const { project } = app.documents;
-  const bytes = write(mesh, project);
-  download([bytes], `${fileStem(project.name)}${extension}`, "application/octet-stream");
+  if (!mesh) return;
+  const { MESH_WRITERS } = await import("./mesh-writers");
+  const bytes = MESH_WRITERS[extension]?.(mesh, project);
+  if (bytes) download([bytes], `${fileStem(project.name)}${extension}`, "application/octet-stream");
 }
 
 export function downloadReport(app: App): void {

@@ -34,12 +34,22 @@ const fileMenu: readonly Command[] = [
     keys: ["mod+shift+S"],
     inFields: true,
   }),
-  define("file", 2)("download-vtu", "Download mesh as VTU (ParaView)", (app) => downloadMesh(app, ".vtu"), {
-    enabled: hasMesh,
-  }),
-  define("file", 2)("download-msh", "Download mesh as MSH 4.1 (Gmsh)", (app) => downloadMesh(app, ".msh"), {
-    enabled: hasMesh,
-  }),
+  define("file", 2)(
+    "download-vtu",
+    "Download mesh as VTU (ParaView)",
+    (app) => void downloadMesh(app, ".vtu"),
+    {
+      enabled: hasMesh,
+    },
+  ),
+  define("file", 2)(
+    "download-msh",
+    "Download mesh as MSH 4.1 (Gmsh)",
+    (app) => void downloadMesh(app, ".msh"),
+    {
+      enabled: hasMesh,
+    },
+  ),
   define("file", 2)("download-report", "Download mesh report (JSON)", downloadReport, { enabled: hasMesh }),
 ];
 

@@ -1,0 +1,2 @@
+/** Loaded when a mesh is first saved. */
+export { MESH_WRITERS } from "tetrafront";
