@@ -139,6 +139,31 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     message: ({ value }) => `The ${OPTION_NAMES[Number(value(0))] ?? "option"} is ${value(1)}`,
     remedy: "Give a size above 0, a growth of 0 or more, and a gradation of 0 or above 1.",
   },
+  "line-crosses-itself": {
+    message: ({ the, at }) => `${the("line")} crosses or runs over itself${at}`,
+    remedy: "Move its points, or split it into lines that meet at a common point.",
+  },
+  "patches-meet": {
+    message: ({ all, at }) => `${all(["patch"], "Two patches")} overlap or cross each other${at}`,
+    remedy: "Move them apart, or cut both along a common line and leave out what lies inside.",
+  },
+  "duplicate-lines": {
+    message: ({ all, at }) => `${all(["line"], "Two lines")} run along the same course${at}`,
+    remedy: "Let all patches use one of them, and delete the other.",
+  },
+  "duplicate-points": {
+    message: ({ all, at }) => `${all(["point"], "Two points")} lie at one place${at}`,
+    remedy: "Let all lines use one of them, and delete the other.",
+  },
+  "size-too-large": {
+    message: ({ value }) =>
+      `The smallest element size, ${value(0)}, is larger than the whole model, ${value(1)}`,
+    remedy: "Give a smaller size: the elements can follow the model's lines and patches only roughly.",
+  },
+  "nested-bodies": {
+    message: ({ value }) => `The model has ${counted(value(0), "region")} and ${counted(value(1), "cavity")}`,
+    remedy: "",
+  },
   "empty-background-grid": {
     message: () => "The project has no background grid, so no element size is known",
     remedy:
@@ -244,6 +269,11 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
 function along(all: Subject["all"]): string {
   const lines = all(["line"], "");
   return lines === "" ? "" : ` at ${lines}`;
+}
+
+function counted(count: string, noun: string): string {
+  if (count === "1") return `1 ${noun}`;
+  return `${count} ${noun.endsWith("y") ? `${noun.slice(0, -1)}ies` : `${noun}s`}`;
 }
 
 function total(count: string, noun: string): string {

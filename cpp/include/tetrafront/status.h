@@ -64,7 +64,10 @@ enum class DiagnosticCode : std::uint16_t {
   kDegeneratePatch = 13,  ///< patch whose surface has no area or folds over itself
   kHoleOutside = 14,      ///< patch, line: a hole outside the outer loop or in a hole
   kBadOption = 15,        ///< values: which (0 size, 1 growth, 2 gradation), what was given
+  kLineCrossesItself = 16,  ///< line, also one that runs back over itself; place
+  kPatchesMeet = 17,        ///< two patches that overlap or cross away from common lines; place
   kHoleOffPatch = 18,     ///< curved patch, line of a hole that is not on it; values: distance
+  kDuplicateLines = 19,     ///< two lines of the same course; a warning unless patches use both
   // Background grid
   kEmptyBackgroundGrid = 20,
   kBadSize = 21,        ///< node; values: size
@@ -73,9 +76,13 @@ enum class DiagnosticCode : std::uint16_t {
   kOutsideBackgroundGrid = 24,  ///< place (and line or patch): the grid does not cover the domain
   kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
   kBadSource = 26,              ///< source; values: size, distance, growth
+  kDuplicatePoints =
+      27,              ///< two points at one place; a warning unless patches have corners at both
+  kSizeTooLarge = 28,  ///< warning; values: smallest size in the model, the model's extent
   // Closed boundary
-  kOpenEdge = 40,         ///< line or triangle with one side missing; values: number of such edges
-  kNonManifoldEdge = 41,  ///< edge with an odd number > 2 of triangles
+  kOpenEdge = 40,  ///< line (and its patch) or triangle with one side missing; values: number
+                   ///< of such edges
+  kNonManifoldEdge = 41,          ///< edge with an odd number > 2 of triangles
   kInconsistentOrientation = 42,  ///< triangles that cannot be oriented consistently
   kSelfIntersection = 43,         ///< two triangles (and their patches) meet where they should not
   kDuplicateTriangle = 44,        ///< two triangles with the same nodes
@@ -83,6 +90,7 @@ enum class DiagnosticCode : std::uint16_t {
   kZeroVolume = 46,               ///< shell that encloses nothing
   kReorientedPatch = 47,          ///< information: patch or shell drawn inside out, turned round
   kCoincidentNodes = 48,          ///< two nodes at one place that are not joined
+  kNestedBodies = 49,             ///< information; values: number of regions, of cavities
   // Volume
   kStalled = 60,             ///< values: faces left in the front
   kVerificationFailed = 61,  ///< values: failing elements; our own mistake, never the user's

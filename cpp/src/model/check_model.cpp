@@ -8,7 +8,9 @@
 
 #include "geom/coordinates.h"
 #include "model/check_patch.h"
+#include "model/duplicates.h"
 #include "model/resolved_model.h"
+#include "model/self_crossing.h"
 
 namespace tetrafront {
 
@@ -48,8 +50,10 @@ class ModelCheck {
     checkPoints();
     for (std::uint32_t line = 0; line < model_->lines.size(); ++line)
       found_.soundLines.push_back(checkLine(line) ? 1 : 0);
-    if (model_->patches.empty()) report(DiagnosticCode::kEmptyModel, {});
     const ResolvedModel resolved(*model_, found_.soundLines);
+    checkDuplicates(resolved);
+    checkCourses(resolved);
+    if (model_->patches.empty()) report(DiagnosticCode::kEmptyModel, {});
     for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch)
       found_.soundPatches.push_back(checkPatch(resolved, patch) ? 1 : 0);
     return std::move(found_);
@@ -68,6 +72,7 @@ class ModelCheck {
   }
 
   void checkPoints() {
+    findUsed();
     std::optional<Vec3> low;
     Vec3 high(0.0);
     for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
@@ -80,6 +85,24 @@ class ModelCheck {
       low = low ? glm::min(*low, place) : place;
     }
     if (low) samePlace_ = kSamePlace * glm::length(high - *low);
+  }
+
+  /// Lines that patches walk, and the points at which those begin and end.
+  void findUsed() {
+    isUsed_.assign(model_->lines.size(), 0);
+    isCorner_.assign(model_->points.size(), 0);
+    for (const Patch& patch : model_->patches) {
+      for (const Loop& loop : patch.loops) {
+        for (const OrientedLine& walked : loop) {
+          if (walked.line >= model_->lines.size()) continue;
+          isUsed_[walked.line] = 1;
+          for (const bool last : {false, true}) {
+            const std::optional<std::uint32_t> end = endOf(walked, last);
+            if (end && *end < isCorner_.size()) isCorner_[*end] = 1;
+          }
+        }
+      }
+    }
   }
 
   // ---- lines -----------------------------------------------------------------------------------
@@ -121,17 +144,24 @@ class ModelCheck {
     return a == b || glm::length(model_->points[a] - model_->points[b]) <= samePlace_;
   }
 
+  /// Points at one place that were reported with a line need not be reported once more.
+  void nameTogether(std::uint32_t a, std::uint32_t b) {
+    namedPairs_.emplace_back(std::min(a, b), std::max(a, b));
+  }
+
   bool checkPlaces(std::uint32_t line) {
     const std::vector<std::uint32_t>& points = model_->lines[line].points;
     const Vec3& place = model_->points[points.front()];
     if (std::ranges::all_of(points, [&](std::uint32_t p) { return coincide(points.front(), p); })) {
       report(DiagnosticCode::kZeroLengthLine, {{EntityKind::kLine, line}}, {}, place);
+      for (const std::uint32_t point : points) nameTogether(points.front(), point);
       return false;
     }
     bool distinct = true;
     const auto compare = [&](std::uint32_t a, std::uint32_t b) {
       if (!coincide(a, b)) return;
       distinct = false;
+      nameTogether(a, b);
       report(DiagnosticCode::kCoincidentPoints,
              {{EntityKind::kLine, line}, {EntityKind::kPoint, a}, {EntityKind::kPoint, b}}, {},
              model_->points[b]);
@@ -145,6 +175,44 @@ class ModelCheck {
     return distinct;
   }
 
+  /// Points and lines drawn twice are harmless as long as the surface does not use both of them.
+  void checkDuplicates(const ResolvedModel& resolved) {
+    found_.duplicates = findDuplicates(resolved, found_.soundLines, samePlace_);
+    const auto reportPair = [&](DiagnosticCode code, EntityKind kind, std::uint32_t first,
+                                std::uint32_t second, const std::vector<std::uint8_t>& matters,
+                                const Vec3& place) {
+      report(code, {{kind, first}, {kind, second}}, {}, place);
+      if (matters[first] == 0 || matters[second] == 0)
+        found_.diagnostics.back().severity = Severity::kWarning;
+    };
+    std::ranges::sort(namedPairs_);
+    for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
+      const std::uint32_t first = found_.duplicates.points[point];
+      if (first == point || std::ranges::binary_search(namedPairs_, std::pair(first, point)))
+        continue;
+      reportPair(DiagnosticCode::kDuplicatePoints, EntityKind::kPoint, first, point, isCorner_,
+                 model_->points[point]);
+    }
+    for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
+      const std::uint32_t first = found_.duplicates.lines[line];
+      if (first == line) continue;
+      reportPair(DiagnosticCode::kDuplicateLines, EntityKind::kLine, first, line, isUsed_,
+                 resolved.curve(line).position(0.5));
+    }
+  }
+
+  void checkCourses(const ResolvedModel& resolved) {
+    crosses_.assign(model_->lines.size(), 0);
+    for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
+      if (found_.soundLines[line] == 0) continue;
+      const std::optional<Vec3> place = findSelfCrossing(resolved.curve(line));
+      if (!place) continue;
+      crosses_[line] = 1;
+      report(DiagnosticCode::kLineCrossesItself, {{EntityKind::kLine, line}}, {}, *place);
+      if (isUsed_[line] == 0) found_.diagnostics.back().severity = Severity::kWarning;
+    }
+  }
+
   // ---- patches ---------------------------------------------------------------------------------
 
   /// Reports on one patch; true if its surface can be evaluated.
@@ -156,7 +224,24 @@ class ModelCheck {
     sound = checkChains(patch) && sound;
     for (const Loop& loop : drawn.loops)
       for (const OrientedLine& line : loop) sound = sound && found_.soundLines[line.line] != 0;
-    return sound && checkPatchShape(resolved, patch, found_.diagnostics);
+    return sound && checkShape(resolved, patch);
+  }
+
+  /// A loop that touches itself because one of its lines does is no news.
+  bool checkShape(const ResolvedModel& resolved, std::uint32_t patch) {
+    const std::size_t before = found_.diagnostics.size();
+    const bool sound = checkPatchShape(resolved, patch, found_.diagnostics);
+    const auto isKnown = [&](const Diagnostic& diagnostic) {
+      return diagnostic.code == DiagnosticCode::kLoopTouchesItself &&
+             diagnostic.entities.size() > 1 &&
+             std::ranges::all_of(diagnostic.entities, [&](const Entity& entity) {
+               return entity.kind != EntityKind::kLine || crosses_[entity.index] != 0;
+             });
+    };
+    const auto from = found_.diagnostics.begin() + static_cast<std::ptrdiff_t>(before);
+    found_.diagnostics.erase(std::remove_if(from, found_.diagnostics.end(), isKnown),
+                             found_.diagnostics.end());
+    return sound;
   }
 
   bool checkLineNumbers(std::uint32_t patch) {
@@ -198,10 +283,9 @@ class ModelCheck {
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const std::optional<std::uint32_t> end = endOf(loop[i], true);
         const std::optional<std::uint32_t> next = endOf(loop[(i + 1) % loop.size()], false);
-        // Lines without points are reported as such.
-        if (!end || !next) return false;
-        if (*end == *next) continue;
+        if (end && next && *end == *next) continue;
         closed = false;
+        if (!end || !next) continue;  // a line without points, reported as such
         std::optional<Vec3> place;
         if (*end < model_->points.size()) place = model_->points[*end];
         report(DiagnosticCode::kLoopNotClosed,
@@ -223,6 +307,11 @@ class ModelCheck {
   const Model* model_;
   ModelExamination found_;
   double samePlace_ = 0.0;
+  std::vector<std::uint8_t> isUsed_;    ///< per line: by a patch
+  std::vector<std::uint8_t> isCorner_;  ///< per point: an end of a used line
+  std::vector<std::uint8_t> crosses_;   ///< per line: itself
+  /// Points at one place, lower first, that a line's diagnostic names.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> namedPairs_;
 };
 
 }  // namespace

@@ -5,14 +5,16 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/duplicates.h"
 #include "tetrafront/model.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
 
-/// What keeps a model from being meshed; empty if nothing does. Points first, then lines, then
-/// patches, each in the model's order. Any input is accepted, also numbers out of range.
-/// O(model), curved lines counting as their samples.
+/// What is wrong with the points, lines and patches of a model, each taken by itself; empty if
+/// nothing is. Points first, then lines, then patches, each in the model's order. Any input is
+/// accepted, also numbers out of range. O(model), curved lines counting as their samples; whether
+/// the patches close a surface is asked by examineInput().
 [[nodiscard]] std::vector<Diagnostic> checkModel(const Model& model);
 
 /// What checkModel() found, and what can be drawn in spite of it.
@@ -24,6 +26,8 @@ struct ModelExamination {
   /// Per patch: 1 if its surface can be evaluated (sound lines, closed loops, a number of lines
   /// its type takes, some area), else 0.
   std::vector<std::uint8_t> soundPatches;
+  /// What was drawn twice.
+  Duplicates duplicates;
 };
 [[nodiscard]] ModelExamination examineModel(const Model& model);
 

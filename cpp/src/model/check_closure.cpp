@@ -1,0 +1,167 @@
+#include "model/check_closure.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geom/coordinates.h"
+
+namespace tetrafront {
+namespace {
+
+/// One place in a loop where a line is walked.
+struct Use {
+  std::uint32_t patch;
+  std::uint32_t line;
+  bool reversed;
+  bool inHole;
+};
+
+/// Two patches, or one and itself, that share a line.
+struct Joint {
+  std::uint32_t first;
+  std::uint32_t second;
+  std::uint32_t line;
+  bool isKnown;     ///< the loops tell how the two turn against each other
+  bool isOpposite;  ///< one of them is to be turned, if that is known
+};
+
+class ClosureCheck {
+ public:
+  ClosureCheck(const Model& model, std::span<const std::uint32_t> sameLine)
+      : model_(&model), sameLine_(sameLine), uses_(model.lines.size()) {}
+
+  Closure run() {
+    gatherUses();
+    result_.isPlain = true;
+    for (std::uint32_t line = 0; line < uses_.size(); ++line) checkLine(line);
+    const std::size_t count = model_->patches.size();
+    std::vector<std::uint8_t> ignored(count, 0);
+    result_.component = walk([](const Joint&) { return true; }, ignored);
+    result_.isTurned.assign(count, 0);
+    walk([](const Joint& joint) { return joint.isKnown; }, result_.isTurned);
+    for (const Joint& joint : joints_) {
+      result_.isPlain = result_.isPlain && joint.isKnown;
+      const bool areOpposite = result_.isTurned[joint.first] != result_.isTurned[joint.second];
+      if (joint.isKnown && areOpposite != joint.isOpposite) reportTwist(joint);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void gatherUses() {
+    for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch) {
+      bool inHole = false;
+      for (const Loop& loop : model_->patches[patch].loops) {
+        for (const OrientedLine& walked : loop) {
+          if (walked.line >= uses_.size()) continue;
+          uses_[sameLine_[walked.line]].push_back({patch, walked.line, walked.reversed, inHole});
+        }
+        inHole = true;
+      }
+    }
+  }
+
+  void checkLine(std::uint32_t line) {
+    const std::vector<Use>& uses = uses_[line];
+    if (uses.size() % 2 == 1) {
+      result_.isPlain = false;
+      reportOpen(line);
+    }
+    const bool isPlain =
+        uses.size() == 2 && !uses[0].inHole && !uses[1].inHole && uses[0].line == uses[1].line;
+    for (std::size_t i = 1; i < uses.size(); ++i) {
+      joints_.push_back({uses[i - 1].patch, uses[i].patch, line, isPlain,
+                         isPlain && uses[0].reversed == uses[1].reversed});
+    }
+  }
+
+  /// Which patches hang together over the chosen joints, by the lowest of them; `isTurned` tells
+  /// how they turn against it.
+  template <class Choose>
+  std::vector<std::uint32_t> walk(Choose choose, std::vector<std::uint8_t>& isTurned) const {
+    const std::size_t count = model_->patches.size();
+    std::vector<std::vector<std::uint32_t>> jointsOf(count);
+    for (std::uint32_t j = 0; j < joints_.size(); ++j) {
+      if (!choose(joints_[j])) continue;
+      jointsOf[joints_[j].first].push_back(j);
+      jointsOf[joints_[j].second].push_back(j);
+    }
+    constexpr std::uint32_t kNone = 0xffffffffU;
+    std::vector<std::uint32_t> lowest(count, kNone);
+    std::vector<std::uint32_t> waiting;
+    for (std::uint32_t patch = 0; patch < count; ++patch) {
+      if (lowest[patch] != kNone) continue;
+      lowest[patch] = patch;
+      waiting.push_back(patch);
+      while (!waiting.empty()) {
+        const std::uint32_t from = waiting.back();
+        waiting.pop_back();
+        for (const std::uint32_t j : jointsOf[from]) {
+          const Joint& joint = joints_[j];
+          const std::uint32_t to = joint.first == from ? joint.second : joint.first;
+          if (lowest[to] != kNone) continue;
+          lowest[to] = patch;
+          isTurned[to] = isTurned[from] ^ (joint.isOpposite ? 1 : 0);
+          waiting.push_back(to);
+        }
+      }
+    }
+    return lowest;
+  }
+
+  [[nodiscard]] Diagnostic about(DiagnosticCode code, std::uint32_t line) const {
+    Diagnostic diagnostic;
+    diagnostic.code = code;
+    const std::vector<std::uint32_t>& points = model_->lines[line].points;
+    // The middle of a straight line; of any other a point on it.
+    const std::size_t middle = points.size() / 2;
+    if (points.empty()) return diagnostic;
+    const std::uint32_t from = points.size() == 2 ? points[0] : points[middle];
+    const std::uint32_t to = points[middle];
+    if (from >= model_->points.size() || to >= model_->points.size()) return diagnostic;
+    diagnostic.place = 0.5 * (model_->points[from] + model_->points[to]);
+    diagnostic.hasPlace = isFinite(diagnostic.place);
+    if (!diagnostic.hasPlace) diagnostic.place = Vec3(0.0);
+    return diagnostic;
+  }
+
+  void reportOpen(std::uint32_t line) {
+    const std::vector<Use>& uses = uses_[line];
+    const bool isOpen = uses.size() == 1;
+    Diagnostic diagnostic =
+        about(isOpen ? DiagnosticCode::kOpenEdge : DiagnosticCode::kNonManifoldEdge, line);
+    diagnostic.entities = {{EntityKind::kLine, uses.front().line}};
+    std::uint32_t last = 0;
+    for (const Use& use : uses) {
+      // Uses ascend by patch.
+      if (diagnostic.entities.size() > 1 && use.patch == last) continue;
+      diagnostic.entities.push_back({EntityKind::kPatch, use.patch});
+      last = use.patch;
+    }
+    diagnostic.values = {1.0};
+    result_.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  void reportTwist(const Joint& joint) {
+    Diagnostic diagnostic = about(DiagnosticCode::kInconsistentOrientation, joint.line);
+    const auto [low, high] = std::minmax(joint.first, joint.second);
+    diagnostic.entities = {{EntityKind::kPatch, low}};
+    if (high != low) diagnostic.entities.push_back({EntityKind::kPatch, high});
+    diagnostic.values = {1.0};
+    result_.diagnostics.push_back(std::move(diagnostic));
+  }
+
+  const Model* model_;
+  std::span<const std::uint32_t> sameLine_;
+  std::vector<std::vector<Use>> uses_;  ///< per line; duplicates at the lowest of them
+  std::vector<Joint> joints_;
+  Closure result_;
+};
+
+}  // namespace
+
+Closure checkClosure(const Model& model, std::span<const std::uint32_t> sameLine) {
+  return ClosureCheck(model, sameLine).run();
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,32 @@
+#pragma once
+
+/// @file Do the patches close a surface, as far as the loops alone can tell?
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tetrafront/model.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+/// How the patches of a model hang together.
+struct Closure {
+  std::vector<Diagnostic> diagnostics;
+  /// Per patch: the lowest patch that it is connected with over lines.
+  std::vector<std::uint32_t> component;
+  /// Per patch: 1 if its outer loop runs against the turning of its component's lowest patch.
+  std::vector<std::uint8_t> isTurned;
+  /// Every used line has two sides, and the turning above holds over every line.
+  bool isPlain = false;
+};
+
+/// Reports every line that an odd number of patches use (kOpenEdge, kNonManifoldEdge), and
+/// patches that no turning makes agree over a line that two of them share
+/// (kInconsistentOrientation); of holes, whose loops may turn either way, nothing is said.
+/// `sameLine`: per line the lowest of its course (Duplicates::lines), whose uses are counted
+/// together. References to lines that do not exist are passed over. O(model).
+[[nodiscard]] Closure checkClosure(const Model& model, std::span<const std::uint32_t> sameLine);
+
+}  // namespace tetrafront

@@ -1,0 +1,117 @@
+#include "model/duplicates.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+
+#include "geom/coordinates.h"
+#include "search/box_tree.h"
+
+namespace tetrafront {
+namespace {
+
+/// Parameters, in parts of the line, at which courses are compared.
+constexpr int kCourseParts = 8;
+/// Lines whose samples are nearer than this share of their extent run along one course.
+constexpr double kSameCourse = 1e-9;
+
+std::vector<std::uint32_t> numbersUpTo(std::size_t count) {
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+/// Equal places first, by sorting; then those that differ by rounding, by their boxes.
+std::vector<std::uint32_t> samePlaces(const std::vector<Vec3>& points, double samePlace) {
+  std::vector<std::uint32_t> result = numbersUpTo(points.size());
+  std::vector<std::uint32_t> sorted;
+  for (const std::uint32_t point : result) {
+    if (isFinite(points[point])) sorted.push_back(point);
+  }
+  const auto key = [&](std::uint32_t i) {
+    return std::array<double, 3>{points[i].x, points[i].y, points[i].z};
+  };
+  std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) {
+    return key(a) != key(b) ? key(a) < key(b) : a < b;
+  });
+  std::vector<std::uint32_t> distinct;
+  for (const std::uint32_t point : sorted) {
+    if (!distinct.empty() && points[distinct.back()] == points[point]) {
+      result[point] = distinct.back();
+    } else {
+      distinct.push_back(point);
+    }
+  }
+  std::ranges::sort(distinct);
+  if (distinct.empty()) return result;
+  // Relative to one of them, so that the boxes' rounding is small against the model.
+  const Vec3 origin = points[distinct.front()];
+  std::vector<Box> boxes;
+  for (const std::uint32_t point : distinct) {
+    const Vec3 place = points[point] - origin;
+    boxes.push_back(Box::of(place - samePlace, place + samePlace, place));
+  }
+  const BoxTree tree(boxes);
+  for (std::uint32_t i = 0; i < distinct.size(); ++i) {
+    std::uint32_t& lowest = result[distinct[i]];
+    tree.visitOverlaps(boxes[i], [&](std::uint32_t k) {
+      if (k < i && glm::length(points[distinct[k]] - points[distinct[i]]) <= samePlace)
+        lowest = std::min(lowest, result[distinct[k]]);
+    });
+  }
+  for (std::uint32_t& lowest : result) lowest = result[lowest];
+  return result;
+}
+
+bool runAlike(const Curve& a, const Curve& b) {
+  if (a.isStraight() && b.isStraight()) return true;
+  const double tolerance = kSameCourse * std::max(a.length(), b.length());
+  bool along = true;
+  bool against = true;
+  for (int i = 1; i < kCourseParts; ++i) {
+    const double t = static_cast<double>(i) / kCourseParts;
+    const Vec3 place = a.position(t);
+    along = along && glm::length(place - b.position(t)) <= tolerance;
+    against = against && glm::length(place - b.position(1.0 - t)) <= tolerance;
+  }
+  return along || against;
+}
+
+}  // namespace
+
+Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8_t> soundLines,
+                          double samePlace) {
+  const Model& drawn = model.model();
+  Duplicates result{samePlaces(drawn.points, samePlace), numbersUpTo(drawn.lines.size())};
+  struct Entry {
+    std::pair<std::uint32_t, std::uint32_t> ends;
+    std::uint32_t line;
+  };
+  std::vector<Entry> entries;
+  for (std::uint32_t line = 0; line < drawn.lines.size(); ++line) {
+    if (soundLines[line] == 0) continue;
+    const std::vector<std::uint32_t>& points = drawn.lines[line].points;
+    const auto [low, high] =
+        std::minmax(result.points[points.front()], result.points[points.back()]);
+    entries.push_back({{low, high}, line});
+  }
+  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+    return a.ends != b.ends ? a.ends < b.ends : a.line < b.line;
+  });
+  std::vector<std::uint32_t> distinct;  // of those with the same ends
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (i == 0 || entries[i].ends != entries[i - 1].ends) distinct.clear();
+    const Curve& curve = model.curve(entries[i].line);
+    const auto same = std::ranges::find_if(
+        distinct, [&](std::uint32_t line) { return runAlike(model.curve(line), curve); });
+    if (same == distinct.end()) {
+      distinct.push_back(entries[i].line);
+    } else {
+      result.lines[entries[i].line] = *same;
+    }
+  }
+  return result;
+}
+
+}  // namespace tetrafront

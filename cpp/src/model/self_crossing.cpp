@@ -1,0 +1,172 @@
+#include "model/self_crossing.h"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace tetrafront {
+namespace {
+
+/// More comparisons than this are only made where two passages run side by side within a tiny
+/// share of their length; such a line is let pass, for it does not cross.
+constexpr std::uint32_t kMaxComparisons = 50'000;
+/// Halvings of a piece: beyond these its ends are one place.
+constexpr int kMaxDepth = 48;
+
+/// One cubic piece by its control points (Bézier), which hold it in their hull.
+struct Piece {
+  std::array<Vec3, 4> control;
+  int depth = 0;
+
+  [[nodiscard]] Vec3 low() const {
+    return glm::min(glm::min(control[0], control[1]), glm::min(control[2], control[3]));
+  }
+  [[nodiscard]] Vec3 high() const {
+    return glm::max(glm::max(control[0], control[1]), glm::max(control[2], control[3]));
+  }
+};
+
+struct Halves {
+  Piece first;
+  Piece second;
+};
+
+/// De Casteljau at the middle.
+Halves halve(const Piece& piece) {
+  const auto& [a, b, c, d] = piece.control;
+  const Vec3 ab = 0.5 * (a + b);
+  const Vec3 bc = 0.5 * (b + c);
+  const Vec3 cd = 0.5 * (c + d);
+  const Vec3 abc = 0.5 * (ab + bc);
+  const Vec3 bcd = 0.5 * (bc + cd);
+  const Vec3 middle = 0.5 * (abc + bcd);
+  return {{{a, ab, abc, middle}, piece.depth + 1}, {{middle, bcd, cd, d}, piece.depth + 1}};
+}
+
+/// True if the piece runs forward in `direction` all along.
+bool runsForward(const Piece& piece, const Vec3& direction) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 step = piece.control[i + 1] - piece.control[i];
+    if (step != Vec3(0.0) && !(glm::dot(step, direction) > 0.0)) return false;
+  }
+  return true;
+}
+
+Vec3 directionOf(const Piece& piece) {
+  const Vec3 chord = piece.control[3] - piece.control[0];
+  const double length = glm::length(chord);
+  return length > 0.0 ? chord / length : Vec3(0.0);
+}
+
+std::vector<Piece> piecesOf(const Curve& curve) {
+  std::vector<Piece> pieces;
+  const std::span<const double> knots = curve.knots();
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    const double third = (knots[i + 1] - knots[i]) / 3.0;
+    const Curve::Sample from = curve.sample(knots[i]);
+    const Curve::Sample to = curve.sample(knots[i + 1]);
+    pieces.push_back({{from.position, from.position + third * from.derivative,
+                       to.position - third * to.derivative, to.position}});
+  }
+  return pieces;
+}
+
+class CrossingSearch {
+ public:
+  explicit CrossingSearch(const Curve& curve)
+      : pieces_(piecesOf(curve)), isClosed_(curve.start() == curve.end()) {
+    Vec3 low = pieces_.front().low();
+    Vec3 high = pieces_.front().high();
+    for (const Piece& piece : pieces_) {
+      low = glm::min(low, piece.low());
+      high = glm::max(high, piece.high());
+    }
+    tolerance_ = kSamePassage * glm::length(high - low);
+  }
+
+  std::optional<Vec3> run() {
+    const std::size_t count = pieces_.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (meetsItself(pieces_[i])) return place_;
+      for (std::size_t k = i + 1; k < count; ++k) {
+        const bool follows = k == i + 1;
+        const bool closes = isClosed_ && i == 0 && k + 1 == count;
+        // Of two pieces that make up a closed line, both ends are common.
+        const bool meet = follows && closes ? meetAtBothEnds(pieces_[i], pieces_[k])
+                          : follows         ? meetBeyondJoint(pieces_[i], pieces_[k])
+                          : closes          ? meetBeyondJoint(pieces_[k], pieces_[i])
+                                            : piecesMeet(pieces_[i], pieces_[k]);
+        if (meet) return place_;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  bool meetsItself(const Piece& piece) {
+    if (isSpent() || piece.depth > kMaxDepth) return false;
+    if (runsForward(piece, directionOf(piece))) return false;
+    const Halves halves = halve(piece);
+    return meetsItself(halves.first) || meetsItself(halves.second) ||
+           meetBeyondJoint(halves.first, halves.second);
+  }
+
+  /// The first piece ends where the second begins; do they meet anywhere else?
+  bool meetBeyondJoint(const Piece& first, const Piece& second) {
+    if (isSpent() || first.depth > kMaxDepth) return false;
+    const Vec3 direction = directionOf(first) + directionOf(second);
+    if (runsForward(first, direction) && runsForward(second, direction)) return false;
+    const Halves before = halve(first);
+    const Halves after = halve(second);
+    return piecesMeet(before.first, after.second) || piecesMeet(before.first, after.first) ||
+           piecesMeet(before.second, after.second) || meetBeyondJoint(before.second, after.first);
+  }
+
+  bool meetAtBothEnds(const Piece& first, const Piece& second) {
+    const Halves before = halve(first);
+    const Halves after = halve(second);
+    return meetBeyondJoint(before.second, after.first) ||
+           meetBeyondJoint(after.second, before.first) || piecesMeet(before.first, after.first) ||
+           piecesMeet(before.second, after.second);
+  }
+
+  bool piecesMeet(const Piece& a, const Piece& b) {
+    if (isSpent()) return false;
+    const Vec3 lowA = a.low();
+    const Vec3 highA = a.high();
+    const Vec3 lowB = b.low();
+    const Vec3 highB = b.high();
+    for (int axis = 0; axis < 3; ++axis) {
+      if (lowA[axis] > highB[axis] || lowB[axis] > highA[axis]) return false;
+    }
+    const double sizeA = glm::length(highA - lowA);
+    const double sizeB = glm::length(highB - lowB);
+    if (sizeA <= tolerance_ && sizeB <= tolerance_) {
+      place_ = 0.5 * (a.control[0] + b.control[0]);
+      return true;
+    }
+    if (sizeA >= sizeB) {
+      const Halves halves = halve(a);
+      return piecesMeet(halves.first, b) || piecesMeet(halves.second, b);
+    }
+    const Halves halves = halve(b);
+    return piecesMeet(a, halves.first) || piecesMeet(a, halves.second);
+  }
+
+  bool isSpent() { return ++comparisons_ > kMaxComparisons; }
+
+  std::vector<Piece> pieces_;
+  bool isClosed_;
+  double tolerance_ = 0.0;
+  std::uint32_t comparisons_ = 0;
+  Vec3 place_{0.0};
+};
+
+}  // namespace
+
+std::optional<Vec3> findSelfCrossing(const Curve& curve) {
+  if (curve.type() == LineType::kStraight) return std::nullopt;
+  return CrossingSearch(curve).run();
+}
+
+}  // namespace tetrafront
