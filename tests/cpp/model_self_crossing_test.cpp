@@ -23,7 +23,7 @@ std::vector<Vec3> figureOfEight(double lift) {
   constexpr int kPoints = 21;
   for (int i = 0; i < kPoints; ++i) {
     const double part = (i + 0.5) / kPoints;
-    const double angle = 2.0 * std::numbers::pi * part;
+    const double angle = 2.0 * std::numbers::pi * (part + 0.25);
     points.emplace_back(std::sin(angle), std::sin(2.0 * angle), lift * part);
   }
   return points;
