@@ -8,13 +8,12 @@
 #include "base/fingerprint.h"
 #include "field/size_field.h"
 #include "field/size_octree_builder.h"
-#include "model/check_model.h"
 #include "optimize/optimizer.h"
 #include "quality/check_mesh.h"
 #include "quality/metrics.h"
 #include "quality/survey.h"
 #include "surface/boundary.h"
-#include "surface/check_coverage.h"
+#include "surface/examine_input.h"
 #include "surface/expected_count.h"
 #include "surface/surface_coverage.h"
 #include "surface/surface_mesher.h"
@@ -28,11 +27,6 @@ constexpr double kCheckEnd = 0.02;
 constexpr double kModelSurfaceEnd = 0.15;
 constexpr double kVolumeEnd = 0.4;
 constexpr double kOptimizeEnd = 0.97;
-
-bool anyError(const std::vector<Diagnostic>& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const Diagnostic& d) { return d.severity == Severity::kError; });
-}
 
 std::vector<Vec3> pointsOf(const SurfaceMesh& surface) {
   std::vector<Vec3> points(surface.points.size() / 3);
@@ -61,9 +55,10 @@ class MeshRun::Impl {
   MeshStatus advance(std::uint32_t budget) {
     if (status_ != MeshStatus::kRunning) return status_;
     budget = std::max(budget, 1U);
-    if (!optionsChecked_) {
+    // A model's options are examined with it.
+    if (!optionsChecked_ && !isModel()) {
       optionsChecked_ = true;
-      report(checkOptions());
+      report(checkOptions(options_));
       if (anyError(diagnostics_)) {
         fail();
         return status_;
@@ -235,23 +230,9 @@ class MeshRun::Impl {
     diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
   }
 
-  /// Options that make no sense, as a caller of the engine may give them.
-  [[nodiscard]] std::vector<Diagnostic> checkOptions() const {
-    const auto finite = [](double value) { return value - value == 0.0; };
-    const std::array<double, 3> given{options_.size, options_.growth, options_.gradation};
-    const std::array<bool, 3> sound{
-        finite(options_.size) && options_.size >= 0.0,
-        finite(options_.growth) && options_.growth >= 0.0,
-        finite(options_.gradation) && (options_.gradation == 0.0 || options_.gradation > 1.0)};
-    std::vector<Diagnostic> found;
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      if (sound[i]) continue;
-      Diagnostic bad;
-      bad.code = DiagnosticCode::kBadOption;
-      bad.values = {static_cast<double>(i), given[i]};
-      found.push_back(std::move(bad));
-    }
-    return found;
+  [[nodiscard]] bool wasReported(DiagnosticCode code) const {
+    return std::ranges::any_of(diagnostics_,
+                               [&](const Diagnostic& known) { return known.code == code; });
   }
 
   /// Whether sizes come from the grid's tetrahedra: a uniform size goes before them, and a given
@@ -269,19 +250,12 @@ class MeshRun::Impl {
     return SizeField::fromGrid(GridLocator(grid_, options_.gradation - 1.0));
   }
 
+  /// What examineInput() says is what a preview says.
   void checkInput() {
-    report(checkModel(*model_));
-    report(checkGrid());
-    if (anyError(diagnostics_)) return fail();
-    field_ = usesGrid() ? gridField() : SizeField::uniform(options_.size);
-    field_->addSources(grid_.sources);
-    if (usesGrid()) report(checkCoverage(*model_, *field_));
-    if (anyError(diagnostics_)) return fail();
-    // A model fills some part of its box. Where even a small part is too much, lines and patches
-    // need not be tried.
-    constexpr double kLeastPart = 0.05;
-    const double expected = kLeastPart * tetrahedraInBoxOf(*model_, *field_);
-    if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
+    InputExamination found = examineInput(*model_, grid_, options_);
+    report(found.preview.diagnostics);
+    if (anyError(diagnostics_) || !found.field) return fail();
+    field_ = std::move(found.field);
     surfaceMesher_.emplace(*model_, *field_);
     stage_ = Stage::kSurface;
   }
@@ -303,7 +277,10 @@ class MeshRun::Impl {
           surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface);
     }
     if (!boundaryCheck_->advance(budget)) return;
-    report(boundaryCheck_->diagnostics());
+    for (const Diagnostic& found : boundaryCheck_->diagnostics()) {
+      // How the bodies of a model are nested was told with the check of the input.
+      if (found.code != DiagnosticCode::kNestedBodies || !wasReported(found.code)) report({found});
+    }
     if (!boundaryCheck_->result().valid || anyError(diagnostics_)) return fail();
     stage_ = isModel() ? Stage::kEstimate : Stage::kField;
   }

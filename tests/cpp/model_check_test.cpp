@@ -8,6 +8,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "support/models.h"
 #include "support/random.h"
@@ -281,15 +283,22 @@ TEST(ModelCheck, MidPointNearAnEndFoldsAnIsoparametricPatch) {
   for (const PatchType type : {PatchType::kIsoparametricTriangle, PatchType::kSerendipity}) {
     const std::size_t count = type == PatchType::kSerendipity ? 4 : 3;
     const std::array<Vec3, 4> corners{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
-    for (const double share : {0.5, 0.3, 0.25, 0.24, 0.1, 0.9}) {
+    for (const auto& [share, lift] : std::vector<std::pair<double, double>>{{0.5, 0},
+                                                                            {0.3, 0},
+                                                                            {0.25, 0},
+                                                                            {0.24, 0},
+                                                                            {0.1, 0},
+                                                                            {0.9, 0},
+                                                                            {0.1, 0.02},
+                                                                            {0.9, 0.02}}) {
       ModelBuilder builder;
       Loop loop;
       for (std::size_t i = 0; i < count; ++i) {
         const Vec3& from = corners[i];
         const Vec3& to = corners[(i + 1) % count];
         const double at = i == 1 ? share : 0.5;
-        loop.push_back(
-            {builder.line(LineType::kParabolic, {from, from + at * (to - from), to}), false});
+        const Vec3 middle = from + at * (to - from) + Vec3(i == 1 ? lift : 0.0, 0, 0);
+        loop.push_back({builder.line(LineType::kParabolic, {from, middle, to}), false});
       }
       builder.patch(type, {loop});
       if (share >= 0.25 && share <= 0.75) {
@@ -297,9 +306,11 @@ TEST(ModelCheck, MidPointNearAnEndFoldsAnIsoparametricPatch) {
         continue;
       }
       const Diagnostic fault = onlyFault(builder.model);
-      EXPECT_EQ(fault.code, DiagnosticCode::kDegeneratePatch);
+      // Along its chord the line itself runs back.
+      EXPECT_EQ(fault.code, lift == 0.0 ? DiagnosticCode::kLineCrossesItself
+                                        : DiagnosticCode::kDegeneratePatch);
       EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
-      EXPECT_EQ(fault.entities.size(), 2U);
+      EXPECT_EQ(fault.entities.size(), lift == 0.0 ? 1U : 2U);
       EXPECT_LT(glm::length(fault.place - corners[share < 0.5 ? 1 : 2]), 0.6) << share;
     }
   }

@@ -50,7 +50,8 @@ TEST(SurfacePreview, PlanarPatchesAreCoveredExactly) {
     const Model model = randomPolygonModel(seed, area);
     const ModelPreview preview = previewModel(model, grid());
     expectConsistent(preview, model);
-    EXPECT_TRUE(preview.diagnostics.empty());
+    for (const Diagnostic& diagnostic : preview.diagnostics)
+      EXPECT_EQ(diagnostic.code, DiagnosticCode::kOpenEdge) << "one patch closes nothing";
     EXPECT_NEAR(areaOf(preview, 0), area, 1e-12 * area) << seed;
     EXPECT_LT(preview.patchTriangles.size() / 3, 1000U) << seed;
   }

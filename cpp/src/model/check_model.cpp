@@ -227,13 +227,14 @@ class ModelCheck {
     return sound && checkShape(resolved, patch);
   }
 
-  /// A loop that touches itself because one of its lines does is no news.
+  /// A loop that touches itself, or a patch that folds, because one of its lines does is no news.
   bool checkShape(const ResolvedModel& resolved, std::uint32_t patch) {
     const std::size_t before = found_.diagnostics.size();
     const bool sound = checkPatchShape(resolved, patch, found_.diagnostics);
     const auto isKnown = [&](const Diagnostic& diagnostic) {
-      return diagnostic.code == DiagnosticCode::kLoopTouchesItself &&
-             diagnostic.entities.size() > 1 &&
+      const bool isAboutLines = diagnostic.code == DiagnosticCode::kLoopTouchesItself ||
+                                diagnostic.code == DiagnosticCode::kDegeneratePatch;
+      return isAboutLines && diagnostic.entities.size() > 1 &&
              std::ranges::all_of(diagnostic.entities, [&](const Entity& entity) {
                return entity.kind != EntityKind::kLine || crosses_[entity.index] != 0;
              });
@@ -286,13 +287,14 @@ class ModelCheck {
         if (end && next && *end == *next) continue;
         closed = false;
         if (!end || !next) continue;  // a line without points, reported as such
+        std::vector<Entity> entities{{EntityKind::kPatch, patch},
+                                     {EntityKind::kLine, loop[i].line}};
         std::optional<Vec3> place;
-        if (*end < model_->points.size()) place = model_->points[*end];
-        report(DiagnosticCode::kLoopNotClosed,
-               {{EntityKind::kPatch, patch},
-                {EntityKind::kLine, loop[i].line},
-                {EntityKind::kPoint, *end}},
-               {}, place);
+        if (*end < model_->points.size()) {
+          entities.push_back({EntityKind::kPoint, *end});
+          if (isFinite(model_->points[*end])) place = model_->points[*end];
+        }
+        report(DiagnosticCode::kLoopNotClosed, std::move(entities), {}, place);
       }
     }
     return closed;

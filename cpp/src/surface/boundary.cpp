@@ -190,6 +190,8 @@ void BoundaryCheck::Impl::numberRegions() {
     if (shells[s].volume > 0.0) regionOf[s] = result_.regionCount++;
   }
   if (shells.size() > 1) {
+    const auto count = static_cast<std::uint32_t>(shells.size());
+    report_.addNesting(shells[1].firstTriangle, result_.regionCount, count - result_.regionCount);
     const ShellNesting nesting(mesh_, shellOf, shells.size(), tree_);
     for (std::uint32_t s = 0; s < shells.size(); ++s) {
       if (shells[s].volume > 0.0) continue;

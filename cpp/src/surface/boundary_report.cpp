@@ -125,6 +125,13 @@ void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> ent
   findings_.push_back(std::move(finding));
 }
 
+void BoundaryReport::addNesting(std::uint32_t triangle, std::uint32_t regions,
+                                std::uint32_t cavities) {
+  const Entity entity = isDrawn() ? patchOf(triangle) : Entity{EntityKind::kTriangle, triangle};
+  addInformation(DiagnosticCode::kNestedBodies, {entity}, centreOf(triangle),
+                 {static_cast<double>(regions), static_cast<double>(cavities)});
+}
+
 void BoundaryReport::addEmpty() {
   ++errors_;
   Finding finding;

@@ -37,6 +37,8 @@ class BoundaryReport {
   /// Not counted with others of its kind.
   void addInformation(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
                       std::vector<double> values);
+  /// Information: so many regions and cavities; `triangle` is one of the second of these.
+  void addNesting(std::uint32_t triangle, std::uint32_t regions, std::uint32_t cavities);
   void addEmpty();
   /// The last node or triangle is incomplete: its array has `length` numbers.
   void addCutOff(EntityKind kind, std::size_t length);

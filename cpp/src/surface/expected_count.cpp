@@ -1,14 +1,20 @@
 #include "surface/expected_count.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "surface/model_sampling.h"
 #include "surface/surface_access.h"
 
 namespace tetrafront {
 namespace {
 
 constexpr int kSamplesPerAxis = 12;
+/// Area of the equilateral triangle of edge 1.
+constexpr double kUnitTriangle = 0.4330127018922193;
+/// No element has more of the boundary's triangles.
+constexpr double kTrianglesPerTetrahedron = 4.0;
 
 /// Mean over a lattice of samples in the box of how many unit tetrahedra's volume fits into H's.
 double meanDensity(const Vec3& low, const Vec3& high, const SizeField& field) {
@@ -26,6 +32,8 @@ double meanDensity(const Vec3& low, const Vec3& high, const SizeField& field) {
   return kTetrahedraPerUnitVolume * density / samples;
 }
 
+}  // namespace
+
 double enclosedVolume(const SurfaceMesh& surface) {
   const Vec3 origin = pointOf(surface, 0);
   double sixVolumes = 0.0;
@@ -37,8 +45,6 @@ double enclosedVolume(const SurfaceMesh& surface) {
   return sixVolumes / 6.0;
 }
 
-}  // namespace
-
 double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {
   Vec3 low = pointOf(surface, 0);
   Vec3 high = low;
@@ -49,15 +55,28 @@ double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {
   return enclosedVolume(surface) * meanDensity(low, high, field);
 }
 
-double tetrahedraInBoxOf(const Model& model, const SizeField& field) {
-  Vec3 low = model.points.front();
-  Vec3 high = low;
-  for (const Vec3& point : model.points) {
-    low = glm::min(low, point);
-    high = glm::max(high, point);
+double tetrahedraPerVolume(const Vec3& low, const Vec3& high, const SizeField& field) {
+  return meanDensity(low, high, field);
+}
+
+double tetrahedraAtTriangles(const ModelPreview& preview, const SizeField& field) {
+  double triangles = 0.0;
+  FieldHint hint;
+  for (std::size_t t = 0; t < preview.patchTriangles.size() / 3; ++t) {
+    std::array<Vec3, 3> corners;
+    Vec3 centre(0.0);
+    double size = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = sampleAt(preview.patchPoints, preview.patchTriangles[3 * t + k]);
+      centre += corners[k] * (1.0 / 3.0);
+      size = std::max(size, field.sizeAt(corners[k], hint));
+    }
+    size = std::max(size, field.sizeAt(centre, hint));
+    const double twiceArea =
+        glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    triangles += 0.5 * twiceArea / (kUnitTriangle * size * size);
   }
-  const Vec3 extent = high - low;
-  return extent.x * extent.y * extent.z * meanDensity(low, high, field);
+  return triangles / kTrianglesPerTetrahedron;
 }
 
 }  // namespace tetrafront

@@ -4,7 +4,7 @@
 
 #include "field/size_field.h"
 #include "tetrafront/mesh.h"
-#include "tetrafront/model.h"
+#include "tetrafront/mesher.h"
 
 namespace tetrafront {
 
@@ -16,8 +16,14 @@ inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
 /// surface must be closed, oriented and not empty.
 [[nodiscard]] double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field);
 
-/// The number that would fill the whole box of the model's points, which must be some: all that
-/// can be said before there is a surface.
-[[nodiscard]] double tetrahedraInBoxOf(const Model& model, const SizeField& field);
+/// The signed volume within a surface; positive if that is turned outward.
+[[nodiscard]] double enclosedVolume(const SurfaceMesh& surface);
+
+/// How many tetrahedra the field asks for per unit of volume, as the mean over samples in a box.
+[[nodiscard]] double tetrahedraPerVolume(const Vec3& low, const Vec3& high, const SizeField& field);
+
+/// No fewer tetrahedra than this stand on a drawn surface's triangles, about: thin bodies have far
+/// more than their volume tells. Of each sampled triangle the largest size is taken.
+[[nodiscard]] double tetrahedraAtTriangles(const ModelPreview& preview, const SizeField& field);
 
 }  // namespace tetrafront

@@ -2,13 +2,34 @@
 
 /// @file A model as the preview samples it, for questions about its extent and shape.
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
+#include "model/check_model.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront {
 
-/// previewModel() without what there is to say about the background grid.
+/// The model's lines and patches as previewModel() draws them, with what it does not tell: which
+/// points of the patches are one node of the surface.
+struct SampledModel {
+  ModelPreview preview;  ///< without diagnostics
+  /// Per point of preview.patchPoints: a number of its own, unless patches share it, as they do
+  /// on common lines; the same on lines and at points that were drawn twice.
+  std::vector<std::uint32_t> nodes;
+  /// Per patch: 1 if its triangles end in the nodes of its lines.
+  std::vector<std::uint8_t> isJoined;
+};
+[[nodiscard]] SampledModel sampleSurface(const Model& model, const ModelExamination& found);
+
+/// Only these patches, with `refinement` times as many pieces and cells.
+[[nodiscard]] SampledModel sampleFinely(const Model& model, const ModelExamination& found,
+                                        std::uint32_t refinement,
+                                        std::span<const std::uint32_t> patches);
+
+/// previewModel() with nothing but examineModel()'s diagnostics.
 [[nodiscard]] ModelPreview sampleModel(const Model& model);
 
 struct Extent {

@@ -1,0 +1,196 @@
+#include "surface/examine_input.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "field/grid_locator.h"
+#include "field/size_sources.h"
+#include "model/check_closure.h"
+#include "model/check_model.h"
+#include "surface/boundary.h"
+#include "surface/check_coverage.h"
+#include "surface/expected_count.h"
+#include "surface/model_sampling.h"
+#include "surface/patches_meet.h"
+
+namespace tetrafront {
+namespace {
+
+/// A model whose volume is not known fills some part of its box.
+constexpr double kLeastPart = 0.05;
+/// More elements than this are not told apart, nor is what overflowed.
+constexpr double kBeyondCounting = 1e15;
+
+class InputCheck {
+ public:
+  InputCheck(const Model& model, const BackgroundGrid& grid, const MeshOptions& options)
+      : model_(&model), grid_(&grid), options_(&options) {}
+
+  InputExamination run() {
+    ModelExamination found = examineModel(*model_);
+    report(std::move(found.diagnostics));
+    Closure closure = checkClosure(*model_, found.duplicates.lines);
+    report(std::move(closure.diagnostics));
+    sampled_ = sampleSurface(*model_, found);
+    report(findMeetingPatches(*model_, found, sampled_));
+    if (!anyError(diagnostics_)) closeSurface(closure);
+    report(checkOptions(*options_));
+    checkSizes();
+    sampled_.preview.diagnostics = std::move(diagnostics_);
+    return {std::move(sampled_.preview), std::move(field_)};
+  }
+
+ private:
+  void report(std::vector<Diagnostic> found) {
+    for (Diagnostic& diagnostic : found) diagnostics_.push_back(std::move(diagnostic));
+  }
+
+  /// The sampled patches as one surface, turned outward. One body needs no more than the turning
+  /// of its patches; several are nested by the check that meshes undergo.
+  void closeSurface(const Closure& closure) {
+    SurfaceMesh surface = surfaceOf(closure);
+    const bool isOneBody =
+        closure.isPlain &&
+        std::ranges::all_of(closure.component, [](std::uint32_t first) { return first == 0; });
+    if (isOneBody) {
+      volume_ = std::fabs(enclosedVolume(surface));
+      return;
+    }
+    std::vector<Diagnostic> found;
+    // Samples are too coarse to be blamed: what is wrong beyond this is left to the mesh.
+    if (!closeBoundary(surface, BoundarySource::kDrawnPatches, found).valid) return;
+    volume_ = enclosedVolume(surface);
+    std::erase_if(found, [](const Diagnostic& diagnostic) {
+      return diagnostic.code != DiagnosticCode::kNestedBodies;
+    });
+    report(std::move(found));
+  }
+
+  [[nodiscard]] SurfaceMesh surfaceOf(const Closure& closure) const {
+    constexpr std::uint32_t kNone = 0xffffffffU;
+    const ModelPreview& preview = sampled_.preview;
+    SurfaceMesh surface;
+    const auto highest = std::ranges::max_element(sampled_.nodes);
+    std::vector<std::uint32_t> numbers(highest == sampled_.nodes.end() ? 0 : *highest + 1, kNone);
+    const auto numberOf = [&](std::uint32_t point) {
+      std::uint32_t& number = numbers[sampled_.nodes[point]];
+      if (number == kNone) {
+        number = static_cast<std::uint32_t>(surface.points.size() / 3);
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          surface.points.push_back(preview.patchPoints[3 * std::size_t{point} + axis]);
+      }
+      return number;
+    };
+    for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch) {
+      for (std::uint32_t t = preview.patchOffsets[patch]; t < preview.patchOffsets[patch + 1];
+           ++t) {
+        std::array<std::uint32_t, 3> nodes{};
+        for (std::size_t k = 0; k < 3; ++k)
+          nodes[k] = numberOf(preview.patchTriangles[3 * std::size_t{t} + k]);
+        // The tip of a side without length.
+        if (nodes[0] == nodes[1] || nodes[1] == nodes[2] || nodes[2] == nodes[0]) continue;
+        if (closure.isTurned[patch] != 0) std::swap(nodes[1], nodes[2]);
+        surface.triangles.insert(surface.triangles.end(), nodes.begin(), nodes.end());
+        surface.trianglePatch.push_back(patch);
+      }
+    }
+    return surface;
+  }
+
+  // ---- sizes -----------------------------------------------------------------------------------
+
+  void checkSizes() {
+    const bool usesGrid = options_->size == 0.0;
+    std::vector<Diagnostic> found =
+        usesGrid ? checkBackgroundGrid(*grid_) : checkSizeSources(grid_->sources);
+    const bool known = found.empty() && checkOptions(*options_).empty();
+    report(std::move(found));
+    if (!known) return;
+    field_ = usesGrid ? SizeField::fromGrid(GridLocator(*grid_, options_->gradation - 1.0))
+                      : SizeField::uniform(options_->size);
+    field_->addSources(grid_->sources);
+    if (usesGrid) report(checkCoverage(*model_, sampled_.preview, *field_));
+    const std::optional<Extent> extent = extentOf(sampled_.preview);
+    if (!extent) return;
+    checkLargest(*extent);
+    checkCount(*extent);
+  }
+
+  void checkLargest(const Extent& extent) {
+    const std::vector<double>& points = sampled_.preview.linePoints;
+    if (points.empty()) return;
+    FieldHint hint;
+    double smallest = field_->sizeAt(sampleAt(points, 0), hint);
+    for (std::size_t i = 1; i < points.size() / 3; ++i)
+      smallest = std::min(smallest, field_->sizeAt(sampleAt(points, i), hint));
+    const Vec3 across = extent.high - extent.low;
+    const double largest = std::max(across.x, std::max(across.y, across.z));
+    if (!(smallest > largest)) return;
+    Diagnostic tooLarge;
+    tooLarge.code = DiagnosticCode::kSizeTooLarge;
+    tooLarge.severity = Severity::kWarning;
+    tooLarge.values = {smallest, largest};
+    diagnostics_.push_back(std::move(tooLarge));
+  }
+
+  void checkCount(const Extent& extent) {
+    const Vec3 across = extent.high - extent.low;
+    const double volume = volume_.value_or(kLeastPart * across.x * across.y * across.z);
+    const double expected = std::max(volume * tetrahedraPerVolume(extent.low, extent.high, *field_),
+                                     tetrahedraAtTriangles(sampled_.preview, *field_));
+    if (expected <= static_cast<double>(options_->maxTetrahedra)) return;
+    Diagnostic tooMany;
+    tooMany.code = DiagnosticCode::kTooManyElements;
+    tooMany.values = {expected < kBeyondCounting ? expected : kBeyondCounting,
+                      static_cast<double>(options_->maxTetrahedra)};
+    diagnostics_.push_back(std::move(tooMany));
+  }
+
+  const Model* model_;
+  const BackgroundGrid* grid_;
+  const MeshOptions* options_;
+  std::vector<Diagnostic> diagnostics_;
+  SampledModel sampled_;
+  std::optional<double> volume_;  ///< enclosed, where the surface closes
+  std::optional<SizeField> field_;
+};
+
+}  // namespace
+
+bool anyError(const std::vector<Diagnostic>& diagnostics) {
+  return std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::kError;
+  });
+}
+
+std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
+  const auto finite = [](double value) { return value - value == 0.0; };
+  const std::array<double, 3> given{options.size, options.growth, options.gradation};
+  const std::array<bool, 3> sound{
+      finite(options.size) && options.size >= 0.0, finite(options.growth) && options.growth >= 0.0,
+      finite(options.gradation) && (options.gradation == 0.0 || options.gradation > 1.0)};
+  std::vector<Diagnostic> found;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    if (sound[i]) continue;
+    Diagnostic bad;
+    bad.code = DiagnosticCode::kBadOption;
+    bad.values = {static_cast<double>(i), given[i]};
+    found.push_back(std::move(bad));
+  }
+  return found;
+}
+
+InputExamination examineInput(const Model& model, const BackgroundGrid& grid,
+                              const MeshOptions& options) {
+  return InputCheck(model, grid, options).run();
+}
+
+ModelPreview previewModel(const Model& model, const BackgroundGrid& grid, double size) {
+  MeshOptions options;
+  options.size = size;
+  return examineInput(model, grid, options).preview;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,235 @@
+#include "surface/patches_meet.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "geom/intersect.h"
+#include "geom/predicates.h"
+#include "model/resolved_model.h"
+#include "search/box_tree.h"
+
+namespace tetrafront {
+namespace {
+
+/// How much more finely suspects are sampled, one after the other. Chords of the last stray from
+/// their curves by 1/81 of what those of the picture do.
+constexpr std::array<std::uint32_t, 2> kRefinements{3, 9};
+/// How many suspects are sampled so finely. The others share the fate of those before them: they
+/// are believed if any of these was found guilty, and left to the check of the mesh otherwise.
+constexpr std::array<int, 2> kMostLooks{16, 2};
+
+Box boxOf(const std::array<Vec3, 3>& corners) {
+  return Box::of(corners[0], corners[1], corners[2]);
+}
+
+bool overlap(const Box& a, const Box& b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
+  }
+  return true;
+}
+
+/// The middle of what two boxes have in common.
+Vec3 middleOf(const Box& a, const Box& b) {
+  Vec3 place;
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    place[i] =
+        0.5 * (double{std::max(a.low[k], b.low[k])} + double{std::min(a.high[k], b.high[k])});
+  }
+  return place;
+}
+
+/// The triangles of a sampled model, by patches.
+class SampledPatches {
+ public:
+  explicit SampledPatches(const SampledModel& sampled)
+      : sampled_(&sampled), trees_(sampled.isJoined.size()) {
+    const std::vector<std::uint32_t>& corners = sampled.preview.patchTriangles;
+    boxes_.reserve(corners.size() / 3);
+    for (std::uint32_t t = 0; t < corners.size() / 3; ++t) boxes_.push_back(boxOf(cornersOf(t)));
+    for (std::uint32_t patch = 0; patch < trees_.size(); ++patch) {
+      if (sampled.isJoined[patch] == 0 || begin(patch) == end(patch)) continue;
+      patches_.push_back(patch);
+      Box box = boxes_[begin(patch)];
+      for (std::uint32_t t = begin(patch); t < end(patch); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          box.low[k] = std::min(box.low[k], boxes_[t].low[k]);
+          box.high[k] = std::max(box.high[k], boxes_[t].high[k]);
+        }
+      }
+      patchBoxes_.push_back(box);
+    }
+  }
+
+  /// Pairs of patches whose boxes overlap, a patch with itself included, in ascending order.
+  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> nearPairs() const {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+    const BoxTree tree(patchBoxes_);
+    for (std::uint32_t i = 0; i < patches_.size(); ++i) {
+      tree.visitOverlaps(patchBoxes_[i], [&](std::uint32_t k) {
+        if (k >= i) pairs.emplace_back(patches_[i], patches_[k]);
+      });
+    }
+    std::ranges::sort(pairs);
+    return pairs;
+  }
+
+  /// Where the triangles of two patches, or of one, meet as they should not.
+  [[nodiscard]] std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b) {
+    const Box& regionA = boxOfPatch(a);
+    const Box& regionB = boxOfPatch(b);
+    const BoxTree& tree = treeOf(b);
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t t = begin(a); t < end(a); ++t) {
+      if (!overlap(boxes_[t], regionB) || isFlat(t)) continue;
+      near.clear();
+      tree.visitOverlaps(boxes_[t], [&](std::uint32_t i) {
+        const std::uint32_t other = begin(b) + i;
+        if ((a != b || other > t) && overlap(boxes_[other], regionA)) near.push_back(other);
+      });
+      std::ranges::sort(near);
+      for (const std::uint32_t other : near) {
+        if (isFlat(other) || !meetImproperly(numbered(t), numbered(other))) continue;
+        return middleOf(boxes_[t], boxes_[other]);
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// False if all triangles of the patch face one way: then it cannot come round to itself.
+  [[nodiscard]] bool mayMeetItself(std::uint32_t patch) const {
+    Vec3 sum(0.0);
+    for (std::uint32_t t = begin(patch); t < end(patch); ++t) sum += areaVector(t);
+    for (std::uint32_t t = begin(patch); t < end(patch); ++t) {
+      if (!(glm::dot(areaVector(t), sum) >= 0.0)) return true;
+    }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t begin(std::uint32_t patch) const {
+    return sampled_->preview.patchOffsets[patch];
+  }
+  [[nodiscard]] std::uint32_t end(std::uint32_t patch) const {
+    return sampled_->preview.patchOffsets[patch + 1];
+  }
+
+  [[nodiscard]] std::array<Vec3, 3> cornersOf(std::uint32_t t) const {
+    const std::uint32_t* corner = &sampled_->preview.patchTriangles[3 * std::size_t{t}];
+    const std::vector<double>& points = sampled_->preview.patchPoints;
+    return {sampleAt(points, corner[0]), sampleAt(points, corner[1]), sampleAt(points, corner[2])};
+  }
+
+  [[nodiscard]] NumberedTriangle numbered(std::uint32_t t) const {
+    const std::uint32_t* corner = &sampled_->preview.patchTriangles[3 * std::size_t{t}];
+    const std::vector<std::uint32_t>& nodes = sampled_->nodes;
+    return {{nodes[corner[0]], nodes[corner[1]], nodes[corner[2]]}, cornersOf(t)};
+  }
+
+  [[nodiscard]] bool isFlat(std::uint32_t t) const {
+    const NumberedTriangle triangle = numbered(t);
+    const auto& [a, b, c] = triangle.nodes;
+    return a == b || b == c || c == a ||
+           collinear(triangle.corners[0], triangle.corners[1], triangle.corners[2]);
+  }
+
+  [[nodiscard]] Vec3 areaVector(std::uint32_t t) const {
+    const std::array<Vec3, 3> p = cornersOf(t);
+    return glm::cross(p[1] - p[0], p[2] - p[0]);
+  }
+
+  [[nodiscard]] const Box& boxOfPatch(std::uint32_t patch) const {
+    const auto at = std::ranges::lower_bound(patches_, patch);
+    return patchBoxes_[static_cast<std::size_t>(at - patches_.begin())];
+  }
+
+  const BoxTree& treeOf(std::uint32_t patch) {
+    if (!trees_[patch])
+      trees_[patch].emplace(std::span(boxes_).subspan(begin(patch), end(patch) - begin(patch)));
+    return *trees_[patch];
+  }
+
+  const SampledModel* sampled_;
+  std::vector<Box> boxes_;
+  std::vector<std::uint32_t> patches_;  ///< that take part, ascending
+  std::vector<Box> patchBoxes_;         ///< of those
+  std::vector<std::optional<BoxTree>> trees_;
+};
+
+class MeetingSearch {
+ public:
+  MeetingSearch(const Model& model, const ModelExamination& found, const SampledModel& sampled)
+      : model_(&model), found_(&found), coarse_(sampled) {
+    const ResolvedModel resolved(model, found.soundLines);
+    for (std::size_t patch = 0; patch < model.patches.size(); ++patch) {
+      bool flat = found.soundPatches[patch] != 0 && isPlanar(patch);
+      if (flat) {
+        for (const Loop& loop : model.patches[patch].loops)
+          for (const OrientedLine& walked : loop)
+            flat = flat && resolved.curve(walked.line).isStraight();
+      }
+      isFlat_.push_back(flat ? 1 : 0);
+    }
+  }
+
+  std::vector<Diagnostic> run() {
+    std::vector<Diagnostic> diagnostics;
+    for (const auto& [a, b] : coarse_.nearPairs()) {
+      if (a == b && (isPlanar(a) || !coarse_.mayMeetItself(a))) continue;
+      std::optional<Vec3> place = coarse_.meetingPlace(a, b);
+      if (place && (isFlat_[a] == 0 || isFlat_[b] == 0)) place = lookCloser(a, b, *place);
+      if (!place) continue;
+      Diagnostic& meeting = diagnostics.emplace_back();
+      meeting.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesMeet;
+      meeting.entities = {{EntityKind::kPatch, a}};
+      if (a != b) meeting.entities.push_back({EntityKind::kPatch, b});
+      meeting.hasPlace = true;
+      meeting.place = *place;
+      meeting.values = {1.0};
+    }
+    return diagnostics;
+  }
+
+ private:
+  [[nodiscard]] bool isPlanar(std::size_t patch) const {
+    return model_->patches[patch].type == PatchType::kPlanar;
+  }
+
+  /// Samples of bent patches may cross where the patches do not.
+  std::optional<Vec3> lookCloser(std::uint32_t a, std::uint32_t b, const Vec3& before) {
+    std::optional<Vec3> place = before;
+    const std::array<std::uint32_t, 2> both{a, b};
+    for (std::size_t step = 0; step < kRefinements.size(); ++step) {
+      if (++looks_[step] > kMostLooks[step]) {
+        if (!anyGuilty_) place.reset();
+        return place;
+      }
+      const SampledModel finer = sampleFinely(*model_, *found_, kRefinements[step], both);
+      // A patch whose finer samples cannot be made is given the benefit of the doubt.
+      if (finer.isJoined[a] == 0 || finer.isJoined[b] == 0) return std::nullopt;
+      place = SampledPatches(finer).meetingPlace(a, b);
+      if (!place) return place;
+    }
+    anyGuilty_ = true;
+    return place;
+  }
+
+  const Model* model_;
+  const ModelExamination* found_;
+  SampledPatches coarse_;
+  std::vector<std::uint8_t> isFlat_;  ///< planar within straight lines: the samples are the patch
+  std::array<int, kRefinements.size()> looks_{};
+  bool anyGuilty_ = false;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> findMeetingPatches(const Model& model, const ModelExamination& found,
+                                           const SampledModel& sampled) {
+  return MeetingSearch(model, found, sampled).run();
+}
+
+}  // namespace tetrafront
