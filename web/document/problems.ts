@@ -1,5 +1,4 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { findOpenLines } from "./open-lines";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
 import { meshKey, type DocumentStore } from "./store";
@@ -28,8 +27,8 @@ export class ProblemList {
       if (!current && previewed !== null && previews.busy) return;
       const problems = toProblems(project, [
         ...(current ? (preview?.diagnostics ?? []) : []),
-        // A run looks closer; until it has, the loops tell where the surface is open.
-        ...(outcome?.key === key ? outcome.result.report.diagnostics : findOpenLines(project)),
+        // A run looks closer.
+        ...(outcome?.key === key ? outcome.result.report.diagnostics : []),
       ]);
       this.state.setState({ problems, byEntity: problemsByEntity(problems) });
     };

@@ -52,7 +52,8 @@ class BoundaryReport {
   [[nodiscard]] Vec3 centreOf(std::uint32_t triangle) const;
 
  private:
-  static constexpr std::size_t kMaxOfAKind = 20;
+  /// All of them for whoever repairs a surface, but not the millions of a ruined one.
+  static constexpr std::size_t kMaxOfAKind = 1000;
   static constexpr std::size_t kNotKept = static_cast<std::size_t>(-1);
 
   struct Kind {

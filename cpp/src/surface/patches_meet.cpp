@@ -77,8 +77,9 @@ class SampledPatches {
     return pairs;
   }
 
-  /// Where the triangles of two patches, or of one, meet as they should not.
-  [[nodiscard]] std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b) {
+  /// Where the triangles of two patches, or of one, meet as they should not. In the corner of two
+  /// common lines bent patches have one triangle, however much they part beyond it.
+  [[nodiscard]] std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b, bool areBent) {
     const Box& regionA = boxOfPatch(a);
     const Box& regionB = boxOfPatch(b);
     const BoxTree& tree = treeOf(b);
@@ -93,6 +94,7 @@ class SampledPatches {
       std::ranges::sort(near);
       for (const std::uint32_t other : near) {
         if (isFlat(other) || !meetImproperly(numbered(t), numbered(other))) continue;
+        if (areBent && haveSameNodes(t, other)) continue;
         return middleOf(boxes_[t], boxes_[other]);
       }
     }
@@ -127,6 +129,14 @@ class SampledPatches {
     const std::uint32_t* corner = &sampled_->preview.patchTriangles[3 * std::size_t{t}];
     const std::vector<std::uint32_t>& nodes = sampled_->nodes;
     return {{nodes[corner[0]], nodes[corner[1]], nodes[corner[2]]}, cornersOf(t)};
+  }
+
+  [[nodiscard]] bool haveSameNodes(std::uint32_t t, std::uint32_t other) const {
+    std::array<std::uint32_t, 3> a = numbered(t).nodes;
+    std::array<std::uint32_t, 3> b = numbered(other).nodes;
+    std::ranges::sort(a);
+    std::ranges::sort(b);
+    return a == b;
   }
 
   [[nodiscard]] bool isFlat(std::uint32_t t) const {
@@ -179,8 +189,9 @@ class MeetingSearch {
     std::vector<Diagnostic> diagnostics;
     for (const auto& [a, b] : coarse_.nearPairs()) {
       if (a == b && (isPlanar(a) || !coarse_.mayMeetItself(a))) continue;
-      std::optional<Vec3> place = coarse_.meetingPlace(a, b);
-      if (place && (isFlat_[a] == 0 || isFlat_[b] == 0)) place = lookCloser(a, b, *place);
+      const bool areBent = isFlat_[a] == 0 || isFlat_[b] == 0;
+      std::optional<Vec3> place = coarse_.meetingPlace(a, b, areBent);
+      if (place && areBent) place = lookCloser(a, b, *place);
       if (!place) continue;
       Diagnostic& meeting = diagnostics.emplace_back();
       meeting.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesMeet;
@@ -210,7 +221,7 @@ class MeetingSearch {
       const SampledModel finer = sampleFinely(*model_, *found_, kRefinements[step], both);
       // A patch whose finer samples cannot be made is given the benefit of the doubt.
       if (finer.isJoined[a] == 0 || finer.isJoined[b] == 0) return std::nullopt;
-      place = SampledPatches(finer).meetingPlace(a, b);
+      place = SampledPatches(finer).meetingPlace(a, b, true);
       if (!place) return place;
     }
     anyGuilty_ = true;
