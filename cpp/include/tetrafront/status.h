@@ -61,12 +61,12 @@ enum class DiagnosticCode : std::uint16_t {
   kLoopTouchesItself = 8,  ///< patch, line(s): loop crosses or touches itself or another loop
   kNotPlanar = 9,    ///< planar patch, line(s), point(s) moved; values: distance from the plane
   kEmptyModel = 12,  ///< no patch, or no triangle
-  kDegeneratePatch = 13,  ///< patch whose surface has no area or folds over itself
-  kHoleOutside = 14,      ///< patch, line: a hole outside the outer loop or in a hole
-  kBadOption = 15,        ///< values: which (0 size, 1 growth, 2 gradation), what was given
+  kDegeneratePatch = 13,    ///< patch whose surface has no area or folds over itself
+  kHoleOutside = 14,        ///< patch, line: a hole outside the outer loop or in a hole
+  kBadOption = 15,          ///< values: which (0 size, 1 growth, 2 gradation), what was given
   kLineCrossesItself = 16,  ///< line, also one that runs back over itself; place
   kPatchesMeet = 17,        ///< two patches that overlap or cross away from common lines; place
-  kHoleOffPatch = 18,     ///< curved patch, line of a hole that is not on it; values: distance
+  kHoleOffPatch = 18,       ///< curved patch, line of a hole that is not on it; values: distance
   kDuplicateLines = 19,     ///< two lines of the same course; a warning unless patches use both
   // Background grid
   kEmptyBackgroundGrid = 20,

@@ -5,14 +5,11 @@
 #include <array>
 #include <utility>
 
-#include "field/grid_locator.h"
-#include "field/size_sources.h"
 #include "model/check_model.h"
-#include "surface/check_coverage.h"
+#include "model/patch_projection.h"
 #include "surface/model_sampling.h"
 #include "surface/patch_boundary.h"
 #include "surface/planar_front.h"
-#include "tetrafront/mesher.h"
 
 namespace tetrafront {
 
@@ -208,7 +205,8 @@ class PreviewBuilder {
 
   void addMeshed(std::uint32_t number, const PatchSurface& surface, double size) {
     const SizeField field = SizeField::uniform(size);
-    PatchBoundary boundary = layOutBoundary(resolved_, model_->patches[number], surface, field, lines_);
+    PatchBoundary boundary =
+        layOutBoundary(resolved_, model_->patches[number], surface, field, lines_);
     if (!findFaultySides(boundary).empty()) return;
     PlanarMesh& mesh = boundary.mesh;
     const PatchMetric metric(surface, field);
