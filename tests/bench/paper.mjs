@@ -1,6 +1,7 @@
 // The two examples of Löhner & Parikh 1988, section 7, beside what the paper prints: the figures of
 // docs/PAPER.md. Counts and element volumes are of the whole run with default options; the rates and
-// the share of the crossing test are of the front alone, natively, in both orders of the front.
+// the share of the crossing test are of the front alone, natively, in both orders of the front. Seconds
+// are the processor's.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import path from "node:path";
@@ -41,9 +42,12 @@ function load(id) {
 async function quickest(mesher, project) {
   let best;
   for (let i = 0; i < REPEATS; ++i) {
+    const before = process.cpuUsage();
     const result = await mesher.meshProject(project);
+    const { user, system } = process.cpuUsage(before);
+    const seconds = (user + system) / 1e6;
     if (result.report.status !== "done") throw new Error(`${project.name}: ${result.report.status}`);
-    if (best === undefined || result.report.seconds.total < best.report.seconds.total) best = result;
+    if (best === undefined || seconds < best.seconds) best = { ...result, seconds };
   }
   return best;
 }
@@ -71,7 +75,7 @@ const row = (name, measured, paper) =>
 const compared = (name, measured, paper) =>
   row(`${name} (${((100 * measured) / paper - 100).toFixed(1)} %)`, measured, paper);
 
-function showMesh({ report, volume }, project, paper) {
+function showMesh({ report, volume, seconds }, project, paper) {
   const range = volumeRange(volume);
   const nose = project.points.find(({ name }) => name === paper.nose).at;
   const distance = Math.hypot(...nose.map((c, k) => c - range.centroid[k]));
@@ -84,8 +88,8 @@ function showMesh({ report, volume }, project, paper) {
   row("dihedral angles, smallest", `${report.dihedral.min.toFixed(1)}°`, "");
   row("   largest", `${report.dihedral.max.toFixed(1)}°`, "");
   row("mean radius ratio", report.radiusRatio.mean.toFixed(3), "");
-  row("seconds, whole run in Node", report.seconds.total.toFixed(2), "");
-  row("tetrahedra per second, whole run in Node", perSecond(report.tetrahedra, report.seconds.total), ""); // prettier-ignore
+  row("seconds, whole run in Node", seconds.toFixed(2), "");
+  row("tetrahedra per second, whole run in Node", perSecond(report.tetrahedra, seconds), ""); // prettier-ignore
 }
 
 function showFront(order, clocked) {
