@@ -128,6 +128,22 @@ TEST(SurfaceMesher, HalvingSidesOfSharedLinesDoesNotDependOnTheOrderOfPatches) {
   EXPECT_EQ(meshOf(model, field).sides, mesh.sides);
 }
 
+TEST(SurfaceMesher, CoarseSizesLeaveClosedAndParallelLinesTheSidesTheyNeed) {
+  // Two discs, one above the other: circles of one line each need three sides, those of two
+  // lines two each.
+  for (const int arcs : {1, 2}) {
+    ModelBuilder builder;
+    const Loop bottom = builder.circle({0, 0, 0}, 1.0, arcs);
+    const Loop top = builder.circle({0, 0, 0.5}, 1.0, arcs);
+    builder.patch(PatchType::kPlanar, {bottom});
+    builder.patch(PatchType::kPlanar, {top});
+    const SurfaceMesh mesh = meshOf(builder.model, SizeField::uniform(100.0));
+    for (std::uint32_t line = 0; line < builder.model.lines.size(); ++line)
+      EXPECT_EQ(std::ranges::count(mesh.sideLine, line), arcs == 1 ? 3 : 2) << line;
+    EXPECT_EQ(measure(mesh, SizeField::uniform(100.0)).borderEdges, mesh.sideLine.size());
+  }
+}
+
 TEST(SurfaceMesher, NodesComeInThePromisedOrder) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   // A point and a line that nothing uses leave no node.

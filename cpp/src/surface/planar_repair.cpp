@@ -91,17 +91,12 @@ double PlanarRepair::longestOfFan(const LocalSpace& local, std::size_t into) con
   return longest;
 }
 
-/// Across a seam, a node must not be joined to both images of another, nor to its own.
-bool PlanarRepair::mayJoin(std::uint32_t centre, std::size_t into) const {
-  if (!hasSeam_) return true;
-  const std::uint32_t target = star_.ring[into];
-  // Who is near the seam keeps its distance from it: nodes that have a boundary node for a
-  // neighbour are not removed into one another's neighbours.
-  for (const std::uint32_t node : star_.ring)
-    if (node != target && mesh_->aliases[node] != PlanarMesh::kNone &&
-        mesh_->aliases[target] == PlanarMesh::kNone)
-      return false;
-  return centre != target && mesh_->aliases[target] == PlanarMesh::kNone;
+/// Across a seam, a node must not be joined to both images of another, nor to its own: on a patch
+/// with a seam, nodes that have a neighbour on the boundary stay.
+bool PlanarRepair::mayRemove() const {
+  return !hasSeam_ || std::ranges::all_of(star_.ring, [&](std::uint32_t node) {
+    return node >= mesh_->boundaryCount;
+  });
 }
 
 // ---- lengths -----------------------------------------------------------------------------------
@@ -117,10 +112,11 @@ void PlanarRepair::thin(std::uint32_t node) {
   }
   if (shortest >= kShortEdge && star_.ring.size() >= kFewTriangles) return;
   const double before = std::min(starSine(local, node), kFairSine);
+  if (!mayRemove()) return;
   std::size_t best = star_.ring.size();
   double bestSine = before;
   for (std::size_t i = 0; i < star_.ring.size(); ++i) {
-    if (!mayJoin(node, i) || longestOfFan(local, i) > longest) continue;
+    if (longestOfFan(local, i) > longest) continue;
     const double after = fanSine(local, node, i);
     if (after <= bestSine) continue;
     best = i;
@@ -184,11 +180,11 @@ void PlanarRepair::considerFlip(std::uint32_t t, std::uint32_t k, Change& best) 
 }
 
 void PlanarRepair::considerCollapses(std::uint32_t node, Change& best) {
-  if (!links_->collectStar(node, star_)) return;
+  if (!links_->collectStar(node, star_) || !mayRemove()) return;
   const LocalSpace local = localAt(node);
   const double before = starSine(local, node);
   for (std::size_t i = 0; i < star_.ring.size(); ++i) {
-    if (!mayJoin(node, i) || longestOfFan(local, i) > kLongEdge) continue;
+    if (longestOfFan(local, i) > kLongEdge) continue;
     const double after = fanSine(local, node, i);
     if (after > best.sine && after > before + kLeastGain)
       best = {Change::Kind::kCollapse, after, node, static_cast<std::uint32_t>(i), Vec2(0.0)};

@@ -48,7 +48,7 @@ class PlanarRepair {
   [[nodiscard]] double fanSine(const LocalSpace& local, std::uint32_t centre,
                                std::size_t into) const;
   [[nodiscard]] double longestOfFan(const LocalSpace& local, std::size_t into) const;
-  [[nodiscard]] bool mayJoin(std::uint32_t centre, std::size_t into) const;
+  [[nodiscard]] bool mayRemove() const;
   void considerFlip(std::uint32_t t, std::uint32_t k, Change& best);
   void considerCollapses(std::uint32_t node, Change& best);
   void considerSplit(std::uint32_t t, std::uint32_t k, Change& best);
