@@ -12,10 +12,11 @@ namespace {
 /// (Peraire's rule): sizes then change gradually where boundary and field disagree.
 constexpr double kShortestToBase = 0.55;
 constexpr double kLongestToBase = 2.0;
-/// A node this near to the ideal point, in new sides, is used in its stead.
-constexpr double kCaptureRadius = 0.65;
+/// A node this near to the ideal point, in new sides, is used in its stead. With this and the
+/// clearance, edges come out as long as asked for on average; larger ones give longer edges.
+constexpr double kCaptureRadius = 0.55;
 /// A new node keeps this distance, in new sides, from every side of the front.
-constexpr double kClearance = 0.65;
+constexpr double kClearance = 0.55;
 /// Candidates are sought this far around the ideal point, in new sides.
 constexpr double kSearchRadius = 1.7;
 /// How much farther in each pass; the last pass takes in the whole front.
