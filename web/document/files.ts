@@ -1,4 +1,3 @@
-import { fileOpen, fileSave } from "browser-fs-access";
 import { readProject, writeProject, type Project } from "tetrafront";
 
 /** What opening a file came to. `cancelled` means that the user closed the dialog. */
@@ -27,6 +26,7 @@ export async function readProjectFile(file: File): Promise<OpenResult> {
 
 export async function openProjectFile(): Promise<OpenResult> {
   try {
+    const { fileOpen } = await import("browser-fs-access");
     return await readProjectFile(await fileOpen(projectFile));
   } catch (error) {
     if (isAbort(error)) return { kind: "cancelled" };
@@ -50,6 +50,7 @@ export async function saveProjectFile(
 ): Promise<{ readonly handle: FileSystemFileHandle | null } | null> {
   const blob = new Blob([writeProject(project)], { type: "application/json" });
   try {
+    const { fileSave } = await import("browser-fs-access");
     const saved = await fileSave(
       blob,
       { ...projectFile, fileName: `${fileStem(project.name)}.json` },

@@ -30,7 +30,7 @@ export function PatchFacts({ patch }: { readonly patch: number }) {
   const { figures } = found;
   return (
     <section data-testid="patch-facts">
-      <SectionTitle>{texts.title}</SectionTitle>
+      <SectionTitle>{texts.one}</SectionTitle>
       <dl className="tf-facts">
         <dt>{texts.triangles}</dt>
         <dd>{formatCount(figures.triangles)}</dd>

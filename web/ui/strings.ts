@@ -112,7 +112,8 @@ export const strings = {
     lines: "Lines",
     makeSecond: (line: string) => `Make ${line} F2`,
     makeSecondShort: "make F2",
-    holeHint: "To cut a hole, select the lines around it as well (Ctrl click) and make a hole of them.",
+    holeHint:
+      "To cut a hole, select the lines around it as well (Ctrl click, or Select several in the Edit menu) and make a hole of them.",
     secondRole:
       "Equation (14) blends F2 with other weights than F1 and F3. Another F2 keeps the three lines but changes the surface between them.",
     backwards: "walked backwards",
@@ -156,6 +157,7 @@ export const strings = {
   patches: {
     tab: "Patches",
     title: "Patch triangulations",
+    one: "Triangulation",
     patch: "Patch",
     triangles: "Triangles",
     minAngle: "Min angle",
