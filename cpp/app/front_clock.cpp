@@ -59,7 +59,7 @@ struct Timing {
   std::uint32_t tetrahedra = 0;
   tetrafront::FrontCounters counters;
   double seconds = 0.0;  ///< of the processor
-  double share = 0.0;  ///< of the crossing test, with a ClockTrace
+  double share = 0.0;    ///< of the crossing test, with a ClockTrace
 };
 
 template <class Trace>
