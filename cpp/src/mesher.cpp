@@ -8,6 +8,7 @@
 #include "base/fingerprint.h"
 #include "field/size_field.h"
 #include "field/size_octree_builder.h"
+#include "optimize/locality.h"
 #include "optimize/optimizer.h"
 #include "quality/check_mesh.h"
 #include "quality/metrics.h"
@@ -346,8 +347,9 @@ class MeshRun::Impl {
   void optimize(std::uint32_t budget) {
     if (options_.optimization != Optimization::kNone) {
       if (!optimizer_) {
-        optimizer_.emplace(*finishedMesh_, surface_.points.size() / 3, *field_,
-                           options_.optimization);
+        const std::size_t boundaryNodes = surface_.points.size() / 3;
+        finishedMesh_ = alongMortonCurve(*finishedMesh_, boundaryNodes);
+        optimizer_.emplace(*finishedMesh_, boundaryNodes, *field_, options_.optimization);
       }
       if (!optimizer_->advance(budget)) return;
       finishedMesh_ = optimizer_->mesh();
