@@ -59,6 +59,22 @@ TEST(SelfCrossing, FigureOfEightIsFoundAtItsCentre) {
   }
 }
 
+TEST(SelfCrossing, IsFoundAtTheEndOfALongSpline) {
+  for (const int count : {10, 400, 10'000}) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i)
+      points.emplace_back(static_cast<double>(i) / count, 1e-4 * std::sin(0.3 * i), 0.0);
+    const double last = points.back().x;
+    points.emplace_back(last + 0.1, 0.1, 0.0);
+    EXPECT_FALSE(findSelfCrossing(spline(points))) << count;
+    points.emplace_back(last - 0.1, 0.1, 0.0);
+    points.emplace_back(last - 0.2, -0.1, 0.0);
+    const std::optional<Vec3> place = findSelfCrossing(spline(points));
+    ASSERT_TRUE(place) << count;
+    EXPECT_NEAR(place->x, last - 0.16, 0.04) << count;
+  }
+}
+
 TEST(SelfCrossing, PassingByInSpaceIsNoCrossing) {
   for (const double lift : {1.0, 1e-3, 1e-6})
     EXPECT_FALSE(findSelfCrossing(spline(figureOfEight(lift)))) << lift;

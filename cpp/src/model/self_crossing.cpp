@@ -1,15 +1,19 @@
 #include "model/self_crossing.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
 
+#include "search/box_tree.h"
+
 namespace tetrafront {
 namespace {
 
-/// More comparisons than this are only made where two passages run side by side within a tiny
-/// share of their length; such a line is let pass, for it does not cross.
-constexpr std::uint32_t kMaxComparisons = 50'000;
+/// More comparisons than this, and so many for each piece, are only made where two passages run
+/// side by side within a tiny share of their length; such a line is let pass, for it does not cross.
+constexpr std::size_t kMaxComparisons = 50'000;
+constexpr std::size_t kMaxComparisonsPerPiece = 200;
 /// Halvings of a piece: beyond these its ends are one place.
 constexpr int kMaxDepth = 48;
 
@@ -74,7 +78,9 @@ std::vector<Piece> piecesOf(const Curve& curve) {
 class CrossingSearch {
  public:
   explicit CrossingSearch(const Curve& curve)
-      : pieces_(piecesOf(curve)), isClosed_(curve.start() == curve.end()) {
+      : pieces_(piecesOf(curve)),
+        isClosed_(curve.start() == curve.end()),
+        comparisonsLeft_(kMaxComparisons + kMaxComparisonsPerPiece * pieces_.size()) {
     Vec3 low = pieces_.front().low();
     Vec3 high = pieces_.front().high();
     for (const Piece& piece : pieces_) {
@@ -85,26 +91,46 @@ class CrossingSearch {
   }
 
   std::optional<Vec3> run() {
-    const std::size_t count = pieces_.size();
-    for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<Box> boxes = boxesOfPieces();
+    const BoxTree tree(boxes);
+    std::vector<std::size_t> near;
+    for (std::size_t i = 0; i < pieces_.size() && !isSpent(); ++i) {
       if (meetsItself(pieces_[i])) return place_;
-      for (std::size_t k = i + 1; k < count; ++k) {
-        const bool follows = k == i + 1;
-        const bool closes = isClosed_ && i == 0 && k + 1 == count;
-        // Of two pieces that make up a closed line, both ends are common.
-        const bool meet = follows && closes ? meetAtBothEnds(pieces_[i], pieces_[k])
-                          : follows         ? meetBeyondJoint(pieces_[i], pieces_[k])
-                          : closes          ? meetBeyondJoint(pieces_[k], pieces_[i])
-                                            : piecesMeet(pieces_[i], pieces_[k]);
-        if (meet) return place_;
-      }
+      near.clear();
+      tree.visitOverlaps(boxes[i], [&](std::uint32_t k) {
+        if (k > i) near.push_back(k);
+      });
+      std::ranges::sort(near);
+      if (std::ranges::any_of(near, [&](std::size_t k) { return meet(i, k); })) return place_;
     }
     return std::nullopt;
   }
 
  private:
+  /// Relative to the start, so that the boxes' rounding is small against the line.
+  [[nodiscard]] std::vector<Box> boxesOfPieces() const {
+    const Vec3 origin = pieces_.front().control[0];
+    std::vector<Box> boxes;
+    boxes.reserve(pieces_.size());
+    for (const Piece& piece : pieces_) {
+      const Vec3 low = piece.low() - origin;
+      boxes.push_back(Box::of(low, piece.high() - origin, low));
+    }
+    return boxes;
+  }
+
+  bool meet(std::size_t i, std::size_t k) {
+    const bool follows = k == i + 1;
+    const bool closes = isClosed_ && i == 0 && k + 1 == pieces_.size();
+    // Of two pieces that make up a closed line, both ends are common.
+    if (follows && closes) return meetAtBothEnds(pieces_[i], pieces_[k]);
+    if (follows) return meetBeyondJoint(pieces_[i], pieces_[k]);
+    if (closes) return meetBeyondJoint(pieces_[k], pieces_[i]);
+    return piecesMeet(pieces_[i], pieces_[k]);
+  }
+
   bool meetsItself(const Piece& piece) {
-    if (isSpent() || piece.depth > kMaxDepth) return false;
+    if (!spend() || piece.depth > kMaxDepth) return false;
     if (runsForward(piece, directionOf(piece))) return false;
     const Halves halves = halve(piece);
     return meetsItself(halves.first) || meetsItself(halves.second) ||
@@ -113,7 +139,7 @@ class CrossingSearch {
 
   /// The first piece ends where the second begins; do they meet anywhere else?
   bool meetBeyondJoint(const Piece& first, const Piece& second) {
-    if (isSpent() || first.depth > kMaxDepth) return false;
+    if (!spend() || first.depth > kMaxDepth) return false;
     const Vec3 direction = directionOf(first) + directionOf(second);
     if (runsForward(first, direction) && runsForward(second, direction)) return false;
     const Halves before = halve(first);
@@ -131,7 +157,7 @@ class CrossingSearch {
   }
 
   bool piecesMeet(const Piece& a, const Piece& b) {
-    if (isSpent()) return false;
+    if (!spend()) return false;
     const Vec3 lowA = a.low();
     const Vec3 highA = a.high();
     const Vec3 lowB = b.low();
@@ -153,12 +179,19 @@ class CrossingSearch {
     return piecesMeet(a, halves.first) || piecesMeet(a, halves.second);
   }
 
-  bool isSpent() { return ++comparisons_ > kMaxComparisons; }
+  [[nodiscard]] bool isSpent() const { return comparisonsLeft_ == 0; }
+
+  /// Takes one comparison from what is left; false if nothing is.
+  bool spend() {
+    if (isSpent()) return false;
+    --comparisonsLeft_;
+    return true;
+  }
 
   std::vector<Piece> pieces_;
   bool isClosed_;
+  std::size_t comparisonsLeft_;
   double tolerance_ = 0.0;
-  std::uint32_t comparisons_ = 0;
   Vec3 place_{0.0};
 };
 

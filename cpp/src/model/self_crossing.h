@@ -11,7 +11,8 @@ namespace tetrafront {
 /// A place where the curve comes back to where it has been, nearer than kSamePassage of its
 /// extent; the end of a closed curve, where it meets its start, does not count. Decided on the
 /// control points of the curve's cubic pieces, which are halved until the hulls part or are as
-/// small as that: nothing is missed between samples. O(pieces) for lines that keep apart.
+/// small as that: nothing is missed between samples. O(n log n) in the pieces, for lines that keep
+/// apart.
 [[nodiscard]] std::optional<Vec3> findSelfCrossing(const Curve& curve);
 
 inline constexpr double kSamePassage = 1e-9;
