@@ -50,6 +50,8 @@ class InputCheck {
   /// The sampled patches as one surface, turned outward. One body needs no more than the turning
   /// of its patches; several are nested by the check that meshes undergo.
   void closeSurface(const Closure& closure) {
+    // A surface of which some patch cannot be sampled encloses nothing.
+    if (std::ranges::count(sampled_.isJoined, 0) > 0) return;
     SurfaceMesh surface = surfaceOf(closure);
     const bool isOneBody =
         closure.isPlain &&

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "geom/intersect.h"
@@ -19,6 +20,8 @@ constexpr std::array<std::uint32_t, 2> kRefinements{3, 9};
 /// How many suspects are sampled so finely. The others share the fate of those before them: they
 /// are believed if any of these was found guilty, and left to the check of the mesh otherwise.
 constexpr std::array<int, 2> kMostLooks{16, 2};
+/// So many findings are told: patches drawn many times over all meet one another.
+constexpr std::size_t kMostReported = 1000;
 
 Box boxOf(const std::array<Vec3, 3>& corners) {
   return Box::of(corners[0], corners[1], corners[2]);
@@ -62,19 +65,21 @@ class SampledPatches {
       }
       patchBoxes_.push_back(box);
     }
+    patchTree_ = BoxTree(patchBoxes_);
   }
 
-  /// Pairs of patches whose boxes overlap, a patch with itself included, in ascending order.
-  [[nodiscard]] std::vector<std::pair<std::uint32_t, std::uint32_t>> nearPairs() const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-    const BoxTree tree(patchBoxes_);
-    for (std::uint32_t i = 0; i < patches_.size(); ++i) {
-      tree.visitOverlaps(patchBoxes_[i], [&](std::uint32_t k) {
-        if (k >= i) pairs.emplace_back(patches_[i], patches_[k]);
-      });
-    }
-    std::ranges::sort(pairs);
-    return pairs;
+  /// The patches that take part, ascending.
+  [[nodiscard]] std::span<const std::uint32_t> patches() const { return patches_; }
+
+  /// Of those from the one at `position` on, itself included, the ones whose boxes overlap its own;
+  /// ascending.
+  [[nodiscard]] std::vector<std::uint32_t> nearPatches(std::size_t position) const {
+    std::vector<std::uint32_t> near;
+    patchTree_.visitOverlaps(patchBoxes_[position], [&](std::uint32_t k) {
+      if (k >= position) near.push_back(patches_[k]);
+    });
+    std::ranges::sort(near);
+    return near;
   }
 
   /// Where the triangles of two patches, or of one, meet as they should not. In the corner of two
@@ -166,6 +171,7 @@ class SampledPatches {
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> patches_;  ///< that take part, ascending
   std::vector<Box> patchBoxes_;         ///< of those
+  BoxTree patchTree_;
   std::vector<std::optional<BoxTree>> trees_;
 };
 
@@ -186,25 +192,35 @@ class MeetingSearch {
   }
 
   std::vector<Diagnostic> run() {
-    std::vector<Diagnostic> diagnostics;
-    for (const auto& [a, b] : coarse_.nearPairs()) {
-      if (a == b && (isPlanar(a) || !coarse_.mayMeetItself(a))) continue;
-      const bool areBent = isFlat_[a] == 0 || isFlat_[b] == 0;
-      std::optional<Vec3> place = coarse_.meetingPlace(a, b, areBent);
-      if (place && areBent) place = lookCloser(a, b, *place);
-      if (!place) continue;
-      Diagnostic& meeting = diagnostics.emplace_back();
-      meeting.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesMeet;
-      meeting.entities = {{EntityKind::kPatch, a}};
-      if (a != b) meeting.entities.push_back({EntityKind::kPatch, b});
-      meeting.hasPlace = true;
-      meeting.place = *place;
-      meeting.values = {1.0};
+    const std::span<const std::uint32_t> patches = coarse_.patches();
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+      for (const std::uint32_t other : coarse_.nearPatches(i)) {
+        if (diagnostics_.size() == kMostReported) return std::move(diagnostics_);
+        if (const std::optional<Vec3> place = meetingPlace(patches[i], other))
+          report(patches[i], other, *place);
+      }
     }
-    return diagnostics;
+    return std::move(diagnostics_);
   }
 
  private:
+  std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b) {
+    if (a == b && (isPlanar(a) || !coarse_.mayMeetItself(a))) return std::nullopt;
+    const bool areBent = isFlat_[a] == 0 || isFlat_[b] == 0;
+    const std::optional<Vec3> place = coarse_.meetingPlace(a, b, areBent);
+    return place && areBent ? lookCloser(a, b, *place) : place;
+  }
+
+  void report(std::uint32_t a, std::uint32_t b, const Vec3& place) {
+    Diagnostic& meeting = diagnostics_.emplace_back();
+    meeting.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesMeet;
+    meeting.entities = {{EntityKind::kPatch, a}};
+    if (a != b) meeting.entities.push_back({EntityKind::kPatch, b});
+    meeting.hasPlace = true;
+    meeting.place = place;
+    meeting.values = {1.0};
+  }
+
   [[nodiscard]] bool isPlanar(std::size_t patch) const {
     return model_->patches[patch].type == PatchType::kPlanar;
   }
@@ -234,6 +250,7 @@ class MeetingSearch {
   std::vector<std::uint8_t> isFlat_;  ///< planar within straight lines: the samples are the patch
   std::array<int, kRefinements.size()> looks_{};
   bool anyGuilty_ = false;
+  std::vector<Diagnostic> diagnostics_;
 };
 
 }  // namespace
