@@ -243,6 +243,18 @@ TEST(ModelCheck, NotPlanarNamesTheCornerOfABoxThatWasMoved) {
   }
 }
 
+TEST(ModelCheck, NotPlanarNamesThePointOfALargePolygon) {
+  // More triples of points than can be tried.
+  std::vector<Vec3> corners;
+  for (int i = 0; i < 5000; ++i)
+    corners.emplace_back(std::cos(i * 0.001256), std::sin(i * 0.001256), 0.25);
+  corners[1234].z = 0.5;
+  const Diagnostic fault = onlyFault(polygonModel({corners}));
+  EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
+  EXPECT_TRUE(names(fault, EntityKind::kPoint, 1234));
+  EXPECT_EQ(std::ranges::count(fault.entities, EntityKind::kPoint, &Entity::kind), 1);
+}
+
 TEST(ModelCheck, NotPlanarNamesNoPointWhereNoneCanBeTold) {
   Random random(21);
   std::vector<Vec3> corners;

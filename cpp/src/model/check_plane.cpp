@@ -14,8 +14,12 @@ namespace tetrafront {
 
 namespace {
 
-/// All triples are tried of so many points, about 500; of more, three from each point on.
+/// All triples are tried of so many points, about 500.
 constexpr std::size_t kFewPoints = 16;
+/// Of more points, as many triples as make about so many distances, but never fewer than 64: where
+/// a majority lies in one plane, an eighth of them are of that plane.
+constexpr std::size_t kDistances = 1'000'000;
+constexpr std::size_t kFewestTriples = 64;
 /// Three points span a plane if their triangle has this share of the squared extent.
 constexpr double kSpanningArea = 1e-6;
 
@@ -55,7 +59,8 @@ class PlaneVote {
       extent_ = std::max(extent_, glm::length(place(i) - origin));
   }
 
-  /// The planes that most points agree on, one for each set of points off it.
+  /// The planes that most points agree on, one for each set of points off it; of more than
+  /// kMostRivals, only so many and one.
   std::vector<CandidatePlane> run() {
     const std::size_t count = points_.size();
     if (count <= kFewPoints) {
@@ -63,8 +68,11 @@ class PlaneVote {
         for (std::size_t j = i + 1; j < count; ++j)
           for (std::size_t k = j + 1; k < count; ++k) consider(i, j, k);
     } else {
-      for (std::size_t i = 0; i < count; ++i)
+      const std::size_t triples = std::min(count, std::max(kFewestTriples, kDistances / count));
+      for (std::size_t t = 0; t < triples; ++t) {
+        const std::size_t i = t * count / triples;
         consider(i, (i + count / 3) % count, (i + 2 * count / 3) % count);
+      }
     }
     return std::move(best_);
   }
@@ -80,6 +88,7 @@ class PlaneVote {
     if (plane.agreeing < mostAgreeing_) return;
     if (plane.agreeing > mostAgreeing_) best_.clear();
     mostAgreeing_ = plane.agreeing;
+    if (best_.size() > kMostRivals) return;
     const auto known = std::ranges::find_if(best_, [&](const CandidatePlane& other) {
       return other.moved.points == plane.moved.points;
     });
@@ -112,12 +121,22 @@ class PlaneVote {
   std::vector<CandidatePlane> best_;
 };
 
+bool passes(const Model& model, const Patch& patch, std::uint32_t point) {
+  return std::ranges::any_of(patch.loops, [&](const Loop& loop) {
+    return std::ranges::any_of(loop, [&](const OrientedLine& walked) {
+      if (walked.line >= model.lines.size()) return false;
+      const std::vector<std::uint32_t>& points = model.lines[walked.line].points;
+      return std::ranges::find(points, point) != points.end();
+    });
+  });
+}
+
 /// Planar patches that the point belongs to and whose points lie in no one plane.
 std::size_t countBentPatches(const Model& model, std::uint32_t point, double tolerance) {
   return static_cast<std::size_t>(std::ranges::count_if(model.patches, [&](const Patch& patch) {
-    if (patch.type != PatchType::kPlanar) return false;
+    if (patch.type != PatchType::kPlanar || !passes(model, patch, point)) return false;
     std::vector<std::uint32_t> points = pointsOfPatch(model, patch);
-    if (!std::ranges::binary_search(points, point)) return false;
+    if (points.empty()) return false;
     const std::size_t count = points.size();
     const std::vector<CandidatePlane> planes = PlaneVote(model, std::move(points), tolerance).run();
     return !planes.empty() && planes.front().agreeing < count;

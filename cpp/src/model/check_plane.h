@@ -17,7 +17,7 @@ struct MovedPoints {
 
 /// Of several planes as good, as four points always have, one is taken whose points belong to most
 /// patches that are not plane, then one along the axes. `patch` must refer to points that exist,
-/// other patches need not. O(n^2) in the points of the patch.
+/// other patches need not. O(model), and O(n log n) in the points of the patch.
 [[nodiscard]] MovedPoints findMovedPoints(const Model& model, const Patch& patch, double tolerance);
 
 }  // namespace tetrafront

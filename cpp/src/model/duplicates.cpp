@@ -69,7 +69,7 @@ bool runAlike(const Curve& a, const Curve& b) {
   const double tolerance = kSameCourse * std::max(a.length(), b.length());
   bool along = true;
   bool against = true;
-  for (int i = 1; i < kCourseParts; ++i) {
+  for (int i = 1; i < kCourseParts && (along || against); ++i) {
     const double t = static_cast<double>(i) / kCourseParts;
     const Vec3 place = a.position(t);
     along = along && glm::length(place - b.position(t)) <= tolerance;
