@@ -12,11 +12,12 @@ PatchMesher::PatchMesher(const PatchSurface& surface, const SizeField& field,
       optimizer_(metric_, mesh_) {}
 
 MeshStatus PatchMesher::advance(std::uint32_t budget) {
+  // The front makes triangles, and so does the optimizer where it divides sides.
+  if (tooMany()) return MeshStatus::kStalled;
   if (covered_) return optimizer_.advance(budget) ? MeshStatus::kDone : MeshStatus::kRunning;
   const MeshStatus status = front_.advance(budget);
   if (status == MeshStatus::kDone) covered_ = true;
-  if (status == MeshStatus::kStalled || tooMany()) return MeshStatus::kStalled;
-  return MeshStatus::kRunning;
+  return status == MeshStatus::kStalled ? status : MeshStatus::kRunning;
 }
 
 }  // namespace tetrafront
