@@ -34,8 +34,9 @@ struct MeshOptions {
   double gradation = 1.3;
   FrontOrder order = FrontOrder::kLayered;
   Optimization optimization = Optimization::kDefault;
-  /// More tetrahedra than this are not attempted (kTooManyElements).
-  std::uint32_t maxTetrahedra = 50'000'000;
+  /// More tetrahedra than this are not attempted (kTooManyElements). A run takes about 150 bytes
+  /// for each at its peak, and WebAssembly has 4 GB.
+  std::uint32_t maxTetrahedra = 20'000'000;
   /// For tests: no front; the whole inside goes to the exact fill that otherwise comes last.
   bool exactFillOnly = false;
 };

@@ -76,9 +76,8 @@ enum class DiagnosticCode : std::uint16_t {
   kOutsideBackgroundGrid = 24,  ///< place (and line or patch): the grid does not cover the domain
   kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
   kBadSource = 26,              ///< source; values: size, distance, growth
-  kDuplicatePoints =
-      27,              ///< two points at one place; a warning unless patches have corners at both
-  kSizeTooLarge = 28,  ///< warning; values: smallest size in the model, the model's extent
+  kDuplicatePoints = 27,        ///< two points at one place; a warning unless patches use both
+  kSizeTooLarge = 28,           ///< warning; values: smallest size in the model, the model's extent
   // Closed boundary
   kOpenEdge = 40,  ///< line (and its patch) or triangle with one side missing; values: number
                    ///< of such edges
