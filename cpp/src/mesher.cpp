@@ -29,6 +29,10 @@ constexpr double kModelSurfaceEnd = 0.15;
 constexpr double kVolumeEnd = 0.4;
 constexpr double kOptimizeEnd = 0.97;
 
+/// Where a given surface is coarser than the size asked for, sizes fall by so much per unit of distance.
+/// At 0.5 the front dives where it should descend, and leaves pockets.
+constexpr double kInwardDescent = 0.3;
+
 std::vector<Vec3> pointsOf(const SurfaceMesh& surface) {
   std::vector<Vec3> points(surface.points.size() / 3);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -300,14 +304,15 @@ class MeshRun::Impl {
 
   void makeSurfaceField(std::uint32_t budget) {
     if (usesGrid()) return makeGridField(budget);
-    // No size of the field will be above the one asked for; if that is too small, so is the field.
+    // Away from a coarser surface the field has the size asked for; if that is too small, so is the
+    // field.
     if (!octreeBuilder_ && options_.size > 0.0) {
       const double expected = expectedTetrahedra(surface_, SizeField::uniform(options_.size));
       if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
     }
     if (!octreeBuilder_) {
-      octreeBuilder_.emplace(pointsOf(surface_), surface_.triangles, options_.growth,
-                             options_.size);
+      octreeBuilder_.emplace(pointsOf(surface_), surface_.triangles, options_.growth, options_.size,
+                             kInwardDescent);
     }
     if (!octreeBuilder_->advance(budget)) return;
     field_ = SizeField::fromOctree(octreeBuilder_->take());

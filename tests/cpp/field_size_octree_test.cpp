@@ -178,5 +178,25 @@ TEST(SizeOctreeTest, IgnoresUnusedNodes) {
   EXPECT_EQ(with.sizeAt(Vec3(0.3)), without.sizeAt(Vec3(0.3)));
 }
 
+TEST(SizeOctree, DescendsFromACoarseSurfaceToTheCapStepByStep) {
+  const SurfaceMesh mesh = testing::gridCube(4, testing::Diagonals::kAlternating);
+  const std::vector<Vec3> points = pointsOf(mesh);
+  const std::vector<double> sizes = averagedEdgeLengths(points, mesh.triangles);
+  const double cap = 0.2;
+  const SizeOctree octree(points, mesh.triangles, 0.3, cap, 0.4);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(octree.sizeAt(points[i]), sizes[i], 0.1 * sizes[i]) << "node " << i;
+  }
+  EXPECT_NEAR(octree.sizeAt(Vec3(0.5)), cap, 0.01);
+  double before = octree.sizeAt(Vec3(0.0, 0.5, 0.5));
+  for (double x = 0.025; x < 0.5; x += 0.025) {
+    const double here = octree.sizeAt(Vec3(x, 0.5, 0.5));
+    EXPECT_LE(here, before + 0.005) << x;
+    EXPECT_GE(here, before - 0.03) << x;
+    before = here;
+  }
+  EXPECT_LT(SizeOctree(points, mesh.triangles, 0.3, cap).sizeAt(Vec3(0.0, 0.5, 0.5)), cap + 1e-6);
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

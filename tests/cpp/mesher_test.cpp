@@ -103,5 +103,19 @@ TEST(MeshRun, CanBeCancelledAtAnyTimeAndKeepsWhatIsThere) {
   }
 }
 
+TEST(MeshRun, GradesInwardsFromASurfaceFarCoarserThanTheSizeAskedFor) {
+  const SurfaceMesh surface = testing::gridBox(Vec3(0.0), Vec3(3.0, 3.0, 2.0), {3, 3, 2});
+  for (const double size : {0.5, 0.2, 0.05}) {
+    MeshOptions options;
+    options.size = size;
+    MeshRun run(surface.points, surface.triangles, options);
+    while (run.advance(1000) == MeshStatus::kRunning) {
+    }
+    ASSERT_EQ(run.status(), MeshStatus::kDone) << size;
+    EXPECT_GT(run.quality().minDihedral, 25.0) << size;
+    EXPECT_EQ(run.recovery().filled, 0U) << size;
+  }
+}
+
 }  // namespace
 }  // namespace tetrafront

@@ -7,9 +7,9 @@
 namespace tetrafront {
 
 SizeOctree::SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
-                       double growth, double cap) {
+                       double growth, double cap, double descent) {
   constexpr std::uint32_t kSlice = 1U << 20U;
-  SizeOctreeBuilder builder(points, triangles, growth, cap);
+  SizeOctreeBuilder builder(points, triangles, growth, cap, descent);
   while (!builder.advance(kSlice)) {
   }
   *this = builder.take();

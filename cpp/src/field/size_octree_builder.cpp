@@ -18,6 +18,12 @@ constexpr double kSmoothCellPerSize = 4.0;
 constexpr double kFlatBend = 0.03;
 /// Cells reached by at most this many cones keep a list of them; larger ones ask the tree.
 constexpr std::size_t kMaxListLength = 128;
+/// Where it descends from a coarse surface, cells are this much smaller, and it begins so many sizes
+/// below the surface: else leaves could not hold the ridge.
+constexpr double kRidgeCellShare = 0.5;
+constexpr double kRim = 0.4;
+/// Of the unit cube.
+constexpr double kHalfDiagonal = 0.8660254037844386;
 /// Where no cap is given: this share of the node sizes lies below it.
 constexpr double kCapQuantile = 0.9;
 /// The box is wider than the surface by this share, so that rounding never leaves it.
@@ -99,7 +105,8 @@ std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
 
 SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points,
                                      std::span<const std::uint32_t> triangles, double growth,
-                                     double cap) {
+                                     double cap, double descent)
+    : descentPerGrowth_(cap > 0.0 && growth > 0.0 ? descent / growth : 0.0) {
   const std::vector<double> sizes = averagedEdgeLengths(points, triangles);
   tree_.cap_ = cap > 0.0 ? cap : quantile(sizes, kCapQuantile);
   Vec3 lower(std::numeric_limits<double>::max());
@@ -163,7 +170,6 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   const double w = width(cell.level);
   const Value centre = sample(cell.lower + Vec3(0.5 * w), cell.corners[0].site, reaching);
   // The field's slope is at most `growth`: that bounds it from the value at the centre.
-  constexpr double kHalfDiagonal = 0.8660254037844386;  // of the unit cube
   const double swing = kHalfDiagonal * w * sites_->growth();
   Extremes sizes = extremesAt(cell, centre);
   sizes.most = std::min(tree_.cap_, centre.size + swing);
@@ -172,18 +178,21 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   own.clear();
   bool hasList = false;
   double least = std::min(sizes.most, centre.size - swing);
+  // Where the field descends to the cap, the cones above it matter too.
+  const double highest = descentPerGrowth_ > 0.0 ? centre.size + swing : sizes.most;
   if (reaching != nullptr) {
-    least = sites_->collect(range, sizes.most, *reaching, own);
+    least = sites_->collect(range, highest, *reaching, own);
     hasList = true;
-  } else if (estimatedReach(centre, sizes.most) < static_cast<double>(kMaxListLength)) {
-    least = sites_->collect(range, sizes.most, kMaxListLength, own);
+  } else if (estimatedReach(centre, highest) < static_cast<double>(kMaxListLength)) {
+    least = sites_->collect(range, highest, kMaxListLength, own);
     hasList = own.size() <= kMaxListLength;
   }
   // Samples may miss a small feature; where they would let the cell be, it is looked for.
   if (!hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
     least = sites_->leastIn(range, sizes.most);
   }
-  if (isFine(w, sizes.loweredTo(least)) || cell.level == SizeOctree::kMaxLevel) {
+  const bool fine = isFine(w, sizes.loweredTo(least)) && descentIsFine(cell, centre);
+  if (fine || cell.level == SizeOctree::kMaxLevel) {
     close(cell);
   } else {
     split(cell, centre, hasList ? &own : nullptr);
@@ -210,6 +219,31 @@ bool SizeOctreeBuilder::isFine(double width, const Extremes& sizes) {
          sizes.lowest - sizes.least <= kFlatSpread * sizes.least;
 }
 
+/// The value under the cap, or on its way down to it from a coarser surface.
+double SizeOctreeBuilder::limited(const Value& value, double nearer) const {
+  const double size = sites_->sizeOf(value.site);
+  if (descentPerGrowth_ == 0.0 || size <= tree_.cap_) return std::min(value.size, tree_.cap_);
+  const double rise = value.size - size - sites_->growth() * (kRim * size + nearer);
+  return std::max(tree_.cap_, size - descentPerGrowth_ * std::max(rise, 0.0));
+}
+
+bool SizeOctreeBuilder::descentIsFine(const Cell& cell, const Value& centre) const {
+  if (descentPerGrowth_ == 0.0) return true;
+  const double w = width(cell.level);
+  const double middle = limited(centre);
+  double least = middle;
+  // Samples may miss the surface.
+  double most = limited(centre, kHalfDiagonal * w);
+  double sum = 0.0;
+  for (unsigned k = 0; k < 8; ++k) {
+    const double size = limited(cell.corners[k]);
+    least = std::min(least, size);
+    most = std::max(most, size);
+    sum += size;
+  }
+  return isFine(w / kRidgeCellShare, {least, most, least, std::fabs(sum / 8.0 - middle)});
+}
+
 /// How many sites have cones below `most`, were the surface a plane of the nearest one's size.
 double SizeOctreeBuilder::estimatedReach(const Value& nearest, double most) const {
   const double size = sites_->sizeOf(nearest.site);
@@ -222,7 +256,7 @@ double SizeOctreeBuilder::estimatedReach(const Value& nearest, double most) cons
 void SizeOctreeBuilder::close(const Cell& cell) {
   SizeOctree::Leaf leaf;
   for (unsigned k = 0; k < 8; ++k) {
-    leaf[k] = static_cast<float>(std::min(cell.corners[k].size, tree_.cap_));
+    leaf[k] = static_cast<float>(limited(cell.corners[k]));
   }
   tree_.nodes_[cell.node] = SizeOctree::kLeafBit | static_cast<std::uint32_t>(tree_.leaves_.size());
   tree_.leaves_.push_back(leaf);

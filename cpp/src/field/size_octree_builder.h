@@ -20,7 +20,7 @@ class SizeOctreeBuilder {
  public:
   /// Arguments as of SizeOctree; they need not outlive the call. O(triangles log triangles).
   SizeOctreeBuilder(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
-                    double growth, double cap);
+                    double growth, double cap, double descent = 0.0);
   // Frames point to lists in here.
   SizeOctreeBuilder(const SizeOctreeBuilder&) = delete;
   SizeOctreeBuilder& operator=(const SizeOctreeBuilder&) = delete;
@@ -69,9 +69,13 @@ class SizeOctreeBuilder {
   [[nodiscard]] Extremes extremesAt(const Cell& cell, const Value& centre) const;
   [[nodiscard]] double estimatedReach(const Value& nearest, double most) const;
   static bool isFine(double width, const Extremes& sizes);
+  /// `nearer`: for a place that much nearer to the site.
+  [[nodiscard]] double limited(const Value& value, double nearer = 0.0) const;
+  [[nodiscard]] bool descentIsFine(const Cell& cell, const Value& centre) const;
 
   SizeOctree tree_;
   std::optional<SizeSites> sites_;
+  double descentPerGrowth_;  ///< 0: the field jumps to the cap at once
   double edge_ = 0.0;
   bool hasBegun_ = false;
   std::vector<Frame> open_;

@@ -16,6 +16,8 @@ constexpr std::array<RuleVariant, 6> kVariants{{
     {1.0, 0.6, true, true},
     {1.1, 0.6, false, false},
 }};
+/// How much is taken away around a pocket that has no place for an interior point in doubles.
+constexpr std::uint32_t kMaxFillRings = 4;
 constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
 
 /// Bounds of one attempt.
@@ -23,10 +25,10 @@ constexpr std::size_t kMaxRemovedElements = 4000;
 constexpr std::uint64_t kPopsPerRemovedElement = 30;
 constexpr std::uint64_t kExtraPops = 2000;
 /// And of all attempts together, per element of the mesh: where pockets are many, the sizes asked
-/// for contradict the boundary, and trying everything everywhere would only take its time.
-/// Thin tubes of long triangles, with few elements, do close after more than 100 000.
-constexpr std::uint64_t kStepsPerElement = 4;
-constexpr std::uint64_t kExtraSteps = 500'000;
+/// for contradict the boundary, and trying everything everywhere would only take its time. The exact
+/// fill comes after, and the optimizer makes as much of its elements.
+constexpr std::uint64_t kStepsPerElement = 2;
+constexpr std::uint64_t kExtraSteps = 40'000;
 
 /// Looking at this many active faces, or slots of faces, costs about as much as one step of the
 /// front.
@@ -67,6 +69,7 @@ std::size_t Recovery<Trace>::work(std::uint32_t budget) {
   switch (stage_) {
     case Stage::kFindPockets:
       findPocketsOfPass();
+      beginPass();
       return lookCost();
     case Stage::kStar:
       return starNext();
@@ -78,8 +81,7 @@ std::size_t Recovery<Trace>::work(std::uint32_t budget) {
     case Stage::kRefront:
       return refront(budget);
     case Stage::kFindUnfilled:
-      pockets_ = findPockets(front_);
-      nextInQueue_ = 0;
+      findPocketsOfPass();
       stage_ = Stage::kFill;
       return lookCost();
     case Stage::kFill:
@@ -100,14 +102,9 @@ void Recovery<Trace>::findPocketsOfPass() {
   pockets_ = findPockets(front_);
   queue_.clear();
   nextInQueue_ = 0;
-  if (pass_ == 0) {
-    stage_ = Stage::kStar;
-    return;
-  }
   for (const Pocket& pocket : pockets_) {
     queue_.push_back(leastFirst(front_.face(pocket.faces.front()).nodes));
   }
-  beginPass();
 }
 
 template <class Trace>
@@ -142,7 +139,9 @@ bool Recovery<Trace>::star(const Pocket& pocket) {
 
 template <class Trace>
 void Recovery<Trace>::beginPass() {
-  if (pass_ > kPasses) {
+  if (pass_ == 0) {
+    stage_ = Stage::kStar;
+  } else if (pass_ > kPasses) {
     stage_ = Stage::kFindUnfilled;
   } else if ((pass_ - 1) % kVariants.size() != 0) {
     stage_ = Stage::kReopen;
@@ -208,6 +207,21 @@ std::size_t Recovery<Trace>::reopenNext() {
 template <class Trace>
 void Recovery<Trace>::reopen(const std::vector<Pocket>& pockets, std::size_t chosen,
                              const FaceMap& active) {
+  const auto rings = static_cast<std::uint32_t>((pass_ - 1) / kVariants.size() + 1);
+  const std::vector<FaceId> rim = openPlace(pockets, chosen, active, rings);
+  const RuleVariant& variant = kVariants[(pass_ - 1) % kVariants.size()];
+  advance_.setVariant(variant);
+  front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
+  for (const FaceId face : rim) front_.requeue(face, 0);
+  stage_ = Stage::kRefront;
+}
+
+/// Removes the elements around a pocket, so that it can be put back. Returns the faces that bound the
+/// place then.
+template <class Trace>
+std::vector<FaceId> Recovery<Trace>::openPlace(const std::vector<Pocket>& pockets,
+                                               std::size_t chosen, const FaceMap& active,
+                                               std::uint32_t rings) {
   attempt_ = Attempt{};
   for (const auto& [nodes, face] : active) {
     const FrontFace& f = front_.face(face);
@@ -215,15 +229,9 @@ void Recovery<Trace>::reopen(const std::vector<Pocket>& pockets, std::size_t cho
   }
   attempt_.elementsBefore = elements_.size();
   attempt_.nodesBefore = front_.nodes().size();
-  const auto rings = static_cast<std::uint32_t>((pass_ - 1) / kVariants.size() + 1);
   attempt_.removedElements = elementsAround(pockets[chosen], rings);
   attempt_.popsLeft = kPopsPerRemovedElement * attempt_.removedElements.size() + kExtraPops;
-  const std::vector<FaceId> rim = takeAway(pockets, chosen, active);
-  const RuleVariant& variant = kVariants[(pass_ - 1) % kVariants.size()];
-  advance_.setVariant(variant);
-  front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
-  for (const FaceId face : rim) front_.requeue(face, 0);
-  stage_ = Stage::kRefront;
+  return takeAway(pockets, chosen, active);
 }
 
 /// The elements within so many rings of nodes of the pocket, in rising order.
@@ -362,22 +370,51 @@ void Recovery<Trace>::putBack() {
 template <class Trace>
 std::size_t Recovery<Trace>::fillNext(std::uint32_t budget) {
   if (!fill_) {
-    if (nextInQueue_ == pockets_.size()) {
+    if (nextInQueue_ == queue_.size()) {
       stage_ = Stage::kFinished;
       return 1;
     }
-    const Pocket& pocket = pockets_[nextInQueue_++];
-    fill_.emplace(front_, pocket);
-    return 1 + pocket.faces.size();
+    beginFill();
+    return 3 * lookCost() + attempt_.removedElements.size();
   }
   const ExactFill::State state = fill_->advance(budget);
   if (state == ExactFill::State::kRunning) return budget;
-  if (state == ExactFill::State::kDone) {
+  const bool filled = state == ExactFill::State::kDone;
+  if (filled) {
     steinerPoints_ += fill_->apply(front_, elements_);
     ++filled_;
+  } else if (fillRings_ > 0) {
+    putBack();
   }
   fill_.reset();
+  // A place inside without a double may have one when the place is larger.
+  if (!filled && fillRings_ < kMaxFillRings) {
+    ++fillRings_;
+  } else {
+    fillRings_ = 0;
+    ++nextInQueue_;
+  }
   return budget;
+}
+
+/// Gives the pocket at the head of the queue to the exact fill, with rings of elements around it.
+template <class Trace>
+void Recovery<Trace>::beginFill() {
+  attempt_ = Attempt{};
+  const FaceMap active = facesByNodes(front_);
+  const auto sought = active.find(queue_[nextInQueue_]);
+  if (sought == active.end()) {
+    ++nextInQueue_;
+    return;
+  }
+  const std::vector<Pocket> pockets = findPockets(front_);
+  for (std::size_t i = 0; i < pockets.size(); ++i) {
+    Pocket pocket = pockets[i];
+    if (!std::binary_search(pocket.faces.begin(), pocket.faces.end(), sought->second)) continue;
+    if (fillRings_ > 0) pocket.faces = openPlace(pockets, i, active, fillRings_);
+    fill_.emplace(front_, std::move(pocket));
+    return;
+  }
 }
 
 template class Recovery<NullTrace>;

@@ -92,7 +92,10 @@ class Recovery {
   void finishAttempt();
   [[nodiscard]] bool onlyForeignLeft(const FaceMap& active) const;
   void putBack();
+  std::vector<FaceId> openPlace(const std::vector<Pocket>& pockets, std::size_t chosen,
+                                const FaceMap& active, std::uint32_t rings);
   std::size_t fillNext(std::uint32_t budget);
+  void beginFill();
   /// What looking at all active faces costs, in faces taken from the front.
   [[nodiscard]] std::size_t lookCost() const;
 
@@ -103,7 +106,7 @@ class Recovery {
   Stage stage_;
   /// 0 is the star pass; then one per number of rings and variant of the rules.
   std::uint32_t pass_ = 0;
-  std::vector<Pocket> pockets_;  ///< of the star pass, or left for the exact fill
+  std::vector<Pocket> pockets_;  ///< of the pass
   /// One face of each pocket that was there when the pass began.
   std::vector<NodeTriple> queue_;
   std::size_t nextInQueue_ = 0;
@@ -115,6 +118,7 @@ class Recovery {
   std::uint32_t starred_ = 0;
   std::uint32_t reopened_ = 0;
   std::optional<PocketFill> fill_;
+  std::uint32_t fillRings_ = 0;  ///< taken away around the pocket at the head of the queue
   std::uint32_t filled_ = 0;
   std::uint32_t steinerPoints_ = 0;
 };
