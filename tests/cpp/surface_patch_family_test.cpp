@@ -81,7 +81,8 @@ Model tangentCusp() {
 TEST(SurfacePatchQuality, CuspSpoilsNothingButItself) {
   const Model model = tangentCusp();
   for (const double size : {0.2, 0.06, 0.02}) {
-    SurfaceMesher mesher(model, SizeField::uniform(size));
+    const SizeField field = SizeField::uniform(size);
+    SurfaceMesher mesher(model, field);
     MeshStatus status = MeshStatus::kRunning;
     while (status == MeshStatus::kRunning) status = mesher.advance(1000);
     ASSERT_EQ(status, MeshStatus::kDone);
