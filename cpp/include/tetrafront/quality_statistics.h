@@ -17,11 +17,6 @@ inline constexpr std::size_t kDihedralBins = 36;  ///< of 5 degrees
 inline constexpr std::size_t kRatioBins = 20;     ///< of 0.05
 inline constexpr std::size_t kEdgeBins = 30;      ///< of 0.1; the last holds all longer edges too
 
-/// Dihedral angles every element should have, in degrees; and that no better mesh may be hoped for
-/// where the boundary forbids them.
-inline constexpr double kWantedLeastDihedral = 30.0;
-inline constexpr double kWantedGreatestDihedral = 135.0;
-
 struct RegionStatistics {
   std::uint32_t region = 0;  ///< as in VolumeMesh::regions
   std::uint32_t tetrahedra = 0;
@@ -48,10 +43,11 @@ struct QualityStatistics {
   double volumeRatio = 0.0;               ///< largest by smallest volume
   double meanEdge = 0.0;                  ///< by wanted length
   double edgesNearWanted = 0.0;           ///< share of the edges between 0.6 and 1.5 wanted lengths
-  /// Elements with an angle beyond the wanted ones which the boundary does not excuse.
+  /// Wanted are dihedral angles from 30 to 135 degrees: elements with an angle beyond, which the
+  /// boundary does not excuse.
   std::uint32_t missed = 0;
-  /// Those it does: they own both triangles of a boundary edge that is sharper than the least
-  /// wanted angle, or a boundary triangle that is a needle.
+  /// Those it does: they own both triangles of a boundary edge that is sharper than 30 degrees, or a
+  /// boundary triangle that is a needle.
   std::uint32_t limitedByBoundary = 0;
   std::vector<ElementFigures> worstLimited;  ///< up to ten of them, worst first
 };

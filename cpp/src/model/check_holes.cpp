@@ -28,7 +28,7 @@ class HoleCheck {
     std::vector<PlaneLoop> loops{layOutBorder()};
     for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole) {
       loops.push_back(layOutHole(drawn_->loops[hole]));
-      if (worst_ > kHoleTolerance * extentOf(drawn_->loops[hole]))
+      if (worst_ > kHoleTolerance * loopExtent(*model_, drawn_->loops[hole], kHoleSamples))
         return fault(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPlace_, {worst_});
     }
     if (const std::optional<LoopContact> contact = findContact(loops, extentInPlane(loops)))
@@ -101,16 +101,6 @@ class HoleCheck {
       }
     }
     return result;
-  }
-
-  [[nodiscard]] double extentOf(const Loop& loop) const {
-    Vec3 low = model_->curve(loop.front()).start();
-    Vec3 high = low;
-    for (const Vec3& sample : sampleLoop(*model_, loop, kHoleSamples)) {
-      low = glm::min(low, sample);
-      high = glm::max(high, sample);
-    }
-    return glm::length(high - low);
   }
 
   static double extentInPlane(const std::vector<PlaneLoop>& loops) {

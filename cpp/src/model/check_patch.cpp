@@ -48,13 +48,7 @@ class PatchCheck {
   }
 
   [[nodiscard]] double extent() const {
-    Vec3 low = model_->curve(drawn_->loops.front().front()).start();
-    Vec3 high = low;
-    for (const Vec3& sample : sampleLoop(*model_, drawn_->loops.front(), kPlaneSamples)) {
-      low = glm::min(low, sample);
-      high = glm::max(high, sample);
-    }
-    return glm::length(high - low);
+    return loopExtent(*model_, drawn_->loops.front(), kPlaneSamples);
   }
 
   // ---- planar ----------------------------------------------------------------------------------

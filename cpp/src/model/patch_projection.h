@@ -36,8 +36,8 @@ class PatchProjection {
   double extent_ = 0.0;
 };
 
-/// A patch's loops, the first excepted, in its plane: holes of planar patches are laid out by
-/// PatchSurface::boundaryToPlane alone, those of curved ones need the projection.
+/// True if the patch has holes that only the projection lays out in its plane; those of planar
+/// patches are by PatchSurface::boundaryToPlane.
 [[nodiscard]] inline bool hasCurvedHoles(const Patch& patch) {
   return patch.type != PatchType::kPlanar && patch.loops.size() > 1;
 }

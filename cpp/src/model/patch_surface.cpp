@@ -105,6 +105,16 @@ std::vector<Vec3> sampleLoop(const ResolvedModel& model, const Loop& loop,
   return samples;
 }
 
+double loopExtent(const ResolvedModel& model, const Loop& loop, std::uint32_t samplesPerLine) {
+  Vec3 low = model.curve(loop.front()).start();
+  Vec3 high = low;
+  for (const Vec3& sample : sampleLoop(model, loop, samplesPerLine)) {
+    low = glm::min(low, sample);
+    high = glm::max(high, sample);
+  }
+  return glm::length(high - low);
+}
+
 LoopPlane loopPlane(const ResolvedModel& model, const Loop& loop) {
   const std::vector<Vec3> samples = sampleLoop(model, loop, kPlaneSamples);
   LoopPlane plane;

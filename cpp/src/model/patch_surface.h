@@ -88,4 +88,8 @@ struct LoopPlane {
 [[nodiscard]] std::vector<Vec3> sampleLoop(const ResolvedModel& model, const Loop& loop,
                                            std::uint32_t samplesPerLine);
 
+/// The diagonal of the box of those points: the size that tolerances are relative to.
+[[nodiscard]] double loopExtent(const ResolvedModel& model, const Loop& loop,
+                                std::uint32_t samplesPerLine);
+
 }  // namespace tetrafront

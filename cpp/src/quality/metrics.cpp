@@ -10,12 +10,20 @@ namespace {
 
 double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
 
-/// acos, here alone, since it only ever reaches a report.
+}  // namespace
+
+double triangleRadiusRatio(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const std::array<double, 3> edges{length(c - b), length(a - c), length(b - a)};
+  const double product = edges[0] * edges[1] * edges[2];
+  if (!(product > 0.0)) return 0.0;
+  // r = 2 A / perimeter and R = product / (4 A).
+  const Vec3 normal = glm::cross(b - a, c - a);
+  return 4.0 * glm::dot(normal, normal) / (product * (edges[0] + edges[1] + edges[2]));
+}
+
 double degreesOf(double cosine) {
   return std::acos(std::clamp(cosine, -1.0, 1.0)) * (180.0 / std::numbers::pi);
 }
-
-}  // namespace
 
 TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 u = b - a;

@@ -27,6 +27,13 @@ inline constexpr std::array<std::size_t, 4> kCosineFaces{1, 2, 3, 0};
 [[nodiscard]] TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c,
                                                      const Vec3& d);
 
+/// 2 x inradius / circumradius, 1 if equilateral; 0 if two corners are at one place.
+[[nodiscard]] double triangleRadiusRatio(const Vec3& a, const Vec3& b, const Vec3& c);
+
+/// The angle, also where rounding took its cosine beyond 1. It must only ever reach a report: the
+/// arc cosine differs from library to library.
+[[nodiscard]] double degreesOf(double cosine);
+
 /// Gathers the QualitySummary of a mesh in slices.
 class QualityMeter {
  public:

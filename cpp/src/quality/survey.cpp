@@ -1,8 +1,6 @@
 #include "quality/survey.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace tetrafront {
 namespace {
@@ -12,10 +10,10 @@ constexpr double kNearFrom = 0.6;
 constexpr double kNearTo = 1.5;
 constexpr double kBinsPerRatio = static_cast<double>(kRatioBins);
 constexpr double kBinsPerEdge = 10.0;
-/// Twice the inradius by the circumradius of a triangle, 1 for the equilateral. Below this, no
-/// place for the fourth node makes an element with all angles wanted.
+/// A triangle of a lower radius ratio is a needle: no place for the fourth node makes an element
+/// with all angles wanted.
 constexpr double kNeedle = 0.3;
-/// Squared tangents of half the least wanted angle, and of half of 180 degrees minus the greatest.
+/// Wanted are 30 to 135 degrees: squared tangents of half of 30, and of half of 180 - 135.
 constexpr double kLeast = 0.07179676972449082;
 constexpr double kGreatest = 0.17157287525380988;
 constexpr double kLeastCosine = 0.8660254037844387;
@@ -59,10 +57,6 @@ std::size_t linearBin(double value, double binsPerUnit, std::size_t count) {
   return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count - 1;
 }
 
-double degreesOf(double cosine) {
-  return std::acos(std::clamp(cosine, -1.0, 1.0)) * (180.0 / std::numbers::pi);
-}
-
 /// Above 1 iff an angle is beyond the wanted ones; the more, the worse.
 double badnessOf(const TetrahedronMeasures& measures) {
   constexpr double kFlat = 1e300;
@@ -70,14 +64,6 @@ double badnessOf(const TetrahedronMeasures& measures) {
   const double d = measures.smallestCosine;
   if (c >= 1.0 || d <= -1.0) return kFlat;
   return std::max(kLeast * (1.0 + c) / (1.0 - c), kGreatest * (1.0 - d) / (1.0 + d));
-}
-
-double triangleQuality(const Vec3& p, const Vec3& q, const Vec3& r) {
-  const double a = glm::length(q - r);
-  const double b = glm::length(r - p);
-  const double c = glm::length(p - q);
-  const double product = a * b * c;
-  return product > 0.0 ? (b + c - a) * (c + a - b) * (a + b - c) / product : 0.0;
 }
 
 /// Corners of an element's edges.
@@ -299,7 +285,7 @@ bool QualitySurvey::isLimited(std::uint32_t element) const {
         std::binary_search(boundary_.begin(), boundary_.end(),
                            sortedTriangle(nodes[face[0]], nodes[face[1]], nodes[face[2]]));
     if (!isBoundary[i]) continue;
-    if (triangleQuality(corners[face[0]], corners[face[1]], corners[face[2]]) < kNeedle) {
+    if (triangleRadiusRatio(corners[face[0]], corners[face[1]], corners[face[2]]) < kNeedle) {
       return true;
     }
   }

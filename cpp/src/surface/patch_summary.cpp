@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "quality/metrics.h"
 
 namespace tetrafront {
 
@@ -19,11 +20,8 @@ class Summary {
 
   void addTriangle(const std::array<std::uint32_t, 3>& nodes) {
     std::array<Vec3, 3> corners;
-    std::array<double, 3> edges{};
     for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_->places[nodes[k]];
-    for (std::size_t k = 0; k < 3; ++k)
-      edges[k] = glm::length(corners[(k + 2) % 3] - corners[(k + 1) % 3]);
-    addShape(corners, edges);
+    addShape(corners);
     deviate((mesh_->plane[nodes[0]] + mesh_->plane[nodes[1]] + mesh_->plane[nodes[2]]) / 3.0,
             (corners[0] + corners[1] + corners[2]) / 3.0);
     for (std::size_t k = 0; k < 3; ++k) addEdge(nodes[(k + 1) % 3], nodes[(k + 2) % 3]);
@@ -41,7 +39,7 @@ class Summary {
     summary.patch = patch;
     summary.triangles = triangles_;
     if (triangles_ == 0) return summary;
-    summary.minAngle = std::acos(std::min(largestCosine_, 1.0)) * 180.0 / std::numbers::pi;
+    summary.minAngle = degreesOf(largestCosine_);
     summary.meanRadiusRatio = radiusRatioSum_ / triangles_;
     summary.meanEdge = edgeSum_ / edgeCount_;
     summary.chordDeviation = deviation_;
@@ -49,17 +47,12 @@ class Summary {
   }
 
  private:
-  void addShape(const std::array<Vec3, 3>& corners, const std::array<double, 3>& edges) {
-    const double doubleArea =
-        glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-    const double perimeter = edges[0] + edges[1] + edges[2];
-    const double product = edges[0] * edges[1] * edges[2];
-    // 2 r / R with r = 2 A / perimeter and R = product / (4 A).
-    if (product > 0.0) radiusRatioSum_ += 4.0 * doubleArea * doubleArea / (product * perimeter);
+  void addShape(const std::array<Vec3, 3>& corners) {
+    radiusRatioSum_ += triangleRadiusRatio(corners[0], corners[1], corners[2]);
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 first = corners[(k + 1) % 3] - corners[k];
       const Vec3 second = corners[(k + 2) % 3] - corners[k];
-      const double lengths = edges[(k + 1) % 3] * edges[(k + 2) % 3];
+      const double lengths = glm::length(first) * glm::length(second);
       largestCosine_ =
           std::max(largestCosine_, lengths > 0.0 ? glm::dot(first, second) / lengths : 1.0);
     }

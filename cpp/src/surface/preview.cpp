@@ -228,13 +228,7 @@ class PreviewBuilder {
   }
 
   [[nodiscard]] double extentOf(const Patch& patch) const {
-    Vec3 low = resolved_.curve(patch.loops.front().front()).start();
-    Vec3 high = low;
-    for (const Vec3& sample : sampleLoop(resolved_, patch.loops.front(), kBoundaryPieces)) {
-      low = glm::min(low, sample);
-      high = glm::max(high, sample);
-    }
-    return glm::length(high - low);
+    return loopExtent(resolved_, patch.loops.front(), kBoundaryPieces);
   }
 
   [[nodiscard]] std::uint32_t nextPoint() const {
