@@ -113,6 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
         NamedSurface{"chazelle1", testing::chazellePolyhedron(1, 0.1)},
         NamedSurface{"chazelle3", testing::chazellePolyhedron(3, 0.01)},
         NamedSurface{"chazelle6", testing::chazellePolyhedron(6, 0.01)},
+        NamedSurface{"chazelle8InAnotherOrder", testing::chazellePolyhedron(8, 0.001)},
         NamedSurface{"saddleSlab", testing::saddleSlab(6, 0.01)},
         NamedSurface{"wedge2", testing::wedge(2.0, 4)},
         NamedSurface{"wedgeHundredth", testing::wedge(0.01, 4)},

@@ -15,6 +15,9 @@ namespace {
 
 /// Signs per unit of the budget.
 constexpr std::uint64_t kWorkPerUnit = 20;
+/// Orders in which the nodes are inserted: where a point inside has no place in doubles after one of
+/// them, it mostly has after another.
+constexpr unsigned kVariants = 5;
 
 }  // namespace
 
@@ -23,8 +26,8 @@ class ExactFill::Impl {
   explicit Impl(FillTask task) : task_(std::move(task)) {}
 
   State advance(std::uint32_t budget) {
-    const std::uint64_t end = mesh_.points.work() + kWorkPerUnit * std::max(budget, 1U);
-    while (stage_ != Stage::kDone && stage_ != Stage::kFailed && mesh_.points.work() < end) step();
+    const std::uint64_t end = work() + kWorkPerUnit * std::max(budget, 1U);
+    while (stage_ != Stage::kDone && stage_ != Stage::kFailed && work() < end) step();
     if (stage_ == Stage::kFailed) return State::kFailed;
     return stage_ == Stage::kDone ? State::kDone : State::kRunning;
   }
@@ -43,6 +46,18 @@ class ExactFill::Impl {
     kDone,
     kFailed
   };
+
+  [[nodiscard]] std::uint64_t work() const { return workBefore_ + mesh_.points.work(); }
+
+  /// All anew, in another order.
+  void tryNextVariant() {
+    if (++variant_ == kVariants) return beginStage(Stage::kFailed);
+    clearing_.reset();
+    interior_.reset();
+    workBefore_ = work();
+    mesh_ = FillMesh();
+    beginStage(Stage::kBegin);
+  }
 
   void step() {
     switch (stage_) {
@@ -80,7 +95,7 @@ class ExactFill::Impl {
   void begin() {
     if (task_.triangles.empty()) return beginStage(Stage::kDone);
     for (const Vec3& place : task_.places) mesh_.points.add(place);
-    insertion_.emplace(mesh_);
+    insertion_.emplace(mesh_, variant_);
     beginStage(Stage::kInsert);
   }
 
@@ -134,7 +149,7 @@ class ExactFill::Impl {
   void clearBoundary() {
     const BoundaryClearing::State state = clearing_->step();
     if (state == BoundaryClearing::State::kRunning) return;
-    if (state == BoundaryClearing::State::kFailed) return failUnless(false);
+    if (state == BoundaryClearing::State::kFailed) return tryNextVariant();
     interior_.emplace(mesh_, clearing_->interiorPoints());
     clearing_.reset();
     beginStage(Stage::kClearInterior);
@@ -143,7 +158,7 @@ class ExactFill::Impl {
   void clearInterior() {
     const InteriorClearing::State state = interior_->step();
     if (state == InteriorClearing::State::kRunning) return;
-    if (state == InteriorClearing::State::kFailed) return failUnless(false);
+    if (state == InteriorClearing::State::kFailed) return tryNextVariant();
     takeResult();
     beginStage(Stage::kDone);
   }
@@ -190,6 +205,8 @@ class ExactFill::Impl {
   FillResult result_;
   Stage stage_ = Stage::kBegin;
   std::size_t next_ = 0;
+  unsigned variant_ = 0;
+  std::uint64_t workBefore_ = 0;  ///< of variants that failed
   std::optional<PointInsertion> insertion_;
   std::optional<BoundaryRecovery> recovery_;
   std::optional<BoundaryClearing> clearing_;

@@ -15,11 +15,14 @@ constexpr std::size_t kLargestCavity = 2000;
 
 }  // namespace
 
-PointInsertion::PointInsertion(FillMesh& mesh) : mesh_(mesh), cone_(mesh, none_) {
+PointInsertion::PointInsertion(FillMesh& mesh, unsigned variant) : mesh_(mesh), cone_(mesh, none_) {
   ExactPoints& points = mesh.points;
   std::vector<Vec3> places;
   for (std::size_t i = 0; i < points.size(); ++i) places.push_back(points.place(NodeId(i)));
   order_ = mortonOrder(places);
+  if (variant % 2 == 1) std::reverse(order_.begin(), order_.end());
+  const auto first = static_cast<std::ptrdiff_t>(variant / 2 * order_.size() / 3);
+  std::rotate(order_.begin(), order_.begin() + first, order_.end());
   Vec3 low = places.front();
   Vec3 high = low;
   for (const Vec3& p : places) {

@@ -14,8 +14,8 @@ namespace tetrafront {
 class PointInsertion {
  public:
   /// Puts the points 0 .. count-1 of `mesh.points` into the large tetrahedron, of which four more
-  /// points are made. At least one point must be there.
-  explicit PointInsertion(FillMesh& mesh);
+  /// points are made. At least one point must be there. Each `variant` is another order.
+  PointInsertion(FillMesh& mesh, unsigned variant);
 
   [[nodiscard]] std::size_t count() const { return order_.size(); }
   /// To be called for 0 .. count()-1. False if two points are at one place.
