@@ -1,6 +1,6 @@
 import type { MeshResult, Project } from "tetrafront";
 import type { App } from "./app";
-import type { Creation, Offer } from "./document/create";
+import { emptyProject, type Creation, type Offer } from "./document/create";
 import { deleteEntities } from "./document/edits";
 import type { Entity } from "./document/entities";
 import { download, fileStem, openProjectFile, readProjectFile, saveProjectFile } from "./document/files";
@@ -16,15 +16,27 @@ function tell(app: App, title: string, lines: readonly string[]): void {
   app.shell.setState({ message: { title, lines } });
 }
 
-/** Shows another project and meshes it at once. Undoable. */
-export function openProject(app: App, project: Project): void {
-  app.documents.open(project, `Open ${project.name}`);
+/** Shows another project in place of the present one. Undoable. */
+function showProject(app: App, project: Project, label: string): void {
+  app.documents.open(project, label);
+  app.run.forgetOthers();
   app.file.handle = null;
   app.view.reset();
   app.view.setCut({ enabled: false });
   app.viewer.getState().viewer?.setProject(app.documents.project, true);
   app.shell.setState({ drawer: null, leftTab: "model", message: null });
+}
+
+/** Shows another project and meshes it at once. Undoable. */
+export function openProject(app: App, project: Project): void {
+  showProject(app, project, `Open ${project.name}`);
   void app.run.restart();
+}
+
+/** An empty project, to draw in. Undoable. */
+export function newProject(app: App): void {
+  app.run.cancel();
+  showProject(app, emptyProject(), "New project");
 }
 
 export async function openExample(app: App, model: GalleryModel): Promise<void> {

@@ -2,7 +2,7 @@ import type { App } from "./app";
 import { takeMeshAsGrid, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
 import { createMenu } from "./create-commands";
-import { deleteSelection, downloadMesh, downloadReport, openFromDialog, save } from "./actions";
+import { deleteSelection, downloadMesh, downloadReport, newProject, openFromDialog, save } from "./actions";
 import { scaleSizes } from "./document/edits";
 import type { CutAxis, Layer, Shading } from "./document/selection";
 import type { StandardView } from "./viewer/camera";
@@ -19,6 +19,7 @@ const withLabel = (verb: string, label: string | undefined): string =>
   label === undefined ? verb : `${verb}: ${label}`;
 
 const fileMenu: readonly Command[] = [
+  define("file", 0)("new", "New project", newProject),
   define("file", 0)("open", "Open project…", (app) => void openFromDialog(app), {
     keys: ["mod+O"],
     inFields: true,

@@ -1,7 +1,7 @@
 import { expect, test, type Page } from "@playwright/test";
 import { readFile } from "node:fs/promises";
 import { readProject, type Project } from "tetrafront";
-import { AppPage, sampleProject } from "./app-page";
+import { AppPage, nextFrame, sampleProject } from "./app-page";
 
 /** The project as the app would save it. */
 async function savedProject(page: Page): Promise<Project> {
@@ -98,6 +98,29 @@ test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page })
   for (let i = 0; i < 4; ++i) await page.getByTestId("undo").click();
   await expect(page.getByTestId("tree-patch-1")).toBeHidden();
   await expect(page.getByRole("button", { name: "Undo: Add line 6" })).toBeEnabled();
+});
+
+test("a new project is empty, and what is drawn in it is seen", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.openCube();
+  await page.getByRole("button", { name: "File", exact: true }).click();
+  await page.getByRole("menuitem", { name: "New project" }).click();
+  await expect(page.getByTestId("project-name")).toHaveValue("Untitled");
+  await expect(page.getByTestId("model-tree")).toContainText("This project is empty.");
+  // The mesh of the project before is not taken for one of this.
+  await expect(app.viewport).toHaveAttribute("data-tets", "0");
+  await addPoints(page, [[90, 0, 0], [91, 0, 0], [90, 1, 0]]); // prettier-ignore
+  const points = await app.colours();
+  await choose(page, "point", [1, 2, 3]);
+  await nextFrame(app.viewport, () => page.keyboard.press("l"));
+  await choose(page, "point", [3, 1]);
+  await nextFrame(app.viewport, () => page.keyboard.press("l"));
+  await choose(page, "line", [1, 2, 3]);
+  await nextFrame(app.viewport, () => page.keyboard.press("a"));
+  await page.keyboard.press("Escape");
+  await expect.poll(() => app.colours()).toBeGreaterThan(points);
+  for (let i = 0; i < 7; ++i) await page.getByTestId("undo").click();
+  expect(await app.meshed()).toEqual(before);
 });
 
 test("what cannot be made of the selection is told with the reason", async ({ page }) => {

@@ -39,6 +39,8 @@ interface Subject {
   readonly the: (kind: EntityKind) => string;
   /** All entities of these kinds, "patch 1 and patch 2"; else `otherwise`. */
   readonly all: (kinds: readonly EntityKind[], otherwise: string) => string;
+  /** How many different entities of these kinds there are. */
+  readonly count: (kinds: readonly EntityKind[]) => number;
   /** " at (1, 2, 3)", or nothing. */
   readonly at: string;
   /** The value of that number, written short; "?" if the engine gave none. */
@@ -167,7 +169,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   "empty-background-grid": {
     message: () => "The project has no background grid, so no element size is known",
     remedy:
-      "Give a uniform element size (--size on the command line), or add background tetrahedra that cover the model.",
+      "Give a uniform element size (--size on the command line), or make a background grid that covers the model.",
   },
   "bad-size": {
     message: ({ main, value }) => `${main} has the element size ${value(0)}`,
@@ -216,7 +218,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       `More than two faces meet at one edge of ${all(["line", "patch", "triangle"], "the surface")}${at}`,
     remedy: ({ drawn }) =>
       drawn
-        ? "Remove a patch, or draw separate lines for the bodies that touch there."
+        ? "Remove a patch: at every line an even number must meet. Bodies cannot share a patch; let one lie wholly inside another, or leave out the wall between them."
         : "Remove inner walls, so that two triangles meet at every edge.",
   },
   "inconsistent-orientation": {
@@ -225,7 +227,10 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "A closed surface has an inside and an outside: remove the twist, as of a Möbius band.",
   },
   "self-intersection": {
-    message: ({ all, at }) => `The surface cuts itself: ${all(SHELL_KINDS, "two triangles")} meet${at}`,
+    message: ({ all, count, at }) =>
+      count(SHELL_KINDS) === 1
+        ? `The surface cuts itself: ${all(SHELL_KINDS, "")} crosses itself${at}`
+        : `The surface cuts itself: ${all(SHELL_KINDS, "two triangles")} meet${at}`,
     remedy: ({ drawn }) =>
       drawn
         ? "Move the patches apart, or use smaller elements where they bend close to each other."
@@ -330,6 +335,7 @@ function subjectOf(raw: EngineDiagnostic, entities: readonly EntityRef[]): Subje
     entities.filter(({ kind }) => kinds.includes(kind)).map(({ label }) => label);
   return {
     the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
+    count: (kinds) => new Set(labels(kinds)).size,
     all: (kinds, otherwise) => joined([...new Set(labels(kinds))]) ?? otherwise,
     at: raw.place.length === 3 ? ` at (${[...raw.place].map(shortNumber).join(", ")})` : "",
     value: (index) => shortNumber(raw.values[index]),

@@ -20,6 +20,12 @@ type Place = readonly [number, number, number];
 const refuse = (reason: string): Offer => ({ possible: false, reason });
 const offer = (creation: Creation): Offer => ({ possible: true, creation });
 
+export function emptyProject(): Project {
+  const drawn = { points: [], lines: [], patches: [] };
+  const background = { nodes: [], tetrahedra: [] };
+  return { format: "tetrafront-project", version: 1, name: "Untitled", ...drawn, background };
+}
+
 /** Ids are never used again while something with a higher one exists. */
 export function nextId(project: Project, kind: DrawnKind): number {
   return recordsOf(project, kind).reduce((highest, { id }) => Math.max(highest, id), 0) + 1;

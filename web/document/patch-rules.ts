@@ -14,7 +14,7 @@ export const patchRules: { readonly [P in PatchType]: PatchRule } = {
   planar: { lines: null, lineType: null, holes: true },
   "isoparametric-triangle": { lines: 3, lineType: "parabolic", holes: true },
   serendipity: { lines: 4, lineType: "parabolic", holes: true },
-  "barnhill-gregory-nielson": { lines: 3, lineType: null, holes: false },
+  "barnhill-gregory-nielson": { lines: 3, lineType: null, holes: true },
   coons: { lines: 4, lineType: null, holes: true },
 };
 

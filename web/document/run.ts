@@ -113,6 +113,14 @@ export class MeshRun {
     }
   }
 
+  /** Takes the mesh off show, and what was said of it, if they are of another state of the document. */
+  forgetOthers(): void {
+    const key = meshKey(this.#documents.content);
+    const { mesh, outcome } = this.state.getState();
+    if (mesh && this.state.getState().meshKey !== key) this.state.setState({ mesh: null, meshKey: null });
+    if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
+  }
+
   /** Meshes the present project, giving up a run under way. */
   async restart(): Promise<void> {
     this.cancel();

@@ -136,6 +136,8 @@ export function ModelTree() {
     step();
   };
 
+  const empty = drawnKinds.every((kind) => recordsOf(project, kind).length === 0);
+
   // What is selected in the view comes into sight here: of several things the latest.
   const selected = selection.at(-1);
   const selectedKey = selected ? entityKey(selected) : null;
@@ -167,11 +169,9 @@ export function ModelTree() {
         onChange={(event) => setFilter(event.currentTarget.value)}
       />
       <div ref={scroller} className="tf-scroll" tabIndex={-1}>
-        {rows.length === 0 && (
+        {(empty || rows.length === 0) && (
           <Text c="dimmed" p="sm" size="sm">
-            {drawnKinds.every((kind) => recordsOf(project, kind).length === 0)
-              ? strings.tree.empty
-              : strings.tree.nothing}
+            {empty ? strings.tree.empty : strings.tree.nothing}
           </Text>
         )}
         <div

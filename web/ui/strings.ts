@@ -30,7 +30,7 @@ export const patchTypeHints = {
   coons: "Four lines of any type; opposite lines are blended. Holes allowed.",
   "isoparametric-triangle": "Three parabolic lines: a curved triangle of six nodes. Holes allowed.",
   serendipity: "Four parabolic lines: a curved quadrangle of eight nodes. Holes allowed.",
-  "barnhill-gregory-nielson": "Three lines of any type; the second, F2, plays another role. No holes.",
+  "barnhill-gregory-nielson": "Three lines of any type; the second, F2, plays another role. Holes allowed.",
 } as const;
 
 export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;

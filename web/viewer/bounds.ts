@@ -53,6 +53,15 @@ export function projectBounds(project: Project): Bounds {
   return bounds;
 }
 
+/** As `projectBounds`, with room to draw in where there is no extent yet. */
+export function roomyBounds(project: Project): Bounds {
+  const bounds = projectBounds(project);
+  if (bounds.empty) bounds.add(0, 0, 0);
+  if (bounds.radius > 0) return bounds;
+  const [x, y, z] = bounds.centre;
+  return bounds.add(x - 1, y - 1, z - 1).add(x + 1, y + 1, z + 1);
+}
+
 /** Around one entity, as far as its shape is known. */
 export function entityBounds(entity: Entity, project: Project, preview: ProjectPreview | null): Bounds {
   const bounds = new Bounds();

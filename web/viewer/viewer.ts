@@ -2,7 +2,7 @@ import type { MeshResult, Project, ProjectPreview } from "tetrafront";
 import { Scene, Timer, Vector2, Vector3, WebGLRenderer } from "three";
 import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
 import type { SelectMode, ViewState } from "../document/selection";
-import { Bounds, elementBounds, entityBounds, projectBounds } from "./bounds";
+import { Bounds, elementBounds, entityBounds, projectBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type StandardView } from "./camera";
 import type { ViewerColors } from "./colors";
 import { DotsLayer } from "./layers/dots-layer";
@@ -39,6 +39,8 @@ export interface ViewerOptions {
 const maxPixelRatio = 2;
 /** A point, or a tetrahedron, is shown with this much of the model around it. */
 const closeUp = 0.12;
+/** A drawing that has become this much larger than it was when last fitted is fitted again. */
+const outgrowth = 1.5;
 
 /**
  * The three-dimensional view: an imperative object outside React. It is told what to show and draws
@@ -70,6 +72,8 @@ export class Viewer {
   #frameRequest = 0;
   #frames = 0;
   #origin: Place = [0, 0, 0];
+  /** Of the model when it was last fitted as a whole; 0 without extent. */
+  #fittedRadius = 0;
   #project: Project | null = null;
   #preview: ProjectPreview | null = null;
   #previewProject: Project | null = null;
@@ -113,10 +117,13 @@ export class Viewer {
   /** Shows another state of the project. `fit` where it is another project altogether. */
   setProject(project: Project, fit: boolean): void {
     this.#project = project;
-    const bounds = projectBounds(project);
+    const bounds = roomyBounds(project);
+    const { empty, radius } = projectBounds(project);
+    const outgrown = !empty && radius > outgrowth * this.#fittedRadius;
+    if (fit || outgrown || empty) this.#fittedRadius = empty ? 0 : radius;
     // Single precision suffices near the origin only, so the origin follows the model if it is far off.
     const drift = Math.hypot(...bounds.centre.map((x, k) => x - (this.#origin[k] ?? 0)));
-    if (fit || drift > 2 * bounds.radius) this.#moveOrigin(bounds);
+    if (fit || outgrown || drift > 2 * bounds.radius) this.#moveOrigin(bounds);
     this.#view.setModelRadius(bounds.radius);
     this.#points.setPlaces(
       project.points.map(({ at }) => at),
@@ -125,6 +132,7 @@ export class Viewer {
     this.#sources.setSources(project, this.#origin);
     this.#updateMarkings();
     if (fit) this.fit(null, false);
+    else if (outgrown) this.fit(null);
     this.#requestFrame();
   }
 
@@ -179,7 +187,7 @@ export class Viewer {
   /** Moves to the given entities, or to the whole model. */
   fit(entities: readonly Entity[] | null, animate = this.#options.motion): void {
     if (!this.#project) return;
-    const whole = projectBounds(this.#project);
+    const whole = roomyBounds(this.#project);
     let target = whole;
     if (entities && entities.length > 0) {
       const [first] = entities;
@@ -194,12 +202,12 @@ export class Viewer {
 
   fitElement(tetrahedron: number): void {
     if (!this.#project || !this.#result) return;
-    this.#fitBounds(elementBounds(this.#result, tetrahedron), projectBounds(this.#project), true);
+    this.#fitBounds(elementBounds(this.#result, tetrahedron), roomyBounds(this.#project), true);
   }
 
   fitPlace(place: Place): void {
     if (!this.#project) return;
-    this.#fitBounds(new Bounds().add(...place), projectBounds(this.#project), this.#options.motion);
+    this.#fitBounds(new Bounds().add(...place), roomyBounds(this.#project), this.#options.motion);
   }
 
   look(view: StandardView): void {
@@ -283,10 +291,7 @@ export class Viewer {
     this.#patches.setPreview(this.#preview, this.#origin);
     this.#mesh.setMesh(this.#result, this.#origin);
     this.#picker.forgetMesh();
-    this.#ground.setExtent(
-      bounds.radius,
-      (bounds.empty ? 0 : bounds.low[2] - bounds.centre[2]) - bounds.radius * 0.04,
-    );
+    this.#ground.setExtent(bounds.radius, bounds.low[2] - bounds.centre[2] - bounds.radius * 0.04);
   }
 
   /** Something smaller than a part of the model is shown with this part around it. */
