@@ -103,7 +103,7 @@ test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page })
 test("a new project is empty, and what is drawn in it is seen", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
-  await page.getByRole("button", { name: "File", exact: true }).click();
+  await page.getByRole("menuitem", { name: "File" }).click();
   await page.getByRole("menuitem", { name: "New project" }).click();
   await expect(page.getByTestId("project-name")).toHaveValue("Untitled");
   await expect(page.getByTestId("model-tree")).toContainText("This project is empty.");
