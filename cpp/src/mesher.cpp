@@ -29,8 +29,8 @@ constexpr double kModelSurfaceEnd = 0.15;
 constexpr double kVolumeEnd = 0.4;
 constexpr double kOptimizeEnd = 0.97;
 
-/// Where a given surface is coarser than the size asked for, sizes fall by so much per unit of distance.
-/// At 0.5 the front dives where it should descend, and leaves pockets.
+/// Where a given surface is coarser than the size asked for, sizes fall by so much per unit of
+/// distance. At 0.5 the front dives where it should descend, and leaves pockets.
 constexpr double kInwardDescent = 0.3;
 
 std::vector<Vec3> pointsOf(const SurfaceMesh& surface) {
@@ -324,7 +324,7 @@ class MeshRun::Impl {
   void refuse(double expectedCount) {
     Diagnostic tooMany;
     tooMany.code = DiagnosticCode::kTooManyElements;
-    tooMany.values = {expectedCount, static_cast<double>(options_.maxTetrahedra)};
+    tooMany.values = {counted(expectedCount), static_cast<double>(options_.maxTetrahedra)};
     report({tooMany});
     fail();
   }

@@ -80,6 +80,19 @@ TEST(SurfaceWithGrid, AUniformSizeGoesBeforeTheGrid) {
             filled(cube, {}, options).fingerprint());
 }
 
+TEST(SurfaceWithGrid, AskedForMoreThanCanBeCountedIsRefusedWithANumber) {
+  const SurfaceMesh cube = gridCube(4);
+  for (const double size : {1e-5, 1e-308}) {
+    MeshOptions options;
+    options.size = size;
+    const MeshRun run = filled(cube, {}, options);
+    ASSERT_EQ(run.status(), MeshStatus::kInvalidInput) << size;
+    EXPECT_EQ(run.diagnostics()[0].code, DiagnosticCode::kTooManyElements);
+    EXPECT_GT(run.diagnostics()[0].values[0], 1e14);
+    EXPECT_LE(run.diagnostics()[0].values[0], 1e15);
+  }
+}
+
 TEST(SurfaceWithGrid, OutsideOfItIsRefusedWithTheFirstPlace) {
   const SurfaceMesh cube = gridCube(4);
   const BackgroundGrid half =

@@ -22,9 +22,8 @@ enum class Optimization : std::uint8_t {
 
 struct MeshOptions {
   /// Uniform element size, in model units, > 0. Given, it replaces the nodes and tetrahedra of a
-  /// model's background grid, but not its sources, and caps the interior size of a given surface (reached step by
-  /// step where the surface's own edges are longer).
-  /// 0: not given.
+  /// model's background grid, but not its sources, and caps the interior size of a given surface
+  /// (reached step by step where the surface's own edges are longer). 0: not given.
   double size = 0.0;
   /// Growth of the element size per unit of distance from a given surface's edges, >= 0.
   double growth = 0.3;

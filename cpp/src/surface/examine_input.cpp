@@ -20,8 +20,6 @@ namespace {
 
 /// A model whose volume is not known fills some part of its box.
 constexpr double kLeastPart = 0.05;
-/// More elements than this are not told apart, nor is what overflowed.
-constexpr double kBeyondCounting = 1e15;
 
 class InputCheck {
  public:
@@ -145,8 +143,7 @@ class InputCheck {
     if (expected <= static_cast<double>(options_->maxTetrahedra)) return;
     Diagnostic tooMany;
     tooMany.code = DiagnosticCode::kTooManyElements;
-    tooMany.values = {expected < kBeyondCounting ? expected : kBeyondCounting,
-                      static_cast<double>(options_->maxTetrahedra)};
+    tooMany.values = {counted(expected), static_cast<double>(options_->maxTetrahedra)};
     diagnostics_.push_back(std::move(tooMany));
   }
 

@@ -16,6 +16,12 @@ inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
 /// surface must be closed, oriented and not empty.
 [[nodiscard]] double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field);
 
+/// An estimate as it is told to the user: above 10^15, or where it overflowed, that.
+[[nodiscard]] inline double counted(double expected) {
+  constexpr double kBeyondCounting = 1e15;
+  return expected < kBeyondCounting ? expected : kBeyondCounting;
+}
+
 /// The signed volume within a surface; positive if that is turned outward.
 [[nodiscard]] double enclosedVolume(const SurfaceMesh& surface);
 

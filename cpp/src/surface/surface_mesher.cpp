@@ -32,7 +32,7 @@ using LineSide = std::pair<std::uint32_t, std::uint32_t>;
 
 /// The values of kTooManyElements for a body of `sides` sides in each direction.
 std::vector<double> tetrahedraAsked(double sides) {
-  return {kTetrahedraPerUnitVolume * sides * sides * sides,
+  return {counted(kTetrahedraPerUnitVolume * sides * sides * sides),
           static_cast<double>(MeshOptions{}.maxTetrahedra)};
 }
 
