@@ -7,6 +7,7 @@ import {
   MesherError,
   readProject,
   type Mesher,
+  type MeshResult,
   type Progress,
   type Project,
   type SurfaceInput,
@@ -29,6 +30,21 @@ beforeAll(async () => {
   mesher = await createMesher();
 });
 afterAll(() => mesher.dispose());
+
+/** How many elements of the unit cube have their centroid within 0.2 of its centre along every axis. */
+function elementsInTheMiddle({ volume }: MeshResult): number {
+  const { points, tetrahedra } = volume;
+  let count = 0;
+  for (let t = 0; t < tetrahedra.length; t += 4) {
+    const corners = tetrahedra.subarray(t, t + 4);
+    const isInside = [0, 1, 2].every((axis) => {
+      const sum = corners.reduce((total, node) => total + (points[3 * node + axis] ?? NaN), 0);
+      return Math.abs(sum / 4 - 0.5) < 0.2;
+    });
+    if (isInside) ++count;
+  }
+  return count;
+}
 
 describe("a given surface is filled and kept triangle for triangle:", () => {
   test.each<[string, SurfaceInput, number]>([
@@ -71,14 +87,14 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     expect(result.report.diagnostics).toMatchObject([{ code: "reoriented-patch", severity: "information" }]);
   });
 
-  test("a size given caps the elements inside", async () => {
-    const surface = boxSurface(4);
+  test("a size given caps the elements inside, away from a coarser boundary", async () => {
+    const surface = boxSurface(10);
     const [free, fine] = [
       await mesher.fillSurface(surface),
-      await mesher.fillSurface(surface, { size: 0.1 }),
+      await mesher.fillSurface(surface, { size: 0.04 }),
     ];
     expectValid(fine, surface);
-    expect(fine.report.tetrahedra).toBeGreaterThan(2 * free.report.tetrahedra);
+    expect(elementsInTheMiddle(fine)).toBeGreaterThan(8 * elementsInTheMiddle(free));
   });
 
   test("the paper's order fills it too", async () => {
