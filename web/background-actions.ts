@@ -1,6 +1,6 @@
 import { projectBackground, type CoverOptions, type ProjectSource, type SizeProposal } from "tetrafront";
 import type { App } from "./app";
-import { replaceBackground, setUniformSize } from "./document/edits";
+import { replaceBackground, replaceSources, setUniformSize } from "./document/edits";
 import { strings } from "./ui/strings";
 
 /** What commands and dialogs do to the background grid with the engine's help. */
@@ -60,7 +60,8 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
       : project.background;
     const present = use.replaceSources ? [] : (project.background.sources ?? []);
     const background = { ...grid, sources: mergeSources(present, proposal.sources) };
-    app.documents.edit(replaceBackground(strings.background.propose, background));
+    const replace = use.cover ? replaceBackground : replaceSources;
+    app.documents.edit(replace(strings.background.propose, background));
     app.view.setLayer("sources", true);
   } catch (error) {
     fail(app, strings.background.propose, error);

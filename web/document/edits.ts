@@ -197,18 +197,31 @@ export function setUniformSize(size: number | null): ProjectEdit {
   };
 }
 
-/** Another background grid; what is asked of the sources is in it. */
-export function replaceBackground(label: string, background: ProjectBackground): ProjectEdit {
+/** Other sources, in a background grid that stays; one size everywhere remains so. */
+export function replaceSources(label: string, background: ProjectBackground): ProjectEdit {
   return { label, replace: [[["project", "background"], background]] };
 }
 
-/** Multiplies every size, of background nodes and sources: coarser above 1, finer below. */
+/** Another background grid, sources and all, which takes the place of one size everywhere. */
+export function replaceBackground(label: string, background: ProjectBackground): ProjectEdit {
+  return {
+    label,
+    replace: [
+      [["project", "background"], background],
+      [["uniformSize"], null],
+    ],
+  };
+}
+
+/** Multiplies every size: of background nodes, of sources, everywhere. Coarser above 1, finer below. */
 export function scaleSizes(factor: number): ProjectEdit {
   return {
     label: factor < 1 ? "Refine all sizes" : "Coarsen all sizes",
-    change: ({ project }) => {
-      for (const node of project.background.nodes) node.size *= factor;
-      for (const source of project.background.sources ?? []) source.size *= factor;
+    change: (draft) => {
+      const { nodes, sources = [] } = draft.project.background;
+      for (const node of nodes) node.size *= factor;
+      for (const source of sources) source.size *= factor;
+      if (draft.uniformSize !== null) draft.uniformSize *= factor;
     },
   };
 }

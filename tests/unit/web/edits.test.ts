@@ -4,9 +4,12 @@ import {
   deleteEntities,
   moveEntity,
   renameEntity,
+  replaceBackground,
+  replaceSources,
   scaleSizes,
   setNodeDirection,
   setNodeStretching,
+  setUniformSize,
 } from "../../../web/document/edits";
 import { contentKey, DocumentStore, hasUnsavedChanges } from "../../../web/document/store";
 import { toProblems } from "../../../web/document/validate";
@@ -118,5 +121,22 @@ describe("treeRows", () => {
       rows.some((row) => row.type === "entity" && row.entity.kind === "line" && row.entity.id === id),
     ).toBe(true);
     expect(treeRows(project, "no such thing", new Set())).toEqual([]);
+  });
+});
+
+describe("sizes", () => {
+  it("of a new grid hold in place of one size everywhere, those of new sources beside it", () => {
+    const project = cubeProject();
+    const documents = new DocumentStore(project, () => 0);
+    documents.edit(setUniformSize(0.5));
+    documents.edit(scaleSizes(0.5));
+    expect(documents.content.uniformSize).toBe(0.25);
+    expect(documents.project.background.nodes[0]?.size).toBe(0.5 * (project.background.nodes[0]?.size ?? 0));
+    documents.edit(replaceSources("Sources", { ...project.background, sources: [] }));
+    expect(documents.content.uniformSize).toBe(0.25);
+    documents.edit(replaceBackground("Grid", { ...project.background, overhang: 1 }));
+    expect(documents.content.uniformSize).toBeNull();
+    documents.undo();
+    expect(documents.content.uniformSize).toBe(0.25);
   });
 });
