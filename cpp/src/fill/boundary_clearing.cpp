@@ -207,14 +207,7 @@ std::vector<BoundaryFace> BoundaryClearing::boundaryFor(NodeId apex) const {
 }
 
 bool BoundaryClearing::replaceByExisting(NodeId node) {
-  std::vector<NodeId> candidates;
-  for (const TetId id : star_) {
-    for (const NodeId other : mesh_.tet(id).nodes) {
-      if (other != node) candidates.push_back(other);
-    }
-  }
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  const std::vector<NodeId> candidates = mesh_.neighboursIn(star_, node);
   for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
     NodeId best;
     double bestShape = 0.0;

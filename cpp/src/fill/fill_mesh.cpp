@@ -177,6 +177,18 @@ void FillMesh::keep(const std::vector<std::uint8_t>& kept) {
   }
 }
 
+std::vector<NodeId> FillMesh::neighboursIn(std::span<const TetId> star, NodeId node) const {
+  std::vector<NodeId> neighbours;
+  for (const TetId t : star) {
+    for (const NodeId other : tets_[t.index()].nodes) {
+      if (other != node) neighbours.push_back(other);
+    }
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  return neighbours;
+}
+
 void FillMesh::separate(std::span<const TetId> sector, NodeId node, NodeId own) {
   tetAt_.resize(points.size());
   for (const TetId t : sector) {

@@ -63,7 +63,9 @@ class FillMesh {
   void starFrom(TetId seed, NodeId node, std::vector<TetId>& result) {
     spread(seed, {node, node}, result);
   }
-  /// Those at an edge of `seed`, likewise.
+  /// The other nodes of a star, ascending, each once.
+  [[nodiscard]] std::vector<NodeId> neighboursIn(std::span<const TetId> star, NodeId node) const;
+  /// The tetrahedra at an edge of `seed` that are joined by faces.
   void ring(TetId seed, NodeId u, NodeId v, std::vector<TetId>& result) {
     spread(seed, {u, v}, result);
   }

@@ -58,14 +58,7 @@ double InteriorClearing::leastShapeAround() const {
 
 /// By the best neighbour. A point that is a double already stays unless shapes get better.
 bool InteriorClearing::removePoint(NodeId node) {
-  std::vector<NodeId> candidates;
-  for (const TetId id : star_) {
-    for (const NodeId other : mesh_.tet(id).nodes) {
-      if (other != node) candidates.push_back(other);
-    }
-  }
-  std::sort(candidates.begin(), candidates.end());
-  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  const std::vector<NodeId> candidates = mesh_.neighboursIn(star_, node);
   const double needed = mesh_.points.isDouble(node) ? leastShapeAround() : -1.0;
   for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
     ConeRules rules;
