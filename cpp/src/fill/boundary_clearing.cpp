@@ -280,14 +280,14 @@ std::optional<DyadicVec3> BoundaryClearing::exactInwards() const {
   const auto leadsIn = [&](const DyadicVec3& d) {
     return dot(first, d).sign() > 0 && dot(last, d).sign() > 0;
   };
-  const DyadicVec3 plain = toDyadic(inwards());
+  DyadicVec3 plain = toDyadic(inwards());
   if (leadsIn(plain)) return plain;
   // Of normals n, m with n.m = -c < 0, (m.m + c) n + (n.n + c) m has with each the product
   // n.n m.m - c c > 0.
   const Dyadic c = dot(first, last).negated();
   const DyadicVec3 direction = first * (dot(last, last) + c) + last * (dot(first, first) + c);
   for (int steps = 1; steps <= kMaxTruncations; ++steps) {
-    const DyadicVec3 shorter{truncated(direction[0], steps), truncated(direction[1], steps),
+    DyadicVec3 shorter{truncated(direction[0], steps), truncated(direction[1], steps),
                              truncated(direction[2], steps)};
     if (leadsIn(shorter)) return shorter;
   }

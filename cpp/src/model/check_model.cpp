@@ -208,7 +208,7 @@ class ModelCheck {
       const std::optional<Vec3> place = findSelfCrossing(resolved.curve(line));
       if (!place) continue;
       crosses_[line] = 1;
-      report(DiagnosticCode::kLineCrossesItself, {{EntityKind::kLine, line}}, {}, *place);
+      report(DiagnosticCode::kLineCrossesItself, {{EntityKind::kLine, line}}, {}, place);
       if (isUsed_[line] == 0) found_.diagnostics.back().severity = Severity::kWarning;
     }
   }
