@@ -39,6 +39,39 @@ function walkLoop(left: Map<number, ProjectLine>): number[] {
   return loop;
 }
 
+/** The area enclosed by a closed line's points, as a vector about their mean (Newell). */
+function areaVector(project: Project, line: ProjectLine): readonly number[] {
+  const places = line.points.map((id) => findRecord(project, "point", id)?.at ?? [0, 0, 0]);
+  const middle = [0, 1, 2].map(
+    (axis) => places.reduce((sum, at) => sum + (at[axis] ?? 0), 0) / places.length,
+  );
+  const from = (i: number, axis: number) => (places[i]?.[axis] ?? 0) - (middle[axis] ?? 0);
+  return [0, 1, 2].map((axis) => {
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+    return places
+      .slice(1)
+      .reduce((sum, _, i) => sum + from(i, u) * from(i + 1, v) - from(i, v) * from(i + 1, u), 0);
+  });
+}
+
+/**
+ * Two closed lines and one that joins them are a tube with a seam, walked there and back. The second
+ * closed line is walked against the first, else the tube would cross itself.
+ */
+function seamedLoop(project: Project, lines: readonly ProjectLine[]): number[] | null {
+  const isClosed = (line: ProjectLine) => endsOf(line)[0] === endsOf(line)[1];
+  const [first, second] = lines.filter(isClosed);
+  const [seam] = lines.filter((line) => !isClosed(line));
+  if (lines.length !== 3 || !first || !second || !seam) return null;
+  const [from, to] = [endsOf(first)[0], endsOf(second)[0]];
+  const [start, end] = endsOf(seam);
+  const there = start === from && end === to ? 1 : start === to && end === from ? -1 : 0;
+  if (there === 0) return null;
+  const [a, b] = [areaVector(project, first), areaVector(project, second)];
+  const alike = a.reduce((sum, value, axis) => sum + value * (b[axis] ?? 0), 0) > 0;
+  return [first.id, there * seam.id, alike ? -second.id : second.id, -there * seam.id];
+}
+
 /** Squared diagonal of the box around all points of a loop's lines. */
 function extentOf(project: Project, loop: readonly number[]): number {
   const wanted = new Set(loop.flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []));
@@ -51,11 +84,14 @@ function extentOf(project: Project, loop: readonly number[]): number {
 
 /**
  * Puts lines, given in any order and direction, into closed loops. Each loop begins with the line
- * given first. The loop that reaches furthest is the outer one. Quadratic in the number of lines.
+ * given first. The loop that reaches furthest is the outer one. A tube's two rims and the line between
+ * them are one loop. Quadratic in the number of lines.
  */
 export function orderLoops(project: Project, lineIds: readonly number[]): LoopSearch {
   const lines = lineIds.map((id) => findRecord(project, "line", id)).filter((line) => line !== undefined);
   if (lines.length === 0) return { success: false, reason: "Select the lines around the patch." };
+  const seamed = seamedLoop(project, lines);
+  if (seamed !== null) return { success: true, loops: [seamed] };
   const reason = findLooseEnd(lines);
   if (reason !== null) return { success: false, reason };
   const left = new Map(lines.map((line) => [line.id, line]));

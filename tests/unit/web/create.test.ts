@@ -26,6 +26,33 @@ function isClosed(project: Project, loop: readonly number[]): boolean {
   return ends.every(([, end], i) => end === ends[(i + 1) % ends.length]?.[0]);
 }
 
+/** Two square rims, drawn one way round (1) or the other (-1), as lines 2 and 3, and line 1 between them. */
+function tubeLines(rims: readonly [number, number], seam: readonly [number, number]): Project {
+  const corners = [0, 1].flatMap(
+    (z) =>
+      [
+        [1, 0, z],
+        [0, 1, z],
+        [-1, 0, z],
+        [0, -1, z],
+      ] as const,
+  );
+  const rim = (first: number, turn: number) => {
+    const around = [first + 1, first + 2, first + 3];
+    return [first, ...(turn > 0 ? around : around.reverse()), first];
+  };
+  return {
+    ...cubeProject(),
+    points: corners.map((at, i) => ({ id: i + 1, at: [...at] })),
+    lines: [
+      { id: 1, type: "straight", points: [...seam] },
+      { id: 2, type: "spline", points: rim(1, rims[0]) },
+      { id: 3, type: "spline", points: rim(5, rims[1]) },
+    ],
+    patches: [],
+  };
+}
+
 describe("orderLoops", () => {
   const project = cubeProject();
   const loops = project.patches.map((patch) => patch.loops[0] ?? []);
@@ -58,6 +85,38 @@ describe("orderLoops", () => {
       project.lines.map(({ id }) => id),
     );
     expect(!crowded.success && crowded.reason).toMatch(/^3 of the lines meet at point \d/);
+  });
+
+  it("makes one loop of a tube's rims and its seam, however they are drawn", () => {
+    for (const [rims, seam] of [
+      [
+        [1, 1],
+        [1, 5],
+      ],
+      [
+        [1, -1],
+        [5, 1],
+      ],
+      [
+        [-1, 1],
+        [1, 5],
+      ],
+    ] as const) {
+      const tube = tubeLines(rims, seam);
+      const found = orderLoops(tube, [2, 3, 1]);
+      if (!found.success) throw new Error(found.reason);
+      const [loop = []] = found.loops;
+      expect(found.loops).toHaveLength(1);
+      expect(isClosed(tube, loop)).toBe(true);
+      expect(loop.filter((step) => Math.abs(step) === 3)).toHaveLength(1);
+      expect(loop.filter((step) => Math.abs(step) === 2)).toHaveLength(1);
+      expect(loop.filter((step) => Math.abs(step) === 1).sort()).toEqual([-1, 1]);
+      // The rims are walked against each other, whichever way each was drawn.
+      const turns = loop
+        .filter((step) => Math.abs(step) > 1)
+        .map((step) => Math.sign(step) * (rims[Math.abs(step) - 2] ?? 0));
+      expect(turns[0]).toBe(-(turns[1] ?? 0));
+    }
   });
 
   it("turns any line of a loop into the second", () => {
