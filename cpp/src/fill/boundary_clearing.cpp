@@ -288,7 +288,7 @@ std::optional<DyadicVec3> BoundaryClearing::exactInwards() const {
   const DyadicVec3 direction = first * (dot(last, last) + c) + last * (dot(first, first) + c);
   for (int steps = 1; steps <= kMaxTruncations; ++steps) {
     DyadicVec3 shorter{truncated(direction[0], steps), truncated(direction[1], steps),
-                             truncated(direction[2], steps)};
+                       truncated(direction[2], steps)};
     if (leadsIn(shorter)) return shorter;
   }
   return {};
