@@ -15,6 +15,8 @@ bool contains(const std::array<NodeId, 4>& nodes, NodeId node) {
 
 /// Is p well within the circumsphere? In doubles: it only ranks.
 bool circumsphereHolds(const std::array<Vec3, 4>& corners, const Vec3& p) {
+  // Share of the largest terms; rounding is a few 1e-16 of them, and points that are on the sphere
+  // but for rounding, as on grids, must not count as inside.
   constexpr double kDoubt = 1e-12;
   const Vec3 a = corners[0] - p;
   const Vec3 b = corners[1] - p;

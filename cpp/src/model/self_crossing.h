@@ -15,6 +15,7 @@ namespace tetrafront {
 /// apart.
 [[nodiscard]] std::optional<Vec3> findSelfCrossing(const Curve& curve);
 
+/// A share of the curve's extent: far above the rounding of its coordinates, far below any element.
 inline constexpr double kSamePassage = 1e-9;
 
 }  // namespace tetrafront
