@@ -59,6 +59,8 @@ function bracket() {
   const [inner, middle] = [fillet - thickness, thickness + 0.08];
   builder.source("along the fillet", [[middle, 0, middle], [middle, width, middle]], 0.07, { distance: inner / 2 }); // prettier-ignore
   builder.source("at the corner", [[2, 0, thickness]], 0.06, { distance: 0.05 });
+  const web = [[0, 0.15, 0.75], [0, width - 0.15, 0.75], [0, width / 2, 0.3]]; // prettier-ignore
+  builder.source("below the upright bore", web, 0.075, { distance: thickness });
   uniform(builder, [-0.5, -0.5, -0.5], 8, 0.15);
   return builder;
 }
