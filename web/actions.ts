@@ -79,9 +79,9 @@ export async function downloadMesh(app: App, extension: MeshExtension): Promise<
   const { mesh } = app.run.state.getState();
   const { project } = app.documents;
   if (!mesh) return;
-  const { MESH_WRITERS } = await import("./mesh-writers");
-  const bytes = MESH_WRITERS[extension]?.(mesh, project);
-  if (bytes) download([bytes], `${fileStem(project.name)}${extension}`, "application/octet-stream");
+  const { fileMeshOf, writeMesh } = await import("./mesh-writers");
+  const files = await writeMesh(fileMeshOf(mesh, { project }), `${fileStem(project.name)}${extension}`);
+  for (const { fileName, bytes } of files) download([bytes], fileName, "application/octet-stream");
 }
 
 export function downloadReport(app: App): void {

@@ -1,2 +1,2 @@
 /** Loaded when a mesh is first saved. */
-export { MESH_WRITERS } from "tetrafront";
+export { fileMeshOf, writeMesh } from "tetrafront";

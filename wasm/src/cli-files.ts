@@ -1,5 +1,5 @@
 /** Files as the command line meets them: every way to fail gets one line with a remedy. */
-import { constants } from "node:fs";
+import { constants, createReadStream } from "node:fs";
 import { access, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
 import path from "node:path";
 
@@ -21,6 +21,24 @@ export async function readInput(file: string): Promise<Uint8Array> {
   } catch (failure) {
     throw inputProblem(file, failure);
   }
+}
+
+/** The bytes of a file, piece by piece. Throws a FileProblem while they are read. */
+export async function* piecesOfInput(file: string): AsyncGenerator<Uint8Array, void> {
+  try {
+    for await (const piece of createReadStream(file, { highWaterMark: PIECE_BYTES })) yield piece as Buffer;
+  } catch (failure) {
+    throw codeOf(failure) === "" ? failure : inputProblem(file, failure);
+  }
+}
+
+/** Few calls of the system, little memory. */
+const PIECE_BYTES = 1 << 20;
+
+/** The file of this name beside another, for formats of several files; undefined where there is none. */
+export async function openBeside(file: string, name: string): Promise<AsyncIterable<Uint8Array> | undefined> {
+  const other = path.join(path.dirname(file), path.basename(name));
+  return (await statOf(other))?.isFile() === true ? piecesOfInput(other) : undefined;
 }
 
 function inputProblem(file: string, failure: unknown): FileProblem {

@@ -1,20 +1,22 @@
 /** What the command line reads: options that are numbers, projects, surfaces, background grids. */
-import { FileProblem, readInput } from "./cli-files.js";
+import { FileProblem, openBeside, piecesOfInput, readInput } from "./cli-files.js";
 import { BadInput, unreadable } from "./cli-messages.js";
-import { extensionOf, SURFACE_READERS, VOLUME_READERS } from "./formats/file-formats.js";
+import { extensionOf, extensionsThat } from "./formats/file-formats.js";
+import { readSurface, readVolume, type ReadFileOptions } from "./formats/mesh-files.js";
+import type { SurfaceFile } from "./formats/surface-file.js";
 import type { VolumeFile } from "./formats/volume-file.js";
 import { backgroundArrays } from "./grid-arrays.js";
 import { volumeBackground } from "./formats/volume-background.js";
 import { readProject } from "./project.js";
 import type { Project } from "./project-schema.js";
 import type { ReadResult } from "./read-result.js";
-import type { BackgroundArrays, Diagnostic, Mesher, SurfaceInput } from "./types.js";
+import type { BackgroundArrays, Diagnostic, Mesher } from "./types.js";
 
 export const PROJECT_EXTENSION = ".json";
 
 export type Input =
   | { readonly kind: "project"; readonly project: Project }
-  | { readonly kind: "surface"; readonly surface: SurfaceInput };
+  | { readonly kind: "surface"; readonly surface: SurfaceFile };
 
 /** A background grid as its file has it; a mesh becomes one only with a mesher's help. */
 export type GridInput =
@@ -37,10 +39,9 @@ export function refuseOptions(wrong: readonly Diagnostic[]): void {
 }
 
 export async function readModel(input: string): Promise<Input> {
-  const extension = checkedExtension(input, [PROJECT_EXTENSION, ...Object.keys(SURFACE_READERS)]);
+  const extension = checkedExtension(input, [PROJECT_EXTENSION, ...extensionsThat("reads", "surface")]);
   if (extension === PROJECT_EXTENSION) return { kind: "project", project: await readProjectFile(input) };
-  const bytes = await readInput(input);
-  const read = SURFACE_READERS[extension]?.(bytes);
+  const read = await readSurface(piecesOfInput(input), openedAs(input));
   return { kind: "surface", surface: valueOf(input, read) };
 }
 
@@ -50,13 +51,12 @@ export async function readProjectFile(input: string): Promise<Project> {
 }
 
 export async function readGrid(file: string): Promise<GridInput> {
-  const extension = checkedExtension(file, [PROJECT_EXTENSION, ...Object.keys(VOLUME_READERS)]);
+  const extension = checkedExtension(file, [PROJECT_EXTENSION, ...extensionsThat("reads", "volume")]);
   if (extension === PROJECT_EXTENSION) {
     const { background } = await readProjectFile(file);
     return { kind: "project", background: backgroundArrays(background) };
   }
-  const bytes = await readInput(file);
-  return { kind: "volume", volume: valueOf(file, await VOLUME_READERS[extension]?.(bytes)) };
+  return { kind: "volume", volume: valueOf(file, await readVolume(piecesOfInput(file), openedAs(file))) };
 }
 
 /** Throws a BadInput about the file where the numbers at its nodes are no sizes. */
@@ -65,6 +65,10 @@ export async function gridArrays(mesher: Mesher, file: string, grid: GridInput):
   const read = await volumeBackground(mesher, grid.volume);
   if (!read.success) throw new BadInput(file, read.problems.map(unreadable));
   return read.value;
+}
+
+function openedAs(file: string): ReadFileOptions {
+  return { fileName: file, openOther: (name) => openBeside(file, name) };
 }
 
 function checkedExtension(file: string, known: readonly string[]): string {
@@ -77,7 +81,7 @@ function checkedExtension(file: string, known: readonly string[]): string {
   );
 }
 
-function valueOf<T>(file: string, read: ReadResult<T> | undefined): T {
-  if (read?.success === true) return read.value;
-  throw new BadInput(file, (read?.problems ?? []).map(unreadable));
+function valueOf<T>(file: string, read: ReadResult<T>): T {
+  if (read.success) return read.value;
+  throw new BadInput(file, read.problems.map(unreadable));
 }

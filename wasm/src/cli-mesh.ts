@@ -12,7 +12,9 @@ import {
 import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import { packageDiagnostic } from "./diagnostics.js";
-import { extensionOf, MESH_WRITERS } from "./formats/file-formats.js";
+import { extensionOf, extensionsThat } from "./formats/file-formats.js";
+import { fileMeshOf } from "./formats/file-mesh.js";
+import { writeMesh } from "./formats/mesh-files.js";
 import { createMesher, MesherError } from "./mesher.js";
 import { checkOptions } from "./options.js";
 import { emptyReport, emptyResult } from "./report.js";
@@ -82,7 +84,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { report } = result;
   tell(input, report.diagnostics, { isQuiet });
   const isWanted = mayWrite(result, options);
-  const written = isWanted && (await writeMesh(options.output, result, model)) ? options.output : null;
+  const written = isWanted && (await writeResult(options.output, result, model)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written, options));
   const isLost = isWanted && written === null;
   return { report, written, exitCode: isLost ? ExitCode.notCompleted : EXIT_CODES[report.status] };
@@ -126,13 +128,14 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
 
 async function checkMeshPlace(output: string): Promise<void> {
   const extension = extensionOf(output);
-  if (!Object.hasOwn(MESH_WRITERS, extension)) {
+  const known = extensionsThat("writes", "volume");
+  if (!known.includes(extension)) {
     throw new FileProblem(
       output,
       extension === ""
         ? "the name has no extension to tell the format"
         : `"${extension}" is not a mesh format`,
-      `Give a name that ends in ${Object.keys(MESH_WRITERS).join(" or ")}.`,
+      `Give a name that ends in ${known.join(" or ")}.`,
     );
   }
   await checkOutput(output);
@@ -186,10 +189,12 @@ function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOp
   return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
 }
 
-async function writeMesh(output: string, result: MeshResult, model: Input): Promise<boolean> {
-  const write = MESH_WRITERS[extensionOf(output)];
-  const bytes = write?.(result, model.kind === "project" ? model.project : undefined);
-  return bytes !== undefined && (await tryWrite(output, bytes));
+async function writeResult(output: string, result: MeshResult, model: Input): Promise<boolean> {
+  const files = await writeMesh(fileMeshOf(result, model), output);
+  for (const { fileName, bytes } of files) {
+    if (!(await tryWrite(fileName, bytes))) return false;
+  }
+  return true;
 }
 
 type CommandReport = MeshReport & { readonly input: string; readonly output: string | null };

@@ -1,26 +1,33 @@
 /**
  * Tetrafront: tetrahedral meshes by the advancing-front method (Löhner & Parikh 1988).
  *
- *     import { createMesher, readProject, writeVtu } from "tetrafront";
+ *     import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
  */
 export { ENGINE_CODES } from "./diagnostic-codes.js";
 export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostic-codes.js";
 export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagnostics.js";
-export { MESH_WRITERS, patchNames, SURFACE_READERS, VOLUME_READERS } from "./formats/file-formats.js";
-export { writeMedit } from "./formats/medit.js";
-export { readMsh } from "./formats/msh-reader.js";
-export type { GroupNames } from "./formats/groups.js";
-export { writeMsh } from "./formats/msh.js";
-export { readObj } from "./formats/obj.js";
-export { readOff } from "./formats/off.js";
-export { readPly } from "./formats/ply.js";
-export { readStl } from "./formats/stl.js";
-export { writeSu2 } from "./formats/su2.js";
+export type { ByteSource } from "./formats/byte-source.js";
+export type { Contents, FileFormat, OpenOther, WrittenFile } from "./formats/file-format.js";
+export { extensionsThat, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
+export {
+  fileMeshOf,
+  patchNames,
+  type FileGroup,
+  type FileMesh,
+  type NameSource,
+  type NodeData,
+} from "./formats/file-mesh.js";
+export {
+  readMesh,
+  readSurface,
+  readVolume,
+  writeMesh,
+  type ReadFileOptions,
+  type ReadSurfaceOptions,
+} from "./formats/mesh-files.js";
+export type { SurfaceFile } from "./formats/surface-file.js";
 export { volumeBackground } from "./formats/volume-background.js";
-export type { NodeData, VolumeFile } from "./formats/volume-file.js";
-export { writeVtk } from "./formats/vtk.js";
-export { readVtu } from "./formats/vtu-reader.js";
-export { writeVtu } from "./formats/vtu.js";
+export type { VolumeFile } from "./formats/volume-file.js";
 export { backgroundArrays, projectBackground } from "./grid-arrays.js";
 export { createMesher, MesherError } from "./mesher.js";
 export type { MesherErrorCode } from "./mesher.js";

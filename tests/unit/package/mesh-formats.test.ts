@@ -1,4 +1,4 @@
-import { writeMedit, writeMsh, writeSu2, writeVtk, writeVtu, type MeshResult } from "tetrafront";
+import { fileMeshOf, writeMesh, type FileMesh, type MeshResult } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { parseMsh, parseVtu } from "../../support/mesh-files.js";
@@ -44,9 +44,26 @@ const empty: typeof mesh = {
   volume: { ...mesh.volume, tetrahedra: new Uint32Array(), regions: new Uint32Array() },
 };
 
+/** The one file that a mesh becomes. */
+async function written(extension: string, mesh: FileMesh): Promise<Uint8Array<ArrayBuffer>> {
+  const [file, ...others] = await writeMesh(mesh, `part${extension}`);
+  if (file === undefined || others.length > 0) throw new Error("not one file");
+  expect(file.fileName).toBe(`part${extension}`);
+  return file.bytes;
+}
+
+const named = (
+  patches: readonly string[],
+  regions: readonly string[] = ["region 1", "region 2"],
+): FileMesh => ({
+  ...fileMeshOf(mesh),
+  patches: patches.map((name, p) => ({ name, tag: p + 1 })),
+  regions: regions.map((name, r) => ({ name, tag: r + 1 })),
+});
+
 describe("VTU", () => {
-  test("holds the tetrahedra with coordinates bit for bit", () => {
-    const read = parseVtu(writeVtu(mesh));
+  test("holds the tetrahedra with coordinates bit for bit", async () => {
+    const read = parseVtu(await written(".vtu", fileMeshOf(mesh)));
     expect([...read.points]).toEqual([...points]);
     expect(read.tetrahedra).toEqual([
       [0, 1, 2, 3],
@@ -55,15 +72,15 @@ describe("VTU", () => {
     expect(read.regions).toEqual([0, 1]);
   });
 
-  test("of a mesh without tetrahedra is whole", () => {
-    const read = parseVtu(writeVtu(empty));
+  test("of a mesh without tetrahedra is whole", async () => {
+    const read = parseVtu(await written(".vtu", fileMeshOf(empty)));
     expect([read.points.length, read.tetrahedra, read.regions]).toEqual([15, [], []]);
   });
 });
 
 describe("MSH", () => {
-  test("holds patches and regions as named groups with coordinates bit for bit", () => {
-    const read = parseMsh(writeMsh(mesh, { patches: ["inlet", "unused", 'the "wall"'] }));
+  test("holds patches and regions as named groups with coordinates bit for bit", async () => {
+    const read = parseMsh(await written(".msh", named(["inlet", "unused", 'the "wall"'])));
     expect([...read.points]).toEqual([...points]);
     expect(read.triangles).toEqual([
       { name: "inlet", elements: [[0, 1, 3]] },
@@ -81,14 +98,17 @@ describe("MSH", () => {
     ]);
   });
 
-  test("tells groups of one name apart", () => {
-    const read = parseMsh(writeMsh(mesh, { patches: ["wall", "", "wall"], regions: ["", " "] }));
+  test("tells groups of one name apart", async () => {
+    const read = parseMsh(await written(".msh", named(["wall", "", "wall"], ["", " "])));
     expect(read.triangles.map(({ name }) => name)).toEqual(["wall", "wall (patch 3)"]);
     expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1", "region 2"]);
   });
 
-  test("of a mesh without elements is whole", () => {
-    expect(parseMsh(writeMsh(empty))).toMatchObject({ triangles: [], tetrahedra: [] });
+  test("of a mesh without elements is whole", async () => {
+    expect(parseMsh(await written(".msh", fileMeshOf(empty)))).toMatchObject({
+      triangles: [],
+      tetrahedra: [],
+    });
   });
 });
 
@@ -102,8 +122,8 @@ describe("legacy VTK", () => {
   const ints = (view: DataView, count: number) =>
     Array.from({ length: count }, (_, i) => view.getInt32(4 * i));
 
-  test("holds the tetrahedra with coordinates bit for bit", () => {
-    const file = writeVtk(mesh);
+  test("holds the tetrahedra with coordinates bit for bit", async () => {
+    const file = await written(".vtk", fileMeshOf(mesh));
     const places = after(file, /^POINTS 5 double\n/m);
     expect(Array.from(points, (_, i) => places.getFloat64(8 * i))).toEqual([...points]);
     expect(ints(after(file, /^CELLS 2 10\n/m), 10)).toEqual([4, 0, 1, 2, 3, 4, 1, 4, 2, 3]);
@@ -111,8 +131,10 @@ describe("legacy VTK", () => {
     expect(ints(after(file, /^SCALARS region int 1\nLOOKUP_TABLE default\n/m), 2)).toEqual([0, 1]);
   });
 
-  test("of a mesh without tetrahedra is whole", () => {
-    expect(new TextDecoder("latin1").decode(writeVtk(empty))).toMatch(/CELLS 0 0\n\nCELL_TYPES 0\n/);
+  test("of a mesh without tetrahedra is whole", async () => {
+    expect(new TextDecoder("latin1").decode(await written(".vtk", fileMeshOf(empty)))).toMatch(
+      /CELLS 0 0\n\nCELL_TYPES 0\n/,
+    );
   });
 });
 
@@ -125,8 +147,8 @@ describe("Medit", () => {
       .map((line) => line.split(" ").map(Number));
   };
 
-  test("holds boundary and tetrahedra with their references, and coordinates bit for bit", () => {
-    const file = new TextDecoder().decode(writeMedit(mesh));
+  test("holds boundary and tetrahedra with their references, and coordinates bit for bit", async () => {
+    const file = new TextDecoder().decode(await written(".mesh", fileMeshOf(mesh)));
     expect(file).toMatch(/^MeshVersionFormatted 2\n\nDimension 3\n/);
     expect(rowsOf(file, "Vertices").flatMap((row) => row.slice(0, 3))).toEqual(
       Array.from(points, (x) => x + 0),
@@ -143,13 +165,15 @@ describe("Medit", () => {
     expect(file).toMatch(/\nEnd\n$/);
   });
 
-  test("of a mesh without elements is whole", () => {
-    expect(new TextDecoder().decode(writeMedit(empty))).toMatch(/Tetrahedra\n0\n\nEnd\n$/);
+  test("of a mesh without elements is whole", async () => {
+    expect(new TextDecoder().decode(await written(".mesh", fileMeshOf(empty)))).toMatch(
+      /Tetrahedra\n0\n\nEnd\n$/,
+    );
   });
 });
 
-test("SU2 holds the tetrahedra, the points bit for bit, and a marker per patch", () => {
-  const lines = new TextDecoder().decode(writeSu2(mesh, { patches: ["the inlet", "", "wall"] })).split("\n");
+test("SU2 holds the tetrahedra, the points bit for bit, and a marker per patch", async () => {
+  const lines = new TextDecoder().decode(await written(".su2", named(["the inlet", "", "wall"]))).split("\n");
   expect(lines.slice(0, 4)).toEqual(["NDIME= 3", "NELEM= 2", "10 0 1 2 3 0", "10 1 4 2 3 1"]);
   expect(lines[4]).toBe("NPOIN= 5");
   const places = lines.slice(5, 10).map((line) => line.split(" ").map(Number));

@@ -1,4 +1,4 @@
-import { readObj, readOff, readPly, readStl, type ReadResult, type SurfaceInput } from "tetrafront";
+import { readSurface, type ReadResult, type SurfaceFile, type SurfaceInput } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { objFile, offFile, plyBinary, plyText, stlBinary, stlText } from "../../support/surface-files.js";
@@ -6,12 +6,22 @@ import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
 
 const bytes = (text: string) => new TextEncoder().encode(text);
 
-function surfaceIn(read: ReadResult<SurfaceInput>): SurfaceInput {
+type Reading = Promise<ReadResult<SurfaceFile>>;
+
+const reader = (fileName: string) => (file: Uint8Array) => readSurface(file, { fileName });
+const readStl = reader("a.stl");
+const readOff = reader("a.off");
+const readObj = reader("a.obj");
+const readPly = reader("a.PLY");
+
+async function surfaceIn(reading: Reading): Promise<SurfaceFile> {
+  const read = await reading;
   if (!read.success) throw new Error(read.problems[0].message);
   return read.value;
 }
 
-function problemIn(read: ReadResult<SurfaceInput>) {
+async function problemIn(reading: Reading) {
+  const read = await reading;
   if (read.success) throw new Error("the file was accepted");
   expect(read.problems[0].remedy).toMatch(/^[A-Z].*\.$/);
   return read.problems[0];
@@ -32,93 +42,100 @@ const float32 = (surface: SurfaceInput) => ({
 });
 
 describe("STL", () => {
-  test("text comes back bit for bit, welded", () => {
-    const read = surfaceIn(readStl(stlText(sphere)));
+  test("text comes back bit for bit, welded", async () => {
+    const read = await surfaceIn(readStl(stlText(sphere)));
     expect(soup(read)).toEqual(soup(sphere));
     expect(read.points.length).toBe(sphere.points.length);
   });
 
-  test("binary comes back as float32, welded", () => {
-    const read = surfaceIn(readStl(stlBinary(sphere)));
+  test("binary comes back as float32, welded", async () => {
+    const read = await surfaceIn(readStl(stlBinary(sphere)));
     expect(soup(read)).toEqual(soup(float32(sphere)));
     expect(read.points.length).toBe(sphere.points.length);
   });
 
-  test('binary that begins with "solid" is not taken for text', () => {
-    const read = surfaceIn(readStl(stlBinary(sphere, "solid exported by some program facet")));
+  test('binary that begins with "solid" is not taken for text', async () => {
+    const read = await surfaceIn(readStl(stlBinary(sphere, "solid exported by some program facet")));
     expect(soup(read)).toEqual(soup(float32(sphere)));
   });
 
-  test("binary with bytes after its triangles is read", () => {
-    expect(soup(surfaceIn(readStl(Uint8Array.of(...stlBinary(sphere), 0, 0, 0))))).toEqual(
+  test("binary with bytes after its triangles is read", async () => {
+    expect(soup(await surfaceIn(readStl(Uint8Array.of(...stlBinary(sphere), 0, 0, 0))))).toEqual(
       soup(float32(sphere)),
     );
   });
 
-  test("several solids become one surface", () => {
+  test("several solids become one surface", async () => {
     const text = Uint8Array.of(...stlText(boxSurface(1), "one"), ...stlText(sphere, "endsolid facet of two"));
-    expect(soup(surfaceIn(readStl(text)))).toEqual(soup(joined(boxSurface(1), sphere)));
+    expect(soup(await surfaceIn(readStl(text)))).toEqual(soup(joined(boxSurface(1), sphere)));
   });
 
-  test("capitals, tabs, carriage returns and NaN normals are read", () => {
+  test("capitals, tabs, carriage returns and NaN normals are read", async () => {
     const text = new TextDecoder()
       .decode(stlText(boxSurface(1)))
       .replace(/normal 0 0 0/g, "normal NaN NaN NaN");
-    const read = surfaceIn(readStl(bytes(text.toUpperCase().replace(/\n/g, "\r\n").replace(/ {2}/g, "\t"))));
+    const read = await surfaceIn(
+      readStl(bytes(text.toUpperCase().replace(/\n/g, "\r\n").replace(/ {2}/g, "\t"))),
+    );
     expect(soup(read)).toEqual(soup(boxSurface(1)));
   });
 
-  test("-0 is 0", () => {
+  test("-0 is 0", async () => {
     const { points, triangles } = boxSurface(1);
     const signed = { triangles, points: points.map((value) => (value === 0 ? -0 : value)) };
-    const both = surfaceIn(readStl(stlText(joined({ points, triangles }, signed))));
+    const both = await surfaceIn(readStl(stlText(joined({ points, triangles }, signed))));
     expect(both.points.length).toBe(points.length);
     expect([...both.points].some((value) => Object.is(value, -0))).toBe(false);
   });
 
-  test("points a rounding error apart stay apart", () => {
+  test("points a rounding error apart stay apart", async () => {
     const { points, triangles } = boxSurface(1);
     const moved = { triangles, points: points.map((value) => value + Number.EPSILON) };
-    const both = surfaceIn(readStl(stlText(joined({ points, triangles }, moved))));
+    const both = await surfaceIn(readStl(stlText(joined({ points, triangles }, moved))));
     expect(both.points.length).toBe(2 * points.length);
   });
 
-  test.each([0, 10, 83, 84 + 49, 84 + 50 * 3 + 17])("binary cut off after %i bytes tells where", (length) => {
-    const problem = problemIn(readStl(stlBinary(sphere).subarray(0, length)));
-    expect(problem.offset).toBe(length);
-  });
+  test.each([0, 10, 83, 84 + 49, 84 + 50 * 3 + 17])(
+    "binary cut off after %i bytes tells where",
+    async (length) => {
+      const problem = await problemIn(readStl(stlBinary(sphere).subarray(0, length)));
+      expect(problem.offset).toBe(length);
+    },
+  );
 
   test.each<[string, number, string]>([
     ["a missing number", 5, "vertex 0 0"],
     ["a word for a number", 4, "vertex 0 0 zero"],
     ["an infinite coordinate", 4, "vertex 0 Infinity 0"],
     ["four corners", 7, "vertex 1 1 1\nvertex 1 1 0\nvertex 2 2 2\nvertex 3 3 3"],
-  ])("text with %s tells the line", (_, line, vertices) => {
+  ])("text with %s tells the line", async (_, line, vertices) => {
     const text = `solid a\n facet normal 0 0 1\n  outer loop\n${vertices}\nvertex 1 0 0\nendloop\nendfacet\nendsolid`;
-    expect(problemIn(readStl(bytes(text)))).toMatchObject({ line });
+    expect(await problemIn(readStl(bytes(text)))).toMatchObject({ line });
   });
 
-  test("text that ends in a facet tells so", () => {
+  test("text that ends in a facet tells so", async () => {
     const text = new TextDecoder().decode(stlText(sphere));
-    const problem = problemIn(readStl(bytes(text.slice(0, text.length / 2))));
+    const problem = await problemIn(readStl(bytes(text.slice(0, text.length / 2))));
     expect(problem.line).toBeGreaterThan(100);
     expect(problem.message).toMatch(/line \d+: /);
   });
 
-  test("another kind of file is refused", () => {
-    expect(problemIn(readStl(bytes("<html><body>Not found</body></html>"))).message).toMatch(/too few/);
-    expect(problemIn(readStl(bytes("solid\nThis is a text about solid things.\n"))).message).toMatch(
+  test("another kind of file is refused", async () => {
+    expect((await problemIn(readStl(bytes("<html><body>Not found</body></html>")))).message).toMatch(
+      /too few/,
+    );
+    expect((await problemIn(readStl(bytes("solid\nThis is a text about solid things.\n")))).message).toMatch(
       /"This"/,
     );
   });
 });
 
 describe("OFF", () => {
-  test("comes back bit for bit", () => {
-    expect(surfaceIn(readOff(offFile(sphere)))).toEqual(sphere);
+  test("comes back bit for bit", async () => {
+    expect(await surfaceIn(readOff(offFile(sphere)))).toMatchObject(sphere);
   });
 
-  test("comments, blank lines, counts beside the word and colours are read over", () => {
+  test("comments, blank lines, counts beside the word and colours are read over", async () => {
     const text = [
       "OFF 4 4 6 # a tetrahedron",
       "",
@@ -132,32 +149,32 @@ describe("OFF", () => {
       "3  0 3 2",
       "3 1 2 3",
     ];
-    const read = surfaceIn(readOff(bytes(text.join("\r\n"))));
+    const read = await surfaceIn(readOff(bytes(text.join("\r\n"))));
     expect([...read.points]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1]);
     expect([...read.triangles]).toEqual([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
   });
 
-  test("points given twice are welded", () => {
+  test("points given twice are welded", async () => {
     const { points, triangles } = joined(boxSurface(1), boxSurface(1));
-    expect(surfaceIn(readOff(offFile({ points, triangles }))).points.length).toBe(24);
+    expect((await surfaceIn(readOff(offFile({ points, triangles })))).points.length).toBe(24);
   });
 
-  test("colours and normals of points are read over", () => {
+  test("colours and normals of points are read over", async () => {
     const text = "COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2\n";
-    expect([...surfaceIn(readOff(bytes(text))).points]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
+    expect([...(await surfaceIn(readOff(bytes(text)))).points]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0]);
   });
 
-  test("convex polygons become triangles", () => {
+  test("convex polygons become triangles", async () => {
     const cube = "OFF\n8 6 12\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n";
     const faces = "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-    const read = surfaceIn(readOff(bytes(cube + faces)));
+    const read = await surfaceIn(readOff(bytes(cube + faces)));
     expect([...read.triangles.subarray(0, 6)]).toEqual([0, 3, 2, 0, 2, 1]);
     expect(read.triangles.length).toBe(3 * 12);
   });
 
-  test("a polygon with an inward corner is refused with its line", () => {
+  test("a polygon with an inward corner is refused with its line", async () => {
     const text = "OFF\n5 1 0\n0 0 0\n1 0 0\n0.1 0.1 0\n0 1 0\n-1 -1 0\n5 1 2 3 4 0\n";
-    expect(problemIn(readOff(bytes(text)))).toMatchObject({ line: 8 });
+    expect(await problemIn(readOff(bytes(text)))).toMatchObject({ line: 8 });
   });
 
   test.each<[string, string, number]>([
@@ -170,12 +187,12 @@ describe("OFF", () => {
     ["a face of two corners", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", 6],
     ["too few faces", "OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", 7],
     ["a huge count and nothing behind it", "OFF\n2000000000 1 0\n", 3],
-  ])("%s is refused with its line", (_, text, line) => {
-    expect(problemIn(readOff(bytes(text)))).toMatchObject({ line });
+  ])("%s is refused with its line", async (_, text, line) => {
+    expect(await problemIn(readOff(bytes(text)))).toMatchObject({ line });
   });
 
-  test("an empty file is refused", () => {
-    expect(problemIn(readOff(new Uint8Array())).message).toMatch(/empty/);
+  test("an empty file is refused", async () => {
+    expect((await problemIn(readOff(new Uint8Array()))).message).toMatch(/empty/);
   });
 });
 
@@ -183,14 +200,14 @@ describe("OFF", () => {
 const pyramid = { points: ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0.5 0.5 1"], base: [0, 3, 2, 1] };
 
 describe("OBJ", () => {
-  test("comes back bit for bit", () => {
-    expect(soup(surfaceIn(readObj(objFile(sphere))))).toEqual(soup(sphere));
+  test("comes back bit for bit", async () => {
+    expect(soup(await surfaceIn(readObj(objFile(sphere))))).toEqual(soup(sphere));
   });
 
-  test("may count backwards, continue lines, give weights and colours, and hold polygons", () => {
+  test("may count backwards, continue lines, give weights and colours, and hold polygons", async () => {
     const rows = pyramid.points.map((point) => `v ${point} 1.0`).join("\n");
     const file = `${rows}\nf 1 4 3 2\nf -5/1/1 -4/2/2 -1/3/3\nf 2 3 \\\n 5\nf 3 4 5 # side\nf 4 1 5\n`;
-    const { triangles } = surfaceIn(readObj(bytes(file)));
+    const { triangles } = await surfaceIn(readObj(bytes(file)));
     expect([...triangles]).toEqual([0, 3, 2, 0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
   });
 
@@ -207,8 +224,8 @@ describe("OBJ", () => {
     ["a coordinate that is none", "v 0 0 zero\n", /line 1: "zero"/],
     ["a curved surface", "v 0 0 0\ncstype bezier\n", /line 2: "cstype"/],
     ["a dart", "v 0 0 0\nv 2 2 0\nv 0 1 0\nv -2 2 0\nf 2 3 4 1\n", /not convex/],
-  ])("of %s is refused", (_, file, message) => {
-    expect(problemIn(readObj(bytes(file))).message).toMatch(message);
+  ])("of %s is refused", async (_, file, message) => {
+    expect((await problemIn(readObj(bytes(file)))).message).toMatch(message);
   });
 });
 
@@ -217,8 +234,8 @@ describe("PLY", () => {
     ["text", plyText(sphere)],
     ["binary, low byte first", plyBinary(sphere, true)],
     ["binary, high byte first", plyBinary(sphere, false)],
-  ])("as %s comes back bit for bit", (_, file) => {
-    expect(soup(surfaceIn(readPly(file)))).toEqual(soup(sphere));
+  ])("as %s comes back bit for bit", async (_, file) => {
+    expect(soup(await surfaceIn(readPly(file)))).toEqual(soup(sphere));
   });
 
   const head = (format: string, faces: number) =>
@@ -227,8 +244,8 @@ element face ${faces}\nproperty uchar flag\nproperty list uchar uint vertex_inde
 end_header\n`;
   const rows = `${pyramid.points.join("\n")}\n0 4 ${pyramid.base.join(" ")}\n`;
 
-  test("may hold polygons, and elements nobody asked for", () => {
-    const { triangles } = surfaceIn(readPly(bytes(`${head("ascii", 1)}${rows}7\n`)));
+  test("may hold polygons, and elements nobody asked for", async () => {
+    const { triangles } = await surfaceIn(readPly(bytes(`${head("ascii", 1)}${rows}7\n`)));
     expect([...triangles]).toEqual([0, 3, 2, 0, 2, 1]);
   });
 
@@ -250,13 +267,13 @@ end_header\n`;
       /4000000 elements "face" are announced/,
     ],
     ["points that break off", `${head("ascii", 1)}0 0 0 1`, /./],
-  ])("of %s is refused", (_, file, message) => {
-    expect(problemIn(readPly(bytes(file))).message).toMatch(message);
+  ])("of %s is refused", async (_, file, message) => {
+    expect((await problemIn(readPly(bytes(file)))).message).toMatch(message);
   });
 
-  test("binary that breaks off tells where", () => {
+  test("binary that breaks off tells where", async () => {
     const file = plyBinary(sphere, true);
-    const problem = problemIn(readPly(file.subarray(0, file.length - 5)));
+    const problem = await problemIn(readPly(file.subarray(0, file.length - 5)));
     expect(problem.message).toMatch(/^byte \d+: the file ends in the middle of a number/);
   });
 });

@@ -2,12 +2,10 @@
 import { deflateSync } from "node:zlib";
 
 import {
-  readMsh,
-  readVtu,
+  fileMeshOf,
+  readVolume,
   volumeBackground,
-  VOLUME_READERS,
-  writeMsh,
-  writeVtu,
+  writeMesh,
   type MeshResult,
   type VolumeFile,
   type VolumeMesh,
@@ -22,6 +20,9 @@ const corners = [
 ];
 const size = [7, 0.1, 0.2, 0.3, 0.4, 0.5];
 const direction = [7, 7, 7, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0, 0, 1, 1];
+
+const readVtu = (bytes: Uint8Array) => readVolume(bytes, { fileName: "a.vtu" });
+const readMsh = (bytes: Uint8Array) => readVolume(bytes, { fileName: "a.msh" });
 
 async function expectThem(read: ReturnType<typeof readVtu>, data: readonly string[]): Promise<void> {
   const result = await read;
@@ -156,7 +157,7 @@ $Elements\n3\n1 2 2 0 1 2 3 4\n2 4 2 0 1 2 3 4 5\n3 4 2 0 1 3 6 4 5\n$EndElement
     ["2.2", list],
     ["4.1 with line ends of Windows", blocks.replaceAll("\n", "\r\n")],
   ])("%s as text", async (_, file) => {
-    await expectThem(Promise.resolve(readMsh(new TextEncoder().encode(file))), ["direction", "size"]);
+    await expectThem(readMsh(new TextEncoder().encode(file)), ["direction", "size"]);
   });
 
   /** The numbers of a binary file, in either byte order. */
@@ -214,7 +215,7 @@ $Elements\n3\n1 2 2 0 1 2 3 4\n2 4 2 0 1 2 3 4 5\n3 4 2 0 1 3 6 4 5\n$EndElement
     ["2.2", true],
     ["2.2", false],
   ] as const)("%s in binary, low byte first: %s", async (version, isLittle) => {
-    await expectThem(Promise.resolve(readMsh(binary(version, isLittle))), ["size"]);
+    await expectThem(readMsh(binary(version, isLittle)), ["size"]);
   });
 
   test.each<[string, string, RegExp]>([
@@ -228,8 +229,8 @@ $Elements\n3\n1 2 2 0 1 2 3 4\n2 4 2 0 1 2 3 4 5\n3 4 2 0 1 3 6 4 5\n$EndElement
       /600000 nodes are announced/,
     ],
     ["that breaks off", blocks.slice(0, 150), /./],
-  ])("%s is refused", (_, file, message) => {
-    const read = readMsh(new TextEncoder().encode(file));
+  ])("%s is refused", async (_, file, message) => {
+    const read = await readMsh(new TextEncoder().encode(file));
     expect(read.success ? "" : read.problems[0].message).toMatch(message);
     expect(read.success ? "" : read.problems[0].remedy).toMatch(/\.$/);
   });
@@ -249,10 +250,9 @@ test.each([".vtu", ".msh"])("what this package writes as %s it reads bit for bit
     sides: new Uint32Array(),
     sideLine: new Uint32Array(),
   };
-  const bytes = extension === ".vtu" ? writeVtu({ volume }) : writeMsh({ surface, volume });
-  const read = VOLUME_READERS[extension]?.(bytes);
-  if (read === undefined) throw new Error("no reader");
-  await expectThem(read, []);
+  const [file] = await writeMesh(fileMeshOf({ surface, volume }), `a${extension}`);
+  if (file === undefined) throw new Error("nothing written");
+  await expectThem(readVolume(file.bytes, { fileName: file.fileName }), []);
 });
 
 describe("as background grid", () => {

@@ -1,64 +1,126 @@
-/** Which format a file has: its extension says. */
-import type { Project } from "../project-schema.js";
+/**
+ * The file formats, one row each: the only place where a format is registered. Command line, app and
+ * documents take names and extensions from here; the code of a format is fetched when it is first needed.
+ */
+import { allBytes } from "./byte-source.js";
 import type { ReadResult } from "../read-result.js";
-import type { MeshResult, SurfaceInput } from "../types.js";
-import type { GroupNames } from "./groups.js";
-import { writeMedit } from "./medit.js";
-import { readMsh } from "./msh-reader.js";
-import { writeMsh } from "./msh.js";
-import { readObj } from "./obj.js";
-import { readOff } from "./off.js";
-import { readPly } from "./ply.js";
-import { readStl } from "./stl.js";
-import { writeSu2 } from "./su2.js";
+import { ReadFailure } from "../read-result.js";
+import type { SurfaceInput } from "../types.js";
+import type { Contents, FileFormat, MeshReader, MeshWriter } from "./file-format.js";
+import { plainSurface, type FileMesh } from "./file-mesh.js";
 import type { VolumeFile } from "./volume-file.js";
-import { writeVtk } from "./vtk.js";
-import { readVtu } from "./vtu-reader.js";
-import { writeVtu } from "./vtu.js";
 
-/** Closed surfaces that can be read. */
-export const SURFACE_READERS: Readonly<Record<string, (bytes: Uint8Array) => ReadResult<SurfaceInput>>> = {
-  ".stl": readStl,
-  ".off": readOff,
-  ".obj": readObj,
-  ".ply": readPly,
-};
+export const FILE_FORMATS: readonly FileFormat[] = [
+  surfaceFormat("stl", "STL", ".stl", async () => (await import("./stl.js")).readStl),
+  surfaceFormat("off", "OFF", ".off", async () => (await import("./off.js")).readOff),
+  surfaceFormat("obj", "OBJ", ".obj", async () => (await import("./obj.js")).readObj),
+  surfaceFormat("ply", "PLY", ".ply", async () => (await import("./ply.js")).readPly),
+  {
+    id: "vtu",
+    name: "VTU",
+    extensions: [".vtu"],
+    reads: ["volume"],
+    writes: ["volume"],
+    load: async () => ({
+      read: fromVolumeReader((await import("./vtu-reader.js")).readVtu),
+      write: one((await import("./vtu.js")).writeVtu),
+    }),
+  },
+  {
+    id: "gmsh",
+    name: "Gmsh 4.1",
+    extensions: [".msh"],
+    reads: ["volume"],
+    writes: ["volume"],
+    load: async () => ({
+      read: fromVolumeReader((await import("./msh-reader.js")).readMsh),
+      write: one((await import("./msh.js")).writeMsh),
+    }),
+  },
+  {
+    id: "vtk",
+    name: "legacy VTK",
+    extensions: [".vtk"],
+    reads: [],
+    writes: ["volume"],
+    load: async () => ({ write: one((await import("./vtk.js")).writeVtk) }),
+  },
+  {
+    id: "medit",
+    name: "Medit",
+    extensions: [".mesh"],
+    reads: [],
+    writes: ["volume"],
+    load: async () => ({ write: one((await import("./medit.js")).writeMedit) }),
+  },
+  {
+    id: "su2",
+    name: "SU2",
+    extensions: [".su2"],
+    reads: [],
+    writes: ["volume"],
+    load: async () => ({ write: one((await import("./su2.js")).writeSu2) }),
+  },
+];
 
-/** Volume meshes that can be read, to become background grids (`volumeBackground`). */
-export const VOLUME_READERS: Readonly<
-  Record<string, (bytes: Uint8Array) => Promise<ReadResult<VolumeFile>>>
-> = {
-  ".vtu": readVtu,
-  ".msh": (bytes) => Promise.resolve(readMsh(bytes)),
-};
-
-/** Meshes that can be written; the names in them come from the project, if there is one. */
-export const MESH_WRITERS: Readonly<
-  Record<string, (mesh: MeshResult, project?: Project) => Uint8Array<ArrayBuffer>>
-> = {
-  ".vtu": (mesh) => writeVtu(mesh),
-  ".msh": (mesh, project) => writeMsh(mesh, namesOf(mesh, project)),
-  ".vtk": (mesh) => writeVtk(mesh),
-  ".mesh": (mesh) => writeMedit(mesh),
-  ".su2": (mesh, project) => writeSu2(mesh, namesOf(mesh, project)),
-};
-
-function namesOf(mesh: MeshResult, project: Project | undefined): GroupNames {
-  return { patches: project ? patchNames(project) : shellNames(mesh) };
+/** The format that the name of a file tells by its end; the longest that fits, in capitals or not. */
+export function formatOf(fileName: string): FileFormat | undefined {
+  const end = extensionOf(fileName);
+  return FILE_FORMATS.find(({ extensions }) => extensions.includes(end));
 }
 
-/** What to call each patch in a file: its name, else its id. */
-export function patchNames(project: Project): string[] {
-  return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
-}
-
-/** A given surface has no patches; its triangles belong to its shells. */
-function shellNames({ surface }: MeshResult): string[] {
-  const shells = surface.trianglePatch.reduce((most, shell) => Math.max(most, shell + 1), 0);
-  return Array.from({ length: shells }, (_, shell) => `shell ${shell + 1}`);
-}
-
-/** The extension of a file name in lower case, with its dot; empty where there is none. */
+/** The end of a file name that tells its format, else what follows its last dot, in lower case with its dot. */
 export function extensionOf(fileName: string): string {
-  return /\.[^./\\]+$/.exec(fileName)?.[0].toLowerCase() ?? "";
+  const name = fileName.toLowerCase();
+  const known = FILE_FORMATS.flatMap(({ extensions }) => extensions)
+    .filter((extension) => name.endsWith(extension))
+    .sort((a, b) => b.length - a.length);
+  return known[0] ?? /\.[^./\\]+$/.exec(name)?.[0] ?? "";
+}
+
+/** Extensions of the formats from which such meshes can be read, or as which they can be written. */
+export function extensionsThat(can: "reads" | "writes", contents: Contents): readonly string[] {
+  return FILE_FORMATS.filter((format) => format[can].includes(contents)).flatMap(
+    ({ extensions }) => extensions,
+  );
+}
+
+/** Formats whose reader takes all bytes and returns a welded surface. */
+function surfaceFormat(
+  id: string,
+  name: string,
+  extension: string,
+  loadReader: () => Promise<(bytes: Uint8Array) => ReadResult<SurfaceInput>>,
+): FileFormat {
+  const load = async () => {
+    const readBytes = await loadReader();
+    const read: MeshReader = async (source) => plainSurface(valueOf(readBytes(await allBytes(source))));
+    return { read };
+  };
+  return { id, name, extensions: [extension], reads: ["surface"], writes: [], load };
+}
+
+function fromVolumeReader(
+  readBytes: (bytes: Uint8Array) => ReadResult<VolumeFile> | Promise<ReadResult<VolumeFile>>,
+): MeshReader {
+  return async (source) => {
+    const { points, tetrahedra, nodeData } = valueOf(await readBytes(await allBytes(source)));
+    return {
+      ...plainSurface({ points, triangles: new Uint32Array() }),
+      tetrahedra,
+      tetrahedronRegion: new Uint32Array(tetrahedra.length / 4),
+      regions: [{ name: "region 1", tag: 1 }],
+      nodeData,
+    };
+  };
+}
+
+function valueOf<T>(read: ReadResult<T>): T {
+  if (read.success) return read.value;
+  throw new ReadFailure(read.problems[0]);
+}
+
+/** For formats of one file. */
+function one(write: (mesh: FileMesh) => Uint8Array<ArrayBuffer>): MeshWriter {
+  return (mesh, fileName) => [{ fileName, bytes: write(mesh) }];
 }

@@ -1,4 +1,5 @@
 /** Triangles by patch and tetrahedra by region, with names: what other programs put conditions on. */
+import type { FileGroup, FileMesh } from "./file-mesh.js";
 
 /** With Gmsh's numbers of element types; its node order is ours. */
 export const TRIANGLE = { type: 2, dimension: 2, nodes: 3 } as const;
@@ -8,50 +9,72 @@ export type ElementKind = typeof TRIANGLE | typeof TETRAHEDRON;
 /** Elements of one entity, in the order of the mesh. */
 export interface Group {
   readonly kind: ElementKind;
-  /** Entity and physical tag, from 1. */
+  /** Above 0, and the only one of its kind with it. */
   readonly tag: number;
+  /** The only one of its kind with it; without quotes and line ends. */
   readonly name: string;
   /** Node positions of all its elements. */
   readonly nodes: Uint32Array;
 }
 
-export interface GroupNames {
-  /** By position of the patch; else "patch 1", "patch 2", … */
-  readonly patches?: readonly string[] | undefined;
-  /** By region; else "region 1", "region 2", … */
-  readonly regions?: readonly string[] | undefined;
+/** The triangles by patch; patches without triangles get no group. `plain` makes names fit the format. */
+export function patchGroups(mesh: FileMesh, plain?: (name: string) => string): Group[] {
+  return groupsOf(TRIANGLE, mesh.triangles, mesh.trianglePatch, mesh.patches, "patch", plain);
 }
 
-/** Splits elements by owner, keeping their order. Owners without elements get no group. */
-export function groupsOf(
+/** The tetrahedra by region, as `patchGroups`. */
+export function regionGroups(mesh: FileMesh, plain?: (name: string) => string): Group[] {
+  return groupsOf(TETRAHEDRON, mesh.tetrahedra, mesh.tetrahedronRegion, mesh.regions, "region", plain);
+}
+
+/** Splits elements by owner, keeping their order. */
+function groupsOf(
   kind: ElementKind,
   nodes: Uint32Array,
   owners: Uint32Array,
+  groups: readonly FileGroup[],
   word: string,
-  names: readonly string[] = [],
+  plain: (name: string) => string = (name) => name,
 ): Group[] {
-  const counts: number[] = [];
+  const counts = new Uint32Array(groups.length);
   for (const owner of owners) counts[owner] = (counts[owner] ?? 0) + 1;
-  const split = Array.from(counts, (count: number | undefined) => new Uint32Array(kind.nodes * (count ?? 0)));
-  const filled = split.map(() => 0);
+  const split = Array.from(counts, (count) => new Uint32Array(kind.nodes * count));
+  const filled = new Uint32Array(groups.length);
   owners.forEach((owner, e) => {
     const begin = filled[owner] ?? 0;
     split[owner]?.set(nodes.subarray(kind.nodes * e, kind.nodes * (e + 1)), begin);
     filled[owner] = begin + kind.nodes;
   });
+  const tags = tagsOf(groups);
   const taken = new Set<string>();
   return split.flatMap((own, owner) => {
     if (own.length === 0) return [];
-    const tag = owner + 1;
-    return [{ kind, tag, name: uniqueName(names[owner], `${word} ${tag}`, taken), nodes: own }];
+    const name = uniqueName(groups[owner]?.name, `${word} ${owner + 1}`, taken, plain);
+    return [{ kind, tag: tags[owner] ?? 0, name, nodes: own }];
   });
 }
 
-/** Quoted in the file, and told apart by name in other programs. */
-function uniqueName(given: string | undefined, otherwise: string, taken: Set<string>): string {
-  const plain = (given ?? "").replace(/["\r\n]/g, "'").trim();
-  let name = plain === "" ? otherwise : plain;
-  if (taken.has(name)) name = `${name} (${otherwise})`;
+/** The groups' own tags where they can stand in any format; else from 1 in order. */
+export function tagsOf(groups: readonly FileGroup[]): number[] {
+  const own = groups.map(({ tag }) => tag);
+  const isUsable = new Set(own).size === own.length && own.every((tag) => tag > 0 && tag <= MAX_TAG);
+  return isUsable ? own : own.map((_, i) => i + 1);
+}
+
+/** The largest 32-bit number with a sign. */
+const MAX_TAG = 0x7fffffff;
+
+function uniqueName(
+  given: string | undefined,
+  otherwise: string,
+  taken: Set<string>,
+  plain: (name: string) => string,
+): string {
+  const own = plain((given ?? "").replace(/["\r\n]/g, "'").trim());
+  let name = own === "" ? plain(otherwise) : own;
+  for (let copy = 1; taken.has(name); copy++) {
+    name = plain(copy === 1 ? `${own} (${otherwise})` : `${own} (${otherwise}) ${copy}`);
+  }
   taken.add(name);
   return name;
 }

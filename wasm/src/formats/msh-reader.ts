@@ -5,7 +5,8 @@
  */
 import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import { ByteCursor } from "./byte-cursor.js";
-import { volumeFile, type NodeData, type VolumeFile } from "./volume-file.js";
+import type { NodeData } from "./file-mesh.js";
+import { volumeFile, type VolumeFile } from "./volume-file.js";
 
 const REMEDY = "Save the mesh again as MSH 4.1 or 2.2, or as .vtu.";
 const TETRAHEDRON = 4;

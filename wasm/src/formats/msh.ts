@@ -3,20 +3,16 @@
  * patch, with its triangles, and one volume entity and physical group per region, with its tetrahedra;
  * the groups carry the user's names, for boundary conditions.
  */
-import type { MeshResult } from "../types.js";
 import { joinBytes, widened } from "./bytes.js";
-import { groupsOf, TETRAHEDRON, TRIANGLE, type Group, type GroupNames } from "./groups.js";
+import type { FileMesh } from "./file-mesh.js";
+import { patchGroups, regionGroups, type Group } from "./groups.js";
 
-/** The bytes of an MSH file. A partial mesh is written as far as it goes. */
-export function writeMsh(
-  mesh: Pick<MeshResult, "surface" | "volume">,
-  names: GroupNames = {},
-): Uint8Array<ArrayBuffer> {
-  const { surface, volume } = mesh;
-  const patches = groupsOf(TRIANGLE, surface.triangles, surface.trianglePatch, "patch", names.patches);
-  const regions = groupsOf(TETRAHEDRON, volume.tetrahedra, volume.regions, "region", names.regions);
+/** The bytes of an MSH file. */
+export function writeMsh(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  const { points } = mesh;
+  const patches = patchGroups(mesh);
+  const regions = regionGroups(mesh);
   const groups = [...patches, ...regions];
-  const points = volume.points.length > 0 ? volume.points : surface.points;
   return joinBytes([
     // 1: binary, 8: bytes of a size_t; the number 1 that follows tells the byte order.
     "$MeshFormat\n4.1 1 8\n",

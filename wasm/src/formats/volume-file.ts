@@ -1,12 +1,6 @@
-/** Volume meshes from files, to be background grids: tetrahedra, and whatever numbers their nodes carry. */
+/** Volumes from files, to be background grids: tetrahedra, and whatever numbers their nodes carry. */
 import { ReadFailure } from "../read-result.js";
-
-/** Numbers at the nodes, such as sizes. */
-export interface NodeData {
-  /** Numbers per node. */
-  readonly components: number;
-  readonly values: Float64Array;
-}
+import type { FileMesh, NodeData } from "./file-mesh.js";
 
 /** Every node belongs to a tetrahedron. */
 export interface VolumeFile {
@@ -24,20 +18,21 @@ export interface VolumeFile {
  */
 export function volumeFile(
   points: Float64Array,
-  corners: readonly number[],
+  corners: ArrayLike<number>,
   nodeData: ReadonlyMap<string, NodeData>,
   remedy: string,
 ): VolumeFile {
   const count = points.length / 3;
   if (corners.length === 0) throw new ReadFailure({ message: "the file holds no tetrahedron", remedy });
   const isUsed = new Uint8Array(count);
-  corners.forEach((node, i) => {
+  for (let i = 0; i < corners.length; i++) {
+    const node = corners[i] ?? NaN;
     if (!(Number.isInteger(node) && node >= 0 && node < count)) {
       const message = `tetrahedron ${Math.floor(i / 4)} (counted from 0) has a corner that is no node`;
       throw new ReadFailure({ message, remedy });
     }
     isUsed[node] = 1;
-  });
+  }
   const kept: number[] = [];
   isUsed.forEach((used, node) => {
     if (used === 1) kept.push(node);
@@ -60,4 +55,9 @@ function pick(values: Float64Array, stride: number, kept: readonly number[]): Fl
   const picked = new Float64Array(stride * kept.length);
   kept.forEach((node, i) => picked.set(values.subarray(stride * node, stride * (node + 1)), stride * i));
   return picked;
+}
+
+/** The tetrahedra of a file with the nodes they use. Throws a ReadFailure where there are none. */
+export function volumeOf({ points, tetrahedra, nodeData }: FileMesh): VolumeFile {
+  return volumeFile(points, tetrahedra, nodeData, "Give a file with linear tetrahedra.");
 }

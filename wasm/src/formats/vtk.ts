@@ -2,15 +2,15 @@
  * Legacy VTK files, which nearly every program that knows VTK reads: an unstructured grid of the
  * tetrahedra with the region as cell data; binary, which in this format is high byte first.
  */
-import type { MeshResult } from "../types.js";
 import { joinBytes } from "./bytes.js";
+import type { FileMesh } from "./file-mesh.js";
 
 /** VTK's number for a linear tetrahedron; its node order is ours. */
 const VTK_TETRA = 10;
 
-/** The bytes of a legacy VTK file. A partial mesh is written as far as it goes. */
-export function writeVtk(mesh: Pick<MeshResult, "volume">): Uint8Array<ArrayBuffer> {
-  const { points, tetrahedra, regions } = mesh.volume;
+/** The bytes of a legacy VTK file. */
+export function writeVtk(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  const { points, tetrahedra, tetrahedronRegion: regions } = mesh;
   const count = tetrahedra.length / 4;
   const cells = new Uint32Array(5 * count);
   for (let t = 0; t < count; t++) {

@@ -5,7 +5,8 @@
  */
 import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import { decodeArray, type ArrayCoding } from "./vtk-arrays.js";
-import { volumeFile, type NodeData, type VolumeFile } from "./volume-file.js";
+import type { NodeData } from "./file-mesh.js";
+import { volumeFile, type VolumeFile } from "./volume-file.js";
 
 const REMEDY = "Save the mesh again as .vtu with one piece of linear tetrahedra, or as .msh.";
 const VTK_TETRA = 10;

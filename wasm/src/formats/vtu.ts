@@ -3,8 +3,8 @@
  * as cells, the region as cell data. The arrays are appended raw, as ParaView writes them by default:
  * coordinates come back bit for bit.
  */
-import type { MeshResult } from "../types.js";
 import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
+import type { FileMesh } from "./file-mesh.js";
 
 /** VTK's number for a linear tetrahedron; its node order is ours. */
 const VTK_TETRA = 10;
@@ -16,9 +16,9 @@ interface DataArray {
   readonly values: Float64Array | Int32Array | Uint8Array;
 }
 
-/** The bytes of a VTU file. A partial mesh is written as far as it goes. */
-export function writeVtu(mesh: Pick<MeshResult, "volume">): Uint8Array<ArrayBuffer> {
-  const { points, tetrahedra, regions } = mesh.volume;
+/** The bytes of a VTU file. */
+export function writeVtu(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  const { points, tetrahedra, tetrahedronRegion: regions } = mesh;
   const cellCount = tetrahedra.length / 4;
   const arrays: readonly DataArray[] = [
     { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', values: points },

@@ -1,0 +1,42 @@
+/** What a file format is to the rest of the package. Each has one file, named after it, and one row in file-formats.ts. */
+import type { ByteSource } from "./byte-source.js";
+import type { FileMesh } from "./file-mesh.js";
+
+/** Triangles, or tetrahedra with their boundary. */
+export type Contents = "surface" | "volume";
+
+/** One of the files that a mesh becomes: most formats have one, some several. */
+export interface WrittenFile {
+  readonly fileName: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** The files beside the one that is read, by name; undefined where there is none. */
+export type OpenOther = (fileName: string) => Promise<ByteSource | undefined>;
+
+export interface ReadContext {
+  readonly fileName: string;
+  readonly openOther: OpenOther;
+}
+
+/** Throws a ReadFailure. */
+export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<FileMesh>;
+export type MeshWriter = (mesh: FileMesh, fileName: string) => readonly WrittenFile[];
+
+export interface FormatCode {
+  readonly read?: MeshReader;
+  readonly write?: MeshWriter;
+}
+
+export interface FileFormat {
+  /** Short and stable, e.g. "gmsh2". */
+  readonly id: string;
+  /** As people call it, e.g. "Gmsh 2.2". */
+  readonly name: string;
+  /** In lower case with their dots; the first is the usual one. No two formats share one. */
+  readonly extensions: readonly [string, ...string[]];
+  readonly reads: readonly Contents[];
+  readonly writes: readonly Contents[];
+  /** The code of the format, fetched when it is first needed. */
+  readonly load: () => Promise<FormatCode>;
+}

@@ -1,0 +1,101 @@
+/** A mesh as files hold it: what every reader makes and every writer takes. */
+import type { Project } from "../project-schema.js";
+import type { MeshResult, SurfaceInput } from "../types.js";
+
+/** Triangles or tetrahedra of one kind: a patch with its boundary condition, a region with its material. */
+export interface FileGroup {
+  readonly name: string;
+  /** The number that the format has for it; written from 1 in order where this program made the mesh. */
+  readonly tag: number;
+  /** Red, green and blue from 0 to 1. */
+  readonly color?: readonly [number, number, number] | undefined;
+}
+
+/** Numbers at the nodes, such as sizes. */
+export interface NodeData {
+  /** Numbers per node. */
+  readonly components: number;
+  readonly values: Float64Array;
+}
+
+export interface FileMesh {
+  /** x y z per node. */
+  readonly points: Float64Array;
+  /** Three node positions per triangle. */
+  readonly triangles: Uint32Array;
+  /** Per triangle: position in `patches`. */
+  readonly trianglePatch: Uint32Array;
+  readonly patches: readonly FileGroup[];
+  /** Four node positions per tetrahedron. */
+  readonly tetrahedra: Uint32Array;
+  /** Per tetrahedron: position in `regions`. */
+  readonly tetrahedronRegion: Uint32Array;
+  readonly regions: readonly FileGroup[];
+  /** By name, as in the file. */
+  readonly nodeData: ReadonlyMap<string, NodeData>;
+}
+
+/** Where the names of a generated mesh come from. */
+export interface NameSource {
+  /** The project that was meshed. */
+  readonly project?: Project | undefined;
+  /** The surface that was filled, as `readSurface` gave it; one patch says no more than the shells do. */
+  readonly surface?: Pick<FileMesh, "trianglePatch" | "patches"> | undefined;
+}
+
+/**
+ * A generated mesh, ready to be written. Its patches are those of the project by name (else "patch 12", by
+ * id), those of the given surface, or its shells. A partial mesh goes as far as it goes.
+ */
+export function fileMeshOf(
+  mesh: Pick<MeshResult, "surface" | "volume">,
+  { project, surface: given }: NameSource = {},
+): FileMesh {
+  const { surface, volume } = mesh;
+  const isKept =
+    given !== undefined &&
+    given.patches.length > 1 &&
+    given.trianglePatch.length === surface.trianglePatch.length;
+  const trianglePatch = isKept ? given.trianglePatch : surface.trianglePatch;
+  const names = project === undefined ? [] : patchNames(project);
+  const word = project === undefined ? "shell" : "patch";
+  return {
+    points: volume.points.length > 0 ? volume.points : surface.points,
+    triangles: surface.triangles,
+    trianglePatch,
+    patches: isKept ? given.patches : numbered(word, countOf(trianglePatch), names),
+    tetrahedra: volume.tetrahedra,
+    tetrahedronRegion: volume.regions,
+    regions: numbered("region", countOf(volume.regions)),
+    nodeData: new Map(),
+  };
+}
+
+/** What to call each patch in a file: its name, else its id. */
+export function patchNames(project: Project): string[] {
+  return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
+}
+
+/** Groups "word 1", "word 2", … or with the names given, tagged from 1. */
+export function numbered(word: string, count: number, names: readonly string[] = []): FileGroup[] {
+  return Array.from({ length: count }, (_, i) => ({ name: names[i] ?? `${word} ${i + 1}`, tag: i + 1 }));
+}
+
+/** The number of groups among which these positions point. */
+export function countOf(positions: Uint32Array): number {
+  return positions.reduce((most, position) => Math.max(most, position + 1), 0);
+}
+
+/** Triangles of one patch. */
+export function plainSurface({ points, triangles }: SurfaceInput): FileMesh {
+  return {
+    points,
+    triangles,
+    trianglePatch: new Uint32Array(triangles.length / 3),
+    patches: [{ name: "surface", tag: 1 }],
+    tetrahedra: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(),
+    regions: [],
+    nodeData: new Map(),
+  };
+}

@@ -1,0 +1,99 @@
+/** Reading and writing mesh files of any format: the file's name tells which. */
+import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
+import { watched, type ByteSource } from "./byte-source.js";
+import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
+import { extensionsThat, formatOf } from "./file-formats.js";
+import type { FileMesh } from "./file-mesh.js";
+import { surfaceOf, type SurfaceFile } from "./surface-file.js";
+import { volumeOf, type VolumeFile } from "./volume-file.js";
+
+export interface ReadFileOptions {
+  /** Its extension tells the format. */
+  readonly fileName: string;
+  /** Gives the other files of formats that have several, such as TetGen's `.node` beside its `.face`. */
+  readonly openOther?: OpenOther | undefined;
+  /** Called with the number of bytes read so far, once per piece. */
+  readonly onProgress?: ((bytes: number) => void) | undefined;
+  /** Aborting rejects with the signal's reason. */
+  readonly signal?: AbortSignal | undefined;
+}
+
+export interface ReadSurfaceOptions extends ReadFileOptions {
+  /**
+   * Points no further apart than this, in model units, become one, and triangles that lose a corner by it
+   * are dropped. Default 0: only points of equal coordinates become one, and no triangle is dropped.
+   */
+  readonly weldTolerance?: number | undefined;
+}
+
+/**
+ * The triangles of a file, welded, with their patches; polygons are cut into triangles. A file that holds
+ * tetrahedra only is refused: their outside is not taken silently.
+ *
+ *     const read = await readSurface(file.stream(), { fileName: file.name });
+ *     if (read.success) await mesher.fillSurface(read.value);
+ */
+export function readSurface(
+  source: ByteSource,
+  options: ReadSurfaceOptions,
+): Promise<ReadResult<SurfaceFile>> {
+  return asResult(async () => surfaceOf(await readAny(source, options, ["surface"]), options.weldTolerance));
+}
+
+/** The tetrahedra of a file with the nodes they use and the numbers at these. */
+export function readVolume(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<VolumeFile>> {
+  return asResult(async () => volumeOf(await readAny(source, options, ["volume"])));
+}
+
+/** All triangles and tetrahedra of a file as they are in it, nothing welded. */
+export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<FileMesh>> {
+  return asResult(() => readAny(source, options, ["surface", "volume"]));
+}
+
+/**
+ * The files that a mesh becomes in the format of this name: one, or several beside each other. Formats that
+ * hold surfaces only get the triangles. Rejects with a `RangeError` where the name tells no format that can
+ * be written; `formatOf` tells beforehand.
+ */
+export async function writeMesh(mesh: FileMesh, fileName: string): Promise<readonly WrittenFile[]> {
+  const { write } = (await formatOf(fileName)?.load()) ?? {};
+  if (write === undefined) throw new RangeError(`no format to write: ${fileName}`);
+  return write(mesh, fileName);
+}
+
+async function readAny(
+  source: ByteSource,
+  options: ReadFileOptions,
+  contents: readonly Contents[],
+): Promise<FileMesh> {
+  const { fileName, openOther = () => Promise.resolve(undefined) } = options;
+  const format = formatOf(fileName);
+  if (!format?.reads.some((held) => contents.includes(held))) throw unknownFormat(fileName, format, contents);
+  const { read } = await format.load();
+  if (read === undefined) throw unknownFormat(fileName, format, contents);
+  return read(watched(source, options), { fileName, openOther });
+}
+
+function unknownFormat(
+  fileName: string,
+  format: FileFormat | undefined,
+  contents: readonly Contents[],
+): ReadFailure {
+  const what = contents.length === 1 ? contents[0] : "mesh";
+  const message =
+    format === undefined
+      ? `the name "${fileName}" tells no known format`
+      : `${format.name} files cannot be read as a ${what}`;
+  const known = [...new Set(contents.flatMap((held) => extensionsThat("reads", held)))];
+  return new ReadFailure({ message, remedy: `Give a file that ends in one of ${known.join(", ")}.` });
+}
+
+async function asResult<T>(read: () => Promise<T>): Promise<ReadResult<T>> {
+  try {
+    return { success: true, value: await read() };
+  } catch (failure) {
+    return readSafely(() => {
+      throw failure;
+    });
+  }
+}
