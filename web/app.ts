@@ -38,7 +38,7 @@ async function firstProject(autosave: Autosave, gallery: Gallery, wanted: string
   if (kept) return kept;
   const opening = gallery.models.find(({ id }) => id === (wanted ?? gallery.opening));
   const project = opening ? await loadModel(opening) : emptyProject("Untitled");
-  return { project, savedKey: contentKey(project), uniformSize: null };
+  return { project, savedKey: contentKey(project) };
 }
 
 /**
@@ -62,7 +62,7 @@ export async function createApp(still: boolean, model: string | null): Promise<A
     fail(error);
     return null;
   });
-  if (start) documents.restore(start.project, start.savedKey, start.uniformSize);
+  if (start) documents.restore(start.project, start.savedKey);
   autosave.follow();
   const run = new MeshRun(documents, mesher);
   const previews = new PreviewFeed(documents, mesher);

@@ -1,6 +1,6 @@
 import { projectBackground, type CoverOptions, type ProjectSource, type SizeProposal } from "tetrafront";
 import type { App } from "./app";
-import { replaceBackground, replaceSources, setUniformSize } from "./document/edits";
+import { replaceBackground, replaceSources, setMeshing } from "./document/edits";
 import { strings } from "./ui/strings";
 
 /** What commands and dialogs do to the background grid with the engine's help. */
@@ -15,7 +15,7 @@ export async function coverModel(app: App, options: CoverOptions): Promise<void>
   try {
     const mesher = await app.mesher;
     const background = await mesher.coverProject(app.documents.project, options);
-    app.documents.edit(replaceBackground(strings.background.cover, background));
+    app.documents.edit(replaceBackground(strings.background.cover, app.documents.project, background));
     app.view.setLayer("background", true);
   } catch (error) {
     fail(app, strings.background.cover, error);
@@ -30,7 +30,7 @@ export async function takeMeshAsGrid(app: App): Promise<void> {
     const arrays = await (await app.mesher).meshAsBackground(mesh.volume);
     const { sources } = app.documents.project.background;
     const background = { ...projectBackground(arrays), ...(sources && { sources }) };
-    app.documents.edit(replaceBackground(strings.background.meshAsGrid, background));
+    app.documents.edit(replaceBackground(strings.background.meshAsGrid, app.documents.project, background));
   } catch (error) {
     fail(app, strings.background.meshAsGrid, error);
   }
@@ -60,8 +60,12 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
       : project.background;
     const present = use.replaceSources ? [] : (project.background.sources ?? []);
     const background = { ...grid, sources: mergeSources(present, proposal.sources) };
-    const replace = use.cover ? replaceBackground : replaceSources;
-    app.documents.edit(replace(strings.background.propose, background));
+    const label = strings.background.propose;
+    app.documents.edit(
+      use.cover
+        ? replaceBackground(label, app.documents.project, background)
+        : replaceSources(label, background),
+    );
     app.view.setLayer("sources", true);
   } catch (error) {
     fail(app, strings.background.propose, error);
@@ -83,8 +87,8 @@ export function likelySize(app: App): number {
 
 /** Switches between one size everywhere and the sizes of the background grid. */
 export function toggleUniformSize(app: App): void {
-  const on = app.documents.content.uniformSize === null;
-  app.documents.edit(setUniformSize(on ? likelySize(app) : null));
+  const on = app.documents.project.meshing?.size === undefined;
+  app.documents.edit(setMeshing("size", on ? likelySize(app) : null));
   app.view.clear();
   app.shell.setState({ rightTab: "inspector" });
 }

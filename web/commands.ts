@@ -201,7 +201,7 @@ const meshMenu: readonly Command[] = [
   }),
   define("mesh", 2)("propose", "Propose sizes…", (app) => app.shell.setState({ dialog: "propose" })),
   define("mesh", 2)("uniform-size", "Uniform size", toggleUniformSize, {
-    checked: (app) => app.documents.content.uniformSize !== null,
+    checked: (app) => app.documents.project.meshing?.size !== undefined,
   }),
   define("mesh", 3)("problems", "Show problems", (app) =>
     app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),

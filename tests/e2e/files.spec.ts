@@ -113,6 +113,48 @@ test("the message of a failed open goes with the next successful one", async ({ 
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
 });
 
+test("a reload at once keeps what was done last, also that something was undone", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  page.on("dialog", (dialog) => void dialog.accept());
+  const size = page.getByTestId("bg-size");
+  for (const wanted of ["0.2", "0.3"]) {
+    await app.select("background-node-1");
+    await app.type("bg-size", wanted);
+    await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
+    await page.getByTestId("undo").click();
+    await page.reload();
+    await app.meshed();
+    await app.select("background-node-1");
+    await expect(size).toHaveValue("0.16");
+    await app.type("bg-size", wanted);
+    await page.reload();
+    await app.meshed();
+    await app.select("background-node-1");
+    await expect(size).toHaveValue(wanted);
+    await app.type("bg-size", "0.16");
+    await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
+  }
+});
+
+test("two tabs keep their own projects over a reload", async ({ page, context }) => {
+  const first = new AppPage(page);
+  const cube = await first.openCube();
+  await first.select("point-1");
+  await first.type("entity-name", "mine");
+  await expect(first.viewport).toHaveAttribute("data-autosaved", "true");
+  const second = new AppPage(await context.newPage());
+  await second.open();
+  await second.openExample("plate-with-hole");
+  await expect(second.viewport).toHaveAttribute("data-autosaved", "true");
+  await page.reload();
+  await first.meshed();
+  await expect(page.getByTestId("project-name")).toHaveValue("Unit cube");
+  expect((await first.mesh()).tets).toBe(cube.tets);
+  await second.page.reload();
+  await expect(second.page.getByTestId("project-name")).toHaveValue("Plate with a hole");
+});
+
 test("an edit survives a reload, and so does the knowledge that it is unsaved", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

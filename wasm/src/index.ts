@@ -44,6 +44,7 @@ export type {
   ProjectBackground,
   ProjectBackgroundNode,
   ProjectLine,
+  ProjectMeshing,
   ProjectPatch,
   ProjectPoint,
   ProjectSource,

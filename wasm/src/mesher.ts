@@ -16,6 +16,7 @@ import {
   DEFAULT_COVER_SHAPE,
   engineOptions,
   engineProposalOptions,
+  withSettings,
 } from "./options.js";
 import {
   gridByPosition,
@@ -113,15 +114,18 @@ class WorkerMesher implements Mesher {
   }
 
   async meshProject(project: Project, options: MeshOptions = {}, control: RunControl = {}) {
-    const wrong = [...checkProject(project), ...checkOptions(options)];
+    const unusable = [...checkProject(project), ...checkOptions(options)];
+    if (unusable.length > 0) return emptyResult("invalid-input", unusable);
+    const settled = withSettings(options, project);
+    const wrong = checkOptions(settled);
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
-    const { background } = options;
+    const { background } = settled;
     const drawn = projectArrays(project);
     const request = {
       kind: "mesh-model",
       id: this.#nextId(),
       model: background === undefined ? drawn : { ...drawn, grid: withNodes(drawn.grid, background) },
-      options: engineOptions(options),
+      options: engineOptions(settled),
     } as const;
     const name = projectNamer(project);
     return this.#run(request, control, background === undefined ? name : gridByPosition(name));
@@ -144,8 +148,10 @@ class WorkerMesher implements Mesher {
   }
 
   async previewProject(project: Project, options: PreviewOptions = {}): Promise<ProjectPreview> {
-    const wrong = checkPreviewOptions(options);
-    const size = wrong.length > 0 ? 0 : (options.size ?? 0);
+    const unusable = checkPreviewOptions(options);
+    const wanted = unusable.length > 0 ? undefined : (options.size ?? project.meshing?.size);
+    const wrong = [...unusable, ...checkPreviewOptions({ size: wanted })];
+    const size = wrong.length > 0 ? 0 : (wanted ?? 0);
     const question = { kind: "preview", id: this.#nextId(), model: projectArrays(project), size } as const;
     const preview = describedPreview(await this.#ask(question), projectNamer(project));
     return { ...preview, diagnostics: [...wrong, ...preview.diagnostics] };

@@ -1,6 +1,7 @@
 /** The options as the engine takes them, or what is wrong with them. */
 import { packageDiagnostic } from "./diagnostics.js";
 import { checkBackground } from "./input-checks.js";
+import type { Project } from "./project-schema.js";
 import type { EngineOptions, EngineProposalOptions } from "./protocol.js";
 import type {
   CoverOptions,
@@ -119,6 +120,17 @@ export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
 
 export function checkProposalOptions(options: ProposalOptions): Diagnostic[] {
   return checkAgainst(options, options, PROPOSAL_RULES);
+}
+
+/**
+ * The options with the project's own settings where the caller gives none. A background grid of the
+ * caller takes the place of the project's one size, too.
+ */
+export function withSettings(options: MeshOptions, { meshing }: Project): MeshOptions {
+  if (meshing === undefined) return options;
+  const given = Object.entries(options).filter(([, value]) => value !== undefined);
+  const settings = options.background === undefined ? meshing : { ...meshing, size: undefined };
+  return { ...settings, ...Object.fromEntries(given) };
 }
 
 function checkAgainst<Options>(

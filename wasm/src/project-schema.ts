@@ -4,122 +4,155 @@
  * sense (a size above zero, a loop that closes, a planar patch that is plane) is the engine's to say,
  * for a drawing that is still unfinished must be loadable.
  */
-import { z } from "zod";
+import en from "zod/v4/locales/en.js";
+import * as z from "zod/mini";
 
 export const PROJECT_FORMAT = "tetrafront-project";
 export const PROJECT_VERSION = 1;
 
-const id = z.int().positive().meta({ description: "Unique among its kind; a whole number above 0" });
-const name = z.string().optional().meta({ description: "What the user calls it" });
-const triple = z
-  .tuple([z.number(), z.number(), z.number()])
-  .readonly()
-  .meta({ description: "x y z, in model units" });
+z.config(en());
 
-const pointSchema = z.strictObject({ id, name, at: triple }).readonly();
+/** Says in the JSON Schema what a field means. */
+function described<Schema extends z.ZodMiniType>(description: string, schema: Schema): Schema {
+  z.globalRegistry.add(schema, { description });
+  return schema;
+}
 
-const lineSchema = z
-  .strictObject({
+const listOf = <Item extends z.ZodMiniType>(item: Item) => z.readonly(z.array(item));
+
+const id = described("Unique among its kind; a whole number above 0", z.int().check(z.positive()));
+const reference = z.int().check(z.positive());
+const name = described("What the user calls it", z.optional(z.string()));
+const triple = described("x y z, in model units", z.readonly(z.tuple([z.number(), z.number(), z.number()])));
+
+const pointSchema = z.readonly(z.strictObject({ id, name, at: triple }));
+
+const lineSchema = z.readonly(
+  z.strictObject({
     id,
     name,
     type: z.enum(["straight", "parabolic", "spline"]),
-    points: z.array(z.int().positive()).min(2).readonly().meta({
-      description:
-        "Point ids along the line: two; start, middle, end; or four and more, closed if it ends where it begins",
-    }),
-  })
-  .readonly();
+    points: described(
+      "Point ids along the line: two; start, middle, end; or four and more, closed if it ends where it begins",
+      z.readonly(z.array(reference).check(z.minLength(2))),
+    ),
+  }),
+);
 
-const loopSchema = z
-  .array(z.int())
-  .min(1)
-  .readonly()
-  .meta({ description: "Line ids in walking order; a negative id walks that line backwards" });
+const loopSchema = described(
+  "Line ids in walking order; a negative id walks that line backwards",
+  z.readonly(z.array(z.int()).check(z.minLength(1))),
+);
 
-const patchSchema = z
-  .strictObject({
+const patchSchema = z.readonly(
+  z.strictObject({
     id,
     name,
-    type: z
-      .enum(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"])
-      .meta({
-        description: "Of barnhill-gregory-nielson, the loop's second line plays another role than the rest",
-      }),
-    loops: z.array(loopSchema).min(1).readonly().meta({ description: "The outer loop first, then holes" }),
-  })
-  .readonly();
+    type: described(
+      "Of barnhill-gregory-nielson, the loop's second line plays another role than the rest",
+      z.enum(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"]),
+    ),
+    loops: described(
+      "The outer loop first, then holes",
+      z.readonly(z.array(loopSchema).check(z.minLength(1))),
+    ),
+  }),
+);
 
-const backgroundNodeSchema = z
-  .strictObject({
+const backgroundNodeSchema = z.readonly(
+  z.strictObject({
     id,
     at: triple,
-    size: z.number().meta({ description: "Wanted edge length, in model units, above 0" }),
-    stretching: z
-      .number()
-      .optional()
-      .meta({ description: "Length along `direction` divided by `size`, >= 1" }),
-    direction: triple.optional().meta({ description: "Stretching direction; any length but 0" }),
-  })
-  .readonly();
+    size: described("Wanted edge length, in model units, above 0", z.number()),
+    stretching: described("Length along `direction` divided by `size`, >= 1", z.optional(z.number())),
+    direction: described(
+      "Stretching direction; any length but 0",
+      z.optional(z.readonly(z.tuple([z.number(), z.number(), z.number()]))),
+    ),
+  }),
+);
 
-const sourceSchema = z
-  .strictObject({
+const sourceSchema = z.readonly(
+  z.strictObject({
     id,
     name,
     type: z.enum(["point", "segment", "triangle"]),
-    places: z
-      .array(triple)
-      .min(1)
-      .max(3)
-      .readonly()
-      .meta({ description: "Corners: one of a point, two of a segment, three of a triangle" }),
-    size: z.number().meta({ description: "Wanted edge length there, in model units, above 0" }),
-    distance: z
-      .number()
-      .optional()
-      .meta({ description: "Up to this far away `size` holds too; 0 or more, 0 if not given" }),
-    growth: z
-      .number()
-      .optional()
-      .meta({ description: "Of the size per unit of distance beyond; 0 or more, 0.3 if not given" }),
-  })
-  .readonly();
+    places: described(
+      "Corners: one of a point, two of a segment, three of a triangle",
+      z.readonly(z.array(triple).check(z.minLength(1), z.maxLength(3))),
+    ),
+    size: described("Wanted edge length there, in model units, above 0", z.number()),
+    distance: described(
+      "Up to this far away `size` holds too; 0 or more, 0 if not given",
+      z.optional(z.number()),
+    ),
+    growth: described(
+      "Of the size per unit of distance beyond; 0 or more, 0.3 if not given",
+      z.optional(z.number()),
+    ),
+  }),
+);
 
-const backgroundSchema = z
-  .strictObject({
-    nodes: z.array(backgroundNodeSchema).readonly(),
-    tetrahedra: z
-      .array(z.tuple([z.int(), z.int(), z.int(), z.int()]).readonly())
-      .readonly()
-      .meta({ description: "Four node ids each, in any orientation" }),
-    sources: z
-      .array(sourceSchema)
-      .readonly()
-      .optional()
-      .meta({ description: "Places around which elements are wanted no larger than a size" }),
-    overhang: z.number().min(0).optional().meta({
-      description:
-        "What this far outside still counts as covered, as a share of the nearest tetrahedron's longest edge",
-    }),
-  })
-  .readonly();
+const backgroundSchema = z.readonly(
+  z.strictObject({
+    nodes: listOf(backgroundNodeSchema),
+    tetrahedra: described(
+      "Four node ids each, in any orientation",
+      listOf(z.readonly(z.tuple([z.int(), z.int(), z.int(), z.int()]))),
+    ),
+    sources: described(
+      "Places around which elements are wanted no larger than a size",
+      z.optional(listOf(sourceSchema)),
+    ),
+    overhang: described(
+      "What this far outside still counts as covered, as a share of the nearest tetrahedron's longest edge",
+      z.optional(z.number().check(z.minimum(0))),
+    ),
+  }),
+);
 
-const documentSchema = z
-  .strictObject({
-    $schema: z.string().optional().meta({ description: "For editors; not interpreted" }),
+const meshingSchema = z.readonly(
+  z.strictObject({
+    size: described(
+      "One wanted edge length everywhere, in model units, above 0: in place of the background grid's; sources still hold",
+      z.optional(z.number()),
+    ),
+    gradation: described(
+      "Most by which sizes grow from one element to the next, above 1; 0 takes them as they are; 1.3 if not given",
+      z.optional(z.number()),
+    ),
+    order: described(
+      "Which face of the front comes next: of the lowest layer, if not given, or the smallest",
+      z.optional(z.enum(["layered", "smallest-first"])),
+    ),
+    optimization: described(
+      "Effort on the elements after the front; default, if not given",
+      z.optional(z.enum(["none", "fast", "default", "strive"])),
+    ),
+  }),
+);
+
+const documentSchema = z.readonly(
+  z.strictObject({
+    $schema: described("For editors; not interpreted", z.optional(z.string())),
     format: z.literal(PROJECT_FORMAT),
     version: z.literal(PROJECT_VERSION),
     name: z.string(),
-    description: z.string().optional(),
-    units: z.string().optional().meta({ description: 'A label such as "mm"; nothing is converted' }),
-    points: z.array(pointSchema).readonly(),
-    lines: z.array(lineSchema).readonly(),
-    patches: z.array(patchSchema).readonly(),
-    background: backgroundSchema
-      .default({ nodes: [], tetrahedra: [] })
-      .meta({ description: "Coarse tetrahedra covering the model, with the wanted size at their nodes" }),
-  })
-  .readonly();
+    description: z.optional(z.string()),
+    units: described('A label such as "mm"; nothing is converted', z.optional(z.string())),
+    meshing: described(
+      "How it is to be meshed, where whoever meshes it does not say",
+      z.optional(meshingSchema),
+    ),
+    points: listOf(pointSchema),
+    lines: listOf(lineSchema),
+    patches: listOf(patchSchema),
+    background: described(
+      "Coarse tetrahedra covering the model, with the wanted size at their nodes",
+      z._default(backgroundSchema, { nodes: [], tetrahedra: [] }),
+    ),
+  }),
+);
 
 type Document = z.infer<typeof documentSchema>;
 type Path = (string | number)[];
@@ -193,16 +226,22 @@ function uniqueIds(
   return seen;
 }
 
-export const projectSchema = documentSchema
-  .superRefine((project, context) => {
+export const projectSchema = documentSchema.check(
+  z.superRefine<Document>((project, context) => {
     checkReferences(project, (path, message) => context.addIssue({ code: "custom", path, message }));
-  })
-  .meta({ title: "Tetrafront project", description: "Points, lines, patches and a background grid" });
+  }),
+);
+z.globalRegistry.add(projectSchema, {
+  title: "Tetrafront project",
+  description: "Points, lines, patches and a background grid",
+});
 
 export type Project = z.infer<typeof projectSchema>;
 export type ProjectPoint = Project["points"][number];
 export type ProjectLine = Project["lines"][number];
 export type ProjectPatch = Project["patches"][number];
+/** The project's own settings; whoever meshes it may give others. */
+export type ProjectMeshing = NonNullable<Project["meshing"]>;
 export type ProjectBackground = Project["background"];
 export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
 /** A place around which elements are wanted no larger than size + growth max(0, r - distance). */

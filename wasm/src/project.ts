@@ -1,5 +1,5 @@
 /** Reading and writing project files (docs/FORMAT.md). */
-import type { z } from "zod";
+import type * as z from "zod/mini";
 
 import {
   PROJECT_FORMAT,
@@ -43,8 +43,9 @@ export function readProject(text: string): ReadResult<Project> {
  * versions of a model can be read.
  */
 export function writeProject(project: Project): string {
-  const { $schema, format, version, name, description, units, points, lines, patches, background } = project;
-  const head = Object.entries({ $schema, format, version, name, description, units })
+  const { points, lines, patches, background, ...rest } = project;
+  const { $schema, format, version, name, description, units, meshing } = rest;
+  const head = Object.entries({ $schema, format, version, name, description, units, meshing })
     .filter(([, value]) => value !== undefined)
     .map(([key, value]) => `  ${JSON.stringify(key)}: ${JSON.stringify(value)}`);
   const body = [

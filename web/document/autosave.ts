@@ -1,13 +1,14 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import { parseProject, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { DocumentStore } from "./store";
+import type { DocumentState, DocumentStore } from "./store";
 
 interface Saved {
   /** The project's JSON; earlier versions kept the project itself, which took its time. */
   readonly text?: string;
   readonly project?: Project;
   readonly savedKey: string;
+  /** Earlier versions kept the uniform size beside the project. */
   readonly uniformSize?: number | null;
   /** Milliseconds since 1970. */
   readonly at: number;
@@ -16,27 +17,58 @@ interface Saved {
 export interface Kept {
   readonly project: Project;
   readonly savedKey: string;
-  readonly uniformSize: number | null;
 }
 
 interface AutosaveSchema extends DBSchema {
   versions: { key: number; value: Saved };
 }
 
-/** The browser keeps this many states of the document, the newest last. */
+type Database = IDBPDatabase<AutosaveSchema>;
+
+/** The browser keeps this many states of the document of each tab, and of all tabs together. */
 const ringLength = 5;
+const allLength = 15;
 const idleMs = 1000;
+
+/** Keys are microseconds since 1970: the newest has the highest. */
+const newKey = (after: number): number => Math.max(after + 1, Date.now() * 1000);
+
+/** The keys of what this tab has written; they outlive a reload, but not the tab. */
+class OwnKeys {
+  static readonly #name = "tetrafront-versions";
+
+  read(): number[] {
+    try {
+      const keys: unknown = JSON.parse(sessionStorage.getItem(OwnKeys.#name) ?? "[]");
+      return Array.isArray(keys) ? keys.filter((key) => typeof key === "number") : [];
+    } catch {
+      return [];
+    }
+  }
+
+  write(keys: readonly number[]): void {
+    try {
+      sessionStorage.setItem(OwnKeys.#name, JSON.stringify(keys));
+    } catch {
+      // Without it a reload shows what was written last, by whichever tab.
+    }
+  }
+}
 
 /**
  * Writes the document to IndexedDB a second after the last change, and at once when the page is being
- * left. A browser without storage (private mode) loses only this safety net.
+ * left. Each tab comes back to its own document; a new one begins with the newest of all. A browser
+ * without storage (private mode) loses only this safety net.
  */
 export class Autosave {
   readonly #documents: DocumentStore;
-  readonly #database: Promise<IDBPDatabase<AutosaveSchema> | null>;
+  readonly #ownKeys = new OwnKeys();
+  readonly #opening: Promise<Database | null>;
+  #database: Database | null = null;
+  /** What has been written, or is being written. */
+  #written: DocumentState | null = null;
   #background: { readonly of: Project["background"]; readonly text: string } | null = null;
   #timer: ReturnType<typeof setTimeout> | null = null;
-  #writing: Promise<void> = Promise.resolve();
   /** `pending`: there is a change that no storage holds yet; leaving the page deserves a warning. */
   readonly state: StoreApi<{ readonly pending: boolean }> = createStore<{ readonly pending: boolean }>(
     () => ({ pending: false }),
@@ -44,22 +76,23 @@ export class Autosave {
 
   constructor(documents: DocumentStore, databaseName = "tetrafront") {
     this.#documents = documents;
-    this.#database = openDB<AutosaveSchema>(databaseName, 1, {
+    this.#opening = openDB<AutosaveSchema>(databaseName, 1, {
       upgrade: (database) => {
         database.createObjectStore("versions", { autoIncrement: true });
       },
     }).catch(() => null);
+    void this.#opening.then((database) => (this.#database = database));
   }
 
-  /** The newest state kept, or null; a state that no longer reads is passed over. */
+  /** The newest state this tab has kept, else any tab, or null; one that no longer reads is passed over. */
   async load(): Promise<Kept | null> {
-    const database = await this.#database;
+    const database = await this.#opening;
     if (!database) return null;
-    const versions = await database.getAll("versions");
-    for (const version of versions.reverse()) {
-      const { text, project, savedKey, uniformSize = null } = version;
-      const read = parseProject(text === undefined ? project : JSON.parse(text));
-      if (read.success) return { project: read.value, savedKey, uniformSize };
+    const all = await database.getAllKeys("versions");
+    for (const key of [...this.#ownKeys.read().reverse(), ...all.reverse()]) {
+      const version = await database.get("versions", key);
+      const project = version ? readKept(version) : null;
+      if (version && project) return { project, savedKey: version.savedKey };
     }
     return null;
   }
@@ -73,12 +106,32 @@ export class Autosave {
     });
   }
 
-  /** Writes now what is not yet written. */
-  flush(): Promise<void> {
+  /**
+   * Writes what is not yet written. The transaction is complete when this returns, though not its
+   * answer: what is written while the page is being left is kept.
+   */
+  async flush(): Promise<void> {
     if (this.#timer !== null) clearTimeout(this.#timer);
     this.#timer = null;
-    if (this.state.getState().pending) this.#writing = this.#writing.then(() => this.#write());
-    return this.#writing;
+    const database = this.#database;
+    const state = this.#documents.state.getState();
+    if (!database || !this.state.getState().pending || state === this.#written) return;
+    this.#written = state;
+    const { history, savedKey } = state;
+    const own = this.#ownKeys.read();
+    const key = newKey(own.at(-1) ?? 0);
+    const text = this.#textOf(history.present.project);
+    try {
+      const transaction = database.transaction("versions", "readwrite");
+      const added = transaction.store.add({ text, savedKey, at: Date.now() }, key);
+      transaction.commit();
+      this.#ownKeys.write([...own, key].slice(-ringLength));
+      await Promise.all([added, transaction.done]);
+      this.state.setState({ pending: this.#documents.state.getState() !== state });
+      await prune(database, own.slice(0, 1 - ringLength));
+    } catch {
+      this.#written = null;
+    }
   }
 
   /** The project's JSON. The background, which may be large and seldom changes, is not written afresh. */
@@ -88,23 +141,18 @@ export class Autosave {
     }
     return `${JSON.stringify(rest).slice(0, -1)},"background":${this.#background.text}}`;
   }
+}
 
-  async #write(): Promise<void> {
-    const database = await this.#database;
-    if (!database) return;
-    const state = this.#documents.state.getState();
-    const { project, uniformSize } = state.history.present;
-    const { savedKey } = state;
-    const text = this.#textOf(project);
-    try {
-      const transaction = database.transaction("versions", "readwrite");
-      await transaction.store.add({ text, savedKey, uniformSize, at: Date.now() });
-      const keys = await transaction.store.getAllKeys();
-      await Promise.all(keys.slice(0, -ringLength).map((key) => transaction.store.delete(key)));
-      await transaction.done;
-      this.state.setState({ pending: this.#documents.state.getState() !== state });
-    } catch {
-      this.state.setState({ pending: true });
-    }
-  }
+/** Takes away these states, and the oldest of all tabs. */
+async function prune(database: Database, keys: readonly number[]): Promise<void> {
+  const { store, done } = database.transaction("versions", "readwrite");
+  const all = await store.getAllKeys();
+  await Promise.all([...keys, ...all.slice(0, -allLength)].map((key) => store.delete(key)));
+  await done;
+}
+
+function readKept({ text, project, uniformSize = null }: Saved): Project | null {
+  const read = parseProject(text === undefined ? project : JSON.parse(text));
+  if (!read.success) return null;
+  return uniformSize === null ? read.value : { ...read.value, meshing: { size: uniformSize } };
 }

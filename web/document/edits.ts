@@ -1,4 +1,4 @@
-import type { Project, ProjectBackground, ProjectLine, ProjectPatch } from "tetrafront";
+import type { Project, ProjectBackground, ProjectLine, ProjectMeshing, ProjectPatch } from "tetrafront";
 import type { Draft } from "mutative";
 import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
 import type { DocumentContent, ProjectEdit } from "./store";
@@ -186,13 +186,36 @@ export function moveSource(id: number, place: number, axis: Axis, value: number)
   };
 }
 
-/** One element size everywhere, or null for that of the background grid. */
-export function setUniformSize(size: number | null): ProjectEdit {
+/** The settings with another value in one field; null takes it away, and the last one all of them. */
+function changed<Field extends keyof ProjectMeshing>(
+  { meshing }: Project,
+  field: Field,
+  value: ProjectMeshing[Field] | null,
+): ProjectMeshing | undefined {
+  const { [field]: _, ...others } = meshing ?? {};
+  const settings = value === null ? others : { ...others, [field]: value };
+  return Object.keys(settings).length > 0 ? settings : undefined;
+}
+
+const settingLabels: { readonly [Field in keyof ProjectMeshing]-?: string } = {
+  size: "Set uniform size",
+  gradation: "Set gradation",
+  order: "Set order of the front",
+  optimization: "Set optimization",
+};
+
+/** How the project is to be meshed; null takes the setting away, so that the default holds. */
+export function setMeshing<Field extends keyof ProjectMeshing>(
+  field: Field,
+  value: ProjectMeshing[Field] | null,
+): ProjectEdit {
   return {
-    label: size === null ? "Take sizes from the background grid" : "Set uniform size",
-    ...(size !== null && { mergeKey: "uniform-size" }),
+    label: field === "size" && value === null ? "Take sizes from the background grid" : settingLabels[field],
+    ...(typeof value === "number" && { mergeKey: `meshing-${field}` }),
     change: (draft) => {
-      draft.uniformSize = size;
+      const settings = changed(draft.project as Project, field, value);
+      if (settings === undefined) delete draft.project.meshing;
+      else draft.project.meshing = settings;
     },
   };
 }
@@ -203,12 +226,16 @@ export function replaceSources(label: string, background: ProjectBackground): Pr
 }
 
 /** Another background grid, sources and all, which takes the place of one size everywhere. */
-export function replaceBackground(label: string, background: ProjectBackground): ProjectEdit {
+export function replaceBackground(
+  label: string,
+  project: Project,
+  background: ProjectBackground,
+): ProjectEdit {
   return {
     label,
     replace: [
       [["project", "background"], background],
-      [["uniformSize"], null],
+      [["project", "meshing"], changed(project, "size", null)],
     ],
   };
 }
@@ -218,10 +245,11 @@ export function scaleSizes(factor: number): ProjectEdit {
   return {
     label: factor < 1 ? "Refine all sizes" : "Coarsen all sizes",
     change: (draft) => {
-      const { nodes, sources = [] } = draft.project.background;
+      const { background, meshing } = draft.project;
+      const { nodes, sources = [] } = background;
       for (const node of nodes) node.size *= factor;
       for (const source of sources) source.size *= factor;
-      if (draft.uniformSize !== null) draft.uniformSize *= factor;
+      if (meshing?.size !== undefined) meshing.size *= factor;
     },
   };
 }

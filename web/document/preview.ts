@@ -1,14 +1,12 @@
 import type { Mesher, Project, ProjectPreview } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import type { DocumentContent, DocumentStore } from "./store";
+import type { DocumentStore } from "./store";
 
 export interface PreviewState {
   /** The sampled lines and patches of `project`; null until the first answer. */
   readonly preview: ProjectPreview | null;
   /** The project that `preview` belongs to: the latest one answered. */
   readonly project: Project | null;
-  /** The document that `preview` belongs to. */
-  readonly content: DocumentContent | null;
   readonly failure: string | null;
 }
 
@@ -20,17 +18,16 @@ export class PreviewFeed {
   readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => ({
     preview: null,
     project: null,
-    content: null,
     failure: null,
   }));
   readonly #mesher: Promise<Mesher>;
-  #wanted: DocumentContent | null = null;
+  #wanted: Project | null = null;
   #asking = false;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#mesher = mesher;
-    documents.onProject(() => this.request(documents.content));
-    this.request(documents.content);
+    documents.onProject((project) => this.request(project));
+    this.request(documents.project);
   }
 
   /** Is an answer about the document's present state still to come? */
@@ -38,20 +35,19 @@ export class PreviewFeed {
     return this.#asking;
   }
 
-  request(content: DocumentContent): void {
-    this.#wanted = content;
+  request(project: Project): void {
+    this.#wanted = project;
     if (!this.#asking) void this.#ask();
   }
 
   async #ask(): Promise<void> {
     this.#asking = true;
     while (this.#wanted) {
-      const content = this.#wanted;
-      const { project } = content;
+      const project = this.#wanted;
       this.#wanted = null;
       try {
-        const preview = await (await this.#mesher).previewProject(project, previewOptions(content));
-        this.state.setState({ preview, project, content, failure: null });
+        const preview = await (await this.#mesher).previewProject(project);
+        this.state.setState({ preview, project, failure: null });
       } catch (error) {
         this.state.setState({ failure: error instanceof Error ? error.message : String(error) });
       }
@@ -59,7 +55,3 @@ export class PreviewFeed {
     this.#asking = false;
   }
 }
-
-/** With a uniform size nothing is asked of the background grid, and nothing is said about it. */
-const previewOptions = ({ uniformSize }: DocumentContent) =>
-  uniformSize === null ? {} : { size: uniformSize };

@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
-import { meshKey, type DocumentStore } from "./store";
+import { contentKey, type DocumentStore } from "./store";
 import { problemsByEntity, toProblems, type Problem } from "./validate";
 
 export interface ProblemState {
@@ -18,12 +18,12 @@ export class ProblemList {
 
   constructor(documents: DocumentStore, previews: PreviewFeed, run: MeshRun) {
     const update = (): void => {
-      const { content, project } = documents;
-      const { preview, content: previewed } = previews.state.getState();
+      const { project } = documents;
+      const { preview, project: previewed } = previews.state.getState();
       const { outcome } = run.state.getState();
-      const key = meshKey(content);
+      const key = contentKey(project);
       // While the check of an edit is under way the old findings stay, so that nothing flickers.
-      const current = previewed !== null && meshKey(previewed) === key;
+      const current = previewed !== null && contentKey(previewed) === key;
       if (!current && previewed !== null && previews.busy) return;
       const problems = toProblems(project, [
         ...(current ? (preview?.diagnostics ?? []) : []),

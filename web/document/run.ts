@@ -7,7 +7,7 @@ import {
   type Project,
 } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { meshKey, type DocumentContent, type DocumentStore } from "./store";
+import { contentKey, type DocumentStore } from "./store";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 
@@ -76,7 +76,7 @@ export class MeshRun {
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
     this.#mesher = mesher;
-    documents.onProject(() => this.#showCached(meshKey(documents.content)));
+    documents.onProject((project) => this.#showCached(contentKey(project)));
   }
 
   /** Meshes the present project; a run under way is left alone. Resolves when the run is over. */
@@ -88,8 +88,7 @@ export class MeshRun {
   async #mesh(): Promise<void> {
     const abort = new AbortController();
     this.#abort = abort;
-    const { content } = this.#documents;
-    const { project } = content;
+    const { project } = this.#documents;
     this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
     const started = performance.now();
     const log = (level: LogLevel, text: string): void =>
@@ -98,11 +97,11 @@ export class MeshRun {
     try {
       const result = await (
         await this.#mesher
-      ).meshProject(...meshInput(content), {
+      ).meshProject(...meshInput(project), {
         signal: abort.signal,
         onProgress: (progress) => this.#report(progress, log),
       });
-      this.#finish(meshKey(content), result, log);
+      this.#finish(contentKey(project), result, log);
     } catch (error) {
       const failure = error instanceof Error ? error.message : String(error);
       this.state.setState({ failure });
@@ -115,7 +114,7 @@ export class MeshRun {
 
   /** Takes the mesh off show, and what was said of it, if they are of another state of the document. */
   forgetOthers(): void {
-    const key = meshKey(this.#documents.content);
+    const key = contentKey(this.#documents.project);
     const { mesh, outcome } = this.state.getState();
     if (mesh && this.state.getState().meshKey !== key) this.state.setState({ mesh: null, meshKey: null });
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
@@ -199,9 +198,9 @@ function summary({ report }: MeshResult): string {
 const manyTetrahedra = 2000;
 
 /** What to mesh and with which options. A project is looked through node by node, flat arrays are not. */
-function meshInput({ project, uniformSize }: DocumentContent): [Project, MeshOptions] {
-  if (uniformSize !== null) return [project, { size: uniformSize }];
-  const { background } = project;
+function meshInput(project: Project): [Project, MeshOptions] {
+  const { background, meshing } = project;
+  if (meshing?.size !== undefined) return [project, {}];
   if (background.tetrahedra.length <= manyTetrahedra) return [project, {}];
   const grid = backgroundArrays({ ...background, sources: [] });
   const rest = { nodes: [], tetrahedra: [], ...(background.sources && { sources: background.sources }) };
@@ -212,6 +211,6 @@ function meshInput({ project, uniformSize }: DocumentContent): [Project, MeshOpt
 const sentence = (text: string): string => (/[.!?…]$/.test(text) ? text : `${text}.`);
 
 /** Is the mesh on show that of another state of the document? */
-export function isStale(run: RunState, content: DocumentContent): boolean {
-  return run.mesh !== null && run.meshKey !== meshKey(content);
+export function isStale(run: RunState, project: Project): boolean {
+  return run.mesh !== null && run.meshKey !== contentKey(project);
 }

@@ -5,8 +5,6 @@ import { commit, redo, startHistory, undo, type Edit, type History } from "./his
 /** What undo and redo travel through: opening another file is an edit like any other. */
 export interface DocumentContent {
   readonly project: Project;
-  /** One element size everywhere instead of the background grid's; null: the grid decides. */
-  readonly uniformSize: number | null;
 }
 
 export type ProjectEdit = Edit<DocumentContent>;
@@ -108,11 +106,6 @@ export function contentKey(project: Project): string {
   return key;
 }
 
-/** Equal for documents whose meshes are equal. */
-export function meshKey({ project, uniformSize }: DocumentContent): string {
-  return `${uniformSize ?? "grid"} ${contentKey(project)}`;
-}
-
 /** The undoable document: the project, its history, and whether a file holds it. */
 export class DocumentStore {
   readonly state: StoreApi<DocumentState>;
@@ -121,17 +114,13 @@ export class DocumentStore {
   constructor(project: Project, now: () => number = () => performance.now()) {
     this.#now = now;
     this.state = createStore<DocumentState>(() => ({
-      history: startHistory<DocumentContent>({ project, uniformSize: null }),
+      history: startHistory<DocumentContent>({ project }),
       savedKey: contentKey(project),
     }));
   }
 
-  get content(): DocumentContent {
-    return this.state.getState().history.present;
-  }
-
   get project(): Project {
-    return this.content.project;
+    return this.state.getState().history.present.project;
   }
 
   edit(edit: ProjectEdit): void {
@@ -148,30 +137,24 @@ export class DocumentStore {
 
   /** Replaces the document, undoably, so that nothing unsaved is lost by opening something else. */
   open(project: Project, label: string): void {
-    this.edit({
-      label,
-      replace: [
-        [["project"], project],
-        [["uniformSize"], null],
-      ],
-    });
+    this.edit({ label, replace: [[["project"], project]] });
     this.markSaved();
   }
 
   /** Starts afresh with a project that was kept over a reload; no history, perhaps unsaved. */
-  restore(project: Project, savedKey: string, uniformSize: number | null = null): void {
-    this.state.setState({ history: startHistory<DocumentContent>({ project, uniformSize }), savedKey });
+  restore(project: Project, savedKey: string): void {
+    this.state.setState({ history: startHistory<DocumentContent>({ project }), savedKey });
   }
 
   markSaved(): void {
     this.state.setState({ savedKey: contentKey(this.project) });
   }
 
-  /** Calls back whenever the project, or what it is meshed with, is another. Returns the way to stop. */
+  /** Calls back whenever the project is another. Returns the way to stop. */
   onProject(listener: (project: Project) => void): () => void {
     return this.state.subscribe((state, before) => {
-      const { present } = state.history;
-      if (present !== before.history.present) listener(present.project);
+      const { project } = state.history.present;
+      if (project !== before.history.present.project) listener(project);
     });
   }
 

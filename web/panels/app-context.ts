@@ -45,6 +45,6 @@ export function useShell<T>(select: (state: ShellState) => T): T {
 }
 
 export function useStale(): boolean {
-  const content = useDocument((state) => state.history.present);
-  return useRun((state) => isStale(state, content));
+  const project = useProject();
+  return useRun((state) => isStale(state, project));
 }

@@ -1,12 +1,12 @@
 import { Button, Group, SegmentedControl, Text } from "@mantine/core";
 import { likelySize } from "../background-actions";
 import { commandNamed, runCommand } from "../commands";
-import { setUniformSize } from "../document/edits";
+import { setMeshing } from "../document/edits";
 import { FieldRow, SectionTitle } from "../ui/field-row";
 import { formatCount } from "../ui/format";
 import { NumberField } from "../ui/number-field";
 import { strings } from "../ui/strings";
-import { useApp, useDocument, useProject } from "./app-context";
+import { useApp, useProject } from "./app-context";
 import { aboveZero, sizeStep, unitsOf } from "./size-fields";
 
 const texts = strings.background;
@@ -15,8 +15,8 @@ const texts = strings.background;
 export function ElementSize() {
   const app = useApp();
   const project = useProject();
-  const uniformSize = useDocument((state) => state.history.present.uniformSize);
   const { nodes, tetrahedra } = project.background;
+  const uniformSize = project.meshing?.size;
   return (
     <section aria-label={texts.elementSize} data-testid="element-size">
       <SectionTitle>{texts.elementSize}</SectionTitle>
@@ -29,10 +29,12 @@ export function ElementSize() {
           { value: "grid", label: texts.fromGrid },
           { value: "uniform", label: texts.uniform },
         ]}
-        value={uniformSize === null ? "grid" : "uniform"}
-        onChange={(value) => app.documents.edit(setUniformSize(value === "uniform" ? likelySize(app) : null))}
+        value={uniformSize === undefined ? "grid" : "uniform"}
+        onChange={(value) =>
+          app.documents.edit(setMeshing("size", value === "uniform" ? likelySize(app) : null))
+        }
       />
-      {uniformSize === null ? (
+      {uniformSize === undefined ? (
         <Text size="sm" c="dimmed" mb={6}>
           {nodes.length === 0
             ? texts.noGrid
@@ -48,7 +50,7 @@ export function ElementSize() {
               refuse={aboveZero}
               testId="uniform-size"
               {...unitsOf(project)}
-              onCommit={(value) => app.documents.edit(setUniformSize(value))}
+              onCommit={(value) => app.documents.edit(setMeshing("size", value))}
             />
           </FieldRow>
           <Text size="xs" c="dimmed" mb={6}>

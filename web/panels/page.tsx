@@ -27,18 +27,21 @@ export function Page({ app }: { readonly app: App }) {
 /** Writes the document away when the page is left, and warns only while that is not done. */
 function useLeaveGuard(app: App): void {
   useEffect(() => {
-    const flush = (): void => {
-      if (document.visibilityState === "hidden") void app.autosave.flush();
+    const flush = (): void => void app.autosave.flush();
+    const flushHidden = (): void => {
+      if (document.visibilityState === "hidden") flush();
     };
     const warn = (event: BeforeUnloadEvent): void => {
       if (!app.autosave.state.getState().pending) return;
       void app.autosave.flush();
       event.preventDefault();
     };
-    document.addEventListener("visibilitychange", flush);
+    document.addEventListener("visibilitychange", flushHidden);
+    window.addEventListener("pagehide", flush);
     window.addEventListener("beforeunload", warn);
     return () => {
-      document.removeEventListener("visibilitychange", flush);
+      document.removeEventListener("visibilitychange", flushHidden);
+      window.removeEventListener("pagehide", flush);
       window.removeEventListener("beforeunload", warn);
     };
   }, [app]);

@@ -28,7 +28,7 @@ function follow(app: App, viewer: Viewer): () => void {
     viewer.setMesh(run.state.getState().mesh);
     showStale();
   };
-  const showStale = (): void => viewer.setStale(isStale(run.state.getState(), documents.content));
+  const showStale = (): void => viewer.setStale(isStale(run.state.getState(), documents.project));
   viewer.setView(view.state.getState());
   viewer.setProject(documents.project, true);
   viewer.setPreview(previews.state.getState().preview, previews.state.getState().project);

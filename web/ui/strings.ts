@@ -236,7 +236,7 @@ export const strings = {
     fromGrid: "Background grid",
     uniform: "Uniform",
     uniformSize: "Uniform size",
-    uniformHint: "One size everywhere; only sources make it smaller. The project file does not keep it.",
+    uniformHint: "One size everywhere; only sources make it smaller.",
     noGrid: "There is no background grid yet.",
     gridCounts: (nodes: string, tetrahedra: string) =>
       `${nodes} nodes, ${tetrahedra} ${tetrahedra === "1" ? "tetrahedron" : "tetrahedra"}`,

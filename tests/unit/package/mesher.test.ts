@@ -157,6 +157,52 @@ describe("a project is meshed:", () => {
   });
 });
 
+describe("a project that says how it is to be meshed", () => {
+  const coarse = cubeProject(0.5);
+  const meshing = { size: 0.2, order: "smallest-first", optimization: "none", gradation: 0 } as const;
+
+  test("is meshed so", async () => {
+    const [said, given] = await Promise.all([
+      mesher.meshProject({ ...coarse, meshing }),
+      mesher.meshProject(coarse, meshing),
+    ]);
+    expectValid(said);
+    expect(said.report.fingerprint).toBe(given.report.fingerprint);
+    expect(said.report.seconds.optimize).toBeLessThan(0.01);
+  });
+
+  test("gives way to what the caller says", async () => {
+    const project = { ...coarse, meshing: { size: 0.1 } };
+    const { nodes, tetrahedra } = coarse.background;
+    const grid = {
+      points: Float64Array.from(nodes.flatMap(({ at }) => at)),
+      sizes: Float64Array.from(nodes, ({ size }) => size),
+      tetrahedra: Uint32Array.from(tetrahedra.flat(), (id) => id - 1),
+    };
+    const wanted = await mesher.meshProject(coarse);
+    const [bySize, byGrid] = await Promise.all([
+      mesher.meshProject(project, { size: 0.2 }),
+      mesher.meshProject(project, { background: grid }),
+    ]);
+    expect(bySize.report.fingerprint).toBe(
+      (await mesher.meshProject(coarse, { size: 0.2 })).report.fingerprint,
+    );
+    expect(byGrid.report.fingerprint).toBe(wanted.report.fingerprint);
+  });
+
+  test("is checked with its size, and told when that makes no sense", async () => {
+    const bare = { ...coarse, background: { nodes: [], tetrahedra: [] } };
+    const codes = async (size: number) => {
+      const { diagnostics } = await mesher.previewProject({ ...bare, meshing: { size } });
+      return diagnostics.map(({ code }) => code);
+    };
+    expect(await codes(0.2)).toEqual([]);
+    expect(await codes(-1)).toContain("invalid-option");
+    const { report } = await mesher.meshProject({ ...bare, meshing: { size: -1 } });
+    expect(report).toMatchObject({ status: "invalid-input", diagnostics: [{ code: "invalid-option" }] });
+  });
+});
+
 describe("bad input is a result, and says what is wrong:", () => {
   const { points, triangles } = boxSurface(2);
   const withPatches = (change: (cube: Project) => Partial<Project>): Project => {

@@ -83,6 +83,13 @@ describe("a project that is whole", () => {
     expect(writeProject(cube)).toContain('\n      {"id":7,"name":"tip","type":"point",');
   });
 
+  test("keeps how it is to be meshed", () => {
+    const meshing = { size: 0.5, gradation: 0, order: "smallest-first", optimization: "strive" } as const;
+    const cube = { ...cubeProject(), meshing };
+    expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
+    expect(writeProject(cubeProject())).not.toContain("meshing");
+  });
+
   test("may begin with a byte order mark", () => {
     expect(readProject(`\uFEFF${writeProject(cubeProject())}`).success).toBe(true);
   });
@@ -101,6 +108,8 @@ describe("a project that is whole", () => {
 
 describe("a project that is damaged is refused with the path of the damage:", () => {
   test.each<[string, (cube: PlainProject) => void, string, RegExp]>([
+    ["an unknown order", (c) => (c.meshing = { order: "largest" }), "meshing.order", /smallest-first/],
+    ["an unknown setting", (c) => (c.meshing = { sise: 1 }), "meshing", /sise/],
     [
       "a coordinate that is text",
       (c) => (c.points[1] = { id: 2, at: [0, "1", 0] }),

@@ -7,9 +7,9 @@ import {
   replaceBackground,
   replaceSources,
   scaleSizes,
+  setMeshing,
   setNodeDirection,
   setNodeStretching,
-  setUniformSize,
 } from "../../../web/document/edits";
 import { contentKey, DocumentStore, hasUnsavedChanges } from "../../../web/document/store";
 import { toProblems } from "../../../web/document/validate";
@@ -128,15 +128,16 @@ describe("sizes", () => {
   it("of a new grid hold in place of one size everywhere, those of new sources beside it", () => {
     const project = cubeProject();
     const documents = new DocumentStore(project, () => 0);
-    documents.edit(setUniformSize(0.5));
+    documents.edit(setMeshing("size", 0.5));
+    documents.edit(setMeshing("optimization", "fast"));
     documents.edit(scaleSizes(0.5));
-    expect(documents.content.uniformSize).toBe(0.25);
+    expect(documents.project.meshing?.size).toBe(0.25);
     expect(documents.project.background.nodes[0]?.size).toBe(0.5 * (project.background.nodes[0]?.size ?? 0));
     documents.edit(replaceSources("Sources", { ...project.background, sources: [] }));
-    expect(documents.content.uniformSize).toBe(0.25);
-    documents.edit(replaceBackground("Grid", { ...project.background, overhang: 1 }));
-    expect(documents.content.uniformSize).toBeNull();
+    expect(documents.project.meshing?.size).toBe(0.25);
+    documents.edit(replaceBackground("Grid", documents.project, { ...project.background, overhang: 1 }));
+    expect(documents.project.meshing).toEqual({ optimization: "fast" });
     documents.undo();
-    expect(documents.content.uniformSize).toBe(0.25);
+    expect(documents.project.meshing?.size).toBe(0.25);
   });
 });
