@@ -108,8 +108,8 @@ describe("a project that is whole", () => {
 
 describe("a project that is damaged is refused with the path of the damage:", () => {
   test.each<[string, (cube: PlainProject) => void, string, RegExp]>([
-    ["an unknown order", (c) => (c.meshing = { order: "largest" }), "meshing.order", /smallest-first/],
-    ["an unknown setting", (c) => (c.meshing = { sise: 1 }), "meshing", /sise/],
+    ["an unknown order", (c) => (c["meshing"] = { order: "largest" }), "meshing.order", /smallest-first/],
+    ["an unknown setting", (c) => (c["meshing"] = { sise: 1 }), "meshing", /sise/],
     [
       "a coordinate that is text",
       (c) => (c.points[1] = { id: 2, at: [0, "1", 0] }),
