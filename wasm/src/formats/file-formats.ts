@@ -5,16 +5,43 @@
 import { allBytes } from "./byte-source.js";
 import type { ReadResult } from "../read-result.js";
 import { ReadFailure } from "../read-result.js";
-import type { SurfaceInput } from "../types.js";
 import type { Contents, FileFormat, MeshReader, MeshWriter } from "./file-format.js";
 import { plainSurface, type FileMesh } from "./file-mesh.js";
 import type { VolumeFile } from "./volume-file.js";
 
 export const FILE_FORMATS: readonly FileFormat[] = [
-  surfaceFormat("stl", "STL", ".stl", async () => (await import("./stl.js")).readStl),
-  surfaceFormat("off", "OFF", ".off", async () => (await import("./off.js")).readOff),
-  surfaceFormat("obj", "OBJ", ".obj", async () => (await import("./obj.js")).readObj),
-  surfaceFormat("ply", "PLY", ".ply", async () => (await import("./ply.js")).readPly),
+  {
+    id: "stl",
+    name: "STL",
+    extensions: [".stl"],
+    reads: ["surface"],
+    writes: [],
+    load: async () => (await import("./stl.js")).stl,
+  },
+  {
+    id: "off",
+    name: "OFF",
+    extensions: [".off"],
+    reads: ["surface"],
+    writes: [],
+    load: async () => (await import("./off.js")).off,
+  },
+  {
+    id: "obj",
+    name: "OBJ",
+    extensions: [".obj"],
+    reads: ["surface"],
+    writes: [],
+    load: async () => (await import("./obj.js")).obj,
+  },
+  {
+    id: "ply",
+    name: "PLY",
+    extensions: [".ply"],
+    reads: ["surface"],
+    writes: [],
+    load: async () => (await import("./ply.js")).ply,
+  },
   {
     id: "vtu",
     name: "VTU",
@@ -83,21 +110,6 @@ export function extensionsThat(can: "reads" | "writes", contents: Contents): rea
   return FILE_FORMATS.filter((format) => format[can].includes(contents)).flatMap(
     ({ extensions }) => extensions,
   );
-}
-
-/** Formats whose reader takes all bytes and returns a welded surface. */
-function surfaceFormat(
-  id: string,
-  name: string,
-  extension: string,
-  loadReader: () => Promise<(bytes: Uint8Array) => ReadResult<SurfaceInput>>,
-): FileFormat {
-  const load = async () => {
-    const readBytes = await loadReader();
-    const read: MeshReader = async (source) => plainSurface(valueOf(readBytes(await allBytes(source))));
-    return { read };
-  };
-  return { id, name, extensions: [extension], reads: ["surface"], writes: [], load };
 }
 
 function fromVolumeReader(

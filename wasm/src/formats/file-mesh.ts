@@ -21,6 +21,8 @@ export interface NodeData {
 export interface FileMesh {
   /** x y z per node. */
   readonly points: Float64Array;
+  /** No two points are equal, so that nothing is left to be welded exactly. Default false. */
+  readonly isWelded?: boolean | undefined;
   /** Three node positions per triangle. */
   readonly triangles: Uint32Array;
   /** Per triangle: position in `patches`. */

@@ -1,68 +1,61 @@
 /**
- * OFF (Geomview's object file format), as text: corners by number, `#` begins a comment. Colours,
- * normals and texture coordinates of the variants are read over. Convex polygons are cut into
+ * OFF (Geomview's object file format), as text: corners by number, `#` begins a comment. Normals and texture
+ * coordinates of the variants are read over; faces of one colour are a patch. Convex polygons are cut into
  * triangles from their first corner, which changes nothing about a plane face.
  */
-import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
-import type { SurfaceInput } from "../types.js";
-import { addPolygon } from "./polygons.js";
-import { TextScanner } from "./text-scanner.js";
-import { weldPoints } from "./weld.js";
+import { ByteReader } from "./byte-reader.js";
+import type { ByteSource } from "./byte-source.js";
+import { colorPatch, numbersInLine } from "./colors.js";
+import type { FormatCode } from "./file-format.js";
+import type { FileMesh } from "./file-mesh.js";
+import { MeshBuilder } from "./mesh-builder.js";
 
 const REMEDY = "Export the surface again as an OFF file in text form.";
 /** More than these would be written as a triangle soup of a different format, or are garbage. */
 const MAX_COUNT = 0x7fffffff;
 
-/** Reads an OFF file. Points of one place become one node; -0 is 0. */
-export function readOff(bytes: Uint8Array): ReadResult<SurfaceInput> {
-  return readSafely(() => {
-    if (bytes.length === 0)
-      throw new ReadFailure({ message: "the file is empty", remedy: REMEDY, offset: 0 });
-    const scanner = new TextScanner(bytes, { comment: "#", remedy: REMEDY });
-    const hasExtras = readHeader(scanner);
-    const pointCount = scanner.index("the number of points", MAX_COUNT);
-    const faceCount = scanner.index("the number of faces", MAX_COUNT);
-    scanner.index("the number of edges", MAX_COUNT);
-    const given = readPoints(scanner, pointCount, hasExtras);
-    const { points, positions } = weldPoints(given);
-    const corners = readFaces(scanner, faceCount, given);
-    return { points, triangles: Uint32Array.from(corners, (corner) => positions[corner] ?? 0) };
-  });
-}
+export const off: FormatCode = {
+  read: (source: ByteSource): Promise<FileMesh> =>
+    ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
+      const hasExtras = readHeader(reader);
+      const pointCount = reader.index("the number of points", MAX_COUNT);
+      const faceCount = reader.index("the number of faces", MAX_COUNT);
+      reader.index("the number of edges", MAX_COUNT);
+      const builder = new MeshBuilder();
+      for (let i = 0; i < pointCount; i++) {
+        if (reader.isLow) await reader.fill();
+        const [x, y, z] = [0, 1, 2].map(() => reader.number(`a coordinate of point ${i}`));
+        builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
+        if (hasExtras) reader.skipLine();
+      }
+      for (let f = 0; f < faceCount; f++) {
+        if (reader.isLow) await reader.fill();
+        readFace(reader, builder, f);
+      }
+      return builder.mesh();
+    }),
+};
 
 /** Whether more than x y z may stand in a point's line. */
-function readHeader(scanner: TextScanner): boolean {
-  const word = scanner.next();
-  const variant = /^(ST)?(C)?(N)?(4)?(n)?OFF$/.exec(word ?? "");
-  if (variant === null) return scanner.fail('the file does not begin with "OFF"');
+function readHeader(reader: ByteReader): boolean {
+  const word = reader.word();
+  const variant = /^(ST)?(C)?(N)?(4)?(n)?OFF$/.exec(word);
+  if (variant === null) return reader.fail('the file does not begin with "OFF"');
   if (variant[4] !== undefined || variant[5] !== undefined) {
-    return scanner.fail(`"${word}" has points of other than three dimensions`);
+    return reader.fail(`"${word}" has points of other than three dimensions`);
   }
   return word !== "OFF";
 }
 
-function readPoints(scanner: TextScanner, count: number, hasExtras: boolean): Float64Array {
-  // Grows with the file, not with what its header claims.
-  const points: number[] = [];
-  for (let i = 0; i < count; i++) {
-    for (let axis = 0; axis < 3; axis++) points.push(scanner.number(`a coordinate of point ${i}`));
-    if (hasExtras) scanner.skipLine();
+function readFace(reader: ByteReader, builder: MeshBuilder, f: number): void {
+  const size = reader.index(`the number of corners of face ${f}`, MAX_COUNT);
+  if (size < 3) reader.fail(`face ${f} has ${size} corners`);
+  const corners: number[] = [];
+  for (let i = 0; i < size; i++) corners.push(reader.index(`a corner of face ${f}`, builder.pointCount));
+  // A colour may follow: one number of a table, or three or four, from 0 to 1 or from 0 to 255.
+  const patch = colorPatch(builder.patches, numbersInLine(reader));
+  if (!builder.addPolygon(corners, patch)) {
+    reader.fail(`face ${f} is a polygon that is not convex and cannot be cut into triangles safely`);
   }
-  return Float64Array.from(points);
-}
-
-function readFaces(scanner: TextScanner, count: number, points: Float64Array): number[] {
-  const triangles: number[] = [];
-  for (let f = 0; f < count; f++) {
-    const size = scanner.index(`the number of corners of face ${f}`, MAX_COUNT);
-    if (size < 3) scanner.fail(`face ${f} has ${size} corners`);
-    const corners: number[] = [];
-    for (let i = 0; i < size; i++) corners.push(scanner.index(`a corner of face ${f}`, points.length / 3));
-    if (!addPolygon(corners, points, triangles)) {
-      scanner.fail(`face ${f} is a polygon that is not convex and cannot be cut into triangles safely`);
-    }
-    // A colour may follow, of one to four numbers.
-    scanner.skipLine();
-  }
-  return triangles;
+  reader.skipLine();
 }

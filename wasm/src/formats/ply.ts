@@ -1,12 +1,16 @@
 /**
- * PLY (Stanford polygon format), text and binary of either byte order: x y z of `vertex` and the corners
- * of `face` count; all other properties and elements are read over. Convex polygons are cut into triangles.
+ * PLY (Stanford polygon format), text and binary of either byte order: x y z of `vertex` and the corners of
+ * `face` count. Faces are put into patches by their number `patch`, else by their colour; all other
+ * properties and elements are read over. Convex polygons are cut into triangles.
  */
-import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
-import type { SurfaceInput } from "../types.js";
-import { ByteCursor } from "./byte-cursor.js";
-import { addPolygon } from "./polygons.js";
-import { weldPoints } from "./weld.js";
+import { ReadFailure } from "../read-result.js";
+import { ByteReader } from "./byte-reader.js";
+import type { ByteSource } from "./byte-source.js";
+import { colorPatch } from "./colors.js";
+import { Column } from "./column.js";
+import type { FormatCode } from "./file-format.js";
+import type { FileMesh } from "./file-mesh.js";
+import { MeshBuilder } from "./mesh-builder.js";
 
 const REMEDY = "Export the surface again as a PLY file of triangles.";
 
@@ -42,110 +46,144 @@ interface Element {
   readonly properties: Property[];
 }
 
-/** Reads a PLY file. Points of one place become one node; -0 is 0. */
-export function readPly(bytes: Uint8Array): ReadResult<SurfaceInput> {
-  return readSafely(() => {
-    if (bytes.length === 0)
-      throw new ReadFailure({ message: "the file is empty", remedy: REMEDY, offset: 0 });
-    const cursor = new ByteCursor(bytes, REMEDY);
-    if (cursor.line().trim() !== "ply") {
-      throw new ReadFailure({ message: 'the file does not begin with "ply"', remedy: REMEDY });
-    }
-    const { elements, read } = readHeader(cursor);
-    const given: number[] = [];
-    const faces: number[][] = [];
-    for (const element of elements) readElement(cursor, element, read, given, faces);
-    const corners: number[] = [];
-    faces.forEach((face, f) => addFace(cursor, face, f, given, corners));
-    if (corners.length === 0) cursor.fail("the file has no face");
-    const { points, positions } = weldPoints(Float64Array.from(given));
-    return { points, triangles: Uint32Array.from(corners, (corner) => positions[corner] ?? 0) };
-  });
+/** Faces may come before the points that they are cut by. */
+interface Faces {
+  readonly sizes: Column<Uint32Array>;
+  readonly corners: Column<Uint32Array>;
+  readonly patches: Column<Uint32Array>;
 }
 
-function readHeader(cursor: ByteCursor): { elements: Element[]; read: ReadNumber } {
+export const ply: FormatCode = {
+  read: (source: ByteSource): Promise<FileMesh> =>
+    ByteReader.over(source, { remedy: REMEDY }, async (reader) => {
+      if (reader.line() !== "ply") {
+        throw new ReadFailure({ message: 'the file does not begin with "ply"', remedy: REMEDY });
+      }
+      const { elements, read } = readHeader(reader);
+      const builder = new MeshBuilder();
+      const faces: Faces = {
+        sizes: new Column(Uint32Array),
+        corners: new Column(Uint32Array),
+        patches: new Column(Uint32Array),
+      };
+      for (const element of elements) await readElement(reader, element, read, builder, faces);
+      addFaces(reader, faces, builder);
+      return builder.mesh();
+    }),
+};
+
+function readHeader(reader: ByteReader): { elements: Element[]; read: ReadNumber } {
   const elements: Element[] = [];
   let read: ReadNumber | undefined;
   for (;;) {
-    if (cursor.left === 0) cursor.fail('the file ends before "end_header"');
-    const [word, ...rest] = cursor.line().trim().split(/\s+/);
+    if (reader.isAtEnd) reader.fail('the file ends before "end_header"');
+    const [word, ...rest] = reader.line().split(/\s+/);
     if (word === "end_header") break;
-    if (word === "format") read = readerFor(cursor, rest[0] ?? "");
+    if (word === "format") read = readerFor(reader, rest[0] ?? "");
     else if (word === "element") {
-      elements.push({ name: rest[0] ?? "", count: Number(rest[1]), properties: [] });
+      const count = reader.count(Number(rest[1]), "elements");
+      elements.push({ name: rest[0] ?? "", count, properties: [] });
     } else if (word === "property") {
-      const owner = elements.at(-1) ?? cursor.fail("a property belongs to no element");
-      owner.properties.push(propertyIn(cursor, rest));
+      const owner = elements.at(-1) ?? reader.fail("a property belongs to no element");
+      owner.properties.push(propertyIn(reader, rest));
     }
   }
-  return { elements, read: read ?? cursor.fail("the file does not say its format") };
+  return { elements, read: read ?? reader.fail("the file does not say its format") };
 }
 
-function propertyIn(cursor: ByteCursor, words: readonly string[]): Property {
+function propertyIn(reader: ByteReader, words: readonly string[]): Property {
   const isList = words[0] === "list";
   const [countType, type = "", name = ""] = isList ? words.slice(1) : [undefined, ...words];
   for (const used of isList ? [countType ?? "", type] : [type]) {
-    if (!TYPES.has(used)) cursor.fail(`numbers of type "${used.slice(0, 24)}" cannot be read`);
+    if (!TYPES.has(used)) reader.fail(`numbers of type "${used.slice(0, 24)}" cannot be read`);
   }
   return { name, type, countType };
 }
 
-function readerFor(cursor: ByteCursor, format: string): ReadNumber {
+function readerFor(reader: ByteReader, format: string): ReadNumber {
   switch (format) {
     case "ascii":
-      return () => cursor.number();
+      return () => reader.number("a property");
     case "binary_little_endian":
     case "binary_big_endian":
-      cursor.isLittleEndian = format === "binary_little_endian";
+      reader.isLittleEndian = format === "binary_little_endian";
       return (type) => {
         const { bytes, kind } = TYPES.get(type) ?? { bytes: 1, kind: "u" };
-        return kind === "f" ? cursor.float(bytes === 4 ? 4 : 8) : cursor.integer(bytes, kind === "i");
+        return kind === "f" ? reader.float(bytes === 4 ? 4 : 8) : reader.integer(bytes, kind === "i");
       };
     default:
-      return cursor.fail(`the format "${format.slice(0, 24)}" cannot be read`);
+      return reader.fail(`the format "${format.slice(0, 24)}" cannot be read`);
   }
 }
 
-function readElement(
-  cursor: ByteCursor,
+async function readElement(
+  reader: ByteReader,
   { name, count, properties }: Element,
   read: ReadNumber,
-  points: number[],
-  faces: number[][],
-): void {
+  builder: MeshBuilder,
+  faces: Faces,
+): Promise<void> {
   // Without properties an element takes no room, and any number of them says nothing.
   if (properties.length === 0) return;
-  cursor.count(count, 1, `elements "${name.slice(0, 24)}"`);
-  const axes = ["x", "y", "z"].map((axis) => properties.findIndex((property) => property.name === axis));
-  if (name === "vertex" && axes.includes(-1)) cursor.fail("the points have no x, y and z");
+  const position = (wanted: string) => properties.findIndex((property) => property.name === wanted);
+  const axes = ["x", "y", "z"].map(position);
+  if (name === "vertex" && axes.includes(-1)) reader.fail("the points have no x, y and z");
+  const corners = properties.findIndex((property) => /^vertex_(index|indices)$/.test(property.name));
+  const patch = position("patch");
+  const colors = ["red", "green", "blue"].map(position);
+  const values = new Float64Array(properties.length);
+  const patchOf = (): number => {
+    if (patch >= 0) return builder.patches.tagged(values[patch] ?? 0);
+    return colorPatch(builder.patches, colors.includes(-1) ? [] : colors.map((at) => values[at] ?? 0));
+  };
   for (let e = 0; e < count; e++) {
-    const values = properties.map((property) => {
-      if (property.countType === undefined) return read(property.type);
-      const items = cursor.count(read(property.countType), 1, "items of a list");
-      const list = Array.from({ length: items }, () => read(property.type));
-      if (name === "face" && /^vertex_(index|indices)$/.test(property.name)) faces.push(list);
-      return NaN;
-    });
-    if (name !== "vertex") continue;
-    for (const axis of axes) {
-      const value = values[axis] ?? NaN;
-      points.push(Number.isFinite(value) ? value : cursor.fail(`point ${e} has no finite place`));
+    if (reader.isLow) await reader.fill();
+    for (const [p, property] of properties.entries()) {
+      if (property.countType === undefined) values[p] = read(property.type);
+      else if (name === "face" && p === corners) readCorners(reader, property, read, faces);
+      else skipList(reader, property, read);
     }
+    if (name === "face" && corners >= 0) faces.patches.push(patchOf());
+    if (name !== "vertex") continue;
+    const [x, y, z] = axes.map((axis) => values[axis] ?? NaN);
+    if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
+      reader.fail(`point ${e} has no finite place`);
+    }
+    builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
   }
 }
 
-function addFace(
-  cursor: ByteCursor,
-  face: readonly number[],
-  f: number,
-  points: readonly number[],
-  triangles: number[],
+function skipList(reader: ByteReader, { type, countType }: Property, read: ReadNumber): void {
+  const items = reader.count(read(countType ?? ""), "items of a list");
+  for (let i = 0; i < items; i++) read(type);
+}
+
+function readCorners(
+  reader: ByteReader,
+  { type, countType }: Property,
+  read: ReadNumber,
+  faces: Faces,
 ): void {
-  const count = points.length / 3;
-  if (face.length < 3) cursor.fail(`face ${f} has ${face.length} corners`);
-  const wild = face.find((corner) => !(Number.isInteger(corner) && corner >= 0 && corner < count));
-  if (wild !== undefined) cursor.fail(`face ${f} has the corner ${wild}, there are ${count} points`);
-  if (!addPolygon(face, points, triangles)) {
-    cursor.fail(`face ${f} is a polygon that is not convex and cannot be cut into triangles safely`);
+  const items = reader.count(read(countType ?? ""), "corners");
+  if (items < 3) reader.fail(`face ${faces.sizes.length} has ${items} corners`);
+  faces.sizes.push(items);
+  for (let i = 0; i < items; i++) {
+    const corner = read(type);
+    faces.corners.push(
+      Number.isInteger(corner) && corner >= 0 ? corner : reader.fail(`${corner} is no corner`),
+    );
+  }
+}
+
+function addFaces(reader: ByteReader, { sizes, corners, patches }: Faces, builder: MeshBuilder): void {
+  if (sizes.length === 0) reader.fail("the file has no face");
+  for (let f = 0, begin = 0; f < sizes.length; begin += sizes.at(f++)) {
+    const face = Array.from({ length: sizes.at(f) }, (_, i) => corners.at(begin + i));
+    const wild = face.find((corner) => corner >= builder.pointCount);
+    if (wild !== undefined)
+      reader.fail(`face ${f} has the corner ${wild}, there are ${builder.pointCount} points`);
+    if (!builder.addPolygon(face, patches.at(f))) {
+      reader.fail(`face ${f} is a polygon that is not convex and cannot be cut into triangles safely`);
+    }
   }
 }

@@ -2,12 +2,13 @@
 
 type Triple = readonly [number, number, number];
 
+/** x y z per node, to be looked up by position. */
+interface Coordinates {
+  at(index: number): number | undefined;
+}
+
 /** Adds the triangles of a polygon of three or more corners; false, and nothing added, if it is not convex. */
-export function addPolygon(
-  corners: readonly number[],
-  points: ArrayLike<number>,
-  triangles: number[],
-): boolean {
+export function addPolygon(corners: readonly number[], points: Coordinates, triangles: number[]): boolean {
   if (corners.length > 3 && !isConvex(corners, points)) return false;
   for (let i = 2; i < corners.length; i++) {
     triangles.push(corners[0] ?? 0, corners[i - 1] ?? 0, corners[i] ?? 0);
@@ -16,10 +17,10 @@ export function addPolygon(
 }
 
 /** Whether all triangles from the first corner turn the same way as the whole polygon. */
-function isConvex(corners: readonly number[], points: ArrayLike<number>): boolean {
+function isConvex(corners: readonly number[], points: Coordinates): boolean {
   const at = (corner: number): Triple => {
     const begin = 3 * corner;
-    return [points[begin] ?? 0, points[begin + 1] ?? 0, points[begin + 2] ?? 0];
+    return [points.at(begin) ?? 0, points.at(begin + 1) ?? 0, points.at(begin + 2) ?? 0];
   };
   const first = at(corners[0] ?? 0);
   const normals = corners.slice(2).map((corner, i) => normal(first, at(corners[i + 1] ?? 0), at(corner)));

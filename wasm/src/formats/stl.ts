@@ -1,12 +1,15 @@
 /**
- * STL, binary and ASCII: triangle soup, whose equal corners are welded exactly. Some binary files begin
- * with the word "solid" as ASCII ones do, so the size decides: a binary file of n triangles has exactly
- * 84 + 50 n bytes. Normals, colours and names are not used; several solids become one surface.
+ * STL, binary and ASCII: triangle soup, whose equal corners are welded exactly while they arrive. A file is
+ * text if it begins with "solid" and has no zero byte near its begin: some binary files begin with that
+ * word too, but all of them have zeros in the number of triangles. Solids, and the attributes of binary
+ * triangles, become patches; normals are not used.
  */
-import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
-import type { SurfaceInput } from "../types.js";
-import { TextScanner } from "./text-scanner.js";
-import { weldPoints } from "./weld.js";
+import { ReadFailure } from "../read-result.js";
+import { ByteReader } from "./byte-reader.js";
+import type { ByteSource } from "./byte-source.js";
+import type { FormatCode } from "./file-format.js";
+import type { FileGroup, FileMesh } from "./file-mesh.js";
+import { MeshBuilder } from "./mesh-builder.js";
 
 const HEADER_BYTES = 80;
 const COUNT_BYTES = 4;
@@ -15,98 +18,118 @@ const TRIANGLE_BYTES = 50;
 const NORMAL_BYTES = 12;
 /** How much of a file is looked at to tell text from binary. */
 const SNIFFED_BYTES = 1024;
+/** Triangles between two looks at the window. */
+const BATCH = 1024;
 
 const REMEDY = "Export the surface again; the file is damaged or is not STL.";
 
-/** Reads an STL file. Corners of one place become one node; -0 is 0. */
-export function readStl(bytes: Uint8Array): ReadResult<SurfaceInput> {
-  return readSafely(() => {
-    if (bytes.length === 0)
-      throw new ReadFailure({ message: "the file is empty", remedy: REMEDY, offset: 0 });
-    const corners = isBinary(bytes) ? readBinary(bytes) : readText(bytes);
-    const { points, positions } = weldPoints(corners);
-    return { points, triangles: positions };
-  });
-}
+export const stl: FormatCode = {
+  read: (source: ByteSource): Promise<FileMesh> =>
+    ByteReader.over(source, { remedy: REMEDY }, (reader) => {
+      const head = reader.peek(SNIFFED_BYTES);
+      const startsLikeText = /^\s*solid/i.test(String.fromCharCode(...head.subarray(0, HEADER_BYTES)));
+      if (startsLikeText && !head.includes(0)) return readText(reader);
+      if (head.length < HEADER_BYTES + COUNT_BYTES) {
+        const message = `it has ${head.length} bytes, too few for an STL file`;
+        throw new ReadFailure({ message, remedy: REMEDY, offset: head.length });
+      }
+      if (!head.includes(0)) {
+        const message = 'this is text, but not an STL file: it does not begin with "solid"';
+        throw new ReadFailure({ message, remedy: REMEDY, offset: 0 });
+      }
+      return readBinary(reader);
+    }),
+};
 
-function isBinary(bytes: Uint8Array): boolean {
-  if (bytes.length === sizeOf(announcedTriangles(bytes))) return true;
-  const head = bytes.subarray(0, SNIFFED_BYTES);
-  const startsLikeText = /^\s*solid/i.test(String.fromCharCode(...head.subarray(0, HEADER_BYTES)));
-  return !startsLikeText || head.includes(0);
-}
-
-function sizeOf(triangles: number): number {
-  return HEADER_BYTES + COUNT_BYTES + TRIANGLE_BYTES * triangles;
-}
-
-/** What a binary file says it holds; NaN where it is too short to say. */
-function announcedTriangles(bytes: Uint8Array): number {
-  if (bytes.length < HEADER_BYTES + COUNT_BYTES) return NaN;
-  return new DataView(bytes.buffer, bytes.byteOffset).getUint32(HEADER_BYTES, true);
-}
-
-function readBinary(bytes: Uint8Array): Float64Array {
-  const count = announcedTriangles(bytes);
-  if (Number.isNaN(count)) {
-    const message = `it has ${bytes.length} bytes, too few for an STL file`;
-    throw new ReadFailure({ message, remedy: REMEDY, offset: bytes.length });
+async function readBinary(reader: ByteReader): Promise<FileMesh> {
+  const header = String.fromCharCode(...(await reader.bytes(HEADER_BYTES)));
+  const count = reader.integer(COUNT_BYTES, false);
+  const builder = new MeshBuilder(true);
+  for (let t = 0; t < count; t++) {
+    if (t % BATCH === 0) await reader.fill();
+    const { length } = reader.peek(TRIANGLE_BYTES);
+    if (length < TRIANGLE_BYTES) throw tooShort(reader.offset + length, count);
+    readTriangle(reader, builder, header);
   }
-  const head = bytes.subarray(0, SNIFFED_BYTES);
-  if (bytes.length !== sizeOf(count) && !head.includes(0)) {
-    const message = 'this is text, but not an STL file: it does not begin with "solid"';
-    throw new ReadFailure({ message, remedy: REMEDY, offset: 0 });
-  }
-  if (bytes.length < sizeOf(count)) {
-    const message =
-      `the file ends at byte ${bytes.length}, but the ${count} triangles it announces ` +
-      `need ${sizeOf(count)} bytes`;
-    throw new ReadFailure({ message, remedy: REMEDY, offset: bytes.length });
-  }
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const corners = new Float64Array(9 * count);
-  for (let t = 0, out = 0; t < count; t++) {
-    const begin = HEADER_BYTES + COUNT_BYTES + TRIANGLE_BYTES * t + NORMAL_BYTES;
-    for (let i = 0; i < 9; i++) corners[out++] = view.getFloat32(begin + 4 * i, true);
-  }
-  return corners;
+  return builder.mesh();
 }
 
-function readText(bytes: Uint8Array): Float64Array {
-  const scanner = new TextScanner(bytes, { remedy: REMEDY });
-  const corners: number[] = [];
-  for (let word = scanner.next(); word !== undefined; word = scanner.next()) {
-    switch (word.toLowerCase()) {
-      case "solid":
-      case "endsolid":
-        // What follows is a name, which may hold any words.
-        scanner.skipLine();
-        break;
-      case "facet":
-        readFacet(scanner, corners);
-        break;
-      default:
-        scanner.fail(`"${word.slice(0, 24)}" where "facet" or "endsolid" should be`);
+function tooShort(length: number, count: number): ReadFailure {
+  const needed = HEADER_BYTES + COUNT_BYTES + TRIANGLE_BYTES * count;
+  const message = `the file ends at byte ${length}, but the ${count} triangles it announces need ${needed} bytes`;
+  return new ReadFailure({ message, remedy: REMEDY, offset: length });
+}
+
+function readTriangle(reader: ByteReader, builder: MeshBuilder, header: string): void {
+  for (let i = 0; i < NORMAL_BYTES; i += 4) reader.float(4);
+  const [a, b, c] = [readCorner(reader, builder), readCorner(reader, builder), readCorner(reader, builder)];
+  const attribute = reader.integer(2, false);
+  builder.addTriangle(
+    a,
+    b,
+    c,
+    builder.patches.of(attribute, () => attributePatch(attribute, header)),
+  );
+}
+
+function readCorner(reader: ByteReader, builder: MeshBuilder): number {
+  const [x, y, z] = [reader.float(4), reader.float(4), reader.float(4)];
+  if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
+    reader.fail("a corner has no finite place");
+  }
+  return builder.addCorner(x, y, z);
+}
+
+/**
+ * What the two bytes of a triangle say: a colour of 5 bits each where bit 15 is set, blue lowest, or, in
+ * files whose header says "COLOR=", where it is clear, red lowest; else just a number.
+ */
+function attributePatch(attribute: number, header: string): FileGroup {
+  const tag = attribute + 1;
+  const hasDefault = header.includes("COLOR=");
+  const isColor = attribute !== 0 && ((attribute & 0x8000) === 0) === hasDefault;
+  if (!isColor) return { name: attribute === 0 ? "surface" : `attribute ${attribute}`, tag };
+  const [low, middle, high] = [0, 5, 10].map((shift) => ((attribute >> shift) & 31) / 31) as [
+    number,
+    number,
+    number,
+  ];
+  return { name: `color ${attribute}`, tag, color: hasDefault ? [low, middle, high] : [high, middle, low] };
+}
+
+async function readText(reader: ByteReader): Promise<FileMesh> {
+  const builder = new MeshBuilder(true);
+  let patch = 0;
+  for (;;) {
+    if (reader.isLow) await reader.fill();
+    if (reader.accepts("facet")) readFacet(reader, builder, patch);
+    else if (reader.accepts("solid")) {
+      // What follows is a name, which may hold any words.
+      patch = builder.patches.named(reader.line() || `solid ${builder.patches.length + 1}`);
+    } else if (reader.accepts("endsolid")) reader.skipLine();
+    else {
+      const word = reader.word();
+      if (word === "") return builder.mesh();
+      reader.fail(`"${word.slice(0, 24)}" where "facet" or "endsolid" should be`);
     }
   }
-  return Float64Array.from(corners);
 }
 
-function readFacet(scanner: TextScanner, corners: number[]): void {
-  expectWord(scanner, "normal");
+function readFacet(reader: ByteReader, builder: MeshBuilder, patch: number): void {
+  reader.expect("normal");
   // The normal follows from the corners; here it may be anything, as some programs write NaN.
-  for (let i = 0; i < 3; i++) scanner.next();
-  expectWord(scanner, "outer");
-  expectWord(scanner, "loop");
-  for (let corner = 0; corner < 3; corner++) {
-    expectWord(scanner, "vertex");
-    for (let i = 0; i < 3; i++) corners.push(scanner.number("a coordinate"));
-  }
-  expectWord(scanner, "endloop");
-  expectWord(scanner, "endfacet");
+  for (let i = 0; i < 3; i++) reader.word();
+  reader.expect("outer");
+  reader.expect("loop");
+  const [a, b, c] = [readVertex(reader, builder), readVertex(reader, builder), readVertex(reader, builder)];
+  reader.expect("endloop");
+  reader.expect("endfacet");
+  builder.addTriangle(a, b, c, patch);
 }
 
-function expectWord(scanner: TextScanner, wanted: string): void {
-  const word = scanner.next() ?? scanner.fail(`the file ends where "${wanted}" should be`);
-  if (word.toLowerCase() !== wanted) scanner.fail(`"${word.slice(0, 24)}" where "${wanted}" should be`);
+function readVertex(reader: ByteReader, builder: MeshBuilder): number {
+  reader.expect("vertex");
+  const x = reader.number("a coordinate");
+  const y = reader.number("a coordinate");
+  return builder.addCorner(x, y, reader.number("a coordinate"));
 }

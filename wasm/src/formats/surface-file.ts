@@ -28,12 +28,16 @@ export function surfaceOf(mesh: FileMesh, weldTolerance = 0): SurfaceFile {
     });
   }
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const { points, positions } = weldPoints(mesh.points);
-  const triangles = mesh.triangles.map((node) => positions[node] ?? 0);
-  const exact = { points, triangles, trianglePatch: mesh.trianglePatch };
+  const exact = { ...exactlyWelded(mesh), trianglePatch: mesh.trianglePatch };
   const within =
     weldTolerance > 0 ? weldWithin(exact, weldTolerance) : { ...exact, welded: { points: 0, triangles: 0 } };
   return { ...within, patches: mesh.patches };
+}
+
+function exactlyWelded({ points: given, triangles, isWelded }: FileMesh): SurfaceInput {
+  if (isWelded === true) return { points: given, triangles };
+  const { points, positions } = weldPoints(given);
+  return { points, triangles: triangles.map((node) => positions[node] ?? 0) };
 }
 
 function noTriangles(tetrahedra: number): ReadFailure {

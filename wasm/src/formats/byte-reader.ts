@@ -1,0 +1,311 @@
+/**
+ * Walks through a file while it arrives. A window on it is kept in memory: `fill` makes it reach at least
+ * LOOKAHEAD bytes ahead, or to the end of the file; all other calls are plain functions on the window, so
+ * that a number costs no promise. Readers call `fill` where `isLow` says so, once per entry (a point, a face).
+ */
+import { ReadFailure } from "../read-result.js";
+import { piecesOf, type ByteSource } from "./byte-source.js";
+import { decimalIn } from "./decimal.js";
+
+const LINE_FEED = 10;
+const SPACE = 32;
+/** An entry of a file may be as long as this; a face of ten thousand corners is. */
+const LOOKAHEAD = 1 << 18;
+/** As much is asked for at once, so that what is left of the window is seldom moved. */
+const WINDOW = 1 << 20;
+/** No more of a word than a reader of messages can use. */
+const SHOWN = 24;
+
+export interface ByteReaderOptions {
+  /** What `fail` advises. */
+  readonly remedy: string;
+  /** A character that hides the rest of its line. */
+  readonly comment?: string;
+}
+
+export class ByteReader {
+  isLittleEndian = true;
+  #bytes: Uint8Array<ArrayBuffer> = new Uint8Array();
+  #view = new DataView(new ArrayBuffer(0));
+  #at = 0;
+  /** Bytes of the file before the window. */
+  #before = 0;
+  #line = 1;
+  /** Whether the last thing read was text, whose place is best told by its line. */
+  #isText = true;
+  #isWhole = false;
+  readonly #pieces: AsyncIterator<Uint8Array>;
+  readonly #comment: number;
+  readonly #remedy: string;
+
+  private constructor(source: ByteSource, { remedy, comment }: ByteReaderOptions) {
+    this.#pieces = piecesOf(source);
+    this.#comment = comment?.charCodeAt(0) ?? NaN;
+    this.#remedy = remedy;
+  }
+
+  /** Runs `read` on a file and lets go of the file whatever happens. An empty file is a failure. */
+  static async over<T>(
+    source: ByteSource,
+    options: ByteReaderOptions,
+    read: (reader: ByteReader) => Promise<T>,
+  ): Promise<T> {
+    const reader = new ByteReader(source, options);
+    try {
+      await reader.fill();
+      if (reader.isAtEnd) {
+        throw new ReadFailure({ message: "the file is empty", remedy: options.remedy, offset: 0 });
+      }
+      return await read(reader);
+    } finally {
+      await reader.#pieces.return?.();
+    }
+  }
+
+  get isLow(): boolean {
+    return !this.#isWhole && this.#bytes.length - this.#at < LOOKAHEAD;
+  }
+
+  /** No byte is left. */
+  get isAtEnd(): boolean {
+    return this.#isWhole && this.#at === this.#bytes.length;
+  }
+
+  /** Bytes from the begin of the file. */
+  get offset(): number {
+    return this.#before + this.#at;
+  }
+
+  /** Makes the window reach far enough for the next entry. */
+  async fill(): Promise<void> {
+    if (!this.isLow) return;
+    const parts: Uint8Array[] = [this.#bytes.subarray(this.#at)];
+    let length = this.#bytes.length - this.#at;
+    while (length < WINDOW) {
+      const next = await this.#pieces.next();
+      if (next.done === true) {
+        this.#isWhole = true;
+        break;
+      }
+      parts.push(next.value);
+      length += next.value.length;
+    }
+    this.#before += this.#at;
+    this.#at = 0;
+    this.#bytes = concatenated(parts, length);
+    this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, length);
+  }
+
+  /** The next `count` bytes; fewer at the end of the file. Memory grows with the file, not with `count`. */
+  async bytes(count: number): Promise<Uint8Array<ArrayBuffer>> {
+    this.#isText = false;
+    const parts: Uint8Array[] = [];
+    let length = 0;
+    while (length < count) {
+      await this.fill();
+      const part = this.#bytes.subarray(this.#at, this.#at + count - length);
+      if (part.length === 0) break;
+      this.#at += part.length;
+      length += part.length;
+      parts.push(part);
+    }
+    return concatenated(parts, length);
+  }
+
+  /** What is in the window from here on, up to `count` bytes, without moving. */
+  peek(count: number): Uint8Array {
+    return this.#bytes.subarray(this.#at, this.#at + count);
+  }
+
+  /** The next word, in this line or a later one; empty at the end of the file. */
+  word(): string {
+    this.#skipBlanks(true);
+    return this.#text(this.#wordEnd());
+  }
+
+  /** The next word of this line; empty at its end. */
+  wordInLine(): string {
+    this.#skipBlanks(false);
+    return this.#text(this.#wordEnd());
+  }
+
+  /** Moves behind the next word if it is this one, in capitals or not. */
+  accepts(word: string): boolean {
+    this.#skipBlanks(true);
+    const end = this.#wordEnd();
+    if (end - this.#at !== word.length) return false;
+    for (let i = 0; i < word.length; i++) {
+      // Letters differ from capitals by one bit; words here are letters only.
+      if (((this.#bytes[this.#at + i] ?? 0) | SPACE) !== word.charCodeAt(i)) return false;
+    }
+    this.#at = end;
+    return true;
+  }
+
+  /** As `accepts`, but any other word is a failure. */
+  expect(word: string): void {
+    if (this.accepts(word)) return;
+    const found = this.#shown();
+    this.fail(
+      found === "" ? `the file ends where "${word}" should be` : `"${found}" where "${word}" should be`,
+    );
+  }
+
+  /** The next word as a finite number; `what` names it where it is missing or is none. */
+  number(what: string): number {
+    this.#skipBlanks(true);
+    const end = this.#wordEnd();
+    if (end === this.#at) this.fail(`the file ends where ${what} should be`);
+    const value = decimalIn(this.#bytes, this.#at, end);
+    if (!Number.isFinite(value)) this.fail(`"${this.#shown()}" is not a finite number (${what})`);
+    this.#at = end;
+    return value;
+  }
+
+  /** The next word as a whole number from 0 to `limit` - 1. */
+  index(what: string, limit: number): number {
+    const value = this.number(what);
+    return Number.isInteger(value) && value >= 0 && value < limit
+      ? value
+      : this.fail(`${value} is not a whole number from 0 to ${limit - 1} (${what})`);
+  }
+
+  /** Whether a word is left in this line. */
+  hasWordInLine(): boolean {
+    this.#skipBlanks(false);
+    return this.#wordEnd() > this.#at;
+  }
+
+  /** Skips what is left of this line. */
+  skipLine(): void {
+    this.#at = this.#lineEnd();
+  }
+
+  /** The rest of this line without blanks around it; the place is then the begin of the next. */
+  line(): string {
+    this.#isText = true;
+    const end = this.#lineEnd();
+    const text = new TextDecoder().decode(this.#bytes.subarray(this.#at, end));
+    this.#at = Math.min(end + 1, this.#bytes.length);
+    this.#line++;
+    return text.trim();
+  }
+
+  /** Moves behind the line end that closes the words before binary numbers. */
+  endLine(): void {
+    this.#skipBlanks(false);
+    if (this.#bytes[this.#at] !== LINE_FEED) this.fail("the line should end here");
+    this.#at++;
+    this.#line++;
+  }
+
+  /** A whole number of 1, 2, 4 or 8 bytes; the last is exact up to 2^53 only. */
+  integer(bytes: 1 | 2 | 4 | 8, isSigned: boolean): number {
+    const at = this.#advance(bytes);
+    const little = this.isLittleEndian;
+    switch (bytes) {
+      case 1:
+        return isSigned ? this.#view.getInt8(at) : this.#view.getUint8(at);
+      case 2:
+        return isSigned ? this.#view.getInt16(at, little) : this.#view.getUint16(at, little);
+      case 4:
+        return isSigned ? this.#view.getInt32(at, little) : this.#view.getUint32(at, little);
+      case 8:
+        return Number(isSigned ? this.#view.getBigInt64(at, little) : this.#view.getBigUint64(at, little));
+    }
+  }
+
+  float(bytes: 4 | 8): number {
+    const at = this.#advance(bytes);
+    return bytes === 4
+      ? this.#view.getFloat32(at, this.isLittleEndian)
+      : this.#view.getFloat64(at, this.isLittleEndian);
+  }
+
+  /** `count` if it is one that can be; that so many items follow is seen only when they do. */
+  count(count: number, what: string): number {
+    return Number.isSafeInteger(count) && count >= 0 ? count : this.fail(`${count} is no number of ${what}`);
+  }
+
+  fail(message: string): never {
+    const { remedy, place } = { remedy: this.#remedy, place: this.#isText ? "line" : "byte" };
+    const at = this.#isText ? this.#line : this.offset;
+    throw new ReadFailure({
+      message: `${place} ${at}: ${message}`,
+      remedy,
+      ...(this.#isText ? { line: at } : { offset: at }),
+    });
+  }
+
+  #advance(bytes: number): number {
+    this.#isText = false;
+    if (this.#bytes.length - this.#at < bytes) this.fail("the file ends in the middle of a number");
+    this.#at += bytes;
+    return this.#at - bytes;
+  }
+
+  #skipBlanks(alsoLineEnds: boolean): void {
+    this.#isText = true;
+    const bytes = this.#bytes;
+    for (; this.#at < bytes.length; this.#at++) {
+      const byte = bytes[this.#at] ?? 0;
+      if (byte > SPACE) {
+        if (byte !== this.#comment) return;
+        this.skipLine();
+        this.#at--;
+      } else if (byte === LINE_FEED) {
+        if (!alsoLineEnds) return;
+        this.#line++;
+      }
+    }
+    this.#checkEdge();
+  }
+
+  #wordEnd(): number {
+    const bytes = this.#bytes;
+    let end = this.#at;
+    for (; end < bytes.length; end++) {
+      const byte = bytes[end] ?? 0;
+      if (byte <= SPACE || byte === this.#comment) return end;
+    }
+    this.#checkEdge();
+    return end;
+  }
+
+  #lineEnd(): number {
+    const end = this.#bytes.indexOf(LINE_FEED, this.#at);
+    if (end >= 0) return end;
+    this.#checkEdge();
+    return this.#bytes.length;
+  }
+
+  /** The end of the window must be that of the file. */
+  #checkEdge(): void {
+    if (!this.#isWhole) this.fail(`a line or an entry is longer than ${LOOKAHEAD} bytes`);
+  }
+
+  #text(end: number): string {
+    const begin = this.#at;
+    this.#at = end;
+    let text = "";
+    for (let i = begin; i < end; i++) text += String.fromCharCode(this.#bytes[i] ?? 0);
+    return text;
+  }
+
+  /** The word here, shortened, for a message. */
+  #shown(): string {
+    const end = this.#wordEnd();
+    const text = String.fromCharCode(...this.#bytes.subarray(this.#at, Math.min(end, this.#at + SHOWN)));
+    return end - this.#at > SHOWN ? `${text}…` : text;
+  }
+}
+
+function concatenated(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {
+  const joined = new Uint8Array(length);
+  let at = 0;
+  for (const part of parts) {
+    joined.set(part, at);
+    at += part.length;
+  }
+  return joined;
+}

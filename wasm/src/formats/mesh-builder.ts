@@ -1,0 +1,129 @@
+/** Collects what a reader finds. */
+import { Column } from "./column.js";
+import type { FileGroup, FileMesh, NodeData } from "./file-mesh.js";
+import { addPolygon } from "./polygons.js";
+import { PointWelder } from "./weld.js";
+
+/** Groups in order of first appearance, by whatever the format tells them apart by. */
+export class GroupList {
+  readonly #positions = new Map<string | number, number>();
+  readonly #groups: FileGroup[] = [];
+  readonly #word: string;
+
+  /** `word` names groups that have no name: "patch 7" by its tag. */
+  constructor(word: string) {
+    this.#word = word;
+  }
+
+  get length(): number {
+    return this.#groups.length;
+  }
+
+  /** The position of a group told by its number. */
+  tagged(tag: number, name?: string): number {
+    return this.of(tag, () => ({ name: name ?? `${this.#word} ${tag}`, tag }));
+  }
+
+  /** The position of a group told by its name; numbered from 1 in order. */
+  named(name: string, color?: FileGroup["color"]): number {
+    return this.of(name, () => ({ name, tag: this.#groups.length + 1, color }));
+  }
+
+  of(key: string | number, make: () => FileGroup): number {
+    const known = this.#positions.get(key);
+    if (known !== undefined) return known;
+    this.#positions.set(key, this.#groups.length);
+    return this.#groups.push(make()) - 1;
+  }
+
+  /** With the names that the file gives to tags elsewhere. */
+  groups(names: ReadonlyMap<number, string> = new Map()): readonly FileGroup[] {
+    return this.#groups.map((group) => ({ ...group, name: names.get(group.tag) ?? group.name }));
+  }
+}
+
+export class MeshBuilder {
+  readonly patches = new GroupList("patch");
+  readonly regions = new GroupList("region");
+  readonly nodeData = new Map<string, NodeData>();
+  readonly #points = new Column(Float64Array);
+  readonly #triangles = new Column(Uint32Array);
+  readonly #trianglePatch = new Column(Uint32Array);
+  readonly #tetrahedra = new Column(Uint32Array);
+  readonly #tetrahedronRegion = new Column(Uint32Array);
+  readonly #welder: PointWelder | undefined;
+
+  /** `isSoup`: the file repeats its points, which are welded as they come (`addCorner`). */
+  constructor(isSoup = false) {
+    this.#welder = isSoup ? new PointWelder() : undefined;
+  }
+
+  get pointCount(): number {
+    return this.#welder?.count ?? this.#points.length / 3;
+  }
+
+  get triangleCount(): number {
+    return this.#trianglePatch.length;
+  }
+
+  addPoint(x: number, y: number, z: number): void {
+    this.#points.push(x);
+    this.#points.push(y);
+    this.#points.push(z);
+  }
+
+  /** A corner of a soup; its node. */
+  addCorner(x: number, y: number, z: number): number {
+    return this.#welder?.add(x, y, z) ?? 0;
+  }
+
+  addTriangle(a: number, b: number, c: number, patch: number): void {
+    this.#triangles.push(a);
+    this.#triangles.push(b);
+    this.#triangles.push(c);
+    this.#trianglePatch.push(patch);
+  }
+
+  /** Cut into triangles; false, and nothing added, if that cannot be done safely. All nodes must be there. */
+  addPolygon(corners: readonly number[], patch: number): boolean {
+    const [a = 0, b = 0, c = 0] = corners;
+    if (corners.length === 3) {
+      this.addTriangle(a, b, c, patch);
+      return true;
+    }
+    const triangles: number[] = [];
+    if (!addPolygon(corners, this.#points, triangles)) return false;
+    for (let i = 0; i < triangles.length; i += 3) {
+      this.addTriangle(triangles[i] ?? 0, triangles[i + 1] ?? 0, triangles[i + 2] ?? 0, patch);
+    }
+    return true;
+  }
+
+  addTetrahedron(a: number, b: number, c: number, d: number, region: number): void {
+    this.#tetrahedra.push(a);
+    this.#tetrahedra.push(b);
+    this.#tetrahedra.push(c);
+    this.#tetrahedra.push(d);
+    this.#tetrahedronRegion.push(region);
+  }
+
+  /** Everything collected; the builder is empty afterwards. Names by tag where the file has them. */
+  mesh(
+    names: {
+      readonly patches?: ReadonlyMap<number, string>;
+      readonly regions?: ReadonlyMap<number, string>;
+    } = {},
+  ): FileMesh {
+    return {
+      points: this.#welder?.taken() ?? this.#points.taken(),
+      isWelded: this.#welder !== undefined,
+      triangles: this.#triangles.taken(),
+      trianglePatch: this.#trianglePatch.taken(),
+      patches: this.patches.groups(names.patches),
+      tetrahedra: this.#tetrahedra.taken(),
+      tetrahedronRegion: this.#tetrahedronRegion.taken(),
+      regions: this.regions.groups(names.regions),
+      nodeData: this.nodeData,
+    };
+  }
+}
