@@ -92,8 +92,9 @@ class RandomChanges {
         random_.integer(0, static_cast<int>(links_->triangleCount()) - 1));
     const auto k = static_cast<std::uint32_t>(random_.integer(0, 2));
     if (!links_->isAlive(t)) return false;
-    const int kind = random_.integer(0, 2);
+    const int kind = random_.integer(0, 3);
     if (kind == 0) return collapse(links_->node(t, k));
+    if (kind == 3) return insert(t);
     if (links_->neighbour(t, k) == PlanarLinks::kNone) return false;
     return kind == 1 ? flip(t, k) : split(t, k);
   }
@@ -110,6 +111,14 @@ class RandomChanges {
     const PlanarLinks::Diamond sides = links_->diamond(t, k);
     const Vec2 middle = 0.5 * (mesh_->plane[sides.a] + mesh_->plane[sides.b]);
     links_->split(t, k, mesh_->addNode(middle, Vec3(middle.x, middle.y, 0.0), 1.0));
+    return true;
+  }
+
+  /// Halves of halves are exact, so that every place inside a triangle is.
+  bool insert(std::uint32_t t) {
+    const Vec2 middle = 0.5 * (mesh_->plane[links_->node(t, 1)] + mesh_->plane[links_->node(t, 2)]);
+    const Vec2 inside = 0.5 * (mesh_->plane[links_->node(t, 0)] + middle);
+    links_->insert(t, mesh_->addNode(inside, Vec3(inside.x, inside.y, 0.0), 1.0));
     return true;
   }
 

@@ -150,6 +150,19 @@ void PlanarLinks::split(std::uint32_t t, std::uint32_t k, std::uint32_t middle) 
   replaceNeighbour(overDB, other, otherSecond);
 }
 
+void PlanarLinks::insert(std::uint32_t t, std::uint32_t centre) {
+  const std::array<std::uint32_t, 3> nodes{node(t, 0), node(t, 1), node(t, 2)};
+  const Neighbours over = neighbours_[t];
+  triangleOf_.resize(mesh_->plane.size(), kNone);
+  const std::uint32_t second = addTriangle();
+  const std::uint32_t third = addTriangle();
+  put(t, {nodes[0], nodes[1], centre}, {second, third, over[2]});
+  put(second, {nodes[1], nodes[2], centre}, {third, t, over[0]});
+  put(third, {nodes[2], nodes[0], centre}, {t, second, over[1]});
+  replaceNeighbour(over[0], t, second);
+  replaceNeighbour(over[1], t, third);
+}
+
 void PlanarLinks::compact() {
   PlanarMesh& mesh = *mesh_;
   std::vector<std::uint32_t> numbers(mesh.plane.size(), kNone);

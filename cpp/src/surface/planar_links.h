@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file Which triangles of a patch's triangulation are neighbours, and the three changes that keep
-/// it a triangulation: a side flipped, an inner node drawn into one of its neighbours, a side
-/// divided. Who calls for a change has made sure, by exact turns, that the triangles it makes turn
-/// counter-clockwise.
+/// @file Which triangles of a patch's triangulation are neighbours, and the changes that keep
+/// it a triangulation: a side flipped, an inner node drawn into one of its neighbours, a side or a
+/// triangle divided. Who calls for a change has made sure, by exact turns, that the triangles it
+/// makes turn counter-clockwise.
 
 #include <array>
 #include <cstdint>
@@ -66,6 +66,8 @@ class PlanarLinks {
   void collapse(std::uint32_t centre, const Star& star, std::size_t into);
   /// Divides the side across from corner k of t by `middle`, a node without triangles.
   void split(std::uint32_t t, std::uint32_t k, std::uint32_t middle);
+  /// Divides t into three by `centre`, a node without triangles.
+  void insert(std::uint32_t t, std::uint32_t centre);
 
   /// Takes dead triangles and nodes out of the mesh; the rest keeps its order. The links are
   /// spent after that.

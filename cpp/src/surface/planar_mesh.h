@@ -26,6 +26,8 @@ struct PlanarMesh {
   /// Per node: which node of the whole surface it is. A patch whose first and last line are one
   /// (a seam) shows some nodes twice in its plane. kNone for interior nodes.
   std::vector<std::uint32_t> aliases;
+  /// Per boundary node: 1 if no inner edge may join it to another such node. Empty: none are.
+  std::vector<std::uint8_t> parted;
   std::uint32_t boundaryCount = 0;       ///< nodes 0 .. boundaryCount-1 lie on the patch's lines
   std::vector<std::uint32_t> sides;      ///< two nodes per boundary side, the patch on its left
   std::vector<std::uint32_t> triangles;  ///< three nodes each, counter-clockwise in the plane
@@ -66,6 +68,25 @@ struct PlanarMesh {
   /// True if the two are one node of the surface.
   [[nodiscard]] bool sameNode(std::uint32_t a, std::uint32_t b) const {
     return a == b || (aliases[a] != kNone && aliases[a] == aliases[b]);
+  }
+
+  [[nodiscard]] bool isParted(std::uint32_t node) const {
+    return node < parted.size() && parted[node] != 0;
+  }
+
+  /// True if an inner edge may join the two.
+  [[nodiscard]] bool mayJoin(std::uint32_t a, std::uint32_t b) const {
+    return !sameNode(a, b) && !(isParted(a) && isParted(b));
+  }
+
+  /// True if an edge between the two would join nodes of the boundary other than along it.
+  [[nodiscard]] bool joinsLines(std::uint32_t a, std::uint32_t b) const {
+    if (a >= boundaryCount || b >= boundaryCount) return false;
+    const auto endsAt = [&](std::uint32_t side, std::uint32_t node) {
+      return sides[2 * std::size_t{side}] == node || sides[2 * std::size_t{side} + 1] == node;
+    };
+    // Node i begins or, in a loop that was turned round, ends side i.
+    return !endsAt(a, b) && !endsAt(b, a);
   }
 };
 

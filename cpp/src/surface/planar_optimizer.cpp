@@ -31,8 +31,8 @@ PlanarOptimizer::PlanarOptimizer(const PatchMetric& metric, PlanarMesh& mesh)
 const std::vector<PlanarOptimizer::Sweep>& PlanarOptimizer::schedule() {
   using enum Sweep;
   static const std::vector<Sweep> sweeps{
-      kFlip, kSmooth, kFlip, kThin,   kRefine, kFlip,   kSmooth, kFlip,   kSmooth, kFlip,  kThin,
-      kFlip, kSmooth, kFlip, kRepair, kFlip,   kPolish, kFlip,   kRepair, kPolish, kRepair};
+      kPart, kFlip, kSmooth, kFlip, kThin,   kRefine, kFlip,   kSmooth, kFlip,   kSmooth, kFlip,
+      kThin, kFlip, kSmooth, kFlip, kRepair, kFlip,   kPolish, kFlip,   kRepair, kPolish, kRepair};
   return sweeps;
 }
 
@@ -41,17 +41,19 @@ bool PlanarOptimizer::advance(std::uint32_t budget) {
   if (!linked_) {
     linked_ = true;
     links_.build();
+    if (mesh_->parted.empty()) sweep_ = 1;  // nothing for kPart to do
     work += links_.triangleCount() / 8;
   }
   while (!done_ && work < budget) {
     if (sweep_ == schedule().size()) {
+      repair_.partLoneTriangle();
       links_.compact();
       done_ = true;
       break;
     }
     const Sweep sweep = schedule()[sweep_];
     const bool overNodes =
-        sweep != Sweep::kFlip && sweep != Sweep::kRefine && sweep != Sweep::kRepair;
+        sweep == Sweep::kSmooth || sweep == Sweep::kPolish || sweep == Sweep::kThin;
     if (overNodes) cursor_ = std::max(cursor_, mesh_->boundaryCount);
     if (cursor_ >= (overNodes ? mesh_->plane.size() : links_.triangleCount())) {
       ++sweep_;
@@ -66,6 +68,9 @@ bool PlanarOptimizer::advance(std::uint32_t budget) {
 
 void PlanarOptimizer::visit(Sweep sweep, std::uint32_t index) {
   switch (sweep) {
+    case Sweep::kPart:
+      repair_.part(index);
+      break;
     case Sweep::kFlip:
       flipFrom(index);
       break;
@@ -110,7 +115,7 @@ void PlanarOptimizer::flipFrom(std::uint32_t triangle) {
 bool PlanarOptimizer::flip(std::uint32_t t, std::uint32_t k) {
   const PlanarLinks::Diamond sides = links_.diamond(t, k);
   const auto [other, a, b, c, d] = sides;
-  if (mesh_->sameNode(c, d)) return false;
+  if (!mesh_->mayJoin(c, d)) return false;
   // Summed so that the other diagonal is judged in the very same space.
   const Vec3 middle =
       0.25 * ((mesh_->places[a] + mesh_->places[b]) + (mesh_->places[c] + mesh_->places[d]));

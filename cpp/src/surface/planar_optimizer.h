@@ -26,7 +26,7 @@ class PlanarOptimizer {
   bool advance(std::uint32_t budget);
 
  private:
-  enum class Sweep : std::uint8_t { kFlip, kSmooth, kPolish, kThin, kRefine, kRepair };
+  enum class Sweep : std::uint8_t { kPart, kFlip, kSmooth, kPolish, kThin, kRefine, kRepair };
   static const std::vector<Sweep>& schedule();
 
   void visit(Sweep sweep, std::uint32_t index);

@@ -62,7 +62,7 @@ double PlanarRepair::starSine(const LocalSpace& local, std::uint32_t centre) con
 }
 
 /// The smallest sine of the star's triangles if `centre` were drawn into ring[into]; below zero if
-/// one of them would turn the wrong way, or fold.
+/// one of them would turn the wrong way, or fold, or join what must not be joined.
 double PlanarRepair::fanSine(const LocalSpace& local, std::uint32_t centre,
                              std::size_t into) const {
   const std::vector<std::uint32_t>& ring = star_.ring;
@@ -77,6 +77,7 @@ double PlanarRepair::fanSine(const LocalSpace& local, std::uint32_t centre,
     const std::uint32_t from = ring[(into + step) % count];
     const std::uint32_t to = ring[(into + step + 1) % count];
     if (mesh_->turn(ring[into], from, to) <= 0) return -1.0;
+    if (step > 1 && !mesh_->mayJoin(ring[into], from)) return -1.0;
     const Vec3 turned = normal(ring[into], from, to);
     if (glm::dot(turned, mean) < kSharpFold * glm::length(turned) * glm::length(mean)) return -1.0;
     least = std::min(least, sine(local, ring[into], from, to));
@@ -97,6 +98,36 @@ bool PlanarRepair::mayRemove() const {
   return !hasSeam_ || std::ranges::all_of(star_.ring, [&](std::uint32_t node) {
     return node >= mesh_->boundaryCount;
   });
+}
+
+// ---- edges that must not be ----------------------------------------------------------------------
+
+void PlanarRepair::part(std::uint32_t triangle) {
+  const auto isForbidden = [&](std::uint32_t k) {
+    return links_->neighbour(triangle, k) != PlanarLinks::kNone &&
+           !mesh_->mayJoin(links_->node(triangle, (k + 1) % 3),
+                           links_->node(triangle, (k + 2) % 3));
+  };
+  // What is left of the triangle after a division is examined anew, the rest of it in its turn.
+  for (std::uint32_t k = 0; k < 3; ++k) {
+    if (!isForbidden(k)) continue;
+    const PlanarLinks::Diamond sides = links_->diamond(triangle, k);
+    const Vec2 middle = 0.5 * (mesh_->plane[sides.a] + mesh_->plane[sides.b]);
+    if (splitSine(localAt(sides.a), sides, middle) < 0.0) continue;
+    addAndSplit(triangle, k, middle);
+    part(triangle);
+    return;
+  }
+}
+
+void PlanarRepair::partLoneTriangle() {
+  constexpr double kThird = 1.0 / 3.0;
+  if (links_->triangleCount() != 1 || mesh_->mayJoin(links_->node(0, 0), links_->node(0, 1)) ||
+      mesh_->mayJoin(links_->node(0, 1), links_->node(0, 2)))
+    return;
+  Vec2 centre(0.0);
+  for (std::uint32_t k = 0; k < 3; ++k) centre += kThird * mesh_->plane[links_->node(0, k)];
+  links_->insert(0, addNode(centre));
 }
 
 // ---- lengths -----------------------------------------------------------------------------------
@@ -170,7 +201,7 @@ void PlanarRepair::repair(std::uint32_t triangle) {
 
 void PlanarRepair::considerFlip(std::uint32_t t, std::uint32_t k, Change& best) {
   const auto [other, a, b, c, d] = links_->diamond(t, k);
-  if (mesh_->sameNode(c, d)) return;
+  if (!mesh_->mayJoin(c, d)) return;
   const LocalSpace local = localAt(a);
   const double after = std::min(sine(local, c, a, d), sine(local, c, d, b));
   if (after <= best.sine || mesh_->turn(c, a, d) <= 0 || mesh_->turn(c, d, b) <= 0) return;
@@ -207,8 +238,7 @@ void PlanarRepair::considerSplit(std::uint32_t t, std::uint32_t k, Change& best)
 
 double PlanarRepair::splitSine(const LocalSpace& local, const PlanarLinks::Diamond& sides,
                                const Vec2& at) {
-  const PlaneSample sample = metric_->sample(at, hint_);
-  const std::uint32_t node = mesh_->addNode(at, sample.position, sample.size);
+  const std::uint32_t node = addNode(at);
   double least = 1.0;
   for (const auto& [from, to] : {std::pair{sides.c, sides.a}, std::pair{sides.a, sides.d},
                                  std::pair{sides.d, sides.b}, std::pair{sides.b, sides.c}})
@@ -234,10 +264,14 @@ void PlanarRepair::make(const Change& change) {
 }
 
 void PlanarRepair::addAndSplit(std::uint32_t t, std::uint32_t k, const Vec2& at) {
-  const PlaneSample sample = metric_->sample(at, hint_);
-  const std::uint32_t node = mesh_->addNode(at, sample.position, sample.size);
+  const std::uint32_t node = addNode(at);
   links_->split(t, k, node);
   moves_->smooth(node);
+}
+
+std::uint32_t PlanarRepair::addNode(const Vec2& at) {
+  const PlaneSample sample = metric_->sample(at, hint_);
+  return mesh_->addNode(at, sample.position, sample.size);
 }
 
 }  // namespace tetrafront

@@ -18,6 +18,13 @@ class PlanarRepair {
   /// All must outlive this.
   PlanarRepair(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links, PlanarMoves& moves);
 
+  /// Divides the triangle's inner edges that join nodes which must not be.
+  void part(std::uint32_t triangle);
+
+  /// If the patch is one triangle and must be no other patch's too: divides it. The node belongs
+  /// where it is put, and must not be moved or removed after that.
+  void partLoneTriangle();
+
   /// Draws an inner node into a neighbour if it has an edge much shorter than wanted, or fewer
   /// than five triangles, and neither shapes nor lengths suffer.
   void thin(std::uint32_t node);
@@ -55,6 +62,7 @@ class PlanarRepair {
   double splitSine(const LocalSpace& local, const PlanarLinks::Diamond& sides, const Vec2& at);
   void make(const Change& change);
   void addAndSplit(std::uint32_t t, std::uint32_t k, const Vec2& at);
+  std::uint32_t addNode(const Vec2& at);
 
   const PatchMetric* metric_;
   PlanarMesh* mesh_;

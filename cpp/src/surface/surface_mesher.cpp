@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "surface/expected_count.h"
 #include "surface/patch_summary.h"
+#include "surface/shared_strips.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {
@@ -19,6 +21,8 @@ namespace {
 constexpr int kMaxHalvingRounds = 8;
 /// Counted against the budget for dividing a line or laying a patch's loops out, per side.
 constexpr std::uint32_t kSidesPerStep = 4;
+/// Counted against the budget for appending triangles to the mesh.
+constexpr std::uint32_t kTrianglesPerStep = 64;
 /// A closed line needs three sides to enclose anything, and two lines that join the same points
 /// need two each (one of them would do, but which one must not depend on who asks).
 constexpr std::uint32_t kClosedLineSides = 3;
@@ -27,8 +31,38 @@ constexpr std::uint32_t kParallelLineSides = 2;
 /// of a seam's node, which are one node of the surface.
 constexpr std::uint32_t kSeamedLineSides = 6;
 
+/// Rounds of triangulating patches anew that would lie on others. Only what is new in a round can
+/// ask for another.
+constexpr int kMaxPartingRounds = 3;
+
 /// A line, and one of its sides.
 using LineSide = std::pair<std::uint32_t, std::uint32_t>;
+
+/// What one patch adds to the mesh. Nodes of lines have their numbers in the triangles, its own
+/// follow those.
+struct PatchTriangulation {
+  std::vector<Vec3> nodes;
+  std::vector<std::uint32_t> triangles;
+  std::vector<Joint> joints;
+};
+
+/// Marks the boundary nodes whose numbers in the surface are among `nodes`, ascending.
+void partNodes(const std::vector<std::uint32_t>& nodes, PlanarMesh& mesh) {
+  if (nodes.empty()) return;
+  mesh.parted.resize(mesh.boundaryCount);
+  std::ranges::transform(mesh.aliases, mesh.parted.begin(), [&](std::uint32_t node) {
+    return std::ranges::binary_search(nodes, node) ? std::uint8_t{1} : std::uint8_t{0};
+  });
+}
+
+/// Adds what is missing to a set of ascending numbers; false if nothing was.
+bool mergeInto(std::vector<std::uint32_t>& set, const std::vector<std::uint32_t>& found) {
+  std::vector<std::uint32_t> merged;
+  std::ranges::set_union(set, found, std::back_inserter(merged));
+  if (merged.size() == set.size()) return false;
+  set = std::move(merged);
+  return true;
+}
 
 /// The values of kTooManyElements for a body of `sides` sides in each direction.
 std::vector<double> tetrahedraAsked(double sides) {
@@ -50,7 +84,16 @@ class SurfaceMesher::Impl {
   std::vector<PatchSummary> patches;
 
  private:
-  enum class Stage : std::uint8_t { kDivide, kNumber, kLayOut, kMesh, kDone, kFailed };
+  enum class Stage : std::uint8_t {
+    kDivide,
+    kNumber,
+    kLayOut,
+    kMesh,
+    kPart,
+    kJoin,
+    kDone,
+    kFailed
+  };
 
   void findUsedLines();
   void findMinimumSides();
@@ -63,9 +106,12 @@ class SurfaceMesher::Impl {
   void reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
                     const std::vector<std::uint32_t>& faulty);
   void writeLines();
+  void beginPatches();
   std::uint32_t meshPatch(std::uint32_t budget);
   void takePatch(std::uint32_t patch);
   void reportPatch(std::uint32_t patch);
+  void partPatches();
+  std::uint32_t joinNextPatch();
   void fail(Diagnostic diagnostic);
 
   ResolvedModel model_;
@@ -80,6 +126,11 @@ class SurfaceMesher::Impl {
   std::vector<std::uint32_t> endPoints_;  ///< model points that are nodes, ascending
   std::vector<PatchSurface> surfaces_;
   std::unique_ptr<PatchMesher> patchMesher_;
+  std::uint32_t lineNodes_ = 0;  ///< nodes of lines come first in the mesh
+  std::vector<PatchTriangulation> triangulations_;
+  std::vector<std::uint32_t> pending_;  ///< patches to be triangulated in this round
+  int partingRound_ = 0;
+  std::vector<std::vector<std::uint32_t>> parted_;  ///< per patch: see findNodesToPart()
   FieldHint hint_;
 };
 
@@ -150,6 +201,13 @@ MeshStatus SurfaceMesher::Impl::advance(std::uint32_t budget) {
       case Stage::kMesh:
         work += meshPatch(budget - work);
         break;
+      case Stage::kPart:
+        partPatches();
+        ++work;
+        break;
+      case Stage::kJoin:
+        work += joinNextPatch();
+        break;
       case Stage::kDone:
         return MeshStatus::kDone;
       case Stage::kFailed:
@@ -163,9 +221,9 @@ MeshStatus SurfaceMesher::Impl::advance(std::uint32_t budget) {
 double SurfaceMesher::Impl::fraction() const {
   // Lines and loops are a small part of the work.
   constexpr double kLinesShare = 0.1;
-  if (stage_ == Stage::kDone) return 1.0;
-  if (stage_ != Stage::kMesh) return 0.0;
-  return kLinesShare + (1.0 - kLinesShare) * cursor_ / static_cast<double>(surfaces_.size());
+  if (stage_ < Stage::kMesh) return 0.0;
+  if (stage_ > Stage::kMesh || partingRound_ > 0) return 1.0;
+  return kLinesShare + (1.0 - kLinesShare) * cursor_ / static_cast<double>(pending_.size());
 }
 
 void SurfaceMesher::Impl::fail(Diagnostic diagnostic) {
@@ -236,6 +294,7 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
       stage_ = Stage::kNumber;
     } else {
       writeLines();
+      beginPatches();
       stage_ = Stage::kMesh;
       phase = Phase::kSurface;
     }
@@ -312,21 +371,34 @@ void SurfaceMesher::Impl::writeLines() {
   }
 }
 
+void SurfaceMesher::Impl::beginPatches() {
+  lineNodes_ = static_cast<std::uint32_t>(mesh.points.size() / 3);
+  const auto count = static_cast<std::uint32_t>(surfaces_.size());
+  pending_.resize(count);
+  for (std::uint32_t patch = 0; patch < count; ++patch) pending_[patch] = patch;
+  triangulations_.resize(count);
+  parted_.resize(count);
+  patches.resize(count);
+}
+
 std::uint32_t SurfaceMesher::Impl::meshPatch(std::uint32_t budget) {
-  if (cursor_ == surfaces_.size()) {
-    stage_ = diagnostics.empty() ? Stage::kDone : Stage::kFailed;
+  if (cursor_ == pending_.size()) {
+    cursor_ = 0;
+    stage_ = diagnostics.empty() ? Stage::kPart : Stage::kFailed;
     return 1;
   }
+  const std::uint32_t patch = pending_[cursor_];
   if (patchMesher_ == nullptr) {
-    PatchBoundary boundary = layOutBoundary(model_, model_.model().patches[cursor_],
-                                            surfaces_[cursor_], *field_, lines_);
+    PatchBoundary boundary =
+        layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
+    partNodes(parted_[patch], boundary.mesh);
     const auto sides = static_cast<std::uint32_t>(boundary.origins.size());
-    patchMesher_ = std::make_unique<PatchMesher>(surfaces_[cursor_], *field_, std::move(boundary));
+    patchMesher_ = std::make_unique<PatchMesher>(surfaces_[patch], *field_, std::move(boundary));
     return sides / kSidesPerStep + 1;
   }
   const MeshStatus status = patchMesher_->advance(budget);
   if (status == MeshStatus::kRunning) return budget;
-  const std::uint32_t patch = cursor_++;
+  ++cursor_;
   if (status == MeshStatus::kDone)
     takePatch(patch);
   else
@@ -338,25 +410,61 @@ std::uint32_t SurfaceMesher::Impl::meshPatch(std::uint32_t budget) {
 
 void SurfaceMesher::Impl::takePatch(std::uint32_t patch) {
   const PlanarMesh& planar = patchMesher_->mesh();
-  const auto inner = static_cast<std::uint32_t>(mesh.points.size() / 3);
-  bool covered = true;
-  for (std::size_t node = planar.boundaryCount; node < planar.places.size(); ++node) {
-    const Vec3& place = planar.places[node];
-    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
-    if (!covered || field_->covers(place, hint_)) continue;
-    covered = false;
+  PatchTriangulation& taken = triangulations_[patch];
+  taken = {};
+  taken.nodes.assign(planar.places.begin() + planar.boundaryCount, planar.places.end());
+  const auto outside = std::ranges::find_if(
+      taken.nodes, [&](const Vec3& place) { return !field_->covers(place, hint_); });
+  if (outside != taken.nodes.end()) {
     Diagnostic diagnostic;
     diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
     diagnostic.entities = {{EntityKind::kPatch, patch}};
     diagnostic.hasPlace = true;
-    diagnostic.place = place;
+    diagnostic.place = *outside;
     diagnostics.push_back(std::move(diagnostic));
   }
+  taken.triangles.reserve(planar.triangles.size());
   for (const std::uint32_t node : planar.triangles)
-    mesh.triangles.push_back(node < planar.boundaryCount ? planar.aliases[node]
-                                                         : inner + (node - planar.boundaryCount));
-  mesh.trianglePatch.insert(mesh.trianglePatch.end(), planar.triangles.size() / 3, patch);
-  patches.push_back(summarizePatch({surfaces_[patch], *field_}, planar, patch));
+    taken.triangles.push_back(node < planar.boundaryCount
+                                  ? planar.aliases[node]
+                                  : lineNodes_ + (node - planar.boundaryCount));
+  collectJoints(patch, planar, taken.joints);
+  patches[patch] = summarizePatch({surfaces_[patch], *field_}, planar, patch);
+}
+
+/// Looks for patches that would lie on others, and has these triangulated anew.
+void SurfaceMesher::Impl::partPatches() {
+  pending_.clear();
+  if (partingRound_ < kMaxPartingRounds) {
+    ++partingRound_;
+    std::vector<Joint> joints;
+    for (const PatchTriangulation& patch : triangulations_)
+      joints.insert(joints.end(), patch.joints.begin(), patch.joints.end());
+    const auto found = findNodesToPart(model_.model(), lines_, joints);
+    for (std::uint32_t patch = 0; patch < found.size(); ++patch)
+      if (mergeInto(parted_[patch], found[patch])) pending_.push_back(patch);
+  }
+  cursor_ = 0;
+  stage_ = pending_.empty() ? Stage::kJoin : Stage::kMesh;
+}
+
+/// Appends a patch's triangulation to the mesh.
+std::uint32_t SurfaceMesher::Impl::joinNextPatch() {
+  if (cursor_ == triangulations_.size()) {
+    stage_ = Stage::kDone;
+    return 1;
+  }
+  const std::uint32_t patch = cursor_++;
+  const PatchTriangulation& taken = triangulations_[patch];
+  const auto shift = static_cast<std::uint32_t>(mesh.points.size() / 3) - lineNodes_;
+  for (const Vec3& place : taken.nodes)
+    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+  for (const std::uint32_t node : taken.triangles)
+    mesh.triangles.push_back(node < lineNodes_ ? node : node + shift);
+  const std::size_t count = taken.triangles.size() / 3;
+  mesh.trianglePatch.insert(mesh.trianglePatch.end(), count, patch);
+  triangulations_[patch] = {};
+  return static_cast<std::uint32_t>(count) / kTrianglesPerStep + 1;
 }
 
 void SurfaceMesher::Impl::reportPatch(std::uint32_t patch) {

@@ -1,0 +1,167 @@
+// Thin bodies between patches that share the lines on both sides of a strip or corner: the patches
+// do not lie on one another, and the body closes.
+
+#include "surface/shared_strips.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "model/check_model.h"
+#include "support/models.h"
+#include "support/random.h"
+#include "support/shapes.h"
+#include "surface/boundary.h"
+#include "surface/expected_count.h"
+#include "surface/surface_mesher.h"
+
+namespace tetrafront::testing {
+namespace {
+
+OrientedLine arc(ModelBuilder& builder, const Vec3& from, const Vec3& middle, const Vec3& to) {
+  return {builder.line(LineType::kParabolic, {from, middle, to}), false};
+}
+
+OrientedLine turned(const OrientedLine& line) { return {line.line, !line.reversed}; }
+
+/// Two triangular patches between two lines that leave a point at `angle`, one with a rise of
+/// `high` over the line between the others' ends, one of `low`, and the planar patch between them.
+Model fin(PatchType type, Random& random, double angle, double low, double high) {
+  ModelBuilder builder;
+  const Vec3 tip(0.0);
+  const Vec3 a(random.between(0.7, 2.0), 0, 0);
+  const Vec3 b = random.between(0.7, 2.0) * Vec3(std::cos(angle), std::sin(angle), 0);
+  const Vec3 sway(0, random.between(-0.1, 0.1) * angle, 0);
+  const OrientedLine first = arc(builder, tip, 0.5 * a + sway, a);
+  const OrientedLine last = arc(builder, tip, 0.5 * b, b);
+  const Vec3 up(0, 0, glm::length(b - a));
+  const OrientedLine above = arc(builder, a, 0.5 * (a + b) + high * up, b);
+  const OrientedLine below = arc(builder, a, 0.5 * (a + b) + low * up, b);
+  builder.patch(type, {{first, above, turned(last)}});
+  builder.patch(type, {{first, below, turned(last)}});
+  builder.patch(PatchType::kPlanar, {{above, turned(below)}});
+  return std::move(builder.model);
+}
+
+/// Two Coons patches between two long lines, closed by planar patches at both ends.
+Model lens(Random& random, double width, double low, double high) {
+  ModelBuilder builder;
+  const std::array<Vec3, 2> left{Vec3(0.0), Vec3(random.between(1.0, 3.0), 0.1, 0)};
+  const std::array<Vec3, 2> right{Vec3(0, width, 0), left[1] + Vec3(0, 0.6 * width, 0)};
+  const double sag = random.between(-0.1, 0.1);
+  const auto along = [&](const std::array<Vec3, 2>& ends) {
+    return arc(builder, ends[0], 0.5 * (ends[0] + ends[1]) + Vec3(0, 0, sag), ends[1]);
+  };
+  const auto across = [&](std::size_t end, double rise) {
+    const Vec3 middle = 0.5 * (left[end] + right[end]);
+    return arc(builder, left[end], middle + Vec3(0, 0, rise * glm::length(right[end] - left[end])),
+               right[end]);
+  };
+  const OrientedLine first = along(left);
+  const OrientedLine last = along(right);
+  const std::array<OrientedLine, 2> above{across(0, high), across(1, high)};
+  const std::array<OrientedLine, 2> below{across(0, low), across(1, low)};
+  builder.patch(PatchType::kCoons, {{first, above[1], turned(last), turned(above[0])}});
+  builder.patch(PatchType::kCoons, {{first, below[1], turned(last), turned(below[0])}});
+  for (std::size_t end = 0; end < 2; ++end)
+    builder.patch(PatchType::kPlanar, {{above[end], turned(below[end])}});
+  return std::move(builder.model);
+}
+
+/// Two triangular patches of different type between the same three bent lines.
+Model pillow() {
+  ModelBuilder builder;
+  const Vec3 a(0.0);
+  const Vec3 b(1, 0, 0);
+  const Vec3 c(0.4, 0.9, 0);
+  const Vec3 up(0, 0, 0.4);
+  const Loop loop{arc(builder, a, 0.5 * (a + b) + up, b), arc(builder, b, 0.5 * (b + c) + up, c),
+                  arc(builder, c, 0.5 * (c + a) + up, a)};
+  builder.patch(PatchType::kIsoparametricTriangle, {loop});
+  builder.patch(PatchType::kBarnhillGregoryNielson, {loop});
+  return std::move(builder.model);
+}
+
+SurfaceMesh meshOf(const Model& model, double size) {
+  const SizeField field = SizeField::uniform(size);
+  SurfaceMesher mesher(model, field);
+  MeshStatus status = MeshStatus::kRunning;
+  while (status == MeshStatus::kRunning) status = mesher.advance(1000);
+  EXPECT_EQ(status, MeshStatus::kDone);
+  return mesher.takeMesh();
+}
+
+/// Triangles with the same three nodes.
+std::size_t countDoubles(const SurfaceMesh& mesh) {
+  std::set<std::array<std::uint32_t, 3>> known;
+  std::size_t doubles = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    std::array<std::uint32_t, 3> nodes{mesh.triangles[t], mesh.triangles[t + 1],
+                                       mesh.triangles[t + 2]};
+    std::ranges::sort(nodes);
+    doubles += known.insert(nodes).second ? 0 : 1;
+  }
+  return doubles;
+}
+
+void expectOneBody(const Model& model, double size) {
+  ASSERT_TRUE(checkModel(model).empty());
+  SurfaceMesh mesh = meshOf(model, size);
+  EXPECT_EQ(countDoubles(mesh), 0U);
+  std::vector<Diagnostic> found;
+  const BoundaryResult boundary = closeBoundary(mesh, BoundarySource::kDrawnPatches, found);
+  EXPECT_TRUE(boundary.valid);
+  EXPECT_EQ(boundary.regionCount, 1U);
+  EXPECT_GT(tetrafront::enclosedVolume(mesh), 0.0);
+}
+
+TEST(SurfaceSharedStrips, SharpCornersCloseHoweverSharp) {
+  for (const PatchType type :
+       {PatchType::kBarnhillGregoryNielson, PatchType::kIsoparametricTriangle}) {
+    for (std::uint64_t seed = 0; seed < 30; ++seed) {
+      SCOPED_TRACE("type " + std::to_string(static_cast<int>(type)) + " seed " +
+                   std::to_string(seed));
+      Random random(seed);
+      const double degrees = seed < 5 ? 0.5 * (seed + 1.0) : random.between(3.0, 60.0);
+      const double low = seed % 3 == 0 ? 0.0 : -random.between(0.05, 0.4);
+      const Model model =
+          fin(type, random, degrees * std::numbers::pi / 180.0, low, random.between(0.05, 0.4));
+      expectOneBody(model, random.between(0.08, 0.6));
+    }
+  }
+}
+
+TEST(SurfaceSharedStrips, ThinLensesOfFewTrianglesAcrossClose) {
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Model model = lens(random, random.between(0.05, 0.4), -random.between(0.05, 0.3),
+                             random.between(0.05, 0.3));
+    expectOneBody(model, random.between(0.08, 0.6));
+  }
+}
+
+TEST(SurfaceSharedStrips, PillowOfTwoTrianglesCloses) {
+  for (const double size : {5.0, 1.0, 0.5}) {
+    SCOPED_TRACE(size);
+    expectOneBody(pillow(), size);
+  }
+}
+
+TEST(SurfaceSharedStrips, PatchesThatShareNoStripAreLeftAlone) {
+  // A tetrahedron of four triangles: every patch joins its three nodes, and no other has them all.
+  ModelBuilder builder;
+  const std::array<Vec3, 4> p{Vec3(0.0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
+  for (const std::array<std::size_t, 3>& face :
+       {std::array<std::size_t, 3>{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+    builder.patch(PatchType::kBarnhillGregoryNielson,
+                  {builder.polygon({p[face[0]], p[face[1]], p[face[2]]})});
+  EXPECT_EQ(triangleCount(meshOf(builder.model, 3.0)), 4U);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
