@@ -101,7 +101,7 @@ export function deleteSelection(app: App): void {
 /** Selects entities and moves the view to them. */
 export function showEntities(app: App, entities: readonly Entity[]): void {
   app.view.selectAll(entities);
-  app.shell.setState({ rightTab: "inspector", leftTab: "model" });
+  app.shell.setState({ rightTab: "inspector", leftTab: "model", drawer: null });
   app.viewer.getState().viewer?.fit(entities);
 }
 
@@ -110,6 +110,21 @@ export function showProblem(app: App, problem: Problem): void {
   if (problem.entities.length > 0) showEntities(app, problem.entities.slice(0, 1));
   if (problem.code === "outside-background-grid") app.view.setLayer("background", true);
   if (problem.place) app.viewer.getState().viewer?.fitPlace(problem.place);
+}
+
+/** Marks an element of the mesh on show and moves the view to it. */
+export function showElement(app: App, tetrahedron: number): void {
+  app.view.setLayer("mesh", true);
+  app.view.selectElement(tetrahedron);
+  app.shell.setState({ drawer: null });
+  app.viewer.getState().viewer?.fitMarked();
+}
+
+/** Marks triangles of the boundary that the last run has refused, and moves the view to them. */
+export function showTriangles(app: App, triangles: readonly number[]): void {
+  app.view.markTriangles(triangles);
+  app.shell.setState({ drawer: null });
+  app.viewer.getState().viewer?.fitMarked();
 }
 
 /** Adds to the project what an offer makes, and selects it; or tells why it cannot be. */

@@ -69,7 +69,7 @@ export async function createApp(still: boolean, model: string | null): Promise<A
   const view = new ViewStore();
   const problems = new ProblemList(documents, previews, run);
   run.state.subscribe((state, before) => {
-    if (state.mesh !== before.mesh && view.state.getState().element !== null) view.selectElement(null);
+    if (state.mesh !== before.mesh || state.outcome !== before.outcome) view.unmark();
     const failed =
       state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";
     if (failed) shell.setState({ bottomTab: "problems" });

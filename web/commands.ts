@@ -10,6 +10,8 @@ import type { StandardView } from "./viewer/camera";
 const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
 const hasSelection = (app: App): boolean => app.view.state.getState().selection.length > 0;
+const hasMarks = (app: App): boolean =>
+  viewState(app).element !== null || viewState(app).triangles.length > 0;
 const hasViewer = (app: App): boolean => app.viewer.getState().viewer !== null;
 const viewState = (app: App) => app.view.state.getState();
 const past = (app: App) => app.documents.state.getState().history.past;
@@ -79,7 +81,7 @@ const editMenu: readonly Command[] = [
   ),
   define("edit", 1)("deselect", "Clear selection", (app) => app.view.clear(), {
     keys: ["Escape"],
-    enabled: (app) => hasSelection(app) || viewState(app).element !== null,
+    enabled: (app) => hasSelection(app) || hasMarks(app),
   }),
 ];
 
@@ -119,14 +121,14 @@ const viewMenu: readonly Command[] = [
     "fit-selection",
     "Fit selection",
     (app) => {
-      const { selection, element } = viewState(app);
+      const { selection } = viewState(app);
       const { viewer } = app.viewer.getState();
-      if (element === null) viewer?.fit(selection);
-      else viewer?.fitElement(element);
+      if (!hasMarks(app)) viewer?.fit(selection);
+      else viewer?.fitMarked();
     },
     {
       keys: ["shift+F"],
-      enabled: (app) => hasViewer(app) && (hasSelection(app) || viewState(app).element !== null),
+      enabled: (app) => hasViewer(app) && (hasSelection(app) || hasMarks(app)),
     },
   ),
   ...standardViews.map(([view, name, key]) =>

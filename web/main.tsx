@@ -15,8 +15,10 @@ const still = query.get("test") === "1";
 const app = await createApp(still, query.get("model"));
 
 if (still) {
-  // For tests: where a point or background node, or the middle of a line or patch, is on the screen.
+  // For tests: where a place, a point or background node, or the middle of a line or patch, is on the screen.
   Object.assign(window, {
+    tetrafrontPlace: (place: readonly [number, number, number]) =>
+      app.viewer.getState().viewer?.toScreen(place) ?? null,
     tetrafrontProject: (kind: DrawnKind, id: number) => {
       const { viewer } = app.viewer.getState();
       const { project } = app.documents;

@@ -19,8 +19,10 @@ export interface Cut {
 export interface ViewState {
   readonly selection: readonly Entity[];
   readonly hover: Entity | null;
-  /** A tetrahedron picked on a cut, by its position in the mesh. */
+  /** A tetrahedron picked on a cut or in a list, by its position in the mesh. */
   readonly element: number | null;
+  /** Triangles of a faulty boundary picked in a list, by their position in the last run's surface. */
+  readonly triangles: readonly number[];
   /** Keys of the entities that are not drawn. */
   readonly hidden: ReadonlySet<string>;
   readonly layers: Readonly<Record<Layer, boolean>>;
@@ -31,10 +33,12 @@ export interface ViewState {
   readonly several: boolean;
 }
 
+const nothingMarked = { element: null, triangles: [] } as const;
+
 const initialView: ViewState = {
   selection: [],
   hover: null,
-  element: null,
+  ...nothingMarked,
   hidden: new Set(),
   layers: { points: true, lines: true, patches: true, background: false, sources: false, mesh: true },
   cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
@@ -58,18 +62,18 @@ export class ViewStore {
     }
     const others = selection.filter((selected) => !sameEntity(selected, entity));
     const wasSelected = others.length < selection.length;
-    if (mode === "replace") this.state.setState({ selection: [entity], element: null });
+    if (mode === "replace") this.state.setState({ selection: [entity], ...nothingMarked });
     else if (mode === "toggle" && wasSelected) this.state.setState({ selection: others });
-    else this.state.setState({ selection: [...others, entity], element: null });
+    else this.state.setState({ selection: [...others, entity], ...nothingMarked });
   }
 
   clear(): void {
-    this.state.setState({ selection: [], element: null });
+    this.state.setState({ selection: [], ...nothingMarked });
   }
 
   /** Selects these and nothing else. */
   selectAll(entities: readonly Entity[]): void {
-    this.state.setState({ selection: entities, element: null });
+    this.state.setState({ selection: entities, ...nothingMarked });
     for (const { kind } of entities) this.reveal(kind);
   }
 
@@ -80,7 +84,17 @@ export class ViewStore {
   }
 
   selectElement(element: number | null): void {
-    this.state.setState({ element, selection: [] });
+    this.state.setState({ ...nothingMarked, element, selection: [] });
+  }
+
+  /** The mesh or boundary that had the marked element or triangles is gone. */
+  unmark(): void {
+    const { element, triangles } = this.state.getState();
+    if (element !== null || triangles.length > 0) this.state.setState(nothingMarked);
+  }
+
+  markTriangles(triangles: readonly number[]): void {
+    this.state.setState({ ...nothingMarked, triangles, selection: [] });
   }
 
   setHover(hover: Entity | null): void {
@@ -128,7 +142,7 @@ export class ViewStore {
     this.state.setState({
       selection: [],
       hover: null,
-      element: null,
+      ...nothingMarked,
       hidden: new Set(),
       several: false,
     });

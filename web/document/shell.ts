@@ -5,7 +5,7 @@ export type DialogName = "help" | "new-point" | "new-node" | "cover" | "propose"
 /** Which tabs, drawers and dialogs are open; never undone, not kept over a reload. */
 export interface ShellState {
   readonly leftTab: "model" | "examples";
-  readonly rightTab: "inspector" | "display";
+  readonly rightTab: "inspector" | "quality" | "display";
   readonly bottomTab: "log" | "problems" | "patches";
   /** On small screens the panels are drawers. */
   readonly drawer: "left" | "right" | "bottom" | null;

@@ -1,9 +1,10 @@
-import { Button, SegmentedControl, Slider, Switch } from "@mantine/core";
+import { Button, SegmentedControl, Switch } from "@mantine/core";
 import { IconArrowsExchange } from "@tabler/icons-react";
-import type { CutAxis, Layer, Shading } from "../document/selection";
+import type { Layer, Shading } from "../document/selection";
 import { FieldRow, SectionTitle } from "../ui/field-row";
 import { measureNames, strings } from "../ui/strings";
 import { useApp, useView } from "./app-context";
+import { CutAxisControl, CutSlider } from "./cut-controls";
 
 const layers: readonly Layer[] = ["points", "lines", "patches", "background", "sources", "mesh"];
 const shadings: readonly { value: Shading; label: string }[] = [
@@ -73,43 +74,5 @@ export function DisplayPanel() {
         {strings.display.flip}
       </Button>
     </div>
-  );
-}
-
-const axes: readonly CutAxis[] = ["x", "y", "z"];
-
-export function CutAxisControl() {
-  const app = useApp();
-  const axis = useView((state) => state.cut.axis);
-  return (
-    <SegmentedControl
-      size="xs"
-      aria-label={strings.display.cutAxis}
-      data={[...axes]}
-      value={axis}
-      onChange={(value) => app.view.cutAcross(value)}
-    />
-  );
-}
-
-/** Steps of a slider that covers the whole model. */
-const sliderStep = 0.005;
-
-export function CutSlider() {
-  const app = useApp();
-  const { position, enabled } = useView((state) => state.cut);
-  return (
-    <Slider
-      className="tf-slider"
-      size="sm"
-      min={0}
-      max={1}
-      step={sliderStep}
-      label={null}
-      disabled={!enabled}
-      thumbLabel={strings.display.cutPosition}
-      value={position}
-      onChange={(value) => app.view.setCut({ position: value })}
-    />
   );
 }

@@ -16,7 +16,7 @@ import { ProblemCard } from "./problem-card";
 import { MakeOfSelection } from "./selection-card";
 
 /** One entity, to be edited. */
-export default function EntityCard({ entity }: { readonly entity: Entity }) {
+export function EntityCard({ entity }: { readonly entity: Entity }) {
   const app = useApp();
   const project = useProject();
   const problems = useProblems((state) => state.byEntity.get(entityKey(entity)));

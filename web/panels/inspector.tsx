@@ -1,5 +1,5 @@
 import { Text } from "@mantine/core";
-import { lazy, Suspense } from "react";
+import { Suspense } from "react";
 import { renameProject } from "../document/edits";
 import { findRecord } from "../document/entities";
 import { qualityOf } from "../document/mesh-quality";
@@ -9,10 +9,10 @@ import { NameField } from "../ui/name-field";
 import { measureNames, strings } from "../ui/strings";
 import { useApp, useProject, useRun, useView } from "./app-context";
 import { ElementSize } from "./element-size";
+import { EntityCard } from "./later";
+import { MeshSettings } from "./mesh-settings";
 import { QualityPanel } from "./quality-panel";
 import { SelectionCard } from "./selection-card";
-
-const EntityCard = lazy(() => import("./entity-card"));
 
 /** What is selected, to be edited; and the mesh's quality. */
 export function Inspector() {
@@ -67,6 +67,7 @@ function ProjectCard() {
         {strings.inspector.nothingSelected}
       </Text>
       <ElementSize />
+      <MeshSettings />
     </>
   );
 }

@@ -1,18 +1,19 @@
 import { ActionIcon, Splitter, Tabs, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
-import type { ReactNode } from "react";
+import { Suspense, type ReactNode } from "react";
 import { FramedDrawer } from "../ui/framed-drawer";
 import { strings } from "../ui/strings";
 import { useApp, useShell } from "./app-context";
 import { BottomPanel } from "./bottom-panel";
-import { DisplayPanel } from "./display-panel";
-import { GalleryPanel } from "./gallery";
 import { Header } from "./header";
 import { Inspector } from "./inspector";
+import { DisplayPanel, GalleryPanel, QualityReport } from "./later";
 import { ModelTree } from "./model-tree";
 import { StatusBar } from "./status-bar";
 import { useLayout, type Layout } from "./use-layout";
 import { ViewportPanel } from "./viewport-panel";
+
+const rightTabs = ["inspector", "quality", "display"] as const;
 
 /** The whole page: panels beside the view where there is room, in drawers where there is not. */
 export function PageLayout() {
@@ -129,7 +130,9 @@ function LeftPanel() {
         <ModelTree />
       </Tabs.Panel>
       <Tabs.Panel value="examples">
-        <GalleryPanel />
+        <Suspense fallback={null}>
+          <GalleryPanel />
+        </Suspense>
       </Tabs.Panel>
     </Tabs>
   );
@@ -143,17 +146,29 @@ function RightPanel() {
       className="tf-tabs"
       value={tab}
       keepMounted={false}
-      onChange={(value) => app.shell.setState({ rightTab: value === "display" ? "display" : "inspector" })}
+      onChange={(value) =>
+        app.shell.setState({ rightTab: rightTabs.find((tab) => tab === value) ?? "inspector" })
+      }
     >
       <Tabs.List>
         <Tabs.Tab value="inspector">{strings.inspector.title}</Tabs.Tab>
+        <Tabs.Tab value="quality" data-testid="tab-quality">
+          {strings.report.tab}
+        </Tabs.Tab>
         <Tabs.Tab value="display">{strings.inspector.display}</Tabs.Tab>
       </Tabs.List>
       <Tabs.Panel value="inspector">
         <Inspector />
       </Tabs.Panel>
+      <Tabs.Panel value="quality">
+        <Suspense fallback={null}>
+          <QualityReport />
+        </Suspense>
+      </Tabs.Panel>
       <Tabs.Panel value="display">
-        <DisplayPanel />
+        <Suspense fallback={null}>
+          <DisplayPanel />
+        </Suspense>
       </Tabs.Panel>
     </Tabs>
   );

@@ -1,4 +1,4 @@
-import { CopyButton, Text, UnstyledButton } from "@mantine/core";
+import { Button, CopyButton, Text, UnstyledButton } from "@mantine/core";
 import { useMemo } from "react";
 import { bestValue, placeOnScale, qualityHistogram, type QualityMeasure } from "../document/mesh-quality";
 import { SectionTitle } from "../ui/field-row";
@@ -6,10 +6,11 @@ import { formatAngle, formatCount, formatSeconds, formatShort } from "../ui/form
 import { HistogramChart } from "../ui/histogram-chart";
 import { measureNames, strings } from "../ui/strings";
 import { viridisAt } from "../ui/viridis";
-import { useRun, useStale, useView } from "./app-context";
+import { useApp, useRun, useStale, useView } from "./app-context";
 
 /** Bars of the histogram. */
 const barCount = 20;
+const axisShares = [0, 0.25, 0.5, 0.75, 1];
 
 function valueText(measure: QualityMeasure, value: number): string {
   return measure === "dihedral" ? formatAngle(value) : value.toFixed(3);
@@ -17,6 +18,7 @@ function valueText(measure: QualityMeasure, value: number): string {
 
 /** Statistics of the mesh on show, and how its elements are spread over the quality measure. */
 export function QualityPanel() {
+  const app = useApp();
   const mesh = useRun((state) => state.mesh);
   const shading = useView((state) => state.shading);
   const stale = useStale();
@@ -52,7 +54,9 @@ export function QualityPanel() {
           </Text>
           <HistogramChart
             bars={histogram.bars}
-            best={bestValue[measure]}
+            end={bestValue[measure]}
+            marks={axisShares.map((share) => share * bestValue[measure])}
+            testId="quality-histogram"
             label={strings.quality.histogram(measureNames[measure])}
             colorOf={(value) => viridisAt(placeOnScale(value, measure))}
             describe={(count, from, to) =>
@@ -88,6 +92,16 @@ export function QualityPanel() {
         <dd>{formatSeconds(report.seconds.total)}</dd>
         {measured && report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
       </dl>
+      {measured && (
+        <Button
+          size="compact-sm"
+          variant="default"
+          data-testid="all-figures"
+          onClick={() => app.shell.setState({ rightTab: "quality" })}
+        >
+          {strings.report.all}
+        </Button>
+      )}
     </section>
   );
 }

@@ -5,7 +5,7 @@ import { bestValue, worstShown } from "../document/mesh-quality";
 import { measureNames, strings } from "../ui/strings";
 import { viridis } from "../ui/viridis";
 import { useApp, useRun, useStale, useView } from "./app-context";
-import { CutAxisControl, CutSlider } from "./display-panel";
+import { CutAxisControl, CutSlider } from "./cut-controls";
 
 /** The cut, where the eye is: on or off, axis, position, side. */
 export function CutBar() {

@@ -28,11 +28,14 @@ function follow(app: App, viewer: Viewer): () => void {
     viewer.setMesh(run.state.getState().mesh);
     showStale();
   };
+  const showChecked = (): void =>
+    viewer.setCheckedSurface(run.state.getState().outcome?.result.surface ?? null);
   const showStale = (): void => viewer.setStale(isStale(run.state.getState(), documents.project));
   viewer.setView(view.state.getState());
   viewer.setProject(documents.project, true);
   viewer.setPreview(previews.state.getState().preview, previews.state.getState().project);
   showMesh();
+  showChecked();
   const stops = [
     documents.onProject((project) => {
       viewer.setProject(project, false);
@@ -43,6 +46,7 @@ function follow(app: App, viewer: Viewer): () => void {
     run.state.subscribe((state, before) => {
       if (state.mesh !== before.mesh) showMesh();
       else if (state.meshKey !== before.meshKey) showStale();
+      if (state.outcome !== before.outcome) showChecked();
     }),
   ];
   return () => stops.forEach((stop) => stop());

@@ -22,6 +22,10 @@ export function formatSeconds(seconds: number): string {
   return seconds < 10 ? `${seconds.toFixed(2)} s` : `${seconds.toFixed(1)} s`;
 }
 
+export function formatShare(share: number): string {
+  return `${(100 * share).toFixed(1)} %`;
+}
+
 export function formatAngle(degrees: number): string {
   return `${degrees.toFixed(1)}°`;
 }

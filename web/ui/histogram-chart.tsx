@@ -1,29 +1,34 @@
-import { formatShort } from "./format";
+import { formatCount, formatShort } from "./format";
 
 export interface HistogramChartProps {
   readonly bars: readonly number[];
-  /** The measure's best value, where the last bar ends; the first begins at 0. */
-  readonly best: number;
+  /** The value at which the last bar ends; the first begins at 0. */
+  readonly end: number;
+  /** Values written below the bars, ascending, the first 0 and the last `end`. */
+  readonly marks: readonly number[];
   readonly label: string;
   /** Colour of a bar, from the value in its middle. */
   readonly colorOf: (value: number) => string;
   readonly describe: (count: number, from: number, to: number) => string;
+  readonly testId: string;
 }
 
 const height = 84;
 /** A bar with anything in it is at least this high. */
 const leastHeight = 1.5;
-const axisMarks = [0, 0.25, 0.5, 0.75, 1];
 
 /** Bars in the colours of the view. Each carries its numbers for the mouse and for screen readers. */
-export function HistogramChart({ bars, best, label, colorOf, describe }: HistogramChartProps) {
+export function HistogramChart({ bars, end, marks, label, colorOf, describe, testId }: HistogramChartProps) {
   const highest = Math.max(1, ...bars);
   return (
-    <div className="tf-histogram" data-testid="quality-histogram">
+    <div className="tf-histogram" data-testid={testId}>
+      <span className="tf-histogram-top" aria-hidden>
+        {formatCount(highest)}
+      </span>
       <div className="tf-histogram-bars" role="list" aria-label={label} style={{ height }}>
         {bars.map((count, index) => {
-          const from = (index / bars.length) * best;
-          const to = ((index + 1) / bars.length) * best;
+          const from = (index / bars.length) * end;
+          const to = ((index + 1) / bars.length) * end;
           const text = describe(count, from, to);
           return (
             <div key={from} role="listitem" aria-label={text} title={text} data-testid={`bar-${index}`}>
@@ -38,8 +43,10 @@ export function HistogramChart({ bars, best, label, colorOf, describe }: Histogr
         })}
       </div>
       <div className="tf-histogram-axis" aria-hidden>
-        {axisMarks.map((mark) => (
-          <span key={mark}>{formatShort(Number((mark * best).toPrecision(2)))}</span>
+        {marks.map((mark) => (
+          <span key={mark} style={{ left: `${(100 * mark) / end}%` }}>
+            {formatShort(Number(mark.toPrecision(3)))}
+          </span>
         ))}
       </div>
     </div>

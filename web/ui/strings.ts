@@ -1,3 +1,4 @@
+import type { MeshReport } from "tetrafront";
 import type { DrawnKind } from "../document/entities";
 
 /** Every text of the app, in one place. The words are those of the method: point, line, patch, side … */
@@ -53,6 +54,36 @@ export const measureNames = {
 function problemTitle(code: string): string {
   const words = code.replaceAll("-", " ");
   return words.charAt(0).toUpperCase() + words.slice(1);
+}
+
+const counted = (count: number, one: string, many: string): string =>
+  count === 1 ? `1 ${one}` : `${count.toLocaleString("en-US")} ${many}`;
+
+/** What was done where the front did not close by itself; nothing of what was not needed. */
+export function recoverySteps({
+  relaxed,
+  starred,
+  reopened,
+  filled,
+  steinerPoints,
+}: MeshReport["recovery"]): readonly string[] {
+  const steps: readonly (readonly [count: number, step: string])[] = [
+    [
+      relaxed,
+      `Relaxed: ${counted(relaxed, "element was", "elements were")} accepted by a more lenient rule.`,
+    ],
+    [starred, `Starred: ${counted(starred, "pocket was", "pockets were")} filled from one point inside.`],
+    [
+      reopened,
+      `Reopened: ${counted(reopened, "pocket was", "pockets were")} filled after the elements around had been taken away.`,
+    ],
+    [filled, `Filled: ${counted(filled, "pocket was", "pockets were")} left to the exact fill.`],
+    [
+      steinerPoints,
+      `Steiner points: the exact fill added ${counted(steinerPoints, "point", "points")} inside.`,
+    ],
+  ];
+  return steps.flatMap(([count, step]) => (count > 0 ? [step] : []));
 }
 
 export const strings = {
@@ -154,6 +185,44 @@ export const strings = {
     bar: (count: string, from: string, to: string) => `${count} tetrahedra from ${from} to ${to}`,
     histogram: (measure: string) => `Histogram of the ${measure.toLowerCase()}`,
   },
+  report: {
+    tab: "Quality",
+    title: "Quality report",
+    notFinished: "The mesh is not finished: its elements have not been measured.",
+    verdicts: { passed: "Verified", failed: "Verification failed", none: "Not verified" },
+    verdictHints: {
+      passed:
+        "In exact arithmetic every element has positive volume, the elements fit together face to face, and the boundary is the given one.",
+      failed: "",
+      none: "A mesh is verified when it is finished.",
+    },
+    region: "Region",
+    allRegions: (tetrahedra: string) => `All regions: ${tetrahedra} tetrahedra`,
+    oneRegion: (region: number, tetrahedra: string) => `Region ${region}: ${tetrahedra} tetrahedra`,
+    dihedral: "Dihedral angles",
+    radiusRatio: "Radius ratio",
+    edge: "Edge length by wanted length",
+    angles: "angles",
+    tetrahedra: "tetrahedra",
+    edges: "edges",
+    max: "max",
+    bar: (count: string, noun: string, from: string, to: string) => `${count} ${noun} from ${from} to ${to}`,
+    nearWanted: (from: number, to: number) => `${from} to ${to}`,
+    volumeRatio: "Largest by smallest volume",
+    smallest: "Smallest volume",
+    missed: "Angles missed",
+    missedHint: "Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse",
+    limited: "Limited by the boundary",
+    limitedHint:
+      "Tetrahedra that miss their angles because they lie in a sharper edge of the boundary or on one of its needle triangles.",
+    limitedTitle: (count: string) => `Limited by the boundary: ${count}`,
+    worst: (count: number) => `Worst ${count}`,
+    columns: ["Place", "Min", "Max", "Ratio"],
+    show: (tetrahedron: string, place: string) => `Go to tetrahedron ${tetrahedron} at ${place}`,
+    recovery: "How the front closed",
+    noRecovery: "By its own rules; nothing had to be recovered.",
+    all: "All figures",
+  },
   patches: {
     tab: "Patches",
     title: "Patch triangulations",
@@ -240,6 +309,26 @@ export const strings = {
     noGrid: "There is no background grid yet.",
     gridCounts: (nodes: string, tetrahedra: string) =>
       `${nodes} nodes, ${tetrahedra} ${tetrahedra === "1" ? "tetrahedron" : "tetrahedra"}`,
+  },
+  meshing: {
+    title: "Mesh settings",
+    order: "Order",
+    orders: { layered: "Layered", "smallest-first": "Smallest first" },
+    orderHints: {
+      layered: "The front advances layer by layer: fastest.",
+      "smallest-first": "The smallest face of the front comes next, as in the paper.",
+    },
+    optimization: "Optimization",
+    optimizations: { none: "None", fast: "Fast", default: "Default", strive: "Strive" },
+    optimizationHints: {
+      none: "the elements stay as the front made them.",
+      fast: "swaps and moves, then repair of the worst.",
+      default: "splits and collapses too; angles between 30° and 135° where the boundary allows them.",
+      strive: "repair goes on towards angles between 35° and 130°.",
+    },
+    gradation: "Gradation",
+    gradationHint: "Most by which sizes grow from one element to the next; 0 takes them as they are.",
+    badGradation: "Must be 0, or above 1",
   },
   severities: { error: "Error", warning: "Warning" },
   bottom: {

@@ -1,4 +1,4 @@
-import type { MeshResult, Project, ProjectPreview } from "tetrafront";
+import type { Project, ProjectPreview } from "tetrafront";
 import type { Entity } from "../document/entities";
 import { findRecord, positionsById } from "../document/entities";
 import type { Place } from "./layers/layer";
@@ -99,11 +99,11 @@ export function entityBounds(entity: Entity, project: Project, preview: ProjectP
   return bounds;
 }
 
-export function elementBounds(mesh: MeshResult, tetrahedron: number): Bounds {
+/** Of places given as x y z in a row. */
+export function boundsOf(places: readonly number[]): Bounds {
   const bounds = new Bounds();
-  for (let i = 4 * tetrahedron; i < 4 * tetrahedron + 4; ++i) {
-    const node = mesh.volume.tetrahedra[i] ?? 0;
-    bounds.addAll(mesh.volume.points, node, node + 1);
+  for (let i = 0; i + 2 < places.length; i += 3) {
+    bounds.add(places[i] ?? 0, places[i + 1] ?? 0, places[i + 2] ?? 0);
   }
   return bounds;
 }

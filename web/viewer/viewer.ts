@@ -1,8 +1,8 @@
-import type { MeshResult, Project, ProjectPreview } from "tetrafront";
+import type { MeshResult, Project, ProjectPreview, SurfaceMesh } from "tetrafront";
 import { Scene, Timer, Vector2, Vector3, WebGLRenderer } from "three";
 import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
 import type { SelectMode, ViewState } from "../document/selection";
-import { Bounds, elementBounds, entityBounds, projectBounds, roomyBounds } from "./bounds";
+import { Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type StandardView } from "./camera";
 import type { ViewerColors } from "./colors";
 import { DotsLayer } from "./layers/dots-layer";
@@ -10,12 +10,14 @@ import { GridLayer } from "./layers/grid-layer";
 import { GroundLayer } from "./layers/ground-layer";
 import type { Place, SceneLayer } from "./layers/layer";
 import { LinesLayer } from "./layers/lines-layer";
+import { MarksLayer } from "./layers/marks-layer";
 import { MeshLayer } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
 import { SourcesLayer } from "./layers/sources-layer";
 import { PatchFinder } from "./patch-finder";
 import { Picker, type Pick } from "./picking";
 import { loadSearchTrees } from "./search-tree";
+import { elementCorners, triangleCorners } from "./marked-corners";
 import { watchPointer } from "./pointer";
 import type { ViewCube } from "./view-cube";
 
@@ -35,6 +37,9 @@ export interface ViewerOptions {
   readonly multisampling: boolean;
   readonly events: ViewerEvents;
 }
+
+/** What the view state points out of a mesh or of a boundary. */
+type Marked = { readonly [Key in "element" | "triangles"]: ViewState[Key] };
 
 const maxPixelRatio = 2;
 /** A point, or a tetrahedron, is shown with this much of the model around it. */
@@ -57,6 +62,7 @@ export class Viewer {
   #colors: ViewerColors;
   #disposed = false;
   readonly #mesh = new MeshLayer();
+  readonly #marks = new MarksLayer();
   readonly #patches = new PatchesLayer();
   readonly #lines = new LinesLayer();
   readonly #points = new DotsLayer("round", (colors) => colors.point);
@@ -78,6 +84,7 @@ export class Viewer {
   #preview: ProjectPreview | null = null;
   #previewProject: Project | null = null;
   #result: MeshResult | null = null;
+  #checked: SurfaceMesh | null = null;
   #patchFinder: PatchFinder | null = null;
   #state: ViewState | null = null;
 
@@ -152,6 +159,14 @@ export class Viewer {
     this.#patchFinder = null;
     this.#picker.forgetMesh();
     this.#updateMarkings();
+    this.#updateMarks();
+    this.#requestFrame();
+  }
+
+  /** The boundary that the last run has checked, of which triangles may be marked. */
+  setCheckedSurface(surface: SurfaceMesh | null): void {
+    this.#checked = surface;
+    this.#updateMarks();
     this.#requestFrame();
   }
 
@@ -174,7 +189,7 @@ export class Viewer {
       this.#mesh.setCut(state.cut);
       this.#picker.forgetMesh();
     }
-    if (state.element !== before?.element) this.#mesh.showElement(state.element);
+    if (state.element !== before?.element || state.triangles !== before.triangles) this.#updateMarks();
     const marked =
       state.selection !== before?.selection ||
       state.hover !== before.hover ||
@@ -200,9 +215,11 @@ export class Viewer {
     this.#fitBounds(target.empty ? whole : target, whole, animate);
   }
 
-  fitElement(tetrahedron: number): void {
-    if (!this.#project || !this.#result) return;
-    this.#fitBounds(elementBounds(this.#result, tetrahedron), roomyBounds(this.#project), true);
+  /** Moves to the element or the triangles that are marked. */
+  fitMarked(): void {
+    if (!this.#project || !this.#state) return;
+    const target = boundsOf(this.#markedCorners(this.#state));
+    if (!target.empty) this.#fitBounds(target, roomyBounds(this.#project), this.#options.motion);
   }
 
   fitPlace(place: Place): void {
@@ -261,7 +278,8 @@ export class Viewer {
   }
 
   get #layers(): readonly SceneLayer[] {
-    return [this.#ground, this.#patches, this.#mesh, this.#lines, this.#points, this.#grid, this.#sources];
+    const model = [this.#lines, this.#points, this.#grid, this.#sources];
+    return [this.#ground, this.#patches, this.#mesh, this.#marks, ...model];
   }
 
   async #loadCube(): Promise<void> {
@@ -290,6 +308,7 @@ export class Viewer {
     this.#lines.setPreview(this.#preview, this.#origin);
     this.#patches.setPreview(this.#preview, this.#origin);
     this.#mesh.setMesh(this.#result, this.#origin);
+    this.#updateMarks();
     this.#picker.forgetMesh();
     this.#ground.setExtent(bounds.radius, bounds.low[2] - bounds.centre[2] - bounds.radius * 0.04);
   }
@@ -339,6 +358,21 @@ export class Viewer {
     this.#patches.setOverMesh(state.layers.mesh && this.counts.tetrahedra > 0);
   }
 
+  #markedCorners({ element, triangles }: Marked): number[] {
+    if (element !== null) return this.#result ? elementCorners(this.#result.volume, element) : [];
+    return this.#checked ? triangleCorners(this.#checked, triangles) : [];
+  }
+
+  #updateMarks(): void {
+    if (this.#state) this.#marks.setTriangles(this.#markedCorners(this.#state), this.#origin);
+  }
+
+  #fitElement(element: number): void {
+    if (!this.#project) return;
+    const corners = this.#markedCorners({ element, triangles: [] });
+    this.#fitBounds(boundsOf(corners), roomyBounds(this.#project), this.#options.motion);
+  }
+
   #pick(at: Vector2): Pick | null {
     if (!this.#project || !this.#state) return null;
     return this.#picker.pick(at, this.#size, {
@@ -363,7 +397,7 @@ export class Viewer {
   #fitAt(at: Vector2): void {
     const pick = this.#pick(at);
     if (pick?.entity) this.fit([pick.entity]);
-    else if (pick?.element != null) this.fitElement(pick.element);
+    else if (pick?.element != null) this.#fitElement(pick.element);
     else this.fit(null);
   }
 

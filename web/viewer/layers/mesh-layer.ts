@@ -24,10 +24,8 @@ export class MeshLayer implements SceneLayer {
   readonly root = new Group();
   readonly #material = createMeshMaterial();
   readonly #frontMaterial = createFacetMaterial({ opacity: 1, depthWrite: true });
-  readonly #elementMaterial = createFacetMaterial({ opacity: 0.9, depthWrite: true, polygonOffset: -2 });
   readonly #mesh = new Mesh(new BufferGeometry(), this.#material);
   readonly #front = new Mesh(new BufferGeometry(), this.#frontMaterial);
-  readonly #element = new Mesh(new BufferGeometry(), this.#elementMaterial);
   #ramp: DataTexture | null = null;
   #volume: VolumeMesh | null = null;
   #neighbours: Int32Array = new Int32Array();
@@ -41,9 +39,8 @@ export class MeshLayer implements SceneLayer {
   readonly #extents = new Map<CutAxis, readonly [number, number]>();
 
   constructor() {
-    this.root.add(this.#mesh, this.#front, this.#element);
-    for (const mesh of [this.#mesh, this.#front, this.#element]) mesh.frustumCulled = false;
-    this.#element.renderOrder = 2;
+    this.root.add(this.#mesh, this.#front);
+    for (const mesh of [this.#mesh, this.#front]) mesh.frustumCulled = false;
   }
 
   setColors(colors: ViewerColors): void {
@@ -55,7 +52,6 @@ export class MeshLayer implements SceneLayer {
     setColor(this.#material, "edgeColor", colors.meshEdge);
     setColor(this.#material, "fadedColor", colors.faded);
     setColor(this.#frontMaterial, "color", colors.front);
-    setColor(this.#elementMaterial, "color", colors.selection);
   }
 
   /** Shows another mesh, or none. Finding the neighbours costs about 50 ms per 100 000 tetrahedra. */
@@ -67,7 +63,6 @@ export class MeshLayer implements SceneLayer {
     this.#neighbours = this.#volume ? findNeighbours(this.#volume.tetrahedra) : new Int32Array();
     // A sheet is drawn once per side, so every face may become visible.
     this.#faces = new Uint32Array(this.#neighbours.length);
-    this.showElement(null);
     this.#outdated = true;
     this.#showFront(result);
   }
@@ -118,19 +113,8 @@ export class MeshLayer implements SceneLayer {
     return { tetrahedron: face >> 2, nodes, onBoundary: (this.#neighbours[face] ?? -1) < 0 };
   }
 
-  /** Marks one tetrahedron, or none. */
-  showElement(tetrahedron: number | null): void {
-    const corners = new Float32Array(tetrahedron === null ? 0 : 36);
-    if (tetrahedron !== null && this.#volume) {
-      const faces = Uint32Array.from([0, 1, 2, 3], (f) => 4 * tetrahedron + f);
-      writeCorners(this.#volume, faces, 4, this.#origin, corners);
-    }
-    this.#element.geometry.dispose();
-    this.#element.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
-  }
-
   dispose(): void {
-    for (const mesh of [this.#mesh, this.#front, this.#element]) {
+    for (const mesh of [this.#mesh, this.#front]) {
       mesh.geometry.dispose();
       mesh.material.dispose();
     }

@@ -1,0 +1,99 @@
+import { expect, test } from "@playwright/test";
+import { readFile } from "node:fs/promises";
+import { readProject, type MeshReport } from "tetrafront";
+import { AppPage, nextFrame } from "./app-page";
+
+/** The report as the app would download it. */
+async function reportOf({ page }: AppPage): Promise<MeshReport> {
+  await page.getByTestId("download").click();
+  const [download] = await Promise.all([
+    page.waitForEvent("download"),
+    page.getByRole("menuitem", { name: /report/ }).click(),
+  ]);
+  return JSON.parse(await readFile(await download.path(), "utf8")) as MeshReport;
+}
+
+const sum = (counts: readonly number[]): number => counts.reduce((total, count) => total + count, 0);
+
+test("the report's figures are on show, of all regions and of each", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open("light", "core-in-a-shell");
+  const { quality, tetrahedra, recovery } = await reportOf(app);
+  await page.getByTestId("all-figures").click();
+  const panel = page.getByTestId("quality-report");
+  await expect(page.getByTestId("verdict")).toContainText("Verified");
+  await expect(panel.getByRole("heading", { name: "Worst 10" })).toBeVisible();
+  await expect(page.getByTestId("missed")).toHaveText(String(quality.missed));
+  await expect(page.getByTestId("limited")).toHaveText(String(quality.limitedByBoundary.count));
+  await expect(panel).toContainText(`${(100 * quality.edges.nearWanted).toFixed(1)} %`);
+  const rungs = Object.values(recovery).filter((count) => count > 0).length;
+  await expect(page.getByTestId("recovery").getByRole("listitem")).toHaveCount(rungs);
+
+  /** What the bars of a chart count, all together. */
+  const counted = async (chart: string): Promise<number> => {
+    const bars = await page.getByTestId(`chart-${chart}`).getByRole("listitem").all();
+    const labels = await Promise.all(bars.map((bar) => bar.getAttribute("aria-label")));
+    return sum(labels.map((label) => Number(label?.replaceAll(",", "").match(/^\d+/)?.[0])));
+  };
+  expect(await counted("radiusRatio")).toBe(tetrahedra);
+  expect(await counted("dihedral")).toBe(6 * tetrahedra);
+  const [, second] = quality.regions;
+  await page.getByTestId("quality-region").click();
+  await page.getByRole("option", { name: /^Region 2/ }).click();
+  expect(await counted("radiusRatio")).toBe(second?.tetrahedra);
+  expect(await counted("edge")).toBe(sum(second?.edge ?? []));
+});
+
+test("each of the worst elements is gone to and marked", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const { quality } = await reportOf(app);
+  await page.getByTestId("tab-quality").click();
+  const whole = await app.viewport.screenshot();
+  for (const index of [0, 9]) {
+    const row = page.getByTestId(`worst-${index}`);
+    const figures = quality.worst[index];
+    await expect(row).toHaveAccessibleName(new RegExp(`^Go to tetrahedron ${figures?.tetrahedron} at `));
+    const before = await app.viewport.screenshot();
+    await nextFrame(app.viewport, () => row.click());
+    await expect(row).toHaveAttribute("aria-pressed", "true");
+    await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+    const place = figures?.place ?? [NaN, NaN, NaN];
+    const box = await app.viewport.boundingBox();
+    const at = await page.evaluate((wanted) => {
+      return (window as unknown as { tetrafrontPlace: (place: unknown) => unknown }).tetrafrontPlace(wanted);
+    }, place);
+    // The camera has gone there: the element is in the middle of the view.
+    const { x, y } = at as { x: number; y: number };
+    expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.1 * (box?.width ?? 0));
+    expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.1 * (box?.height ?? 0));
+  }
+  await page.keyboard.press("Escape");
+  await page.keyboard.press("f");
+  await expect(page.getByTestId("worst-9")).toHaveAttribute("aria-pressed", "false");
+  await expect.poll(async () => (await app.viewport.screenshot()).equals(whole)).toBe(true);
+});
+
+test("the settings of the mesh are obeyed, undone, and kept in the file", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.openCube();
+  await page.getByTestId("mesh-settings").locator("summary").click();
+  await page.getByRole("radiogroup", { name: "Order" }).getByText("Smallest first").click();
+  await page.getByRole("radiogroup", { name: "Optimization" }).getByText("0").click();
+  await app.type("gradation", "0.5");
+  await expect(page.getByText("Must be 0, or above 1")).toBeVisible();
+  await app.type("gradation", "0");
+  await expect(app.viewport).toHaveAttribute("data-stale", "true");
+  const set = await app.generate();
+  expect(set.fingerprint).not.toBe(before.fingerprint);
+  expect((await reportOf(app)).seconds.optimize).toBeLessThan(0.01);
+  const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+  const read = readProject(await readFile(await download.path(), "utf8"));
+  expect(read.success && read.value.meshing).toEqual({
+    gradation: 0,
+    order: "smallest-first",
+    optimization: "none",
+  });
+  for (let i = 0; i < 3; ++i) await page.getByTestId("undo").click();
+  expect(await app.meshed()).toEqual(before);
+});

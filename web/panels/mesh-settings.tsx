@@ -1,0 +1,86 @@
+import { SegmentedControl, Text } from "@mantine/core";
+import type { ProjectMeshing } from "tetrafront";
+import { setMeshing } from "../document/edits";
+import { FieldRow } from "../ui/field-row";
+import { NumberField } from "../ui/number-field";
+import { strings } from "../ui/strings";
+import { useApp, useProject } from "./app-context";
+
+const texts = strings.meshing;
+
+type Order = NonNullable<ProjectMeshing["order"]>;
+type Optimization = NonNullable<ProjectMeshing["optimization"]>;
+
+/** What holds where the project does not say. */
+const defaults = { gradation: 1.3, order: "layered", optimization: "default" } as const;
+
+const orders: readonly Order[] = ["layered", "smallest-first"];
+/** By effort: levels 0 to 3. */
+const optimizations: readonly Optimization[] = ["none", "fast", "default", "strive"];
+
+const refuseGradation = (value: number): string | null =>
+  value === 0 || value > 1 ? null : texts.badGradation;
+
+/** How the mesh is made, apart from its sizes. Kept in the project file. */
+export function MeshSettings() {
+  const app = useApp();
+  const { meshing } = useProject();
+  const order: Order = meshing?.order ?? defaults.order;
+  const optimization: Optimization = meshing?.optimization ?? defaults.optimization;
+  const gradation = meshing?.gradation ?? defaults.gradation;
+  // What is as it would be anyway is left out of the file.
+  const set = <Field extends keyof typeof defaults>(
+    field: Field,
+    value: NonNullable<ProjectMeshing[Field]>,
+  ): void => app.documents.edit(setMeshing(field, value === defaults[field] ? null : value));
+  return (
+    <details className="tf-details" data-testid="mesh-settings">
+      <summary>
+        {texts.title}
+        <span>{[texts.orders[order], texts.optimizations[optimization]].join(", ").toLowerCase()}</span>
+      </summary>
+      <FieldRow label={texts.order}>
+        <SegmentedControl<Order>
+          size="xs"
+          fullWidth
+          aria-label={texts.order}
+          data={orders.map((value) => ({ value, label: texts.orders[value] }))}
+          value={order}
+          onChange={(value) => set("order", value)}
+        />
+      </FieldRow>
+      <Text size="xs" c="dimmed" mb={6}>
+        {texts.orderHints[order]}
+      </Text>
+      <FieldRow label={texts.optimization}>
+        <SegmentedControl<Optimization>
+          size="xs"
+          fullWidth
+          aria-label={texts.optimization}
+          data={optimizations.map((value, level) => ({
+            value,
+            label: <span title={texts.optimizations[value]}>{level}</span>,
+          }))}
+          value={optimization}
+          onChange={(value) => set("optimization", value)}
+        />
+      </FieldRow>
+      <Text size="xs" c="dimmed" mb={6}>
+        {texts.optimizations[optimization]}: {texts.optimizationHints[optimization]}
+      </Text>
+      <FieldRow label={texts.gradation}>
+        <NumberField
+          label={texts.gradation}
+          value={gradation}
+          step={0.05}
+          refuse={refuseGradation}
+          testId="gradation"
+          onCommit={(value) => set("gradation", value)}
+        />
+      </FieldRow>
+      <Text size="xs" c="dimmed" mb={6}>
+        {texts.gradationHint}
+      </Text>
+    </details>
+  );
+}
