@@ -199,6 +199,23 @@ export class ByteReader {
     this.#line++;
   }
 
+  /** Moves behind the next place where the file says `text`, and the rest of that line. */
+  async skipPast(text: string): Promise<void> {
+    const wanted = new TextEncoder().encode(text);
+    for (;;) {
+      await this.fill();
+      const found = indexOf(this.#bytes, wanted, this.#at);
+      if (found >= 0) {
+        this.#at = found + wanted.length;
+        this.skipLine();
+        return;
+      }
+      // The begin of the text may stand at the window's end.
+      this.#at = Math.max(this.#at, this.#bytes.length - wanted.length + 1);
+      if (this.#isWhole) this.fail(`the file ends where "${text}" should be`);
+    }
+  }
+
   /** A whole number of 1, 2, 4 or 8 bytes; the last is exact up to 2^53 only. */
   integer(bytes: 1 | 2 | 4 | 8, isSigned: boolean): number {
     const at = this.#advance(bytes);
@@ -298,6 +315,14 @@ export class ByteReader {
     const text = String.fromCharCode(...this.#bytes.subarray(this.#at, Math.min(end, this.#at + SHOWN)));
     return end - this.#at > SHOWN ? `${text}…` : text;
   }
+}
+
+function indexOf(bytes: Uint8Array, wanted: Uint8Array, from: number): number {
+  const first = wanted[0] ?? 0;
+  for (let at = bytes.indexOf(first, from); at >= 0; at = bytes.indexOf(first, at + 1)) {
+    if (wanted.every((byte, i) => bytes[at + i] === byte)) return at;
+  }
+  return -1;
 }
 
 function concatenated(parts: readonly Uint8Array[], length: number): Uint8Array<ArrayBuffer> {

@@ -2,12 +2,8 @@
  * The file formats, one row each: the only place where a format is registered. Command line, app and
  * documents take names and extensions from here; the code of a format is fetched when it is first needed.
  */
-import { allBytes } from "./byte-source.js";
-import type { ReadResult } from "../read-result.js";
-import { ReadFailure } from "../read-result.js";
-import type { Contents, FileFormat, MeshReader, MeshWriter } from "./file-format.js";
-import { plainSurface, type FileMesh } from "./file-mesh.js";
-import type { VolumeFile } from "./volume-file.js";
+import type { Contents, FileFormat, MeshWriter } from "./file-format.js";
+import type { FileMesh } from "./file-mesh.js";
 
 export const FILE_FORMATS: readonly FileFormat[] = [
   {
@@ -46,21 +42,29 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "vtu",
     name: "VTU",
     extensions: [".vtu"],
-    reads: ["volume"],
+    reads: ["surface", "volume"],
     writes: ["volume"],
     load: async () => ({
-      read: fromVolumeReader((await import("./vtu-reader.js")).readVtu),
+      read: (await import("./vtk-xml-reader.js")).readVtkXml,
       write: one((await import("./vtu.js")).writeVtu),
     }),
+  },
+  {
+    id: "vtp",
+    name: "VTP",
+    extensions: [".vtp"],
+    reads: ["surface"],
+    writes: [],
+    load: async () => ({ read: (await import("./vtk-xml-reader.js")).readVtkXml }),
   },
   {
     id: "gmsh",
     name: "Gmsh 4.1",
     extensions: [".msh"],
-    reads: ["volume"],
+    reads: ["surface", "volume"],
     writes: ["volume"],
     load: async () => ({
-      read: fromVolumeReader((await import("./msh-reader.js")).readMsh),
+      read: (await import("./msh-reader.js")).readMsh,
       write: one((await import("./msh.js")).writeMsh),
     }),
   },
@@ -68,17 +72,39 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "vtk",
     name: "legacy VTK",
     extensions: [".vtk"],
-    reads: [],
+    reads: ["surface", "volume"],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./vtk.js")).writeVtk) }),
+    load: async () => ({
+      read: (await import("./vtk-reader.js")).readVtk,
+      write: one((await import("./vtk.js")).writeVtk),
+    }),
   },
   {
     id: "medit",
     name: "Medit",
     extensions: [".mesh"],
-    reads: [],
+    reads: ["surface", "volume"],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./medit.js")).writeMedit) }),
+    load: async () => ({
+      read: (await import("./medit-reader.js")).readMedit,
+      write: one((await import("./medit.js")).writeMedit),
+    }),
+  },
+  {
+    id: "tetgen",
+    name: "TetGen",
+    extensions: [".node", ".ele"],
+    reads: ["volume"],
+    writes: [],
+    load: async () => ({ read: (await import("./tetgen-reader.js")).readTetgen }),
+  },
+  {
+    id: "tetgen-surface",
+    name: "TetGen surface",
+    extensions: [".smesh", ".poly", ".face"],
+    reads: ["surface"],
+    writes: [],
+    load: async () => ({ read: (await import("./tetgen-reader.js")).readTetgen }),
   },
   {
     id: "su2",
@@ -110,26 +136,6 @@ export function extensionsThat(can: "reads" | "writes", contents: Contents): rea
   return FILE_FORMATS.filter((format) => format[can].includes(contents)).flatMap(
     ({ extensions }) => extensions,
   );
-}
-
-function fromVolumeReader(
-  readBytes: (bytes: Uint8Array) => ReadResult<VolumeFile> | Promise<ReadResult<VolumeFile>>,
-): MeshReader {
-  return async (source) => {
-    const { points, tetrahedra, nodeData } = valueOf(await readBytes(await allBytes(source)));
-    return {
-      ...plainSurface({ points, triangles: new Uint32Array() }),
-      tetrahedra,
-      tetrahedronRegion: new Uint32Array(tetrahedra.length / 4),
-      regions: [{ name: "region 1", tag: 1 }],
-      nodeData,
-    };
-  };
-}
-
-function valueOf<T>(read: ReadResult<T>): T {
-  if (read.success) return read.value;
-  throw new ReadFailure(read.problems[0]);
 }
 
 /** For formats of one file. */

@@ -1,6 +1,6 @@
 /** A mesh as files hold it: what every reader makes and every writer takes. */
 import type { Project } from "../project-schema.js";
-import type { MeshResult, SurfaceInput } from "../types.js";
+import type { MeshResult } from "../types.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, a region with its material. */
 export interface FileGroup {
@@ -86,18 +86,4 @@ export function numbered(word: string, count: number, names: readonly string[] =
 /** The number of groups among which these positions point. */
 export function countOf(positions: Uint32Array): number {
   return positions.reduce((most, position) => Math.max(most, position + 1), 0);
-}
-
-/** Triangles of one patch. */
-export function plainSurface({ points, triangles }: SurfaceInput): FileMesh {
-  return {
-    points,
-    triangles,
-    trianglePatch: new Uint32Array(triangles.length / 3),
-    patches: [{ name: "surface", tag: 1 }],
-    tetrahedra: new Uint32Array(),
-    tetrahedronRegion: new Uint32Array(),
-    regions: [],
-    nodeData: new Map(),
-  };
 }

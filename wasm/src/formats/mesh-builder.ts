@@ -99,12 +99,22 @@ export class MeshBuilder {
     return true;
   }
 
+  /** Turned so that (b-a)×(c-a)·(d-a) is not below 0; formats differ in that. All nodes must be there. */
   addTetrahedron(a: number, b: number, c: number, d: number, region: number): void {
-    this.#tetrahedra.push(a);
-    this.#tetrahedra.push(b);
+    const isTurned = this.#sixfoldVolume(a, b, c, d) < 0;
+    this.#tetrahedra.push(isTurned ? b : a);
+    this.#tetrahedra.push(isTurned ? a : b);
     this.#tetrahedra.push(c);
     this.#tetrahedra.push(d);
     this.#tetrahedronRegion.push(region);
+  }
+
+  #sixfoldVolume(a: number, b: number, c: number, d: number): number {
+    const points = this.#points;
+    const [ux, uy, uz] = differenceOf(points, a, b);
+    const [vx, vy, vz] = differenceOf(points, a, c);
+    const [wx, wy, wz] = differenceOf(points, a, d);
+    return (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
   }
 
   /** Everything collected; the builder is empty afterwards. Names by tag where the file has them. */
@@ -126,4 +136,9 @@ export class MeshBuilder {
       nodeData: this.nodeData,
     };
   }
+}
+
+function differenceOf(points: Column<Float64Array>, from: number, to: number): [number, number, number] {
+  const at = (node: number, axis: number) => points.at(3 * node + axis);
+  return [at(to, 0) - at(from, 0), at(to, 1) - at(from, 1), at(to, 2) - at(from, 2)];
 }

@@ -1,239 +1,307 @@
 /**
- * Reads the tetrahedra of Gmsh's MSH files, versions 4.1 and 2.2, binary and text: those this package
- * writes, Gmsh's own and meshio's. Points, lines and triangles are passed over, as are all sections
- * but nodes, elements and the numbers at nodes.
+ * Reads Gmsh's MSH files, versions 4.1 and 2.2, binary and text: those this package writes, Gmsh's own and
+ * meshio's. Triangles and quadrilaterals go to patches, tetrahedra to regions, by their physical group or,
+ * without one, their entity; numbers at nodes are kept. Points, lines and other sections are passed over.
  */
-import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
-import { ByteCursor } from "./byte-cursor.js";
-import type { NodeData } from "./file-mesh.js";
-import { volumeFile, type VolumeFile } from "./volume-file.js";
+import { ReadFailure } from "../read-result.js";
+import { ByteReader } from "./byte-reader.js";
+import type { ByteSource } from "./byte-source.js";
+import type { FileMesh } from "./file-mesh.js";
+import { MeshBuilder, type GroupList } from "./mesh-builder.js";
+import { NodeTags } from "./node-tags.js";
 
-const REMEDY = "Save the mesh again as MSH 4.1 or 2.2, or as .vtu.";
+const REMEDY = "Save the mesh again as MSH 4.1 or 2.2 with linear triangles and tetrahedra, or as .vtu.";
+const TRIANGLE = 2;
+const QUADRILATERAL = 3;
 const TETRAHEDRON = 4;
-/** Nodes per element of Gmsh's types without volume: points, lines, triangles, quadrilaterals. */
-const FLAT_TYPES: ReadonlyMap<number, number> = new Map([
+/** Nodes per element of the types that can be read; points and lines are passed over. */
+const WIDTHS: ReadonlyMap<number, number> = new Map([
   [1, 2],
-  [2, 3],
-  [3, 4],
+  [TRIANGLE, 3],
+  [QUADRILATERAL, 4],
+  [TETRAHEDRON, 4],
   [8, 3],
-  [9, 6],
-  [10, 9],
   [15, 1],
-  [16, 8],
 ]);
 /** No node has more numbers: a tensor has nine. */
 const MAX_COMPONENTS = 9;
 
-/** What a file is written in: one function per kind of number. */
-interface Numbers {
-  readonly int: () => number;
-  readonly size: () => number;
-  readonly double: () => number;
-}
-
-interface Parts {
-  /** Position of each node by its tag. */
-  readonly nodes: Map<number, number>;
-  readonly points: number[];
-  readonly corners: number[];
-  readonly data: Map<string, NodeData>;
-}
-
-export function readMsh(bytes: Uint8Array): ReadResult<VolumeFile> {
-  return readSafely(() => {
-    const reader = new MshReader(bytes);
-    const { points, corners, data } = reader.read();
-    return volumeFile(Float64Array.from(points), corners, data, REMEDY);
-  });
+export function readMsh(source: ByteSource): Promise<FileMesh> {
+  return ByteReader.over(source, { remedy: REMEDY }, (reader) => new MshReader(reader).read());
 }
 
 class MshReader {
-  readonly #cursor: ByteCursor;
-  readonly #parts: Parts = { nodes: new Map(), points: [], corners: [], data: new Map() };
+  readonly #reader: ByteReader;
+  readonly #builder = new MeshBuilder();
+  readonly #nodes = new NodeTags();
+  /** Names of physical groups by tag, of surfaces and of volumes. */
+  readonly #names = { patches: new Map<number, string>(), regions: new Map<number, string>() };
+  /** Physical tag of an entity, by "dimension tag". */
+  readonly #physical = new Map<string, number>();
   #isBinary = false;
   #hasBlocks = true;
-  #numbers: Numbers;
 
-  constructor(bytes: Uint8Array) {
-    this.#cursor = new ByteCursor(bytes, REMEDY);
-    const number = () => this.#cursor.number();
-    this.#numbers = { int: number, size: number, double: number };
+  constructor(reader: ByteReader) {
+    this.#reader = reader;
   }
 
-  read(): Parts {
-    this.#readFormat();
-    while (this.#cursor.left > 0) {
-      const section = this.#cursor.word();
-      if (section === "") break;
-      this.#readSection(section);
+  async read(): Promise<FileMesh> {
+    await this.#readFormat();
+    for (;;) {
+      await this.#reader.fill();
+      const section = this.#reader.word();
+      if (section === "") return this.#builder.mesh(this.#names);
+      await this.#readSection(section);
+      await this.#reader.skipPast(`$End${section.slice(1)}`);
     }
-    return this.#parts;
   }
 
-  #readFormat(): void {
-    const cursor = this.#cursor;
-    if (cursor.line().trim() !== "$MeshFormat") {
+  async #readFormat(): Promise<void> {
+    const reader = this.#reader;
+    if (reader.line() !== "$MeshFormat") {
       throw new ReadFailure({ message: 'the file does not begin with "$MeshFormat"', remedy: REMEDY });
     }
-    const [version, kind, size] = cursor.line().trim().split(/\s+/);
+    const [version, kind, size] = reader.line().split(/\s+/);
     if ((version !== "4.1" && version !== "2.2") || size !== "8") {
-      cursor.fail(`the format is "${version} ${kind} ${size}", versions 4.1 and 2.2 of size 8 can be read`);
+      reader.fail(`the format is "${version} ${kind} ${size}", versions 4.1 and 2.2 of size 8 can be read`);
     }
     this.#hasBlocks = version === "4.1";
     this.#isBinary = kind === "1";
-    if (this.#isBinary) {
-      // The number 1, in the byte order of all that follow.
-      cursor.isLittleEndian = cursor.int32() === 1;
-      const int = () => cursor.int32();
-      this.#numbers = {
-        int,
-        size: this.#hasBlocks ? () => cursor.uint64() : int,
-        double: () => cursor.float64(),
-      };
-    }
-    this.#endSection("$MeshFormat");
+    // The number 1, in the byte order of all that follow.
+    if (this.#isBinary) reader.isLittleEndian = reader.integer(4, true) === 1;
+    await reader.skipPast("$EndMeshFormat");
   }
 
-  #endSection(section: string): void {
-    // One byte back, so that the end may follow binary numbers or a line's end.
-    this.#cursor.position--;
-    this.#cursor.skipPast(`$End${section.slice(1)}`);
-  }
-
-  #readSection(section: string): void {
+  async #readSection(section: string): Promise<void> {
     switch (section) {
+      case "$PhysicalNames":
+        return this.#readNames();
+      case "$Entities":
+        if (this.#hasBlocks) await this.#readEntities();
+        return;
       case "$Nodes":
-        this.#cursor.line();
-        if (this.#hasBlocks) this.#readNodeBlocks();
-        else this.#readNodeList();
-        break;
+        this.#reader.endLine();
+        return this.#hasBlocks ? this.#readNodeBlocks() : this.#readNodeList();
       case "$Elements":
-        this.#cursor.line();
-        if (this.#hasBlocks) this.#readElementBlocks();
-        else if (this.#isBinary) this.#readElementRuns();
-        else this.#readElementList();
-        break;
+        this.#reader.endLine();
+        if (this.#hasBlocks) return this.#readElementBlocks();
+        return this.#isBinary ? this.#readElementRuns() : this.#readElementList();
       case "$NodeData":
-        this.#readNodeData();
-        break;
+        return this.#readNodeData();
       default:
-        if (!section.startsWith("$")) this.#cursor.fail(`"${section.slice(0, 24)}" is not a section`);
-    }
-    this.#endSection(section);
-  }
-
-  #addNode(tag: number): void {
-    this.#parts.nodes.set(tag, this.#parts.points.length / 3);
-    for (let axis = 0; axis < 3; axis++) {
-      const value = this.#numbers.double();
-      this.#parts.points.push(
-        Number.isFinite(value) ? value : this.#cursor.fail(`node ${tag} has no finite place`),
-      );
+        if (!section.startsWith("$")) this.#reader.fail(`"${section.slice(0, 24)}" is not a section`);
     }
   }
 
-  #readNodeBlocks(): void {
-    const { int, size, double } = this.#numbers;
-    const blocks = this.#cursor.count(size(), 4, "blocks of nodes");
-    for (let i = 0; i < 3; i++) size();
-    for (let b = 0; b < blocks; b++) {
-      const dimension = int();
-      int();
-      const extra = int() === 0 ? 0 : dimension;
-      const count = this.#cursor.count(size(), 4, "nodes");
-      const tags = Array.from({ length: count }, () => size());
-      for (const tag of tags) {
-        this.#addNode(tag);
-        for (let i = 0; i < extra; i++) double();
+  #int(): number {
+    return this.#isBinary ? this.#reader.integer(4, true) : this.#reader.number("a number");
+  }
+
+  /** Of 8 bytes in version 4.1. */
+  #size(): number {
+    if (!this.#isBinary) return this.#reader.number("a number");
+    return this.#hasBlocks ? this.#reader.integer(8, false) : this.#reader.integer(4, true);
+  }
+
+  #double(): number {
+    return this.#isBinary ? this.#reader.float(8) : this.#reader.number("a coordinate");
+  }
+
+  #count(value: number, what: string): number {
+    return this.#reader.count(value, what);
+  }
+
+  async #readNames(): Promise<void> {
+    const reader = this.#reader;
+    const count = this.#count(reader.number("the number of names"), "names");
+    reader.endLine();
+    for (let i = 0; i < count; i++) {
+      await reader.fill();
+      const [, dimension, tag, name] = /^(\d+)\s+(\d+)\s+"(.*)"$/.exec(reader.line()) ?? [];
+      if (name === undefined) reader.fail("a physical name is not written as dimension, tag and name");
+      if (dimension === "2") this.#names.patches.set(Number(tag), name ?? "");
+      if (dimension === "3") this.#names.regions.set(Number(tag), name ?? "");
+    }
+  }
+
+  async #readEntities(): Promise<void> {
+    this.#reader.endLine();
+    const counts = [0, 1, 2, 3].map(() => this.#count(this.#size(), "entities"));
+    for (const [dimension, count] of counts.entries()) {
+      for (let i = 0; i < count; i++) {
+        await this.#reader.fill();
+        const tag = this.#int();
+        for (let c = 0; c < (dimension === 0 ? 3 : 6); c++) this.#double();
+        const groups = this.#count(this.#size(), "physical groups");
+        for (let g = 0; g < groups; g++) {
+          if (this.#reader.isLow) await this.#reader.fill();
+          const group = this.#int();
+          if (g === 0) this.#physical.set(`${dimension} ${tag}`, group);
+        }
+        const around = dimension === 0 ? 0 : this.#count(this.#size(), "bounding entities");
+        for (let b = 0; b < around; b++) {
+          if (this.#reader.isLow) await this.#reader.fill();
+          this.#int();
+        }
       }
     }
   }
 
-  #readNodeList(): void {
-    const count = this.#cursor.count(Number(this.#cursor.line()), 4, "nodes");
-    for (let i = 0; i < count; i++) this.#addNode(this.#numbers.int());
-  }
-
-  /** The next `count` numbers are tags of the nodes of an element. */
-  #readCorners(type: number, read: () => number): void {
-    if (type === TETRAHEDRON) {
-      for (let i = 0; i < 4; i++) this.#parts.corners.push(this.#parts.nodes.get(read()) ?? -1);
-      return;
+  #addNode(tag: number): void {
+    this.#nodes.add(tag);
+    const [x, y, z] = [this.#double(), this.#double(), this.#double()];
+    if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
+      this.#reader.fail(`node ${tag} has no finite place`);
     }
-    const width = this.#flatWidth(type);
-    for (let i = 0; i < width; i++) read();
+    this.#builder.addPoint(x, y, z);
   }
 
-  #flatWidth(type: number): number {
+  async #readNodeBlocks(): Promise<void> {
+    const blocks = this.#count(this.#size(), "blocks of nodes");
+    for (let i = 0; i < 3; i++) this.#size();
+    for (let b = 0; b < blocks; b++) {
+      await this.#reader.fill();
+      const dimension = this.#int();
+      this.#int();
+      const extra = this.#int() === 0 ? 0 : Math.min(dimension, 3);
+      const count = this.#count(this.#size(), "nodes");
+      const tags: number[] = [];
+      for (let i = 0; i < count; i++) {
+        if (this.#reader.isLow) await this.#reader.fill();
+        tags.push(this.#size());
+      }
+      for (const tag of tags) {
+        if (this.#reader.isLow) await this.#reader.fill();
+        this.#addNode(tag);
+        for (let i = 0; i < extra; i++) this.#double();
+      }
+    }
+  }
+
+  async #readNodeList(): Promise<void> {
+    const count = this.#count(Number(this.#reader.line()), "nodes");
+    for (let i = 0; i < count; i++) {
+      if (this.#reader.isLow) await this.#reader.fill();
+      this.#addNode(this.#int());
+    }
+  }
+
+  /** The next numbers are tags of the nodes of an element. */
+  #readElement(type: number, group: (groups: GroupList) => number): void {
+    const corners = Array.from({ length: this.#width(type) }, () => this.#size());
+    if (type !== TRIANGLE && type !== QUADRILATERAL && type !== TETRAHEDRON) return;
+    const nodes = corners.map(
+      (tag) =>
+        this.#nodes.positionOf(tag) ?? this.#reader.fail(`an element has a corner that is no node: ${tag}`),
+    );
+    if (type === TETRAHEDRON) {
+      const [a = 0, b = 0, c = 0, d = 0] = nodes;
+      this.#builder.addTetrahedron(a, b, c, d, group(this.#builder.regions));
+    } else if (!this.#builder.addPolygon(nodes, group(this.#builder.patches))) {
+      this.#reader.fail("a quadrilateral is not convex and cannot be cut into triangles safely");
+    }
+  }
+
+  #width(type: number): number {
     return (
-      FLAT_TYPES.get(type) ??
-      this.#cursor.fail(`elements of type ${type} cannot be read, only tetrahedra of four nodes`)
+      WIDTHS.get(type) ??
+      this.#reader.fail(`elements of type ${type} cannot be read, only linear triangles and tetrahedra`)
     );
   }
 
-  #readElementBlocks(): void {
-    const { int, size } = this.#numbers;
-    const blocks = this.#cursor.count(size(), 4, "blocks of elements");
-    for (let i = 0; i < 3; i++) size();
+  /** By its physical group where it has one, else by its entity. */
+  #groupOf(physical: number, entity: number): (groups: GroupList) => number {
+    return (groups) =>
+      physical > 0
+        ? groups.tagged(physical)
+        : groups.of(`entity ${entity}`, () => ({ name: `entity ${entity}`, tag: entity }));
+  }
+
+  async #readElementBlocks(): Promise<void> {
+    const blocks = this.#count(this.#size(), "blocks of elements");
+    for (let i = 0; i < 3; i++) this.#size();
     for (let b = 0; b < blocks; b++) {
-      int();
-      int();
-      const type = int();
-      const count = this.#cursor.count(size(), 4, "elements");
+      await this.#reader.fill();
+      const dimension = this.#int();
+      const entity = this.#int();
+      const type = this.#int();
+      const count = this.#count(this.#size(), "elements");
+      const group = this.#groupOf(this.#physical.get(`${dimension} ${entity}`) ?? 0, entity);
       for (let e = 0; e < count; e++) {
-        size();
-        this.#readCorners(type, size);
+        if (this.#reader.isLow) await this.#reader.fill();
+        this.#size();
+        this.#readElement(type, group);
       }
     }
   }
 
   /** Version 2.2, binary: runs of elements of one type. */
-  #readElementRuns(): void {
-    const { int } = this.#numbers;
-    const total = this.#cursor.count(Number(this.#cursor.line()), 4, "elements");
+  async #readElementRuns(): Promise<void> {
+    const total = this.#count(Number(this.#reader.line()), "elements");
     for (let read = 0; read < total;) {
-      const type = int();
-      const count = this.#cursor.count(int(), 4, "elements");
-      const tags = this.#cursor.count(int(), 4, "tags");
+      const type = this.#int();
+      const count = this.#count(this.#int(), "elements");
+      const tagCount = this.#count(this.#int(), "tags");
       for (let e = 0; e < count; e++) {
-        for (let i = 0; i <= tags; i++) int();
-        this.#readCorners(type, int);
+        if (this.#reader.isLow) await this.#reader.fill();
+        this.#int();
+        this.#readElement(type, await this.#readTags(tagCount));
       }
       read += Math.max(count, 1);
+      if (this.#reader.isLow) await this.#reader.fill();
     }
   }
 
-  #readElementList(): void {
-    const total = this.#cursor.count(Number(this.#cursor.line()), 4, "elements");
+  async #readElementList(): Promise<void> {
+    const total = this.#count(Number(this.#reader.line()), "elements");
     for (let e = 0; e < total; e++) {
-      const [, type = NaN, tags = NaN, ...rest] = this.#cursor.line().trim().split(/\s+/).map(Number);
-      const corners = rest.slice(tags).values();
-      this.#readCorners(type, () => corners.next().value ?? -1);
+      if (this.#reader.isLow) await this.#reader.fill();
+      this.#int();
+      const type = this.#int();
+      this.#readElement(type, await this.#readTags(this.#count(this.#int(), "tags")));
     }
   }
 
-  #readNodeData(): void {
-    const cursor = this.#cursor;
-    cursor.line();
-    const strings = Array.from({ length: cursor.count(Number(cursor.line()), 1, "names") }, () =>
-      cursor.line(),
-    );
-    const reals = cursor.count(Number(cursor.line()), 1, "times");
-    for (let i = 0; i < reals; i++) cursor.line();
-    const integers = Array.from({ length: cursor.count(Number(cursor.line()), 1, "numbers") }, () =>
-      Number(cursor.line()),
-    );
-    const [, components = NaN, rows = NaN] = integers;
+  /** Physical group, entity, and whatever else. */
+  async #readTags(count: number): Promise<(groups: GroupList) => number> {
+    const tags = [0, 0];
+    for (let i = 0; i < count; i++) {
+      if (this.#reader.isLow) await this.#reader.fill();
+      const tag = this.#int();
+      if (i < 2) tags[i] = tag;
+    }
+    return this.#groupOf(tags[0] ?? 0, tags[1] ?? 0);
+  }
+
+  async #readNodeData(): Promise<void> {
+    const reader = this.#reader;
+    reader.endLine();
+    const strings = await this.#readLines("names");
+    await this.#readLines("times");
+    const [, components = NaN, rows = NaN] = (await this.#readLines("numbers")).map(Number);
     if (!(Number.isInteger(components) && components > 0 && components <= MAX_COMPONENTS)) {
-      cursor.fail(`${components} numbers per node cannot be read`);
+      reader.fail(`${components} numbers per node cannot be read`);
     }
-    const values = new Float64Array((components * this.#parts.points.length) / 3).fill(NaN);
-    const { int, double } = this.#numbers;
-    const count = cursor.count(rows, 4, "values");
+    const values = new Float64Array(components * this.#builder.pointCount).fill(NaN);
+    const count = this.#count(rows, "values");
     for (let r = 0; r < count; r++) {
-      const node = this.#parts.nodes.get(int()) ?? cursor.fail("a value belongs to no node");
-      for (let i = 0; i < components; i++) values[components * node + i] = double();
+      if (reader.isLow) await reader.fill();
+      const node = this.#nodes.positionOf(this.#int()) ?? reader.fail("a value belongs to no node");
+      for (let i = 0; i < components; i++) values[components * node + i] = this.#double();
     }
-    this.#parts.data.set((strings[0] ?? "").trim().replace(/^"|"$/g, ""), { components, values });
+    const name = (strings[0] ?? "").replace(/^"|"$/g, "");
+    this.#builder.nodeData.set(name, { components, values });
+  }
+
+  /** Their number in one line, then each in its own. */
+  async #readLines(what: string): Promise<string[]> {
+    const count = this.#count(Number(this.#reader.line()), what);
+    const lines: string[] = [];
+    for (let i = 0; i < count; i++) {
+      await this.#reader.fill();
+      if (this.#reader.isAtEnd) this.#reader.fail(`the file ends where ${what} should be`);
+      lines.push(this.#reader.line());
+    }
+    return lines;
   }
 }

@@ -1,4 +1,5 @@
 /** The arrays of VTK's XML files: text, base64 or raw bytes, whole or in blocks compressed with zlib. */
+import { unzlibSync } from "fflate";
 
 export interface ArrayCoding {
   readonly isLittleEndian: boolean;
@@ -38,11 +39,11 @@ const NUMBERS: Readonly<Record<string, { readonly bytes: number; readonly get: G
 const MAX_RATIO = 1100;
 
 /** The numbers of an array. Calls `coding.fail` where they cannot be read. */
-export async function decodeArray(coding: ArrayCoding, array: CodedArray): Promise<Float64Array> {
+export function decodeArray(coding: ArrayCoding, array: CodedArray): Float64Array {
   if (array.format === "ascii") return textNumbers(coding, array.content);
   const number = Object.hasOwn(NUMBERS, array.type) ? NUMBERS[array.type] : undefined;
   if (number === undefined) return coding.fail(`numbers of type "${array.type}" cannot be read`);
-  const bytes = await contentOf(coding, encodedBytes(coding, array));
+  const bytes = contentOf(coding, encodedBytes(coding, array));
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const values = new Float64Array(Math.floor(bytes.length / number.bytes));
   for (let i = 0; i < values.length; i++)
@@ -83,7 +84,7 @@ function fromBase64(text: string, fail: ArrayCoding["fail"]): Uint8Array {
   return Uint8Array.from(pieces.join(""), (character) => character.charCodeAt(0));
 }
 
-async function contentOf(coding: ArrayCoding, bytes: Uint8Array): Promise<Uint8Array> {
+function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
   const { headerBytes, isCompressed, isLittleEndian, fail } = coding;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const header = (index: number): number => {
@@ -108,32 +109,25 @@ async function contentOf(coding: ArrayCoding, bytes: Uint8Array): Promise<Uint8A
   for (let b = 0; b < blocks; b++) {
     const packed = piece(begin, header(3 + b));
     const isShort = b === blocks - 1 && lastLength !== 0;
-    contents.push(await inflated(packed, isShort ? lastLength : header(1), fail));
+    contents.push(inflated(packed, isShort ? lastLength : header(1), fail));
     begin += packed.length;
   }
   return joined(contents);
 }
 
 /** Undoes zlib. The length is known beforehand; a block of any other length is damaged. */
-async function inflated(packed: Uint8Array, length: number, fail: ArrayCoding["fail"]): Promise<Uint8Array> {
-  if (length > MAX_RATIO * packed.length)
+function inflated(packed: Uint8Array, length: number, fail: ArrayCoding["fail"]): Uint8Array {
+  if (length > MAX_RATIO * packed.length) {
     return fail(`a block of ${packed.length} bytes claims to hold ${length}`);
-  const pieces: Uint8Array[] = [];
-  let total = 0;
+  }
   try {
-    const stream = new Blob([packed.slice()]).stream().pipeThrough(new DecompressionStream("deflate"));
-    const reader = stream.getReader();
-    for (let next = await reader.read(); !next.done && total <= length; next = await reader.read()) {
-      pieces.push(next.value);
-      total += next.value.length;
-    }
-    await reader.cancel();
+    // One byte more, by which a longer block betrays itself.
+    const block = unzlibSync(packed, { out: new Uint8Array(length + 1) });
+    if (block.length === length) return block;
   } catch {
     return fail("a compressed block is damaged");
   }
-  return total === length
-    ? joined(pieces)
-    : fail(`a block holds other than the ${length} bytes it announces`);
+  return fail(`a block holds other than the ${length} bytes it announces`);
 }
 
 function joined(pieces: readonly Uint8Array[]): Uint8Array {

@@ -1,0 +1,174 @@
+/**
+ * Reads TetGen's files, text of numbers with `#` comments: `.smesh` and `.poly`, which may hold their points
+ * or leave them to the `.node` file beside; `.face` and `.ele`, which always need it. Facets are polygons with
+ * a boundary marker as patch; tetrahedra have a region attribute. Facets of a `.poly` with holes are refused.
+ */
+import { ReadFailure } from "../read-result.js";
+import { ByteReader } from "./byte-reader.js";
+import type { ByteSource } from "./byte-source.js";
+import type { OpenOther, ReadContext } from "./file-format.js";
+import type { FileMesh } from "./file-mesh.js";
+import { MeshBuilder } from "./mesh-builder.js";
+
+const REMEDY = "Give TetGen's .node file beside the file, or save the surface again as .smesh.";
+const OPTIONS = { remedy: REMEDY, comment: "#" };
+const MAX_COUNT = 0x7fffffff;
+
+/** The points in a builder, and the number that the file gives to the first. */
+interface Points {
+  readonly builder: MeshBuilder;
+  first: number;
+}
+
+export async function readTetgen(
+  source: ByteSource,
+  { fileName, openOther }: ReadContext,
+): Promise<FileMesh> {
+  const [, stem = "", extension = ""] = /^(.*)\.([^.]*)$/.exec(fileName) ?? [];
+  const points: Points = { builder: new MeshBuilder(), first: 0 };
+  switch (extension.toLowerCase()) {
+    case "face":
+      await readNodeFile(stem, openOther, points);
+      await overFile(source, (reader) => readFaces(reader, points));
+      break;
+    case "ele":
+      await readNodeFile(stem, openOther, points);
+      await overFile(source, (reader) => readElements(reader, points));
+      await readIfThere(stem, "face", openOther, (reader) => readFaces(reader, points));
+      break;
+    case "node":
+      await overFile(source, (reader) => readNodes(reader, points));
+      await readIfThere(stem, "ele", openOther, (reader) => readElements(reader, points));
+      await readIfThere(stem, "face", openOther, (reader) => readFaces(reader, points));
+      break;
+    default:
+      await overFile(source, async (reader) => {
+        const count = await readNodes(reader, points);
+        if (count === 0) await readNodeFile(stem, openOther, points);
+        await readFacets(reader, points, extension.toLowerCase() === "poly");
+      });
+  }
+  return points.builder.mesh();
+}
+
+function overFile<T>(source: ByteSource, read: (reader: ByteReader) => Promise<T>): Promise<T> {
+  return ByteReader.over(source, OPTIONS, read);
+}
+
+async function readNodeFile(stem: string, openOther: OpenOther, points: Points): Promise<void> {
+  const other = await openOther(`${stem}.node`);
+  if (other === undefined) {
+    throw new ReadFailure({ message: `the points are in another file, ${stem}.node`, remedy: REMEDY });
+  }
+  await overFile(other, (reader) => readNodes(reader, points));
+}
+
+async function readIfThere(
+  stem: string,
+  extension: string,
+  openOther: OpenOther,
+  read: (reader: ByteReader) => Promise<void>,
+): Promise<void> {
+  const other = await openOther(`${stem}.${extension}`);
+  if (other !== undefined) await overFile(other, read);
+}
+
+/** Number, x y z, attributes, marker. Returns how many were announced. */
+async function readNodes(reader: ByteReader, points: Points): Promise<number> {
+  const count = reader.index("the number of points", MAX_COUNT);
+  if (count > 0 && reader.index("the dimension", 4) !== 3)
+    reader.fail("the points are not three-dimensional");
+  reader.skipLine();
+  for (let i = 0; i < count; i++) {
+    if (reader.isLow) await reader.fill();
+    const number = reader.index("the number of a point", MAX_COUNT);
+    if (i === 0) points.first = number;
+    if (number !== points.first + i) reader.fail(`point ${number} should be number ${points.first + i}`);
+    const [x, y, z] = [0, 1, 2].map(() => reader.number("a coordinate"));
+    points.builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
+    // Attributes and a marker may follow.
+    reader.skipLine();
+  }
+  return count;
+}
+
+function cornerIn(reader: ByteReader, { builder, first }: Points): number {
+  const number = reader.index("a corner", first + builder.pointCount);
+  return number >= first ? number - first : reader.fail(`there is no point ${number}`);
+}
+
+/** The next whole number of this line, or 0 at its end. */
+function markerIn(reader: ByteReader): number {
+  return reader.hasWordInLine() ? reader.number("a marker") : 0;
+}
+
+async function readFaces(reader: ByteReader, points: Points): Promise<void> {
+  const count = reader.index("the number of faces", MAX_COUNT);
+  reader.skipLine();
+  for (let f = 0; f < count; f++) {
+    if (reader.isLow) await reader.fill();
+    reader.index("the number of a face", MAX_COUNT);
+    const [a, b, c] = [cornerIn(reader, points), cornerIn(reader, points), cornerIn(reader, points)];
+    const marker = markerIn(reader);
+    points.builder.addTriangle(a, b, c, points.builder.patches.tagged(marker));
+    reader.skipLine();
+  }
+}
+
+async function readElements(reader: ByteReader, points: Points): Promise<void> {
+  const count = reader.index("the number of tetrahedra", MAX_COUNT);
+  if (markerIn(reader) > 4) reader.fail("tetrahedra of more than four nodes cannot be read");
+  reader.skipLine();
+  for (let t = 0; t < count; t++) {
+    if (reader.isLow) await reader.fill();
+    reader.index("the number of a tetrahedron", MAX_COUNT);
+    const [a, b, c, d] = [0, 1, 2, 3].map(() => cornerIn(reader, points));
+    const region = reader.hasWordInLine() ? reader.number("a region") : 1;
+    points.builder.addTetrahedron(a ?? 0, b ?? 0, c ?? 0, d ?? 0, points.builder.regions.tagged(region));
+    reader.skipLine();
+  }
+}
+
+/** In a `.smesh` one polygon per facet; in a `.poly` the numbers of polygons and holes come before. */
+async function readFacets(reader: ByteReader, points: Points, isPoly: boolean): Promise<void> {
+  const count = reader.index("the number of facets", MAX_COUNT);
+  const hasMarkers = markerIn(reader) > 0;
+  reader.skipLine();
+  for (let f = 0; f < count; f++) {
+    if (reader.isLow) await reader.fill();
+    const head = isPoly ? facetHead(reader, f, hasMarkers) : { polygons: 1, marker: 0 };
+    for (let p = 0; p < head.polygons; p++) {
+      if (reader.isLow) await reader.fill();
+      readPolygon(reader, points, f, isPoly ? head.marker : undefined);
+    }
+  }
+}
+
+function facetHead(reader: ByteReader, f: number, hasMarkers: boolean): { polygons: number; marker: number } {
+  const polygons = reader.index("the number of polygons", MAX_COUNT);
+  const holes = markerIn(reader);
+  const marker = hasMarkers ? markerIn(reader) : 0;
+  if (holes > 0)
+    reader.fail(`facet ${f} (counted from 0) has a hole and cannot be cut into triangles safely`);
+  reader.skipLine();
+  return { polygons, marker };
+}
+
+function readPolygon(reader: ByteReader, points: Points, f: number, marker: number | undefined): void {
+  const size = reader.index("the number of corners", MAX_COUNT);
+  if (size < 3) {
+    // Segments and single points within a facet: no surface.
+    if (marker === undefined) reader.fail(`facet ${f} (counted from 0) has ${size} corners`);
+    reader.skipLine();
+    return;
+  }
+  const corners: number[] = [];
+  for (let i = 0; i < size; i++) corners.push(cornerIn(reader, points));
+  const patch = points.builder.patches.tagged(marker ?? markerIn(reader));
+  if (!points.builder.addPolygon(corners, patch)) {
+    reader.fail(
+      `facet ${f} (counted from 0) is a polygon that is not convex and cannot be cut into triangles safely`,
+    );
+  }
+  reader.skipLine();
+}

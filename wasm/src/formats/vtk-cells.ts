@@ -1,0 +1,88 @@
+/** VTK's cells: triangles, polygons and tetrahedra become ours, vertices and lines are passed over. */
+import type { MeshBuilder } from "./mesh-builder.js";
+
+const VTK_TRIANGLE = 5;
+const VTK_STRIP = 6;
+const VTK_POLYGON = 7;
+const VTK_PIXEL = 8;
+const VTK_QUAD = 9;
+const VTK_TETRA = 10;
+/** Vertices and lines. */
+const THIN_CELLS = new Set([1, 2, 3, 4, 21, 35]);
+
+/** Names under which programs keep what cells belong to: this one, Gmsh and Medit by way of meshio, VMTK. */
+const PATCH_ARRAYS = ["patch", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags", "region"];
+const REGION_ARRAYS = ["region", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags"];
+
+/** One number per cell, by name. */
+export type CellNumbers = ReadonlyMap<string, Float64Array>;
+export type Fail = (message: string) => never;
+
+export interface Cells {
+  readonly builder: MeshBuilder;
+  readonly fail: Fail;
+  /** Its patch as triangle, its region as tetrahedron. */
+  readonly patchOf: (cell: number) => number;
+  readonly regionOf: (cell: number) => number;
+}
+
+export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Cells {
+  const find = (names: readonly string[]) => names.map((name) => data.get(name)).find((found) => found);
+  const [patch, region] = [find(PATCH_ARRAYS), find(REGION_ARRAYS)];
+  return {
+    builder,
+    fail,
+    patchOf: (cell) =>
+      patch === undefined
+        ? builder.patches.of("surface", () => ({ name: "surface", tag: 1 }))
+        : builder.patches.tagged(patch[cell] ?? 0),
+    regionOf: (cell) => builder.regions.tagged(region?.[cell] ?? 1),
+  };
+}
+
+/** Adds cell number `cell` of the file with these nodes. */
+export function addCell(cells: Cells, type: number, nodes: readonly number[], cell: number): void {
+  const { builder, fail } = cells;
+  if (THIN_CELLS.has(type)) return;
+  const wild = nodes.find((node) => !(Number.isInteger(node) && node >= 0 && node < builder.pointCount));
+  if (wild !== undefined) fail(`cell ${cell} (counted from 0) has a corner that is no node: ${wild}`);
+  const [a = 0, b = 0, c = 0, d = 0] = nodes;
+  switch (type) {
+    case VTK_TETRA:
+      if (nodes.length !== 4)
+        fail(`cell ${cell} (counted from 0) is a tetrahedron of ${nodes.length} corners`);
+      builder.addTetrahedron(a, b, c, d, cells.regionOf(cell));
+      break;
+    case VTK_STRIP:
+      addStrip(cells, nodes, cell);
+      break;
+    case VTK_TRIANGLE:
+    case VTK_POLYGON:
+    case VTK_QUAD:
+      addPolygonCell(cells, nodes, cell);
+      break;
+    case VTK_PIXEL:
+      addPolygonCell(cells, [a, b, d, c], cell);
+      break;
+    default:
+      fail(`cells of type ${type} cannot be read, only triangles, polygons and linear tetrahedra`);
+  }
+}
+
+function addPolygonCell({ builder, fail, patchOf }: Cells, nodes: readonly number[], cell: number): void {
+  if (nodes.length < 3) fail(`cell ${cell} (counted from 0) has ${nodes.length} corners`);
+  if (!builder.addPolygon(nodes, patchOf(cell))) {
+    fail(
+      `cell ${cell} (counted from 0) is a polygon that is not convex and cannot be cut into triangles safely`,
+    );
+  }
+}
+
+/** Each corner makes a triangle with the two before it, every other one turned. */
+function addStrip({ builder, patchOf }: Cells, nodes: readonly number[], cell: number): void {
+  for (let i = 2; i < nodes.length; i++) {
+    const [a = 0, b = 0, c = 0] = nodes.slice(i - 2, i + 1);
+    if (i % 2 === 0) builder.addTriangle(a, b, c, patchOf(cell));
+    else builder.addTriangle(b, a, c, patchOf(cell));
+  }
+}

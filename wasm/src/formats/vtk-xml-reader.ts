@@ -1,0 +1,206 @@
+/**
+ * Reads VTU and VTP files (VTK XML unstructured grids and polygons) as this package, meshio and ParaView
+ * write them: one piece; arrays as text, in base64 or appended; compressed with zlib or not. The numbers
+ * `patch` and `region` of cells tell their groups; vertices and lines are passed over.
+ */
+import { ReadFailure } from "../read-result.js";
+import { allBytes, type ByteSource } from "./byte-source.js";
+import type { FileMesh } from "./file-mesh.js";
+import { MeshBuilder } from "./mesh-builder.js";
+import { decodeArray, type ArrayCoding } from "./vtk-arrays.js";
+import { addCell, cellsOf } from "./vtk-cells.js";
+
+const REMEDY = "Save the mesh again as .vtu or .vtp with one piece of triangles or linear tetrahedra.";
+const VTK_POLYGON = 7;
+const VTK_STRIP = 6;
+/** Sections in which arrays are looked for. Those of cells in polygon files are named by their kind. */
+const SECTIONS = new Set(["Points", "Cells", "Verts", "Lines", "Strips", "Polys", "PointData", "CellData"]);
+
+type Attributes = ReadonlyMap<string, string>;
+
+/** An array before its numbers are read. */
+interface FoundArray {
+  readonly section: string;
+  readonly attributes: Attributes;
+  /** What stands between its tags. */
+  readonly content: string;
+}
+
+interface Head {
+  readonly file: Attributes;
+  readonly piece: Attributes;
+  readonly arrays: readonly FoundArray[];
+  /** What follows the underscore of the appended data, and whether it is base64. */
+  readonly appended: { readonly begin: number; readonly isBase64: boolean } | undefined;
+}
+
+type Numbers = (found: FoundArray) => Float64Array;
+
+export async function readVtkXml(source: ByteSource): Promise<FileMesh> {
+  const bytes = await allBytes(source);
+  const text = new TextDecoder("latin1").decode(bytes);
+  const head = readHead(text);
+  const coding = codingOf(head, bytes, text);
+  const numbers: Numbers = ({ attributes, content }) =>
+    decodeArray(coding, {
+      type: attributes.get("type") ?? "",
+      format: attributes.get("format") ?? "ascii",
+      offset: Number(attributes.get("offset") ?? NaN),
+      content,
+    });
+  const builder = new MeshBuilder();
+  addPoints(head, numbers, builder);
+  addPointData(head, numbers, builder);
+  if (head.file.get("type") === "PolyData") addPolygons(head, numbers, builder);
+  else addCells(head, numbers, builder);
+  return builder.mesh();
+}
+
+/** The array of this name in a section; the first one for the name "". */
+function arrayOf(head: Head, section: string, name: string): FoundArray {
+  return (
+    head.arrays.find(
+      (array) => array.section === section && (name === "" || array.attributes.get("Name") === name),
+    ) ?? fail(`the file has no array "${name === "" ? section : name}"`)
+  );
+}
+
+function addPoints(head: Head, numbers: Numbers, builder: MeshBuilder): void {
+  const count = Number(head.piece.get("NumberOfPoints") ?? NaN);
+  const points = count === 0 ? new Float64Array() : numbers(arrayOf(head, "Points", ""));
+  if (points.length !== 3 * count) fail(`there are ${points.length / 3} points, ${count} are announced`);
+  if (!points.every(Number.isFinite)) fail("a point has a coordinate that is not finite");
+  for (let i = 0; i < points.length; i += 3) {
+    builder.addPoint(points[i] ?? 0, points[i + 1] ?? 0, points[i + 2] ?? 0);
+  }
+}
+
+function addPointData(head: Head, numbers: Numbers, builder: MeshBuilder): void {
+  for (const found of head.arrays) {
+    if (found.section !== "PointData" || found.attributes.get("type") === "String") continue;
+    const values = numbers(found);
+    const components = Number(found.attributes.get("NumberOfComponents") ?? 1);
+    if (values.length === components * builder.pointCount) {
+      builder.nodeData.set(found.attributes.get("Name") ?? "", { components, values });
+    }
+  }
+}
+
+/** Arrays of one number per cell. */
+function cellData(head: Head, numbers: Numbers): Map<string, Float64Array> {
+  const data = new Map<string, Float64Array>();
+  for (const found of head.arrays) {
+    if (found.section !== "CellData" || found.attributes.get("type") === "String") continue;
+    if (Number(found.attributes.get("NumberOfComponents") ?? 1) > 1) continue;
+    data.set(found.attributes.get("Name") ?? "", numbers(found));
+  }
+  return data;
+}
+
+function addCells(head: Head, numbers: Numbers, builder: MeshBuilder): void {
+  const connectivity = numbers(arrayOf(head, "Cells", "connectivity"));
+  const offsets = numbers(arrayOf(head, "Cells", "offsets"));
+  const types = numbers(arrayOf(head, "Cells", "types"));
+  if (offsets.length !== types.length) fail("the cells have more or fewer types than offsets");
+  const cells = cellsOf(builder, cellData(head, numbers), fail);
+  eachCell(connectivity, offsets, (nodes, cell) => addCell(cells, types[cell] ?? 0, nodes, cell));
+}
+
+/** The cells of a polygon file are numbered through vertices, lines, strips, polygons in VTK's order. */
+function addPolygons(head: Head, numbers: Numbers, builder: MeshBuilder): void {
+  const cells = cellsOf(builder, cellData(head, numbers), fail);
+  let first = 0;
+  for (const section of ["Verts", "Lines", "Polys", "Strips"]) {
+    if (!head.arrays.some((array) => array.section === section)) continue;
+    const offsets = numbers(arrayOf(head, section, "offsets"));
+    if (section === "Polys" || section === "Strips") {
+      const type = section === "Polys" ? VTK_POLYGON : VTK_STRIP;
+      const connectivity = numbers(arrayOf(head, section, "connectivity"));
+      eachCell(connectivity, offsets, (nodes, cell) => addCell(cells, type, nodes, first + cell));
+    }
+    first += offsets.length;
+  }
+}
+
+function eachCell(
+  connectivity: Float64Array,
+  offsets: Float64Array,
+  use: (nodes: readonly number[], cell: number) => void,
+): void {
+  let begin = 0;
+  for (const [cell, end] of offsets.entries()) {
+    if (!(end >= begin && end <= connectivity.length)) fail(`cell ${cell} (counted from 0) has no corners`);
+    use([...connectivity.subarray(begin, end)], cell);
+    begin = end;
+  }
+}
+
+function readHead(text: string): Head {
+  let file: Attributes | undefined;
+  const pieces: Attributes[] = [];
+  const arrays: FoundArray[] = [];
+  let section = "";
+  for (const match of text.matchAll(/<(\/?)([A-Za-z]+)([^<>]*)>/g)) {
+    const [tag, slash, name = "", rest = ""] = match;
+    const end = match.index + tag.length;
+    const attributes = attributesIn(rest);
+    if (slash === "/") {
+      if (name === section) section = "";
+    } else if (name === "VTKFile") file = attributes;
+    else if (name === "Piece") pieces.push(attributes);
+    else if (SECTIONS.has(name)) section = rest.endsWith("/") ? section : name;
+    else if (name === "DataArray" && section !== "") {
+      const close = rest.endsWith("/") ? end : text.indexOf("<", end);
+      arrays.push({ section, attributes, content: text.slice(end, close < 0 ? end : close) });
+    } else if (name === "AppendedData") {
+      const begin = text.indexOf("_", end) + 1;
+      const isBase64 = attributes.get("encoding") === "base64";
+      return checkedHead(file, pieces, arrays, { begin: begin === 0 ? text.length : begin, isBase64 });
+    }
+  }
+  return checkedHead(file, pieces, arrays, undefined);
+}
+
+function checkedHead(
+  file: Attributes | undefined,
+  pieces: readonly Attributes[],
+  arrays: readonly FoundArray[],
+  appended: Head["appended"],
+): Head {
+  const type = file?.get("type");
+  if (file === undefined || (type !== "UnstructuredGrid" && type !== "PolyData"))
+    return fail("this is neither a VTU nor a VTP file: it has no unstructured grid and no polygons");
+  const [piece] = pieces;
+  if (piece === undefined || pieces.length > 1)
+    return fail(`the file has ${pieces.length} pieces instead of one`);
+  return { file, piece, arrays, appended };
+}
+
+function attributesIn(text: string): Attributes {
+  return new Map(
+    [...text.matchAll(/([\w:]+)\s*=\s*"([^"]*)"/g)].map(([, name = "", value = ""]) => [name, value]),
+  );
+}
+
+function codingOf({ file, appended }: Head, bytes: Uint8Array, text: string): ArrayCoding {
+  const compressor = file.get("compressor");
+  if (compressor !== undefined && compressor !== "vtkZLibDataCompressor") {
+    fail(`the compressor ${compressor} is not known, only vtkZLibDataCompressor`);
+  }
+  return {
+    isLittleEndian: file.get("byte_order") !== "BigEndian",
+    headerBytes: file.get("header_type") === "UInt64" ? 8 : 4,
+    isCompressed: compressor !== undefined,
+    appended:
+      appended === undefined
+        ? undefined
+        : appended.isBase64
+          ? text.slice(appended.begin)
+          : bytes.subarray(appended.begin),
+    fail,
+  };
+}
+
+function fail(message: string): never {
+  throw new ReadFailure({ message, remedy: REMEDY });
+}
