@@ -28,6 +28,7 @@ MeshOptions toOptions(const Options& options) {
   result.growth = options.growth;
   result.gradation = options.gradation;
   result.order = static_cast<FrontOrder>(options.order);
+  result.filters = options.filters;
   result.optimization = static_cast<Optimization>(options.optimization);
   result.exactFillOnly = options.exactFillOnly;
   return result;
@@ -250,6 +251,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("growth", &Options::growth)
       .field("gradation", &Options::gradation)
       .field("order", &Options::order)
+      .field("filters", &Options::filters)
       .field("optimization", &Options::optimization)
       .field("exactFillOnly", &Options::exactFillOnly);
   value_object<DiagnosticRecord>("DiagnosticRecord")

@@ -21,6 +21,7 @@ struct Options {
   double growth = 0.0;
   double gradation = 0.0;
   std::uint32_t order = 0;
+  bool filters = true;
   std::uint32_t optimization = 0;
   bool exactFillOnly = false;
 };

@@ -2,22 +2,29 @@
 /// WebAssembly build: reads an .off file, fills it, prints what came out. Users have
 /// `npx tetrafront` instead, which reads and writes real formats.
 ///
-///     fill SURFACE.off [SIZE]
+///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|strive]
+///          [--order=layered|smallest-first] [--filters=on|off]
 ///
-/// Prints `name value` lines. Exit status: 0 done, 1 not completed, 2 bad arguments or input.
+/// Prints `name value` lines. Seconds are the processor's, so that other work on the machine hardly
+/// shows; bytes are the greatest resident size beyond what it was with the surface read. Exit status:
+/// 0 done, 1 not completed, 2 bad arguments or input.
+
+#include <sys/resource.h>
 
 #include <array>
 #include <charconv>
-#include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <ctime>
 #include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "tetrafront/mesher.h"
@@ -82,11 +89,74 @@ const char* nameOf(tetrafront::MeshStatus status) {
   return "unknown";
 }
 
+/// What follows `name` and "=" in `argument`, if it begins so.
+std::optional<std::string_view> valueOf(std::string_view argument, std::string_view name) {
+  if (!argument.starts_with(name) || !argument.substr(name.size()).starts_with('=')) return {};
+  return argument.substr(name.size() + 1);
+}
+
+template <class Value, std::size_t N>
+bool choose(Value& option, std::string_view chosen,
+            const std::array<std::pair<std::string_view, Value>, N>& choices) {
+  for (const auto& [name, value] : choices) {
+    if (name != chosen) continue;
+    option = value;
+    return true;
+  }
+  return false;
+}
+
+using tetrafront::FrontOrder;
+using tetrafront::Optimization;
+constexpr std::array<std::pair<std::string_view, Optimization>, 4> kOptimizations{
+    {{"none", Optimization::kNone},
+     {"fast", Optimization::kFast},
+     {"default", Optimization::kDefault},
+     {"strive", Optimization::kStrive}}};
+constexpr std::array<std::pair<std::string_view, FrontOrder>, 2> kOrders{
+    {{"layered", FrontOrder::kLayered}, {"smallest-first", FrontOrder::kSmallestFirst}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
+
+/// False, having said why, where the argument is none.
+bool readArgument(std::string_view argument, tetrafront::MeshOptions& options) {
+  if (const auto level = valueOf(argument, "--optimization")) {
+    if (choose(options.optimization, *level, kOptimizations)) return true;
+  } else if (const auto order = valueOf(argument, "--order")) {
+    if (choose(options.order, *order, kOrders)) return true;
+  } else if (const auto filters = valueOf(argument, "--filters")) {
+    if (choose(options.filters, *filters, kSwitch)) return true;
+  } else {
+    options.size = numberIn(argument).value_or(0.0);
+    if (options.size > 0.0 && std::isfinite(options.size)) return true;
+    std::fprintf(stderr, "%.*s: not an element size; give a finite number above 0\n",
+                 static_cast<int>(argument.size()), argument.data());
+    return false;
+  }
+  std::fprintf(stderr, "%.*s: there is no such choice\n", static_cast<int>(argument.size()),
+               argument.data());
+  return false;
+}
+
+/// The greatest resident size of this process so far.
+std::size_t greatestResidentBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<std::size_t>(usage.ru_maxrss);
+#else
+  return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+#endif
+}
+
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2 || argc > 3) {
-    std::fprintf(stderr, "usage: fill SURFACE.off [SIZE]\n");
+  if (argc < 2) {
+    std::fprintf(stderr,
+                 "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|strive]\n"
+                 "       [--order=layered|smallest-first] [--filters=on|off]\n");
     return 2;
   }
   const std::optional<Surface> surface = readOff(argv[1]);
@@ -95,34 +165,37 @@ int main(int argc, char** argv) {
     return 2;
   }
   tetrafront::MeshOptions options;
-  if (argc == 3) {
-    options.size = numberIn(argv[2]).value_or(0.0);
-    if (!(options.size > 0.0) || !std::isfinite(options.size)) {
-      std::fprintf(stderr, "%s: not an element size; give a finite number above 0\n", argv[2]);
-      return 2;
-    }
+  for (int i = 2; i < argc; ++i) {
+    if (!readArgument(argv[i], options)) return 2;
   }
 
-  using Clock = std::chrono::steady_clock;
   constexpr std::uint32_t kBudget = 4096;
+  const std::size_t bytesBefore = greatestResidentBytes();
   tetrafront::MeshRun run(surface->points, surface->triangles, options);
-  double volumeSeconds = 0.0;
-  const Clock::time_point begin = Clock::now();
+  std::array<double, tetrafront::kPhaseCount> phaseSeconds{};
+  const double begin = processorSeconds();
   for (bool running = true; running;) {
-    const tetrafront::Phase phase = run.progress().phase;
-    const Clock::time_point before = Clock::now();
+    const auto phase = static_cast<std::size_t>(run.progress().phase);
+    const double before = processorSeconds();
     running = run.advance(kBudget) == tetrafront::MeshStatus::kRunning;
-    const std::chrono::duration<double> spent = Clock::now() - before;
-    if (phase == tetrafront::Phase::kVolume) volumeSeconds += spent.count();
+    phaseSeconds[phase] += processorSeconds() - before;
   }
-  const std::chrono::duration<double> total = Clock::now() - begin;
+  const double total = processorSeconds() - begin;
+  const std::size_t bytes = greatestResidentBytes() - bytesBefore;
+  const auto secondsOf = [&](tetrafront::Phase phase) {
+    return phaseSeconds[static_cast<std::size_t>(phase)];
+  };
 
   const tetrafront::Progress progress = run.progress();
   const tetrafront::QualitySummary quality = run.quality();
   std::printf("status %s\n", nameOf(run.status()));
   std::printf("triangles %u\npoints %u\ntetrahedra %u\n", progress.triangles, progress.points,
               progress.tetrahedra);
-  std::printf("seconds %.6f\nvolumeSeconds %.6f\n", total.count(), volumeSeconds);
+  std::printf("seconds %.6f\ncheckSeconds %.6f\n", total, secondsOf(tetrafront::Phase::kCheck));
+  std::printf("volumeSeconds %.6f\n", secondsOf(tetrafront::Phase::kVolume));
+  std::printf("optimizeSeconds %.6f\n", secondsOf(tetrafront::Phase::kOptimize));
+  std::printf("verifySeconds %.6f\n", secondsOf(tetrafront::Phase::kVerify));
+  std::printf("bytes %zu\n", bytes);
   std::printf("minDihedral %.4f\nmaxDihedral %.4f\n", quality.minDihedral, quality.maxDihedral);
   std::printf("meanRadiusRatio %.4f\n", quality.meanRadiusRatio);
   std::printf("fingerprint %016llx\n", static_cast<unsigned long long>(run.fingerprint()));

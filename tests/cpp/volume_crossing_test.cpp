@@ -107,9 +107,10 @@ Wide sixVolumes(const std::vector<Integers>& points, const std::array<int, 4>& t
   return dot(cross(minus(points[t[1]], a), minus(points[t[2]], a)), minus(points[t[3]], a));
 }
 
-/// What the engine says, through a front that holds the base and the face.
+/// What the engine says, with or without its filters, through a front that holds the base and the
+/// face.
 bool engineSays(const std::vector<Integers>& points, const std::array<int, 4>& element,
-                const std::array<int, 3>& face) {
+                const std::array<int, 3>& face, bool filters) {
   Front front(1.0, Vec3(0.0), FrontOrder::kLayered);
   for (const Integers& p : points) {
     front.addNode({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])},
@@ -123,7 +124,7 @@ bool engineSays(const std::vector<Integers>& points, const std::array<int, 4>& e
   everything.include(Vec3(0.0), Vec3(100.0));
   Neighbourhood around;
   around.gather(front, base, everything, front.node(id(element[3])));
-  CrossingTest test(around);
+  CrossingTest test(around, filters);
   test.setBase();
   constexpr LocalNode kUnknown = 0xffffffffU;
   LocalNode apex = kUnknown;
@@ -162,8 +163,11 @@ void compare(int sharedCount, int range, int rounds, std::uint64_t seed) {
         cross(minus(points[face[1]], points[face[0]]), minus(points[face[2]], points[face[0]]));
     if (normal == Integers{0, 0, 0}) continue;
     const bool expected = oracle(points, element, face);
-    ASSERT_EQ(engineSays(points, element, face), expected)
-        << "seed " << seed << " case " << tested << " shared " << sharedCount;
+    for (const bool filters : {true, false}) {
+      ASSERT_EQ(engineSays(points, element, face, filters), expected)
+          << "seed " << seed << " case " << tested << " shared " << sharedCount << " filters "
+          << filters;
+    }
     crossings += expected ? 1 : 0;
     ++tested;
   }
@@ -187,8 +191,10 @@ TEST(CrossingTest, DecidesFacesAtACommonSideAsExactClippingDoes) {
 
 TEST(CrossingTest, LetsSidesOfTheElementPass) {
   const std::vector<Integers> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  EXPECT_FALSE(engineSays(points, {0, 1, 2, 3}, {1, 0, 3}));
-  EXPECT_FALSE(engineSays(points, {0, 1, 2, 3}, {3, 1, 2}));
+  for (const bool filters : {true, false}) {
+    EXPECT_FALSE(engineSays(points, {0, 1, 2, 3}, {1, 0, 3}, filters));
+    EXPECT_FALSE(engineSays(points, {0, 1, 2, 3}, {3, 1, 2}, filters));
+  }
 }
 
 }  // namespace

@@ -98,6 +98,23 @@ TEST_P(EverySurface, IsFilledByAValidMesh) {
   EXPECT_TRUE(outcome.mesh.front.empty());
 }
 
+TEST_P(EverySurface, GivesTheSameMeshWithoutFilters) {
+  for (const FrontOrder order : {FrontOrder::kLayered, FrontOrder::kSmallestFirst}) {
+    MeshOptions options;
+    options.order = order;
+    const Outcome filtered = fillByOwnSizes(GetParam().surface, options);
+    options.filters = false;
+    const Outcome analysed = fillByOwnSizes(GetParam().surface, options);
+    EXPECT_EQ(analysed.fingerprint(), filtered.fingerprint());
+    EXPECT_EQ(analysed.counters.facesTested, filtered.counters.facesTested);
+    constexpr std::uint64_t kEnoughForShares = 2000;
+    if (filtered.counters.facesTested < kEnoughForShares) continue;
+    EXPECT_LT(filtered.counters.facesAnalysed, filtered.counters.facesTested / 2);
+    // All up to and with the first that is crossed.
+    EXPECT_GT(analysed.counters.facesAnalysed, analysed.counters.facesTested / 2);
+  }
+}
+
 TEST_P(EverySurface, IsFilledInThePapersOrderToo) {
   MeshOptions options;
   options.order = FrontOrder::kSmallestFirst;

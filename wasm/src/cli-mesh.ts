@@ -38,6 +38,8 @@ export interface MeshCommandOptions {
   readonly gradation?: string;
   readonly background?: string;
   readonly order?: FrontOrder;
+  /** False after --no-filters. */
+  readonly filters: boolean;
   readonly optimize?: Optimization;
   readonly report?: string;
   readonly keepPartial?: boolean;
@@ -115,6 +117,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
     growth: numberIn(options.growth),
     gradation: numberIn(options.gradation),
     order: options.order,
+    filters: options.filters,
     optimization: options.optimize,
   };
   const wrong = checkOptions(meshOptions);

@@ -107,6 +107,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
         `in which order faces leave the front (default ${DEFAULT_ORDER})`,
       ).choices(Object.keys(FRONT_ORDERS)),
     )
+    .option("--no-filters", "analyse all faces around each new element: the same mesh, slower")
     .addOption(
       new Option(
         "--optimize <level>",

@@ -21,6 +21,8 @@ export const DEFAULT_ORDER: FrontOrder = "layered";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
 export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, "smallest-first": 1 };
 
+export const DEFAULT_FILTERS = true;
+
 export const DEFAULT_OPTIMIZATION: Optimization = "default";
 /** The engine's numbers, in the order of effort. */
 export const OPTIMIZATIONS: Readonly<Record<Optimization, number>> = {
@@ -62,6 +64,7 @@ const oneOf =
     typeof value === "string" && Object.hasOwn(table, value)
       ? undefined
       : `one of ${Object.keys(table).join(", ")}`;
+const trueOrFalse: Rule = (value) => (typeof value === "boolean" ? undefined : "true or false");
 const GROWTH_WANTED = "a finite growth of 0 or more, for example 0.3";
 
 const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
@@ -76,10 +79,8 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
   ],
   order: ["order of the front", oneOf(FRONT_ORDERS)],
   optimization: ["optimization", oneOf(OPTIMIZATIONS)],
-  exactFillOnly: [
-    "choice of the exact fill alone",
-    (value) => (typeof value === "boolean" ? undefined : "true or false"),
-  ],
+  filters: ["choice of filters", trueOrFalse],
+  exactFillOnly: ["choice of the exact fill alone", trueOrFalse],
 };
 
 const PREVIEW_RULES: Rules<PreviewOptions> = { size: MESH_RULES.size };
@@ -178,6 +179,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     growth = DEFAULT_GROWTH,
     gradation = DEFAULT_GRADATION,
     order = DEFAULT_ORDER,
+    filters = DEFAULT_FILTERS,
     optimization = DEFAULT_OPTIMIZATION,
     exactFillOnly = false,
   } = options;
@@ -186,6 +188,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     growth,
     gradation,
     order: FRONT_ORDERS[order],
+    filters,
     optimization: OPTIMIZATIONS[optimization],
     exactFillOnly,
   };

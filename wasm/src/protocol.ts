@@ -19,6 +19,7 @@ export interface EngineOptions {
   readonly gradation: number;
   /** 0 layered, 1 smallest first. */
   readonly order: number;
+  readonly filters: boolean;
   /** 0 none to 3 strive. */
   readonly optimization: number;
   /** For tests: skips the front. */

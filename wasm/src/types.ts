@@ -91,6 +91,12 @@ export interface MeshOptions {
   readonly gradation?: number | undefined;
   /** In which order faces leave the front. Default `layered`; `smallest-first` is the paper's. */
   readonly order?: FrontOrder | undefined;
+  /**
+   * Whether faces that cannot cross a new element are told from the others cheaply, as the paper does,
+   * before the analysis of the rest. Default true; false gives the same mesh, slower, to show what the
+   * filters are worth.
+   */
+  readonly filters?: boolean | undefined;
   /** Default `default`; `none` leaves the mesh as the front made it. */
   readonly optimization?: Optimization | undefined;
   /** For tests: no front; the whole inside goes to the exact fill that otherwise comes last. */

@@ -33,6 +33,10 @@ struct MeshOptions {
   /// a growth of their own.
   double gradation = 1.3;
   FrontOrder order = FrontOrder::kLayered;
+  /// Whether faces that cannot cross a new element are told from the others cheaply before the
+  /// analysis (second section 6 (b) of the paper; (a), boxes, goes with the search for faces). Off,
+  /// all faces around are analysed: the same mesh, slower, to show what the filters are worth.
+  bool filters = true;
   Optimization optimization = Optimization::kDefault;
   /// More tetrahedra than this are not attempted (kTooManyElements). A run takes about 150 bytes
   /// for each at its peak, and WebAssembly has 4 GB.

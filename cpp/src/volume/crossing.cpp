@@ -11,8 +11,6 @@ namespace {
 // touching in shared nodes is allowed.
 constexpr std::array<std::uint8_t, 4> kCornerMask{14, 13, 11, 7};
 
-int signWithin(double value, double error) { return value > error ? 1 : (value < -error ? -1 : 0); }
-
 /// Sign of the permutation that sorts four distinct numbers.
 int permutationSign(int a, int b, int c, int d) {
   const std::array<int, 4> p{a, b, c, d};
@@ -67,9 +65,15 @@ void CrossingTest::setBase() {
   for (int k = 0; k < 3; ++k) baseMask_[k] = kCornerMask[k];
 }
 
+int CrossingTest::provenSign(double determinant) const {
+  if (!filters_) return 0;
+  const double error = around_.determinantError();
+  return determinant > error ? 1 : (determinant < -error ? -1 : 0);
+}
+
 int CrossingTest::volumeSign(LocalNode apex) const {
   const double volume = glm::dot(normals_[3], around_.place(apex) - around_.place(0));
-  const int sign = signWithin(volume, around_.determinantError());
+  const int sign = provenSign(volume);
   return sign != 0 ? sign : orient(0, 1, 2, apex);
 }
 
@@ -82,7 +86,12 @@ void CrossingTest::setApex(LocalNode apex) {
   normals_[0] = glm::cross(c, b);
   normals_[1] = glm::cross(a, c);
   normals_[2] = glm::cross(b, a);
-  maskNodes();
+  if (filters_) {
+    maskNodes();
+  } else {
+    std::fill(mask_.begin(), mask_.end(), std::uint8_t{0});
+  }
+  for (int k = 0; k < 4; ++k) mask_[corners_[k]] = kCornerMask[k];
 }
 
 void CrossingTest::maskNodes() {
@@ -107,7 +116,6 @@ void CrossingTest::maskNodes() {
     mask[i] = static_cast<std::uint8_t>(base[i] | (d0 < -error ? 1 : 0) | (d1 < -error ? 2 : 0) |
                                         (d2 < -error ? 4 : 0));
   }
-  for (int k = 0; k < 4; ++k) mask_[corners_[k]] = kCornerMask[k];
 }
 
 std::size_t CrossingTest::firstCrossedFace() {
@@ -115,7 +123,7 @@ std::size_t CrossingTest::firstCrossedFace() {
   counters_.facesTested += count;
   for (std::size_t i = 0; i < count; ++i) {
     const LocalTriple& face = around_.face(i);
-    if ((mask_[face[0]] & mask_[face[1]] & mask_[face[2]]) != 0) continue;
+    if (filters_ && (mask_[face[0]] & mask_[face[1]] & mask_[face[2]]) != 0) continue;
     ++counters_.facesAnalysed;
     if (crosses(face)) return i;
   }
@@ -130,7 +138,7 @@ int CrossingTest::sideSign(int side, LocalNode node) const {
   if ((mask_[node] >> side & 1) != 0) return -1;
   const Vec3 through = around_.place(side == 3 ? 0 : corners_[3]);
   const double distance = glm::dot(normals_[side], around_.place(node) - through);
-  const int sign = signWithin(distance, around_.determinantError());
+  const int sign = provenSign(distance);
   if (sign != 0) return sign;
   switch (side) {
     case 0:
@@ -151,7 +159,7 @@ CrossingTest::Signs CrossingTest::cornerSigns(const LocalTriple& face, const Sha
   for (int i = 0; i < 4; ++i) {
     if (std::find(shared.begin(), shared.end(), i) != shared.end()) continue;
     const double distance = glm::dot(normal, around_.place(corners_[i]) - a);
-    signs[i] = signWithin(distance, around_.determinantError());
+    signs[i] = provenSign(distance);
     if (signs[i] == 0) signs[i] = orient(face[0], face[1], face[2], corners_[i]);
   }
   return signs;

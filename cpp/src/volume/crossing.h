@@ -32,7 +32,9 @@ class CrossingTest {
     std::uint64_t facesAnalysed = 0;
   };
 
-  explicit CrossingTest(const Neighbourhood& around) : around_(around) {}
+  /// Without `filters`, layer (b) and its counterpart on single signs are left out: all gathered
+  /// faces are analysed, by orient3d alone. The answers are the same.
+  CrossingTest(const Neighbourhood& around, bool filters) : around_(around), filters_(filters) {}
 
   /// Fixes the base face (nodes 0 1 2 of the neighbourhood). Once per gathered neighbourhood.
   void setBase();
@@ -75,7 +77,11 @@ class CrossingTest {
   [[nodiscard]] int sideSign(int side, LocalNode node) const;
   [[nodiscard]] int orient(LocalNode a, LocalNode b, LocalNode c, LocalNode d) const;
 
+  /// The sign of a determinant over gathered nodes, where its double proves it; else 0.
+  [[nodiscard]] int provenSign(double determinant) const;
+
   const Neighbourhood& around_;
+  bool filters_;
   std::array<LocalNode, 4> corners_{0, 1, 2, 0};
   std::array<Vec3, 4> normals_;  ///< inward, of the element's sides
   std::vector<std::uint8_t> baseMask_;

@@ -29,8 +29,9 @@ class FrontAdvance {
     std::uint64_t relaxed = 0;  ///< elements made under a class other than the strict one
   };
 
-  FrontAdvance(Front& front, Elements& elements, const SizeField& field)
-      : front_(front), elements_(elements), field_(field), crossing_(around_) {}
+  /// `filters`: see CrossingTest.
+  FrontAdvance(Front& front, Elements& elements, const SizeField& field, bool filters)
+      : front_(front), elements_(elements), field_(field), crossing_(around_, filters) {}
 
   /// Takes the next base face and completes it, or puts it back under the next rule class, or
   /// parks it after the last. The front must have a face queued.

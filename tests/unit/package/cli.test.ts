@@ -282,6 +282,7 @@ test("--help teaches, --version tells, both with code 0", async () => {
     "--size",
     "--growth",
     "--order",
+    "--no-filters",
     "--report",
     "--keep-partial",
     ".stl",

@@ -102,6 +102,18 @@ describe("a given surface is filled and kept triangle for triangle:", () => {
     expectValid(await mesher.fillSurface(surface, { order: "smallest-first" }), surface);
   });
 
+  test("filters change the work, not the mesh", async () => {
+    const surface = sphereSurface(8);
+    const options = { order: "smallest-first", optimization: "none" } as const;
+    const [filtered, analysed] = [
+      (await mesher.fillSurface(surface, options)).report,
+      (await mesher.fillSurface(surface, { ...options, filters: false })).report,
+    ];
+    expect(analysed.fingerprint).toBe(filtered.fingerprint);
+    expect(analysed.front.facesTested).toBe(filtered.front.facesTested);
+    expect(analysed.front.facesAnalysed).toBeGreaterThan(5 * filtered.front.facesAnalysed);
+  });
+
   test("optimizing makes the elements better and leaves the boundary", async () => {
     const surface = cavitySurface(8);
     const [raw, fast, full] = await Promise.all([
