@@ -1,11 +1,13 @@
-/// @file How long the front takes, and which share of it the crossing test, for docs/PAPER.md: the
-/// volume front alone, on the boundary and the background grid that the benchmark `paper` writes.
+/// @file How long the front takes, and which share of it the crossing test, for docs/PAPER.md and
+/// docs/BENCHMARKS.md: the volume front alone, on the boundary and the background grid that the benchmarks
+/// write.
 ///
-///     front_clock layered|smallest-first < BOUNDARY_AND_GRID
+///     front_clock layered|smallest-first on|off < BOUNDARY_AND_GRID
 ///
-/// Input, as text: number of nodes, triangles, grid nodes and grid tetrahedra; x y z per node; three
-/// nodes per triangle; x y z size per grid node; four grid nodes per tetrahedron. Prints `name value`
-/// lines; times are the processor's, the least of several runs. Exit status: 0 done, 1 not completed, 2 bad input.
+/// The second argument tells whether the crossing test filters faces. Input, as text: number of nodes,
+/// triangles, grid nodes and grid tetrahedra; x y z per node; three nodes per triangle; x y z size per
+/// grid node; four grid nodes per tetrahedron. Without grid nodes sizes come from the boundary's edges.
+/// Prints `name value` lines; times are the processor's, the least of several runs. Exit status: 0 done, 1 not completed, 2 bad input.
 
 #include <algorithm>
 #include <chrono>
@@ -21,6 +23,7 @@
 
 #include "field/grid_locator.h"
 #include "field/size_field.h"
+#include "field/size_octree.h"
 #include "surface/boundary.h"
 #include "volume/volume_mesher.h"
 
@@ -52,6 +55,21 @@ bool readProblem(std::istream& in, Problem& problem) {
     for (std::uint32_t& node : tetrahedron) in >> node;
   }
   return !in.fail();
+}
+
+std::vector<tetrafront::Vec3> nodesOf(const tetrafront::SurfaceMesh& surface) {
+  std::vector<tetrafront::Vec3> nodes;
+  for (std::size_t i = 0; i < surface.points.size(); i += 3)
+    nodes.emplace_back(surface.points[i], surface.points[i + 1], surface.points[i + 2]);
+  return nodes;
+}
+
+tetrafront::SizeField fieldOf(const Problem& problem, const tetrafront::MeshOptions& options) {
+  if (!problem.grid.nodes.empty())
+    return tetrafront::SizeField::fromGrid(
+        tetrafront::GridLocator(problem.grid, options.gradation - 1.0));
+  return tetrafront::SizeField::fromOctree(tetrafront::SizeOctree(
+      nodesOf(problem.boundary), problem.boundary.triangles, options.growth, 0.0));
 }
 
 struct Timing {
@@ -98,9 +116,10 @@ Timing quickest(const Problem& problem, const std::vector<std::uint32_t>& region
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::string_view order = argc == 2 ? argv[1] : "";
-  if (order != "layered" && order != "smallest-first") {
-    std::fprintf(stderr, "usage: front_clock layered|smallest-first < BOUNDARY_AND_GRID\n");
+  const std::string_view order = argc == 3 ? argv[1] : "";
+  const std::string_view filters = argc == 3 ? argv[2] : "";
+  if ((order != "layered" && order != "smallest-first") || (filters != "on" && filters != "off")) {
+    std::fprintf(stderr, "usage: front_clock layered|smallest-first on|off < BOUNDARY_AND_GRID\n");
     return 2;
   }
   Problem problem;
@@ -111,15 +130,16 @@ int main(int argc, char** argv) {
   std::vector<tetrafront::Diagnostic> findings;
   const tetrafront::BoundaryResult closed = tetrafront::closeBoundary(
       problem.boundary, tetrafront::BoundarySource::kGivenSurface, findings);
-  if (!closed.valid || !tetrafront::checkBackgroundGrid(problem.grid).empty()) {
+  const bool hasGrid = !problem.grid.nodes.empty();
+  if (!closed.valid || (hasGrid && !tetrafront::checkBackgroundGrid(problem.grid).empty())) {
     std::fprintf(stderr, "standard input: the boundary or the background grid cannot be used\n");
     return 2;
   }
   tetrafront::MeshOptions options;
   options.order = order == "layered" ? tetrafront::FrontOrder::kLayered
                                      : tetrafront::FrontOrder::kSmallestFirst;
-  const auto field = tetrafront::SizeField::fromGrid(
-      tetrafront::GridLocator(problem.grid, options.gradation - 1.0));
+  options.filters = filters == "on";
+  const tetrafront::SizeField field = fieldOf(problem, options);
   const auto& regions = closed.triangleRegion;
   const Timing plain = quickest<tetrafront::NullTrace>(problem, regions, field, options);
   const Timing clocked = quickest<tetrafront::ClockTrace>(problem, regions, field, options);

@@ -2,11 +2,10 @@
 // docs/PAPER.md. Counts and element volumes are of the whole run with default options; the rates and
 // the share of the crossing test are of the front alone, natively, in both orders of the front. Seconds
 // are the processor's.
-import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
-import path from "node:path";
 import { createMesher, readProject } from "tetrafront";
-import { volumeRange } from "./element-volumes.mjs";
+import { volumeRange } from "./support/element-volumes.mjs";
+import { clockFront } from "./support/engines.mjs";
 
 const REPEATS = 3; // the least time counts: everything else on the machine only adds
 
@@ -24,13 +23,6 @@ const printed = [
 const printedRate = "480-490";
 const printedShare = "25 %";
 const printedFaces = "about 40";
-
-const fill = process.env.TETRAFRONT_FILL;
-if (!fill) {
-  console.error("Run this by `npm run bench paper`: it needs the native programs beside TETRAFRONT_FILL.");
-  process.exit(2);
-}
-const frontClock = path.join(path.dirname(fill), "front_clock");
 
 function load(id) {
   const file = new URL(`../../public/models/${id}.json`, import.meta.url);
@@ -50,22 +42,6 @@ async function quickest(mesher, project) {
     if (best === undefined || seconds < best.seconds) best = { ...result, seconds };
   }
   return best;
-}
-
-/** The boundary and the background grid as front_clock reads them. */
-function frontProblem({ points, triangles }, { nodes, tetrahedra }) {
-  const positions = new Map(nodes.map(({ id }, position) => [id, position]));
-  const counts = [points.length / 3, triangles.length / 3, nodes.length, tetrahedra.length];
-  const gridNodes = nodes.flatMap(({ at, size }) => [...at, size]);
-  const corners = tetrahedra.flat().map((id) => positions.get(id));
-  return [counts, points, triangles, gridNodes, corners].map((list) => list.join(" ")).join("\n");
-}
-
-function clockFront(order, input) {
-  const lines = execFileSync(frontClock, [order], { input, encoding: "utf8" }).trim().split("\n");
-  return Object.fromEntries(
-    lines.map((line) => line.split(" ")).map(([name, value]) => [name, Number(value)]),
-  );
 }
 
 const perSecond = (count, seconds) => Math.round(count / seconds).toLocaleString("en-US");
@@ -107,8 +83,9 @@ try {
     console.log(`\n${project.name}`);
     row("", "measured", "paper");
     showMesh(result, project, paper);
-    const input = frontProblem(result.surface, project.background);
-    for (const order of ["layered", "smallest-first"]) showFront(order, clockFront(order, input));
+    for (const order of ["layered", "smallest-first"]) {
+      showFront(order, clockFront(order, "on", result.surface, project.background));
+    }
   }
 } finally {
   mesher.dispose();

@@ -1,0 +1,157 @@
+"""Other tetrahedral meshers on a given closed surface, to stand beside our own in `npm run bench speed`.
+
+    peers.py                      prints the names of the peers whose packages can be imported
+    peers.py NAME SURFACE.off     fills the surface with that one and prints `name value` lines
+
+All get the same triangles, which stay as they are, one thread, and sizes from the surface. Seconds are
+the processor's and of the meshing call alone: reading, handing over and measuring are left out.
+"""
+
+import sys
+import time
+
+import numpy
+
+
+def read_off(path):
+    with open(path, encoding="ascii") as file:
+        words = file.read().split()
+    count, faces = int(words[1]), int(words[2])
+    points = numpy.array(words[4 : 4 + 3 * count], dtype=float).reshape(-1, 3)
+    rest = numpy.array(words[4 + 3 * count : 4 + 3 * count + 4 * faces], dtype=int).reshape(-1, 4)
+    return points, rest[:, 1:]
+
+
+def mean_edge(points, triangles):
+    sides = points[triangles] - points[numpy.roll(triangles, 1, axis=1)]
+    return float(numpy.linalg.norm(sides, axis=2).mean())
+
+
+def timed(work):
+    began = time.process_time()
+    result = work()
+    return result, time.process_time() - began
+
+
+def netgen(points, triangles, **options):
+    from netgen.meshing import Element2D, FaceDescriptor, Mesh, MeshPoint, Pnt
+
+    mesh = Mesh(dim=3)
+    nodes = [mesh.Add(MeshPoint(Pnt(*point))) for point in points.tolist()]
+    patch = mesh.Add(FaceDescriptor(surfnr=1, domin=1, domout=0, bc=1))
+    for triangle in triangles.tolist():
+        mesh.Add(Element2D(patch, [nodes[node] for node in triangle]))
+    size = mean_edge(points, triangles)
+    _, seconds = timed(
+        lambda: mesh.GenerateVolumeMesh(maxh=size, parallel_meshing=False, **options)
+    )
+    places = numpy.array([point.p for point in mesh.Points()])
+    elements = numpy.array([[node.nr - 1 for node in element.vertices] for element in mesh.Elements3D()])
+    return places, elements, seconds
+
+
+def gmsh(points, triangles, algorithm, optimize):
+    import gmsh as engine
+
+    engine.initialize(interruptible=False)
+    engine.option.setNumber("General.Terminal", 0)
+    engine.option.setNumber("General.NumThreads", 1)
+    engine.option.setNumber("Mesh.Algorithm3D", algorithm)
+    engine.option.setNumber("Mesh.Optimize", optimize)
+    surface = engine.model.addDiscreteEntity(2)
+    names = numpy.arange(1, len(points) + 1)
+    engine.model.mesh.addNodes(2, surface, names, points.ravel())
+    engine.model.mesh.addElementsByType(surface, 2, [], (triangles + 1).ravel())
+    engine.model.geo.addVolume([engine.model.geo.addSurfaceLoop([surface])])
+    engine.model.geo.synchronize()
+    _, seconds = timed(lambda: engine.model.mesh.generate(3))
+    names, places, _ = engine.model.mesh.getNodes()
+    positions = numpy.zeros(int(names.max()) + 1, dtype=int)
+    positions[names.astype(int)] = numpy.arange(len(names))
+    _, corners = engine.model.mesh.getElementsByType(4)
+    elements = positions[corners.astype(int)].reshape(-1, 4)
+    engine.finalize()
+    return places.reshape(-1, 3), elements, seconds
+
+
+def tetgen(points, triangles):
+    from tetgen import TetGen
+
+    mesher = TetGen(points, triangles.astype(numpy.int32))
+    volume = mean_edge(points, triangles) ** 3 / (6 * 2**0.5)
+    result, seconds = timed(lambda: mesher.tetrahedralize(switches=f"pYq1.2a{volume:.17g}Q"))
+    return result[0], result[1], seconds
+
+
+DELAUNAY, FRONTAL, HXT = 1, 4, 10
+
+PEERS = {
+    "netgen-front": ("netgen", lambda *s: netgen(*s, delaunay=False, optsteps3d=0)),
+    "netgen-front-optimized": ("netgen", lambda *s: netgen(*s, delaunay=False)),
+    "netgen-default": ("netgen", lambda *s: netgen(*s, optsteps3d=0)),
+    "netgen-default-optimized": ("netgen", netgen),
+    "gmsh-delaunay": ("gmsh", lambda *s: gmsh(*s, DELAUNAY, 0)),
+    "gmsh-delaunay-optimized": ("gmsh", lambda *s: gmsh(*s, DELAUNAY, 1)),
+    "gmsh-frontal": ("gmsh", lambda *s: gmsh(*s, FRONTAL, 0)),
+    "gmsh-hxt": ("gmsh", lambda *s: gmsh(*s, HXT, 0)),
+    "gmsh-hxt-optimized": ("gmsh", lambda *s: gmsh(*s, HXT, 1)),
+    "tetgen": ("tetgen", tetgen),
+}
+
+
+def dihedral_angles(points, elements):
+    """The six angles of each element, in degrees."""
+    corners = points[elements]
+    faces = [(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)]
+    normals = []
+    for a, b, c in faces:
+        normal = numpy.cross(corners[:, b] - corners[:, a], corners[:, c] - corners[:, a])
+        normals.append(normal / numpy.linalg.norm(normal, axis=1)[:, None])
+    angles = []
+    for i in range(4):
+        for j in range(i):
+            cosines = -(normals[i] * normals[j]).sum(axis=1)
+            angles.append(numpy.degrees(numpy.arccos(numpy.clip(cosines, -1, 1))))
+    return numpy.array(angles)
+
+
+def radius_ratios(points, elements):
+    """3 x inradius / circumradius of each element."""
+    a, b, c, d = (points[elements[:, k]] for k in range(4))
+    u, v, w = b - a, c - a, d - a
+    vw, wu, uv = numpy.cross(v, w), numpy.cross(w, u), numpy.cross(u, v)
+    six_volumes = numpy.abs((u * vw).sum(axis=1))
+    areas = sum(numpy.linalg.norm(n, axis=1) for n in (vw, wu, uv, numpy.cross(c - b, d - b)))
+    square = lambda x: (x * x).sum(axis=1)[:, None]
+    to_centre = numpy.linalg.norm(square(u) * vw + square(v) * wu + square(w) * uv, axis=1)
+    inradius = six_volumes / areas
+    return 3 * inradius * 2 * six_volumes / numpy.maximum(to_centre, 1e-300)
+
+
+def importable(module):
+    try:
+        __import__(module)
+        return True
+    except ImportError:
+        return False
+
+
+def main(arguments):
+    if not arguments:
+        for name, (module, _) in PEERS.items():
+            if importable(module):
+                print(name)
+        return 0
+    name, path = arguments
+    points, elements, seconds = PEERS[name][1](*read_off(path))
+    angles = dihedral_angles(points, elements)
+    print(f"tetrahedra {len(elements)}")
+    print(f"seconds {seconds:.6f}")
+    print(f"minDihedral {angles.min():.4f}")
+    print(f"maxDihedral {angles.max():.4f}")
+    print(f"meanRadiusRatio {radius_ratios(points, elements).mean():.4f}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

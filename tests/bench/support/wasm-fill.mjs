@@ -1,0 +1,117 @@
+// The engine as WebAssembly on a closed surface, in this very thread: the twin of the native program
+// `fill`, for the benchmarks.
+//
+//     node wasm-fill.mjs SURFACE.off LEVEL RUNS
+//
+// Fills the surface RUNS times, or more until V8 has had time to compile, and prints `name value` lines: of the
+// run that took the processor least, but for `firstSeconds`, and the size of the engine's memory after all
+// of them. LEVEL: of optimization.
+import { readFileSync } from "node:fs";
+import createEngine from "../../../wasm/dist/engine.mjs";
+
+const OPTIMIZATIONS = ["none", "fast", "default", "strive"];
+const PHASES = ["check", "sides", "surface", "volume", "optimize", "verify"];
+const STATUSES = ["running", "done", "stalled", "cancelled", "invalid-input"];
+// As wasm/src/slices.ts calls the engine.
+const BUDGET = 256;
+const WARM_SECONDS = 3;
+
+function readOff(file) {
+  const words = readFileSync(file, "ascii").split(/\s+/);
+  const [points, triangles] = [Number(words[1]), Number(words[2])];
+  const corners = 4 + 3 * points;
+  return {
+    points: Float64Array.from(words.slice(4, corners), Number),
+    triangles: Uint32Array.from({ length: 3 * triangles }, (_, i) =>
+      Number(words[corners + 4 * Math.floor(i / 3) + 1 + (i % 3)]),
+    ),
+  };
+}
+
+/** The engine and the memory it runs in, which its module keeps to itself. */
+async function loadEngine() {
+  const binary = readFileSync(new URL("../../../wasm/dist/engine.wasm", import.meta.url));
+  let memory;
+  const engine = await createEngine({
+    instantiateWasm(imports, receive) {
+      void WebAssembly.instantiate(binary, imports).then(({ instance, module }) => {
+        memory = Object.values(instance.exports).find((given) => given instanceof WebAssembly.Memory);
+        receive(instance, module);
+      });
+      return {};
+    },
+  });
+  return { engine, memory };
+}
+
+/** Of the processor, all threads of this process: while the engine is warm there is hardly another. */
+function processorSeconds() {
+  const { user, system } = process.cpuUsage();
+  return (user + system) / 1e6;
+}
+
+function fill(engine, surface, optimization) {
+  const none = new Float64Array(0);
+  const grid = {
+    nodes: none,
+    tetrahedra: new Uint32Array(0),
+    sourceTypes: new Uint8Array(0),
+    sourceValues: none,
+    overhang: 0,
+  };
+  const options = {
+    size: 0,
+    growth: 0.3,
+    gradation: 1.3,
+    order: 0,
+    filters: true,
+    optimization,
+    exactFillOnly: false,
+  };
+  const run = engine.fillSurface(surface.points, surface.triangles, grid, options);
+  const seconds = Object.fromEntries(PHASES.map((phase) => [phase, 0]));
+  let status = "running";
+  for (let before = processorSeconds(); status === "running";) {
+    const phase = PHASES[run.progress().phase];
+    status = STATUSES[run.advance(BUDGET)];
+    const after = processorSeconds();
+    seconds[phase] += after - before;
+    before = after;
+  }
+  const { tetrahedra } = run.progress();
+  const fingerprint = run.fingerprint();
+  const { minDihedral, maxDihedral, meanRadiusRatio } = run.quality();
+  run.delete();
+  const total = Object.values(seconds).reduce((sum, part) => sum + part);
+  return { status, tetrahedra, fingerprint, minDihedral, maxDihedral, meanRadiusRatio, seconds, total };
+}
+
+const [file, level, runs] = process.argv.slice(2);
+const surface = readOff(file);
+const { engine, memory } = await loadEngine();
+const bytesBefore = memory.buffer.byteLength;
+const all = [];
+for (
+  const began = processorSeconds();
+  all.length < Number(runs) || processorSeconds() - began < WARM_SECONDS;
+) {
+  all.push(fill(engine, surface, OPTIMIZATIONS.indexOf(level)));
+}
+const best = all.reduce((one, other) => (other.total < one.total ? other : one));
+const lines = {
+  status: best.status,
+  tetrahedra: best.tetrahedra,
+  seconds: best.total,
+  firstSeconds: all[0].total,
+  checkSeconds: best.seconds.check,
+  volumeSeconds: Math.min(...all.map((run) => run.seconds.volume)),
+  optimizeSeconds: Math.min(...all.map((run) => run.seconds.optimize)),
+  verifySeconds: best.seconds.verify,
+  initialBytes: bytesBefore,
+  bytes: memory.buffer.byteLength,
+  minDihedral: best.minDihedral,
+  maxDihedral: best.maxDihedral,
+  meanRadiusRatio: best.meanRadiusRatio,
+  fingerprint: best.fingerprint,
+};
+for (const [name, value] of Object.entries(lines)) console.log(`${name} ${value}`);
