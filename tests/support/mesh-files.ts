@@ -1,13 +1,16 @@
 /** Reads VTU and MSH files by their specifications, not by the code that writes them. Little-endian only. */
+import { inflateSync } from "node:zlib";
 
 export interface FileMesh {
   readonly points: Float64Array;
   /** Nodes per cell, from 0. */
   readonly tetrahedra: number[][];
   readonly regions: number[];
+  readonly triangles: number[][];
+  readonly patches: number[];
 }
 
-/** A VTU file with raw appended data, as VTK's file format guide describes it. */
+/** A VTU file with appended data compressed in blocks, as VTK's file format guide describes it. */
 export function parseVtu(bytes: Uint8Array): FileMesh {
   const text = new TextDecoder("latin1").decode(bytes);
   const begin = text.indexOf("_", text.indexOf("<AppendedData")) + 1;
@@ -15,16 +18,26 @@ export function parseVtu(bytes: Uint8Array): FileMesh {
   const bytesOf = (name: string): ArrayBuffer => {
     const tag = new RegExp(`<DataArray[^>]*Name="${name}"[^>]*>`).exec(text)?.[0] ?? "";
     const offset = begin + Number(/offset="(\d+)"/.exec(tag)?.[1]);
-    const length = Number(view.getBigUint64(offset, true));
-    return bytes.slice(offset + 8, offset + 8 + length).buffer;
+    const header = (index: number) => Number(view.getBigUint64(offset + 8 * index, true));
+    const blocks: Buffer[] = [];
+    let at = offset + 8 * (3 + header(0));
+    for (let b = 0; b < header(0); b++) {
+      blocks.push(inflateSync(bytes.subarray(at, at + header(3 + b))));
+      at += header(3 + b);
+    }
+    return new Uint8Array(Buffer.concat(blocks)).buffer;
   };
   const connectivity = [...new Int32Array(bytesOf("connectivity"))];
   const offsets = [...new Int32Array(bytesOf("offsets"))];
-  const tetrahedra = offsets.map((end, t) => connectivity.slice(t === 0 ? 0 : offsets[t - 1], end));
+  const cells = offsets.map((end, c) => connectivity.slice(c === 0 ? 0 : offsets[c - 1], end));
+  const types = new Uint8Array(bytesOf("types"));
+  const ofType = <T>(values: readonly T[], type: number) => values.filter((_, c) => types[c] === type);
   return {
     points: new Float64Array(bytesOf("Points")),
-    tetrahedra,
-    regions: [...new Int32Array(bytesOf("region"))],
+    tetrahedra: ofType(cells, 10),
+    regions: ofType([...new Int32Array(bytesOf("region"))], 10),
+    triangles: ofType(cells, 5),
+    patches: ofType([...new Int32Array(bytesOf("patch"))], 5),
   };
 }
 

@@ -69,7 +69,13 @@ describe("VTU", () => {
       [0, 1, 2, 3],
       [1, 4, 2, 3],
     ]);
-    expect(read.regions).toEqual([0, 1]);
+    expect(read.regions).toEqual([1, 2]);
+    expect(read.triangles).toEqual([
+      [0, 2, 1],
+      [0, 1, 3],
+      [0, 3, 2],
+    ]);
+    expect(read.patches).toEqual([3, 1, 3]);
   });
 
   test("of a mesh without tetrahedra is whole", async () => {
@@ -126,9 +132,11 @@ describe("legacy VTK", () => {
     const file = await written(".vtk", fileMeshOf(mesh));
     const places = after(file, /^POINTS 5 double\n/m);
     expect(Array.from(points, (_, i) => places.getFloat64(8 * i))).toEqual([...points]);
-    expect(ints(after(file, /^CELLS 2 10\n/m), 10)).toEqual([4, 0, 1, 2, 3, 4, 1, 4, 2, 3]);
-    expect(ints(after(file, /^CELL_TYPES 2\n/m), 2)).toEqual([10, 10]);
-    expect(ints(after(file, /^SCALARS region int 1\nLOOKUP_TABLE default\n/m), 2)).toEqual([0, 1]);
+    const cells = [4, 0, 1, 2, 3, 4, 1, 4, 2, 3, 3, 0, 2, 1, 3, 0, 1, 3, 3, 0, 3, 2];
+    expect(ints(after(file, /^CELLS 5 22\n/m), 22)).toEqual(cells);
+    expect(ints(after(file, /^CELL_TYPES 5\n/m), 5)).toEqual([10, 10, 5, 5, 5]);
+    expect(ints(after(file, /^SCALARS region int 1\nLOOKUP_TABLE default\n/m), 5)).toEqual([1, 2, 0, 0, 0]);
+    expect(ints(after(file, /^SCALARS patch int 1\nLOOKUP_TABLE default\n/m), 5)).toEqual([0, 0, 3, 1, 3]);
   });
 
   test("of a mesh without tetrahedra is whole", async () => {

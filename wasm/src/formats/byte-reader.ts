@@ -129,14 +129,15 @@ export class ByteReader {
     return this.#text(this.#wordEnd());
   }
 
-  /** Moves behind the next word if it is this one, in capitals or not. */
+  /** Moves behind the next word if it is this one (in small letters here), in capitals or not. */
   accepts(word: string): boolean {
     this.#skipBlanks(true);
     const end = this.#wordEnd();
     if (end - this.#at !== word.length) return false;
     for (let i = 0; i < word.length; i++) {
-      // Letters differ from capitals by one bit; words here are letters only.
-      if (((this.#bytes[this.#at + i] ?? 0) | SPACE) !== word.charCodeAt(i)) return false;
+      const byte = this.#bytes[this.#at + i] ?? 0;
+      const isCapital = byte >= 65 && byte <= 90;
+      if ((isCapital ? byte + 32 : byte) !== word.charCodeAt(i)) return false;
     }
     this.#at = end;
     return true;

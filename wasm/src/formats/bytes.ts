@@ -25,3 +25,15 @@ export function widened(values: ArrayLike<number>): Uint32Array {
   for (let i = 0; i < values.length; i++) wide[2 * i + low] = values[i] ?? 0;
   return wide;
 }
+
+export function bigEndianDoubles(values: Float64Array): DataView {
+  const view = new DataView(new ArrayBuffer(8 * values.length));
+  values.forEach((value, i) => view.setFloat64(8 * i, value));
+  return view;
+}
+
+export function bigEndianInts(values: ArrayLike<number>): DataView {
+  const view = new DataView(new ArrayBuffer(4 * values.length));
+  for (let i = 0; i < values.length; i++) view.setInt32(4 * i, values[i] ?? 0);
+  return view;
+}

@@ -70,8 +70,8 @@ function uniqueName(
   taken: Set<string>,
   plain: (name: string) => string,
 ): string {
-  const own = plain((given ?? "").replace(/["\r\n]/g, "'").trim());
-  let name = own === "" ? plain(otherwise) : own;
+  const own = (given ?? "").replace(/["\r\n]/g, "'").trim();
+  let name = plain(own === "" ? otherwise : own);
   for (let copy = 1; taken.has(name); copy++) {
     name = plain(copy === 1 ? `${own} (${otherwise})` : `${own} (${otherwise}) ${copy}`);
   }

@@ -29,7 +29,8 @@ export function writeMsh(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   ]);
 }
 
-function physicalNames(groups: readonly Group[]): string {
+/** The section that tells the names of patches and regions. */
+export function physicalNames(groups: readonly Group[]): string {
   const lines = groups.map(({ kind, tag, name }) => `${kind.dimension} ${tag} "${name}"\n`);
   return `$PhysicalNames\n${groups.length}\n${lines.join("")}$EndPhysicalNames\n`;
 }

@@ -5,7 +5,6 @@
  */
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FormatCode } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 
@@ -13,28 +12,27 @@ const REMEDY = "Export the surface again as an OBJ file of triangles.";
 /** Words that begin free-form geometry, which a mesh would be missing. */
 const FREE_FORM = new Set(["curv", "curv2", "surf", "cstype", "deg", "bmat"]);
 
-export const obj: FormatCode = {
-  read: (source: ByteSource): Promise<FileMesh> =>
-    ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
-      const builder = new MeshBuilder();
-      const group = { material: "", name: "" };
-      for (;;) {
-        if (reader.isLow) await reader.fill();
-        const word = reader.word();
-        if (word === "") break;
-        if (word === "v") readPoint(reader, builder);
-        else if (word === "f") {
-          readFace(reader, builder, builder.patches.named(group.material || group.name || "surface"));
-        } else if (word === "usemtl") group.material = nameIn(reader);
-        else if (word === "g" || word === "o") group.name = nameIn(reader);
-        else if (FREE_FORM.has(word)) reader.fail(`"${word}" begins a curve or surface that is no polygon`);
-        // A weight or colour after a point, and everything that is neither.
-        reader.skipLine();
-      }
-      if (builder.triangleCount === 0) reader.fail("the file has no face");
-      return builder.mesh();
-    }),
-};
+export function readObj(source: ByteSource): Promise<FileMesh> {
+  return ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
+    const builder = new MeshBuilder();
+    const group = { material: "", name: "" };
+    for (;;) {
+      if (reader.isLow) await reader.fill();
+      const word = reader.word();
+      if (word === "") break;
+      if (word === "v") readPoint(reader, builder);
+      else if (word === "f") {
+        readFace(reader, builder, builder.patches.named(group.material || group.name || "surface"));
+      } else if (word === "usemtl") group.material = nameIn(reader);
+      else if (word === "g" || word === "o") group.name = nameIn(reader);
+      else if (FREE_FORM.has(word)) reader.fail(`"${word}" begins a curve or surface that is no polygon`);
+      // A weight or colour after a point, and everything that is neither.
+      reader.skipLine();
+    }
+    if (builder.triangleCount === 0) reader.fail("the file has no face");
+    return builder.mesh();
+  });
+}
 
 function nameIn(reader: ByteReader): string {
   const words: string[] = [];

@@ -6,7 +6,6 @@
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";
-import type { FormatCode } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 
@@ -14,27 +13,26 @@ const REMEDY = "Export the surface again as an OFF file in text form.";
 /** More than these would be written as a triangle soup of a different format, or are garbage. */
 const MAX_COUNT = 0x7fffffff;
 
-export const off: FormatCode = {
-  read: (source: ByteSource): Promise<FileMesh> =>
-    ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
-      const hasExtras = readHeader(reader);
-      const pointCount = reader.index("the number of points", MAX_COUNT);
-      const faceCount = reader.index("the number of faces", MAX_COUNT);
-      reader.index("the number of edges", MAX_COUNT);
-      const builder = new MeshBuilder();
-      for (let i = 0; i < pointCount; i++) {
-        if (reader.isLow) await reader.fill();
-        const [x, y, z] = [0, 1, 2].map(() => reader.number(`a coordinate of point ${i}`));
-        builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
-        if (hasExtras) reader.skipLine();
-      }
-      for (let f = 0; f < faceCount; f++) {
-        if (reader.isLow) await reader.fill();
-        readFace(reader, builder, f);
-      }
-      return builder.mesh();
-    }),
-};
+export function readOff(source: ByteSource): Promise<FileMesh> {
+  return ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
+    const hasExtras = readHeader(reader);
+    const pointCount = reader.index("the number of points", MAX_COUNT);
+    const faceCount = reader.index("the number of faces", MAX_COUNT);
+    reader.index("the number of edges", MAX_COUNT);
+    const builder = new MeshBuilder();
+    for (let i = 0; i < pointCount; i++) {
+      if (reader.isLow) await reader.fill();
+      const [x, y, z] = [0, 1, 2].map(() => reader.number(`a coordinate of point ${i}`));
+      builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
+      if (hasExtras) reader.skipLine();
+    }
+    for (let f = 0; f < faceCount; f++) {
+      if (reader.isLow) await reader.fill();
+      readFace(reader, builder, f);
+    }
+    return builder.mesh();
+  });
+}
 
 /** Whether more than x y z may stand in a point's line. */
 function readHeader(reader: ByteReader): boolean {

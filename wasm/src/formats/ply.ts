@@ -8,7 +8,6 @@ import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch } from "./colors.js";
 import { Column } from "./column.js";
-import type { FormatCode } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 
@@ -53,24 +52,23 @@ interface Faces {
   readonly patches: Column<Uint32Array>;
 }
 
-export const ply: FormatCode = {
-  read: (source: ByteSource): Promise<FileMesh> =>
-    ByteReader.over(source, { remedy: REMEDY }, async (reader) => {
-      if (reader.line() !== "ply") {
-        throw new ReadFailure({ message: 'the file does not begin with "ply"', remedy: REMEDY });
-      }
-      const { elements, read } = readHeader(reader);
-      const builder = new MeshBuilder();
-      const faces: Faces = {
-        sizes: new Column(Uint32Array),
-        corners: new Column(Uint32Array),
-        patches: new Column(Uint32Array),
-      };
-      for (const element of elements) await readElement(reader, element, read, builder, faces);
-      addFaces(reader, faces, builder);
-      return builder.mesh();
-    }),
-};
+export function readPly(source: ByteSource): Promise<FileMesh> {
+  return ByteReader.over(source, { remedy: REMEDY }, async (reader) => {
+    if (reader.line() !== "ply") {
+      throw new ReadFailure({ message: 'the file does not begin with "ply"', remedy: REMEDY });
+    }
+    const { elements, read } = readHeader(reader);
+    const builder = new MeshBuilder();
+    const faces: Faces = {
+      sizes: new Column(Uint32Array),
+      corners: new Column(Uint32Array),
+      patches: new Column(Uint32Array),
+    };
+    for (const element of elements) await readElement(reader, element, read, builder, faces);
+    addFaces(reader, faces, builder);
+    return builder.mesh();
+  });
+}
 
 function readHeader(reader: ByteReader): { elements: Element[]; read: ReadNumber } {
   const elements: Element[] = [];

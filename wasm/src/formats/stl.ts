@@ -7,7 +7,6 @@
 import { ReadFailure } from "../read-result.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FormatCode } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 
@@ -23,23 +22,22 @@ const BATCH = 1024;
 
 const REMEDY = "Export the surface again; the file is damaged or is not STL.";
 
-export const stl: FormatCode = {
-  read: (source: ByteSource): Promise<FileMesh> =>
-    ByteReader.over(source, { remedy: REMEDY }, (reader) => {
-      const head = reader.peek(SNIFFED_BYTES);
-      const startsLikeText = /^\s*solid/i.test(String.fromCharCode(...head.subarray(0, HEADER_BYTES)));
-      if (startsLikeText && !head.includes(0)) return readText(reader);
-      if (head.length < HEADER_BYTES + COUNT_BYTES) {
-        const message = `it has ${head.length} bytes, too few for an STL file`;
-        throw new ReadFailure({ message, remedy: REMEDY, offset: head.length });
-      }
-      if (!head.includes(0)) {
-        const message = 'this is text, but not an STL file: it does not begin with "solid"';
-        throw new ReadFailure({ message, remedy: REMEDY, offset: 0 });
-      }
-      return readBinary(reader);
-    }),
-};
+export function readStl(source: ByteSource): Promise<FileMesh> {
+  return ByteReader.over(source, { remedy: REMEDY }, (reader) => {
+    const head = reader.peek(SNIFFED_BYTES);
+    const startsLikeText = /^\s*solid/i.test(String.fromCharCode(...head.subarray(0, HEADER_BYTES)));
+    if (startsLikeText && !head.includes(0)) return readText(reader);
+    if (head.length < HEADER_BYTES + COUNT_BYTES) {
+      const message = `it has ${head.length} bytes, too few for an STL file`;
+      throw new ReadFailure({ message, remedy: REMEDY, offset: head.length });
+    }
+    if (!head.includes(0)) {
+      const message = 'this is text, but not an STL file: it does not begin with "solid"';
+      throw new ReadFailure({ message, remedy: REMEDY, offset: 0 });
+    }
+    return readBinary(reader);
+  });
+}
 
 async function readBinary(reader: ByteReader): Promise<FileMesh> {
   const header = String.fromCharCode(...(await reader.bytes(HEADER_BYTES)));

@@ -1,15 +1,19 @@
 /**
- * VTU (VTK XML unstructured grid), which ParaView, VTK and meshio read: float64 points, the tetrahedra
- * as cells, the region as cell data. The arrays are appended raw, as ParaView writes them by default:
+ * VTU (VTK XML unstructured grid), which ParaView, VTK and meshio read: float64 points, the tetrahedra and
+ * behind them the boundary's triangles as cells; as cell data the number of their `region` and `patch`, 0
+ * where a cell has none. The arrays are appended raw and compressed with zlib, as ParaView writes them:
  * coordinates come back bit for bit.
  */
+import { zlibSync } from "fflate";
+
 import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
+import { vtkCells } from "./vtk.js";
 
-/** VTK's number for a linear tetrahedron; its node order is ours. */
-const VTK_TETRA = 10;
-/** Every appended array is preceded by its length in bytes as a 64-bit number. */
-const LENGTH_BYTES = 8;
+/** Blocks are compressed one by one; readers hold one of them at a time. */
+const BLOCK_BYTES = 1 << 16;
+/** Mesh data gains little from more. */
+const LEVEL = 4;
 
 interface DataArray {
   readonly attributes: string;
@@ -18,39 +22,57 @@ interface DataArray {
 
 /** The bytes of a VTU file. */
 export function writeVtu(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const { points, tetrahedra, tetrahedronRegion: regions } = mesh;
-  const cellCount = tetrahedra.length / 4;
+  const { points } = mesh;
+  const { connectivity, offsets, types, regions, patches } = vtkCells(mesh);
   const arrays: readonly DataArray[] = [
     { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', values: points },
-    { attributes: 'type="Int32" Name="connectivity"', values: new Int32Array(tetrahedra) },
-    { attributes: 'type="Int32" Name="offsets"', values: Int32Array.from(regions, (_, t) => 4 * (t + 1)) },
-    { attributes: 'type="UInt8" Name="types"', values: new Uint8Array(cellCount).fill(VTK_TETRA) },
-    { attributes: 'type="Int32" Name="region"', values: new Int32Array(regions) },
+    { attributes: 'type="Int32" Name="connectivity"', values: connectivity },
+    { attributes: 'type="Int32" Name="offsets"', values: offsets },
+    { attributes: 'type="UInt8" Name="types"', values: types },
+    { attributes: 'type="Int32" Name="region"', values: regions },
+    { attributes: 'type="Int32" Name="patch"', values: patches },
   ];
-  const [pointTag, connectivityTag, offsetTag, typeTag, regionTag] = arrayTags(arrays);
+  const packed = arrays.map(({ values }) => compressed(values));
+  const [pointTag, connectivityTag, offsetTag, typeTag, regionTag, patchTag] = arrayTags(arrays, packed);
+  const order = IS_LITTLE_ENDIAN ? "LittleEndian" : "BigEndian";
   const head = [
     '<?xml version="1.0"?>',
-    `<VTKFile type="UnstructuredGrid" version="1.0" byte_order="${IS_LITTLE_ENDIAN ? "Little" : "Big"}Endian" header_type="UInt64">`,
+    `<VTKFile type="UnstructuredGrid" version="1.0" byte_order="${order}" header_type="UInt64" compressor="vtkZLibDataCompressor">`,
     "<UnstructuredGrid>",
-    `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${cellCount}">`,
+    `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${types.length}">`,
     `<Points>${pointTag}</Points>`,
     `<Cells>${connectivityTag}${offsetTag}${typeTag}</Cells>`,
-    `<CellData Scalars="region">${regionTag}</CellData>`,
+    `<CellData Scalars="region">${regionTag}${patchTag}</CellData>`,
     "</Piece>",
     "</UnstructuredGrid>",
     '<AppendedData encoding="raw">',
     "_",
   ].join("\n");
-  const data = arrays.flatMap(({ values }) => [widened([values.byteLength]), values]);
-  return joinBytes([head, ...data, "\n</AppendedData>\n</VTKFile>\n"]);
+  return joinBytes([head, ...packed, "\n</AppendedData>\n</VTKFile>\n"]);
+}
+
+/** Numbers of blocks, bytes of a block, bytes of a shorter last one, bytes of each when packed; the blocks. */
+function compressed(values: ArrayBufferView): Uint8Array {
+  const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
+  const blocks: Uint8Array[] = [];
+  for (let at = 0; at < bytes.length; at += BLOCK_BYTES) {
+    blocks.push(zlibSync(bytes.subarray(at, at + BLOCK_BYTES), { level: LEVEL }));
+  }
+  const header = [
+    blocks.length,
+    BLOCK_BYTES,
+    bytes.length % BLOCK_BYTES,
+    ...blocks.map((block) => block.length),
+  ];
+  return joinBytes([widened(header), ...blocks]);
 }
 
 /** One element per array, with the place of its values after the underscore. */
-function arrayTags(arrays: readonly DataArray[]): readonly string[] {
+function arrayTags(arrays: readonly DataArray[], packed: readonly Uint8Array[]): readonly string[] {
   let offset = 0;
-  return arrays.map(({ attributes, values }) => {
+  return arrays.map(({ attributes }, a) => {
     const tag = `<DataArray ${attributes} format="appended" offset="${offset}"/>`;
-    offset += LENGTH_BYTES + values.byteLength;
+    offset += packed[a]?.length ?? 0;
     return tag;
   });
 }

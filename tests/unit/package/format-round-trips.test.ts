@@ -1,0 +1,450 @@
+/** Every format: what is written is read back the same, or is checked by the rules of the format. */
+import { deflateSync } from "node:zlib";
+
+import { FILE_FORMATS, readMesh, readSurface, writeMesh, type FileMesh } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { blockMesh, outerFaces, sixfoldVolume, taggedElements } from "../../support/block-mesh.js";
+import { polyMeshFaults, readPolyMesh } from "../../support/poly-mesh.js";
+
+const mesh = blockMesh();
+
+async function files(
+  fileName: string,
+  given: FileMesh = mesh,
+): Promise<Map<string, Uint8Array<ArrayBuffer>>> {
+  return new Map((await writeMesh(given, fileName)).map((file) => [file.fileName, file.bytes]));
+}
+
+async function only(fileName: string, given: FileMesh = mesh): Promise<Uint8Array<ArrayBuffer>> {
+  const written = await files(fileName, given);
+  expect([...written.keys()]).toEqual([fileName]);
+  return written.get(fileName) ?? new Uint8Array();
+}
+
+const text = async (fileName: string, given?: FileMesh) =>
+  new TextDecoder().decode(await only(fileName, given));
+
+async function readBack(fileName: string): Promise<FileMesh> {
+  const written = await files(fileName);
+  const read = await readMesh(written.get(fileName) ?? new Uint8Array(), {
+    fileName,
+    openOther: (name) => Promise.resolve(written.get(name)),
+  });
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+const trianglesOf = (given: FileMesh) =>
+  taggedElements(given.triangles, 3, given.trianglePatch, given.patches);
+const tetrahedraOf = (given: FileMesh) =>
+  taggedElements(given.tetrahedra, 4, given.tetrahedronRegion, given.regions);
+
+test("the block is a mesh to test with", () => {
+  const corners = Array.from({ length: mesh.tetrahedra.length / 4 }, (_, t) => [
+    ...mesh.tetrahedra.subarray(4 * t, 4 * t + 4),
+  ]);
+  expect(corners.every((four) => sixfoldVolume(mesh.points, four) > 0)).toBe(true);
+  expect(mesh.triangles.length / 3).toBe(6 * 8);
+});
+
+describe.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh", ".node", ".ele"])("a volume as %s", (extension) => {
+  test("comes back with its coordinates bit for bit, its elements and their tags", async () => {
+    const read = await readBack(`part${extension}`);
+    expect(read.points).toEqual(mesh.points);
+    expect(tetrahedraOf(read)).toEqual(tetrahedraOf(mesh));
+    expect(trianglesOf(read)).toEqual(trianglesOf(mesh));
+  });
+
+  test("gives a surface too", async () => {
+    const written = await files(`part${extension}`);
+    const read = await readMesh(written.get(`part${extension}`) ?? new Uint8Array(), {
+      fileName: `part${extension}`,
+      openOther: (name) => Promise.resolve(written.get(name)),
+    });
+    expect(read.success && read.value.triangles.length).toBe(mesh.triangles.length);
+  });
+});
+
+test.each([".msh", ".msh2"])("names of patches and regions come back from %s", async (extension) => {
+  const read = await readBack(`part${extension}`);
+  const names = (groups: FileMesh["patches"]) =>
+    Object.fromEntries(groups.map(({ tag, name }) => [tag, name]));
+  expect(names(read.regions)).toEqual({ 5: "steel", 9: "water (20 C)" });
+  expect(names(read.patches)).toEqual({
+    7: "in let",
+    3: "outlet",
+    11: "5th wall",
+    4: "outlet (patch 4)",
+    21: "floor, cold",
+    2: "patch 6",
+  });
+});
+
+describe("the boundary", () => {
+  /** Corners by their coordinates, with what tells the patch. */
+  const soup = (given: FileMesh, groupOf: (patch: number) => string, round: (value: number) => number) =>
+    Array.from({ length: given.triangles.length / 3 }, (_, t) => {
+      const corners = [...given.triangles.subarray(3 * t, 3 * t + 3)].map((node) =>
+        [...given.points.subarray(3 * node, 3 * node + 3)].map(round).join(" "),
+      );
+      return `${groupOf(given.trianglePatch[t] ?? 0)}: ${corners.join(" | ")}`;
+    }).sort();
+  const exact = (value: number) => value + 0;
+
+  test.each<[string, (given: FileMesh, patch: number) => string, (value: number) => number]>([
+    [
+      ".stl",
+      (given, patch) => (given === mesh ? `${patch + 1}` : `${given.patches[patch]?.tag}`),
+      Math.fround,
+    ],
+    [".off", () => "", exact],
+    [".ply", (given, patch) => `${given.patches[patch]?.tag}`, exact],
+    [
+      ".obj",
+      (given, patch) => (given === mesh ? (objNames[patch] ?? "") : (given.patches[patch]?.name ?? "")),
+      exact,
+    ],
+  ])("comes back from %s with its patches and only its points", async (extension, groupOf, round) => {
+    const read = await readBack(`part${extension}`);
+    expect(soup(read, (patch) => groupOf(read, patch), exact)).toEqual(
+      soup(
+        mesh,
+        (patch) => groupOf(mesh, patch),
+        (value) => round(value) + 0,
+      ),
+    );
+    expect(read.points.length / 3).toBe(26);
+    expect(read.patches).toHaveLength(6);
+  });
+  const objNames = ["in_let", "outlet", "5th_wall", "outlet_(patch_4)", "floor,_cold", "patch_6"];
+
+  test("as GLB keeps to the format: chunks, views, extents, one material per patch", async () => {
+    const bytes = await only("part.glb");
+    const view = new DataView(bytes.buffer);
+    expect([view.getUint32(0, true), view.getUint32(4, true), view.getUint32(8, true)]).toEqual([
+      0x46546c67,
+      2,
+      bytes.length,
+    ]);
+    const length = view.getUint32(12, true);
+    interface Gltf {
+      accessors: { bufferView: number; count: number; min?: number[]; max?: number[] }[];
+      bufferViews: { byteOffset: number; byteLength: number }[];
+      buffers: { byteLength: number }[];
+      materials: { name: string }[];
+      meshes: { primitives: { indices: number; attributes: { POSITION: number } }[] }[];
+    }
+    const gltf = JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as Gltf;
+    expect([length % 4, view.getUint32(24 + length, true)]).toEqual([0, 0x004e4942]);
+    const binary = 28 + length;
+    expect(view.getUint32(20 + length, true)).toBe(gltf.buffers[0]?.byteLength);
+    expect(binary + (gltf.buffers[0]?.byteLength ?? 0)).toBe(bytes.length);
+    const numbers = (accessor: number, get: (at: number) => number, width: number) => {
+      const { bufferView = 0, count = 0 } = gltf.accessors[accessor] ?? {};
+      const begin = binary + (gltf.bufferViews[bufferView]?.byteOffset ?? NaN);
+      return Array.from({ length: width * count }, (_, i) => get(begin + 4 * i));
+    };
+    const places = numbers(0, (at) => view.getFloat32(at, true), 3);
+    for (const axis of [0, 1, 2]) {
+      const values = places.filter((_, i) => i % 3 === axis);
+      expect(gltf.accessors[0]?.min?.[axis]).toBe(Math.min(...values));
+      expect(gltf.accessors[0]?.max?.[axis]).toBe(Math.max(...values));
+    }
+    const read = (gltf.meshes[0]?.primitives ?? []).flatMap(({ indices }) =>
+      numbers(indices, (at) => view.getUint32(at, true), 1),
+    );
+    expect(read).toHaveLength(mesh.triangles.length);
+    expect(read.map((node) => places.slice(3 * node, 3 * node + 3))).toEqual(
+      [...mesh.triangles].map((node) => [...mesh.points.subarray(3 * node, 3 * node + 3)].map(Math.fround)),
+    );
+    expect(gltf.materials.map(({ name }) => name)[0]).toBe("in let");
+  });
+});
+
+describe("OpenFOAM", () => {
+  test("takes the mesh: order of faces, owners, normals, closed cells, patches", async () => {
+    const poly = readPolyMesh(await only("part.foam.zip"));
+    expect(polyMeshFaults(poly)).toEqual([]);
+    expect(poly.points).toEqual(
+      Array.from({ length: mesh.points.length / 3 }, (_, i) =>
+        [...mesh.points.subarray(3 * i, 3 * i + 3)].map((x) => x + 0),
+      ),
+    );
+    expect(poly.patches.map(({ name, count }) => [name, count])).toEqual([
+      ["in_let", 8],
+      ["outlet", 8],
+      ["_5th_wall", 8],
+      ["outlet_patch_4_", 8],
+      ["floor_cold", 8],
+      ["patch_6", 8],
+    ]);
+    expect(poly.cellZones.map(({ name, cells }) => [name, cells.length])).toEqual([
+      ["steel", 24],
+      ["water_20_C_", 24],
+    ]);
+    // The patch of a face is that of its triangle.
+    const patchOf = new Map(
+      Array.from(mesh.trianglePatch, (patch, t) => [
+        [...mesh.triangles.subarray(3 * t, 3 * t + 3)].sort((a, b) => a - b).join(" "),
+        patch,
+      ]),
+    );
+    poly.patches.forEach(({ begin, count }, patch) => {
+      for (const face of poly.faces.slice(begin, begin + count)) {
+        expect(patchOf.get([...face].sort((a, b) => a - b).join(" "))).toBe(patch);
+      }
+    });
+  });
+
+  test("gets faces of no patch in a patch of their own, and patches between regions as zones", async () => {
+    const isBetween = (t: number) => mesh.trianglePatch[t] === 4;
+    const kept = [...mesh.trianglePatch.keys()].filter((t) => !isBetween(t));
+    // The plane between the regions: faces of a tetrahedron of each.
+    const half = (region: number) =>
+      outerFaces(mesh.tetrahedra.filter((_, i) => mesh.tetrahedronRegion[i >> 2] === region));
+    const upper = new Set(half(1).map((face) => [...face].sort((a, b) => a - b).join(" ")));
+    const between = half(0).filter((face) => upper.has([...face].sort((a, b) => a - b).join(" ")));
+    expect(between).toHaveLength(8);
+    const poly = readPolyMesh(
+      await only("part.foam.zip", {
+        ...mesh,
+        triangles: Uint32Array.from([
+          ...kept.flatMap((t) => [...mesh.triangles.subarray(3 * t, 3 * t + 3)]),
+          ...between.flat(),
+        ]),
+        trianglePatch: Uint32Array.from([
+          ...kept.map((t) => mesh.trianglePatch[t] ?? 0),
+          ...between.map(() => 4),
+        ]),
+      }),
+    );
+    expect(polyMeshFaults(poly)).toEqual([]);
+    expect(poly.patches.at(-1)).toMatchObject({ name: "defaultFaces", count: 8 });
+    const [zone] = poly.faceZones;
+    expect(zone?.name).toBe("floor_cold");
+    const zoneFaces =
+      zone?.faces.map((f) => [...(poly.faces[f] ?? [])].sort((a, b) => a - b).join(" ")) ?? [];
+    expect(zoneFaces.sort()).toEqual(between.map((face) => [...face].sort((a, b) => a - b).join(" ")).sort());
+  });
+});
+
+test("SU2: markers are all outer faces, each once, and every number is in its range", async () => {
+  const lines = (await text("part.su2")).split("\n");
+  const section = (key: string, begin = 0) => {
+    const at = lines.findIndex((line, i) => i >= begin && line.startsWith(`${key}=`));
+    const count = Number(lines[at]?.split("=")[1]);
+    return {
+      at,
+      count,
+      rows: lines.slice(at + 1, at + 1 + count).map((line) => line.split(" ").map(Number)),
+    };
+  };
+  expect(lines[0]).toBe("NDIME= 3");
+  const elements = section("NELEM").rows;
+  expect(elements.map(([type, , , , , number]) => [type, number])).toEqual(elements.map((_, e) => [10, e]));
+  const tetrahedra = elements.flatMap((row) => row.slice(1, 5));
+  expect(tetrahedra).toEqual([...mesh.tetrahedra]);
+  expect(section("NPOIN").rows.map((row) => row[3])).toEqual(Array.from({ length: 27 }, (_, i) => i));
+  const { at, count } = section("NMARK");
+  expect(count).toBe(6);
+  const tags = lines.filter((line) => line.startsWith("MARKER_TAG=")).map((line) => line.slice(12));
+  expect(tags.every((tag) => /^\S+$/.test(tag))).toBe(true);
+  expect(new Set(tags).size).toBe(6);
+  const faces: string[] = [];
+  for (let marker = 0, begin = at; marker < count; marker++) {
+    const found = section("MARKER_ELEMS", begin);
+    faces.push(...found.rows.map(([type, ...nodes]) => `${type} ${nodes.sort((a, b) => a - b).join(" ")}`));
+    begin = found.at + 1;
+  }
+  expect(faces.sort()).toEqual(
+    outerFaces(tetrahedra)
+      .map((face) => `5 ${[...face].sort((a, b) => a - b).join(" ")}`)
+      .sort(),
+  );
+});
+
+describe("Abaqus", () => {
+  /** Lines of data after the keyword lines that match. */
+  const blocks = (file: string, keyword: RegExp) =>
+    file
+      .split(/^(?=\*)/m)
+      .filter((block) => keyword.test(block))
+      .map((block) => {
+        const [head = "", ...rows] = block.trimEnd().split("\n");
+        return { head, rows: rows.map((row) => row.split(",").map((word) => word.trim())) };
+      });
+  /** Corners of the sides of C3D4, from 1, by the manual; seen from outside they run clockwise. */
+  const sides: Readonly<Record<string, readonly number[]>> = {
+    S1: [1, 2, 3],
+    S2: [1, 4, 2],
+    S3: [2, 4, 3],
+    S4: [3, 4, 1],
+  };
+
+  test("holds regions as sections and patches as surfaces of the right sides, outward", async () => {
+    const file = await text("part.inp");
+    const [nodes] = blocks(file, /^\*NODE\n/);
+    expect(nodes?.rows.flatMap((row) => row.slice(1).map(Number))).toEqual(
+      Array.from(mesh.points, (x) => x + 0),
+    );
+    const elements = new Map<string, number[]>();
+    const sets = blocks(file, /^\*ELEMENT,/);
+    for (const { rows } of sets) for (const [id = "", ...row] of rows) elements.set(id, row.map(Number));
+    expect(sets.map(({ head, rows }) => [head.split("ELSET=")[1], rows.length])).toEqual([
+      ["steel", 24],
+      ["water_20_C_", 24],
+    ]);
+    expect(elements.size).toBe(48);
+    expect(file).toMatch(/\*SOLID SECTION, ELSET=steel, MATERIAL=steel\n/);
+    const outer = new Set(outerFaces(mesh.tetrahedra).map((face) => turned(face).join(" ")));
+    const surfaces = blocks(file, /^\*SURFACE,/);
+    expect(surfaces).toHaveLength(6);
+    for (const { rows } of surfaces) {
+      for (const [id = "", side = ""] of rows) {
+        const corners = (sides[side] ?? [])
+          .toReversed()
+          .map((corner) => (elements.get(id)?.[corner - 1] ?? 0) - 1);
+        expect(outer.delete(turned(corners).join(" ")), `${id} ${side}`).toBe(true);
+      }
+    }
+    expect(outer.size).toBe(0);
+    const nodeSets = blocks(file, /^\*NSET,/);
+    expect(nodeSets.map(({ rows }) => rows.flat().length)).toEqual([9, 9, 9, 9, 9, 9]);
+  });
+
+  /** The lowest first, in the same turn. */
+  function turned(face: readonly number[]): number[] {
+    const at = face.indexOf(Math.min(...face));
+    return [...face.slice(at), ...face.slice(0, at)];
+  }
+});
+
+test("Nastran: coordinates to ten digits and more, in fields of their width", async () => {
+  const awkward = {
+    ...mesh,
+    points: mesh.points.map((x, i) => (i % 2 === 0 ? -x : x) * 10 ** ((i % 9) * 3 - 12)),
+  };
+  const lines = (await text("part.bdf", awkward)).split("\n");
+  expect(Math.max(...lines.filter((line) => !line.startsWith("$")).map((line) => line.length))).toBeLessThan(
+    74,
+  );
+  const read: number[] = [];
+  lines.forEach((line, i) => {
+    if (!line.startsWith("GRID*")) return;
+    const fields = [line.slice(40, 56), line.slice(56, 72), (lines[i + 1] ?? "").slice(8, 24)];
+    for (const field of fields) expect(field).toMatch(/^-?\d*\.\d*(E[+-]?\d+)? *$/);
+    read.push(...fields.map(Number));
+  });
+  expect(read).toHaveLength(mesh.points.length);
+  read.forEach((value, i) => {
+    const wanted = awkward.points[i] ?? NaN;
+    expect(Math.abs(value - wanted)).toBeLessThanOrEqual(1e-8 * Math.abs(wanted));
+  });
+  const solids = lines
+    .filter((line) => line.startsWith("CTETRA"))
+    .map((line) => line.match(/\d+/g)?.map(Number));
+  expect(solids.map((row) => row?.slice(2).map((node) => node - 1))).toEqual(
+    Array.from({ length: 48 }, (_, t) => [...mesh.tetrahedra.subarray(4 * t, 4 * t + 4)]),
+  );
+  expect(lines.filter((line) => line.startsWith("CTRIA3"))).toHaveLength(48);
+});
+
+test("UGRID says the same as text and as numbers", async () => {
+  const words = (await text("part.ugrid")).trim().split(/\s+/).map(Number);
+  const bytes = await only("part.b8.ugrid");
+  const view = new DataView(bytes.buffer);
+  const numbers: number[] = [];
+  for (let at = 0; at < bytes.length;) {
+    const isDouble = numbers.length >= 7 && numbers.length < 7 + 81;
+    numbers.push(isDouble ? view.getFloat64(at) : view.getInt32(at));
+    at += isDouble ? 8 : 4;
+  }
+  expect(numbers.map((value) => value + 0)).toEqual(words.map((value) => value + 0));
+  expect(words.slice(0, 7)).toEqual([27, 48, 0, 48, 0, 0, 0]);
+  const triangles = words.slice(88, 88 + 144).map((node) => node - 1);
+  expect(triangles).toEqual([...mesh.triangles]);
+  expect(words.slice(232, 280)).toEqual(Array.from(mesh.trianglePatch, (patch) => mesh.patches[patch]?.tag));
+  expect(words.slice(280).map((node) => node - 1)).toEqual([...mesh.tetrahedra]);
+});
+
+test("a zip holds TetGen's three files, the same as beside each other", async () => {
+  const { unzipSync } = await import("fflate");
+  const zipped = unzipSync(await only("part.tetgen.zip"));
+  const apart = await files("part.node");
+  expect(Object.keys(zipped).sort()).toEqual([...apart.keys()].sort());
+  for (const [name, bytes] of apart) expect(zipped[name]).toEqual(bytes);
+});
+
+test("the same mesh gives the same bytes in every format", async () => {
+  for (const { extensions, writes } of FILE_FORMATS) {
+    if (writes.length === 0) continue;
+    expect(await files(`a${extensions[0]}`)).toEqual(await files(`a${extensions[0]}`));
+  }
+});
+
+test("a mesh of nothing can be written in every format", async () => {
+  const empty = {
+    ...mesh,
+    points: new Float64Array(),
+    triangles: new Uint32Array(),
+    trianglePatch: new Uint32Array(),
+    tetrahedra: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(),
+  };
+  for (const { extensions, writes } of FILE_FORMATS) {
+    if (writes.length > 0) expect((await writeMesh(empty, `a${extensions[0]}`)).length).toBeGreaterThan(0);
+  }
+});
+
+test("a name that tells no format is refused", async () => {
+  await expect(writeMesh(mesh, "part.doc")).rejects.toThrow(/part\.doc/);
+  await expect(writeMesh(mesh, "part.vtp")).rejects.toThrow(RangeError);
+});
+
+describe("extensions", () => {
+  test("belong to one format each and begin with a dot", () => {
+    const all = FILE_FORMATS.flatMap(({ extensions }) => extensions);
+    expect(new Set(all).size).toBe(all.length);
+    expect(all.every((extension) => /^\.[a-z0-9.]+$/.test(extension))).toBe(true);
+  });
+
+  test("are those that the code of the format can do", async () => {
+    for (const { reads, writes, load } of FILE_FORMATS) {
+      const { read, write } = await load();
+      expect([read !== undefined, write !== undefined]).toEqual([reads.length > 0, writes.length > 0]);
+    }
+  });
+});
+
+test("a volume of tetrahedra only is no surface, and the remedy is named", async () => {
+  const bare = { ...mesh, triangles: new Uint32Array(), trianglePatch: new Uint32Array() };
+  for (const extension of [".vtu", ".vtk", ".msh", ".msh2", ".mesh"]) {
+    const file = await only(`part${extension}`, bare);
+    const read = await readSurface(file, { fileName: `part${extension}` });
+    expect(read.success ? "" : read.problems[0].message).toMatch(/48 tetrahedra and no triangle/);
+    expect(read.success ? "" : read.problems[0].remedy).toMatch(/boundary's triangles/);
+  }
+});
+
+test("deflate of another program is read in VTP", async () => {
+  const numbers = (values: Float64Array | Int32Array) => {
+    const bytes = Buffer.from(values.buffer);
+    const block = deflateSync(bytes);
+    const header = Buffer.from(Uint32Array.of(1, bytes.length, 0, block.length).buffer);
+    return `format="binary">${header.toString("base64")}${block.toString("base64")}`;
+  };
+  const file = `<VTKFile type="PolyData" byte_order="LittleEndian" compressor="vtkZLibDataCompressor"><PolyData>
+<Piece NumberOfPoints="5" NumberOfVerts="0" NumberOfLines="1" NumberOfStrips="1" NumberOfPolys="2">
+<Points><DataArray type="Float64" NumberOfComponents="3" ${numbers(Float64Array.of(0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1))}</DataArray></Points>
+<Lines><DataArray type="Int32" Name="connectivity" ${numbers(Int32Array.of(0, 1))}</DataArray><DataArray type="Int32" Name="offsets" ${numbers(Int32Array.of(2))}</DataArray></Lines>
+<Strips><DataArray type="Int32" Name="connectivity" ${numbers(Int32Array.of(0, 1, 4, 2))}</DataArray><DataArray type="Int32" Name="offsets" ${numbers(Int32Array.of(4))}</DataArray></Strips>
+<Polys><DataArray type="Int32" Name="connectivity" ${numbers(Int32Array.of(0, 3, 2, 1, 0, 4, 3))}</DataArray><DataArray type="Int32" Name="offsets" ${numbers(Int32Array.of(4, 7))}</DataArray></Polys>
+<CellData><DataArray type="Int32" Name="patch" ${numbers(Int32Array.of(9, 1, 2, 3))}</DataArray></CellData>
+</Piece></PolyData></VTKFile>`;
+  const read = await readSurface(new TextEncoder().encode(file), { fileName: "part.vtp" });
+  if (!read.success) throw new Error(read.problems[0].message);
+  expect(taggedElements(read.value.triangles, 3, read.value.trianglePatch, read.value.patches)).toEqual(
+    ["1: 0 3 2", "1: 0 2 1", "2: 0 4 3", "3: 0 1 4", "3: 4 1 2"].sort(),
+  );
+});

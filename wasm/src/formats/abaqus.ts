@@ -1,0 +1,85 @@
+/**
+ * Abaqus and CalculiX `.inp`: tetrahedra C3D4 in one element set and solid section per region, with the
+ * region's name as material, and per patch a node set and a surface of element faces: boundary conditions
+ * and loads refer to these by name. What a material is made of is left to the user.
+ */
+import { joinBytes } from "./bytes.js";
+import type { FileMesh } from "./file-mesh.js";
+import { patchGroups, regionGroups, type Group } from "./groups.js";
+import { numberRows } from "./number-rows.js";
+import { NONE, tetFaces } from "./tet-faces.js";
+
+/** By the corner opposite; Abaqus numbers faces by their corners: S1 is 1 2 3, S2 1 2 4, S3 2 3 4, S4 1 3 4. */
+const SIDE_OPPOSITE = ["S3", "S4", "S2", "S1"];
+/** No data line may have more numbers. */
+const PER_LINE = 16;
+/** Names may be as long as this. */
+const LONGEST_NAME = 80;
+
+/** The bytes of an Abaqus input file. Triangles of no tetrahedron are in the node sets only. */
+export function writeAbaqus(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  const regions = regionGroups(mesh, plainName);
+  const patches = patchGroups(mesh, plainName);
+  return joinBytes([
+    "*HEADING\nTetrafront\n*NODE\n",
+    ...numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${row.join(", ")}`),
+    ...elementSets(regions),
+    ...nodeSets(patches),
+    ...surfaces(mesh, patches),
+    ...regions.map(({ name }) => `*SOLID SECTION, ELSET=${name}, MATERIAL=${name}\n`),
+    ...regions.map(({ name }) => `*MATERIAL, NAME=${name}\n`),
+  ]);
+}
+
+/** A letter, then letters, digits and underscores: what every reader of the format takes. */
+function plainName(name: string): string {
+  const plain = name.replace(/[^A-Za-z0-9_]+/g, "_").slice(0, LONGEST_NAME - 8);
+  return /^[A-Za-z]/.test(plain) ? plain : `N_${plain}`;
+}
+
+/** Elements are numbered from 1 through the regions, as `elementNumbers` says. */
+function elementSets(regions: readonly Group[]): string[] {
+  let number = 1;
+  return regions.flatMap(({ name, nodes }) => [
+    `*ELEMENT, TYPE=C3D4, ELSET=${name}\n`,
+    ...numberRows(
+      nodes.map((node) => node + 1),
+      4,
+      (row) => `${number++}, ${row.join(", ")}`,
+    ),
+  ]);
+}
+
+function nodeSets(patches: readonly Group[]): string[] {
+  return patches.flatMap(({ name, nodes }) => {
+    const numbers = [...new Set(nodes)].sort((a, b) => a - b).map((node) => node + 1);
+    const lines: string[] = [];
+    for (let i = 0; i < numbers.length; i += PER_LINE) lines.push(numbers.slice(i, i + PER_LINE).join(", "));
+    return [`*NSET, NSET=${name}\n${lines.join("\n")}\n`];
+  });
+}
+
+function surfaces(mesh: FileMesh, patches: readonly Group[]): string[] {
+  const { faceOfTriangle } = tetFaces(mesh);
+  const numbers = elementNumbers(mesh);
+  const lines: string[][] = mesh.patches.map(() => []);
+  faceOfTriangle.forEach((face, t) => {
+    if (face === NONE) return;
+    lines[mesh.trianglePatch[t] ?? 0]?.push(`${numbers[face >>> 2]}, ${SIDE_OPPOSITE[face & 3] ?? "S1"}\n`);
+  });
+  // Patches without triangles have no group, and no lines here.
+  const used = new Set(mesh.trianglePatch);
+  const filled = lines.filter((_, patch) => used.has(patch));
+  return patches.flatMap(({ name }, p) => {
+    const own = filled[p] ?? [];
+    return own.length === 0 ? [] : [`*SURFACE, NAME=${name}_FACES, TYPE=ELEMENT\n`, ...own];
+  });
+}
+
+/** The number of each tetrahedron when they are written region by region, from 1. */
+export function elementNumbers({ tetrahedronRegion, regions }: FileMesh): Uint32Array {
+  const next = new Uint32Array(regions.length + 1);
+  for (const region of tetrahedronRegion) next[region + 1] = (next[region + 1] ?? 0) + 1;
+  for (let r = 1; r < next.length; r++) next[r] = (next[r] ?? 0) + (next[r - 1] ?? 0);
+  return tetrahedronRegion.map((region) => (next[region] = (next[region] ?? 0) + 1));
+}

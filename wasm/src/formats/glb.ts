@@ -1,0 +1,125 @@
+/**
+ * glTF 2.0 as one binary file (GLB): the boundary with one primitive and material per patch, named after it.
+ * Coordinates are float32, as the format has it, and the axes are those of the mesh.
+ */
+import { boundaryOf, colorsOf } from "./boundary.js";
+import { joinBytes } from "./bytes.js";
+import type { FileMesh } from "./file-mesh.js";
+import { patchGroups, type Group } from "./groups.js";
+
+const MAGIC = 0x46546c67;
+const VERSION = 2;
+const JSON_CHUNK = 0x4e4f534a;
+const BINARY_CHUNK = 0x004e4942;
+/** OpenGL's numbers: what a buffer is for, and what its numbers are. */
+const ARRAY_BUFFER = 34962;
+const ELEMENT_ARRAY_BUFFER = 34963;
+const FLOAT = 5126;
+const UNSIGNED_INT = 5125;
+
+/** The bytes of a GLB file. A surface without triangles is a scene without a mesh. */
+export function writeGlb(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  const surface = boundaryOf(mesh);
+  const groups = patchGroups(surface);
+  const places = littleEndian(surface.points, (view, at, value) => view.setFloat32(at, value, true));
+  const indices = groups.map(({ nodes }) =>
+    littleEndian(nodes, (view, at, value) => view.setUint32(at, value, true)),
+  );
+  const json = padded(JSON.stringify(description(surface, groups)));
+  const length = [places, ...indices].reduce((sum, part) => sum + part.byteLength, 0);
+  const hasBinary = length > 0;
+  return joinBytes([
+    words(MAGIC, VERSION, 12 + 8 + json.length + (hasBinary ? 8 + length : 0)),
+    words(json.length, JSON_CHUNK),
+    json,
+    ...(hasBinary ? [words(length, BINARY_CHUNK), places, ...indices] : []),
+  ]);
+}
+
+function description(surface: FileMesh, groups: readonly Group[]): object {
+  const asset = { version: "2.0", generator: "Tetrafront" };
+  if (groups.length === 0) return { asset, scene: 0, scenes: [{}] };
+  const used = new Set(surface.trianglePatch);
+  const colors = colorsOf(surface).filter((_, patch) => used.has(patch));
+  const placeBytes = 4 * surface.points.length;
+  const counts = groups.map(({ nodes }) => nodes.length);
+  const begins = counts.map((_, g) => placeBytes + 4 * counts.slice(0, g).reduce((sum, n) => sum + n, 0));
+  return {
+    asset,
+    scene: 0,
+    scenes: [{ nodes: [0] }],
+    nodes: [{ mesh: 0 }],
+    meshes: [
+      {
+        primitives: groups.map((_, g) => ({ attributes: { POSITION: 0 }, indices: g + 1, material: g })),
+      },
+    ],
+    materials: groups.map(({ name }, g) => ({
+      name,
+      doubleSided: true,
+      pbrMetallicRoughness: {
+        baseColorFactor: [...(colors[g] ?? [0.5, 0.5, 0.5]), 1],
+        metallicFactor: 0,
+        roughnessFactor: 0.8,
+      },
+    })),
+    accessors: [
+      {
+        bufferView: 0,
+        componentType: FLOAT,
+        count: surface.points.length / 3,
+        type: "VEC3",
+        ...extent(surface.points),
+      },
+      ...counts.map((count, g) => ({
+        bufferView: g + 1,
+        componentType: UNSIGNED_INT,
+        count,
+        type: "SCALAR",
+      })),
+    ],
+    bufferViews: [
+      { buffer: 0, byteOffset: 0, byteLength: placeBytes, target: ARRAY_BUFFER },
+      ...counts.map((count, g) => ({
+        buffer: 0,
+        byteOffset: begins[g],
+        byteLength: 4 * count,
+        target: ELEMENT_ARRAY_BUFFER,
+      })),
+    ],
+    buffers: [{ byteLength: placeBytes + 4 * counts.reduce((sum, n) => sum + n, 0) }],
+  };
+}
+
+/** As float32, which the numbers in the file are. */
+function extent(points: Float64Array): { min: number[]; max: number[] } {
+  const min = [Infinity, Infinity, Infinity];
+  const max = [-Infinity, -Infinity, -Infinity];
+  points.forEach((value, i) => {
+    min[i % 3] = Math.min(min[i % 3] ?? 0, Math.fround(value));
+    max[i % 3] = Math.max(max[i % 3] ?? 0, Math.fround(value));
+  });
+  return { min, max };
+}
+
+/** Four bytes per value. */
+function littleEndian(
+  values: Float64Array | Uint32Array,
+  set: (view: DataView, at: number, value: number) => void,
+): DataView {
+  const view = new DataView(new ArrayBuffer(4 * values.length));
+  values.forEach((value, i) => set(view, 4 * i, value));
+  return view;
+}
+
+function words(...values: number[]): DataView {
+  return littleEndian(Uint32Array.from(values), (view, at, value) => view.setUint32(at, value, true));
+}
+
+/** Chunks are multiples of four bytes; JSON is filled with blanks. */
+function padded(json: string): Uint8Array {
+  const bytes = new TextEncoder().encode(json);
+  const filled = new Uint8Array(4 * Math.ceil(bytes.length / 4)).fill(32);
+  filled.set(bytes);
+  return filled;
+}

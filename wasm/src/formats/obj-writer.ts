@@ -1,0 +1,23 @@
+/** OBJ, as text: the boundary with one group per patch, whose name is also the material's. */
+import { boundaryOf } from "./boundary.js";
+import { joinBytes } from "./bytes.js";
+import type { FileMesh } from "./file-mesh.js";
+import { patchGroups } from "./groups.js";
+import { numberRows } from "./number-rows.js";
+
+/** The bytes of an OBJ file. The triangles are put in the order of their patches. */
+export function writeObj(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  const surface = boundaryOf(mesh);
+  return joinBytes([
+    "# Tetrafront\n",
+    ...numberRows(surface.points, 3, (row) => `v ${row.join(" ")}`),
+    ...patchGroups(surface, (name) => name.replace(/\s+/g, "_")).flatMap(({ name, nodes }) => [
+      `g ${name}\nusemtl ${name}\n`,
+      ...numberRows(
+        nodes.map((node) => node + 1),
+        3,
+        (row) => `f ${row.join(" ")}`,
+      ),
+    ]),
+  ]);
+}

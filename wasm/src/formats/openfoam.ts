@@ -1,0 +1,179 @@
+/**
+ * OpenFOAM: the folder `constant/polyMesh` in a zip, to be unpacked in a case. Faces in OpenFOAM's order:
+ * the inner ones first, cell by cell towards higher neighbours (upper triangular), their normals pointing
+ * from the lower cell to the higher; then the faces of each patch, pointing outward. Regions are cell zones;
+ * patches between two regions are face zones; faces of no patch, as a partial mesh has, are in `defaultFaces`.
+ */
+import { zipSync, type Zippable } from "fflate";
+
+import { joinBytes } from "./bytes.js";
+import type { FileMesh } from "./file-mesh.js";
+import { patchGroups, regionGroups } from "./groups.js";
+import { numberRows } from "./number-rows.js";
+import { cornersOf, NONE, tetFaces, type TetFaces } from "./tet-faces.js";
+
+/** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
+const MADE = new Date(1980, 0, 1);
+/** Fast; the text of a mesh shrinks to a fourth even so. */
+const LEVEL = 1;
+
+/** A patch or a face zone: `positions` among all faces. */
+interface FaceRange {
+  readonly name: string;
+  readonly begin: number;
+  readonly count: number;
+}
+
+interface PolyMesh {
+  /** Faces 4 t + f of tetrahedra, in OpenFOAM's order. */
+  readonly faces: readonly number[];
+  /** Per inner face, which come first. */
+  readonly neighbours: Uint32Array;
+  readonly patches: readonly FaceRange[];
+  readonly zones: readonly { readonly name: string; readonly faces: Uint32Array }[];
+}
+
+/** The bytes of the zip. */
+export function writeOpenFoam(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  const poly = polyMesh(mesh);
+  const owners = Uint32Array.from(poly.faces, (face) => face >>> 2);
+  const note =
+    `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
+    `nFaces:${poly.faces.length} nInternalFaces:${poly.neighbours.length}";\n`;
+  const corners = Uint32Array.from(poly.faces.flatMap((face) => [...cornersOf(mesh.tetrahedra, face)]));
+  const files: Record<string, Uint8Array> = {
+    points: list("vectorField", "points", mesh.points.length / 3, numberRows(mesh.points, 3, inBrackets)),
+    faces: list(
+      "faceList",
+      "faces",
+      poly.faces.length,
+      numberRows(corners, 3, (row) => `3${inBrackets(row)}`),
+    ),
+    owner: list("labelList", "owner", owners.length, labels(owners), note),
+    neighbour: list("labelList", "neighbour", poly.neighbours.length, labels(poly.neighbours), note),
+    boundary: list("polyBoundaryMesh", "boundary", poly.patches.length, poly.patches.map(patchEntry)),
+    cellZones: cellZones(mesh),
+    faceZones: list("regIOobject", "faceZones", poly.zones.length, poly.zones.map(zoneEntry)),
+  };
+  const named: Zippable = {};
+  for (const [name, bytes] of Object.entries(files)) named[`constant/polyMesh/${name}`] = bytes;
+  return zipSync(named, { level: LEVEL, mtime: MADE }).slice();
+}
+
+function polyMesh(mesh: FileMesh): PolyMesh {
+  const found = tetFaces(mesh);
+  const { inner, neighbours } = innerFaces(found.twin);
+  const faces = [...inner];
+  const positions = new Map<number, number>();
+  inner.forEach((face, position) => positions.set(face, position));
+  const patches: FaceRange[] = [];
+  const zones: { name: string; faces: Uint32Array }[] = [];
+  const names = namesOf(mesh);
+  const byPatch = trianglesByPatch(mesh);
+  byPatch.forEach((own, patch) => {
+    const sides = own.map((t) => found.faceOfTriangle[t] ?? NONE).filter((face) => face !== NONE);
+    const outer = sides.filter((face) => found.twin[face] === NONE);
+    const between = sides.filter((face) => found.twin[face] !== NONE);
+    const name = names[patch] ?? `patch_${patch + 1}`;
+    if (outer.length > 0) patches.push({ name, begin: faces.length, count: outer.length });
+    for (const face of outer) faces.push(face);
+    if (between.length === 0) return;
+    const zone = between.map((face) => positions.get(lowerSide(face, found.twin)) ?? 0);
+    zones.push({ name, faces: Uint32Array.from(zone).sort() });
+  });
+  addNamelessFaces(found, faces, patches);
+  return { faces, neighbours, patches, zones };
+}
+
+/** Of the two sides of an inner face that of the lower cell. */
+function lowerSide(face: number, twin: Uint32Array): number {
+  return Math.min(face, twin[face] ?? face);
+}
+
+/** Cell by cell, towards the higher neighbours in their order. */
+function innerFaces(twin: Uint32Array): { inner: readonly number[]; neighbours: Uint32Array } {
+  const inner: number[] = [];
+  for (let begin = 0; begin < twin.length; begin += 4) {
+    const own = [begin, begin + 1, begin + 2, begin + 3].filter((face) => {
+      const other = twin[face] ?? NONE;
+      return other !== NONE && other > face;
+    });
+    own.sort((a, b) => (twin[a] ?? 0) - (twin[b] ?? 0));
+    inner.push(...own);
+  }
+  return { inner, neighbours: Uint32Array.from(inner, (face) => (twin[face] ?? 0) >>> 2) };
+}
+
+function addNamelessFaces({ twin, triangle }: TetFaces, faces: number[], patches: FaceRange[]): void {
+  const begin = faces.length;
+  twin.forEach((other, face) => {
+    if (other === NONE && triangle[face] === NONE) faces.push(face);
+  });
+  if (faces.length > begin) patches.push({ name: "defaultFaces", begin, count: faces.length - begin });
+}
+
+function trianglesByPatch({ trianglePatch, patches }: FileMesh): number[][] {
+  const lists: number[][] = patches.map(() => []);
+  trianglePatch.forEach((patch, t) => lists[patch]?.push(t));
+  return lists;
+}
+
+/** Words as OpenFOAM takes them, by position of the patch; patches without triangles have none. */
+function namesOf(mesh: FileMesh): (string | undefined)[] {
+  const used = new Set(mesh.trianglePatch);
+  const names = patchGroups(mesh, word).map(({ name }) => name);
+  return mesh.patches.map((_, patch) => (used.has(patch) ? names.shift() : undefined));
+}
+
+function word(name: string): string {
+  const plain = name.replace(/[^A-Za-z0-9_.-]+/g, "_");
+  return /^[A-Za-z_]/.test(plain) ? plain : `_${plain}`;
+}
+
+function header(kind: string, object: string, note = ""): string {
+  return (
+    `FoamFile\n{\nversion 2.0;\nformat ascii;\nclass ${kind};\n${note}` +
+    `location "constant/polyMesh";\nobject ${object};\n}\n`
+  );
+}
+
+function list(
+  kind: string,
+  object: string,
+  count: number,
+  entries: readonly string[],
+  note = "",
+): Uint8Array {
+  return joinBytes([header(kind, object, note), `${count}\n(\n`, ...entries, ")\n"]);
+}
+
+function inBrackets(row: Float64Array | Uint32Array): string {
+  return `(${row.join(" ")})`;
+}
+
+function labels(values: Uint32Array): string[] {
+  return numberRows(values, 1, (row) => String(row[0] ?? 0));
+}
+
+function patchEntry({ name, begin, count }: FaceRange): string {
+  return `${name}\n{\ntype patch;\nnFaces ${count};\nstartFace ${begin};\n}\n`;
+}
+
+function zoneEntry({ name, faces }: { readonly name: string; readonly faces: Uint32Array }): string {
+  const flips = `List<bool> ${faces.length}{0}`;
+  return (
+    `${name}\n{\ntype faceZone;\nfaceLabels List<label> ${faces.length}\n(\n${labels(faces).join("")});\n` +
+    `flipMap ${flips};\n}\n`
+  );
+}
+
+function cellZones(mesh: FileMesh): Uint8Array {
+  const cells: number[][] = mesh.regions.map(() => []);
+  mesh.tetrahedronRegion.forEach((region, cell) => cells[region]?.push(cell));
+  const filled = cells.filter((own) => own.length > 0);
+  const entries = regionGroups(mesh, word).map(({ name }, r) => {
+    const own = Uint32Array.from(filled[r] ?? []);
+    return `${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n${labels(own).join("")});\n}\n`;
+  });
+  return list("regIOobject", "cellZones", entries.length, entries);
+}

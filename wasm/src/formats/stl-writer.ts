@@ -1,0 +1,41 @@
+/** Binary STL: the triangles with their normals, as float32, and the number of their patch as attribute. */
+import type { FileMesh } from "./file-mesh.js";
+
+const HEADER_BYTES = 84;
+const TRIANGLE_BYTES = 50;
+/** Those that readers take for a colour have the highest bit set. */
+const MOST_ATTRIBUTES = 0x7fff;
+
+/** The bytes of an STL file. Patches beyond 32767 lose their number. */
+export function writeStl({ points, triangles, trianglePatch }: FileMesh): Uint8Array<ArrayBuffer> {
+  const count = triangles.length / 3;
+  const bytes = new Uint8Array(HEADER_BYTES + TRIANGLE_BYTES * count);
+  // Never the word "solid": that begins text.
+  bytes.set(new TextEncoder().encode("binary STL"));
+  const view = new DataView(bytes.buffer);
+  view.setUint32(HEADER_BYTES - 4, count, true);
+  for (let t = 0; t < count; t++) {
+    const corners = [0, 1, 2].map((i) => {
+      const node = triangles[3 * t + i] ?? 0;
+      return points.subarray(3 * node, 3 * node + 3);
+    });
+    let at = HEADER_BYTES + TRIANGLE_BYTES * t;
+    for (const row of [normalOf(corners), ...corners]) {
+      for (let axis = 0; axis < 3; axis++, at += 4) view.setFloat32(at, row[axis] ?? 0, true);
+    }
+    const patch = trianglePatch[t] ?? 0;
+    view.setUint16(at, patch <= MOST_ATTRIBUTES ? patch : 0, true);
+  }
+  return bytes;
+}
+
+/** Of length 1; zero where the triangle has no area. */
+function normalOf(corners: readonly ArrayLike<number>[]): number[] {
+  const side = (to: number, axis: number) => (corners[to]?.[axis] ?? 0) - (corners[0]?.[axis] ?? 0);
+  const cross = [0, 1, 2].map((axis) => {
+    const [j, k] = [(axis + 1) % 3, (axis + 2) % 3];
+    return side(1, j) * side(2, k) - side(1, k) * side(2, j);
+  });
+  const length = Math.sqrt(cross.reduce((sum, value) => sum + value * value, 0));
+  return cross.map((value) => (length > 0 ? value / length : 0));
+}

@@ -1,0 +1,63 @@
+/**
+ * TetGen's three files, as text: `.node` with the points, `.ele` with the tetrahedra and their region as
+ * attribute, `.face` with the boundary's triangles and their patch as marker. Numbers count from 1.
+ */
+import { zipSync } from "fflate";
+
+import { joinBytes } from "./bytes.js";
+import type { WrittenFile } from "./file-format.js";
+import type { FileMesh } from "./file-mesh.js";
+import { tagsOf } from "./groups.js";
+import { numberRows } from "./number-rows.js";
+
+/** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
+const MADE = new Date(1980, 0, 1);
+
+/** Three files of one stem. */
+export function writeTetgen(mesh: FileMesh, fileName: string): readonly WrittenFile[] {
+  const stem = fileName.replace(/\.[^.]*$/, "");
+  return [
+    { fileName: `${stem}.node`, bytes: nodes(mesh) },
+    { fileName: `${stem}.ele`, bytes: elements(mesh) },
+    { fileName: `${stem}.face`, bytes: faces(mesh) },
+  ];
+}
+
+/** The three files in one zip. */
+export function writeTetgenZip(mesh: FileMesh, fileName: string): readonly WrittenFile[] {
+  const [base = ""] = /[^/\\]*$/.exec(fileName) ?? [];
+  const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`);
+  const zipped = zipSync(Object.fromEntries(files.map((file) => [file.fileName, file.bytes])), {
+    mtime: MADE,
+  });
+  return [{ fileName, bytes: zipped.slice() }];
+}
+
+function nodes({ points }: FileMesh): Uint8Array<ArrayBuffer> {
+  return joinBytes([
+    `# points\n${points.length / 3} 3 0 0\n`,
+    ...numberRows(points, 3, (row, i) => `${i + 1} ${row.join(" ")}`),
+  ]);
+}
+
+function elements({ tetrahedra, tetrahedronRegion, regions }: FileMesh): Uint8Array<ArrayBuffer> {
+  const tags = tagsOf(regions);
+  return joinBytes([
+    `# tetrahedra with their region\n${tetrahedra.length / 4} 4 1\n`,
+    ...rows(tetrahedra, 4, tetrahedronRegion, tags),
+  ]);
+}
+
+function faces({ triangles, trianglePatch, patches }: FileMesh): Uint8Array<ArrayBuffer> {
+  const tags = tagsOf(patches);
+  return joinBytes([
+    `# triangles with their patch\n${triangles.length / 3} 1\n`,
+    ...rows(triangles, 3, trianglePatch, tags),
+  ]);
+}
+
+/** Number, corners from 1, tag. */
+function rows(nodes: Uint32Array, width: number, owners: Uint32Array, tags: readonly number[]): string[] {
+  const counted = nodes.map((node) => node + 1);
+  return numberRows(counted, width, (row, e) => `${e + 1} ${row.join(" ")} ${tags[owners[e] ?? 0] ?? 0}`);
+}

@@ -1,0 +1,45 @@
+/**
+ * UGRID (AFLR, FUN3D, Kestrel): the boundary triangles, seen from outside counter-clockwise, with the number
+ * of their patch, and the tetrahedra. As text (`.ugrid`) or as high-byte-first numbers (`.b8.ugrid`). The
+ * format has no names and no regions; patches are numbered as everywhere else.
+ */
+import { bigEndianDoubles, bigEndianInts, joinBytes } from "./bytes.js";
+import type { FileMesh } from "./file-mesh.js";
+import { tagsOf } from "./groups.js";
+import { numberRows } from "./number-rows.js";
+
+/** The bytes of a UGRID file as text. */
+export function writeUgrid(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  return joinBytes([
+    `${countsOf(mesh).join(" ")}\n`,
+    ...numberRows(mesh.points, 3, (row) => row.join(" ")),
+    ...numberRows(fromOne(mesh.triangles), 3, (row) => row.join(" ")),
+    ...numberRows(tagsOfTriangles(mesh), 1, (row) => row.join(" ")),
+    ...numberRows(fromOne(mesh.tetrahedra), 4, (row) => row.join(" ")),
+  ]);
+}
+
+/** The bytes of a UGRID file as numbers, high byte first. */
+export function writeUgridBinary(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+  return joinBytes([
+    bigEndianInts(countsOf(mesh)),
+    bigEndianDoubles(mesh.points),
+    bigEndianInts(fromOne(mesh.triangles)),
+    bigEndianInts(tagsOfTriangles(mesh)),
+    bigEndianInts(fromOne(mesh.tetrahedra)),
+  ]);
+}
+
+/** Nodes, triangles, quadrilaterals, tetrahedra, pyramids, prisms, hexahedra. */
+function countsOf({ points, triangles, tetrahedra }: FileMesh): number[] {
+  return [points.length / 3, triangles.length / 3, 0, tetrahedra.length / 4, 0, 0, 0];
+}
+
+function fromOne(nodes: Uint32Array): Uint32Array {
+  return nodes.map((node) => node + 1);
+}
+
+function tagsOfTriangles({ trianglePatch, patches }: FileMesh): Uint32Array {
+  const tags = tagsOf(patches);
+  return trianglePatch.map((patch) => tags[patch] ?? 0);
+}
