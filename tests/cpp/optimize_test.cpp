@@ -221,7 +221,7 @@ Hollow<> shakenHollow(std::uint64_t seed) {
 TEST(NodeMoves, NewtonStepsConvergeToAPlaceWithoutSlope) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const bool squareRoot : {true, false}) {
-      const Hollow<> hollow = shakenHollow(seed);
+      Hollow<> hollow = shakenHollow(seed);
       const ElementCost cost(squareRoot ? Measure::kBulk : Measure::kFinish);
       Vec3 place(0.1, -0.05, 0.08);
       for (int i = 0; i < 20; ++i) {
@@ -247,7 +247,7 @@ TEST(NodeMoves, NewtonStepsConvergeToAPlaceWithoutSlope) {
 }
 
 TEST(NodeMoves, CircumcentreMeanDoesNotDependOnWhereTheApexIs) {
-  const Hollow<> hollow = shakenHollow(3);
+  Hollow<> hollow = shakenHollow(3);
   const Vec3 one = circumcentreMean(hollow, Vec3(0.1, 0.0, 0.0));
   const Vec3 other = circumcentreMean(hollow, Vec3(-0.05, 0.12, 0.02));
   EXPECT_LT(glm::length(one), 0.3);
@@ -264,7 +264,7 @@ TEST(NodeMoves, CircumcentreMeanDoesNotDependOnWhereTheApexIs) {
 TEST(NodeMoves, LoweringTheWorstNeverRaisesIt) {
   const ElementCost cost(Measure::kDihedral, kTargets30And135);
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
-    const Hollow<> hollow = shakenHollow(seed);
+    Hollow<> hollow = shakenHollow(seed);
     Vec3 place(0.3, 0.2, -0.1);
     const double before = hollow.costAt(place, cost, kInvalidCost);
     if (before >= kInvalidCost) continue;
@@ -303,7 +303,7 @@ TEST(StretchedSpace, MovesAreThoseOfTheHollowThatTheMetricSees) {
   const SymmetricTensor toUnit = slantedTensor();
   const SymmetricTensor toSpace = toUnit.inverse();
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const Hollow<> unit = shakenHollow(seed);
+    Hollow<> unit = shakenHollow(seed);
     Hollow<StretchedSpace> hollow;
     for (std::size_t i = 0; i < unit.size(); ++i) {
       const auto& [a, b, c] = unit.face(i);

@@ -102,64 +102,45 @@ bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_
   return back == 0 && ring.nodeCount <= maxNodes;
 }
 
+/// The two elements over ring nodes i, j, k in this order round the ring; kInvalidCost if they cost
+/// `bound` or more.
 template <class Space>
-double EdgeRemoval<Space>::triangle(std::size_t i, std::size_t j, std::size_t k) const {
-  if (i > j) std::swap(i, j);
-  if (j > k) std::swap(j, k);
-  if (i > j) std::swap(i, j);
-  return triangles_[i][j][k];
+double EdgeRemoval<Space>::costOverTriangle(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                            std::size_t i, std::size_t j, std::size_t k,
+                                            double bound) const {
+  const NodeId a = ring.nodes[i];
+  const NodeId b = ring.nodes[j];
+  const NodeId c = ring.nodes[k];
+  const double above = complex_.costOf(cost, {a, b, c, ring.to});
+  if (above >= bound) return kInvalidCost;
+  const double both = cost.combined(above, complex_.costOf(cost, {a, c, b, ring.from}));
+  return both < bound ? both : kInvalidCost;
 }
 
-template <class Space>
-void EdgeRemoval<Space>::costTriangles(const EdgeRing& ring, const ElementCost<Space>& cost,
-                                       double bound) {
-  std::array<Vec3, kMaxRing> places;
-  for (std::size_t i = 0; i < ring.nodeCount; ++i) places[i] = complex_.place(ring.nodes[i]);
-  const Vec3& from = complex_.place(ring.from);
-  const Vec3& to = complex_.place(ring.to);
-  for (std::size_t i = 0; i < ring.nodeCount; ++i) {
-    for (std::size_t j = i + 1; j < ring.nodeCount; ++j) {
-      for (std::size_t k = j + 1; k < ring.nodeCount; ++k) {
-        double& value = triangles_[i][j][k];
-        value = kInvalidCost;
-        const Corners upper{ring.nodes[i], ring.nodes[j], ring.nodes[k], ring.to};
-        const double above =
-            cost(places[i], places[j], places[k], to, complex_.frameOf<Space>(upper));
-        if (above >= bound) continue;
-        const Corners lower{ring.nodes[i], ring.nodes[k], ring.nodes[j], ring.from};
-        const double below =
-            cost(places[i], places[k], places[j], from, complex_.frameOf<Space>(lower));
-        if (below < bound) value = cost.combined(above, below);
-      }
-    }
-  }
-}
-
-/// intervals_[i][n] for all intervals; false if none beats the bound. An open ring's intervals do
-/// not pass its ends.
+/// intervals_[i][n] for all intervals from `first` on that end by `last`; ring nodes are counted on
+/// beyond a closed ring's end. Most triangles are never costed: their neighbours cost too much
+/// already. False if no interval beats the bound.
 template <class Space>
 bool EdgeRemoval<Space>::costIntervals(const EdgeRing& ring, const ElementCost<Space>& cost,
-                                       double bound) {
+                                       bool wraps, double bound) {
   const std::size_t count = ring.nodeCount;
   bool any = false;
   for (std::size_t i = 0; i < count; ++i) intervals_[i][1] = 0.0;
   for (std::size_t length = 2; length < count; ++length) {
     for (std::size_t i = 0; i < count; ++i) {
-      if (!ring.closed && i + length >= count) break;
-      double best = kInvalidCost;
+      if (!wraps && i + length >= count) break;
+      double best = bound;
       for (std::size_t cut = 1; cut < length; ++cut) {
         const std::size_t middle = (i + cut) % count;
-        const double left = intervals_[i][cut];
-        const double right = intervals_[middle][length - cut];
-        if (left >= bound || right >= bound) continue;
-        const double here = triangle(i, middle, (i + length) % count);
-        if (here >= bound) continue;
-        const double sum = cost.combined(cost.combined(left, right), here);
+        const double sides = cost.combined(intervals_[i][cut], intervals_[middle][length - cut]);
+        if (sides >= best) continue;
+        const double here = costOverTriangle(ring, cost, i, middle, (i + length) % count, best);
+        const double sum = cost.combined(sides, here);
         if (sum >= best) continue;
         best = sum;
         cuts_[i][length] = static_cast<std::uint8_t>(cut);
       }
-      intervals_[i][length] = best;
+      intervals_[i][length] = best < bound ? best : kInvalidCost;
       any = any || best < bound;
     }
   }
@@ -230,8 +211,7 @@ bool EdgeRemoval<Space>::plan(const EdgeRing& ring, const ElementCost<Space>& co
   plan_ = Plan::kNone;
   planCost_ = bound;
   if (ring.nodeCount < 3) return false;
-  costTriangles(ring, cost, bound);
-  if (!costIntervals(ring, cost, bound)) return false;
+  if (!costIntervals(ring, cost, fans && ring.closed, bound)) return false;
   const double removed = ring.closed ? intervals_[0][ring.nodeCount - 1] : kInvalidCost;
   if (removed < planCost_) {
     plan_ = Plan::kRemove;

@@ -70,8 +70,10 @@ class EdgeRemoval {
   enum class Plan : std::uint8_t { kNone, kRemove, kFans };
 
   bool plan(const EdgeRing& ring, const ElementCost<Space>& cost, bool fans, double bound);
-  void costTriangles(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
-  [[nodiscard]] bool costIntervals(const EdgeRing& ring, const ElementCost<Space>& cost,
+  [[nodiscard]] double costOverTriangle(const EdgeRing& ring, const ElementCost<Space>& cost,
+                                        std::size_t i, std::size_t j, std::size_t k,
+                                        double bound) const;
+  [[nodiscard]] bool costIntervals(const EdgeRing& ring, const ElementCost<Space>& cost, bool wraps,
                                    double bound);
   void planFans(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
   void costSectors(const EdgeRing& ring, const ElementCost<Space>& cost, double bound);
@@ -79,13 +81,10 @@ class EdgeRemoval {
   void fillInterval(const EdgeRing& ring, const ElementCost<Space>& cost, std::size_t first,
                     std::size_t length);
   void put(const ElementCost<Space>& cost, NodeId a, NodeId b, NodeId c, NodeId d);
-  [[nodiscard]] double triangle(std::size_t i, std::size_t j, std::size_t k) const;
 
   TetComplex& complex_;
   Plan plan_ = Plan::kNone;
   double planCost_ = 0.0;
-  /// Cost of the two elements over ring nodes i < j < k.
-  std::array<std::array<std::array<double, kMaxRing>, kMaxRing>, kMaxRing> triangles_{};
   /// Of the best filling of ring nodes i .. i + length, without the edge, and where it is cut.
   std::array<std::array<double, kMaxRing + 1>, kMaxRing> intervals_{};
   std::array<std::array<std::uint8_t, kMaxRing + 1>, kMaxRing> cuts_{};

@@ -59,10 +59,11 @@ Vec3 shortestInHull(const std::array<Vec3, kMaxGradients>& gradients, std::size_
 }  // namespace
 
 template <class Space>
-double Hollow<Space>::costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound) const {
+double Hollow<Space>::costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound) {
   double sum = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
     const double one = costOf(i, apex, cost);
+    costs_[i] = one;
     if (one >= kInvalidCost) return kInvalidCost;
     sum = cost.combined(sum, one);
     if (sum >= bound) return kInvalidCost;
@@ -152,7 +153,7 @@ bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot, 
 }
 
 template <class Space>
-bool lowerWorst(const Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
+bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst) {
   constexpr double kBand = 0.85;  // elements within 15 % of the worst go along
   constexpr double kFirstStep = 0.2;
@@ -219,10 +220,10 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
     constexpr int kSteps = 5;
     constexpr double kWorthwhile = 1e-4;
     double worst = old;
-    if (!lowerWorst(hollow_, cost, kSteps, place, worst) || worst >= old * (1.0 - kWorthwhile)) {
-      return false;
-    }
-    return takePlace(node, place, cost);
+    if (!lowerWorst(hollow_, cost, kSteps, place, worst)) return false;
+    if (hollow_.costAt(place, cost, kInvalidCost) >= old * (1.0 - kWorthwhile)) return false;
+    takePlace(node, place);
+    return true;
   }
   Vec3 direction(0.0);
   if (kind == MoveKind::kCircumcentres) {
@@ -230,7 +231,9 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
   } else if (!newtonStep(hollow_, place, cost.measure() == Measure::kBulk, direction)) {
     return false;
   }
-  return stepAlong(direction, cost, old, place) && takePlace(node, place, cost);
+  if (!stepAlong(direction, cost, old, place)) return false;
+  takePlace(node, place);
+  return true;
 }
 
 /// The largest of the step and its halves that lowers the cost.
@@ -251,10 +254,10 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
   return false;
 }
 
-/// Sets place and costs. Elements are marked as changed where their cost moved by a tenth, stars
+/// Sets the place, and the costs that the hollow was asked for last. Elements are marked as changed where their cost moved by a tenth, stars
 /// where the move was more than a small part of an edge; the rest need no second look.
 template <class Space>
-bool NodeMover<Space>::takePlace(NodeId node, const Vec3& place, const ElementCost<Space>& cost) {
+void NodeMover<Space>::takePlace(NodeId node, const Vec3& place) {
   constexpr double kCostChange = 0.1;
   const Vec3 old = complex_.place(node);
   const auto& frame = hollow_.frame(0);
@@ -264,12 +267,11 @@ bool NodeMover<Space>::takePlace(NodeId node, const Vec3& place, const ElementCo
   for (std::size_t i = 0; i < star_.size; ++i) {
     const TetId tet = star_.elements[i];
     const double before = complex_.cost(tet);
-    const double now = hollow_.costOf(i, place, cost);
+    const double now = hollow_.lastCostOf(i);
     complex_.setCost(tet, now);
     if (std::fabs(now - before) > kCostChange * (before + kCostChange)) complex_.markChanged(tet);
     if (far) complex_.markStars(tet);
   }
-  return true;
 }
 
 template class Hollow<PlainSpace>;
@@ -278,10 +280,9 @@ template Vec3 circumcentreMean(const Hollow<PlainSpace>&, const Vec3&);
 template Vec3 circumcentreMean(const Hollow<StretchedSpace>&, const Vec3&);
 template bool newtonStep(const Hollow<PlainSpace>&, const Vec3&, bool, Vec3&);
 template bool newtonStep(const Hollow<StretchedSpace>&, const Vec3&, bool, Vec3&);
-template bool lowerWorst(const Hollow<PlainSpace>&, const ElementCost<PlainSpace>&, int, Vec3&,
+template bool lowerWorst(Hollow<PlainSpace>&, const ElementCost<PlainSpace>&, int, Vec3&, double&);
+template bool lowerWorst(Hollow<StretchedSpace>&, const ElementCost<StretchedSpace>&, int, Vec3&,
                          double&);
-template bool lowerWorst(const Hollow<StretchedSpace>&, const ElementCost<StretchedSpace>&, int,
-                         Vec3&, double&);
 template class NodeMover<PlainSpace>;
 template class NodeMover<StretchedSpace>;
 

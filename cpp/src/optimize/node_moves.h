@@ -31,7 +31,9 @@ class Hollow {
     return cost(apex, faces_[i][0], faces_[i][1], faces_[i][2], frames_[i]);
   }
   /// Of all elements together; kInvalidCost as soon as `bound` is reached.
-  [[nodiscard]] double costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound) const;
+  [[nodiscard]] double costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound);
+  /// Of one element at the apex that costAt() was last asked for, if it did not reach its bound.
+  [[nodiscard]] double lastCostOf(std::size_t i) const { return costs_[i]; }
 
   /// Mean distance from `apex` to the first corners, in the unit space of a frame.
   [[nodiscard]] double meanRadius(const Vec3& apex, const Frame& frame) const;
@@ -39,6 +41,7 @@ class Hollow {
  private:
   std::array<std::array<Vec3, 3>, kMaxCavity> faces_;
   std::array<Frame, kMaxCavity> frames_;
+  std::array<double, kMaxCavity> costs_;
   std::size_t size_ = 0;
 };
 
@@ -55,7 +58,7 @@ template <class Space>
 /// Moves `apex` against the gradients of the worst elements until their cost does not fall any
 /// more (at most `steps` times). `worst` is the cost there. Returns whether it fell.
 template <class Space>
-bool lowerWorst(const Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
+bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst);
 
 enum class MoveKind : std::uint8_t { kCircumcentres, kNewton, kLowerWorst };
@@ -70,7 +73,7 @@ class NodeMover {
 
  private:
   bool stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old, Vec3& place);
-  bool takePlace(NodeId node, const Vec3& place, const ElementCost<Space>& cost);
+  void takePlace(NodeId node, const Vec3& place);
 
   TetComplex& complex_;
   Star star_;

@@ -16,9 +16,7 @@ TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, bool i
   resizeNodes(places_.size());
   const std::size_t count = mesh.tetrahedra.size() / 4;
   elements_.resize(count);
-  costs_.resize(count);
-  elementPass_.assign(count, pass_);
-  stamps_.assign(count, 0);
+  states_.assign(count, {.pass = pass_});
   build_.starts.assign(places_.size() + 1, 0);
 }
 
@@ -147,14 +145,14 @@ void TetComplex::move(NodeId node, const Vec3& place) {
 
 void TetComplex::setCost(TetId tet, double cost) {
   save(tet);
-  costs_[tet.index()] = cost;
+  states_[tet.index()].cost = cost;
 }
 
 template <class Space>
 void TetComplex::costAnew(const ElementCost<Space>& cost, std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     if (!isLive(TetId(t))) continue;
-    costs_[t] = std::min(costOf(cost, elements_[t].nodes), kEntryCost);
+    states_[t].cost = std::min(costOf(cost, elements_[t].nodes), kEntryCost);
   }
 }
 
@@ -168,7 +166,7 @@ void TetComplex::markStars(TetId tet) {
 bool TetComplex::findStar(NodeId node, Star& star) {
   const std::uint32_t stamp = freshStamp();
   star.elements[0] = elementAt_[node.index()];
-  stamps_[star.elements[0].index()] = stamp;
+  states_[star.elements[0].index()].stamp = stamp;
   star.size = 1;
   for (std::size_t i = 0; i < star.size; ++i) {
     const Element& element = elements_[star.elements[i].index()];
@@ -176,9 +174,9 @@ bool TetComplex::findStar(NodeId node, Star& star) {
     for (std::size_t k = 0; k < 4; ++k) {
       if (k == star.corner[i] || element.across[k].isNone()) continue;
       const TetId next = element.across[k].tet();
-      if (stamps_[next.index()] == stamp) continue;
+      if (states_[next.index()].stamp == stamp) continue;
       if (star.size == kMaxCavity) return false;
-      stamps_[next.index()] = stamp;
+      states_[next.index()].stamp = stamp;
       star.elements[star.size++] = next;
     }
   }
@@ -217,22 +215,20 @@ TetId TetComplex::takeSlot() {
   }
   elements_.emplace_back();
   regions_.push_back(0);
-  costs_.push_back(0.0);
-  elementPass_.push_back(0);
-  stamps_.push_back(0);
+  states_.emplace_back();
   return TetId(elements_.size() - 1);
 }
 
 void TetComplex::replace(std::span<const TetId> old, std::span<const NewElement> fresh) {
   const std::uint32_t region = regions_[old.front().index()];
   const std::uint32_t stamp = freshStamp();
-  for (const TetId tet : old) stamps_[tet.index()] = stamp;
+  for (const TetId tet : old) states_[tet.index()].stamp = stamp;
   ++faceStamp_;
   for (const TetId tet : old) {
     const Element& element = elements_[tet.index()];
     for (std::size_t k = 0; k < 4; ++k) {
       const Facing across = element.across[k];
-      if (!across.isNone() && stamps_[across.tet().index()] == stamp) continue;
+      if (!across.isNone() && states_[across.tet().index()].stamp == stamp) continue;
       const FaceKey key = keyOf(element.nodes, k);
       slotFor(key) = {key, across, faceStamp_};
     }
@@ -243,8 +239,8 @@ void TetComplex::replace(std::span<const TetId> old, std::span<const NewElement>
     if (i >= old.size()) save(tet);
     elements_[tet.index()].nodes = fresh[i].nodes;
     regions_[tet.index()] = region;
-    costs_[tet.index()] = fresh[i].cost;
-    elementPass_[tet.index()] = pass_;
+    states_[tet.index()].cost = fresh[i].cost;
+    states_[tet.index()].pass = pass_;
     for (const NodeId node : fresh[i].nodes) {
       elementAt_[node.index()] = tet;
       starPass_[node.index()] = pass_;
@@ -276,7 +272,7 @@ void TetComplex::link(TetId tet, std::size_t corner) {
 void TetComplex::save(TetId tet) {
   if (!inTrial_) return;
   const std::size_t i = tet.index();
-  savedElements_.push_back({tet, elements_[i], costs_[i], elementPass_[i]});
+  savedElements_.push_back({tet, elements_[i], states_[i].cost, states_[i].pass});
 }
 
 void TetComplex::beginTrial() {
@@ -298,14 +294,12 @@ void TetComplex::takeBack() {
   for (std::size_t i = savedElements_.size(); i-- > 0;) {
     const SavedElement& saved = savedElements_[i];
     elements_[saved.id.index()] = saved.element;
-    costs_[saved.id.index()] = saved.cost;
-    elementPass_[saved.id.index()] = saved.pass;
+    states_[saved.id.index()].cost = saved.cost;
+    states_[saved.id.index()].pass = saved.pass;
   }
   elements_.resize(slotsBeforeTrial_);
   regions_.resize(slotsBeforeTrial_);
-  costs_.resize(slotsBeforeTrial_);
-  elementPass_.resize(slotsBeforeTrial_);
-  stamps_.resize(slotsBeforeTrial_);
+  states_.resize(slotsBeforeTrial_);
   for (const SavedElement& saved : savedElements_) {
     if (saved.id.index() >= slotsBeforeTrial_ || !isLive(saved.id)) continue;
     for (const NodeId node : elements_[saved.id.index()].nodes) {
@@ -321,12 +315,13 @@ TetComplex::WorstCosts TetComplex::worstOfTrial() {
   const std::uint32_t stamp = freshStamp();
   for (const SavedElement& saved : savedElements_) {
     // The first save of an element holds its state before the trial.
-    if (stamps_[saved.id.index()] == stamp) continue;
-    stamps_[saved.id.index()] = stamp;
+    if (states_[saved.id.index()].stamp == stamp) continue;
+    states_[saved.id.index()].stamp = stamp;
     const bool wasLive = !saved.element.nodes[0].isNone() && saved.id.index() < slotsBeforeTrial_;
     if (wasLive) worst.before = std::max(worst.before, saved.cost);
   }
-  for (const TetId tet : touchedByTrial()) worst.now = std::max(worst.now, costs_[tet.index()]);
+  for (const TetId tet : touchedByTrial())
+    worst.now = std::max(worst.now, states_[tet.index()].cost);
   return worst;
 }
 
@@ -334,8 +329,8 @@ std::vector<TetId> TetComplex::touchedByTrial() {
   std::vector<TetId> touched;
   const std::uint32_t stamp = freshStamp();
   const auto add = [&](TetId tet) {
-    if (stamps_[tet.index()] == stamp || !isLive(tet)) return;
-    stamps_[tet.index()] = stamp;
+    if (states_[tet.index()].stamp == stamp || !isLive(tet)) return;
+    states_[tet.index()].stamp = stamp;
     touched.push_back(tet);
   };
   for (const SavedElement& saved : savedElements_) add(saved.id);

@@ -109,7 +109,7 @@ class TetComplex {
   [[nodiscard]] std::size_t elementCount() const { return elements_.size() - freeSlots_.size(); }
   [[nodiscard]] bool isLive(TetId tet) const { return !elements_[tet.index()].nodes[0].isNone(); }
   [[nodiscard]] const Element& element(TetId tet) const { return elements_[tet.index()]; }
-  [[nodiscard]] double cost(TetId tet) const { return costs_[tet.index()]; }
+  [[nodiscard]] double cost(TetId tet) const { return states_[tet.index()].cost; }
   void setCost(TetId tet, double cost);
   template <class Space>
   [[nodiscard]] typename Space::Frame frameOf(const Corners& nodes) const {
@@ -132,18 +132,18 @@ class TetComplex {
   // What has changed since when. Passes are numbered from 1 on.
   void beginPass() { ++pass_; }
   [[nodiscard]] std::uint32_t pass() const { return pass_; }
-  [[nodiscard]] std::uint32_t changedIn(TetId tet) const { return elementPass_[tet.index()]; }
+  [[nodiscard]] std::uint32_t changedIn(TetId tet) const { return states_[tet.index()].pass; }
   [[nodiscard]] std::uint32_t starChangedIn(NodeId node) const { return starPass_[node.index()]; }
-  void markChanged(TetId tet) { elementPass_[tet.index()] = pass_; }
+  void markChanged(TetId tet) { states_[tet.index()].pass = pass_; }
   void markStars(TetId tet);
 
   /// False if the star is larger than kMaxCavity. `node` must be used.
   bool findStar(NodeId node, Star& star);
   /// Marks of a fresh set of elements; used to tell whether an element is in a cavity.
   std::uint32_t freshStamp() { return ++stamp_; }
-  void stamp(TetId tet, std::uint32_t value) { stamps_[tet.index()] = value; }
+  void stamp(TetId tet, std::uint32_t value) { states_[tet.index()].stamp = value; }
   [[nodiscard]] bool hasStamp(TetId tet, std::uint32_t value) const {
-    return stamps_[tet.index()] == value;
+    return states_[tet.index()].stamp == value;
   }
 
   /// Replaces the elements `old` by `fresh`. The outer faces must be the same.
@@ -163,6 +163,12 @@ class TetComplex {
   [[nodiscard]] std::vector<TetId> touchedByTrial();
 
  private:
+  /// What is asked of an element together, and so lies together.
+  struct ElementState {
+    double cost = 0.0;
+    std::uint32_t pass = 0;  ///< of its last change
+    std::uint32_t stamp = 0;
+  };
   struct SavedElement {
     TetId id;
     Element element;
@@ -226,9 +232,7 @@ class TetComplex {
   std::vector<std::uint32_t> starPass_;
   std::vector<Element> elements_;
   std::vector<std::uint32_t> regions_;
-  std::vector<double> costs_;
-  std::vector<std::uint32_t> elementPass_;
-  std::vector<std::uint32_t> stamps_;
+  std::vector<ElementState> states_;
   std::vector<TetId> freeSlots_;
   BuildState build_;
   std::uint32_t pass_ = 1;
