@@ -329,6 +329,83 @@ Model randomBentTetrahedron(std::uint64_t seed, double bend, PatchType type) {
   return randomBody(random, corners, faces, bend, type);
 }
 
+Model bracketModel() {
+  constexpr double kThickness = 0.4;
+  constexpr double kFillet = 0.3;
+  constexpr double kFilletEnd = kThickness + kFillet;
+  constexpr int kPieces = 8;
+  ModelBuilder builder;
+  const std::array<Vec2, 7> profile{Vec2(0.0, 0.0),
+                                    Vec2(2.0, 0.0),
+                                    Vec2(2.0, kThickness),
+                                    Vec2(kFilletEnd, kThickness),
+                                    Vec2(kThickness, kFilletEnd),
+                                    Vec2(kThickness, 1.5),
+                                    Vec2(0.0, 1.5)};
+  constexpr std::size_t kFilletFrom = 3;
+  const auto at = [](const Vec2& place, double y) { return Vec3(place.x, y, place.y); };
+  const auto ends = [&](double y) {
+    Loop loop;
+    for (std::size_t i = 0; i < profile.size(); ++i) {
+      const Vec3 from = at(profile[i], y);
+      const Vec3 to = at(profile[(i + 1) % profile.size()], y);
+      if (i != kFilletFrom) {
+        loop.push_back(builder.straight(from, to));
+        continue;
+      }
+      std::vector<Vec3> places{from};
+      for (int k = 1; k < kPieces; ++k) {
+        const double angle = 0.25 * kTurn * k / kPieces;
+        places.push_back(
+            at(Vec2(kFilletEnd - kFillet * std::sin(angle), kFilletEnd - kFillet * std::cos(angle)),
+               y));
+      }
+      places.push_back(to);
+      loop.push_back({builder.line(LineType::kCubicSpline, places), false});
+    }
+    builder.patch(PatchType::kPlanar, {loop});
+    return loop;
+  };
+  const Loop front = ends(0.0);
+  const Loop back = ends(1.0);
+  // A hole of four arcs along `through`, and its wall.
+  const auto hole = [&](const Vec3& centre, const Vec3& u, const Vec3& v, const Vec3& through) {
+    constexpr double kRadius = 0.22;
+    constexpr int kArcs = 4;
+    const Loop near = builder.circle(centre, kRadius, kArcs, u, v);
+    const Loop far = builder.circle(centre + through, kRadius, kArcs, u, v);
+    const auto firstPoint = [&](const Loop& circle, int i) {
+      const std::uint32_t line = circle[static_cast<std::size_t>(i % kArcs)].line;
+      return builder.model.points[builder.model.lines[line].points.front()];
+    };
+    for (int i = 0; i < kArcs; ++i) {
+      const auto arc = static_cast<std::size_t>(i);
+      const OrientedLine here = builder.straight(firstPoint(near, i), firstPoint(far, i));
+      const OrientedLine next = builder.straight(firstPoint(near, i + 1), firstPoint(far, i + 1));
+      builder.patch(
+          PatchType::kCoons,
+          {{near[arc], next, {far[arc].line, !far[arc].reversed}, {here.line, !here.reversed}}});
+    }
+    return std::array<Loop, 2>{near, far};
+  };
+  const auto flat = hole({1.4, 0.5, 0.0}, {1, 0, 0}, {0, 1, 0}, {0, 0, kThickness});
+  const auto upright = hole({0.0, 0.5, 1.1}, {0, 1, 0}, {0, 0, 1}, {kThickness, 0, 0});
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const Vec2& from = profile[i];
+    const Vec2& to = profile[(i + 1) % profile.size()];
+    std::vector<Loop> loops{{front[i],
+                             builder.straight(at(to, 0.0), at(to, 1.0)),
+                             {back[i].line, !back[i].reversed},
+                             builder.straight(at(from, 1.0), at(from, 0.0))}};
+    if (i == 0) loops.push_back(flat[0]);
+    if (i == 2) loops.push_back(flat[1]);
+    if (i == 4) loops.push_back(upright[1]);
+    if (i == 6) loops.push_back(upright[0]);
+    builder.patch(i == kFilletFrom ? PatchType::kCoons : PatchType::kPlanar, loops);
+  }
+  return std::move(builder.model);
+}
+
 Model seamedTube(double radius, double height) {
   ModelBuilder builder;
   const Loop bottom = builder.circle({0, 0, 0}, radius, 1);

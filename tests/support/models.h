@@ -66,6 +66,9 @@ Model sphereModel(double radius);
 /// A torus about the z axis as 8 x 4 Coons patches.
 Model torusModel(double majorRadius, double minorRadius);
 
+/// An angle bracket 2 x 1 x 1.5, its arms 0.4 thick: a fillet between them, a hole in each.
+Model bracketModel();
+
 /// The side of a tube, one Coons patch between two circles of one spline each, with a seam.
 Model seamedTube(double radius, double height);
 

@@ -32,7 +32,8 @@ class EdgeSplitter {
   /// Sorts the list, longest first.
   void sortCollected();
   /// Splits edges [next, next + count) of the list where no element of the ring gets worse than
-  /// its worst was. Returns the number of splits.
+  /// its worst was, or bearable where the edge is much too long. Returns the number of splits.
+  /// `cost` must be by the bulk measure.
   std::size_t splitSome(std::size_t next, std::size_t count, const ElementCost<Space>& cost);
   [[nodiscard]] std::size_t collected() const { return edges_.size(); }
   void clear() { edges_.clear(); }

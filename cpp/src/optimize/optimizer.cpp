@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "optimize/density.h"
@@ -42,6 +43,9 @@ constexpr std::array kRepairSweeps{Sweep::kCollectBad, Sweep::kRepair};
 constexpr int kMaxRounds = 10;
 /// Rounds end when splits and collapses together are fewer than this part of the free nodes.
 constexpr double kQuietRound = 0.1;
+/// Or when a round lowers the mean cost by less than this part: where two sheets of the boundary
+/// are near each other, splits and collapses can undo each other for ever.
+constexpr double kLeastRoundGain = 0.01;
 constexpr int kRepairPasses = 5;
 /// A target is worth its cost only where few elements miss it: in a gap thinner than an element
 /// many do, and chasing them only adds elements.
@@ -179,16 +183,28 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     repeats_ = 0;
     sweeps_ = sweeps;
     cost_ = cost;
+    costAnew();
+    lastRun_.fill(0);
+    // Where nothing is stretched only lengths are concerned, which matter in rounds alone.
+    if (Space::kIsStretched && stage_ != Stage::kFirst) askAnew();
+    beginSweeps();
+  }
+
+  /// Nodes are not where they were, and new ones have a mean of what others were told.
+  void beginRound() {
+    askAnew();
+    if (Space::kIsStretched) costAnew();
+    beginSweeps();
+  }
+
+  void askAnew() {
+    asked_ = complex_.boundaryNodeCount();
+    toAsk_ = complex_.nodeCount();
+  }
+
+  void costAnew() {
     costed_ = 0;
     costing_ = true;
-    lastRun_.fill(0);
-    // Nodes have moved since. Where nothing is stretched only lengths are concerned, which matter
-    // less, and not in the stages after the first.
-    if (Space::kIsStretched && stage_ != Stage::kFirst) {
-      asked_ = complex_.boundaryNodeCount();
-      toAsk_ = complex_.nodeCount();
-    }
-    beginSweeps();
   }
 
   void beginSweeps() {
@@ -336,19 +352,17 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     changes_ = 0;
     changesInSweep_ = 0;
     ++repeats_;
-    const auto free = static_cast<double>(freeNodes_);
     switch (stage_) {
       case Stage::kBuild:
         return;
       case Stage::kFirst:
         repeats_ = 0;
+        meanCost_ = meanCost();
         stage_ = Stage::kRounds;
         sweeps_ = kRound;
-        return beginSweeps();
+        return beginRound();
       case Stage::kRounds:
-        if (repeats_ < kMaxRounds && static_cast<double>(changes) >= kQuietRound * free) {
-          return beginSweeps();
-        }
+        if (repeats_ < kMaxRounds && isRoundWorthwhile(changes)) return beginRound();
         return begin(Stage::kFinish, kFinishSweeps, ElementCost<Space>(Measure::kFinish));
       case Stage::kFinish:
         return beginRepair(Stage::kRepairLow);
@@ -360,6 +374,21 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       case Stage::kDone:
         return;
     }
+  }
+
+  /// Whether the round that has just ended did enough for another one to be likely to.
+  [[nodiscard]] bool isRoundWorthwhile(std::size_t changes) {
+    const double before = std::exchange(meanCost_, meanCost());
+    return static_cast<double>(changes) >= kQuietRound * static_cast<double>(freeNodes_) &&
+           meanCost_ < before * (1.0 - kLeastRoundGain);
+  }
+
+  [[nodiscard]] double meanCost() const {
+    double sum = 0.0;
+    for (std::size_t t = 0; t < complex_.slotCount(); ++t) {
+      if (complex_.isLive(TetId(t))) sum += complex_.cost(TetId(t));
+    }
+    return sum / static_cast<double>(complex_.elementCount());
   }
 
   void beginRepair(Stage stage) {
@@ -417,6 +446,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::size_t changesInSweep_ = 0;
   std::size_t changes_ = 0;
   int repeats_ = 0;
+  double meanCost_ = 0.0;      ///< of the elements, when the last round ended
   std::size_t lowTarget_ = 0;  ///< in kLowTargets
   std::size_t freeNodes_ = 0;  ///< when the last sweep ended: counting them is O(nodes)
   std::vector<TetId> bad_;

@@ -1,0 +1,126 @@
+/// The floor under every default mesh: on boundaries of good triangles, whatever the kind of body and
+/// however it was filled, no dihedral angle below 30 or above 135 degrees, shapes near the regular
+/// one, and sizes as the field wants them.
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+
+#include "support/mesh_validator.h"
+#include "support/models.h"
+#include "support/shapes.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront {
+namespace {
+
+struct Body {
+  std::string name;
+  std::variant<Model, SurfaceMesh> boundary;
+  double size;  ///< uniform; 0: that of the given surface
+  double meanRadiusRatio;
+  double leastDihedral = 30.0;
+  double greatestDihedral = 135.0;
+  double edgesNearWanted = 0.95;
+  BackgroundGrid sources{};
+};
+void PrintTo(const Body& body, std::ostream* out) { *out << body.name; }
+
+MeshRun finished(const Body& body, MeshOptions options) {
+  options.size = body.size;
+  const auto* const model = std::get_if<Model>(&body.boundary);
+  const auto* const surface = std::get_if<SurfaceMesh>(&body.boundary);
+  MeshRun run = model != nullptr ? MeshRun(*model, body.sources, options)
+                                 : MeshRun(surface->points, surface->triangles, options);
+  while (run.advance(10000) == MeshStatus::kRunning) {
+  }
+  return run;
+}
+
+void expectFloor(const Body& body, const MeshRun& run) {
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
+  const QualitySummary quality = run.quality();
+  EXPECT_GE(quality.minDihedral, body.leastDihedral);
+  EXPECT_LE(quality.maxDihedral, body.greatestDihedral);
+  EXPECT_GE(quality.meanRadiusRatio, body.meanRadiusRatio);
+  EXPECT_GE(run.statistics().edgesNearWanted, body.edgesNearWanted);
+}
+
+/// The second model's patches beside the first's.
+Model both(Model first, const Model& second) {
+  const auto points = static_cast<std::uint32_t>(first.points.size());
+  const auto lines = static_cast<std::uint32_t>(first.lines.size());
+  first.points.insert(first.points.end(), second.points.begin(), second.points.end());
+  for (Line line : second.lines) {
+    for (std::uint32_t& point : line.points) point += points;
+    first.lines.push_back(std::move(line));
+  }
+  for (Patch patch : second.patches) {
+    for (Loop& loop : patch.loops) {
+      for (OrientedLine& line : loop) line.line += lines;
+    }
+    first.patches.push_back(std::move(patch));
+  }
+  return first;
+}
+
+/// Sizes that grow from `least` at the pole of the unit sphere on.
+BackgroundGrid fineAtPole(double least) {
+  SizeSource pole;
+  pole.points[0] = Vec3(0.0, 0.0, 1.0);
+  pole.size = least;
+  pole.distance = 2.0 * least;
+  pole.growth = 0.15;
+  BackgroundGrid grid;
+  grid.sources = {pole};
+  return grid;
+}
+
+/// Two spheres of icosahedra with so many rows of triangles; the inner one is turned, as triangles
+/// that face each other node by node would leave no choice of elements.
+SurfaceMesh sphericalGap(double radius, int rows, double gap, int innerRows) {
+  SurfaceMesh surface = testing::geodesicSphere(rows);
+  testing::scale(surface, radius);
+  SurfaceMesh inner = testing::geodesicSphere(innerRows);
+  testing::scale(inner, radius - gap);
+  testing::rotateRandomly(inner, 3);
+  testing::turnInsideOut(inner);
+  testing::append(surface, inner);
+  return surface;
+}
+
+class QualityFloor : public ::testing::TestWithParam<Body> {};
+
+TEST_P(QualityFloor, HoldsForTheDefaultMesh) {
+  const MeshRun run = finished(GetParam(), {});
+  expectFloor(GetParam(), run);
+  EXPECT_NEAR(run.statistics().meanEdge, 1.0, 0.12);
+}
+
+/// The exact fill leaves a mesh almost without nodes inside: the optimizer must make all of them.
+TEST_P(QualityFloor, HoldsFromAFillWithoutNodesInside) {
+  MeshOptions options;
+  options.exactFillOnly = true;
+  const MeshRun run = finished(GetParam(), options);
+  expectFloor(GetParam(), run);
+  EXPECT_NEAR(run.statistics().meanEdge, 1.0, 0.15);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Optimize, QualityFloor,
+    ::testing::Values(
+        Body{"sphere", testing::sphereModel(1.0), 0.15, 0.87},
+        Body{"cube", testing::boxModel(Vec3(0.0), Vec3(1.0)), 0.09, 0.87},
+        Body{"torus", testing::torusModel(1.0, 0.4), 0.11, 0.87},
+        Body{"bracket", testing::bracketModel(), 0.085, 0.85},
+        Body{"cavity", both(testing::boxModel(Vec3(-1.0), Vec3(1.0)), testing::sphereModel(0.5)),
+             0.16, 0.87},
+        Body{"graded", testing::sphereModel(1.0), 0.4, 0.86, 30.0, 135.0, 0.95, fineAtPole(0.008)},
+        Body{"gapOfOneEdge", sphericalGap(0.6, 13, 0.05, 12), 0.0, 0.85},
+        Body{"gapOfHalfAnEdge", sphericalGap(1.0, 12, 0.05, 12), 0.0, 0.8, 17.0, 150.0, 0.94}),
+    [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace tetrafront
