@@ -1,4 +1,4 @@
-/** OFF, as text: the boundary, each triangle with the colour of its patch. */
+/** OFF, as text: the boundary, and, where there are several patches, each triangle with the colour of its own. */
 import { boundaryOf, colorsOf } from "./boundary.js";
 import { joinBytes } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";

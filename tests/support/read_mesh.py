@@ -1,0 +1,62 @@
+"""Reads mesh files by meshio (or gmsh) and prints what is in each, as one line of JSON per file."""
+
+import json
+import sys
+
+
+def by_meshio(path, kind):
+    import meshio
+
+    mesh = meshio.read(path, file_format=kind)
+    tags = {}
+    for name, blocks in mesh.cell_data.items():
+        tags[name] = [block.reshape(-1).astype(int).tolist() if block.size == len(block) else [] for block in blocks]
+    return {
+        "points": mesh.points.tolist(),
+        "cells": [[block.type, block.data.tolist()] for block in mesh.cells],
+        "tags": tags,
+        "names": {name: [int(data[0]), int(data[1])] for name, data in mesh.field_data.items()},
+        "cellSets": {name: [len(block) if block is not None else 0 for block in blocks] for name, blocks in mesh.cell_sets.items()},
+        "pointSets": {name: len(nodes) for name, nodes in mesh.point_sets.items()},
+    }
+
+
+def by_gmsh(path):
+    import gmsh
+
+    gmsh.initialize()
+    gmsh.option.setNumber("General.Terminal", 0)
+    gmsh.open(path)
+    numbers, places, _ = gmsh.model.mesh.getNodes()
+    place = {int(n): places[3 * i : 3 * i + 3].tolist() for i, n in enumerate(numbers)}
+    groups = []
+    for dimension, tag in gmsh.model.getPhysicalGroups():
+        elements = []
+        for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag):
+            _, _, nodes = gmsh.model.mesh.getElements(dimension, entity)
+            width = dimension + 1
+            for block in nodes:
+                elements += [[int(n) - 1 for n in block[i : i + width]] for i in range(0, len(block), width)]
+        groups.append([dimension, int(tag), gmsh.model.getPhysicalName(dimension, tag), elements])
+    gmsh.finalize()
+    return {"points": [place[n] for n in sorted(place)], "groups": groups}
+
+
+def main():
+    if sys.argv[1] == "which":
+        found = []
+        for module in ("meshio", "gmsh"):
+            try:
+                __import__(module)
+                found.append(module)
+            except (ImportError, OSError):
+                pass
+        print(json.dumps(found))
+        return
+    for argument in sys.argv[1:]:
+        reader, kind, path = argument.split(":", 2)
+        print(json.dumps(by_gmsh(path) if reader == "gmsh" else by_meshio(path, kind)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,212 @@
+/** What is written is read by meshio and by Gmsh, and what meshio writes is read, where Python has them. */
+import { spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { blockMesh, taggedElements } from "../../support/block-mesh.js";
+
+const python = process.env["TETRAFRONT_PYTHON"] ?? "python3";
+const script = fileURLToPath(new URL("../../support/read_mesh.py", import.meta.url));
+
+function run(args: readonly string[]): string {
+  const { stdout, status, stderr } = spawnSync(python, args, { encoding: "utf8", maxBuffer: 1 << 26 });
+  return status === 0 ? stdout : `failed: ${stderr}`;
+}
+
+const which = run([script, "which"]);
+const programs = which.startsWith("[") ? (JSON.parse(which) as string[]) : [];
+
+interface ReadMesh {
+  readonly points: readonly (readonly number[])[];
+  readonly cells: readonly (readonly [string, readonly (readonly number[])[]])[];
+  readonly tags: Readonly<Record<string, readonly (readonly number[])[]>>;
+  readonly names: Readonly<Record<string, readonly [number, number]>>;
+  readonly cellSets: Readonly<Record<string, readonly number[]>>;
+  readonly pointSets: Readonly<Record<string, number>>;
+}
+
+const mesh = blockMesh();
+let folder: string;
+beforeAll(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+async function save(fileName: string, given: FileMesh = mesh): Promise<string> {
+  for (const file of await writeMesh(given, path.join(folder, fileName)))
+    writeFileSync(file.fileName, file.bytes);
+  return path.join(folder, fileName);
+}
+
+async function readByMeshio(fileName: string, format: string, given: FileMesh = mesh): Promise<ReadMesh> {
+  const answer = run([script, `meshio:${format}:${await save(fileName, given)}`]);
+  // meshio remarks on some formats before the answer.
+  const line = answer.split("\n").find((text) => text.startsWith("{"));
+  if (line === undefined) throw new Error(answer);
+  return JSON.parse(line) as ReadMesh;
+}
+
+const plus = (values: ArrayLike<number>) => Array.from(values, (value) => value + 0);
+const wanted = {
+  tetra: taggedElements(mesh.tetrahedra, 4, mesh.tetrahedronRegion, mesh.regions),
+  triangle: taggedElements(mesh.triangles, 3, mesh.trianglePatch, mesh.patches),
+};
+
+/** The elements of a kind with their tags from the array of this name; without a name untagged. */
+function elements(read: ReadMesh, kind: "tetra" | "triangle", tags: string | undefined): string[] {
+  return read.cells
+    .flatMap(([type, cells], b) =>
+      type === kind
+        ? cells.map(
+            (nodes, e) => `${tags === undefined ? "" : `${read.tags[tags]?.[b]?.[e]}: `}${nodes.join(" ")}`,
+          )
+        : [],
+    )
+    .sort();
+}
+
+const untagged = (lines: readonly string[]) => lines.map((line) => line.replace(/^.*: /, "")).sort();
+
+if (programs.length === 0) {
+  test("neither meshio nor Gmsh is there: the rules of the formats are checked elsewhere", () => {
+    expect(programs).toEqual([]);
+  });
+}
+
+if (programs.includes("meshio")) {
+  describe("meshio reads the same points, elements and tags from", () => {
+    test.each<[string, string, string | undefined, string | undefined]>([
+      ["part.vtu", "vtu", "region", "patch"],
+      ["part.vtk", "vtk", "region", "patch"],
+      ["part.msh", "gmsh", "gmsh:physical", "gmsh:physical"],
+      ["part.msh2", "gmsh", "gmsh:physical", "gmsh:physical"],
+      ["part.mesh", "medit", "medit:ref", "medit:ref"],
+      ["part.su2", "su2", undefined, undefined],
+      ["part.bdf", "nastran", undefined, undefined],
+      ["part.ugrid", "ugrid", undefined, "ugrid:ref"],
+      ["part.b8.ugrid", "ugrid", undefined, "ugrid:ref"],
+    ])("%s", async (fileName, format, regions, patches) => {
+      const read = await readByMeshio(fileName, format);
+      const points = read.points.flat();
+      // Fields of 16 characters; float32 in the text of UGRID.
+      const digits = format === "nastran" ? 12 : fileName === "part.ugrid" ? 6 : undefined;
+      if (digits !== undefined) {
+        points.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, digits));
+      } else expect(plus(points)).toEqual(plus(mesh.points));
+      expect(elements(read, "tetra", regions)).toEqual(
+        regions === undefined ? untagged(wanted.tetra) : wanted.tetra,
+      );
+      expect(elements(read, "triangle", patches)).toEqual(
+        patches === undefined ? untagged(wanted.triangle) : wanted.triangle,
+      );
+    });
+
+    test("part.node with part.ele", async () => {
+      const read = await readByMeshio("part.node", "tetgen");
+      expect(plus(read.points.flat())).toEqual(plus(mesh.points));
+      expect(elements(read, "tetra", undefined)).toEqual(untagged(wanted.tetra));
+    });
+
+    test("part.inp with its sets", async () => {
+      const read = await readByMeshio("part.inp", "abaqus");
+      expect(plus(read.points.flat())).toEqual(plus(mesh.points));
+      expect(elements(read, "tetra", undefined)).toEqual(untagged(wanted.tetra));
+      expect(Object.keys(read.cellSets).sort()).toEqual(["steel", "water_20_C_"]);
+      expect(Object.values(read.pointSets)).toEqual([9, 9, 9, 9, 9, 9]);
+    });
+
+    test("the names in part.msh", async () => {
+      const { names } = await readByMeshio("part.msh", "gmsh");
+      expect(names).toMatchObject({ steel: [5, 3], "in let": [7, 2], "outlet (patch 4)": [4, 2] });
+    });
+
+    test.each(["stl", "obj", "off", "ply"])("the boundary as .%s", async (format) => {
+      // meshio knows no colours of faces in these formats.
+      const [patch] = mesh.patches;
+      const onePatch = {
+        ...mesh,
+        patches: [patch ?? { name: "", tag: 1 }],
+        trianglePatch: new Uint32Array(48),
+      };
+      const read = await readByMeshio(`part.${format}`, format, onePatch);
+      const cells = read.cells.flatMap(([type, rows]) => (type === "triangle" ? rows : []));
+      const at = (node: number) => (read.points[node] ?? []).map(Math.fround).join(" ");
+      const soup = cells.map((nodes) => nodes.map(at).join(" | ")).sort();
+      const place = (node: number) =>
+        plus(mesh.points.subarray(3 * node, 3 * node + 3))
+          .map(Math.fround)
+          .join(" ");
+      const given = Array.from({ length: mesh.triangles.length / 3 }, (_, t) =>
+        [...mesh.triangles.subarray(3 * t, 3 * t + 3)].map(place).join(" | "),
+      ).sort();
+      expect(soup).toEqual(given);
+    });
+  });
+
+  describe("what meshio writes is read:", () => {
+    const convert =
+      "import meshio, sys\nm = meshio.read(sys.argv[1])\nm.cell_sets = {}\nk = eval(sys.argv[3])\nmeshio.write(sys.argv[2], m, **k)";
+    test.each<[string, string]>([
+      ["again.vtu", "dict(binary=False)"],
+      ["again.vtu", "dict(compression=None)"],
+      ["again.vtu", "dict(compression='zlib')"],
+      ["again.vtk", "dict(file_format='vtk42', binary=False)"],
+      ["again.vtk", "dict(file_format='vtk42', binary=True)"],
+      ["again.vtk", "dict(file_format='vtk51', binary=False)"],
+      ["again.vtk", "dict(file_format='vtk51', binary=True)"],
+      ["again.msh", "dict(file_format='gmsh', binary=False)"],
+      ["again.msh", "dict(file_format='gmsh', binary=True)"],
+      ["again.msh", "dict(file_format='gmsh22', binary=False)"],
+      ["again.msh", "dict(file_format='gmsh22', binary=True)"],
+      ["again.mesh", "dict()"],
+    ])("%s with %s", async (fileName, options) => {
+      // meshio keeps the tags of a format under that format's names.
+      const source = fileName.endsWith("mesh")
+        ? "from.mesh"
+        : fileName.endsWith("msh")
+          ? "from.msh"
+          : "from.vtu";
+      const target = path.join(folder, fileName);
+      const answer = run(["-c", convert, await save(source), target, options]);
+      expect(answer).not.toMatch(/^failed/);
+      const read = await readMesh(readFileSync(target), { fileName });
+      if (!read.success) throw new Error(read.problems[0].message);
+      const found: FileMesh = read.value;
+      // meshio writes twelve digits in text.
+      found.points.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, 11));
+      const tags = (of: "tetra" | "triangle") =>
+        of === "tetra"
+          ? taggedElements(found.tetrahedra, 4, found.tetrahedronRegion, found.regions)
+          : taggedElements(found.triangles, 3, found.trianglePatch, found.patches);
+      expect(tags("tetra")).toEqual(wanted.tetra);
+      expect(tags("triangle")).toEqual(wanted.triangle);
+    });
+  });
+}
+
+if (programs.includes("gmsh")) {
+  test.each(["part.msh", "part.msh2"])(
+    "Gmsh reads the same points and named groups from %s",
+    async (fileName) => {
+      const answer = run([script, `gmsh::${await save(fileName)}`]);
+      const read = JSON.parse(answer) as {
+        points: number[][];
+        groups: [number, number, string, number[][]][];
+      };
+      expect(plus(read.points.flat())).toEqual(plus(mesh.points));
+      const of = (dimension: number) =>
+        read.groups
+          .filter(([d]) => d === dimension)
+          .flatMap(([, tag, , cells]) => cells.map((nodes) => `${tag}: ${nodes.join(" ")}`))
+          .sort();
+      expect(of(3)).toEqual(wanted.tetra);
+      expect(of(2)).toEqual(wanted.triangle);
+      expect(read.groups.map(([, , name]) => name)).toEqual(expect.arrayContaining(["in let", "steel"]));
+    },
+  );
+}
