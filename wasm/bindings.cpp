@@ -12,11 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "inspection_records.h"
 #include "model_arrays.h"
 #include "records.h"
 #include "statistics_record.h"
 #include "tetrafront/grid_tools.h"
+#include "tetrafront/mesh_tools.h"
 #include "tetrafront/mesher.h"
+#include "tetrafront/surface_tools.h"
 #include "typed_arrays.h"
 
 namespace tetrafront::border {
@@ -164,6 +167,40 @@ class Run {
   std::string failure_;
 };
 
+/// SurfaceInspector as JavaScript sees it. After a failure it is finished and has found nothing.
+class Inspection {
+ public:
+  Inspection(const Float64Array& points, const Uint32Array& triangles) {
+    inspector_ = guarded(failure_, std::unique_ptr<SurfaceInspector>{}, [&] {
+      const auto xyz = copyIn<double>(points);
+      const auto corners = copyIn<std::uint32_t>(triangles);
+      return std::make_unique<SurfaceInspector>(xyz, corners);
+    });
+  }
+
+  bool advance(std::uint32_t budget) {
+    if (!inspector_ || !failure_.empty()) return true;
+    return guarded(failure_, true, [&] { return inspector_->advance(budget); });
+  }
+
+  double fraction() {
+    if (!inspector_ || !failure_.empty()) return 1.0;
+    return inspector_->fraction();
+  }
+
+  SurfaceInspectionRecord result() {
+    if (!inspector_ || !failure_.empty()) return {};
+    return guarded(failure_, SurfaceInspectionRecord{},
+                   [&] { return toRecord(inspector_->result()); });
+  }
+
+  [[nodiscard]] std::string failure() const { return failure_; }
+
+ private:
+  std::unique_ptr<SurfaceInspector> inspector_;
+  std::string failure_;
+};
+
 /// The answer of `work`, in which `failure` tells what it threw.
 template <class Answer, class Work>
 Answer answered(const Work& work) {
@@ -205,6 +242,25 @@ GridRecord meshAsGrid(const Float64Array& points, const Uint32Array& tetrahedra,
   });
 }
 
+RepairRecord repair(const Float64Array& points, const Uint32Array& triangles,
+                    const RepairOptions& options) {
+  return answered<RepairRecord>([&] {
+    const auto xyz = copyIn<double>(points);
+    const auto corners = copyIn<std::uint32_t>(triangles);
+    return toRecord(repairSurface(xyz, corners, options));
+  });
+}
+
+MeshInspectionRecord inspectVolume(const Float64Array& points, const Uint32Array& tetrahedra,
+                                   const Uint32Array& regions) {
+  return answered<MeshInspectionRecord>([&] {
+    const auto xyz = copyIn<double>(points);
+    const auto corners = copyIn<std::uint32_t>(tetrahedra);
+    const auto filled = copyIn<std::uint32_t>(regions);
+    return toRecord(inspectMesh(xyz, corners, filled));
+  });
+}
+
 /// As raw pointers, which embind hands over to JavaScript; there delete() ends their life.
 Run* meshModel(const ModelArrays& arrays, const Options& options) {
   return std::make_unique<Run>(arrays, options).release();
@@ -213,6 +269,10 @@ Run* meshModel(const ModelArrays& arrays, const Options& options) {
 Run* fillSurface(const Float64Array& points, const Uint32Array& triangles, const GridArrays& grid,
                  const Options& options) {
   return std::make_unique<Run>(points, triangles, grid, options).release();
+}
+
+Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles) {
+  return std::make_unique<Inspection>(points, triangles).release();
 }
 
 }  // namespace
@@ -327,6 +387,58 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("minRadiusRatio", &QualitySummary::minRadiusRatio)
       .field("meanRadiusRatio", &QualitySummary::meanRadiusRatio)
       .field("volume", &QualitySummary::volume);
+  value_object<RepairOptions>("RepairOptions")
+      .field("weldDistance", &RepairOptions::weldDistance)
+      .field("removesTriangles", &RepairOptions::removesTriangles)
+      .field("fillsUpTo", &RepairOptions::fillsUpTo)
+      .field("turns", &RepairOptions::turns);
+  value_object<SurfaceInspectionRecord>("SurfaceInspectionRecord")
+      .field("isFillable", &SurfaceInspectionRecord::isFillable)
+      .field("isClosed", &SurfaceInspectionRecord::isClosed)
+      .field("isManifold", &SurfaceInspectionRecord::isManifold)
+      .field("isEmbedded", &SurfaceInspectionRecord::isEmbedded)
+      .field("nodes", &SurfaceInspectionRecord::nodes)
+      .field("unusedNodes", &SurfaceInspectionRecord::unusedNodes)
+      .field("triangles", &SurfaceInspectionRecord::triangles)
+      .field("edges", &SurfaceInspectionRecord::edges)
+      .field("openEdges", &SurfaceInspectionRecord::openEdges)
+      .field("crowdedEdges", &SurfaceInspectionRecord::crowdedEdges)
+      .field("pinchedNodes", &SurfaceInspectionRecord::pinchedNodes)
+      .field("turnedTriangles", &SurfaceInspectionRecord::turnedTriangles)
+      .field("regions", &SurfaceInspectionRecord::regions)
+      .field("box", &SurfaceInspectionRecord::box)
+      .field("area", &SurfaceInspectionRecord::area)
+      .field("volume", &SurfaceInspectionRecord::volume)
+      .field("edgeLengths", &SurfaceInspectionRecord::edgeLengths)
+      .field("shells", &SurfaceInspectionRecord::shells)
+      .field("worst", &SurfaceInspectionRecord::worst)
+      .field("diagnostics", &SurfaceInspectionRecord::diagnostics);
+  value_object<RepairRecord>("RepairRecord")
+      .field("points", &RepairRecord::points)
+      .field("triangles", &RepairRecord::triangles)
+      .field("origin", &RepairRecord::origin)
+      .field("kinds", &RepairRecord::kinds)
+      .field("subjects", &RepairRecord::subjects)
+      .field("places", &RepairRecord::places)
+      .field("diagnostics", &RepairRecord::diagnostics)
+      .field("failure", &RepairRecord::failure);
+  value_object<MeshInspectionRecord>("MeshInspectionRecord")
+      .field("isReadable", &MeshInspectionRecord::isReadable)
+      .field("nodes", &MeshInspectionRecord::nodes)
+      .field("unusedNodes", &MeshInspectionRecord::unusedNodes)
+      .field("tetrahedra", &MeshInspectionRecord::tetrahedra)
+      .field("turnedTetrahedra", &MeshInspectionRecord::turnedTetrahedra)
+      .field("flatTetrahedra", &MeshInspectionRecord::flatTetrahedra)
+      .field("repeatedTetrahedra", &MeshInspectionRecord::repeatedTetrahedra)
+      .field("crowdedFaces", &MeshInspectionRecord::crowdedFaces)
+      .field("overlaps", &MeshInspectionRecord::overlaps)
+      .field("coincidentNodes", &MeshInspectionRecord::coincidentNodes)
+      .field("edgeLengths", &MeshInspectionRecord::edgeLengths)
+      .field("quality", &MeshInspectionRecord::quality)
+      .field("statistics", &MeshInspectionRecord::statistics)
+      .field("boundary", &MeshInspectionRecord::boundary)
+      .field("boundaryRegion", &MeshInspectionRecord::boundaryRegion)
+      .field("failure", &MeshInspectionRecord::failure);
   value_object<RecoverySummary>("RecoverySummary")
       .field("relaxed", &RecoverySummary::relaxed)
       .field("starred", &RecoverySummary::starred)
@@ -356,10 +468,19 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("fingerprint", &Run::fingerprint)
       .function("failure", &Run::failure);
 
+  class_<Inspection>("Inspection")
+      .function("advance", &Inspection::advance)
+      .function("fraction", &Inspection::fraction)
+      .function("result", &Inspection::result)
+      .function("failure", &Inspection::failure);
+
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
+  function("inspectSurface", &inspectSurface, allow_raw_pointers());
   function("preview", &preview);
   function("cover", &cover);
   function("propose", &propose);
   function("meshAsGrid", &meshAsGrid);
+  function("repair", &repair);
+  function("inspectVolume", &inspectVolume);
 }

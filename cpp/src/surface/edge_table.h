@@ -29,6 +29,11 @@ class EdgeTable {
   std::vector<std::uint32_t> begins_;
 };
 
+/// The corner, or half-edge, after this one in its triangle.
+inline std::uint32_t nextCorner(std::uint32_t corner) {
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
 /// The two nodes of a half-edge, in its direction, and the third node of its triangle.
 struct HalfEdgeNodes {
   std::uint32_t from;

@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "support/shapes.h"
+#include "tetrafront/mesh_tools.h"
+#include "tetrafront/mesher.h"
+#include "tetrafront/surface_tools.h"
+
+namespace tetrafront::testing {
+namespace {
+
+struct Filled {
+  SurfaceMesh surface;
+  VolumeMesh volume;
+  QualitySummary quality;
+};
+
+Filled fill(const SurfaceMesh& mesh) {
+  MeshRun run(mesh.points, mesh.triangles, {});
+  while (run.advance(1U << 16U) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  return {run.surface(), run.volume(), run.quality()};
+}
+
+MeshInspection inspect(const VolumeMesh& mesh) {
+  return inspectMesh(mesh.points, mesh.tetrahedra, mesh.regions);
+}
+
+TEST(MeshInspection, AgreesWithTheReportOfARun) {
+  const Filled mesh = fill(cubeWithSphericalCavity(4, 3));
+  const MeshInspection found = inspect(mesh.volume);
+  ASSERT_TRUE(found.isReadable);
+  EXPECT_EQ(found.tetrahedra, mesh.volume.tetrahedra.size() / 4);
+  EXPECT_EQ(found.nodes, mesh.volume.points.size() / 3);
+  EXPECT_EQ(found.quality.minDihedral, mesh.quality.minDihedral);
+  EXPECT_EQ(found.quality.maxDihedral, mesh.quality.maxDihedral);
+  EXPECT_NEAR(found.quality.volume, mesh.quality.volume, 1e-12);
+  EXPECT_EQ(found.turnedTetrahedra + found.flatTetrahedra + found.repeatedTetrahedra +
+                found.crowdedFaces + found.overlaps + found.coincidentNodes + found.unusedNodes,
+            0U);
+  EXPECT_EQ(found.boundary.triangles.size(), mesh.surface.triangles.size());
+  EXPECT_NEAR(found.statistics.meanEdge, 1.0, 0.1);
+}
+
+TEST(MeshInspection, GivesABoundaryThatCanBeFilledAgain) {
+  const Filled mesh = fill(nestedSpheres(2, 3));
+  const MeshInspection found = inspect(mesh.volume);
+  SurfaceInspector inspector(mesh.volume.points, found.boundary.triangles);
+  while (!inspector.advance(1U << 16U)) {
+  }
+  EXPECT_TRUE(inspector.result().isFillable);
+  EXPECT_EQ(inspector.result().turnedTriangles, 0U);
+  EXPECT_NEAR(inspector.result().volume, mesh.quality.volume, 1e-12);
+}
+
+TEST(MeshInspection, MeasuresTurnedElementsAsIfTheyWereNot) {
+  Filled mesh = fill(gridCube(3));
+  const MeshInspection before = inspect(mesh.volume);
+  for (std::size_t e = 0; e < mesh.volume.tetrahedra.size(); e += 8) {
+    std::swap(mesh.volume.tetrahedra[e], mesh.volume.tetrahedra[e + 1]);
+  }
+  const MeshInspection after = inspect(mesh.volume);
+  EXPECT_EQ(after.turnedTetrahedra, (before.tetrahedra + 1) / 2);
+  EXPECT_NEAR(after.quality.volume, before.quality.volume, 1e-14);
+  EXPECT_NEAR(after.quality.minDihedral, before.quality.minDihedral, 1e-9);
+  EXPECT_EQ(after.overlaps, 0U);
+}
+
+TEST(MeshInspection, CountsWhatIsUnsound) {
+  Filled mesh = fill(gridCube(2));
+  std::vector<std::uint32_t>& corners = mesh.volume.tetrahedra;
+  corners.insert(corners.end(), {corners[0], corners[1], corners[2], corners[3]});
+  corners.insert(corners.end(), {corners[0], corners[1], corners[2], corners[2]});
+  mesh.volume.regions.resize(corners.size() / 4, 0);
+  mesh.volume.points.insert(mesh.volume.points.end(), {5.0, 5.0, 5.0});
+  const MeshInspection found = inspect(mesh.volume);
+  EXPECT_TRUE(found.isReadable);
+  EXPECT_EQ(found.repeatedTetrahedra, 1U);
+  EXPECT_EQ(found.flatTetrahedra, 1U);
+  EXPECT_EQ(found.unusedNodes, 1U);
+  EXPECT_GE(found.crowdedFaces, 1U);
+}
+
+TEST(MeshInspection, RefusesWhatIsNoMesh) {
+  const Filled mesh = fill(gridCube(1));
+  VolumeMesh wrong = mesh.volume;
+  wrong.tetrahedra[3] = 99999;
+  EXPECT_FALSE(inspect(wrong).isReadable);
+  wrong = mesh.volume;
+  wrong.points[4] = std::nan("");
+  EXPECT_FALSE(inspect(wrong).isReadable);
+  wrong = mesh.volume;
+  wrong.regions.pop_back();
+  EXPECT_FALSE(inspect(wrong).isReadable);
+  EXPECT_FALSE(inspect({}).isReadable);
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

@@ -1,0 +1,147 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/shapes.h"
+#include "tetrafront/surface_tools.h"
+
+namespace tetrafront::testing {
+namespace {
+
+SurfaceInspection inspect(const SurfaceMesh& mesh, std::uint32_t budget = 1U << 20U) {
+  SurfaceInspector inspector(mesh.points, mesh.triangles);
+  double reached = 0.0;
+  while (!inspector.advance(budget)) {
+    EXPECT_GE(inspector.fraction(), reached);
+    reached = inspector.fraction();
+  }
+  EXPECT_EQ(inspector.fraction(), 1.0);
+  return inspector.result();
+}
+
+void removeTriangle(SurfaceMesh& mesh, std::size_t triangle) {
+  const auto first = mesh.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(triangle);
+  mesh.triangles.erase(first, first + 3);
+}
+
+TEST(SurfaceInspection, MeasuresAUnitCube) {
+  const SurfaceInspection found = inspect(gridCube(2));
+  EXPECT_TRUE(found.isFillable && found.isClosed && found.isManifold && found.isEmbedded);
+  EXPECT_EQ(found.triangles, 48U);
+  // Euler: V - E + F = 2, and 3F = 2E.
+  EXPECT_EQ(found.edges, 72U);
+  EXPECT_EQ(found.nodes, 26U);
+  EXPECT_NEAR(found.area, 6.0, 1e-14);
+  EXPECT_NEAR(found.volume, 1.0, 1e-14);
+  EXPECT_EQ(found.low, Vec3(0.0));
+  EXPECT_EQ(found.high, Vec3(1.0));
+  EXPECT_EQ(found.shortestEdge, 0.5);
+  EXPECT_NEAR(found.longestEdge, std::sqrt(0.5), 1e-15);
+  // 48 half diagonals of the 24 squares, each shared by none: 24 of them among 72 edges.
+  EXPECT_NEAR(found.meanEdge, (48 * 0.5 + 24 * std::sqrt(0.5)) / 72, 1e-14);
+  ASSERT_EQ(found.shells.size(), 1U);
+  EXPECT_NEAR(found.shells[0].area, 6.0, 1e-14);
+  EXPECT_EQ(found.regions, 1U);
+  EXPECT_EQ(found.turnedTriangles, 0U);
+  ASSERT_EQ(found.worst.size(), 10U);
+  EXPECT_NEAR(found.worst[0].smallestAngle, 45.0, 1e-10);
+  EXPECT_NEAR(found.worst[0].area, 0.125, 1e-15);
+  EXPECT_TRUE(found.diagnostics.empty());
+}
+
+TEST(SurfaceInspection, TellsBodiesFromCavities) {
+  const SurfaceInspection found = inspect(nestedSpheres(3, 2));
+  EXPECT_EQ(found.regions, 2U);
+  ASSERT_EQ(found.shells.size(), 3U);
+  EXPECT_FALSE(found.shells[0].isCavity);
+  EXPECT_TRUE(found.shells[1].isCavity);
+  EXPECT_FALSE(found.shells[2].isCavity);
+  EXPECT_EQ(found.shells[0].region, found.shells[1].region);
+  EXPECT_NE(found.shells[0].region, found.shells[2].region);
+  EXPECT_NEAR(found.volume, found.shells[0].volume - found.shells[1].volume + found.shells[2].volume,
+              1e-12);
+}
+
+TEST(SurfaceInspection, CountsOpenEdges) {
+  SurfaceMesh mesh = gridCube(2);
+  removeTriangle(mesh, 5);
+  const SurfaceInspection found = inspect(mesh);
+  EXPECT_FALSE(found.isClosed);
+  EXPECT_FALSE(found.isFillable);
+  EXPECT_TRUE(found.isManifold && found.isEmbedded);
+  EXPECT_EQ(found.openEdges, 3U);
+  EXPECT_EQ(found.volume, 0.0);
+  EXPECT_TRUE(found.shells.empty());
+}
+
+TEST(SurfaceInspection, SeesBodiesThatTouch) {
+  const SurfaceInspection edge = inspect(cubesSharingEdge());
+  EXPECT_TRUE(edge.isFillable && edge.isClosed);
+  EXPECT_FALSE(edge.isManifold);
+  EXPECT_EQ(edge.crowdedEdges, 1U);
+  EXPECT_NEAR(edge.volume, 2.0, 1e-14);
+  const SurfaceInspection node = inspect(cubesSharingNode());
+  EXPECT_TRUE(node.isFillable && node.isClosed);
+  EXPECT_FALSE(node.isManifold);
+  EXPECT_EQ(node.crowdedEdges, 0U);
+  EXPECT_EQ(node.pinchedNodes, 1U);
+}
+
+TEST(SurfaceInspection, SeesSurfacesThatCutThemselves) {
+  SurfaceMesh mesh = gridCube(1);
+  SurfaceMesh other = gridCube(1);
+  translate(other, Vec3(0.5, 0.25, 0.125));
+  append(mesh, other);
+  const SurfaceInspection found = inspect(mesh);
+  EXPECT_FALSE(found.isEmbedded);
+  EXPECT_TRUE(found.isClosed && found.isManifold);
+  EXPECT_NEAR(found.area, 12.0, 1e-13);
+}
+
+TEST(SurfaceInspection, CountsTrianglesToBeTurned) {
+  SurfaceMesh mesh = geodesicSphere(3);
+  std::swap(mesh.triangles[7], mesh.triangles[8]);
+  EXPECT_EQ(inspect(mesh).turnedTriangles, 1U);
+  turnInsideOut(mesh);
+  EXPECT_EQ(inspect(mesh).turnedTriangles, triangleCount(mesh) - 1);
+}
+
+TEST(SurfaceInspection, KeepsAwayFromBrokenNumbers) {
+  SurfaceMesh mesh = gridCube(1);
+  mesh.triangles[4] = 1000;
+  const SurfaceInspection found = inspect(mesh);
+  EXPECT_FALSE(found.isFillable || found.isClosed || found.isManifold || found.isEmbedded);
+  ASSERT_EQ(found.diagnostics.size(), 1U);
+  EXPECT_EQ(found.diagnostics[0].code, DiagnosticCode::kIndexOutOfRange);
+  EXPECT_FALSE(inspect(SurfaceMesh{}).isFillable);
+  mesh = gridCube(1);
+  mesh.points[3] = std::nan("");
+  EXPECT_EQ(inspect(mesh).triangles, 0U);
+}
+
+TEST(SurfaceInspection, DoesNotDependOnItsSlices) {
+  SurfaceMesh mesh = cubeWithSphericalCavity(4, 3);
+  shuffle(mesh, 5);
+  const SurfaceInspection whole = inspect(mesh);
+  const SurfaceInspection sliced = inspect(mesh, 7);
+  EXPECT_EQ(whole.area, sliced.area);
+  EXPECT_EQ(whole.volume, sliced.volume);
+  EXPECT_EQ(whole.worst[0].triangle, sliced.worst[0].triangle);
+}
+
+TEST(SurfaceInspection, PutsTheWorstTriangleFirst) {
+  SurfaceMesh mesh = gridCube(3);
+  const auto moved = std::find(mesh.points.begin(), mesh.points.end(), 1.0 / 3.0);
+  ASSERT_NE(moved, mesh.points.end());
+  *moved = 1e-3;
+  const SurfaceInspection found = inspect(mesh);
+  ASSERT_EQ(found.worst.size(), 10U);
+  EXPECT_LT(found.worst[0].smallestAngle, 1.0);
+  EXPECT_TRUE(std::is_sorted(
+      found.worst.begin(), found.worst.end(),
+      [](const auto& a, const auto& b) { return a.radiusRatio < b.radiusRatio; }));
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

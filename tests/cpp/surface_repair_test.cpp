@@ -1,0 +1,252 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "support/random.h"
+#include "support/shapes.h"
+#include "tetrafront/surface_tools.h"
+
+namespace tetrafront::testing {
+namespace {
+
+SurfaceInspection inspect(const SurfaceRepair& repair) {
+  SurfaceInspector inspector(repair.points, repair.triangles);
+  while (!inspector.advance(1U << 20U)) {
+  }
+  return inspector.result();
+}
+
+SurfaceRepair repair(const SurfaceMesh& mesh, const RepairOptions& options = {}) {
+  const SurfaceRepair result = repairSurface(mesh.points, mesh.triangles, options);
+  EXPECT_EQ(result.origin.size(), result.triangles.size() / 3);
+  return result;
+}
+
+std::map<RepairKind, int> kindsOf(const SurfaceRepair& repair) {
+  std::map<RepairKind, int> kinds;
+  for (const RepairChange& change : repair.changes) ++kinds[change.kind];
+  return kinds;
+}
+
+/// Every triangle with nodes of its own, as in an STL file, each moved by up to `noise`.
+SurfaceMesh soupOf(const SurfaceMesh& mesh, double noise) {
+  SurfaceMesh soup;
+  Random random(7);
+  for (std::uint32_t h = 0; h < mesh.triangles.size(); ++h) {
+    const Vec3 p = pointOf(mesh, mesh.triangles[h]);
+    for (int k = 0; k < 3; ++k) soup.points.push_back(p[k] + noise * (random.unit() - 0.5));
+    soup.triangles.push_back(h);
+  }
+  return soup;
+}
+
+void removeTriangles(SurfaceMesh& mesh, std::vector<std::size_t> which) {
+  std::sort(which.rbegin(), which.rend());
+  for (const std::size_t t : which) {
+    const auto first = mesh.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(t);
+    mesh.triangles.erase(first, first + 3);
+  }
+}
+
+TEST(SurfaceRepair, LeavesASoundSurfaceAsItIs) {
+  SurfaceMesh mesh = cubeWithSphericalCavity(3, 2);
+  shuffle(mesh, 3);
+  const SurfaceRepair result = repair(mesh, {.fillsUpTo = 50});
+  EXPECT_TRUE(result.changes.empty());
+  EXPECT_EQ(result.points, mesh.points);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+}
+
+TEST(SurfaceRepair, WeldsASoup) {
+  const SurfaceMesh mesh = geodesicSphere(4);
+  const SurfaceRepair exact = repair(soupOf(mesh, 0.0));
+  EXPECT_TRUE(inspect(exact).isFillable);
+  EXPECT_EQ(exact.points.size(), mesh.points.size());
+  EXPECT_EQ(kindsOf(exact)[RepairKind::kWeldedNode],
+            static_cast<int>(mesh.triangles.size() - mesh.points.size() / 3));
+
+  const SurfaceMesh noisy = soupOf(mesh, 1e-6);
+  EXPECT_FALSE(inspect(repair(noisy)).isFillable);
+  const SurfaceRepair welded = repair(noisy, {.weldDistance = 1e-5});
+  EXPECT_TRUE(inspect(welded).isFillable);
+  EXPECT_EQ(welded.points.size(), mesh.points.size());
+  EXPECT_TRUE(repair(noisy, {.weldDistance = -1.0, .turns = false}).changes.empty());
+}
+
+TEST(SurfaceRepair, WeldsNoChains) {
+  // Each is near the one before, the last far from the first.
+  SurfaceMesh mesh;
+  for (int i = 0; i < 10; ++i) mesh.points.insert(mesh.points.end(), {0.6 * i, 0.0, 0.0});
+  mesh.points.insert(mesh.points.end(), {0.0, 9.0, 0.0});
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, 10});
+  }
+  const SurfaceRepair result =
+      repair(mesh, {.weldDistance = 1.0, .removesTriangles = false, .turns = false});
+  for (const RepairChange& change : result.changes) {
+    ASSERT_EQ(change.kind, RepairKind::kWeldedNode);
+    EXPECT_EQ(change.second, change.first - 1);
+    EXPECT_EQ(change.first % 2, 1U);
+  }
+  EXPECT_EQ(result.changes.size(), 5U);
+}
+
+TEST(SurfaceRepair, RemovesTrianglesThatAreNone) {
+  SurfaceMesh mesh = gridCube(2);
+  const auto count = static_cast<std::uint32_t>(triangleCount(mesh));
+  const std::array<std::uint32_t, 3> first{mesh.triangles[0], mesh.triangles[1], mesh.triangles[2]};
+  mesh.triangles.insert(mesh.triangles.end(), {first[1], first[0], first[2]});
+  mesh.triangles.insert(mesh.triangles.end(), {first[1], first[1], first[2]});
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_TRUE(inspect(result).isFillable);
+  ASSERT_EQ(result.changes.size(), 2U);
+  EXPECT_EQ(result.changes[0].kind, RepairKind::kRemovedTriangle);
+  EXPECT_EQ(result.changes[0].first, count + 1);
+  EXPECT_EQ(result.changes[1].kind, RepairKind::kRemovedDuplicate);
+  EXPECT_EQ(result.changes[1].first, count);
+  EXPECT_EQ(result.changes[1].second, 0U);
+}
+
+TEST(SurfaceRepair, DissolvesSliversWithoutChangingTheShape) {
+  // A node in the middle of an edge of one triangle, closed by a sliver on the edge; and once more
+  // with a chain of slivers.
+  SurfaceMesh mesh = gridCube(1);
+  for (int i = 0; i < 5; ++i) {
+    const std::size_t h = 3 * static_cast<std::size_t>(i);
+    const std::uint32_t a = mesh.triangles[h];
+    const std::uint32_t b = mesh.triangles[h + 1];
+    const std::uint32_t c = mesh.triangles[h + 2];
+    const Vec3 place = 0.5 * (pointOf(mesh, a) + pointOf(mesh, b));
+    const auto middle = static_cast<std::uint32_t>(nodeCount(mesh));
+    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+    mesh.triangles[h + 1] = middle;
+    mesh.triangles.insert(mesh.triangles.end(), {middle, b, c, a, b, middle});
+  }
+  const SurfaceRepair result = repair(mesh);
+  const SurfaceInspection found = inspect(result);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, 1.0, 1e-14);
+  EXPECT_NEAR(found.area, 6.0, 1e-14);
+  EXPECT_GE(kindsOf(result)[RepairKind::kSplitTriangle], 1);
+  EXPECT_EQ(kindsOf(result)[RepairKind::kFilledHole], 0);
+}
+
+TEST(SurfaceRepair, TurnsTrianglesOutward) {
+  SurfaceMesh mesh = cubeWithSphericalCavity(3, 2);
+  SurfaceMesh mixed = mesh;
+  flipRandomly(mixed, 11);
+  const SurfaceRepair result = repair(mixed);
+  EXPECT_EQ(inspect(result).turnedTriangles, 0U);
+  std::size_t differing = 0;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    if (mesh.triangles[3 * t + 1] != mixed.triangles[3 * t + 1]) ++differing;
+  }
+  EXPECT_EQ(result.changes.size(), differing);
+  EXPECT_EQ(repair(mixed, {.turns = false}).triangles, mixed.triangles);
+}
+
+TEST(SurfaceRepair, MakesAnOpenSurfaceConsistent) {
+  SurfaceMesh mesh = gridCube(3);
+  removeTriangles(mesh, {0, 20});
+  flipRandomly(mesh, 5);
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_FALSE(inspect(result).isClosed);
+  // Every half-edge has its opposite or none of its own direction.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> seen;
+  for (std::size_t h = 0; h < result.triangles.size(); ++h) {
+    const std::size_t next = h % 3 == 2 ? h - 2 : h + 1;
+    EXPECT_EQ(++(seen[{result.triangles[h], result.triangles[next]}]), 1);
+  }
+}
+
+TEST(SurfaceRepair, FillsHolesUpToTheGivenNumberOfEdges) {
+  SurfaceMesh mesh = gridCube(4);
+  // A hole of three edges and one of four.
+  removeTriangles(mesh, {0, 100, 101});
+  const SurfaceRepair small = repair(mesh, {.fillsUpTo = 3});
+  EXPECT_EQ(inspect(small).openEdges, 4U);
+  const SurfaceRepair both = repair(mesh, {.fillsUpTo = 4});
+  const SurfaceInspection found = inspect(both);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, 1.0, 1e-14);
+  EXPECT_EQ(kindsOf(both)[RepairKind::kFilledHole], 2);
+  EXPECT_EQ(std::count(both.origin.begin(), both.origin.end(), kNoOrigin), 3);
+  EXPECT_EQ(found.turnedTriangles, 0U);
+}
+
+TEST(SurfaceRepair, FillsHolesThatTouchInANode) {
+  // Two triangles of a sphere that share one node only.
+  const SurfaceMesh sphere = geodesicSphere(3);
+  const std::uint32_t node = sphere.triangles[0];
+  std::vector<std::size_t> around;
+  for (std::size_t h = 0; h < sphere.triangles.size(); ++h) {
+    if (sphere.triangles[h] == node) around.push_back(h / 3);
+  }
+  for (std::size_t i = 1; i < around.size(); ++i) {
+    SurfaceMesh mesh = sphere;
+    removeTriangles(mesh, {around[0], around[i]});
+    const SurfaceRepair result = repair(mesh, {.fillsUpTo = 4});
+    EXPECT_TRUE(inspect(result).isFillable) << i;
+    EXPECT_EQ(result.triangles.size(), sphere.triangles.size()) << i;
+  }
+}
+
+TEST(SurfaceRepair, ClosesALargeHoleWithTheLeastArea) {
+  // The open top of a box, its rim of 32 edges: the flat lid is the least.
+  SurfaceMesh mesh = gridCube(8);
+  std::vector<std::size_t> top;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    double lowest = 1.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      lowest = std::min(lowest, pointOf(mesh, mesh.triangles[3 * t + k]).z);
+    }
+    if (lowest == 1.0) top.push_back(t);
+  }
+  removeTriangles(mesh, top);
+  EXPECT_FALSE(inspect(repair(mesh, {.fillsUpTo = 31})).isClosed);
+  const SurfaceInspection found = inspect(repair(mesh, {.fillsUpTo = 32}));
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.area, 6.0, 1e-13);
+  EXPECT_NEAR(found.volume, 1.0, 1e-13);
+}
+
+TEST(SurfaceRepair, DropsNodesOfNoTriangle) {
+  SurfaceMesh mesh = gridCube(1);
+  mesh.points.insert(mesh.points.begin(), {9.0, 9.0, 9.0});
+  for (std::uint32_t& node : mesh.triangles) ++node;
+  const SurfaceRepair result = repair(mesh);
+  ASSERT_EQ(result.changes.size(), 1U);
+  EXPECT_EQ(result.changes[0].kind, RepairKind::kDroppedNode);
+  EXPECT_EQ(result.changes[0].first, 0U);
+  EXPECT_EQ(result.points, gridCube(1).points);
+}
+
+TEST(SurfaceRepair, RefusesBrokenNumbers) {
+  SurfaceMesh mesh = gridCube(1);
+  mesh.triangles[0] = 99;
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+}
+
+TEST(SurfaceRepair, SurvivesRuins) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    SurfaceMesh mesh = gridCube(2);
+    for (std::uint32_t& node : mesh.triangles) {
+      if (random.unit() < 0.2) node = static_cast<std::uint32_t>(random.unit() * 26.0);
+    }
+    const RepairOptions options{.weldDistance = 0.3 * random.unit(), .fillsUpTo = 20};
+    const SurfaceRepair once = repair(mesh, options);
+    const SurfaceRepair again = repair(mesh, options);
+    EXPECT_EQ(once.triangles, again.triangles);
+    static_cast<void>(inspect(once));
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

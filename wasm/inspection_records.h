@@ -1,0 +1,157 @@
+#pragma once
+
+/// @file What is found in given surfaces and meshes, as JavaScript has it.
+
+#include <cstdint>
+#include <vector>
+
+#include "records.h"
+#include "statistics_record.h"
+#include "tetrafront/mesh_tools.h"
+#include "tetrafront/surface_tools.h"
+#include "typed_arrays.h"
+
+namespace tetrafront::border {
+
+struct SurfaceInspectionRecord {
+  bool isFillable = false;
+  bool isClosed = false;
+  bool isManifold = false;
+  bool isEmbedded = false;
+  std::uint32_t nodes = 0;
+  std::uint32_t unusedNodes = 0;
+  std::uint32_t triangles = 0;
+  std::uint32_t edges = 0;
+  std::uint32_t openEdges = 0;
+  std::uint32_t crowdedEdges = 0;
+  std::uint32_t pinchedNodes = 0;
+  std::uint32_t turnedTriangles = 0;
+  std::uint32_t regions = 0;
+  /// The lowest and the highest corner.
+  Float64Array box = copyOut(std::vector<double>{});
+  double area = 0.0;
+  double volume = 0.0;
+  /// Shortest, mean, longest.
+  Float64Array edgeLengths = box;
+  /// Per shell: first triangle, triangles, region, 1 for a cavity, area, volume.
+  Float64Array shells = box;
+  /// Per triangle: its position, place, area, smallest angle, radius ratio.
+  Float64Array worst = box;
+  DiagnosticRecords diagnostics{emscripten::val::array()};
+};
+
+struct RepairRecord {
+  Float64Array points = copyOut(std::vector<double>{});
+  Uint32Array triangles = copyOut(std::vector<std::uint32_t>{});
+  Uint32Array origin = triangles;
+  Uint8Array kinds = copyOut(std::vector<std::uint8_t>{});
+  /// Two per change, and x y z.
+  Uint32Array subjects = triangles;
+  Float64Array places = points;
+  DiagnosticRecords diagnostics{emscripten::val::array()};
+  Text failure{emscripten::val("")};
+};
+
+struct MeshInspectionRecord {
+  bool isReadable = false;
+  std::uint32_t nodes = 0;
+  std::uint32_t unusedNodes = 0;
+  std::uint32_t tetrahedra = 0;
+  std::uint32_t turnedTetrahedra = 0;
+  std::uint32_t flatTetrahedra = 0;
+  std::uint32_t repeatedTetrahedra = 0;
+  std::uint32_t crowdedFaces = 0;
+  std::uint32_t overlaps = 0;
+  std::uint32_t coincidentNodes = 0;
+  /// Shortest, mean, longest.
+  Float64Array edgeLengths = copyOut(std::vector<double>{});
+  QualitySummary quality;
+  StatisticsRecord statistics;
+  Uint32Array boundary = copyOut(std::vector<std::uint32_t>{});
+  Uint32Array boundaryRegion = boundary;
+  Text failure{emscripten::val("")};
+};
+
+[[nodiscard]] inline Float64Array flatShells(const std::vector<ShellFigures>& shells) {
+  std::vector<double> flat;
+  for (const ShellFigures& s : shells) {
+    flat.insert(flat.end(),
+                {static_cast<double>(s.firstTriangle), static_cast<double>(s.triangles),
+                 static_cast<double>(s.region), s.isCavity ? 1.0 : 0.0, s.area, s.volume});
+  }
+  return copyOut(flat);
+}
+
+[[nodiscard]] inline Float64Array flatTriangles(const std::vector<TriangleFigures>& triangles) {
+  std::vector<double> flat;
+  for (const TriangleFigures& t : triangles) {
+    flat.insert(flat.end(), {static_cast<double>(t.triangle), t.place.x, t.place.y, t.place.z,
+                             t.area, t.smallestAngle, t.radiusRatio});
+  }
+  return copyOut(flat);
+}
+
+[[nodiscard]] inline SurfaceInspectionRecord toRecord(const SurfaceInspection& found) {
+  const std::vector<double> box{found.low.x,  found.low.y,  found.low.z,
+                                found.high.x, found.high.y, found.high.z};
+  const std::vector<double> lengths{found.shortestEdge, found.meanEdge, found.longestEdge};
+  return {.isFillable = found.isFillable,
+          .isClosed = found.isClosed,
+          .isManifold = found.isManifold,
+          .isEmbedded = found.isEmbedded,
+          .nodes = found.nodes,
+          .unusedNodes = found.unusedNodes,
+          .triangles = found.triangles,
+          .edges = found.edges,
+          .openEdges = found.openEdges,
+          .crowdedEdges = found.crowdedEdges,
+          .pinchedNodes = found.pinchedNodes,
+          .turnedTriangles = found.turnedTriangles,
+          .regions = found.regions,
+          .box = copyOut(box),
+          .area = found.area,
+          .volume = found.volume,
+          .edgeLengths = copyOut(lengths),
+          .shells = flatShells(found.shells),
+          .worst = flatTriangles(found.worst),
+          .diagnostics = toRecords(found.diagnostics)};
+}
+
+[[nodiscard]] inline RepairRecord toRecord(const SurfaceRepair& repair) {
+  std::vector<std::uint8_t> kinds;
+  std::vector<std::uint32_t> subjects;
+  std::vector<double> places;
+  for (const RepairChange& change : repair.changes) {
+    kinds.push_back(static_cast<std::uint8_t>(change.kind));
+    subjects.insert(subjects.end(), {change.first, change.second});
+    places.insert(places.end(), {change.place.x, change.place.y, change.place.z});
+  }
+  return {.points = copyOut(repair.points),
+          .triangles = copyOut(repair.triangles),
+          .origin = copyOut(repair.origin),
+          .kinds = copyOut(kinds),
+          .subjects = copyOut(subjects),
+          .places = copyOut(places),
+          .diagnostics = toRecords(repair.diagnostics)};
+}
+
+[[nodiscard]] inline MeshInspectionRecord toRecord(const MeshInspection& found) {
+  const std::vector<double> lengths{found.shortestEdge, found.meanEdge, found.longestEdge};
+  return {.isReadable = found.isReadable,
+          .nodes = found.nodes,
+          .unusedNodes = found.unusedNodes,
+          .tetrahedra = found.tetrahedra,
+          .turnedTetrahedra = found.turnedTetrahedra,
+          .flatTetrahedra = found.flatTetrahedra,
+          .repeatedTetrahedra = found.repeatedTetrahedra,
+          .crowdedFaces = found.crowdedFaces,
+          .overlaps = found.overlaps,
+          .coincidentNodes = found.coincidentNodes,
+          .edgeLengths = copyOut(lengths),
+          .quality = found.quality,
+          .statistics = toRecord(found.statistics),
+          .boundary = copyOut(found.boundary.triangles),
+          .boundaryRegion = copyOut(found.boundary.trianglePatch)};
+}
+
+}  // namespace tetrafront::border
