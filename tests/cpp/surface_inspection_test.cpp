@@ -59,8 +59,8 @@ TEST(SurfaceInspection, TellsBodiesFromCavities) {
   EXPECT_FALSE(found.shells[2].isCavity);
   EXPECT_EQ(found.shells[0].region, found.shells[1].region);
   EXPECT_NE(found.shells[0].region, found.shells[2].region);
-  EXPECT_NEAR(found.volume, found.shells[0].volume - found.shells[1].volume + found.shells[2].volume,
-              1e-12);
+  EXPECT_NEAR(found.volume,
+              found.shells[0].volume - found.shells[1].volume + found.shells[2].volume, 1e-12);
 }
 
 TEST(SurfaceInspection, CountsOpenEdges) {
@@ -138,9 +138,9 @@ TEST(SurfaceInspection, PutsTheWorstTriangleFirst) {
   const SurfaceInspection found = inspect(mesh);
   ASSERT_EQ(found.worst.size(), 10U);
   EXPECT_LT(found.worst[0].smallestAngle, 1.0);
-  EXPECT_TRUE(std::is_sorted(
-      found.worst.begin(), found.worst.end(),
-      [](const auto& a, const auto& b) { return a.radiusRatio < b.radiusRatio; }));
+  EXPECT_TRUE(
+      std::is_sorted(found.worst.begin(), found.worst.end(),
+                     [](const auto& a, const auto& b) { return a.radiusRatio < b.radiusRatio; }));
 }
 
 }  // namespace

@@ -99,7 +99,10 @@ function failed(failure: unknown, input: string): Outcome {
     tell(bad.subject, bad.diagnostics, { isQuiet: true });
     return badInput(bad.diagnostics);
   }
-  if (failure instanceof MesherError && failure.code !== "disposed" && failure.code !== "invalid-input") {
+  if (
+    failure instanceof MesherError &&
+    (failure.code === "out-of-memory" || failure.code === "engine-failed")
+  ) {
     const diagnostics = [packageDiagnostic(failure.code, failure.message, "")];
     tell(input, diagnostics, { isQuiet: true });
     return { report: emptyReport("stalled", diagnostics), exitCode: ExitCode.notCompleted, written: null };

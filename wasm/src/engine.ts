@@ -1,8 +1,9 @@
 /** Loads the compiled engine, once per worker. The only file that names the compiled module. */
-import createEngine, { type MainModule, type Run } from "./engine.mjs";
+import createEngine, { type Inspection, type MainModule, type Run } from "./engine.mjs";
 
 export type Engine = MainModule;
 export type EngineRun = Run;
+export type EngineInspector = Inspection;
 
 let loading: Promise<Engine> | undefined;
 

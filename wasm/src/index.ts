@@ -29,6 +29,18 @@ export type { SurfaceFile } from "./formats/surface-file.js";
 export { volumeBackground } from "./formats/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
 export { backgroundArrays, projectBackground } from "./grid-arrays.js";
+export {
+  NO_ORIGIN,
+  type EdgeLengths,
+  type MeshInspection,
+  type Place,
+  type RepairChange,
+  type RepairOptions,
+  type ShellFigures,
+  type SurfaceInspection,
+  type SurfaceRepair,
+  type TriangleFigures,
+} from "./inspection.js";
 export { createMesher, MesherError } from "./mesher.js";
 export type { MesherErrorCode } from "./mesher.js";
 export { parseProject, readProject, writeProject } from "./project.js";
@@ -53,6 +65,7 @@ export type {
 } from "./project-schema.js";
 export type { ReadProblem, ReadResult } from "./read-result.js";
 export type {
+  AbortControl,
   BackgroundArrays,
   CoverOptions,
   Diagnostic,
@@ -61,6 +74,7 @@ export type {
   EntityRef,
   FrontOrder,
   Mesher,
+  MeshInput,
   MeshOptions,
   MeshReport,
   MeshResult,

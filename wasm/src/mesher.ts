@@ -8,14 +8,26 @@ import { packageDiagnostic } from "./diagnostics.js";
 import { emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
 import { checkProject, checkSurface, checkVolume } from "./input-checks.js";
 import {
+  describedInspection,
+  describedMesh,
+  describedRepair,
+  repairDiagnostics,
+  type MeshInspection,
+  type RepairOptions,
+  type SurfaceInspection,
+  type SurfaceRepair,
+} from "./inspection.js";
+import {
   checkCoverOptions,
   checkOptions,
   checkPreviewOptions,
   checkProposalOptions,
+  checkRepairOptions,
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
   engineOptions,
   engineProposalOptions,
+  engineRepairOptions,
   withSettings,
 } from "./options.js";
 import {
@@ -30,10 +42,12 @@ import type { Answers, EngineResult, FailureReason, Question, Reply, Request } f
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { buffersOf } from "./transfer.js";
 import type {
+  AbortControl,
   BackgroundArrays,
   CoverOptions,
   Diagnostic,
   Mesher,
+  MeshInput,
   MeshOptions,
   MeshResult,
   PreviewOptions,
@@ -51,7 +65,16 @@ const CANCEL_GRACE_MS = 75;
 /** Where this thread was busy itself, what the worker said in time is still to be heard. */
 const LAST_HEARING_MS = 5;
 
-export type MesherErrorCode = FailureReason | "disposed" | "invalid-input";
+/**
+ * - `invalid-input`: what was given makes no sense; `diagnostics` say what and what to do.
+ * - `cancelled`: the signal was aborted before the answer came. Runs do not reject so; they return a
+ *   result of that status with what exists.
+ * - `disposed`: the mesher was disposed of, before the call or during it.
+ * - `out-of-memory`: the memory of the engine did not suffice. The mesher has replaced it and goes on.
+ * - `engine-failed`: our own mistake. The mesher has replaced its engine and goes on, unless that could
+ *   not be loaded at all.
+ */
+export type MesherErrorCode = FailureReason | "disposed" | "invalid-input" | "cancelled";
 
 /**
  * Why a call was rejected. Runs never are because of bad input, which is a result; calls whose result
@@ -91,6 +114,7 @@ interface Job {
 
 interface OpenQuestion {
   readonly question: Question;
+  readonly control: RunControl;
   readonly resolve: (answer: Answers[keyof Answers]) => void;
   readonly reject: (failure: MesherError) => void;
 }
@@ -147,38 +171,53 @@ class WorkerMesher implements Mesher {
     return this.#run(request, control, nameByPosition);
   }
 
-  async previewProject(project: Project, options: PreviewOptions = {}): Promise<ProjectPreview> {
+  async previewProject(
+    project: Project,
+    options: PreviewOptions = {},
+    control: AbortControl = {},
+  ): Promise<ProjectPreview> {
     const unusable = checkPreviewOptions(options);
     const wanted = unusable.length > 0 ? undefined : (options.size ?? project.meshing?.size);
     const wrong = [...unusable, ...checkPreviewOptions({ size: wanted })];
     const size = wrong.length > 0 ? 0 : (wanted ?? 0);
     const question = { kind: "preview", id: this.#nextId(), model: projectArrays(project), size } as const;
-    const preview = describedPreview(await this.#ask(question), projectNamer(project));
+    const preview = describedPreview(await this.#ask(question, control), projectNamer(project));
     return { ...preview, diagnostics: [...wrong, ...preview.diagnostics] };
   }
 
-  async coverProject(project: Project, options: CoverOptions = {}): Promise<ProjectBackground> {
+  async coverProject(
+    project: Project,
+    options: CoverOptions = {},
+    control: AbortControl = {},
+  ): Promise<ProjectBackground> {
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
     const { size = 0, shape = DEFAULT_COVER_SHAPE } = options;
     const model = projectArrays(project);
     const id = this.#nextId();
-    const grid = await this.#ask({ kind: "cover", id, model, size, shape: COVER_SHAPES[shape] });
+    const question = { kind: "cover", id, model, size, shape: COVER_SHAPES[shape] } as const;
+    const grid = await this.#ask(question, control);
     if (grid.tetrahedra.length === 0) refuse([nothingToCover()]);
     const { sources } = project.background;
     return { ...projectBackground(grid), ...(sources && { sources }) };
   }
 
-  async proposeSizes(project: Project, options: ProposalOptions = {}): Promise<SizeProposal> {
+  async proposeSizes(
+    project: Project,
+    options: ProposalOptions = {},
+    control: AbortControl = {},
+  ): Promise<SizeProposal> {
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
     const model = projectArrays(project);
     const id = this.#nextId();
-    const answer = await this.#ask({ kind: "propose", id, model, options: engineProposalOptions(options) });
+    const question = { kind: "propose", id, model, options: engineProposalOptions(options) } as const;
+    const answer = await this.#ask(question, control);
     return { size: answer.size, sources: projectSources(answer.sourceTypes, answer.sourceValues) };
   }
 
   async meshAsBackground(
     mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
     { sizes }: { readonly sizes?: Float64Array | undefined } = {},
+    control: AbortControl = {},
   ): Promise<BackgroundArrays> {
     refuse(checkVolume(mesh, sizes));
     const { points, tetrahedra } = mesh;
@@ -190,7 +229,38 @@ class WorkerMesher implements Mesher {
       tetrahedra,
       sizes: sizes ?? new Float64Array(),
     } as const;
-    return this.#ask(question);
+    return this.#ask(question, control);
+  }
+
+  async inspectSurface(surface: SurfaceInput, control: RunControl = {}): Promise<SurfaceInspection> {
+    refuse(checkSurface(surface));
+    const { points, triangles } = surface;
+    const question = { kind: "inspect-surface", id: this.#nextId(), points, triangles } as const;
+    return describedInspection(await this.#ask(question, control));
+  }
+
+  async repairSurface(
+    surface: SurfaceInput,
+    options: RepairOptions = {},
+    control: AbortControl = {},
+  ): Promise<SurfaceRepair> {
+    refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
+    const { points, triangles } = surface;
+    const id = this.#nextId();
+    const wanted = engineRepairOptions(options);
+    const question = { kind: "repair-surface", id, points, triangles, options: wanted } as const;
+    const repair = await this.#ask(question, control);
+    refuse(repairDiagnostics(repair));
+    return describedRepair(repair);
+  }
+
+  async inspectMesh(mesh: MeshInput, control: AbortControl = {}): Promise<MeshInspection> {
+    refuse(checkVolume(mesh, undefined));
+    const { points, tetrahedra, regions = new Uint32Array() } = mesh;
+    const question = { kind: "inspect-mesh", id: this.#nextId(), points, tetrahedra, regions } as const;
+    const found = await this.#ask(question, control);
+    if (!found.isReadable) refuse([unreadableMesh()]);
+    return describedMesh(found);
   }
 
   dispose(): void {
@@ -204,17 +274,45 @@ class WorkerMesher implements Mesher {
   }
 
   /** Nothing is transferred: the arrays are the caller's, and a new worker may have to be asked again. */
-  #ask<Kind extends keyof Answers>(question: Question & { readonly kind: Kind }): Promise<Answers[Kind]> {
-    return new Promise((resolve, reject) => {
-      if (this.#disposed) return reject(disposedError());
-      this.#questions.set(question.id, {
-        question,
-        resolve: (answer) => resolve(answer as Answers[Kind]),
-        reject,
+  async #ask<Kind extends keyof Answers>(
+    question: Question & { readonly kind: Kind },
+    control: RunControl,
+  ): Promise<Answers[Kind]> {
+    const { signal } = control;
+    const onAbort = () => this.#abandon(question.id);
+    try {
+      return await new Promise((resolve, reject) => {
+        if (this.#disposed) return reject(disposedError());
+        if (signal?.aborted === true) return reject(cancelledError());
+        signal?.addEventListener("abort", onAbort, { once: true });
+        this.#questions.set(question.id, {
+          question,
+          control,
+          resolve: (answer) => resolve(answer as Answers[Kind]),
+          reject,
+        });
+        this.#worker.post(question, []);
+        this.#updateKeepAlive();
       });
-      this.#worker.post(question, []);
-      this.#updateKeepAlive();
-    });
+    } finally {
+      signal?.removeEventListener("abort", onAbort);
+    }
+  }
+
+  /** Nobody waits for the answer any more. A worker that works on nothing else is freed from it. */
+  #abandon(id: number): void {
+    const open = this.#questions.get(id);
+    if (open === undefined) return;
+    this.#questions.delete(id);
+    open.reject(cancelledError());
+    this.#worker.post({ kind: "cancel", id }, []);
+    const isIdle = this.#active === undefined && this.#questions.size === 0;
+    const hearsCancel = open.question.kind === "inspect-surface";
+    if (isIdle && !hearsCancel && this.#settleReady === undefined) {
+      this.#worker.terminate();
+      this.#worker = this.#startWorker();
+    }
+    this.#updateKeepAlive();
   }
 
   async #run(request: RunRequest, control: RunControl, name: EntityNamer): Promise<MeshResult> {
@@ -311,6 +409,8 @@ class WorkerMesher implements Mesher {
   }
 
   #receiveForRun(reply: Extract<Reply, { kind: "progress" | "stopping" | "result" }>): void {
+    const open = this.#questions.get(reply.id);
+    if (open !== undefined && reply.kind === "progress") return open.control.onProgress?.(reply.progress);
     const job = this.#active;
     if (job?.request.id !== reply.id) return;
     switch (reply.kind) {
@@ -368,6 +468,15 @@ function refuse(wrong: readonly Diagnostic[]): void {
 function nothingToCover(): Diagnostic {
   const message = "there is nothing to cover: no point, line or patch can be evaluated";
   return packageDiagnostic("invalid-project", message, "Draw points and lines first.");
+}
+
+function unreadableMesh(): Diagnostic {
+  const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
+  return packageDiagnostic("invalid-arrays", message, "Give finite coordinates, and one region per element or none.");
+}
+
+function cancelledError(): MesherError {
+  return new MesherError("cancelled", "The signal was aborted before the answer came");
 }
 
 function disposedError(): MesherError {

@@ -1,8 +1,9 @@
 /** The options as the engine takes them, or what is wrong with them. */
 import { packageDiagnostic } from "./diagnostics.js";
 import { checkBackground } from "./input-checks.js";
+import type { RepairOptions } from "./inspection.js";
 import type { Project } from "./project-schema.js";
-import type { EngineOptions, EngineProposalOptions } from "./protocol.js";
+import type { EngineOptions, EngineProposalOptions, EngineRepairOptions } from "./protocol.js";
 import type {
   CoverOptions,
   Diagnostic,
@@ -58,6 +59,7 @@ const atLeastZero =
   (what: string): Rule =>
   (value) =>
     isFiniteNumber(value) && value >= 0 ? undefined : what;
+const trueOrFalse: Rule = (value) => (typeof value === "boolean" ? undefined : "true or false");
 const oneOf =
   (table: object): Rule =>
   (value) =>
@@ -99,6 +101,27 @@ const PROPOSAL_RULES: Rules<ProposalOptions> = {
   growth: ["growth", atLeastZero(GROWTH_WANTED)],
 };
 
+/** As the engine has it (cpp/include/tetrafront/surface_tools.h): the work grows with its cube. */
+const MOST_HOLE_EDGES = 200;
+const REPAIR_RULES: Rules<RepairOptions> = {
+  weld: [
+    "weld distance",
+    (value) =>
+      value === false || (isFiniteNumber(value) && value >= 0)
+        ? undefined
+        : "a finite distance of 0 or more in model units, or false",
+  ],
+  removeTriangles: ["choice of removing triangles", trueOrFalse],
+  fillHoles: [
+    "number of edges of holes to fill",
+    (value) =>
+      Number.isInteger(value) && Number(value) >= 0 && Number(value) <= MOST_HOLE_EDGES
+        ? undefined
+        : `a whole number from 0 to ${MOST_HOLE_EDGES}`,
+  ],
+  orient: ["choice of orienting triangles", trueOrFalse],
+};
+
 /** What is wrong with the options; empty where nothing is. */
 export function checkOptions(options: MeshOptions): Diagnostic[] {
   const { background, ...rest } = asRecord(options) as MeshOptions;
@@ -132,6 +155,10 @@ export function withSettings(options: MeshOptions, { meshing }: Project): MeshOp
   const given = Object.entries(options).filter(([, value]) => value !== undefined);
   const settings = options.background === undefined ? meshing : { ...meshing, size: undefined };
   return { ...settings, ...Object.fromEntries(given) };
+}
+
+export function checkRepairOptions(options: RepairOptions): Diagnostic[] {
+  return checkAgainst(options, options, REPAIR_RULES);
 }
 
 function checkAgainst<Options>(
@@ -198,4 +225,15 @@ export function engineOptions(options: MeshOptions): EngineOptions {
 export function engineProposalOptions(options: ProposalOptions): EngineProposalOptions {
   const given = Object.entries(options).filter(([, value]) => value !== undefined);
   return { ...DEFAULT_PROPOSAL, ...(Object.fromEntries(given) as Partial<EngineProposalOptions>) };
+}
+
+/** Options that passed the check. */
+export function engineRepairOptions(options: RepairOptions): EngineRepairOptions {
+  const { weld = 0, removeTriangles = true, fillHoles = 0, orient = true } = options;
+  return {
+    weldDistance: weld === false ? -1 : weld,
+    removesTriangles: removeTriangles,
+    fillsUpTo: fillHoles,
+    turns: orient,
+  };
 }

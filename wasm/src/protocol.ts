@@ -1,6 +1,7 @@
 /** What the page (or a Node program) and the worker say to each other. Types only. */
 import type { EngineDiagnostic } from "./diagnostics.js";
 import type { GridArrays } from "./grid-arrays.js";
+import type { EngineInspection, EngineRepair, EngineVolumeInspection } from "./inspection.js";
 import type { ModelArrays } from "./project-arrays.js";
 import type {
   BackgroundArrays,
@@ -35,6 +36,14 @@ export interface EngineProposalOptions {
   readonly growth: number;
 }
 
+/** The engine's RepairOptions; below 0 for no welding. */
+export interface EngineRepairOptions {
+  readonly weldDistance: number;
+  readonly removesTriangles: boolean;
+  readonly fillsUpTo: number;
+  readonly turns: boolean;
+}
+
 /** Asked for at once and answered by one `answer` or `failure`, also while a run is under way. */
 export type Question =
   /** `size`: the uniform one to mesh with, 0 for none. */
@@ -60,6 +69,28 @@ export type Question =
       readonly points: Float64Array;
       readonly tetrahedra: Uint32Array;
       readonly sizes: Float64Array;
+    }
+  /** In slices: `progress` may come before the answer, and a `cancel` ends it without one. */
+  | {
+      readonly kind: "inspect-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+    }
+  | {
+      readonly kind: "repair-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly options: EngineRepairOptions;
+    }
+  /** No regions: all elements in one. */
+  | {
+      readonly kind: "inspect-mesh";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly tetrahedra: Uint32Array;
+      readonly regions: Uint32Array;
     };
 
 /** Every request but `cancel` carries an id of its own; replies repeat it, late ones are dropped by it. */
@@ -82,7 +113,7 @@ export type Request =
       readonly options: EngineOptions;
     }
   | Question
-  /** About the run of that id: answered by `stopping` and then its `result`, or by nothing if it is over. */
+  /** About the run or the inspection of that id: a run answers by `stopping` and then its `result`, all else by nothing. */
   | { readonly kind: "cancel"; readonly id: number };
 
 /** A result before its diagnostics are put into words, which only the sender of the request can do. */
@@ -111,6 +142,9 @@ export interface Answers {
   readonly cover: BackgroundArrays;
   readonly propose: EngineProposal;
   readonly "mesh-as-grid": BackgroundArrays;
+  readonly "inspect-surface": EngineInspection;
+  readonly "repair-surface": EngineRepair;
+  readonly "inspect-mesh": EngineVolumeInspection;
 }
 
 export type FailureReason = "out-of-memory" | "engine-failed";

@@ -3,7 +3,7 @@
  * without shared memory, and V8 never replaces a WebAssembly frame that is running, so that one
  * long call would stay in slow baseline code.
  */
-import type { EngineRun } from "./engine.js";
+import type { EngineInspector, EngineRun } from "./engine.js";
 import { PHASES, type RunClock } from "./run-clock.js";
 import type { MeshStatus, Phase, Progress } from "./types.js";
 
@@ -53,6 +53,27 @@ export async function runInSlices(
     if (status !== undefined) return status;
     await control.letRequestsIn();
     if (control.isCancelled()) run.cancel();
+  }
+}
+
+/** Inspects to the end; false where it was cancelled before. */
+export async function inspectInSlices(inspector: EngineInspector, control: SliceControl): Promise<boolean> {
+  const began = performance.now();
+  let reportedAt = began;
+  for (;;) {
+    const deadline = performance.now() + SLICE_MS;
+    let isFinished = false;
+    while (!isFinished && performance.now() < deadline) isFinished = inspector.advance(BUDGET);
+    const now = performance.now();
+    if (isFinished || now - reportedAt >= PROGRESS_MS) {
+      reportedAt = now;
+      const counts = { points: 0, triangles: 0, tetrahedra: 0, frontFaces: 0 };
+      const elapsedSeconds = (now - began) / 1000;
+      control.onProgress({ phase: "check", fraction: inspector.fraction(), ...counts, elapsedSeconds });
+    }
+    if (isFinished) return true;
+    await control.letRequestsIn();
+    if (control.isCancelled()) return false;
   }
 }
 

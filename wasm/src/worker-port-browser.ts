@@ -9,8 +9,9 @@ interface WorkerScope {
 
 const scope = globalThis as unknown as WorkerScope;
 const channel = new MessageChannel();
-let resume: (() => void) | undefined;
-channel.port1.onmessage = () => resume?.();
+/** A run and an inspection may both wait. */
+const waiting: (() => void)[] = [];
+channel.port1.onmessage = () => waiting.shift()?.();
 
 export const workerPort: WorkerPort = {
   post: (reply, transfer = []) => scope.postMessage(reply, [...transfer]),
@@ -19,7 +20,7 @@ export const workerPort: WorkerPort = {
   },
   letRequestsIn: () =>
     new Promise((resolve) => {
-      resume = resolve;
+      waiting.push(resolve);
       channel.port2.postMessage(null);
     }),
 };

@@ -1,11 +1,11 @@
 /** The worker: takes requests, runs the engine in slices, replies (src/protocol.ts). */
 import { workerPort } from "#worker-port";
 
-import { loadEngine, type Engine, type EngineRun } from "./engine.js";
+import { loadEngine, type Engine, type EngineInspector, type EngineRun } from "./engine.js";
 import type { Answers, EngineResult, FailureReason, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
-import { runInSlices } from "./slices.js";
+import { inspectInSlices, runInSlices, type SliceControl } from "./slices.js";
 import { buffersOf } from "./transfer.js";
 import type { MeshStatus } from "./types.js";
 
@@ -39,6 +39,8 @@ async function handle(engine: Engine, request: Request): Promise<void> {
         request.id,
         engine.fillSurface(request.points, request.triangles, request.grid, request.options),
       );
+    case "inspect-surface":
+      return inspect(request.id, engine.inspectSurface(request.points, request.triangles));
     default:
       return reply(request.id, answerTo(engine, request));
   }
@@ -46,7 +48,7 @@ async function handle(engine: Engine, request: Request): Promise<void> {
 
 type Answer = Answers[keyof Answers] & { readonly failure: string };
 
-function answerTo(engine: Engine, question: Question): Answer {
+function answerTo(engine: Engine, question: Exclude<Question, { kind: "inspect-surface" }>): Answer {
   switch (question.kind) {
     case "preview":
       return engine.preview(question.model, question.size);
@@ -56,6 +58,10 @@ function answerTo(engine: Engine, question: Question): Answer {
       return engine.propose(question.model, question.options);
     case "mesh-as-grid":
       return engine.meshAsGrid(question.points, question.tetrahedra, question.sizes);
+    case "repair-surface":
+      return engine.repair(question.points, question.triangles, question.options);
+    case "inspect-mesh":
+      return engine.inspectVolume(question.points, question.tetrahedra, question.regions);
   }
 }
 
@@ -64,17 +70,38 @@ function reply(id: number, { failure, ...answer }: Answer): void {
   workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
 }
 
+async function inspect(id: number, inspection: EngineInspector | null): Promise<void> {
+  if (inspection === null) throw new EngineFailure("the engine gave no inspection");
+  running.add(id);
+  try {
+    assertHealthy(inspection);
+    const isComplete = await inspectInSlices(inspection, controlOf(id));
+    if (!isComplete) return;
+    const answer = inspection.result();
+    assertHealthy(inspection);
+    workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
+  } finally {
+    running.delete(id);
+    cancelled.delete(id);
+    inspection.delete();
+  }
+}
+
+function controlOf(id: number): SliceControl {
+  return {
+    isCancelled: () => cancelled.has(id),
+    onProgress: (progress) => workerPort.post({ kind: "progress", id, progress }),
+    letRequestsIn: workerPort.letRequestsIn,
+  };
+}
+
 async function mesh(id: number, run: EngineRun | null): Promise<void> {
   if (run === null) throw new EngineFailure("the engine gave no run");
   const clock = new RunClock();
   running.add(id);
   try {
     assertHealthy(run);
-    const status = await runInSlices(run, clock, {
-      isCancelled: () => cancelled.has(id),
-      onProgress: (progress) => workerPort.post({ kind: "progress", id, progress }),
-      letRequestsIn: workerPort.letRequestsIn,
-    });
+    const status = await runInSlices(run, clock, controlOf(id));
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
     const result = resultOf(run, status, clock);
     workerPort.post({ kind: "result", id, result }, buffersOf(result.surface, result.volume));
@@ -109,7 +136,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
 }
 
 /** After a failure the engine answers with empty values, which must not pass for a result. */
-function assertHealthy(run: EngineRun): void {
+function assertHealthy(run: { failure(): string }): void {
   const failure = run.failure();
   if (failure !== "") throw new EngineFailure(failure);
 }

@@ -21,8 +21,8 @@ struct MeshInspection {
   std::uint32_t turnedTetrahedra = 0;  ///< with (b-a) x (c-a) . (d-a) < 0; measured as if turned
   std::uint32_t flatTetrahedra = 0;    ///< without volume, exactly
   std::uint32_t repeatedTetrahedra = 0;
-  std::uint32_t crowdedFaces = 0;    ///< of more than two elements
-  std::uint32_t overlaps = 0;        ///< faces of two elements on the same side
+  std::uint32_t crowdedFaces = 0;     ///< of more than two elements
+  std::uint32_t overlaps = 0;         ///< faces of two elements on the same side
   std::uint32_t coincidentNodes = 0;  ///< used nodes at the place of another
   double shortestEdge = 0.0;
   double longestEdge = 0.0;

@@ -39,8 +39,7 @@ SurfaceMesh boundaryOf(const VolumeMesh& mesh) {
     std::sort(face.nodes.begin(), face.nodes.end());
     faces.push_back(face);
   }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& a, const Face& b) { return a.isBefore(b); });
+  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.isBefore(b); });
   std::vector<std::uint32_t> single;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const bool hasTwinBefore = i > 0 && faces[i - 1].nodes == faces[i].nodes;

@@ -71,8 +71,8 @@ class RimWalk {
   /// The other open edge of a fan that has two.
   [[nodiscard]] std::optional<std::uint32_t> otherAt(std::uint32_t fan, std::uint32_t edge) const {
     const auto first = std::lower_bound(ends_.begin(), ends_.end(), Edge{fan, 0U});
-    const auto last = std::upper_bound(first, ends_.end(),
-                                       Edge{fan, std::numeric_limits<std::uint32_t>::max()});
+    const auto last =
+        std::upper_bound(first, ends_.end(), Edge{fan, std::numeric_limits<std::uint32_t>::max()});
     if (last - first != 2) return std::nullopt;
     return first->second == edge ? (first + 1)->second : first->second;
   }
@@ -192,8 +192,8 @@ std::vector<FilledHole> fillHoles(SurfaceMesh& mesh, std::uint32_t mostEdges) {
   const std::vector<Rim> rims = RimWalk(mesh, edges).rims();
   for (const Rim& rim : rims) {
     if (rim.size() < 3 || rim.size() > mostEdges) continue;
-    const LeastArea least(
-        mesh, rim, [&](std::uint32_t a, std::uint32_t b) { return existing.holds(a, b); });
+    const LeastArea least(mesh, rim,
+                          [&](std::uint32_t a, std::uint32_t b) { return existing.holds(a, b); });
     if (!least.exists()) continue;
     const auto first = static_cast<std::uint32_t>(mesh.triangles.size() / 3);
     least.forEach([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {

@@ -1,0 +1,154 @@
+/** Surfaces and meshes as they come: inspected, repaired on request, every finding and change listed. */
+import { createMesher, MesherError, NO_ORIGIN, type Mesher, type SurfaceInput } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { enclosedVolume } from "../../support/check-mesh.js";
+import { boxSurface, cavitySurface, joined, sphereSurface, turned } from "../../support/surfaces.js";
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+const box = boxSurface(3, [0, 0, 0], [1, 2, 3]);
+const without = ({ points, triangles }: SurfaceInput, triangle: number): SurfaceInput => ({
+  points,
+  triangles: triangles.filter((_, i) => Math.floor(i / 3) !== triangle),
+});
+
+describe("the inspection of a surface", () => {
+  test("measures a box", async () => {
+    const found = await mesher.inspectSurface(box);
+    expect(found).toMatchObject({
+      isFillable: true,
+      isClosed: true,
+      isManifold: true,
+      isEmbedded: true,
+      bodies: 1,
+      cavities: 0,
+      box: { low: [0, 0, 0], high: [1, 2, 3] },
+      diagnostics: [],
+    });
+    expect(found.area).toBeCloseTo(22, 12);
+    expect(found.volume).toBeCloseTo(6, 12);
+    expect(found.triangles).toBe(box.triangles.length / 3);
+    // Euler's formula for a body without handles.
+    expect(found.nodes - found.edges + found.triangles).toBe(2);
+    expect(found.worst).toHaveLength(10);
+  });
+
+  test("tells bodies from cavities", async () => {
+    const surface = joined(cavitySurface(10), boxSurface(2, [5, 0, 0], [6, 1, 1]));
+    const found = await mesher.inspectSurface(surface);
+    expect([found.bodies, found.cavities]).toEqual([2, 1]);
+    expect(found.volume).toBeCloseTo(enclosedVolume(surface), 10);
+    expect(found.shells.map(({ isCavity }) => isCavity)).toEqual([false, true, false]);
+  });
+
+  test("names every open edge with its place, as filling would", async () => {
+    const open = without(box, 7);
+    const found = await mesher.inspectSurface(open);
+    expect(found).toMatchObject({ isFillable: false, isClosed: false, openEdges: 3 });
+    expect(found.diagnostics.map(({ code }) => code)).toEqual(["open-edge", "open-edge", "open-edge"]);
+    expect(found.diagnostics.every(({ place }) => place?.length === 3)).toBe(true);
+    const { report } = await mesher.fillSurface(open);
+    expect(report.diagnostics).toEqual(found.diagnostics);
+  });
+
+  test("survives numbers that are none", async () => {
+    const points = box.points.slice();
+    points[4] = NaN;
+    const found = await mesher.inspectSurface({ ...box, points });
+    expect(found).toMatchObject({ isFillable: false, box: null });
+    expect(found.diagnostics[0]?.code).toBe("not-finite");
+  });
+
+  test("goes on beside a run, with progress", async () => {
+    const run = mesher.fillSurface(sphereSurface(20));
+    const fractions: number[] = [];
+    const inspecting = mesher.inspectSurface(sphereSurface(60), {
+      onProgress: ({ fraction }) => fractions.push(fraction),
+    });
+    const [found, { report }] = await Promise.all([inspecting, run]);
+    expect(found.isFillable).toBe(true);
+    expect(report.status).toBe("done");
+    expect(fractions.at(-1)).toBe(1);
+  });
+});
+
+describe("a repair", () => {
+  test("of a sound surface changes nothing, and never the caller's arrays", async () => {
+    const given = turned(box);
+    const copy = { points: given.points.slice(), triangles: given.triangles.slice() };
+    const { changes, surface } = await mesher.repairSurface(given, { orient: false });
+    expect(changes).toEqual([]);
+    expect(surface).toEqual(copy);
+    expect(given).toEqual(copy);
+  });
+
+  test("lists what it has welded, removed, filled and turned", async () => {
+    const corners = [...box.triangles].map((node) => [...box.points.subarray(3 * node, 3 * node + 3)]);
+    const soup = { points: Float64Array.from(corners.flat()), triangles: box.triangles.map((_, h) => h) };
+    const broken = without(soup, 3);
+    const last = broken.triangles.slice(-3);
+    const given = { points: broken.points, triangles: Uint32Array.of(...broken.triangles, ...last, 0, 0, 1) };
+    const { surface, changes, origin } = await mesher.repairSurface(given, { fillHoles: 3 });
+    expect(new Set(changes.map(({ kind }) => kind))).toEqual(
+      new Set(["welded-node", "removed-triangle", "removed-duplicate", "filled-hole"]),
+    );
+    expect(changes.every(({ place }) => place.every(Number.isFinite))).toBe(true);
+    expect(origin.filter((triangle) => triangle === NO_ORIGIN)).toHaveLength(1);
+    const found = await mesher.inspectSurface(surface);
+    expect(found.isFillable).toBe(true);
+    expect(found.volume).toBeCloseTo(6, 12);
+    expect(found.nodes).toBe(box.points.length / 3);
+  });
+
+  test.each([
+    { weld: -1 },
+    { weld: NaN },
+    { fillHoles: 1.5 },
+    { fillHoles: 201 },
+    { orient: "yes" as unknown as boolean },
+  ])("refuses %j", async (options) => {
+    await expect(mesher.repairSurface(box, options)).rejects.toMatchObject({
+      code: "invalid-input",
+      diagnostics: [{ code: "invalid-option" }],
+    });
+  });
+});
+
+describe("the inspection of a mesh", () => {
+  test("agrees with the report of the run", async () => {
+    const { volume, report, surface } = await mesher.fillSurface(box, { size: 0.5 });
+    const found = await mesher.inspectMesh(volume);
+    expect(found.isSound).toBe(true);
+    expect(found.dihedral).toEqual(report.dihedral);
+    expect(found.tetrahedra).toBe(report.tetrahedra);
+    expect(found.boundary.triangles).toHaveLength(surface.triangles.length);
+    expect(found.quality.worst[0]?.tetrahedron).toBe(report.quality.worst[0]?.tetrahedron);
+  });
+
+  test("refuses what is none", async () => {
+    const { volume } = await mesher.fillSurface(box);
+    const regions = volume.regions.slice(1);
+    await expect(mesher.inspectMesh({ ...volume, regions })).rejects.toMatchObject({ code: "invalid-input" });
+  });
+});
+
+describe("aborting", () => {
+  test.each<[string, (signal: AbortSignal) => Promise<unknown>]>([
+    ["an inspection", (signal) => mesher.inspectSurface(sphereSurface(80), { signal })],
+    ["a repair", (signal) => mesher.repairSurface(sphereSurface(40), {}, { signal })],
+  ])("%s rejects, and the mesher goes on", async (_, ask) => {
+    const stop = new AbortController();
+    const answer = ask(stop.signal);
+    stop.abort();
+    await expect(answer).rejects.toBeInstanceOf(MesherError);
+    await expect(answer).rejects.toMatchObject({ code: "cancelled" });
+    await expect(ask(AbortSignal.abort())).rejects.toMatchObject({ code: "cancelled" });
+    const { report } = await mesher.fillSurface(box);
+    expect(report.status).toBe("done");
+  });
+});
