@@ -472,7 +472,11 @@ function nothingToCover(): Diagnostic {
 
 function unreadableMesh(): Diagnostic {
   const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
-  return packageDiagnostic("invalid-arrays", message, "Give finite coordinates, and one region per element or none.");
+  return packageDiagnostic(
+    "invalid-arrays",
+    message,
+    "Give finite coordinates, and one region per element or none.",
+  );
 }
 
 function cancelledError(): MesherError {
