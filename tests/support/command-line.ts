@@ -9,16 +9,23 @@ export interface CommandResult {
   readonly stderr: string;
 }
 
-/** Runs `tetrafront` in a folder. `started` is told of the process, for those who want to interrupt it. */
+interface RunOptions {
+  /** Is told of the process, for those who want to interrupt it. */
+  readonly started?: (process: ChildProcess) => void;
+  /** On standard input. */
+  readonly input?: string | Uint8Array;
+}
+
+/** Runs `tetrafront` in a folder. */
 export function tetrafront(
   folder: string,
   args: readonly string[],
-  started: (process: ChildProcess) => void = () => undefined,
+  { started, input }: RunOptions = {},
 ): Promise<CommandResult> {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [program, ...args], {
       cwd: folder,
-      stdio: ["ignore", "pipe", "pipe"],
+      stdio: ["pipe", "pipe", "pipe"],
     });
     let stdout = "";
     let stderr = "";
@@ -26,6 +33,8 @@ export function tetrafront(
     child.stderr.on("data", (chunk: Buffer) => (stderr += chunk.toString()));
     child.on("error", reject);
     child.on("close", (code) => resolve({ code, stdout, stderr }));
-    started(child);
+    // Who does not read it all closes the pipe.
+    child.stdin.on("error", () => undefined).end(input);
+    started?.(child);
   });
 }

@@ -1,44 +1,125 @@
-/** `tetrafront check`: everything that is wrong with a project, at once and without meshing it. */
+/** `tetrafront check`: everything that is wrong with a project, a surface or a mesh, without meshing it. */
 import { withMesher } from "./cli-grids.js";
-import { numberIn, readProjectFile, refuseOptions } from "./cli-input.js";
+import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
+import { meshLines, surfaceLines } from "./cli-tables.js";
+import { packageDiagnostic } from "./diagnostics.js";
+import { surfaceOf } from "./formats/surface-file.js";
+import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
 import { checkPreviewOptions } from "./options.js";
-import type { Diagnostic, PreviewOptions } from "./types.js";
+import type { Diagnostic, Mesher } from "./types.js";
 
-export interface CheckCommandOptions {
+export interface CheckCommandOptions extends RepairCommandOptions {
   readonly size?: string;
+  readonly from?: string;
   readonly json?: boolean;
   readonly quiet?: boolean;
 }
+
+/** What was found, as `--json` has it. */
+type Findings =
+  | { readonly kind: "project"; readonly diagnostics: readonly Diagnostic[] }
+  | {
+      readonly kind: "surface";
+      readonly diagnostics: readonly Diagnostic[];
+      readonly changes?: readonly RepairChange[] | undefined;
+      readonly inspection: Omit<SurfaceInspection, "diagnostics">;
+    }
+  | {
+      readonly kind: "mesh";
+      readonly diagnostics: readonly Diagnostic[];
+      readonly inspection: Omit<MeshInspection, "boundary" | "quality">;
+    }
+  /** It could not even be read. */
+  | { readonly kind: "none"; readonly diagnostics: readonly Diagnostic[]; readonly subject: string };
 
 /** Who checks wants to see them all; beyond this, `--json` has the rest. */
 const TOLD_PER_CODE = 50;
 
 /** Runs the command; resolves with the exit code. */
 export async function checkFile(input: string, options: CheckCommandOptions): Promise<number> {
-  const { subject, diagnostics } = await problemsOf(input, { size: numberIn(options.size) });
+  const findings = await findingsIn(input, options);
+  const { diagnostics } = findings;
   const errors = diagnostics.filter(({ severity }) => severity === "error").length;
   const isQuiet = options.quiet === true;
   if (options.json === true) {
-    process.stdout.write(`${JSON.stringify({ input, errors, diagnostics }, null, 2)}\n`);
+    const { subject: _, ...told } = { subject: "", ...findings };
+    process.stdout.write(`${JSON.stringify({ input, errors, ...told }, null, 2)}\n`);
   } else {
+    if (!isQuiet) tellFigures(input, findings);
+    const subject = findings.kind === "none" ? findings.subject : input;
     tell(subject, diagnostics, { isQuiet, perCode: TOLD_PER_CODE });
     if (!isQuiet) say(`${input}: ${counted(diagnostics)}`);
   }
   return errors > 0 ? ExitCode.badInput : ExitCode.meshed;
 }
 
-async function problemsOf(input: string, options: PreviewOptions): Promise<BadInput> {
+function tellFigures(input: string, findings: Findings): void {
+  if (findings.kind === "surface") {
+    if (findings.changes !== undefined) tellChanges(input, findings.changes);
+    for (const line of surfaceLines(findings.inspection)) say(`${input}: ${line}`);
+  }
+  if (findings.kind === "mesh") for (const line of meshLines(findings.inspection)) say(`${input}: ${line}`);
+}
+
+async function findingsIn(input: string, options: CheckCommandOptions): Promise<Findings> {
   try {
-    refuseOptions(checkPreviewOptions(options));
-    const project = await readProjectFile(input);
-    const { diagnostics } = await withMesher((mesher) => mesher.previewProject(project, options));
-    return new BadInput(input, diagnostics);
+    const size = numberIn(options.size);
+    refuseOptions(checkPreviewOptions({ size }));
+    if (isProject(input, options.from)) {
+      const project = await readProjectFile(input, options.from);
+      const { diagnostics } = await withMesher((mesher) => mesher.previewProject(project, { size }));
+      return { kind: "project", diagnostics };
+    }
+    return await withMesher((mesher) => inspected(mesher, input, options));
   } catch (failure) {
     const bad = asBadInput(failure, input);
     if (bad === undefined) throw failure;
-    return bad;
+    return { kind: "none", diagnostics: bad.diagnostics, subject: bad.subject };
   }
+}
+
+async function inspected(mesher: Mesher, input: string, options: CheckCommandOptions): Promise<Findings> {
+  const wanted = repairOptions(options);
+  const mesh = await readMeshFile(input, options.from);
+  if (mesh.tetrahedra.length > 0) {
+    const {
+      boundary: _,
+      quality: __,
+      ...inspection
+    } = await mesher.inspectMesh({
+      ...mesh,
+      regions: mesh.tetrahedronRegion,
+    });
+    return { kind: "mesh", diagnostics: faultsOf(inspection), inspection };
+  }
+  if (mesh.triangles.length === 0) {
+    const nothing = packageDiagnostic(
+      "unreadable-input",
+      "the file holds no triangle and no tetrahedron",
+      "",
+    );
+    throw new BadInput(input, [nothing]);
+  }
+  const { surface, changes } = await repaired(mesher, surfaceOf(mesh), wanted);
+  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface);
+  return { kind: "surface", diagnostics, changes, inspection };
+}
+
+/** What is unsound in a mesh, in sentences. */
+function faultsOf(found: Omit<MeshInspection, "boundary" | "quality">): Diagnostic[] {
+  const faults: readonly (readonly [number, string, string])[] = [
+    [found.turnedTetrahedra, "tetrahedra are turned inside out", "Exchange two nodes of each."],
+    [found.flatTetrahedra, "tetrahedra have no volume", "Mesh the body again."],
+    [found.repeatedTetrahedra, "tetrahedra have the nodes of another", "Remove them."],
+    [found.crowdedFaces, "faces belong to more than two tetrahedra", "Mesh the body again."],
+    [found.overlaps, "faces have both their tetrahedra on one side", "Mesh the body again."],
+    [found.coincidentNodes, "nodes lie at the place of another", "Weld them."],
+  ];
+  return faults
+    .filter(([count]) => count > 0)
+    .map(([count, words, remedy]) => packageDiagnostic("unsound-mesh", `${count} ${words}`, remedy));
 }
 
 /** "2 errors, 1 warning", or "no problems". */

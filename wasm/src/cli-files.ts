@@ -3,6 +3,8 @@ import { constants, createReadStream } from "node:fs";
 import { access, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
 import path from "node:path";
 
+import { allBytes } from "./formats/byte-source.js";
+
 /** A failure of a file, told to the user and ending the command. */
 export class FileProblem extends Error {
   constructor(
@@ -14,8 +16,12 @@ export class FileProblem extends Error {
   }
 }
 
+/** In place of a file's name: standard input, or standard output. */
+export const STANDARD_STREAM = "-";
+
 /** The bytes of a file. Throws a FileProblem. */
 export async function readInput(file: string): Promise<Uint8Array> {
+  if (file === STANDARD_STREAM) return allBytes(piecesOfInput(file));
   try {
     return await readFile(file);
   } catch (failure) {
@@ -25,8 +31,10 @@ export async function readInput(file: string): Promise<Uint8Array> {
 
 /** The bytes of a file, piece by piece. Throws a FileProblem while they are read. */
 export async function* piecesOfInput(file: string): AsyncGenerator<Uint8Array, void> {
+  const stream =
+    file === STANDARD_STREAM ? process.stdin : createReadStream(file, { highWaterMark: PIECE_BYTES });
   try {
-    for await (const piece of createReadStream(file, { highWaterMark: PIECE_BYTES })) yield piece as Buffer;
+    for await (const piece of stream) yield piece as Buffer;
   } catch (failure) {
     throw codeOf(failure) === "" ? failure : inputProblem(file, failure);
   }
@@ -62,6 +70,7 @@ function inputProblem(file: string, failure: unknown): FileProblem {
 
 /** Finds out before hours of meshing whether a file can be written. Throws a FileProblem. */
 export async function checkOutput(file: string): Promise<void> {
+  if (file === STANDARD_STREAM) return;
   const found = await statOf(file);
   if (found?.isDirectory() === true) {
     throw new FileProblem(file, "this is a directory", "Give the name of a file in it.");
@@ -109,6 +118,7 @@ function temporaryFor(target: string): string {
  * which must not be replaced, are written to directly. Throws a FileProblem.
  */
 export async function writeOutput(file: string, content: string | Uint8Array): Promise<void> {
+  if (file === STANDARD_STREAM) return writeToStandardOutput(content);
   const found = await statOf(file);
   try {
     if (found !== undefined && !found.isFile()) return await writeTo(file, content, "w");
@@ -124,6 +134,21 @@ export async function writeOutput(file: string, content: string | Uint8Array): P
   } catch (failure) {
     throw new FileProblem(file, `the file cannot be written (${reasonOf(failure)})`, "Choose another place.");
   }
+}
+
+function writeToStandardOutput(content: string | Uint8Array): Promise<void> {
+  return new Promise((resolve, reject) => {
+    process.stdout.write(content, (failure) => {
+      if (failure == null) return resolve();
+      reject(
+        new FileProblem(
+          "standard output",
+          `it cannot be written to (${reasonOf(failure)})`,
+          "Let the next program read it all.",
+        ),
+      );
+    });
+  });
 }
 
 async function writeTo(file: string, content: string | Uint8Array, flags: "w" | "wx"): Promise<void> {

@@ -1,8 +1,9 @@
 /** What the command line reads: options that are numbers, projects, surfaces, background grids. */
-import { FileProblem, openBeside, piecesOfInput, readInput } from "./cli-files.js";
+import { FileProblem, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./cli-files.js";
 import { BadInput, unreadable } from "./cli-messages.js";
-import { extensionOf, extensionsThat } from "./formats/file-formats.js";
-import { readSurface, readVolume, type ReadFileOptions } from "./formats/mesh-files.js";
+import { extensionOf, extensionsThat, FILE_FORMATS } from "./formats/file-formats.js";
+import type { FileMesh } from "./formats/file-mesh.js";
+import { readMesh, readSurface, readVolume, type ReadFileOptions } from "./formats/mesh-files.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
 import type { VolumeFile } from "./formats/volume-file.js";
 import { backgroundArrays } from "./grid-arrays.js";
@@ -38,15 +39,58 @@ export function refuseOptions(wrong: readonly Diagnostic[]): void {
   if (wrong.length > 0) throw new BadInput("command line", wrong);
 }
 
-export async function readModel(input: string): Promise<Input> {
-  const extension = checkedExtension(input, [PROJECT_EXTENSION, ...extensionsThat("reads", "surface")]);
-  if (extension === PROJECT_EXTENSION) return { kind: "project", project: await readProjectFile(input) };
-  const read = await readSurface(piecesOfInput(input), openedAs(input));
+/** How people name formats: by extension with or without its dot, or by the format's short name. */
+export function extensionOfFormat(format: string): string {
+  const word = format.toLowerCase();
+  const dotted = word.startsWith(".") ? word : `.${word}`;
+  if (dotted === PROJECT_EXTENSION) return PROJECT_EXTENSION;
+  const known = FILE_FORMATS.find(({ id, extensions }) => id === word || extensions.includes(dotted));
+  if (known !== undefined) return known.extensions.includes(dotted) ? dotted : known.extensions[0];
+  throw new FileProblem(
+    format,
+    "there is no such format",
+    `Give one of ${FILE_FORMATS.map(({ id }) => id).join(", ")}, or an extension.`,
+  );
+}
+
+/** A name that tells the format of `file`, which its own does not if it is a stream. */
+export function formatName(file: string, format: string | undefined): string {
+  if (format !== undefined)
+    return `${file === STANDARD_STREAM ? "stream" : file}${extensionOfFormat(format)}`;
+  if (file !== STANDARD_STREAM) return file;
+  throw new FileProblem(
+    "-",
+    "a stream has no name to tell its format",
+    "Say it by --format, or by --from and --to where input and output are streams.",
+  );
+}
+
+export async function readModel(input: string, from?: string): Promise<Input> {
+  const name = formatName(input, from);
+  const extension = checkedExtension(name, [PROJECT_EXTENSION, ...extensionsThat("reads", "surface")]);
+  if (extension === PROJECT_EXTENSION) {
+    return { kind: "project", project: await readProjectFile(input, from) };
+  }
+  const read = await readSurface(piecesOfInput(input), openedAs(input, name));
   return { kind: "surface", surface: valueOf(input, read) };
 }
 
-export async function readProjectFile(input: string): Promise<Project> {
-  checkedExtension(input, [PROJECT_EXTENSION]);
+/** All that a mesh file holds, nothing welded. */
+export async function readMeshFile(input: string, from?: string): Promise<FileMesh> {
+  const name = formatName(input, from);
+  checkedExtension(name, [
+    ...new Set([...extensionsThat("reads", "surface"), ...extensionsThat("reads", "volume")]),
+  ]);
+  return valueOf(input, await readMesh(piecesOfInput(input), openedAs(input, name)));
+}
+
+/** Whether the input is a project: its name, or the format given, tells. */
+export function isProject(input: string, from?: string): boolean {
+  return extensionOf(formatName(input, from)) === PROJECT_EXTENSION;
+}
+
+export async function readProjectFile(input: string, from?: string): Promise<Project> {
+  checkedExtension(formatName(input, from), [PROJECT_EXTENSION]);
   return valueOf(input, readProject(new TextDecoder().decode(await readInput(input))));
 }
 
@@ -56,7 +100,10 @@ export async function readGrid(file: string): Promise<GridInput> {
     const { background } = await readProjectFile(file);
     return { kind: "project", background: backgroundArrays(background) };
   }
-  return { kind: "volume", volume: valueOf(file, await readVolume(piecesOfInput(file), openedAs(file))) };
+  return {
+    kind: "volume",
+    volume: valueOf(file, await readVolume(piecesOfInput(file), openedAs(file, file))),
+  };
 }
 
 /** Throws a BadInput about the file where the numbers at its nodes are no sizes. */
@@ -67,8 +114,8 @@ export async function gridArrays(mesher: Mesher, file: string, grid: GridInput):
   return read.value;
 }
 
-function openedAs(file: string): ReadFileOptions {
-  return { fileName: file, openOther: (name) => openBeside(file, name) };
+function openedAs(file: string, fileName: string): ReadFileOptions {
+  return { fileName, openOther: (name) => openBeside(file, name) };
 }
 
 function checkedExtension(file: string, known: readonly string[]): string {

@@ -1,5 +1,6 @@
 /** `tetrafront mesh`: reads, meshes, writes, and says what happened. */
-import { checkOutput, FileProblem, isSameFile, writeOutput } from "./cli-files.js";
+import { writableName, writeAll } from "./cli-convert.js";
+import { checkOutput, FileProblem, isSameFile, STANDARD_STREAM, writeOutput } from "./cli-files.js";
 import {
   gridArrays,
   numberIn,
@@ -9,13 +10,16 @@ import {
   type GridInput,
   type Input,
 } from "./cli-input.js";
-import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { ProgressBar } from "./cli-progress-bar.js";
+import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
 import { packageDiagnostic } from "./diagnostics.js";
-import { extensionOf, extensionsThat } from "./formats/file-formats.js";
 import { fileMeshOf } from "./formats/file-mesh.js";
 import { writeMesh } from "./formats/mesh-files.js";
+import { withMesher } from "./cli-grids.js";
+import type { RepairChange, RepairOptions } from "./inspection.js";
 import { createMesher, MesherError } from "./mesher.js";
+import type { ProjectSource } from "./project-schema.js";
 import { checkOptions } from "./options.js";
 import { emptyReport, emptyResult } from "./report.js";
 import type {
@@ -31,10 +35,15 @@ import type {
 } from "./types.js";
 
 /** As commander hands them over: numbers are still text. */
-export interface MeshCommandOptions {
+export interface MeshCommandOptions extends RepairCommandOptions {
   readonly output: string;
+  readonly from?: string;
+  readonly to?: string;
   readonly size?: string;
+  readonly grading?: string;
+  /** The older name of `grading`. */
   readonly growth?: string;
+  readonly source?: readonly string[];
   readonly gradation?: string;
   readonly background?: string;
   readonly order?: FrontOrder;
@@ -53,14 +62,14 @@ const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
   "invalid-input": ExitCode.badInput,
 };
 
-const STANDARD_OUTPUT = "-";
-
 /** What became of a command. */
 interface Outcome {
   readonly report: MeshReport;
   readonly exitCode: number;
   /** The file the mesh is in, if any. */
   readonly written: string | null;
+  /** Of the surface, where a repair was asked for. */
+  readonly changes?: readonly RepairChange[] | undefined;
 }
 
 /** Runs the command; resolves with the exit code. */
@@ -71,7 +80,8 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   // Without a place for it there will be no report, not even about that.
   if (place !== undefined) return place.exitCode;
   const outcome = await meshAndWrite(input, options).catch((failure: unknown) => failed(failure, input));
-  const report = { ...outcome.report, input, output: outcome.written };
+  const { changes, written } = outcome;
+  const report = { ...outcome.report, ...(changes && { repair: changes }), input, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -79,17 +89,30 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
 async function meshAndWrite(input: string, options: MeshCommandOptions): Promise<Outcome> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
-  await checkMeshPlace(options.output);
-  const model = await readModel(input);
+  const repair = repairOptions(options);
+  await checkMeshPlace(options);
+  const given = await readModel(input, options.from);
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
+  const { model, changes } = await withRepair(given, repair);
+  if (changes !== undefined && !isQuiet) tellChanges(input, changes);
   const result = await mesh(model, meshOptions, isQuiet, grid && { file: options.background ?? "", grid });
   const { report } = result;
   tell(input, report.diagnostics, { isQuiet });
   const isWanted = mayWrite(result, options);
-  const written = isWanted && (await writeResult(options.output, result, model)) ? options.output : null;
+  const written = isWanted && (await writeResult(options, result, model)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written, options));
   const isLost = isWanted && written === null;
-  return { report, written, exitCode: isLost ? ExitCode.notCompleted : EXIT_CODES[report.status] };
+  const exitCode = isLost ? ExitCode.notCompleted : EXIT_CODES[report.status];
+  return { report, written, exitCode, changes };
+}
+
+async function withRepair(
+  given: Input,
+  repair: RepairOptions | undefined,
+): Promise<{ readonly model: Input; readonly changes?: readonly RepairChange[] | undefined }> {
+  if (given.kind === "project" || repair === undefined) return { model: given };
+  const { surface, changes } = await withMesher((mesher) => repaired(mesher, given.surface, repair));
+  return { model: { kind: "surface", surface }, changes };
 }
 
 /** What to report of a run that threw; the messages are out by then. Our own mistakes pass through. */
@@ -117,11 +140,12 @@ function badInput(diagnostics: readonly Diagnostic[]): Outcome {
 function readOptions(options: MeshCommandOptions): MeshOptions {
   const meshOptions: MeshOptions = {
     size: numberIn(options.size),
-    growth: numberIn(options.growth),
+    growth: numberIn(options.grading ?? options.growth),
     gradation: numberIn(options.gradation),
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,
+    ...sourcesIn(options.source),
   };
   const wrong = checkOptions(meshOptions);
   if (options.size !== undefined && options.background !== undefined) {
@@ -132,23 +156,34 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
   return meshOptions;
 }
 
-async function checkMeshPlace(output: string): Promise<void> {
-  const extension = extensionOf(output);
-  const known = extensionsThat("writes", "volume");
-  if (!known.includes(extension)) {
-    throw new FileProblem(
-      output,
-      extension === ""
-        ? "the name has no extension to tell the format"
-        : `"${extension}" is not a mesh format`,
-      `Give a name that ends in ${known.join(" or ")}.`,
-    );
+/** Sources of size as a background grid without nodes, which leaves all else as it is. */
+function sourcesIn(texts: readonly string[] | undefined): Pick<MeshOptions, "background"> {
+  if (texts === undefined) return {};
+  const none = new Float64Array();
+  const sources = texts.map(sourceIn);
+  return { background: { points: none, sizes: none, tetrahedra: new Uint32Array(), sources } };
+}
+
+/** `x,y,z,size[,distance[,growth]]`. Throws a BadInput. */
+function sourceIn(text: string, index: number): ProjectSource {
+  const numbers = text.split(",").map(numberIn);
+  const [x, y, z, size, distance, growth] = numbers;
+  if (numbers.length > 6 || x === undefined || y === undefined || z === undefined || size === undefined) {
+    const remedy = "Give x,y,z,size, then a distance and a growth if need be: --source 0,0,1,0.05,0.2";
+    throw new BadInput("command line", [
+      packageDiagnostic("invalid-option", `the source is "${text}"`, remedy),
+    ]);
   }
+  return { id: index + 1, type: "point", places: [[x, y, z]], size, distance, growth };
+}
+
+async function checkMeshPlace({ output, to }: MeshCommandOptions): Promise<void> {
+  writableName(output, to, ["volume"]);
   await checkOutput(output);
 }
 
 async function checkReportPlace(input: string, report: string | undefined): Promise<undefined> {
-  if (report === undefined || report === STANDARD_OUTPUT) return;
+  if (report === undefined || report === STANDARD_STREAM) return;
   await checkOutput(report);
   if (await isSameFile(report, input)) {
     throw new FileProblem(report, "the report would replace the input", "Give the report another name.");
@@ -188,38 +223,40 @@ async function mesh(
 }
 
 async function withGrid(mesher: Mesher, options: MeshOptions, given: GivenGrid): Promise<MeshOptions> {
-  return { ...options, background: await gridArrays(mesher, given.file, given.grid) };
+  const grid = await gridArrays(mesher, given.file, given.grid);
+  const sources = [...(grid.sources ?? []), ...(options.background?.sources ?? [])];
+  return { ...options, background: { ...grid, sources } };
 }
 
 function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOptions): boolean {
   return report.status === "done" || (keepPartial === true && volume.tetrahedra.length > 0);
 }
 
-async function writeResult(output: string, result: MeshResult, model: Input): Promise<boolean> {
-  const files = await writeMesh(fileMeshOf(result, model), output);
-  for (const { fileName, bytes } of files) {
-    if (!(await tryWrite(fileName, bytes))) return false;
-  }
-  return true;
+async function writeResult(
+  { output, to }: MeshCommandOptions,
+  result: MeshResult,
+  model: Input,
+): Promise<boolean> {
+  const name = writableName(output, to, ["volume"]);
+  const files = await writeMesh(fileMeshOf(result, model), name);
+  return succeeds(() => writeAll(files, output, name));
 }
 
 type CommandReport = MeshReport & { readonly input: string; readonly output: string | null };
 
 async function writeReport(file: string, report: CommandReport): Promise<boolean> {
   const text = `${JSON.stringify(report, null, 2)}\n`;
-  if (file !== STANDARD_OUTPUT) return tryWrite(file, text);
-  process.stdout.write(text);
-  return true;
+  return succeeds(() => writeOutput(file, text));
 }
 
 /** Whether it could be written; if not, the user is told. */
-async function tryWrite(file: string, content: string | Uint8Array): Promise<boolean> {
+async function succeeds(write: () => Promise<void>): Promise<boolean> {
   try {
-    await writeOutput(file, content);
+    await write();
     return true;
   } catch (failure) {
     if (!(failure instanceof FileProblem)) throw failure;
-    say(`error: ${file}: ${failure.message}. ${failure.remedy}`);
+    say(`error: ${failure.file}: ${failure.message}. ${failure.remedy}`);
     return false;
   }
 }

@@ -1,4 +1,4 @@
-import { Presets, SingleBar } from "cli-progress";
+import { MultiBar, Presets, SingleBar } from "cli-progress";
 
 import type { Progress } from "./types.js";
 
@@ -26,5 +26,36 @@ export class ProgressBar {
 
   stop(): void {
     this.#bar.stop();
+  }
+}
+
+/** How many files of a batch are through, with messages above it. */
+export class BatchBar {
+  readonly #bars = new MultiBar(
+    {
+      format: "{bar} {value} of {total} files",
+      stream: process.stderr,
+      clearOnComplete: true,
+      hideCursor: true,
+      gracefulExit: false,
+    },
+    Presets.shades_classic,
+  );
+  readonly #bar;
+
+  constructor(files: number) {
+    this.#bar = this.#bars.create(files, 0);
+  }
+
+  advance(): void {
+    this.#bar.increment();
+  }
+
+  say(lines: string): void {
+    this.#bars.log(lines);
+  }
+
+  stop(): void {
+    this.#bars.stop();
   }
 }

@@ -1,17 +1,34 @@
 /** The command line: what `tetrafront` understands. What its commands do is in cli-mesh.ts and others. */
 import { readFileSync } from "node:fs";
 
+import { availableParallelism } from "node:os";
+
 import { Command, CommanderError, Option } from "commander";
 
+import {
+  checkDistinct,
+  exitCodeOf,
+  expandInputs,
+  outputFor,
+  runTasks,
+  type TaskResult,
+} from "./cli-batch.js";
 import { checkFile, type CheckCommandOptions } from "./cli-check.js";
+import { convertFile, type ConvertCommandOptions } from "./cli-convert.js";
+import { STANDARD_STREAM, writeOutput } from "./cli-files.js";
 import {
   coverFile,
   proposeForFile,
   type CoverCommandOptions,
   type ProposeCommandOptions,
 } from "./cli-grids.js";
+import { infoOnFile, statsOfFile, type InfoCommandOptions } from "./cli-info.js";
+import { numberIn } from "./cli-input.js";
 import { meshFile, type MeshCommandOptions } from "./cli-mesh.js";
-import { ExitCode } from "./cli-messages.js";
+import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
+import { packageDiagnostic } from "./diagnostics.js";
+import type { Contents } from "./formats/file-format.js";
+import { FILE_FORMATS } from "./formats/file-formats.js";
 import {
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
@@ -24,34 +41,93 @@ import {
   OPTIMIZATIONS,
 } from "./options.js";
 
-const EXAMPLES = `
-Input
-  model.json   a Tetrafront project: points, lines, patches, background grid
-  part.stl     a closed triangle surface, STL binary or ASCII
-  part.off     a closed triangle surface, OFF
-  part.obj     a closed triangle surface, OBJ
-  part.ply     a closed triangle surface, PLY binary or ASCII
+/** One line per format that can be read, or written, as such contents. */
+function formatLines(can: "reads" | "writes", contents: Contents): string {
+  return FILE_FORMATS.filter((format) => format[can].includes(contents))
+    .map(({ name, extensions }) => `  ${extensions.join(", ").padEnd(18)} ${name}`)
+    .join("\n");
+}
 
-Background grid (--background)
-  model.json   the grid and the sources of another project
-  mesh.vtu     a volume mesh with sizes at its nodes (named "size"; "stretching" and
-  mesh.msh     "direction" too), else with sizes from its own edges
+const EXIT_CODES_HELP = `
+Exit code
+  0  done    1  not completed: stalled, cancelled, out of memory, not written    2  bad input
+  Of many inputs, the highest.`;
+
+const meshHelp = () => `
+Input
+  .json              a Tetrafront project: points, lines, patches, background grid
+${formatLines("reads", "surface")}
+  -                  standard input, with --format to tell its format
 
 Output
-  mesh.vtu     for ParaView, VTK, meshio
-  mesh.msh     Gmsh 4.1, with the patches and regions as named physical groups
-  mesh.vtk     legacy VTK
-  mesh.mesh    Medit, with patches and regions as references
-  mesh.su2     SU2, with the patches as markers
+${formatLines("writes", "volume")}
+  -                  standard output, with --format to tell its format
 
-Exit code
-  0  meshed    1  not completed (stalled, cancelled)    2  bad input
+Sizes of elements
+  Of a project as it says; of a surface from its own edges, growing inwards by --grading. --size is
+  uniform. --background takes them from a mesh with sizes at its nodes (named "size"; "stretching" and
+  "direction" too, else from its own edges) or from a project. --source makes them smaller around a place.
+
+Surfaces that cannot be filled
+  \`tetrafront check\` tells why. Nothing is repaired unless you ask: --repair joins nodes at the same
+  place, removes triangles without area and duplicates, and turns triangles outward; --weld joins nodes
+  within a distance, --fill-holes closes small holes. Every change is listed, and in the report.
+${EXIT_CODES_HELP}
 
 Examples
-  tetrafront mesh duct.json -o duct.vtu
-  tetrafront mesh duct.json -o duct.msh --size 0.05
-  tetrafront mesh part.stl -o part.vtu --report report.json
+  tetrafront mesh part.stl -o part.vtu
+  tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
+  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --grading 0.2
+  tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
   tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
+  tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu' --jobs 4 --report all.json
+  cat part.stl | tetrafront mesh - --format stl -o part.vtu
+  tetrafront mesh part.stl -o - --format vtu > part.vtu
+`;
+
+const checkHelp = () => `
+Tells of a surface whether it is closed, manifold and free of crossings, its bodies and cavities, area,
+volume, edges and worst triangles; of a project what would keep it from being meshed; of a mesh whether
+its elements fit together. Each problem has its ids, counted from 0, and its place.
+${EXIT_CODES_HELP}
+
+Examples
+  tetrafront check part.stl
+  tetrafront check part.stl --json | jq .inspection.openEdges
+  tetrafront check part.stl --repair --fill-holes 10     # what would be changed, and what then remains
+  tetrafront check duct.json --size 0.1
+  tetrafront check 'parts/*.stl' --jobs 4
+`;
+
+const convertHelp = () => `
+Input
+${formatLines("reads", "surface")}
+${formatLines("reads", "volume")}
+
+Output
+${formatLines("writes", "surface")}
+${formatLines("writes", "volume")}
+
+A volume mesh in a format of surfaces is its boundary. Triangles are joined at the same places.
+${EXIT_CODES_HELP}
+
+Examples
+  tetrafront convert part.vtu -o part.msh
+  tetrafront convert part.vtu -o boundary.stl
+  tetrafront convert scan.obj -o scan.stl --repair
+  tetrafront convert 'meshes/*.vtu' -o 'meshes/{name}.su2'
+`;
+
+const INFO_HELP = `
+Examples
+  tetrafront info part.msh
+  tetrafront info part.msh --json | jq '.patches[].name'
+`;
+
+const STATS_HELP = `
+Examples
+  tetrafront stats part.vtu
+  tetrafront stats part.vtu --json | jq .dihedral.min
 `;
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
@@ -79,24 +155,172 @@ function commandLine(args: readonly string[], setExitCode: SetExitCode): Command
     })
     .exitOverride();
   addMesh(program, setExitCode);
+  addCheck(program, setExitCode);
+  addConvert(program, setExitCode);
+  addInfo(program, setExitCode);
+  addStats(program, setExitCode);
   addCover(program, setExitCode);
   addPropose(program, setExitCode);
-  addCheck(program, setExitCode);
-  program.addHelpText("after", "\nTry: tetrafront mesh --help");
+  program.addHelpText("after", PROGRAM_HELP);
   return program;
 }
 
+const PROGRAM_HELP = `
+Begin with
+  tetrafront check part.stl              what is there, and what is wrong
+  tetrafront mesh part.stl -o part.vtu   tetrahedra in it
+  tetrafront stats part.vtu              how good they are
+
+Each command explains itself: tetrafront mesh --help`;
+
 type SetExitCode = (code: number) => void;
 
+interface BatchOptions {
+  readonly from?: string;
+  readonly to?: string;
+  readonly format?: string;
+  readonly jobs?: string;
+  readonly output?: string;
+  readonly report?: string;
+  readonly json?: boolean;
+  readonly quiet?: boolean;
+}
+
+const withJobs = (command: Command): Command =>
+  command.option("-j, --jobs <count>", "of many inputs, so many at a time (default: one per processor)");
+
+const fromOption = (): Option =>
+  new Option("--from <format>", "the input's format, where its name does not tell");
+/** Where only one of input and output is a stream, one word is enough. */
+const formatOption = (): Option =>
+  new Option("--format <format>", "of the stream; --from and --to tell it of both");
+const toOption = (): Option =>
+  new Option("--to <format>", "the output's format, where its name does not tell");
+
+const withRepair = (command: Command): Command =>
+  command
+    .option("--repair", "join nodes at one place, drop triangles without area or twice there, turn them")
+    .option("--weld <distance>", "repair, and join nodes no further apart than this")
+    .option("--fill-holes <edges>", "repair, and fill holes of up to so many edges");
+
+/** One input is done here, several in processes of their own. */
+async function forEach<Options extends BatchOptions>(
+  inputs: readonly string[],
+  command: Command,
+  one: (input: string, options: Options) => Promise<number>,
+): Promise<number> {
+  const options = withStreamFormat<Options>(inputs, command.opts());
+  try {
+    const files = await expandInputs(inputs);
+    const [only] = files;
+    if (files.length === 1 && only !== undefined) {
+      const { output } = options;
+      return await one(
+        only,
+        output?.includes("{name}") === true ? withOutput(options, only, output) : options,
+      );
+    }
+    return await batch(files, command, options);
+  } catch (failure) {
+    const bad = asBadInput(failure, inputs[0] ?? "");
+    if (bad === undefined) throw failure;
+    tell(bad.subject, bad.diagnostics, { isQuiet: true });
+    return ExitCode.badInput;
+  }
+}
+
+function withStreamFormat<Options extends BatchOptions>(
+  inputs: readonly string[],
+  options: Options,
+): Options {
+  const { format, from, to, output } = options;
+  if (format === undefined) return options;
+  const isInput = inputs[0] === STANDARD_STREAM;
+  return {
+    ...options,
+    ...(isInput ? { from: from ?? format } : {}),
+    ...(output === STANDARD_STREAM || !isInput ? { to: to ?? format } : {}),
+  };
+}
+
+function withOutput<Options extends BatchOptions>(options: Options, input: string, output: string): Options {
+  return { ...options, output: outputFor(input, output) };
+}
+
+async function batch(files: readonly string[], command: Command, options: BatchOptions): Promise<number> {
+  const jobs = jobsOf(options.jobs);
+  const { output, report } = options;
+  const outputs = output === undefined ? [] : files.map((file) => outputFor(file, output));
+  checkDistinct(outputs);
+  const tasks = files.map((input, i) => ({
+    input,
+    args: [
+      command.name(),
+      ...givenOptions(command, outputs[i]),
+      ...(report === undefined ? [] : ["--report", "-"]),
+      "--",
+      input,
+    ],
+  }));
+  const results = await runTasks(tasks, jobs, options.quiet === true);
+  const isJson = report !== undefined || options.json === true;
+  const text = isJson
+    ? `[\n${results.flatMap(jsonOf).join(",\n")}\n]\n`
+    : results.map(({ stdout }) => stdout).join("");
+  if (report !== undefined || text !== "") await writeOutput(report ?? "-", text);
+  return exitCodeOf(results);
+}
+
+function jsonOf({ stdout }: TaskResult): string[] {
+  return stdout.trim() === "" ? [] : [stdout.trim()];
+}
+
+function jobsOf(text: string | undefined): number {
+  const jobs = text === undefined ? availableParallelism() : numberIn(text);
+  if (Number.isInteger(jobs) && Number(jobs) >= 1) return Number(jobs);
+  const wrong = packageDiagnostic(
+    "invalid-option",
+    `the number of jobs is "${text}"`,
+    "Give a whole number from 1.",
+  );
+  throw new BadInput("command line", [wrong]);
+}
+
+/** The options as they were given, but for those that are the batch's own, and with this output. */
+function givenOptions(command: Command, output: string | undefined): string[] {
+  const own = new Set(["jobs", "report"]);
+  return command.options.flatMap((option) => {
+    const name = option.attributeName();
+    const value: unknown = command.getOptionValue(name);
+    if (own.has(name) || value === undefined || option.long == null) return [];
+    if (name === "output") return [option.long, output ?? String(value)];
+    if (Array.isArray(value)) return value.flatMap((one) => [option.long ?? "", String(one)]);
+    return typeof value === "boolean" ? [option.long] : [option.long, String(value)];
+  });
+}
+
 function addMesh(program: Command, setExitCode: SetExitCode): void {
-  program
+  const command = program
     .command("mesh")
-    .description("Mesh a project or fill a closed surface with tetrahedra.")
-    .argument("<input>", "project (.json) or closed surface (.stl, .off, .obj, .ply)")
-    .requiredOption("-o, --output <file>", "where the mesh goes (.vtu, .msh, .vtk, .mesh or .su2)")
+    .description("Fill closed surfaces, or mesh projects, with tetrahedra.")
+    .argument("<input...>", "surfaces or projects; patterns such as 'parts/*.stl' are expanded")
+    .requiredOption("-o, --output <file>", "where the mesh goes; for many inputs with {name} in it")
+    .addOption(formatOption())
+    .addOption(fromOption())
+    .addOption(toOption())
     .option("-s, --size <length>", "uniform element size; replaces a project's background grid")
-    .option("-b, --background <file>", "sizes from this background grid (.json, .vtu or .msh) instead")
-    .option("-g, --growth <rate>", `growth of the size away from a given surface (default ${DEFAULT_GROWTH})`)
+    .option(
+      "-g, --grading <rate>",
+      `growth of the size away from a given surface (default ${DEFAULT_GROWTH})`,
+    )
+    .addOption(new Option("--growth <rate>", "the older name of --grading").hideHelp())
+    .addOption(
+      new Option(
+        "--source <x,y,z,size[,distance[,growth]]>",
+        "elements no larger than size up to a distance from a place, growing beyond; may be repeated",
+      ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]),
+    )
+    .option("-b, --background <file>", "sizes from this background grid instead")
     .option(
       "--gradation <ratio>",
       `the most by which a grid's sizes grow from element to element; 0: as they are (default ${DEFAULT_GRADATION})`,
@@ -113,13 +337,61 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
         "--optimize <level>",
         `work on the shape of the elements after the front (default ${DEFAULT_OPTIMIZATION})`,
       ).choices(Object.keys(OPTIMIZATIONS)),
-    )
+    );
+  withJobs(withRepair(command))
     .option("-r, --report <file>", "write figures and diagnostics as JSON; - for standard output")
     .option("-k, --keep-partial", "write what exists even if the mesh is not complete")
     .option("-q, --quiet", "print errors only")
-    .addHelpText("after", EXAMPLES)
-    .action(async (input: string, options: MeshCommandOptions) =>
-      setExitCode(await meshFile(input, options)),
+    .addHelpText("after", meshHelp)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEach<MeshCommandOptions>(inputs, command, meshFile)),
+    );
+}
+
+function addConvert(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("convert")
+    .description("Write surfaces or meshes in another format.")
+    .argument("<input...>", "surfaces or meshes")
+    .requiredOption("-o, --output <file>", "where it goes; for many inputs with {name} in it")
+    .addOption(formatOption())
+    .addOption(fromOption())
+    .addOption(toOption());
+  withJobs(withRepair(command))
+    .option("-q, --quiet", "print errors only")
+    .addHelpText("after", convertHelp)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEach<ConvertCommandOptions>(inputs, command, convertFile)),
+    );
+}
+
+function addInfo(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("info")
+    .description("Tell what files hold: points, triangles, tetrahedra, patches, regions, numbers at nodes.")
+    .argument("<input...>", "projects, surfaces or meshes");
+  withJobs(command)
+    .addOption(formatOption())
+    .addOption(fromOption())
+    .option("--json", "as JSON")
+    .addHelpText("after", INFO_HELP)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEach<InfoCommandOptions>(inputs, command, infoOnFile)),
+    );
+}
+
+function addStats(program: Command, setExitCode: SetExitCode): void {
+  const command = program
+    .command("stats")
+    .description("Tell how good the elements of meshes are, whoever made them.")
+    .argument("<input...>", "volume meshes");
+  withJobs(command)
+    .addOption(formatOption())
+    .addOption(fromOption())
+    .option("--json", "as JSON")
+    .addHelpText("after", STATS_HELP)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEach<InfoCommandOptions>(inputs, command, statsOfFile)),
     );
 }
 
@@ -164,15 +436,19 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
 }
 
 function addCheck(program: Command, setExitCode: SetExitCode): void {
-  program
+  const command = program
     .command("check")
-    .description("List everything that is wrong with a project. Exit code 2 where there are errors.")
-    .argument("<project>", "project (.json)")
-    .option("-s, --size <length>", "the uniform size it will be meshed with; its grid is not checked")
-    .option("--json", "the diagnostics as JSON, on standard output")
+    .description("List everything that is wrong with projects, surfaces or meshes.")
+    .argument("<input...>", "projects, surfaces or meshes")
+    .option("-s, --size <length>", "the size a project will be meshed with; its grid is not checked")
+    .addOption(formatOption())
+    .addOption(fromOption());
+  withJobs(withRepair(command))
+    .option("--json", "findings and figures as JSON, on standard output")
     .option("-q, --quiet", "print errors only")
-    .action(async (input: string, options: CheckCommandOptions) =>
-      setExitCode(await checkFile(input, options)),
+    .addHelpText("after", checkHelp)
+    .action(async (inputs: string[]) =>
+      setExitCode(await forEach<CheckCommandOptions>(inputs, command, checkFile)),
     );
 }
 

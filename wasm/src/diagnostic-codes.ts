@@ -54,6 +54,8 @@ export type PackageCode =
   | "invalid-option"
   /** The arrays of a surface do not fit together. */
   | "invalid-arrays"
+  /** A mesh file whose elements do not fit together. */
+  | "unsound-mesh"
   /** A file could not be read or is not what its extension says. */
   | "unreadable-input"
   /** The memory did not suffice. */

@@ -68,9 +68,18 @@ function nodePositions(
   return positions;
 }
 
-/** `grid` with other nodes and tetrahedra, and more sources; new arrays, as they are transferred. O(size). */
+/**
+ * `grid` with other nodes and tetrahedra, if there are any, and more sources; new arrays, as they are
+ * transferred. O(size).
+ */
 export function withNodes(grid: GridArrays, background: BackgroundArrays): GridArrays {
-  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0, sources = [] } = background;
+  const more = background.sources ?? [];
+  const all = {
+    sourceTypes: Uint8Array.of(...grid.sourceTypes, ...sourceTypes(more)),
+    sourceValues: Float64Array.of(...grid.sourceValues, ...sourceValues(more)),
+  };
+  if (background.sizes.length === 0 && background.tetrahedra.length === 0) return { ...grid, ...all };
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = background;
   const nodes = new Float64Array(NODE_STRIDE * sizes.length);
   for (let i = 0; i < sizes.length; i++) {
     const out = NODE_STRIDE * i;
@@ -81,13 +90,7 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
     nodes[out + 3] = sizes[i] ?? 0;
     nodes[out + 4] = stretchings?.[i] ?? 1;
   }
-  return {
-    nodes,
-    tetrahedra: tetrahedra.slice(),
-    sourceTypes: Uint8Array.of(...grid.sourceTypes, ...sourceTypes(sources)),
-    sourceValues: Float64Array.of(...grid.sourceValues, ...sourceValues(sources)),
-    overhang,
-  };
+  return { nodes, tetrahedra: tetrahedra.slice(), ...all, overhang };
 }
 
 /** A project's grid as flat arrays, for another project or for a given surface. O(size). */

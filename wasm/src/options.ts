@@ -5,6 +5,7 @@ import type { RepairOptions } from "./inspection.js";
 import type { Project } from "./project-schema.js";
 import type { EngineOptions, EngineProposalOptions, EngineRepairOptions } from "./protocol.js";
 import type {
+  BackgroundArrays,
   CoverOptions,
   Diagnostic,
   FrontOrder,
@@ -127,7 +128,7 @@ export function checkOptions(options: MeshOptions): Diagnostic[] {
   const { background, ...rest } = asRecord(options) as MeshOptions;
   const wrong = checkAgainst(options, rest, MESH_RULES, ["background"]);
   if (background === undefined) return wrong;
-  if (rest.size !== undefined) {
+  if (rest.size !== undefined && !hasSourcesOnly(background)) {
     const message = "both an element size and a background grid are given";
     wrong.push(invalidOption(message, "Give one of them: the size is uniform, the grid's are not."));
   }
@@ -153,7 +154,9 @@ export function checkProposalOptions(options: ProposalOptions): Diagnostic[] {
 export function withSettings(options: MeshOptions, { meshing }: Project): MeshOptions {
   if (meshing === undefined) return options;
   const given = Object.entries(options).filter(([, value]) => value !== undefined);
-  const settings = options.background === undefined ? meshing : { ...meshing, size: undefined };
+  const { background } = options;
+  const keepsSize = background === undefined || hasSourcesOnly(background);
+  const settings = keepsSize ? meshing : { ...meshing, size: undefined };
   return { ...settings, ...Object.fromEntries(given) };
 }
 
@@ -185,6 +188,12 @@ function checkAgainst<Options>(
     }
   }
   return wrong;
+}
+
+/** Then it leaves the sizes that there are, and only cuts them down around its sources. */
+export function hasSourcesOnly(background: BackgroundArrays): boolean {
+  const { tetrahedra, sizes } = asRecord(background) as Partial<BackgroundArrays>;
+  return tetrahedra?.length === 0 && sizes?.length === 0;
 }
 
 function asRecord(value: unknown): object {

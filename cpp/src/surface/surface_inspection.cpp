@@ -154,7 +154,8 @@ void SurfaceInspector::Impl::countPinchedNodes(const EdgeTable& edges) {
   for (std::uint32_t c = 0; c < fans.size(); ++c) {
     if (fans[c] != c) continue;
     std::uint8_t& count = fansAt[mesh_.triangles[c]];
-    if (count < 2 && ++count == 2) ++result_.pinchedNodes;
+    if (count == 1) ++result_.pinchedNodes;
+    if (count < 2) ++count;
   }
 }
 

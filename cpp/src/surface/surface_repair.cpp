@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -271,9 +272,13 @@ SurfaceRepair Repair::take() {
   for (std::uint32_t& node : mesh_.triangles) node = number[node];
   repair.triangles = std::move(mesh_.triangles);
   repair.origin = std::move(origin_);
-  std::stable_sort(changes_.begin(), changes_.end(),
-                   [](const RepairChange& a, const RepairChange& b) { return a.kind < b.kind; });
-  repair.changes = std::move(changes_);
+  for (std::uint8_t kind = 0; kind <= static_cast<std::uint8_t>(RepairKind::kTurnedTriangle);
+       ++kind) {
+    std::copy_if(changes_.begin(), changes_.end(), std::back_inserter(repair.changes),
+                 [kind](const RepairChange& change) {
+                   return static_cast<std::uint8_t>(change.kind) == kind;
+                 });
+  }
   return repair;
 }
 

@@ -1,0 +1,188 @@
+/** The command line and files from anywhere: check, repair, convert, info, stats, streams and batches. */
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+
+import { readMesh, type FileMesh, type MeshReport, type SurfaceInput } from "tetrafront";
+import { afterEach, beforeEach, describe, expect, test } from "vitest";
+
+import { tetrafront } from "../../support/command-line.js";
+import { offFile, stlBinary } from "../../support/surface-files.js";
+import { boxSurface, cavitySurface } from "../../support/surfaces.js";
+
+let folder: string;
+beforeEach(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+});
+afterEach(() => rmSync(folder, { recursive: true, force: true }));
+
+const inFolder = (name: string) => path.join(folder, name);
+const save = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
+const jsonIn = (name: string): unknown => JSON.parse(readFileSync(inFolder(name), "utf8"));
+
+async function meshIn(name: string): Promise<FileMesh> {
+  const read = await readMesh(readFileSync(inFolder(name)), { fileName: name });
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+const box = boxSurface(2, [0, 0, 0], [1, 2, 3]);
+const without = ({ points, triangles }: SurfaceInput, count: number): SurfaceInput => ({
+  points,
+  triangles: triangles.slice(3 * count),
+});
+
+describe("check", () => {
+  test("tells the figures of a sound surface and ends with 0", async () => {
+    save("part.off", offFile(cavitySurface(10)));
+    const { code, stderr } = await tetrafront(folder, ["check", "part.off"]);
+    expect(code).toBe(0);
+    expect(stderr).toContain("part.off: closed, manifold, free of crossings\n");
+    expect(stderr).toContain("part.off: 1 body, 1 cavity\n");
+    expect(stderr).toContain("part.off: no problems\n");
+  });
+
+  test("lists every problem with ids and place, as text and as JSON, and ends with 2", async () => {
+    save("open.off", offFile(without(box, 1)));
+    const text = await tetrafront(folder, ["check", "open.off"]);
+    expect(text.code).toBe(2);
+    expect(text.stderr.match(/error: open\.off: .* at \(/g)).toHaveLength(3);
+    const { code, stdout } = await tetrafront(folder, ["check", "open.off", "--json"]);
+    expect(code).toBe(2);
+    expect(JSON.parse(stdout)).toMatchObject({
+      input: "open.off",
+      kind: "surface",
+      errors: 3,
+      inspection: { isClosed: false, openEdges: 3 },
+    });
+  });
+
+  test("says what a repair would change, and what then remains; the file stays", async () => {
+    const file = offFile(without(box, 1));
+    save("open.off", file);
+    const { code, stderr } = await tetrafront(folder, ["check", "open.off", "--fill-holes", "3"]);
+    expect(code).toBe(0);
+    expect(stderr).toContain("open.off: repair: filled a hole with 1 triangle from ");
+    expect(stderr).toContain("no problems");
+    expect(new Uint8Array(readFileSync(inFolder("open.off")))).toEqual(new Uint8Array(file));
+  });
+});
+
+describe("mesh", () => {
+  test("never repairs unasked, and lists the repairs in its report", async () => {
+    save("open.off", offFile(without(box, 1)));
+    const asIs = await tetrafront(folder, ["mesh", "open.off", "-o", "a.vtu"]);
+    expect(asIs.code).toBe(2);
+    const { code } = await tetrafront(folder, [
+      ...["mesh", "open.off", "-o", "a.vtu", "--fill-holes", "3", "--report", "a.json", "-q"],
+    ]);
+    expect(code).toBe(0);
+    expect(jsonIn("a.json")).toMatchObject({ status: "done", repair: [{ kind: "filled-hole" }] });
+  });
+
+  test("reads standard input and writes standard output", async () => {
+    save("part.off", offFile(box));
+    const named = await tetrafront(folder, ["mesh", "part.off", "-o", "part.vtk"]);
+    const streamed = await tetrafront(
+      folder,
+      ["mesh", "-", "--from", "off", "-o", "-", "--to", "vtk", "-q"],
+      { input: offFile(box) },
+    );
+    expect([named.code, streamed.code, streamed.stderr]).toEqual([0, 0, ""]);
+    expect(streamed.stdout).toBe(readFileSync(inFolder("part.vtk"), "utf8"));
+    const short = await tetrafront(folder, ["check", "-", "--format", "off"], { input: offFile(box) });
+    expect(short.code).toBe(0);
+    const nameless = await tetrafront(folder, ["mesh", "-", "-o", "a.vtu"]);
+    expect(nameless.code).toBe(2);
+    expect(nameless.stderr).toMatch(/a stream has no name.*--format/i);
+  });
+
+  test("makes elements smaller around a source, whatever other sizes there are", async () => {
+    save("part.off", offFile(boxSurface(4)));
+    const counts = await Promise.all(
+      [[], ["--source", "0.5,0.5,0.5,0.05,0.1"], ["--size", "0.4", "--source", "0.5,0.5,0.5,0.05,0.1"]].map(
+        async (more, i) => {
+          const { code } = await tetrafront(folder, [
+            ...["mesh", "part.off", "-o", `${i}.vtu`, "--report", `${i}.json`, "-q", ...more],
+          ]);
+          expect(code).toBe(0);
+          return (jsonIn(`${i}.json`) as MeshReport).tetrahedra;
+        },
+      ),
+    );
+    const [plain = 0, source = 0, both = 0] = counts;
+    expect(source).toBeGreaterThan(2 * plain);
+    expect(both).toBeGreaterThan(2 * plain);
+    const { code, stderr } = await tetrafront(folder, ["mesh", "part.off", "-o", "a.vtu", "--source", "1,2"]);
+    expect([code, /the source is "1,2"/i.test(stderr)]).toEqual([2, true]);
+  });
+});
+
+describe("a batch", () => {
+  test("meshes what a pattern finds, one process each, one report for all", async () => {
+    mkdirSync(inFolder("parts"));
+    mkdirSync(inFolder("out"));
+    save("parts/a.off", offFile(box));
+    save("parts/b.stl", stlBinary(box));
+    save("parts/c.off", offFile(without(box, 1)));
+    const { code, stderr } = await tetrafront(folder, [
+      ...["mesh", "parts/*.*", "-o", "out/{name}.vtu", "--jobs", "2", "--report", "all.json"],
+    ]);
+    expect(code).toBe(2);
+    expect(stderr).toContain("3 files: 2 done, 0 not completed, 1 bad");
+    expect(jsonIn("all.json")).toMatchObject([
+      { input: "parts/a.off", status: "done", output: "out/a.vtu" },
+      { input: "parts/b.stl", status: "done", output: "out/b.vtu" },
+      { input: "parts/c.off", status: "invalid-input", output: null },
+    ]);
+    expect((await meshIn("out/b.vtu")).tetrahedra.length).toBeGreaterThan(0);
+  });
+
+  test.each<[string, string[], RegExp]>([
+    ["one output for all", ["mesh", "a.off", "b.off", "-o", "c.vtu"], /Put \{name\} into its name/],
+    ["no match", ["check", "*.ply"], /no file matches this pattern/i],
+    ["no number of jobs", ["check", "a.off", "b.off", "--jobs", "none"], /number of jobs is "none"/],
+  ])("with %s is refused", async (_, args, message) => {
+    save("a.off", offFile(box));
+    save("b.off", offFile(box));
+    const { code, stderr } = await tetrafront(folder, args);
+    expect(stderr).toMatch(message);
+    expect(code).toBe(2);
+  });
+});
+
+describe("convert, info and stats", () => {
+  test("of a volume mesh keep its elements", async () => {
+    save("part.off", offFile(box));
+    await tetrafront(folder, ["mesh", "part.off", "-o", "part.vtu", "--report", "r.json", "-q"]);
+    const { tetrahedra, dihedral } = jsonIn("r.json") as MeshReport;
+    expect((await tetrafront(folder, ["convert", "part.vtu", "-o", "part.msh"])).code).toBe(0);
+    const mesh = await meshIn("part.msh");
+    expect(mesh.tetrahedra).toHaveLength(4 * tetrahedra);
+    const info = await tetrafront(folder, ["info", "part.msh", "--json"]);
+    expect(JSON.parse(info.stdout)).toMatchObject({ tetrahedra, box: { low: [0, 0, 0], high: [1, 2, 3] } });
+    const stats = await tetrafront(folder, ["stats", "part.msh", "--json"]);
+    const found = JSON.parse(stats.stdout) as MeshReport & { boundaryTriangles: number; isSound: boolean };
+    expect(found).toMatchObject({ isSound: true, tetrahedra, boundaryTriangles: box.triangles.length / 3 });
+    expect(found.dihedral.min).toBeCloseTo(dihedral.min, 9);
+    expect(found.volume).toBeCloseTo(6, 12);
+    const text = await tetrafront(folder, ["stats", "part.vtu"]);
+    expect(text.stdout).toMatch(/ 60° to 65° +#+ \d+/);
+  });
+
+  test("refuse what they cannot do in one line", async () => {
+    save("part.off", offFile(box));
+    const surface = await tetrafront(folder, ["stats", "part.off"]);
+    expect([surface.code, surface.stderr.trim().split("\n").length]).toEqual([2, 1]);
+    const same = await tetrafront(folder, ["convert", "part.off", "-o", "part.off"]);
+    expect(same.code).toBe(2);
+  });
+});
+
+test("each command teaches by examples", async () => {
+  for (const command of ["mesh", "check", "convert", "info", "stats"]) {
+    const { code, stdout } = await tetrafront(folder, [command, "--help"]);
+    expect(code).toBe(0);
+    expect(stdout).toMatch(new RegExp(`Examples\n  tetrafront ${command} `));
+  }
+});

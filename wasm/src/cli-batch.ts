@@ -1,0 +1,130 @@
+/** Many files by one command: each in a process of its own, so that one failure is one failure. */
+import { spawn } from "node:child_process";
+import { stat } from "node:fs/promises";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { FileProblem, STANDARD_STREAM } from "./cli-files.js";
+import { ExitCode, say } from "./cli-messages.js";
+import { BatchBar } from "./cli-progress-bar.js";
+import { extensionOf } from "./formats/file-formats.js";
+
+const GLOB = /[*?[\]{}]/;
+
+/** The files meant: patterns that the shell left alone are expanded, in alphabetical order. */
+export async function expandInputs(inputs: readonly string[]): Promise<string[]> {
+  const files = await Promise.all(inputs.map(expand));
+  return [...new Set(files.flat())];
+}
+
+async function expand(input: string): Promise<readonly string[]> {
+  const isFile = await stat(input).then(
+    () => true,
+    () => false,
+  );
+  if (isFile || input === STANDARD_STREAM || !GLOB.test(input)) return [input];
+  const { glob } = await import("tinyglobby");
+  const found = await glob(input.replaceAll("\\", "/"), { expandDirectories: false });
+  if (found.length === 0) {
+    throw new FileProblem(input, "no file matches this pattern", "Check the path and the pattern.");
+  }
+  return found.sort();
+}
+
+/** Stands for the input's name without folder and extension, in the name of an output. */
+const NAME = "{name}";
+
+/** Where the output of one of many inputs goes. Throws a FileProblem where the name cannot tell them apart. */
+export function outputFor(input: string, output: string): string {
+  if (output.includes(NAME)) return output.replaceAll(NAME, nameOf(input));
+  throw new FileProblem(
+    output,
+    "several inputs would go into one output",
+    `Put ${NAME} into its name, for example "meshes/${NAME}.vtu".`,
+  );
+}
+
+function nameOf(file: string): string {
+  const name = path.basename(file);
+  return name.slice(0, name.length - extensionOf(name).length) || name;
+}
+
+/** Throws a FileProblem where two inputs have one output. */
+export function checkDistinct(outputs: readonly string[]): void {
+  const twice = outputs.find((output, i) => outputs.indexOf(output) < i);
+  if (twice === undefined) return;
+  throw new FileProblem(twice, "two inputs would go into this output", "Rename one, or mesh them apart.");
+}
+
+export interface Task {
+  readonly input: string;
+  readonly args: readonly string[];
+}
+
+export interface TaskResult {
+  readonly input: string;
+  readonly exitCode: number;
+  /** What the command said on standard output. */
+  readonly stdout: string;
+}
+
+/** Runs the tasks, `jobs` at a time; messages come together for each task as it ends. In the order of the tasks. */
+export async function runTasks(
+  tasks: readonly Task[],
+  jobs: number,
+  isQuiet: boolean,
+): Promise<TaskResult[]> {
+  const results: TaskResult[] = [];
+  const bar = process.stderr.isTTY && !isQuiet ? new BatchBar(tasks.length) : undefined;
+  let next = 0;
+  const work = async () => {
+    for (let at = next++; at < tasks.length; at = next++) {
+      const task = tasks[at];
+      if (task === undefined) return;
+      const { stderr, ...result } = await runTask(task);
+      results[at] = result;
+      bar?.advance();
+      if (stderr !== "") bar === undefined ? process.stderr.write(stderr) : bar.say(stderr);
+    }
+  };
+  await Promise.all(Array.from({ length: Math.min(jobs, tasks.length) }, work));
+  bar?.stop();
+  if (!isQuiet) say(summaryOf(results));
+  return results;
+}
+
+/** As the worst of them. */
+export function exitCodeOf(results: readonly TaskResult[]): number {
+  return Math.max(ExitCode.meshed, ...results.map(({ exitCode }) => exitCode));
+}
+
+function summaryOf(results: readonly TaskResult[]): string {
+  const count = (code: number) => results.filter(({ exitCode }) => exitCode === code).length;
+  const bad = results.length - count(ExitCode.meshed) - count(ExitCode.notCompleted);
+  return `${results.length} files: ${count(ExitCode.meshed)} done, ${count(ExitCode.notCompleted)} not completed, ${bad} bad`;
+}
+
+const PROGRAM = fileURLToPath(new URL("../bin/tetrafront.mjs", import.meta.url));
+
+function runTask({ input, args }: Task): Promise<TaskResult & { readonly stderr: string }> {
+  return new Promise((resolve) => {
+    const child = spawn(process.execPath, [PROGRAM, ...args], { stdio: ["ignore", "pipe", "pipe"] });
+    const stdout: Buffer[] = [];
+    const stderr: Buffer[] = [];
+    child.stdout.on("data", (piece: Buffer) => stdout.push(piece));
+    child.stderr.on("data", (piece: Buffer) => stderr.push(piece));
+    const end = (exitCode: number, more = "") =>
+      resolve({ input, exitCode, stdout: textOf(stdout), stderr: textOf(stderr) + more });
+    child.on("error", (failure) =>
+      end(ExitCode.notCompleted, `tetrafront: error: ${input}: ${failure.message}\n`),
+    );
+    child.on("close", (code, signal) => {
+      if (code !== null) return end(code);
+      end(ExitCode.notCompleted, `tetrafront: error: ${input}: its process was ended by ${signal ?? "?"}.\n`);
+    });
+  });
+}
+
+function textOf(pieces: readonly Buffer[]): string {
+  return Buffer.concat(pieces).toString("utf8");
+}

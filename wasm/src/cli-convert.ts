@@ -1,0 +1,139 @@
+/** `tetrafront convert`: one mesh file into another format; of a volume mesh its boundary, if that is all it takes. */
+import { checkOutput, FileProblem, isSameFile, STANDARD_STREAM, writeOutput } from "./cli-files.js";
+import { withMesher } from "./cli-grids.js";
+import { formatName, readMeshFile } from "./cli-input.js";
+import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
+import { plural } from "./cli-tables.js";
+import type { Contents, WrittenFile } from "./formats/file-format.js";
+import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
+import { numbered, type FileMesh } from "./formats/file-mesh.js";
+import { writeMesh } from "./formats/mesh-files.js";
+import { surfaceOf } from "./formats/surface-file.js";
+import type { RepairOptions } from "./inspection.js";
+
+/** As commander hands them over. */
+export interface ConvertCommandOptions extends RepairCommandOptions {
+  readonly output: string;
+  readonly from?: string;
+  readonly to?: string;
+  readonly quiet?: boolean;
+}
+
+/** Runs the command; resolves with the exit code. */
+export async function convertFile(input: string, options: ConvertCommandOptions): Promise<number> {
+  try {
+    const { output, quiet: isQuiet = false } = options;
+    const repair = repairOptions(options);
+    const name = writableName(output, options.to, ["surface", "volume"]);
+    await checkOutput(output);
+    if (await isSameFile(input, output)) {
+      throw new FileProblem(output, "the output would replace the input", "Give it another name.");
+    }
+    const given = await readMeshFile(input, options.from);
+    const mesh = await prepared(given, { input, output, name, repair, isQuiet });
+    await writeAll(await writeMesh(mesh, name), output, name);
+    if (!isQuiet) say(`${input}: ${contentsOf(mesh)} -> ${output}`);
+    return ExitCode.meshed;
+  } catch (failure) {
+    const bad = asBadInput(failure, input);
+    if (bad === undefined) throw failure;
+    tell(bad.subject, bad.diagnostics, { isQuiet: true });
+    return ExitCode.badInput;
+  }
+}
+
+/** The name that tells the output's format. Throws a FileProblem where none of `contents` can be written as that. */
+export function writableName(output: string, to: string | undefined, contents: readonly Contents[]): string {
+  const name = formatName(output, to);
+  if (contents.some((held) => formatOf(name)?.writes.includes(held))) return name;
+  const known = new Set(contents.flatMap((held) => extensionsThat("writes", held)));
+  const extension = extensionOf(name);
+  throw new FileProblem(
+    output,
+    extension === ""
+      ? "the name has no extension to tell the format"
+      : `"${extension}" is no format that can be written here`,
+    `Give a name that ends in ${[...known].join(" or ")}, or say it by --to.`,
+  );
+}
+
+/** Writes the files of one mesh; to standard output only one. */
+export async function writeAll(files: readonly WrittenFile[], output: string, name: string): Promise<void> {
+  if (output === STANDARD_STREAM && files.length > 1) {
+    throw new FileProblem("-", "this format has several files", "Give the name of a file.");
+  }
+  for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
+}
+
+interface Conversion {
+  readonly input: string;
+  readonly output: string;
+  /** Tells the output's format. */
+  readonly name: string;
+  readonly repair: RepairOptions | undefined;
+  readonly isQuiet: boolean;
+}
+
+async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMesh> {
+  const { input, output, name, repair, isQuiet } = conversion;
+  const writes = formatOf(name)?.writes ?? [];
+  if (mesh.tetrahedra.length > 0) {
+    const whole = mesh.triangles.length > 0 ? mesh : await withBoundary(mesh);
+    return writes.includes("volume") ? whole : boundaryOnly(whole);
+  }
+  if (!writes.includes("surface")) {
+    const known = extensionsThat("writes", "surface").join(", ");
+    const remedy = known === "" ? "Mesh it." : `Mesh it, or give a name that ends in one of ${known}.`;
+    throw new FileProblem(output, "a surface cannot be written in a format of volume meshes", remedy);
+  }
+  if (repair === undefined) return welded(mesh);
+  const { surface, changes } = await withMesher((mesher) => repaired(mesher, surfaceOf(mesh), repair));
+  if (!isQuiet && changes !== undefined) tellChanges(input, changes);
+  return { ...mesh, ...surface, nodeData: new Map() };
+}
+
+/** Triangles that share places share nodes; that is what formats with nodes are for. */
+function welded(mesh: FileMesh): FileMesh {
+  const { points, triangles, trianglePatch, patches } = surfaceOf(mesh);
+  const isSame = points.length === mesh.points.length;
+  return { ...mesh, points, triangles, trianglePatch, patches, nodeData: isSame ? mesh.nodeData : new Map() };
+}
+
+/** With the faces of one element as its triangles, one patch for each region. */
+async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
+  const regions = mesh.tetrahedronRegion;
+  const { boundary } = await withMesher((mesher) => mesher.inspectMesh({ ...mesh, regions }));
+  return {
+    ...mesh,
+    triangles: boundary.triangles,
+    trianglePatch: boundary.region,
+    patches: numbered("boundary", mesh.regions.length),
+  };
+}
+
+function boundaryOnly(mesh: FileMesh): FileMesh {
+  const none = new Uint32Array();
+  return welded({
+    ...usedNodes(mesh),
+    tetrahedra: none,
+    tetrahedronRegion: none,
+    regions: [],
+    nodeData: new Map(),
+  });
+}
+
+function usedNodes(mesh: FileMesh): FileMesh {
+  const isUsed = new Uint8Array(mesh.points.length / 3);
+  for (const node of mesh.triangles) isUsed[node] = 1;
+  const number = new Uint32Array(isUsed.length);
+  let count = 0;
+  for (let node = 0; node < isUsed.length; node++) if (isUsed[node] === 1) number[node] = count++;
+  const points = mesh.points.filter((_, i) => isUsed[Math.floor(i / 3)] === 1);
+  return { ...mesh, points, triangles: mesh.triangles.map((node) => number[node] ?? 0) };
+}
+
+function contentsOf({ points, triangles, tetrahedra }: FileMesh): string {
+  const parts = [plural(points.length / 3, "point"), plural(triangles.length / 3, "triangle")];
+  return [...parts, ...(tetrahedra.length > 0 ? [`${tetrahedra.length / 4} tetrahedra`] : [])].join(", ");
+}

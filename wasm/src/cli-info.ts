@@ -1,0 +1,148 @@
+/** `tetrafront info`, what a file holds, and `tetrafront stats`, how good its elements are. */
+import { withMesher } from "./cli-grids.js";
+import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
+import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
+import { meshLines, placeText, plural, qualityLines } from "./cli-tables.js";
+import { packageDiagnostic } from "./diagnostics.js";
+import { formatOf } from "./formats/file-formats.js";
+import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
+import type { Project } from "./project-schema.js";
+
+/** As commander hands them over. */
+export interface InfoCommandOptions {
+  readonly from?: string;
+  readonly json?: boolean;
+}
+
+/** Runs `info`; resolves with the exit code. */
+export function infoOnFile(input: string, options: InfoCommandOptions): Promise<number> {
+  return answered(input, options, async () => {
+    if (isProject(input, options.from)) {
+      const held = projectContents(await readProjectFile(input, options.from));
+      return { json: held, lines: projectLines(held) };
+    }
+    const format = formatOf(formatName(input, options.from))?.name ?? "";
+    const held = { format, ...meshContents(await readMeshFile(input, options.from)) };
+    return { json: held, lines: contentLines(held) };
+  });
+}
+
+/** Runs `stats`; resolves with the exit code. */
+export function statsOfFile(input: string, options: InfoCommandOptions): Promise<number> {
+  return answered(input, options, async () => {
+    const mesh = await readMeshFile(input, options.from);
+    if (mesh.tetrahedra.length === 0) {
+      const remedy = "Give a volume mesh; of a surface `tetrafront check` tells the figures.";
+      const none = packageDiagnostic("unreadable-input", "the file holds no tetrahedron", remedy);
+      throw new BadInput(input, [none]);
+    }
+    const found = await withMesher((mesher) =>
+      mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),
+    );
+    const { boundary, ...figures } = found;
+    const json = { ...figures, boundaryTriangles: boundary.triangles.length / 3 };
+    const faults = found.isSound ? [] : ["the mesh is not sound: `tetrafront check` tells why"];
+    return { json, lines: [...meshLines(found), ...qualityLines(found.quality), ...faults] };
+  });
+}
+
+interface Answer {
+  readonly json: object;
+  readonly lines: readonly string[];
+}
+
+async function answered(
+  input: string,
+  { json: isJson }: InfoCommandOptions,
+  ask: () => Promise<Answer>,
+): Promise<number> {
+  try {
+    const { json, lines } = await ask();
+    const text =
+      isJson === true ? JSON.stringify({ input, ...json }, null, 2) : [input, ...lines].join("\n  ");
+    process.stdout.write(`${text}\n`);
+    return ExitCode.meshed;
+  } catch (failure) {
+    const bad = asBadInput(failure, input);
+    if (bad === undefined) throw failure;
+    tell(bad.subject, bad.diagnostics, { isQuiet: true });
+    return ExitCode.badInput;
+  }
+}
+
+function projectContents({ name, units, points, lines, patches, background }: Project) {
+  return {
+    format: "Tetrafront project",
+    name,
+    units: units ?? null,
+    points: points.length,
+    lines: lines.length,
+    patches: patches.length,
+    backgroundTetrahedra: background.tetrahedra.length,
+    sources: background.sources?.length ?? 0,
+  };
+}
+
+function projectLines(held: ReturnType<typeof projectContents>): string[] {
+  return [
+    `${held.format} "${held.name}"${held.units === null ? "" : `, in ${held.units}`}`,
+    [
+      plural(held.points, "point"),
+      plural(held.lines, "line"),
+      plural(held.patches, "patch").replace(/patchs$/, "patches"),
+    ].join(", "),
+    `a background grid of ${held.backgroundTetrahedra} tetrahedra, ${plural(held.sources, "source")}`,
+  ];
+}
+
+interface HeldGroup {
+  readonly name: string;
+  readonly tag: number;
+  readonly elements: number;
+}
+
+function meshContents(mesh: FileMesh) {
+  return {
+    points: mesh.points.length / 3,
+    box: boxOf(mesh.points),
+    triangles: mesh.triangles.length / 3,
+    patches: heldGroups(mesh.patches, mesh.trianglePatch),
+    tetrahedra: mesh.tetrahedra.length / 4,
+    regions: heldGroups(mesh.regions, mesh.tetrahedronRegion),
+    nodeData: [...mesh.nodeData].map(([name, { components }]) => ({ name, components })),
+  };
+}
+
+function heldGroups(groups: readonly FileGroup[], positions: Uint32Array): HeldGroup[] {
+  const counts = new Uint32Array(groups.length);
+  for (const position of positions) counts[position] = (counts[position] ?? 0) + 1;
+  return groups.map(({ name, tag }, i) => ({ name, tag, elements: counts[i] ?? 0 }));
+}
+
+function boxOf(points: Float64Array) {
+  if (points.length === 0) return null;
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  points.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3] ?? x, x);
+    high[i % 3] = Math.max(high[i % 3] ?? x, x);
+  });
+  return { low, high };
+}
+
+function contentLines(held: { readonly format: string } & ReturnType<typeof meshContents>): string[] {
+  const groups = (word: string, all: readonly HeldGroup[]) =>
+    all.map(({ name, tag, elements }) => `${word} ${tag} "${name}": ${elements}`);
+  return [
+    held.format,
+    plural(held.points, "point"),
+    ...(held.box === null ? [] : [`box ${placeText(held.box.low)} to ${placeText(held.box.high)}`]),
+    plural(held.triangles, "triangle"),
+    ...groups("patch", held.patches),
+    `${held.tetrahedra} tetrahedra`,
+    ...groups("region", held.regions),
+    ...held.nodeData.map(
+      ({ name, components }) => `at the nodes "${name}", ${plural(components, "number")} each`,
+    ),
+  ];
+}

@@ -1,0 +1,97 @@
+/** Repairs that the command line was asked for, and the list of what they changed. */
+import { numberIn, refuseOptions } from "./cli-input.js";
+import { say } from "./cli-messages.js";
+import { placeText, plural } from "./cli-tables.js";
+import { countOf, type FileGroup } from "./formats/file-mesh.js";
+import type { SurfaceFile } from "./formats/surface-file.js";
+import { NO_ORIGIN, type RepairChange, type RepairOptions } from "./inspection.js";
+import { checkRepairOptions } from "./options.js";
+import type { Mesher } from "./types.js";
+
+/** As commander hands them over. */
+export interface RepairCommandOptions {
+  readonly repair?: boolean;
+  readonly weld?: string;
+  readonly fillHoles?: string;
+}
+
+export interface RepairedSurface {
+  readonly surface: SurfaceFile;
+  /** Undefined where no repair was asked for. */
+  readonly changes?: readonly RepairChange[];
+}
+
+/** The options of a repair, undefined where none is asked for. Throws a BadInput. */
+export function repairOptions(given: RepairCommandOptions): RepairOptions | undefined {
+  const { repair = false, weld, fillHoles } = given;
+  if (!repair && weld === undefined && fillHoles === undefined) return undefined;
+  const options: RepairOptions = {
+    ...(weld === undefined ? {} : { weld: numberIn(weld) }),
+    ...(fillHoles === undefined ? {} : { fillHoles: numberIn(fillHoles) }),
+  };
+  refuseOptions(checkRepairOptions(options));
+  return options;
+}
+
+export async function repaired(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: RepairOptions | undefined,
+): Promise<RepairedSurface> {
+  if (options === undefined) return { surface: given };
+  const { surface, origin, changes } = await mesher.repairSurface(given, options);
+  return { surface: { ...given, ...surface, ...patchesOf(given, origin) }, changes };
+}
+
+/** Triangles that fill holes are a patch of their own. */
+function patchesOf(given: SurfaceFile, origin: Uint32Array): Pick<SurfaceFile, "trianglePatch" | "patches"> {
+  const added = given.patches.length;
+  const trianglePatch = origin.map((from) => (from === NO_ORIGIN ? added : (given.trianglePatch[from] ?? 0)));
+  const lastTag = given.patches.reduce((most, { tag }) => Math.max(most, tag), 0);
+  const filled: FileGroup = { name: "filled holes", tag: lastTag + 1 };
+  const hasFilled = countOf(trianglePatch) > added;
+  return { trianglePatch, patches: hasFilled ? [...given.patches, filled] : given.patches };
+}
+
+/** Of one kind no more than these; `--json` and `--report` have all. */
+const TOLD_PER_KIND = 20;
+
+/** One line per change, and one for each kind of which there are more. */
+export function tellChanges(input: string, changes: readonly RepairChange[]): void {
+  if (changes.length === 0) return say(`${input}: repair: nothing to change.`);
+  const kinds = new Map<RepairChange["kind"], RepairChange[]>();
+  for (const change of changes) {
+    const known = kinds.get(change.kind);
+    if (known === undefined) kinds.set(change.kind, [change]);
+    else known.push(change);
+  }
+  for (const [kind, all] of kinds) {
+    for (const change of all.slice(0, TOLD_PER_KIND)) say(`${input}: repair: ${sentenceOf(change)}.`);
+    const rest = all.length - TOLD_PER_KIND;
+    if (rest > 0) say(`${input}: repair: and ${rest} more of the kind "${kind}".`);
+  }
+}
+
+/** What was changed, with ids and place. */
+export function sentenceOf(change: RepairChange): string {
+  return `${words()} at ${placeText(change.place)}`;
+
+  function words(): string {
+    switch (change.kind) {
+      case "welded-node":
+        return `node ${change.node} is now node ${change.into}`;
+      case "dropped-node":
+        return `dropped node ${change.node}, which no triangle uses`;
+      case "removed-triangle":
+        return `removed triangle ${change.triangle}, which has no area`;
+      case "removed-duplicate":
+        return `removed triangle ${change.triangle}, which has the corners of triangle ${change.sameAs}`;
+      case "split-triangle":
+        return `split triangle ${change.beyond} in place of triangle ${change.triangle}, which has no area`;
+      case "filled-hole":
+        return `filled a hole with ${plural(change.triangles, "triangle")} from ${change.firstTriangle} on`;
+      case "turned-triangle":
+        return `turned triangle ${change.triangle}`;
+    }
+  }
+}

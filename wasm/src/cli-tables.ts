@@ -1,0 +1,94 @@
+/** Figures in lines of text, for people. */
+import type { EdgeLengths, MeshInspection, SurfaceInspection } from "./inspection.js";
+import type { QualityReport } from "./types.js";
+
+/** Six digits are enough to read. */
+export function short(value: number): string {
+  return String(Number(value.toPrecision(6)));
+}
+
+export function placeText(place: readonly number[]): string {
+  return `(${place.map(short).join(", ")})`;
+}
+
+/** "1 body", "2 bodies". */
+export function plural(count: number, noun: string): string {
+  if (count === 1) return `1 ${noun}`;
+  return `${count} ${noun.endsWith("y") ? `${noun.slice(0, -1)}ies` : `${noun}s`}`;
+}
+
+export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): string[] {
+  if (found.box === null) return [];
+  const isKnown = found.isFillable;
+  return [
+    `${plural(found.triangles, "triangle")}, ${plural(found.nodes, "node")}, ${plural(found.edges, "edge")}`,
+    [
+      found.isClosed ? "closed" : `not closed (${plural(found.openEdges, "open edge")})`,
+      found.isManifold ? "manifold" : `not manifold (${notManifold(found)})`,
+      found.isEmbedded ? "free of crossings" : "cuts itself",
+    ].join(", "),
+    ...(isKnown ? [`${plural(found.bodies, "body")}, ${plural(found.cavities, "cavity")}`] : []),
+    `area ${short(found.area)}${isKnown ? `, volume ${short(found.volume)}` : ""}`,
+    `box ${placeText(found.box.low)} to ${placeText(found.box.high)}`,
+    edgesLine(found.edgeLengths),
+    ...(found.turnedTriangles > 0
+      ? [`${plural(found.turnedTriangles, "triangle")} not turned outward, which meshing sets right`]
+      : []),
+    ...found.worst
+      .slice(0, 3)
+      .map(
+        ({ triangle, smallestAngle, radiusRatio, place }) =>
+          `among the worst: triangle ${triangle}, smallest angle ${smallestAngle.toFixed(2)}°, radius ratio ${radiusRatio.toFixed(3)}, at ${placeText(place)}`,
+      ),
+  ];
+}
+
+function notManifold({ crowdedEdges, pinchedNodes }: Omit<SurfaceInspection, "diagnostics">): string {
+  const parts = [
+    ...(crowdedEdges > 0 ? [`${plural(crowdedEdges, "edge")} of more than two triangles`] : []),
+    ...(pinchedNodes > 0 ? [`${plural(pinchedNodes, "node")} where it touches itself`] : []),
+  ];
+  return parts.join(", ");
+}
+
+export function meshLines(found: Omit<MeshInspection, "boundary" | "quality">): string[] {
+  const { dihedral, radiusRatio } = found;
+  return [
+    `${found.tetrahedra} tetrahedra, ${plural(found.nodes, "node")}`,
+    `volume ${short(found.volume)}`,
+    edgesLine(found.edgeLengths),
+    `dihedral angles ${dihedral.min.toFixed(2)}° to ${dihedral.max.toFixed(2)}°`,
+    `radius ratio ${radiusRatio.min.toFixed(3)}, in the mean ${radiusRatio.mean.toFixed(3)}`,
+  ];
+}
+
+function edgesLine({ shortest, mean, longest }: EdgeLengths): string {
+  return `edges ${short(shortest)} to ${short(longest)}, in the mean ${short(mean)}`;
+}
+
+const BAR_WIDTH = 40;
+
+/** The distribution of all dihedral angles, and the worst elements. */
+export function qualityLines({ regions, worst, binWidths }: QualityReport): string[] {
+  const bins = regions.reduce<number[]>(
+    (sum, { dihedral }) => dihedral.map((count, i) => count + (sum[i] ?? 0)),
+    [],
+  );
+  const most = Math.max(1, ...bins);
+  const bars = bins.flatMap((count, i) => {
+    if (count === 0) return [];
+    const from = i * binWidths.dihedral;
+    const range = `${from}° to ${from + binWidths.dihedral}°`.padStart(12);
+    return [`${range} ${"#".repeat(Math.ceil((BAR_WIDTH * count) / most))} ${count}`];
+  });
+  return [
+    "dihedral angles:",
+    ...bars,
+    ...worst
+      .slice(0, 5)
+      .map(
+        ({ tetrahedron, dihedral, place }) =>
+          `among the worst: tetrahedron ${tetrahedron}, ${dihedral.min.toFixed(2)}° to ${dihedral.max.toFixed(2)}°, at ${placeText(place)}`,
+      ),
+  ];
+}
