@@ -60,7 +60,6 @@ const atLeastZero =
   (what: string): Rule =>
   (value) =>
     isFiniteNumber(value) && value >= 0 ? undefined : what;
-const trueOrFalse: Rule = (value) => (typeof value === "boolean" ? undefined : "true or false");
 const oneOf =
   (table: object): Rule =>
   (value) =>
