@@ -87,7 +87,14 @@ export default tseslint.config(
     languageOptions: { globals: globals.node },
   },
   // A benchmark is a program whose output is its result.
-  { files: ["tests/bench/**/*.mjs"], rules: { "no-console": "off" } },
+  { files: ["tests/bench/**/*.mjs", "examples/**"], rules: { "no-console": "off" } },
+  { files: ["examples/**/*.mjs"], languageOptions: { globals: globals.node } },
+  {
+    files: ["examples/**/*.{js,jsx}"],
+    languageOptions: { globals: globals.browser, parserOptions: { ecmaFeatures: { jsx: true } } },
+    // React's names are used in JSX alone.
+    rules: { "no-unused-vars": ["error", { varsIgnorePattern: "^[A-Z]" }] },
+  },
 
   // Arrows.
   {

@@ -5,6 +5,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
 import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
+import { bundlePages, dropOrphans } from "./lib/package-files.mjs";
 import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
 import { jobs, main, must, say, UserError } from "./lib/run.mjs";
 import { which } from "./lib/tools.mjs";
@@ -28,6 +29,8 @@ export const steps = {
     const stamp = inRoot("wasm", "dist", ".built-from");
     if (isFresh(stamp, hash)) return;
     await must(bin("tsc"), ["-p", "wasm"], { quietOut: true });
+    dropOrphans();
+    await bundlePages();
     markFresh(stamp, hash);
   },
   async site() {

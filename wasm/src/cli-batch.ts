@@ -84,7 +84,9 @@ export async function runTasks(
       const { stderr, ...result } = await runTask(task);
       results[at] = result;
       bar?.advance();
-      if (stderr !== "") bar === undefined ? process.stderr.write(stderr) : bar.say(stderr);
+      if (stderr === "") continue;
+      if (bar === undefined) process.stderr.write(stderr);
+      else bar.say(stderr);
     }
   };
   await Promise.all(Array.from({ length: Math.min(jobs, tasks.length) }, work));

@@ -291,13 +291,17 @@ function givenOptions(command: Command, output: string | undefined): string[] {
   const own = new Set(["jobs", "report"]);
   return command.options.flatMap((option) => {
     const name = option.attributeName();
-    const value: unknown = command.getOptionValue(name);
-    if (own.has(name) || value === undefined || option.long == null) return [];
-    if (name === "output") return [option.long, output ?? String(value)];
-    if (Array.isArray(value)) return value.flatMap((one) => [option.long ?? "", String(one)]);
-    return typeof value === "boolean" ? [option.long] : [option.long, String(value)];
+    const value = command.getOptionValue(name) as GivenValue;
+    const { long } = option;
+    if (own.has(name) || value === undefined || long == null) return [];
+    if (typeof value === "boolean") return [long];
+    if (typeof value !== "string") return value.flatMap((one) => [long, one]);
+    return [long, name === "output" ? (output ?? value) : value];
   });
 }
+
+/** All options here are words, words that may be repeated, or flags. */
+type GivenValue = string | readonly string[] | boolean | undefined;
 
 function addMesh(program: Command, setExitCode: SetExitCode): void {
   const command = program

@@ -3,7 +3,7 @@
  * was repaired on request. The engine's answers, put into names.
  */
 import { describeDiagnostic } from "./diagnostics.js";
-import type { MainModule } from "./engine.mjs";
+import type { Engine } from "./engine.js";
 import { nameByPosition } from "./project-arrays.js";
 import { qualityReport } from "./quality-report.js";
 import type { Diagnostic, QualityReport, SurfaceInput } from "./types.js";
@@ -162,9 +162,9 @@ export interface MeshInspection {
   readonly boundary: { readonly triangles: Uint32Array; readonly region: Uint32Array };
 }
 
-type Inspection = ReturnType<NonNullable<ReturnType<MainModule["inspectSurface"]>>["result"]>;
-type Repair = ReturnType<MainModule["repair"]>;
-type VolumeInspection = ReturnType<MainModule["inspectVolume"]>;
+type Inspection = ReturnType<NonNullable<ReturnType<Engine["inspectSurface"]>>["result"]>;
+type Repair = ReturnType<Engine["repair"]>;
+type VolumeInspection = ReturnType<Engine["inspectVolume"]>;
 /** The engine's answers, which cross to the caller as they are. */
 export type EngineInspection = Inspection;
 export type EngineRepair = Omit<Repair, "failure">;

@@ -1,0 +1,49 @@
+import { existsSync, rmSync } from "node:fs";
+import path from "node:path";
+import { filesUnder } from "./fresh.mjs";
+import { inRoot } from "./paths.mjs";
+
+/** Removes what earlier sources were compiled to: the compiler leaves it, and npm would pack it. */
+export function dropOrphans() {
+  const dist = inRoot("wasm", "dist");
+  for (const file of filesUnder([dist], { skip: [] })) {
+    const name = path.relative(dist, file);
+    const stem = /^(?!page)(.*?)\.(d\.ts|js)(\.map)?$/.exec(name)?.[1];
+    const isOfNothing = /\.d\.ts\.map$/.test(name);
+    if (stem !== undefined && (isOfNothing || !existsSync(inRoot("wasm", "src", `${stem}.ts`)))) rmSync(file);
+  }
+}
+
+/**
+ * Bundles the package for pages without a bundler: wasm/dist/page holds the API and the worker with all
+ * they import, formats in files of their own that are fetched when needed. The engine stays the one in
+ * wasm/dist, for its loader finds the .wasm beside itself.
+ */
+export async function bundlePages() {
+  const { build } = await import("esbuild");
+  const dist = inRoot("wasm", "dist");
+  const outdir = inRoot("wasm", "dist", "page");
+  rmSync(outdir, { recursive: true, force: true });
+  await build({
+    entryPoints: { tetrafront: `${dist}/index.js`, worker: `${dist}/worker.js` },
+    outdir,
+    bundle: true,
+    splitting: true,
+    format: "esm",
+    platform: "browser",
+    target: "es2022",
+    minify: true,
+    sourcemap: true,
+    // They point at the files of the package.
+    sourcesContent: false,
+    logLevel: "warning",
+    plugins: [
+      {
+        name: "engine-beside",
+        setup({ onResolve }) {
+          onResolve({ filter: /\/engine\.mjs$/ }, () => ({ path: "../engine.mjs", external: true }));
+        },
+      },
+    ],
+  });
+}
