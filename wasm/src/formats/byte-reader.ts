@@ -76,6 +76,16 @@ export class ByteReader {
     return this.#before + this.#at;
   }
 
+  /** Bytes in the window from here on. */
+  get ahead(): number {
+    return this.#bytes.length - this.#at;
+  }
+
+  /** Moves on over so many bytes. */
+  skip(bytes: number): void {
+    this.#advance(bytes);
+  }
+
   /** Makes the window reach far enough for the next entry. */
   async fill(): Promise<void> {
     if (!this.isLow) return;

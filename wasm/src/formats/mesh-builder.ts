@@ -19,6 +19,11 @@ export class GroupList {
     return this.#groups.length;
   }
 
+  /** The position of the group of this key, if there is one. */
+  known(key: string | number): number | undefined {
+    return this.#positions.get(key);
+  }
+
   /** The position of a group told by its number. */
   tagged(tag: number, name?: string): number {
     return this.of(tag, () => ({ name: name ?? `${this.#word} ${tag}`, tag }));

@@ -25,6 +25,8 @@ const WIDTHS: ReadonlyMap<number, number> = new Map([
 ]);
 /** No node has more numbers: a tensor has nine. */
 const MAX_COMPONENTS = 9;
+/** Each takes memory for all nodes, however few numbers it has. */
+const MAX_DATA = 64;
 
 export function readMsh(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => new MshReader(reader).read());
@@ -38,6 +40,7 @@ class MshReader {
   readonly #names = { patches: new Map<number, string>(), regions: new Map<number, string>() };
   /** Physical tag of an entity, by "dimension tag". */
   readonly #physical = new Map<string, number>();
+  #sectionsOfData = 0;
   #isBinary = false;
   #hasBlocks = true;
 
@@ -282,8 +285,9 @@ class MshReader {
     if (!(Number.isInteger(components) && components > 0 && components <= MAX_COMPONENTS)) {
       reader.fail(`${components} numbers per node cannot be read`);
     }
-    const values = new Float64Array(components * this.#builder.pointCount).fill(NaN);
     const count = this.#count(rows, "values");
+    if (++this.#sectionsOfData > MAX_DATA) reader.fail(`more than ${MAX_DATA} sections of numbers at nodes`);
+    const values = new Float64Array(components * this.#builder.pointCount).fill(NaN);
     for (let r = 0; r < count; r++) {
       if (reader.isLow) await reader.fill();
       const node = this.#nodes.positionOf(this.#int()) ?? reader.fail("a value belongs to no node");

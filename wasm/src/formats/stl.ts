@@ -45,8 +45,7 @@ async function readBinary(reader: ByteReader): Promise<FileMesh> {
   const builder = new MeshBuilder(true);
   for (let t = 0; t < count; t++) {
     if (t % BATCH === 0) await reader.fill();
-    const { length } = reader.peek(TRIANGLE_BYTES);
-    if (length < TRIANGLE_BYTES) throw tooShort(reader.offset + length, count);
+    if (reader.ahead < TRIANGLE_BYTES) throw tooShort(reader.offset + reader.ahead, count);
     readTriangle(reader, builder, header);
   }
   return builder.mesh();
@@ -59,19 +58,20 @@ function tooShort(length: number, count: number): ReadFailure {
 }
 
 function readTriangle(reader: ByteReader, builder: MeshBuilder, header: string): void {
-  for (let i = 0; i < NORMAL_BYTES; i += 4) reader.float(4);
-  const [a, b, c] = [readCorner(reader, builder), readCorner(reader, builder), readCorner(reader, builder)];
+  reader.skip(NORMAL_BYTES);
+  const a = readCorner(reader, builder);
+  const b = readCorner(reader, builder);
+  const c = readCorner(reader, builder);
   const attribute = reader.integer(2, false);
-  builder.addTriangle(
-    a,
-    b,
-    c,
-    builder.patches.of(attribute, () => attributePatch(attribute, header)),
-  );
+  const known = builder.patches.known(attribute);
+  const patch = known ?? builder.patches.of(attribute, () => attributePatch(attribute, header));
+  builder.addTriangle(a, b, c, patch);
 }
 
 function readCorner(reader: ByteReader, builder: MeshBuilder): number {
-  const [x, y, z] = [reader.float(4), reader.float(4), reader.float(4)];
+  const x = reader.float(4);
+  const y = reader.float(4);
+  const z = reader.float(4);
   if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
     reader.fail("a corner has no finite place");
   }

@@ -8,8 +8,36 @@ export interface ArrayCoding {
   readonly isCompressed: boolean;
   /** Text in base64, or raw bytes. */
   readonly appended: string | Uint8Array | undefined;
+  /** Where the next array begins, by where one does; the last one has none. */
+  readonly nextOffsets: ReadonlyMap<number, number>;
+  /** What may still be unpacked, in bytes. */
+  readonly budget: UnpackingBudget;
   readonly fail: (message: string) => never;
 }
+
+/**
+ * Arrays may share their bytes, and zlib packs a thousandfold: without a bound a small file could fill any
+ * memory. Files that hold meshes stay far below it.
+ */
+export class UnpackingBudget {
+  #left: number;
+  readonly #fail: ArrayCoding["fail"];
+
+  constructor(fileBytes: number, fail: ArrayCoding["fail"]) {
+    this.#left = MOST_UNPACKED_ANYWAY + MOST_UNPACKED_PER_BYTE * fileBytes;
+    this.#fail = fail;
+  }
+
+  spend(bytes: number): void {
+    this.#left -= bytes;
+    if (this.#left < 0) this.#fail("the arrays unpack to far more than such a file can hold");
+  }
+}
+
+/** Characters are slow to decode, and every file has room for them once. */
+const COST_OF_BASE64 = 64;
+const MOST_UNPACKED_ANYWAY = 1 << 24;
+const MOST_UNPACKED_PER_BYTE = 256;
 
 export interface CodedArray {
   /** VTK's name of the type of its numbers. */
@@ -43,7 +71,9 @@ export function decodeArray(coding: ArrayCoding, array: CodedArray): Float64Arra
   if (array.format === "ascii") return textNumbers(coding, array.content);
   const number = Object.hasOwn(NUMBERS, array.type) ? NUMBERS[array.type] : undefined;
   if (number === undefined) return coding.fail(`numbers of type "${array.type}" cannot be read`);
-  const bytes = contentOf(coding, encodedBytes(coding, array));
+  const encoded = encodedBytes(coding, array);
+  const bytes = contentOf(coding, encoded);
+  coding.budget.spend((8 * bytes.length) / number.bytes);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const values = new Float64Array(Math.floor(bytes.length / number.bytes));
   for (let i = 0; i < values.length; i++)
@@ -60,7 +90,8 @@ function textNumbers({ fail }: ArrayCoding, content: string): Float64Array {
 }
 
 /** The bytes from the array's length on; what follows the array may be among them. */
-function encodedBytes({ appended, fail }: ArrayCoding, { format, offset, content }: CodedArray): Uint8Array {
+function encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArray): Uint8Array {
+  const { appended, nextOffsets, budget, fail } = coding;
   if (format === "binary") return fromBase64(content, fail);
   if (format !== "appended" || appended === undefined) {
     return fail(`the format "${format}" of an array cannot be read`);
@@ -68,7 +99,10 @@ function encodedBytes({ appended, fail }: ArrayCoding, { format, offset, content
   if (!(Number.isInteger(offset) && offset >= 0 && offset < appended.length)) {
     return fail(`an array begins ${offset} bytes into ${appended.length} bytes of appended data`);
   }
-  return typeof appended === "string" ? fromBase64(appended.slice(offset), fail) : appended.subarray(offset);
+  if (typeof appended !== "string") return appended.subarray(offset);
+  const text = appended.slice(offset, nextOffsets.get(offset));
+  budget.spend(COST_OF_BASE64 * text.length);
+  return fromBase64(text, fail);
 }
 
 /** Base64 in one or more padded pieces, up to the first character that is none of it. */
@@ -81,7 +115,10 @@ function fromBase64(text: string, fail: ArrayCoding["fail"]): Uint8Array {
       return fail("an array is not in base64");
     }
   });
-  return Uint8Array.from(pieces.join(""), (character) => character.charCodeAt(0));
+  const decoded = pieces.join("");
+  const bytes = new Uint8Array(decoded.length);
+  for (let i = 0; i < bytes.length; i++) bytes[i] = decoded.charCodeAt(i);
+  return bytes;
 }
 
 function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
@@ -109,7 +146,9 @@ function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
   for (let b = 0; b < blocks; b++) {
     const packed = piece(begin, header(3 + b));
     const isShort = b === blocks - 1 && lastLength !== 0;
-    contents.push(inflated(packed, isShort ? lastLength : header(1), fail));
+    const length = isShort ? lastLength : header(1);
+    coding.budget.spend(length);
+    contents.push(inflated(packed, length, fail));
     begin += packed.length;
   }
   return joined(contents);

@@ -190,7 +190,8 @@ class VtkReader {
     let at = 0;
     for (let cell = 0; cell < count; cell++) {
       const size = values[at] ?? NaN;
-      if (!(size >= 0 && at + 1 + size <= values.length)) {
+      const isListed = Number.isInteger(size) && size >= 0 && at - cell + size <= nodes.length;
+      if (!isListed || at + 1 + size > values.length) {
         this.#reader.fail(`cell ${cell} (counted from 0) has no corners`);
       }
       nodes.set(values.subarray(at + 1, at + 1 + size), at - cell);

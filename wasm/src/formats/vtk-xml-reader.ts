@@ -7,7 +7,7 @@ import { ReadFailure } from "../read-result.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
-import { decodeArray, type ArrayCoding } from "./vtk-arrays.js";
+import { decodeArray, UnpackingBudget, type ArrayCoding } from "./vtk-arrays.js";
 import { addCell, cellsOf } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as .vtu or .vtp with one piece of triangles or linear tetrahedra.";
@@ -176,13 +176,18 @@ function checkedHead(
   return { file, piece, arrays, appended };
 }
 
+/** name="value" pairs; between quotes there are names, within them values. */
 function attributesIn(text: string): Attributes {
-  return new Map(
-    [...text.matchAll(/([\w:]+)\s*=\s*"([^"]*)"/g)].map(([, name = "", value = ""]) => [name, value]),
-  );
+  const parts = text.split('"');
+  const attributes = new Map<string, string>();
+  for (let i = 0; i + 1 < parts.length; i += 2) {
+    const name = (parts[i] ?? "").replace("=", "").trim();
+    attributes.set(name, parts[i + 1] ?? "");
+  }
+  return attributes;
 }
 
-function codingOf({ file, appended }: Head, bytes: Uint8Array, text: string): ArrayCoding {
+function codingOf({ file, arrays, appended }: Head, bytes: Uint8Array, text: string): ArrayCoding {
   const compressor = file.get("compressor");
   if (compressor !== undefined && compressor !== "vtkZLibDataCompressor") {
     fail(`the compressor ${compressor} is not known, only vtkZLibDataCompressor`);
@@ -197,8 +202,16 @@ function codingOf({ file, appended }: Head, bytes: Uint8Array, text: string): Ar
         : appended.isBase64
           ? text.slice(appended.begin)
           : bytes.subarray(appended.begin),
+    nextOffsets: nextOffsets(arrays),
+    budget: new UnpackingBudget(bytes.length, fail),
     fail,
   };
+}
+
+function nextOffsets(arrays: readonly FoundArray[]): Map<number, number> {
+  const offsets = arrays.map(({ attributes }) => Number(attributes.get("offset") ?? NaN));
+  const sorted = [...new Set(offsets)].filter(Number.isFinite).sort((a, b) => a - b);
+  return new Map(sorted.slice(1).map((next, i) => [sorted[i] ?? 0, next]));
 }
 
 function fail(message: string): never {

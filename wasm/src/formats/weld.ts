@@ -1,14 +1,20 @@
 /** Exact welding: points with the same three coordinates become one. No tolerance; -0 equals 0. */
-import { Column } from "./column.js";
 
 const EMPTY = 0xffffffff;
-const FEWEST_SLOTS = 16;
+/** Tables grow one by one, so that no single growth takes long, however many points there are. */
+const TABLE_BITS = 8;
+const FEWEST_SLOTS = 8;
+const PAGE_BITS = 12;
+const PAGE = 1 << PAGE_BITS;
 
 /** Welds points while they arrive. O(1) expected for each: open addressing over the bits of the coordinates. */
 export class PointWelder {
-  readonly #points = new Column(Float64Array);
-  #table = new Uint32Array(FEWEST_SLOTS).fill(EMPTY);
+  /** x y z of point p in page p >> PAGE_BITS. */
+  readonly #pages: Float64Array[] = [];
   #count = 0;
+  /** Chosen by the highest bits of a point's hash; the lowest ones choose the slot. */
+  readonly #tables: Uint32Array[] = [];
+  readonly #filled = new Uint32Array(1 << TABLE_BITS);
   readonly #key = new Float64Array(3);
   readonly #bits = new Uint32Array(this.#key.buffer);
 
@@ -18,44 +24,67 @@ export class PointWelder {
   }
 
   /** The position of this finite point among the different ones, in order of first appearance. */
-  add(x: number, y: number, z: number): number {
+  add(givenX: number, givenY: number, givenZ: number): number {
     // Adding 0 turns -0 into 0 and leaves every other value alone.
-    const slot = this.#slotOf(x + 0, y + 0, z + 0);
-    const known = this.#table[slot] ?? EMPTY;
-    if (known !== EMPTY) return known;
-    const position = this.#count++;
-    this.#table[slot] = position;
-    this.#points.push(x + 0);
-    this.#points.push(y + 0);
-    this.#points.push(z + 0);
-    if (2 * this.#count > this.#table.length) this.#grow();
-    return position;
+    const [x, y, z] = [givenX + 0, givenY + 0, givenZ + 0];
+    const hash = this.#hash(x, y, z);
+    const t = hash >>> (32 - TABLE_BITS);
+    const table = this.#tables[t] ?? this.#newTable(t, FEWEST_SLOTS);
+    const mask = table.length - 1;
+    for (let slot = hash & mask; ; slot = (slot + 1) & mask) {
+      const known = table[slot] ?? EMPTY;
+      if (known === EMPTY) {
+        table[slot] = this.#count;
+        const filled = (this.#filled[t] ?? 0) + 1;
+        this.#filled[t] = filled;
+        this.#append(x, y, z);
+        if (2 * filled > table.length) this.#grow(t, table);
+        return this.#count - 1;
+      }
+      const page = this.#pages[known >>> PAGE_BITS];
+      const at = 3 * (known & (PAGE - 1));
+      if (page?.[at] === x && page[at + 1] === y && page[at + 2] === z) return known;
+    }
   }
 
   /** x y z of the different points; nothing can be added afterwards. */
   taken(): Float64Array {
-    this.#table = new Uint32Array(FEWEST_SLOTS).fill(EMPTY);
-    this.#count = 0;
-    return this.#points.taken();
-  }
-
-  /** Where in the table the point is, or else belongs. */
-  #slotOf(x: number, y: number, z: number): number {
-    const points = this.#points;
-    const mask = this.#table.length - 1;
-    for (let slot = this.#hash(x, y, z) & mask; ; slot = (slot + 1) & mask) {
-      const known = this.#table[slot] ?? EMPTY;
-      if (known === EMPTY) return slot;
-      const at = 3 * known;
-      if (points.at(at) === x && points.at(at + 1) === y && points.at(at + 2) === z) return slot;
+    this.#tables.length = 0;
+    const length = 3 * this.#count;
+    const points = new Float64Array(length);
+    let at = 0;
+    for (let page = this.#pages.shift(); page !== undefined; page = this.#pages.shift()) {
+      points.set(page.subarray(0, Math.min(page.length, length - at)), at);
+      at += page.length;
     }
+    return points;
   }
 
-  #grow(): void {
-    const points = this.#points;
-    this.#table = new Uint32Array(2 * this.#table.length).fill(EMPTY);
-    for (let p = 0; p < this.#count; p++) {
-      this.#table[this.#slotOf(points.at(3 * p), points.at(3 * p + 1), points.at(3 * p + 2))] = p;
+  #append(x: number, y: number, z: number): void {
+    const at = 3 * (this.#count & (PAGE - 1));
+    if (at === 0) this.#pages.push(new Float64Array(3 * PAGE));
+    const page = this.#pages[this.#count >>> PAGE_BITS];
+    if (page === undefined) return;
+    page[at] = x;
+    page[at + 1] = y;
+    page[at + 2] = z;
+    this.#count++;
+  }
+
+  #newTable(t: number, slots: number): Uint32Array {
+    return (this.#tables[t] = new Uint32Array(slots).fill(EMPTY));
+  }
+
+  #grow(t: number, full: Uint32Array): void {
+    const table = this.#newTable(t, 2 * full.length);
+    const mask = table.length - 1;
+    for (const point of full) {
+      if (point === EMPTY) continue;
+      const page = this.#pages[point >>> PAGE_BITS];
+      const at = 3 * (point & (PAGE - 1));
+      let slot = this.#hash(page?.[at] ?? 0, page?.[at + 1] ?? 0, page?.[at + 2] ?? 0) & mask;
+      while (table[slot] !== EMPTY) slot = (slot + 1) & mask;
+      table[slot] = point;
     }
   }
 
