@@ -46,13 +46,16 @@ constexpr double kQuietRound = 0.1;
 /// Or when a round lowers the mean cost by less than this part: where two sheets of the boundary
 /// are near each other, splits and collapses can undo each other for ever.
 constexpr double kLeastRoundGain = 0.01;
-constexpr int kRepairPasses = 5;
+constexpr int kRepairPasses = 8;
 /// A target is worth its cost only where few elements miss it: in a gap thinner than an element
 /// many do, and chasing them only adds elements.
 constexpr double kMaxMissingLow = 0.1;
-constexpr double kMaxMissingHigh = 0.01;
+constexpr double kMaxMissingHigh = 0.02;
 /// The lower targets: the first that few elements miss.
 constexpr std::array kLowTargets{kTargets18And150, kTargets8And165, kTargets2And175};
+/// Compound changes beside bad elements, in one repair: so many, and one for so many elements.
+constexpr std::size_t kLeastDetours = 500;
+constexpr std::size_t kElementsPerDetour = 50;
 constexpr std::uint32_t kRepairWork = 64;  ///< elements of a sweep that one repair costs
 
 enum class Stage : std::uint8_t {
@@ -395,6 +398,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     const DihedralTargets targets = stage == Stage::kRepairLow    ? kLowTargets[lowTarget_]
                                     : stage == Stage::kRepairHigh ? kTargets30And135
                                                                   : kTargets35And130;
+    repair_.allowDetours(kLeastDetours + complex_.elementCount() / kElementsPerDetour);
     begin(stage, kRepairSweeps, ElementCost<Space>(Measure::kDihedral, targets));
   }
 

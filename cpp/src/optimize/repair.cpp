@@ -29,6 +29,8 @@ bool ElementRepair<Space>::repair(TetId tet, const ElementCost<Space>& cost) {
   if (collapseCorner(nodes, cost)) return true;
   if (insertNode(tet, cost) && !stillBad(tet, nodes)) return true;
   compound(tet, cost);
+  if (!stillBad(tet, nodes)) return true;
+  detour(tet, cost);
   return !stillBad(tet, nodes);
 }
 
@@ -209,6 +211,26 @@ bool ElementRepair<Space>::compound(TetId tet, const ElementCost<Space>& cost) {
   return false;
 }
 
+/// Compound changes that begin at a neighbour.
+template <class Space>
+bool ElementRepair<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
+  const std::array<Facing, 4> sides = complex_.element(tet).across;
+  for (const Facing across : sides) {
+    if (across.isNone()) continue;
+    const Corners nodes = complex_.element(across.tet()).nodes;
+    for (const auto& corners : kEdgeCorners) {
+      for (const bool split : {false, true}) {
+        if (detours_ == 0) return false;
+        --detours_;
+        if (tryCompound(across.tet(), nodes[corners[0]], nodes[corners[1]], split, cost)) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
 /// Removes or splits the edge at whatever cost, lets the surroundings settle, and keeps the whole
 /// if its worst element is better than before.
 template <class Space>
@@ -247,17 +269,19 @@ bool ElementRepair<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool split
 
 template <class Space>
 void ElementRepair<Space>::settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost) {
-  constexpr int kSwaps = 4;
+  constexpr int kSteps = 6;
   const auto moveAll = [&] {
     for (const NodeId node : nodes) mover_.improve(node, MoveKind::kLowerWorst, cost);
   };
   moveAll();
-  for (int i = 0; i < kSwaps; ++i) {
+  for (int i = 0; i < kSteps; ++i) {
     const std::vector<TetId> touched = complex_.touchedByTrial();
     const auto worst = std::max_element(touched.begin(), touched.end(), [&](TetId p, TetId q) {
       return complex_.cost(p) < complex_.cost(q);
     });
-    if (worst == touched.end() || !swapAround(*worst, cost)) break;
+    if (worst == touched.end()) break;
+    if (swapAround(*worst, cost)) continue;
+    if (!moveCorners(complex_.element(*worst).nodes, cost)) break;
   }
   moveAll();
 }

@@ -32,6 +32,10 @@ class ElementRepair {
   /// good enough (cost at most 1).
   bool repair(TetId tet, const ElementCost<Space>& cost);
 
+  /// How many compound changes may yet begin at an element beside the bad one. They save the last
+  /// few, but are many; without a limit, elements that nothing can save would take all the time.
+  void allowDetours(std::size_t count) { detours_ = count; }
+
  private:
   using Wanted = typename Space::Wanted;
 
@@ -49,6 +53,7 @@ class ElementRepair {
   void hollowOut(const Wanted& wanted);
   bool fillCavity(const Vec3& place, const Wanted& wanted, const ElementCost<Space>& cost);
   bool compound(TetId tet, const ElementCost<Space>& cost);
+  bool detour(TetId tet, const ElementCost<Space>& cost);
   bool tryCompound(TetId tet, NodeId a, NodeId b, bool split, const ElementCost<Space>& cost);
   void settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost);
 
@@ -62,6 +67,7 @@ class ElementRepair {
   std::vector<std::uint32_t> inCavity_;
   std::uint32_t cavityStamp_ = 0;
   std::vector<NewElement> fresh_;
+  std::size_t detours_ = 0;
 };
 
 }  // namespace tetrafront
