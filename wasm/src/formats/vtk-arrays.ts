@@ -147,18 +147,18 @@ function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
     const packed = piece(begin, header(3 + b));
     const isShort = b === blocks - 1 && lastLength !== 0;
     const length = isShort ? lastLength : header(1);
-    coding.budget.spend(length);
-    contents.push(inflated(packed, length, fail));
+    contents.push(inflated(packed, length, coding));
     begin += packed.length;
   }
   return joined(contents);
 }
 
 /** Undoes zlib. The length is known beforehand; a block of any other length is damaged. */
-function inflated(packed: Uint8Array, length: number, fail: ArrayCoding["fail"]): Uint8Array {
+function inflated(packed: Uint8Array, length: number, { budget, fail }: ArrayCoding): Uint8Array {
   if (length > MAX_RATIO * packed.length) {
     return fail(`a block of ${packed.length} bytes claims to hold ${length}`);
   }
+  budget.spend(length);
   try {
     // One byte more, by which a longer block betrays itself.
     const block = unzlibSync(packed, { out: new Uint8Array(length + 1) });
