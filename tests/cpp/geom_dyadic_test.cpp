@@ -71,6 +71,21 @@ TEST(Dyadic, CancellationLeavesTheLastBit) {
   EXPECT_EQ((large - large).digitCount(), 0U);
 }
 
+TEST(Dyadic, NumbersGrowAsLongAsTheyMust) {
+  const Dyadic span = Dyadic(0x1p100) + Dyadic(0x1p-250);
+  Dyadic power(1.0);
+  for (int i = 0; i < 30; ++i) power = power * span;
+  EXPECT_GT(power.digitCount(), 300U);
+  // One more factor, once on either side and once in two parts.
+  const Dyadic parts = power * Dyadic(0x1p100) + power * Dyadic(0x1p-250);
+  EXPECT_TRUE(parts == span * power);
+  EXPECT_FALSE(parts + Dyadic(0x1p-1000) == span * power);
+  EXPECT_EQ((parts - span * power - Dyadic(0x1p-1000)).sign(), -1);
+  const Dyadic copy = power;
+  power = Dyadic(1.0);
+  EXPECT_TRUE(copy * span == parts);
+}
+
 TEST(Dyadic, DeterminantsHaveTheSignOfTheExpansions) {
   testing::Random random(3);
   for (int i = 0; i < 2000; ++i) {

@@ -166,6 +166,42 @@ INSTANTIATE_TEST_SUITE_P(
                [](int size, std::uint64_t seed) {
                  return transformed(testing::nestedSpheres(3, oneOf(size, {1, 2, 3})), seed);
                }},
+        Family{"turned", 4,
+               [](int size, std::uint64_t seed) {
+                 // Shoulders, cones and flat rings of sizes far apart.
+                 testing::Random random(seed);
+                 std::vector<Vec2> profile;
+                 double height = 0.0;
+                 for (int i = 0; i < oneOf(size, {2, 3, 4}); ++i) {
+                   const double radius = random.between(0.02, 1.0);
+                   profile.emplace_back(radius, height);
+                   if (i % 2 == 1) profile.emplace_back(radius * random.between(0.3, 0.9), height);
+                   height += i % 2 == 0 ? random.between(0.001, 0.01) : random.between(0.1, 1.0);
+                   profile.emplace_back(random.between(0.02, 1.0), height);
+                   height += 0.001;
+                 }
+                 return testing::turnedBody(profile, oneOf(size, {8, 24, 48}), seed);
+               }},
+        Family{"lofts", 4,
+               [](int size, std::uint64_t seed) {
+                 const int many = oneOf(size, {12, 60, 150});
+                 return testing::loft(seed % 2 == 0 ? many : 3, seed % 2 == 0 ? 5 : many,
+                                      between(seed, 0.001, 3.0), between(seed + 7, 0.01, 1.0));
+               }},
+        Family{"combs", 4,
+               [](int size, std::uint64_t seed) {
+                 constexpr std::array<double, 4> kGaps{0.1, 1e-3, 1e-5, 1e-7};
+                 return transformed(
+                     testing::extruded(testing::combOutline(oneOf(size, {3, 8, 20}), 0.1,
+                                                            kGaps.at(seed % 4), 10.0),
+                                       between(seed, 0.01, 10.0), 1, seed),
+                     seed);
+               }},
+        Family{"distantBlocks", 3,
+               [](int size, std::uint64_t seed) {
+                 constexpr std::array<int, 3> kSteps{3, 8, 12};
+                 return testing::distantBlocks(oneOf(size, {2, 3, 3}), kSteps.at(seed % 3), seed);
+               }},
         Family{"knots", 3,
                [](int size, std::uint64_t seed) {
                  return testing::torusKnot(2, seed % 2 == 0 ? 3 : 5, oneOf(size, {60, 80, 100}),

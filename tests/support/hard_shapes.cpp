@@ -331,6 +331,62 @@ SurfaceMesh coarseTube(int sectors, double innerRadius, double length) {
   return mesh;
 }
 
+SurfaceMesh turnedBody(const std::vector<Vec2>& radiusAndHeight, int sectors, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<std::array<double, 2>> rings;
+  for (const Vec2& p : radiusAndHeight) rings.push_back({p.x, p.y});
+  SurfaceMesh mesh = ringOfCircle(sectors, rings);
+  const auto n = static_cast<std::uint32_t>(sectors);
+  const auto top = static_cast<std::uint32_t>(n * (rings.size() - 1));
+  for (std::uint32_t base = 0; base < top; base += n) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const std::uint32_t j = (i + 1) % n;
+      addSquare(mesh, {base + i, base + j, base + n + j, base + n + i}, random.integer(0, 1) == 1);
+    }
+  }
+  const std::uint32_t below = addPoint(mesh, {0.0, 0.0, rings.front()[1]});
+  const std::uint32_t above = addPoint(mesh, {0.0, 0.0, rings.back()[1]});
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const std::uint32_t j = (i + 1) % n;
+    addTriangle(mesh, below, j, i);
+    addTriangle(mesh, above, top + i, top + j);
+  }
+  return mesh;
+}
+
+SurfaceMesh loft(int cornersBelow, int cornersAbove, double height, double ratio) {
+  SurfaceMesh mesh = ringOfCircle(cornersBelow, {{1.0, 0.0}});
+  append(mesh, ringOfCircle(cornersAbove, {{ratio, height}}));
+  const auto n = static_cast<std::uint32_t>(cornersBelow);
+  const auto m = static_cast<std::uint32_t>(cornersAbove);
+  std::uint32_t i = 0;
+  std::uint32_t j = 0;
+  while (i < n || j < m) {
+    // Whichever of the next corners comes first on the way round.
+    if (j == m || (i < n && (i + 1) * m <= (j + 1) * n)) {
+      addTriangle(mesh, i, (i + 1) % n, n + j % m);
+      ++i;
+    } else {
+      addTriangle(mesh, i % n, n + (j + 1) % m, n + j);
+      ++j;
+    }
+  }
+  for (std::uint32_t k = 1; k + 1 < n; ++k) addTriangle(mesh, 0, k + 1, k);
+  for (std::uint32_t k = 1; k + 1 < m; ++k) addTriangle(mesh, n, n + k, n + k + 1);
+  return mesh;
+}
+
+std::vector<Vec2> combOutline(int teeth, double width, double gap, double length) {
+  std::vector<Vec2> outline{{0.0, 0.0}, {teeth * (width + gap) - gap, 0.0}};
+  for (int i = teeth - 1; i >= 0; --i) {
+    const double x = i * (width + gap);
+    outline.insert(outline.end(), {Vec2(x + width, length), Vec2(x, length)});
+    if (i == 0) break;
+    outline.insert(outline.end(), {Vec2(x, 0.1 * length), Vec2(x - gap, 0.1 * length)});
+  }
+  return outline;
+}
+
 SurfaceMesh cubeWithFinePatch(int n) {
   constexpr double kInset = 0.1;
   SurfaceMesh mesh = gridCube(1);
@@ -427,6 +483,14 @@ SurfaceMesh randomBlocks(int n, double share, std::uint64_t seed) {
     }
   }
   return joined(mesh);
+}
+
+SurfaceMesh distantBlocks(int n, int step, std::uint64_t seed) {
+  SurfaceMesh mesh = randomBlocks(n, 0.5, seed);
+  for (double& x : mesh.points) {
+    if (x != 0.0) x = std::ldexp(1.0, step * (static_cast<int>(x) - n));
+  }
+  return mesh;
 }
 
 SurfaceMesh blockWithIsland(int n) {

@@ -46,6 +46,17 @@ SurfaceMesh coarseBar(int sectors, double length);
 /// A tube, likewise.
 SurfaceMesh coarseTube(int sectors, double innerRadius, double length);
 
+/// A body turned about the z axis, from points of radius and height upwards: rings of nodes with random
+/// diagonals between them, closed by a fan at both ends. Neighbouring triangles are in one plane but for
+/// rounding.
+SurfaceMesh turnedBody(const std::vector<Vec2>& radiusAndHeight, int sectors, std::uint64_t seed);
+
+/// A regular polygon of radius 1 joined by needles to one of radius `ratio` above it.
+SurfaceMesh loft(int cornersBelow, int cornersAbove, double height, double ratio);
+
+/// The outline of a comb, counter-clockwise: long teeth with narrow gaps.
+std::vector<Vec2> combOutline(int teeth, double width, double gap, double length);
+
 /// A cube whose top has n x n squares in its middle and the other sides two triangles each.
 SurfaceMesh cubeWithFinePatch(int n);
 
@@ -54,6 +65,9 @@ SurfaceMesh gradedCube(int n, int power);
 
 /// A random choice of the n^3 unit cubes, as one surface; they meet in edges and nodes too.
 SurfaceMesh randomBlocks(int n, double share, std::uint64_t seed);
+
+/// Such blocks with the coordinate k at 2^(step (k - n)): sizes many powers of two apart.
+SurfaceMesh distantBlocks(int n, int step, std::uint64_t seed);
 
 /// A block with a cavity, and a block in that.
 SurfaceMesh blockWithIsland(int n);

@@ -10,7 +10,7 @@ namespace tetrafront {
 namespace {
 
 /// Tetrahedra around a star may give way to an existing point, up to so many in all.
-constexpr std::size_t kLargestGrowth = 40;
+constexpr std::size_t kLargestGrowth = 200;
 /// Halvings of the step inwards, in doubles and then exactly.
 constexpr int kMaxHalvings = 50;
 constexpr int kMaxExactHalvings = 400;
@@ -233,13 +233,14 @@ bool BoundaryClearing::replaceByExisting(NodeId node) {
 
 // ---- by a new point ------------------------------------------------------------------------------
 
-bool BoundaryClearing::tryLast(NodeId node) {
+bool BoundaryClearing::tryLast(NodeId node, std::size_t growth) {
   std::vector<BoundaryFace> boundary;
   for (const Fan& fan : fans_) {
     boundary.insert(boundary.end(), fan.triangles.begin(), fan.triangles.end());
   }
   ConeRules rules;
   rules.lost = node;
+  rules.largestCavity = growth;
   rules.boundary = boundary;
   const NodeId last(mesh_.points.size() - 1);
   if (cone_.make(last, star_, rules)) {
@@ -250,14 +251,14 @@ bool BoundaryClearing::tryLast(NodeId node) {
   return false;
 }
 
-bool BoundaryClearing::tryPlace(NodeId node, const Vec3& place) {
+bool BoundaryClearing::tryPlace(NodeId node, const Vec3& place, std::size_t growth) {
   mesh_.points.add(place);
-  return tryLast(node);
+  return tryLast(node, growth);
 }
 
 bool BoundaryClearing::tryPlace(NodeId node, const DyadicVec3& place) {
   mesh_.points.add(place);
-  return tryLast(node);
+  return tryLast(node, 0);
 }
 
 Vec3 BoundaryClearing::inwards() const {
@@ -308,12 +309,16 @@ bool BoundaryClearing::replaceByNew(NodeId node) {
     for (const BoundaryFace& face : fan.triangles) kernel.add(mesh_.points, face.nodes);
   }
   const Vec3 middle = kernel.middle();
-  if (tryPlace(node, kernel.deepest(middle))) return true;
   const Vec3 direction = inwards();
-  double step = 0.5 * reach;
-  for (int i = 0; i < kMaxHalvings; ++i, step *= 0.5) {
-    const Vec3 there = place + direction * step;
-    if (tryPlace(node, kernel.deepest(there)) || tryPlace(node, there)) return true;
+  for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
+    if (tryPlace(node, kernel.deepest(middle), growth)) return true;
+    double step = 0.5 * reach;
+    for (int i = 0; i < kMaxHalvings; ++i, step *= 0.5) {
+      const Vec3 there = place + direction * step;
+      if (tryPlace(node, kernel.deepest(there), growth) || tryPlace(node, there, growth)) {
+        return true;
+      }
+    }
   }
   const std::optional<DyadicVec3> exact = exactInwards();
   if (!exact) return false;

@@ -47,9 +47,9 @@ class BoundaryClearing {
   [[nodiscard]] std::vector<BoundaryFace> boundaryFor(NodeId apex) const;
   bool replaceByExisting(NodeId node);
   bool replaceByNew(NodeId node);
-  bool tryPlace(NodeId node, const Vec3& place);
+  bool tryPlace(NodeId node, const Vec3& place, std::size_t growth);
   bool tryPlace(NodeId node, const DyadicVec3& place);
-  bool tryLast(NodeId node);
+  bool tryLast(NodeId node, std::size_t growth);
   [[nodiscard]] Vec3 inwards() const;
   [[nodiscard]] std::optional<DyadicVec3> exactInwards() const;
   [[nodiscard]] DyadicVec3 exactNormal(const Fan& fan) const;

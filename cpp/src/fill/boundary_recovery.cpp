@@ -10,8 +10,6 @@ namespace {
 constexpr std::size_t kLargestSwap = 150;
 /// How often a place is computed to more digits before the attempt is given up, 50 bits at a time.
 constexpr int kMaxRefinements = 10;
-/// Coordinates with more digits than this would make determinants too long.
-constexpr std::size_t kMaxCoordinateDigits = 28;
 constexpr std::int8_t kUnknown = 2;
 
 std::pair<NodeId, NodeId> ordered(NodeId u, NodeId v) {
@@ -28,11 +26,6 @@ Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int s
     rest = rest - part * denominator;
   }
   return result;
-}
-
-bool isShort(const DyadicVec3& place) {
-  return std::all_of(place.begin(), place.end(),
-                     [](const Dyadic& x) { return x.digitCount() <= kMaxCoordinateDigits; });
 }
 
 }  // namespace
@@ -126,7 +119,6 @@ NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
   const DyadicVec3 along = points.exact(edge.to) - start;
   for (int steps = 1; steps <= kMaxRefinements; ++steps) {
     const DyadicVec3 place = start + along * refinedQuotient(from, from - to, steps);
-    if (!isShort(place)) return {};
     const NodeId node = points.add(place);
     ConeRules rules;
     rules.largestCavity = tets_.size() + kLargestSwap;
@@ -265,7 +257,6 @@ bool BoundaryRecovery::splitCrossing(std::size_t triangle, NodeId below, NodeId 
     const Dyadic s = refinedQuotient(dot(cross(near, ac), normal), square, steps);
     const Dyadic r = refinedQuotient(dot(cross(ab, near), normal), square, steps);
     const DyadicVec3 place = a + ab * s + ac * r;
-    if (!isShort(place)) return false;
     const NodeId node = points.add(place);
     ConeRules rules;
     rules.largestCavity = around.size() + kLargestSwap;

@@ -27,7 +27,7 @@ class BoundaryRecovery {
   [[nodiscard]] std::size_t edgeCount() const { return edges_.size(); }
   [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
   /// To be called for all edges, then for all triangles. False if it cannot be: the triangles then
-  /// meet where they should not, or a number has grown too long.
+  /// meet where they should not.
   bool recoverEdge(std::size_t index);
   bool recoverTriangle(std::size_t triangle);
 

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kWorkPerUnit = 20;
 /// Orders in which the nodes are inserted: where a point inside has no place in doubles after one of
 /// them, it mostly has after another.
-constexpr unsigned kVariants = 5;
+constexpr unsigned kVariants = 3;
 
 }  // namespace
 

@@ -7,7 +7,7 @@
 namespace tetrafront {
 namespace {
 
-constexpr std::size_t kLargestGrowth = 40;
+constexpr std::size_t kLargestGrowth = 200;
 /// Sweeps over all points while something changes.
 constexpr int kMaxSweeps = 12;
 
@@ -78,8 +78,15 @@ bool InteriorClearing::removePoint(NodeId node) {
   return false;
 }
 
-/// To the best double found in its kernel.
+/// To the best double found in its kernel. A point that has none there may take tetrahedra around its
+/// star, flat ones mostly, with it.
 NodeId InteriorClearing::movePoint(NodeId node) {
+  const NodeId moved = moveWithin(node, 0);
+  if (mesh_.points.isDouble(moved)) return moved;
+  return moveWithin(node, kLargestGrowth);
+}
+
+NodeId InteriorClearing::moveWithin(NodeId node, std::size_t growth) {
   StarKernel kernel;
   for (const TetId id : star_) {
     kernel.add(mesh_.points, mesh_.innerFace(id, mesh_.cornerOf(id, node)));
@@ -92,6 +99,7 @@ NodeId InteriorClearing::movePoint(NodeId node) {
   Vec3 best = here;
   ConeRules rules;
   rules.lost = node;
+  rules.largestCavity = growth;
   for (const Vec3& place : {kernel.deepest(here), kernel.deepest(middle), middle,
                             here + (middle - here) * 0.5, here + (middle - here) * 0.125, here}) {
     const NodeId trial = mesh_.points.add(place);

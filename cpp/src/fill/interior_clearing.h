@@ -25,6 +25,7 @@ class InteriorClearing {
  private:
   bool removePoint(NodeId node);
   NodeId movePoint(NodeId node);
+  NodeId moveWithin(NodeId node, std::size_t growth);
   [[nodiscard]] double leastShapeAround() const;
   [[nodiscard]] bool allAreDoubles() const;
 

@@ -23,8 +23,8 @@ Dyadic::Dyadic(double value) {
   const auto places = static_cast<unsigned>(exponent - lowest_ * kDigitBits);
   // 53 bits moved by less than 32 places: up to three digits.
   std::uint64_t carry = 0;
-  size_ = 3;
-  for (std::size_t i = 0; i < size_; ++i) {
+  digits_.reset(3);
+  for (std::size_t i = 0; i < digits_.size(); ++i) {
     carry |= (mantissa & 0xffffffffU) << places;
     digits_[i] = static_cast<std::uint32_t>(carry);
     carry >>= kDigitBits;
@@ -34,42 +34,28 @@ Dyadic::Dyadic(double value) {
   trim();
 }
 
-Dyadic& Dyadic::operator=(const Dyadic& other) {
-  if (this == &other) return *this;
-  size_ = other.size_;
-  lowest_ = other.lowest_;
-  isNegative_ = other.isNegative_;
-  std::copy_n(other.digits_.begin(), size_, digits_.begin());
-  return *this;
-}
-
 void Dyadic::trim() {
-  while (size_ > 0 && digits_[size_ - 1] == 0) --size_;
+  std::size_t count = digits_.size();
+  while (count > 0 && digits_[count - 1] == 0) --count;
   std::size_t zeros = 0;
-  while (zeros < size_ && digits_[zeros] == 0) ++zeros;
-  if (zeros > 0) {
-    std::copy(digits_.begin() + static_cast<std::ptrdiff_t>(zeros),
-              digits_.begin() + static_cast<std::ptrdiff_t>(size_), digits_.begin());
-    size_ -= zeros;
-    lowest_ += static_cast<int>(zeros);
-  }
-  if (size_ == 0) {
+  while (zeros < count && digits_[zeros] == 0) ++zeros;
+  if (count - zeros < digits_.size()) digits_.keep(zeros, count - zeros);
+  lowest_ += static_cast<int>(zeros);
+  if (digits_.size() == 0) {
     lowest_ = 0;
     isNegative_ = false;
   }
 }
 
-/// Room for digits of the places [lowest, end).
-bool Dyadic::reserve(int lowest, int end) {
-  if (end - lowest > static_cast<int>(kMaxDigits)) return false;
+/// Zeros at the places [lowest, end).
+void Dyadic::clear(int lowest, int end) {
   lowest_ = lowest;
-  size_ = static_cast<std::size_t>(end - lowest);
-  return true;
+  digits_.reset(static_cast<std::size_t>(end - lowest));
 }
 
 Dyadic Dyadic::negated() const {
   Dyadic result = *this;
-  if (size_ > 0) result.isNegative_ = !isNegative_;
+  if (digits_.size() > 0) result.isNegative_ = !isNegative_;
   return result;
 }
 
@@ -87,9 +73,9 @@ bool Dyadic::isSmaller(const Dyadic& a, const Dyadic& b) {
 Dyadic Dyadic::sumOfSizes(const Dyadic& a, const Dyadic& b) {
   Dyadic result;
   const int lowest = std::min(a.lowest_, b.lowest_);
-  if (!result.reserve(lowest, std::max(a.end(), b.end()) + 1)) return {};
+  result.clear(lowest, std::max(a.end(), b.end()) + 1);
   std::uint64_t carry = 0;
-  for (std::size_t i = 0; i < result.size_; ++i) {
+  for (std::size_t i = 0; i < result.digits_.size(); ++i) {
     const int place = lowest + static_cast<int>(i);
     carry += std::uint64_t{a.digitAt(place)} + b.digitAt(place);
     result.digits_[i] = static_cast<std::uint32_t>(carry);
@@ -102,9 +88,9 @@ Dyadic Dyadic::sumOfSizes(const Dyadic& a, const Dyadic& b) {
 Dyadic Dyadic::differenceOfSizes(const Dyadic& larger, const Dyadic& smaller) {
   Dyadic result;
   const int lowest = std::min(larger.lowest_, smaller.lowest_);
-  if (!result.reserve(lowest, larger.end())) return {};
+  result.clear(lowest, larger.end());
   std::int64_t borrow = 0;
-  for (std::size_t i = 0; i < result.size_; ++i) {
+  for (std::size_t i = 0; i < result.digits_.size(); ++i) {
     const int place = lowest + static_cast<int>(i);
     std::int64_t digit = std::int64_t{larger.digitAt(place)} - smaller.digitAt(place) - borrow;
     borrow = digit < 0 ? 1 : 0;
@@ -116,35 +102,38 @@ Dyadic Dyadic::differenceOfSizes(const Dyadic& larger, const Dyadic& smaller) {
 }
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {
-  if (a.size_ == 0) return b;
-  if (b.size_ == 0) return a;
+  if (a.sign() == 0) return b;
+  if (b.sign() == 0) return a;
   Dyadic result;
   if (a.isNegative_ == b.isNegative_) {
     result = Dyadic::sumOfSizes(a, b);
-    if (result.size_ > 0) result.isNegative_ = a.isNegative_;
+    result.isNegative_ = a.isNegative_;
   } else {
     const bool bIsLarger = Dyadic::isSmaller(a, b);
     const Dyadic& larger = bIsLarger ? b : a;
     result = Dyadic::differenceOfSizes(larger, bIsLarger ? a : b);
-    if (result.size_ > 0) result.isNegative_ = larger.isNegative_;
+    if (result.digits_.size() > 0) result.isNegative_ = larger.isNegative_;
   }
   return result;
 }
 
 Dyadic operator*(const Dyadic& a, const Dyadic& b) {
-  if (a.size_ == 0 || b.size_ == 0) return {};
+  if (a.sign() == 0 || b.sign() == 0) return {};
   Dyadic result;
-  if (!result.reserve(a.lowest_ + b.lowest_, a.end() + b.end())) return {};
-  std::fill_n(result.digits_.begin(), result.size_, 0U);
-  for (std::size_t i = 0; i < a.size_; ++i) {
+  result.clear(a.lowest_ + b.lowest_, a.end() + b.end());
+  const std::size_t sizeA = a.digits_.size();
+  const std::size_t sizeB = b.digits_.size();
+  const std::uint32_t* digitsB = b.digits_.data();
+  for (std::size_t i = 0; i < sizeA; ++i) {
+    std::uint32_t* sum = result.digits_.data() + i;
     std::uint64_t carry = 0;
     const std::uint64_t digit = a.digits_[i];
-    for (std::size_t j = 0; j < b.size_; ++j) {
-      carry += digit * b.digits_[j] + result.digits_[i + j];
-      result.digits_[i + j] = static_cast<std::uint32_t>(carry);
+    for (std::size_t j = 0; j < sizeB; ++j) {
+      carry += digit * digitsB[j] + sum[j];
+      sum[j] = static_cast<std::uint32_t>(carry);
       carry >>= kDigitBits;
     }
-    result.digits_[i + b.size_] = static_cast<std::uint32_t>(carry);
+    sum[sizeB] = static_cast<std::uint32_t>(carry);
   }
   result.isNegative_ = a.isNegative_ != b.isNegative_;
   result.trim();
@@ -152,7 +141,7 @@ Dyadic operator*(const Dyadic& a, const Dyadic& b) {
 }
 
 double Dyadic::toDoubleAt(int shift) const {
-  if (size_ == 0) return 0.0;
+  if (sign() == 0) return 0.0;
   const int top = end() - 1;
   const std::uint64_t leading = std::uint64_t{digitAt(top)} << kDigitBits | digitAt(top - 1);
   // Two digits hold at least 33 bits; the third completes a double, and where the number is one,

@@ -4,31 +4,79 @@
 /// differences and products are exact. For constructed points, whose coordinates are longer than a
 /// double; where doubles are enough, expansions are faster.
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <vector>
 
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
 
+/// Digits of 32 bits, least first. A few are held in place; only longer numbers, as far apart
+/// exponents make them, are kept on the heap.
+class Digits {
+ public:
+  Digits() = default;
+  Digits(const Digits& other) { *this = other; }
+  Digits& operator=(const Digits& other) {
+    if (this != &other) assign(other.data(), other.size_);
+    return *this;
+  }
+  ~Digits() = default;
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const std::uint32_t* data() const {
+    return size_ > kInPlace ? many_.data() : few_.data();
+  }
+  std::uint32_t* data() { return size_ > kInPlace ? many_.data() : few_.data(); }
+  std::uint32_t operator[](std::size_t i) const { return data()[i]; }
+  std::uint32_t& operator[](std::size_t i) { return data()[i]; }
+
+  /// So many digits, all zero.
+  void reset(std::size_t size) {
+    size_ = size;
+    if (size > kInPlace) {
+      many_.assign(size, 0);
+    } else {
+      std::fill_n(few_.begin(), size, 0U);
+    }
+  }
+  /// Leaves out all but `count` digits from `first` on.
+  void keep(std::size_t first, std::size_t count) {
+    const std::uint32_t* from = data() + first;
+    std::uint32_t* to = count > kInPlace ? many_.data() : few_.data();
+    std::copy(from, from + count, to);
+    size_ = count;
+  }
+
+ private:
+  static constexpr std::size_t kInPlace = 40;
+
+  void assign(const std::uint32_t* from, std::size_t size) {
+    size_ = size;
+    if (size > kInPlace) {
+      many_.assign(from, from + size);
+    } else {
+      std::copy_n(from, size, few_.begin());
+    }
+  }
+
+  std::size_t size_ = 0;
+  std::array<std::uint32_t, kInPlace> few_;
+  std::vector<std::uint32_t> many_;
+};
+
 class Dyadic {
  public:
-  /// Results need at most this many digits of 32 bits; what would need more becomes zero, so
-  /// callers keep their operands shorter: a product of three differences has three times as many.
-  static constexpr std::size_t kMaxDigits = 96;
-
   Dyadic() = default;
   /// `value` must be finite.
   explicit Dyadic(double value);
-  Dyadic(const Dyadic& other) { *this = other; }
-  Dyadic& operator=(const Dyadic& other);
-  ~Dyadic() = default;
 
-  [[nodiscard]] int sign() const { return size_ == 0 ? 0 : (isNegative_ ? -1 : 1); }
+  [[nodiscard]] int sign() const { return digits_.size() == 0 ? 0 : (isNegative_ ? -1 : 1); }
   /// How many digits it spans.
-  [[nodiscard]] std::size_t digitCount() const { return size_; }
+  [[nodiscard]] std::size_t digitCount() const { return digits_.size(); }
   /// Exact where a double can hold it, else within two units in the last place. Not for numbers
   /// beyond the range of doubles.
   [[nodiscard]] double toDouble() const { return toDoubleAt(0); }
@@ -43,25 +91,22 @@ class Dyadic {
   friend double quotient(const Dyadic& a, const Dyadic& b);
 
  private:
-  using Digits = std::array<std::uint32_t, kMaxDigits>;
-
-  [[nodiscard]] std::span<const std::uint32_t> digits() const { return {digits_.data(), size_}; }
   /// This times 2^(32 shift).
   [[nodiscard]] double toDoubleAt(int shift) const;
   /// The digit of weight 2^(32 place).
   [[nodiscard]] std::uint32_t digitAt(int place) const {
     const int i = place - lowest_;
-    return i >= 0 && i < static_cast<int>(size_) ? digits_[static_cast<std::size_t>(i)] : 0;
+    return i >= 0 && i < static_cast<int>(digits_.size()) ? digits_[static_cast<std::size_t>(i)]
+                                                          : 0;
   }
-  [[nodiscard]] int end() const { return lowest_ + static_cast<int>(size_); }
+  [[nodiscard]] int end() const { return lowest_ + static_cast<int>(digits_.size()); }
   static bool isSmaller(const Dyadic& a, const Dyadic& b);
   static Dyadic sumOfSizes(const Dyadic& a, const Dyadic& b);
   static Dyadic differenceOfSizes(const Dyadic& larger, const Dyadic& smaller);
-  bool reserve(int lowest, int end);
+  void clear(int lowest, int end);
   void trim();
 
-  Digits digits_;  ///< the first size_ of them; least first, neither end zero
-  std::size_t size_ = 0;
+  Digits digits_;   ///< neither end zero
   int lowest_ = 0;  ///< the first digit's weight is 2^(32 lowest_)
   bool isNegative_ = false;
 };

@@ -47,7 +47,29 @@ std::uint64_t blockKey(int level, std::int32_t x, std::int32_t y, std::int32_t z
   return static_cast<std::uint64_t>(level) << (3 * kKeyBits) | part(x) << (2 * kKeyBits) |
          part(y) << kKeyBits | part(z);
 }
-int levelOfKey(std::uint64_t key) { return static_cast<int>(key >> (3 * kKeyBits)); }
+
+/// Which blocks of a level are between two cells, told from their keys, whose parts wrap.
+class BlockRange {
+ public:
+  BlockRange(const std::array<std::int32_t, 3>& from, const std::array<std::int32_t, 3>& to) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::int64_t first = from[axis] >> 2;
+      first_[axis] = static_cast<std::uint64_t>(first) & kKeyMask;
+      further_[axis] = static_cast<std::uint64_t>((to[axis] >> 2) - first);
+    }
+  }
+  [[nodiscard]] bool mayHold(std::uint64_t key) const {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::uint64_t part = key >> ((2 - axis) * kKeyBits) & kKeyMask;
+      if (((part - first_[axis]) & kKeyMask) > further_[axis]) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::array<std::uint64_t, 3> first_{};
+  std::array<std::uint64_t, 3> further_{};
+};
 
 /// Multiplicative hash. The high bits are taken: the low bits of the product never see x.
 std::size_t slotOf(std::uint64_t key, std::size_t tableSize) {
@@ -87,7 +109,7 @@ std::uint32_t FaceGrid::findBlock(std::uint64_t key) const {
   return kNone;
 }
 
-std::uint32_t FaceGrid::findOrMakeBlock(std::uint64_t key) {
+std::uint32_t FaceGrid::findOrMakeBlock(int level, std::uint64_t key) {
   const std::uint32_t found = findBlock(key);
   if (found != kNone) return found;
   if (2 * (usedEntries_ + 1) > table_.size()) growTable();
@@ -95,8 +117,10 @@ std::uint32_t FaceGrid::findOrMakeBlock(std::uint64_t key) {
   while (table_[slot].block != kNone) slot = (slot + 1) & (table_.size() - 1);
   const auto block = static_cast<std::uint32_t>(blocks_.size());
   blocks_.emplace_back();
+  blocks_.back().key = key;
   blocks_.back().occupied = 0;
   blocks_.back().heads.fill(kNone);
+  blocksOnLevel_[level].push_back(block);
   table_[slot] = {key, block};
   ++usedEntries_;
   return block;
@@ -121,7 +145,7 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
         0.5 * (static_cast<double>(box.low[axis]) + static_cast<double>(box.high[axis]));
     cell[axis] = cellCoordinate(centre, axis, level);
   }
-  const std::uint32_t blockId = findOrMakeBlock(blockKey(level, cell[0], cell[1], cell[2]));
+  const std::uint32_t blockId = findOrMakeBlock(level, blockKey(level, cell[0], cell[1], cell[2]));
   const std::uint32_t inBlock = cellInBlock(cell[0], cell[1], cell[2]);
   Block& block = blocks_[blockId];
   block.occupied |= std::uint64_t{1} << inBlock;
@@ -185,13 +209,8 @@ void FaceGrid::queryLevel(int level, const Box& box, std::vector<std::uint32_t>&
     cells.to[axis] = cellCoordinate(static_cast<double>(box.high[axis]) + margin, axis, level);
     blocksInRange *= (cells.to[axis] >> 2) - (cells.from[axis] >> 2) + 1;
   }
-  if (blocksInRange > usedEntries_) {
-    for (const HashEntry& entry : table_) {
-      if (entry.block == kNone || levelOfKey(entry.key) != level) continue;
-      for (std::uint64_t rest = blocks_[entry.block].occupied; rest != 0; rest &= rest - 1) {
-        queryChunks(blocks_[entry.block].heads[std::countr_zero(rest)], box, faces, count);
-      }
-    }
+  if (blocksInRange > static_cast<double>(blocksOnLevel_[level].size())) {
+    queryWholeLevel(level, cells, box, faces, count);
     return;
   }
   for (std::int32_t x = cells.from[0] & ~3; x <= cells.to[0]; x += kCellsPerBlock) {
@@ -200,6 +219,19 @@ void FaceGrid::queryLevel(int level, const Box& box, std::vector<std::uint32_t>&
         const std::uint32_t block = findBlock(blockKey(level, x, y, z));
         if (block != kNone) queryBlock(blocks_[block], cells, x, y, z, box, faces, count);
       }
+    }
+  }
+}
+
+/// For boxes that are large against the level's cells: it has fewer blocks than there are in the box.
+void FaceGrid::queryWholeLevel(int level, const CellRange& cells, const Box& box,
+                               std::vector<std::uint32_t>& faces, std::size_t& count) const {
+  const BlockRange range(cells.from, cells.to);
+  for (const std::uint32_t id : blocksOnLevel_[level]) {
+    const Block& block = blocks_[id];
+    if (block.occupied == 0 || !range.mayHold(block.key)) continue;
+    for (std::uint64_t rest = block.occupied; rest != 0; rest &= rest - 1) {
+      queryChunks(block.heads[std::countr_zero(rest)], box, faces, count);
     }
   }
 }

@@ -54,6 +54,7 @@ class FaceGrid {
     std::array<Entry, kChunkSize> entries;
   };
   struct Block {
+    std::uint64_t key;
     std::uint64_t occupied;
     std::array<std::uint32_t, 64> heads;
   };
@@ -77,10 +78,12 @@ class FaceGrid {
   [[nodiscard]] int levelOf(const Box& box) const;
   [[nodiscard]] std::int32_t cellCoordinate(double value, int axis, int level) const;
   [[nodiscard]] std::uint32_t findBlock(std::uint64_t key) const;
-  std::uint32_t findOrMakeBlock(std::uint64_t key);
+  std::uint32_t findOrMakeBlock(int level, std::uint64_t key);
   void growTable();
   void queryLevel(int level, const Box& box, std::vector<std::uint32_t>& faces,
                   std::size_t& count) const;
+  void queryWholeLevel(int level, const CellRange& cells, const Box& box,
+                       std::vector<std::uint32_t>& faces, std::size_t& count) const;
   void queryBlock(const Block& block, const CellRange& cells, std::int32_t x, std::int32_t y,
                   std::int32_t z, const Box& box, std::vector<std::uint32_t>& faces,
                   std::size_t& count) const;
@@ -92,6 +95,7 @@ class FaceGrid {
   std::array<double, kLevels> cellSize_{};
   std::array<double, kLevels> inverseCellSize_{};
   std::array<std::uint32_t, kLevels> facesOnLevel_{};
+  std::array<std::vector<std::uint32_t>, kLevels> blocksOnLevel_;
   std::vector<HashEntry> table_;
   std::uint32_t usedEntries_ = 0;
   std::vector<Block> blocks_;

@@ -13,13 +13,23 @@ std::uint16_t nextLayer(std::uint16_t layer) {
   return layer == kDeepest ? layer : static_cast<std::uint16_t>(layer + 1);
 }
 
+/// Gathered, and tested against a candidate, these many faces make one unit of cost; about what a
+/// step looks at where triangles are well shaped.
+constexpr std::uint64_t kFacesPerUnit = 64;
+
 }  // namespace
 
 template <class Trace>
-void FrontAdvance<Trace>::step() {
+std::uint32_t FrontAdvance<Trace>::step() {
+  const std::uint64_t before = facesLookedAt();
   const FaceId face = front_.nextBase();
   ++counters_.pops;
-  if (complete(face)) return;
+  if (!complete(face)) postpone(face);
+  return static_cast<std::uint32_t>(1 + (facesLookedAt() - before) / kFacesPerUnit);
+}
+
+template <class Trace>
+void FrontAdvance<Trace>::postpone(FaceId face) {
   const auto next = static_cast<std::uint8_t>(front_.face(face).ruleClass + 1);
   if constexpr (Trace::kOn) trace_.postponed(face, next);
   if (next < kRuleClasses.size()) {

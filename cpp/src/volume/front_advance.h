@@ -34,8 +34,9 @@ class FrontAdvance {
       : front_(front), elements_(elements), field_(field), crossing_(around_, filters) {}
 
   /// Takes the next base face and completes it, or puts it back under the next rule class, or
-  /// parks it after the last. The front must have a face queued.
-  void step();
+  /// parks it after the last. The front must have a face queued. Returns what it cost: 1 where
+  /// triangles are well shaped, more where a face has many others near it.
+  std::uint32_t step();
 
   void setVariant(const RuleVariant& variant) { variant_ = variant; }
 
@@ -51,10 +52,14 @@ class FrontAdvance {
   using SideFaces = std::array<FaceId, 3>;
 
   bool complete(FaceId face);
+  void postpone(FaceId face);
   void gatherAround(const NodeTriple& nodes, const UnitSpace& space, const BaseFace& base,
                     const IdealPoint& ideal, const RuleClass& rules);
   bool tryCandidate(FaceId face, const Candidate& candidate, const UnitSpace& space,
                     double minFaceDistance);
+  [[nodiscard]] std::uint64_t facesLookedAt() const {
+    return counters_.gatheredFaces + crossing_.counters().facesTested;
+  }
   [[nodiscard]] std::size_t firstCrossedFace(LocalNode apex);
   [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, FaceId& culprit);
   bool findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <utility>
 
 namespace tetrafront {
 namespace {
@@ -16,19 +18,17 @@ constexpr std::array<RuleVariant, 6> kVariants{{
     {1.0, 0.6, true, true},
     {1.1, 0.6, false, false},
 }};
-/// How much is taken away around a pocket that has no place for an interior point in doubles.
-constexpr std::uint32_t kMaxFillRings = 4;
 constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
 
-/// Bounds of one attempt.
+/// Bounds of one attempt; costs are as FrontAdvance::step() counts them.
 constexpr std::size_t kMaxRemovedElements = 4000;
-constexpr std::uint64_t kPopsPerRemovedElement = 30;
-constexpr std::uint64_t kExtraPops = 2000;
-/// And of all attempts together, per element of the mesh: where pockets are many, the sizes asked
-/// for contradict the boundary, and trying everything everywhere would only take its time. The exact
-/// fill comes after, and the optimizer makes as much of its elements.
-constexpr std::uint64_t kStepsPerElement = 2;
-constexpr std::uint64_t kExtraSteps = 40'000;
+constexpr std::uint64_t kCostPerRemovedElement = 30;
+constexpr std::uint64_t kExtraCost = 2000;
+/// And of all attempts together, per element of the mesh: where pockets are many, or triangles are
+/// needles, the sizes asked for contradict the boundary, and trying everything everywhere would only
+/// take its time. The exact fill comes after, and the optimizer makes as much of its elements.
+constexpr std::uint64_t kTotalCostPerElement = 2;
+constexpr std::uint64_t kExtraTotalCost = 40'000;
 
 /// Looking at this many active faces, or slots of faces, costs about as much as one step of the
 /// front.
@@ -184,7 +184,7 @@ template <class Trace>
 std::size_t Recovery<Trace>::reopenNext() {
   const FaceMap active = facesByNodes(front_);
   while (nextInQueue_ < queue_.size() && !active.contains(queue_[nextInQueue_])) ++nextInQueue_;
-  if (refrontSteps_ > kStepsPerElement * elements_.size() + kExtraSteps) {
+  if (cost_ > kTotalCostPerElement * elements_.size() + kExtraTotalCost) {
     stage_ = Stage::kFindUnfilled;
     return lookCost();
   }
@@ -201,14 +201,17 @@ std::size_t Recovery<Trace>::reopenNext() {
       break;
     }
   }
-  return 3 * lookCost() + attempt_.removedElements.size();
+  const std::size_t cost = 3 * lookCost() + attempt_.removedElements.size();
+  cost_ += cost;
+  return cost;
 }
 
 template <class Trace>
 void Recovery<Trace>::reopen(const std::vector<Pocket>& pockets, std::size_t chosen,
                              const FaceMap& active) {
   const auto rings = static_cast<std::uint32_t>((pass_ - 1) / kVariants.size() + 1);
-  const std::vector<FaceId> rim = openPlace(pockets, chosen, active, rings);
+  const std::vector<FaceId> rim = openPlace(
+      pockets, chosen, active, elementsAround(pockets[chosen], rings, kMaxRemovedElements));
   const RuleVariant& variant = kVariants[(pass_ - 1) % kVariants.size()];
   advance_.setVariant(variant);
   front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
@@ -216,12 +219,12 @@ void Recovery<Trace>::reopen(const std::vector<Pocket>& pockets, std::size_t cho
   stage_ = Stage::kRefront;
 }
 
-/// Removes the elements around a pocket, so that it can be put back. Returns the faces that bound the
+/// Removes elements around a pocket, so that they can be put back. Returns the faces that bound the
 /// place then.
 template <class Trace>
 std::vector<FaceId> Recovery<Trace>::openPlace(const std::vector<Pocket>& pockets,
                                                std::size_t chosen, const FaceMap& active,
-                                               std::uint32_t rings) {
+                                               std::vector<TetId> removed) {
   attempt_ = Attempt{};
   for (const auto& [nodes, face] : active) {
     const FrontFace& f = front_.face(face);
@@ -229,25 +232,29 @@ std::vector<FaceId> Recovery<Trace>::openPlace(const std::vector<Pocket>& pocket
   }
   attempt_.elementsBefore = elements_.size();
   attempt_.nodesBefore = front_.nodes().size();
-  attempt_.removedElements = elementsAround(pockets[chosen], rings);
-  attempt_.popsLeft = kPopsPerRemovedElement * attempt_.removedElements.size() + kExtraPops;
+  attempt_.removedElements = std::move(removed);
+  attempt_.costLeft = kCostPerRemovedElement * attempt_.removedElements.size() + kExtraCost;
   return takeAway(pockets, chosen, active);
 }
 
-/// The elements within so many rings of nodes of the pocket, in rising order.
+/// The elements within so many rings of nodes of the pocket, in rising order; no ring is begun once
+/// there are `enough`.
 template <class Trace>
-std::vector<TetId> Recovery<Trace>::elementsAround(const Pocket& pocket,
-                                                   std::uint32_t rings) const {
+std::vector<TetId> Recovery<Trace>::elementsAround(const Pocket& pocket, std::uint32_t rings,
+                                                   std::size_t enough) const {
   std::set<NodeId> nodes;
   for (const FaceId face : pocket.faces) {
     for (const NodeId node : front_.face(face).nodes) nodes.insert(node);
   }
   std::set<TetId> elements;
-  for (std::uint32_t ring = 0; ring < rings && elements.size() < kMaxRemovedElements; ++ring) {
+  std::vector<NodeId> rim(nodes.begin(), nodes.end());
+  for (std::uint32_t ring = 0; ring < rings && !rim.empty() && elements.size() < enough; ++ring) {
+    std::vector<TetId> entering;
     const auto take = [&](TetId element) {
-      if (elements_.removed[element.index()] == 0) elements.insert(element);
+      if (elements_.removed[element.index()] != 0) return;
+      if (elements.insert(element).second) entering.push_back(element);
     };
-    for (const NodeId node : nodes) {
+    for (const NodeId node : rim) {
       for (const std::uint32_t element : elementsAtNode_.at(node.value)) take(TetId(element));
     }
     for (std::size_t element = indexedElements_; element < elements_.size(); ++element) {
@@ -256,9 +263,11 @@ std::vector<TetId> Recovery<Trace>::elementsAround(const Pocket& pocket,
         take(TetId(element));
       }
     }
-    for (const TetId element : elements) {
-      const NodeQuad& quad = elements_.nodes[element.index()];
-      nodes.insert(quad.begin(), quad.end());
+    rim.clear();
+    for (const TetId element : entering) {
+      for (const NodeId node : elements_.nodes[element.index()]) {
+        if (nodes.insert(node).second) rim.push_back(node);
+      }
     }
   }
   return {elements.begin(), elements.end()};
@@ -305,16 +314,15 @@ std::vector<FaceId> Recovery<Trace>::takeAway(const std::vector<Pocket>& pockets
 
 template <class Trace>
 std::size_t Recovery<Trace>::refront(std::uint32_t budget) {
-  std::uint32_t steps = 0;
-  while (steps < budget && attempt_.popsLeft > 0 && !front_.nothingQueued()) {
-    advance_.step();
-    --attempt_.popsLeft;
-    ++refrontSteps_;
-    ++steps;
+  std::uint64_t cost = 0;
+  while (cost < budget && cost < attempt_.costLeft && !front_.nothingQueued()) {
+    cost += advance_.step();
   }
-  if (!front_.nothingQueued() && attempt_.popsLeft > 0) return steps;
+  attempt_.costLeft -= std::min(cost, attempt_.costLeft);
+  cost_ += cost;
+  if (!front_.nothingQueued() && attempt_.costLeft > 0) return cost;
   finishAttempt();
-  return steps + 2 * lookCost();
+  return cost + 2 * lookCost();
 }
 
 template <class Trace>
@@ -379,22 +387,24 @@ std::size_t Recovery<Trace>::fillNext(std::uint32_t budget) {
   }
   const ExactFill::State state = fill_->advance(budget);
   if (state == ExactFill::State::kRunning) return budget;
-  const bool filled = state == ExactFill::State::kDone;
-  if (filled) {
+  if (state == ExactFill::State::kDone) {
     steinerPoints_ += fill_->apply(front_, elements_);
     ++filled_;
-  } else if (fillRings_ > 0) {
-    putBack();
+    nextToFill();
+  } else {
+    // A place inside without a double may have one when the place is larger.
+    if (fillRings_ > 0) putBack();
+    fillRings_ = std::max(1U, 2 * fillRings_);
   }
   fill_.reset();
-  // A place inside without a double may have one when the place is larger.
-  if (!filled && fillRings_ < kMaxFillRings) {
-    ++fillRings_;
-  } else {
-    fillRings_ = 0;
-    ++nextInQueue_;
-  }
   return budget;
+}
+
+template <class Trace>
+void Recovery<Trace>::nextToFill() {
+  fillRings_ = 0;
+  removedToFill_ = 0;
+  ++nextInQueue_;
 }
 
 /// Gives the pocket at the head of the queue to the exact fill, with rings of elements around it.
@@ -403,15 +413,19 @@ void Recovery<Trace>::beginFill() {
   attempt_ = Attempt{};
   const FaceMap active = facesByNodes(front_);
   const auto sought = active.find(queue_[nextInQueue_]);
-  if (sought == active.end()) {
-    ++nextInQueue_;
-    return;
-  }
+  if (sought == active.end()) return nextToFill();
   const std::vector<Pocket> pockets = findPockets(front_);
   for (std::size_t i = 0; i < pockets.size(); ++i) {
     Pocket pocket = pockets[i];
     if (!std::binary_search(pocket.faces.begin(), pocket.faces.end(), sought->second)) continue;
-    if (fillRings_ > 0) pocket.faces = openPlace(pockets, i, active, fillRings_);
+    if (fillRings_ > 0) {
+      std::vector<TetId> around =
+          elementsAround(pocket, fillRings_, std::numeric_limits<std::size_t>::max());
+      // There is nothing more to take away.
+      if (around.size() == removedToFill_) return nextToFill();
+      removedToFill_ = around.size();
+      pocket.faces = openPlace(pockets, i, active, std::move(around));
+    }
     fill_.emplace(front_, std::move(pocket));
     return;
   }

@@ -37,7 +37,7 @@ class Recovery {
         order_(order),
         stage_(fillOnly ? Stage::kFindUnfilled : Stage::kFindPockets) {}
 
-  /// Works on for about `budget` faces taken from the front. To be called when nothing is queued.
+  /// Works on for about `budget` steps of the front. To be called when nothing is queued.
   State advance(std::uint32_t budget);
 
   [[nodiscard]] std::uint32_t starred() const { return starred_; }
@@ -72,7 +72,7 @@ class Recovery {
     std::size_t elementsBefore = 0;
     std::size_t nodesBefore = 0;
     std::set<NodeTriple> foreignFaces;  ///< active faces that do not bound the reopened place
-    std::uint64_t popsLeft = 0;
+    std::uint64_t costLeft = 0;
   };
   using FaceMap = std::map<NodeTriple, FaceId>;
 
@@ -85,7 +85,8 @@ class Recovery {
   std::size_t indexElements(std::uint32_t budget);
   std::size_t reopenNext();
   void reopen(const std::vector<Pocket>& pockets, std::size_t chosen, const FaceMap& active);
-  [[nodiscard]] std::vector<TetId> elementsAround(const Pocket& pocket, std::uint32_t rings) const;
+  [[nodiscard]] std::vector<TetId> elementsAround(const Pocket& pocket, std::uint32_t rings,
+                                                  std::size_t enough) const;
   std::vector<FaceId> takeAway(const std::vector<Pocket>& pockets, std::size_t chosen,
                                FaceMap active);
   std::size_t refront(std::uint32_t budget);
@@ -93,9 +94,10 @@ class Recovery {
   [[nodiscard]] bool onlyForeignLeft(const FaceMap& active) const;
   void putBack();
   std::vector<FaceId> openPlace(const std::vector<Pocket>& pockets, std::size_t chosen,
-                                const FaceMap& active, std::uint32_t rings);
+                                const FaceMap& active, std::vector<TetId> removed);
   std::size_t fillNext(std::uint32_t budget);
   void beginFill();
+  void nextToFill();
   /// What looking at all active faces costs, in faces taken from the front.
   [[nodiscard]] std::size_t lookCost() const;
 
@@ -114,11 +116,13 @@ class Recovery {
   std::size_t indexedElements_ = 0;
   std::size_t nextToIndex_ = 0;
   Attempt attempt_;
-  std::uint64_t refrontSteps_ = 0;  ///< of all attempts
+  std::uint64_t cost_ = 0;  ///< of all attempts
   std::uint32_t starred_ = 0;
   std::uint32_t reopened_ = 0;
   std::optional<PocketFill> fill_;
-  std::uint32_t fillRings_ = 0;  ///< taken away around the pocket at the head of the queue
+  /// Taken away around the pocket at the head of the queue.
+  std::uint32_t fillRings_ = 0;
+  std::size_t removedToFill_ = 0;  ///< how many elements that is
   std::uint32_t filled_ = 0;
   std::uint32_t steinerPoints_ = 0;
 };

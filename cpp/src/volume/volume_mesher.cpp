@@ -112,8 +112,8 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
 template <class Trace>
 void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
   // Looked at after each step, so that where it stops does not depend on the slices.
-  for (; budget > 0 && stage_ == Stage::kAdvance && !front_.nothingQueued(); --budget) {
-    advance_.step();
+  while (budget > 0 && stage_ == Stage::kAdvance && !front_.nothingQueued()) {
+    budget -= std::min(advance_.step(), budget);
     inspectNewNodes();
     if (elements_.size() > maxTetrahedra_) stopAtLimit();
   }
