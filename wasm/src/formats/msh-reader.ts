@@ -26,7 +26,7 @@ const WIDTHS: ReadonlyMap<number, number> = new Map([
 /** No node has more numbers: a tensor has nine. */
 const MAX_COMPONENTS = 9;
 /** Each takes memory for all nodes, however few numbers it has. */
-const MAX_DATA = 64;
+const MAX_DATA = 16;
 
 export function readMsh(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => new MshReader(reader).read());

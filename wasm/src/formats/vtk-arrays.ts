@@ -36,7 +36,7 @@ export class UnpackingBudget {
 
 /** Characters are slow to decode, and every file has room for them once. */
 const COST_OF_BASE64 = 64;
-const MOST_UNPACKED_ANYWAY = 1 << 24;
+const MOST_UNPACKED_ANYWAY = 1 << 20;
 const MOST_UNPACKED_PER_BYTE = 256;
 
 export interface CodedArray {

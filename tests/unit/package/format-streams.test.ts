@@ -1,0 +1,275 @@
+/** Files that arrive piece by piece, welding within a tolerance, and decimals read without strings. */
+import { readFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { Worker } from "node:worker_threads";
+
+import {
+  FILE_FORMATS,
+  readMesh,
+  readSurface,
+  writeMesh,
+  type FileMesh,
+  type ReadResult,
+  type SurfaceFile,
+} from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { randomSource } from "../../support/random.js";
+import { stlBinary, stlText } from "../../support/surface-files.js";
+import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
+
+const mesh = blockMesh();
+
+function* pieces(bytes: Uint8Array, length: number): Generator<Uint8Array> {
+  for (let at = 0; at < bytes.length; at += length) yield bytes.subarray(at, at + length);
+}
+
+function valueOf<T>(read: ReadResult<T>): T {
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+const readable = FILE_FORMATS.filter(({ reads, writes }) => reads.length > 0 && writes.length > 0);
+
+describe.each(readable.map(({ extensions }) => extensions[0]))("a file %s", (extension) => {
+  test.each([1, 7, 4096])("in pieces of %i bytes is the same as at once", async (length) => {
+    const written = new Map(
+      (await writeMesh(mesh, `a${extension}`)).map((file) => [file.fileName, file.bytes]),
+    );
+    const read = async (cut: (bytes: Uint8Array) => Uint8Array | Iterable<Uint8Array>): Promise<FileMesh> => {
+      const openOther = (name: string) => {
+        const other = written.get(name);
+        return Promise.resolve(other && cut(other));
+      };
+      const file = written.get(`a${extension}`) ?? new Uint8Array();
+      return valueOf(await readMesh(cut(file), { fileName: `a${extension}`, openOther }));
+    };
+    expect(await read((bytes) => pieces(bytes, length))).toEqual(await read((bytes) => bytes));
+  });
+});
+
+describe("a source of bytes", () => {
+  const file = stlText(sphereSurface(4));
+  const whole = async () => valueOf(await readSurface(file, { fileName: "a.stl" }));
+
+  test("may be a Blob, a stream of the web, or an iterator that waits", async () => {
+    const blob = new Blob([file.slice()]);
+    async function* slow(): AsyncGenerator<Uint8Array> {
+      for (const piece of pieces(file, 5000)) {
+        await new Promise((resolve) => setTimeout(resolve));
+        yield piece;
+      }
+    }
+    for (const source of [blob, blob.stream(), slow()]) {
+      expect(valueOf(await readSurface(source, { fileName: "a.stl" }))).toEqual(await whole());
+    }
+  });
+
+  test("is cancelled where the file is refused", async () => {
+    let isCancelled = false;
+    const stream = new ReadableStream<Uint8Array>({
+      pull: (controller) => controller.enqueue(new TextEncoder().encode("solid a\nthis is none\n")),
+      cancel: () => {
+        isCancelled = true;
+      },
+    });
+    const read = await readSurface(stream, { fileName: "a.stl" });
+    expect([read.success, isCancelled]).toEqual([false, true]);
+  });
+
+  test("tells how far it is, and stops when told to", async () => {
+    const told: number[] = [];
+    const stop = new AbortController();
+    await readSurface(pieces(file, 10_000), { fileName: "a.stl", onProgress: (bytes) => told.push(bytes) });
+    expect(told.at(-1)).toBe(file.length);
+    expect(told).toEqual(told.toSorted((a, b) => a - b));
+    const reading = readSurface(pieces(file, 1000), {
+      fileName: "a.stl",
+      signal: stop.signal,
+      onProgress: () => stop.abort(new Error("enough")),
+    });
+    await expect(reading).rejects.toThrow("enough");
+  });
+
+  test("that fails tells its own reason", async () => {
+    async function* broken(): AsyncGenerator<Uint8Array> {
+      yield await Promise.resolve(file.subarray(0, 100));
+      throw new Error("the wire is cut");
+    }
+    await expect(readSurface(broken(), { fileName: "a.stl" })).rejects.toThrow("the wire is cut");
+  });
+
+  test("of a hundred megabytes is never held as a whole, and others run meanwhile", async () => {
+    // 2 000 000 triangles over the same four points: only what is kept grows.
+    const count = 2_000_000;
+    const header = new Uint8Array(84);
+    new DataView(header.buffer).setUint32(80, count, true);
+    const block = stlBinary(boxSurface(1)).subarray(84, 84 + 50 * 4);
+    const piece = new Uint8Array(200 * 1000);
+    for (let at = 0; at < piece.length; at += 200) piece.set(block, at);
+    function* big(): Generator<Uint8Array> {
+      yield header;
+      for (let sent = 0; sent < count * 50; sent += piece.length) yield piece;
+    }
+    let ticks = 0;
+    const timer = setInterval(() => ticks++, 1);
+    const { arrayBuffers: before } = process.memoryUsage();
+    let most = 0;
+    const read = await readSurface(big(), {
+      fileName: "a.stl",
+      onProgress: () => (most = Math.max(most, process.memoryUsage().arrayBuffers - before)),
+    });
+    clearInterval(timer);
+    expect(valueOf(read).triangles.length / 3).toBe(count);
+    expect(ticks).toBeGreaterThan(10);
+    // Three nodes and a patch per triangle, and as much again as the collector leaves for later.
+    expect(most).toBeLessThan(2 * 16 * count);
+  });
+
+  test("is read in a worker as well", async () => {
+    const entry = new URL("../../../wasm/dist/index.js", import.meta.url).href;
+    const code = `import("${entry}").then(async ({ readSurface }) => {
+      const { parentPort, workerData } = await import("node:worker_threads");
+      const read = await readSurface(new Blob([workerData]).stream(), { fileName: "a.stl" });
+      parentPort.postMessage(read);
+    });`;
+    const worker = new Worker(code, { eval: true, workerData: file });
+    const read = await new Promise<ReadResult<SurfaceFile>>((resolve, reject) => {
+      worker.once("message", resolve).once("error", reject);
+    });
+    await worker.terminate();
+    expect(valueOf(read)).toEqual(await whole());
+  });
+});
+
+describe("welding within a tolerance", () => {
+  const read = async (surface: Parameters<typeof stlText>[0], weldTolerance?: number) =>
+    readSurface(stlText(surface), { fileName: "a.stl", weldTolerance });
+  /** Every corner of every triangle a little elsewhere, by less than `shift` per axis. */
+  const shaken = (surface: Parameters<typeof stlText>[0], shift: number) => {
+    const random = randomSource(7);
+    const corners = Array.from(surface.triangles, (node) => [
+      ...surface.points.subarray(3 * node, 3 * node + 3),
+    ]);
+    return {
+      points: Float64Array.from(corners.flat(), (value) => value + shift * (random() / 2 ** 31 - 1)),
+      triangles: Uint32Array.from(corners, (_, i) => i),
+    };
+  };
+
+  test("closes what rounding has torn, and tells how much", async () => {
+    const torn = shaken(sphereSurface(6), 1e-7);
+    expect(valueOf(await read(torn)).points.length / 3).toBe(torn.points.length / 3);
+    const closed = valueOf(await read(torn, 1e-6));
+    expect(closed.points.length).toBe(sphereSurface(6).points.length);
+    expect(closed.welded).toEqual({ points: (torn.points.length - closed.points.length) / 3, triangles: 0 });
+    const edges = new Map<string, number>();
+    closed.triangles.forEach((node, i) => {
+      const next = closed.triangles[i - (i % 3) + ((i + 1) % 3)] ?? 0;
+      const key = [node, next].sort((a, b) => a - b).join(" ");
+      edges.set(key, (edges.get(key) ?? 0) + 1);
+    });
+    expect(new Set(edges.values())).toEqual(new Set([2]));
+  });
+
+  test("moves no point by more than the tolerance, and leaves none that near another", async () => {
+    const cloud = shaken(boxSurface(8), 0.04);
+    const tolerance = 0.05;
+    const { points } = valueOf(await read(cloud, tolerance));
+    const at = (values: Float64Array, p: number) => [...values.subarray(3 * p, 3 * p + 3)];
+    const distance = (a: readonly number[], b: readonly number[]) =>
+      Math.hypot(...a.map((x, i) => x - (b[i] ?? 0)));
+    const kept = Array.from({ length: points.length / 3 }, (_, p) => at(points, p));
+    kept.forEach((place, p) => {
+      for (const other of kept.slice(p + 1)) expect(distance(place, other)).toBeGreaterThan(tolerance);
+    });
+    for (let p = 0; p < cloud.points.length / 3; p++) {
+      expect(Math.min(...kept.map((place) => distance(place, at(cloud.points, p))))).toBeLessThanOrEqual(
+        tolerance,
+      );
+    }
+  });
+
+  test("drops triangles that lose a corner, and no others", async () => {
+    const { points, triangles } = boxSurface(1);
+    const sliver = joined(
+      { points, triangles },
+      { points: Float64Array.of(5, 5, 5, 6, 5, 5, 5, 5 + 1e-9, 5), triangles: Uint32Array.of(0, 1, 2) },
+    );
+    const welded = valueOf(await read(sliver, 1e-6));
+    expect(welded.welded).toEqual({ points: 1, triangles: 1 });
+    expect(welded.triangles.length).toBe(triangles.length);
+    expect(welded.trianglePatch.length).toBe(triangles.length / 3);
+  });
+
+  test.each([[-1], [NaN], [Infinity]])("of %f is refused", async (tolerance) => {
+    const result = await read(boxSurface(1), tolerance);
+    expect(result.success ? "" : result.problems[0].message).toMatch(/weld tolerance/);
+  });
+
+  test("that is lost in rounding is refused", async () => {
+    const result = await read(boxSurface(1, [0, 0, 0], [1e9, 1, 1]), 1e-9);
+    expect(result.success ? "" : result.problems[0].message).toMatch(/lost in the rounding/);
+  });
+});
+
+test("decimals of every length are read as JavaScript reads them, bit for bit", async () => {
+  const random = randomSource(11);
+  const digits = (count: number) => Array.from({ length: count }, () => random() % 10).join("");
+  const words: string[] = [
+    "0",
+    "-0",
+    ".5",
+    "5.",
+    "1e5",
+    "1E-5",
+    "+3",
+    "123456789012345678",
+    "0.000001",
+    "1e22",
+    "1e23",
+  ];
+  while (words.length < 3000) {
+    const sign = ["", "-", "+"][random() % 3] ?? "";
+    const point = random() % 3 === 0 ? "" : `.${digits(random() % 20)}`;
+    const exponent = random() % 3 === 0 ? `e${["", "-", "+"][random() % 3]}${random() % 120}` : "";
+    words.push(`${sign}${digits(1 + (random() % 18))}${point}${exponent}`);
+  }
+  while (words.length % 3 !== 0) words.push("1");
+  const file = `OFF\n${words.length / 3} 0 0\n${words.join(" ")}\n`;
+  const read = valueOf(await readMesh(new TextEncoder().encode(file), { fileName: "a.off" }));
+  expect([...read.points]).toEqual(words.map(Number));
+});
+
+test.each(["0x10", "1e", "e5", "--1", "1.2.3", "1_0", "Infinity", "NaN", ".", "1e5.5"])(
+  "%s is no decimal",
+  async (word) => {
+    const file = `OFF\n1 0 0\n0 0 ${word}\n`;
+    const read = await readMesh(new TextEncoder().encode(file), { fileName: "a.off" });
+    expect(read.success ? "" : read.problems[0].message).toMatch(/is not a finite number/);
+  },
+);
+
+test("TetGen's facets keep their markers, and points beside the file are found", async () => {
+  const node = "# points\n4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n";
+  const smesh = "0 3 0 0\n4 1\n3 1 3 2 7\n3 1 2 4 8\n3 1 4 3 9\n3 2 3 4 7\n0\n0\n";
+  const openOther = (name: string) =>
+    Promise.resolve(name === "a.node" ? new TextEncoder().encode(node) : undefined);
+  const read = valueOf(
+    await readSurface(new TextEncoder().encode(smesh), { fileName: "a.smesh", openOther }),
+  );
+  expect([...read.triangles]).toEqual([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
+  expect([...read.trianglePatch].map((patch) => read.patches[patch]?.tag)).toEqual([7, 8, 9, 7]);
+  const alone = await readSurface(new TextEncoder().encode(smesh), { fileName: "a.smesh" });
+  expect(alone.success ? "" : alone.problems[0]).toMatchObject({
+    message: expect.stringMatching(/another file, a\.node/) as string,
+  });
+});
+
+test("every format is told of in docs/FORMAT.md", () => {
+  const readme = readFileSync(fileURLToPath(new URL("../../../docs/FORMAT.md", import.meta.url)), "utf8");
+  for (const { extensions } of FILE_FORMATS) {
+    for (const extension of extensions) expect(readme, extension).toContain(`\`${extension}\``);
+  }
+});
