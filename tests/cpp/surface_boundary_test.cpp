@@ -532,6 +532,21 @@ TEST(DrawnBoundaryTest, ReversedPatchesAreTurnedAndNamed) {
   EXPECT_EQ(outcome.diagnostics[0].code, DiagnosticCode::kReorientedPatch);
 }
 
+/// The triangles that a finding names behind its lines and patches, each once, all of its patches.
+std::vector<std::uint32_t> trianglesOf(const Diagnostic& finding, const SurfaceMesh& mesh) {
+  std::set<std::uint32_t> patches;
+  std::vector<std::uint32_t> triangles;
+  for (const Entity& entity : finding.entities) {
+    if (entity.kind == EntityKind::kPatch) patches.insert(entity.index);
+    if (entity.kind == EntityKind::kTriangle) triangles.push_back(entity.index);
+  }
+  for (const std::uint32_t triangle : triangles) {
+    EXPECT_TRUE(patches.contains(mesh.trianglePatch.at(triangle)));
+  }
+  EXPECT_EQ(std::set(triangles.begin(), triangles.end()).size(), triangles.size());
+  return triangles;
+}
+
 TEST(DrawnBoundaryTest, OpenEdgesAreReportedOncePerLine) {
   SurfaceMesh mesh = drawnCube(3);
   const std::ptrdiff_t perPatch = 3 * 18;
@@ -542,9 +557,10 @@ TEST(DrawnBoundaryTest, OpenEdgesAreReportedOncePerLine) {
   ASSERT_EQ(outcome.diagnostics.size(), 4U) << "the four lines around the missing patch";
   std::set<std::uint32_t> lines;
   for (const Diagnostic& d : outcome.diagnostics) {
-    ASSERT_EQ(d.entities.size(), 2U);
+    ASSERT_EQ(d.entities.size(), 5U);
     EXPECT_EQ(d.entities[0].kind, EntityKind::kLine);
     EXPECT_EQ(d.entities[1].kind, EntityKind::kPatch);
+    EXPECT_EQ(trianglesOf(d, mesh).size(), 3U) << "one at each side of the line";
     lines.insert(d.entities[0].index);
     EXPECT_EQ(d.values.back(), 3.0) << "sides of the line";
     EXPECT_EQ(d.place.z, 1.0);
@@ -565,10 +581,12 @@ TEST(DrawnBoundaryTest, IntersectingPatchesAreReportedOncePerPair) {
   ASSERT_EQ(outcome.diagnostics.size(), 4U)
       << "the upper patch and the four around the second cube";
   for (const Diagnostic& d : outcome.diagnostics) {
-    ASSERT_EQ(d.entities.size(), 2U);
+    ASSERT_GT(d.entities.size(), 3U);
     EXPECT_EQ(d.entities[0].kind, EntityKind::kPatch);
     EXPECT_EQ(d.entities[0].index, 5U);
+    EXPECT_EQ(d.entities[1].kind, EntityKind::kPatch);
     EXPECT_GE(d.entities[1].index, 6U);
+    EXPECT_GT(trianglesOf(d, mesh).size(), 2U);
     EXPECT_GT(d.values.back(), 1.0);
   }
 }

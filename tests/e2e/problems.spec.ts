@@ -1,5 +1,5 @@
 import { expect, test } from "@playwright/test";
-import { AppPage } from "./app-page";
+import { AppPage, nextFrame, sampleProject } from "./app-page";
 
 test("a broken model is explained beside the entity, in the view and in the list", async ({ page }) => {
   const app = new AppPage(page);
@@ -67,4 +67,35 @@ test("deleting a point takes what is built on it, and undo brings it all back", 
   await page.getByRole("button", { name: "Undo: Delete point 1 and 6 built on it" }).click();
   await expect(page.getByTestId("tree-line-1")).toBeVisible();
   expect(await app.meshed()).toEqual(before);
+});
+
+test("each triangle of a boundary that cuts itself is listed with its place, and shown", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  // Links so coarse that they reach through each other.
+  const chain = { ...sampleProject("chain"), meshing: { size: 1.5 } };
+  await app.openFile("chain.json", JSON.stringify(chain));
+  const group = page.getByTestId("problems-self-intersection");
+  const first = group.locator("[data-code=self-intersection]").first();
+  await expect(first).toContainText("The surface cuts itself: patch");
+  await first.getByTestId("triangles").locator("summary").click();
+  const rows = first.getByRole("listitem");
+  expect(await rows.count()).toBeGreaterThan(1);
+  await expect(rows.first()).toContainText(/Triangle \d+ at -?\d/);
+  const before = await app.viewport.screenshot();
+  await nextFrame(app.viewport, () => rows.first().getByRole("button").click());
+  await expect(rows.first().getByRole("button")).toHaveAttribute("aria-pressed", "true");
+  await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
+  // The triangle is where it is said to be: in the middle of the view, near the problem's place.
+  const text = (await rows.first().textContent()) ?? "";
+  const place = text.split(" at ")[1]?.split(", ").map(Number);
+  const box = await app.viewport.boundingBox();
+  const { x, y } = await page.evaluate((at) => {
+    const { tetrafrontPlace } = window as unknown as {
+      tetrafrontPlace: (at: unknown) => { x: number; y: number };
+    };
+    return tetrafrontPlace(at);
+  }, place);
+  expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.15 * (box?.width ?? 0));
+  expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.15 * (box?.height ?? 0));
 });

@@ -331,8 +331,11 @@ function namedEntities(pairs: Uint32Array, name: EntityNamer): EntityRef[] {
 }
 
 function subjectOf(raw: EngineDiagnostic, entities: readonly EntityRef[]): Subject {
+  const drawn = entities.some(({ kind }) => kind === "line" || kind === "patch" || kind === "point");
+  // Of a drawing its lines and patches are told; which triangles these have is left to the entities.
+  const isTold = (kind: EntityKind) => !drawn || kind !== "triangle";
   const labels = (kinds: readonly EntityKind[]) =>
-    entities.filter(({ kind }) => kinds.includes(kind)).map(({ label }) => label);
+    entities.filter(({ kind }) => kinds.includes(kind) && isTold(kind)).map(({ label }) => label);
   return {
     the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
     count: (kinds) => new Set(labels(kinds)).size,
@@ -341,7 +344,7 @@ function subjectOf(raw: EngineDiagnostic, entities: readonly EntityRef[]): Subje
     value: (index) => shortNumber(raw.values[index]),
     main: entities[0]?.label ?? "the model",
     kind: entities[0]?.kind,
-    drawn: entities.some(({ kind }) => kind === "line" || kind === "patch" || kind === "point"),
+    drawn,
   };
 }
 

@@ -10,6 +10,8 @@ export interface Problem {
   readonly message: string;
   readonly remedy: string;
   readonly entities: readonly Entity[];
+  /** Of the boundary that the last run has refused. */
+  readonly triangles: readonly number[];
   readonly place: readonly [number, number, number] | null;
 }
 
@@ -44,6 +46,7 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
       message,
       remedy,
       entities: entities.flatMap((ref) => toEntities(project, ref)),
+      triangles: entities.flatMap(({ kind, index }) => (kind === "triangle" ? [index] : [])),
       place: place ?? null,
     });
   }

@@ -6,6 +6,7 @@ import { formatPlace } from "../ui/format";
 import { strings } from "../ui/strings";
 import { useApp, useProject } from "./app-context";
 import { EntityChips } from "./entity-chips";
+import { TriangleList } from "./triangle-list";
 
 const icons = {
   error: IconExclamationCircle,
@@ -52,6 +53,7 @@ export function ProblemCard({ problem, testId }: ProblemCardProps) {
           {problem.place && <PlaceButton place={problem.place} />}
           <code className="tf-code">{problem.code}</code>
         </div>
+        {problem.triangles.length > 0 && <TriangleList triangles={problem.triangles} />}
       </div>
     </div>
   );

@@ -31,8 +31,16 @@ bool BoundaryReport::lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& lin
   return true;
 }
 
+void BoundaryReport::addTriangles(Finding& finding, std::span<const std::uint32_t> triangles) {
+  for (const std::uint32_t triangle : triangles) {
+    std::vector<std::uint32_t>& known = finding.triangles;
+    if (known.size() == kMaxTriangles) return;
+    if (std::find(known.begin(), known.end(), triangle) == known.end()) known.push_back(triangle);
+  }
+}
+
 void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
-                         std::vector<double> values) {
+                         std::vector<double> values, std::span<const std::uint32_t> triangles) {
   ++errors_;
   Kind& kind = kinds_[code];
   ++kind.total;
@@ -43,7 +51,9 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
     }
     const auto [at, isNew] = known_.try_emplace({code, std::move(key)}, findings_.size());
     if (!isNew) {
-      if (at->second != kNotKept) ++findings_[at->second].count;
+      if (at->second == kNotKept) return;
+      ++findings_[at->second].count;
+      addTriangles(findings_[at->second], triangles);
       return;
     }
     if (kind.kept == kMaxOfAKind) at->second = kNotKept;
@@ -55,6 +65,7 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
   finding.diagnostic.entities = std::move(entities);
   finding.diagnostic.values = std::move(values);
   finding.count = 1;
+  addTriangles(finding, triangles);
   if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z)) {
     finding.diagnostic.hasPlace = true;
     finding.diagnostic.place = place;
@@ -72,26 +83,30 @@ void BoundaryReport::addNodePair(DiagnosticCode code, std::uint32_t a, std::uint
 
 void BoundaryReport::addTriangle(DiagnosticCode code, std::uint32_t triangle,
                                  std::vector<double> values) {
-  std::vector<Entity> entities{{EntityKind::kTriangle, triangle}};
-  if (isDrawn()) entities = {patchOf(triangle)};
+  const std::array<std::uint32_t, 1> triangles{triangle};
   const std::size_t i = 3 * std::size_t{triangle};
   const std::size_t nodes = mesh_.points.size() / 3;
   Vec3 place(std::nan(""));
   if (std::max({mesh_.triangles[i], mesh_.triangles[i + 1], mesh_.triangles[i + 2]}) < nodes) {
     place = centreOf(triangle);
   }
-  add(code, std::move(entities), place, std::move(values));
+  if (isDrawn()) {
+    add(code, {patchOf(triangle)}, place, std::move(values), triangles);
+  } else {
+    add(code, {{EntityKind::kTriangle, triangle}}, place, std::move(values));
+  }
 }
 
 void BoundaryReport::addTrianglePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b,
                                      const Vec3& place) {
-  std::vector<Entity> entities{{EntityKind::kTriangle, a}, {EntityKind::kTriangle, b}};
-  if (isDrawn()) {
-    entities = {patchOf(a), patchOf(b)};
-    if (entities[1].index < entities[0].index) std::swap(entities[0], entities[1]);
-    if (entities[1].index == entities[0].index) entities.pop_back();
+  if (!isDrawn()) {
+    add(code, {{EntityKind::kTriangle, a}, {EntityKind::kTriangle, b}}, place, {});
+    return;
   }
-  add(code, std::move(entities), place, {});
+  std::vector<Entity> entities{patchOf(a), patchOf(b)};
+  if (entities[1].index < entities[0].index) std::swap(entities[0], entities[1]);
+  if (entities[1].index == entities[0].index) entities.pop_back();
+  add(code, std::move(entities), place, {}, std::array{a, b});
 }
 
 void BoundaryReport::addEdge(DiagnosticCode code, std::uint32_t from, std::uint32_t to,
@@ -108,7 +123,8 @@ void BoundaryReport::addEdge(DiagnosticCode code, std::uint32_t from, std::uint3
   } else {
     for (const std::uint32_t t : triangles) entities.push_back({EntityKind::kTriangle, t});
   }
-  add(code, std::move(entities), 0.5 * (pointOf(mesh_, from) + pointOf(mesh_, to)), {});
+  add(code, std::move(entities), 0.5 * (pointOf(mesh_, from) + pointOf(mesh_, to)), {},
+      isDrawn() ? triangles : std::span<const std::uint32_t>{});
 }
 
 void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> entities,
@@ -156,6 +172,9 @@ std::vector<Diagnostic> BoundaryReport::take() {
     if (finding.isCounted) {
       const std::uint64_t count = isDrawn() ? finding.count : kinds_[finding.diagnostic.code].total;
       finding.diagnostic.values.push_back(static_cast<double>(count));
+    }
+    for (const std::uint32_t triangle : finding.triangles) {
+      finding.diagnostic.entities.push_back({EntityKind::kTriangle, triangle});
     }
     diagnostics.push_back(std::move(finding.diagnostic));
   }

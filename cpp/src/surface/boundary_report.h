@@ -22,7 +22,9 @@ enum class BoundarySource : std::uint8_t {
 };
 
 /// Collects findings. Of each code the first kMaxOfAKind are kept; the last of their `values` is
-/// the number of findings of that code in all (for a drawn model: with the same entities).
+/// the number of findings of that code in all (for a drawn model: with the same entities). A
+/// finding in a drawn model names lines and patches first, then its triangles, up to
+/// kMaxTriangles of all findings with the same lines and patches.
 class BoundaryReport {
  public:
   BoundaryReport(const SurfaceMesh& mesh, BoundarySource source) : mesh_(mesh), source_(source) {}
@@ -54,6 +56,7 @@ class BoundaryReport {
  private:
   /// All of them for whoever repairs a surface, but not the millions of a ruined one.
   static constexpr std::size_t kMaxOfAKind = 1000;
+  static constexpr std::size_t kMaxTriangles = 200;
   static constexpr std::size_t kNotKept = static_cast<std::size_t>(-1);
 
   struct Kind {
@@ -63,11 +66,14 @@ class BoundaryReport {
   struct Finding {
     Diagnostic diagnostic;
     std::uint64_t count = 0;  ///< with the same entities; drawn models only
+    std::vector<std::uint32_t> triangles;  ///< of a drawn model, each once
     bool isCounted = true;
   };
 
+  /// `triangles`: those concerned, where the entities are lines and patches.
   void add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
-           std::vector<double> values);
+           std::vector<double> values, std::span<const std::uint32_t> triangles = {});
+  static void addTriangles(Finding& finding, std::span<const std::uint32_t> triangles);
   [[nodiscard]] bool isDrawn() const { return source_ == BoundarySource::kDrawnPatches; }
   [[nodiscard]] Entity patchOf(std::uint32_t triangle) const;
   [[nodiscard]] bool lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& line);
