@@ -1,6 +1,7 @@
 import { projectBackground, type CoverOptions, type ProjectSource, type SizeProposal } from "tetrafront";
 import type { App } from "./app";
 import { replaceBackground, replaceSources, setMeshing } from "./document/edits";
+import { rangeAlong, smallestSize } from "./document/extent";
 import { strings } from "./ui/strings";
 
 /** What commands and dialogs do to the background grid with the engine's help. */
@@ -74,14 +75,12 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
 
 /** A size to begin with where none has been given: a round twentieth of the model. */
 export function likelySize(app: App): number {
-  const { points, background } = app.documents.project;
+  const { project } = app.documents;
   const extents = [0, 1, 2].map((axis) => {
-    const along = points.map(({ at }) => at[axis] ?? 0);
-    return along.length > 0 ? Math.max(...along) - Math.min(...along) : 1;
+    const [low, high] = rangeAlong(project.points, axis);
+    return Math.max(0, high - low);
   });
-  const sizes = background.nodes.map(({ size }) => size);
-  const smallest = sizes.reduce((least, size) => Math.min(least, size), Infinity);
-  const rough = Number.isFinite(smallest) && smallest > 0 ? smallest : (Math.max(...extents) || 1) / 20;
+  const rough = smallestSize(project) ?? (Math.max(...extents) || 1) / 20;
   return Number(rough.toPrecision(2));
 }
 

@@ -193,9 +193,11 @@ const meshMenu: readonly Command[] = [
     inFields: true,
     enabled: isBusy,
   }),
-  define("mesh", 1)("refine", "Make all sizes finer (× 0.8)", (app) => app.documents.edit(scaleSizes(finer))),
+  define("mesh", 1)("refine", "Make all sizes finer (× 0.8)", (app) =>
+    app.documents.edit(scaleSizes(app.documents.project, finer)),
+  ),
   define("mesh", 1)("coarsen", "Make all sizes coarser (× 1.25)", (app) =>
-    app.documents.edit(scaleSizes(coarser)),
+    app.documents.edit(scaleSizes(app.documents.project, coarser)),
   ),
   define("mesh", 2)("cover", "Make covering grid…", (app) => app.shell.setState({ dialog: "cover" })),
   define("mesh", 2)("mesh-as-grid", "Use this mesh as background grid", (app) => void takeMeshAsGrid(app), {

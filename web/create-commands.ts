@@ -4,6 +4,7 @@ import type { App } from "./app";
 import { define, type Command } from "./command";
 import {
   addSource,
+  offerClosedSpline,
   offerHole,
   offerLine,
   offerPatch,
@@ -47,6 +48,14 @@ export const lineMakers: readonly Maker[] = [
   lineMaker("straight", "Straight line through points", "L"),
   lineMaker("parabolic", "Parabola through points", "Q"),
   lineMaker("spline", "Cubic spline through points", "S"),
+  {
+    id: "line-closed-spline",
+    label: "Closed spline through points",
+    key: "shift+S",
+    from: "point",
+    quiet: false,
+    offer: offerClosedSpline,
+  },
 ];
 
 export const patchMakers: readonly Maker[] = [

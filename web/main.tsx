@@ -8,7 +8,10 @@ import { createApp } from "./app";
 import { entityBounds } from "./viewer/bounds";
 import { findRecord, type DrawnKind } from "./document/entities";
 import { Page } from "./panels/page";
+import { listenForPalette } from "./panels/palette-hotkey";
 import { cssVariables, theme } from "./ui/theme";
+
+listenForPalette();
 
 const query = new URLSearchParams(window.location.search);
 const still = query.get("test") === "1";

@@ -69,3 +69,22 @@ test("help lists every hotkey", async ({ page }) => {
   await page.keyboard.press("Escape");
   await expect(help).toBeHidden();
 });
+
+test("Ctrl K pressed before the palette is there opens it when it is", async ({ page }) => {
+  let release = (): void => undefined;
+  const held = new Promise<void>((resolve) => (release = resolve));
+  // The palette's part of the app arrives late, as over a slow line.
+  await page.route(/overlays-.*\.js$/, async (route) => {
+    await held;
+    await route.continue();
+  });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.keyboard.press("Control+k");
+  const palette = page.getByRole("textbox", { name: "Search commands" });
+  await expect(palette).toBeHidden();
+  release();
+  await expect(palette).toBeFocused();
+  await page.keyboard.press("Control+k");
+  await expect(palette).toBeHidden();
+});

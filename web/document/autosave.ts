@@ -1,11 +1,14 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import { parseProject, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { packNodes, packTetrahedra, unpackNodes, unpackTetrahedra, type PackedGrid } from "./packed-grid";
 import type { DocumentState, DocumentStore } from "./store";
 
 interface Saved {
   /** The project's JSON; earlier versions kept the project itself, which took its time. */
   readonly text?: string;
+  /** Nodes and tetrahedra of the background grid, where they are many; the text then has none. */
+  readonly grid?: PackedGrid;
   readonly project?: Project;
   readonly savedKey: string;
   /** Earlier versions kept the uniform size beside the project. */
@@ -29,6 +32,8 @@ type Database = IDBPDatabase<AutosaveSchema>;
 const ringLength = 5;
 const allLength = 15;
 const idleMs = 1000;
+/** Above this many tetrahedra a background grid is written as flat arrays. */
+const manyTetrahedra = 2000;
 
 /** Keys are microseconds since 1970: the newest has the highest. */
 const newKey = (after: number): number => Math.max(after + 1, Date.now() * 1000);
@@ -66,8 +71,9 @@ export class Autosave {
   readonly #opening: Promise<Database | null>;
   #database: Database | null = null;
   /** What has been written, or is being written. */
-  #written: DocumentState | null = null;
-  #background: { readonly of: Project["background"]; readonly text: string } | null = null;
+  #kept: DocumentState | null = null;
+  readonly #nodes = remembering(packNodes);
+  readonly #tetrahedra = remembering(packTetrahedra);
   #timer: ReturnType<typeof setTimeout> | null = null;
   /** `pending`: there is a change that no storage holds yet; leaving the page deserves a warning. */
   readonly state: StoreApi<{ readonly pending: boolean }> = createStore<{ readonly pending: boolean }>(
@@ -115,32 +121,41 @@ export class Autosave {
     this.#timer = null;
     const database = this.#database;
     const state = this.#documents.state.getState();
-    if (!database || !this.state.getState().pending || state === this.#written) return;
-    this.#written = state;
+    if (!database || !this.state.getState().pending || state === this.#kept) return;
+    this.#kept = state;
     const { history, savedKey } = state;
     const own = this.#ownKeys.read();
     const key = newKey(own.at(-1) ?? 0);
-    const text = this.#textOf(history.present.project);
+    const written = this.#written(history.present.project);
     try {
       const transaction = database.transaction("versions", "readwrite");
-      const added = transaction.store.add({ text, savedKey, at: Date.now() }, key);
+      const added = transaction.store.add({ ...written, savedKey, at: Date.now() }, key);
       transaction.commit();
       this.#ownKeys.write([...own, key].slice(-ringLength));
       await Promise.all([added, transaction.done]);
       this.state.setState({ pending: this.#documents.state.getState() !== state });
       await prune(database, own.slice(0, 1 - ringLength));
     } catch {
-      this.#written = null;
+      this.#kept = null;
     }
   }
 
-  /** The project's JSON. The background, which may be large and seldom changes, is not written afresh. */
-  #textOf({ background, ...rest }: Project): string {
-    if (this.#background?.of !== background) {
-      this.#background = { of: background, text: JSON.stringify(background) };
-    }
-    return `${JSON.stringify(rest).slice(0, -1)},"background":${this.#background.text}}`;
+  /** The project to be written. A large grid seldom changes, and is not packed afresh. */
+  #written({ background, ...rest }: Project): Pick<Saved, "text" | "grid"> {
+    const { nodes, tetrahedra, ...more } = background;
+    if (tetrahedra.length <= manyTetrahedra) return { text: JSON.stringify({ ...rest, background }) };
+    const text = JSON.stringify({ ...rest, background: { ...more, nodes: [], tetrahedra: [] } });
+    return { text, grid: { nodes: this.#nodes(nodes), tetrahedra: this.#tetrahedra(tetrahedra) } };
   }
+}
+
+/** A function that remembers its last answer. */
+function remembering<In extends object, Out>(compute: (input: In) => Out): (input: In) => Out {
+  let last: { readonly input: In; readonly output: Out } | null = null;
+  return (input) => {
+    if (last?.input !== input) last = { input, output: compute(input) };
+    return last.output;
+  };
 }
 
 /** Takes away these states, and the oldest of all tabs. */
@@ -151,8 +166,13 @@ async function prune(database: Database, keys: readonly number[]): Promise<void>
   await done;
 }
 
-function readKept({ text, project, uniformSize = null }: Saved): Project | null {
+function readKept({ text, grid, project, uniformSize = null }: Saved): Project | null {
   const read = parseProject(text === undefined ? project : JSON.parse(text));
   if (!read.success) return null;
-  return uniformSize === null ? read.value : { ...read.value, meshing: { size: uniformSize } };
+  const { value } = read;
+  if (uniformSize !== null) return { ...value, meshing: { size: uniformSize } };
+  if (!grid) return value;
+  const nodes = unpackNodes(grid.nodes);
+  const tetrahedra = unpackTetrahedra(grid.tetrahedra);
+  return { ...value, background: { ...value.background, nodes, tetrahedra } };
 }

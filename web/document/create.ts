@@ -1,5 +1,6 @@
 import type { LineType, PatchType, Project, SourceType } from "tetrafront";
 import { type Entity, entityName, findRecord, recordsOf, type DrawnKind } from "./entities";
+import { rangeAlong, smallestSize } from "./extent";
 import { orderLoops } from "./loops";
 import { likelyPatchType, patchMisfit } from "./patch-rules";
 import type { ProjectEdit } from "./store";
@@ -73,6 +74,14 @@ function addLines(project: Project, type: LineType, chains: readonly (readonly n
       },
     },
   };
+}
+
+/** A spline through the selected points and back to the first of them. */
+export function offerClosedSpline(project: Project, selection: readonly Entity[]): Offer {
+  const points = [...new Set(idsOf(selection, "point"))];
+  const [first] = points;
+  if (first === undefined || points.length < 3) return refuse("Select three points or more, in order.");
+  return offer(addLines(project, "spline", [[...points, first]]));
 }
 
 /**
@@ -177,12 +186,9 @@ interface Box {
 }
 
 function boxOf(project: Project): Box {
-  const places = (project.points.length > 0 ? project.points : project.background.nodes).map(({ at }) => at);
+  const places = project.points.length > 0 ? project.points : project.background.nodes;
   if (places.length === 0) return { centre: [0, 0, 0], extent: 1 };
-  const ranges = ([0, 1, 2] as const).map((axis) => {
-    const along = places.map((at) => at[axis]);
-    return [Math.min(...along), Math.max(...along)] as const;
-  });
+  const ranges = [0, 1, 2].map((axis) => rangeAlong(places, axis));
   const [x = 0, y = 0, z = 0] = ranges.map(([low, high]) => (low + high) / 2);
   return { centre: [x, y, z], extent: Math.max(...ranges.map(([low, high]) => high - low)) || 1 };
 }
@@ -224,9 +230,8 @@ export function addSource(project: Project, selection: readonly Entity[], type: 
     [x, y + reach, z],
   ];
   const places = selected.length === wanted ? selected : corners.slice(0, wanted);
-  const sizes = recordsOf(project, "background-node").map(({ size }) => size);
-  const smallest = sizes.reduce((least, size) => Math.min(least, size), Infinity);
-  const rough = Number.isFinite(smallest) ? sourceShare * smallest : extentShare * extent;
+  const smallest = smallestSize(project);
+  const rough = smallest === undefined ? extentShare * extent : sourceShare * smallest;
   const size = Number(rough.toPrecision(2));
   const distance = Number((elementsAround * size).toPrecision(2));
   return {

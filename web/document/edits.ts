@@ -1,5 +1,5 @@
 import type { Project, ProjectBackground, ProjectLine, ProjectMeshing, ProjectPatch } from "tetrafront";
-import type { Draft } from "mutative";
+import { isDraft, original, type Draft } from "mutative";
 import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
 import type { DocumentContent, ProjectEdit } from "./store";
 
@@ -31,14 +31,18 @@ function listOf(project: ProjectDraft, kind: DrawnKind): { id: number; name?: st
     case "background-node":
       return project.background.nodes;
     case "source":
-      return (project.background.sources ??= []);
+      return project.background.sources ?? [];
   }
 }
 
-const byId =
-  (id: number) =>
-  (record: { readonly id: number }): boolean =>
-    record.id === id;
+/**
+ * The draft of the record with an id. It is looked for in the list itself, for a draft's list makes a
+ * draft of everything looked at: a moment for one node, a second for a hundred thousand.
+ */
+function recordOf<Item extends { readonly id: number }>(list: Item[], id: number): Item | undefined {
+  const records = isDraft(list) ? original(list) : list;
+  return list[records.findIndex((record) => record.id === id)];
+}
 
 /** Moves a point or a background node along one axis. */
 export function moveEntity(
@@ -51,8 +55,7 @@ export function moveEntity(
     label: `Move ${kindWords[kind]} ${id}`,
     mergeKey: `move-${kind}-${id}-${axis}`,
     change: ({ project }) => {
-      const records = kind === "point" ? project.points : project.background.nodes;
-      const record = records.find(byId(id));
+      const record = kind === "point" ? recordOf(project.points, id) : recordOf(project.background.nodes, id);
       if (record) record.at[axis] = value;
     },
   };
@@ -63,7 +66,7 @@ export function renameEntity(entity: Entity, name: string): ProjectEdit {
   return {
     label: `Rename ${kindWords[entity.kind]} ${entity.id}`,
     change: ({ project }) => {
-      const record = listOf(project, entity.kind).find(byId(entity.id));
+      const record = recordOf(listOf(project, entity.kind), entity.id);
       if (!record) return;
       if (name === "") delete record.name;
       else record.name = name;
@@ -84,7 +87,7 @@ export function setLineType(id: number, type: ProjectLine["type"]): ProjectEdit 
   return {
     label: `Change type of line ${id}`,
     change: ({ project }) => {
-      const line = project.lines.find(byId(id));
+      const line = recordOf(project.lines, id);
       if (line) line.type = type;
     },
   };
@@ -94,7 +97,7 @@ export function setLinePoints(id: number, points: readonly number[]): ProjectEdi
   return {
     label: `Change points of line ${id}`,
     change: ({ project }) => {
-      const line = project.lines.find(byId(id));
+      const line = recordOf(project.lines, id);
       if (line && line.points.join() !== points.join()) line.points = [...points];
     },
   };
@@ -104,7 +107,7 @@ export function setPatchType(id: number, type: ProjectPatch["type"]): ProjectEdi
   return {
     label: `Change type of patch ${id}`,
     change: ({ project }) => {
-      const patch = project.patches.find(byId(id));
+      const patch = recordOf(project.patches, id);
       if (patch) patch.type = type;
     },
   };
@@ -115,7 +118,7 @@ export function setPatchLoops(id: number, loops: readonly (readonly number[])[])
   return {
     label: `Change loops of patch ${id}`,
     change: ({ project }) => {
-      const patch = project.patches.find(byId(id));
+      const patch = recordOf(project.patches, id);
       if (patch && JSON.stringify(patch.loops) !== JSON.stringify(loops)) {
         patch.loops = loops.map((loop) => [...loop]);
       }
@@ -128,7 +131,7 @@ export function setNodeSize(id: number, size: number): ProjectEdit {
     label: `Set size of background node ${id}`,
     mergeKey: `size-${id}`,
     change: ({ project }) => {
-      const node = project.background.nodes.find(byId(id));
+      const node = recordOf(project.background.nodes, id);
       if (node) node.size = size;
     },
   };
@@ -139,7 +142,7 @@ export function setNodeStretching(id: number, stretching: number): ProjectEdit {
     label: `Set stretching of background node ${id}`,
     mergeKey: `stretching-${id}`,
     change: ({ project }) => {
-      const node = project.background.nodes.find(byId(id));
+      const node = recordOf(project.background.nodes, id);
       if (!node) return;
       node.stretching = stretching;
       node.direction ??= [1, 0, 0];
@@ -152,12 +155,16 @@ export function setNodeDirection(id: number, axis: Axis, value: number): Project
     label: `Set direction of background node ${id}`,
     mergeKey: `direction-${id}-${axis}`,
     change: ({ project }) => {
-      const node = project.background.nodes.find(byId(id));
+      const node = recordOf(project.background.nodes, id);
       if (!node) return;
       node.direction ??= [1, 0, 0];
       node.direction[axis] = value;
     },
   };
+}
+
+function sourceOf({ background }: ProjectDraft, id: number) {
+  return background.sources && recordOf(background.sources, id);
 }
 
 /** What a source says of sizes. */
@@ -168,7 +175,7 @@ export function setSourceField(id: number, field: SourceField, value: number): P
     label: `Set ${field} of source ${id}`,
     mergeKey: `source-${field}-${id}`,
     change: ({ project }) => {
-      const source = project.background.sources?.find(byId(id));
+      const source = sourceOf(project, id);
       if (source) source[field] = value;
     },
   };
@@ -180,7 +187,7 @@ export function moveSource(id: number, place: number, axis: Axis, value: number)
     label: `Move source ${id}`,
     mergeKey: `move-source-${id}-${place}-${axis}`,
     change: ({ project }) => {
-      const at = project.background.sources?.find(byId(id))?.places[place];
+      const at = sourceOf(project, id)?.places[place];
       if (at) at[axis] = value;
     },
   };
@@ -241,16 +248,20 @@ export function replaceBackground(
 }
 
 /** Multiplies every size: of background nodes, of sources, everywhere. Coarser above 1, finer below. */
-export function scaleSizes(factor: number): ProjectEdit {
+export function scaleSizes({ background, meshing }: Project, factor: number): ProjectEdit {
+  const scaled = <Item extends { readonly size: number }>(list: readonly Item[]): readonly Item[] =>
+    list.map((item) => ({ ...item, size: factor * item.size }));
   return {
     label: factor < 1 ? "Refine all sizes" : "Coarsen all sizes",
-    change: (draft) => {
-      const { background, meshing } = draft.project;
-      const { nodes, sources = [] } = background;
-      for (const node of nodes) node.size *= factor;
-      for (const source of sources) source.size *= factor;
-      if (meshing?.size !== undefined) meshing.size *= factor;
-    },
+    replace: [
+      [["project", "background", "nodes"], scaled(background.nodes)],
+      ...(background.sources
+        ? [[["project", "background", "sources"], scaled(background.sources)] as const]
+        : []),
+      ...(meshing?.size === undefined
+        ? []
+        : [[["project", "meshing"], { ...meshing, size: factor * meshing.size }] as const]),
+    ],
   };
 }
 

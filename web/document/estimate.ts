@@ -31,9 +31,28 @@ function distanceToSegment(p: Place, a: Place, b: Place): number {
   return Math.hypot(...from.map((x, k) => x - held * (along[k] ?? 0)));
 }
 
-/** Distance from a source. Inside a triangle that to its nearest side, which is near enough here. */
+const minus = (a: Place, b: Place): Place => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Place, b: Place): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Place, b: Place): Place => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+
+/** Distance to a triangle's plane where the place lies above its inside; else infinite. */
+function distanceAbove(p: Place, [a, b, c]: readonly Place[]): number {
+  if (!a || !b || !c) return Infinity;
+  const normal = cross(minus(b, a), minus(c, a));
+  const isInside = [[a, b] as const, [b, c] as const, [c, a] as const].every(
+    ([from, to]) => dot(cross(normal, minus(to, from)), minus(p, from)) >= 0,
+  );
+  const length = Math.sqrt(dot(normal, normal));
+  return isInside && length > 0 ? Math.abs(dot(normal, minus(p, a))) / length : Infinity;
+}
+
+/** Distance from a source. */
 function distanceToSource(p: Place, places: readonly Place[]): number {
-  let nearest = Infinity;
+  let nearest = distanceAbove(p, places);
   places.forEach((place, i) => {
     const next = places[(i + 1) % places.length] ?? place;
     nearest = Math.min(nearest, distanceToSegment(p, place, next));

@@ -1,5 +1,6 @@
 import type { Project, ProjectLine } from "tetrafront";
 import { findRecord } from "./entities";
+import { rangeAlong } from "./extent";
 
 /** Closed chains of lines, the outer one first; a negative id walks that line backwards. */
 export type LoopSearch =
@@ -75,10 +76,10 @@ function seamedLoop(project: Project, lines: readonly ProjectLine[]): number[] |
 /** Squared diagonal of the box around all points of a loop's lines. */
 function extentOf(project: Project, loop: readonly number[]): number {
   const wanted = new Set(loop.flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []));
-  const places = project.points.filter(({ id }) => wanted.has(id)).map(({ at }) => at);
+  const places = project.points.filter(({ id }) => wanted.has(id));
   return [0, 1, 2].reduce((sum, axis) => {
-    const along = places.map((at) => at[axis] ?? 0);
-    return sum + (Math.max(...along) - Math.min(...along)) ** 2;
+    const [low, high] = rangeAlong(places, axis);
+    return sum + (high - low) ** 2;
   }, 0);
 }
 

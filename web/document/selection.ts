@@ -17,6 +17,7 @@ export interface Cut {
 }
 
 export interface ViewState {
+  /** In the order in which they were selected. Points that end where they begin are a closed chain. */
   readonly selection: readonly Entity[];
   readonly hover: Entity | null;
   /** A tetrahedron picked on a cut or in a list, by its position in the mesh. */
@@ -47,6 +48,18 @@ const initialView: ViewState = {
   several: false,
 };
 
+/** Points in a chain, selected one by one, that ends at its first again. */
+export function isClosedChain(selection: readonly Entity[]): boolean {
+  const [first, ...rest] = selection;
+  return first !== undefined && rest.length >= 3 && sameEntity(first, rest.at(-1) ?? null);
+}
+
+/** Is the entity the first of three selected points or more, so that it closes their chain? */
+function closesChain(selection: readonly Entity[], entity: Entity): boolean {
+  const isChain = selection.length >= 3 && selection.every(({ kind }) => kind === "point");
+  return isChain && sameEntity(selection[0] ?? null, entity) && !isClosedChain(selection);
+}
+
 export type SelectMode = "replace" | "add" | "toggle";
 
 export class ViewStore {
@@ -60,8 +73,13 @@ export class ViewStore {
       if (mode === "replace" && !several) this.clear();
       return;
     }
-    const others = selection.filter((selected) => !sameEntity(selected, entity));
-    const wasSelected = others.length < selection.length;
+    if ((mode === "add" || (mode === "toggle" && several)) && closesChain(selection, entity)) {
+      this.state.setState({ selection: [...selection, entity], ...nothingMarked });
+      return;
+    }
+    const opened = isClosedChain(selection) ? selection.slice(0, -1) : selection;
+    const others = opened.filter((selected) => !sameEntity(selected, entity));
+    const wasSelected = others.length < opened.length;
     if (mode === "replace") this.state.setState({ selection: [entity], ...nothingMarked });
     else if (mode === "toggle" && wasSelected) this.state.setState({ selection: others });
     else this.state.setState({ selection: [...others, entity], ...nothingMarked });

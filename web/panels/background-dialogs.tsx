@@ -1,4 +1,4 @@
-import { Button, Checkbox, Group, SegmentedControl, Text } from "@mantine/core";
+import { Alert, Button, Checkbox, Group, SegmentedControl, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { SizeProposal } from "tetrafront";
 import { applyProposal, coverModel, likelySize } from "../background-actions";
@@ -113,6 +113,28 @@ const wishFields: readonly { field: WishField; step: number; zero: boolean }[] =
 /** The smallest size proposed, as a share of the largest, unless the user says otherwise. */
 const smallestShare = 0.05;
 
+/** Above this many tetrahedra a proposal is not applied without a warning. */
+const mostTetrahedra = 500_000;
+
+/** Beyond what brings the count down to the limit, for it is an estimate. */
+const margin = 1.05;
+
+/**
+ * The same wishes with a larger smallest size, so that there are no more elements than the limit; the
+ * largest size grows too where it is smaller, or where there is nothing but it.
+ */
+const coarser =
+  ({ proposal, tetrahedra }: Answer) =>
+  (wishes: Wishes): Wishes => {
+    // The count falls with the cube of the size, in plates with its square.
+    const factor = margin * Math.sqrt((tetrahedra ?? 0) / mostTetrahedra);
+    const round = (size: number): number => Number(size.toPrecision(2));
+    const found = proposal.sources.reduce((least, { size }) => Math.min(least, size), Infinity);
+    if (!Number.isFinite(found)) return { ...wishes, uniform: round(factor * wishes.uniform) };
+    const smallest = round(factor * Math.max(found, wishes.smallest));
+    return { ...wishes, smallest, uniform: Math.max(smallest, wishes.uniform) };
+  };
+
 interface Answer {
   readonly proposal: SizeProposal;
   readonly tetrahedra: number | null;
@@ -130,6 +152,7 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
   const [cover, setCover] = useState(true);
   const [replaceSources, setReplaceSources] = useState(true);
   const { answer, failure } = useProposal(wishes);
+  const tooMany = (answer?.tetrahedra ?? 0) > mostTetrahedra;
   return (
     <>
       <Text size="sm" c="dimmed" mb={8}>
@@ -164,6 +187,20 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
         />
       )}
       <ProposalSummary answer={answer} failure={failure} />
+      {tooMany && (
+        <Alert mt={8} p={8} color="orange" data-testid="proposal-too-many">
+          {texts.tooMany}
+          <Button
+            mt={6}
+            size="compact-xs"
+            variant="default"
+            data-testid="propose-coarser"
+            onClick={() => answer && setWishes(coarser(answer))}
+          >
+            {texts.coarser(formatCount(mostTetrahedra))}
+          </Button>
+        </Alert>
+      )}
       <Group justify="flex-end" gap="xs" mt={12}>
         <Button size="xs" variant="default" onClick={onClose}>
           {texts.cancel}
@@ -172,12 +209,13 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
           size="xs"
           data-testid="propose-apply"
           disabled={answer === null}
+          {...(tooMany && { color: "orange" })}
           onClick={() => {
             onClose();
             if (answer) void applyProposal(app, answer.proposal, { cover, replaceSources });
           }}
         >
-          {texts.apply}
+          {tooMany ? texts.applyAnyway : texts.apply}
         </Button>
       </Group>
     </>

@@ -32,7 +32,7 @@ export function CommandPalette() {
   }));
   return (
     <Spotlight
-      shortcut="mod+K"
+      shortcut={null}
       query={query}
       onQueryChange={setQuery}
       onSpotlightOpen={() => setQuery("")}

@@ -24,9 +24,10 @@ export function EntityChips({ entities, project, onChoose }: EntityChipsProps) {
   const choose = onChoose ?? ((entity: Entity) => app.view.select(entity));
   return (
     <div className="tf-chips">
-      {entities.slice(0, maxChips).map((entity) => (
+      {entities.slice(0, maxChips).map((entity, index) => (
         <UnstyledButton
-          key={entityKey(entity)}
+          // A closed chain of points names its first again at its end.
+          key={`${index}-${entityKey(entity)}`}
           className="tf-chip"
           onClick={() => choose(entity)}
           onMouseEnter={() => app.view.setHover(entity)}

@@ -1,4 +1,4 @@
-import { Select, Text } from "@mantine/core";
+import { Select, Switch, Text } from "@mantine/core";
 import type { Project, ProjectBackgroundNode, ProjectLine, ProjectPoint, ProjectSource } from "tetrafront";
 import {
   moveEntity,
@@ -42,6 +42,7 @@ const lineTypes = optionsOf(lineTypeNames);
 export function LineEditor({ line, project }: { readonly line: ProjectLine; readonly project: Project }) {
   const app = useApp();
   const known = new Set(project.points.map(({ id }) => id));
+  const closed = line.points[0] === line.points.at(-1);
   const refuse = (points: readonly number[]): string | null => {
     if (points.length < 2) return strings.fields.twoPoints;
     const unknown = points.find((id) => !known.has(id));
@@ -71,6 +72,19 @@ export function LineEditor({ line, project }: { readonly line: ProjectLine; read
           testId="line-points"
           onCommit={(points) => app.documents.edit(setLinePoints(line.id, points))}
         />
+        {line.type === "spline" && (
+          <Switch
+            size="xs"
+            mt={6}
+            label={strings.inspector.closed}
+            data-testid="line-closed"
+            checked={closed}
+            onChange={() => {
+              const points = closed ? line.points.slice(0, -1) : [...line.points, ...line.points.slice(0, 1)];
+              app.documents.edit(setLinePoints(line.id, points));
+            }}
+          />
+        )}
       </FieldRow>
     </>
   );

@@ -264,7 +264,7 @@ function TreeItem({ row, top, focusable, onActivate }: TreeItemProps) {
           <IconAlertTriangle size={14} aria-hidden />
         </span>
       )}
-      <span className="tf-row-detail">{row.detail}</span>
+      <span className="tf-row-detail">{row.detail()}</span>
       <EntityEye entity={row.entity} title={row.title} />
     </div>
   );

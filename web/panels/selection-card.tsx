@@ -2,6 +2,7 @@ import { Button, Text } from "@mantine/core";
 import { make, makers, sourceMakers } from "../create-commands";
 import { deleteSelection } from "../actions";
 import type { Entity } from "../document/entities";
+import { isClosedChain } from "../document/selection";
 import { SectionTitle } from "../ui/field-row";
 import { strings } from "../ui/strings";
 import { useApp, useProject } from "./app-context";
@@ -11,9 +12,14 @@ import { EntityChips } from "./entity-chips";
 export function SelectionCard({ selection }: { readonly selection: readonly Entity[] }) {
   const app = useApp();
   const project = useProject();
+  const closed = isClosedChain(selection);
   return (
     <>
-      <SectionTitle>{strings.inspector.several(selection.length)}</SectionTitle>
+      <SectionTitle>
+        {closed
+          ? strings.inspector.closedChain(selection.length - 1)
+          : strings.inspector.several(selection.length)}
+      </SectionTitle>
       <EntityChips entities={selection} project={project} />
       <MakeOfSelection selection={selection} explain />
       <Button mt={10} size="compact-xs" variant="default" onClick={() => deleteSelection(app)}>

@@ -1,12 +1,12 @@
 import type { Project } from "tetrafront";
+import { smallestSize } from "../document/extent";
 import { strings } from "../ui/strings";
 
 /** What fields for sizes and places have in common. */
 
 /** A round step for coordinates: about a fiftieth of the size wanted here, at least of the model's. */
 export function stepFor(project: Project): number {
-  const sizes = project.background.nodes.map(({ size }) => size).filter((size) => size > 0);
-  const smallest = sizes.length > 0 ? Math.min(...sizes) : 1;
+  const smallest = smallestSize(project) ?? 1;
   return 10 ** Math.round(Math.log10(smallest / 10));
 }
 

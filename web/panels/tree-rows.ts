@@ -16,7 +16,8 @@ export type TreeRow =
       readonly type: "entity";
       readonly entity: Entity;
       readonly title: string;
-      readonly detail: string;
+      /** Told when the row is drawn: few of many are. */
+      readonly detail: () => string;
       readonly position: number;
       readonly siblings: number;
     };
@@ -29,33 +30,39 @@ function titleOf(kind: DrawnKind, id: number, name: string | undefined): string 
 function describeAll(project: Project, kind: DrawnKind) {
   switch (kind) {
     case "point":
-      return project.points.map(({ id, name, at }) => ({ id, name, detail: formatPlace(at), words: "" }));
+      return project.points.map(({ id, name, at }) => ({
+        id,
+        name,
+        detail: () => formatPlace(at),
+        words: "",
+      }));
     case "line":
       return project.lines.map(({ id, name, type, points }) => ({
         id,
         name,
-        detail: points.length > 3 ? `${points.length} points` : points.join("–"),
+        detail: () => (points.length > 3 ? `${points.length} points` : points.join("–")),
         words: lineTypeNames[type],
       }));
     case "patch":
       return project.patches.map(({ id, name, type }) => ({
         id,
         name,
-        detail: patchTypeNames[type],
+        detail: () => patchTypeNames[type],
         words: "",
       }));
     case "background-node":
       return project.background.nodes.map(({ id, size, stretching }) => ({
         id,
         name: undefined,
-        detail: `δ ${formatShort(size)}${stretching && stretching !== 1 ? ` ×${formatShort(stretching)}` : ""}`,
+        detail: () =>
+          `δ ${formatShort(size)}${stretching && stretching !== 1 ? ` ×${formatShort(stretching)}` : ""}`,
         words: "node",
       }));
     case "source":
       return recordsOf(project, kind).map(({ id, name, type, size }) => ({
         id,
         name,
-        detail: `δ ${formatShort(size)}`,
+        detail: () => `δ ${formatShort(size)}`,
         words: sourceTypeNames[type],
       }));
   }
@@ -76,8 +83,9 @@ export function treeRows(project: Project, filter: string, closed: ReadonlySet<D
     const matching = describeAll(project, kind)
       .map(({ id, name, detail, words }) => ({ id, detail, words, title: titleOf(kind, id, name) }))
       .filter(({ id, detail, words, title }) => {
-        const text = `${title} ${entityWords[kind].one} ${id} ${detail} ${words}`.toLowerCase();
-        return wanted === "" || text.includes(wanted);
+        if (wanted === "") return true;
+        const text = `${title} ${entityWords[kind].one} ${id} ${words}`.toLowerCase();
+        return text.includes(wanted) || detail().toLowerCase().includes(wanted);
       });
     if (wanted !== "" && matching.length === 0) return;
     rows.push({ type: "group", kind, total, open, position: position + 1 });

@@ -124,6 +124,8 @@ export const strings = {
     display: "Display",
     nothingSelected: "Select something in the tree or in the view to edit it.",
     several: (count: number) => `${count} entities selected`,
+    closedChain: (count: number) => `${count} points, closed`,
+    closed: "Closed",
     more: (count: number) => `and ${count} more`,
     makeOf: "Make of the selection",
     deleteAll: "Delete these",
@@ -264,7 +266,7 @@ export const strings = {
     nodeHint: "It takes effect as a corner of a tetrahedron: select four nodes and press T.",
     line: "New line",
     lineHint: [
-      "Select the points it runs through, in order (Ctrl click adds one), then press L for straight lines, Q for a parabola or S for a cubic spline.",
+      "Select the points it runs through, in order (Ctrl click adds one), then press L for straight lines, Q for a parabola or S for a cubic spline. Shift click on the first point again closes the chain; Shift S closes a spline by itself.",
     ],
     patch: "New patch",
     patchHint: [
@@ -281,6 +283,9 @@ export const strings = {
     make: "Make it",
     cancel: "Cancel",
     apply: "Apply",
+    applyAnyway: "Apply all the same",
+    tooMany: "So many elements take minutes and gigabytes. Thin places ask for more of them than they look.",
+    coarser: (count: string) => `Larger elements: fewer than ${count}`,
     meshAsGrid: "Use this mesh as background grid",
     propose: "Propose sizes",
     proposeHint: "Sources of smaller size where lines and patches bend or come near each other.",
@@ -329,6 +334,11 @@ export const strings = {
     gradation: "Gradation",
     gradationHint: "Most by which sizes grow from one element to the next; 0 takes them as they are.",
     badGradation: "Must be 0, or above 1",
+  },
+  triangles: {
+    count: (count: string, single: boolean) => (single ? "1 triangle" : `${count} triangles`),
+    one: (triangle: string) => `Triangle ${triangle}`,
+    all: "Show all of them",
   },
   severities: { error: "Error", warning: "Warning" },
   bottom: {

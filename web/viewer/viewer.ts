@@ -5,6 +5,7 @@ import type { SelectMode, ViewState } from "../document/selection";
 import { Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type StandardView } from "./camera";
 import type { ViewerColors } from "./colors";
+import { dotStates } from "./dot-states";
 import { DotsLayer } from "./layers/dots-layer";
 import { GridLayer } from "./layers/grid-layer";
 import { GroundLayer } from "./layers/ground-layer";
@@ -340,11 +341,13 @@ export class Viewer {
       return sameEntity(state.hover, { kind, id }) ? "hover" : "normal";
     };
     const { points, background } = this.#project;
-    this.#points.setStates(points.map(({ id }) => markingOf("point", id) ?? "hidden"));
+    const statesOf = (kind: "point" | "background-node", records: readonly { readonly id: number }[]) =>
+      dotStates(records, kind, state, selected);
+    this.#points.setStates(statesOf("point", points));
     // These may be many: nothing is done for them while they are not on show.
     if (state.layers.background) {
       this.#grid.setGrid(this.#project, this.#origin);
-      this.#grid.setStates(background.nodes.map(({ id }) => markingOf("background-node", id) ?? "hidden"));
+      this.#grid.setStates(statesOf("background-node", background.nodes));
     }
     if (state.layers.sources) {
       const sources = background.sources ?? [];

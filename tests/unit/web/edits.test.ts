@@ -30,7 +30,7 @@ describe("the document", () => {
     expect(after.lines).toBe(before.lines);
     documents.edit(renameEntity({ kind: "point", id: point.id }, ""));
     expect(documents.project.points[0]).not.toHaveProperty("name");
-    documents.edit(scaleSizes(0.5));
+    documents.edit(scaleSizes(documents.project, 0.5));
     expect(documents.project.background.nodes.map(({ size }) => size)).toEqual(
       before.background.nodes.map(({ size }) => size / 2),
     );
@@ -67,7 +67,7 @@ describe("the document", () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     const unsaved = () => hasUnsavedChanges(documents.state.getState());
     expect(unsaved()).toBe(false);
-    documents.edit(scaleSizes(2));
+    documents.edit(scaleSizes(documents.project, 2));
     expect(unsaved()).toBe(true);
     documents.undo();
     expect(unsaved()).toBe(false);
@@ -87,7 +87,12 @@ describe("toProblems", () => {
     const problems = toProblems(project, [
       { ...diagnostic, severity: "information", message: "note", entities: [] },
       { ...diagnostic, severity: "warning", message: "warned", entities: about(1), place: [1, 2, 3] },
-      { ...diagnostic, severity: "error", message: "failed", entities: about(0) },
+      {
+        ...diagnostic,
+        severity: "error",
+        message: "failed",
+        entities: [...about(0), ...[7, 9].map((index) => ({ kind: "triangle", index, label: "" }) as const)],
+      },
       { ...diagnostic, severity: "error", message: "failed", entities: about(0) },
     ]);
     expect(problems.map(({ severity, message }) => [severity, message])).toEqual([
@@ -99,6 +104,7 @@ describe("toProblems", () => {
       [{ kind: "patch", id: project.patches[1]?.id }],
     ]);
     expect(problems[1]?.place).toEqual([1, 2, 3]);
+    expect(problems.map(({ triangles }) => triangles)).toEqual([[7, 9], []]);
   });
 });
 
@@ -130,7 +136,7 @@ describe("sizes", () => {
     const documents = new DocumentStore(project, () => 0);
     documents.edit(setMeshing("size", 0.5));
     documents.edit(setMeshing("optimization", "fast"));
-    documents.edit(scaleSizes(0.5));
+    documents.edit(scaleSizes(documents.project, 0.5));
     expect(documents.project.meshing?.size).toBe(0.25);
     expect(documents.project.background.nodes[0]?.size).toBe(0.5 * (project.background.nodes[0]?.size ?? 0));
     documents.edit(replaceSources("Sources", { ...project.background, sources: [] }));

@@ -25,6 +25,20 @@ describe("sizeAt", () => {
   });
 });
 
+describe("sizeAt beside a triangle", () => {
+  const places = [[0, 0, 0], [10, 0, 0], [0, 10, 0]] as const; // prettier-ignore
+  const source: ProjectSource = { id: 1, type: "triangle", places, size: 0.1, growth: 0.2 };
+
+  it("counts from its inside, its sides and its corners", () => {
+    for (const turned of [source, { ...source, places: places.toReversed() }]) {
+      expect(sizeAt([2, 3, 0.5], 9, [turned])).toBeCloseTo(0.2, 12);
+      expect(sizeAt([2, 3, -1], 9, [turned])).toBeCloseTo(0.3, 12);
+      expect(sizeAt([5, -3, 4], 9, [turned])).toBeCloseTo(1.1, 12);
+      expect(sizeAt([-2, -3, 6], 9, [turned])).toBeCloseTo(1.5, 12);
+    }
+  });
+});
+
 describe("estimateTetrahedra", () => {
   it("comes within a fifth of the mesh, with and without a source", async () => {
     const mesher = await createMesher();

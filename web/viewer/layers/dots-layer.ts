@@ -36,7 +36,12 @@ export class DotsLayer implements SceneLayer {
   }
 
   setPlaces(places: readonly Place[], origin: Place): void {
-    const position = Float32Array.from(places.flatMap((at) => at.map((x, k) => x - (origin[k] ?? 0))));
+    const position = new Float32Array(3 * places.length);
+    places.forEach(([x, y, z], i) => {
+      position[3 * i] = x - origin[0];
+      position[3 * i + 1] = y - origin[1];
+      position[3 * i + 2] = z - origin[2];
+    });
     this.root.geometry.dispose();
     this.root.geometry = new BufferGeometry()
       .setAttribute("position", new BufferAttribute(position, 3))
@@ -57,10 +62,13 @@ export class DotsLayer implements SceneLayer {
       selected: displayColor(colors.selection),
       hidden: displayColor(colors.faded),
     };
-    states.slice(0, diameter.count).forEach((state, i) => {
-      tint.setXYZ(i, tints[state].r, tints[state].g, tints[state].b);
+    const count = Math.min(states.length, diameter.count);
+    for (let i = 0; i < count; ++i) {
+      const state = states[i] ?? "hidden";
+      const { r, g, b } = tints[state];
+      tint.setXYZ(i, r, g, b);
       diameter.setX(i, diameters[state]);
-    });
+    }
     tint.needsUpdate = true;
     diameter.needsUpdate = true;
   }

@@ -25,6 +25,7 @@ export class GridLayer implements SceneLayer {
   readonly nodes = new DotsLayer("square", (colors) => colors.backgroundGrid);
   #shown: Background | null = null;
   #shownOrigin: Place = [0, 0, 0];
+  #edgeNodes = new Uint32Array();
 
   constructor() {
     this.#edges.frustumCulled = false;
@@ -42,18 +43,21 @@ export class GridLayer implements SceneLayer {
   /** Lays the grid out if it is another one. */
   setGrid(project: Project, origin: Place): void {
     const { background } = project;
-    const same =
-      origin === this.#shownOrigin &&
-      background.nodes === this.#shown?.nodes &&
-      background.tetrahedra === this.#shown.tetrahedra;
-    if (same) return;
+    const shown = this.#shown;
+    const sameEdges = shown?.tetrahedra === background.tetrahedra && sameIds(shown.nodes, background.nodes);
+    if (sameEdges && shown.nodes === background.nodes && origin === this.#shownOrigin) return;
     this.#shown = background;
     this.#shownOrigin = origin;
+    // Moving or sizing a node leaves the edges: of a large grid they take a while to find.
+    if (!sameEdges) this.#edgeNodes = edgeNodes(project);
     this.nodes.setPlaces(
       background.nodes.map((node) => node.at),
       origin,
     );
-    replacePositions(this.#edges, edgePlaces(project, origin));
+    this.#edges.geometry.dispose();
+    this.#edges.geometry = new BufferGeometry()
+      .setAttribute("position", this.nodes.root.geometry.getAttribute("position"))
+      .setIndex(new BufferAttribute(this.#edgeNodes, 1));
     replacePositions(this.#arrows, arrowPlaces(background, origin));
   }
 
@@ -75,18 +79,19 @@ function replacePositions(lines: LineSegments, places: Float32Array): void {
   lines.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
 }
 
-function edgePlaces(project: Project, origin: Place): Float32Array {
-  const { nodes, tetrahedra } = project.background;
+function sameIds(nodes: Background["nodes"], others: Background["nodes"]): boolean {
+  if (nodes === others) return true;
+  return nodes.length === others.length && nodes.every(({ id }, i) => id === others[i]?.id);
+}
+
+/** The edges of the grid, two positions of nodes each. */
+function edgeNodes(project: Project): Uint32Array<ArrayBuffer> {
+  const { tetrahedra } = project.background;
   const positions = positionsById(project, "background-node");
   const corners = new Uint32Array(4 * tetrahedra.length);
-  tetrahedra.forEach((ids, t) => ids.forEach((id, k) => (corners[4 * t + k] = positions.get(id) ?? 0)));
-  const edges = uniqueEdges(corners);
-  const places = new Float32Array(3 * edges.length);
-  edges.forEach((node, i) => {
-    const at = nodes[node]?.at ?? origin;
-    for (let k = 0; k < 3; ++k) places[3 * i + k] = (at[k] ?? 0) - (origin[k] ?? 0);
-  });
-  return places;
+  let out = 0;
+  for (const ids of tetrahedra) for (const id of ids) corners[out++] = positions.get(id) ?? 0;
+  return uniqueEdges(corners).slice();
 }
 
 /** Shaft and two heads per stretched node, in one plane. */
