@@ -72,15 +72,13 @@ export async function save(app: App, askForName: boolean): Promise<void> {
   }
 }
 
-/** Extensions of the mesh files that can be written. */
-export type MeshExtension = ".vtu" | ".msh";
-
-export async function downloadMesh(app: App, extension: MeshExtension): Promise<void> {
+/** `extension`: of a format that the package writes, without its first dot. */
+export async function downloadMesh(app: App, extension: string): Promise<void> {
   const { mesh } = app.run.state.getState();
   const { project } = app.documents;
   if (!mesh) return;
   const { fileMeshOf, writeMesh } = await import("./mesh-writers");
-  const files = await writeMesh(fileMeshOf(mesh, { project }), `${fileStem(project.name)}${extension}`);
+  const files = await writeMesh(fileMeshOf(mesh, { project }), `${fileStem(project.name)}.${extension}`);
   for (const { fileName, bytes } of files) download([bytes], fileName, "application/octet-stream");
 }
 

@@ -20,6 +20,27 @@ const future = (app: App) => app.documents.state.getState().history.future;
 const withLabel = (verb: string, label: string | undefined): string =>
   label === undefined ? verb : `${verb}: ${label}`;
 
+/** By the end of the file's name; what is in them is told in docs/FORMAT.md. */
+const MESH_DOWNLOADS = [
+  ["vtu", "VTU (ParaView)"],
+  ["msh", "MSH 4.1 (Gmsh)"],
+  ["foam.zip", "polyMesh (OpenFOAM)"],
+  ["su2", "SU2"],
+  ["inp", "INP (Abaqus)"],
+  ["bdf", "BDF (Nastran)"],
+  ["b8.ugrid", "UGRID"],
+  ["mesh", "Medit"],
+  ["vtk", "legacy VTK"],
+  ["stl", "STL (boundary)"],
+  ["glb", "GLB (boundary)"],
+] as const;
+
+/** What the download menu offers. */
+export const DOWNLOADS: readonly string[] = [
+  ...MESH_DOWNLOADS.map(([extension]) => `download-${extension}`),
+  "download-report",
+];
+
 const fileMenu: readonly Command[] = [
   define("file", 0)("new", "New project", newProject),
   define("file", 0)("open", "Open project…", (app) => void openFromDialog(app), {
@@ -37,21 +58,13 @@ const fileMenu: readonly Command[] = [
     keys: ["mod+shift+S"],
     inFields: true,
   }),
-  define("file", 2)(
-    "download-vtu",
-    "Download mesh as VTU (ParaView)",
-    (app) => void downloadMesh(app, ".vtu"),
-    {
-      enabled: hasMesh,
-    },
-  ),
-  define("file", 2)(
-    "download-msh",
-    "Download mesh as MSH 4.1 (Gmsh)",
-    (app) => void downloadMesh(app, ".msh"),
-    {
-      enabled: hasMesh,
-    },
+  ...MESH_DOWNLOADS.map(([extension, format]) =>
+    define("file", 2)(
+      `download-${extension}`,
+      `Download mesh as ${format}`,
+      (app) => void downloadMesh(app, extension),
+      { enabled: hasMesh },
+    ),
   ),
   define("file", 2)("download-report", "Download mesh report (JSON)", downloadReport, { enabled: hasMesh }),
 ];

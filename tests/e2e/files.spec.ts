@@ -2,6 +2,7 @@ import { readFile } from "node:fs/promises";
 import { expect, test, type Page } from "@playwright/test";
 import { readProject } from "tetrafront";
 import { parseMsh, parseVtu } from "../support/mesh-files";
+import { polyMeshFaults, readPolyMesh } from "../support/poly-mesh";
 import { AppPage, sampleProject } from "./app-page";
 
 interface Downloaded {
@@ -30,7 +31,7 @@ async function dropProject(page: Page, text: string): Promise<void> {
   }, text);
 }
 
-test("downloads the mesh as VTU and MSH with the numbers on the screen", async ({ page }) => {
+test("downloads the mesh as VTU, MSH and polyMesh with the numbers on the screen", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const { tets } = await app.mesh();
@@ -48,6 +49,13 @@ test("downloads the mesh as VTU and MSH with the numbers on the screen", async (
   expect(mshMesh.tetrahedra.flatMap(({ elements }) => elements)).toHaveLength(tets);
   expect(mshMesh.points.length / 3).toBe(points);
   expect(mshMesh.triangles.map(({ name }) => name)).toContain("duct top");
+
+  const foam = await downloaded(page, choose(page, /OpenFOAM/));
+  expect(foam.name).toBe("engine-intake.foam.zip");
+  const poly = readPolyMesh(foam.bytes);
+  expect(polyMeshFaults(poly)).toEqual([]);
+  expect(new Set([...poly.owner, ...poly.neighbour]).size).toBe(tets);
+  expect(poly.patches.map(({ name }) => name)).toContain("duct_top");
 });
 
 test("downloads the report of the run", async ({ page }) => {

@@ -21,7 +21,7 @@ import {
   IconSearch,
   IconSun,
 } from "@tabler/icons-react";
-import { commandNamed, runCommand } from "../commands";
+import { commandNamed, DOWNLOADS, runCommand } from "../commands";
 import { Logo } from "../ui/logo";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
@@ -124,7 +124,7 @@ function DownloadMenu() {
         </ActionIcon>
       </Menu.Target>
       <Menu.Dropdown>
-        {["download-vtu", "download-msh", "download-report"].map((id) => {
+        {DOWNLOADS.map((id) => {
           const command = commandNamed(id);
           return (
             <Menu.Item key={id} onClick={() => runCommand(app, command)}>
