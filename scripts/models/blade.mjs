@@ -71,7 +71,7 @@ function twistedBlade() {
     builder,
     [
       { x: -1, size: 0.1 },
-      { x: 0, size: 0.085 },
+      { x: 0, size: 0.075 },
       { x: 1, size: 0.1 },
     ],
     [-0.8, 0.8],

@@ -25,7 +25,7 @@ function bore(builder, { name, from, radius, across, up, along }) {
     return builder.straight(start, end, `${name} line ${q + 1}`);
   });
   skin(builder, first, last, lines, name, false);
-  builder.source(`around ${name}`, [from, to], 0.055, { distance: radius + 0.02, growth: 0.25 });
+  builder.source(`around ${name}`, [from, to], 0.05, { distance: radius + 0.02, growth: 0.25 });
   return { first, last };
 }
 

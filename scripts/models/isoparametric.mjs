@@ -77,7 +77,7 @@ function vault() {
       builder.patch("serendipity", `arch ${i + 1} ${half === 0 ? "rising" : "falling"}`, loop);
     }
   });
-  uniform(builder, [-1.5, -1.5, -0.5], 8, 0.09);
+  uniform(builder, [-1.5, -1.5, -0.5], 8, 0.08);
   return builder;
 }
 

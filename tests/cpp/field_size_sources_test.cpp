@@ -96,6 +96,10 @@ TEST(SizeSourcesTest, CutDownTheGridTheyStandIn) {
   EXPECT_DOUBLE_EQ(field.sizeAt(Vec3(0.0), hint), 0.3);
   EXPECT_FALSE(field.isStretched());
   EXPECT_TRUE(field.covers(Vec3(0.5), hint));
+  // More of them leave those there are.
+  field.addSources(std::vector{pointSource(Vec3(0.0), 0.1, 0.0, 0.5)});
+  EXPECT_DOUBLE_EQ(field.sizeAt(Vec3(0.5), hint), 0.05);
+  EXPECT_DOUBLE_EQ(field.sizeAt(Vec3(0.0), hint), 0.1);
 }
 
 TEST(SizeSourcesTest, CutDownEveryAxisOfAStretchedGrid) {

@@ -193,6 +193,31 @@ TEST(SurfacePatchMesher, CoarseSidesOnABentBorderAreHalvedUntilLoopsAreSimple) {
   expectSound(measure(mesh, field), 0, mesh.sideLine.size());
 }
 
+TEST(SurfacePatchMesher, SidesGrowAwayFromALineMuchShorterThanTheirs) {
+  for (const double size : {0.3, 0.1}) {
+    for (const double times : {3.0, 10.0, 100.0, 1000.0}) {
+      SCOPED_TRACE("size " + std::to_string(size) + " over " + std::to_string(times));
+      const double s = size / times;
+      // A square with a chamfer; with a step in one edge; with a point too many on one edge.
+      for (const Model& model :
+           {polygonModel({{{0, 0, 0}, {1, 0, 0}, {1, 1 - s, 0}, {1 - s, 1, 0}, {0, 1, 0}}}),
+            polygonModel(
+                {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.4, 1, 0}, {0.4, 1 + s, 0}, {0, 1 + s, 0}}}),
+            polygonModel(
+                {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0.5 + s, 1, 0}, {0.5, 1, 0}, {0, 1, 0}}})}) {
+        const SizeField field = SizeField::uniform(size);
+        EXPECT_GT(measure(meshOf(model, field), field).minAngle, 25.0);
+      }
+    }
+  }
+}
+
+TEST(SurfacePatchMesher, LinesThatAreAllShortAskForNothingFiner) {
+  // Every edge is a tenth of the size: no side has a longer one beside it.
+  const Model model = polygonModel({squareCorners({0, 0, 0}, 1.0)});
+  EXPECT_EQ(triangleCount(meshOf(model, SizeField::uniform(10.0))), 2U);
+}
+
 TEST(SurfacePatchMesher, NodesOfOneStraightLineNeverFormATriangle) {
   // A tilted triangle: its nodes along a line are collinear only up to rounding.
   const Model model = polygonModel({{{0.1, 0.2, 0.3}, {1.3, 0.7, 0.2}, {0.4, 1.1, 0.9}}});

@@ -14,6 +14,12 @@ SizeField SizeField::fromOctree(SizeOctree octree) {
   return {std::in_place_type<SizeOctree>, std::move(octree)};
 }
 
+void SizeField::addSources(std::span<const SizeSource> sources) {
+  std::vector<SizeSource> all(sources_.all().begin(), sources_.all().end());
+  all.insert(all.end(), sources.begin(), sources.end());
+  sources_ = SizeSources(all);
+}
+
 double SizeField::sizeAt(const Vec3& place, FieldHint& hint) const {
   const double size = baseSizeAt(place, hint);
   return sources_.empty() ? size : sources_.cappedSize(place, size);

@@ -35,7 +35,7 @@ class SizeField {
   static SizeField fromOctree(SizeOctree octree);
 
   /// Adds sources, which must have passed checkSizeSources(), to what there is.
-  void addSources(std::span<const SizeSource> sources) { sources_ = SizeSources(sources); }
+  void addSources(std::span<const SizeSource> sources);
 
   /// Wanted edge length at `place`, > 0. Outside a background grid: the value at the nearest
   /// point of the nearest tetrahedron met; whoever must not accept that asks covers() first.

@@ -24,6 +24,8 @@ class SizeSources {
 
   [[nodiscard]] bool empty() const { return sources_.empty(); }
 
+  [[nodiscard]] std::span<const SizeSource> all() const { return sources_; }
+
   /// The smaller of `size` and what the sources ask for at `place`. O(log n) where few reach.
   [[nodiscard]] double cappedSize(const Vec3& place, double size) const;
 

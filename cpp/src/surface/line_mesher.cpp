@@ -181,7 +181,8 @@ LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_
     division.wantedSides = sidesAsked(table.back());
     return division;
   }
-  const auto wanted = static_cast<std::uint32_t>(table.back().lambda + 0.5);
+  division.length = table.back().lambda;
+  const auto wanted = static_cast<std::uint32_t>(division.length + 0.5);
   division.parameters = equalIncrements(table, std::max({wanted, minimumSides, 1U}));
   division.nodes.reserve(division.parameters.size());
   for (const double t : division.parameters) division.nodes.push_back(curve.position(t));

@@ -22,6 +22,7 @@ struct LineDivision {
   LineDivisionStatus status = LineDivisionStatus::kDivided;
   std::vector<double> parameters;
   std::vector<Vec3> nodes;
+  double length = 0.0;       ///< of the line, in wanted sizes
   Vec3 place{0.0};           ///< where, unless divided
   double wantedSides = 0.0;  ///< of kTooManySides: about how many the sizes ask for, at least
 

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "surface/expected_count.h"
 #include "surface/patch_summary.h"
 #include "surface/shared_strips.h"
+#include "surface/short_lines.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {
@@ -98,6 +100,7 @@ class SurfaceMesher::Impl {
   void findUsedLines();
   void findMinimumSides();
   std::uint32_t divideNextLine();
+  bool growFromShortLines();
   void numberNodes();
   std::uint32_t layOutNextPatch();
   bool gatherHalvings(std::uint32_t patch, const PatchBoundary& boundary,
@@ -116,6 +119,7 @@ class SurfaceMesher::Impl {
 
   ResolvedModel model_;
   const SizeField* field_;
+  std::optional<SizeField> graded_;  ///< the field with sizes that grow from short lines, if any
   Stage stage_ = Stage::kDivide;
   std::uint32_t cursor_ = 0;
   int round_ = 0;
@@ -237,7 +241,11 @@ std::uint32_t SurfaceMesher::Impl::divideNextLine() {
   if (cursor_ == used_.size()) {
     cursor_ = 0;
     // All lines are looked at before giving up, so that the user sees all of them at once.
-    stage_ = diagnostics.empty() ? Stage::kNumber : Stage::kFailed;
+    if (!diagnostics.empty()) {
+      stage_ = Stage::kFailed;
+    } else if (!growFromShortLines()) {
+      stage_ = Stage::kNumber;
+    }
     return 1;
   }
   const std::uint32_t line = cursor_++;
@@ -257,6 +265,17 @@ std::uint32_t SurfaceMesher::Impl::divideNextLine() {
     diagnostics.push_back(std::move(diagnostic));
   }
   return static_cast<std::uint32_t>(division.sideCount()) / kSidesPerStep + 1;
+}
+
+/// True if sizes were cut down beside short lines, so that all lines are to be divided again.
+bool SurfaceMesher::Impl::growFromShortLines() {
+  if (graded_) return false;
+  const std::vector<SizeSource> sources = sourcesAtShortLines(model_, lines_.divisions);
+  if (sources.empty()) return false;
+  graded_.emplace(*field_);
+  graded_->addSources(sources);
+  field_ = &*graded_;
+  return true;
 }
 
 void SurfaceMesher::Impl::numberNodes() {

@@ -89,6 +89,39 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
   });
 });
 
+/**
+ * What is promised of a patch's triangles, with the sizes the model asks for. Of so few that a size more or
+ * less of any line shows, less is; tests/cpp/surface_gallery_patches_test.cpp has every patch at a size that
+ * is small against it.
+ */
+const fewTriangles = 40;
+
+describe.each(gallery.models.map(({ id }) => id))("the patches of %s", (id) => {
+  test("have triangles of the wanted size and shape", async () => {
+    const { patches } = (await meshOf(id)).report;
+    const shown = patches.map(({ triangles, minAngle, meanRadiusRatio, meanEdge }) => {
+      const isSmall = triangles < fewTriangles;
+      const shaped = minAngle >= 20 && meanRadiusRatio >= (isSmall ? 0.8 : 0.93);
+      // Stretched triangles have other shapes by intention, and where their lines meet at 18° smaller angles.
+      return {
+        shaped: shaped || isStretched(projectOf(id)),
+        sized: Math.abs(meanEdge - 1) <= (isSmall ? 0.15 : 0.1),
+      };
+    });
+    expect(shown).toEqual(patches.map(() => ({ shaped: true, sized: true })));
+  });
+
+  test("are seldom so small that less is promised", async () => {
+    const { patches } = (await meshOf(id)).report;
+    const missing = patches.filter(
+      ({ meanRadiusRatio, meanEdge }) => meanRadiusRatio < 0.93 || Math.abs(meanEdge - 1) > 0.1,
+    );
+    const few = missing.filter(({ triangles }) => triangles < fewTriangles);
+    const countIn = (list: typeof patches) => list.reduce((sum, { triangles }) => sum + triangles, 0);
+    expect(countIn(few)).toBeLessThan(0.08 * countIn(patches));
+  });
+});
+
 /** The shells of a surface: sets of triangles connected by nodes. */
 function shellCount({ surface }: MeshResult): number {
   const parent = Array.from({ length: surface.points.length / 3 }, (_, node) => node);
