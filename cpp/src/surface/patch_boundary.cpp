@@ -21,24 +21,82 @@ struct Carrier {
   Vec2 direction;  ///< not normalised
 };
 
-/// Numbers the straight lines; collinear ones get one number.
+/// Numbers the straight lines; collinear ones get one number. Each line stands in a tree at its
+/// direction and its distance from the middle, where lines that may be collinear with it are near.
 class Carriers {
  public:
+  /// All lines are within `region`.
+  explicit Carriers(const PlaneBox& region)
+      : middle_(0.5 * (region.low + region.high)),
+        extent_(glm::length(region.high - region.low)),
+        tree_({{0.0, -extent_}, {kHalfTurn, extent_}}) {}
+
+  /// The first that both ends are on; O(log n) where few are parallel and near each other.
   std::uint32_t numberOf(const Vec2& from, const Vec2& to) {
-    for (std::size_t i = 0; i < carriers_.size(); ++i)
-      if (isOn(carriers_[i], from) && isOn(carriers_[i], to)) return static_cast<std::uint32_t>(i);
+    const Vec2 own = dualOf(from, to - from);
+    gather(own, glm::length(to - from));
+    for (const std::uint32_t i : near_)
+      if (isOn(carriers_[i], from) && isOn(carriers_[i], to)) return i;
+    const auto number = static_cast<std::uint32_t>(carriers_.size());
     carriers_.push_back({from, to - from});
-    return static_cast<std::uint32_t>(carriers_.size() - 1);
+    tree_.insert(number, PlaneBox::of(own, own));
+    return number;
   }
 
  private:
+  /// Half a turn, as directions are measured: 0 to the right, 1 upwards.
+  static constexpr double kHalfTurn = 2.0;
+  /// Two lines that differ by more than this in direction may be collinear only if one is so short
+  /// that its direction means nothing.
+  static constexpr double kAnyDirection = 0.1;
+  /// Relative to the region: what rounding does to directions and distances.
+  static constexpr double kRounding = 1e-12;
+
+  /// Direction, from 0 to kHalfTurn, and signed distance of the middle.
+  [[nodiscard]] Vec2 dualOf(const Vec2& from, Vec2 direction) const {
+    if (direction.y < 0.0 || (direction.y == 0.0 && direction.x < 0.0)) direction = -direction;
+    const double share = direction.y / (std::fabs(direction.x) + direction.y);
+    const Vec2 normal = Vec2(-direction.y, direction.x) / glm::length(direction);
+    return {direction.x >= 0.0 ? share : kHalfTurn - share, glm::dot(from - middle_, normal)};
+  }
+
+  /// Those a line may be collinear with, ascending.
+  void gather(const Vec2& own, double length) {
+    // A carrier is no longer than the region; its ends may be off by kSameStraight of that.
+    const double turn = 4.0 * kSameStraight * extent_ / length + kRounding;
+    const Vec2 slack(turn, extent_ * (2.0 * turn + 2.0 * kSameStraight));
+    near_.clear();
+    if (turn > kAnyDirection) {
+      tree_.query({{0.0, -extent_}, {kHalfTurn, extent_}}, near_);
+    } else {
+      tree_.query({own - slack, own + slack}, near_);
+      // Directions just short of half a turn are those just beyond none, seen the other way.
+      for (const double round : {-kHalfTurn, kHalfTurn}) {
+        const Vec2 turned(own.x + round, -own.y);
+        tree_.query({turned - slack, turned + slack}, near_);
+      }
+    }
+    std::ranges::sort(near_);
+  }
+
   static bool isOn(const Carrier& carrier, const Vec2& place) {
     const Vec2 offset = place - carrier.from;
     const double area = carrier.direction.x * offset.y - carrier.direction.y * offset.x;
     return std::fabs(area) <= kSameStraight * glm::dot(carrier.direction, carrier.direction);
   }
+
+  Vec2 middle_;
+  double extent_;
+  Quadtree tree_;
   std::vector<Carrier> carriers_;
+  std::vector<std::uint32_t> near_;
 };
+
+PlaneBox regionOf(const PlanarMesh& mesh) {
+  PlaneBox region = PlaneBox::of(mesh.plane.front(), mesh.plane.front());
+  for (const Vec2& node : mesh.plane) region.include(node);
+  return region;
+}
 
 /// Lays one loop out after the other.
 class BoundaryBuilder {
@@ -60,11 +118,20 @@ class BoundaryBuilder {
       const std::uint32_t next = node + 1 == endNode ? firstNode : node + 1;
       boundary.mesh.sides.insert(boundary.mesh.sides.end(), {node, next});
     }
-    tagStraights(loop, firstNode, endNode);
     const bool counterClockwise = area(firstNode, endNode) > 0.0;
     if (counterClockwise != (loop == 0)) reverse(firstSide);
     // The plane is oriented by the outer loop's lines.
     if (loop == 0) boundary.inverted = !counterClockwise;
+  }
+
+  /// Tells which nodes are on which straight lines, once all loops are there.
+  void tagStraights() {
+    Carriers carriers(regionOf(boundary.mesh));
+    std::size_t firstLine = 0;
+    for (std::size_t loop = 0; loop < boundary.loops.size(); ++loop) {
+      tagStraightsOf(loop, firstLine, carriers);
+      firstLine += patch_->loops[loop].size();
+    }
   }
 
   PatchBoundary boundary;
@@ -90,16 +157,19 @@ class BoundaryBuilder {
     }
   }
 
-  void tagStraights(std::size_t loop, std::uint32_t firstNode, std::uint32_t endNode) {
+  void tagStraightsOf(std::size_t loop, std::size_t firstLine, Carriers& carriers) {
     const std::size_t lineCount = patch_->loops[loop].size();
-    const std::size_t firstLine = lineStarts_.size() - lineCount;
+    const std::uint32_t firstNode = lineStarts_[firstLine];
+    const auto endNode = firstLine + lineCount < lineStarts_.size()
+                             ? lineStarts_[firstLine + lineCount]
+                             : static_cast<std::uint32_t>(boundary.mesh.plane.size());
     for (std::size_t position = 0; position < lineCount; ++position) {
       if (!surface_->straightInPlane(loop, position)) continue;
       const std::uint32_t from = lineStarts_[firstLine + position];
       const bool last = position + 1 == lineCount;
       const std::uint32_t to = last ? firstNode : lineStarts_[firstLine + position + 1];
       const std::uint32_t straight =
-          carriers_.numberOf(boundary.mesh.plane[from], boundary.mesh.plane[to]);
+          carriers.numberOf(boundary.mesh.plane[from], boundary.mesh.plane[to]);
       for (std::uint32_t node = from; node < (last ? endNode : to); ++node) tag(node, straight);
       tag(to, straight);
     }
@@ -133,7 +203,6 @@ class BoundaryBuilder {
   const SizeField* field_;
   const DividedLines* lines_;
   std::optional<PatchProjection> projection_;
-  Carriers carriers_;
   std::vector<std::uint32_t> lineStarts_;  ///< first node of each line so far, all loops
   FieldHint hint_;
 };
@@ -150,9 +219,7 @@ bool sidesTouch(const PlanarMesh& mesh, std::uint32_t first, std::uint32_t secon
 }
 
 std::vector<std::uint32_t> findTouchingSides(const PlanarMesh& mesh) {
-  PlaneBox region = PlaneBox::of(mesh.plane.front(), mesh.plane.front());
-  for (const Vec2& node : mesh.plane) region.include(node);
-  Quadtree tree(region);
+  Quadtree tree(regionOf(mesh));
   std::vector<std::uint32_t> touching;
   std::vector<std::uint32_t> near;
   const auto count = static_cast<std::uint32_t>(mesh.sides.size() / 2);
@@ -222,6 +289,7 @@ PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
                              const DividedLines& lines) {
   BoundaryBuilder builder(model, patch, surface, field, lines);
   for (std::size_t loop = 0; loop < patch.loops.size(); ++loop) builder.addLoop(loop);
+  builder.tagStraights();
   builder.boundary.mesh.boundaryCount =
       static_cast<std::uint32_t>(builder.boundary.mesh.plane.size());
   return std::move(builder.boundary);
