@@ -8,8 +8,10 @@ const triangles = Uint32Array.of(
 
 const mesher = await createMesher();
 const status = document.querySelector("#status");
-document.querySelector("#mesh").addEventListener("click", async () => {
+const button = document.querySelector("#mesh");
+button.addEventListener("click", async () => {
   const size = Number(document.querySelector("#size").value);
   const { report } = await mesher.fillSurface({ points, triangles }, { size });
   status.textContent = `${report.status}: ${report.tetrahedra} tetrahedra of volume ${report.volume.toFixed(6)}`;
 });
+button.disabled = false;

@@ -294,7 +294,8 @@ function givenOptions(command: Command, output: string | undefined): string[] {
     const value = command.getOptionValue(name) as GivenValue;
     const { long } = option;
     if (own.has(name) || value === undefined || long == null) return [];
-    if (typeof value === "boolean") return [long];
+    // --no-x is given where x is false, --x where it is true.
+    if (typeof value === "boolean") return value === option.negate ? [] : [long];
     if (typeof value !== "string") return value.flatMap((one) => [long, one]);
     return [long, name === "output" ? (output ?? value) : value];
   });

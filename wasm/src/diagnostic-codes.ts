@@ -44,6 +44,7 @@ export const ENGINE_CODES = {
   61: "verification-failed",
 } as const;
 
+/** What the engine finds. */
 export type EngineCode = (typeof ENGINE_CODES)[keyof typeof ENGINE_CODES];
 
 /** What the package and its command line find themselves. */
@@ -63,6 +64,7 @@ export type PackageCode =
   /** Our own mistake. */
   | "engine-failed";
 
+/** Everything that can be wrong, by its stable name. */
 export type DiagnosticCode = EngineCode | PackageCode;
 
 /** The name of an engine code; undefined for a number the engine does not use. */

@@ -7,7 +7,16 @@ export { ENGINE_CODES } from "./diagnostic-codes.js";
 export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostic-codes.js";
 export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagnostics.js";
 export type { ByteSource } from "./formats/byte-source.js";
-export type { Contents, FileFormat, OpenOther, WrittenFile } from "./formats/file-format.js";
+export type {
+  Contents,
+  FileFormat,
+  FormatCode,
+  MeshReader,
+  MeshWriter,
+  OpenOther,
+  ReadContext,
+  WrittenFile,
+} from "./formats/file-format.js";
 export { extensionsThat, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
 export {
   fileMeshOf,

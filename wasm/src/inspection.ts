@@ -8,6 +8,7 @@ import { nameByPosition } from "./project-arrays.js";
 import { qualityReport } from "./quality-report.js";
 import type { Diagnostic, QualityReport, SurfaceInput } from "./types.js";
 
+/** In model units. */
 export type Place = readonly [x: number, y: number, z: number];
 
 /** Lengths of edges in model units. */

@@ -74,7 +74,7 @@ const LAST_HEARING_MS = 5;
  * - `engine-failed`: our own mistake. The mesher has replaced its engine and goes on, unless that could
  *   not be loaded at all.
  */
-export type MesherErrorCode = FailureReason | "disposed" | "invalid-input" | "cancelled";
+export type MesherErrorCode = "invalid-input" | "cancelled" | "disposed" | "out-of-memory" | "engine-failed";
 
 /**
  * Why a call was rejected. Runs never are because of bad input, which is a result; calls whose result

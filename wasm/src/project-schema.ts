@@ -7,7 +7,9 @@
 import en from "zod/v4/locales/en.js";
 import * as z from "zod/mini";
 
+/** In the field `format` of every project file. */
 export const PROJECT_FORMAT = "tetrafront-project";
+/** Of the project file; readers take older ones too. */
 export const PROJECT_VERSION = 1;
 
 z.config(en());
@@ -226,6 +228,7 @@ function uniqueIds(
   return seen;
 }
 
+/** The schema by which project files are checked, for those who check them themselves. */
 export const projectSchema = documentSchema.check(
   z.superRefine<Document>((project, context) => {
     checkReferences(project, (path, message) => context.addIssue({ code: "custom", path, message }));
@@ -236,23 +239,36 @@ z.globalRegistry.add(projectSchema, {
   description: "Points, lines, patches and a background grid",
 });
 
+/** What the app draws and saves: points, lines, patches, sizes. */
 export type Project = z.infer<typeof projectSchema>;
+/** A point and its place in model units. */
 export type ProjectPoint = Project["points"][number];
+/** A line and its points. */
 export type ProjectLine = Project["lines"][number];
+/** A patch and the loops of lines that bound it. */
 export type ProjectPatch = Project["patches"][number];
 /** The project's own settings; whoever meshes it may give others. */
 export type ProjectMeshing = NonNullable<Project["meshing"]>;
+/** The background grid of a project, with its sources. */
 export type ProjectBackground = Project["background"];
+/** A node of the background grid, with the sizes wanted there. */
 export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
 /** A place around which elements are wanted no larger than size + growth max(0, r - distance). */
 export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
+/** What a source surrounds: a point, a segment or a triangle. */
 export type SourceType = ProjectSource["type"];
+/** How a line runs through its points. */
 export type LineType = ProjectLine["type"];
+/** How a patch spans its lines. */
 export type PatchType = ProjectPatch["type"];
 
+/** The id of a point; positive, unique among points. */
 export type PointId = number;
+/** The id of a line; positive, unique among lines. */
 export type LineId = number;
+/** The id of a patch; positive, unique among patches. */
 export type PatchId = number;
+/** The id of a source; positive, unique among sources. */
 export type SourceId = number;
 
 /** The schema as JSON Schema (draft 2020-12), for editors and other programs. */

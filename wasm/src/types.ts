@@ -34,6 +34,7 @@ export interface BackgroundArrays {
   readonly sources?: readonly ProjectSource[] | undefined;
 }
 
+/** How a project is previewed. */
 export interface PreviewOptions {
   /** The uniform size that the project will be meshed with: then its grid is not checked. */
   readonly size?: number | undefined;
@@ -61,6 +62,7 @@ export interface ProposalOptions {
   readonly growth?: number | undefined;
 }
 
+/** Sizes that a model seems to ask for. */
 export interface SizeProposal {
   /** Uniform, to be refined by the sources; 0 where there is nothing to see. */
   readonly size: number;
@@ -68,10 +70,12 @@ export interface SizeProposal {
   readonly sources: readonly ProjectSource[];
 }
 
+/** In which order faces leave the front. */
 export type FrontOrder = "layered" | "smallest-first";
 /** How much work goes into the shape of the elements after the front. */
 export type Optimization = "none" | "fast" | "default" | "strive";
 
+/** How a project or a surface is meshed. */
 export interface MeshOptions {
   /**
    * Uniform element size in model units, > 0. Replaces the nodes and tetrahedra of a project's
@@ -104,9 +108,12 @@ export interface MeshOptions {
   readonly exactFillOnly?: boolean | undefined;
 }
 
+/** How a run ended. Only `done` is a complete mesh; `stalled` and `cancelled` may hold a part. */
 export type MeshStatus = "done" | "stalled" | "cancelled" | "invalid-input";
+/** The stages of a run in their order. */
 export type Phase = "check" | "sides" | "surface" | "volume" | "optimize" | "verify";
 
+/** Where a run or an inspection stands. */
 export interface Progress {
   readonly phase: Phase;
   /** Of the whole run, 0 to 1, estimated, never decreasing. */
@@ -118,6 +125,7 @@ export interface Progress {
   readonly elapsedSeconds: number;
 }
 
+/** How a run is followed and stopped. */
 export interface RunControl {
   /** Called at most ten times a second, and once at the end. */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
@@ -144,6 +152,7 @@ export interface MeshInput {
   readonly regions?: Uint32Array | undefined;
 }
 
+/** What a diagnostic can be about. */
 export type EntityKind =
   | "point"
   | "line"
@@ -164,8 +173,10 @@ export interface EntityRef {
   readonly label: string;
 }
 
+/** Only errors keep a model from being meshed. */
 export type Severity = "information" | "warning" | "error";
 
+/** One thing that is wrong, or worth knowing: what, where, and what to do. */
 export interface Diagnostic {
   /** Stable machine name, e.g. `open-edge`. */
   readonly code: DiagnosticCode;
@@ -280,6 +291,7 @@ export interface QualityReport {
   readonly limitedByBoundary: { readonly count: number; readonly worst: readonly ElementFigures[] };
 }
 
+/** The figures of a run, and all it has to say. */
 export interface MeshReport {
   readonly status: MeshStatus;
   readonly points: number;
@@ -326,6 +338,7 @@ export interface MeshReport {
   readonly diagnostics: readonly Diagnostic[];
 }
 
+/** A mesh with its boundary and its report; after a run that ended early, what exists. */
 export interface MeshResult {
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;

@@ -14,6 +14,7 @@ export interface WrittenFile {
 /** The files beside the one that is read, by name; undefined where there is none. */
 export type OpenOther = (fileName: string) => Promise<ByteSource | undefined>;
 
+/** What a reader knows beside the bytes. */
 export interface ReadContext {
   readonly fileName: string;
   readonly openOther: OpenOther;
@@ -21,13 +22,16 @@ export interface ReadContext {
 
 /** Throws a ReadFailure. */
 export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<FileMesh>;
+/** Gives the files of a mesh; the first has the name given. */
 export type MeshWriter = (mesh: FileMesh, fileName: string) => readonly WrittenFile[];
 
+/** What reads and writes a format, once it is fetched. */
 export interface FormatCode {
   readonly read?: MeshReader;
   readonly write?: MeshWriter;
 }
 
+/** One format of files, as `FILE_FORMATS` lists it. */
 export interface FileFormat {
   /** Short and stable, e.g. "gmsh2". */
   readonly id: string;

@@ -5,6 +5,7 @@
 import type { Contents, FileFormat, MeshWriter } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 
+/** Every format that can be read or written. */
 export const FILE_FORMATS: readonly FileFormat[] = [
   {
     id: "stl",

@@ -18,6 +18,7 @@ export interface NodeData {
   readonly values: Float64Array;
 }
 
+/** Triangles and tetrahedra as a file holds them, with their groups and the numbers at their nodes. */
 export interface FileMesh {
   /** x y z per node. */
   readonly points: Float64Array;

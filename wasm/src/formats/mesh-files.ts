@@ -7,6 +7,7 @@ import type { FileMesh } from "./file-mesh.js";
 import { surfaceOf, type SurfaceFile } from "./surface-file.js";
 import { volumeOf, type VolumeFile } from "./volume-file.js";
 
+/** How a file is read. */
 export interface ReadFileOptions {
   /** Its extension tells the format. */
   readonly fileName: string;
@@ -18,6 +19,7 @@ export interface ReadFileOptions {
   readonly signal?: AbortSignal | undefined;
 }
 
+/** How a surface is read. */
 export interface ReadSurfaceOptions extends ReadFileOptions {
   /**
    * Points no further apart than this, in model units, become one, and triangles that lose a corner by it

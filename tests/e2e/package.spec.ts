@@ -1,0 +1,96 @@
+/** The packed package in a browser: on a plain page, bundled by Vite, by esbuild, and with React and three.js. */
+import { execFileSync } from "node:child_process";
+import { copyFileSync, createReadStream, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import { createServer, type Server } from "node:http";
+import type { AddressInfo } from "node:net";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+import { expect, test, type Page } from "@playwright/test";
+
+import { freshInstall, type FreshInstall } from "../support/fresh-install.js";
+
+const bin = (name: string) => fileURLToPath(new URL(`../../node_modules/.bin/${name}`, import.meta.url));
+const STRICT =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'";
+const TYPES: Readonly<Record<string, string>> = {
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".mjs": "text/javascript",
+  ".wasm": "application/wasm",
+};
+
+let fresh: FreshInstall;
+let server: Server | undefined;
+test.beforeAll(() => {
+  fresh = freshInstall(["react", "react-dom", "scheduler", "three"]);
+});
+test.afterAll(() => fresh.dispose());
+test.afterEach(() => server?.close());
+
+/** Serves a folder with a header that allows no more than it says; resolves with the page's address. */
+async function served(folder: string, policy: string): Promise<string> {
+  const started = createServer((request, response) => {
+    const name = new URL(request.url ?? "/", "http://localhost").pathname;
+    const file = path.join(folder, name === "/" ? "index.html" : name);
+    if (!existsSync(file) || !statSync(file).isFile()) return void response.writeHead(404).end();
+    const type = TYPES[path.extname(file)] ?? "application/octet-stream";
+    response.writeHead(200, { "Content-Type": type, "Content-Security-Policy": policy });
+    createReadStream(file).pipe(response);
+  });
+  server = started;
+  await new Promise<void>((resolve) => started.listen(0, "127.0.0.1", resolve));
+  return `http://127.0.0.1:${(started.address() as AddressInfo).port}/`;
+}
+
+async function expectBoxMeshed(page: Page, address: string): Promise<void> {
+  const problems: string[] = [];
+  page.on("console", (message) => {
+    if (message.type() === "error" && !message.text().includes("favicon")) problems.push(message.text());
+  });
+  page.on("pageerror", (error) => problems.push(error.message));
+  const engines: string[] = [];
+  page.context().on("request", (request) => {
+    if (request.url().includes(".wasm")) engines.push(request.url());
+  });
+  await page.goto(address);
+  const button = page.getByRole("button", { name: "Mesh" });
+  await expect(button, problems.join("\n")).toBeEnabled();
+  await button.click();
+  await expect(page.getByRole("status")).toHaveText(/^done: \d+ tetrahedra of volume 1\.000000$/);
+  expect(problems.filter((text) => !text.includes("404"))).toEqual([]);
+  expect(engines.length).toBeLessThanOrEqual(1);
+}
+
+test("a plain page needs no bundler and no more than a strict policy", async ({ page }) => {
+  await expectBoxMeshed(page, await served(fresh.example("page"), STRICT));
+});
+
+test("Vite bundles it", async ({ page }) => {
+  const folder = fresh.example("vite");
+  execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
+  await expectBoxMeshed(page, await served(path.join(folder, "dist"), STRICT));
+});
+
+test("esbuild bundles it, with the worker as an entry of its own and the engine copied", async ({ page }) => {
+  const folder = path.join(fresh.folder, "vite");
+  const target = path.join(fresh.folder, "bundled");
+  if (!existsSync(folder)) fresh.example("vite");
+  const dist = path.join(fresh.folder, "node_modules", "tetrafront", "dist");
+  const entries = [path.join(folder, "main.js"), path.join(dist, "worker.js")];
+  const options = ["--bundle", "--format=esm", "--splitting", "--entry-names=[name]", `--outdir=${target}`];
+  execFileSync(bin("esbuild"), [...entries, ...options, "--log-level=warning"], { cwd: fresh.folder });
+  copyFileSync(path.join(dist, "engine.wasm"), path.join(target, "engine.wasm"));
+  writeFileSync(path.join(target, "index.html"), readFileSync(path.join(folder, "index.html")));
+  await expectBoxMeshed(page, await served(target, STRICT));
+});
+
+test("React and three.js show the elements inside", async ({ page }) => {
+  const folder = fresh.example("react-three");
+  execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
+  const styled = `${STRICT}; style-src 'unsafe-inline'; img-src 'self' blob: data:`;
+  await page.goto(await served(path.join(folder, "dist"), styled));
+  await page.getByRole("button", { name: "Mesh" }).click();
+  await expect(page.getByRole("status")).toHaveText(/^done: \d+ tetrahedra$/);
+  await expect(page.getByRole("img")).toHaveAttribute("data-faces", /^\d{3,}$/);
+});

@@ -1,0 +1,70 @@
+/** The package as its users get it: packed by npm and installed into an empty folder. */
+import { execFileSync } from "node:child_process";
+import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+
+const root = fileURLToPath(new URL("../..", import.meta.url));
+
+export interface FreshInstall {
+  /** Holds package.json and node_modules, and nothing else. */
+  readonly folder: string;
+  readonly tarball: string;
+  /** Copies a folder of `examples` beside node_modules, from which it resolves. */
+  readonly example: (name: string) => string;
+  readonly dispose: () => void;
+}
+
+/** `alsoThere`: packages of this repository that examples use beside Tetrafront. */
+export function freshInstall(alsoThere: readonly string[] = []): FreshInstall {
+  const place = mkdtempSync(path.join(tmpdir(), "tetrafront-fresh-"));
+  const [packed] = JSON.parse(
+    npm(["pack", "--json", "--pack-destination", place], path.join(root, "wasm")),
+  ) as readonly [{ readonly filename: string }];
+  const tarball = path.join(place, packed.filename);
+  const folder = path.join(place, "project");
+  mkdirSync(folder);
+  writeFileSync(path.join(folder, "package.json"), `{ "private": true, "type": "module" }\n`);
+  try {
+    npm(["install", "--prefer-offline", "--no-audit", "--no-fund", tarball], folder);
+  } catch {
+    unpack(tarball, folder);
+  }
+  for (const name of alsoThere) link(name, folder);
+  return {
+    folder,
+    tarball,
+    example: (name) => {
+      const target = path.join(folder, name);
+      cpSync(path.join(root, "examples", name), target, { recursive: true });
+      // A page is served from its own folder, which therefore needs the packages too.
+      symlinkSync(path.join(folder, "node_modules"), path.join(target, "node_modules"));
+      return target;
+    },
+    dispose: () => rmSync(place, { recursive: true, force: true }),
+  };
+}
+
+/** Without a network: as npm would do it, the dependencies from this repository. */
+function unpack(tarball: string, folder: string): void {
+  const target = path.join(folder, "node_modules", "tetrafront");
+  rmSync(path.join(folder, "node_modules"), { recursive: true, force: true });
+  mkdirSync(target, { recursive: true });
+  execFileSync("tar", ["xzf", tarball, "--strip-components=1", "-C", target]);
+  for (const name of ["cli-progress", "commander", "fflate", "tinyglobby", "zod"]) link(name, folder);
+}
+
+function link(name: string, folder: string): void {
+  const target = path.join(folder, "node_modules", name);
+  mkdirSync(path.dirname(target), { recursive: true });
+  symlinkSync(path.join(root, "node_modules", name), target);
+}
+
+export function npm(args: readonly string[], cwd: string): string {
+  return execFileSync("npm", ["--loglevel=error", ...args], {
+    cwd,
+    encoding: "utf8",
+    stdio: ["ignore", "pipe", "pipe"],
+  });
+}

@@ -1,0 +1,16 @@
+/** Every public name is documented, and what it refers to is public too: TypeDoc tells. */
+import { execFile } from "node:child_process";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+
+import { expect, test } from "vitest";
+
+const root = fileURLToPath(new URL("../../..", import.meta.url));
+
+test("no public name is undocumented", async () => {
+  const typedoc = path.join(root, "node_modules", "typedoc", "bin", "typedoc");
+  const args = [typedoc, "--emit", "none", "--logLevel", "Warn"];
+  const { stdout, stderr } = await promisify(execFile)(process.execPath, args, { cwd: root });
+  expect(`${stdout}${stderr}`).toBe("");
+});

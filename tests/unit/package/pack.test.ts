@@ -1,0 +1,116 @@
+/** What `npm publish` would send, and that it works where it arrives. */
+import { execFile, execFileSync } from "node:child_process";
+import { mkdirSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
+import path from "node:path";
+import { fileURLToPath } from "node:url";
+import { promisify } from "node:util";
+import { brotliCompressSync } from "node:zlib";
+
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { freshInstall, npm, type FreshInstall } from "../../support/fresh-install.js";
+import { stlBinary } from "../../support/surface-files.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+const run = promisify(execFile);
+const root = fileURLToPath(new URL("../../..", import.meta.url));
+const bin = (name: string) => path.join(root, "node_modules", ".bin", name);
+
+let fresh: FreshInstall;
+beforeAll(() => {
+  fresh = freshInstall();
+}, 120_000);
+afterAll(() => fresh.dispose());
+
+const installed = (...names: string[]) => path.join(fresh.folder, "node_modules", "tetrafront", ...names);
+
+function filesIn(folder: string): string[] {
+  return readdirSync(folder, { recursive: true, encoding: "utf8" })
+    .filter((name) => statSync(path.join(folder, name)).isFile())
+    .map((name) => name.replaceAll("\\", "/"));
+}
+
+describe("the packed files", () => {
+  test("are those that are needed, each script with its types and its source map", () => {
+    const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
+    const scripts = files.filter((name) => /^dist\/.*\.js$/.test(name));
+    const wanted = scripts.flatMap((name) =>
+      name.startsWith("dist/page/")
+        ? [name, `${name}.map`]
+        : [name, `${name}.map`, name.replace(/\.js$/, ".d.ts")],
+    );
+    const others = ["LICENSE", "README.md", "package.json", "bin/tetrafront.mjs"];
+    const engine = ["dist/engine.mjs", "dist/engine.d.mts", "dist/engine.wasm"];
+    expect(files.sort()).toEqual([...wanted, ...others, ...engine].sort());
+  });
+
+  test("have maps that lead to sources", () => {
+    const map = JSON.parse(readFileSync(installed("dist/mesher.js.map"), "utf8")) as {
+      readonly sourcesContent: readonly string[];
+    };
+    expect(map.sourcesContent[0]).toContain("class WorkerMesher");
+  });
+
+  test("are at most 400 kB of download for a page that uses all formats", () => {
+    const page = filesIn(installed("dist", "page")).filter((name) => name.endsWith(".js"));
+    const all = [...page.map((name) => `page/${name}`), "engine.mjs", "engine.wasm"];
+    const bytes = all.map((name) => brotliCompressSync(readFileSync(installed("dist", name))).length);
+    expect(bytes.reduce((sum, size) => sum + size)).toBeLessThan(400_000);
+  });
+
+  test("pass publint, are the types wrong, and a dry run of npm publish", async () => {
+    await run(bin("publint"), [fresh.tarball, "--level", "warning", "--strict"]);
+    await run(bin("attw"), [fresh.tarball, "--profile", "esm-only"]);
+    const said = execFileSync("npm", ["publish", "--dry-run", "--access", "public", "--tag", "next"], {
+      cwd: path.join(root, "wasm"),
+      encoding: "utf8",
+      stdio: ["ignore", "pipe", "pipe"],
+    });
+    expect(said).toContain("tetrafront@");
+    expect(npm(["pkg", "get", "name"], path.join(root, "wasm"))).toContain("tetrafront");
+  });
+});
+
+describe("installed into an empty folder", () => {
+  test("importing it leaves nothing behind and starts nothing", async () => {
+    const program = `const before = new Set(Object.getOwnPropertyNames(globalThis));
+      await import("tetrafront");
+      const after = Object.getOwnPropertyNames(globalThis).filter((name) => !before.has(name));
+      console.log(JSON.stringify([after, process.getActiveResourcesInfo().filter((what) => /Worker|Time/.test(what))]));`;
+    const args = ["--input-type=module", "-e", program];
+    const { stdout } = await run(process.execPath, args, { cwd: fresh.folder });
+    const [globals, resources] = JSON.parse(stdout) as [string[], string[]];
+    // The schema library keeps its settings there.
+    expect(globals.filter((name) => !name.startsWith("__zod"))).toEqual([]);
+    expect(resources).toEqual([]);
+  });
+
+  test("the command line runs", async () => {
+    writeFileSync(path.join(fresh.folder, "part.stl"), stlBinary(boxSurface(2)));
+    const command = path.join(fresh.folder, "node_modules", ".bin", "tetrafront");
+    const args = ["mesh", "part.stl", "-o", "part.vtu", "--report", "-", "-q"];
+    const program = process.platform === "win32" ? installed("bin", "tetrafront.mjs") : command;
+    const { stdout } = await run(process.execPath, [program, ...args], { cwd: fresh.folder });
+    expect(JSON.parse(stdout)).toMatchObject({ status: "done" });
+  });
+
+  test("the example for Node meshes a part", async () => {
+    const folder = fresh.example("node");
+    writeFileSync(path.join(folder, "part.stl"), stlBinary(boxSurface(3)));
+    const { stdout } = await run(process.execPath, ["mesh.mjs", "part.stl", "part.vtu"], { cwd: folder });
+    expect(stdout).toMatch(/^\d+ tetrahedra, dihedral angles \d/);
+    expect(statSync(path.join(folder, "part.vtu")).size).toBeGreaterThan(1000);
+  });
+
+  test("the example for a batch meshes many parts and survives a bad one", async () => {
+    const folder = fresh.example("batch");
+    for (const name of ["parts", "meshes"]) mkdirSync(path.join(folder, name));
+    for (const n of [1, 2, 3])
+      writeFileSync(path.join(folder, "parts", `${n}.stl`), stlBinary(boxSurface(n)));
+    writeFileSync(path.join(folder, "parts", "bad.stl"), "solid nothing");
+    const { stdout } = await run(process.execPath, ["batch.mjs", "parts", "meshes"], { cwd: folder });
+    expect(stdout.match(/"status":"done"/g)).toHaveLength(3);
+    expect(stdout).toMatch(/^bad\.stl .*"status":"unreadable"/m);
+    expect(readdirSync(path.join(folder, "meshes")).sort()).toEqual(["1.vtu", "2.vtu", "3.vtu"]);
+  });
+});
