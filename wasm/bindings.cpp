@@ -373,7 +373,10 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("meanEdge", &StatisticsRecord::meanEdge)
       .field("edgesNearWanted", &StatisticsRecord::edgesNearWanted)
       .field("missed", &StatisticsRecord::missed)
-      .field("limitedByBoundary", &StatisticsRecord::limitedByBoundary);
+      .field("limitedByBoundary", &StatisticsRecord::limitedByBoundary)
+      .field("limitedByEdges", &StatisticsRecord::limitedByEdges)
+      .field("limitedByNeedles", &StatisticsRecord::limitedByNeedles)
+      .field("limitedBySheets", &StatisticsRecord::limitedBySheets);
   value_object<PatchSummary>("PatchSummary")
       .field("patch", &PatchSummary::patch)
       .field("triangles", &PatchSummary::triangles)

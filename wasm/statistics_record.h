@@ -24,6 +24,9 @@ struct StatisticsRecord {
   double edgesNearWanted = 0.0;
   std::uint32_t missed = 0;
   std::uint32_t limitedByBoundary = 0;
+  std::uint32_t limitedByEdges = 0;
+  std::uint32_t limitedByNeedles = 0;
+  std::uint32_t limitedBySheets = 0;
 };
 
 [[nodiscard]] inline Float64Array flatFigures(const std::vector<ElementFigures>& elements) {
@@ -59,7 +62,10 @@ struct StatisticsRecord {
           .meanEdge = statistics.meanEdge,
           .edgesNearWanted = statistics.edgesNearWanted,
           .missed = statistics.missed,
-          .limitedByBoundary = statistics.limitedByBoundary};
+          .limitedByBoundary = statistics.limitedByBoundary,
+          .limitedByEdges = statistics.limitedByEdges,
+          .limitedByNeedles = statistics.limitedByNeedles,
+          .limitedBySheets = statistics.limitedBySheets};
 }
 
 }  // namespace tetrafront::border

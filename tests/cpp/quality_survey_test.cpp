@@ -173,8 +173,53 @@ TEST(QualitySurvey, ExcusesAnElementOnANeedleOfTheBoundary) {
   base.points = mesh.points;
   base.triangles = {0, 2, 1};
   EXPECT_EQ(survey(mesh, base).limitedByBoundary, 1U);
-  base.triangles = {0, 1, 3};  // not a needle, and only one triangle
+  EXPECT_EQ(survey(mesh, base).limitedByNeedles, 1U);
+  // Not a needle, and only one triangle; the fourth node is free.
+  std::swap_ranges(mesh.points.begin() + 6, mesh.points.begin() + 9, mesh.points.begin() + 9);
+  mesh.tetrahedra = {0, 1, 3, 2};
+  base.points.assign(mesh.points.begin(), mesh.points.begin() + 9);
+  base.triangles = {0, 1, 2};
   EXPECT_EQ(survey(mesh, base).limitedByBoundary, 0U);
+}
+
+/// A wedge of 24 degrees in two elements: neither owns both triangles of the sharp edge, but both are
+/// forced by it.
+TEST(QualitySurvey, ExcusesAllElementsInASharpEdge) {
+  const double angle = 24.0 * std::numbers::pi / 180.0;
+  const Vec3 middle(0.5, 0.5 * (1.0 + std::cos(angle)), 0.5 * std::sin(angle));
+  SurfaceMesh wedge = tetrahedronSurface({Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.5, 1.0, 0.0),
+                                          Vec3(0.5, std::cos(angle), std::sin(angle))});
+  wedge.points.insert(wedge.points.end(), {middle.x, middle.y, middle.z});
+  VolumeMesh mesh;
+  mesh.points = wedge.points;
+  mesh.tetrahedra = {0, 1, 2, 4, 0, 1, 4, 3};
+  mesh.regions = {0, 0};
+  const QualityStatistics statistics = survey(mesh, wedge);
+  EXPECT_EQ(statistics.limitedByEdges, 2U);
+  EXPECT_EQ(statistics.limitedByBoundary, 2U);
+  // Turned inside out, the edge leaves 336 degrees inside.
+  turnInsideOut(wedge);
+  EXPECT_EQ(survey(mesh, wedge).limitedByEdges, 0U);
+}
+
+/// An element between two parallel sheets that it touches along crossed edges.
+TEST(QualitySurvey, ExcusesElementsBetweenNearSheetsOnly) {
+  for (const double gap : {0.55, 0.65}) {
+    const double h = 3.4 * kSize;  // wide enough to miss its angles either way
+    const double z = gap * kSize;
+    SurfaceMesh sheets;
+    sheets.points = {-0.5 * h, 0,  0,  0.5 * h, 0, 0,  0, -0.5 * h, z,     0,  0.5 * h, z,
+                     0,        -h, -z, 0,       h, -z, h, 0,        2 * z, -h, 0,       2 * z};
+    sheets.triangles = {0, 4, 1, 0, 1, 5, 2, 6, 3, 2, 3, 7};
+    VolumeMesh mesh;
+    mesh.points = sheets.points;
+    mesh.tetrahedra = {0, 1, 3, 2};
+    mesh.regions = {0};
+    ASSERT_GT(measureQuality(mesh).minDihedral, 0.0);
+    const QualityStatistics statistics = survey(mesh, sheets);
+    EXPECT_EQ(statistics.limitedBySheets, gap < 0.6 ? 1U : 0U);
+    EXPECT_EQ(statistics.missed, gap < 0.6 ? 0U : 1U);
+  }
 }
 
 /// In a stretched field the wanted element counts as regular, and its edges as 1 long.

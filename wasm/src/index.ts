@@ -82,6 +82,7 @@ export type {
   EntityKind,
   EntityRef,
   FrontOrder,
+  LimitedByBoundary,
   Mesher,
   MeshInput,
   MeshOptions,

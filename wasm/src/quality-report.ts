@@ -21,7 +21,7 @@ export const NO_QUALITY: QualityReport = {
   volumeRatio: 0,
   edges: { mean: 0, nearWanted: 0 },
   missed: 0,
-  limitedByBoundary: { count: 0, worst: [] },
+  limitedByBoundary: { count: 0, edges: 0, needles: 0, sheets: 0, worst: [] },
 };
 
 export function qualityReport(record: StatisticsRecord): QualityReport {
@@ -33,7 +33,13 @@ export function qualityReport(record: StatisticsRecord): QualityReport {
     volumeRatio: record.volumeRatio,
     edges: { mean: record.meanEdge, nearWanted: record.edgesNearWanted },
     missed: record.missed,
-    limitedByBoundary: { count: record.limitedByBoundary, worst: elementsOf(record.worstLimited) },
+    limitedByBoundary: {
+      count: record.limitedByBoundary,
+      edges: record.limitedByEdges,
+      needles: record.limitedByNeedles,
+      sheets: record.limitedBySheets,
+      worst: elementsOf(record.worstLimited),
+    },
   };
 }
 

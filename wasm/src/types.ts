@@ -269,6 +269,21 @@ export interface RegionQuality {
   readonly edge: readonly number[];
 }
 
+/** Each tetrahedron counts under the first of the three reasons that applies. */
+export interface LimitedByBoundary {
+  readonly count: number;
+  /** In an edge of the boundary where the inside takes less than 30°, which forces them. */
+  readonly edges: number;
+  /** On a needle or cap among the boundary's triangles: experience, not proof. */
+  readonly needles: number;
+  /**
+   * Between two parts of the boundary nearer to each other than 0.6 wanted lengths, without a node
+   * inside: neither a proof.
+   */
+  readonly sheets: number;
+  readonly worst: readonly ElementFigures[];
+}
+
 /**
  * The elements of a finished mesh. Shapes and lengths are those the size field sees: where it is
  * stretched, in the space where the wanted element is regular with edge 1.
@@ -287,8 +302,8 @@ export interface QualityReport {
   readonly edges: { readonly mean: number; readonly nearWanted: number };
   /** Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse. */
   readonly missed: number;
-  /** Those it does: in a sharper edge of the boundary, or on one of its needle triangles. */
-  readonly limitedByBoundary: { readonly count: number; readonly worst: readonly ElementFigures[] };
+  /** Those it does. */
+  readonly limitedByBoundary: LimitedByBoundary;
 }
 
 /** The figures of a run, and all it has to say. */

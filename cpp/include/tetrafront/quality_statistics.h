@@ -46,9 +46,19 @@ struct QualityStatistics {
   /// Wanted are dihedral angles from 30 to 135 degrees: elements with an angle beyond, which the
   /// boundary does not excuse.
   std::uint32_t missed = 0;
-  /// Those it does: they own both triangles of a boundary edge that is sharper than 30 degrees, or a
-  /// boundary triangle that is a needle.
+  /// Those it does, each counted under the first of the three reasons that applies to it.
   std::uint32_t limitedByBoundary = 0;
+  /// They lie in a boundary edge where the inside takes less than 30 degrees. That forces them: all
+  /// elements in the edge share that angle.
+  std::uint32_t limitedByEdges = 0;
+  /// They own a boundary triangle that is a needle or a cap (radius ratio below 0.3). Experience,
+  /// not proof: good elements exist over such triangles, but hardly ever beside those of their
+  /// neighbours.
+  std::uint32_t limitedByNeedles = 0;
+  /// All their nodes are the boundary's, and they join two parts of it, without a common boundary
+  /// edge, that are nearer to each other than 0.6 wanted lengths. No proof either: the triangles of
+  /// the two parts decide what can be made of them, and a node between them would be too near.
+  std::uint32_t limitedBySheets = 0;
   std::vector<ElementFigures> worstLimited;  ///< up to ten of them, worst first
 };
 

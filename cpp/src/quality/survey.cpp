@@ -10,13 +10,9 @@ constexpr double kNearFrom = 0.6;
 constexpr double kNearTo = 1.5;
 constexpr double kBinsPerRatio = static_cast<double>(kRatioBins);
 constexpr double kBinsPerEdge = 10.0;
-/// A triangle of a lower radius ratio is a needle: no place for the fourth node makes an element
-/// with all angles wanted.
-constexpr double kNeedle = 0.3;
 /// Wanted are 30 to 135 degrees: squared tangents of half of 30, and of half of 180 - 135.
 constexpr double kLeast = 0.07179676972449082;
 constexpr double kGreatest = 0.17157287525380988;
-constexpr double kLeastCosine = 0.8660254037844387;
 
 /// Cosines of 0, 5 .. 180 degrees: bins must not depend on how a library rounds.
 constexpr std::array<double, kDihedralBins + 1> kBinCosines = [] {
@@ -70,17 +66,15 @@ double badnessOf(const TetrahedronMeasures& measures) {
 constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
-std::array<std::uint32_t, 3> sortedTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-  std::array<std::uint32_t, 3> nodes{a, b, c};
-  std::sort(nodes.begin(), nodes.end());
-  return nodes;
-}
-
 }  // namespace
 
 QualitySurvey::QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface,
                              const SizeField& field)
-    : mesh_(mesh), surface_(surface), field_(field), isStretched_(field.isStretched()) {
+    : mesh_(mesh),
+      surface_(surface),
+      field_(field),
+      isStretched_(field.isStretched()),
+      limits_(mesh.points, surface.points.size() / 3) {
   const std::size_t nodes = mesh.points.size() / 3;
   if (isStretched_) {
     tensors_.resize(nodes);
@@ -157,10 +151,8 @@ std::array<Vec3, 4> QualitySurvey::seenCorners(std::span<const std::uint32_t, 4>
   std::array<Vec3, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) corners[k] = pointOf(nodes[k]);
   if (!isStretched_) return corners;
-  SymmetricTensor toUnit = tensors_[nodes[0]];
-  for (std::size_t k = 1; k < 4; ++k) toUnit.accumulate(tensors_[nodes[k]], 1.0);
-  const Vec3 origin = corners[0];
-  for (Vec3& corner : corners) corner = toUnit * (corner - origin);
+  const ElementView view = viewOf(nodes);
+  for (Vec3& corner : corners) corner = view(corner);
   return corners;
 }
 
@@ -266,36 +258,39 @@ void QualitySurvey::startBoundary() {
 
 void QualitySurvey::findBoundaryFaces(std::size_t first, std::size_t last) {
   for (std::size_t h = first; h < last; ++h) {
-    const std::uint32_t* nodes = &surface_.triangles[3 * h];
-    if (concerned_[nodes[0]] + concerned_[nodes[1]] + concerned_[nodes[2]] < 3) continue;
-    boundary_.push_back(sortedTriangle(nodes[0], nodes[1], nodes[2]));
+    const std::span<const std::uint32_t, 3> nodes(&surface_.triangles[3 * h], 3);
+    if (concerned_[nodes[0]] + concerned_[nodes[1]] + concerned_[nodes[2]] >= 2) limits_.add(nodes);
   }
 }
 
-bool QualitySurvey::isLimited(std::uint32_t element) const {
-  const auto nodes = nodesOf(element);
-  const auto corners = seenCorners(nodes);
-  const TetrahedronMeasures measures =
-      measureTetrahedron(corners[0], corners[1], corners[2], corners[3]);
-  std::array<bool, 4> isBoundary{};  // the faces opposite, in the order of the measures' cosines
-  for (std::size_t i = 0; i < 4; ++i) {
-    const std::size_t k = kCosineFaces[i];
-    const std::array<std::size_t, 3> face{(k + 1) % 4, (k + 2) % 4, (k + 3) % 4};
-    isBoundary[i] =
-        std::binary_search(boundary_.begin(), boundary_.end(),
-                           sortedTriangle(nodes[face[0]], nodes[face[1]], nodes[face[2]]));
-    if (!isBoundary[i]) continue;
-    if (triangleRadiusRatio(corners[face[0]], corners[face[1]], corners[face[2]]) < kNeedle) {
-      return true;
-    }
+ElementView QualitySurvey::viewOf(std::span<const std::uint32_t, 4> nodes) const {
+  constexpr double kPart = 0.25;
+  if (!isStretched_) {
+    double size = 0.0;
+    for (const std::uint32_t node : nodes) size += kPart * sizes_[node];
+    return {SymmetricTensor::isotropic(1.0 / size), pointOf(nodes[0])};
   }
-  std::size_t pair = 0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = i + 1; j < 4; ++j, ++pair) {
-      if (isBoundary[i] && isBoundary[j] && measures.cosines[pair] > kLeastCosine) return true;
-    }
+  SymmetricTensor toUnit = tensors_[nodes[0]].scaledBy(kPart);
+  for (std::size_t k = 1; k < 4; ++k) toUnit.accumulate(tensors_[nodes[k]], kPart);
+  return {toUnit, pointOf(nodes[0])};
+}
+
+void QualitySurvey::count(BoundaryLimit limit) {
+  switch (limit) {
+    case BoundaryLimit::kNone:
+      ++statistics_.missed;
+      return;
+    case BoundaryLimit::kSharpEdge:
+      ++statistics_.limitedByEdges;
+      break;
+    case BoundaryLimit::kNeedle:
+      ++statistics_.limitedByNeedles;
+      break;
+    case BoundaryLimit::kNearSheets:
+      ++statistics_.limitedBySheets;
+      break;
   }
-  return false;
+  ++statistics_.limitedByBoundary;
 }
 
 ElementFigures QualitySurvey::figuresOf(std::uint32_t element) const {
@@ -322,15 +317,13 @@ std::vector<ElementFigures> QualitySurvey::figuresOf(const std::vector<Ranked>& 
 }
 
 void QualitySurvey::finish() {
-  std::sort(boundary_.begin(), boundary_.end());
+  limits_.finish();
   std::vector<Ranked> limited;
   for (const Ranked& one : missed_) {
-    if (isLimited(one.element)) {
-      ++statistics_.limitedByBoundary;
-      keepWorst(limited, one);
-    } else {
-      ++statistics_.missed;
-    }
+    const auto nodes = nodesOf(one.element);
+    const BoundaryLimit limit = limits_.limitOf(nodes, viewOf(nodes));
+    count(limit);
+    if (limit != BoundaryLimit::kNone) keepWorst(limited, one);
   }
   statistics_.worst = figuresOf(worst_);
   statistics_.worstLimited = figuresOf(limited);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "field/size_field.h"
+#include "quality/boundary_limits.h"
 #include "quality/metrics.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/quality_statistics.h"
@@ -30,7 +31,6 @@ class QualitySurvey {
 
  private:
   enum class Stage : std::uint8_t { kSizes, kElements, kPlaceEdges, kEdges, kBoundary, kDone };
-  using Triangle = std::array<std::uint32_t, 3>;
 
   void askSizes(std::size_t first, std::size_t last);
   void measureElements(std::size_t first, std::size_t last);
@@ -47,7 +47,8 @@ class QualitySurvey {
   [[nodiscard]] std::array<Vec3, 4> seenCorners(std::span<const std::uint32_t, 4> nodes) const;
   [[nodiscard]] double relativeLength(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] ElementFigures figuresOf(std::uint32_t element) const;
-  [[nodiscard]] bool isLimited(std::uint32_t element) const;
+  [[nodiscard]] ElementView viewOf(std::span<const std::uint32_t, 4> nodes) const;
+  void count(BoundaryLimit limit);
   RegionStatistics& statisticsOf(std::uint32_t region);
 
   struct Ranked {
@@ -84,7 +85,7 @@ class QualitySurvey {
   std::vector<Ranked> worst_;
   std::vector<Ranked> missed_;
   std::vector<std::uint8_t> concerned_;  ///< nodes of those
-  std::vector<Triangle> boundary_;       ///< triangles all of whose nodes are concerned, sorted
+  BoundaryLimits limits_;                ///< of those
 };
 
 }  // namespace tetrafront

@@ -1,0 +1,148 @@
+#include "quality/boundary_limits.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "geom/measure.h"
+#include "quality/metrics.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr double kLeastCosine = 0.8660254037844387;  // of 30 degrees
+/// Of a triangle's radius ratio. No triangle forbids a single element good angles, but below this
+/// those around it leave none to be found.
+constexpr double kNeedle = 0.3;
+/// Of wanted lengths: in a gap narrower than this, every node put between its sheets would be too
+/// near to one of them.
+constexpr double kNear = 0.6;
+
+constexpr std::array<std::array<std::size_t, 4>, 6> kEdges{
+    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+
+/// Square of the distance between the lines a b and c d.
+double squaredDistanceOfLines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const Vec3 across = glm::cross(b - a, d - c);
+  const double square = glm::dot(across, across);
+  if (!(square > 0.0)) return 0.0;
+  const double along = glm::dot(across, c - a);
+  return along * along / square;
+}
+
+}  // namespace
+
+void BoundaryLimits::add(std::span<const std::uint32_t, 3> triangle) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::uint32_t a = triangle[k];
+    const std::uint32_t b = triangle[(k + 1) % 3];
+    edges_.push_back({std::min(a, b), std::max(a, b), triangle[(k + 2) % 3], a < b});
+  }
+}
+
+void BoundaryLimits::finish() {
+  std::sort(edges_.begin(), edges_.end(), [](const Edge& p, const Edge& q) {
+    return std::tie(p.lower, p.upper, p.third) < std::tie(q.lower, q.upper, q.third);
+  });
+}
+
+std::span<const BoundaryLimits::Edge> BoundaryLimits::edgesBetween(std::uint32_t a,
+                                                                   std::uint32_t b) const {
+  const Edge wanted{std::min(a, b), std::max(a, b), 0, false};
+  const auto [first, last] =
+      std::equal_range(edges_.begin(), edges_.end(), wanted, [](const Edge& p, const Edge& q) {
+        return std::tie(p.lower, p.upper) < std::tie(q.lower, q.upper);
+      });
+  return {first, last};
+}
+
+bool BoundaryLimits::isTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
+  return std::ranges::any_of(edgesBetween(a, b), [&](const Edge& edge) { return edge.third == c; });
+}
+
+Vec3 BoundaryLimits::seen(std::uint32_t node, const ElementView& view) const {
+  const double* at = &points_[3 * std::size_t{node}];
+  return view(Vec3(at[0], at[1], at[2]));
+}
+
+/// Whether the inside takes less than 30 degrees at an edge of two triangles.
+bool BoundaryLimits::isSharp(std::span<const Edge> edge, const ElementView& view) const {
+  if (edge.size() != 2 || edge[0].forth == edge[1].forth) return false;
+  const Edge& forth = edge[0].forth ? edge[0] : edge[1];
+  const Edge& back = edge[0].forth ? edge[1] : edge[0];
+  const Vec3 origin = seen(forth.lower, view);
+  const Vec3 along = seen(forth.upper, view) - origin;
+  const Vec3 left = seen(forth.third, view) - origin;
+  const Vec3 right = seen(back.third, view) - origin;
+  const Vec3 outward = glm::cross(along, left);
+  const Vec3 other = glm::cross(along, right);  // inward
+  if (!(glm::dot(outward, right) < 0.0)) return false;
+  const double cosine = glm::dot(outward, other);
+  return cosine > 0.0 && cosine * cosine > kLeastCosine * kLeastCosine *
+                                               glm::dot(outward, outward) * glm::dot(other, other);
+}
+
+bool BoundaryLimits::hasNeedle(std::span<const std::uint32_t, 4> nodes,
+                               const ElementView& view) const {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::uint32_t a = nodes[(k + 1) % 4];
+    const std::uint32_t b = nodes[(k + 2) % 4];
+    const std::uint32_t c = nodes[(k + 3) % 4];
+    if (isTriangle(a, b, c) &&
+        triangleRadiusRatio(seen(a, view), seen(b, view), seen(c, view)) < kNeedle) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the boundary's edges among the nodes leave two groups of them, near each other.
+bool BoundaryLimits::joinsNearSheets(std::span<const std::uint32_t, 4> nodes,
+                                     const ElementView& view) const {
+  if (std::ranges::any_of(nodes, [&](std::uint32_t node) { return node >= boundaryNodes_; })) {
+    return false;
+  }
+  std::array<Vec3, 4> corners;
+  std::array<bool, 6> joined{};
+  for (std::size_t k = 0; k < 4; ++k) corners[k] = seen(nodes[k], view);
+  for (std::size_t e = 0; e < kEdges.size(); ++e) {
+    joined[e] = !edgesBetween(nodes[kEdges[e][0]], nodes[kEdges[e][1]]).empty();
+  }
+  constexpr double kSquare = kNear * kNear;
+  // Edge e and the one opposite, 5 - e, apart from each other.
+  for (std::size_t e = 0; e < 3; ++e) {
+    const auto& [a, b, c, d] = kEdges[e];
+    bool apart = joined[e] && joined[5 - e];
+    for (std::size_t other = 0; other < kEdges.size(); ++other) {
+      apart = apart && (other == e || other == 5 - e || !joined[other]);
+    }
+    if (apart && squaredDistanceOfLines(corners[a], corners[b], corners[c], corners[d]) < kSquare) {
+      return true;
+    }
+  }
+  // A node apart from the three others.
+  for (std::size_t k = 0; k < 4; ++k) {
+    bool apart = true;
+    for (std::size_t e = 0; e < kEdges.size(); ++e) {
+      apart = apart && (!joined[e] || (kEdges[e][0] != k && kEdges[e][1] != k));
+    }
+    if (apart && squaredDistanceToTriangle(corners[k], corners[(k + 1) % 4], corners[(k + 2) % 4],
+                                           corners[(k + 3) % 4]) < kSquare) {
+      return true;
+    }
+  }
+  return false;
+}
+
+BoundaryLimit BoundaryLimits::limitOf(std::span<const std::uint32_t, 4> nodes,
+                                      const ElementView& view) const {
+  for (const auto& edge : kEdges) {
+    if (isSharp(edgesBetween(nodes[edge[0]], nodes[edge[1]]), view)) {
+      return BoundaryLimit::kSharpEdge;
+    }
+  }
+  if (hasNeedle(nodes, view)) return BoundaryLimit::kNeedle;
+  return joinsNearSheets(nodes, view) ? BoundaryLimit::kNearSheets : BoundaryLimit::kNone;
+}
+
+}  // namespace tetrafront

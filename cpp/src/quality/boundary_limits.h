@@ -1,0 +1,64 @@
+#pragma once
+
+/// @file Which elements the boundary keeps from having the angles wanted, and by what.
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "field/size_tensor.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// In the order in which they are looked for; see QualityStatistics for what they mean.
+enum class BoundaryLimit : std::uint8_t { kNone, kSharpEdge, kNeedle, kNearSheets };
+
+/// Space as an element sees it: where it wants edges to have length 1.
+struct ElementView {
+  SymmetricTensor toUnit;
+  Vec3 origin;
+  [[nodiscard]] Vec3 operator()(const Vec3& place) const { return toUnit * (place - origin); }
+};
+
+class BoundaryLimits {
+ public:
+  /// `points`: x y z of the mesh's nodes, of which the first `boundaryNodes` are the boundary's.
+  BoundaryLimits(std::span<const double> points, std::size_t boundaryNodes)
+      : points_(points), boundaryNodes_(boundaryNodes) {}
+
+  /// A triangle of the boundary, counter-clockwise from outside. Those without two nodes of an
+  /// element that is asked for need not be added.
+  void add(std::span<const std::uint32_t, 3> triangle);
+  /// After the last triangle. O(n log n).
+  void finish();
+
+  /// The first limit that applies to an element. O(log n).
+  [[nodiscard]] BoundaryLimit limitOf(std::span<const std::uint32_t, 4> nodes,
+                                      const ElementView& view) const;
+
+ private:
+  /// A triangle's edge, by its lower node; the third node is to the left of lower to upper where
+  /// the triangle is turned `forth`.
+  struct Edge {
+    std::uint32_t lower;
+    std::uint32_t upper;
+    std::uint32_t third;
+    bool forth;
+  };
+  [[nodiscard]] std::span<const Edge> edgesBetween(std::uint32_t a, std::uint32_t b) const;
+  [[nodiscard]] bool isTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+  [[nodiscard]] Vec3 seen(std::uint32_t node, const ElementView& view) const;
+  [[nodiscard]] bool isSharp(std::span<const Edge> edge, const ElementView& view) const;
+  [[nodiscard]] bool hasNeedle(std::span<const std::uint32_t, 4> nodes,
+                               const ElementView& view) const;
+  [[nodiscard]] bool joinsNearSheets(std::span<const std::uint32_t, 4> nodes,
+                                     const ElementView& view) const;
+
+  std::span<const double> points_;
+  std::size_t boundaryNodes_;
+  std::vector<Edge> edges_;
+};
+
+}  // namespace tetrafront
