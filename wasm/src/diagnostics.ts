@@ -198,7 +198,12 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
           return `The sizes ask for about ${value(0)} tetrahedra, the limit is ${value(1)}`;
       }
     },
-    remedy: "Ask for larger elements.",
+    remedy: ({ kind, value }) => {
+      // Where lines or patches alone are too many, the estimate is of those, not of the tetrahedra.
+      const factor = kind === undefined ? Math.cbrt(Number(value(0)) / Number(value(1))) : NaN;
+      if (!(factor > 1)) return "Ask for larger elements.";
+      return `Ask for elements at least ${(Math.ceil(10 * factor) / 10).toFixed(1)} times as large.`;
+    },
   },
   "bad-source": {
     message: ({ main, value }) =>

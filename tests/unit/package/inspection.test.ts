@@ -152,3 +152,16 @@ describe("aborting", () => {
     expect(report.status).toBe("done");
   });
 });
+
+describe("a size that asks for too many elements", () => {
+  test("is refused before the start with a size that fits, and the mesher goes on", async () => {
+    const { report } = await mesher.fillSurface(box, { size: 1e-4 });
+    expect(report).toMatchObject({ status: "invalid-input", diagnostics: [{ code: "too-many-elements" }] });
+    const { remedy = "", values = [] } = report.diagnostics[0] ?? {};
+    const factor = Number(/at least ([\d.]+) times as large/.exec(remedy)?.[1]);
+    const [estimate = 0, limit = 0] = values;
+    expect(estimate / factor ** 3).toBeLessThanOrEqual(limit);
+    expect(estimate / (factor - 0.2) ** 3).toBeGreaterThan(limit);
+    expect((await mesher.fillSurface(box)).report.status).toBe("done");
+  });
+});
