@@ -5,6 +5,7 @@ import { formatName, readMeshFile } from "./cli-input.js";
 import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
 import { plural } from "./cli-tables.js";
+import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
 import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
 import { numbered, type FileMesh } from "./formats/file-mesh.js";
@@ -80,7 +81,7 @@ async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMes
   const writes = formatOf(name)?.writes ?? [];
   if (mesh.tetrahedra.length > 0) {
     const whole = mesh.triangles.length > 0 ? mesh : await withBoundary(mesh);
-    return writes.includes("volume") ? whole : boundaryOnly(whole);
+    return writes.includes("volume") ? whole : welded(boundaryOf(whole));
   }
   if (!writes.includes("surface")) {
     const known = extensionsThat("writes", "surface").join(", ");
@@ -110,27 +111,6 @@ async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
     trianglePatch: boundary.region,
     patches: numbered("boundary", mesh.regions.length),
   };
-}
-
-function boundaryOnly(mesh: FileMesh): FileMesh {
-  const none = new Uint32Array();
-  return welded({
-    ...usedNodes(mesh),
-    tetrahedra: none,
-    tetrahedronRegion: none,
-    regions: [],
-    nodeData: new Map(),
-  });
-}
-
-function usedNodes(mesh: FileMesh): FileMesh {
-  const isUsed = new Uint8Array(mesh.points.length / 3);
-  for (const node of mesh.triangles) isUsed[node] = 1;
-  const number = new Uint32Array(isUsed.length);
-  let count = 0;
-  for (let node = 0; node < isUsed.length; node++) if (isUsed[node] === 1) number[node] = count++;
-  const points = mesh.points.filter((_, i) => isUsed[Math.floor(i / 3)] === 1);
-  return { ...mesh, points, triangles: mesh.triangles.map((node) => number[node] ?? 0) };
 }
 
 function contentsOf({ points, triangles, tetrahedra }: FileMesh): string {

@@ -1,7 +1,17 @@
 /** Every format: what is written is read back the same, or is checked by the rules of the format. */
 import { deflateSync } from "node:zlib";
 
-import { FILE_FORMATS, readMesh, readSurface, writeMesh, type FileMesh } from "tetrafront";
+import {
+  createMesher,
+  FILE_FORMATS,
+  fileMeshOf,
+  readMesh,
+  readSurface,
+  writeMesh,
+  type FileMesh,
+  type MeshResult,
+  type SurfaceInput,
+} from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh, outerFaces, sixfoldVolume, taggedElements } from "../../support/block-mesh.js";
@@ -55,15 +65,52 @@ describe.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh", ".node", ".ele"])("a vo
     expect(tetrahedraOf(read)).toEqual(tetrahedraOf(mesh));
     expect(trianglesOf(read)).toEqual(trianglesOf(mesh));
   });
+});
 
-  test("gives a surface too", async () => {
-    const written = await files(`part${extension}`);
-    const read = await readMesh(written.get(`part${extension}`) ?? new Uint8Array(), {
-      fileName: `part${extension}`,
-      openOther: (name) => Promise.resolve(written.get(name)),
-    });
-    expect(read.success && read.value.triangles.length).toBe(mesh.triangles.length);
-  });
+test.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh"])(
+  "the surface in a volume %s is its triangles with the points they use",
+  async (extension) => {
+    const fileName = `part${extension}`;
+    const read = await readSurface(await only(fileName), { fileName });
+    if (!read.success) throw new Error(read.problems[0].message);
+    expect(read.value.points.length / 3).toBe(26);
+    const { status } = (await filled(read.value)).report;
+    expect([read.value.triangles.length, status]).toEqual([mesh.triangles.length, "done"]);
+  },
+);
+
+async function filled(surface: SurfaceInput): Promise<MeshResult> {
+  const mesher = await createMesher();
+  try {
+    return await mesher.fillSurface(surface);
+  } finally {
+    mesher.dispose();
+  }
+}
+
+test("patches of a given surface are those of the mesh that fills it, triangle for triangle", async () => {
+  const read = await readSurface(await only("part.msh"), { fileName: "part.msh" });
+  if (!read.success) throw new Error(read.problems[0].message);
+  // Turned inside out: the mesher turns it back, and must not mix up its triangles.
+  const given = {
+    ...read.value,
+    triangles: read.value.triangles.toReversed(),
+    trianglePatch: read.value.trianglePatch.toReversed(),
+  };
+  const result = fileMeshOf(await filled(given), { surface: given });
+  const places = ({
+    points,
+    triangles,
+    trianglePatch,
+    patches,
+  }: Pick<FileMesh, "points" | "triangles" | "trianglePatch" | "patches">) =>
+    Array.from(trianglePatch, (patch, t) => {
+      const corners = [...triangles.subarray(3 * t, 3 * t + 3)].map((node) =>
+        points.subarray(3 * node, 3 * node + 3).join(" "),
+      );
+      return `${patches[patch]?.tag}: ${corners.sort().join(" | ")}`;
+    }).sort();
+  expect(places(result)).toEqual(places(given));
 });
 
 test.each([".msh", ".msh2"])("names of patches and regions come back from %s", async (extension) => {

@@ -6,8 +6,10 @@ export function boundaryOf(mesh: FileMesh): FileMesh {
   const { points, triangles } = mesh;
   const numbers = new Uint32Array(points.length / 3);
   for (const node of triangles) numbers[node] = 1;
+  const total = numbers.reduce((sum, used) => sum + used, 0);
+  if (total === numbers.length) return { ...mesh, ...NO_VOLUME };
   let count = 0;
-  const kept = new Float64Array(3 * numbers.reduce((sum, used) => sum + used, 0));
+  const kept = new Float64Array(3 * total);
   numbers.forEach((used, node) => {
     if (used === 0) return;
     kept.set(points.subarray(3 * node, 3 * node + 3), 3 * count);
@@ -17,12 +19,16 @@ export function boundaryOf(mesh: FileMesh): FileMesh {
     ...mesh,
     points: kept,
     triangles: triangles.map((node) => numbers[node] ?? 0),
-    tetrahedra: new Uint32Array(),
-    tetrahedronRegion: new Uint32Array(),
-    regions: [],
-    nodeData: new Map(),
+    ...NO_VOLUME,
   };
 }
+
+const NO_VOLUME = {
+  tetrahedra: new Uint32Array(),
+  tetrahedronRegion: new Uint32Array(),
+  regions: [],
+  nodeData: new Map(),
+} satisfies Partial<FileMesh>;
 
 /** A colour per patch: its own, or one of a row that eyes tell apart (Okabe and Ito), again and again. */
 export function colorsOf({ patches }: FileMesh): (readonly [number, number, number])[] {

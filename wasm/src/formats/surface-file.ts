@@ -1,6 +1,7 @@
 /** Surfaces from files: the triangles of a mesh file, welded. */
 import { ReadFailure } from "../read-result.js";
 import type { SurfaceInput } from "../types.js";
+import { boundaryOf } from "./boundary.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { weldWithin } from "./weld-within.js";
 import { weldPoints } from "./weld.js";
@@ -19,7 +20,7 @@ export interface SurfaceFile extends SurfaceInput {
   };
 }
 
-/** The triangles of a file and the points they use. Throws a ReadFailure where there are none. */
+/** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
 export function surfaceOf(mesh: FileMesh, weldTolerance = 0): SurfaceFile {
   if (!(Number.isFinite(weldTolerance) && weldTolerance >= 0)) {
     throw new ReadFailure({
@@ -28,7 +29,7 @@ export function surfaceOf(mesh: FileMesh, weldTolerance = 0): SurfaceFile {
     });
   }
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const exact = { ...exactlyWelded(mesh), trianglePatch: mesh.trianglePatch };
+  const exact = { ...exactlyWelded(boundaryOf(mesh)), trianglePatch: mesh.trianglePatch };
   const within =
     weldTolerance > 0 ? weldWithin(exact, weldTolerance) : { ...exact, welded: { points: 0, triangles: 0 } };
   return { ...within, patches: mesh.patches };
