@@ -14,6 +14,12 @@ for (const scheme of ["dark", "light"] as const) {
     const app = new AppPage(page);
     await app.open(scheme);
     expect(await violations(page)).toEqual([]);
+    await page.getByTestId("mesh-settings").locator("summary").click();
+    expect(await violations(page)).toEqual([]);
+    await page.getByTestId("tab-quality").click();
+    await page.getByTestId("worst-0").click();
+    expect(await violations(page)).toEqual([]);
+    await page.getByRole("tab", { name: "Inspector" }).click();
     await page.keyboard.press("x");
     await app.select("line-1");
     expect(await violations(page)).toEqual([]);
