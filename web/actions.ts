@@ -77,9 +77,13 @@ export async function downloadMesh(app: App, extension: string): Promise<void> {
   const { mesh } = app.run.state.getState();
   const { project } = app.documents;
   if (!mesh) return;
-  const { fileMeshOf, writeMesh } = await import("./mesh-writers");
-  const files = await writeMesh(fileMeshOf(mesh, { project }), `${fileStem(project.name)}.${extension}`);
-  for (const { fileName, bytes } of files) download([bytes], fileName, "application/octet-stream");
+  try {
+    const { fileMeshOf, writeMesh } = await import("./mesh-writers");
+    const files = await writeMesh(fileMeshOf(mesh, { project }), `${fileStem(project.name)}.${extension}`);
+    for (const { fileName, bytes } of files) download([bytes], fileName, "application/octet-stream");
+  } catch (error) {
+    tell(app, strings.messages.downloadFailed, [String(error)]);
+  }
 }
 
 export function downloadReport(app: App): void {

@@ -95,3 +95,23 @@ test("panels are resized by keys and by dragging", async ({ page }) => {
   await page.keyboard.press("Shift+ArrowRight");
   await expect.poll(async () => (await app.viewport.boundingBox())?.width).toBeLessThan(before?.width ?? 0);
 });
+
+test("a part of the app that cannot be loaded is told, and the rest goes on", async ({ page }) => {
+  await page.route(/later-panels-.*\.js$/, (route) => route.abort());
+  const app = new AppPage(page);
+  const before = await app.openCube();
+  await page.getByTestId("tab-quality").click();
+  await expect(page.getByRole("alert")).toContainText("could not be loaded");
+  await page.getByRole("tab", { name: "Inspector" }).click();
+  await expect(page.getByTestId("project-name")).toHaveValue("Unit cube");
+  expect(await app.generate()).toEqual(before);
+});
+
+test("what comes later is there when the network has gone", async ({ page, context }) => {
+  const fetched = page.waitForResponse(/later-panels-.*\.js$/);
+  await new AppPage(page).openCube();
+  await (await fetched).finished();
+  await context.setOffline(true);
+  await page.getByTestId("tab-quality").click();
+  await expect(page.getByTestId("verdict")).toContainText("Verified");
+});

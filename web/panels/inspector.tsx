@@ -1,5 +1,4 @@
 import { Text } from "@mantine/core";
-import { Suspense } from "react";
 import { renameProject } from "../document/edits";
 import { findRecord } from "../document/entities";
 import { qualityOf } from "../document/mesh-quality";
@@ -11,6 +10,7 @@ import { useApp, useProject, useRun, useView } from "./app-context";
 import { ElementSize } from "./element-size";
 import { EntityCard } from "./later";
 import { MeshSettings } from "./mesh-settings";
+import { PanelBoundary } from "./panel-boundary";
 import { QualityPanel } from "./quality-panel";
 import { SelectionCard } from "./selection-card";
 
@@ -34,9 +34,9 @@ export function Inspector() {
       {element === null && !only && <ProjectCard />}
       {present.length > 1 && <SelectionCard selection={present} />}
       {present.length === 1 && only && (
-        <Suspense fallback={null}>
+        <PanelBoundary>
           <EntityCard entity={only} />
-        </Suspense>
+        </PanelBoundary>
       )}
       <QualityPanel />
     </div>

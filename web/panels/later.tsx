@@ -2,6 +2,18 @@ import { lazy, type ComponentType } from "react";
 
 const load = () => import("./later-panels");
 
+/** Long enough for the first picture and the first mesh to have the line for themselves. */
+const aheadMs = 1500;
+
+/** Fetches what comes later while there is nothing to do: it opens at once, and without a network too. */
+export function fetchAhead(): () => void {
+  const timer = setTimeout(() => {
+    // What fails now is asked for again when it is wanted, and told then.
+    for (const part of [load(), import("../mesh-writers")]) part.catch(() => undefined);
+  }, aheadMs);
+  return () => clearTimeout(timer);
+}
+
 type Panels = Awaited<ReturnType<typeof load>>;
 
 /** A panel of those that come after the first picture. */

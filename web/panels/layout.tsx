@@ -1,6 +1,6 @@
 import { ActionIcon, Splitter, Tabs, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
-import { Suspense, type ReactNode } from "react";
+import type { ReactNode } from "react";
 import { FramedDrawer } from "../ui/framed-drawer";
 import { strings } from "../ui/strings";
 import { useApp, useShell } from "./app-context";
@@ -9,6 +9,7 @@ import { Header } from "./header";
 import { Inspector } from "./inspector";
 import { DisplayPanel, GalleryPanel, QualityReport } from "./later";
 import { ModelTree } from "./model-tree";
+import { PanelBoundary } from "./panel-boundary";
 import { StatusBar } from "./status-bar";
 import { useLayout, type Layout } from "./use-layout";
 import { ViewportPanel } from "./viewport-panel";
@@ -130,9 +131,9 @@ function LeftPanel() {
         <ModelTree />
       </Tabs.Panel>
       <Tabs.Panel value="examples">
-        <Suspense fallback={null}>
+        <PanelBoundary>
           <GalleryPanel />
-        </Suspense>
+        </PanelBoundary>
       </Tabs.Panel>
     </Tabs>
   );
@@ -161,14 +162,14 @@ function RightPanel() {
         <Inspector />
       </Tabs.Panel>
       <Tabs.Panel value="quality">
-        <Suspense fallback={null}>
+        <PanelBoundary>
           <QualityReport />
-        </Suspense>
+        </PanelBoundary>
       </Tabs.Panel>
       <Tabs.Panel value="display">
-        <Suspense fallback={null}>
+        <PanelBoundary>
           <DisplayPanel />
-        </Suspense>
+        </PanelBoundary>
       </Tabs.Panel>
     </Tabs>
   );

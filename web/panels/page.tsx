@@ -1,9 +1,11 @@
-import { lazy, Suspense, useEffect, useState } from "react";
+import { lazy, useEffect, useState } from "react";
 import { openDropped } from "../actions";
 import type { App } from "../app";
 import { strings } from "../ui/strings";
 import { AppContext } from "./app-context";
 import { PageLayout } from "./layout";
+import { PanelBoundary } from "./panel-boundary";
+import { fetchAhead } from "./later";
 import { useCommandHotkeys } from "./use-hotkeys";
 
 const Overlays = lazy(() => import("./overlays"));
@@ -12,13 +14,14 @@ const Overlays = lazy(() => import("./overlays"));
 export function Page({ app }: { readonly app: App }) {
   useCommandHotkeys(app);
   useLeaveGuard(app);
+  useEffect(fetchAhead, []);
   const dropping = useFileDrop(app);
   return (
     <AppContext value={app}>
       <PageLayout />
-      <Suspense fallback={null}>
+      <PanelBoundary>
         <Overlays />
-      </Suspense>
+      </PanelBoundary>
       {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}
     </AppContext>
   );

@@ -1,0 +1,34 @@
+import { Button, Text } from "@mantine/core";
+import { Component, Suspense, type ReactNode } from "react";
+import { strings } from "../ui/strings";
+
+interface PanelBoundaryProps {
+  readonly children: ReactNode;
+}
+
+interface PanelBoundaryState {
+  readonly failed: boolean;
+}
+
+/** A panel that comes later. Where it does not come, the rest of the app goes on. */
+export class PanelBoundary extends Component<PanelBoundaryProps, PanelBoundaryState> {
+  override state: PanelBoundaryState = { failed: false };
+
+  static getDerivedStateFromError(): PanelBoundaryState {
+    return { failed: true };
+  }
+
+  override render(): ReactNode {
+    if (!this.state.failed) return <Suspense fallback={null}>{this.props.children}</Suspense>;
+    return (
+      <div className="tf-pad" role="alert">
+        <Text size="sm" mb={8}>
+          {strings.messages.partFailed}
+        </Text>
+        <Button size="compact-sm" variant="default" onClick={() => window.location.reload()}>
+          {strings.messages.reload}
+        </Button>
+      </div>
+    );
+  }
+}
