@@ -3,6 +3,9 @@
  * than the tolerance, or are kept: no chain of near points moves one by more than the tolerance, and the
  * result depends on nothing but the file. The kept points are found in a grid of cells as wide as the
  * tolerance; as any two of them are further apart, a cell holds a few at most, so that the cost is O(n).
+ *
+ * The engine's weldedNodes (cpp/src/surface/weld.h) follows the same rule for `repairSurface`, which lists
+ * every change and sorts to do so. Reading is a plain function that loads no engine, and so has its own.
  */
 import { ReadFailure } from "../read-result.js";
 
