@@ -65,7 +65,7 @@ class BoundaryReport {
   };
   struct Finding {
     Diagnostic diagnostic;
-    std::uint64_t count = 0;  ///< with the same entities; drawn models only
+    std::uint64_t count = 0;               ///< with the same entities; drawn models only
     std::vector<std::uint32_t> triangles;  ///< of a drawn model, each once
     bool isCounted = true;
   };
