@@ -11,6 +11,7 @@
 #include <string>
 
 #include "base/fingerprint.h"
+#include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/shapes.h"
 #include "surface/boundary.h"
@@ -251,6 +252,17 @@ TEST(VolumeMesher, ReopensWhatCannotBeStarred) {
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
   // Recovery too must not care how it is sliced, down to single steps.
   EXPECT_EQ(fill(surface, ownSizes(surface), {}, 1).fingerprint(), outcome.fingerprint());
+}
+
+TEST(VolumeMesher, FillsInAnotherOrderWhereTheFirstFails) {
+  // There is nothing around that could be taken away to make the place larger.
+  const SurfaceMesh surface = testing::chazellePolyhedron(8, 0.001);
+  MeshOptions options;
+  options.exactFillOnly = true;
+  const Outcome outcome = fillByOwnSizes(surface, options);
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_EQ(outcome.recovery.filled, 1U);
+  EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
 }
 
 /// A tube as CAD systems tessellate it: walls of long needle triangles, one element thick.

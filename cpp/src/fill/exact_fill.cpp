@@ -15,15 +15,12 @@ namespace {
 
 /// Signs per unit of the budget.
 constexpr std::uint64_t kWorkPerUnit = 20;
-/// Orders in which the nodes are inserted: where a point inside has no place in doubles after one of
-/// them, it mostly has after another.
-constexpr unsigned kVariants = 3;
 
 }  // namespace
 
 class ExactFill::Impl {
  public:
-  explicit Impl(FillTask task) : task_(std::move(task)) {}
+  Impl(FillTask task, unsigned order) : task_(std::move(task)), order_(order) {}
 
   State advance(std::uint32_t budget) {
     const std::uint64_t end = work() + kWorkPerUnit * std::max(budget, 1U);
@@ -47,17 +44,7 @@ class ExactFill::Impl {
     kFailed
   };
 
-  [[nodiscard]] std::uint64_t work() const { return workBefore_ + mesh_.points.work(); }
-
-  /// All anew, in another order.
-  void tryNextVariant() {
-    if (++variant_ == kVariants) return beginStage(Stage::kFailed);
-    clearing_.reset();
-    interior_.reset();
-    workBefore_ = work();
-    mesh_ = FillMesh();
-    beginStage(Stage::kBegin);
-  }
+  [[nodiscard]] std::uint64_t work() const { return mesh_.points.work(); }
 
   void step() {
     switch (stage_) {
@@ -95,7 +82,7 @@ class ExactFill::Impl {
   void begin() {
     if (task_.triangles.empty()) return beginStage(Stage::kDone);
     for (const Vec3& place : task_.places) mesh_.points.add(place);
-    insertion_.emplace(mesh_, variant_);
+    insertion_.emplace(mesh_, order_);
     beginStage(Stage::kInsert);
   }
 
@@ -149,7 +136,7 @@ class ExactFill::Impl {
   void clearBoundary() {
     const BoundaryClearing::State state = clearing_->step();
     if (state == BoundaryClearing::State::kRunning) return;
-    if (state == BoundaryClearing::State::kFailed) return tryNextVariant();
+    if (state == BoundaryClearing::State::kFailed) return failUnless(false);
     interior_.emplace(mesh_, clearing_->interiorPoints());
     clearing_.reset();
     beginStage(Stage::kClearInterior);
@@ -158,7 +145,7 @@ class ExactFill::Impl {
   void clearInterior() {
     const InteriorClearing::State state = interior_->step();
     if (state == InteriorClearing::State::kRunning) return;
-    if (state == InteriorClearing::State::kFailed) return tryNextVariant();
+    if (state == InteriorClearing::State::kFailed) return failUnless(false);
     takeResult();
     beginStage(Stage::kDone);
   }
@@ -201,19 +188,19 @@ class ExactFill::Impl {
   }
 
   FillTask task_;
+  unsigned order_;
   FillMesh mesh_;
   FillResult result_;
   Stage stage_ = Stage::kBegin;
   std::size_t next_ = 0;
-  unsigned variant_ = 0;
-  std::uint64_t workBefore_ = 0;  ///< of variants that failed
   std::optional<PointInsertion> insertion_;
   std::optional<BoundaryRecovery> recovery_;
   std::optional<BoundaryClearing> clearing_;
   std::optional<InteriorClearing> interior_;
 };
 
-ExactFill::ExactFill(FillTask task) : impl_(std::make_unique<Impl>(std::move(task))) {}
+ExactFill::ExactFill(FillTask task, unsigned order)
+    : impl_(std::make_unique<Impl>(std::move(task), order)) {}
 ExactFill::ExactFill(ExactFill&&) noexcept = default;
 ExactFill& ExactFill::operator=(ExactFill&&) noexcept = default;
 ExactFill::~ExactFill() = default;

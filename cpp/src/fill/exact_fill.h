@@ -35,7 +35,11 @@ struct FillResult {
 
 class ExactFill {
  public:
-  explicit ExactFill(FillTask task);
+  /// Orders in which the nodes can be inserted: where a point inside has no place in doubles after
+  /// one of them, it mostly has after another.
+  static constexpr unsigned kOrders = 3;
+
+  explicit ExactFill(FillTask task, unsigned order = 0);
   ExactFill(ExactFill&&) noexcept;
   ExactFill& operator=(ExactFill&&) noexcept;
   ~ExactFill();

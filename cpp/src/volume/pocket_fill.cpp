@@ -5,8 +5,8 @@
 
 namespace tetrafront {
 
-PocketFill::PocketFill(const Front& front, Pocket pocket)
-    : pocket_(std::move(pocket)), fill_(taskFor(front, pocket_, nodes_)) {}
+PocketFill::PocketFill(const Front& front, Pocket pocket, unsigned order)
+    : pocket_(std::move(pocket)), fill_(taskFor(front, pocket_, nodes_), order) {}
 
 FillTask PocketFill::taskFor(const Front& front, const Pocket& pocket, std::vector<NodeId>& nodes) {
   for (const FaceId face : pocket.faces) {

@@ -15,7 +15,7 @@ namespace tetrafront {
 
 class PocketFill {
  public:
-  PocketFill(const Front& front, Pocket pocket);
+  PocketFill(const Front& front, Pocket pocket, unsigned order);
 
   ExactFill::State advance(std::uint32_t budget) { return fill_.advance(budget); }
 

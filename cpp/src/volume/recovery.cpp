@@ -392,7 +392,7 @@ std::size_t Recovery<Trace>::fillNext(std::uint32_t budget) {
     ++filled_;
     nextToFill();
   } else {
-    // A place inside without a double may have one when the place is larger.
+    // A place inside without a double mostly has one when the place is larger.
     if (fillRings_ > 0) putBack();
     fillRings_ = std::max(1U, 2 * fillRings_);
   }
@@ -402,9 +402,23 @@ std::size_t Recovery<Trace>::fillNext(std::uint32_t budget) {
 
 template <class Trace>
 void Recovery<Trace>::nextToFill() {
+  beginOrder(0);
+  ++nextInQueue_;
+}
+
+template <class Trace>
+void Recovery<Trace>::beginOrder(unsigned order) {
+  fillOrder_ = order;
   fillRings_ = 0;
   removedToFill_ = 0;
-  ++nextInQueue_;
+}
+
+/// The largest place did not close: all sizes of it once more after inserting its nodes in another
+/// order. To enlarge comes first, because what fails in one order often fails in all of them.
+template <class Trace>
+void Recovery<Trace>::tryNextOrder() {
+  if (fillOrder_ + 1 == ExactFill::kOrders) return nextToFill();
+  beginOrder(fillOrder_ + 1);
 }
 
 /// Gives the pocket at the head of the queue to the exact fill, with rings of elements around it.
@@ -422,11 +436,11 @@ void Recovery<Trace>::beginFill() {
       std::vector<TetId> around =
           elementsAround(pocket, fillRings_, std::numeric_limits<std::size_t>::max());
       // There is nothing more to take away.
-      if (around.size() == removedToFill_) return nextToFill();
+      if (around.size() == removedToFill_) return tryNextOrder();
       removedToFill_ = around.size();
       pocket.faces = openPlace(pockets, i, active, std::move(around));
     }
-    fill_.emplace(front_, std::move(pocket));
+    fill_.emplace(front_, std::move(pocket), fillOrder_);
     return;
   }
 }

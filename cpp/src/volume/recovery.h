@@ -98,6 +98,8 @@ class Recovery {
   std::size_t fillNext(std::uint32_t budget);
   void beginFill();
   void nextToFill();
+  void beginOrder(unsigned order);
+  void tryNextOrder();
   /// What looking at all active faces costs, in faces taken from the front.
   [[nodiscard]] std::size_t lookCost() const;
 
@@ -120,6 +122,8 @@ class Recovery {
   std::uint32_t starred_ = 0;
   std::uint32_t reopened_ = 0;
   std::optional<PocketFill> fill_;
+  /// In which its nodes are inserted; see ExactFill::kOrders.
+  unsigned fillOrder_ = 0;
   /// Taken away around the pocket at the head of the queue.
   std::uint32_t fillRings_ = 0;
   std::size_t removedToFill_ = 0;  ///< how many elements that is
