@@ -1,14 +1,20 @@
-/// The composed run: what it says of itself while it works, and options that make no sense.
+/// The composed run: what it says of itself while it works, that how it is sliced does not matter, and
+/// options that make no sense.
 
 #include "tetrafront/mesher.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <vector>
 
+#include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
+#include "support/models.h"
 #include "support/shapes.h"
 
 namespace tetrafront {
@@ -114,6 +120,74 @@ TEST(MeshRun, GradesInwardsFromASurfaceFarCoarserThanTheSizeAskedFor) {
     ASSERT_EQ(run.status(), MeshStatus::kDone) << size;
     EXPECT_GT(run.quality().minDihedral, 25.0) << size;
     EXPECT_EQ(run.recovery().filled, 0U) << size;
+  }
+}
+
+struct Body {
+  std::string name;
+  SurfaceMesh surface;
+  MeshOptions options;
+};
+
+/// Every rung of the recovery is needed by one of them.
+std::vector<Body> bodiesOfEveryRung() {
+  MeshOptions striving;
+  striving.optimization = Optimization::kStrive;
+  MeshOptions filling = striving;
+  filling.exactFillOnly = true;
+  return {{"tower", testing::schoenhardtTower(3, 57.0), striving},
+          {"notches", testing::chazellePolyhedron(3, 0.1), striving},
+          {"saddles", testing::saddleSlab(3, 0.1), striving},
+          {"fine patch", testing::cubeWithFinePatch(6), striving},
+          {"sphere", testing::geodesicSphere(6), striving},
+          {"sphere filled exactly", testing::geodesicSphere(6), filling},
+          {"cavity filled exactly", testing::cubeWithSphericalCavity(4, 4), filling}};
+}
+
+constexpr std::array<std::uint32_t, 4> kShortSlices{1, 17, 1000, 4999};
+constexpr std::uint32_t kOneSlice = 10'000'000;
+
+void runInSlices(MeshRun& run, std::uint32_t budget) {
+  while (run.advance(budget) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+}
+
+TEST(MeshRun, GivesTheSameMeshInSlicesOfAnyLengthOnEveryRung) {
+  RecoverySummary most;
+  for (const Body& body : bodiesOfEveryRung()) {
+    SCOPED_TRACE(body.name);
+    MeshRun whole(body.surface.points, body.surface.triangles, body.options);
+    runInSlices(whole, kOneSlice);
+    const RecoverySummary summary = whole.recovery();
+    most.relaxed = std::max(most.relaxed, summary.relaxed);
+    most.starred = std::max(most.starred, summary.starred);
+    most.reopened = std::max(most.reopened, summary.reopened);
+    most.filled = std::max(most.filled, summary.filled);
+    for (const std::uint32_t budget : kShortSlices) {
+      MeshRun run(body.surface.points, body.surface.triangles, body.options);
+      runInSlices(run, budget);
+      EXPECT_EQ(run.fingerprint(), whole.fingerprint()) << "slices of " << budget;
+    }
+  }
+  EXPECT_GT(most.relaxed, 0U);
+  EXPECT_GT(most.starred, 0U);
+  EXPECT_GT(most.reopened, 0U);
+  EXPECT_GT(most.filled, 0U);
+}
+
+TEST(MeshRun, GivesTheSameMeshOfAModelInSlicesOfAnyLength) {
+  const Model model = testing::randomBentBox(3, 0.2);
+  MeshOptions options;
+  options.size = 0.15;
+  MeshRun whole(model, {}, options);
+  runInSlices(whole, kOneSlice);
+  for (const std::uint32_t budget : kShortSlices) {
+    MeshRun run(model, {}, options);
+    runInSlices(run, budget);
+    EXPECT_EQ(run.surface().points, whole.surface().points) << "slices of " << budget;
+    EXPECT_EQ(run.surface().triangles, whole.surface().triangles) << "slices of " << budget;
+    EXPECT_EQ(run.fingerprint(), whole.fingerprint()) << "slices of " << budget;
   }
 }
 

@@ -172,12 +172,11 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   }
 
   std::size_t sweepSome(std::uint32_t budget) {
-    const std::size_t size = sweepSize();
     const std::uint32_t each = sweeps_[sweep_] == Sweep::kRepair ? kRepairWork : 1;
-    const std::size_t count = std::min<std::size_t>(size - next_, std::max(1U, budget / each));
+    const std::size_t count = std::min<std::size_t>(sweepEnd_ - next_, std::max(1U, budget / each));
     work(next_, next_ + count);
     next_ += count;
-    if (next_ >= size) endSweep();
+    if (next_ == sweepEnd_) endSweep();
     return count * each;
   }
 
@@ -215,8 +214,11 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     beginSweep();
   }
 
+  /// Elements that the sweep adds at the end are for the next one: looked up anew in each slice,
+  /// the end would depend on where slices end.
   void beginSweep() {
     next_ = 0;
+    sweepEnd_ = sweepSize();
     changes_ += changesInSweep_;
     changesInSweep_ = 0;
     complex_.beginPass();
@@ -445,6 +447,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::span<const Sweep> sweeps_;
   std::size_t sweep_ = 0;
   std::size_t next_ = 0;
+  std::size_t sweepEnd_ = 0;
   std::uint32_t since_ = 0;
   std::array<std::uint32_t, kSweepKinds> lastRun_{};
   std::size_t changesInSweep_ = 0;

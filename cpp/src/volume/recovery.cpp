@@ -157,8 +157,10 @@ void Recovery<Trace>::beginPass() {
 template <class Trace>
 std::size_t Recovery<Trace>::indexElements(std::uint32_t budget) {
   constexpr std::size_t kElementsPerStep = 100;
-  const std::size_t last = std::min(indexedElements_, nextToIndex_ + kElementsPerStep * budget);
-  const std::size_t done = last - nextToIndex_;
+  const std::size_t left = indexedElements_ - nextToIndex_;
+  // Compared before it is multiplied: the product can exceed 32 bits.
+  const std::size_t done = left / kElementsPerStep < budget ? left : kElementsPerStep * budget;
+  const std::size_t last = nextToIndex_ + done;
   for (; nextToIndex_ < last; ++nextToIndex_) {
     for (const NodeId node : elements_.nodes[nextToIndex_]) {
       if (stage_ == Stage::kCount) {
