@@ -1,13 +1,14 @@
 /// @file How long the front takes, and which share of it the crossing test, for docs/PAPER.md and
-/// docs/BENCHMARKS.md: the volume front alone, on the boundary and the background grid that the benchmarks
-/// write.
+/// docs/BENCHMARKS.md: the volume front alone, on the boundary and the background grid that the
+/// benchmarks write.
 ///
 ///     front_clock layered|smallest-first on|off < BOUNDARY_AND_GRID
 ///
 /// The second argument tells whether the crossing test filters faces. Input, as text: number of nodes,
 /// triangles, grid nodes and grid tetrahedra; x y z per node; three nodes per triangle; x y z size per
 /// grid node; four grid nodes per tetrahedron. Without grid nodes sizes come from the boundary's edges.
-/// Prints `name value` lines; times are the processor's, the least of several runs. Exit status: 0 done, 1 not completed, 2 bad input.
+/// Prints `name value` lines; times are the processor's, the least of several runs. Exit status: 0
+/// done, 1 not completed, 2 bad input.
 
 #include <algorithm>
 #include <chrono>

@@ -47,7 +47,7 @@ class Digits {
   void keep(std::size_t first, std::size_t count) {
     const std::uint32_t* from = data() + first;
     std::uint32_t* to = count > kInPlace ? many_.data() : few_.data();
-    std::copy(from, from + count, to);
+    if (to != from) std::copy(from, from + count, to);
     size_ = count;
   }
 

@@ -254,8 +254,9 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
   return false;
 }
 
-/// Sets the place, and the costs that the hollow was asked for last. Elements are marked as changed where their cost moved by a tenth, stars
-/// where the move was more than a small part of an edge; the rest need no second look.
+/// Sets the place, and the costs that the hollow was asked for last, which must be those there.
+/// Elements are marked as changed where their cost moved by a tenth, stars where the move was more
+/// than a small part of an edge; the rest need no second look.
 template <class Space>
 void NodeMover<Space>::takePlace(NodeId node, const Vec3& place) {
   constexpr double kCostChange = 0.1;
