@@ -95,6 +95,36 @@ TEST(SurfaceRepair, WeldsNoChains) {
   EXPECT_EQ(result.changes.size(), 5U);
 }
 
+TEST(SurfaceRepair, WeldsIntoTheLowestNodeNearThatStays) {
+  // Dense and sparse against the distance, and nodes at one place.
+  for (const double distance : {0.0, 0.01, 0.1, 0.5}) {
+    SurfaceMesh mesh;
+    Random random(3);
+    for (std::uint32_t i = 0; i < 1500; ++i) {
+      const bool repeats = i % 5 == 4;
+      for (int k = 0; k < 3; ++k) {
+        mesh.points.push_back(repeats ? mesh.points[mesh.points.size() - 9] : random.unit() - 0.5);
+      }
+      mesh.triangles.push_back(i);
+    }
+    std::vector<std::uint32_t> target(nodeCount(mesh));
+    for (std::uint32_t i = 0; i < target.size(); ++i) {
+      target[i] = 0;
+      while (target[target[i]] != target[i] ||
+             glm::length(pointOf(mesh, i) - pointOf(mesh, target[i])) > distance) {
+        ++target[i];
+        if (target[i] == i) break;
+      }
+    }
+    const SurfaceRepair result =
+        repair(mesh, {.weldDistance = distance, .removesTriangles = false, .turns = false});
+    std::vector<std::uint32_t> found(target.size());
+    for (std::uint32_t i = 0; i < found.size(); ++i) found[i] = i;
+    for (const RepairChange& change : result.changes) found[change.first] = change.second;
+    EXPECT_EQ(found, target) << distance;
+  }
+}
+
 TEST(SurfaceRepair, RemovesTrianglesThatAreNone) {
   SurfaceMesh mesh = gridCube(2);
   const auto count = static_cast<std::uint32_t>(triangleCount(mesh));
@@ -133,6 +163,31 @@ TEST(SurfaceRepair, DissolvesSliversWithoutChangingTheShape) {
   EXPECT_NEAR(found.area, 6.0, 1e-14);
   EXPECT_GE(kindsOf(result)[RepairKind::kSplitTriangle], 1);
   EXPECT_EQ(kindsOf(result)[RepairKind::kFilledHole], 0);
+}
+
+TEST(SurfaceRepair, DissolvesLongChainsOfSlivers) {
+  // One side of a tetrahedron is divided at an edge, that beside it is not; between them a fan of
+  // slivers, of which only the last has a neighbour with area.
+  constexpr std::uint32_t kCount = 100;
+  SurfaceMesh mesh;
+  for (std::uint32_t i = 0; i <= kCount; ++i) {
+    mesh.points.insert(mesh.points.end(), {static_cast<double>(i), 0.0, 0.0});
+  }
+  constexpr std::uint32_t kUp = kCount + 1;
+  constexpr std::uint32_t kAside = kCount + 2;
+  mesh.points.insert(mesh.points.end(), {0.0, 0.0, 1.0, 0.0, 1.0, 0.0});
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, kUp});
+    if (i > 0) mesh.triangles.insert(mesh.triangles.end(), {0, i + 1, i});
+  }
+  mesh.triangles.insert(mesh.triangles.end(),
+                        {0, kAside, kCount, kCount, kAside, kUp, 0, kUp, kAside});
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_EQ(kindsOf(result)[RepairKind::kSplitTriangle], static_cast<int>(kCount) - 1);
+  EXPECT_EQ(result.triangles.size(), mesh.triangles.size());
+  const SurfaceInspection found = inspect(result);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, kCount / 6.0, 1e-9);
 }
 
 TEST(SurfaceRepair, TurnsTrianglesOutward) {
@@ -240,7 +295,8 @@ TEST(SurfaceRepair, SurvivesRuins) {
     for (std::uint32_t& node : mesh.triangles) {
       if (random.unit() < 0.2) node = static_cast<std::uint32_t>(random.unit() * 26.0);
     }
-    const RepairOptions options{.weldDistance = 0.3 * random.unit(), .fillsUpTo = 20};
+    const RepairOptions options{
+        .weldDistance = 0.3 * random.unit(), .removesTriangles = seed % 2 == 0, .fillsUpTo = 20};
     const SurfaceRepair once = repair(mesh, options);
     const SurfaceRepair again = repair(mesh, options);
     EXPECT_EQ(once.triangles, again.triangles);

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "geom/predicates.h"
@@ -25,7 +26,9 @@ Edge edgeBetween(std::uint32_t a, std::uint32_t b) { return std::minmax(a, b); }
 class RimWalk {
  public:
   RimWalk(const SurfaceMesh& mesh, const EdgeTable& edges)
-      : mesh_(mesh), fans_(cornerFans(mesh.triangles, edges)) {
+      : mesh_(mesh),
+        fans_(cornerFans(mesh.triangles, edges)),
+        isOnStack_(mesh.points.size() / 3, 0) {
     for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
       const std::span<const std::uint32_t> halfEdges = edges.halfEdgesOf(e);
       if (halfEdges.size() == 1) open_.push_back(halfEdges[0]);
@@ -78,16 +81,19 @@ class RimWalk {
   }
 
   /// A chain that comes by a node twice is that of two holes which touch there.
-  static void splitAtRepeats(const Rim& chain, std::vector<Rim>& out) {
+  void splitAtRepeats(const Rim& chain, std::vector<Rim>& out) {
     Rim stack;
     for (const std::uint32_t node : chain) {
-      const auto before = std::find(stack.begin(), stack.end(), node);
-      if (before != stack.end()) {
+      if (isOnStack_[node] != 0) {
+        const auto before = std::ranges::find(stack.rbegin(), stack.rend(), node).base() - 1;
         out.emplace_back(before, stack.end());
+        for (const std::uint32_t popped : out.back()) isOnStack_[popped] = 0;
         stack.erase(before, stack.end());
       }
+      isOnStack_[node] = 1;
       stack.push_back(node);
     }
+    for (const std::uint32_t node : stack) isOnStack_[node] = 0;
     out.push_back(std::move(stack));
   }
 
@@ -96,6 +102,7 @@ class RimWalk {
   std::vector<std::uint32_t> open_;  ///< half-edges
   std::vector<Edge> ends_;           ///< fan and position in open_, sorted
   std::vector<std::uint8_t> isWalked_;
+  std::vector<std::uint8_t> isOnStack_;  ///< per node, while a chain is split
 };
 
 /// The triangulation of least area of one rim.
@@ -156,7 +163,7 @@ class LeastArea {
   std::vector<std::size_t> apex_;
 };
 
-/// The edges of a mesh that grows, sorted but for those that were added.
+/// The edges of a mesh that grows: those it had, sorted, and those that were added.
 class EdgeSet {
  public:
   explicit EdgeSet(const SurfaceMesh& mesh) {
@@ -169,18 +176,16 @@ class EdgeSet {
 
   [[nodiscard]] bool holds(std::uint32_t a, std::uint32_t b) const {
     const Edge edge = edgeBetween(a, b);
-    return std::binary_search(known_.begin(), known_.end(), edge) ||
-           std::binary_search(added_.begin(), added_.end(), edge);
+    return std::binary_search(known_.begin(), known_.end(), edge) || added_.contains(edge);
   }
 
   void add(std::uint32_t a, std::uint32_t b) {
-    const Edge edge = edgeBetween(a, b);
-    added_.insert(std::upper_bound(added_.begin(), added_.end(), edge), edge);
+    if (!holds(a, b)) added_.insert(edgeBetween(a, b));
   }
 
  private:
   std::vector<Edge> known_;
-  std::vector<Edge> added_;
+  std::set<Edge> added_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ struct FilledHole {
 /// hole without new nodes, without triangles of no area and without edges that exist elsewhere, the
 /// one of least area (Barequet & Sharir 1995); where there is none the hole stays. They are turned as
 /// a triangle at the hole's edge is. O(n log n), and O(edges^3) for each hole. Triangles with a
-/// repeated node must be gone.
+/// repeated node should be gone: what they have for edges counts as open.
 std::vector<FilledHole> fillHoles(SurfaceMesh& mesh, std::uint32_t mostEdges);
 
 }  // namespace tetrafront

@@ -1,15 +1,14 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <optional>
 #include <utility>
 
-#include "geom/predicates.h"
 #include "surface/boundary.h"
 #include "surface/boundary_orientation.h"
 #include "surface/boundary_soundness.h"
 #include "surface/edge_table.h"
 #include "surface/hole_filling.h"
+#include "surface/sliver_splitting.h"
 #include "surface/surface_access.h"
 #include "surface/weld.h"
 #include "tetrafront/surface_tools.h"
@@ -61,13 +60,10 @@ class Repair {
   void addAt(RepairKind kind, std::uint32_t triangle, std::uint32_t second);
 
   void removeRepeating();
-  bool splitBesideSlivers();
-  void splitBeside(std::uint32_t sliver, std::uint32_t middle, std::uint32_t halfEdge);
+  void dissolveSlivers();
   void removeSlivers();
   void removeDuplicates();
   void keep(const std::vector<std::uint8_t>& isGone);
-  [[nodiscard]] bool isSliver(std::uint32_t t) const;
-  [[nodiscard]] std::optional<std::uint32_t> middleCorner(std::uint32_t t) const;
   void turnOutward();
 
   SurfaceMesh mesh_;
@@ -106,8 +102,7 @@ void Repair::keep(const std::vector<std::uint8_t>& isGone) {
 void Repair::removeTriangles() {
   removeRepeating();
   removeDuplicates();
-  while (splitBesideSlivers()) {
-  }
+  dissolveSlivers();
   removeSlivers();
   removeDuplicates();
 }
@@ -123,68 +118,18 @@ void Repair::removeRepeating() {
   keep(isGone);
 }
 
-bool Repair::isSliver(std::uint32_t t) const {
-  const std::array<Vec3, 3> p = cornersOf(mesh_, t);
-  return collinear(p[0], p[1], p[2]);
-}
-
-/// The corner of a triangle on one line that lies between the others, none where two are at one
-/// place. On every axis places on a line either agree or follow each other as on the line.
-std::optional<std::uint32_t> Repair::middleCorner(std::uint32_t t) const {
-  const std::array<Vec3, 3> p = cornersOf(mesh_, t);
-  for (std::uint32_t k = 0; k < 3; ++k) {
-    const Vec3& a = p[(k + 1) % 3];
-    const Vec3& b = p[(k + 2) % 3];
-    for (int axis = 0; axis < 3; ++axis) {
-      if (std::min(a[axis], b[axis]) < p[k][axis] && p[k][axis] < std::max(a[axis], b[axis])) {
-        return k;
-      }
-    }
+/// Those beside others that have area; the shape is the same.
+void Repair::dissolveSlivers() {
+  for (const auto& [sliver, other, middle] : splitBesideSlivers(mesh_)) {
+    add(RepairKind::kSplitTriangle, origin_[sliver], origin_[other], pointOf(mesh_, middle));
+    origin_[sliver] = origin_[other];
   }
-  return std::nullopt;
-}
-
-/// One pass over all triangles on one line. Every split leaves one of them less, for the halves of a
-/// triangle with area have area.
-bool Repair::splitBesideSlivers() {
-  const EdgeTable edges(mesh_.triangles, mesh_.points.size() / 3, {});
-  std::vector<std::uint8_t> isTouched(triangleCount(), 0);
-  bool hasSplit = false;
-  for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
-    const std::span<const std::uint32_t> halfEdges = edges.halfEdgesOf(e);
-    if (halfEdges.size() != 2) continue;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const std::uint32_t sliver = halfEdges[i] / 3;
-      const std::uint32_t other = halfEdges[1 - i] / 3;
-      if (isTouched[sliver] != 0 || isTouched[other] != 0) break;
-      if (!isSliver(sliver) || isSliver(other)) continue;
-      const std::optional<std::uint32_t> middle = middleCorner(sliver);
-      if (!middle || 3 * sliver + (*middle + 1) % 3 != halfEdges[i]) continue;
-      splitBeside(sliver, mesh_.triangles[3 * std::size_t{sliver} + *middle], halfEdges[1 - i]);
-      isTouched[sliver] = 1;
-      isTouched[other] = 1;
-      hasSplit = true;
-    }
-  }
-  return hasSplit;
-}
-
-/// The other triangle is a c d, its half-edge a c that of the sliver's longest edge, on which the
-/// middle node m lies: it becomes a m d, the sliver m c d.
-void Repair::splitBeside(std::uint32_t sliver, std::uint32_t middle, std::uint32_t halfEdge) {
-  const std::uint32_t other = halfEdge / 3;
-  add(RepairKind::kSplitTriangle, origin_[sliver], origin_[other], pointOf(mesh_, middle));
-  const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, halfEdge);
-  const Triangle half{middle, nodes.to, nodes.apex};
-  mesh_.triangles[nextCorner(halfEdge)] = middle;
-  put(sliver, half);
-  origin_[sliver] = origin_[other];
 }
 
 void Repair::removeSlivers() {
   std::vector<std::uint8_t> isGone(triangleCount(), 0);
   for (std::uint32_t t = 0; t < isGone.size(); ++t) {
-    if (!isSliver(t)) continue;
+    if (!isSliver(mesh_, t)) continue;
     isGone[t] = 1;
     addAt(RepairKind::kRemovedTriangle, t, kNoOrigin);
   }

@@ -18,31 +18,45 @@ double cellEdge(std::span<const double> points, double distance) {
   return distance > 0.0 ? std::max(distance, kFinest * largest) : 0.0;
 }
 
-/// Nodes by the cubic cell of a lattice they lie in; with an edge of 0, by their place.
+/// The nodes that stay what they are, by the cubic cell of a lattice they lie in; with an edge of 0, by
+/// their place. To be added in ascending order.
 class NodeLattice {
  public:
-  NodeLattice(std::span<const double> points, double edge)
-      : points_(points), edge_(edge), cells_(points.size() / 3), order_(points.size() / 3) {
-    for (std::uint32_t i = 0; i < cells_.size(); ++i) cells_[i] = cellAt(i);
-    std::iota(order_.begin(), order_.end(), 0U);
-    std::sort(order_.begin(), order_.end(), [this](std::uint32_t a, std::uint32_t b) {
-      return cells_[a] != cells_[b] ? cells_[a] < cells_[b] : a < b;
+  NodeLattice(std::span<const double> points, double edge) : points_(points), edge_(edge) {
+    const std::size_t count = points.size() / 3;
+    std::vector<Cell> cellOf(count);
+    for (std::uint32_t i = 0; i < count; ++i) cellOf[i] = cellAt(i);
+    nodes_.resize(count);
+    std::iota(nodes_.begin(), nodes_.end(), 0U);
+    std::sort(nodes_.begin(), nodes_.end(), [&](std::uint32_t a, std::uint32_t b) {
+      return cellOf[a] != cellOf[b] ? cellOf[a] < cellOf[b] : a < b;
     });
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const Cell& cell = cellOf[nodes_[i]];
+      if (cells_.empty() || cells_.back() != cell) {
+        cells_.push_back(cell);
+        rooms_.push_back({i, i});
+      }
+    }
   }
 
-  /// The lowest node below `node` with `accepts` in the cells that touch its own.
+  void add(std::uint32_t node) { nodes_[rooms_[roomOf(cellAt(node))].end++] = node; }
+
+  /// The lowest node that was added with `accepts` in the cells that touch the one of `node`; `node`
+  /// itself if there is none.
   template <class Accepts>
   [[nodiscard]] std::uint32_t lowestNear(std::uint32_t node, const Accepts& accepts) const {
     std::uint32_t lowest = node;
     const int reach = edge_ > 0.0 ? 1 : 0;
+    const Cell own = cellAt(node);
     for (int x = -reach; x <= reach; ++x) {
       for (int y = -reach; y <= reach; ++y) {
         for (int z = -reach; z <= reach; ++z) {
-          const Cell& own = cells_[node];
-          const Cell cell{own[0] + x, own[1] + y, own[2] + z};
-          for (auto at = firstOf(cell); at != order_.end() && cells_[*at] == cell; ++at) {
-            if (*at >= lowest) break;
-            if (accepts(*at)) lowest = *at;
+          const std::size_t at = roomOf({own[0] + x, own[1] + y, own[2] + z});
+          if (at == cells_.size()) continue;
+          for (std::uint32_t i = rooms_[at].begin; i < rooms_[at].end; ++i) {
+            if (nodes_[i] >= lowest) break;
+            if (accepts(nodes_[i])) lowest = nodes_[i];
           }
         }
       }
@@ -51,6 +65,12 @@ class NodeLattice {
   }
 
  private:
+  /// Of the nodes added in one cell: positions in nodes_, which has a place for all that lie there.
+  struct Room {
+    std::uint32_t begin;
+    std::uint32_t end;
+  };
+
   [[nodiscard]] Cell cellAt(std::uint32_t node) const {
     Cell cell{};
     for (std::size_t k = 0; k < 3; ++k) {
@@ -61,27 +81,27 @@ class NodeLattice {
     return cell;
   }
 
-  [[nodiscard]] std::vector<std::uint32_t>::const_iterator firstOf(const Cell& cell) const {
-    return std::lower_bound(
-        order_.begin(), order_.end(), cell,
-        [this](std::uint32_t node, const Cell& value) { return cells_[node] < value; });
+  /// Position among the cells that have nodes, or their number.
+  [[nodiscard]] std::size_t roomOf(const Cell& cell) const {
+    const auto at = std::lower_bound(cells_.begin(), cells_.end(), cell);
+    return at != cells_.end() && *at == cell ? static_cast<std::size_t>(at - cells_.begin())
+                                             : cells_.size();
   }
 
   std::span<const double> points_;
   double edge_;
-  std::vector<Cell> cells_;
-  std::vector<std::uint32_t> order_;
+  std::vector<Cell> cells_;  ///< ascending
+  std::vector<Room> rooms_;  ///< per cell
+  std::vector<std::uint32_t> nodes_;
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> weldedNodes(std::span<const double> points, double distance) {
   std::vector<std::uint32_t> target(points.size() / 3);
-  std::iota(target.begin(), target.end(), 0U);
-  const NodeLattice lattice(points, cellEdge(points, distance));
+  NodeLattice lattice(points, cellEdge(points, distance));
   for (std::uint32_t i = 0; i < target.size(); ++i) {
     target[i] = lattice.lowestNear(i, [&](std::uint32_t other) {
-      if (target[other] != other) return false;
       double squared = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
         const double d = points[3 * std::size_t{i} + k] - points[3 * std::size_t{other} + k];
@@ -89,6 +109,7 @@ std::vector<std::uint32_t> weldedNodes(std::span<const double> points, double di
       }
       return squared <= distance * distance;
     });
+    if (target[i] == i) lattice.add(i);
   }
   return target;
 }
