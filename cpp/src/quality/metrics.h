@@ -13,6 +13,11 @@
 
 namespace tetrafront {
 
+/// What measures by tangents compare dihedral angles with: 30 degrees, the least angle wanted, and
+/// 45 = 180 - 135, 135 being the greatest.
+inline constexpr double kSquaredTangentOfHalf30 = 0.07179676972449082;
+inline constexpr double kSquaredTangentOfHalf45 = 0.17157287525380988;
+
 struct TetrahedronMeasures {
   double volume = 0.0;         ///< positive if (b-a) x (c-a) . (d-a) > 0
   double radiusRatio = 0.0;    ///< 3 x inradius / circumradius, 1 if regular; 0 if flat or inverted

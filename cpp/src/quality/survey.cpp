@@ -10,9 +10,6 @@ constexpr double kNearFrom = 0.6;
 constexpr double kNearTo = 1.5;
 constexpr double kBinsPerRatio = static_cast<double>(kRatioBins);
 constexpr double kBinsPerEdge = 10.0;
-/// Wanted are 30 to 135 degrees: squared tangents of half of 30, and of half of 180 - 135.
-constexpr double kLeast = 0.07179676972449082;
-constexpr double kGreatest = 0.17157287525380988;
 
 /// Cosines of 0, 5 .. 180 degrees: bins must not depend on how a library rounds.
 constexpr std::array<double, kDihedralBins + 1> kBinCosines = [] {
@@ -59,7 +56,8 @@ double badnessOf(const TetrahedronMeasures& measures) {
   const double c = measures.largestCosine;
   const double d = measures.smallestCosine;
   if (c >= 1.0 || d <= -1.0) return kFlat;
-  return std::max(kLeast * (1.0 + c) / (1.0 - c), kGreatest * (1.0 - d) / (1.0 + d));
+  return std::max(kSquaredTangentOfHalf30 * (1.0 + c) / (1.0 - c),
+                  kSquaredTangentOfHalf45 * (1.0 - d) / (1.0 + d));
 }
 
 /// Corners of an element's edges.
