@@ -1,6 +1,7 @@
 #include "model/check_holes.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -56,20 +57,17 @@ class HoleCheck {
   /// Holes share no line and no point with each other, themselves, or the outer loop, which may
   /// well pass its own seam twice.
   [[nodiscard]] std::optional<Diagnostic> findRepetition() const {
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> starts;  // point, line
-    for (const OrientedLine& line : drawn_->loops.front())
-      starts.emplace_back(model_->startPoint(line), line.line);
+    std::vector<LineStart> starts;
+    appendStarts(*model_, drawn_->loops.front(), starts);
     std::ranges::sort(starts);
-    const auto samePoint = [](const auto& a, const auto& b) { return a.first == b.first; };
-    starts.erase(std::unique(starts.begin(), starts.end(), samePoint), starts.end());
-    for (std::size_t hole = 1; hole < drawn_->loops.size(); ++hole)
-      for (const OrientedLine& line : drawn_->loops[hole])
-        starts.emplace_back(model_->startPoint(line), line.line);
-    std::ranges::sort(starts);
-    const auto twice = std::ranges::adjacent_find(starts, samePoint);
-    if (twice == starts.end()) return std::nullopt;
-    return fault(DiagnosticCode::kLoopTouchesItself, {twice->second, std::next(twice)->second},
-                 model_->model().points[twice->first]);
+    const auto seams = std::ranges::unique(starts, {}, &LineStart::point);
+    starts.erase(seams.begin(), seams.end());
+    for (const Loop& hole : std::span(drawn_->loops).subspan(1))
+      appendStarts(*model_, hole, starts);
+    const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
+    if (!twice) return std::nullopt;
+    return fault(DiagnosticCode::kLoopTouchesItself, {twice->firstLine, twice->secondLine},
+                 model_->model().points[twice->point]);
   }
 
   [[nodiscard]] PlaneLoop layOutBorder() const {

@@ -1,6 +1,7 @@
 #include "model/check_loops.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "search/quadtree.h"
 
@@ -94,6 +95,17 @@ PlaneLoop layOutLoop(const ResolvedModel& model, const Loop& loop, const PlanarS
     }
   }
   return result;
+}
+
+void appendStarts(const ResolvedModel& model, const Loop& loop, std::vector<LineStart>& starts) {
+  for (const OrientedLine& line : loop) starts.push_back({model.startPoint(line), line.line});
+}
+
+std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts) {
+  std::ranges::sort(starts);
+  const auto twice = std::ranges::adjacent_find(starts, {}, &LineStart::point);
+  if (twice == starts.end()) return std::nullopt;
+  return RepeatedPoint{twice->point, twice->line, std::next(twice)->line};
 }
 
 std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops, double extent) {

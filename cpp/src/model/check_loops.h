@@ -3,6 +3,7 @@
 /// @file Loops of a planar patch against each other, by samples of their curves. What is finer
 /// than the samples shows when the lines are divided, where it is decided exactly.
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,6 +20,22 @@ struct PlaneLoop {
 };
 [[nodiscard]] PlaneLoop layOutLoop(const ResolvedModel& model, const Loop& loop,
                                    const PlanarSurface& surface);
+
+/// Where a line of a loop begins. Ordered by points, so that lines at one point are neighbours.
+struct LineStart {
+  std::uint32_t point;
+  std::uint32_t line;
+  friend auto operator<=>(const LineStart&, const LineStart&) = default;
+};
+void appendStarts(const ResolvedModel& model, const Loop& loop, std::vector<LineStart>& starts);
+
+/// The first point at which two lines begin, with both. O(n log n).
+struct RepeatedPoint {
+  std::uint32_t point;
+  std::uint32_t firstLine;
+  std::uint32_t secondLine;
+};
+[[nodiscard]] std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts);
 
 /// Two lines that come nearer than rounding where they are not joined.
 struct LoopContact {

@@ -7,6 +7,7 @@
 
 #include "geom/coordinates.h"
 #include "search/box_tree.h"
+#include "search/disjoint_sets.h"
 
 namespace tetrafront {
 namespace {
@@ -78,6 +79,44 @@ bool runAlike(const Curve& a, const Curve& b) {
   return along || against;
 }
 
+/// Of lines with the same ends, ascending. Lines along one course have one middle, so only those are
+/// compared whose middles are equally far along a direction of no meaning.
+void findAlike(const ResolvedModel& model, std::span<const std::uint32_t> lines, double samePlace,
+               std::vector<std::uint32_t>& lowest) {
+  struct Entry {
+    double along;
+    std::uint32_t position;  // in `lines`
+  };
+  const Vec3 direction(0.61, 0.53, 0.59);
+  std::vector<Entry> entries;
+  double longest = 0.0;
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    const Curve& curve = model.curve(lines[i]);
+    entries.push_back({glm::dot(direction, curve.position(0.5)), i});
+    longest = std::max(longest, curve.length());
+  }
+  // Twice what middles may differ by: for curves by their course, for straight lines by their ends.
+  const double reach = 2.0 * std::max(kSameCourse * longest, samePlace);
+  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+    return a.along != b.along ? a.along < b.along : a.position < b.position;
+  });
+  DisjointSets sets(lines.size());
+  std::vector<Entry> distinct;  // of those within reach
+  for (const Entry& entry : entries) {
+    std::erase_if(distinct, [&](const Entry& other) { return other.along < entry.along - reach; });
+    const Curve& curve = model.curve(lines[entry.position]);
+    const auto same = std::ranges::find_if(distinct, [&](const Entry& other) {
+      return runAlike(model.curve(lines[other.position]), curve);
+    });
+    if (same == distinct.end()) {
+      distinct.push_back(entry);
+    } else {
+      sets.join(same->position, entry.position);
+    }
+  }
+  for (std::uint32_t i = 0; i < lines.size(); ++i) lowest[lines[i]] = lines[sets.find(i)];
+}
+
 }  // namespace
 
 Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8_t> soundLines,
@@ -99,17 +138,12 @@ Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8
   std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
     return a.ends != b.ends ? a.ends < b.ends : a.line < b.line;
   });
-  std::vector<std::uint32_t> distinct;  // of those with the same ends
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (i == 0 || entries[i].ends != entries[i - 1].ends) distinct.clear();
-    const Curve& curve = model.curve(entries[i].line);
-    const auto same = std::ranges::find_if(
-        distinct, [&](std::uint32_t line) { return runAlike(model.curve(line), curve); });
-    if (same == distinct.end()) {
-      distinct.push_back(entries[i].line);
-    } else {
-      result.lines[entries[i].line] = *same;
-    }
+  std::vector<std::uint32_t> sameEnds;
+  for (std::size_t i = 0, j = 0; i < entries.size(); i = j) {
+    sameEnds.clear();
+    for (; j < entries.size() && entries[j].ends == entries[i].ends; ++j)
+      sameEnds.push_back(entries[j].line);
+    if (sameEnds.size() > 1) findAlike(model, sameEnds, samePlace, result.lines);
   }
   return result;
 }

@@ -18,7 +18,7 @@ struct Duplicates {
 
 /// Points that are not finite and lines that are not sound (one flag per line) are alone.
 /// `samePlace`: the distance within which places are one. O(n log n) unless many lines join the
-/// same two places.
+/// same two places and have one middle.
 [[nodiscard]] Duplicates findDuplicates(const ResolvedModel& model,
                                         std::span<const std::uint8_t> soundLines, double samePlace);
 
