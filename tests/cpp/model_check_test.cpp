@@ -276,6 +276,45 @@ TEST(ModelCheck, PlanarityDoesNotDependOnTheModelsSize) {
   }
 }
 
+TEST(ModelCheck, PointsThatNoPatchUsesDoNotDecideWhatIsOnePlace) {
+  Model model = square();
+  model.points.push_back(Vec3(1e15, 0, 0));
+  model.points.push_back(Vec3(-1e15, 0, 0));
+  EXPECT_TRUE(codesOf(model).empty());
+  const auto far = static_cast<std::uint32_t>(model.points.size() - 2);
+  model.lines.push_back({LineType::kStraight, {far, far + 1}});
+  EXPECT_TRUE(codesOf(model).empty());
+}
+
+TEST(ModelCheck, NotPlanarNamesTheMovedCornersOfManyBoxes) {
+  // Each box's three bent faces agree on its own corner, whatever is bent elsewhere.
+  Model model;
+  constexpr std::uint32_t kBoxes = 500;
+  for (std::uint32_t i = 0; i < kBoxes; ++i) {
+    const Model box = boxModel(Vec3(3.0 * i, 0, 0), Vec3(3.0 * i + 1.0, 2, 3));
+    const auto points = static_cast<std::uint32_t>(model.points.size());
+    const auto lines = static_cast<std::uint32_t>(model.lines.size());
+    model.points.insert(model.points.end(), box.points.begin(), box.points.end());
+    for (Line line : box.lines) {
+      for (std::uint32_t& point : line.points) point += points;
+      model.lines.push_back(line);
+    }
+    for (Patch patch : box.patches) {
+      for (Loop& loop : patch.loops)
+        for (OrientedLine& walked : loop) walked.line += lines;
+      model.patches.push_back(patch);
+    }
+    model.points[points + i % 8] += Vec3(0.1, 0.07, -0.05);
+  }
+  const std::vector<Diagnostic> found = checkModel(model);
+  ASSERT_EQ(found.size(), std::size_t{3} * kBoxes);
+  for (std::uint32_t i = 0; i < found.size(); ++i) {
+    const std::uint32_t box = i / 3;
+    EXPECT_EQ(found[i].code, DiagnosticCode::kNotPlanar);
+    EXPECT_TRUE(names(found[i], EntityKind::kPoint, 8 * box + box % 8)) << box;
+  }
+}
+
 TEST(ModelCheck, EmptyModel) {
   EXPECT_EQ(onlyFault(Model{}).code, DiagnosticCode::kEmptyModel);
   Model lines = square();

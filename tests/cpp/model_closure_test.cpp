@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "model/check_model.h"
@@ -191,6 +192,42 @@ TEST(ModelDuplicates, CoursesAreComparedNotOnlyEnds) {
   builder.line(LineType::kParabolic, {to, {0.5, 0, 0}, from});
   const std::vector<Diagnostic> found = checkModel(builder.model);
   EXPECT_EQ(countOf(found, DiagnosticCode::kDuplicateLines), 2U);
+}
+
+TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsTheLowestLikeIt) {
+  // Parabolas in a fan and straight lines, in a mixed order, each again as often as its turn says.
+  constexpr std::uint32_t kCourses = 97;
+  ModelBuilder builder;
+  const Vec3 from(0, 0, 0);
+  const Vec3 to(3, 1, 0);
+  std::vector<std::uint32_t> expected;
+  std::vector<std::uint32_t> first(kCourses, 0xffffffffU);
+  for (std::uint32_t i = 0; i < 3 * kCourses; ++i) {
+    const std::uint32_t course = i * i % kCourses;
+    const double angle = 0.06 * course;
+    const Vec3 middle(1.5 - std::sin(angle), 0.5 + std::cos(angle), 0.3 * std::sin(2.0 * angle));
+    std::vector<Vec3> places{from, middle, to};
+    if (course == 0) places = {from, to};
+    if (i % 2 == 1) std::ranges::reverse(places);
+    const std::uint32_t line =
+        builder.line(course == 0 ? LineType::kStraight : LineType::kParabolic, places);
+    first[course] = std::min(first[course], line);
+    expected.push_back(first[course]);
+  }
+  EXPECT_EQ(examineModel(builder.model).duplicates.lines, expected);
+}
+
+TEST(ModelDuplicates, ShortLinesOfALargeModelAreOneThoughTheirEndsDifferByRounding) {
+  Model model = boxModel({0, 0, 0}, {1e4, 1e4, 1e4});
+  const auto first = static_cast<std::uint32_t>(model.points.size());
+  const Vec3 shift(0, 5e-9, 0);
+  for (const Vec3& moved : {Vec3(0.0), shift}) {
+    model.points.push_back(Vec3(1, 2, 3) + moved);
+    model.points.push_back(Vec3(1, 2, 3.01) + moved);
+  }
+  for (const std::uint32_t point : {first, first + 2})
+    model.lines.push_back({LineType::kStraight, {point, point + 1}});
+  EXPECT_EQ(countOf(checkModel(model), DiagnosticCode::kDuplicateLines), 1U);
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ PatchRule ruleOf(PatchType type) {
 
 class ModelCheck {
  public:
-  explicit ModelCheck(const Model& model) : model_(&model) {}
+  explicit ModelCheck(const Model& model) : model_(&model), movedPoints_(model) {}
 
   ModelExamination run() {
     checkPoints();
@@ -73,18 +73,32 @@ class ModelCheck {
 
   void checkPoints() {
     findUsed();
+    for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
+      if (!isFinite(model_->points[point]))
+        report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}});
+    }
+    samePlace_ = kSamePlace * usedExtent();
+  }
+
+  /// Of the points on lines that patches walk: what lies forgotten far away makes nothing coarser. Of
+  /// all points where there are no such lines.
+  [[nodiscard]] double usedExtent() const {
+    std::vector<std::uint8_t> takesPart(model_->points.size(), 0);
+    for (std::size_t line = 0; line < model_->lines.size(); ++line) {
+      if (isUsed_[line] == 0) continue;
+      for (const std::uint32_t point : model_->lines[line].points)
+        if (point < takesPart.size()) takesPart[point] = 1;
+    }
+    if (std::ranges::count(takesPart, 1) == 0) std::ranges::fill(takesPart, 1);
     std::optional<Vec3> low;
     Vec3 high(0.0);
-    for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
+    for (std::size_t point = 0; point < takesPart.size(); ++point) {
       const Vec3& place = model_->points[point];
-      if (!isFinite(place)) {
-        report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}});
-        continue;
-      }
+      if (takesPart[point] == 0 || !isFinite(place)) continue;
       high = low ? glm::max(high, place) : place;
       low = low ? glm::min(*low, place) : place;
     }
-    if (low) samePlace_ = kSamePlace * glm::length(high - *low);
+    return low ? glm::length(high - *low) : 0.0;
   }
 
   /// Lines that patches walk, and the points at which those begin and end.
@@ -230,7 +244,7 @@ class ModelCheck {
   /// A loop that touches itself, or a patch that folds, because one of its lines does is no news.
   bool checkShape(const ResolvedModel& resolved, std::uint32_t patch) {
     const std::size_t before = found_.diagnostics.size();
-    const bool sound = checkPatchShape(resolved, patch, found_.diagnostics);
+    const bool sound = checkPatchShape(resolved, patch, movedPoints_, found_.diagnostics);
     const auto isKnown = [&](const Diagnostic& diagnostic) {
       const bool isAboutLines = diagnostic.code == DiagnosticCode::kLoopTouchesItself ||
                                 diagnostic.code == DiagnosticCode::kDegeneratePatch;
@@ -307,6 +321,7 @@ class ModelCheck {
   }
 
   const Model* model_;
+  MovedPointFinder movedPoints_;
   ModelExamination found_;
   double samePlace_ = 0.0;
   std::vector<std::uint8_t> isUsed_;    ///< per line: by a patch

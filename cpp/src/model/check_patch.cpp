@@ -8,7 +8,6 @@
 #include "model/check_fold.h"
 #include "model/check_holes.h"
 #include "model/check_loops.h"
-#include "model/check_plane.h"
 #include "model/patch_surface.h"
 
 namespace tetrafront {
@@ -26,10 +25,12 @@ constexpr std::size_t kMostNamed = 8;
 
 class PatchCheck {
  public:
-  PatchCheck(const ResolvedModel& model, std::uint32_t patch, std::vector<Diagnostic>& diagnostics)
+  PatchCheck(const ResolvedModel& model, std::uint32_t patch, MovedPointFinder& movedPoints,
+             std::vector<Diagnostic>& diagnostics)
       : model_(&model),
         patch_(patch),
         drawn_(&model.model().patches[patch]),
+        movedPoints_(&movedPoints),
         diagnostics_(&diagnostics) {}
 
   bool run() { return drawn_->type == PatchType::kPlanar ? checkPlanar() : checkCurved(); }
@@ -90,7 +91,7 @@ class PatchCheck {
 
   /// Names the points that the user moved out of the plane, where that can be told.
   bool reportMovedPoints(double size) {
-    const MovedPoints moved = findMovedPoints(model_->model(), *drawn_, kPlaneTolerance * size);
+    const MovedPoints moved = movedPoints_->find(patch_, size);
     if (moved.points.empty()) return false;
     const std::uint32_t farthest = moved.points.front();
     report(DiagnosticCode::kNotPlanar, linesThrough(farthest), model_->model().points[farthest],
@@ -115,25 +116,19 @@ class PatchCheck {
 
   /// No line twice, no point passed twice.
   bool checkRepeatedLines() {
+    std::vector<LineStart> starts;
+    for (const Loop& loop : drawn_->loops) appendStarts(*model_, loop, starts);
     std::vector<std::uint32_t> lines;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> starts;  // point, line
-    for (const Loop& loop : drawn_->loops) {
-      for (const OrientedLine& line : loop) {
-        lines.push_back(line.line);
-        starts.emplace_back(model_->startPoint(line), line.line);
-      }
-    }
+    for (const LineStart& start : starts) lines.push_back(start.line);
     std::ranges::sort(lines);
     if (const auto twice = std::ranges::adjacent_find(lines); twice != lines.end()) {
       report(DiagnosticCode::kLoopTouchesItself, {*twice}, model_->curve(*twice).start());
       return false;
     }
-    std::ranges::sort(starts);
-    const auto samePoint = [](const auto& a, const auto& b) { return a.first == b.first; };
-    const auto twice = std::ranges::adjacent_find(starts, samePoint);
-    if (twice == starts.end()) return true;
-    report(DiagnosticCode::kLoopTouchesItself, {twice->second, std::next(twice)->second},
-           model_->model().points[twice->first]);
+    const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
+    if (!twice) return true;
+    report(DiagnosticCode::kLoopTouchesItself, {twice->firstLine, twice->secondLine},
+           model_->model().points[twice->point]);
     return false;
   }
 
@@ -225,14 +220,15 @@ class PatchCheck {
   const ResolvedModel* model_;
   std::uint32_t patch_;
   const Patch* drawn_;
+  MovedPointFinder* movedPoints_;
   std::vector<Diagnostic>* diagnostics_;
 };
 
 }  // namespace
 
-bool checkPatchShape(const ResolvedModel& model, std::uint32_t patch,
+bool checkPatchShape(const ResolvedModel& model, std::uint32_t patch, MovedPointFinder& movedPoints,
                      std::vector<Diagnostic>& diagnostics) {
-  return PatchCheck(model, patch, diagnostics).run();
+  return PatchCheck(model, patch, movedPoints, diagnostics).run();
 }
 
 }  // namespace tetrafront

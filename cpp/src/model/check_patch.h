@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "model/check_plane.h"
 #include "model/resolved_model.h"
 #include "tetrafront/status.h"
 
@@ -13,13 +14,9 @@ namespace tetrafront {
 /// A patch of less area than this share of its squared extent has none.
 inline constexpr double kLeastArea = 1e-9;
 
-/// Lines of a planar patch may leave its plane by this share of the patch's extent: coordinates
-/// typed with four digits pass. Nodes on such a line stay on the line, so nothing opens.
-inline constexpr double kPlaneTolerance = 1e-4;
-
 /// Appends what is wrong: no area, a fold, a line off the plane, loops that touch or lie outside
-/// the first. Returns true if the surface can be evaluated.
-bool checkPatchShape(const ResolvedModel& model, std::uint32_t patch,
+/// the first. Returns true if the surface can be evaluated. `movedPoints` is of the same model.
+bool checkPatchShape(const ResolvedModel& model, std::uint32_t patch, MovedPointFinder& movedPoints,
                      std::vector<Diagnostic>& diagnostics);
 
 }  // namespace tetrafront

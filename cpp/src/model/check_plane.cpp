@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -52,16 +53,20 @@ std::vector<std::uint32_t> pointsOfPatch(const Model& model, const Patch& patch)
 
 class PlaneVote {
  public:
-  PlaneVote(const Model& model, std::vector<std::uint32_t> points, double tolerance)
-      : model_(&model), points_(std::move(points)), tolerance_(tolerance) {
+  PlaneVote(const Model& model, const std::vector<std::uint32_t>& points)
+      : model_(&model), points_(points) {
     const Vec3& origin = place(0);
     for (std::size_t i = 1; i < points_.size(); ++i)
       extent_ = std::max(extent_, glm::length(place(i) - origin));
   }
 
-  /// The planes that most points agree on, one for each set of points off it; of more than
-  /// kMostRivals, only so many and one.
-  std::vector<CandidatePlane> run() {
+  /// The largest distance from the first point.
+  [[nodiscard]] double extent() const { return extent_; }
+
+  /// The planes that most points agree on within the tolerance, one for each set of points off it;
+  /// of more than kMostRivals, only so many and one.
+  std::vector<CandidatePlane> run(double tolerance) {
+    tolerance_ = tolerance;
     const std::size_t count = points_.size();
     if (count <= kFewPoints) {
       for (std::size_t i = 0; i < count; ++i)
@@ -81,6 +86,7 @@ class PlaneVote {
   [[nodiscard]] const Vec3& place(std::size_t i) const { return model_->points[points_[i]]; }
 
   void consider(std::size_t i, std::size_t j, std::size_t k) {
+    if (mostAgreeing_ == points_.size()) return;
     const Vec3 side = place(j) - place(i);
     const Vec3 normal = glm::cross(side, place(k) - place(i));
     if (!(glm::length(normal) > kSpanningArea * extent_ * extent_)) return;
@@ -114,53 +120,44 @@ class PlaneVote {
   }
 
   const Model* model_;
-  std::vector<std::uint32_t> points_;
-  double tolerance_;
+  std::span<const std::uint32_t> points_;
+  double tolerance_ = 0.0;
   double extent_ = 0.0;
   std::size_t mostAgreeing_ = 0;
   std::vector<CandidatePlane> best_;
 };
 
-bool passes(const Model& model, const Patch& patch, std::uint32_t point) {
-  return std::ranges::any_of(patch.loops, [&](const Loop& loop) {
-    return std::ranges::any_of(loop, [&](const OrientedLine& walked) {
-      if (walked.line >= model.lines.size()) return false;
-      const std::vector<std::uint32_t>& points = model.lines[walked.line].points;
-      return std::ranges::find(points, point) != points.end();
-    });
-  });
-}
-
-/// Planar patches that the point belongs to and whose points lie in no one plane.
-std::size_t countBentPatches(const Model& model, std::uint32_t point, double tolerance) {
-  return static_cast<std::size_t>(std::ranges::count_if(model.patches, [&](const Patch& patch) {
-    if (patch.type != PatchType::kPlanar || !passes(model, patch, point)) return false;
-    std::vector<std::uint32_t> points = pointsOfPatch(model, patch);
-    if (points.empty()) return false;
-    const std::size_t count = points.size();
-    const std::vector<CandidatePlane> planes = PlaneVote(model, std::move(points), tolerance).run();
-    return !planes.empty() && planes.front().agreeing < count;
-  }));
-}
-
 }  // namespace
 
-MovedPoints findMovedPoints(const Model& model, const Patch& patch, double tolerance) {
-  const std::vector<std::uint32_t> points = pointsOfPatch(model, patch);
+MovedPoints MovedPointFinder::find(std::uint32_t patch, double extent) {
+  const std::vector<std::uint32_t> points = pointsOfPatch(*model_, model_->patches[patch]);
   if (points.size() < 4) return {};
-  std::vector<CandidatePlane> planes = PlaneVote(model, points, tolerance).run();
+  std::vector<CandidatePlane> planes = PlaneVote(*model_, points).run(kPlaneTolerance * extent);
   if (planes.empty() || planes.size() > kMostRivals) return {};
   const std::size_t agreeing = planes.front().agreeing;
   // Any three points agree; of four they are as many as can be hoped for.
   const bool isMajority = 2 * agreeing > points.size() && (agreeing > 3 || points.size() == 4);
   if (!isMajority) return {};
   if (planes.size() == 1) return std::move(planes.front().moved);
+  if (bentPatches_.empty()) countBentPatches();
   const auto rank = [&](const CandidatePlane& plane) {
-    return std::tuple(countBentPatches(model, plane.moved.points.front(), tolerance),
-                      plane.alongAxes);
+    return std::tuple(bentPatches_[plane.moved.points.front()], plane.alongAxes);
   };
   const auto best = std::ranges::max_element(planes, {}, rank);
   return std::move(best->moved);
+}
+
+void MovedPointFinder::countBentPatches() {
+  bentPatches_.assign(model_->points.size(), 0);
+  for (const Patch& patch : model_->patches) {
+    if (patch.type != PatchType::kPlanar) continue;
+    const std::vector<std::uint32_t> points = pointsOfPatch(*model_, patch);
+    if (points.size() < 4) continue;
+    PlaneVote vote(*model_, points);
+    const std::vector<CandidatePlane> planes = vote.run(kPlaneTolerance * vote.extent());
+    if (planes.empty() || planes.front().agreeing == points.size()) continue;
+    for (const std::uint32_t point : points) ++bentPatches_[point];
+  }
 }
 
 }  // namespace tetrafront
