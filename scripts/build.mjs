@@ -5,7 +5,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
 import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
-import { bundlePages, dropOrphans } from "./lib/package-files.mjs";
+import { bundlePages, dropOrphans, minifyLoader } from "./lib/package-files.mjs";
 import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
 import { jobs, main, must, say, UserError } from "./lib/run.mjs";
 import { which } from "./lib/tools.mjs";
@@ -22,6 +22,7 @@ export const steps = {
       env: emscripten.env,
       quietOut: true,
     });
+    await minifyLoader();
   },
   async package() {
     const inputs = filesUnder([inRoot("wasm"), inRoot("tsconfig.base.json"), inRoot("package-lock.json")]);
@@ -65,6 +66,20 @@ export const steps = {
       "-DTETRAFRONT_SANITIZE=address,undefined",
     ]);
     await must("ninja", [`-j${jobs}`, "-C", buildFolders.asan], { quietOut: true });
+  },
+  /** The targets of libFuzzer; the compiler is a clang that has it. */
+  async fuzzer({ compiler }) {
+    await configureNative(buildFolders.fuzz, compiler, [
+      "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
+      "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -gline-tables-only",
+      "-DTETRAFRONT_APPS=OFF",
+      "-DTETRAFRONT_TESTS=OFF",
+      "-DTETRAFRONT_FUZZ=ON",
+      // Clang warns of what is in the headers of older libstdc++.
+      "-DTETRAFRONT_WERROR=OFF",
+      "-DTETRAFRONT_SANITIZE=address,undefined",
+    ]);
+    await must("ninja", [`-j${jobs}`, "-C", buildFolders.fuzz], { quietOut: true });
   },
 };
 

@@ -1,6 +1,6 @@
-import { existsSync, rmSync } from "node:fs";
+import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
-import { filesUnder } from "./fresh.mjs";
+import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { inRoot } from "./paths.mjs";
 
 /** Removes what earlier sources were compiled to: the compiler leaves it, and npm would pack it. */
@@ -12,6 +12,21 @@ export function dropOrphans() {
     const isOfNothing = /\.d\.ts\.map$/.test(name);
     if (stem !== undefined && (isOfNothing || !existsSync(inRoot("wasm", "src", `${stem}.ts`)))) rmSync(file);
   }
+}
+
+/** Minifies the engine's loader where Emscripten has left it, unless it is minified already. */
+export async function minifyLoader() {
+  const loader = inRoot("wasm", "dist", "engine.mjs");
+  const stamp = inRoot("wasm", "dist", ".minified");
+  if (isFresh(stamp, hashOf([loader]))) return;
+  const { transform } = await import("esbuild");
+  const { code } = await transform(readFileSync(loader, "utf8"), {
+    minify: true,
+    format: "esm",
+    target: "es2022",
+  });
+  writeFileSync(loader, code);
+  markFresh(stamp, hashOf([loader]));
 }
 
 /**

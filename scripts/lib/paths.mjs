@@ -11,5 +11,6 @@ export const buildFolders = {
   native: inRoot("build", "native"),
   asan: inRoot("build", "asan"),
   wasm: inRoot("build", "wasm"),
+  fuzz: inRoot("build", "fuzz"),
 };
 export const reports = inRoot("build", "reports");

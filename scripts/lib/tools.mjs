@@ -59,6 +59,25 @@ export function findTidy() {
   return version && atLeast(version, [16, 0, 0]) ? other : undefined;
 }
 
+/** A clang with libFuzzer's runtime, or undefined. */
+export function findFuzzer() {
+  const versions = Array.from({ length: 10 }, (_, i) => `clang++-${23 - i}`);
+  const names = process.env.CXX ? [process.env.CXX] : ["clang++", ...versions];
+  return names
+    .map((name) => (path.isAbsolute(name) ? name : which(name)))
+    .find((program) => program !== undefined && linksFuzzer(program));
+}
+
+/** Whether clang knows the way to the runtime: it prints the bare name of a file that it does not find. */
+function linksFuzzer(program) {
+  const machine = { x64: "x86_64", arm64: "aarch64" }[process.arch] ?? process.arch;
+  const names = [`libclang_rt.fuzzer-${machine}.a`, "libclang_rt.fuzzer.a", "libclang_rt.fuzzer_osx.a"];
+  return names.some((name) => {
+    const file = output(program, [`-print-file-name=${name}`])?.trim();
+    return file !== undefined && file !== name && existsSync(file);
+  });
+}
+
 /** GoogleTest where CMake's find_package looks for it: the prefix, or undefined. */
 export function findGoogleTest() {
   const own = [process.env.GTest_ROOT, ...(process.env.CMAKE_PREFIX_PATH ?? "").split(path.delimiter)];
