@@ -42,7 +42,23 @@ async function handle(engine: Engine, request: Request): Promise<void> {
     case "inspect-surface":
       return inspect(request.id, engine.inspectSurface(request.points, request.triangles));
     default:
-      return reply(request.id, answerTo(engine, request));
+      return answer(engine, request);
+  }
+}
+
+/** Questions take one call each, which hears nothing; those given up while they waited are not begun. */
+async function answer(
+  engine: Engine,
+  question: Exclude<Question, { kind: "inspect-surface" }>,
+): Promise<void> {
+  const { id } = question;
+  running.add(id);
+  try {
+    await workerPort.letRequestsIn();
+    if (!cancelled.has(id)) reply(id, answerTo(engine, question));
+  } finally {
+    running.delete(id);
+    cancelled.delete(id);
   }
 }
 

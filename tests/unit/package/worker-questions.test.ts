@@ -1,0 +1,44 @@
+/** The worker between an engine and a maker that a test plays: which questions reach the engine. */
+import { expect, test, vi } from "vitest";
+
+import type { Reply, Request } from "../../../wasm/src/protocol.js";
+
+const port = vi.hoisted(() => ({
+  handle: (_: Request): void => undefined,
+  replies: [] as Reply[],
+  asked: [] as unknown[],
+}));
+
+vi.mock("../../../wasm/dist/worker-port-node.js", () => ({
+  workerPort: {
+    post: (reply: Reply) => port.replies.push(reply),
+    onRequest: (handle: (request: Request) => void) => (port.handle = handle),
+    letRequestsIn: () => new Promise((resolve) => setImmediate(resolve)),
+  },
+}));
+vi.mock("../../../wasm/dist/engine.js", () => ({
+  loadEngine: () =>
+    Promise.resolve({
+      preview: (model: unknown) => {
+        port.asked.push(model);
+        return { failure: "" };
+      },
+    }),
+}));
+
+function preview(id: number): Request {
+  return { kind: "preview", id, model: `model ${id}`, size: 1 } as unknown as Request;
+}
+
+test("questions given up while they waited are not begun, others are answered in order", async () => {
+  await import("../../../wasm/dist/worker.js");
+  await vi.waitFor(() => expect(port.replies).toEqual([{ kind: "ready" }]));
+  for (const id of [1, 2, 3, 4]) port.handle(preview(id));
+  for (const id of [2, 3]) port.handle({ kind: "cancel", id });
+  await vi.waitFor(() => expect(port.asked).toHaveLength(2));
+  expect(port.asked).toEqual(["model 1", "model 4"]);
+  expect(port.replies.slice(1).map((reply) => "id" in reply && reply.id)).toEqual([1, 4]);
+  // The number of a question that was given up is nothing that would keep the next from its answer.
+  port.handle(preview(2));
+  await vi.waitFor(() => expect(port.asked).toHaveLength(3));
+});
