@@ -89,8 +89,8 @@ function nodePositions(
 export function withNodes(grid: GridArrays, background: BackgroundArrays): GridArrays {
   const more = background.sources ?? [];
   const all = {
-    sourceTypes: Uint8Array.of(...grid.sourceTypes, ...sourceTypes(more)),
-    sourceValues: Float64Array.of(...grid.sourceValues, ...sourceValues(more)),
+    sourceTypes: joined(Uint8Array, grid.sourceTypes, sourceTypes(more)),
+    sourceValues: joined(Float64Array, grid.sourceValues, sourceValues(more)),
   };
   if (background.sizes.length === 0 && background.tetrahedra.length === 0) return { ...grid, ...all };
   const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = background;
@@ -105,6 +105,18 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
     nodes[out + 4] = stretchings?.[i] ?? 1;
   }
   return { nodes, tetrahedra: tetrahedra.slice(), ...all, overhang };
+}
+
+/** One array after the other. Spread into arguments, long ones would not fit the stack. */
+function joined<T extends Uint8Array | Float64Array>(
+  type: new (length: number) => T,
+  first: T,
+  second: T,
+): T {
+  const both = new type(first.length + second.length);
+  both.set(first);
+  both.set(second, first.length);
+  return both;
 }
 
 /** A project's grid as flat arrays, for another project or for a given surface. O(size). */

@@ -1,0 +1,29 @@
+import { describe, expect, test } from "vitest";
+
+import { emptyGrid, withNodes } from "../../../wasm/src/grid-arrays.js";
+import type { BackgroundArrays } from "../../../wasm/src/index.js";
+
+const NO_NODES = {
+  points: new Float64Array(),
+  sizes: new Float64Array(),
+  tetrahedra: new Uint32Array(),
+} satisfies BackgroundArrays;
+
+function sourcesFrom(first: number, count: number): NonNullable<BackgroundArrays["sources"]> {
+  return Array.from({ length: count }, (_, i) => ({
+    id: first + i,
+    type: "point" as const,
+    places: [[first + i, 0, 0]] as const,
+    size: 0.1,
+  }));
+}
+
+describe("background grids as the engine takes them", () => {
+  test("any number of sources is added behind those there are", () => {
+    const few = withNodes(emptyGrid(), { ...NO_NODES, sources: sourcesFrom(1, 3) });
+    const all = withNodes(few, { ...NO_NODES, sources: sourcesFrom(4, 50_000) });
+    expect(all.sourceTypes).toHaveLength(50_003);
+    const stride = all.sourceValues.length / 50_003;
+    for (const i of [0, 2, 3, 50_002]) expect(all.sourceValues[stride * i]).toBe(i + 1);
+  });
+});
