@@ -37,7 +37,7 @@ struct MeshInspection {
 };
 
 /// Inspects the elements a b c d at tetrahedra[4t..4t+3], positions in `points` (x y z each), with one
-/// region each, or none at all. O(n log n); about a microsecond for each element.
+/// region each, or none at all. O(n log n).
 [[nodiscard]] MeshInspection inspectMesh(std::span<const double> points,
                                          std::span<const std::uint32_t> tetrahedra,
                                          std::span<const std::uint32_t> regions);
