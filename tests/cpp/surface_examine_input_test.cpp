@@ -231,6 +231,19 @@ TEST(ExamineInput, ASizeBeyondTheModelIsAWarning) {
   EXPECT_NEAR(found[0].values.at(1), 3.0, 1e-9);
 }
 
+TEST(ExamineInput, ACoordinateBeyondComputingIsTold) {
+  Model box = boxModel({0, 0, 0}, {1, 1, 1});
+  box.points[3].y = -1e200;
+  BackgroundGrid grid = boxGrid(Vec3(-1.0), Vec3(2.0), [](const Vec3&) { return 0.5; });
+  grid.nodes[0].position.z = 1e201;
+  grid.sources = {{SourceType::kPoint, {Vec3(1e202, 0.0, 0.0), Vec3(0.0), Vec3(0.0)}, 0.5}};
+  std::vector<double> told;
+  for (const Diagnostic& finding : examineInput(box, grid, {}).preview.diagnostics)
+    if (finding.code == DiagnosticCode::kNotFinite) told.push_back(finding.values.at(0));
+  std::sort(told.begin(), told.end());
+  EXPECT_EQ(told, (std::vector<double>{-1e200, 1e201, 1e202}));
+}
+
 // ---- all at once, and twice the same -----------------------------------------------------------
 
 /// A box with about everything wrong with it, each in another place.

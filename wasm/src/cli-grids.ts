@@ -6,7 +6,7 @@ import { extensionOf } from "./formats/file-formats.js";
 import { createMesher } from "./mesher.js";
 import { checkCoverOptions, checkProposalOptions, type CoverShape } from "./options.js";
 import { writeProject } from "./project.js";
-import type { Project, ProjectSource } from "./project-schema.js";
+import type { Project, ProjectBackground, ProjectSource } from "./project-schema.js";
 import type { CoverOptions, Mesher, ProposalOptions } from "./types.js";
 
 /** As commander hands them over: numbers are still text. */
@@ -34,8 +34,8 @@ export function coverFile(input: string, options: CoverCommandOptions): Promise<
   return rewritten(input, options, {
     check: () => checkCoverOptions(cover),
     change: async (mesher, project) => {
-      const background = await mesher.coverProject(project, cover);
-      return { ...project, background };
+      const size = cover.size ?? project.meshing?.size;
+      return withGrid(project, await mesher.coverProject(project, { ...cover, size }));
     },
   });
 }
@@ -52,15 +52,24 @@ export function proposeForFile(input: string, options: ProposeCommandOptions): P
   return rewritten(input, options, {
     check: () => checkProposalOptions(wanted),
     change: async (mesher, project) => {
-      const { size, sources } = await mesher.proposeSizes(project, wanted);
+      const { size, sources } = await mesher.proposeSizes(project, {
+        ...wanted,
+        uniform: wanted.uniform ?? project.meshing?.size,
+      });
       const background = await mesher.coverProject(project, {
         ...(size > 0 ? { size } : {}),
         shape: options.shape,
       });
       const all = withNewIds(background.sources ?? [], sources);
-      return { ...project, background: { ...background, sources: all } };
+      return withGrid(project, { ...background, sources: all });
     },
   });
+}
+
+/** The grid takes the place of one size everywhere, too, which would go before it. */
+function withGrid(project: Project, background: ProjectBackground): Project {
+  const { size: _, ...meshing } = project.meshing ?? {};
+  return { ...project, background, meshing: Object.keys(meshing).length > 0 ? meshing : undefined };
 }
 
 /** The sources there were, then the proposed ones with ids after theirs. */

@@ -411,7 +411,10 @@ function addCover(program: Command, setExitCode: SetExitCode): void {
     .description("Put a background grid of one size around a project; its sources stay.")
     .argument("<project>", "project (.json)")
     .requiredOption("-o, --output <file>", "where the project with its grid goes (.json)")
-    .option("-s, --size <length>", "element size (default a twentieth of the model's diagonal)")
+    .option(
+      "-s, --size <length>",
+      "element size (default the project's one size, else a twentieth of the model's diagonal)",
+    )
     .addOption(shapeOption())
     .option("-q, --quiet", "print errors only")
     .action(async (input: string, options: CoverCommandOptions) =>
@@ -428,7 +431,10 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
     )
     .argument("<project>", "project (.json)")
     .requiredOption("-o, --output <file>", "where the project with its sizes goes (.json)")
-    .option("--uniform <length>", "the largest size (default a twentieth of the model's diagonal)")
+    .option(
+      "--uniform <length>",
+      "the largest size (default the project's one size, else a twentieth of the model's diagonal)",
+    )
     .option("--smallest <length>", "no size below this (default a fiftieth of the largest)")
     .option("--per-circle <count>", `elements around a full turn (default ${elementsPerCircle}; 0: any)`)
     .option("--per-gap <count>", `elements between opposite patches (default ${elementsPerGap}; 0: any)`)

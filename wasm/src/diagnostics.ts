@@ -185,7 +185,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "outside-background-grid": {
     message: ({ main, at }) => `${main} lies outside the background grid${at}`,
-    remedy: "Extend the background grid until it covers the whole model.",
+    remedy:
+      "Extend the background grid until it covers the whole model, or make a covering grid in its place.",
   },
   "too-many-elements": {
     message: ({ main, kind, value }) => {
@@ -195,13 +196,14 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
         case "patch":
           return `${main} asks for more than ${value(1)} triangles`;
         default:
-          return `The sizes ask for about ${value(0)} tetrahedra, the limit is ${value(1)}`;
+          return `The sizes ask for ${isBeyondCounting(value(0)) ? "more than" : "about"} ${value(0)} tetrahedra, the limit is ${value(1)}`;
       }
     },
     remedy: ({ kind, value }) => {
       // Where lines or patches alone are too many, the estimate is of those, not of the tetrahedra.
       const factor = kind === undefined ? Math.cbrt(Number(value(0)) / Number(value(1))) : NaN;
       if (!(factor > 1)) return "Ask for larger elements.";
+      if (isBeyondCounting(value(0))) return "Ask for far larger elements.";
       return `Ask for elements at least ${(Math.ceil(10 * factor) / 10).toFixed(1)} times as large.`;
     },
   },
@@ -275,6 +277,11 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "This is a mistake in Tetrafront: please report it with the model.",
   },
 };
+
+/** Whether an estimate is the engine's largest, which stands for all above it (`counted` there). */
+function isBeyondCounting(estimate: string): boolean {
+  return Number(estimate) >= 1e15;
+}
 
 function along(all: Subject["all"]): string {
   const lines = all(["line"], "");

@@ -49,7 +49,8 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
     }
     found.push_back(std::move(diagnostic));
   };
-  if (!isFinite(node.position)) report(DiagnosticCode::kNotFinite, {});
+  if (!isFinite(node.position))
+    report(DiagnosticCode::kNotFinite, {refusedCoordinate(node.position)});
   if (!(node.size > 0.0 && node.size >= smallest) || !std::isfinite(node.size))
     report(DiagnosticCode::kBadSize, {node.size});
   if (!(node.stretching >= 1.0) || !std::isfinite(node.stretching)) {

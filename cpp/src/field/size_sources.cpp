@@ -141,17 +141,17 @@ std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const SizeSource& source = sources[i];
     const std::size_t points = std::min(pointCountOf(source.type), source.points.size());
-    const bool finite = std::all_of(source.points.begin(),
-                                    source.points.begin() + static_cast<std::ptrdiff_t>(points),
-                                    [](const Vec3& p) { return isFinite(p); });
-    if (!finite) report(DiagnosticCode::kNotFinite, i);
+    const auto end = source.points.begin() + static_cast<std::ptrdiff_t>(points);
+    const auto refused = std::find_if_not(source.points.begin(), end, isFinite);
+    if (refused != end)
+      report(DiagnosticCode::kNotFinite, i).values = {refusedCoordinate(*refused)};
     const bool sound = source.size > 0.0 && source.distance >= 0.0 && source.growth >= 0.0 &&
                        std::isfinite(source.size) && std::isfinite(source.distance) &&
                        std::isfinite(source.growth) && source.type <= SourceType::kTriangle;
     if (sound) continue;
     Diagnostic& bad = report(DiagnosticCode::kBadSource, i);
     bad.values = {source.size, source.distance, source.growth};
-    if (!finite) continue;
+    if (refused != end) continue;
     bad.hasPlace = true;
     bad.place = source.points[0];
   }

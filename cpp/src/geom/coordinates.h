@@ -19,4 +19,11 @@ inline constexpr double kLargestCoordinate = 0x1p100;
          std::fabs(place.z) <= kLargestCoordinate;
 }
 
+/// The first coordinate that keeps a place from being finite; its x where none does.
+[[nodiscard]] inline double refusedCoordinate(const Vec3& place) {
+  for (const double coordinate : {place.x, place.y, place.z})
+    if (!(std::fabs(coordinate) <= kLargestCoordinate)) return coordinate;
+  return place.x;
+}
+
 }  // namespace tetrafront

@@ -74,8 +74,10 @@ class ModelCheck {
   void checkPoints() {
     findUsed();
     for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
-      if (!isFinite(model_->points[point]))
-        report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}});
+      const Vec3& place = model_->points[point];
+      if (!isFinite(place))
+        report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}},
+               {refusedCoordinate(place)});
     }
     samePlace_ = kSamePlace * usedExtent();
   }

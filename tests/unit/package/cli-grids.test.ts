@@ -50,6 +50,19 @@ describe("cover", () => {
     expect(Math.abs(byGrid / bySize - 1)).toBeLessThan(0.1);
   });
 
+  test.each(["cover", "propose"])(
+    "%s takes over the project's one size, so that the grid counts",
+    async (command) => {
+      save("sized.json", writeProject({ ...bare, meshing: { size: 0.3, order: "smallest-first" } }));
+      const { code, stderr } = await run(command, "sized.json", "-o", "out.json");
+      expect([code, stderr]).toEqual([0, expect.stringContaining("of size 0.3, ")]);
+      expect(projectIn("out.json").meshing).toEqual({ order: "smallest-first" });
+      await run(command, "sized.json", "-o", "own.json", command === "cover" ? "--size" : "--uniform", "0.5");
+      expect(projectIn("own.json").background.nodes.map(({ size }) => size)).toEqual(Array(8).fill(0.5));
+      expect(projectIn("own.json").meshing).toEqual({ order: "smallest-first" });
+    },
+  );
+
   test("may take a single tetrahedron, and the place of its input", async () => {
     save("bare.json", writeProject(bare));
     const { code } = await run("cover", "bare.json", "-o", "bare.json", "--shape", "tetrahedron", "-q");

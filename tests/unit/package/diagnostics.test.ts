@@ -39,6 +39,25 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
   });
 });
 
+test("a coordinate too large to compute with is not said to be no number", () => {
+  const said = (value: number) =>
+    describeDiagnostic(
+      { ...bare, code: 0, entities: Uint32Array.of(0, 0), values: Float64Array.of(value) },
+      nameByPosition,
+    ).message;
+  expect(said(-1e200)).toMatch(/has the coordinate -1e\+200, too large/);
+  expect(said(NaN)).toMatch(/not a finite number$/);
+});
+
+test("an estimate beyond counting is told as such, and gives no factor", () => {
+  const told = (estimate: number) =>
+    describeDiagnostic({ ...bare, code: 25, values: Float64Array.of(estimate, 2e7) }, nameByPosition);
+  expect(told(1.6e8).remedy).toBe("Ask for elements at least 2.0 times as large.");
+  expect(told(1.6e8).message).toMatch(/ask for about 160000000 /);
+  expect(told(1e15).remedy).toBe("Ask for far larger elements.");
+  expect(told(1e15).message).toMatch(/ask for more than 1000000000000000 /);
+});
+
 test("entities have the names the user gave them, else their ids", () => {
   const cube = cubeProject();
   const lines = cube.lines.map((line) => (line.id === 3 ? { ...line, name: "lip" } : line));
