@@ -12,6 +12,7 @@ import { models as engineIntake } from "./models/engine-intake.mjs";
 import { models as firstSteps } from "./models/first-steps.mjs";
 import { models as isoparametric } from "./models/isoparametric.mjs";
 import { models as missileLauncher } from "./models/missile-launcher.mjs";
+import { models as pipeAndFlow } from "./models/pipe-and-flow.mjs";
 import { models as pipes } from "./models/pipes.mjs";
 import { models as sDuct } from "./models/s-duct.mjs";
 import { models as wing } from "./models/wing.mjs";
@@ -30,6 +31,7 @@ const models = [
   ...wing,
   ...bracket,
   ...bodies,
+  ...pipeAndFlow,
 ];
 
 const publicFolder = inRoot("public");

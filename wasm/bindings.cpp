@@ -100,6 +100,7 @@ class Run {
       return SurfaceArrays{.points = copyOut(mesh.points),
                            .triangles = copyOut(mesh.triangles),
                            .trianglePatch = copyOut(mesh.trianglePatch),
+                           .triangleRegions = copyOut(mesh.triangleRegions),
                            .sides = copyOut(mesh.sides),
                            .sideLine = copyOut(mesh.sideLine)};
     });
@@ -324,6 +325,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("points", &SurfaceArrays::points)
       .field("triangles", &SurfaceArrays::triangles)
       .field("trianglePatch", &SurfaceArrays::trianglePatch)
+      .field("triangleRegions", &SurfaceArrays::triangleRegions)
       .field("sides", &SurfaceArrays::sides)
       .field("sideLine", &SurfaceArrays::sideLine);
   value_object<VolumeArrays>("VolumeArrays")

@@ -44,6 +44,7 @@ struct SurfaceArrays {
   Float64Array points = copyOut(std::vector<double>{});
   Uint32Array triangles = copyOut(std::vector<std::uint32_t>{});
   Uint32Array trianglePatch = triangles;
+  Uint32Array triangleRegions = triangles;
   Uint32Array sides = triangles;
   Uint32Array sideLine = triangles;
 };

@@ -82,10 +82,10 @@ struct Timing {
 };
 
 template <class Trace>
-Timing runFront(const Problem& problem, const std::vector<std::uint32_t>& regions,
-                const tetrafront::SizeField& field, const tetrafront::MeshOptions& options) {
+Timing runFront(const Problem& problem, const tetrafront::SizeField& field,
+                const tetrafront::MeshOptions& options) {
   const std::clock_t begin = std::clock();
-  tetrafront::BasicVolumeMesher<Trace> mesher(problem.boundary, regions, field, options);
+  tetrafront::BasicVolumeMesher<Trace> mesher(problem.boundary, field, options);
   constexpr std::uint32_t kBudget = 4096;
   while (mesher.advance(kBudget) == tetrafront::MeshStatus::kRunning) {
   }
@@ -103,12 +103,12 @@ Timing runFront(const Problem& problem, const std::vector<std::uint32_t>& region
 }
 
 template <class Trace>
-Timing quickest(const Problem& problem, const std::vector<std::uint32_t>& regions,
-                const tetrafront::SizeField& field, const tetrafront::MeshOptions& options) {
+Timing quickest(const Problem& problem, const tetrafront::SizeField& field,
+                const tetrafront::MeshOptions& options) {
   Timing best;
   best.seconds = std::numeric_limits<double>::infinity();
   for (int run = 0; run < kRuns; ++run) {
-    const Timing timing = runFront<Trace>(problem, regions, field, options);
+    const Timing timing = runFront<Trace>(problem, field, options);
     if (timing.seconds < best.seconds) best = timing;
   }
   return best;
@@ -141,9 +141,8 @@ int main(int argc, char** argv) {
                                      : tetrafront::FrontOrder::kSmallestFirst;
   options.filters = filters == "on";
   const tetrafront::SizeField field = fieldOf(problem, options);
-  const auto& regions = closed.triangleRegion;
-  const Timing plain = quickest<tetrafront::NullTrace>(problem, regions, field, options);
-  const Timing clocked = quickest<tetrafront::ClockTrace>(problem, regions, field, options);
+  const Timing plain = quickest<tetrafront::NullTrace>(problem, field, options);
+  const Timing clocked = quickest<tetrafront::ClockTrace>(problem, field, options);
   const auto per = [](std::uint64_t part, std::uint64_t whole) {
     return static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(whole, 1));
   };

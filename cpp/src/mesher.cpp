@@ -18,7 +18,7 @@
 #include "surface/expected_count.h"
 #include "surface/surface_coverage.h"
 #include "surface/surface_mesher.h"
-#include "volume/volume_mesher.h"
+#include "volume/cell_mesher.h"
 
 namespace tetrafront {
 namespace {
@@ -332,7 +332,7 @@ class MeshRun::Impl {
   void estimate() {
     const double expected = expectedTetrahedra(surface_, *field_);
     if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
-    volumeMesher_.emplace(surface_, boundaryCheck_->result().triangleRegion, *field_, options_);
+    volumeMesher_.emplace(surface_, *field_, options_);
     stage_ = Stage::kVolume;
   }
 
@@ -404,7 +404,7 @@ class MeshRun::Impl {
   std::optional<SurfaceCoverage> coverage_;
   std::optional<SurfaceMesher> surfaceMesher_;
   std::optional<BoundaryCheck> boundaryCheck_;
-  std::optional<VolumeMesher> volumeMesher_;
+  std::optional<CellMesher> volumeMesher_;
   std::optional<VolumeMesh> finishedMesh_;
   double filled_ = 0.0;
   double fraction_ = 0.0;

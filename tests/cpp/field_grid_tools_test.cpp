@@ -157,8 +157,8 @@ TEST(GridFromMeshTest, WalksAreShortInTheFrontsOrderOnALargeGrid) {
   ASSERT_GT(tetrahedraOf(mesh), 90'000U);
   const SizeField field = SizeField::fromGrid(GridLocator(gridFromMesh(mesh, {})));
   std::vector<Diagnostic> diagnostics;
-  const BoundaryResult closed = closeBoundary(sphere, BoundarySource::kGivenSurface, diagnostics);
-  VolumeMesher mesher(sphere, closed.triangleRegion, field, {});
+  ASSERT_TRUE(closeBoundary(sphere, BoundarySource::kGivenSurface, diagnostics).valid);
+  VolumeMesher mesher(sphere, field, {});
   while (mesher.advance(kBudget) == MeshStatus::kRunning) {
   }
   ASSERT_EQ(mesher.status(), MeshStatus::kDone);

@@ -140,7 +140,7 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
   const BoundaryResult closed =
       closeBoundary(mesh.surface, BoundarySource::kGivenSurface, diagnostics);
   ASSERT_TRUE(closed.valid);
-  VolumeMesher mesher(mesh.surface, closed.triangleRegion, field, {});
+  VolumeMesher mesher(mesh.surface, field, {});
   while (mesher.advance(kBudget) == MeshStatus::kRunning) {
   }
   ASSERT_EQ(mesher.status(), MeshStatus::kDone);

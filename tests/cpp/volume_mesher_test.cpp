@@ -55,7 +55,7 @@ Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& opt
   const BoundaryResult closed =
       closeBoundary(outcome.boundary, BoundarySource::kGivenSurface, diagnostics);
   EXPECT_TRUE(closed.valid);
-  BasicVolumeMesher<Trace> mesher(outcome.boundary, closed.triangleRegion, field, options);
+  BasicVolumeMesher<Trace> mesher(outcome.boundary, field, options);
   while (mesher.advance(budget) == MeshStatus::kRunning) {
   }
   outcome.status = mesher.status();
@@ -157,7 +157,7 @@ TEST(VolumeMesher, NumbersRegionsByTheShellsAroundThem) {
   const SurfaceMesh shells = testing::nestedSpheres(3, 6);  // a shell with an island inside
   const Outcome outcome = fillByOwnSizes(shells);
   ASSERT_EQ(outcome.mesh.regions.size(), outcome.tetrahedra());
-  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}});
+  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}, {}});
   // Every element of the island is nearer to the centre than any of the shell.
   double shellNearest = 1.0;
   double islandFarthest = 0.0;
@@ -207,7 +207,7 @@ TEST(VolumeMesher, AsksForElementsOfTheSizeOfTheField) {
   ASSERT_EQ(outcome.status, MeshStatus::kDone);
   double sum = 0.0;
   std::size_t count = 0;
-  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}});
+  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}, {}});
   for (std::size_t t = 0; t < outcome.mesh.tetrahedra.size(); t += 4) {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
@@ -315,7 +315,7 @@ TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {
   ASSERT_FALSE(outcome.mesh.front.empty());
   double filled = 0.0;
   double left = 0.0;
-  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}});
+  const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}, {}});
   for (std::size_t t = 0; t < outcome.mesh.tetrahedra.size(); t += 4) {
     const std::uint32_t* n = outcome.mesh.tetrahedra.data() + t;
     const Vec3& a = points[n[0]];

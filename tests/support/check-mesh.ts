@@ -2,7 +2,7 @@
  * An independent judge of tetrahedral meshes. It shares no code with the mesher: faces are paired by
  * sorting, signs are exact, volumes come from the divergence theorem.
  */
-import type { SurfaceInput, VolumeMesh } from "tetrafront";
+import { NO_REGION, type SurfaceInput, type SurfaceMesh, type VolumeMesh } from "tetrafront";
 
 import { orientation } from "./exact.js";
 
@@ -40,8 +40,14 @@ export const NO_FAULTS: MeshFaults = {
 type Tetrahedron = readonly [number, number, number, number];
 type Triangle = readonly [number, number, number];
 
-/** Compares a mesh with the surface it should fill; nodes are matched by their coordinates. */
-export function faultsOf(mesh: VolumeMesh, surface: SurfaceInput): MeshFaults {
+/** With the regions on the sides of its triangles, or without walls. */
+export type JudgedSurface = SurfaceInput & Partial<Pick<SurfaceMesh, "triangleRegions">>;
+
+/**
+ * Compares a mesh with the surface it should fill; nodes are matched by their coordinates. Of a wall
+ * both sides are wanted, and each triangle's own region behind it.
+ */
+export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
   const { points } = mesh;
   const nodeCount = points.length / 3;
   const tetrahedra = rows(mesh.tetrahedra, 4) as unknown as Tetrahedron[];
@@ -49,13 +55,19 @@ export function faultsOf(mesh: VolumeMesh, surface: SurfaceInput): MeshFaults {
     points.filter((value) => !Number.isFinite(value)).length +
     mesh.tetrahedra.filter((node) => node >= nodeCount).length;
   const faces = new FaceTable(nodeCount);
-  for (const tetrahedron of tetrahedra) for (const face of outwardFaces(tetrahedron)) faces.add(face);
+  for (const [t, tetrahedron] of tetrahedra.entries())
+    for (const face of outwardFaces(tetrahedron)) faces.add(face, mesh.regions[t] ?? 0);
   const nodeAt = new Map(rows(points, 3).map((place, node) => [placeKey(place), node]));
   const wanted = rows(surface.triangles, 3).map((triangle) =>
     triangle.map((node) => nodeAt.get(placeKey(surface.points.subarray(3 * node, 3 * node + 3))) ?? NaN),
   ) as unknown as Triangle[];
   const boundary = faces.boundary();
-  const wantedKeys = new Set(wanted.map((triangle) => faces.key(triangle)));
+  const wantedKeys = new Set(
+    wanted.flatMap((triangle, t) => {
+      const key = faces.key(triangle);
+      return isWall(surface, t) ? [key, faces.reverse(key)] : [key];
+    }),
+  );
   return {
     broken,
     notPositive: tetrahedra.filter((tetrahedron) => orientation(points, tetrahedron) <= 0).length,
@@ -68,10 +80,28 @@ export function faultsOf(mesh: VolumeMesh, surface: SurfaceInput): MeshFaults {
   };
 }
 
+function isWall({ triangleRegions }: JudgedSurface, triangle: number): boolean {
+  return triangleRegions !== undefined && triangleRegions[2 * triangle + 1] !== NO_REGION;
+}
+
 /** Volume a closed surface encloses, by the divergence theorem about its first node. */
-export function enclosedVolume({ points, triangles }: SurfaceInput): number {
-  const terms = rows(triangles, 3).map(([a = 0, b = 0, c = 0]) => sixVolumes(points, [0, a, b, c]));
+export function enclosedVolume(surface: JudgedSurface): number {
+  const terms = rows(surface.triangles, 3).map(([a = 0, b = 0, c = 0], t) =>
+    isWall(surface, t) ? 0 : sixVolumes(surface.points, [0, a, b, c]),
+  );
   return preciseSum(terms) / 6;
+}
+
+/** The same for each region of a surface that knows them. */
+export function regionVolumes({ points, triangles, triangleRegions }: SurfaceMesh): number[] {
+  const terms: number[][] = [];
+  for (const [side, region] of triangleRegions.entries()) {
+    if (region === NO_REGION) continue;
+    const [a = 0, b = 0, c = 0] = triangles.subarray(3 * (side >> 1));
+    const volume = sixVolumes(points, [0, a, b, c]);
+    (terms[region] ??= []).push(side % 2 === 0 ? volume : -volume);
+  }
+  return terms.map((ofRegion) => preciseSum(ofRegion) / 6);
 }
 
 export function tetrahedronVolumes({ points, tetrahedra }: VolumeMesh): number[] {
@@ -85,6 +115,7 @@ export function meshVolume(mesh: VolumeMesh): number {
 /** Counts faces by their nodes; the key keeps the orientation. */
 class FaceTable {
   readonly #counts = new Map<number, number>();
+  readonly #regions = new Map<number, number>();
   readonly #base: number;
   crowded = 0;
 
@@ -99,22 +130,25 @@ class FaceTable {
     return (x * this.#base + y) * this.#base + z;
   }
 
-  add(face: Triangle): void {
+  add(face: Triangle, region: number): void {
     const key = this.key(face);
     const count = (this.#counts.get(key) ?? 0) + 1;
     this.#counts.set(key, count);
-    if (count + (this.#counts.get(this.#reverse(key)) ?? 0) > 2) this.crowded++;
+    this.#regions.set(key, region);
+    if (count + (this.#counts.get(this.reverse(key)) ?? 0) > 2) this.crowded++;
   }
 
   sameSide(): number {
     return [...this.#counts.values()].filter((count) => count > 1).length;
   }
 
+  /** The faces where a region ends. */
   boundary(): Set<number> {
-    return new Set([...this.#counts.keys()].filter((key) => !this.#counts.has(this.#reverse(key))));
+    const ends = (key: number) => this.#regions.get(this.reverse(key)) !== this.#regions.get(key);
+    return new Set([...this.#counts.keys()].filter(ends));
   }
 
-  #reverse(key: number): number {
+  reverse(key: number): number {
     const z = key % this.#base;
     const y = Math.floor(key / this.#base) % this.#base;
     const x = Math.floor(key / this.#base / this.#base);

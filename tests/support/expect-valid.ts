@@ -1,11 +1,14 @@
 /** What every finished mesh must be, judged without the mesher's help. */
-import type { MeshResult, SurfaceInput } from "tetrafront";
+import type { MeshResult } from "tetrafront";
 import { expect } from "vitest";
 
-import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "./check-mesh.js";
+import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS, type JudgedSurface } from "./check-mesh.js";
 
 /** Fails unless the mesh is complete and valid and fills `boundary`, by default its own surface. */
-export function expectValid({ report, surface, volume }: MeshResult, boundary: SurfaceInput = surface): void {
+export function expectValid(
+  { report, surface, volume }: MeshResult,
+  boundary: JudgedSurface = surface,
+): void {
   expect(report.diagnostics.filter(({ severity }) => severity === "error")).toEqual([]);
   expect(report.status).toBe("done");
   expect(faultsOf(volume, boundary)).toEqual(NO_FAULTS);

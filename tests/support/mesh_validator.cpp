@@ -68,46 +68,83 @@ std::string complaintAboutNumbers(const VolumeMesh& mesh, const SurfaceMesh& sur
   return {};
 }
 
+Triple reversed(const Triple& t) { return beginningLowest({t[0], t[2], t[1]}); }
+
+/// The faces that one tetrahedron alone should have, seen from outside it, with the region it should
+/// be in: of walls both sides. No regions where the surface knows none.
+std::map<Triple, std::uint32_t> wantedFaces(const SurfaceMesh& surface) {
+  std::map<Triple, std::uint32_t> wanted;
+  for (std::size_t t = 0; t < triangleCount(surface); ++t) {
+    const std::uint32_t* n = &surface.triangles[3 * t];
+    const Triple face = beginningLowest({n[0], n[1], n[2]});
+    const bool isKnown = !surface.triangleRegions.empty();
+    wanted.emplace(face, isKnown ? surface.triangleRegions[2 * t] : SurfaceMesh::kNoRegion);
+    if (surface.isWall(t)) wanted.emplace(reversed(face), surface.triangleRegions[2 * t + 1]);
+  }
+  return wanted;
+}
+
 std::string complaintAboutTopology(const VolumeMesh& mesh, const SurfaceMesh& surface) {
+  const std::map<Triple, std::uint32_t> wanted = wantedFaces(surface);
+  const bool knowsRegions = !surface.triangleRegions.empty();
   std::set<std::array<std::uint32_t, 4>> tetrahedra;
-  std::set<Triple> unmatched;
+  std::map<Triple, std::uint32_t> unmatched;
   for (std::size_t t = 0; t < mesh.tetrahedra.size() / 4; ++t) {
     std::array<std::uint32_t, 4> n;
     std::copy_n(&mesh.tetrahedra[4 * t], 4, n.begin());
-    for (const Triple& face : {Triple{n[1], n[2], n[3]}, Triple{n[0], n[3], n[2]},
-                               Triple{n[0], n[1], n[3]}, Triple{n[0], n[2], n[1]}}) {
-      const Triple other = beginningLowest({face[0], face[2], face[1]});
-      if (unmatched.erase(other) == 1) continue;
-      if (!unmatched.insert(beginningLowest(face)).second) {
+    const std::uint32_t region = knowsRegions ? mesh.regions.at(t) : SurfaceMesh::kNoRegion;
+    for (const Triple& corners : {Triple{n[1], n[2], n[3]}, Triple{n[0], n[3], n[2]},
+                                  Triple{n[0], n[1], n[3]}, Triple{n[0], n[2], n[1]}}) {
+      const Triple face = beginningLowest(corners);
+      const auto other = unmatched.find(reversed(face));
+      const bool isWall = wanted.contains(face) && wanted.contains(reversed(face));
+      if (other != unmatched.end() && !isWall) {
+        if (other->second != region) return sentence("regions meet within: tetrahedron ", t);
+        unmatched.erase(other);
+      } else if (!unmatched.emplace(face, region).second) {
         return sentence("two tetrahedra on one side of face ", face[0], " ", face[1], " ", face[2]);
       }
     }
     std::sort(n.begin(), n.end());
     if (!tetrahedra.insert(n).second) return sentence("tetrahedron ", t, " is a repetition");
   }
-  std::set<Triple> wanted;
-  for (std::size_t h = 0; h < surface.triangles.size(); h += 3) {
-    wanted.insert(beginningLowest(
-        {surface.triangles[h], surface.triangles[h + 1], surface.triangles[h + 2]}));
-  }
   if (wanted == unmatched) return {};
   std::size_t missing = 0;
-  for (const Triple& t : wanted) missing += unmatched.count(t) == 0 ? 1 : 0;
+  std::size_t misplaced = 0;
+  for (const auto& [face, region] : wanted) {
+    const auto found = unmatched.find(face);
+    missing += found == unmatched.end() ? 1 : 0;
+    misplaced += found != unmatched.end() && found->second != region ? 1 : 0;
+  }
   return sentence("boundary differs: ", missing, " of ", wanted.size(), " triangles missing, ",
-                  unmatched.size() + missing - wanted.size(), " faces too many");
+                  unmatched.size() + missing - wanted.size(), " faces too many, ", misplaced,
+                  " in another region");
 }
+
+bool areClose(double a, double b) { return std::fabs(a - b) <= 1e-10 * std::fabs(b); }
 
 std::string complaintAboutVolumes(const VolumeMesh& mesh, const SurfaceMesh& surface) {
   double sum = 0.0;
+  std::map<std::uint32_t, double> ofRegion;
   for (std::size_t t = 0; t < mesh.tetrahedra.size() / 4; ++t) {
     std::array<Vec3, 4> p;
     for (std::size_t k = 0; k < 4; ++k) p[k] = placeOf(mesh, mesh.tetrahedra[4 * t + k]);
     if (volumeSign(p) <= 0) return sentence("volume of tetrahedron ", t, " is not positive");
-    sum += glm::dot(p[1] - p[0], glm::cross(p[2] - p[0], p[3] - p[0])) / 6.0;
+    const double volume = glm::dot(p[1] - p[0], glm::cross(p[2] - p[0], p[3] - p[0])) / 6.0;
+    sum += volume;
+    if (!surface.triangleRegions.empty()) ofRegion[mesh.regions.at(t)] += volume;
   }
-  const double wanted = enclosedVolume(surface);
-  if (std::fabs(sum - wanted) <= 1e-10 * std::fabs(wanted)) return {};
-  return sentence("volumes sum to ", sum, " instead of ", wanted);
+  if (surface.triangleRegions.empty()) {
+    const double wanted = enclosedVolume(surface);
+    return areClose(sum, wanted) ? "" : sentence("volumes sum to ", sum, " instead of ", wanted);
+  }
+  const std::vector<double> wanted = regionVolumes(surface);
+  if (wanted.size() != ofRegion.size()) return sentence(ofRegion.size(), " regions are filled");
+  for (const auto& [region, volume] : ofRegion) {
+    if (areClose(volume, wanted.at(region))) continue;
+    return sentence("region ", region, " has the volume ", volume, " instead of ", wanted[region]);
+  }
+  return {};
 }
 
 }  // namespace

@@ -274,6 +274,34 @@ SurfaceMesh nestedSpheres(int depth, int n) {
   return mesh;
 }
 
+SurfaceMesh dividedBox(std::array<int, 3> counts, int m) {
+  Builder builder;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    const auto square = [&](int level, int i, int j) {
+      const auto corner = [&](int di, int dj) {
+        Builder::Key at{};
+        at[axis] = level * m;
+        at[u] = i + di;
+        at[v] = j + dj;
+        return builder.node(at, Vec3(at[0], at[1], at[2]) / static_cast<double>(m));
+      };
+      std::array<std::uint32_t, 4> nodes{corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)};
+      // Only at the lowest level the outside is where coordinates fall.
+      if (level == 0) std::swap(nodes[1], nodes[3]);
+      builder.triangle(nodes[0], nodes[1], nodes[2]);
+      builder.triangle(nodes[0], nodes[2], nodes[3]);
+    };
+    for (int level = 0; level <= counts[axis]; ++level) {
+      for (int i = 0; i < counts[u] * m; ++i) {
+        for (int j = 0; j < counts[v] * m; ++j) square(level, i, j);
+      }
+    }
+  }
+  return builder.take();
+}
+
 SurfaceMesh tetrahedronSurface(const std::array<Vec3, 4>& corners) {
   SurfaceMesh mesh;
   for (const Vec3& p : corners) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
@@ -370,18 +398,41 @@ void append(SurfaceMesh& mesh, const SurfaceMesh& other) {
 std::size_t nodeCount(const SurfaceMesh& mesh) { return mesh.points.size() / 3; }
 std::size_t triangleCount(const SurfaceMesh& mesh) { return mesh.triangles.size() / 3; }
 
-double enclosedVolume(const SurfaceMesh& mesh) {
+namespace {
+
+/// Six times the volume of each triangle with the middle of all nodes.
+std::vector<double> sixVolumesOf(const SurfaceMesh& mesh) {
   Vec3 centre(0.0);
   for (std::uint32_t i = 0; i < nodeCount(mesh); ++i) centre += pointOf(mesh, i);
   centre /= static_cast<double>(std::max<std::size_t>(1, nodeCount(mesh)));
-  double sum = 0.0;
+  std::vector<double> volumes;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     const Vec3 a = pointOf(mesh, mesh.triangles[t]) - centre;
     const Vec3 b = pointOf(mesh, mesh.triangles[t + 1]) - centre;
     const Vec3 c = pointOf(mesh, mesh.triangles[t + 2]) - centre;
-    sum += glm::dot(a, glm::cross(b, c));
+    volumes.push_back(glm::dot(a, glm::cross(b, c)));
   }
+  return volumes;
+}
+
+}  // namespace
+
+double enclosedVolume(const SurfaceMesh& mesh) {
+  double sum = 0.0;
+  for (const double volume : sixVolumesOf(mesh)) sum += volume;
   return sum / 6.0;
+}
+
+std::vector<double> regionVolumes(const SurfaceMesh& mesh) {
+  std::vector<double> volumes;
+  const std::vector<double> sixVolumes = sixVolumesOf(mesh);
+  for (std::size_t side = 0; side < mesh.triangleRegions.size(); ++side) {
+    const std::uint32_t region = mesh.triangleRegions[side];
+    if (region == SurfaceMesh::kNoRegion) continue;
+    if (region >= volumes.size()) volumes.resize(region + 1, 0.0);
+    volumes[region] += (side % 2 == 0 ? 1.0 : -1.0) * sixVolumes[side / 2] / 6.0;
+  }
+  return volumes;
 }
 
 }  // namespace tetrafront::testing

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
@@ -53,6 +54,10 @@ SurfaceMesh cubesSharingNode();
 /// cavity, island, ...
 SurfaceMesh nestedSpheres(int depth, int n);
 
+/// [0, nx] x [0, ny] x [0, nz] cut into unit cubes, with the walls between them, of m x m squares per
+/// side. Walls are there once, turned towards rising coordinates; the outside is turned outward.
+SurfaceMesh dividedBox(std::array<int, 3> counts, int m);
+
 /// A tetrahedron with the four given corners, oriented outward whatever their order.
 SurfaceMesh tetrahedronSurface(const std::array<Vec3, 4>& corners);
 
@@ -88,7 +93,10 @@ inline Vec3 pointOf(const SurfaceMesh& mesh, std::uint32_t node) {
 std::size_t nodeCount(const SurfaceMesh& mesh);
 std::size_t triangleCount(const SurfaceMesh& mesh);
 
-/// By the divergence theorem; positive for an outward surface.
+/// By the divergence theorem; positive for an outward surface without walls.
 double enclosedVolume(const SurfaceMesh& mesh);
+
+/// The same for each region of a surface that knows them.
+std::vector<double> regionVolumes(const SurfaceMesh& mesh);
 
 }  // namespace tetrafront::testing

@@ -5,6 +5,16 @@ type Triple = readonly [number, number, number];
 
 /** The surface of a box from `low` to `high`, n × n squares of two triangles per face, welded. */
 export function boxSurface(n: number, low: Triple = [0, 0, 0], high: Triple = [1, 1, 1]): SurfaceInput {
+  return latticeSurface(n, low, high, [0, n]);
+}
+
+/** The same with a wall across the middle of the x axis; n is even. */
+export function dividedSurface(n: number): SurfaceInput {
+  return latticeSurface(n, [0, 0, 0], [1, 1, 1], [0, n / 2, n]);
+}
+
+/** The faces of a box, and of the lattice planes across x at these of its n + 1 levels. */
+function latticeSurface(n: number, low: Triple, high: Triple, levels: readonly number[]): SurfaceInput {
   const builder = new SurfaceBuilder();
   const at = (i: Triple): Triple => [
     low[0] + ((high[0] - low[0]) * i[0]) / n,
@@ -12,7 +22,7 @@ export function boxSurface(n: number, low: Triple = [0, 0, 0], high: Triple = [1
     low[2] + ((high[2] - low[2]) * i[2]) / n,
   ];
   for (let axis = 0; axis < 3; axis++) {
-    for (const end of [0, n]) {
+    for (const end of axis === 0 ? levels : [0, n]) {
       // The other two axes in cyclic order: their cross product points along `axis`.
       const place = (u: number, v: number): Triple => {
         const index = [0, 0, 0];

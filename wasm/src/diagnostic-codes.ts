@@ -31,7 +31,7 @@ export const ENGINE_CODES = {
   27: "duplicate-points",
   28: "size-too-large",
   40: "open-edge",
-  41: "non-manifold-edge",
+  41: "dangling-sheet",
   42: "inconsistent-orientation",
   43: "self-intersection",
   44: "duplicate-triangle",

@@ -163,7 +163,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Give a smaller size: the elements can follow the model's lines and patches only roughly.",
   },
   "nested-bodies": {
-    message: ({ value }) => `The model has ${counted(value(0), "region")} and ${counted(value(1), "cavity")}`,
+    message: ({ value }) =>
+      `The model has ${counted(value(0), "region")}${value(1) === "0" ? "" : ` and ${counted(value(1), "cavity")}`}`,
     remedy: "",
   },
   "empty-background-grid": {
@@ -218,15 +219,15 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: ({ drawn }) =>
       drawn
         ? "Add the patch that is missing there, or let its neighbour use the same line."
-        : "Close the gap in the surface; exactly two triangles must meet at every edge.",
+        : "Close the gap in the surface; at least two triangles must meet at every edge.",
   },
-  "non-manifold-edge": {
+  "dangling-sheet": {
     message: ({ all, at }) =>
-      `More than two faces meet at one edge of ${all(["line", "patch", "triangle"], "the surface")}${at}`,
+      `${all(SHELL_KINDS, "A sheet")} separates nothing: the same space lies on both sides${at}`,
     remedy: ({ drawn }) =>
       drawn
-        ? "Remove a patch: at every line an even number must meet. Bodies cannot share a patch; let one lie wholly inside another, or leave out the wall between them."
-        : "Remove inner walls, so that two triangles meet at every edge.",
+        ? "Remove the patch, or add others until it closes a space of its own."
+        : "Remove the sheet, or close a space with it.",
   },
   "inconsistent-orientation": {
     message: ({ all, at }) =>

@@ -106,3 +106,4 @@ export type {
   SurfaceMesh,
   VolumeMesh,
 } from "./types.js";
+export { isWall, NO_REGION } from "./walls.js";

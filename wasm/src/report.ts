@@ -23,6 +23,7 @@ export function emptyResult(status: MeshStatus, diagnostics: readonly Diagnostic
       points: new Float64Array(),
       triangles: new Uint32Array(),
       trianglePatch: new Uint32Array(),
+      triangleRegions: new Uint32Array(),
       sides: new Uint32Array(),
       sideLine: new Uint32Array(),
     },

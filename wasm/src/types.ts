@@ -192,13 +192,20 @@ export interface Diagnostic {
 
 /**
  * The boundary. Node i is at points[3i..3i+2] of the mesh; triangle t has the nodes
- * triangles[3t..3t+2], counter-clockwise seen from outside.
+ * triangles[3t..3t+2], counter-clockwise seen from outside. A wall between two regions is there once,
+ * turned either way.
  */
 export interface SurfaceMesh {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
   /** Per triangle: position of its patch in the project; for a given surface, its shell. */
   readonly trianglePatch: Uint32Array;
+  /**
+   * Two per triangle: the region from which its nodes are seen clockwise, and the one from which they
+   * are seen counter-clockwise, `NO_REGION` but for walls. Empty until the boundary is known to
+   * close.
+   */
+  readonly triangleRegions: Uint32Array;
   /** Two nodes per side of a divided line; empty for a given surface. */
   readonly sides: Uint32Array;
   /** Per side: position of its line in the project. */

@@ -79,9 +79,9 @@ enum class DiagnosticCode : std::uint16_t {
   kDuplicatePoints = 27,        ///< two points at one place; a warning unless patches use both
   kSizeTooLarge = 28,           ///< warning; values: smallest size in the model, the model's extent
   // Closed boundary
-  kOpenEdge = 40,  ///< line (and its patch) or triangle with one side missing; values: number
-                   ///< of such edges
-  kNonManifoldEdge = 41,          ///< edge with an odd number > 2 of triangles
+  kOpenEdge = 40,       ///< line (and its patch) or triangle with one side missing; values: number
+                        ///< of such edges
+  kDanglingSheet = 41,  ///< triangle (and its patch) with one space on both sides
   kInconsistentOrientation = 42,  ///< triangles that cannot be oriented consistently
   kSelfIntersection = 43,         ///< two triangles (and their patches) meet where they should not
   kDuplicateTriangle = 44,        ///< two triangles with the same nodes

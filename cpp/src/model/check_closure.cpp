@@ -63,10 +63,8 @@ class ClosureCheck {
 
   void checkLine(std::uint32_t line) {
     const std::vector<Use>& uses = uses_[line];
-    if (uses.size() % 2 == 1) {
-      result_.isPlain = false;
-      reportOpen(line);
-    }
+    if (uses.size() == 1) reportOpen(line);
+    if (uses.size() % 2 == 1) result_.isPlain = false;
     const bool isPlain =
         uses.size() == 2 && !uses[0].inHole && !uses[1].inHole && uses[0].line == uses[1].line;
     for (std::size_t i = 1; i < uses.size(); ++i) {
@@ -126,18 +124,9 @@ class ClosureCheck {
   }
 
   void reportOpen(std::uint32_t line) {
-    const std::vector<Use>& uses = uses_[line];
-    const bool isOpen = uses.size() == 1;
-    Diagnostic diagnostic =
-        about(isOpen ? DiagnosticCode::kOpenEdge : DiagnosticCode::kNonManifoldEdge, line);
-    diagnostic.entities = {{EntityKind::kLine, uses.front().line}};
-    std::uint32_t last = 0;
-    for (const Use& use : uses) {
-      // Uses ascend by patch.
-      if (diagnostic.entities.size() > 1 && use.patch == last) continue;
-      diagnostic.entities.push_back({EntityKind::kPatch, use.patch});
-      last = use.patch;
-    }
+    const Use& use = uses_[line].front();
+    Diagnostic diagnostic = about(DiagnosticCode::kOpenEdge, line);
+    diagnostic.entities = {{EntityKind::kLine, use.line}, {EntityKind::kPatch, use.patch}};
     diagnostic.values = {1.0};
     result_.diagnostics.push_back(std::move(diagnostic));
   }

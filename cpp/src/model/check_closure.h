@@ -18,13 +18,13 @@ struct Closure {
   std::vector<std::uint32_t> component;
   /// Per patch: 1 if its outer loop runs against the turning of its component's lowest patch.
   std::vector<std::uint8_t> isTurned;
-  /// Every used line has two sides, and the turning above holds over every line.
+  /// Every used line has two patches, and the turning above holds over every line.
   bool isPlain = false;
 };
 
-/// Reports every line that an odd number of patches use (kOpenEdge, kNonManifoldEdge), and
-/// patches that no turning makes agree over a line that two of them share
-/// (kInconsistentOrientation); of holes, whose loops may turn either way, nothing is said.
+/// Reports every line that only one patch uses (kOpenEdge), and patches that no turning makes agree
+/// over a line that just two of them share (kInconsistentOrientation); of holes, whose loops may turn
+/// either way, nothing is said. Lines with more patches are where bodies touch or walls end.
 /// `sameLine`: per line the lowest of its course (Duplicates::lines), whose uses are counted
 /// together. References to lines that do not exist are passed over. O(model).
 [[nodiscard]] Closure checkClosure(const Model& model, std::span<const std::uint32_t> sameLine);

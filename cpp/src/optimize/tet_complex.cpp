@@ -77,7 +77,8 @@ void TetComplex::placeSides(std::size_t first, std::size_t last) {
   }
 }
 
-/// Sorts the few sides of each node and joins equal ones.
+/// Sorts the few sides of each node and joins equal ones, but not through a wall: what two regions
+/// share is a boundary of both.
 void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
   for (std::size_t node = firstNode; node < lastNode; ++node) {
     const auto at = [&](std::size_t i) {
@@ -89,6 +90,7 @@ void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
       if (side + 1 == at(node + 1) || !(side->key == (side + 1)->key)) continue;
       const Facing one = side->facing;
       const Facing other = (side + 1)->facing;
+      if (regions_[one.tet().index()] != regions_[other.tet().index()]) continue;
       elements_[one.tet().index()].across[one.corner()] = other;
       elements_[other.tet().index()].across[other.corner()] = one;
       ++side;

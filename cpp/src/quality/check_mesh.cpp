@@ -63,7 +63,8 @@ SortedFace sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 
 std::uint64_t MeshDefects::count() const {
   return badNumbers + movedNodes + coincidentNodes + invertedTetrahedra + repeatedTetrahedra +
-         overfullFaces + onesidedFaces + extraBoundaryFaces + missingTriangles + wrongVolume;
+         overfullFaces + onesidedFaces + extraBoundaryFaces + missingTriangles + wrongRegions +
+         wrongVolume;
 }
 
 MeshVerifier::MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface)
@@ -167,6 +168,8 @@ void MeshVerifier::checkNumbers(std::size_t first, std::size_t last) {
   count(mesh_.points, 3, [](double x) { return !std::isfinite(x); });
   count(mesh_.tetrahedra, 4, [&](std::uint32_t node) { return node >= nodes; });
   count(surface_.triangles, 3, [&](std::uint32_t node) { return node >= surfaceNodes; });
+  const std::size_t wanted = surface_.triangleRegions.empty() ? 0 : mesh_.tetrahedra.size() / 4;
+  if (first == 0 && mesh_.regions.size() < wanted) ++defects_.badNumbers;
   checkKept(first, last);
 }
 
@@ -229,7 +232,7 @@ void MeshVerifier::forEachFace(std::size_t first, std::size_t last, Use use) con
   }
   for (std::size_t e = std::max(first, tetrahedra); e < last; ++e) {
     const std::uint32_t* nodes = &surface_.triangles[3 * (e - tetrahedra)];
-    use(sorted(nodes[0], nodes[1], nodes[2]), kTriangle);
+    use(sorted(nodes[0], nodes[1], nodes[2]), static_cast<std::uint32_t>(e));
   }
 }
 
@@ -264,22 +267,48 @@ void MeshVerifier::matchFaces(std::size_t firstNode, std::size_t lastNode) {
   }
 }
 
+/// Position among the surface's triangles.
+std::size_t MeshVerifier::triangleOf(const Face& face) const {
+  return (face.ownerAndTurn >> 1U) - mesh_.tetrahedra.size() / 4;
+}
+
 /// [first, last): everything that has one face. Tetrahedra sort before triangles.
 void MeshVerifier::matchOne(const Face* first, const Face* last) {
   const Face* triangles = first;
-  while (triangles != last && triangles->ownerAndTurn >> 1U != kTriangle) ++triangles;
+  while (triangles != last && triangles->ownerAndTurn >> 1U < mesh_.tetrahedra.size() / 4)
+    ++triangles;
   const auto tetrahedra = static_cast<std::size_t>(triangles - first);
   const auto wanted = static_cast<std::size_t>(last - triangles);
   const auto turn = [](const Face& face) { return face.ownerAndTurn & 1U; };
-  if (tetrahedra == 2 && wanted == 0 && turn(first[0]) != turn(first[1])) return;
-  if (tetrahedra == 1 && wanted == 1 && turn(first[0]) == turn(*triangles)) return;
+  const bool isTwoSided = tetrahedra == 2 && turn(first[0]) != turn(first[1]);
+  if (isTwoSided && wanted == 0) return matchInnerRegions(first[0], first[1]);
+  const bool isWall = wanted == 1 && surface_.isWall(triangleOf(*triangles));
+  if (isWall ? isTwoSided : tetrahedra == 1 && wanted == 1 && turn(first[0]) == turn(*triangles)) {
+    for (const Face* face = first; face != triangles; ++face) matchRegion(*face, *triangles);
+    return;
+  }
   if (tetrahedra > 2) ++defects_.overfullFaces;
-  if (tetrahedra == 2 && turn(first[0]) == turn(first[1])) ++defects_.onesidedFaces;
-  if (tetrahedra == 1) ++defects_.extraBoundaryFaces;
+  if (tetrahedra == 2 && !isTwoSided) ++defects_.onesidedFaces;
+  if (tetrahedra == 1 && !isWall) ++defects_.extraBoundaryFaces;
   defects_.missingTriangles += wanted;
   for (const Face* face = first; face != triangles; ++face) {
     suspects_.push_back(face->ownerAndTurn >> 1U);
   }
+}
+
+/// Regions end at triangles of the surface only.
+void MeshVerifier::matchInnerRegions(const Face& one, const Face& other) {
+  if (surface_.triangleRegions.empty()) return;
+  const bool agree =
+      mesh_.regions[one.ownerAndTurn >> 1U] == mesh_.regions[other.ownerAndTurn >> 1U];
+  defects_.wrongRegions += agree ? 0U : 1U;
+}
+
+void MeshVerifier::matchRegion(const Face& tetrahedron, const Face& triangle) {
+  if (surface_.triangleRegions.empty()) return;
+  const std::size_t front = (tetrahedron.ownerAndTurn ^ triangle.ownerAndTurn) & 1U;
+  const std::uint32_t wanted = surface_.triangleRegions[2 * triangleOf(triangle) + front];
+  defects_.wrongRegions += mesh_.regions[tetrahedron.ownerAndTurn >> 1U] == wanted ? 0U : 1U;
 }
 
 void MeshVerifier::finish() {
@@ -300,6 +329,7 @@ void MeshVerifier::finish() {
   if (!surface_.triangles.empty()) {
     const Vec3 origin = pointOf(surface_.points, surface_.triangles[0]);
     for (std::size_t h = 0; h < surface_.triangles.size(); h += 3) {
+      if (surface_.isWall(h / 3)) continue;
       defects_.surfaceVolume +=
           sixVolumes(pointOf(surface_.points, surface_.triangles[h]) - origin,
                      pointOf(surface_.points, surface_.triangles[h + 1]) - origin,

@@ -23,10 +23,13 @@ struct MeshDefects {
   std::uint64_t overfullFaces = 0;       ///< of more than two tetrahedra
   std::uint64_t onesidedFaces = 0;       ///< of two tetrahedra on the same side
   std::uint64_t extraBoundaryFaces = 0;  ///< of one tetrahedron, but not in the surface
-  std::uint64_t missingTriangles = 0;    ///< of the surface, not boundary faces as they are turned
-  std::uint64_t wrongVolume = 0;         ///< 1 if the volumes below differ
-  double meshVolume = 0.0;               ///< sum over the tetrahedra
-  double surfaceVolume = 0.0;            ///< enclosed, by the divergence theorem
+  /// Of the surface: not boundary faces as they are turned, or walls without a tetrahedron on either
+  /// side.
+  std::uint64_t missingTriangles = 0;
+  std::uint64_t wrongRegions = 0;  ///< tetrahedra that a face says are not where they are
+  std::uint64_t wrongVolume = 0;   ///< 1 if the volumes below differ
+  double meshVolume = 0.0;         ///< sum over the tetrahedra
+  double surfaceVolume = 0.0;      ///< enclosed, by the divergence theorem, walls apart
 
   [[nodiscard]] std::uint64_t count() const;
 };
@@ -61,11 +64,10 @@ class MeshVerifier {
   struct Face {
     std::uint32_t middle;
     std::uint32_t highest;
-    /// Tetrahedron or kTriangle, shifted left by one; the last bit tells the turn of the sorted
-    /// nodes seen from outside.
+    /// Tetrahedron, or their number plus that of a triangle, shifted left by one; the last bit tells
+    /// the turn of the sorted nodes seen from outside.
     std::uint32_t ownerAndTurn;
   };
-  static constexpr std::uint32_t kTriangle = 0x7fffffffU;
 
   void emptyBuckets();
   void layOutBuckets();
@@ -80,6 +82,9 @@ class MeshVerifier {
   void sortFaces(std::size_t first, std::size_t last);
   void matchFaces(std::size_t firstNode, std::size_t lastNode);
   void matchOne(const Face* first, const Face* last);
+  void matchInnerRegions(const Face& one, const Face& other);
+  void matchRegion(const Face& tetrahedron, const Face& triangle);
+  [[nodiscard]] std::size_t triangleOf(const Face& face) const;
   void finish();
   template <class Use>
   void forEachFace(std::size_t first, std::size_t last, Use use) const;

@@ -1,15 +1,17 @@
 #include "surface/boundary.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
 #include "search/box_tree.h"
-#include "surface/boundary_orientation.h"
 #include "surface/boundary_soundness.h"
 #include "surface/edge_table.h"
 #include "surface/self_intersection.h"
-#include "surface/shell_nesting.h"
+#include "surface/surface_access.h"
+#include "surface/surface_cells.h"
+#include "surface/surface_sides.h"
 
 namespace tetrafront {
 
@@ -41,13 +43,14 @@ class BoundaryCheck::Impl {
         break;
       case Stage::kIntersections:
         if (!intersections_->advance(budget)) break;
-        stage_ = report_.hasErrors() ? Stage::kReport : Stage::kOrientation;
+        stage_ = report_.hasErrors() ? Stage::kReport : Stage::kCells;
         break;
-      case Stage::kOrientation:
-        orient();
+      case Stage::kCells:
+        cells_ = findCells(mesh_, *edges_, tree_, report_);
         stage_ = report_.hasErrors() ? Stage::kReport : Stage::kRegions;
         break;
       case Stage::kRegions:
+        turnOutward();
         numberRegions();
         stage_ = Stage::kReport;
         break;
@@ -80,15 +83,13 @@ class BoundaryCheck::Impl {
     kEdges,
     kTree,
     kIntersections,
-    kOrientation,
+    kCells,
     kRegions,
     kReport,
     kFinished
   };
 
-  void orient();
-  void turnOutward(const std::vector<Shell>& parts);
-  void reportTurned(const std::vector<std::uint32_t>& before);
+  void turnOutward();
   void reportTurnedPatches(const std::vector<std::uint8_t>& isTurned);
   void reportTurnedShells(const std::vector<std::uint8_t>& isTurned);
   void numberRegions();
@@ -101,45 +102,20 @@ class BoundaryCheck::Impl {
   std::optional<EdgeTable> edges_;
   BoxTree tree_;
   std::optional<SelfIntersectionCheck> intersections_;
-  std::vector<std::uint32_t> partOf_;  ///< per triangle: what it is connected with over edges
+  SurfaceCells cells_;
   BoundaryResult result_;
   std::vector<Diagnostic> diagnostics_;
 };
 
-void BoundaryCheck::Impl::orient() {
-  const std::vector<std::uint32_t> before = mesh_.triangles;
-  partOf_ = orientConsistently(mesh_, *edges_, report_);
-  const std::vector<Shell> parts = measureShells(mesh_, partOf_);
-  for (const Shell& part : parts) {
-    if (part.isFlat) report_.addTriangle(DiagnosticCode::kZeroVolume, part.firstTriangle);
-  }
-  if (report_.hasErrors()) {
-    mesh_.triangles = before;
-    return;
-  }
-  turnOutward(parts);
-  reportTurned(before);
-  edges_.emplace(mesh_.triangles, mesh_.points.size() / 3, unsound_.inTopology);
-}
-
-/// Within an even number of others a part is the outside of a region, within an odd number it
-/// bounds a cavity.
-void BoundaryCheck::Impl::turnOutward(const std::vector<Shell>& parts) {
-  std::vector<std::uint8_t> turns(parts.size());
-  const ShellNesting nesting(mesh_, partOf_, parts.size(), tree_);
-  for (std::uint32_t p = 0; p < parts.size(); ++p) {
-    const bool isCavity = parts.size() > 1 && nesting.around(p).size() % 2 == 1;
-    turns[p] = (parts[p].volume < 0.0) != isCavity ? 1 : 0;
-  }
-  for (std::uint32_t t = 0; t < partOf_.size(); ++t) {
-    if (turns[partOf_[t]] != 0) turnRound(mesh_, t);
-  }
-}
-
-void BoundaryCheck::Impl::reportTurned(const std::vector<std::uint32_t>& before) {
-  std::vector<std::uint8_t> isTurned(partOf_.size());
-  for (std::size_t t = 0; t < isTurned.size(); ++t) {
-    isTurned[t] = before[3 * t + 1] != mesh_.triangles[3 * t + 1] ? 1 : 0;
+/// The filled side becomes the back of each triangle. Walls, both of whose sides are filled, stay as
+/// they were drawn.
+void BoundaryCheck::Impl::turnOutward() {
+  std::vector<std::uint8_t> isTurned(cells_.partOf.size(), 0);
+  for (std::uint32_t t = 0; t < isTurned.size(); ++t) {
+    if (cells_.isFilledAt(backOf(t))) continue;
+    isTurned[t] = 1;
+    turnRound(mesh_, t);
+    std::swap(cells_.shellOf[backOf(t)], cells_.shellOf[frontOf(t)]);
   }
   if (source_ == BoundarySource::kDrawnPatches) {
     reportTurnedPatches(isTurned);
@@ -168,8 +144,8 @@ void BoundaryCheck::Impl::reportTurnedShells(const std::vector<std::uint8_t>& is
   };
   std::vector<Count> counts;
   for (std::uint32_t t = 0; t < isTurned.size(); ++t) {
-    if (partOf_[t] == counts.size()) counts.emplace_back();
-    Count& count = counts[partOf_[t]];
+    if (cells_.partOf[t] == counts.size()) counts.emplace_back();
+    Count& count = counts[cells_.partOf[t]];
     ++count.all;
     if (isTurned[t] == 0) continue;
     if (count.turned++ == 0) count.first = t;
@@ -182,32 +158,43 @@ void BoundaryCheck::Impl::reportTurnedShells(const std::vector<std::uint8_t>& is
   }
 }
 
+/// Regions in order of the lowest triangles of the shells around them.
 void BoundaryCheck::Impl::numberRegions() {
-  const std::vector<std::uint32_t> shellOf = innerShells(mesh_, *edges_);
-  const std::vector<Shell> shells = measureShells(mesh_, shellOf);
-  std::vector<std::uint32_t> regionOf(shells.size(), 0);
-  for (std::size_t s = 0; s < shells.size(); ++s) {
-    if (shells[s].volume > 0.0) regionOf[s] = result_.regionCount++;
-  }
-  if (shells.size() > 1) {
-    const auto count = static_cast<std::uint32_t>(shells.size());
-    report_.addNesting(shells[1].firstTriangle, result_.regionCount, count - result_.regionCount);
-    const ShellNesting nesting(mesh_, shellOf, shells.size(), tree_);
-    for (std::uint32_t s = 0; s < shells.size(); ++s) {
-      if (shells[s].volume > 0.0) continue;
-      // A cavity belongs to the smallest region around it.
-      const Shell* owner = nullptr;
-      for (const std::uint32_t a : nesting.around(s)) {
-        if (shells[a].volume <= 0.0 || (owner != nullptr && owner->volume <= shells[a].volume))
-          continue;
-        owner = &shells[a];
-        regionOf[s] = regionOf[a];
-      }
+  constexpr std::uint32_t kNone = 0xffffffffU;
+  std::vector<std::uint32_t> numberOf(cells_.shells.size(), kNone);
+  std::vector<std::uint32_t> regionOf(cells_.shells.size(), SurfaceMesh::kNoRegion);
+  for (std::uint32_t side = 0; side < cells_.shellOf.size(); ++side) {
+    const std::uint32_t shell = cells_.shellOf[side];
+    if (cells_.isFilled[shell] == 0) continue;
+    if (numberOf[shell] == kNone) {
+      numberOf[shell] = static_cast<std::uint32_t>(result_.shells.size());
+      result_.shells.push_back(
+          {.firstTriangle = triangleOf(side), .volume = cells_.shells[shell].volume});
+      if (cells_.cellOf[shell] == shell) regionOf[shell] = result_.regionCount++;
     }
+    BoundaryShell& found = result_.shells[numberOf[shell]];
+    ++found.triangles;
+    const std::array<Vec3, 3> p = cornersOf(mesh_, triangleOf(side));
+    found.area += 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
   }
-  result_.triangleRegion.resize(shellOf.size());
-  for (std::size_t t = 0; t < shellOf.size(); ++t) result_.triangleRegion[t] = regionOf[shellOf[t]];
-  if (source_ == BoundarySource::kGivenSurface) mesh_.trianglePatch = shellOf;
+  mesh_.triangleRegions.assign(cells_.shellOf.size(), SurfaceMesh::kNoRegion);
+  for (std::uint32_t side = 0; side < cells_.shellOf.size(); ++side) {
+    const std::uint32_t shell = cells_.shellOf[side];
+    if (cells_.isFilled[shell] == 0) continue;
+    mesh_.triangleRegions[side] = regionOf[cells_.cellOf[shell]];
+    result_.shells[numberOf[shell]].region = mesh_.triangleRegions[side];
+  }
+  const auto shells = static_cast<std::uint32_t>(result_.shells.size());
+  if (shells > 1) {
+    report_.addNesting(result_.shells[1].firstTriangle, result_.regionCount,
+                       shells - result_.regionCount);
+  }
+  // What a given surface has in place of patches.
+  if (source_ != BoundarySource::kGivenSurface) return;
+  mesh_.trianglePatch.resize(cells_.partOf.size());
+  for (std::uint32_t t = 0; t < mesh_.trianglePatch.size(); ++t) {
+    mesh_.trianglePatch[t] = numberOf[cells_.shellOf[backOf(t)]];
+  }
 }
 
 BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source)

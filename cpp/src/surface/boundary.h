@@ -15,21 +15,30 @@
 
 namespace tetrafront {
 
+/// What bounds a region from outside, or a cavity in it.
+struct BoundaryShell {
+  std::uint32_t firstTriangle = 0;
+  std::uint32_t triangles = 0;
+  std::uint32_t region = 0;
+  double volume = 0.0;  ///< enclosed; negative for a cavity
+  double area = 0.0;
+};
+
 struct BoundaryResult {
   bool valid = false;
-  /// Per triangle: the region on its inner side, numbered by the lowest triangle of the outer
-  /// shells. Empty unless valid.
-  std::vector<std::uint32_t> triangleRegion;
+  /// By their lowest triangles; a wall belongs to two. Empty unless valid.
+  std::vector<BoundaryShell> shells;
   std::uint32_t regionCount = 0;
 };
 
 /// The check in slices. Surfaces that pass are left
-///   - with every triangle counter-clockwise seen from outside its region, where places inside an
-///     odd number of shells are in a region: a shell within a shell bounds a cavity, one more an
-///     island, whatever way they were drawn;
+///   - with every triangle counter-clockwise seen from outside its region, whatever way it was drawn;
+///     a wall, which has a region on either side, as it was drawn;
+///   - with triangleRegions set, by the rule of surface_cells.h: a shell within a shell bounds a
+///     cavity, one more an island; bodies with a common wall are a region each;
 ///   - in their order of nodes and triangles, which only ever have two nodes exchanged;
 ///   - for a given surface with trianglePatch set to the shell, numbered by its lowest triangle.
-/// Edges with an even number of triangles above two are accepted: bodies touching along an edge.
+/// Any number of triangles above one may meet at an edge: bodies touch along it, or walls end there.
 class BoundaryCheck {
  public:
   /// `mesh` must outlive this, and not change meanwhile.

@@ -119,16 +119,12 @@ void checkCoincidentNodes(const SurfaceMesh& mesh, BoundaryReport& report) {
 }
 
 void checkEdges(const SurfaceMesh& mesh, const EdgeTable& edges, BoundaryReport& report) {
-  std::vector<std::uint32_t> triangles;
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
     const std::span<const std::uint32_t> halfEdges = edges.halfEdgesOf(e);
-    if (halfEdges.size() % 2 == 0) continue;
-    triangles.clear();
-    for (const std::uint32_t h : halfEdges) triangles.push_back(h / 3);
+    if (halfEdges.size() > 1) continue;
     const HalfEdgeNodes nodes = nodesOf(mesh.triangles, halfEdges[0]);
-    const DiagnosticCode code =
-        halfEdges.size() == 1 ? DiagnosticCode::kOpenEdge : DiagnosticCode::kNonManifoldEdge;
-    report.addEdge(code, nodes.from, nodes.to, triangles);
+    const std::uint32_t triangle = halfEdges[0] / 3;
+    report.addEdge(DiagnosticCode::kOpenEdge, nodes.from, nodes.to, {&triangle, 1});
   }
 }
 

@@ -27,7 +27,7 @@ struct UnsoundTriangles {
 /// Two used nodes at one place.
 void checkCoincidentNodes(const SurfaceMesh& mesh, BoundaryReport& report);
 
-/// Edges with one triangle, or with an odd number of them.
+/// Edges with one triangle.
 void checkEdges(const SurfaceMesh& mesh, const EdgeTable& edges, BoundaryReport& report);
 
 }  // namespace tetrafront

@@ -22,7 +22,7 @@ inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
   return expected < kBeyondCounting ? expected : kBeyondCounting;
 }
 
-/// The signed volume within a surface; positive if that is turned outward.
+/// The signed volume within a surface, walls apart; positive if that is turned outward.
 [[nodiscard]] double enclosedVolume(const SurfaceMesh& surface);
 
 /// How many tetrahedra the field asks for per unit of volume, as the mean over samples in a box.

@@ -7,12 +7,13 @@
 
 #include "geom/predicates.h"
 #include "surface/surface_access.h"
+#include "surface/surface_sides.h"
 
 namespace tetrafront {
 namespace {
 
-constexpr std::uint32_t kNoShell = 0xffffffffU;
-constexpr std::uint32_t kManyShells = 0xfffffffeU;
+constexpr std::uint32_t kNoPart = 0xffffffffU;
+constexpr std::uint32_t kManyParts = 0xfffffffeU;
 
 /// A volume below this share of the sum of its terms' magnitudes is rounding.
 constexpr double kVolumeRounding = 1e-14;
@@ -47,20 +48,21 @@ std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const std::u
   std::vector<Shell> shells;
   std::vector<CarefulSum> volumes;
   std::vector<double> magnitude;
-  for (std::uint32_t t = 0; t < shellOf.size(); ++t) {
-    const std::uint32_t s = shellOf[t];
+  for (std::uint32_t side = 0; side < shellOf.size(); ++side) {
+    const std::uint32_t s = shellOf[side];
     if (s == shells.size()) {
-      shells.push_back({t, 0, 0.0, false});
+      shells.push_back({side, 0.0, false});
       volumes.emplace_back();
       magnitude.push_back(0.0);
     }
-    ++shells[s].triangleCount;
-    const Vec3 origin = cornersOf(mesh, shells[s].firstTriangle)[0];
+    const std::uint32_t t = triangleOf(side);
+    const Vec3 origin = cornersOf(mesh, triangleOf(shells[s].firstSide))[0];
     const std::array<Vec3, 3> p = cornersOf(mesh, t);
     const Vec3 a = p[0] - origin;
     const Vec3 b = p[1] - origin;
     const Vec3 c = p[2] - origin;
-    volumes[s].add(glm::dot(a, glm::cross(b, c)));
+    const double sixVolumes = glm::dot(a, glm::cross(b, c));
+    volumes[s].add(side == backOf(t) ? sixVolumes : -sixVolumes);
     magnitude[s] += glm::dot(magnitudes(a), crossMagnitudes(magnitudes(b), magnitudes(c)));
   }
   for (std::size_t s = 0; s < shells.size(); ++s) {
@@ -70,34 +72,37 @@ std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const std::u
   return shells;
 }
 
-ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> shellOf,
-                           std::size_t shellCount, const BoxTree& tree)
-    : mesh_(mesh), shellOf_(shellOf), tree_(tree), start_(shellCount) {
-  std::vector<std::uint32_t> nodeShell(mesh.points.size() / 3, kNoShell);
+ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> partOf,
+                           std::size_t partCount, std::span<const std::uint32_t> shellOf,
+                           const BoxTree& tree)
+    : mesh_(mesh), partOf_(partOf), shellOf_(shellOf), tree_(tree), start_(partCount) {
+  std::vector<std::uint32_t> nodePart(mesh.points.size() / 3, kNoPart);
   for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
-    std::uint32_t& shell = nodeShell[mesh.triangles[h]];
-    shell = shell == kNoShell || shell == shellOf[h / 3] ? shellOf[h / 3] : kManyShells;
+    std::uint32_t& part = nodePart[mesh.triangles[h]];
+    part = part == kNoPart || part == partOf[h / 3] ? partOf[h / 3] : kManyParts;
   }
-  std::vector<std::uint8_t> hasStart(shellCount, 0);
-  for (std::uint32_t t = 0; t < shellOf.size(); ++t) {
-    if (hasStart[shellOf[t]] != 0) continue;
+  std::vector<std::uint8_t> hasStart(partCount, 0);
+  for (std::uint32_t t = 0; t < partOf.size(); ++t) {
+    if (hasStart[partOf[t]] != 0) continue;
     const std::array<Vec3, 3> p = cornersOf(mesh, t);
-    start_[shellOf[t]] = (p[0] + p[1] + p[2]) / 3.0;
+    start_[partOf[t]] = (p[0] + p[1] + p[2]) / 3.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (nodeShell[mesh.triangles[3 * std::size_t{t} + k]] != shellOf[t]) continue;
-      start_[shellOf[t]] = p[k];
-      hasStart[shellOf[t]] = 1;
+      if (nodePart[mesh.triangles[3 * std::size_t{t} + k]] != partOf[t]) continue;
+      start_[partOf[t]] = p[k];
+      hasStart[partOf[t]] = 1;
     }
   }
 }
 
-std::vector<std::uint32_t> ShellNesting::around(std::uint32_t shell) const {
-  const Vec3& place = start_[shell];
+std::vector<std::uint32_t> ShellNesting::around(std::uint32_t part) const {
+  const Vec3& place = start_[part];
   Box ray = Box::of(place, place, place);
   ray.high[0] = std::numeric_limits<float>::max();
   std::vector<std::uint32_t> crossed;
   tree_.visitOverlaps(ray, [&](std::uint32_t t) {
-    if (shellOf_[t] != shell && isAheadOf(place, t)) crossed.push_back(shellOf_[t]);
+    if (partOf_[t] == part || !isAheadOf(place, t)) return;
+    crossed.push_back(shellOf_[backOf(t)]);
+    crossed.push_back(shellOf_[frontOf(t)]);
   });
   std::sort(crossed.begin(), crossed.end());
   std::vector<std::uint32_t> result;

@@ -13,36 +13,39 @@
 
 namespace tetrafront {
 
-/// What is known of one connected part of a closed surface.
+/// What is known of one connected set of triangle sides (surface_sides.h).
 struct Shell {
-  std::uint32_t firstTriangle = 0;
-  std::uint32_t triangleCount = 0;
-  double volume = 0.0;  ///< enclosed; positive if its triangles are turned outward
+  std::uint32_t firstSide = 0;
+  /// Enclosed; positive if the sides look inward, so that they bound a space from outside, negative
+  /// if they look outward.
+  double volume = 0.0;
   bool isFlat = false;  ///< the volume cannot be told from 0
 };
 
-/// `shellOf`: the number of its shell per triangle, counting from 0 in order of the first one.
+/// `shellOf`: the shell per side, as glueSides() numbers them.
 [[nodiscard]] std::vector<Shell> measureShells(const SurfaceMesh& mesh,
                                                std::span<const std::uint32_t> shellOf);
 
 class ShellNesting {
  public:
-  /// `tree` holds the triangles' boxes. Everything must outlive this.
-  ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> shellOf,
-               std::size_t shellCount, const BoxTree& tree);
+  /// `partOf`: per triangle, as connectedParts() numbers them; `shellOf`: per side. `tree` holds the
+  /// triangles' boxes. Everything must outlive this.
+  ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> partOf,
+               std::size_t partCount, std::span<const std::uint32_t> shellOf, const BoxTree& tree);
 
-  /// The shells around `shell`, ascending: those that a ray from it crosses an odd number of
-  /// times. Exact, unless every node of the shell is a node of others too, where the ray begins
-  /// at the rounded centre of a triangle. O(triangles near the ray).
-  [[nodiscard]] std::vector<std::uint32_t> around(std::uint32_t shell) const;
+  /// The shells of other parts around `part`, ascending: those that a ray from it crosses an odd
+  /// number of times. Exact, unless every node of the part is a node of others too, where the ray
+  /// begins at the rounded centre of a triangle. O(triangles near the ray).
+  [[nodiscard]] std::vector<std::uint32_t> around(std::uint32_t part) const;
 
  private:
   [[nodiscard]] bool isAheadOf(const Vec3& place, std::uint32_t triangle) const;
 
   const SurfaceMesh& mesh_;
+  std::span<const std::uint32_t> partOf_;
   std::span<const std::uint32_t> shellOf_;
   const BoxTree& tree_;
-  std::vector<Vec3> start_;  ///< of each shell's ray
+  std::vector<Vec3> start_;  ///< of each part's ray
 };
 
 }  // namespace tetrafront

@@ -7,7 +7,6 @@
 #include "surface/boundary.h"
 #include "surface/corner_fans.h"
 #include "surface/edge_table.h"
-#include "surface/shell_nesting.h"
 #include "surface/surface_access.h"
 #include "tetrafront/surface_tools.h"
 
@@ -186,16 +185,16 @@ void SurfaceInspector::Impl::measureTriangles() {
 void SurfaceInspector::Impl::measureShellsAndRegions() {
   const BoundaryResult& boundary = check_->result();
   result_.regions = boundary.regionCount;
-  for (const Shell& shell : measureShells(mesh_, mesh_.trianglePatch)) {
+  for (const BoundaryShell& shell : boundary.shells) {
     result_.volume += shell.volume;
     result_.shells.push_back({.firstTriangle = shell.firstTriangle,
-                              .triangles = shell.triangleCount,
-                              .region = boundary.triangleRegion[shell.firstTriangle],
+                              .triangles = shell.triangles,
+                              .region = shell.region,
                               .isCavity = shell.volume < 0.0,
+                              .area = shell.area,
                               .volume = std::fabs(shell.volume)});
   }
   for (std::uint32_t t = 0; t < result_.triangles; ++t) {
-    result_.shells[mesh_.trianglePatch[t]].area += areaOf(cornersOf(mesh_, t));
     if (given_[3 * std::size_t{t} + 1] != mesh_.triangles[3 * std::size_t{t} + 1]) {
       ++result_.turnedTriangles;
     }

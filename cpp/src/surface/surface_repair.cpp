@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "surface/boundary.h"
-#include "surface/boundary_orientation.h"
 #include "surface/boundary_soundness.h"
 #include "surface/edge_table.h"
 #include "surface/hole_filling.h"
 #include "surface/sliver_splitting.h"
 #include "surface/surface_access.h"
+#include "surface/surface_sides.h"
 #include "surface/weld.h"
 #include "tetrafront/surface_tools.h"
 
@@ -193,10 +193,7 @@ void Repair::turnOutward() {
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
     if (edges.halfEdgesOf(e).size() > 2) return;
   }
-  BoundaryReport report(mesh_, BoundarySource::kGivenSurface);
-  outward.triangles = mesh_.triangles;
-  static_cast<void>(orientConsistently(outward, edges, report));
-  if (!report.hasErrors()) mesh_.triangles = outward.triangles;
+  static_cast<void>(turnAlike(mesh_, edges));
 }
 
 SurfaceRepair Repair::take() {

@@ -55,11 +55,9 @@ double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }  // namespace
 
 template <class Trace>
-BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary,
-                                            std::span<const std::uint32_t> triangleRegion,
-                                            const SizeField& field, const MeshOptions& options)
+BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary, const SizeField& field,
+                                            const MeshOptions& options)
     : boundary_(boundary),
-      triangleRegion_(triangleRegion.begin(), triangleRegion.end()),
       field_(field),
       maxTetrahedra_(options.maxTetrahedra),
       front_(medianSize(boundary), lowestCorner(boundary), options.order),
@@ -92,6 +90,13 @@ MeshStatus BasicVolumeMesher<Trace>::advance(std::uint32_t budget) {
   return status_;
 }
 
+/// Turned: the front looks into the region.
+template <class Trace>
+NodeTriple BasicVolumeMesher<Trace>::faceOfTriangle(std::size_t triangle) const {
+  const NodeTriple n = boundaryTriangle(boundary_, triangle);
+  return {n[0], n[2], n[1]};
+}
+
 template <class Trace>
 void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
   const std::size_t count = boundary_.triangles.size() / 3;
@@ -103,8 +108,8 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
                                 glm::cross(front_.node(n[1]) - origin, front_.node(n[2]) - origin));
     // Neighbours in the list are near each other: asked in its order, walks are short.
     static_cast<void>(field_.covers(front_.node(n[0]), coverHint_));
-    // Turned: the front looks into the region.
-    front_.addFace({n[0], n[2], n[1]}, triangleRegion_[nextTriangle_], coverHint_, !exactFillOnly_);
+    front_.addFace(faceOfTriangle(nextTriangle_), boundary_.triangleRegions[2 * nextTriangle_],
+                   coverHint_, !exactFillOnly_);
   }
   if (nextTriangle_ == count) stage_ = Stage::kAdvance;
 }
@@ -212,6 +217,9 @@ VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
   }
   for (const FaceId face : front_.activeFaces()) {
     for (const NodeId node : front_.face(face).nodes) mesh.front.push_back(newId[node.index()]);
+  }
+  for (std::size_t t = nextTriangle_; t < boundary_.triangles.size() / 3; ++t) {
+    for (const NodeId node : faceOfTriangle(t)) mesh.front.push_back(node.value);
   }
   return mesh;
 }

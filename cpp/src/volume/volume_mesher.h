@@ -5,7 +5,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "field/size_field.h"
@@ -22,10 +21,10 @@ namespace tetrafront {
 template <class Trace>
 class BasicVolumeMesher {
  public:
-  /// `boundary` must be closed, embedded, and turned outward, as closeBoundary() leaves it;
-  /// `triangleRegion` gives the region inside each triangle. `field` must outlive the mesher.
-  BasicVolumeMesher(const SurfaceMesh& boundary, std::span<const std::uint32_t> triangleRegion,
-                    const SizeField& field, const MeshOptions& options);
+  /// `boundary` must be closed, embedded, turned outward and with its regions, as closeBoundary()
+  /// leaves it, and without walls (cell_mesher.h). It and `field` must outlive the mesher.
+  BasicVolumeMesher(const SurfaceMesh& boundary, const SizeField& field,
+                    const MeshOptions& options);
 
   /// Works on for about `budget` faces taken from the front.
   MeshStatus advance(std::uint32_t budget);
@@ -38,7 +37,11 @@ class BasicVolumeMesher {
   [[nodiscard]] std::uint32_t tetrahedronCount() const {
     return static_cast<std::uint32_t>(elements_.liveCount());
   }
-  [[nodiscard]] std::uint32_t frontFaceCount() const { return front_.activeCount(); }
+  /// With the triangles that are not in the front yet.
+  [[nodiscard]] std::uint32_t frontFaceCount() const {
+    return front_.activeCount() +
+           static_cast<std::uint32_t>(boundary_.triangles.size() / 3 - nextTriangle_);
+  }
   /// Filled part of the enclosed volume, 0 to 1.
   [[nodiscard]] double filledFraction() const;
 
@@ -52,6 +55,7 @@ class BasicVolumeMesher {
   enum class Stage : std::uint8_t { kSetUp, kAdvance, kRecover, kFinished };
 
   void setUp(std::uint32_t budget);
+  [[nodiscard]] NodeTriple faceOfTriangle(std::size_t triangle) const;
   void advanceFront(std::uint32_t budget);
   void recover(std::uint32_t budget);
   void inspectNewElements();
@@ -60,7 +64,6 @@ class BasicVolumeMesher {
   void finish(MeshStatus status);
 
   const SurfaceMesh& boundary_;
-  std::vector<std::uint32_t> triangleRegion_;
   const SizeField& field_;
   std::uint32_t maxTetrahedra_;
   Stage stage_ = Stage::kSetUp;

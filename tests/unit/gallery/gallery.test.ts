@@ -1,11 +1,11 @@
 /** The bundled models: each one sound, together a picture of everything that can be drawn. */
 import { readdirSync, readFileSync } from "node:fs";
 
-import { createMesher, readProject, type Mesher, type MeshResult, type Project } from "tetrafront";
+import { createMesher, isWall, readProject, type Mesher, type MeshResult, type Project } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import type { Gallery } from "../../../web/document/gallery";
-import { tetrahedronVolumes } from "../../support/check-mesh.js";
+import { regionVolumes, tetrahedronVolumes } from "../../support/check-mesh.js";
 import { expectValid } from "../../support/expect-valid.js";
 
 const publicFolder = new URL("../../../public/", import.meta.url);
@@ -172,6 +172,21 @@ describe("together the models use", () => {
     expect([shellCount(box), regionCount(box)]).toEqual([2, 1]);
     expect([shellCount(core), regionCount(core)]).toEqual([3, 2]);
     expect([shellCount(chain), regionCount(chain)]).toEqual([2, 2]);
+  });
+
+  test("a wall between two regions, whose volumes its triangles give", async () => {
+    const { surface, volume, report } = await meshOf("pipe-and-flow");
+    expect(report.quality.regions.map(({ region }) => region)).toEqual([0, 1]);
+    const walls = surface.trianglePatch.filter((_, triangle) => isWall(surface, triangle));
+    const { patches } = projectOf("pipe-and-flow");
+    expect(new Set([...walls].map((patch) => patches[patch]?.name))).toEqual(
+      new Set(["wall right", "wall top", "wall left", "wall bottom"]),
+    );
+    const volumes = tetrahedronVolumes(volume);
+    for (const [region, wanted] of regionVolumes(surface).entries()) {
+      const filled = volumes.filter((_, t) => volume.regions[t] === region).reduce((sum, v) => sum + v, 0);
+      expect(Math.abs(filled / wanted - 1)).toBeLessThan(1e-10);
+    }
   });
 });
 

@@ -30,6 +30,7 @@ const mesh: Pick<MeshResult, "surface" | "volume"> = {
     triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2),
     trianglePatch: Uint32Array.of(2, 0, 2),
     sides: new Uint32Array(),
+    triangleRegions: new Uint32Array(),
     sideLine: new Uint32Array(),
   },
   volume: {

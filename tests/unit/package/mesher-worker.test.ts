@@ -56,7 +56,14 @@ const noPoints = new Float64Array();
 function resultWith(fingerprint: string): EngineResult {
   return {
     status: "done",
-    surface: { points: noPoints, triangles: none, trianglePatch: none, sides: none, sideLine: none },
+    surface: {
+      points: noPoints,
+      triangles: none,
+      trianglePatch: none,
+      triangleRegions: none,
+      sides: none,
+      sideLine: none,
+    },
     volume: { points: noPoints, tetrahedra: none, regions: none, front: none },
     diagnostics: [],
     figures: {

@@ -8,7 +8,13 @@ import { createMesher, type SurfaceInput } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { offFile } from "../../support/surface-files.js";
-import { boxSurface, cavitySurface, sphereSurface, torusSurface } from "../../support/surfaces.js";
+import {
+  boxSurface,
+  cavitySurface,
+  dividedSurface,
+  sphereSurface,
+  torusSurface,
+} from "../../support/surfaces.js";
 
 const fill = fileURLToPath(new URL("../../../build/native/fill", import.meta.url));
 
@@ -66,6 +72,7 @@ test.each<[string, SurfaceInput]>([
   ["a cube", boxSurface(9)],
   ["a torus", torusSurface(48, 20)],
   ["a cube with a cavity", cavitySurface(10)],
+  ["a cube with a wall", dividedSurface(8)],
 ])("%s has the same mesh bit for bit natively and as WebAssembly", async (_, surface) => {
   const mesher = await createMesher();
   const { report } = await mesher.fillSurface(surface);

@@ -248,6 +248,7 @@ test.each([".vtu", ".msh"])("what this package writes as %s it reads bit for bit
     triangles: Uint32Array.of(0, 2, 1),
     trianglePatch: Uint32Array.of(0),
     sides: new Uint32Array(),
+    triangleRegions: new Uint32Array(),
     sideLine: new Uint32Array(),
   };
   const [file] = await writeMesh(fileMeshOf({ surface, volume }), `a${extension}`);

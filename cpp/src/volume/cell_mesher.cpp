@@ -1,0 +1,168 @@
+#include "volume/cell_mesher.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <iterator>
+
+namespace tetrafront {
+namespace {
+
+/// Regions that have a wall in common, the higher first, ascending and each pair once.
+std::vector<std::array<std::uint32_t, 2>> wallNeighbours(const SurfaceMesh& boundary) {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  for (std::size_t t = 0; t < boundary.triangles.size() / 3; ++t) {
+    if (!boundary.isWall(t)) continue;
+    const auto [low, high] =
+        std::minmax(boundary.triangleRegions[2 * t], boundary.triangleRegions[2 * t + 1]);
+    pairs.push_back({high, low});
+  }
+  std::ranges::sort(pairs);
+  const auto repeated = std::ranges::unique(pairs);
+  pairs.erase(repeated.begin(), repeated.end());
+  return pairs;
+}
+
+std::uint32_t regionCount(const SurfaceMesh& boundary) {
+  std::uint32_t count = 1;
+  for (const std::uint32_t region : boundary.triangleRegions) {
+    if (region != SurfaceMesh::kNoRegion) count = std::max(count, region + 1);
+  }
+  return count;
+}
+
+/// Each region in order gets the first turn that no neighbour has: nearly always two or three do.
+std::vector<std::uint32_t> takeTurns(const SurfaceMesh& boundary) {
+  std::vector<std::uint32_t> turnOf(regionCount(boundary), 0);
+  const auto pairs = wallNeighbours(boundary);
+  std::vector<std::uint32_t> taken;
+  for (std::size_t i = 0, j = 0; i < pairs.size(); i = j) {
+    taken.clear();
+    for (; j < pairs.size() && pairs[j][0] == pairs[i][0]; ++j)
+      taken.push_back(turnOf[pairs[j][1]]);
+    std::uint32_t turn = 0;
+    while (std::ranges::find(taken, turn) != taken.end()) ++turn;
+    turnOf[pairs[i][0]] = turn;
+  }
+  return turnOf;
+}
+
+/// Adds what one turn has made, whose boundary nodes are the same.
+void append(VolumeMesh& mesh, const VolumeMesh& part, std::size_t boundaryNodes) {
+  if (mesh.points.empty()) {
+    mesh = part;
+    return;
+  }
+  const auto further = static_cast<std::uint32_t>(mesh.points.size() / 3 - boundaryNodes);
+  const auto numberOf = [&](std::uint32_t node) {
+    return node < boundaryNodes ? node : node + further;
+  };
+  mesh.points.insert(mesh.points.end(),
+                     part.points.begin() + static_cast<std::ptrdiff_t>(3 * boundaryNodes),
+                     part.points.end());
+  mesh.regions.insert(mesh.regions.end(), part.regions.begin(), part.regions.end());
+  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), numberOf);
+  std::ranges::transform(part.front, std::back_inserter(mesh.front), numberOf);
+}
+
+RecoverySummary sum(const RecoverySummary& a, const RecoverySummary& b) {
+  return {a.relaxed + b.relaxed, a.starred + b.starred, a.reopened + b.reopened,
+          a.filled + b.filled, a.steinerPoints + b.steinerPoints};
+}
+
+FrontCounters sum(const FrontCounters& a, const FrontCounters& b) {
+  return {a.pops + b.pops,
+          a.gatheredFaces + b.gatheredFaces,
+          a.candidatesTried + b.candidatesTried,
+          a.facesTested + b.facesTested,
+          a.facesAnalysed + b.facesAnalysed,
+          a.exactPredicates + b.exactPredicates};
+}
+
+}  // namespace
+
+CellMesher::CellMesher(const SurfaceMesh& boundary, const SizeField& field,
+                       const MeshOptions& options)
+    : boundary_(boundary), field_(field), options_(options), turnOf_(takeTurns(boundary)) {
+  turns_ = *std::ranges::max_element(turnOf_) + 1;
+  begin(0);
+}
+
+void CellMesher::begin(std::uint32_t turn) {
+  turn_ = turn;
+  MeshOptions options = options_;
+  options.maxTetrahedra -=
+      std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4));
+  current_.reset();
+  if (turns_ > 1) cells_ = boundaryOf(turn);
+  waiting_ = 0;
+  for (const std::uint32_t region : boundary_.triangleRegions) {
+    waiting_ += region != SurfaceMesh::kNoRegion && turnOf_[region] > turn ? 1 : 0;
+  }
+  current_.emplace(turns_ > 1 ? cells_ : boundary_, field_, options);
+}
+
+/// All nodes, and the triangles around this turn's regions, turned outward.
+SurfaceMesh CellMesher::boundaryOf(std::uint32_t turn) const {
+  SurfaceMesh cells;
+  cells.points = boundary_.points;
+  for (std::size_t t = 0; t < boundary_.triangles.size() / 3; ++t) {
+    const std::uint32_t* nodes = &boundary_.triangles[3 * t];
+    for (std::size_t side = 0; side < 2; ++side) {
+      const std::uint32_t region = boundary_.triangleRegions[2 * t + side];
+      if (region == SurfaceMesh::kNoRegion || turnOf_[region] != turn) continue;
+      cells.triangles.insert(cells.triangles.end(), {nodes[0], nodes[1 + side], nodes[2 - side]});
+      cells.triangleRegions.insert(cells.triangleRegions.end(), {region, SurfaceMesh::kNoRegion});
+    }
+  }
+  return cells;
+}
+
+MeshStatus CellMesher::advance(std::uint32_t budget) {
+  const MeshStatus status = current_->advance(budget);
+  if (status != MeshStatus::kDone || turn_ + 1 == turns_) return status;
+  append(filled_, current_->mesh(), boundary_.points.size() / 3);
+  recovery_ = sum(recovery_, current_->recovery());
+  counters_ = sum(counters_, current_->counters());
+  begin(turn_ + 1);
+  return MeshStatus::kRunning;
+}
+
+std::uint32_t CellMesher::pointCount() const {
+  if (filled_.points.empty()) return current_->pointCount();
+  return current_->pointCount() +
+         static_cast<std::uint32_t>((filled_.points.size() - boundary_.points.size()) / 3);
+}
+
+std::uint32_t CellMesher::tetrahedronCount() const {
+  return current_->tetrahedronCount() + static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4);
+}
+
+double CellMesher::filledFraction() const { return (current_->filledFraction() + turn_) / turns_; }
+
+/// Of the regions whose turn comes later: their triangles as a front sees them.
+std::vector<std::uint32_t> CellMesher::waitingFaces() const {
+  std::vector<std::uint32_t> faces;
+  for (std::uint32_t turn = turn_ + 1; turn < turns_; ++turn) {
+    const SurfaceMesh cells = boundaryOf(turn);
+    for (std::size_t h = 0; h < cells.triangles.size(); h += 3) {
+      faces.insert(faces.end(),
+                   {cells.triangles[h], cells.triangles[h + 2], cells.triangles[h + 1]});
+    }
+  }
+  return faces;
+}
+
+VolumeMesh CellMesher::mesh() const {
+  VolumeMesh mesh = filled_;
+  append(mesh, current_->mesh(), boundary_.points.size() / 3);
+  const std::vector<std::uint32_t> waiting = waitingFaces();
+  mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());
+  return mesh;
+}
+
+RecoverySummary CellMesher::recovery() const { return sum(recovery_, current_->recovery()); }
+
+FrontCounters CellMesher::counters() const { return sum(counters_, current_->counters()); }
+
+}  // namespace tetrafront

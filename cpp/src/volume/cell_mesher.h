@@ -1,0 +1,66 @@
+#pragma once
+
+/// @file Fills all regions of a boundary, walls between them and all. A front sees a face from one
+/// side only, so regions with a common wall are filled one after the other, each from the same nodes
+/// and triangles; the meshes fit together there, as none may change its boundary. Regions without a
+/// common wall share one front: a boundary without walls is filled as if there were none of this.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "field/size_field.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/options.h"
+#include "tetrafront/status.h"
+#include "volume/volume_mesher.h"
+
+namespace tetrafront {
+
+class CellMesher {
+ public:
+  /// `boundary` must be as closeBoundary() leaves it. It and `field` must outlive the mesher.
+  CellMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options);
+  CellMesher(const CellMesher&) = delete;
+  CellMesher& operator=(const CellMesher&) = delete;
+
+  /// Works on for about `budget` faces taken from the front. Ends with the first regions that cannot
+  /// be filled.
+  MeshStatus advance(std::uint32_t budget);
+
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
+    return current_->diagnostics();
+  }
+  [[nodiscard]] std::uint32_t pointCount() const;
+  [[nodiscard]] std::uint32_t tetrahedronCount() const;
+  [[nodiscard]] std::uint32_t frontFaceCount() const {
+    return current_->frontFaceCount() + waiting_;
+  }
+  /// Estimated filled part of the enclosed volume, 0 to 1.
+  [[nodiscard]] double filledFraction() const;
+
+  /// The mesh as it stands; regions that were not begun are in its front.
+  [[nodiscard]] VolumeMesh mesh() const;
+  [[nodiscard]] RecoverySummary recovery() const;
+  [[nodiscard]] FrontCounters counters() const;
+
+ private:
+  void begin(std::uint32_t turn);
+  [[nodiscard]] SurfaceMesh boundaryOf(std::uint32_t turn) const;
+  [[nodiscard]] std::vector<std::uint32_t> waitingFaces() const;
+
+  const SurfaceMesh& boundary_;
+  const SizeField& field_;
+  MeshOptions options_;
+  std::vector<std::uint32_t> turnOf_;  ///< per region: when it is filled
+  std::uint32_t turns_ = 1;
+  std::uint32_t turn_ = 0;
+  std::uint32_t waiting_ = 0;  ///< faces of regions whose turn comes later
+  SurfaceMesh cells_;  ///< the boundary of this turn's regions, where there are several turns
+  std::optional<VolumeMesher> current_;
+  VolumeMesh filled_;  ///< by earlier turns
+  RecoverySummary recovery_;
+  FrontCounters counters_;
+};
+
+}  // namespace tetrafront

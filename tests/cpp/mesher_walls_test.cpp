@@ -1,0 +1,281 @@
+/// Bodies with common walls: each space a region, one mesh that fits together at the walls.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quality/check_mesh.h"
+#include "support/mesh_validator.h"
+#include "support/models.h"
+#include "support/shapes.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront {
+namespace {
+
+using testing::ModelBuilder;
+
+MeshRun finished(MeshRun run, std::uint32_t budget = 4096) {
+  while (run.advance(budget) == MeshStatus::kRunning) {
+  }
+  return run;
+}
+
+MeshRun meshed(const Model& model, double size, MeshOptions options = {}) {
+  options.size = size;
+  return finished(MeshRun(model, {}, options));
+}
+
+MeshRun filled(const SurfaceMesh& surface, const MeshOptions& options = {}) {
+  return finished(MeshRun(surface.points, surface.triangles, options));
+}
+
+std::set<DiagnosticCode> errorsOf(const MeshRun& run) {
+  std::set<DiagnosticCode> codes;
+  for (const Diagnostic& told : run.diagnostics()) {
+    if (told.severity == Severity::kError) codes.insert(told.code);
+  }
+  return codes;
+}
+
+/// Valid by the tests' own judge and by the engine's, with so many regions; their volumes, ascending.
+std::vector<double> soundVolumes(const MeshRun& run, std::size_t regions) {
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  for (const Diagnostic& told : run.diagnostics()) {
+    EXPECT_EQ(told.severity, Severity::kInformation) << static_cast<int>(told.code);
+  }
+  const VolumeMesh mesh = run.volume();
+  EXPECT_EQ(testing::complaintAbout(mesh, run.surface()), "");
+  EXPECT_EQ(verifyMesh(mesh, run.surface()).count(), 0U);
+  EXPECT_EQ(std::set(mesh.regions.begin(), mesh.regions.end()).size(), regions);
+  EXPECT_EQ(run.statistics().regions.size(), regions);
+  std::vector<double> volumes = testing::regionVolumes(run.surface());
+  for (std::size_t r = 0; r < volumes.size(); ++r)
+    EXPECT_NEAR(run.statistics().regions.at(r).volume, volumes[r], 1e-9 * volumes[r]);
+  std::ranges::sort(volumes);
+  EXPECT_EQ(volumes.size(), regions);
+  return volumes;
+}
+
+/// The planar patches of a box cut into unit cubes; neighbours share lines and patches.
+Model dividedBoxModel(const std::array<int, 3>& counts) {
+  ModelBuilder builder;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t u = (axis + 1) % 3;
+    const std::size_t v = (axis + 2) % 3;
+    for (int level = 0; level <= counts[axis]; ++level) {
+      for (int i = 0; i < counts[u]; ++i) {
+        for (int j = 0; j < counts[v]; ++j) {
+          const auto corner = [&](int di, int dj) {
+            Vec3 at(0.0);
+            at[static_cast<int>(axis)] = level;
+            at[static_cast<int>(u)] = i + di;
+            at[static_cast<int>(v)] = j + dj;
+            return at;
+          };
+          builder.patch(
+              PatchType::kPlanar,
+              {builder.polygon({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)})});
+        }
+      }
+    }
+  }
+  return builder.model;
+}
+
+TEST(MeshWalls, TwoBoxesShareOnePatch) {
+  const MeshRun run = meshed(dividedBoxModel({2, 1, 1}), 0.3);
+  for (const double volume : soundVolumes(run, 2)) EXPECT_NEAR(volume, 1.0, 1e-12);
+  const auto told =
+      std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedBodies, &Diagnostic::code);
+  ASSERT_NE(told, run.diagnostics().end());
+  EXPECT_EQ(told->values, (std::vector{2.0, 0.0}));
+}
+
+TEST(MeshWalls, TwentySevenCubes) {
+  const MeshRun run = meshed(dividedBoxModel({3, 3, 3}), 0.5);
+  for (const double volume : soundVolumes(run, 27)) EXPECT_NEAR(volume, 1.0, 1e-12);
+}
+
+TEST(MeshWalls, WallsMeetInALine) {
+  // Three sectors of a triangular prism about its middle line, where three walls meet.
+  ModelBuilder builder;
+  const std::array<Vec3, 3> corners{Vec3(0, 0, 0), Vec3(2, 0, 0), Vec3(1, 1.7, 0)};
+  const Vec3 middle(1, 0.6, 0);
+  const Vec3 up(0, 0, 1);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& a = corners[k];
+    const Vec3& b = corners[(k + 1) % 3];
+    builder.patch(PatchType::kPlanar, {builder.polygon({a, b, b + up, a + up})});
+    builder.patch(PatchType::kPlanar, {builder.polygon({a, a + up, middle + up, middle})});
+    builder.patch(PatchType::kPlanar, {builder.polygon({a, b, middle})});
+    builder.patch(PatchType::kPlanar, {builder.polygon({a + up, b + up, middle + up})});
+  }
+  const std::vector<double> volumes = soundVolumes(meshed(builder.model, 0.3), 3);
+  EXPECT_NEAR(volumes[0] + volumes[1] + volumes[2], 1.7, 1e-12);
+  EXPECT_NEAR(volumes[2], 0.6, 1e-12);
+}
+
+/// A tube of four Coons patches, closed by discs and cut by discs between.
+Model dividedTube(int pieces) {
+  ModelBuilder builder;
+  std::vector<Loop> rings;
+  for (int k = 0; k <= pieces; ++k) {
+    rings.push_back(builder.circle(Vec3(0, 0, k), 0.5, 4));
+    builder.patch(PatchType::kPlanar, {rings.back()});
+    if (k == 0) continue;
+    for (std::size_t arc = 0; arc < 4; ++arc) {
+      const auto placeAt = [&](int level, std::size_t at) {
+        const auto ring = static_cast<std::size_t>(level);
+        return builder.model.points[builder.model.lines[rings[ring][at % 4].line].points.front()];
+      };
+      const OrientedLine ahead = builder.straight(placeAt(k - 1, arc + 1), placeAt(k, arc + 1));
+      OrientedLine behind = builder.straight(placeAt(k - 1, arc), placeAt(k, arc));
+      behind.reversed = !behind.reversed;
+      const auto ring = static_cast<std::size_t>(k);
+      builder.patch(PatchType::kCoons,
+                    {{rings[ring - 1][arc], ahead, {rings[ring][arc].line, true}, behind}});
+    }
+  }
+  return builder.model;
+}
+
+TEST(MeshWalls, TubeWithDiscs) {
+  const std::vector<double> volumes = soundVolumes(meshed(dividedTube(3), 0.25), 3);
+  for (const double volume : volumes) {
+    EXPECT_LT(volume, 0.25 * std::numbers::pi);
+    EXPECT_GT(volume, 0.22 * std::numbers::pi);
+  }
+}
+
+/// A ball in a box, held by a wall through its equator: ball, and the box above and below it.
+TEST(MeshWalls, BallInABox) {
+  ModelBuilder builder;
+  const auto square = [](double z) {
+    return std::vector<Vec3>{{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}};
+  };
+  const Loop equator = builder.circle(Vec3(0.0), 0.5, 4);
+  builder.patch(PatchType::kPlanar, {builder.polygon(square(0.0)), equator});
+  for (const double pole : {-0.5, 0.5}) {
+    std::vector<std::uint32_t> meridians;
+    for (std::size_t arc = 0; arc < 4; ++arc) {
+      const Vec3 foot = builder.model.points[builder.model.lines[equator[arc].line].points.front()];
+      std::vector<Vec3> places;
+      for (int i = 0; i <= 8; ++i) {
+        const double angle = 0.5 * std::numbers::pi * i / 8;
+        places.push_back(std::cos(angle) * foot + Vec3(0, 0, pole * std::sin(angle)));
+      }
+      places.back() = Vec3(0, 0, pole);
+      meridians.push_back(builder.line(LineType::kCubicSpline, places));
+    }
+    for (std::size_t arc = 0; arc < 4; ++arc) {
+      builder.patch(PatchType::kBarnhillGregoryNielson,
+                    {{equator[arc], {meridians[(arc + 1) % 4], false}, {meridians[arc], true}}});
+    }
+    const std::vector<Vec3> middle = square(0.0);
+    const std::vector<Vec3> end = square(2.0 * pole);
+    builder.patch(PatchType::kPlanar, {builder.polygon(end)});
+    for (std::size_t k = 0; k < 4; ++k) {
+      builder.patch(PatchType::kPlanar,
+                    {builder.polygon({middle[k], middle[(k + 1) % 4], end[(k + 1) % 4], end[k]})});
+    }
+  }
+  const std::vector<double> volumes = soundVolumes(meshed(builder.model, 0.15), 3);
+  EXPECT_NEAR(volumes[0] + volumes[1] + volumes[2], 8.0, 1e-9);
+  EXPECT_NEAR(volumes[1], volumes[2], 1e-2) << "above and below";
+  EXPECT_LT(volumes[0], 4.0 / 3.0 * std::numbers::pi * 0.125)
+      << "octants bulge less than the sphere";
+  EXPECT_GT(volumes[0], 0.4);
+}
+
+TEST(MeshWalls, AWallWithAHoleIsAnOpenLine) {
+  ModelBuilder builder;
+  builder.model = dividedBoxModel({2, 1, 1});
+  for (Patch& patch : builder.model.patches) {
+    // The wall: the one patch in the plane x = 1.
+    bool isWall = true;
+    for (const OrientedLine& walked : patch.loops.front()) {
+      for (const std::uint32_t point : builder.model.lines[walked.line].points)
+        isWall = isWall && builder.model.points[point].x == 1.0;
+    }
+    if (!isWall) continue;
+    std::vector<Loop> loops = patch.loops;
+    loops.push_back(builder.polygon({{1, 0.3, 0.3}, {1, 0.7, 0.3}, {1, 0.7, 0.7}, {1, 0.3, 0.7}}));
+    patch.loops = loops;
+  }
+  const MeshRun run = meshed(builder.model, 0.3);
+  EXPECT_EQ(run.status(), MeshStatus::kInvalidInput);
+  EXPECT_EQ(errorsOf(run), std::set{DiagnosticCode::kOpenEdge});
+  EXPECT_EQ(run.diagnostics().size(), 4U) << "every line of the hole";
+}
+
+TEST(MeshWalls, GivenSurfacesKeepTheirWalls) {
+  for (const std::array<int, 3>& counts : {std::array{2, 1, 1}, std::array{2, 2, 2}}) {
+    SurfaceMesh surface = testing::dividedBox(counts, 3);
+    testing::rotateRandomly(surface, 4);
+    testing::shuffle(surface, 5);
+    const auto regions = static_cast<std::size_t>(counts[0] * counts[1] * counts[2]);
+    for (const double volume : soundVolumes(filled(surface), regions))
+      EXPECT_NEAR(volume, 1.0, 1e-12);
+  }
+}
+
+TEST(MeshWalls, EveryWayOfMeshingKeepsThem) {
+  const SurfaceMesh surface = testing::dividedBox({2, 2, 1}, 3);
+  std::vector<MeshOptions> ways(4);
+  ways[0].optimization = Optimization::kNone;
+  ways[1].optimization = Optimization::kStrive;
+  ways[2].order = FrontOrder::kSmallestFirst;
+  ways[3].exactFillOnly = true;
+  for (const MeshOptions& options : ways) soundVolumes(filled(surface, options), 4);
+}
+
+TEST(MeshWalls, SlicesDoNotMatter) {
+  const SurfaceMesh surface = testing::dividedBox({2, 2, 2}, 2);
+  const MeshRun whole = filled(surface);
+  const MeshRun sliced = finished(MeshRun(surface.points, surface.triangles, MeshOptions{}), 7);
+  EXPECT_EQ(whole.fingerprint(), sliced.fingerprint());
+  EXPECT_EQ(whole.volume().regions, sliced.volume().regions);
+}
+
+/// Whatever is not filled is in the front: each region's volume is that of its tetrahedra and of what
+/// its faces enclose.
+TEST(MeshWalls, ACancelledRunHasTheRestInItsFront) {
+  const SurfaceMesh surface = testing::dividedBox({2, 2, 2}, 3);
+  MeshRun run(surface.points, surface.triangles, MeshOptions{});
+  bool wasPartial = false;
+  for (int slice = 0; slice < 400 && run.advance(20) == MeshStatus::kRunning; ++slice) {
+    if (run.progress().phase != Phase::kVolume) continue;
+    const VolumeMesh mesh = run.volume();
+    if (mesh.points.empty()) continue;
+    EXPECT_EQ(run.progress().frontFaces, mesh.front.size() / 3);
+    const auto placeOf = [&](std::uint32_t node) {
+      return Vec3(mesh.points[3 * node], mesh.points[3 * node + 1], mesh.points[3 * node + 2]);
+    };
+    double volume = 0.0;
+    for (std::size_t t = 0; t < mesh.tetrahedra.size(); t += 4) {
+      const Vec3 a = placeOf(mesh.tetrahedra[t]);
+      volume += glm::dot(
+          placeOf(mesh.tetrahedra[t + 1]) - a,
+          glm::cross(placeOf(mesh.tetrahedra[t + 2]) - a, placeOf(mesh.tetrahedra[t + 3]) - a));
+    }
+    for (std::size_t h = 0; h < mesh.front.size(); h += 3) {
+      // Counter-clockwise seen from the empty side.
+      volume -= glm::dot(placeOf(mesh.front[h]),
+                         glm::cross(placeOf(mesh.front[h + 1]), placeOf(mesh.front[h + 2])));
+    }
+    EXPECT_NEAR(volume / 6.0, 8.0, 1e-9);
+    wasPartial = wasPartial || (!mesh.tetrahedra.empty() && !mesh.front.empty());
+  }
+  EXPECT_TRUE(wasPartial);
+}
+
+}  // namespace
+}  // namespace tetrafront
