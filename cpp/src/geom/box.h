@@ -20,14 +20,15 @@ inline float nextBelow(float value) {
 }
 inline float nextAbove(float value) { return -nextBelow(-value); }
 
+// Without branches, which would be coin tosses. A zero that was rounded away from its value has the
+// value's sign, so that its neighbour is the next number of that sign.
 inline float roundedDown(double value) {
   const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) > value ? nextBelow(rounded) : rounded;
+  const auto bits = std::bit_cast<std::uint32_t>(rounded);
+  const std::uint32_t isAbove = static_cast<double>(rounded) > value ? 1 : 0;
+  return std::bit_cast<float>(bits + isAbove * (2 * (bits >> 31) - 1));
 }
-inline float roundedUp(double value) {
-  const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) < value ? nextAbove(rounded) : rounded;
-}
+inline float roundedUp(double value) { return -roundedDown(-value); }
 
 struct Box {
   std::array<float, 3> low;

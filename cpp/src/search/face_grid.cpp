@@ -4,8 +4,6 @@
 #include <bit>
 #include <cmath>
 
-#include "search/box_overlap.h"
-
 namespace tetrafront {
 namespace {
 
@@ -161,6 +159,7 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
     }
     chunks_[fresh].next = head;
     chunks_[fresh].count = 0;
+    chunks_[fresh].entries.fill(kNothing);
     head = fresh;
   }
   Chunk& chunk = chunks_[head];
@@ -171,6 +170,7 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
                    static_cast<std::uint8_t>(level)};
   ++chunk.count;
   ++facesOnLevel_[level];
+  ++faceCount_;
 }
 
 void FaceGrid::remove(std::uint32_t face) {
@@ -181,10 +181,12 @@ void FaceGrid::remove(std::uint32_t face) {
   Chunk& first = chunks_[head];
   // The list's last entry takes the free place.
   const Entry last = first.entries[--first.count];
-  chunks_[place.chunk].entries[place.slot] = last;
+  first.entries[first.count] = kNothing;
+  if (last.face != face) chunks_[place.chunk].entries[place.slot] = last;
   places_[last.face].chunk = place.chunk;
   places_[last.face].slot = place.slot;
   --facesOnLevel_[place.level];
+  --faceCount_;
   if (first.count > 0) return;
   freeChunks_.push_back(head);
   head = first.next;
@@ -192,15 +194,17 @@ void FaceGrid::remove(std::uint32_t face) {
 }
 
 std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) const {
-  std::size_t count = 0;
+  // Every face may be found, and a place more is written to: so much for checks on the way.
+  if (faces.size() < faceCount_ + 1) faces.resize(2 * faceCount_ + 64);
+  std::uint32_t* end = faces.data();
   for (int level = 0; level < kLevels; ++level) {
-    if (facesOnLevel_[level] > 0) queryLevel(level, box, faces, count);
+    if (facesOnLevel_[level] > 0) end = queryLevel(level, box, end);
   }
-  return count;
+  return static_cast<std::size_t>(end - faces.data());
 }
 
-void FaceGrid::queryLevel(int level, const Box& box, std::vector<std::uint32_t>& faces,
-                          std::size_t& count) const {
+std::uint32_t* FaceGrid::queryLevel(int level, const Box& box, std::uint32_t* end) const {
+  const BoxOverlap overlap(box.low.data(), box.high.data());
   const double margin = 0.5 * cellSize_[level];
   CellRange cells{};
   double blocksInRange = 1.0;
@@ -210,35 +214,36 @@ void FaceGrid::queryLevel(int level, const Box& box, std::vector<std::uint32_t>&
     blocksInRange *= (cells.to[axis] >> 2) - (cells.from[axis] >> 2) + 1;
   }
   if (blocksInRange > static_cast<double>(blocksOnLevel_[level].size())) {
-    queryWholeLevel(level, cells, box, faces, count);
-    return;
+    return queryWholeLevel(level, cells, overlap, end);
   }
   for (std::int32_t x = cells.from[0] & ~3; x <= cells.to[0]; x += kCellsPerBlock) {
     for (std::int32_t y = cells.from[1] & ~3; y <= cells.to[1]; y += kCellsPerBlock) {
       for (std::int32_t z = cells.from[2] & ~3; z <= cells.to[2]; z += kCellsPerBlock) {
         const std::uint32_t block = findBlock(blockKey(level, x, y, z));
-        if (block != kNone) queryBlock(blocks_[block], cells, x, y, z, box, faces, count);
+        if (block != kNone) end = queryBlock(blocks_[block], cells, x, y, z, overlap, end);
       }
     }
   }
+  return end;
 }
 
 /// For boxes that are large against the level's cells: it has fewer blocks than there are in the box.
-void FaceGrid::queryWholeLevel(int level, const CellRange& cells, const Box& box,
-                               std::vector<std::uint32_t>& faces, std::size_t& count) const {
+std::uint32_t* FaceGrid::queryWholeLevel(int level, const CellRange& cells,
+                                         const BoxOverlap& overlap, std::uint32_t* end) const {
   const BlockRange range(cells.from, cells.to);
   for (const std::uint32_t id : blocksOnLevel_[level]) {
     const Block& block = blocks_[id];
     if (block.occupied == 0 || !range.mayHold(block.key)) continue;
     for (std::uint64_t rest = block.occupied; rest != 0; rest &= rest - 1) {
-      queryChunks(block.heads[std::countr_zero(rest)], box, faces, count);
+      end = queryChunks(block.heads[std::countr_zero(rest)], overlap, end);
     }
   }
+  return end;
 }
 
-void FaceGrid::queryBlock(const Block& block, const CellRange& cells, std::int32_t x,
-                          std::int32_t y, std::int32_t z, const Box& box,
-                          std::vector<std::uint32_t>& faces, std::size_t& count) const {
+std::uint32_t* FaceGrid::queryBlock(const Block& block, const CellRange& cells, std::int32_t x,
+                                    std::int32_t y, std::int32_t z, const BoxOverlap& overlap,
+                                    std::uint32_t* end) const {
   const std::array<std::int32_t, 3> corner{x, y, z};
   std::uint64_t rest = block.occupied;
   for (int axis = 0; axis < 3; ++axis) {
@@ -247,23 +252,23 @@ void FaceGrid::queryBlock(const Block& block, const CellRange& cells, std::int32
     rest &= kRangeMasks.mask[axis][from][to];
   }
   for (; rest != 0; rest &= rest - 1) {
-    queryChunks(block.heads[std::countr_zero(rest)], box, faces, count);
+    end = queryChunks(block.heads[std::countr_zero(rest)], overlap, end);
   }
+  return end;
 }
 
-void FaceGrid::queryChunks(std::uint32_t chunk, const Box& box, std::vector<std::uint32_t>& faces,
-                           std::size_t& count) const {
-  const BoxOverlap overlap(box.low.data(), box.high.data());
+std::uint32_t* FaceGrid::queryChunks(std::uint32_t chunk, const BoxOverlap& overlap,
+                                     std::uint32_t* end) const {
   for (; chunk != kNone; chunk = chunks_[chunk].next) {
     const Chunk& current = chunks_[chunk];
-    if (count + kChunkSize > faces.size()) faces.resize(2 * faces.size() + 64);
-    for (std::uint32_t i = 0; i < current.count; ++i) {
-      const Entry& entry = current.entries[i];
-      // Written always, kept only on overlap: the branch would be a coin toss.
-      faces[count] = entry.face;
-      count += overlap.meets(entry.low.data(), entry.high.data()) ? 1 : 0;
+    // All places, free ones too, whose boxes meet nothing; written always, kept only on overlap:
+    // branches would be coin tosses.
+    for (const Entry& entry : current.entries) {
+      *end = entry.face;
+      end += overlap.meets(entry.low.data(), entry.high.data()) ? 1 : 0;
     }
   }
+  return end;
 }
 
 }  // namespace tetrafront

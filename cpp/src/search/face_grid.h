@@ -12,9 +12,11 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "geom/box.h"
+#include "search/box_overlap.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -47,6 +49,9 @@ class FaceGrid {
     std::array<float, 3> high;
     std::uint32_t unused;
   };
+  static constexpr float kFar = std::numeric_limits<float>::infinity();
+  /// A free place: a box that meets none.
+  static constexpr Entry kNothing{{kFar, kFar, kFar}, kNone, {-kFar, -kFar, -kFar}, 0};
   struct alignas(16) Chunk {
     std::uint32_t next;
     std::uint32_t count;
@@ -80,21 +85,22 @@ class FaceGrid {
   [[nodiscard]] std::uint32_t findBlock(std::uint64_t key) const;
   std::uint32_t findOrMakeBlock(int level, std::uint64_t key);
   void growTable();
-  void queryLevel(int level, const Box& box, std::vector<std::uint32_t>& faces,
-                  std::size_t& count) const;
-  void queryWholeLevel(int level, const CellRange& cells, const Box& box,
-                       std::vector<std::uint32_t>& faces, std::size_t& count) const;
-  void queryBlock(const Block& block, const CellRange& cells, std::int32_t x, std::int32_t y,
-                  std::int32_t z, const Box& box, std::vector<std::uint32_t>& faces,
-                  std::size_t& count) const;
-  void queryChunks(std::uint32_t chunk, const Box& box, std::vector<std::uint32_t>& faces,
-                   std::size_t& count) const;
+  // Each writes the faces it finds from `end` on and returns where they end.
+  std::uint32_t* queryLevel(int level, const Box& box, std::uint32_t* end) const;
+  std::uint32_t* queryWholeLevel(int level, const CellRange& cells, const BoxOverlap& overlap,
+                                 std::uint32_t* end) const;
+  std::uint32_t* queryBlock(const Block& block, const CellRange& cells, std::int32_t x,
+                            std::int32_t y, std::int32_t z, const BoxOverlap& overlap,
+                            std::uint32_t* end) const;
+  std::uint32_t* queryChunks(std::uint32_t chunk, const BoxOverlap& overlap,
+                             std::uint32_t* end) const;
 
   double baseSize_;
   Vec3 origin_;
   std::array<double, kLevels> cellSize_{};
   std::array<double, kLevels> inverseCellSize_{};
   std::array<std::uint32_t, kLevels> facesOnLevel_{};
+  std::size_t faceCount_ = 0;
   std::array<std::vector<std::uint32_t>, kLevels> blocksOnLevel_;
   std::vector<HashEntry> table_;
   std::uint32_t usedEntries_ = 0;

@@ -12,17 +12,6 @@ constexpr std::array<double, 4> kClosingFactor{1.0, cube(1.0 + kClosingBonus),
                                                cube(1.0 + 2.0 * kClosingBonus),
                                                cube(1.0 + 3.0 * kClosingBonus)};
 
-/// Corner of a face that is not one of the base's nodes, if it is the only such one; else 3.
-std::size_t onlyForeignCorner(const LocalTriple& face) {
-  std::size_t corner = 3;
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (face[i] < 3) continue;
-    if (corner != 3) return 3;
-    corner = i;
-  }
-  return corner;
-}
-
 /// Does the half-plane to `apex` around the side from-to open at less than 90 degrees to the one
 /// to `third`, on the side that `normal` shows?
 bool isWedge(const Vec3& from, const Vec3& to, const Vec3& third, const Vec3& apex,
@@ -43,24 +32,16 @@ bool SideNeighbours::find(const Neighbourhood& around, const BaseFace& base, Box
   sidesClosed_.assign(around.nodeCount(), 0);
   wedgeCount_ = 0;
   bool grew = false;
-  for (std::size_t i = 0; i < around.faceCount(); ++i) {
-    const LocalTriple& face = around.face(i);
-    const std::size_t corner = onlyForeignCorner(face);
-    if (corner == 3) continue;
-    const LocalNode apex = face[corner];
-    const LocalNode to = face[(corner + 1) % 3];
-    const LocalNode from = face[(corner + 2) % 3];
-    // A neighbour walks the common side the other way round than the base does.
-    if (to != (from + 1) % 3) continue;
-    ++sidesClosed_[apex];
-    const LocalNode third = 3 - from - to;
+  for (const AdjacentFace& face : around.adjacentFaces()) {
+    if (!face.isNeighbour()) continue;
+    ++sidesClosed_[face.apex];
     if (wedgeCount_ == wedgeApexes_.size() ||
-        !isWedge(around.unitPlace(from), around.unitPlace(to), around.unitPlace(third),
-                 around.unitPlace(apex), base.normal)) {
+        !isWedge(around.unitPlace(face.to), around.unitPlace(face.from),
+                 around.unitPlace(face.third()), around.unitPlace(face.apex), base.normal)) {
       continue;
     }
-    wedgeApexes_[wedgeCount_++] = apex;
-    grew = box.include(around.place(apex)) || grew;
+    wedgeApexes_[wedgeCount_++] = face.apex;
+    grew = box.include(around.place(face.apex)) || grew;
   }
   return grew;
 }

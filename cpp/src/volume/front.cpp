@@ -69,7 +69,7 @@ FaceId Front::addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint h
   const Vec3& c = node(nodes[2]);
   const double squares = glm::dot(a - b, a - b) + glm::dot(b - c, b - c) + glm::dot(c - a, c - a);
   faces_[id.index()] = {nodes, static_cast<float>(std::sqrt(squares / 3.0)), region, hint, 0, true};
-  grid_.insert(id.value, boxOf(id));
+  grid_.insert(id.value, Box::of(a, b, c));
   ++activeCount_;
   if (queued) heap_.push(id.value, keyOf(faces_[id.index()]));
   return id;

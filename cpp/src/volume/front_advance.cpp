@@ -152,18 +152,13 @@ bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance, Fac
 /// one turned the same way would be met from behind.
 template <class Trace>
 bool FrontAdvance<Trace>::findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const {
-  for (std::size_t i = 0; i < around_.faceCount(); ++i) {
-    const LocalTriple& f = around_.face(i);
-    const auto at = static_cast<std::size_t>(std::find(f.begin(), f.end(), apex) - f.begin());
-    if (at == 3) continue;
-    const LocalNode u = f[(at + 1) % 3];
-    const LocalNode w = f[(at + 2) % 3];
-    if (u > 2 || w > 2) continue;
-    if (w == (u + 1) % 3) {
-      culprit = around_.faceId(i);
+  for (const AdjacentFace& adjacent : around_.adjacentFaces()) {
+    if (adjacent.apex != apex) continue;
+    if (!adjacent.isNeighbour()) {
+      culprit = around_.faceId(adjacent.face);
       return false;
     }
-    sides[3 - u - w] = around_.faceId(i);
+    sides[adjacent.third()] = around_.faceId(adjacent.face);
   }
   return true;
 }

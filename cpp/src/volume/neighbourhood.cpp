@@ -25,48 +25,77 @@ Extent extentOf(std::span<const double> values, double further) {
 
 }  // namespace
 
-void Neighbourhood::begin(const Front& front, const NodeTriple& base, std::size_t faces) {
-  ++stamp_;
-  if (marks_.size() < front.nodes().size()) marks_.resize(front.nodes().size() * 3 / 2 + 64);
-  if (faceIds_.size() < faces) {
-    const std::size_t capacity = 2 * faces + 64;
-    faceIds_.resize(capacity);
-    faces_.resize(capacity);
-    const std::size_t nodeCapacity = 3 * capacity + base.size() + 1;  // one more for a new node
-    nodeIds_.resize(nodeCapacity);
-    x_.resize(nodeCapacity);
-    y_.resize(nodeCapacity);
-    z_.resize(nodeCapacity);
+/// The nodes being numbered. Their count stays in a register, which a member of the neighbourhood
+/// would not.
+class Neighbourhood::Numbering {
+ public:
+  Numbering(Neighbourhood& around, const Front& front)
+      : around_(around),
+        places_(front.nodes().data()),
+        marks_(around.marks_.data()),
+        nodeIds_(around.nodeIds_.data()),
+        x_(around.x_.data()),
+        y_(around.y_.data()),
+        z_(around.z_.data()),
+        stamp_(around.stamp_) {}
+
+  LocalNode localNode(NodeId node) {
+    Mark& mark = marks_[node.index()];
+    if (mark.stamp == stamp_) return mark.local;
+    const LocalNode local = nodes_++;
+    mark = {stamp_, local};
+    const Vec3& place = places_[node.index()];
+    nodeIds_[local] = node;
+    x_[local] = place.x;
+    y_[local] = place.y;
+    z_[local] = place.z;
+    return local;
   }
-  faceCount_ = 0;
-  nodeCount_ = 0;
-  for (const NodeId node : base) localNode(front, node);
+
+  /// Puts local numbers in place of the nodes of gathered face `face`.
+  void number(std::uint32_t face) {
+    LocalTriple& nodes = around_.faces_[face];
+    const LocalNode a = localNode(NodeId(nodes[0]));
+    const LocalNode b = localNode(NodeId(nodes[1]));
+    const LocalNode c = localNode(NodeId(nodes[2]));
+    nodes = {a, b, c};
+    const int onBase = (a < 3 ? 1 : 0) + (b < 3 ? 1 : 0) + (c < 3 ? 1 : 0);
+    if (onBase == 2) addAdjacent(face, nodes);
+  }
+
+  [[nodiscard]] std::size_t nodeCount() const { return nodes_; }
+
+ private:
+  void addAdjacent(std::uint32_t face, const LocalTriple& nodes) {
+    const std::size_t apex = nodes[0] >= 3 ? 0 : (nodes[1] >= 3 ? 1 : 2);
+    around_.adjacent_.push_back({face, nodes[apex], nodes[(apex + 1) % 3], nodes[(apex + 2) % 3]});
+  }
+
+  Neighbourhood& around_;
+  const Vec3* places_;
+  Mark* marks_;
+  NodeId* nodeIds_;
+  double* x_;
+  double* y_;
+  double* z_;
+  std::uint32_t stamp_;
+  LocalNode nodes_ = 0;
+};
+
+void Neighbourhood::reserve(std::size_t nodesOfFront, std::size_t faces) {
+  if (marks_.size() < nodesOfFront) marks_.resize(nodesOfFront * 3 / 2 + 64);
+  if (faceIds_.size() >= faces) return;
+  const std::size_t capacity = 2 * faces + 64;
+  faceIds_.resize(capacity);
+  faces_.resize(capacity);
+  const std::size_t nodeCapacity = 3 * capacity + 4;  // the base's and a new node's too
+  nodeIds_.resize(nodeCapacity);
+  x_.resize(nodeCapacity);
+  y_.resize(nodeCapacity);
+  z_.resize(nodeCapacity);
 }
 
-LocalNode Neighbourhood::localNode(const Front& front, NodeId node) {
-  Mark& mark = marks_[node.index()];
-  if (mark.stamp == stamp_) return mark.local;
-  const std::size_t local = nodeCount_++;
-  mark = {stamp_, static_cast<LocalNode>(local)};
-  const Vec3& place = front.node(node);
-  nodeIds_[local] = node;
-  x_[local] = place.x;
-  y_[local] = place.y;
-  z_[local] = place.z;
-  return mark.local;
-}
-
-void Neighbourhood::addFace(const Front& front, FaceId face) {
-  const NodeTriple& nodes = front.face(face).nodes;
-  const LocalNode a = localNode(front, nodes[0]);
-  const LocalNode b = localNode(front, nodes[1]);
-  const LocalNode c = localNode(front, nodes[2]);
-  faceIds_[faceCount_] = face;
-  faces_[faceCount_] = {a, b, c};
-  ++faceCount_;
-}
-
-void Neighbourhood::finish(const Vec3& reach) {
+void Neighbourhood::boundErrors(const Vec3& reach) {
   const auto inUse = [&](const std::vector<double>& values) {
     return std::span(values).first(nodeCount_);
   };
@@ -80,9 +109,22 @@ void Neighbourhood::finish(const Vec3& reach) {
 void Neighbourhood::gather(const Front& front, const NodeTriple& base, const Box& box,
                            const Vec3& reach) {
   const std::size_t count = front.facesNear(box, found_);
-  begin(front, base, count);
-  for (std::size_t i = 0; i < count; ++i) addFace(front, FaceId(found_[i]));
-  finish(reach);
+  reserve(front.nodes().size(), count);
+  adjacent_.clear();
+  ++stamp_;
+  // In a loop of their own these loads do not wait for each other.
+  for (std::size_t i = 0; i < count; ++i) {
+    const FaceId face(found_[i]);
+    const NodeTriple& nodes = front.face(face).nodes;
+    faceIds_[i] = face;
+    faces_[i] = {nodes[0].value, nodes[1].value, nodes[2].value};
+  }
+  Numbering numbering(*this, front);
+  for (const NodeId node : base) numbering.localNode(node);
+  for (std::uint32_t i = 0; i < count; ++i) numbering.number(i);
+  faceCount_ = count;
+  nodeCount_ = numbering.nodeCount();
+  boundErrors(reach);
 }
 
 void Neighbourhood::mapTo(const UnitSpace& space) {

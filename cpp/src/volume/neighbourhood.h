@@ -20,6 +20,20 @@ namespace tetrafront {
 using LocalNode = std::uint32_t;
 using LocalTriple = std::array<LocalNode, 3>;
 
+/// A gathered face that stands on a side of the base face: it has the side's two nodes, and one more.
+struct AdjacentFace {
+  std::uint32_t face;  ///< position among the gathered ones
+  LocalNode apex;      ///< the node besides the side's
+  LocalNode from;      ///< the side, as the face walks it: after the apex come from, to
+  LocalNode to;
+
+  /// Neighbours walk their common side in opposite directions. One that walks it as the base does
+  /// looks the other way.
+  [[nodiscard]] bool isNeighbour() const { return from == (to + 1) % 3; }
+  /// The base node that is not on the side.
+  [[nodiscard]] LocalNode third() const { return 3 - from - to; }
+};
+
 class Neighbourhood {
  public:
   /// Gathers the active faces whose boxes meet `box`. `reach` is a further place that tests will
@@ -34,6 +48,8 @@ class Neighbourhood {
   [[nodiscard]] NodeId nodeId(LocalNode local) const { return nodeIds_[local]; }
   [[nodiscard]] FaceId faceId(std::size_t local) const { return faceIds_[local]; }
   [[nodiscard]] const LocalTriple& face(std::size_t local) const { return faces_[local]; }
+  /// In the order in which they were gathered.
+  [[nodiscard]] std::span<const AdjacentFace> adjacentFaces() const { return adjacent_; }
   [[nodiscard]] Vec3 place(LocalNode local) const { return {x_[local], y_[local], z_[local]}; }
   [[nodiscard]] const double* x() const { return x_.data(); }
   [[nodiscard]] const double* y() const { return y_.data(); }
@@ -56,10 +72,9 @@ class Neighbourhood {
   [[nodiscard]] double determinantError() const { return determinantError_; }
 
  private:
-  void begin(const Front& front, const NodeTriple& base, std::size_t faces);
-  void addFace(const Front& front, FaceId face);
-  LocalNode localNode(const Front& front, NodeId node);
-  void finish(const Vec3& reach);
+  class Numbering;
+  void reserve(std::size_t nodesOfFront, std::size_t faces);
+  void boundErrors(const Vec3& reach);
 
   std::vector<std::uint32_t> found_;
   // The arrays only grow; what is in use is counted here, which spares a capacity check per entry.
@@ -67,6 +82,7 @@ class Neighbourhood {
   std::size_t faceCount_ = 0;
   std::vector<FaceId> faceIds_;
   std::vector<LocalTriple> faces_;
+  std::vector<AdjacentFace> adjacent_;
   std::vector<NodeId> nodeIds_;
   std::vector<double> x_;
   std::vector<double> y_;
