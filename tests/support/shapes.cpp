@@ -5,6 +5,7 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -400,37 +401,40 @@ std::size_t triangleCount(const SurfaceMesh& mesh) { return mesh.triangles.size(
 
 namespace {
 
-/// Six times the volume of each triangle with the middle of all nodes.
-std::vector<double> sixVolumesOf(const SurfaceMesh& mesh) {
-  Vec3 centre(0.0);
-  for (std::uint32_t i = 0; i < nodeCount(mesh); ++i) centre += pointOf(mesh, i);
-  centre /= static_cast<double>(std::max<std::size_t>(1, nodeCount(mesh)));
-  std::vector<double> volumes;
-  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    const Vec3 a = pointOf(mesh, mesh.triangles[t]) - centre;
-    const Vec3 b = pointOf(mesh, mesh.triangles[t + 1]) - centre;
-    const Vec3 c = pointOf(mesh, mesh.triangles[t + 2]) - centre;
-    volumes.push_back(glm::dot(a, glm::cross(b, c)));
-  }
-  return volumes;
+/// Six times the volume of a triangle with a place.
+double sixVolume(const SurfaceMesh& mesh, std::size_t triangle, const Vec3& place) {
+  const std::uint32_t* nodes = &mesh.triangles[3 * triangle];
+  const Vec3 a = pointOf(mesh, nodes[0]) - place;
+  const Vec3 b = pointOf(mesh, nodes[1]) - place;
+  const Vec3 c = pointOf(mesh, nodes[2]) - place;
+  return glm::dot(a, glm::cross(b, c));
 }
 
 }  // namespace
 
 double enclosedVolume(const SurfaceMesh& mesh) {
+  Vec3 centre(0.0);
+  for (std::uint32_t i = 0; i < nodeCount(mesh); ++i) centre += pointOf(mesh, i);
+  centre /= static_cast<double>(std::max<std::size_t>(1, nodeCount(mesh)));
   double sum = 0.0;
-  for (const double volume : sixVolumesOf(mesh)) sum += volume;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) sum += sixVolume(mesh, t, centre);
   return sum / 6.0;
 }
 
+// Each region from a place of its own: seen from far away, a small one is lost in rounding.
 std::vector<double> regionVolumes(const SurfaceMesh& mesh) {
   std::vector<double> volumes;
-  const std::vector<double> sixVolumes = sixVolumesOf(mesh);
+  std::vector<std::optional<Vec3>> places;
   for (std::size_t side = 0; side < mesh.triangleRegions.size(); ++side) {
     const std::uint32_t region = mesh.triangleRegions[side];
     if (region == SurfaceMesh::kNoRegion) continue;
-    if (region >= volumes.size()) volumes.resize(region + 1, 0.0);
-    volumes[region] += (side % 2 == 0 ? 1.0 : -1.0) * sixVolumes[side / 2] / 6.0;
+    if (region >= volumes.size()) {
+      volumes.resize(region + 1, 0.0);
+      places.resize(region + 1);
+    }
+    if (!places[region]) places[region] = pointOf(mesh, mesh.triangles[3 * (side / 2)]);
+    const double volume = sixVolume(mesh, side / 2, *places[region]) / 6.0;
+    volumes[region] += side % 2 == 0 ? volume : -volume;
   }
   return volumes;
 }
