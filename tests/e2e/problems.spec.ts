@@ -72,9 +72,30 @@ test("deleting a point takes what is built on it, and undo brings it all back", 
 test("each triangle of a boundary that cuts itself is listed with its place, and shown", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  // Links so coarse that they reach through each other.
-  const chain = { ...sampleProject("chain"), meshing: { size: 1.5 } };
-  await app.openFile("chain.json", JSON.stringify(chain));
+  // Two patches between the same parabolas, nearer to one another than triangles so coarse can keep apart.
+  const places = [
+    [0, 0, 0],
+    [1, 0, 0],
+    [0, 1, 0],
+    [0.5, -0.152, -0.25],
+    [0.5, 0.5, -0.36],
+    [0.012, 0.5, -0.04],
+  ];
+  const crescent = {
+    ...sampleProject("barrel"),
+    points: places.map((at, i) => ({ id: i + 1, at })),
+    lines: [
+      { id: 1, type: "parabolic", points: [1, 4, 2] },
+      { id: 2, type: "parabolic", points: [2, 5, 3] },
+      { id: 3, type: "parabolic", points: [3, 6, 1] },
+    ],
+    patches: [
+      { id: 1, name: "lower", type: "isoparametric-triangle", loops: [[1, 2, 3]] },
+      { id: 2, name: "upper", type: "barnhill-gregory-nielson", loops: [[1, 2, 3]] },
+    ],
+    meshing: { size: 0.5 },
+  };
+  await app.openFile("crescent.json", JSON.stringify(crescent));
   const group = page.getByTestId("problems-self-intersection");
   const first = group.locator("[data-code=self-intersection]").first();
   await expect(first).toContainText("The surface cuts itself: patch");
