@@ -1,12 +1,13 @@
-/** The packed package in a browser: on a plain page, bundled by Vite, by esbuild, and with React and three.js. */
+/** The packed package in a browser: on a plain page, bundled by Vite, webpack and esbuild, and with React and three.js. */
 import { execFileSync } from "node:child_process";
 import { copyFileSync, createReadStream, existsSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { createServer, type Server } from "node:http";
 import type { AddressInfo } from "node:net";
 import path from "node:path";
-import { fileURLToPath } from "node:url";
+import { fileURLToPath, pathToFileURL } from "node:url";
 
 import { expect, test, type Page } from "@playwright/test";
+import webpack, { type Configuration, type StatsCompilation } from "webpack";
 
 import { freshInstall, type FreshInstall } from "../support/fresh-install.js";
 
@@ -70,6 +71,21 @@ test("Vite bundles it", async ({ page }) => {
   const folder = fresh.example("vite");
   execFileSync(process.execPath, [bin("vite"), "build", "--logLevel", "warn"], { cwd: folder });
   await expectBoxMeshed(page, await served(path.join(folder, "dist"), STRICT));
+});
+
+test("webpack bundles it", async ({ page }) => {
+  test.slow();
+  const folder = fresh.example("webpack");
+  const file = pathToFileURL(path.join(folder, "webpack.config.js")).href;
+  const config = ((await import(file)) as { readonly default: Configuration }).default;
+  const told = await new Promise<StatsCompilation | undefined>((resolve, reject) => {
+    webpack(config, (failure, stats) => {
+      if (failure !== null) reject(failure);
+      else resolve(stats?.toJson({ all: false, errors: true, warnings: true }));
+    });
+  });
+  expect(told).toMatchObject({ errors: [], warnings: [] });
+  await expectBoxMeshed(page, await served(folder, STRICT));
 });
 
 test("esbuild bundles it, with the worker as an entry of its own and the engine copied", async ({ page }) => {

@@ -38,8 +38,9 @@ def by_gmsh(path):
             for block in nodes:
                 elements += [[int(n) - 1 for n in block[i : i + width]] for i in range(0, len(block), width)]
         groups.append([dimension, int(tag), gmsh.model.getPhysicalName(dimension, tag), elements])
+    triangles = sum(len(block) for block in gmsh.model.mesh.getElements(2)[1])
     gmsh.finalize()
-    return {"points": [place[n] for n in sorted(place)], "groups": groups}
+    return {"points": [place[n] for n in sorted(place)], "groups": groups, "triangles": triangles}
 
 
 def main():

@@ -8,6 +8,7 @@ import { fileURLToPath } from "node:url";
 import { readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
+import { boundaryOf } from "../../../wasm/src/formats/boundary.js";
 import { blockMesh, taggedElements } from "../../support/block-mesh.js";
 
 const python = process.env["TETRAFRONT_PYTHON"] ?? "python3";
@@ -126,14 +127,7 @@ if (programs.includes("meshio")) {
     });
 
     test.each(["stl", "obj", "off", "ply"])("the boundary as .%s", async (format) => {
-      // meshio knows no colours of faces in these formats.
-      const [patch] = mesh.patches;
-      const onePatch = {
-        ...mesh,
-        patches: [patch ?? { name: "", tag: 1 }],
-        trianglePatch: new Uint32Array(48),
-      };
-      const read = await readByMeshio(`part.${format}`, format, onePatch);
+      const read = await readByMeshio(`part.${format}`, format);
       const cells = read.cells.flatMap(([type, rows]) => (type === "triangle" ? rows : []));
       const at = (node: number) => (read.points[node] ?? []).map(Math.fround).join(" ");
       const soup = cells.map((nodes) => nodes.map(at).join(" | ")).sort();
@@ -145,6 +139,14 @@ if (programs.includes("meshio")) {
         [...mesh.triangles.subarray(3 * t, 3 * t + 3)].map(place).join(" | "),
       ).sort();
       expect(soup).toEqual(given);
+    });
+
+    test("the patches in part.ply", async () => {
+      const read = await readByMeshio("part.ply", "ply");
+      const boundary = boundaryOf(mesh);
+      const triangles = taggedElements(boundary.triangles, 3, boundary.trianglePatch, boundary.patches);
+      expect(elements(read, "triangle", "patch")).toEqual(triangles);
+      expect(plus(read.points.flat())).toEqual(plus(boundary.points));
     });
   });
 
@@ -190,6 +192,18 @@ if (programs.includes("meshio")) {
 }
 
 if (programs.includes("gmsh")) {
+  test.each(["stl", "obj", "off", "ply"])("Gmsh reads the boundary from .%s", async (format) => {
+    const answer = run([script, `gmsh::${await save(`part.${format}`)}`]);
+    const { points, triangles } = JSON.parse(answer) as { points: number[][]; triangles: number };
+    // STL has floats; what Gmsh makes of the decimals in OBJ may differ in the last digit.
+    const rounded = (x: number) => (format === "stl" ? Math.fround(x) : Number(x.toPrecision(14))) + 0;
+    const places = (all: readonly number[][]) => all.map((place) => place.map(rounded).join(" ")).sort();
+    const { points: given } = boundaryOf(mesh);
+    const rows = Array.from({ length: given.length / 3 }, (_, i) => [...given.subarray(3 * i, 3 * i + 3)]);
+    expect(places(points)).toEqual(places(rows));
+    expect(triangles).toBe(mesh.triangles.length / 3);
+  });
+
   test.each(["part.msh", "part.msh2"])(
     "Gmsh reads the same points and named groups from %s",
     async (fileName) => {

@@ -15,7 +15,7 @@ import { describe, expect, test } from "vitest";
 import { blockMesh } from "../../support/block-mesh.js";
 import { cubeProject } from "../../support/projects.js";
 import { mutated, randomSource } from "../../support/random.js";
-import { offFile, plyText, stlText } from "../../support/surface-files.js";
+import { offFile, plyBinary, stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 /** Damaged files per format, in equal parts of each of its samples. */
@@ -63,6 +63,10 @@ $Elements\n2\n1 2 2 5 1 1 2 3\n2 4 2 0 1 1 2 3 4\n$EndElements\n`;
 const smesh = `# a square\n4 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n2 1\n4 1 2 3 4 7\n3 1 2 3 8\n0\n0\n`;
 const poly = `4 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n1 1\n2 0 3\n4 1 2 3 4\n2 1 3\n0\n`;
 
+const colouredOff = new TextDecoder()
+  .decode(offFile(cube))
+  .replace(/^3 .*$/gm, (face) => `${face} 255 128 0`);
+
 /** Files beside the one that is damaged. */
 type Others = ReadonlyMap<string, Uint8Array>;
 type Sample = readonly [string, string, () => Promise<readonly [Uint8Array, Others]>];
@@ -84,11 +88,10 @@ const own = (title: string, fileName: string, writtenAs = fileName): Sample => [
 const samples: readonly Sample[] = [
   sample("text STL", "a.stl", stlText(cube)),
   own("binary STL", "a.stl"),
-  sample("OFF", "a.off", offFile(cube)),
-  own("OFF with colours", "a.off"),
+  sample("OFF with colours", "a.off", colouredOff),
   own("OBJ", "a.obj"),
-  sample("text PLY", "a.ply", plyText(cube)),
-  own("binary PLY", "a.ply"),
+  own("text PLY", "a.ply"),
+  sample("binary PLY", "a.ply", plyBinary(cube, true)),
   own("compressed VTU", "a.vtu"),
   sample("text VTU", "a.vtu", textVtu),
   sample("VTP", "a.vtp", textVtp),
