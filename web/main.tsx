@@ -8,7 +8,7 @@ import { createApp } from "./app";
 import { entityBounds } from "./viewer/bounds";
 import { findRecord, type DrawnKind } from "./document/entities";
 import { Page } from "./panels/page";
-import { listenForPalette } from "./panels/palette-hotkey";
+import { listenForPalette } from "./panels/palette";
 import { cssVariables, theme } from "./ui/theme";
 
 listenForPalette();

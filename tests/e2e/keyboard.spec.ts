@@ -83,8 +83,11 @@ test("Ctrl K pressed before the palette is there opens it when it is", async ({ 
   await page.keyboard.press("Control+k");
   const palette = page.getByRole("textbox", { name: "Search commands" });
   await expect(palette).toBeHidden();
+  // What is typed meanwhile is meant for the palette: no command may take it for its key.
+  await page.keyboard.press("x");
   release();
   await expect(palette).toBeFocused();
   await page.keyboard.press("Control+k");
   await expect(palette).toBeHidden();
+  await expect(page.getByRole("switch", { name: "Cut" })).not.toBeChecked();
 });

@@ -6,6 +6,7 @@ import { useStore } from "zustand";
 import { commands, keyNames, runCommand } from "../commands";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
+import { paletteStore } from "./palette";
 
 /** The command palette: every command that may run now. */
 export function CommandPalette() {
@@ -32,6 +33,7 @@ export function CommandPalette() {
   }));
   return (
     <Spotlight
+      store={paletteStore}
       shortcut={null}
       query={query}
       onQueryChange={setQuery}

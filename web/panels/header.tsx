@@ -8,7 +8,6 @@ import {
   useComputedColorScheme,
   useMantineColorScheme,
 } from "@mantine/core";
-import { spotlight } from "@mantine/spotlight";
 import {
   IconArrowBackUp,
   IconArrowForwardUp,
@@ -27,6 +26,7 @@ import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 import { CommandButton } from "./command-button";
 import { CommandItems, CommandMenubar } from "./command-menu";
+import { palette } from "./palette";
 import type { Layout } from "./use-layout";
 
 const icon = { size: 17, "aria-hidden": true } as const;
@@ -74,7 +74,7 @@ export function Header({ layout }: { readonly layout: Layout }) {
 
 function PaletteBox() {
   return (
-    <button type="button" className="tf-palette" data-testid="palette" onClick={() => spotlight.open()}>
+    <button type="button" className="tf-palette" data-testid="palette" onClick={() => palette.open()}>
       <IconSearch size={14} aria-hidden />
       <span>{strings.header.palette}</span>
       <Kbd size="xs">Ctrl K</Kbd>

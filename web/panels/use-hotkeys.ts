@@ -2,12 +2,14 @@ import { useHotkeys, type HotkeyItem } from "@mantine/hooks";
 import { useMemo } from "react";
 import type { App } from "../app";
 import { commands, runCommand } from "../commands";
+import { isPaletteOpen } from "./palette";
 
 const noTags: string[] = [];
 const fieldTags = ["INPUT", "TEXTAREA", "SELECT"];
 
-/** A dialog or an open menu has its own keys. */
+/** The palette, a dialog or an open menu has its own keys. */
 function isElsewhere(event: KeyboardEvent): boolean {
+  if (isPaletteOpen()) return true;
   const target = event.target;
   return target instanceof Element && target.closest('[role="dialog"], [role="menu"]') !== null;
 }

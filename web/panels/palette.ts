@@ -1,4 +1,10 @@
-import { spotlight } from "@mantine/spotlight";
+import { createSpotlight } from "@mantine/spotlight";
+
+/** The state of the command palette, and what opens and closes it, also before it is loaded. */
+export const [paletteStore, palette] = createSpotlight();
+
+/** Also while an opened palette is still on its way: what is typed then is meant for it. */
+export const isPaletteOpen = (): boolean => paletteStore.getState().opened;
 
 /**
  * Opens the palette on Ctrl K, from the very beginning: what is pressed before the palette is there
@@ -9,6 +15,6 @@ export function listenForPalette(): void {
     const isOnly = (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && !event.repeat;
     if (!isOnly || event.key.toLowerCase() !== "k") return;
     event.preventDefault();
-    spotlight.toggle();
+    palette.toggle();
   });
 }
