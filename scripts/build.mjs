@@ -5,7 +5,7 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
 import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
-import { bundlePages, dropOrphans, minifyLoader } from "./lib/package-files.mjs";
+import { bundlePages, dropOrphans, minifyLoader, writeProjectSchema } from "./lib/package-files.mjs";
 import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
 import { jobs, main, must, say, UserError } from "./lib/run.mjs";
 import { which } from "./lib/tools.mjs";
@@ -31,6 +31,7 @@ export const steps = {
     if (isFresh(stamp, hash)) return;
     await must(bin("tsc"), ["-p", "wasm"], { quietOut: true });
     dropOrphans();
+    await writeProjectSchema();
     await bundlePages();
     markFresh(stamp, hash);
   },

@@ -1,5 +1,6 @@
 import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { pathToFileURL } from "node:url";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { inRoot } from "./paths.mjs";
 
@@ -12,6 +13,14 @@ export function dropOrphans() {
     const isOfNothing = /\.d\.ts\.map$/.test(name);
     if (stem !== undefined && (isOfNothing || !existsSync(inRoot("wasm", "src", `${stem}.ts`)))) rmSync(file);
   }
+}
+
+/** The schema of project files as JSON Schema (draft 2020-12), for editors and other programs. */
+export async function writeProjectSchema() {
+  const z = await import("zod/mini");
+  const { projectSchema } = await import(pathToFileURL(inRoot("wasm", "dist", "project-schema.js")).href);
+  const schema = z.toJSONSchema(projectSchema, { io: "input" });
+  writeFileSync(inRoot("wasm", "dist", "project.schema.json"), `${JSON.stringify(schema, undefined, 2)}\n`);
 }
 
 /** Minifies the engine's loader where Emscripten has left it, unless it is minified already. */

@@ -56,7 +56,7 @@ export function readPolyMesh(zip: Uint8Array): PolyMesh {
 export function polyMeshFaults(mesh: PolyMesh): string[] {
   const faults: string[] = [];
   const { points, faces, owner, neighbour, patches } = mesh;
-  const cellCount = Math.max(...owner, ...neighbour) + 1;
+  const cellCount = [...owner, ...neighbour].reduce((most, cell) => Math.max(most, cell), -1) + 1;
   if (owner.length !== faces.length) faults.push("not one owner per face");
   neighbour.forEach((other, f) => {
     if (!((owner[f] ?? 0) < other))

@@ -2,10 +2,10 @@
 import { numberIn, refuseOptions } from "./cli-input.js";
 import { say } from "./cli-messages.js";
 import { placeText, plural } from "./cli-tables.js";
-import { countOf, type FileGroup } from "./formats/file-mesh.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
-import { NO_ORIGIN, type RepairChange, type RepairOptions } from "./inspection.js";
+import type { RepairChange, RepairOptions } from "./inspection.js";
 import { checkRepairOptions } from "./options.js";
+import { repairedSurface } from "./repaired-surface.js";
 import type { Mesher } from "./types.js";
 
 /** As commander hands them over. */
@@ -39,18 +39,8 @@ export async function repaired(
   options: RepairOptions | undefined,
 ): Promise<RepairedSurface> {
   if (options === undefined) return { surface: given };
-  const { surface, origin, changes } = await mesher.repairSurface(given, options);
-  return { surface: { ...given, ...surface, ...patchesOf(given, origin) }, changes };
-}
-
-/** Triangles that fill holes are a patch of their own. */
-function patchesOf(given: SurfaceFile, origin: Uint32Array): Pick<SurfaceFile, "trianglePatch" | "patches"> {
-  const added = given.patches.length;
-  const trianglePatch = origin.map((from) => (from === NO_ORIGIN ? added : (given.trianglePatch[from] ?? 0)));
-  const lastTag = given.patches.reduce((most, { tag }) => Math.max(most, tag), 0);
-  const filled: FileGroup = { name: "filled holes", tag: lastTag + 1 };
-  const hasFilled = countOf(trianglePatch) > added;
-  return { trianglePatch, patches: hasFilled ? [...given.patches, filled] : given.patches };
+  const repair = await mesher.repairSurface(given, options);
+  return { surface: repairedSurface(given, repair), changes: repair.changes };
 }
 
 /** Of one kind no more than these; `--json` and `--report` have all. */

@@ -26,14 +26,7 @@ export {
   type NameSource,
   type NodeData,
 } from "./formats/file-mesh.js";
-export {
-  readMesh,
-  readSurface,
-  readVolume,
-  writeMesh,
-  type ReadFileOptions,
-  type ReadSurfaceOptions,
-} from "./formats/mesh-files.js";
+export { readMesh, readSurface, readVolume, writeMesh, type ReadFileOptions } from "./formats/mesh-files.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export { volumeBackground } from "./formats/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
@@ -54,7 +47,7 @@ export { createMesher, MesherError } from "./mesher.js";
 export type { MesherErrorCode } from "./mesher.js";
 export { parseProject, readProject, writeProject } from "./project.js";
 export { nameByPosition, projectNamer, type EntityNamer } from "./project-arrays.js";
-export { PROJECT_FORMAT, PROJECT_VERSION, projectJsonSchema, projectSchema } from "./project-schema.js";
+export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project-schema.js";
 export type {
   LineId,
   LineType,
@@ -73,6 +66,7 @@ export type {
   SourceType,
 } from "./project-schema.js";
 export type { ReadProblem, ReadResult } from "./read-result.js";
+export { repairedSurface } from "./repaired-surface.js";
 export type {
   AbortControl,
   BackgroundArrays,

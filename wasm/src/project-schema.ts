@@ -270,8 +270,3 @@ export type LineId = number;
 export type PatchId = number;
 /** The id of a source; positive, unique among sources. */
 export type SourceId = number;
-
-/** The schema as JSON Schema (draft 2020-12), for editors and other programs. */
-export function projectJsonSchema(): Record<string, unknown> {
-  return z.toJSONSchema(projectSchema, { io: "input" });
-}

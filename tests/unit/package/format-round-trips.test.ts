@@ -16,6 +16,7 @@ import { describe, expect, test } from "vitest";
 
 import { blockMesh, outerFaces, sixfoldVolume, taggedElements } from "../../support/block-mesh.js";
 import { polyMeshFaults, readPolyMesh } from "../../support/poly-mesh.js";
+import { sphereSurface } from "../../support/surfaces.js";
 
 const mesh = blockMesh();
 
@@ -282,6 +283,24 @@ describe("OpenFOAM", () => {
     const zoneFaces =
       zone?.faces.map((f) => [...(poly.faces[f] ?? [])].sort((a, b) => a - b).join(" ")) ?? [];
     expect(zoneFaces.sort()).toEqual(between.map((face) => [...face].sort((a, b) => a - b).join(" ")).sort());
+  });
+
+  test("finds the faces around a node that all elements share", async () => {
+    const sphere = sphereSurface(40);
+    const count = sphere.triangles.length / 3;
+    const star = {
+      ...mesh,
+      points: Float64Array.from([0, 0, 0, ...sphere.points]),
+      triangles: sphere.triangles.map((node) => node + 1),
+      trianglePatch: new Uint32Array(count),
+      tetrahedra: Uint32Array.from({ length: 4 * count }, (_, i) =>
+        i % 4 === 3 ? 0 : (sphere.triangles[3 * (i >> 2) + [0, 2, 1].indexOf(i % 4)] ?? 0) + 1,
+      ),
+      tetrahedronRegion: new Uint32Array(count),
+    };
+    const poly = readPolyMesh(await only("star.foam.zip", star));
+    expect(polyMeshFaults(poly)).toEqual([]);
+    expect([poly.neighbour.length, poly.faces.length]).toEqual([(3 * count) / 2, (5 * count) / 2]);
   });
 });
 

@@ -1,23 +1,26 @@
-/** Files that arrive piece by piece, welding within a tolerance, and decimals read without strings. */
+/** Files that arrive piece by piece, patches carried over a repair, and decimals read without strings. */
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { Worker } from "node:worker_threads";
 
 import {
+  createMesher,
   FILE_FORMATS,
   readMesh,
   readSurface,
+  repairedSurface,
   writeMesh,
   type FileMesh,
   type ReadResult,
   type SurfaceFile,
+  type SurfaceInput,
 } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
 import { randomSource } from "../../support/random.js";
 import { stlBinary, stlText } from "../../support/surface-files.js";
-import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
+import { boxSurface, sphereSurface } from "../../support/surfaces.js";
 
 const mesh = blockMesh();
 
@@ -143,75 +146,39 @@ describe("a source of bytes", () => {
   });
 });
 
-describe("welding within a tolerance", () => {
-  const read = async (surface: Parameters<typeof stlText>[0], weldTolerance?: number) =>
-    readSurface(stlText(surface), { fileName: "a.stl", weldTolerance });
-  /** Every corner of every triangle a little elsewhere, by less than `shift` per axis. */
-  const shaken = (surface: Parameters<typeof stlText>[0], shift: number) => {
-    const random = randomSource(7);
-    const corners = Array.from(surface.triangles, (node) => [
-      ...surface.points.subarray(3 * node, 3 * node + 3),
-    ]);
-    return {
-      points: Float64Array.from(corners.flat(), (value) => value + shift * (random() / 2 ** 31 - 1)),
-      triangles: Uint32Array.from(corners, (_, i) => i),
-    };
+/** Every corner of every triangle a little elsewhere, by less than `shift` per axis. */
+function torn(surface: SurfaceInput, shift: number): SurfaceInput {
+  const random = randomSource(7);
+  const corners = Array.from(surface.triangles, (node) => [
+    ...surface.points.subarray(3 * node, 3 * node + 3),
+  ]);
+  return {
+    points: Float64Array.from(corners.flat(), (value) => value + shift * (random() / 2 ** 31 - 1)),
+    triangles: Uint32Array.from(corners, (_, i) => i),
   };
+}
 
-  test("closes what rounding has torn, and tells how much", async () => {
-    const torn = shaken(sphereSurface(6), 1e-7);
-    expect(valueOf(await read(torn)).points.length / 3).toBe(torn.points.length / 3);
-    const closed = valueOf(await read(torn, 1e-6));
-    expect(closed.points.length).toBe(sphereSurface(6).points.length);
-    expect(closed.welded).toEqual({ points: (torn.points.length - closed.points.length) / 3, triangles: 0 });
-    const edges = new Map<string, number>();
-    closed.triangles.forEach((node, i) => {
-      const next = closed.triangles[i - (i % 3) + ((i + 1) % 3)] ?? 0;
-      const key = [node, next].sort((a, b) => a - b).join(" ");
-      edges.set(key, (edges.get(key) ?? 0) + 1);
-    });
-    expect(new Set(edges.values())).toEqual(new Set([2]));
-  });
-
-  test("moves no point by more than the tolerance, and leaves none that near another", async () => {
-    const cloud = shaken(boxSurface(8), 0.04);
-    const tolerance = 0.05;
-    const { points } = valueOf(await read(cloud, tolerance));
-    const at = (values: Float64Array, p: number) => [...values.subarray(3 * p, 3 * p + 3)];
-    const distance = (a: readonly number[], b: readonly number[]) =>
-      Math.hypot(...a.map((x, i) => x - (b[i] ?? 0)));
-    const kept = Array.from({ length: points.length / 3 }, (_, p) => at(points, p));
-    kept.forEach((place, p) => {
-      for (const other of kept.slice(p + 1)) expect(distance(place, other)).toBeGreaterThan(tolerance);
-    });
-    for (let p = 0; p < cloud.points.length / 3; p++) {
-      expect(Math.min(...kept.map((place) => distance(place, at(cloud.points, p))))).toBeLessThanOrEqual(
-        tolerance,
-      );
-    }
-  });
-
-  test("drops triangles that lose a corner, and no others", async () => {
-    const { points, triangles } = boxSurface(1);
-    const sliver = joined(
-      { points, triangles },
-      { points: Float64Array.of(5, 5, 5, 6, 5, 5, 5, 5 + 1e-9, 5), triangles: Uint32Array.of(0, 1, 2) },
-    );
-    const welded = valueOf(await read(sliver, 1e-6));
-    expect(welded.welded).toEqual({ points: 1, triangles: 1 });
-    expect(welded.triangles.length).toBe(triangles.length);
-    expect(welded.trianglePatch.length).toBe(triangles.length / 3);
-  });
-
-  test.each([[-1], [NaN], [Infinity]])("of %f is refused", async (tolerance) => {
-    const result = await read(boxSurface(1), tolerance);
-    expect(result.success ? "" : result.problems[0].message).toMatch(/weld tolerance/);
-  });
-
-  test("that is lost in rounding is refused", async () => {
-    const result = await read(boxSurface(1, [0, 0, 0], [1e9, 1, 1]), 1e-9);
-    expect(result.success ? "" : result.problems[0].message).toMatch(/lost in the rounding/);
-  });
+test("what rounding has torn is welded on wish, and keeps its patches", async () => {
+  const whole = sphereSurface(6);
+  const { points, triangles } = torn(whole, 1e-7);
+  const hole = 3 * 5;
+  const given = {
+    points,
+    triangles: Uint32Array.from([...triangles.subarray(0, hole), ...triangles.subarray(hole + 3)]),
+    trianglePatch: Uint32Array.from({ length: triangles.length / 3 - 1 }, (_, t) => t % 3),
+    patches: [4, 9, 2].map((tag) => ({ name: `patch ${tag}`, tag })),
+  };
+  const mesher = await createMesher();
+  try {
+    const repair = await mesher.repairSurface(given, { weld: 1e-6, fillHoles: 3, orient: false });
+    const { trianglePatch, patches, ...closed } = repairedSurface(given, repair);
+    expect((await mesher.inspectSurface(closed)).isFillable).toBe(true);
+    expect(closed.points.length).toBe(whole.points.length);
+    expect([...trianglePatch]).toEqual([...given.trianglePatch, 3]);
+    expect(patches).toEqual([...given.patches, { name: "filled holes", tag: 10 }]);
+  } finally {
+    mesher.dispose();
+  }
 });
 
 test("decimals of every length are read as JavaScript reads them, bit for bit", async () => {

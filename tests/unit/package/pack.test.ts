@@ -40,7 +40,7 @@ describe("the packed files", () => {
         : [name, `${name}.map`, name.replace(/\.js$/, ".d.ts")],
     );
     const others = ["LICENSE", "README.md", "package.json", "bin/tetrafront.mjs"];
-    const engine = ["dist/engine.mjs", "dist/engine.d.mts", "dist/engine.wasm"];
+    const engine = ["dist/project.schema.json", "dist/engine.mjs", "dist/engine.d.mts", "dist/engine.wasm"];
     expect(files.sort()).toEqual([...wanted, ...others, ...engine].sort());
   });
 

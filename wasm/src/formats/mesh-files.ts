@@ -19,27 +19,16 @@ export interface ReadFileOptions {
   readonly signal?: AbortSignal | undefined;
 }
 
-/** How a surface is read. */
-export interface ReadSurfaceOptions extends ReadFileOptions {
-  /**
-   * Points no further apart than this, in model units, become one, and triangles that lose a corner by it
-   * are dropped. Default 0: only points of equal coordinates become one, and no triangle is dropped.
-   */
-  readonly weldTolerance?: number | undefined;
-}
-
 /**
- * The triangles of a file, welded, with their patches; polygons are cut into triangles. A file that holds
- * tetrahedra only is refused: their outside is not taken silently.
+ * The triangles of a file with their patches; polygons are cut into triangles. Points of equal coordinates
+ * become one; `repairSurface` with `weld` joins points within a tolerance. A file that holds tetrahedra only
+ * is refused: their outside is not taken silently.
  *
  *     const read = await readSurface(file.stream(), { fileName: file.name });
  *     if (read.success) await mesher.fillSurface(read.value);
  */
-export function readSurface(
-  source: ByteSource,
-  options: ReadSurfaceOptions,
-): Promise<ReadResult<SurfaceFile>> {
-  return asResult(async () => surfaceOf(await readAny(source, options, ["surface"]), options.weldTolerance));
+export function readSurface(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<SurfaceFile>> {
+  return asResult(async () => surfaceOf(await readAny(source, options, ["surface"])));
 }
 
 /** The tetrahedra of a file with the nodes they use and the numbers at these. */

@@ -3,7 +3,6 @@ import { ReadFailure } from "../read-result.js";
 import type { SurfaceInput } from "../types.js";
 import { boundaryOf } from "./boundary.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { weldWithin } from "./weld-within.js";
 import { weldPoints } from "./weld.js";
 
 export interface SurfaceFile extends SurfaceInput {
@@ -11,28 +10,13 @@ export interface SurfaceFile extends SurfaceInput {
   readonly trianglePatch: Uint32Array;
   /** Tags, colours, solids or groups of the file; one patch where it tells none. */
   readonly patches: readonly FileGroup[];
-  /** What welding within a tolerance has changed beyond equal coordinates. */
-  readonly welded: {
-    /** Points that became another one. */
-    readonly points: number;
-    /** Triangles that lost a corner by it and were dropped. */
-    readonly triangles: number;
-  };
 }
 
 /** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
-export function surfaceOf(mesh: FileMesh, weldTolerance = 0): SurfaceFile {
-  if (!(Number.isFinite(weldTolerance) && weldTolerance >= 0)) {
-    throw new ReadFailure({
-      message: `the weld tolerance is ${weldTolerance}`,
-      remedy: "Give a finite length from 0, in model units.",
-    });
-  }
+export function surfaceOf(mesh: FileMesh): SurfaceFile {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const exact = { ...exactlyWelded(boundaryOf(mesh)), trianglePatch: mesh.trianglePatch };
-  const within =
-    weldTolerance > 0 ? weldWithin(exact, weldTolerance) : { ...exact, welded: { points: 0, triangles: 0 } };
-  return { ...within, patches: mesh.patches };
+  const { trianglePatch, patches } = mesh;
+  return { ...exactlyWelded(boundaryOf(mesh)), trianglePatch, patches };
 }
 
 function exactlyWelded({ points: given, triangles, isWelded }: FileMesh): SurfaceInput {

@@ -20,31 +20,32 @@ export interface TetFaces {
   readonly faceOfTriangle: Uint32Array;
 }
 
-/** O(n): faces are sorted into buckets by their lowest node, which few share. */
-export function tetFaces({ points, triangles, tetrahedra }: FileMesh): TetFaces {
+/** O(n) expected: faces are sorted into buckets by all their nodes, as many may share one or two. */
+export function tetFaces({ triangles, tetrahedra }: FileMesh): TetFaces {
   const faceCount = tetrahedra.length;
-  const heads = new Uint32Array(points.length / 3).fill(NONE);
+  let buckets = 16;
+  while (buckets < faceCount) buckets *= 2;
+  const heads = new Uint32Array(buckets).fill(NONE);
   const next = new Uint32Array(faceCount);
   const twin = new Uint32Array(faceCount).fill(NONE);
   for (let face = 0; face < faceCount; face++) {
-    const [low, middle, high] = sorted(cornersOf(tetrahedra, face));
-    let known = heads[low] ?? NONE;
-    while (known !== NONE && !isFace(known, middle, high)) known = next[known] ?? NONE;
+    const corners = sorted(cornersOf(tetrahedra, face));
+    const bucket = bucketOf(corners);
+    const known = firstIn(bucket, corners);
     if (known !== NONE && twin[known] === NONE) {
       twin[known] = face;
       twin[face] = known;
     } else {
-      next[face] = heads[low] ?? NONE;
-      heads[low] = face;
+      next[face] = heads[bucket] ?? NONE;
+      heads[bucket] = face;
     }
   }
   const triangle = new Uint32Array(faceCount).fill(NONE);
   const faceOfTriangle = new Uint32Array(triangles.length / 3).fill(NONE);
   faceOfTriangle.forEach((_, t) => {
     const corners = [triangles[3 * t] ?? 0, triangles[3 * t + 1] ?? 0, triangles[3 * t + 2] ?? 0] as const;
-    const [low, middle, high] = sorted(corners);
-    let found = heads[low] ?? NONE;
-    while (found !== NONE && !isFace(found, middle, high)) found = next[found] ?? NONE;
+    const wanted = sorted(corners);
+    const found = firstIn(bucketOf(wanted), wanted);
     if (found === NONE) return;
     const other = twin[found] ?? NONE;
     triangle[found] = t;
@@ -53,10 +54,23 @@ export function tetFaces({ points, triangles, tetrahedra }: FileMesh): TetFaces 
   });
   return { twin, triangle, faceOfTriangle };
 
-  /** Of two faces with the same lowest node: whether the others are the same too. */
-  function isFace(face: number, middle: number, high: number): boolean {
-    const [, m, h] = sorted(cornersOf(tetrahedra, face));
-    return m === middle && h === high;
+  function bucketOf([low, middle, high]: Triple): number {
+    let h = 0;
+    for (const node of [low, middle, high]) {
+      h = Math.imul(h ^ node, 0x9e3779b1);
+      h ^= h >>> 15;
+    }
+    return h & (buckets - 1);
+  }
+
+  /** The latest face of a bucket that has these corners, in ascending order. */
+  function firstIn(bucket: number, [low, middle, high]: Triple): number {
+    let face = heads[bucket] ?? NONE;
+    for (; face !== NONE; face = next[face] ?? NONE) {
+      const [l, m, h] = sorted(cornersOf(tetrahedra, face));
+      if (l === low && m === middle && h === high) break;
+    }
+    return face;
   }
 }
 

@@ -1,0 +1,23 @@
+/** The patches of a surface from a file, carried over its repair. */
+import { countOf, type FileGroup } from "./formats/file-mesh.js";
+import type { SurfaceFile } from "./formats/surface-file.js";
+import { NO_ORIGIN, type SurfaceRepair } from "./inspection.js";
+
+/**
+ * A repaired surface with the patches of the given one, triangle for triangle; triangles that fill holes are a
+ * patch of their own, "filled holes", the last one.
+ *
+ *     const repair = await mesher.repairSurface(file, { weld: 1e-6 });
+ *     const surface = repairedSurface(file, repair);
+ */
+export function repairedSurface(
+  given: SurfaceFile,
+  { surface, origin }: Pick<SurfaceRepair, "surface" | "origin">,
+): SurfaceFile {
+  const added = given.patches.length;
+  const trianglePatch = origin.map((from) => (from === NO_ORIGIN ? added : (given.trianglePatch[from] ?? 0)));
+  const lastTag = given.patches.reduce((most, { tag }) => Math.max(most, tag), 0);
+  const filled: FileGroup = { name: "filled holes", tag: lastTag + 1 };
+  const hasFilled = countOf(trianglePatch) > added;
+  return { ...surface, trianglePatch, patches: hasFilled ? [...given.patches, filled] : given.patches };
+}
