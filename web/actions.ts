@@ -7,6 +7,7 @@ import { download, fileStem, openProjectFile, readProjectFile, saveProjectFile }
 import type { OpenResult } from "./document/files";
 import { loadModel, type GalleryModel } from "./document/gallery";
 import type { Problem } from "./document/validate";
+import { writeMeshFiles } from "./mesh-writer";
 import { formatCount } from "./ui/format";
 import { strings } from "./ui/strings";
 
@@ -78,9 +79,8 @@ export async function downloadMesh(app: App, extension: string): Promise<void> {
   const { project } = app.documents;
   if (!mesh) return;
   try {
-    const { fileMeshOf, writeMesh } = await import("./mesh-writers");
-    const files = await writeMesh(fileMeshOf(mesh, { project }), `${fileStem(project.name)}.${extension}`);
-    for (const { fileName, bytes } of files) download([bytes], fileName, "application/octet-stream");
+    const files = await writeMeshFiles(mesh, project, `${fileStem(project.name)}.${extension}`);
+    for (const { fileName, content } of files) download([content], fileName, "application/octet-stream");
   } catch (error) {
     tell(app, strings.messages.downloadFailed, [String(error)]);
   }

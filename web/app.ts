@@ -10,6 +10,7 @@ import { ViewStore } from "./document/selection";
 import { createShell, type Shell } from "./document/shell";
 import { contentKey, DocumentStore } from "./document/store";
 import { strings } from "./ui/strings";
+import { MeshSurvey } from "./viewer/mesh-survey";
 import type { Viewer } from "./viewer/viewer";
 
 /** Everything the panels and commands work with. Made once, when the page has loaded. */
@@ -23,6 +24,8 @@ export interface App {
   readonly autosave: Autosave;
   readonly shell: Shell;
   readonly gallery: Gallery;
+  /** Looks through the mesh on show. */
+  readonly survey: MeshSurvey;
   /** The view, while there is one: no WebGL, no view. */
   readonly viewer: StoreApi<{ readonly viewer: Viewer | null }>;
   /** The file that Save writes to without asking. */
@@ -84,6 +87,7 @@ export async function createApp(still: boolean, model: string | null): Promise<A
     autosave,
     shell,
     gallery,
+    survey: new MeshSurvey(),
     viewer: createStore<{ readonly viewer: Viewer | null }>(() => ({ viewer: null })),
     file: { handle: null },
     still,

@@ -49,7 +49,13 @@ export class AppPage {
     await expect(this.viewport).toHaveAttribute("data-busy", "false");
     await expect(this.viewport).toHaveAttribute("data-stale", "false");
     await expect(this.viewport).toHaveAttribute("data-status", "done");
+    await this.drawn();
     return this.mesh();
+  }
+
+  /** Waits until the faces on show are those wanted; without a view there are none. */
+  async drawn(): Promise<void> {
+    await expect(this.viewport).not.toHaveAttribute("data-drawn", "false");
   }
 
   async mesh(): Promise<MeshState> {

@@ -84,9 +84,9 @@ function ElementCard({ tetrahedron }: { readonly tetrahedron: number }) {
         <dt>{strings.inspector.elementNodes}</dt>
         <dd>{nodes.join(", ")}</dd>
         <dt>{measureNames["radius-ratio"]}</dt>
-        <dd>{(qualityOf(volume, "radius-ratio")[tetrahedron] ?? 0).toFixed(3)}</dd>
+        <dd>{qualityOf(volume, "radius-ratio", tetrahedron).toFixed(3)}</dd>
         <dt>{measureNames.dihedral}</dt>
-        <dd>{formatAngle(qualityOf(volume, "dihedral")[tetrahedron] ?? 0)}</dd>
+        <dd>{formatAngle(qualityOf(volume, "dihedral", tetrahedron))}</dd>
       </dl>
     </>
   );

@@ -9,7 +9,7 @@ const aheadMs = 1500;
 export function fetchAhead(): () => void {
   const timer = setTimeout(() => {
     // What fails now is asked for again when it is wanted, and told then.
-    for (const part of [load(), import("../mesh-writers")]) part.catch(() => undefined);
+    load().catch(() => undefined);
   }, aheadMs);
   return () => clearTimeout(timer);
 }

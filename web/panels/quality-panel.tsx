@@ -1,15 +1,16 @@
 import { Button, CopyButton, Text, UnstyledButton } from "@mantine/core";
-import { useMemo } from "react";
-import { bestValue, placeOnScale, qualityHistogram, type QualityMeasure } from "../document/mesh-quality";
+import { bestValue, placeOnScale, type QualityMeasure } from "../document/mesh-quality";
 import { SectionTitle } from "../ui/field-row";
 import { formatAngle, formatCount, formatSeconds, formatShort } from "../ui/format";
 import { HistogramChart } from "../ui/histogram-chart";
 import { measureNames, strings } from "../ui/strings";
 import { viridisAt } from "../ui/viridis";
 import { useApp, useRun, useStale, useView } from "./app-context";
+import { useHistogram } from "./use-histogram";
 
 /** Bars of the histogram. */
 const barCount = 20;
+const emptyBars: readonly number[] = Array<number>(barCount).fill(0);
 const axisShares = [0, 0.25, 0.5, 0.75, 1];
 
 function valueText(measure: QualityMeasure, value: number): string {
@@ -23,11 +24,8 @@ export function QualityPanel() {
   const shading = useView((state) => state.shading);
   const stale = useStale();
   const measure = shading === "dihedral" ? "dihedral" : "radius-ratio";
-  const histogram = useMemo(
-    () => (mesh ? qualityHistogram(mesh.volume, measure, barCount) : null),
-    [mesh, measure],
-  );
-  if (!mesh || !histogram) {
+  const histogram = useHistogram(mesh, measure, barCount);
+  if (!mesh) {
     return (
       <>
         <SectionTitle>{strings.quality.title}</SectionTitle>
@@ -53,7 +51,7 @@ export function QualityPanel() {
             {measureNames[measure]}
           </Text>
           <HistogramChart
-            bars={histogram.bars}
+            bars={histogram?.bars ?? emptyBars}
             end={bestValue[measure]}
             marks={axisShares.map((share) => share * bestValue[measure])}
             testId="quality-histogram"
@@ -65,10 +63,10 @@ export function QualityPanel() {
           />
           <p className="tf-histogram-foot">
             <span>
-              {strings.quality.min} <b>{valueText(measure, histogram.min)}</b>
+              {strings.quality.min} <b>{histogram ? valueText(measure, histogram.min) : unmeasured}</b>
             </span>
             <span>
-              {strings.quality.mean} <b>{valueText(measure, histogram.mean)}</b>
+              {strings.quality.mean} <b>{histogram ? valueText(measure, histogram.mean) : unmeasured}</b>
             </span>
           </p>
         </>

@@ -73,6 +73,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         colors: firstColors.current,
         motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
         multisampling: !app.still,
+        survey: app.survey,
         events: {
           onPick: ({ entity, element }, mode) => {
             if (element === null) app.view.select(entity, mode);
@@ -85,6 +86,12 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
           onFrame: (frames) => {
             box.dataset["frames"] = String(frames);
           },
+          onFaces: (drawn, isCurrent) => {
+            box.dataset["faces"] = String(drawn);
+            box.dataset["drawn"] = String(isCurrent);
+          },
+          onFailure: (reason) =>
+            app.shell.setState({ message: { title: strings.messages.notDrawn, lines: [reason] } }),
           onContextLost: () => setTrouble("context-lost"),
           onContextRestored: () => setTrouble(null),
         },
@@ -178,7 +185,6 @@ function ViewState({ container }: { readonly container: React.RefObject<HTMLDivE
   const mesh = useRun((state) => state.mesh);
   const busy = useRun((state) => state.busy);
   const front = useRun((state) => state.progress?.frontFaces ?? (state.mesh?.volume.front.length ?? 0) / 3);
-  const cut = useView((state) => state.cut);
   const app = useApp();
   const stale = useStale();
   const pending = useStore(app.autosave.state, (state) => state.pending);
@@ -192,7 +198,6 @@ function ViewState({ container }: { readonly container: React.RefObject<HTMLDivE
     data["stale"] = String(stale);
     data["busy"] = String(busy);
     data["autosaved"] = String(!pending);
-    data["faces"] = String(app.viewer.getState().viewer?.counts.drawnFaces ?? 0);
-  }, [container, mesh, front, stale, busy, pending, cut, app]);
+  }, [container, mesh, front, stale, busy, pending]);
   return null;
 }

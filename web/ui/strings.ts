@@ -405,6 +405,7 @@ export const strings = {
     saveFailed: "The project could not be saved",
     galleryFailed: "The examples could not be loaded",
     engineFailed: "The mesher failed",
+    notDrawn: "The mesh could not be drawn",
     partFailed:
       "This part of the app could not be loaded. Your model is safe; reload when there is a network.",
     reload: "Reload",

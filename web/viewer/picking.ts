@@ -1,12 +1,11 @@
 import type { Project, ProjectPreview } from "tetrafront";
-import { DoubleSide, Raycaster, Vector2, Vector3, type Camera } from "three";
-import type { MeshBVH } from "three-mesh-bvh";
+import { DoubleSide, FrontSide, Raycaster, Vector2, Vector3, type Camera } from "three";
 import { entityKey, type Entity } from "../document/entities";
 import type { ViewState } from "../document/selection";
 import type { Place } from "./layers/layer";
 import type { MeshLayer } from "./layers/mesh-layer";
 import type { PatchesLayer } from "./layers/patches-layer";
-import { createSearchTree } from "./search-tree";
+import { nearestHit, type RayHit } from "./ray-hit";
 
 /** What lies under the pointer: something drawn, or a tetrahedron on a cut. */
 export interface Pick {
@@ -39,17 +38,11 @@ export class Picker {
   readonly #patchesLayer: PatchesLayer;
   readonly #raycaster = new Raycaster();
   readonly #scratch = new Vector3();
-  #meshTree: MeshBVH | null = null;
 
   constructor(camera: Camera, meshLayer: MeshLayer, patchesLayer: PatchesLayer) {
     this.#camera = camera;
     this.#meshLayer = meshLayer;
     this.#patchesLayer = patchesLayer;
-  }
-
-  /** To be called when the drawn faces of the mesh have changed. */
-  forgetMesh(): void {
-    this.#meshTree = null;
   }
 
   /** `at` and `size` in CSS pixels of the canvas. */
@@ -75,14 +68,9 @@ export class Picker {
     return { x: ((this.#scratch.x + 1) / 2) * size.x, y: ((1 - this.#scratch.y) / 2) * size.y, distance };
   }
 
-  #surfaceHit(view: ViewState): { triangle: number; distance: number } | null {
-    const { geometry } = this.#meshLayer.drawn;
-    const { count } = geometry.drawRange;
-    // An empty geometry has an infinite range.
-    if (!view.layers.mesh || count === 0 || !Number.isFinite(count)) return null;
-    this.#meshTree ??= createSearchTree(geometry, { indirect: true, range: geometry.drawRange });
-    const hit = this.#meshTree?.raycastFirst(this.#raycaster.ray);
-    return hit && hit.faceIndex != null ? { triangle: hit.faceIndex, distance: hit.distance } : null;
+  #surfaceHit(view: ViewState): RayHit | null {
+    const geometry = view.layers.mesh ? this.#meshLayer.geometry : null;
+    return geometry && nearestHit(this.#raycaster.ray, geometry, FrontSide);
   }
 
   #surfacePick(triangle: number, scene: PickScene): Pick {
@@ -95,9 +83,9 @@ export class Picker {
   }
 
   #patchPick({ previewProject, view }: PickScene): Pick {
-    if (!view.layers.patches) return nothing;
-    const hit = this.#patchesLayer.searchTree?.raycastFirst(this.#raycaster.ray, DoubleSide);
-    const position = hit?.faceIndex == null ? null : this.#patchesLayer.patchOf(hit.faceIndex);
+    const geometry = view.layers.patches ? this.#patchesLayer.geometry : null;
+    const hit = geometry && nearestHit(this.#raycaster.ray, geometry, DoubleSide);
+    const position = hit && this.#patchesLayer.patchOf(hit.triangle);
     const patch = position === null ? undefined : previewProject?.patches[position];
     return patch ? { entity: { kind: "patch", id: patch.id }, element: null } : nothing;
   }

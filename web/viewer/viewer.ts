@@ -15,9 +15,9 @@ import { MarksLayer } from "./layers/marks-layer";
 import { MeshLayer } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
 import { SourcesLayer } from "./layers/sources-layer";
-import { PatchFinder } from "./patch-finder";
+import type { MeshSurvey } from "./mesh-survey";
+import { patchOfFace } from "./patch-finder";
 import { Picker, type Pick } from "./picking";
-import { loadSearchTrees } from "./search-tree";
 import { elementCorners, triangleCorners } from "./marked-corners";
 import { watchPointer } from "./pointer";
 import type { ViewCube } from "./view-cube";
@@ -27,6 +27,9 @@ export interface ViewerEvents {
   readonly onPick: (pick: Pick, mode: SelectMode) => void;
   readonly onHover: (entity: Entity | null, at: { x: number; y: number } | null) => void;
   readonly onFrame: (frames: number) => void;
+  /** So many faces of the mesh are drawn; `isCurrent` if no others are wanted. */
+  readonly onFaces: (drawn: number, isCurrent: boolean) => void;
+  readonly onFailure: (reason: string) => void;
   readonly onContextLost: () => void;
   readonly onContextRestored: () => void;
 }
@@ -36,6 +39,7 @@ export interface ViewerOptions {
   /** Without it the camera jumps where it would glide. */
   readonly motion: boolean;
   readonly multisampling: boolean;
+  readonly survey: MeshSurvey;
   readonly events: ViewerEvents;
 }
 
@@ -62,7 +66,7 @@ export class Viewer {
   #cube: ViewCube | null = null;
   #colors: ViewerColors;
   #disposed = false;
-  readonly #mesh = new MeshLayer();
+  readonly #mesh: MeshLayer;
   readonly #marks = new MarksLayer();
   readonly #patches = new PatchesLayer();
   readonly #lines = new LinesLayer();
@@ -86,7 +90,6 @@ export class Viewer {
   #previewProject: Project | null = null;
   #result: MeshResult | null = null;
   #checked: SurfaceMesh | null = null;
-  #patchFinder: PatchFinder | null = null;
   #state: ViewState | null = null;
 
   constructor(container: HTMLElement, canvas: HTMLCanvasElement, options: ViewerOptions) {
@@ -97,6 +100,10 @@ export class Viewer {
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, maxPixelRatio));
     this.#renderer.setClearColor(0x000000, 0);
     this.#view = new ViewCamera(canvas, options.motion);
+    this.#mesh = new MeshLayer(options.survey, {
+      onChange: () => this.#meshChanged(),
+      onFailure: options.events.onFailure,
+    });
     this.#picker = new Picker(this.#view.camera, this.#mesh, this.#patches);
     for (const layer of this.#layers) this.#scene.add(layer.root);
     this.#view.controls.addEventListener("control", () => this.#requestFrame());
@@ -112,7 +119,6 @@ export class Viewer {
     this.#observer.observe(container);
     this.#resize();
     void this.#loadCube();
-    void loadSearchTrees();
   }
 
   setColors(colors: ViewerColors): void {
@@ -157,8 +163,6 @@ export class Viewer {
   setMesh(result: MeshResult | null): void {
     this.#result = result;
     this.#mesh.setMesh(result, this.#origin);
-    this.#patchFinder = null;
-    this.#picker.forgetMesh();
     this.#updateMarkings();
     this.#updateMarks();
     this.#requestFrame();
@@ -186,10 +190,7 @@ export class Viewer {
     this.#grid.root.visible = state.layers.background;
     this.#sources.root.visible = state.layers.sources;
     this.#mesh.setShading(state.shading, state.edges);
-    if (state.cut !== before?.cut) {
-      this.#mesh.setCut(state.cut);
-      this.#picker.forgetMesh();
-    }
+    this.#mesh.setCut(state.cut);
     if (state.element !== before?.element || state.triangles !== before.triangles) this.#updateMarks();
     const marked =
       state.selection !== before?.selection ||
@@ -260,10 +261,6 @@ export class Viewer {
     return () => this.#drawnListeners.delete(listener);
   }
 
-  get counts(): { readonly tetrahedra: number; readonly drawnFaces: number } {
-    return this.#mesh.counts;
-  }
-
   dispose(): void {
     cancelAnimationFrame(this.#frameRequest);
     this.#observer.disconnect();
@@ -310,7 +307,6 @@ export class Viewer {
     this.#patches.setPreview(this.#preview, this.#origin);
     this.#mesh.setMesh(this.#result, this.#origin);
     this.#updateMarks();
-    this.#picker.forgetMesh();
     this.#ground.setExtent(bounds.radius, bounds.low[2] - bounds.centre[2] - bounds.radius * 0.04);
   }
 
@@ -358,7 +354,7 @@ export class Viewer {
       list?.[position]?.id ?? 0;
     this.#lines.update((position) => markingOf("line", idAt(drawn?.lines, position)));
     this.#patches.update((position) => markingOf("patch", idAt(drawn?.patches, position)));
-    this.#patches.setOverMesh(state.layers.mesh && this.counts.tetrahedra > 0);
+    this.#patches.setOverMesh(state.layers.mesh && this.#mesh.counts.tetrahedra > 0);
   }
 
   #markedCorners({ element, triangles }: Marked): number[] {
@@ -384,11 +380,7 @@ export class Viewer {
       previewProject: this.#previewProject,
       view: this.#state,
       origin: this.#origin,
-      patchOfFace: (nodes) => {
-        if (!this.#result) return null;
-        this.#patchFinder ??= new PatchFinder(this.#result.surface);
-        return this.#patchFinder.find(nodes);
-      },
+      patchOfFace: (nodes) => this.#result && patchOfFace(this.#result.surface, nodes),
     });
   }
 
@@ -424,8 +416,14 @@ export class Viewer {
     this.#draw();
   }
 
+  #meshChanged(): void {
+    this.#options.events.onFaces(this.#mesh.counts.drawnFaces, this.#mesh.isCurrent);
+    this.#requestFrame();
+  }
+
   #requestFrame(): void {
-    if (this.#frameRequest === 0) this.#frameRequest = requestAnimationFrame(() => this.#draw());
+    if (!this.#disposed && this.#frameRequest === 0)
+      this.#frameRequest = requestAnimationFrame(() => this.#draw());
   }
 
   #draw(): void {

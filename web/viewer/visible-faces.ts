@@ -1,4 +1,4 @@
-import type { VolumeMesh } from "tetrafront";
+import type { Elements } from "../document/mesh-quality";
 import type { Cut } from "../document/selection";
 import { faceNodes, outside } from "./topology";
 
@@ -17,7 +17,7 @@ export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [
 }
 
 /** Coordinate of each tetrahedron's centroid along one axis. */
-export function centroidsAlong({ points, tetrahedra }: VolumeMesh, axis: Cut["axis"]): Float32Array {
+export function centroidsAlong({ points, tetrahedra }: Elements, axis: Cut["axis"]): Float32Array {
   const k = axisIndex[axis];
   const centroids = new Float32Array(tetrahedra.length / 4);
   for (let t = 0; t < centroids.length; ++t) {
@@ -55,7 +55,7 @@ export function collectVisibleFaces(
 
 /** Fills three corners per face, relative to `origin`, x y z each. */
 export function writeCorners(
-  { points, tetrahedra }: VolumeMesh,
+  { points, tetrahedra }: Elements,
   faces: Uint32Array,
   count: number,
   origin: readonly [number, number, number],

@@ -1,44 +1,58 @@
 import type { MeshResult, VolumeMesh } from "tetrafront";
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  DynamicDrawUsage,
-  Group,
-  Mesh,
-  type DataTexture,
-} from "three";
-import { placeOnScale, qualityOf } from "../../document/mesh-quality";
-import type { Cut, CutAxis, Shading } from "../../document/selection";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type DataTexture } from "three";
+import type { Cut, Shading } from "../../document/selection";
 import type { ViewerColors } from "../colors";
 import { createFacetMaterial, createMeshMaterial, rampTexture, setColor, setNumber } from "../materials";
-import { faceNodes, findNeighbours } from "../topology";
-import { centroidsAlong, collectVisibleFaces, extentAlong, writeCorners } from "../visible-faces";
+import type { MeshSurvey } from "../mesh-survey";
+import type { DrawnFaces } from "../survey";
+import { faceNodes } from "../topology";
 import type { Place, SceneLayer } from "./layer";
 
 /** How far an out-of-date mesh fades towards the background. */
 const staleFading = 0.62;
 
-/** The tetrahedra: the boundary, or what a cut leaves of it, and the front of an incomplete mesh. */
+export interface MeshLayerEvents {
+  /** Other faces are drawn now, or others are wanted than are drawn. */
+  readonly onChange: () => void;
+  /** The faces could not be found. */
+  readonly onFailure: (reason: string) => void;
+}
+
+/** What is to be drawn. Equal by identity. */
+interface Wanted {
+  readonly volume: VolumeMesh | null;
+  readonly origin: Place;
+  readonly cut: Cut | null;
+  readonly shading: Shading;
+}
+
+/** What is drawn: of the mesh and in the way that were wanted when it was asked for. */
+interface Drawn {
+  readonly wanted: Wanted;
+  readonly faces: DrawnFaces | null;
+}
+
+/**
+ * The tetrahedra: the boundary, or what a cut leaves of it, and the front of an incomplete mesh. Which faces
+ * these are, a survey finds; until it answers those found last are drawn, and of all that is wanted meanwhile
+ * only the last is asked for.
+ */
 export class MeshLayer implements SceneLayer {
   readonly root = new Group();
+  readonly #survey: MeshSurvey;
+  readonly #events: MeshLayerEvents;
   readonly #material = createMeshMaterial();
   readonly #frontMaterial = createFacetMaterial({ opacity: 1, depthWrite: true });
   readonly #mesh = new Mesh(new BufferGeometry(), this.#material);
   readonly #front = new Mesh(new BufferGeometry(), this.#frontMaterial);
   #ramp: DataTexture | null = null;
-  #volume: VolumeMesh | null = null;
-  #neighbours: Int32Array = new Int32Array();
-  #origin: Place = [0, 0, 0];
-  #faces = new Uint32Array();
-  #faceCount = 0;
-  #outdated = false;
-  #cut: Cut | null = null;
-  #shading: Shading = "radius-ratio";
-  readonly #centroids = new Map<CutAxis, Float32Array>();
-  readonly #extents = new Map<CutAxis, readonly [number, number]>();
+  #wanted: Wanted = { volume: null, origin: [0, 0, 0], cut: null, shading: "radius-ratio" };
+  #drawn: Drawn = { wanted: this.#wanted, faces: null };
+  #asking = false;
 
-  constructor() {
+  constructor(survey: MeshSurvey, events: MeshLayerEvents) {
+    this.#survey = survey;
+    this.#events = events;
     this.root.add(this.#mesh, this.#front);
     for (const mesh of [this.#mesh, this.#front]) mesh.frustumCulled = false;
   }
@@ -54,63 +68,61 @@ export class MeshLayer implements SceneLayer {
     setColor(this.#frontMaterial, "color", colors.front);
   }
 
-  /** Shows another mesh, or none. Finding the neighbours costs about 50 ms per 100 000 tetrahedra. */
+  /** Shows another mesh, or none. */
   setMesh(result: MeshResult | null, origin: Place): void {
-    this.#volume = result?.volume ?? null;
-    this.#origin = origin;
-    this.#centroids.clear();
-    this.#extents.clear();
-    this.#neighbours = this.#volume ? findNeighbours(this.#volume.tetrahedra) : new Int32Array();
-    // A sheet is drawn once per side, so every face may become visible.
-    this.#faces = new Uint32Array(this.#neighbours.length);
-    this.#outdated = true;
-    this.#showFront(result);
+    this.#want({ volume: result?.volume ?? null, origin });
+    this.#showFront(result, origin);
   }
 
   setCut(cut: Cut): void {
-    this.#cut = cut;
-    this.#outdated = true;
+    const wanted = cut.enabled ? cut : null;
+    if (wanted !== this.#wanted.cut) this.#want({ cut: wanted });
   }
 
-  /** Brings the drawn faces up to date: once per frame, however often the cut has moved. */
+  /** Asks for the faces that are wanted: once per frame, however often the cut has moved. */
   refresh(): void {
-    if (!this.#outdated) return;
-    this.#outdated = false;
-    this.#rebuild();
+    if (!this.isCurrent && !this.#asking) void this.#update();
+  }
+
+  /** Is what is drawn what is wanted? */
+  get isCurrent(): boolean {
+    return this.#drawn.wanted === this.#wanted;
   }
 
   setShading(shading: Shading, edges: boolean): void {
     setNumber(this.#material, "edges", edges ? 1 : 0);
-    setNumber(this.#material, "shaded", shading === "plain" ? 0 : 1);
-    if (shading === this.#shading) return;
-    this.#shading = shading;
-    this.#outdated = true;
+    if (shading !== this.#wanted.shading) this.#want({ shading });
   }
 
   setStale(stale: boolean): void {
     setNumber(this.#material, "fading", stale ? staleFading : 0);
   }
 
-  /** Number of tetrahedra in the mesh, and of faces drawn of them. */
+  /** Number of tetrahedra in the mesh, and of faces drawn. */
   get counts(): { readonly tetrahedra: number; readonly drawnFaces: number } {
-    this.refresh();
-    return { tetrahedra: (this.#volume?.tetrahedra.length ?? 0) / 4, drawnFaces: this.#faceCount };
+    return {
+      tetrahedra: (this.#wanted.volume?.tetrahedra.length ?? 0) / 4,
+      drawnFaces: this.#drawn.faces?.faces.length ?? 0,
+    };
   }
 
-  get drawn(): Mesh {
-    this.refresh();
-    return this.#mesh;
+  /** The triangles drawn; null without any, and while they are of another mesh than the one wanted. */
+  get geometry(): BufferGeometry | null {
+    const { wanted, faces } = this.#drawn;
+    const isOfMesh = wanted.volume === this.#wanted.volume && wanted.origin === this.#wanted.origin;
+    return isOfMesh && faces && faces.faces.length > 0 ? this.#mesh.geometry : null;
   }
 
   /** The tetrahedron, its face and whether the face is the mesh's boundary, of a drawn triangle. */
   faceAt(triangle: number): { tetrahedron: number; nodes: number[]; onBoundary: boolean } | null {
-    if (!this.#volume || triangle >= this.#faceCount) return null;
-    const face = this.#faces[triangle] ?? 0;
+    const { wanted, faces } = this.#drawn;
+    const face = faces?.faces[triangle];
+    if (face === undefined) return null;
     const local = 3 * (face & 3);
     const nodes = [0, 1, 2].map(
-      (k) => this.#volume?.tetrahedra[(face & ~3) + (faceNodes[local + k] ?? 0)] ?? 0,
+      (k) => wanted.volume?.tetrahedra[(face & ~3) + (faceNodes[local + k] ?? 0)] ?? 0,
     );
-    return { tetrahedron: face >> 2, nodes, onBoundary: (this.#neighbours[face] ?? -1) < 0 };
+    return { tetrahedron: face >> 2, nodes, onBoundary: faces?.onBoundary[triangle] === 1 };
   }
 
   dispose(): void {
@@ -121,72 +133,55 @@ export class MeshLayer implements SceneLayer {
     this.#ramp?.dispose();
   }
 
-  #limit(cut: Cut): number {
-    const points = this.#volume?.points ?? new Float64Array();
-    const [low, high] = this.#extents.get(cut.axis) ?? extentAlong(points, cut.axis);
-    this.#extents.set(cut.axis, [low, high]);
-    return low + cut.position * (high - low);
+  #want(change: Partial<Wanted>): void {
+    this.#wanted = { ...this.#wanted, ...change };
+    if (this.#wanted.volume === null) {
+      this.#survey.release();
+      this.#show({ wanted: this.#wanted, faces: null });
+    }
+    this.#place();
+    this.#events.onChange();
   }
 
-  #rebuild(): void {
-    const volume = this.#volume;
-    if (!volume) {
-      this.#faceCount = 0;
-      this.#mesh.geometry.setDrawRange(0, 0);
-      return;
-    }
-    const cut = this.#cut?.enabled ? this.#cut : null;
-    let centroids: Float32Array | null = null;
-    if (cut) {
-      centroids = this.#centroids.get(cut.axis) ?? centroidsAlong(volume, cut.axis);
-      this.#centroids.set(cut.axis, centroids);
-    }
-    this.#faceCount = collectVisibleFaces(
-      this.#neighbours,
-      centroids,
-      cut ? this.#limit(cut) : 0,
-      cut?.flipped ?? false,
-      this.#faces,
-    );
-    this.#upload(volume);
-  }
-
-  /** Reuses the buffers while they are large enough: dragging the cut allocates nothing. */
-  #upload(volume: VolumeMesh): void {
-    const needed = 3 * this.#faceCount;
-    let position = this.#mesh.geometry.getAttribute("position") as BufferAttribute | undefined;
-    let value = this.#mesh.geometry.getAttribute("value") as BufferAttribute | undefined;
-    if (!position || !value || position.count < needed) {
-      const roomy = Math.ceil(needed * 1.25);
-      position = new BufferAttribute(new Float32Array(3 * roomy), 3).setUsage(DynamicDrawUsage);
-      value = new BufferAttribute(new Float32Array(roomy), 1).setUsage(DynamicDrawUsage);
-      this.#mesh.geometry.dispose();
-      this.#mesh.geometry = new BufferGeometry();
-      this.#mesh.geometry.setAttribute("position", position).setAttribute("value", value);
-    }
-    writeCorners(volume, this.#faces, this.#faceCount, this.#origin, position.array as Float32Array);
-    this.#writeValues(volume, value.array as Float32Array);
-    for (const [attribute, size] of [
-      [position, 3],
-      [value, 1],
-    ] as const) {
-      attribute.clearUpdateRanges();
-      attribute.addUpdateRange(0, size * needed);
-      attribute.needsUpdate = true;
-    }
-    this.#mesh.geometry.setDrawRange(0, needed);
-  }
-
-  #writeValues(volume: VolumeMesh, values: Float32Array): void {
-    if (this.#shading === "plain") return;
-    const quality = qualityOf(volume, this.#shading);
-    for (let i = 0; i < this.#faceCount; ++i) {
-      const value = quality[(this.#faces[i] ?? 0) >> 2] ?? 0;
-      values.fill(placeOnScale(value, this.#shading), 3 * i, 3 * i + 3);
+  /** Asks until the last answer is what is wanted by then. */
+  async #update(): Promise<void> {
+    this.#asking = true;
+    try {
+      while (!this.isCurrent) {
+        const wanted = this.#wanted;
+        const { volume, origin, cut, shading } = wanted;
+        if (!volume) break;
+        const faces = await this.#survey.facesOf(volume, { origin, cut, shading });
+        if (volume === this.#wanted.volume) this.#show({ wanted, faces });
+      }
+    } catch (failure) {
+      this.#show({ wanted: this.#wanted, faces: null });
+      this.#events.onFailure(failure instanceof Error ? failure.message : String(failure));
+    } finally {
+      this.#asking = false;
     }
   }
 
-  #showFront(result: MeshResult | null): void {
+  #show(drawn: Drawn): void {
+    this.#drawn = drawn;
+    const { corners, values } = drawn.faces ?? { corners: new Float32Array(), values: new Float32Array() };
+    setNumber(this.#material, "shaded", values.length > 0 ? 1 : 0);
+    this.#mesh.geometry.dispose();
+    this.#mesh.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
+    if (values.length > 0) this.#mesh.geometry.setAttribute("value", new BufferAttribute(values, 1));
+    this.#mesh.visible = corners.length > 0;
+    this.#place();
+    this.#events.onChange();
+  }
+
+  /** What is drawn stays where it is when the origin moves. */
+  #place(): void {
+    const { origin } = this.#drawn.wanted;
+    const [x, y, z] = this.#wanted.origin;
+    this.#mesh.position.set(origin[0] - x, origin[1] - y, origin[2] - z);
+  }
+
+  #showFront(result: MeshResult | null, origin: Place): void {
     const incomplete = result !== null && result.report.status !== "done";
     const hasElements = (result?.volume.tetrahedra.length ?? 0) > 0;
     const triangles = incomplete ? (hasElements ? result.volume.front : result.surface.triangles) : [];
@@ -194,7 +189,7 @@ export class MeshLayer implements SceneLayer {
     const corners = new Float32Array(3 * triangles.length);
     for (let i = 0; points && i < triangles.length; ++i) {
       const at = 3 * (triangles[i] ?? 0);
-      for (let k = 0; k < 3; ++k) corners[3 * i + k] = (points[at + k] ?? 0) - (this.#origin[k] ?? 0);
+      for (let k = 0; k < 3; ++k) corners[3 * i + k] = (points[at + k] ?? 0) - (origin[k] ?? 0);
     }
     this.#frontMaterial.side = DoubleSide;
     this.#front.geometry.dispose();

@@ -1,9 +1,7 @@
 import type { ProjectPreview } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, Mesh } from "three";
-import type { MeshBVH } from "three-mesh-bvh";
 import type { ViewerColors } from "../colors";
 import { createFacetMaterial, setColor, setNumber } from "../materials";
-import { createSearchTree } from "../search-tree";
 import type { Place, SceneLayer } from "./layer";
 
 type Marking = "normal" | "hover" | "selected";
@@ -24,7 +22,6 @@ export class PatchesLayer implements SceneLayer {
   );
   #position = new BufferAttribute(new Float32Array(), 3);
   #preview: ProjectPreview | null = null;
-  #bvh: MeshBVH | null = null;
   #drawnPatches: number[] = [];
 
   constructor() {
@@ -83,15 +80,11 @@ export class PatchesLayer implements SceneLayer {
     }
     this.#through.geometry = this.#meshes.selected.geometry;
     this.#through.visible = this.#meshes.selected.visible;
-    this.#bvh = null;
   }
 
-  /** For picking: a search tree over all drawn patches, made when first asked for. */
-  get searchTree(): MeshBVH | null {
-    if (this.#drawnPatches.length === 0) return null;
-    // `indirect` leaves the index alone, so that a triangle's number still tells its patch.
-    this.#bvh ??= createSearchTree(this.#meshes.normal.geometry, { indirect: true });
-    return this.#bvh;
+  /** For picking: the triangles of all patches drawn; null without any. */
+  get geometry(): BufferGeometry | null {
+    return this.#drawnPatches.length > 0 ? this.#meshes.normal.geometry : null;
   }
 
   /** The position of the patch that a drawn triangle belongs to. */

@@ -1,0 +1,49 @@
+import { expect, test, type Route } from "@playwright/test";
+import { AppPage } from "./app-page";
+
+/** What takes long for large meshes is done by workers; here one of them is late, or does not come at all. */
+const surveyScript = /survey-worker-.*\.js$/;
+
+test("while the faces of the mesh are still being found, the page goes on, and shows the last cut then", async ({
+  page,
+}) => {
+  const held: Route[] = [];
+  await page.route(surveyScript, (route) => void held.push(route));
+  const app = new AppPage(page);
+  await page.goto("./?test=1&model=unit-cube");
+  await expect(app.viewport).toHaveAttribute("data-status", "done");
+  await expect(app.viewport).toHaveAttribute("data-drawn", "false");
+  await expect(app.viewport).toHaveAttribute("data-faces", "0");
+  // The figures of the report are there, those that need a look at every element are not yet.
+  await expect(page.getByTestId("count-tetrahedra")).toContainText(/[1-9]/);
+  await expect(page.locator(".tf-histogram-foot")).toContainText("min –");
+  await page.keyboard.press("x");
+  await page.keyboard.press("z");
+  await page.getByTestId("cut-flip").click();
+  await page.getByRole("tab", { name: "Display" }).click();
+  await expect(page.getByRole("switch", { name: "Mesh", exact: true })).toBeChecked();
+
+  for (const route of held) await route.continue();
+  await app.drawn();
+  const cut = Number(await app.viewport.getAttribute("data-faces"));
+  expect(cut).toBeGreaterThan(0);
+  await page.getByTestId("cut-flip").click();
+  await app.drawn();
+  await page.getByTestId("cut-flip").click();
+  await app.drawn();
+  expect(Number(await app.viewport.getAttribute("data-faces"))).toBe(cut);
+  await page.getByRole("tab", { name: "Inspector" }).click();
+  await expect(page.locator(".tf-histogram-foot")).toContainText(/min 0\.\d/);
+});
+
+test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page }) => {
+  await page.route(surveyScript, (route) => route.abort());
+  const app = new AppPage(page);
+  const { tets } = await app.openCube();
+  expect(tets).toBeGreaterThan(0);
+  const dialog = page.getByRole("dialog", { name: "The mesh could not be drawn" });
+  await expect(dialog).toBeVisible();
+  await dialog.getByRole("button", { name: "Close" }).last().click();
+  await expect(app.viewport).toHaveAttribute("data-faces", "0");
+  await expect(page.getByTestId("download")).toBeEnabled();
+});

@@ -1,0 +1,29 @@
+import type { VolumeMesh } from "tetrafront";
+
+/** The six tetrahedra around the diagonal of each cell of a grid, all of positive volume. */
+export function gridMesh(n: number): VolumeMesh {
+  const at = (x: number, y: number, z: number) => x + (n + 1) * (y + (n + 1) * z);
+  const points: number[] = [];
+  const tetrahedra: number[] = [];
+  for (let z = 0; z <= n; ++z) for (let y = 0; y <= n; ++y) for (let x = 0; x <= n; ++x) points.push(x, y, z);
+  const walks = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [1, 0, 2], [0, 2, 1], [2, 1, 0]] as const; // prettier-ignore
+  for (let cell = 0; cell < n ** 3; ++cell) {
+    const place = [cell % n, Math.floor(cell / n) % n, Math.floor(cell / n ** 2)] as [number, number, number];
+    walks.forEach((walk, i) => {
+      const nodes = [at(...place)];
+      const step = [...place] as [number, number, number];
+      for (const axis of walk) {
+        step[axis] += 1;
+        nodes.push(at(...step));
+      }
+      const [a = 0, b = 0, c = 0, d = 0] = nodes;
+      tetrahedra.push(...(i < 3 ? [a, b, c, d] : [a, c, b, d]));
+    });
+  }
+  return {
+    points: Float64Array.from(points),
+    tetrahedra: Uint32Array.from(tetrahedra),
+    regions: new Uint32Array(tetrahedra.length / 4),
+    front: new Uint32Array(),
+  };
+}

@@ -1,2 +1,0 @@
-/** Loaded when a mesh is first saved. */
-export { fileMeshOf, writeMesh } from "tetrafront";

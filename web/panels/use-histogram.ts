@@ -1,0 +1,31 @@
+import { useEffect, useState } from "react";
+import type { MeshResult } from "tetrafront";
+import type { Histogram, QualityMeasure } from "../document/mesh-quality";
+import { useApp } from "./app-context";
+
+interface Known {
+  readonly mesh: MeshResult;
+  readonly measure: QualityMeasure;
+  readonly histogram: Histogram;
+}
+
+/** How the elements of a mesh are spread over a measure; null without a mesh and until it is known. */
+export function useHistogram(
+  mesh: MeshResult | null,
+  measure: QualityMeasure,
+  barCount: number,
+): Histogram | null {
+  const { survey } = useApp();
+  const [known, setKnown] = useState<Known | null>(null);
+  useEffect(() => {
+    if (!mesh) return undefined;
+    let isWanted = true;
+    survey.histogram(mesh.volume, measure, barCount).then(
+      (histogram) => isWanted && setKnown({ mesh, measure, histogram }),
+      // The view tells why; the figures of the report stand below.
+      () => undefined,
+    );
+    return () => void (isWanted = false);
+  }, [survey, mesh, measure, barCount]);
+  return known && known.mesh === mesh && known.measure === measure ? known.histogram : null;
+}

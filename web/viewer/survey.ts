@@ -1,0 +1,105 @@
+import {
+  histogramOf,
+  placeOnScale,
+  qualitiesOf,
+  type Elements,
+  type Histogram,
+  type QualityMeasure,
+} from "../document/mesh-quality";
+import type { Cut, CutAxis, Shading } from "../document/selection";
+import type { Place } from "./layers/layer";
+import { findNeighbours, outside } from "./topology";
+import { centroidsAlong, collectVisibleFaces, extentAlong, writeCorners } from "./visible-faces";
+
+/** How a mesh is looked at. */
+export interface Look {
+  /** Corners are given relative to this place. */
+  readonly origin: Place;
+  /** Null shows the boundary. */
+  readonly cut: Omit<Cut, "enabled"> | null;
+  readonly shading: Shading;
+}
+
+/** The triangles to be drawn of a mesh, in flat arrays. */
+export interface DrawnFaces {
+  /** Per triangle 4t + f: face f of tetrahedron t, opposite its node f. */
+  readonly faces: Uint32Array<ArrayBuffer>;
+  /** Per triangle: 1 where the mesh ends at it, 0 where only the cut does. */
+  readonly onBoundary: Uint8Array<ArrayBuffer>;
+  /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
+  readonly corners: Float32Array<ArrayBuffer>;
+  /** Per corner the place of its element on the colour scale; empty where there is no shading. */
+  readonly values: Float32Array<ArrayBuffer>;
+}
+
+/**
+ * A mesh and all that has been found out about it, each when first needed and once. The searches are linear
+ * and take up to half a second for a million tetrahedra: they belong into a worker.
+ */
+export class Survey {
+  readonly #mesh: Elements;
+  #neighbours: Int32Array | null = null;
+  /** Room for all faces: a sheet is drawn once per side, so every face may become visible. */
+  #faces = new Uint32Array();
+  readonly #centroids = new Map<CutAxis, Float32Array>();
+  readonly #extents = new Map<CutAxis, readonly [number, number]>();
+  readonly #qualities = new Map<QualityMeasure, Float32Array>();
+
+  constructor(mesh: Elements) {
+    this.#mesh = mesh;
+  }
+
+  facesOf({ origin, cut, shading }: Look): DrawnFaces {
+    const neighbours = this.#knownNeighbours();
+    const count = collectVisibleFaces(
+      neighbours,
+      cut && remembered(this.#centroids, cut.axis, () => centroidsAlong(this.#mesh, cut.axis)),
+      cut ? this.#limit(cut) : 0,
+      cut?.flipped ?? false,
+      this.#faces,
+    );
+    const faces = this.#faces.slice(0, count);
+    const corners = new Float32Array(9 * count);
+    writeCorners(this.#mesh, faces, count, origin, corners);
+    const onBoundary = Uint8Array.from(faces, (face) => Number(neighbours[face] === outside));
+    return { faces, onBoundary, corners, values: this.#valuesOf(faces, shading) };
+  }
+
+  histogram(measure: QualityMeasure, barCount: number): Histogram {
+    return histogramOf(this.#qualitiesBy(measure), measure, barCount);
+  }
+
+  #knownNeighbours(): Int32Array {
+    if (!this.#neighbours) {
+      this.#neighbours = findNeighbours(this.#mesh.tetrahedra);
+      this.#faces = new Uint32Array(this.#neighbours.length);
+    }
+    return this.#neighbours;
+  }
+
+  #limit({ axis, position }: Omit<Cut, "enabled">): number {
+    const [low, high] = remembered(this.#extents, axis, () => extentAlong(this.#mesh.points, axis));
+    return low + position * (high - low);
+  }
+
+  #qualitiesBy(measure: QualityMeasure): Float32Array {
+    return remembered(this.#qualities, measure, () => qualitiesOf(this.#mesh, measure));
+  }
+
+  #valuesOf(faces: Uint32Array, shading: Shading): Float32Array<ArrayBuffer> {
+    if (shading === "plain") return new Float32Array();
+    const qualities = this.#qualitiesBy(shading);
+    const values = new Float32Array(3 * faces.length);
+    for (let i = 0; i < faces.length; ++i) {
+      const value = qualities[(faces[i] ?? 0) >> 2] ?? 0;
+      values.fill(placeOnScale(value, shading), 3 * i, 3 * i + 3);
+    }
+    return values;
+  }
+}
+
+function remembered<Key, Value>(known: Map<Key, Value>, key: Key, find: () => Value): Value {
+  const value = known.get(key) ?? find();
+  known.set(key, value);
+  return value;
+}
