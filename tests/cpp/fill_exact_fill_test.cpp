@@ -130,6 +130,21 @@ INSTANTIATE_TEST_SUITE_P(
         NamedSurface{"blocks", testing::randomBlocks(5, 0.5, 1)}),
     [](const auto& each) { return each.param.name; });
 
+/// Points for the boundary wait until swaps get no further: else some come with every edge of a needle,
+/// and keep other edges from being swapped in.
+TEST(ExactFill, FillsNeedlesInFewSteps) {
+  SurfaceMesh surface = testing::spikySphere(8, 0.05, 1);
+  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
+    surface.points[i + 1] *= 1e-3;
+    surface.points[i + 2] *= 1e-6;
+  }
+  ExactFill exactFill(taskOf(surface));
+  int steps = 0;
+  while (exactFill.advance(1000) == ExactFill::State::kRunning) ++steps;
+  EXPECT_EQ(testing::complaintAbout(meshOf(surface, exactFill.result()), surface), "");
+  EXPECT_LT(steps, 200);
+}
+
 TEST(ExactFill, FillsWhateverTheOrderOfTheNodes) {
   const SurfaceMesh surface = testing::randomBlocks(4, 0.5, 1);
   std::set<std::uint64_t> fingerprints;

@@ -11,6 +11,10 @@ constexpr std::size_t kLargestSwap = 150;
 /// How often a place is computed to more digits before the attempt is given up, 50 bits at a time.
 constexpr int kMaxRefinements = 10;
 constexpr std::int8_t kUnknown = 2;
+/// A pass of swaps is worth another if it leaves at most so many of its edges, in tenths.
+constexpr std::size_t kWorthAnotherPass = 9;
+/// A walk around a node may go in circles; then all around the node is looked at.
+constexpr int kLongestWalk = 200;
 
 std::pair<NodeId, NodeId> ordered(NodeId u, NodeId v) {
   return u < v ? std::pair(u, v) : std::pair(v, u);
@@ -43,40 +47,77 @@ void BoundaryRecovery::collectEdges() {
   edgeOf_.erase(std::unique(edgeOf_.begin(), edgeOf_.end()), edgeOf_.end());
   for (auto& [nodes, edge] : edgeOf_) {
     edge = static_cast<std::uint32_t>(edges_.size());
+    waiting_.push_back(edge);
     edges_.push_back({nodes.first, nodes.second, {}});
   }
 }
 
 // ---- edges ---------------------------------------------------------------------------------------
 
-BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId towards) const {
+BoundaryRecovery::State BoundaryRecovery::recoverNextEdge() {
+  if (nextWaiting_ == waiting_.size()) {
+    if (postponed_.empty()) return State::kDone;
+    beginPass();
+  }
+  const std::uint32_t index = waiting_[nextWaiting_++];
+  const State state = recoverEdge(edges_[index]);
+  if (state == State::kFailed) return state;
+  if (state == State::kRunning) postponed_.push_back(index);
+  return State::kRunning;
+}
+
+void BoundaryRecovery::beginPass() {
+  maySplit_ = 10 * postponed_.size() > kWorthAnotherPass * waiting_.size();
+  waiting_.swap(postponed_);
+  postponed_.clear();
+  nextWaiting_ = 0;
+}
+
+/// If the tetrahedron does not hold the ray, `away` is the corner whose face is between.
+BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId towards,
+                                                 std::uint32_t& away) const {
   const ExactPoints& points = mesh_.points;
   const std::uint32_t corner = mesh_.cornerOf(tet, from);
   const std::array<NodeId, 3> f = mesh_.innerFace(tet, corner);
   for (const NodeId node : f) {
     if (node == towards) return {Hit::Kind::kNode, tet, corner, node, node};
   }
-  const std::array<int, 3> s{points.orient(towards, f[1], f[2], from),
-                             points.orient(f[0], towards, f[2], from),
-                             points.orient(f[0], f[1], towards, from)};
   std::array<NodeId, 3> ahead;
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    if (s[k] < 0) return {};
-    if (s[k] > 0) ahead[count++] = f[k];
+    std::array<NodeId, 3> side = f;
+    side[k] = towards;
+    const int sign = points.orient(side[0], side[1], side[2], from);
+    if (sign < 0) {
+      away = kInnerCorners[corner][k];
+      return {};
+    }
+    if (sign > 0) ahead[count++] = f[k];
   }
   if (count == 3) return {Hit::Kind::kFace, tet, corner, {}, {}};
   if (count == 2) return {Hit::Kind::kEdge, tet, corner, ahead[0], ahead[1]};
   return {count == 1 ? Hit::Kind::kNode : Hit::Kind::kNothing, tet, corner, ahead[0], ahead[0]};
 }
 
+/// From tetrahedron to tetrahedron around the node, towards the ray.
+BoundaryRecovery::Hit BoundaryRecovery::walkToHit(NodeId from, NodeId towards) const {
+  TetId tet = mesh_.at(from);
+  for (int step = 0; step < kLongestWalk && !tet.isNone(); ++step) {
+    std::uint32_t away = 4;
+    const Hit hit = hitInTet(tet, from, towards, away);
+    if (away == 4) return hit;
+    tet = mesh_.tet(tet).across[away].tet;
+  }
+  return {};
+}
+
 BoundaryRecovery::Hit BoundaryRecovery::firstHit(NodeId from, NodeId towards) {
+  const Hit near = walkToHit(from, towards);
+  if (near.kind != Hit::Kind::kNothing) return near;
   mesh_.star(from, star_);
   for (const TetId tet : star_) {
-    if (mesh_.has(tet, towards)) return hitInTet(tet, from, towards);
-  }
-  for (const TetId tet : star_) {
-    const Hit hit = hitInTet(tet, from, towards);
+    std::uint32_t away = 4;
+    const Hit hit = hitInTet(tet, from, towards, away);
     if (hit.kind != Hit::Kind::kNothing) return hit;
   }
   return {};
@@ -128,30 +169,30 @@ NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
   return {};
 }
 
-bool BoundaryRecovery::recoverEdge(std::size_t index) {
-  Edge& edge = edges_[index];
+BoundaryRecovery::State BoundaryRecovery::recoverEdge(Edge& edge) {
   edge.chain.assign(1, edge.from);
   while (edge.chain.back() != edge.to) {
     const NodeId from = edge.chain.back();
     const Hit hit = firstHit(from, edge.to);
-    if (hit.kind == Hit::Kind::kNothing) return false;
+    if (hit.kind == Hit::Kind::kNothing) return State::kFailed;
     if (hit.kind == Hit::Kind::kNode) {
-      if (hit.u != edge.to) return false;
+      if (hit.u != edge.to) return State::kFailed;
       constraints_.add(from, edge.to);
       edge.chain.push_back(edge.to);
       break;
     }
     if (swapAtHit(hit, from)) continue;
     const Hit back = firstHit(edge.to, from);
-    if (back.kind != Hit::Kind::kFace && back.kind != Hit::Kind::kEdge) return false;
+    if (back.kind != Hit::Kind::kFace && back.kind != Hit::Kind::kEdge) return State::kFailed;
     if (swapAtHit(back, edge.to)) continue;
+    if (!maySplit_) return State::kRunning;
     const NodeId node = splitEdgeAt(edge, hit);
-    if (node.isNone()) return false;
+    if (node.isNone()) return State::kFailed;
     boundaryPoints_.push_back(node);
     constraints_.add(from, node);
     edge.chain.push_back(node);
   }
-  return true;
+  return State::kDone;
 }
 
 // ---- triangles -----------------------------------------------------------------------------------
@@ -192,9 +233,9 @@ bool BoundaryRecovery::recoverTriangle(std::size_t triangle) {
 /// The face of the triangle on the left of an edge; or a step towards it.
 bool BoundaryRecovery::findFaceAt(std::size_t triangle, Direction edge) {
   const auto [x, y] = edge;
-  const TetId seed = mesh_.findEdge(x, y);
-  if (seed.isNone()) return false;
-  mesh_.ring(seed, x, y, tets_);
+  const Hit hit = firstHit(x, y);
+  if (hit.kind != Hit::Kind::kNode || hit.u != y) return false;
+  mesh_.ring(hit.tet, x, y, tets_);
   const auto& t = triangles_[triangle];
   const auto sideOf = [&](NodeId node) -> int {
     sides_.resize(mesh_.points.size(), kUnknown);

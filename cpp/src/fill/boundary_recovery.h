@@ -3,7 +3,9 @@
 /// @file Makes the given edges and triangles appear in a mesh of their nodes: each edge as a chain of
 /// edges, each triangle as a sheet of faces. Where swaps do not do it, a point is put where an edge
 /// meets a face, or a triangle an edge. With every such point one crossing is gone for good and none
-/// is made, so this ends.
+/// is made, so this ends. Points wait until swaps alone get no further: most edges that cannot be had
+/// at first can be once others are there, while pieces of split edges, which must stay, block the
+/// swaps of the rest.
 
 #include <array>
 #include <cstdint>
@@ -24,11 +26,13 @@ class BoundaryRecovery {
   /// `triangles` must outlive this. All their nodes must be nodes of the mesh.
   BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles);
 
-  [[nodiscard]] std::size_t edgeCount() const { return edges_.size(); }
+  /// kFailed: the triangles meet where they should not.
+  enum class State : std::uint8_t { kRunning, kDone, kFailed };
+  /// Works on one edge.
+  State recoverNextEdge();
+
   [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
-  /// To be called for all edges, then for all triangles. False if it cannot be: the triangles then
-  /// meet where they should not.
-  bool recoverEdge(std::size_t index);
+  /// To be called for all triangles once the edges are done. False if it cannot be.
   bool recoverTriangle(std::size_t triangle);
 
   /// Points put on the boundary, in the order they were made.
@@ -51,8 +55,12 @@ class BoundaryRecovery {
   using Direction = std::pair<NodeId, NodeId>;
 
   void collectEdges();
+  void beginPass();
+  /// kRunning: swaps do not do it.
+  State recoverEdge(Edge& edge);
   Hit firstHit(NodeId from, NodeId towards);
-  [[nodiscard]] Hit hitInTet(TetId tet, NodeId from, NodeId towards) const;
+  [[nodiscard]] Hit walkToHit(NodeId from, NodeId towards) const;
+  Hit hitInTet(TetId tet, NodeId from, NodeId towards, std::uint32_t& away) const;
   void tetsAtHit(const Hit& hit, std::vector<TetId>& result);
   bool swapAtHit(const Hit& hit, NodeId apex);
   NodeId splitEdgeAt(const Edge& edge, const Hit& hit);
@@ -72,6 +80,10 @@ class BoundaryRecovery {
   Cone cone_;
   std::vector<Edge> edges_;
   std::vector<std::pair<std::pair<NodeId, NodeId>, std::uint32_t>> edgeOf_;  ///< sorted
+  std::vector<std::uint32_t> waiting_;                                       ///< edges of this pass
+  std::vector<std::uint32_t> postponed_;                                     ///< to the next
+  std::size_t nextWaiting_ = 0;
+  bool maySplit_ = false;
   std::vector<NodeId> boundaryPoints_;
   std::vector<TetId> tets_;
   std::vector<TetId> star_;

@@ -137,17 +137,17 @@ bool Cone::collect(const ConeRules& rules) {
 }
 
 /// A node that no outer face has would be left without a tetrahedron.
-bool Cone::losesNodes(NodeId lost) const {
-  for (const TetId t : cavity_) {
-    for (const NodeId node : mesh_.tet(t).nodes) {
-      if (node == lost || node == apex_) continue;
-      if (std::none_of(fresh_.begin(), fresh_.end(),
-                       [&](const auto& nodes) { return contains(nodes, node); })) {
-        return true;
-      }
-    }
+bool Cone::losesNodes(NodeId lost) {
+  nodeStamps_.resize(mesh_.points.size(), 0);
+  for (const auto& nodes : fresh_) {
+    for (const NodeId node : nodes) nodeStamps_[node.index()] = stamp_;
   }
-  return false;
+  return std::any_of(cavity_.begin(), cavity_.end(), [&](TetId t) {
+    const std::array<NodeId, 4>& nodes = mesh_.tet(t).nodes;
+    return std::any_of(nodes.begin(), nodes.end(), [&](NodeId node) {
+      return node != lost && node != apex_ && nodeStamps_[node.index()] != stamp_;
+    });
+  });
 }
 
 bool Cone::losesEdges() const {

@@ -60,7 +60,7 @@ class Cone {
   void enter(TetId tet);
   [[nodiscard]] bool wantsToEnter(TetFace beyond) const;
   bool collect(const ConeRules& rules);
-  [[nodiscard]] bool losesNodes(NodeId lost) const;
+  bool losesNodes(NodeId lost);
   [[nodiscard]] bool losesEdges() const;
 
   FillMesh& mesh_;
@@ -72,6 +72,7 @@ class Cone {
   std::vector<TetId> cavity_;
   std::vector<TetFace> faces_;  ///< of the cavity's tetrahedra, seen from the apex
   std::vector<std::array<NodeId, 4>> fresh_;
+  std::vector<std::uint32_t> nodeStamps_;  ///< stamp_ where a node is in fresh_
 };
 
 /// 12 (3V)^(2/3) / (sum of squared edges), cubed: 1 for the regular tetrahedron. In doubles.

@@ -54,8 +54,7 @@ class ExactFill::Impl {
         if (next_ == insertion_->count()) return beginRecovery();
         return failUnless(insertion_->insert(next_++));
       case Stage::kEdges:
-        if (next_ == recovery_->edgeCount()) return beginStage(Stage::kTriangles);
-        return failUnless(recovery_->recoverEdge(next_++));
+        return recoverEdges();
       case Stage::kTriangles:
         if (next_ == recovery_->triangleCount()) return beginStage(Stage::kDropOutside);
         return failUnless(recovery_->recoverTriangle(next_++));
@@ -90,6 +89,12 @@ class ExactFill::Impl {
     insertion_.reset();
     recovery_.emplace(mesh_, task_.triangles);
     beginStage(Stage::kEdges);
+  }
+
+  void recoverEdges() {
+    const BoundaryRecovery::State state = recovery_->recoverNextEdge();
+    if (state == BoundaryRecovery::State::kDone) return beginStage(Stage::kTriangles);
+    failUnless(state == BoundaryRecovery::State::kRunning);
   }
 
   /// Floods from the tetrahedra above the triangles. Sides contradict each other only where the

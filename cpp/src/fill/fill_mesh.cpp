@@ -56,15 +56,6 @@ void FillMesh::spread(TetId seed, const std::array<NodeId, 2>& nodes, std::vecto
   }
 }
 
-TetId FillMesh::findEdge(NodeId u, NodeId v) {
-  std::vector<TetId> tets;
-  star(u, tets);
-  for (const TetId t : tets) {
-    if (has(t, v)) return t;
-  }
-  return {};
-}
-
 void FillMesh::markFacet(TetId tet, std::uint32_t corner, std::uint32_t facet) {
   FillTet& t = tets_[tet.index()];
   t.facet[corner] = facet;

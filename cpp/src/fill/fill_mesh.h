@@ -69,8 +69,6 @@ class FillMesh {
   void ring(TetId seed, NodeId u, NodeId v, std::vector<TetId>& result) {
     spread(seed, {u, v}, result);
   }
-  /// A tetrahedron with both nodes; none if there is no such edge.
-  [[nodiscard]] TetId findEdge(NodeId u, NodeId v);
 
   /// Marks both sides of a face as part of a given triangle.
   void markFacet(TetId tet, std::uint32_t corner, std::uint32_t facet);
