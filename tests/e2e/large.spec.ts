@@ -1,5 +1,6 @@
 import { expect, test, type Route } from "@playwright/test";
-import { AppPage } from "./app-page";
+import { writeProject } from "tetrafront";
+import { AppPage, sampleProject } from "./app-page";
 
 /** What takes long for large meshes is done by workers; here one of them is late, or does not come at all. */
 const surveyScript = /survey-worker-.*\.js$/;
@@ -46,4 +47,28 @@ test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page
   await dialog.getByRole("button", { name: "Close" }).last().click();
   await expect(app.viewport).toHaveAttribute("data-faces", "0");
   await expect(page.getByTestId("download")).toBeEnabled();
+});
+
+test("while a mesh is made nothing moves by itself: every picture costs the mesher time", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.evaluate(() => {
+    const moving: number[] = [];
+    const look = (): void => void moving.push(document.getAnimations().length);
+    const status = document.querySelector("[data-testid=status]");
+    const changes = { subtree: true, childList: true, characterData: true, attributes: true };
+    if (status) new MutationObserver(() => requestAnimationFrame(look)).observe(status, changes);
+    Object.assign(window, { moving });
+  });
+  const cube = sampleProject("unit-cube");
+  const nodes = cube.background.nodes.map((node) => ({ ...node, size: 0.06 }));
+  const before = await app.mesh();
+  await app.openFile("fine.json", writeProject({ ...cube, background: { ...cube.background, nodes } }));
+  await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
+  await app.meshed();
+  const moving = await page.evaluate(() => Reflect.get(window, "moving") as number[]);
+  expect(moving.length).toBeGreaterThan(2);
+  expect(Math.max(...moving)).toBe(0);
 });

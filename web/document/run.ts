@@ -51,6 +51,11 @@ const cachedMeshes = 4;
 /** Above this many tetrahedra a mesh is not kept: memory first. */
 const maxCachedTetrahedra = 400_000;
 const maxLogLines = 400;
+/**
+ * Between two shows of the progress: this share of what the run has taken, and seconds at least and at most.
+ * What a show costs, a browser without graphics hardware takes from the mesher.
+ */
+const progressWait = { share: 0.04, least: 0.1, most: 1 };
 
 const phaseTexts: { readonly [P in Progress["phase"]]: string } = {
   check: "Checking the model",
@@ -139,7 +144,7 @@ export class MeshRun {
       if (before?.phase === "surface") log("information", `${count(progress.triangles)} boundary triangles`);
       log("information", phaseTexts[progress.phase]);
     }
-    this.state.setState({ progress });
+    if (isDue(before, progress)) this.state.setState({ progress });
   }
 
   #finish(key: string, result: MeshResult, log: (level: LogLevel, text: string) => void): void {
@@ -177,6 +182,13 @@ export class MeshRun {
     const line: LogLine = { id: ++this.#lastLogId, seconds, level, text };
     this.state.setState(({ log }) => ({ log: [...log, line].slice(-maxLogLines) }));
   }
+}
+
+/** Is the progress to be shown, after the one shown before? */
+function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): boolean {
+  if (before?.phase !== phase) return true;
+  const { share, least, most } = progressWait;
+  return elapsedSeconds - before.elapsedSeconds >= Math.min(most, Math.max(least, share * elapsedSeconds));
 }
 
 function summary({ report }: MeshResult): string {

@@ -62,7 +62,8 @@ function RunProgress() {
         value={percent}
         size="sm"
         aria-label={strings.status.progress}
-        transitionDuration={150}
+        // Without graphics hardware a bar that glides costs as much as the meshing.
+        transitionDuration={0}
       />
       <span className="tf-status-text" aria-hidden>
         {text}

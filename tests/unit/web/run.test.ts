@@ -1,0 +1,56 @@
+import { describe, expect, it } from "vitest";
+import { createMesher, type Mesher, type Phase, type Progress } from "tetrafront";
+import { emptyProject } from "../../../web/document/edits";
+import { MeshRun } from "../../../web/document/run";
+import { DocumentStore } from "../../../web/document/store";
+
+const report = (phase: Phase, elapsedSeconds: number): Progress => ({
+  phase,
+  fraction: 0,
+  points: 0,
+  triangles: 0,
+  tetrahedra: 0,
+  frontFaces: 0,
+  elapsedSeconds,
+});
+
+/** Which of these reports the page shows, if a run makes them. */
+async function shown(reports: readonly Progress[]): Promise<Progress[]> {
+  const real = await createMesher();
+  const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
+    meshProject: (_project: unknown, _options: unknown, control: { onProgress: (p: Progress) => void }) => {
+      for (const progress of reports) control.onProgress(progress);
+      return real.meshProject(emptyProject("nothing"));
+    },
+  });
+  const run = new MeshRun(new DocumentStore(emptyProject("nothing")), Promise.resolve(mesher));
+  const states: Progress[] = [];
+  run.state.subscribe(({ progress }, before) => {
+    if (progress && progress !== before.progress) states.push(progress);
+  });
+  await run.generate();
+  real.dispose();
+  return states;
+}
+
+describe("the progress of a run", () => {
+  it("is shown rarely enough in a long run, and never a second late", async () => {
+    const reports = Array.from({ length: 1000 }, (_, i) => report("optimize", 0.1 * i));
+    const states = await shown(reports);
+    expect(states.length).toBeLessThan(200);
+    states.slice(1).forEach(({ elapsedSeconds }, i) => {
+      const wait = elapsedSeconds - (states[i]?.elapsedSeconds ?? 0);
+      expect(wait).toBeLessThanOrEqual(1.1);
+      expect(wait).toBeGreaterThanOrEqual(Math.min(1, 0.04 * elapsedSeconds) - 1e-9);
+    });
+  });
+
+  it("is shown at once when another phase begins", async () => {
+    const phases: readonly Phase[] = ["check", "sides", "surface", "volume", "optimize", "verify"];
+    const reports = phases.flatMap((phase, i) => [
+      report(phase, 50 + i / 100),
+      report(phase, 50.001 + i / 100),
+    ]);
+    expect((await shown(reports)).map(({ phase }) => phase)).toEqual(phases);
+  });
+});
