@@ -8,7 +8,8 @@ namespace tetrafront {
 
 /// In which order faces leave the front (step F4).
 enum class FrontOrder : std::uint8_t {
-  kLayered = 0,        ///< buckets of like size, smallest first; inside one, layer by layer
+  kLayered = 0,        ///< buckets of like size, smallest first; inside one, layer by layer, and
+                       ///< each layer part by part of the space it is in
   kSmallestFirst = 1,  ///< the paper's: the face forming the smallest element is next
 };
 

@@ -10,15 +10,24 @@ namespace {
 // Cells somewhat wider than the typical face, so that most faces share a level.
 constexpr double kCellPerSize = 1.3;
 
-// Key layout, most significant first: rule class 4 bits, size bucket 8, layer 12, fine size 14,
-// sequence 26. The paper's order leaves bucket and layer out.
+// Key layout, most significant first: rule class 4 bits, size bucket 8, layer 12, tile 12, fine size
+// 8, sequence 20. The paper's order has the size, 31 bits, in place of what is between class and
+// sequence.
 constexpr int kClassShift = 60;
 constexpr int kBucketShift = 52;
 constexpr int kLayerShift = 40;
-constexpr int kFineShift = 26;
+constexpr int kTileShift = 28;
+constexpr int kFineShift = 20;
 constexpr std::uint64_t kSequenceMask = (std::uint64_t{1} << kFineShift) - 1;
 constexpr std::uint32_t kMaxLayer = (1U << (kBucketShift - kLayerShift)) - 1;
-constexpr std::uint32_t kMaxFine = (1U << (kLayerShift - kFineShift)) - 1;
+
+// Buckets of factor 4 (two octaves), one of them centred on the typical size.
+constexpr std::uint32_t kBucketOctaves = 127;
+constexpr int kTypicalBucket = 63;
+
+// Edge of a tile, in sizes typical of the bucket: what is near its few hundred faces of one layer
+// fits into the cache nearest but one to the processor.
+constexpr double kSizesPerTile = 8.0;
 
 // A float's bits, read as an integer, grow with its logarithm: 2^23 per octave, straight in
 // between. That orders sizes without a logarithm, whose last bit differs between C libraries.
@@ -31,10 +40,26 @@ std::uint32_t logBits(float ratio, std::uint32_t offsetOctaves) {
   return bits < kBitsOfOne ? 0 : bits - kBitsOfOne;
 }
 
+/// 4^exponent, which is exact; for exponents from -511 to 511.
+double powerOfFour(int exponent) {
+  constexpr int kBias = 1023;
+  constexpr int kDoubleMantissaBits = 52;
+  return std::bit_cast<double>(static_cast<std::uint64_t>(kBias + 2 * exponent)
+                               << kDoubleMantissaBits);
+}
+
+/// The last four bits of `x`, two free places after each.
+std::uint64_t spreadFourBits(std::uint32_t x) {
+  return (x & 1U) | (x & 2U) << 2U | (x & 4U) << 4U | (x & 8U) << 6U;
+}
+
 }  // namespace
 
 Front::Front(double typicalSize, const Vec3& origin, FrontOrder order)
-    : order_(order), typicalSize_(typicalSize), grid_(kCellPerSize * typicalSize, origin) {}
+    : order_(order),
+      typicalSize_(typicalSize),
+      origin_(origin),
+      grid_(kCellPerSize * typicalSize, origin) {}
 
 NodeId Front::addNode(const Vec3& place, std::uint16_t layer, FieldHint hint) {
   nodes_.push_back(place);
@@ -106,19 +131,30 @@ std::uint64_t Front::keyOf(const FrontFace& face) {
     return ruleClass | size << kFineShift | sequence;
   }
   const auto ratio = static_cast<float>(static_cast<double>(face.size) / typicalSize_);
-  // Buckets of factor 4 (two octaves), one of them centred on the typical size: +1 octave.
-  constexpr std::uint32_t kBucketOctaves = 127;
-  const std::uint64_t bucket =
-      std::min<std::uint32_t>(logBits(ratio, kBucketOctaves) >> (kMantissaBits + 1), 255);
-  constexpr std::uint32_t kFineOctaves = 32;
-  constexpr int kFineBits = 8;  // 256 steps per octave
+  const std::uint32_t inBuckets = logBits(ratio, kBucketOctaves);
+  constexpr int kBucketBits = kMantissaBits + 1;
+  const std::uint64_t bucket = inBuckets >> kBucketBits;
   const std::uint64_t fine =
-      std::min(logBits(ratio, kFineOctaves) >> (kMantissaBits - kFineBits), kMaxFine);
+      (inBuckets & ((1U << kBucketBits) - 1)) >> (kBucketBits - (kTileShift - kFineShift));
   std::uint32_t layers = 0;
   for (const NodeId node : face.nodes) layers += layer(node);
   const std::uint64_t cappedLayers = std::min(layers, kMaxLayer);
-  return ruleClass | bucket << kBucketShift | cappedLayers << kLayerShift | fine << kFineShift |
-         sequence;
+  return ruleClass | bucket << kBucketShift | cappedLayers << kLayerShift |
+         tileOf(face, static_cast<int>(bucket)) << kTileShift | fine << kFineShift | sequence;
+}
+
+/// Tiles along a Morton curve that begins anew every 16 tiles.
+std::uint64_t Front::tileOf(const FrontFace& face, int bucket) const {
+  const double tilesPerLength =
+      powerOfFour(kTypicalBucket - bucket) / (kSizesPerTile * typicalSize_);
+  const Vec3& place = node(face.nodes[0]);
+  std::uint64_t tile = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    constexpr double kLast = 4294967295.0;
+    const double along = std::clamp((place[axis] - origin_[axis]) * tilesPerLength, 0.0, kLast);
+    tile |= spreadFourBits(static_cast<std::uint32_t>(along)) << axis;
+  }
+  return tile;
 }
 
 }  // namespace tetrafront

@@ -41,7 +41,8 @@ struct FrontFace {
 
 class Front {
  public:
-  /// `typicalSize`: median size of the first faces, > 0; sets the size buckets and the grid.
+  /// `typicalSize`: median size of the first faces, > 0; sets the size buckets, tiles and the grid.
+  /// `origin`: the lowest corner of all there will be, which tiles and cells are counted from.
   Front(double typicalSize, const Vec3& origin, FrontOrder order);
 
   // Nodes. The layer is 0 on the given surface and grows inward by one per new node.
@@ -84,9 +85,12 @@ class Front {
 
  private:
   [[nodiscard]] std::uint64_t keyOf(const FrontFace& face);
+  /// Which part of space the face is in, for faces of one bucket and layer.
+  [[nodiscard]] std::uint64_t tileOf(const FrontFace& face, int bucket) const;
 
   FrontOrder order_;
   double typicalSize_;
+  Vec3 origin_;
   std::vector<Vec3> nodes_;
   std::vector<std::uint16_t> layers_;
   std::vector<FieldHint> hints_;
