@@ -30,6 +30,7 @@ MeshOptions toOptions(const Options& options) {
   result.size = options.size;
   result.growth = options.growth;
   result.gradation = options.gradation;
+  result.enclosed = static_cast<EnclosedBodies>(options.enclosed);
   result.order = static_cast<FrontOrder>(options.order);
   result.filters = options.filters;
   result.optimization = static_cast<Optimization>(options.optimization);
@@ -211,9 +212,10 @@ Answer answered(const Work& work) {
   return answer;
 }
 
-PreviewArrays preview(const ModelArrays& arrays, double size) {
+PreviewArrays preview(const ModelArrays& arrays, const Options& options) {
   return answered<PreviewArrays>([&] {
-    const ModelPreview drawn = previewModel(toModel(arrays), toGrid(arrays.grid), size);
+    const ModelPreview drawn =
+        previewModel(toModel(arrays), toGrid(arrays.grid), toOptions(options));
     return PreviewArrays{.linePoints = copyOut(drawn.linePoints),
                          .lineOffsets = copyOut(drawn.lineOffsets),
                          .patchPoints = copyOut(drawn.patchPoints),
@@ -311,6 +313,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("size", &Options::size)
       .field("growth", &Options::growth)
       .field("gradation", &Options::gradation)
+      .field("enclosed", &Options::enclosed)
       .field("order", &Options::order)
       .field("filters", &Options::filters)
       .field("optimization", &Options::optimization)

@@ -20,6 +20,7 @@ struct Options {
   double size = 0.0;
   double growth = 0.0;
   double gradation = 0.0;
+  std::uint32_t enclosed = 0;
   std::uint32_t order = 0;
   bool filters = true;
   std::uint32_t optimization = 0;

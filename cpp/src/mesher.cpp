@@ -279,7 +279,8 @@ class MeshRun::Impl {
     if (!boundaryCheck_) {
       if (!isModel()) report(checkGrid());
       boundaryCheck_.emplace(
-          surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface);
+          surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface,
+          options_.enclosed);
     }
     if (!boundaryCheck_->advance(budget)) return;
     for (const Diagnostic& found : boundaryCheck_->diagnostics()) {

@@ -227,6 +227,36 @@ TEST(MeshWalls, GivenSurfacesKeepTheirWalls) {
   }
 }
 
+/// Enclosed bodies that share no line with what is around them are walls all over, if that is wanted.
+TEST(MeshWalls, EnclosedBodiesCanBeRegions) {
+  constexpr int kDepth = 4;
+  const SurfaceMesh spheres = testing::nestedSpheres(kDepth, 4);
+  const std::size_t trianglesEach = spheres.triangles.size() / 3 / kDepth;
+  MeshOptions options;
+  options.enclosed = EnclosedBodies::kRegions;
+  const MeshRun run = filled(spheres, options);
+  const std::vector<double> volumes = soundVolumes(run, kDepth);
+  // The spheres' volumes are those between neighbours, summed from the innermost.
+  const auto enclosedBy = [&](std::size_t sphere) {
+    const auto first =
+        spheres.triangles.begin() + static_cast<std::ptrdiff_t>(3 * trianglesEach * sphere);
+    return std::fabs(testing::enclosedVolume(
+        {.points = spheres.points,
+         .triangles = {first, first + static_cast<std::ptrdiff_t>(3 * trianglesEach)}}));
+  };
+  double sum = 0.0;
+  for (const double volume : volumes) sum += volume;
+  EXPECT_NEAR(sum, enclosedBy(0), 1e-9 * sum);
+  const SurfaceMesh surface = run.surface();
+  for (std::uint32_t t = 0; t < surface.triangles.size() / 3; ++t)
+    EXPECT_EQ(surface.isWall(t), t >= trianglesEach) << t;
+  const auto nesting = std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedBodies,
+                                         [](const Diagnostic& told) { return told.code; });
+  ASSERT_NE(nesting, run.diagnostics().end());
+  EXPECT_EQ(nesting->values, (std::vector<double>{kDepth, 0.0})) << "regions, cavities";
+  EXPECT_EQ(filled(spheres).statistics().regions.size(), 2U) << "else every second is empty";
+}
+
 TEST(MeshWalls, EveryWayOfMeshingKeepsThem) {
   const SurfaceMesh surface = testing::dividedBox({2, 2, 1}, 3);
   std::vector<MeshOptions> ways(4);

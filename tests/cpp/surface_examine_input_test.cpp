@@ -162,7 +162,7 @@ TEST(PatchesMeet, PatchesDrawnManyTimesOverAreToldUpToABound) {
   Model model = boxModel(Vec3(0.0), Vec3(1.0));
   const Patch face = model.patches.front();
   model.patches.insert(model.patches.end(), 200, face);
-  const std::vector<Diagnostic> found = previewModel(model, {}, 0.5).diagnostics;
+  const std::vector<Diagnostic> found = previewModel(model, {}, {.size = 0.5}).diagnostics;
   const auto meeting =
       std::ranges::count(found, DiagnosticCode::kPatchesMeet, [](const auto& d) { return d.code; });
   EXPECT_EQ(meeting, 1000);  // of 20 100 pairs

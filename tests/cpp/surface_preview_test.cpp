@@ -96,10 +96,10 @@ TEST(SurfacePreview, SaysNothingOfTheGridButItsSourcesWhereTheSizeIsUniform) {
   const Model box = boxModel({0, 0, 0}, {1, 1, 1});
   BackgroundGrid broken = grid();
   broken.nodes[3].size = -1.0;
-  EXPECT_TRUE(previewModel(box, broken, 0.25).diagnostics.empty());
-  EXPECT_TRUE(previewModel(box, {}, 0.25).diagnostics.empty());
+  EXPECT_TRUE(previewModel(box, broken, {.size = 0.25}).diagnostics.empty());
+  EXPECT_TRUE(previewModel(box, {}, {.size = 0.25}).diagnostics.empty());
   broken.sources.emplace_back();
-  const ModelPreview preview = previewModel(box, broken, 0.25);
+  const ModelPreview preview = previewModel(box, broken, {.size = 0.25});
   ASSERT_EQ(preview.diagnostics.size(), 1U);
   EXPECT_EQ(preview.diagnostics[0].code, DiagnosticCode::kBadSource);
 }

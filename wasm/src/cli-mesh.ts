@@ -24,6 +24,7 @@ import { checkOptions } from "./options.js";
 import { emptyReport, emptyResult } from "./report.js";
 import type {
   Diagnostic,
+  EnclosedBodies,
   FrontOrder,
   Mesher,
   MeshOptions,
@@ -46,6 +47,7 @@ export interface MeshCommandOptions extends RepairCommandOptions {
   readonly source?: readonly string[];
   readonly gradation?: string;
   readonly background?: string;
+  readonly enclosed?: EnclosedBodies;
   readonly order?: FrontOrder;
   /** False after --no-filters. */
   readonly filters: boolean;
@@ -142,6 +144,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
     size: numberIn(options.size),
     growth: numberIn(options.grading ?? options.growth),
     gradation: numberIn(options.gradation),
+    enclosed: options.enclosed,
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,

@@ -35,8 +35,10 @@ import {
   DEFAULT_GRADATION,
   DEFAULT_GROWTH,
   DEFAULT_OPTIMIZATION,
+  DEFAULT_ENCLOSED,
   DEFAULT_ORDER,
   DEFAULT_PROPOSAL,
+  ENCLOSED_BODIES,
   FRONT_ORDERS,
   OPTIMIZATIONS,
 } from "./options.js";
@@ -329,6 +331,12 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .option(
       "--gradation <ratio>",
       `the most by which a grid's sizes grow from element to element; 0: as they are (default ${DEFAULT_GRADATION})`,
+    )
+    .addOption(
+      new Option(
+        "--enclosed <meaning>",
+        `what closed parts within a body bound: empty spaces, or regions meshed too (default ${DEFAULT_ENCLOSED})`,
+      ).choices(Object.keys(ENCLOSED_BODIES)),
     )
     .addOption(
       new Option(

@@ -75,6 +75,7 @@ export type {
   ElementFigures,
   EntityKind,
   EntityRef,
+  EnclosedBodies,
   FrontOrder,
   LimitedByBoundary,
   Mesher,

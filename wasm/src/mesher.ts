@@ -177,10 +177,14 @@ class WorkerMesher implements Mesher {
     control: AbortControl = {},
   ): Promise<ProjectPreview> {
     const unusable = checkPreviewOptions(options);
-    const wanted = unusable.length > 0 ? undefined : (options.size ?? project.meshing?.size);
-    const wrong = [...unusable, ...checkPreviewOptions({ size: wanted })];
-    const size = wrong.length > 0 ? 0 : (wanted ?? 0);
-    const question = { kind: "preview", id: this.#nextId(), model: projectArrays(project), size } as const;
+    const { size, enclosed } = withSettings(unusable.length > 0 ? {} : options, project);
+    const wrong = unusable.length > 0 ? unusable : checkPreviewOptions({ size, enclosed });
+    const question = {
+      kind: "preview",
+      id: this.#nextId(),
+      model: projectArrays(project),
+      options: engineOptions(wrong.length > 0 ? {} : { size, enclosed }),
+    } as const;
     const preview = describedPreview(await this.#ask(question, control), projectNamer(project));
     return { ...preview, diagnostics: [...wrong, ...preview.diagnostics] };
   }

@@ -8,6 +8,7 @@ import type {
   BackgroundArrays,
   CoverOptions,
   Diagnostic,
+  EnclosedBodies,
   FrontOrder,
   MeshOptions,
   Optimization,
@@ -19,6 +20,10 @@ import type {
 export const DEFAULT_GROWTH = 0.3;
 /** The most by which sizes grow from one element to the next. */
 export const DEFAULT_GRADATION = 1.3;
+export const DEFAULT_ENCLOSED: EnclosedBodies = "cavities";
+/** The engine's numbers (cpp/include/tetrafront/options.h). */
+export const ENCLOSED_BODIES: Readonly<Record<EnclosedBodies, number>> = { cavities: 0, regions: 1 };
+
 export const DEFAULT_ORDER: FrontOrder = "layered";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
 export const FRONT_ORDERS: Readonly<Record<FrontOrder, number>> = { layered: 0, "smallest-first": 1 };
@@ -79,13 +84,14 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
         ? undefined
         : "0, or a finite gradation above 1, such as 1.3",
   ],
+  enclosed: ["meaning of enclosed bodies", oneOf(ENCLOSED_BODIES)],
   order: ["order of the front", oneOf(FRONT_ORDERS)],
   optimization: ["optimization", oneOf(OPTIMIZATIONS)],
   filters: ["choice of filters", trueOrFalse],
   exactFillOnly: ["choice of the exact fill alone", trueOrFalse],
 };
 
-const PREVIEW_RULES: Rules<PreviewOptions> = { size: MESH_RULES.size };
+const PREVIEW_RULES: Rules<PreviewOptions> = { size: MESH_RULES.size, enclosed: MESH_RULES.enclosed };
 
 const COVER_RULES: Rules<CoverOptions> = {
   size: MESH_RULES.size,
@@ -213,6 +219,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     size = 0,
     growth = DEFAULT_GROWTH,
     gradation = DEFAULT_GRADATION,
+    enclosed = DEFAULT_ENCLOSED,
     order = DEFAULT_ORDER,
     filters = DEFAULT_FILTERS,
     optimization = DEFAULT_OPTIMIZATION,
@@ -222,6 +229,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     size,
     growth,
     gradation,
+    enclosed: ENCLOSED_BODIES[enclosed],
     order: FRONT_ORDERS[order],
     filters,
     optimization: OPTIMIZATIONS[optimization],

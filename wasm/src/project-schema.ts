@@ -123,6 +123,10 @@ const meshingSchema = z.readonly(
       "Most by which sizes grow from one element to the next, above 1; 0 takes them as they are; 1.3 if not given",
       z.optional(z.number()),
     ),
+    enclosed: described(
+      "What closed patches within a body bound: cavities, if not given, or regions that are meshed too",
+      z.optional(z.enum(["cavities", "regions"])),
+    ),
     order: described(
       "Which face of the front comes next: of the lowest layer, if not given, or the smallest",
       z.optional(z.enum(["layered", "smallest-first"])),

@@ -18,6 +18,8 @@ export interface EngineOptions {
   readonly size: number;
   readonly growth: number;
   readonly gradation: number;
+  /** 0 cavities, 1 regions. */
+  readonly enclosed: number;
   /** 0 layered, 1 smallest first. */
   readonly order: number;
   readonly filters: boolean;
@@ -47,7 +49,12 @@ export interface EngineRepairOptions {
 /** Asked for at once and answered by one `answer` or `failure`, also while a run is under way. */
 export type Question =
   /** `size`: the uniform one to mesh with, 0 for none. */
-  | { readonly kind: "preview"; readonly id: number; readonly model: ModelArrays; readonly size: number }
+  | {
+      readonly kind: "preview";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly options: EngineOptions;
+    }
   /** `shape`: 0 box, 1 single tetrahedron. */
   | {
       readonly kind: "cover";

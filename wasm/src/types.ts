@@ -38,6 +38,8 @@ export interface BackgroundArrays {
 export interface PreviewOptions {
   /** The uniform size that the project will be meshed with: then its grid is not checked. */
   readonly size?: number | undefined;
+  /** As among the `MeshOptions`, for what is said about regions and cavities. */
+  readonly enclosed?: EnclosedBodies | undefined;
 }
 
 /** How a covering grid is built. */
@@ -70,6 +72,8 @@ export interface SizeProposal {
   readonly sources: readonly ProjectSource[];
 }
 
+/** What a closed part of the boundary bounds that lies within a body and shares no line with it. */
+export type EnclosedBodies = "cavities" | "regions";
 /** In which order faces leave the front. */
 export type FrontOrder = "layered" | "smallest-first";
 /** How much work goes into the shape of the elements after the front. */
@@ -94,6 +98,11 @@ export interface MeshOptions {
    * nodes that ask for more are given less. Default 1.3; 0 takes all grids as they are.
    */
   readonly gradation?: number | undefined;
+  /**
+   * Default `cavities`: parts of the boundary within a body bound empty spaces. With `regions` every
+   * space is filled, as a region of its own that fits what is around it.
+   */
+  readonly enclosed?: EnclosedBodies | undefined;
   /** In which order faces leave the front. Default `layered`; `smallest-first` is the paper's. */
   readonly order?: FrontOrder | undefined;
   /**

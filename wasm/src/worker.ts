@@ -67,7 +67,7 @@ type Answer = Answers[keyof Answers] & { readonly failure: string };
 function answerTo(engine: Engine, question: Exclude<Question, { kind: "inspect-surface" }>): Answer {
   switch (question.kind) {
     case "preview":
-      return engine.preview(question.model, question.size);
+      return engine.preview(question.model, question.options);
     case "cover":
       return engine.cover(question.model, question.size, question.shape);
     case "propose":

@@ -207,6 +207,7 @@ function changed<Field extends keyof ProjectMeshing>(
 const settingLabels: { readonly [Field in keyof ProjectMeshing]-?: string } = {
   size: "Set uniform size",
   gradation: "Set gradation",
+  enclosed: "Set what enclosed bodies are",
   order: "Set order of the front",
   optimization: "Set optimization",
 };

@@ -8,12 +8,14 @@ import { useApp, useProject } from "./app-context";
 
 const texts = strings.meshing;
 
+type Enclosed = NonNullable<ProjectMeshing["enclosed"]>;
 type Order = NonNullable<ProjectMeshing["order"]>;
 type Optimization = NonNullable<ProjectMeshing["optimization"]>;
 
 /** What holds where the project does not say. */
-const defaults = { gradation: 1.3, order: "layered", optimization: "default" } as const;
+const defaults = { enclosed: "cavities", gradation: 1.3, order: "layered", optimization: "default" } as const;
 
+const enclosedBodies: readonly Enclosed[] = ["cavities", "regions"];
 const orders: readonly Order[] = ["layered", "smallest-first"];
 /** By effort: levels 0 to 3. */
 const optimizations: readonly Optimization[] = ["none", "fast", "default", "strive"];
@@ -28,6 +30,7 @@ export function MeshSettings() {
   const order: Order = meshing?.order ?? defaults.order;
   const optimization: Optimization = meshing?.optimization ?? defaults.optimization;
   const gradation = meshing?.gradation ?? defaults.gradation;
+  const enclosed: Enclosed = meshing?.enclosed ?? defaults.enclosed;
   // What is as it would be anyway is left out of the file.
   const set = <Field extends keyof typeof defaults>(
     field: Field,
@@ -80,6 +83,19 @@ export function MeshSettings() {
       </FieldRow>
       <Text size="xs" c="dimmed" mb={6}>
         {texts.gradationHint}
+      </Text>
+      <FieldRow label={texts.enclosed}>
+        <SegmentedControl<Enclosed>
+          size="xs"
+          fullWidth
+          aria-label={texts.enclosed}
+          data={enclosedBodies.map((value) => ({ value, label: texts.enclosedBodies[value] }))}
+          value={enclosed}
+          onChange={(value) => set("enclosed", value)}
+        />
+      </FieldRow>
+      <Text size="xs" c="dimmed" mb={6}>
+        {texts.enclosedHints[enclosed]}
       </Text>
     </details>
   );

@@ -334,6 +334,12 @@ export const strings = {
     gradation: "Gradation",
     gradationHint: "Most by which sizes grow from one element to the next; 0 takes them as they are.",
     badGradation: "Must be 0, or above 1",
+    enclosed: "Enclosed",
+    enclosedBodies: { cavities: "Cavities", regions: "Regions" },
+    enclosedHints: {
+      cavities: "Closed patches within a body bound an empty space.",
+      regions: "Closed patches within a body bound a region of its own, meshed to fit.",
+    },
   },
   triangles: {
     count: (count: string, single: boolean) => (single ? "1 triangle" : `${count} triangles`),

@@ -95,9 +95,9 @@ struct ModelPreview {
 
 /// Samples lines and patches coarsely for display and checks the model. Milliseconds for the
 /// models people draw; tolerates broken input, which is reported and left out of the picture.
-/// `size` > 0: the model will be meshed with that uniform size, so that nothing is said about the
-/// grid but for its sources.
+/// `options` are those it will be meshed with: with a uniform size nothing is said about the grid
+/// but for its sources.
 [[nodiscard]] ModelPreview previewModel(const Model& model, const BackgroundGrid& grid,
-                                        double size = 0.0);
+                                        const MeshOptions& options = {});
 
 }  // namespace tetrafront

@@ -21,6 +21,12 @@ enum class Optimization : std::uint8_t {
   kStrive = 3,   ///< and repair towards higher angles: 35 to 130 degrees
 };
 
+/// What a closed part of the boundary bounds that lies within a body and shares no line with it.
+enum class EnclosedBodies : std::uint8_t {
+  kCavities = 0,  ///< an empty space; a part within that, a body again, and so on
+  kRegions = 1,   ///< a region of its own: every space is filled, and fits what is around it
+};
+
 struct MeshOptions {
   /// Uniform element size, in model units, > 0. Given, it replaces the nodes and tetrahedra of a
   /// model's background grid, but not its sources, and caps the interior size of a given surface
@@ -33,6 +39,7 @@ struct MeshOptions {
   /// given that. Grids that change more gently are used as they are. 0: so are all. Sources have
   /// a growth of their own.
   double gradation = 1.3;
+  EnclosedBodies enclosed = EnclosedBodies::kCavities;
   FrontOrder order = FrontOrder::kLayered;
   /// Whether faces that cannot cross a new element are told from the others cheaply before the
   /// analysis (second section 6 (b) of the paper; (a), boxes, goes with the search for faces). Off,

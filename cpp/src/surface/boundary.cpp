@@ -17,8 +17,8 @@ namespace tetrafront {
 
 class BoundaryCheck::Impl {
  public:
-  Impl(SurfaceMesh& mesh, BoundarySource source)
-      : mesh_(mesh), source_(source), report_(mesh, source) {}
+  Impl(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed)
+      : mesh_(mesh), source_(source), enclosed_(enclosed), report_(mesh, source) {}
 
   bool advance(std::uint32_t budget) {
     switch (stage_) {
@@ -46,7 +46,7 @@ class BoundaryCheck::Impl {
         stage_ = report_.hasErrors() ? Stage::kReport : Stage::kCells;
         break;
       case Stage::kCells:
-        cells_ = findCells(mesh_, *edges_, tree_, report_);
+        cells_ = findCells(mesh_, *edges_, tree_, enclosed_, report_);
         stage_ = report_.hasErrors() ? Stage::kReport : Stage::kRegions;
         break;
       case Stage::kRegions:
@@ -96,6 +96,7 @@ class BoundaryCheck::Impl {
 
   SurfaceMesh& mesh_;
   BoundarySource source_;
+  EnclosedBodies enclosed_;
   BoundaryReport report_;
   Stage stage_ = Stage::kNumbers;
   UnsoundTriangles unsound_;
@@ -163,6 +164,7 @@ void BoundaryCheck::Impl::numberRegions() {
   constexpr std::uint32_t kNone = 0xffffffffU;
   std::vector<std::uint32_t> numberOf(cells_.shells.size(), kNone);
   std::vector<std::uint32_t> regionOf(cells_.shells.size(), SurfaceMesh::kNoRegion);
+  std::uint32_t cavities = 0;
   for (std::uint32_t side = 0; side < cells_.shellOf.size(); ++side) {
     const std::uint32_t shell = cells_.shellOf[side];
     if (cells_.isFilled[shell] == 0) continue;
@@ -170,7 +172,11 @@ void BoundaryCheck::Impl::numberRegions() {
       numberOf[shell] = static_cast<std::uint32_t>(result_.shells.size());
       result_.shells.push_back(
           {.firstTriangle = triangleOf(side), .volume = cells_.shells[shell].volume});
-      if (cells_.cellOf[shell] == shell) regionOf[shell] = result_.regionCount++;
+      if (cells_.cellOf[shell] == shell) {
+        regionOf[shell] = result_.regionCount++;
+      } else if (!cells_.isFilledAt(oppositeOf(side))) {
+        ++cavities;
+      }
     }
     BoundaryShell& found = result_.shells[numberOf[shell]];
     ++found.triangles;
@@ -184,11 +190,8 @@ void BoundaryCheck::Impl::numberRegions() {
     mesh_.triangleRegions[side] = regionOf[cells_.cellOf[shell]];
     result_.shells[numberOf[shell]].region = mesh_.triangleRegions[side];
   }
-  const auto shells = static_cast<std::uint32_t>(result_.shells.size());
-  if (shells > 1) {
-    report_.addNesting(result_.shells[1].firstTriangle, result_.regionCount,
-                       shells - result_.regionCount);
-  }
+  if (result_.shells.size() > 1)
+    report_.addNesting(result_.shells[1].firstTriangle, result_.regionCount, cavities);
   // What a given surface has in place of patches.
   if (source_ != BoundarySource::kGivenSurface) return;
   mesh_.trianglePatch.resize(cells_.partOf.size());
@@ -197,8 +200,8 @@ void BoundaryCheck::Impl::numberRegions() {
   }
 }
 
-BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source)
-    : impl_(std::make_unique<Impl>(mesh, source)) {}
+BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed)
+    : impl_(std::make_unique<Impl>(mesh, source, enclosed)) {}
 BoundaryCheck::BoundaryCheck(BoundaryCheck&&) noexcept = default;
 BoundaryCheck& BoundaryCheck::operator=(BoundaryCheck&&) noexcept = default;
 BoundaryCheck::~BoundaryCheck() = default;
@@ -208,10 +211,10 @@ double BoundaryCheck::fraction() const { return impl_->fraction(); }
 const BoundaryResult& BoundaryCheck::result() const { return impl_->result(); }
 const std::vector<Diagnostic>& BoundaryCheck::diagnostics() const { return impl_->diagnostics(); }
 
-BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
-                             std::vector<Diagnostic>& out) {
+BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source, std::vector<Diagnostic>& out,
+                             EnclosedBodies enclosed) {
   constexpr std::uint32_t kSlice = 1U << 16U;
-  BoundaryCheck check(mesh, source);
+  BoundaryCheck check(mesh, source, enclosed);
   while (!check.advance(kSlice)) {
   }
   out.insert(out.end(), check.diagnostics().begin(), check.diagnostics().end());

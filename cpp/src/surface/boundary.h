@@ -11,6 +11,7 @@
 
 #include "surface/boundary_report.h"
 #include "tetrafront/mesh.h"
+#include "tetrafront/options.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
@@ -35,14 +36,16 @@ struct BoundaryResult {
 ///   - with every triangle counter-clockwise seen from outside its region, whatever way it was drawn;
 ///     a wall, which has a region on either side, as it was drawn;
 ///   - with triangleRegions set, by the rule of surface_cells.h: a shell within a shell bounds a
-///     cavity, one more an island; bodies with a common wall are a region each;
+///     cavity, one more an island, unless such parts are to be regions of their own; bodies with a
+///     common wall are a region each;
 ///   - in their order of nodes and triangles, which only ever have two nodes exchanged;
 ///   - for a given surface with trianglePatch set to the shell, numbered by its lowest triangle.
 /// Any number of triangles above one may meet at an edge: bodies touch along it, or walls end there.
 class BoundaryCheck {
  public:
   /// `mesh` must outlive this, and not change meanwhile.
-  BoundaryCheck(SurfaceMesh& mesh, BoundarySource source);
+  BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
+                EnclosedBodies enclosed = EnclosedBodies::kCavities);
   BoundaryCheck(BoundaryCheck&&) noexcept;
   BoundaryCheck& operator=(BoundaryCheck&&) noexcept;
   ~BoundaryCheck();
@@ -65,7 +68,7 @@ class BoundaryCheck {
 };
 
 /// The whole check at once; findings are appended to `out`.
-BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
-                             std::vector<Diagnostic>& out);
+BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source, std::vector<Diagnostic>& out,
+                             EnclosedBodies enclosed = EnclosedBodies::kCavities);
 
 }  // namespace tetrafront

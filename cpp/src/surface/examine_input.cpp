@@ -60,7 +60,9 @@ class InputCheck {
     }
     std::vector<Diagnostic> found;
     // Samples are too coarse to be blamed: what is wrong beyond this is left to the mesh.
-    if (!closeBoundary(surface, BoundarySource::kDrawnPatches, found).valid) return;
+    const BoundaryResult closed =
+        closeBoundary(surface, BoundarySource::kDrawnPatches, found, options_->enclosed);
+    if (!closed.valid) return;
     volume_ = enclosedVolume(surface);
     std::erase_if(found, [](const Diagnostic& diagnostic) {
       return diagnostic.code != DiagnosticCode::kNestedBodies;
@@ -186,9 +188,8 @@ InputExamination examineInput(const Model& model, const BackgroundGrid& grid,
   return InputCheck(model, grid, options).run();
 }
 
-ModelPreview previewModel(const Model& model, const BackgroundGrid& grid, double size) {
-  MeshOptions options;
-  options.size = size;
+ModelPreview previewModel(const Model& model, const BackgroundGrid& grid,
+                          const MeshOptions& options) {
   return examineInput(model, grid, options).preview;
 }
 

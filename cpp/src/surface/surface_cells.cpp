@@ -14,8 +14,8 @@ namespace {
 class CellFinder {
  public:
   CellFinder(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-             BoundaryReport& report)
-      : mesh_(mesh), edges_(edges), tree_(tree), report_(report) {}
+             EnclosedBodies enclosed, BoundaryReport& report)
+      : mesh_(mesh), edges_(edges), tree_(tree), enclosed_(enclosed), report_(report) {}
 
   SurfaceCells run() {
     cells_.partOf = connectedParts(mesh_, edges_);
@@ -41,7 +41,7 @@ class CellFinder {
       const std::uint32_t side = cells_.shells[s].firstSide;
       std::uint8_t& reported = isReported[partOfShell(s)];
       if (!cells_.shells[s].isFlat || reported != 0) continue;
-      if (cells_.shellOf[side] == cells_.shellOf[side ^ 1U]) continue;
+      if (cells_.shellOf[side] == cells_.shellOf[oppositeOf(side)]) continue;
       reported = 1;
       report_.addTriangle(DiagnosticCode::kZeroVolume, triangleOf(side));
     }
@@ -80,8 +80,9 @@ class CellFinder {
     }
   }
 
+  /// A part with walls, or one that is to be a wall all over.
   [[nodiscard]] std::vector<std::uint8_t> partsWithWalls() const {
-    std::vector<std::uint8_t> hasWalls(partCount_, 0);
+    std::vector<std::uint8_t> hasWalls(partCount_, enclosed_ == EnclosedBodies::kRegions ? 1 : 0);
     for (std::size_t e = 0; e < edges_.edgeCount(); ++e) {
       const std::span<const std::uint32_t> halfEdges = edges_.halfEdgesOf(e);
       if (halfEdges.size() % 2 == 1) hasWalls[cells_.partOf[halfEdges[0] / 3]] = 1;
@@ -124,6 +125,7 @@ class CellFinder {
   const SurfaceMesh& mesh_;
   const EdgeTable& edges_;
   const BoxTree& tree_;
+  EnclosedBodies enclosed_;
   BoundaryReport& report_;
   SurfaceCells cells_;
   std::uint32_t partCount_ = 0;
@@ -133,8 +135,8 @@ class CellFinder {
 }  // namespace
 
 SurfaceCells findCells(const SurfaceMesh& mesh, const EdgeTable& edges, const BoxTree& tree,
-                       BoundaryReport& report) {
-  return CellFinder(mesh, edges, tree, report).run();
+                       EnclosedBodies enclosed, BoundaryReport& report) {
+  return CellFinder(mesh, edges, tree, enclosed, report).run();
 }
 
 }  // namespace tetrafront

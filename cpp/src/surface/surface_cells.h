@@ -5,7 +5,7 @@
 /// A part of the surface that is connected over edges, all of which have an even number of triangles,
 /// is a skin: it divides what is filled from what is not, so that within a body it bounds a cavity,
 /// and within that an island. Where an odd number of triangles meet at some edge of a part, it has
-/// walls, and every space that the part encloses is filled.
+/// walls, and every space that the part encloses is filled. On wish that holds for every part.
 
 #include <cstdint>
 #include <vector>
@@ -15,6 +15,7 @@
 #include "surface/edge_table.h"
 #include "surface/shell_nesting.h"
 #include "tetrafront/mesh.h"
+#include "tetrafront/options.h"
 
 namespace tetrafront {
 
@@ -37,6 +38,7 @@ struct SurfaceCells {
 /// triangles with one space on both sides; then the rest is not complete. Exact but for the signs of
 /// volumes. O(n log n).
 [[nodiscard]] SurfaceCells findCells(const SurfaceMesh& mesh, const EdgeTable& edges,
-                                     const BoxTree& tree, BoundaryReport& report);
+                                     const BoxTree& tree, EnclosedBodies enclosed,
+                                     BoundaryReport& report);
 
 }  // namespace tetrafront

@@ -18,6 +18,7 @@ namespace tetrafront {
 constexpr std::uint32_t backOf(std::uint32_t triangle) { return 2 * triangle; }
 /// The side from which it is seen counter-clockwise.
 constexpr std::uint32_t frontOf(std::uint32_t triangle) { return 2 * triangle + 1; }
+constexpr std::uint32_t oppositeOf(std::uint32_t side) { return side ^ 1U; }
 constexpr std::uint32_t triangleOf(std::uint32_t side) { return side / 2; }
 
 /// Sorts the half-edges of one edge by the angle of their triangles, counter-clockwise seen

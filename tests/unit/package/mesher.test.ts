@@ -5,6 +5,7 @@ import { promisify } from "node:util";
 import {
   createMesher,
   MesherError,
+  NO_REGION,
   readProject,
   type Mesher,
   type MeshResult,
@@ -166,6 +167,30 @@ describe("a project is meshed:", () => {
     const result = await mesher.meshProject(read.value);
     expectValid(result);
     expect(Math.abs(result.report.volume - 8 / 6)).toBeLessThan(1e-12);
+  });
+});
+
+describe("bodies within a body", () => {
+  test("are cavities, or regions if that is wanted", async () => {
+    const surface = cavitySurface(6);
+    const [empty, filled] = await Promise.all([
+      mesher.fillSurface(surface),
+      mesher.fillSurface(surface, { enclosed: "regions" }),
+    ]);
+    expectValid(empty, surface);
+    expect(empty.report.quality.regions).toHaveLength(1);
+    expect(filled.report.status).toBe("done");
+    const volumes = filled.report.quality.regions.map(({ volume }) => volume);
+    expect(volumes).toHaveLength(2);
+    // What is around the inner body is what was filled before.
+    expect(volumes[0]).toBeCloseTo(empty.report.volume, 12);
+    expect(filled.report.volume).toBeCloseTo(Number(volumes[0]) + Number(volumes[1]), 12);
+    // Both sides of the inner sphere's triangles, and of no others, look into a region.
+    const { triangleRegions } = filled.surface;
+    const isWall = (triangle: number): boolean =>
+      [0, 1].every((side) => triangleRegions[2 * triangle + side] !== NO_REGION);
+    const box = boxSurface(6).triangles.length / 3;
+    for (let t = 0; t < triangleRegions.length / 2; ++t) expect(isWall(t)).toBe(t >= box);
   });
 });
 
