@@ -97,3 +97,20 @@ test("the settings of the mesh are obeyed, undone, and kept in the file", async 
   for (let i = 0; i < 3; ++i) await page.getByTestId("undo").click();
   expect(await app.meshed()).toEqual(before);
 });
+
+test("a body within a body is a cavity, or a region if the settings say so", async ({ page }) => {
+  const app = new AppPage(page);
+  const before = await app.open("light", "sphere-in-a-box");
+  const hollow = await reportOf(app);
+  expect(hollow.quality.regions).toHaveLength(1);
+  await page.getByTestId("mesh-settings").locator("summary").click();
+  await page.getByRole("radiogroup", { name: "Enclosed" }).getByText("Regions").click();
+  await app.generate();
+  const filled = await reportOf(app);
+  const [inner, around] = [...filled.quality.regions].sort((a, b) => a.volume - b.volume);
+  expect(filled.quality.regions).toHaveLength(2);
+  expect(around?.volume).toBeCloseTo(hollow.volume, 9);
+  expect(filled.volume).toBeCloseTo(hollow.volume + Number(inner?.volume), 9);
+  await page.getByTestId("undo").click();
+  expect(await app.meshed()).toEqual(before);
+});
