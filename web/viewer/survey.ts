@@ -2,6 +2,7 @@ import {
   histogramOf,
   placeOnScale,
   qualitiesOf,
+  qualityOf,
   type Elements,
   type Histogram,
   type QualityMeasure,
@@ -88,10 +89,12 @@ export class Survey {
 
   #valuesOf(faces: Uint32Array, shading: Shading): Float32Array<ArrayBuffer> {
     if (shading === "plain") return new Float32Array();
-    const qualities = this.#qualitiesBy(shading);
+    // Those of all elements take their time, and the picture waits.
+    const known = this.#qualities.get(shading);
     const values = new Float32Array(3 * faces.length);
     for (let i = 0; i < faces.length; ++i) {
-      const value = qualities[(faces[i] ?? 0) >> 2] ?? 0;
+      const element = (faces[i] ?? 0) >> 2;
+      const value = known?.[element] ?? qualityOf(this.#mesh, shading, element);
       values.fill(placeOnScale(value, shading), 3 * i, 3 * i + 3);
     }
     return values;

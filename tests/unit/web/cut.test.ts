@@ -51,6 +51,29 @@ describe("findNeighbours", () => {
     // Two triangles per square of the cube's surface.
     expect(boundary).toBe(6 * 4 * 4 * 2);
   });
+
+  it("finds the faces around a node of a hundred thousand tetrahedra, wherever it comes in the order", () => {
+    // Around an axis: each element has both of its ends and two nodes of a ring.
+    const ring = 100_000;
+    for (const [low, high] of [
+      [0, 1],
+      [0, ring + 1],
+      [ring / 2, ring / 2 + 1],
+      [ring, ring + 1],
+    ] as const) {
+      const rim = Array.from({ length: ring + 2 }, (_, i) => i).filter((i) => i !== low && i !== high);
+      const tetrahedra = Uint32Array.from(
+        rim.flatMap((node, i) => [low, high, node, rim[(i + 1) % ring] ?? 0]),
+      );
+      const found = findNeighbours(tetrahedra);
+      for (let t = 0; t < ring; ++t) {
+        const around = [...found.subarray(4 * t, 4 * t + 4)];
+        const wanted = [-1, -1, (t + 1) % ring, (t + ring - 1) % ring];
+        if (around.some((other, f) => other !== wanted[f]))
+          expect({ t, around }).toEqual({ t, around: wanted });
+      }
+    }
+  });
 });
 
 describe("collectVisibleFaces", () => {

@@ -54,6 +54,13 @@ describe("a survey", () => {
       });
     }
     expect(survey.facesOf(whole).values).toHaveLength(0);
+    // As before, when the qualities of all elements are known.
+    const before = survey.facesOf({ ...whole, shading: "dihedral" });
+    expect(survey.histogram("dihedral", 20).bars.reduce((sum, n) => sum + n)).toBe(
+      mesh.tetrahedra.length / 4,
+    );
+    const after = survey.facesOf({ ...whole, shading: "dihedral" });
+    after.values.forEach((value, i) => expect(value).toBeCloseTo(before.values[i] ?? NaN, 5));
   });
 });
 

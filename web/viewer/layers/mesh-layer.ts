@@ -68,10 +68,11 @@ export class MeshLayer implements SceneLayer {
     setColor(this.#frontMaterial, "color", colors.front);
   }
 
-  /** Shows another mesh, or none. */
+  /** Shows another mesh, or none. Asked for at once: figures of the mesh come after its picture. */
   setMesh(result: MeshResult | null, origin: Place): void {
     this.#want({ volume: result?.volume ?? null, origin });
     this.#showFront(result, origin);
+    this.refresh();
   }
 
   setCut(cut: Cut): void {
