@@ -49,6 +49,23 @@ test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page
   await expect(page.getByTestId("download")).toBeEnabled();
 });
 
+test("a mesh that cannot be written is told, and can be once it is possible", async ({ page }) => {
+  const writeScript = /write-worker-.*\.js$/;
+  await page.route(writeScript, (route) => route.abort());
+  await new AppPage(page).openCube();
+  const save = async (): Promise<void> => {
+    await page.getByTestId("download").click();
+    await page.getByRole("menuitem", { name: /SU2/ }).click();
+  };
+  await save();
+  const dialog = page.getByRole("dialog", { name: "The mesh could not be written" });
+  await expect(dialog).toContainText("could not be loaded");
+  await dialog.getByRole("button", { name: "Close" }).last().click();
+  await page.unroute(writeScript);
+  const [file] = await Promise.all([page.waitForEvent("download"), save()]);
+  expect(file.suggestedFilename()).toBe("unit-cube.su2");
+});
+
 test("while a mesh is made nothing moves by itself: every picture costs the mesher time", async ({
   page,
 }) => {
