@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
@@ -214,6 +215,41 @@ TEST(MeshWalls, AWallWithAHoleIsAnOpenLine) {
   EXPECT_EQ(run.status(), MeshStatus::kInvalidInput);
   EXPECT_EQ(errorsOf(run), std::set{DiagnosticCode::kOpenEdge});
   EXPECT_EQ(run.diagnostics().size(), 4U) << "every line of the hole";
+}
+
+/// A ring of eight cubes without the walls between them, but for one: the same space is on both sides
+/// of it. That is known before anything is meshed.
+TEST(MeshWalls, AWallThatSeparatesNothingIsNamedAtOnce) {
+  Model model = dividedBoxModel({3, 3, 1});
+  const Vec3 kept(1.0, 0.5, 0.5);
+  std::erase_if(model.patches, [&](const Patch& patch) {
+    Vec3 centre(0.0);
+    for (const OrientedLine& walked : patch.loops.front()) {
+      for (const std::uint32_t point : model.lines[walked.line].points)
+        centre += model.points[point] / 8.0;
+    }
+    const Vec3 fromAxis = glm::abs(centre - Vec3(1.5, 1.5, 0.5));
+    const double near = std::min(fromAxis.x, fromAxis.y);
+    const double far = std::max(fromAxis.x, fromAxis.y);
+    const bool isLid = far < 0.25;  // of the hole in the middle
+    const bool isBetween = near > 0.25 && far < 1.25 && fromAxis.z < 0.25;  // neighbours
+    return isLid || (isBetween && glm::length(centre - kept) > 0.25);
+  });
+  for (const bool isPreview : {true, false}) {
+    MeshOptions options;
+    options.size = 0.5;
+    const std::vector<Diagnostic> told =
+        isPreview ? previewModel(model, {}, options).diagnostics : meshed(model, 0.5).diagnostics();
+    std::vector<Diagnostic> errors;
+    std::ranges::copy_if(told, std::back_inserter(errors), [](const Diagnostic& diagnostic) {
+      return diagnostic.severity == Severity::kError;
+    });
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(errors[0].code, DiagnosticCode::kDanglingSheet);
+    ASSERT_EQ(errors[0].entities.size(), 1U) << "the patch";
+    EXPECT_EQ(errors[0].entities[0].kind, EntityKind::kPatch);
+    EXPECT_NEAR(glm::length(errors[0].place - kept), 0.0, 0.5);
+  }
 }
 
 TEST(MeshWalls, GivenSurfacesKeepTheirWalls) {

@@ -643,11 +643,13 @@ TEST(DrawnBoundaryTest, ReversedPatchesAreTurnedAndNamed) {
   ASSERT_TRUE(outcome.result.valid);
   EXPECT_EQ(turnsOf(mesh), expected);
   EXPECT_EQ(mesh.trianglePatch, patches);
-  ASSERT_EQ(outcome.diagnostics.size(), 2U);
-  EXPECT_EQ(outcome.diagnostics[0].entities.at(0).kind, EntityKind::kPatch);
-  EXPECT_EQ(outcome.diagnostics[0].entities.at(0).index, 1U);
-  EXPECT_EQ(outcome.diagnostics[1].entities.at(0).index, 4U);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U) << "of all of them in one";
   EXPECT_EQ(outcome.diagnostics[0].code, DiagnosticCode::kReorientedPatch);
+  ASSERT_EQ(outcome.diagnostics[0].entities.size(), 2U);
+  for (const auto& [at, patch] : {std::pair{0U, 1U}, {1U, 4U}}) {
+    EXPECT_EQ(outcome.diagnostics[0].entities[at].kind, EntityKind::kPatch);
+    EXPECT_EQ(outcome.diagnostics[0].entities[at].index, patch);
+  }
 }
 
 /// The triangles that a finding names behind its lines and patches, each once, all of its patches.

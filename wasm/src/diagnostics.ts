@@ -147,7 +147,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "patches-meet": {
     message: ({ all, at }) => `${all(["patch"], "Two patches")} overlap or cross each other${at}`,
-    remedy: "Move them apart, or cut both along a common line and leave out what lies inside.",
+    remedy:
+      "Move them apart, or cut both along a common line; leave out what lies inside, unless it is a wall between two regions.",
   },
   "duplicate-lines": {
     message: ({ all, at }) => `${all(["line"], "Two lines")} run along the same course${at}`,
@@ -218,7 +219,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       `The surface is not closed: one side is missing at ${all(["line", "patch", "triangle"], "an edge")}${at}${total(value(0), "open edge")}`,
     remedy: ({ drawn }) =>
       drawn
-        ? "Add the patch that is missing there, or let its neighbour use the same line."
+        ? "Add the patch that is missing there, or let its neighbour use the same line. A wall must end at lines of other patches all round."
         : "Close the gap in the surface; at least two triangles must meet at every edge.",
   },
   "dangling-sheet": {
@@ -257,8 +258,10 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Remove the flat shell, or move its corners apart.",
   },
   "reoriented-patch": {
-    message: ({ all }) =>
-      `${all(["patch", "triangle"], "A shell")} was drawn inside out and has been turned round`,
+    message: ({ all, count }) => {
+      const [were, have] = count(["patch", "triangle"]) > 1 ? ["were", "have"] : ["was", "has"];
+      return `${all(["patch", "triangle"], "A shell")} ${were} drawn inside out and ${have} been turned round`;
+    },
     remedy: "",
   },
   "coincident-nodes": {
@@ -361,9 +364,14 @@ function subjectOf(raw: EngineDiagnostic, entities: readonly EntityRef[]): Subje
   };
 }
 
+/** More names than these are counted. */
+const MOST_NAMES = 8;
+
 function joined(labels: readonly string[]): string | undefined {
   if (labels.length < 2) return labels[0];
-  return `${labels.slice(0, -1).join(", ")} and ${labels[labels.length - 1] ?? ""}`;
+  const named = labels.length > MOST_NAMES ? MOST_NAMES - 1 : labels.length - 1;
+  const last = named + 1 < labels.length ? `${labels.length - named} more` : (labels[named] ?? "");
+  return `${labels.slice(0, named).join(", ")} and ${last}`;
 }
 
 /** Counts in full, else six significant digits: enough to find the place, short enough to read. */

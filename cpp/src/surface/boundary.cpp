@@ -126,15 +126,20 @@ void BoundaryCheck::Impl::turnOutward() {
 }
 
 void BoundaryCheck::Impl::reportTurnedPatches(const std::vector<std::uint8_t>& isTurned) {
-  std::vector<std::uint8_t> isReported;
+  std::vector<std::uint8_t> isNamed;
+  std::vector<Entity> patches;
+  std::uint32_t first = 0;
   for (std::uint32_t t = 0; t < isTurned.size(); ++t) {
     const std::uint32_t patch = mesh_.trianglePatch[t];
-    if (patch >= isReported.size()) isReported.resize(std::size_t{patch} + 1, 0);
-    if (isTurned[t] == 0 || isReported[patch] != 0) continue;
-    isReported[patch] = 1;
-    report_.addInformation(DiagnosticCode::kReorientedPatch, {{EntityKind::kPatch, patch}},
-                           report_.centreOf(t), {});
+    if (patch >= isNamed.size()) isNamed.resize(std::size_t{patch} + 1, 0);
+    if (isTurned[t] == 0 || isNamed[patch] != 0) continue;
+    isNamed[patch] = 1;
+    if (patches.empty()) first = t;
+    patches.push_back({EntityKind::kPatch, patch});
   }
+  if (patches.empty()) return;
+  report_.addInformation(DiagnosticCode::kReorientedPatch, std::move(patches),
+                         report_.centreOf(first), {});
 }
 
 void BoundaryCheck::Impl::reportTurnedShells(const std::vector<std::uint8_t>& isTurned) {

@@ -59,15 +59,22 @@ class InputCheck {
       return;
     }
     std::vector<Diagnostic> found;
-    // Samples are too coarse to be blamed: what is wrong beyond this is left to the mesh.
     const BoundaryResult closed =
         closeBoundary(surface, BoundarySource::kDrawnPatches, found, options_->enclosed);
-    if (!closed.valid) return;
-    volume_ = enclosedVolume(surface);
-    std::erase_if(found, [](const Diagnostic& diagnostic) {
-      return diagnostic.code != DiagnosticCode::kNestedBodies;
-    });
-    report(std::move(found));
+    // Samples are too coarse to be blamed for what lies where: that is left to the mesh.
+    const auto isPlacing = [](const Diagnostic& diagnostic) {
+      return diagnostic.severity == Severity::kError &&
+             diagnostic.code != DiagnosticCode::kDanglingSheet;
+    };
+    if (std::ranges::any_of(found, isPlacing)) return;
+    if (closed.valid) volume_ = enclosedVolume(surface);
+    for (Diagnostic& diagnostic : found) {
+      if (diagnostic.code == DiagnosticCode::kReorientedPatch) continue;
+      // The samples' triangles are nobody else's.
+      std::erase_if(diagnostic.entities,
+                    [](const Entity& entity) { return entity.kind == EntityKind::kTriangle; });
+      diagnostics_.push_back(std::move(diagnostic));
+    }
   }
 
   [[nodiscard]] SurfaceMesh surfaceOf(const Closure& closure) const {
