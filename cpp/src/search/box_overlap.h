@@ -1,63 +1,165 @@
 #pragma once
 
-/// @file One box against many: the comparison of the face grid's innermost loop, four lanes at
-/// once where the machine has them. All variants give the same answers.
+/// @file One box against many: the comparison of the face grid's innermost loop, four boxes at once
+/// where the machine has such lanes. All variants give the same answers in the same order.
 
-#if defined(__SSE2__)
-#include <emmintrin.h>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "geom/box.h"
+
+#if defined(__SSSE3__)
+#include <tmmintrin.h>
 #elif defined(__wasm_simd128__)
 #include <wasm_simd128.h>
 #endif
 
 namespace tetrafront {
 
-/// Boxes are given by pointers to three floats; a fourth float behind them must be readable and
-/// is ignored.
+/// Four boxes and their names, side by side. A new one holds boxes that meet nothing.
+struct alignas(16) BoxQuad {
+  static constexpr std::size_t kCount = 4;
+  static constexpr float kFar = std::numeric_limits<float>::infinity();
+  template <class Value>
+  using Lanes = std::array<Value, kCount>;
+
+  std::array<Lanes<float>, 3> low{{{kFar, kFar, kFar, kFar},  //
+                                   {kFar, kFar, kFar, kFar},
+                                   {kFar, kFar, kFar, kFar}}};
+  std::array<Lanes<float>, 3> high{{{-kFar, -kFar, -kFar, -kFar},
+                                    {-kFar, -kFar, -kFar, -kFar},
+                                    {-kFar, -kFar, -kFar, -kFar}}};
+  Lanes<std::uint32_t> names{};
+
+  void set(std::size_t lane, const Box& box, std::uint32_t name) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis][lane] = box.low[axis];
+      high[axis][lane] = box.high[axis];
+    }
+    names[lane] = name;
+  }
+  void copy(std::size_t lane, const BoxQuad& from, std::size_t fromLane) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis][lane] = from.low[axis][fromLane];
+      high[axis][lane] = from.high[axis][fromLane];
+    }
+    names[lane] = from.names[fromLane];
+  }
+  /// Makes the box one that meets nothing.
+  void clear(std::size_t lane) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low[axis][lane] = kFar;
+      high[axis][lane] = -kFar;
+    }
+  }
+};
+
 class BoxOverlap {
  public:
-#if defined(__SSE2__)
-  BoxOverlap(const float* low, const float* high)
-      : low_(_mm_setr_ps(low[0], low[1], low[2], 0.0F)),
-        high_(_mm_setr_ps(high[0], high[1], high[2], 0.0F)) {}
+  /// Room that append() may write to beyond the names it keeps.
+  static constexpr std::size_t kSlack = BoxQuad::kCount;
 
-  [[nodiscard]] bool meets(const float* low, const float* high) const {
-    const __m128 apart =
-        _mm_or_ps(_mm_cmpgt_ps(_mm_load_ps(low), high_), _mm_cmplt_ps(_mm_load_ps(high), low_));
-    return (_mm_movemask_ps(apart) & kThreeLanes) == 0;
+#if defined(__SSSE3__)
+  explicit BoxOverlap(const Box& box)
+      : x_{_mm_set1_ps(box.low[0]), _mm_set1_ps(box.high[0])},
+        y_{_mm_set1_ps(box.low[1]), _mm_set1_ps(box.high[1])},
+        z_{_mm_set1_ps(box.low[2]), _mm_set1_ps(box.high[2])} {}
+
+  /// Writes the names of those boxes that meet this one to `end` on; returns where they end.
+  std::uint32_t* append(const BoxQuad& boxes, std::uint32_t* end) const {
+    const __m128 apart = _mm_or_ps(_mm_or_ps(apartAlong(boxes, 0, x_), apartAlong(boxes, 1, y_)),
+                                   apartAlong(boxes, 2, z_));
+    const auto meeting = static_cast<std::size_t>(_mm_movemask_ps(apart)) ^ kAll;
+    const auto* names = reinterpret_cast<const __m128i*>(boxes.names.data());
+    const auto* places = reinterpret_cast<const __m128i*>(kPacking[meeting].data());
+    // Written always, kept as far as they meet: branches would be coin tosses.
+    _mm_storeu_si128(reinterpret_cast<__m128i*>(end),
+                     _mm_shuffle_epi8(_mm_load_si128(names), _mm_load_si128(places)));
+    return end + kSetSize[meeting];
   }
 
  private:
-  static constexpr int kThreeLanes = 7;
-  __m128 low_;
-  __m128 high_;
+  struct Range {
+    __m128 low;
+    __m128 high;
+  };
+  static __m128 apartAlong(const BoxQuad& boxes, std::size_t axis, const Range& range) {
+    return _mm_or_ps(_mm_cmpgt_ps(_mm_load_ps(boxes.low[axis].data()), range.high),
+                     _mm_cmplt_ps(_mm_load_ps(boxes.high[axis].data()), range.low));
+  }
+  Range x_;
+  Range y_;
+  Range z_;
 #elif defined(__wasm_simd128__)
-  BoxOverlap(const float* low, const float* high)
-      : low_(wasm_f32x4_make(low[0], low[1], low[2], 0.0F)),
-        high_(wasm_f32x4_make(high[0], high[1], high[2], 0.0F)) {}
+  explicit BoxOverlap(const Box& box)
+      : x_{wasm_f32x4_splat(box.low[0]), wasm_f32x4_splat(box.high[0])},
+        y_{wasm_f32x4_splat(box.low[1]), wasm_f32x4_splat(box.high[1])},
+        z_{wasm_f32x4_splat(box.low[2]), wasm_f32x4_splat(box.high[2])} {}
 
-  [[nodiscard]] bool meets(const float* low, const float* high) const {
-    const v128_t apart = wasm_v128_or(wasm_f32x4_gt(wasm_v128_load(low), high_),
-                                      wasm_f32x4_lt(wasm_v128_load(high), low_));
-    return (wasm_i32x4_bitmask(apart) & kThreeLanes) == 0;
+  std::uint32_t* append(const BoxQuad& boxes, std::uint32_t* end) const {
+    const v128_t apart = wasm_v128_or(
+        wasm_v128_or(apartAlong(boxes, 0, x_), apartAlong(boxes, 1, y_)), apartAlong(boxes, 2, z_));
+    const auto meeting = static_cast<std::size_t>(wasm_i32x4_bitmask(apart)) ^ kAll;
+    const v128_t places = wasm_v128_load(kPacking[meeting].data());
+    wasm_v128_store(end, wasm_i8x16_swizzle(wasm_v128_load(boxes.names.data()), places));
+    return end + kSetSize[meeting];
   }
 
  private:
-  static constexpr int kThreeLanes = 7;
-  v128_t low_;
-  v128_t high_;
+  struct Range {
+    v128_t low;
+    v128_t high;
+  };
+  static v128_t apartAlong(const BoxQuad& boxes, std::size_t axis, const Range& range) {
+    return wasm_v128_or(wasm_f32x4_gt(wasm_v128_load(boxes.low[axis].data()), range.high),
+                        wasm_f32x4_lt(wasm_v128_load(boxes.high[axis].data()), range.low));
+  }
+  Range x_;
+  Range y_;
+  Range z_;
 #else
-  BoxOverlap(const float* low, const float* high) : low_(low), high_(high) {}
+  explicit BoxOverlap(const Box& box) : box_(box) {}
 
-  [[nodiscard]] bool meets(const float* low, const float* high) const {
-    for (int k = 0; k < 3; ++k) {
-      if (low[k] > high_[k] || high[k] < low_[k]) return false;
+  std::uint32_t* append(const BoxQuad& boxes, std::uint32_t* end) const {
+    for (std::size_t lane = 0; lane < BoxQuad::kCount; ++lane) {
+      bool apart = false;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        apart = apart || boxes.low[axis][lane] > box_.high[axis] ||
+                boxes.high[axis][lane] < box_.low[axis];
+      }
+      *end = boxes.names[lane];
+      end += apart ? 0 : 1;
     }
-    return true;
+    return end;
   }
 
  private:
-  const float* low_;
-  const float* high_;
+  Box box_;
+#endif
+
+#if defined(__SSSE3__) || defined(__wasm_simd128__)
+  /// Sets of lanes are bits.
+  static constexpr std::size_t kAll = (1U << BoxQuad::kCount) - 1;
+  struct alignas(16) BytePlaces : std::array<std::uint8_t, 16> {};
+
+  /// For each set of lanes, where the bytes come from that bring these lanes to the front.
+  static constexpr std::array<BytePlaces, kAll + 1> kPacking = [] {
+    std::array<BytePlaces, kAll + 1> packing{};
+    for (std::size_t set = 0; set <= kAll; ++set) {
+      std::size_t filled = 0;
+      for (std::size_t lane = 0; lane < BoxQuad::kCount; ++lane) {
+        if ((set >> lane & 1U) == 0) continue;
+        for (std::size_t byte = 0; byte < 4; ++byte) {
+          packing[set][filled++] = static_cast<std::uint8_t>(4 * lane + byte);
+        }
+      }
+    }
+    return packing;
+  }();
+  static constexpr std::array<std::uint8_t, kAll + 1> kSetSize{0, 1, 1, 2, 1, 2, 2, 3,
+                                                               1, 2, 2, 3, 2, 3, 3, 4};
 #endif
 };
 

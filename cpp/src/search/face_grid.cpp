@@ -148,7 +148,7 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
   Block& block = blocks_[blockId];
   block.occupied |= std::uint64_t{1} << inBlock;
   std::uint32_t& head = block.heads[inBlock];
-  if (head == kNone || chunks_[head].count == kChunkSize) {
+  if (head == kNone || chunks_[head].count == BoxQuad::kCount) {
     std::uint32_t fresh = 0;
     if (freeChunks_.empty()) {
       fresh = static_cast<std::uint32_t>(chunks_.size());
@@ -158,12 +158,10 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
       freeChunks_.pop_back();
     }
     chunks_[fresh].next = head;
-    chunks_[fresh].count = 0;
-    chunks_[fresh].entries.fill(kNothing);
     head = fresh;
   }
   Chunk& chunk = chunks_[head];
-  chunk.entries[chunk.count] = {box.low, face, box.high, 0};
+  chunk.boxes.set(chunk.count, box, face);
   if (face >= places_.size())
     places_.resize(std::max<std::size_t>(face + 1, places_.size() * 3 / 2));
   places_[face] = {head, blockId << 6 | inBlock, static_cast<std::uint8_t>(chunk.count),
@@ -180,11 +178,12 @@ void FaceGrid::remove(std::uint32_t face) {
   std::uint32_t& head = block.heads[inBlock];
   Chunk& first = chunks_[head];
   // The list's last entry takes the free place.
-  const Entry last = first.entries[--first.count];
-  first.entries[first.count] = kNothing;
-  if (last.face != face) chunks_[place.chunk].entries[place.slot] = last;
-  places_[last.face].chunk = place.chunk;
-  places_[last.face].slot = place.slot;
+  const std::uint32_t last = --first.count;
+  const std::uint32_t lastFace = first.boxes.names[last];
+  chunks_[place.chunk].boxes.copy(place.slot, first.boxes, last);
+  first.boxes.clear(last);
+  places_[lastFace].chunk = place.chunk;
+  places_[lastFace].slot = place.slot;
   --facesOnLevel_[place.level];
   --faceCount_;
   if (first.count > 0) return;
@@ -194,8 +193,8 @@ void FaceGrid::remove(std::uint32_t face) {
 }
 
 std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) const {
-  // Every face may be found, and a place more is written to: so much for checks on the way.
-  if (faces.size() < faceCount_ + 1) faces.resize(2 * faceCount_ + 64);
+  // Every face may be found, and places more are written to: so much for checks on the way.
+  if (faces.size() < faceCount_ + BoxOverlap::kSlack) faces.resize(2 * faceCount_ + 64);
   std::uint32_t* end = faces.data();
   for (int level = 0; level < kLevels; ++level) {
     if (facesOnLevel_[level] > 0) end = queryLevel(level, box, end);
@@ -204,7 +203,7 @@ std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) c
 }
 
 std::uint32_t* FaceGrid::queryLevel(int level, const Box& box, std::uint32_t* end) const {
-  const BoxOverlap overlap(box.low.data(), box.high.data());
+  const BoxOverlap overlap(box);
   const double margin = 0.5 * cellSize_[level];
   CellRange cells{};
   double blocksInRange = 1.0;
@@ -260,13 +259,7 @@ std::uint32_t* FaceGrid::queryBlock(const Block& block, const CellRange& cells, 
 std::uint32_t* FaceGrid::queryChunks(std::uint32_t chunk, const BoxOverlap& overlap,
                                      std::uint32_t* end) const {
   for (; chunk != kNone; chunk = chunks_[chunk].next) {
-    const Chunk& current = chunks_[chunk];
-    // All places, free ones too, whose boxes meet nothing; written always, kept only on overlap:
-    // branches would be coin tosses.
-    for (const Entry& entry : current.entries) {
-      *end = entry.face;
-      end += overlap.meets(entry.low.data(), entry.high.data()) ? 1 : 0;
-    }
+    end = overlap.append(chunks_[chunk].boxes, end);
   }
   return end;
 }

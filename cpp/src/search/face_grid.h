@@ -8,11 +8,11 @@
 /// query where this needs about ten look-ups (docs/ARCHITECTURE.md, choices).
 ///
 /// Layout: hash of a block of 4 x 4 x 4 cells -> occupancy mask and 64 list heads -> chunks of
-/// seven faces whose boxes are stored inside, so that a query touches few cache lines.
+/// four faces whose boxes are stored inside, so that a query touches few cache lines: a cell holds
+/// about two faces, and a chunk is two lines.
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "geom/box.h"
@@ -41,22 +41,11 @@ class FaceGrid {
   static constexpr std::uint32_t kNone = 0xffffffffU;
   static constexpr int kLevels = 64;
   static constexpr int kBaseLevel = 32;
-  static constexpr std::uint32_t kChunkSize = 7;
 
-  struct alignas(16) Entry {
-    std::array<float, 3> low;
-    std::uint32_t face;
-    std::array<float, 3> high;
-    std::uint32_t unused;
-  };
-  static constexpr float kFar = std::numeric_limits<float>::infinity();
-  /// A free place: a box that meets none.
-  static constexpr Entry kNothing{{kFar, kFar, kFar}, kNone, {-kFar, -kFar, -kFar}, 0};
-  struct alignas(16) Chunk {
-    std::uint32_t next;
-    std::uint32_t count;
-    std::array<std::uint32_t, 6> unused;
-    std::array<Entry, kChunkSize> entries;
+  struct alignas(64) Chunk {
+    BoxQuad boxes;
+    std::uint32_t count = 0;
+    std::uint32_t next = kNone;
   };
   struct Block {
     std::uint64_t key;
