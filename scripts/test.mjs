@@ -46,9 +46,10 @@ function print(rows, all, seconds) {
   const failures = rows.flatMap(({ suite, counts }) =>
     counts.failures.map((name) => `FAILED ${suite.title}: ${name}`),
   );
+  const untested = rows.flatMap(({ suite }) => suite.untested?.() ?? []);
   const total = `${"all, with setup".padEnd(51)}${seconds.toFixed(1).padStart(8)} s`;
   process.stdout.write(
-    `\n${[...lines, total, ...failures, `${all.passed} passed, ${all.failed} failed`].join("\n")}\n`,
+    `\n${[...lines, total, ...untested, ...failures, `${all.passed} passed, ${all.failed} failed`].join("\n")}\n`,
   );
 }
 

@@ -3,6 +3,7 @@
 /// a call that fails says so in failure() and returns an empty value.
 
 #include <emscripten/bind.h>
+#include <emscripten/heap.h>
 
 #include <cstdint>
 #include <exception>
@@ -86,7 +87,8 @@ class Run {
                             .points = p.points,
                             .triangles = p.triangles,
                             .tetrahedra = p.tetrahedra,
-                            .frontFaces = p.frontFaces};
+                            .frontFaces = p.frontFaces,
+                            .expectedTetrahedra = run.estimatedTetrahedra()};
     });
   }
 
@@ -264,6 +266,9 @@ MeshInspectionRecord inspectVolume(const Float64Array& points, const Uint32Array
   });
 }
 
+/// What the engine holds of the machine's memory; it never gives any back.
+double memoryBytes() { return static_cast<double>(emscripten_get_heap_size()); }
+
 /// As raw pointers, which embind hands over to JavaScript; there delete() ends their life.
 Run* meshModel(const ModelArrays& arrays, const Options& options) {
   return std::make_unique<Run>(arrays, options).release();
@@ -342,7 +347,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("points", &ProgressRecord::points)
       .field("triangles", &ProgressRecord::triangles)
       .field("tetrahedra", &ProgressRecord::tetrahedra)
-      .field("frontFaces", &ProgressRecord::frontFaces);
+      .field("frontFaces", &ProgressRecord::frontFaces)
+      .field("expectedTetrahedra", &ProgressRecord::expectedTetrahedra);
   value_object<PreviewArrays>("PreviewArrays")
       .field("linePoints", &PreviewArrays::linePoints)
       .field("lineOffsets", &PreviewArrays::lineOffsets)
@@ -491,4 +497,5 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   function("meshAsGrid", &meshAsGrid);
   function("repair", &repair);
   function("inspectVolume", &inspectVolume);
+  function("memoryBytes", &memoryBytes);
 }

@@ -64,6 +64,7 @@ struct ProgressRecord {
   std::uint32_t triangles = 0;
   std::uint32_t tetrahedra = 0;
   std::uint32_t frontFaces = 0;
+  std::uint32_t expectedTetrahedra = 0;
 };
 
 struct PreviewArrays {

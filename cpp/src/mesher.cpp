@@ -142,6 +142,8 @@ class MeshRun::Impl {
     return fingerprint.value();
   }
 
+  [[nodiscard]] std::uint32_t estimatedTetrahedra() const { return expectedTetrahedra_; }
+
   [[nodiscard]] Progress progress() const {
     Progress progress;
     progress.phase = phase();
@@ -333,6 +335,7 @@ class MeshRun::Impl {
   void estimate() {
     const double expected = expectedTetrahedra(surface_, *field_);
     if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
+    expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
     volumeMesher_.emplace(surface_, *field_, options_);
     stage_ = Stage::kVolume;
   }
@@ -409,6 +412,7 @@ class MeshRun::Impl {
   std::optional<VolumeMesh> finishedMesh_;
   double filled_ = 0.0;
   double fraction_ = 0.0;
+  std::uint32_t expectedTetrahedra_ = 0;
   bool optionsChecked_ = false;
   RecoverySummary recovery_;
   FrontCounters counters_;
@@ -437,6 +441,7 @@ MeshStatus MeshRun::advance(std::uint32_t budget) { return impl_->advance(budget
 void MeshRun::cancel() { impl_->cancel(); }
 MeshStatus MeshRun::status() const { return impl_->status(); }
 Progress MeshRun::progress() const { return impl_->progress(); }
+std::uint32_t MeshRun::estimatedTetrahedra() const { return impl_->estimatedTetrahedra(); }
 const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
 const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
 VolumeMesh MeshRun::volume() const { return impl_->volume(); }

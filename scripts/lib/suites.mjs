@@ -4,6 +4,7 @@ import path from "node:path";
 import { formatCpp, formatScript } from "../format.mjs";
 import { wrongIncludes } from "./arrows.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
+import { untestedOracles } from "./oracles.mjs";
 import { buildFolders, inRoot, reports } from "./paths.mjs";
 import { jobs, run } from "./run.mjs";
 import { tidy } from "./tidy.mjs";
@@ -44,8 +45,8 @@ function freePort() {
 }
 
 /**
- * Every suite: what must be built before, and how it runs. `run` returns `{ passed, failed, failures }`.
- * The order puts quick answers first.
+ * Every suite: what must be built before, and how it runs. `run` returns `{ passed, failed, failures }`;
+ * `untested` tells, a line each, what could not be tested on this machine. The order puts quick answers first.
  */
 export const suites = {
   format: {
@@ -90,6 +91,7 @@ export const suites = {
       await run(bin("vitest"), args, { quietOut: true });
       return countVitest(report("unit"));
     },
+    untested: untestedOracles,
   },
   cpp: {
     title: "C++ tests (Release)",

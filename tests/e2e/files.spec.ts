@@ -23,12 +23,15 @@ const choose = (page: Page, item: RegExp) => async (): Promise<void> => {
   await page.getByRole("menuitem", { name: item }).click();
 };
 
-async function dropProject(page: Page, text: string): Promise<void> {
-  await page.evaluate((content) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([content], "dropped.json", { type: "application/json" }));
-    window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
-  }, text);
+async function dropProject(page: Page, text: string, fileName = "dropped.json"): Promise<void> {
+  await page.evaluate(
+    ([content, name]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], name));
+      window.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, cancelable: true }));
+    },
+    [text, fileName] as const,
+  );
 }
 
 test("downloads the mesh as VTU, MSH and polyMesh with the numbers on the screen", async ({ page }) => {
@@ -108,6 +111,18 @@ test("a project file dropped on the page is opened", async ({ page }) => {
   await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
   await app.meshed();
   await expect(page.getByTestId("project-name")).toHaveValue("Dropped cube");
+});
+
+test("a mesh file dropped on the page is told what it is, and what to do with it", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.open();
+  await dropProject(page, "solid part", "part.STL");
+  const surface = page.getByRole("dialog", { name: "part.STL could not be opened" });
+  await expect(surface).toContainText("a mesh in the format STL");
+  await expect(surface).toContainText('npx tetrafront mesh "part.STL" -o "part.vtu"');
+  await dropProject(page, "", "part.ele");
+  const volume = page.getByRole("dialog", { name: "part.ele could not be opened" });
+  await expect(volume).toContainText('npx tetrafront info "part.ele"');
 });
 
 test("the message of a failed open goes with the next successful one", async ({ page }) => {

@@ -24,11 +24,27 @@ async function expand(input: string): Promise<readonly string[]> {
   );
   if (isFile || input === STANDARD_STREAM || !GLOB.test(input)) return [input];
   const { glob } = await import("tinyglobby");
-  const found = await glob(input.replaceAll("\\", "/"), { expandDirectories: false });
+  const { folder, pattern } = splitPattern(input);
+  const found = await glob(pattern, { cwd: folder || ".", expandDirectories: false });
   if (found.length === 0) {
     throw new FileProblem(input, "no file matches this pattern", "Check the path and the pattern.");
   }
-  return found.sort();
+  return found.map((name) => folder + name).sort();
+}
+
+/**
+ * The folder that a pattern names in plain words, with a slash at its end if it is not "", and the pattern in it:
+ * a folder's name may hold brackets, which mean something in patterns. On Windows a backslash parts folders as a
+ * slash does; elsewhere it takes the meaning from the character behind it.
+ */
+export function splitPattern(
+  input: string,
+  isWindows = process.platform === "win32",
+): { readonly folder: string; readonly pattern: string } {
+  const steps = (isWindows ? input.replaceAll("\\", "/") : input).split("/");
+  const first = steps.findIndex((step) => GLOB.test(step) || (!isWindows && step.includes("\\")));
+  const folder = steps.slice(0, first).map((step) => `${step}/`);
+  return { folder: folder.join(""), pattern: steps.slice(first).join("/") };
 }
 
 /** Stands for the input's name without folder and extension, in the name of an output. */

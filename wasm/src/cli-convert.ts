@@ -4,7 +4,7 @@ import { withMesher } from "./cli-grids.js";
 import { formatName, readMeshFile } from "./cli-input.js";
 import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
-import { plural } from "./cli-tables.js";
+import { mixedTurns, plural } from "./cli-tables.js";
 import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
 import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
@@ -34,7 +34,10 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     const given = await readMeshFile(input, options.from);
     const mesh = await prepared(given, { input, output, name, repair, isQuiet });
     await writeAll(await writeMesh(mesh, name), output, name);
-    if (!isQuiet) say(`${input}: ${contentsOf(mesh)} -> ${output}`);
+    if (!isQuiet) {
+      for (const line of mixedTurns(given)) say(`${input}: note: ${line}`);
+      say(`${input}: ${contentsOf(mesh)} -> ${output}`);
+    }
     return ExitCode.meshed;
   } catch (failure) {
     const bad = asBadInput(failure, input);

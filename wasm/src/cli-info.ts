@@ -2,7 +2,7 @@
 import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
-import { meshLines, placeText, plural, qualityLines } from "./cli-tables.js";
+import { meshLines, mixedTurns, placeText, plural, qualityLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./diagnostics.js";
 import { formatOf } from "./formats/file-formats.js";
 import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
@@ -40,9 +40,11 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
       mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),
     );
     const { boundary, ...figures } = found;
-    const json = { ...figures, boundaryTriangles: boundary.triangles.length / 3 };
+    const turnedInFile = mesh.turnedTetrahedra ?? 0;
+    const json = { ...figures, turnedInFile, boundaryTriangles: boundary.triangles.length / 3 };
     const faults = found.isSound ? [] : ["the mesh is not sound: `tetrafront check` tells why"];
-    return { json, lines: [...meshLines(found), ...qualityLines(found.quality), ...faults] };
+    const lines = [...meshLines(found), ...qualityLines(found.quality), ...mixedTurns(mesh), ...faults];
+    return { json, lines };
   });
 }
 

@@ -1,7 +1,7 @@
 /** What the command line says, and how its commands end. */
 import { FileProblem } from "./cli-files.js";
 import { packageDiagnostic } from "./diagnostics.js";
-import { MesherError } from "./mesher.js";
+import { MesherError } from "./mesher-error.js";
 import type { ReadProblem } from "./read-result.js";
 import type { Diagnostic } from "./types.js";
 

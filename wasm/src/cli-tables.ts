@@ -1,4 +1,5 @@
 /** Figures in lines of text, for people. */
+import type { FileMesh } from "./formats/file-mesh.js";
 import type { EdgeLengths, MeshInspection, SurfaceInspection } from "./inspection.js";
 import type { QualityReport } from "./types.js";
 
@@ -15,6 +16,13 @@ export function placeText(place: readonly number[]): string {
 export function plural(count: number, noun: string): string {
   if (count === 1) return `1 ${noun}`;
   return `${count} ${noun.endsWith("y") ? `${noun.slice(0, -1)}ies` : `${noun}s`}`;
+}
+
+/** A line where a file counts the nodes of some tetrahedra one way round and of others the other. */
+export function mixedTurns({ tetrahedra, turnedTetrahedra = 0 }: FileMesh): string[] {
+  const count = tetrahedra.length / 4;
+  if (turnedTetrahedra === 0 || turnedTetrahedra === count) return [];
+  return [`${turnedTetrahedra} of ${count} tetrahedra were inverted against the others, and were turned`];
 }
 
 export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): string[] {

@@ -43,8 +43,8 @@ export {
   type SurfaceRepair,
   type TriangleFigures,
 } from "./inspection.js";
-export { createMesher, MesherError } from "./mesher.js";
-export type { MesherErrorCode } from "./mesher.js";
+export { createMesher } from "./mesher.js";
+export { MesherError, type MesherErrorCode, type OutOfMemory } from "./mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project.js";
 export { nameByPosition, projectNamer, type EntityNamer } from "./project-arrays.js";
 export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project-schema.js";

@@ -30,6 +30,7 @@ import {
   engineRepairOptions,
   withSettings,
 } from "./options.js";
+import { cancelledError, crashError, disposedError, failureError, MesherError } from "./mesher-error.js";
 import {
   gridByPosition,
   nameByPosition,
@@ -38,7 +39,7 @@ import {
   type EntityNamer,
 } from "./project-arrays.js";
 import type { Project, ProjectBackground } from "./project-schema.js";
-import type { Answers, EngineResult, FailureReason, Question, Reply, Request } from "./protocol.js";
+import type { Answers, EngineResult, Question, Reply, Request } from "./protocol.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { buffersOf } from "./transfer.js";
 import type {
@@ -64,32 +65,6 @@ import type { WorkerHandle } from "./worker-host.js";
 const CANCEL_GRACE_MS = 75;
 /** Where this thread was busy itself, what the worker said in time is still to be heard. */
 const LAST_HEARING_MS = 5;
-
-/**
- * - `invalid-input`: what was given makes no sense; `diagnostics` say what and what to do.
- * - `cancelled`: the signal was aborted before the answer came. Runs do not reject so; they return a
- *   result of that status with what exists.
- * - `disposed`: the mesher was disposed of, before the call or during it.
- * - `out-of-memory`: the memory of the engine did not suffice. The mesher has replaced it and goes on.
- * - `engine-failed`: our own mistake. The mesher has replaced its engine and goes on, unless that could
- *   not be loaded at all.
- */
-export type MesherErrorCode = "invalid-input" | "cancelled" | "disposed" | "out-of-memory" | "engine-failed";
-
-/**
- * Why a call was rejected. Runs never are because of bad input, which is a result; calls whose result
- * has no place for diagnostics are, with code `invalid-input` and the diagnostics here.
- */
-export class MesherError extends Error {
-  override readonly name = "MesherError";
-  constructor(
-    readonly code: MesherErrorCode,
-    message: string,
-    readonly diagnostics: readonly Diagnostic[] = [],
-  ) {
-    super(message);
-  }
-}
 
 /**
  * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; a Node
@@ -400,7 +375,7 @@ class WorkerMesher implements Mesher {
           new MesherError("engine-failed", `The engine cannot be loaded: ${reply.message}`),
         );
       case "failure":
-        return this.#replaceWorker(failureError(reply.reason, reply.message));
+        return this.#replaceWorker(failureError(reply));
       case "answer":
         this.#questions.get(reply.id)?.resolve(reply.answer);
         this.#questions.delete(reply.id);
@@ -481,25 +456,4 @@ function unreadableMesh(): Diagnostic {
     message,
     "Give finite coordinates, and one region per element or none.",
   );
-}
-
-function cancelledError(): MesherError {
-  return new MesherError("cancelled", "The signal was aborted before the answer came");
-}
-
-function disposedError(): MesherError {
-  return new MesherError("disposed", "The mesher was disposed of");
-}
-
-function crashError(message: string): MesherError {
-  return new MesherError("engine-failed", `The engine's worker ended: ${message}`);
-}
-
-function failureError(reason: FailureReason, message: string): MesherError {
-  switch (reason) {
-    case "out-of-memory":
-      return new MesherError(reason, "The mesh needs more memory than there is: ask for larger elements");
-    case "engine-failed":
-      return new MesherError(reason, `The engine failed (${message}): please report it with the model`);
-  }
 }

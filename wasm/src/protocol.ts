@@ -156,6 +156,14 @@ export interface Answers {
 
 export type FailureReason = "out-of-memory" | "engine-failed";
 
+/** Where memory ran out. */
+export interface MemoryFigures {
+  /** What the engine had of the machine's memory. */
+  readonly bytes: number;
+  /** Where the run stood a moment before; undefined for questions. */
+  readonly progress: Progress | undefined;
+}
+
 export type Reply =
   /** Once, when the engine is loaded. Requests sent earlier wait for it. */
   | { readonly kind: "ready" }
@@ -170,6 +178,8 @@ export type Reply =
       readonly id: number;
       readonly reason: FailureReason;
       readonly message: string;
+      /** Where memory ran out. */
+      readonly memory?: MemoryFigures | undefined;
     }
   /** The engine could not be loaded at all. */
   | { readonly kind: "unusable"; readonly message: string };

@@ -42,6 +42,8 @@ export async function runInSlices(
   let reached = 0;
   for (;;) {
     const status = advanceFor(SLICE_MS, run, clock);
+    // A run that failed has forgotten where it stood.
+    if (status !== undefined && run.failure() !== "") return status;
     const now = performance.now();
     if (status !== undefined || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;
@@ -67,7 +69,7 @@ export async function inspectInSlices(inspector: EngineInspector, control: Slice
     const now = performance.now();
     if (isFinished || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;
-      const counts = { points: 0, triangles: 0, tetrahedra: 0, frontFaces: 0 };
+      const counts = { points: 0, triangles: 0, tetrahedra: 0, frontFaces: 0, expectedTetrahedra: 0 };
       const elapsedSeconds = (now - began) / 1000;
       control.onProgress({ phase: "check", fraction: inspector.fraction(), ...counts, elapsedSeconds });
     }
@@ -96,7 +98,5 @@ function phaseOf(run: EngineRun): Phase {
 }
 
 function progressOf(run: EngineRun, clock: RunClock): Progress {
-  const { fraction, points, triangles, tetrahedra, frontFaces } = run.progress();
-  const elapsedSeconds = clock.elapsedSeconds();
-  return { phase: phaseOf(run), fraction, points, triangles, tetrahedra, frontFaces, elapsedSeconds };
+  return { ...run.progress(), phase: phaseOf(run), elapsedSeconds: clock.elapsedSeconds() };
 }

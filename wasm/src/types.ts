@@ -131,6 +131,8 @@ export interface Progress {
   readonly triangles: number;
   readonly tetrahedra: number;
   readonly frontFaces: number;
+  /** As many as the sizes ask for, estimated before the front starts; 0 until then. */
+  readonly expectedTetrahedra: number;
   readonly elapsedSeconds: number;
 }
 

@@ -7,11 +7,13 @@ import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { inspectInSlices, runInSlices, type SliceControl } from "./slices.js";
 import { buffersOf } from "./transfer.js";
-import type { MeshStatus } from "./types.js";
+import type { MeshStatus, Progress } from "./types.js";
 
 const OUT_OF_MEMORY = "out of memory";
 const cancelled = new Set<number>();
 const running = new Set<number>();
+/** Of the runs under way. */
+const latestProgress = new Map<number, Progress>();
 
 /** What the engine says in `failure()`, raised here to reach the reply. */
 class EngineFailure extends Error {
@@ -22,7 +24,9 @@ class EngineFailure extends Error {
 
 function start(engine: Engine): void {
   workerPort.onRequest((request) => {
-    handle(engine, request).catch((failure: unknown) => replyFailure(request.id, failure));
+    handle(engine, request)
+      .catch((failure: unknown) => replyFailure(engine, request.id, failure))
+      .finally(() => latestProgress.delete(request.id));
   });
   workerPort.post({ kind: "ready" });
 }
@@ -117,7 +121,12 @@ async function mesh(id: number, run: EngineRun | null): Promise<void> {
   running.add(id);
   try {
     assertHealthy(run);
-    const status = await runInSlices(run, clock, controlOf(id));
+    const control = controlOf(id);
+    const onProgress = (progress: Progress) => {
+      latestProgress.set(id, progress);
+      control.onProgress(progress);
+    };
+    const status = await runInSlices(run, clock, { ...control, onProgress });
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
     const result = resultOf(run, status, clock);
     workerPort.post({ kind: "result", id, result }, buffersOf(result.surface, result.volume));
@@ -158,10 +167,11 @@ function assertHealthy(run: { failure(): string }): void {
 }
 
 /** The maker replaces the worker after this (src/protocol.ts). */
-function replyFailure(id: number, failure: unknown): void {
+function replyFailure(engine: Engine, id: number, failure: unknown): void {
   const reason = failure instanceof EngineFailure ? failure.reason : "engine-failed";
   const message = failure instanceof Error ? failure.message : String(failure);
-  workerPort.post({ kind: "failure", id, reason, message });
+  const memory = { bytes: engine.memoryBytes(), progress: latestProgress.get(id) };
+  workerPort.post({ kind: "failure", id, reason, message, ...(reason === "out-of-memory" && { memory }) });
 }
 
 loadEngine().then(start, (failure: unknown) =>

@@ -16,12 +16,28 @@ const isAbort = (error: unknown): boolean => error instanceof DOMException && er
 
 /** Reads a project file, from the dialog or dropped on the page. */
 export async function readProjectFile(file: File): Promise<OpenResult> {
+  const mesh = await meshFileReasons(file.name);
+  if (mesh !== undefined) return { kind: "failed", fileName: file.name, reasons: mesh };
   const read = readProject(await file.text());
   if (read.success) return { kind: "opened", project: read.value, fileName: file.name };
   const reasons = read.problems.map(({ message, remedy, line }) =>
     line === undefined ? `${message}. ${remedy}` : `Line ${line}: ${message}. ${remedy}`,
   );
   return { kind: "failed", fileName: file.name, reasons };
+}
+
+/** What to tell of a file that holds a mesh, by its name: the app draws and opens projects. */
+async function meshFileReasons(fileName: string): Promise<readonly string[] | undefined> {
+  if (/\.json$/i.test(fileName)) return undefined;
+  const { formatOf } = await import("../mesh-formats");
+  const format = formatOf(fileName);
+  if (format === undefined || format.reads.length === 0) return undefined;
+  const what = `This is a mesh in the format ${format.name}. The application opens projects, which are drawn in it.`;
+  const quoted = fileName.replaceAll('"', "");
+  const command = format.reads.includes("surface")
+    ? `Fill the surface on the command line: npx tetrafront mesh "${quoted}" -o "${quoted.replace(/\.[^.]*$/, "")}.vtu"`
+    : `See what is in it on the command line: npx tetrafront info "${quoted}"`;
+  return [what, command];
 }
 
 export async function openProjectFile(): Promise<OpenResult> {

@@ -6,6 +6,7 @@ import path from "node:path";
 import { readMesh, type FileMesh, type MeshReport, type SurfaceInput } from "tetrafront";
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 
+import { splitPattern } from "../../../wasm/src/cli-batch.js";
 import { tetrafront } from "../../support/command-line.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
 import { boxSurface, cavitySurface } from "../../support/surfaces.js";
@@ -138,6 +139,26 @@ describe("a batch", () => {
     expect((await meshIn("out/b.vtu")).tetrahedra.length).toBeGreaterThan(0);
   });
 
+  test.each<[string, boolean, string, string]>([
+    ["parts\\*.stl", true, "parts/", "*.stl"],
+    ["C:\\CAD (x86)\\[old]\\*.stl", true, "C:/CAD (x86)/", "[old]/*.stl"],
+    ["\\\\server\\parts/**\\*.off", true, "//server/parts/", "**/*.off"],
+    ["*.off", true, "", "*.off"],
+    ["parts (1)/*.stl", false, "parts (1)/", "*.stl"],
+    ["/parts/a\\*b/{c,d}.stl", false, "/parts/", "a\\*b/{c,d}.stl"],
+  ])("splits the pattern %s, on Windows: %s", (input, isWindows, plain, pattern) => {
+    expect(splitPattern(input, isWindows)).toEqual({ folder: plain, pattern });
+  });
+
+  test("finds files in a folder whose name means something in patterns", async () => {
+    mkdirSync(inFolder("parts (1)"));
+    save("parts (1)/a.off", offFile(box));
+    for (const pattern of ["parts (1)/*.off", inFolder("parts (1)/?.off"), "*/a.{off,stl}"]) {
+      const { code, stderr } = await tetrafront(folder, ["check", pattern]);
+      expect([code, stderr.includes("a.off: closed, manifold")]).toEqual([0, true]);
+    }
+  });
+
   test.each<[string, string[], RegExp]>([
     ["one output for all", ["mesh", "a.off", "b.off", "-o", "c.vtu"], /Put \{name\} into its name/],
     ["no match", ["check", "*.ply"], /no file matches this pattern/i],
@@ -168,6 +189,21 @@ describe("convert, info and stats", () => {
     expect(found.volume).toBeCloseTo(6, 12);
     const text = await tetrafront(folder, ["stats", "part.vtu"]);
     expect(text.stdout).toMatch(/ 60° to 65° +#+ \d+/);
+  });
+
+  test("turn inverted elements, and say so where a file mixes both", async () => {
+    const head = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n";
+    const vertices = "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n";
+    const mesh = (...tetrahedra: string[]) =>
+      `${head}${vertices}Tetrahedra\n${tetrahedra.length}\n${tetrahedra.map((line) => `${line} 1\n`).join("")}End\n`;
+    const note = /note: 1 of 2 tetrahedra were inverted against the others, and were turned/;
+    save("mixed.mesh", mesh("1 2 3 4", "1 2 3 5"));
+    save("alike.mesh", mesh("2 1 3 4", "1 2 3 5"));
+    expect((await tetrafront(folder, ["convert", "mixed.mesh", "-o", "a.vtu"])).stderr).toMatch(note);
+    expect((await tetrafront(folder, ["convert", "alike.mesh", "-o", "b.vtu"])).stderr).not.toMatch(/note/);
+    const stats = await tetrafront(folder, ["stats", "mixed.mesh", "--json"]);
+    expect(JSON.parse(stats.stdout)).toMatchObject({ isSound: true, turnedInFile: 1 });
+    expect((await meshIn("a.vtu")).turnedTetrahedra).toBe(0);
   });
 
   test("refuse what they cannot do in one line", async () => {

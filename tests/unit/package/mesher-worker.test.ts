@@ -139,6 +139,7 @@ describe("runs", () => {
       triangles: 0,
       tetrahedra: 0,
       frontFaces: 0,
+      expectedTetrahedra: 0,
     } as const;
     worker.reply({ kind: "progress", id: id - 1, progress: { ...figures, elapsedSeconds: 0 } });
     worker.reply({ kind: "result", id: id - 1, result: resultWith("late") });

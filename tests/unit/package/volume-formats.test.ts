@@ -3,6 +3,8 @@ import { deflateSync } from "node:zlib";
 
 import {
   fileMeshOf,
+  readMesh,
+  readSurface,
   readVolume,
   volumeBackground,
   writeMesh,
@@ -96,7 +98,7 @@ ${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}<
 
   test.each<[string, (file: string) => string, RegExp]>([
     ["of another kind", (file) => file.replaceAll("UnstructuredGrid", "ImageData"), /no unstructured grid/],
-    ["with two pieces", (file) => file.replace("<Piece", '<Piece NumberOfPoints="0"/><Piece'), /2 pieces/],
+    ["without a piece", (file) => file.replace(/<Piece.*<\/Piece>/s, ""), /no piece/],
     ["with hexahedra", (file) => file.replace("10\n5\n10", "12\n5\n10"), /cells of type 12/],
     [
       "with a node that is not there",
@@ -120,6 +122,31 @@ ${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}<
     const read = await readVtu(file);
     expect(read.success ? "" : read.problems[0].message).toMatch(message);
     expect(read.success ? "" : read.problems[0].remedy).toMatch(/\.$/);
+  });
+
+  test("with several pieces has the elements of all, and what all tell about their nodes", async () => {
+    const file = new TextDecoder().decode(vtu(text));
+    const piece = /<Piece.*<\/Piece>/s.exec(file)?.[0] ?? "";
+    const unnamed = piece.replace('Name="direction"', 'Name="other"');
+    const empty = `<Piece NumberOfPoints="0" NumberOfCells="0"></Piece>`;
+    const twice = file.replace(piece, `${piece}${empty}${unnamed}`);
+    const options = { fileName: "a.vtu" };
+    const encoded = (content: string) => new TextEncoder().encode(content);
+    const one = await readMesh(encoded(file), options);
+    const two = await readMesh(encoded(twice), options);
+    if (!one.success || !two.success) throw new Error("not read");
+    const repeated = (numbers: ArrayLike<number>, by = 0) => [
+      ...Array.from(numbers),
+      ...Array.from(numbers, (value) => value + by),
+    ];
+    const count = one.value.points.length / 3;
+    expect([...two.value.points]).toEqual(repeated(one.value.points));
+    expect([...two.value.tetrahedra]).toEqual(repeated(one.value.tetrahedra, count));
+    expect([...two.value.triangles]).toEqual(repeated(one.value.triangles, count));
+    expect([...two.value.nodeData.keys()]).toEqual(["size"]);
+    expect([...(two.value.nodeData.get("size")?.values ?? [])]).toEqual(repeated(size));
+    const welded = await readSurface(encoded(twice), options);
+    expect(welded.success && [welded.value.points.length, welded.value.triangles.length]).toEqual([9, 6]);
   });
 
   test("whose blocks claim to hold a million times their bytes is refused unread", async () => {

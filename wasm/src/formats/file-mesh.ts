@@ -33,6 +33,11 @@ export interface FileMesh {
   readonly tetrahedra: Uint32Array;
   /** Per tetrahedron: position in `regions`. */
   readonly tetrahedronRegion: Uint32Array;
+  /**
+   * So many tetrahedra a reader has turned to make their volumes positive. All of them: the file counts nodes the
+   * other way round; some of them: it mixes both ways, as no sound mesh does.
+   */
+  readonly turnedTetrahedra?: number | undefined;
   readonly regions: readonly FileGroup[];
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;

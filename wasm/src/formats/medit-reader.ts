@@ -6,6 +6,7 @@ import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Save the mesh again as a Medit file in text form, with triangles or linear tetrahedra.";
 
@@ -92,6 +93,6 @@ function addPolygon(reader: ByteReader, builder: MeshBuilder, size: number): voi
   const corners = Array.from({ length: size }, () => cornerIn(reader, builder));
   const patch = builder.patches.tagged(reader.number("a reference"));
   if (!builder.addPolygon(corners, patch)) {
-    reader.fail("a quadrilateral is not convex and cannot be cut into triangles safely");
+    reader.fail(`a quadrilateral ${UNCUT}`);
   }
 }

@@ -57,6 +57,7 @@ export class MeshBuilder {
   readonly #tetrahedra = new Column(Uint32Array);
   readonly #tetrahedronRegion = new Column(Uint32Array);
   readonly #welder: PointWelder | undefined;
+  #turned = 0;
 
   /** `isSoup`: the file repeats its points, which are welded as they come (`addCorner`). */
   constructor(isSoup = false) {
@@ -107,6 +108,7 @@ export class MeshBuilder {
   /** Turned so that (b-a)×(c-a)·(d-a) is not below 0; formats differ in that. All nodes must be there. */
   addTetrahedron(a: number, b: number, c: number, d: number, region: number): void {
     const isTurned = this.#sixfoldVolume(a, b, c, d) < 0;
+    if (isTurned) this.#turned++;
     this.#tetrahedra.push(isTurned ? b : a);
     this.#tetrahedra.push(isTurned ? a : b);
     this.#tetrahedra.push(c);
@@ -137,6 +139,7 @@ export class MeshBuilder {
       patches: this.patches.groups(names.patches),
       tetrahedra: this.#tetrahedra.taken(),
       tetrahedronRegion: this.#tetrahedronRegion.taken(),
+      turnedTetrahedra: this.#turned,
       regions: this.regions.groups(names.regions),
       nodeData: this.nodeData,
     };

@@ -9,6 +9,7 @@ import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder, type GroupList } from "./mesh-builder.js";
 import { NodeTags } from "./node-tags.js";
+import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Save the mesh again as MSH 4.1 or 2.2 with linear triangles and tetrahedra, or as .vtu.";
 const TRIANGLE = 2;
@@ -201,7 +202,7 @@ class MshReader {
       const [a = 0, b = 0, c = 0, d = 0] = nodes;
       this.#builder.addTetrahedron(a, b, c, d, group(this.#builder.regions));
     } else if (!this.#builder.addPolygon(nodes, group(this.#builder.patches))) {
-      this.#reader.fail("a quadrilateral is not convex and cannot be cut into triangles safely");
+      this.#reader.fail(`a quadrilateral ${UNCUT}`);
     }
   }
 

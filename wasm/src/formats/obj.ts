@@ -1,12 +1,13 @@
 /**
  * OBJ (Wavefront), as text: `v` and `f` count, a corner being the first number of its group. The material in
  * use is the patch of a face, else its group or object. Normals, texture coordinates, lines and points are
- * read over; convex polygons are cut into triangles; curves and surfaces that need more than corners are refused.
+ * read over; polygons are cut into triangles; curves and surfaces that need more than corners are refused.
  */
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OBJ file of triangles.";
 /** Words that begin free-form geometry, which a mesh would be missing. */
@@ -60,7 +61,7 @@ function readFace(reader: ByteReader, builder: MeshBuilder, patch: number): void
   }
   if (corners.length < 3) reader.fail(`a face has ${corners.length} corners`);
   if (!builder.addPolygon(corners, patch)) {
-    reader.fail("a face is a polygon that is not convex and cannot be cut into triangles safely");
+    reader.fail(`a face ${UNCUT}`);
   }
 }
 

@@ -1,13 +1,13 @@
 /**
  * OFF (Geomview's object file format), as text: corners by number, `#` begins a comment. Normals and texture
- * coordinates of the variants are read over; faces of one colour are a patch. Convex polygons are cut into
- * triangles from their first corner, which changes nothing about a plane face.
+ * coordinates of the variants are read over; faces of one colour are a patch; polygons are cut into triangles.
  */
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OFF file in text form.";
 /** More than these would be written as a triangle soup of a different format, or are garbage. */
@@ -53,7 +53,7 @@ function readFace(reader: ByteReader, builder: MeshBuilder, f: number): void {
   // A colour may follow: one number of a table, or three or four, from 0 to 1 or from 0 to 255.
   const patch = colorPatch(builder.patches, numbersInLine(reader));
   if (!builder.addPolygon(corners, patch)) {
-    reader.fail(`face ${f} is a polygon that is not convex and cannot be cut into triangles safely`);
+    reader.fail(`face ${f} ${UNCUT}`);
   }
   reader.skipLine();
 }

@@ -10,6 +10,7 @@ import { colorPatch } from "./colors.js";
 import { Column } from "./column.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as a PLY file of triangles.";
 
@@ -181,7 +182,7 @@ function addFaces(reader: ByteReader, { sizes, corners, patches }: Faces, builde
     if (wild !== undefined)
       reader.fail(`face ${f} has the corner ${wild}, there are ${builder.pointCount} points`);
     if (!builder.addPolygon(face, patches.at(f))) {
-      reader.fail(`face ${f} is a polygon that is not convex and cannot be cut into triangles safely`);
+      reader.fail(`face ${f} ${UNCUT}`);
     }
   }
 }

@@ -1,31 +1,140 @@
-/** Polygons of files cut into triangles from their first corner, which changes nothing about a plane convex one. */
+/**
+ * Polygons of files cut into triangles: convex ones from their first corner, which changes nothing about a plane
+ * one; others by clipping ears (Meisters 1975), in the plane of the two axes that shows them largest. Every
+ * corner stays one, also on a straight edge, where the faces beside may have theirs; that is why no library
+ * for the drawing of polygons does this, for those leave such corners out.
+ */
 
 type Triple = readonly [number, number, number];
+type Place = readonly [number, number];
 
 /** x y z per node, to be looked up by position. */
 interface Coordinates {
   at(index: number): number | undefined;
 }
 
-/** Adds the triangles of a polygon of three or more corners; false, and nothing added, if it is not convex. */
+/** What the readers say where there are no such triangles. */
+export const UNCUT = "cannot be cut into triangles: it crosses itself, has no area, or has too many corners";
+
+/** Clipping takes quadratic time; hostile files have larger ones. */
+const MOST_CORNERS = 5000;
+/** Twice the area of a triangle, relative to products of its coordinates, below which rounding has its sign. */
+const ROUNDING = 1e-14;
+
+/**
+ * Adds the triangles of a polygon of three or more corners. False, and nothing added, where that cannot be done
+ * safely: it crosses itself, has no area, or is not convex and has more than 5000 corners. O(n²).
+ */
 export function addPolygon(corners: readonly number[], points: Coordinates, triangles: number[]): boolean {
-  if (corners.length > 3 && !isConvex(corners, points)) return false;
-  for (let i = 2; i < corners.length; i++) {
-    triangles.push(corners[0] ?? 0, corners[i - 1] ?? 0, corners[i] ?? 0);
+  if (corners.length === 3 || isConvex(corners, points)) {
+    for (let i = 2; i < corners.length; i++) {
+      triangles.push(corners[0] ?? 0, corners[i - 1] ?? 0, corners[i] ?? 0);
+    }
+    return true;
   }
+  if (corners.length > MOST_CORNERS) return false;
+  const ears = clippedEars(flattened(corners, points));
+  if (ears === undefined) return false;
+  for (const corner of ears) triangles.push(corners[corner] ?? 0);
   return true;
 }
 
 /** Whether all triangles from the first corner turn the same way as the whole polygon. */
 function isConvex(corners: readonly number[], points: Coordinates): boolean {
-  const at = (corner: number): Triple => {
-    const begin = 3 * corner;
-    return [points.at(begin) ?? 0, points.at(begin + 1) ?? 0, points.at(begin + 2) ?? 0];
-  };
-  const first = at(corners[0] ?? 0);
-  const normals = corners.slice(2).map((corner, i) => normal(first, at(corners[i + 1] ?? 0), at(corner)));
-  const whole = normals.reduce((a, b): Triple => [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
-  return normals.every((n) => n[0] * whole[0] + n[1] * whole[1] + n[2] * whole[2] > 0);
+  const first = placeOf(points, corners[0] ?? 0);
+  const whole = wholeNormal(corners, points);
+  for (let i = 2; i < corners.length; i++) {
+    const n = normal(first, placeOf(points, corners[i - 1] ?? 0), placeOf(points, corners[i] ?? 0));
+    if (!(n[0] * whole[0] + n[1] * whole[1] + n[2] * whole[2] > 0)) return false;
+  }
+  return true;
+}
+
+/** Seen along the axis nearest to the polygon's normal, so that it runs counter-clockwise. */
+function flattened(corners: readonly number[], points: Coordinates): readonly Place[] {
+  const whole = wholeNormal(corners, points);
+  const [x, y, z] = whole.map(Math.abs) as [number, number, number];
+  const axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
+  const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+  const isSeenFromBehind = whole[axis] < 0;
+  return corners.map((corner) => {
+    const place = placeOf(points, corner);
+    const [first, second] = [place[u] ?? 0, place[v] ?? 0];
+    return isSeenFromBehind ? [second, first] : [first, second];
+  });
+}
+
+/** Positions of corners, three for each triangle, counter-clockwise; undefined where no ear is left. */
+function clippedEars(places: readonly Place[]): number[] | undefined {
+  const count = places.length;
+  const next = places.map((_, i) => (i + 1) % count);
+  const before = places.map((_, i) => (i + count - 1) % count);
+  const at = (corner: number): Place => places[corner] ?? [0, 0];
+  /** Of the ear at each corner: how good its triangle is, above 0; 0 where there is none. */
+  const worth = places.map((_, i) => worthAt(i));
+  const ears: number[] = [];
+  let start = 0;
+  for (let left = count; left > 3; left--) {
+    let best = start;
+    for (let i = next[start] ?? 0; i !== start; i = next[i] ?? 0) {
+      if ((worth[i] ?? 0) > (worth[best] ?? 0)) best = i;
+    }
+    if (worth[best] === 0) return undefined;
+    const [a, b] = [before[best] ?? 0, next[best] ?? 0];
+    ears.push(a, best, b);
+    next[a] = b;
+    before[b] = a;
+    start = a;
+    worth[a] = worthAt(a);
+    worth[b] = worthAt(b);
+  }
+  const [a, b] = [before[start] ?? 0, next[start] ?? 0];
+  if (!(turn(at(a), at(start), at(b)) > 0)) return undefined;
+  ears.push(a, start, b);
+  return ears;
+
+  function worthAt(corner: number): number {
+    const [a, b] = [before[corner] ?? 0, next[corner] ?? 0];
+    const [p, q, r] = [at(a), at(corner), at(b)];
+    const area = turn(p, q, r);
+    if (!(area > 0)) return 0;
+    for (let i = next[b] ?? 0; i !== a; i = next[i] ?? 0) {
+      const place = at(i);
+      const isCorner = isSame(place, p) || isSame(place, q) || isSame(place, r);
+      if (!isCorner && turn(p, q, place) >= 0 && turn(q, r, place) >= 0 && turn(r, p, place) >= 0) return 0;
+    }
+    return area / Math.max(squared(p, q), squared(q, r), squared(r, p));
+  }
+}
+
+/** Twice the area of a triangle, above 0 where it runs counter-clockwise; 0 where rounding has the sign. */
+function turn(a: Place, b: Place, c: Place): number {
+  const left = (b[0] - a[0]) * (c[1] - a[1]);
+  const right = (b[1] - a[1]) * (c[0] - a[0]);
+  return Math.abs(left - right) > ROUNDING * (Math.abs(left) + Math.abs(right)) ? left - right : 0;
+}
+
+function isSame(a: Place, b: Place): boolean {
+  return a[0] === b[0] && a[1] === b[1];
+}
+
+function squared(a: Place, b: Place): number {
+  return (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2;
+}
+
+/** Twice the polygon's area, along its normal. */
+function wholeNormal(corners: readonly number[], points: Coordinates): Triple {
+  const first = placeOf(points, corners[0] ?? 0);
+  let [x, y, z] = [0, 0, 0];
+  for (let i = 2; i < corners.length; i++) {
+    const n = normal(first, placeOf(points, corners[i - 1] ?? 0), placeOf(points, corners[i] ?? 0));
+    [x, y, z] = [x + n[0], y + n[1], z + n[2]];
+  }
+  return [x, y, z];
+}
+
+function placeOf(points: Coordinates, corner: number): Triple {
+  return [points.at(3 * corner) ?? 0, points.at(3 * corner + 1) ?? 0, points.at(3 * corner + 2) ?? 0];
 }
 
 function normal(a: Triple, b: Triple, c: Triple): Triple {

@@ -9,6 +9,7 @@ import type { ByteSource } from "./byte-source.js";
 import type { OpenOther, ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Give TetGen's .node file beside the file, or save the surface again as .smesh.";
 const OPTIONS = { remedy: REMEDY, comment: "#" };
@@ -166,9 +167,7 @@ function readPolygon(reader: ByteReader, points: Points, f: number, marker: numb
   for (let i = 0; i < size; i++) corners.push(cornerIn(reader, points));
   const patch = points.builder.patches.tagged(marker ?? markerIn(reader));
   if (!points.builder.addPolygon(corners, patch)) {
-    reader.fail(
-      `facet ${f} (counted from 0) is a polygon that is not convex and cannot be cut into triangles safely`,
-    );
+    reader.fail(`facet ${f} (counted from 0) ${UNCUT}`);
   }
   reader.skipLine();
 }

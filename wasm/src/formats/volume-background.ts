@@ -1,5 +1,5 @@
 /** A volume mesh from a file as background grid. */
-import { MesherError } from "../mesher.js";
+import { MesherError } from "../mesher-error.js";
 import type { ReadResult } from "../read-result.js";
 import type { BackgroundArrays, Mesher } from "../types.js";
 import type { VolumeFile } from "./volume-file.js";

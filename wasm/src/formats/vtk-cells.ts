@@ -1,5 +1,6 @@
 /** VTK's cells: triangles, polygons and tetrahedra become ours, vertices and lines are passed over. */
 import type { MeshBuilder } from "./mesh-builder.js";
+import { UNCUT } from "./polygons.js";
 
 const VTK_TRIANGLE = 5;
 const VTK_STRIP = 6;
@@ -72,9 +73,7 @@ export function addCell(cells: Cells, type: number, nodes: readonly number[], ce
 function addPolygonCell({ builder, fail, patchOf }: Cells, nodes: readonly number[], cell: number): void {
   if (nodes.length < 3) fail(`cell ${cell} (counted from 0) has ${nodes.length} corners`);
   if (!builder.addPolygon(nodes, patchOf(cell))) {
-    fail(
-      `cell ${cell} (counted from 0) is a polygon that is not convex and cannot be cut into triangles safely`,
-    );
+    fail(`cell ${cell} (counted from 0) ${UNCUT}`);
   }
 }
 

@@ -1,0 +1,17 @@
+import { spawnSync } from "node:child_process";
+
+/** Python packages that judge what is written, and what they judge; the tests do without those that are missing. */
+const ORACLES = [
+  { module: "meshio", pip: "meshio", judges: "meshio reads the files written here, and its own are read" },
+  { module: "gmsh", pip: "gmsh", judges: "Gmsh reads the files written here" },
+  { module: "skfem", pip: "scikit-fem", judges: "finite elements converge on the meshes (examples/heat)" },
+];
+
+/** One line for each test against another program that did not run, with what to install. */
+export function untestedOracles() {
+  const python = process.env.TETRAFRONT_PYTHON ?? "python3";
+  return ORACLES.filter(({ module }) => spawnSync(python, ["-c", `import ${module}`]).status !== 0).map(
+    ({ pip, judges }) =>
+      `NOT TESTED that ${judges}: pip install ${pip} (TETRAFRONT_PYTHON names the Python, now ${python})`,
+  );
+}

@@ -1,0 +1,9 @@
+// Loaded before a program and its workers (by NODE_OPTIONS): WebAssembly gets no more memory than
+// TETRAFRONT_TEST_MEMORY bytes, as on a machine that has no more.
+const most = Number(process.env.TETRAFRONT_TEST_MEMORY);
+const PAGE = 65536;
+const grow = WebAssembly.Memory.prototype.grow;
+WebAssembly.Memory.prototype.grow = function (pages) {
+  if (this.buffer.byteLength + PAGE * pages > most) throw new RangeError("no more memory");
+  return grow.call(this, pages);
+};

@@ -1,0 +1,70 @@
+/** Memory that does not suffice: the error says what was asked for and what would fit, and the mesher goes on. */
+import { execFile } from "node:child_process";
+import { promisify } from "node:util";
+
+import { expect, test } from "vitest";
+
+import { cubeProject } from "../../support/projects.js";
+
+const run = promisify(execFile);
+const entry = new URL("../../../wasm/dist/index.js", import.meta.url).href;
+const limit = new URL("../../support/little-memory.mjs", import.meta.url).href;
+const MEMORY = 80 * 2 ** 20;
+
+interface Told {
+  readonly code: string;
+  readonly message: string;
+  readonly memory: Record<string, unknown>;
+}
+
+/** Runs the body in a process whose engines get little memory; what it returns. */
+async function withLittleMemory<T>(body: string): Promise<T> {
+  const program = `import { createMesher } from ${JSON.stringify(entry)};
+    const cube = ${JSON.stringify(cubeProject())};
+    const told = ({ code, message, memory }) => ({ code, message, memory });
+    const mesher = await createMesher();
+    const answer = await (async () => { ${body} })();
+    console.log(JSON.stringify(answer));
+    mesher.dispose();`;
+  const limits = { TETRAFRONT_TEST_MEMORY: String(MEMORY), NODE_OPTIONS: `--import "${limit}"` };
+  const args = ["--input-type=module", "-e", program];
+  const { stdout } = await run(process.execPath, args, { env: { ...process.env, ...limits } });
+  return JSON.parse(stdout) as T;
+}
+
+test("a mesh too large for the memory is refused with figures, and a size that fits is meshed after it", async () => {
+  const [failure, factor, status, expected] = await withLittleMemory<[Told, number, string, number]>(`
+    const size = 0.022;
+    const options = { optimization: "none" };
+    const failure = await mesher.meshProject(cube, { ...options, size }).catch(told);
+    const factor = failure.memory?.sizeFactor;
+    const { report } = await mesher.meshProject(cube, { ...options, size: factor * size });
+    return [failure, factor, report.status, failure.memory?.expectedTetrahedra];`);
+  expect(failure.code).toBe("out-of-memory");
+  expect(failure.message).toMatch(
+    /^The engine's memory of \d+ MB did not suffice: it ran out in the phase "\w+", with \d+ tetrahedra made of about \d+ asked for\. Ask for elements \d\.\d times as large, or more\.$/,
+  );
+  expect(failure.memory["bytes"]).toBeGreaterThan(MEMORY / 2);
+  expect(failure.memory["bytes"]).toBeLessThanOrEqual(MEMORY);
+  expect(failure.memory["tetrahedra"]).toBeLessThan(expected);
+  expect(factor).toBeGreaterThan(1);
+  expect(factor).toBeLessThan(4);
+  expect(status).toBe("done");
+});
+
+test("a question too large for the memory is refused, and the next one is answered", async () => {
+  const [failure, isSound] = await withLittleMemory<[Told, boolean]>(`
+    const count = 1_000_000;
+    const mesh = {
+      points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+      tetrahedra: Uint32Array.from({ length: 4 * count }, (_, i) => i % 4),
+    };
+    const failure = await mesher.inspectMesh(mesh).catch(told);
+    const one = { ...mesh, tetrahedra: mesh.tetrahedra.slice(0, 4) };
+    return [failure, (await mesher.inspectMesh(one)).isSound];`);
+  expect(failure).toMatchObject({ code: "out-of-memory", memory: { tetrahedra: 0 } });
+  expect(failure.message).toMatch(
+    /^The engine's memory of \d+ MB did not suffice: it ran out\. Give a smaller/,
+  );
+  expect(isSound).toBe(true);
+});

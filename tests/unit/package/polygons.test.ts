@@ -1,0 +1,184 @@
+/** Polygons cut into triangles: area, turn, every corner and every edge stay, and no two triangles overlap. */
+import { describe, expect, test } from "vitest";
+
+import { addPolygon } from "../../../wasm/src/formats/polygons.js";
+import { randomSource } from "../../support/random.js";
+
+type Place = readonly [number, number];
+
+/** Twice the signed area. */
+const areaOf = (places: readonly Place[]) =>
+  places.reduce((sum, [x, y], i) => {
+    const [u, v] = places[(i + 1) % places.length] ?? [0, 0];
+    return sum + x * v - y * u;
+  }, 0);
+
+/** A plane in space that no axis knows; its axes are orthogonal and of one length. */
+const inSpace = ([x, y]: Place) => [x + 2 * y, 2 * x + y, -2 * x + 2 * y].map((value) => value / 3);
+
+function trianglesOf(places: readonly Place[]): number[] | undefined {
+  const triangles: number[] = [];
+  const points = places.flatMap(inSpace);
+  const corners = places.map((_, i) => i);
+  return addPolygon(corners, points, triangles) ? triangles : undefined;
+}
+
+function expectCut(places: readonly Place[]): void {
+  const triangles = trianglesOf(places);
+  if (triangles === undefined) throw new Error("not cut");
+  expect(triangles.length).toBe(3 * (places.length - 2));
+  const all = Array.from({ length: triangles.length / 3 }, (_, t) => triangles.slice(3 * t, 3 * t + 3));
+  const areas = all.map((corners) => areaOf(corners.map((corner) => places[corner] ?? [0, 0])));
+  const whole = areaOf(places);
+  // Triangles that all turn as the polygon does and have its area together do not overlap.
+  for (const area of areas) expect(area * Math.sign(whole)).toBeGreaterThan(0);
+  expect(areas.reduce((a, b) => a + b)).toBeCloseTo(whole, 9);
+  const edges = new Set(all.flatMap(([a, b, c]) => [`${a} ${b}`, `${b} ${c}`, `${c} ${a}`]));
+  places.forEach((_, i) => expect(edges).toContain(`${i} ${(i + 1) % places.length}`));
+}
+
+const comb = (teeth: number): Place[] => [
+  ...Array.from({ length: teeth }, (_, i): Place[] => [
+    [2 * i, 0],
+    [2 * i + 1, 5],
+  ]).flat(),
+  [2 * teeth, 0],
+  [2 * teeth, -1],
+  [0, -1],
+];
+const spiral = (turns: number): Place[] => {
+  const arm = (radius: number) =>
+    Array.from({ length: 12 * turns }, (_, i): Place => {
+      const angle = (i * Math.PI) / 6;
+      return [(radius + i) * Math.cos(angle), (radius + i) * Math.sin(angle)];
+    });
+  return [...arm(10), ...arm(14).reverse()];
+};
+
+describe("a polygon is cut into triangles", () => {
+  test.each<[string, readonly Place[]]>([
+    [
+      "a dart",
+      [
+        [0, 0],
+        [2, 2],
+        [0, 1],
+        [-2, 2],
+      ],
+    ],
+    [
+      "an L",
+      [
+        [0, 0],
+        [2, 0],
+        [2, 1],
+        [1, 1],
+        [1, 2],
+        [0, 2],
+      ],
+    ],
+    [
+      "a square with corners on its edges",
+      [
+        [0, 0],
+        [1, 0],
+        [2, 0],
+        [2, 1],
+        [2, 2],
+        [1, 2],
+        [0, 2],
+        [0, 1],
+      ],
+    ],
+    [
+      "a triangle with a corner on its first edge",
+      [
+        [0, 0],
+        [1, 0],
+        [2, 0],
+        [0, 2],
+      ],
+    ],
+    ["a comb", comb(20)],
+    ["a spiral", spiral(3)],
+    [
+      "a star",
+      Array.from({ length: 40 }, (_, i): Place => {
+        const radius = i % 2 === 0 ? 1 : 0.3;
+        return [radius * Math.cos((i * Math.PI) / 20), radius * Math.sin((i * Math.PI) / 20)];
+      }),
+    ],
+    [
+      "a frame, opened along a cut",
+      [
+        [0, 0],
+        [4, 0],
+        [4, 4],
+        [0, 4],
+        [0, 0],
+        [1, 1],
+        [1, 3],
+        [3, 3],
+        [3, 1],
+        [1, 1],
+      ],
+    ],
+  ])("%s", (_, places) => {
+    expectCut(places);
+    expectCut([...places].reverse());
+  });
+
+  test("around a point, whatever its radii", () => {
+    const random = randomSource(3);
+    for (let n = 4; n < 60; n++) {
+      expectCut(
+        Array.from({ length: n }, (_, i): Place => {
+          const radius = 0.2 + random() / 2 ** 32;
+          return [radius * Math.cos((2 * Math.PI * i) / n), radius * Math.sin((2 * Math.PI * i) / n)];
+        }),
+      );
+    }
+  });
+
+  test.each<[string, readonly Place[]]>([
+    [
+      "a bow tie",
+      [
+        [0, 0],
+        [1, 1],
+        [1, 0],
+        [0, 1],
+      ],
+    ],
+    [
+      "corners on one line",
+      [
+        [0, 0],
+        [1, 0],
+        [2, 0],
+        [3, 0],
+      ],
+    ],
+    [
+      "corners in one place",
+      [
+        [1, 1],
+        [1, 1],
+        [1, 1],
+        [1, 1],
+      ],
+    ],
+  ])("but not %s", (_, places) => {
+    expect(trianglesOf(places)).toBeUndefined();
+  });
+
+  test("with very many corners only where it is convex", () => {
+    const star = Array.from({ length: 20_000 }, (_, i): Place => {
+      const radius = i % 2 === 0 ? 1 : 0.9;
+      return [radius * Math.cos((i * Math.PI) / 1e4), radius * Math.sin((i * Math.PI) / 1e4)];
+    });
+    expect(trianglesOf(star)).toBeUndefined();
+    const round = star.map(([x, y]): Place => [x / Math.hypot(x, y), y / Math.hypot(x, y)]);
+    expect(trianglesOf(round)).toHaveLength(3 * (star.length - 2));
+  });
+});
