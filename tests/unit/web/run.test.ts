@@ -11,6 +11,7 @@ const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   triangles: 0,
   tetrahedra: 0,
   frontFaces: 0,
+  expectedTetrahedra: 0,
   elapsedSeconds,
 });
 
