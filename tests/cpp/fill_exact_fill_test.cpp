@@ -134,10 +134,7 @@ INSTANTIATE_TEST_SUITE_P(
 /// and keep other edges from being swapped in.
 TEST(ExactFill, FillsNeedlesInFewSteps) {
   SurfaceMesh surface = testing::spikySphere(8, 0.05, 1);
-  for (std::size_t i = 0; i < surface.points.size(); i += 3) {
-    surface.points[i + 1] *= 1e-3;
-    surface.points[i + 2] *= 1e-6;
-  }
+  testing::stretch(surface, {1.0, 1e-3, 1e-6});
   ExactFill exactFill(taskOf(surface));
   int steps = 0;
   while (exactFill.advance(1000) == ExactFill::State::kRunning) ++steps;

@@ -304,6 +304,18 @@ TEST(VolumeMesher, FillsExactlyWhereReopeningNeedlesDoesNotPay) {
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
 }
 
+/// Each face of such a body has hundreds of others near it, and the relaxed rules would look at all of
+/// them again and again.
+TEST(VolumeMesher, LeavesNeedlesToTheExactFillBeforeTheyCostTooMuch) {
+  SurfaceMesh surface = testing::spikySphere(8, 0.05, 1);
+  testing::stretch(surface, {1.0, 1e-3, 1e-6});
+  const Outcome outcome = fillByOwnSizes(surface);
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
+  const std::uint64_t facesLookedAt = outcome.counters.gatheredFaces + outcome.counters.facesTested;
+  EXPECT_LT(facesLookedAt, 30'000'000);
+}
+
 TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {
   MeshOptions options;
   options.maxTetrahedra = 500;

@@ -316,6 +316,12 @@ void translate(SurfaceMesh& mesh, const Vec3& by) {
     mesh.points[i] += by[static_cast<int>(i % 3)];
 }
 
+void stretch(SurfaceMesh& mesh, const Vec3& factors) {
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    mesh.points[i] *= factors[static_cast<int>(i % 3)];
+  }
+}
+
 void scale(SurfaceMesh& mesh, double factor) {
   for (double& coordinate : mesh.points) coordinate *= factor;
 }

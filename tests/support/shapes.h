@@ -65,6 +65,7 @@ SurfaceMesh tetrahedronSurface(const std::array<Vec3, 4>& corners);
 
 void translate(SurfaceMesh& mesh, const Vec3& by);
 void scale(SurfaceMesh& mesh, double factor);
+void stretch(SurfaceMesh& mesh, const Vec3& factors);
 
 /// x becomes -x, triangles turned so that the surface stays outward.
 void mirror(SurfaceMesh& mesh);

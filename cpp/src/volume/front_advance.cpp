@@ -20,19 +20,22 @@ constexpr std::uint64_t kFacesPerUnit = 64;
 }  // namespace
 
 template <class Trace>
-std::uint32_t FrontAdvance<Trace>::step() {
+std::uint32_t FrontAdvance<Trace>::step(bool mayRelax) {
   const std::uint64_t before = facesLookedAt();
   const FaceId face = front_.nextBase();
+  const bool isRelaxed = front_.face(face).ruleClass > 0;
   ++counters_.pops;
-  if (!complete(face)) postpone(face);
-  return static_cast<std::uint32_t>(1 + (facesLookedAt() - before) / kFacesPerUnit);
+  if ((isRelaxed && !mayRelax) || !complete(face)) postpone(face, mayRelax);
+  const std::uint64_t cost = 1 + (facesLookedAt() - before) / kFacesPerUnit;
+  if (isRelaxed) counters_.relaxedCost += cost;
+  return static_cast<std::uint32_t>(cost);
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::postpone(FaceId face) {
+void FrontAdvance<Trace>::postpone(FaceId face, bool mayRelax) {
   const auto next = static_cast<std::uint8_t>(front_.face(face).ruleClass + 1);
   if constexpr (Trace::kOn) trace_.postponed(face, next);
-  if (next < kRuleClasses.size()) {
+  if (mayRelax && next < kRuleClasses.size()) {
     front_.requeue(face, next);
   } else {
     front_.park(face, next);

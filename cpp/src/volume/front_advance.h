@@ -26,7 +26,8 @@ class FrontAdvance {
     std::uint64_t pops = 0;
     std::uint64_t gatheredFaces = 0;
     std::uint64_t candidatesTried = 0;
-    std::uint64_t relaxed = 0;  ///< elements made under a class other than the strict one
+    std::uint64_t relaxed = 0;      ///< elements made under a class other than the strict one
+    std::uint64_t relaxedCost = 0;  ///< of the steps under such classes, as step() counts it
   };
 
   /// `filters`: see CrossingTest.
@@ -35,8 +36,9 @@ class FrontAdvance {
 
   /// Takes the next base face and completes it, or puts it back under the next rule class, or
   /// parks it after the last. The front must have a face queued. Returns what it cost: 1 where
-  /// triangles are well shaped, more where a face has many others near it.
-  std::uint32_t step();
+  /// triangles are well shaped, more where a face has many others near it. Unless it `mayRelax`, the
+  /// strict class is the last.
+  std::uint32_t step(bool mayRelax = true);
 
   void setVariant(const RuleVariant& variant) { variant_ = variant; }
 
@@ -52,7 +54,7 @@ class FrontAdvance {
   using SideFaces = std::array<FaceId, 3>;
 
   bool complete(FaceId face);
-  void postpone(FaceId face);
+  void postpone(FaceId face, bool mayRelax);
   void gatherAround(const NodeTriple& nodes, const UnitSpace& space, const BaseFace& base,
                     const IdealPoint& ideal, const RuleClass& rules);
   bool tryCandidate(FaceId face, const Candidate& candidate, const UnitSpace& space,

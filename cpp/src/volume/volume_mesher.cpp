@@ -8,6 +8,20 @@
 namespace tetrafront {
 namespace {
 
+/// What the front may cost in all, and what of it its relaxed rules, as FrontAdvance::step() counts
+/// it: per element, and more for small bodies. Well shaped boundaries take 1 to 2 per element. Among
+/// needles each face has hundreds of others near it, and what the rules leave there the exact fill
+/// closes for less.
+struct CostLimit {
+  std::uint64_t perElement;
+  std::uint64_t extra;
+  [[nodiscard]] bool isReached(std::uint64_t cost, std::size_t elements) const {
+    return cost > perElement * elements + extra;
+  }
+};
+constexpr CostLimit kRelaxedCost{16, 200'000};
+constexpr CostLimit kFrontCost{200, 1'000'000};
+
 Vec3 boundaryNode(const SurfaceMesh& surface, NodeId node) {
   const double* p = surface.points.data() + 3 * node.index();
   return {p[0], p[1], p[2]};
@@ -118,7 +132,11 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
   // Looked at after each step, so that where it stops does not depend on the slices.
   while (budget > 0 && stage_ == Stage::kAdvance && !front_.nothingQueued()) {
-    budget -= std::min(advance_.step(), budget);
+    const std::uint64_t relaxed = advance_.counters().relaxedCost;
+    const std::uint32_t cost = advance_.step(!kRelaxedCost.isReached(relaxed, elements_.size()));
+    budget -= std::min(cost, budget);
+    frontCost_ += cost;
+    if (kFrontCost.isReached(frontCost_, elements_.size())) front_.unqueueAll();
     inspectNewNodes();
     if (elements_.size() > maxTetrahedra_) stopAtLimit();
   }

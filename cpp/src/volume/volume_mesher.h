@@ -76,6 +76,7 @@ class BasicVolumeMesher {
   bool exactFillOnly_;
   std::size_t boundaryNodes_;
   std::size_t inspectedNodes_ = 0;
+  std::uint64_t frontCost_ = 0;
   std::size_t inspectedElements_ = 0;
   double enclosedVolume_ = 0.0;  ///< six times
   double filledVolume_ = 0.0;    ///< six times
