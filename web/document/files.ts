@@ -50,12 +50,13 @@ export async function openProjectFile(): Promise<OpenResult> {
   }
 }
 
+/** So that no file name, with any ending, has more than the 255 bytes that file systems take. */
+const LONGEST_STEM = 60;
+
 /** "Engine intake" as "engine-intake". */
 export function fileStem(name: string): string {
-  const stem = name
-    .toLowerCase()
-    .replaceAll(/[^\p{L}\p{N}]+/gu, "-")
-    .replaceAll(/^-+|-+$/g, "");
+  const words = name.toLowerCase().replaceAll(/[^\p{L}\p{N}]+/gu, "-");
+  const stem = Array.from(words.replace(/^-/, "")).slice(0, LONGEST_STEM).join("").replace(/-$/, "");
   return stem === "" ? "untitled" : stem;
 }
 

@@ -111,6 +111,26 @@ describe("MSH", () => {
     expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1", "region 2"]);
   });
 
+  test.each([".msh", ".msh2"])(
+    "%s cuts long names where Gmsh ends, and keeps them apart",
+    async (extension) => {
+      const long = "ä".repeat(150);
+      const text = new TextDecoder("latin1").decode(
+        await written(extension, named([long, "", long], [long, long])),
+      );
+      const names = Array.from(text.matchAll(/^\d \d "(.*)"$/gm), ([, name]) => name ?? "");
+      expect(names).toHaveLength(4);
+      for (const name of names) {
+        expect(name.length).toBeLessThanOrEqual(127); // one character of latin1 for each byte
+        expect(() =>
+          new TextDecoder("utf-8", { fatal: true }).decode(Uint8Array.from(name, (c) => c.charCodeAt(0))),
+        ).not.toThrow();
+      }
+      expect(new Set(names.slice(0, 2)).size).toBe(2);
+      expect(new Set(names.slice(2)).size).toBe(2);
+    },
+  );
+
   test("of a mesh without elements is whole", async () => {
     expect(parseMsh(await written(".msh", fileMeshOf(empty)))).toMatchObject({
       triangles: [],
@@ -197,4 +217,28 @@ test("SU2 holds the tetrahedra, the points bit for bit, and a marker per patch",
       "",
     ]),
   );
+});
+
+/** Twice the same name, longer than any format takes, and one that only capitals tell from another. */
+const hardNames = named(["the wall ".repeat(40), "Wall", "the wall ".repeat(40)], ["wall", "WALL"]);
+
+test("SU2 markers have no more than 199 bytes, and differ", async () => {
+  const text = new TextDecoder().decode(await written(".su2", hardNames));
+  const names = Array.from(text.matchAll(/^MARKER_TAG= (.*)$/gm), ([, name]) => name ?? "");
+  expect(names).toHaveLength(2);
+  expect(new Set(names).size).toBe(2);
+  for (const name of names) expect(name).toMatch(/^\S{100,199}$/);
+});
+
+test("Abaqus names have no more than 80 characters, and differ in more than capitals", async () => {
+  const text = new TextDecoder().decode(await written(".inp", hardNames));
+  for (const word of ["NSET, NSET", "ELSET", "SURFACE, NAME", "MATERIAL, NAME"]) {
+    const names = Array.from(
+      text.matchAll(new RegExp(`^\\*.*${word}=(\\w+)`, "gm")),
+      ([, name]) => name ?? "",
+    );
+    const distinct = new Set(names.map((name) => name.toUpperCase()));
+    expect([word, distinct.size]).toEqual([word, 2]);
+    for (const name of names) expect(name).toMatch(/^[A-Z]\w{0,79}$/i);
+  }
 });

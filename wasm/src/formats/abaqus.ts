@@ -5,7 +5,7 @@
  */
 import { joinBytes } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups, type Group } from "./groups.js";
+import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
 import { numberRows } from "./number-rows.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
@@ -13,13 +13,13 @@ import { NONE, tetFaces } from "./tet-faces.js";
 const SIDE_OPPOSITE = ["S3", "S4", "S2", "S1"];
 /** No data line may have more numbers. */
 const PER_LINE = 16;
-/** Names may be as long as this. */
-const LONGEST_NAME = 80;
+/** Names of 80 characters with a letter set before and `_FACES` behind. */
+const NAMING: Naming = { plain: plainName, longest: 72, isCaseless: true };
 
 /** The bytes of an Abaqus input file. Triangles of no tetrahedron are in the node sets only. */
 export function writeAbaqus(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const regions = regionGroups(mesh, plainName);
-  const patches = patchGroups(mesh, plainName);
+  const regions = regionGroups(mesh, NAMING);
+  const patches = patchGroups(mesh, NAMING);
   return joinBytes([
     "*HEADING\nTetrafront\n*NODE\n",
     ...numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${row.join(", ")}`),
@@ -33,7 +33,7 @@ export function writeAbaqus(mesh: FileMesh): Uint8Array<ArrayBuffer> {
 
 /** A letter, then letters, digits and underscores: what every reader of the format takes. */
 function plainName(name: string): string {
-  const plain = name.replace(/[^A-Za-z0-9_]+/g, "_").slice(0, LONGEST_NAME - 8);
+  const plain = name.replace(/[^A-Za-z0-9_]+/g, "_");
   return /^[A-Za-z]/.test(plain) ? plain : `N_${plain}`;
 }
 

@@ -17,14 +17,24 @@ export interface Group {
   readonly nodes: Uint32Array;
 }
 
-/** The triangles by patch; patches without triangles get no group. `plain` makes names fit the format. */
-export function patchGroups(mesh: FileMesh, plain?: (name: string) => string): Group[] {
-  return groupsOf(TRIANGLE, mesh.triangles, mesh.trianglePatch, mesh.patches, "patch", plain);
+/** What a format asks of names. */
+export interface Naming {
+  /** Writes a name as the format can; never the same for two names that end in different numbers. */
+  readonly plain?: (name: string) => string;
+  /** In bytes of UTF-8, before `plain`: longer names lose their ends. */
+  readonly longest?: number;
+  /** Whether capitals and small letters are the same to it. */
+  readonly isCaseless?: boolean;
+}
+
+/** The triangles by patch; patches without triangles get no group. */
+export function patchGroups(mesh: FileMesh, naming?: Naming): Group[] {
+  return groupsOf(TRIANGLE, mesh.triangles, mesh.trianglePatch, mesh.patches, "patch", naming);
 }
 
 /** The tetrahedra by region, as `patchGroups`. */
-export function regionGroups(mesh: FileMesh, plain?: (name: string) => string): Group[] {
-  return groupsOf(TETRAHEDRON, mesh.tetrahedra, mesh.tetrahedronRegion, mesh.regions, "region", plain);
+export function regionGroups(mesh: FileMesh, naming?: Naming): Group[] {
+  return groupsOf(TETRAHEDRON, mesh.tetrahedra, mesh.tetrahedronRegion, mesh.regions, "region", naming);
 }
 
 /** Splits elements by owner, keeping their order. */
@@ -34,7 +44,7 @@ function groupsOf(
   owners: Uint32Array,
   groups: readonly FileGroup[],
   word: string,
-  plain: (name: string) => string = (name) => name,
+  naming: Naming = {},
 ): Group[] {
   const counts = new Uint32Array(groups.length);
   for (const owner of owners) counts[owner] = (counts[owner] ?? 0) + 1;
@@ -49,7 +59,7 @@ function groupsOf(
   const taken = new Set<string>();
   return split.flatMap((own, owner) => {
     if (own.length === 0) return [];
-    const name = uniqueName(groups[owner]?.name, `${word} ${owner + 1}`, taken, plain);
+    const name = uniqueName(groups[owner]?.name, `${word} ${owner + 1}`, taken, naming);
     return [{ kind, tag: tags[owner] ?? 0, name, nodes: own }];
   });
 }
@@ -68,13 +78,24 @@ function uniqueName(
   given: string | undefined,
   otherwise: string,
   taken: Set<string>,
-  plain: (name: string) => string,
+  { plain = (name) => name, longest = Infinity, isCaseless = false }: Naming,
 ): string {
   const own = (given ?? "").replace(/["\r\n]/g, "'").trim();
-  let name = plain(own === "" ? otherwise : own);
-  for (let copy = 1; taken.has(name); copy++) {
-    name = plain(copy === 1 ? `${own} (${otherwise})` : `${own} (${otherwise}) ${copy}`);
+  const named = (begin: string, end: string): string =>
+    plain(shortened(begin, longest - utf8.encode(end).length) + end);
+  const key = (name: string): string => (isCaseless ? name.toLowerCase() : name);
+  let name = own === "" ? named("", otherwise) : named(own, "");
+  for (let copy = 1; taken.has(key(name)); copy++) {
+    name = named(own, copy === 1 ? ` (${otherwise})` : ` (${otherwise}) ${copy}`);
   }
-  taken.add(name);
+  taken.add(key(name));
   return name;
+}
+
+const utf8 = new TextEncoder();
+
+/** As much of a text as fits into so many bytes, without half characters. */
+function shortened(text: string, bytes: number): string {
+  if (utf8.encode(text).length <= bytes) return text;
+  return text.slice(0, utf8.encodeInto(text, new Uint8Array(bytes)).read).trimEnd();
 }

@@ -5,13 +5,16 @@
  */
 import { joinBytes, widened } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups, type Group } from "./groups.js";
+import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
+
+/** Gmsh reads no file in which a name is longer. */
+export const GMSH_NAMING: Naming = { longest: 127 };
 
 /** The bytes of an MSH file. */
 export function writeMsh(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   const { points } = mesh;
-  const patches = patchGroups(mesh);
-  const regions = regionGroups(mesh);
+  const patches = patchGroups(mesh, GMSH_NAMING);
+  const regions = regionGroups(mesh, GMSH_NAMING);
   const groups = [...patches, ...regions];
   return joinBytes([
     // 1: binary, 8: bytes of a size_t; the number 1 that follows tells the byte order.

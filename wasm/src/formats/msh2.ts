@@ -5,14 +5,14 @@
 import { IS_LITTLE_ENDIAN, joinBytes } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
-import { physicalNames } from "./msh.js";
+import { GMSH_NAMING, physicalNames } from "./msh.js";
 
 /** A number, then x y z. */
 const NODE_BYTES = 4 + 3 * 8;
 
 /** The bytes of an MSH file. */
 export function writeMsh2(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const groups = [...patchGroups(mesh), ...regionGroups(mesh)];
+  const groups = [...patchGroups(mesh, GMSH_NAMING), ...regionGroups(mesh, GMSH_NAMING)];
   const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
   return joinBytes([
     // 1: binary, 8: bytes of a coordinate; the number 1 that follows tells the byte order.

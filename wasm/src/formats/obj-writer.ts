@@ -11,7 +11,7 @@ export function writeObj(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   return joinBytes([
     "# Tetrafront\n",
     ...numberRows(surface.points, 3, (row) => `v ${row.join(" ")}`),
-    ...patchGroups(surface, (name) => name.replace(/\s+/g, "_")).flatMap(({ name, nodes }) => [
+    ...patchGroups(surface, { plain: (name) => name.replace(/\s+/g, "_") }).flatMap(({ name, nodes }) => [
       `g ${name}\nusemtl ${name}\n`,
       ...numberRows(
         nodes.map((node) => node + 1),

@@ -121,7 +121,7 @@ function trianglesByPatch({ trianglePatch, patches }: FileMesh): number[][] {
 /** Words as OpenFOAM takes them, by position of the patch; patches without triangles have none. */
 function namesOf(mesh: FileMesh): (string | undefined)[] {
   const used = new Set(mesh.trianglePatch);
-  const names = patchGroups(mesh, word).map(({ name }) => name);
+  const names = patchGroups(mesh, { plain: word }).map(({ name }) => name);
   return mesh.patches.map((_, patch) => (used.has(patch) ? names.shift() : undefined));
 }
 
@@ -171,7 +171,7 @@ function cellZones(mesh: FileMesh): Uint8Array {
   const cells: number[][] = mesh.regions.map(() => []);
   mesh.tetrahedronRegion.forEach((region, cell) => cells[region]?.push(cell));
   const filled = cells.filter((own) => own.length > 0);
-  const entries = regionGroups(mesh, word).map(({ name }, r) => {
+  const entries = regionGroups(mesh, { plain: word }).map(({ name }, r) => {
     const own = Uint32Array.from(filled[r] ?? []);
     return `${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n${labels(own).join("")});\n}\n`;
   });

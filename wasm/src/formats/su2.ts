@@ -4,17 +4,19 @@
  */
 import { joinBytes } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
-import { patchGroups } from "./groups.js";
+import { patchGroups, type Naming } from "./groups.js";
 import { numberRows } from "./number-rows.js";
 
 /** VTK's numbers of cells, which SU2 uses; its node orders are ours. */
 const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
+/** SU2 hands names from process to process in 200 bytes, a zero behind them. */
+const NAMING: Naming = { plain: (name) => name.replace(/\s+/g, "_"), longest: 199 };
 
 /** The bytes of an SU2 file. */
 export function writeSu2(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   const { points, tetrahedra } = mesh;
-  const markers = patchGroups(mesh, (name) => name.replace(/\s+/g, "_"));
+  const markers = patchGroups(mesh, NAMING);
   return joinBytes([
     `NDIME= 3\nNELEM= ${tetrahedra.length / 4}\n`,
     ...numberRows(tetrahedra, 4, (row, t) => `${VTK_TETRA} ${row.join(" ")} ${t}`),
