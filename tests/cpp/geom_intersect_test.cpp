@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geom/measure.h"
 #include "geom/predicates.h"
 #include "support/random.h"
 
@@ -209,6 +210,41 @@ TEST(IntersectTest, SharingIsToldByNumbersNotByPlaces) {
   EXPECT_FALSE(meetImproperly(a, b));
   b.nodes = {50, 51, 52};
   EXPECT_TRUE(meetImproperly(a, b)) << "the sheets are not joined: they touch";
+}
+
+/// p as a mixture of a triangle's corners and what is left across its plane, by its size.
+std::array<double, 4> mixtureOf(const Vec3& p, const std::array<Vec3, 3>& t) {
+  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  const double square = glm::dot(normal, normal);
+  const auto share = [&](const Vec3& a, const Vec3& b) {
+    return glm::dot(glm::cross(b - a, p - a), normal) / square;
+  };
+  return {share(t[1], t[2]), share(t[2], t[0]), share(t[0], t[1]),
+          glm::dot(normal, p - t[0]) / square};
+}
+
+TEST(MeetingPlace, IsInBothTriangles) {
+  Random random(203);
+  int met = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const auto place = [&] {
+      return std::array<int, 3>{random.integer(0, 3), random.integer(0, 3), random.integer(0, 2)};
+    };
+    const GridTriangle a{place(), place(), place()};
+    const GridTriangle b{place(), place(), place()};
+    if (isDegenerate(a) || isDegenerate(b)) continue;
+    const std::array<Vec3, 3> inA = numbered(a).corners;
+    const std::array<Vec3, 3> inB = numbered(b).corners;
+    if (!trianglesMeet(inA, inB)) continue;
+    ++met;
+    const Vec3 common = meetingPlace(inA, inB);
+    for (const auto& triangle : {inA, inB}) {
+      const std::array<double, 4> mixture = mixtureOf(common, triangle);
+      for (std::size_t k = 0; k < 3; ++k) ASSERT_GE(mixture[k], -1e-9) << described(a, b);
+      ASSERT_NEAR(mixture[3], 0.0, 1e-9) << described(a, b);
+    }
+  }
+  EXPECT_GT(met, 500);
 }
 
 /// A corner a unit in the last place off a plane is off it.

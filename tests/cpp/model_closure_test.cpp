@@ -20,7 +20,11 @@ std::vector<std::uint32_t> eachAlone(const Model& model) {
   return lines;
 }
 
-Closure closureOf(const Model& model) { return checkClosure(model, eachAlone(model)); }
+Closure closureOf(const Model& model) {
+  ModelExamination found = examineModel(model);
+  found.duplicates.lines = eachAlone(model);
+  return checkClosure(model, found);
+}
 
 /// A strip of `count` Coons patches in a ring; every line across is shared by two, and the last
 /// patch joins the first turned over if `twisted`.
@@ -94,6 +98,22 @@ TEST(ModelClosure, TurningTellsWhichLoopsRunAgainstTheFirst) {
   EXPECT_EQ(after, before);
 }
 
+/// With one line of a loop the wrong way round, what is wrong is that loop, not the turning of the
+/// patches around it.
+TEST(ModelClosure, ABrokenLoopSaysNothingAboutTurning) {
+  for (std::size_t patch = 0; patch < 6; ++patch) {
+    for (std::size_t side = 0; side < 4; ++side) {
+      Model model = boxModel({0, 0, 0}, {1, 1, 1});
+      OrientedLine& walked = model.patches[patch].loops.front()[side];
+      walked.reversed = !walked.reversed;
+      EXPECT_EQ(countOf(checkModel(model), DiagnosticCode::kLoopNotClosed), 2U);
+      const Closure closure = closureOf(model);
+      EXPECT_TRUE(closure.diagnostics.empty()) << patch << ", " << side;
+      EXPECT_FALSE(closure.isPlain);
+    }
+  }
+}
+
 TEST(ModelClosure, SeparateBodiesAreSeparateComponents) {
   ModelBuilder builder;
   builder.model = boxModel({0, 0, 0}, {1, 1, 1});
@@ -155,7 +175,7 @@ TEST(ModelDuplicates, SeparateCornersAndLinesAreErrorsAndTheGapIsNot) {
     ASSERT_EQ(twice.entities.size(), 2U);
     EXPECT_LT(twice.entities[0].index, twice.entities[1].index);
   }
-  EXPECT_TRUE(checkClosure(model, found.duplicates.lines).diagnostics.empty());
+  EXPECT_TRUE(checkClosure(model, found).diagnostics.empty());
 }
 
 TEST(ModelDuplicates, WhatNoPatchUsesIsAWarning) {

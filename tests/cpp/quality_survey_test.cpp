@@ -197,9 +197,57 @@ TEST(QualitySurvey, ExcusesAllElementsInASharpEdge) {
   const QualityStatistics statistics = survey(mesh, wedge);
   EXPECT_EQ(statistics.limitedByEdges, 2U);
   EXPECT_EQ(statistics.limitedByBoundary, 2U);
-  // Turned inside out, the edge leaves 336 degrees inside.
-  turnInsideOut(wedge);
-  EXPECT_EQ(survey(mesh, wedge).limitedByEdges, 0U);
+}
+
+/// Triangles that all have the edge from 0 to 1, at angles in degrees around it.
+SurfaceMesh sheetsAround(const std::vector<double>& angles) {
+  SurfaceMesh sheets;
+  sheets.points = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+  for (const double angle : angles) {
+    const double radians = angle * std::numbers::pi / 180.0;
+    const auto apex = static_cast<std::uint32_t>(sheets.points.size() / 3);
+    sheets.points.insert(sheets.points.end(), {0.5, std::cos(radians), std::sin(radians)});
+    // Turned either way, as walls are.
+    sheets.triangles.insert(sheets.triangles.end(), {apex % 2, (apex + 1) % 2, apex});
+  }
+  return sheets;
+}
+
+/// The element at the edge from 0 to 1 between two angles.
+VolumeMesh elementBetween(const SurfaceMesh& sheets, double from, double to) {
+  VolumeMesh mesh;
+  mesh.points = sheets.points;
+  const auto first = static_cast<std::uint32_t>(mesh.points.size() / 3);
+  for (const double angle : {from, to}) {
+    const double radians = angle * std::numbers::pi / 180.0;
+    mesh.points.insert(mesh.points.end(), {0.5, 0.9 * std::cos(radians), 0.9 * std::sin(radians)});
+  }
+  mesh.tetrahedra = {0, 1, first, first + 1};
+  mesh.regions = {0};
+  return mesh;
+}
+
+/// Each element looks at the space between the two triangles around it only, however many meet at
+/// the edge.
+TEST(QualitySurvey, ExcusesElementsInSharpSpacesBetweenWalls) {
+  SurfaceMesh sheets = sheetsAround({0.0, 24.0, 70.0, 96.0, 200.0});
+  const auto isExcused = [&](double from, double to) {
+    const QualityStatistics statistics = survey(elementBetween(sheets, from, to), sheets);
+    EXPECT_EQ(statistics.limitedByEdges + statistics.missed, 1U) << from << " to " << to;
+    return statistics.limitedByEdges == 1U;
+  };
+  EXPECT_TRUE(isExcused(1.0, 12.0));
+  EXPECT_TRUE(isExcused(12.0, 23.0));
+  EXPECT_TRUE(isExcused(71.0, 95.0));
+  EXPECT_FALSE(isExcused(25.0, 45.0));
+  EXPECT_FALSE(isExcused(45.0, 69.0));
+  EXPECT_FALSE(isExcused(97.0, 110.0));
+  EXPECT_FALSE(isExcused(335.0, 359.0));
+  // An edge of two triangles, from within and from beside.
+  sheets = sheetsAround({0.0, 24.0});
+  EXPECT_TRUE(isExcused(2.0, 20.0));
+  EXPECT_FALSE(isExcused(26.0, 50.0));
+  EXPECT_FALSE(isExcused(338.0, 358.0));
 }
 
 /// An element between two parallel sheets that it touches along crossed edges.

@@ -113,8 +113,24 @@ TEST(PatchesMeet, BoxesThatCrossNameEveryPairAndAPlace) {
     EXPECT_LT(meeting.entities[0].index, 6U);
     EXPECT_GE(meeting.entities[1].index, 6U);
     ASSERT_TRUE(meeting.hasPlace);
-    EXPECT_NEAR(meeting.place.x, 1.0, 0.3);
+    // On the right face, and on the box of the long ones.
+    EXPECT_NEAR(meeting.place.x, 1.0, 1e-12);
+    const Vec3 fromAxis = glm::abs(meeting.place - Vec3(1.0, 0.5, 0.5));
+    EXPECT_NEAR(std::max(fromAxis.y, fromAxis.z), 0.25, 1e-12);
   }
+}
+
+TEST(PatchesMeet, TheTipThatTouchesIsThePlace) {
+  ModelBuilder builder;
+  builder.model = boxModel({0, 0, 0}, {2, 2, 2});
+  const Vec3 tip(1.0, 1.0, 2.0);
+  const std::array<Vec3, 3> base{Vec3(0.7, 1.0, 1.5), Vec3(1.3, 1.0, 1.5), Vec3(1.0, 1.4, 1.5)};
+  builder.patch(PatchType::kPlanar, {builder.polygon({base[0], base[1], base[2]})});
+  for (std::size_t k = 0; k < 3; ++k)
+    builder.patch(PatchType::kPlanar, {builder.polygon({base[k], base[(k + 1) % 3], tip})});
+  const std::vector<Diagnostic> found = foundIn(builder.model);
+  ASSERT_EQ(countOf(found, DiagnosticCode::kPatchesMeet), 3U);
+  for (const Diagnostic& meeting : found) EXPECT_LT(glm::length(meeting.place - tip), 1e-12);
 }
 
 TEST(PatchesMeet, ABoxStandingOnAnotherOverlapsIt) {

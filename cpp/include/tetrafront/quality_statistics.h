@@ -48,8 +48,8 @@ struct QualityStatistics {
   std::uint32_t missed = 0;
   /// Those it does, each counted under the first of the three reasons that applies to it.
   std::uint32_t limitedByBoundary = 0;
-  /// They lie in a boundary edge where the inside takes less than 30 degrees. That forces them: all
-  /// elements in the edge share that angle.
+  /// They lie in an edge of the boundary or of walls where the space around them takes less than 30
+  /// degrees. That forces them: all elements there share that angle.
   std::uint32_t limitedByEdges = 0;
   /// They own a boundary triangle that is a needle or a cap (radius ratio below 0.3). Experience,
   /// not proof: good elements exist over such triangles, but hardly ever beside those of their

@@ -1,8 +1,70 @@
 #include "geom/measure.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace tetrafront {
+namespace {
+
+using Triangle = std::array<Vec3, 3>;
+
+/// The point of segment p q that is nearest to the plane or line for which `part`/`whole` says how
+/// far along it is; p where that is no number.
+Vec3 partWay(const Vec3& p, const Vec3& q, double part, double whole) {
+  const double t = part / whole;
+  return t > 0.0 ? p + (q - p) * std::min(t, 1.0) : p;
+}
+
+Vec3 crossingOfPlane(const Vec3& p, const Vec3& q, const Triangle& t) {
+  const Vec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+  return partWay(p, q, glm::dot(t[0] - p, normal), glm::dot(q - p, normal));
+}
+
+Vec3 crossingOfLine(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
+  const Vec3 across = glm::cross(q - p, b - a);
+  return partWay(p, q, glm::dot(glm::cross(a - p, b - a), across), glm::dot(across, across));
+}
+
+/// Gathers points of which it is not yet known whether they are in both triangles.
+class CommonPoints {
+ public:
+  CommonPoints(const Triangle& a, const Triangle& b) : a_(a), b_(b) {
+    double square = 0.0;
+    for (const Triangle& t : {a, b}) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 side = t[(k + 1) % 3] - t[k];
+        square = std::max(square, glm::dot(side, side));
+      }
+    }
+    near_ = kRounding * kRounding * square;
+  }
+
+  void add(const Vec3& p) {
+    const double apart = std::max(squaredDistanceToTriangle(p, a_[0], a_[1], a_[2]),
+                                  squaredDistanceToTriangle(p, b_[0], b_[1], b_[2]));
+    if (apart < least_) {
+      least_ = apart;
+      nearest_ = p;
+    }
+    if (!(apart <= near_)) return;
+    sum_ += p;
+    count_ += 1.0;
+  }
+
+  [[nodiscard]] Vec3 mean() const { return count_ > 0.0 ? sum_ / count_ : nearest_; }
+
+ private:
+  static constexpr double kRounding = 1e-10;  ///< of the longest side
+  const Triangle& a_;
+  const Triangle& b_;
+  double near_;
+  double least_ = std::numeric_limits<double>::infinity();
+  Vec3 nearest_{0.0};
+  Vec3 sum_{0.0};
+  double count_ = 0.0;
+};
+
+}  // namespace
 
 double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b) {
   const Vec3 ab = b - a;
@@ -25,6 +87,20 @@ double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b, co
   }
   return std::min(squaredDistanceToSegment(p, a, b),
                   std::min(squaredDistanceToSegment(p, b, c), squaredDistanceToSegment(p, c, a)));
+}
+
+Vec3 meetingPlace(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
+  CommonPoints common(a, b);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3;
+    common.add(a[i]);
+    common.add(b[i]);
+    common.add(crossingOfPlane(a[i], a[j], b));
+    common.add(crossingOfPlane(b[i], b[j], a));
+    for (std::size_t k = 0; k < 3; ++k)
+      common.add(crossingOfLine(a[i], a[j], b[k], b[(k + 1) % 3]));
+  }
+  return common.mean();
 }
 
 }  // namespace tetrafront

@@ -27,8 +27,8 @@ struct Joint {
 
 class ClosureCheck {
  public:
-  ClosureCheck(const Model& model, std::span<const std::uint32_t> sameLine)
-      : model_(&model), sameLine_(sameLine), uses_(model.lines.size()) {}
+  ClosureCheck(const Model& model, const ModelExamination& found)
+      : model_(&model), found_(&found), uses_(model.lines.size()) {}
 
   Closure run() {
     gatherUses();
@@ -54,7 +54,7 @@ class ClosureCheck {
       for (const Loop& loop : model_->patches[patch].loops) {
         for (const OrientedLine& walked : loop) {
           if (walked.line >= uses_.size()) continue;
-          uses_[sameLine_[walked.line]].push_back({patch, walked.line, walked.reversed, inHole});
+          uses_[found_->duplicates.lines[walked.line]].push_back({patch, walked.line, walked.reversed, inHole});
         }
         inHole = true;
       }
@@ -65,8 +65,11 @@ class ClosureCheck {
     const std::vector<Use>& uses = uses_[line];
     if (uses.size() == 1) reportOpen(line);
     if (uses.size() % 2 == 1) result_.isPlain = false;
-    const bool isPlain =
-        uses.size() == 2 && !uses[0].inHole && !uses[1].inHole && uses[0].line == uses[1].line;
+    const auto isOuterSide = [&](const Use& use) {
+      return !use.inHole && found_->soundPatches[use.patch] != 0;
+    };
+    const bool isPlain = uses.size() == 2 && uses[0].line == uses[1].line &&
+                         std::ranges::all_of(uses, isOuterSide);
     for (std::size_t i = 1; i < uses.size(); ++i) {
       joints_.push_back({uses[i - 1].patch, uses[i].patch, line, isPlain,
                          isPlain && uses[0].reversed == uses[1].reversed});
@@ -141,7 +144,7 @@ class ClosureCheck {
   }
 
   const Model* model_;
-  std::span<const std::uint32_t> sameLine_;
+  const ModelExamination* found_;
   std::vector<std::vector<Use>> uses_;  ///< per line; duplicates at the lowest of them
   std::vector<Joint> joints_;
   Closure result_;
@@ -149,8 +152,8 @@ class ClosureCheck {
 
 }  // namespace
 
-Closure checkClosure(const Model& model, std::span<const std::uint32_t> sameLine) {
-  return ClosureCheck(model, sameLine).run();
+Closure checkClosure(const Model& model, const ModelExamination& found) {
+  return ClosureCheck(model, found).run();
 }
 
 }  // namespace tetrafront

@@ -3,9 +3,9 @@
 /// @file Do the patches close a surface, as far as the loops alone can tell?
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
+#include "model/check_model.h"
 #include "tetrafront/model.h"
 #include "tetrafront/status.h"
 
@@ -24,9 +24,9 @@ struct Closure {
 
 /// Reports every line that only one patch uses (kOpenEdge), and patches that no turning makes agree
 /// over a line that just two of them share (kInconsistentOrientation); of holes, whose loops may turn
-/// either way, nothing is said. Lines with more patches are where bodies touch or walls end.
-/// `sameLine`: per line the lowest of its course (Duplicates::lines), whose uses are counted
-/// together. References to lines that do not exist are passed over. O(model).
-[[nodiscard]] Closure checkClosure(const Model& model, std::span<const std::uint32_t> sameLine);
+/// either way, nothing is said, nor of patches that are not sound, whose loops may have a line the
+/// wrong way round. Lines with more patches are where bodies touch or walls end. References to lines
+/// that do not exist are passed over. O(model).
+[[nodiscard]] Closure checkClosure(const Model& model, const ModelExamination& found);
 
 }  // namespace tetrafront

@@ -36,7 +36,7 @@ void BoundaryLimits::add(std::span<const std::uint32_t, 3> triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::uint32_t a = triangle[k];
     const std::uint32_t b = triangle[(k + 1) % 3];
-    edges_.push_back({std::min(a, b), std::max(a, b), triangle[(k + 2) % 3], a < b});
+    edges_.push_back({std::min(a, b), std::max(a, b), triangle[(k + 2) % 3]});
   }
 }
 
@@ -48,7 +48,7 @@ void BoundaryLimits::finish() {
 
 std::span<const BoundaryLimits::Edge> BoundaryLimits::edgesBetween(std::uint32_t a,
                                                                    std::uint32_t b) const {
-  const Edge wanted{std::min(a, b), std::max(a, b), 0, false};
+  const Edge wanted{std::min(a, b), std::max(a, b), 0};
   const auto [first, last] =
       std::equal_range(edges_.begin(), edges_.end(), wanted, [](const Edge& p, const Edge& q) {
         return std::tie(p.lower, p.upper) < std::tie(q.lower, q.upper);
@@ -65,21 +65,35 @@ Vec3 BoundaryLimits::seen(std::uint32_t node, const ElementView& view) const {
   return view(Vec3(at[0], at[1], at[2]));
 }
 
-/// Whether the inside takes less than 30 degrees at an edge of two triangles.
-bool BoundaryLimits::isSharp(std::span<const Edge> edge, const ElementView& view) const {
-  if (edge.size() != 2 || edge[0].forth == edge[1].forth) return false;
-  const Edge& forth = edge[0].forth ? edge[0] : edge[1];
-  const Edge& back = edge[0].forth ? edge[1] : edge[0];
-  const Vec3 origin = seen(forth.lower, view);
-  const Vec3 along = seen(forth.upper, view) - origin;
-  const Vec3 left = seen(forth.third, view) - origin;
-  const Vec3 right = seen(back.third, view) - origin;
-  const Vec3 outward = glm::cross(along, left);
-  const Vec3 other = glm::cross(along, right);  // inward
-  if (!(glm::dot(outward, right) < 0.0)) return false;
-  const double cosine = glm::dot(outward, other);
-  return cosine > 0.0 && cosine * cosine > kLeastCosine * kLeastCosine *
-                                               glm::dot(outward, outward) * glm::dot(other, other);
+/// Of the spaces into which the triangles at edge a b divide what is around it, an element a b c d
+/// lies in one: whether that takes less than 30 degrees. It ends with the next triangle beyond c and
+/// the next beyond d.
+bool BoundaryLimits::liesInSharpWedge(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                      std::uint32_t d, const ElementView& view) const {
+  const Vec3 origin = seen(a, view);
+  const Vec3 along = seen(b, view) - origin;
+  const auto directionOf = [&](std::uint32_t third) { return seen(third, view) - origin; };
+  const auto normalOf = [&](std::uint32_t third) {
+    return glm::normalize(glm::cross(along, directionOf(third)));
+  };
+  const Vec3 start = normalOf(c);
+  const bool isLeft = glm::dot(start, directionOf(d)) > 0.0;
+  struct End {
+    Vec3 normal{0.0};
+    double cosine = 0.0;  ///< of the angle from c; a sharp space has both ends within a right one
+  };
+  End beyondC;
+  End beyondD;
+  for (const Edge& edge : edgesBetween(a, b)) {
+    const Vec3 normal = normalOf(edge.third);
+    const bool isBeyondD =
+        edge.third == d ||
+        (edge.third != c && (glm::dot(start, directionOf(edge.third)) > 0.0) == isLeft);
+    End& end = isBeyondD ? beyondD : beyondC;
+    const double cosine = glm::dot(start, normal);
+    if (cosine > end.cosine) end = {normal, cosine};
+  }
+  return glm::dot(beyondC.normal, beyondD.normal) > kLeastCosine;
 }
 
 bool BoundaryLimits::hasNeedle(std::span<const std::uint32_t, 4> nodes,
@@ -136,8 +150,8 @@ bool BoundaryLimits::joinsNearSheets(std::span<const std::uint32_t, 4> nodes,
 
 BoundaryLimit BoundaryLimits::limitOf(std::span<const std::uint32_t, 4> nodes,
                                       const ElementView& view) const {
-  for (const auto& edge : kEdges) {
-    if (isSharp(edgesBetween(nodes[edge[0]], nodes[edge[1]]), view)) {
+  for (const auto& [a, b, c, d] : kEdges) {
+    if (liesInSharpWedge(nodes[a], nodes[b], nodes[c], nodes[d], view)) {
       return BoundaryLimit::kSharpEdge;
     }
   }

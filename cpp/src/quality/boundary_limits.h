@@ -28,29 +28,28 @@ class BoundaryLimits {
   BoundaryLimits(std::span<const double> points, std::size_t boundaryNodes)
       : points_(points), boundaryNodes_(boundaryNodes) {}
 
-  /// A triangle of the boundary, counter-clockwise from outside. Those without two nodes of an
-  /// element that is asked for need not be added.
+  /// A triangle of the boundary, or a wall, turned either way. Those without two nodes of an element
+  /// that is asked for need not be added.
   void add(std::span<const std::uint32_t, 3> triangle);
   /// After the last triangle. O(n log n).
   void finish();
 
-  /// The first limit that applies to an element. O(log n).
+  /// The first limit that applies to an element. O(log n + k) for k triangles at its edges.
   [[nodiscard]] BoundaryLimit limitOf(std::span<const std::uint32_t, 4> nodes,
                                       const ElementView& view) const;
 
  private:
-  /// A triangle's edge, by its lower node; the third node is to the left of lower to upper where
-  /// the triangle is turned `forth`.
+  /// A triangle's edge, by its lower node.
   struct Edge {
     std::uint32_t lower;
     std::uint32_t upper;
     std::uint32_t third;
-    bool forth;
   };
   [[nodiscard]] std::span<const Edge> edgesBetween(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] bool isTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   [[nodiscard]] Vec3 seen(std::uint32_t node, const ElementView& view) const;
-  [[nodiscard]] bool isSharp(std::span<const Edge> edge, const ElementView& view) const;
+  [[nodiscard]] bool liesInSharpWedge(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                      std::uint32_t d, const ElementView& view) const;
   [[nodiscard]] bool hasNeedle(std::span<const std::uint32_t, 4> nodes,
                                const ElementView& view) const;
   [[nodiscard]] bool joinsNearSheets(std::span<const std::uint32_t, 4> nodes,

@@ -29,7 +29,7 @@ class InputCheck {
   InputExamination run() {
     ModelExamination found = examineModel(*model_);
     report(std::move(found.diagnostics));
-    Closure closure = checkClosure(*model_, found.duplicates.lines);
+    Closure closure = checkClosure(*model_, found);
     report(std::move(closure.diagnostics));
     sampled_ = sampleSurface(*model_, found);
     report(findMeetingPatches(*model_, found, sampled_));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geom/intersect.h"
+#include "geom/measure.h"
 #include "geom/predicates.h"
 #include "model/resolved_model.h"
 #include "search/box_tree.h"
@@ -32,17 +33,6 @@ bool overlap(const Box& a, const Box& b) {
     if (a.low[k] > b.high[k] || b.low[k] > a.high[k]) return false;
   }
   return true;
-}
-
-/// The middle of what two boxes have in common.
-Vec3 middleOf(const Box& a, const Box& b) {
-  Vec3 place;
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    place[i] =
-        0.5 * (double{std::max(a.low[k], b.low[k])} + double{std::min(a.high[k], b.high[k])});
-  }
-  return place;
 }
 
 /// The triangles of a sampled model, by patches.
@@ -100,7 +90,7 @@ class SampledPatches {
       for (const std::uint32_t other : near) {
         if (isFlat(other) || !meetImproperly(numbered(t), numbered(other))) continue;
         if (areBent && haveSameNodes(t, other)) continue;
-        return middleOf(boxes_[t], boxes_[other]);
+        return tetrafront::meetingPlace(cornersOf(t), cornersOf(other));
       }
     }
     return std::nullopt;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "geom/intersect.h"
+#include "geom/measure.h"
 #include "surface/surface_access.h"
 
 namespace tetrafront {
@@ -17,17 +18,6 @@ NumberedTriangle triangleOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
 Box boxOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
   const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
   return Box::of(p[0], p[1], p[2]);
-}
-
-/// The middle of what two boxes have in common: near enough to point at.
-Vec3 meetingPlace(const Box& a, const Box& b) {
-  Vec3 place;
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    place[i] =
-        0.5 * (double{std::max(a.low[k], b.low[k])} + double{std::min(a.high[k], b.high[k])});
-  }
-  return place;
 }
 
 }  // namespace
@@ -64,8 +54,9 @@ void SelfIntersectionCheck::testTriangle(std::uint32_t triangle) {
   });
   std::sort(near_.begin(), near_.end());
   for (const std::uint32_t other : near_) {
-    if (!meetImproperly(own, triangleOf(mesh_, other))) continue;
-    const Vec3 place = meetingPlace(box, boxOf(mesh_, other));
+    const NumberedTriangle met = triangleOf(mesh_, other);
+    if (!meetImproperly(own, met)) continue;
+    const Vec3 place = meetingPlace(own.corners, met.corners);
     report_.addTrianglePair(DiagnosticCode::kSelfIntersection, triangle, other, place);
   }
 }
