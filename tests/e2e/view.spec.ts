@@ -62,6 +62,23 @@ test("draws only when something has changed", async ({ page }) => {
   expect(await settles()).toBe(true);
 });
 
+test("the pointer over the picture draws nothing, over the view cube it does", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await screenPlace(page, "point", 1);
+  const box = await app.viewport.boundingBox();
+  if (!box) throw new Error("The view has no box");
+  await page.mouse.move(box.x + 20, box.y + box.height / 2);
+  await screenPlace(page, "point", 1);
+  const before = await app.viewport.getAttribute("data-frames");
+  await page.mouse.move(box.x + 30, box.y + box.height / 2 + 60, { steps: 12 });
+  await page.evaluate(
+    () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))),
+  );
+  expect(await app.viewport.getAttribute("data-frames")).toBe(before);
+  await nextFrame(app.viewport, () => page.mouse.move(box.x + box.width - 56, box.y + 56, { steps: 3 }));
+});
+
 test("the cut shows whole tetrahedra inside, on either side and along any axis", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();

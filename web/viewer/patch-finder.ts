@@ -2,7 +2,7 @@ import type { SurfaceMesh } from "tetrafront";
 
 /**
  * Position of the patch that a boundary face belongs to, from its three nodes in any order; null if no triangle
- * of the boundary has these nodes. Looks at all triangles, well below a millisecond for 60 000.
+ * of the boundary has these nodes. Looks at all triangles, some milliseconds at most for 60 000.
  */
 export function patchOfFace(
   { triangles, trianglePatch }: SurfaceMesh,

@@ -34,7 +34,18 @@ export class ViewCube {
       controls.getTarget(this.#gizmo.target);
       this.#gizmo.update(false);
     });
-    options.container.addEventListener("pointermove", options.onChange);
+    let wasOver = false;
+    options.container.addEventListener("pointermove", ({ target }) => {
+      // What is not above the picture may be above the cube, which lights up.
+      const isOver = !(target instanceof HTMLCanvasElement);
+      if (isOver || wasOver) options.onChange();
+      wasOver = isOver;
+    });
+  }
+
+  /** Resolves when its shaders are there. */
+  async prepare(renderer: WebGLRenderer, camera: PerspectiveCamera): Promise<void> {
+    await renderer.compileAsync(this.#gizmo, camera);
   }
 
   get animating(): boolean {

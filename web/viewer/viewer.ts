@@ -66,6 +66,8 @@ export class Viewer {
   #cube: ViewCube | null = null;
   #colors: ViewerColors;
   #disposed = false;
+  /** The shaders are there; before, nothing is drawn. */
+  #prepared = false;
   readonly #mesh: MeshLayer;
   readonly #marks = new MarksLayer();
   readonly #patches = new PatchesLayer();
@@ -99,6 +101,8 @@ export class Viewer {
     this.#renderer = new WebGLRenderer({ canvas, antialias: options.multisampling, alpha: true });
     this.#renderer.setPixelRatio(Math.min(window.devicePixelRatio, maxPixelRatio));
     this.#renderer.setClearColor(0x000000, 0);
+    // To ask how a shader has fared is to wait for it.
+    this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#view = new ViewCamera(canvas, options.motion);
     this.#mesh = new MeshLayer(options.survey, {
       onChange: () => this.#meshChanged(),
@@ -118,6 +122,7 @@ export class Viewer {
     this.#observer = new ResizeObserver(() => this.#resize());
     this.#observer.observe(container);
     this.#resize();
+    void this.#prepare();
     void this.#loadCube();
   }
 
@@ -280,14 +285,30 @@ export class Viewer {
     return [this.#ground, this.#patches, this.#mesh, this.#marks, ...model];
   }
 
+  /** Has all shaders made while the page goes on: to draw with one that is not there is to wait for it. */
+  async #prepare(): Promise<void> {
+    await this.#renderer.compileAsync(this.#scene, this.#view.camera);
+    this.#prepared = true;
+    this.#requestFrame();
+  }
+
   async #loadCube(): Promise<void> {
     const { ViewCube: Cube } = await import("./view-cube");
     if (this.#disposed) return;
-    this.#cube = new Cube(this.#view.camera, this.#renderer, this.#view.controls, this.#colors, {
+    const { camera, controls } = this.#view;
+    const cube = new Cube(camera, this.#renderer, controls, this.#colors, {
       container: this.#container,
       animated: this.#options.motion,
       onChange: () => this.#requestFrame(),
     });
+    await this.#showCube(cube);
+  }
+
+  async #showCube(cube: ViewCube): Promise<void> {
+    await cube.prepare(this.#renderer, this.#view.camera);
+    if (this.#disposed) return cube.dispose();
+    cube.setColors(this.#colors);
+    this.#cube = cube;
     this.#requestFrame();
   }
 
@@ -429,9 +450,10 @@ export class Viewer {
   #draw(): void {
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = 0;
+    this.#mesh.refresh();
+    if (!this.#prepared) return;
     this.#timer.update();
     const moving = this.#view.update(Math.min(this.#timer.getDelta(), 0.1));
-    this.#mesh.refresh();
     this.#renderer.render(this.#scene, this.#view.camera);
     this.#cube?.render();
     this.#options.events.onFrame(++this.#frames);
