@@ -171,39 +171,42 @@ class Run {
   std::string failure_;
 };
 
-/// SurfaceInspector as JavaScript sees it. After a failure it is finished and has found nothing.
-class Inspection {
+/// A tool that works in slices, as JavaScript sees it. After a failure it is finished and has an empty
+/// result.
+template <class Tool, class Record>
+class Stepwise {
  public:
-  Inspection(const Float64Array& points, const Uint32Array& triangles) {
-    inspector_ = guarded(failure_, std::unique_ptr<SurfaceInspector>{}, [&] {
-      const auto xyz = copyIn<double>(points);
-      const auto corners = copyIn<std::uint32_t>(triangles);
-      return std::make_unique<SurfaceInspector>(xyz, corners);
-    });
+  template <class... Arguments>
+  explicit Stepwise(const Arguments&... arguments) {
+    tool_ = guarded(failure_, std::unique_ptr<Tool>{},
+                    [&] { return std::make_unique<Tool>(arguments()...); });
   }
 
   bool advance(std::uint32_t budget) {
-    if (!inspector_ || !failure_.empty()) return true;
-    return guarded(failure_, true, [&] { return inspector_->advance(budget); });
+    if (!tool_ || !failure_.empty()) return true;
+    return guarded(failure_, true, [&] { return tool_->advance(budget); });
   }
 
   double fraction() {
-    if (!inspector_ || !failure_.empty()) return 1.0;
-    return inspector_->fraction();
+    if (!tool_ || !failure_.empty()) return 1.0;
+    return tool_->fraction();
   }
 
-  SurfaceInspectionRecord result() {
-    if (!inspector_ || !failure_.empty()) return {};
-    return guarded(failure_, SurfaceInspectionRecord{},
-                   [&] { return toRecord(inspector_->result()); });
+  Record result() {
+    if (!tool_ || !failure_.empty()) return {};
+    return guarded(failure_, Record{}, [&] { return toRecord(tool_->result()); });
   }
 
   [[nodiscard]] std::string failure() const { return failure_; }
 
  private:
-  std::unique_ptr<SurfaceInspector> inspector_;
+  std::unique_ptr<Tool> tool_;
   std::string failure_;
 };
+
+using Inspection = Stepwise<SurfaceInspector, SurfaceInspectionRecord>;
+using VolumeInspection = Stepwise<MeshInspector, MeshInspectionRecord>;
+using Repair = Stepwise<SurfaceRepairer, RepairRecord>;
 
 /// The answer of `work`, in which `failure` tells what it threw.
 template <class Answer, class Work>
@@ -247,25 +250,6 @@ GridRecord meshAsGrid(const Float64Array& points, const Uint32Array& tetrahedra,
   });
 }
 
-RepairRecord repair(const Float64Array& points, const Uint32Array& triangles,
-                    const RepairOptions& options) {
-  return answered<RepairRecord>([&] {
-    const auto xyz = copyIn<double>(points);
-    const auto corners = copyIn<std::uint32_t>(triangles);
-    return toRecord(repairSurface(xyz, corners, options));
-  });
-}
-
-MeshInspectionRecord inspectVolume(const Float64Array& points, const Uint32Array& tetrahedra,
-                                   const Uint32Array& regions) {
-  return answered<MeshInspectionRecord>([&] {
-    const auto xyz = copyIn<double>(points);
-    const auto corners = copyIn<std::uint32_t>(tetrahedra);
-    const auto filled = copyIn<std::uint32_t>(regions);
-    return toRecord(inspectMesh(xyz, corners, filled));
-  });
-}
-
 /// What the engine holds of the machine's memory; it never gives any back.
 double memoryBytes() { return static_cast<double>(emscripten_get_heap_size()); }
 
@@ -279,8 +263,39 @@ Run* fillSurface(const Float64Array& points, const Uint32Array& triangles, const
   return std::make_unique<Run>(points, triangles, grid, options).release();
 }
 
+/// Copies an array where a tool is made, so that running out of memory is told as its failure.
+template <class Value, class Array>
+auto copiedIn(const Array& array) {
+  return [&array] { return copyIn<Value>(array); };
+}
+
 Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles) {
-  return std::make_unique<Inspection>(points, triangles).release();
+  return std::make_unique<Inspection>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles))
+      .release();
+}
+
+VolumeInspection* inspectMesh(const Float64Array& points, const Uint32Array& tetrahedra,
+                              const Uint32Array& regions) {
+  return std::make_unique<VolumeInspection>(copiedIn<double>(points),
+                                            copiedIn<std::uint32_t>(tetrahedra),
+                                            copiedIn<std::uint32_t>(regions))
+      .release();
+}
+
+Repair* repairSurface(const Float64Array& points, const Uint32Array& triangles,
+                      const RepairOptions& options) {
+  return std::make_unique<Repair>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
+                                  [&options] { return options; })
+      .release();
+}
+
+template <class Tool>
+void registerStepwise(const char* name) {
+  emscripten::class_<Tool>(name)
+      .function("advance", &Tool::advance)
+      .function("fraction", &Tool::fraction)
+      .function("result", &Tool::result)
+      .function("failure", &Tool::failure);
 }
 
 }  // namespace
@@ -434,8 +449,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("kinds", &RepairRecord::kinds)
       .field("subjects", &RepairRecord::subjects)
       .field("places", &RepairRecord::places)
-      .field("diagnostics", &RepairRecord::diagnostics)
-      .field("failure", &RepairRecord::failure);
+      .field("diagnostics", &RepairRecord::diagnostics);
   value_object<MeshInspectionRecord>("MeshInspectionRecord")
       .field("isReadable", &MeshInspectionRecord::isReadable)
       .field("nodes", &MeshInspectionRecord::nodes)
@@ -451,8 +465,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("quality", &MeshInspectionRecord::quality)
       .field("statistics", &MeshInspectionRecord::statistics)
       .field("boundary", &MeshInspectionRecord::boundary)
-      .field("boundaryRegion", &MeshInspectionRecord::boundaryRegion)
-      .field("failure", &MeshInspectionRecord::failure);
+      .field("boundaryRegion", &MeshInspectionRecord::boundaryRegion);
   value_object<RecoverySummary>("RecoverySummary")
       .field("relaxed", &RecoverySummary::relaxed)
       .field("starred", &RecoverySummary::starred)
@@ -482,20 +495,18 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("fingerprint", &Run::fingerprint)
       .function("failure", &Run::failure);
 
-  class_<Inspection>("Inspection")
-      .function("advance", &Inspection::advance)
-      .function("fraction", &Inspection::fraction)
-      .function("result", &Inspection::result)
-      .function("failure", &Inspection::failure);
+  registerStepwise<Inspection>("Inspection");
+  registerStepwise<VolumeInspection>("VolumeInspection");
+  registerStepwise<Repair>("Repair");
 
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
   function("inspectSurface", &inspectSurface, allow_raw_pointers());
+  function("inspectMesh", &border::inspectMesh, allow_raw_pointers());
+  function("repairSurface", &border::repairSurface, allow_raw_pointers());
   function("preview", &preview);
   function("cover", &cover);
   function("propose", &propose);
   function("meshAsGrid", &meshAsGrid);
-  function("repair", &repair);
-  function("inspectVolume", &inspectVolume);
   function("memoryBytes", &memoryBytes);
 }

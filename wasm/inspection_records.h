@@ -49,7 +49,6 @@ struct RepairRecord {
   Uint32Array subjects = triangles;
   Float64Array places = points;
   DiagnosticRecords diagnostics{emscripten::val::array()};
-  Text failure{emscripten::val("")};
 };
 
 struct MeshInspectionRecord {
@@ -69,7 +68,6 @@ struct MeshInspectionRecord {
   StatisticsRecord statistics;
   Uint32Array boundary = copyOut(std::vector<std::uint32_t>{});
   Uint32Array boundaryRegion = boundary;
-  Text failure{emscripten::val("")};
 };
 
 [[nodiscard]] inline Float64Array flatShells(const std::vector<ShellFigures>& shells) {

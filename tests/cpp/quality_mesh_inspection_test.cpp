@@ -85,6 +85,28 @@ TEST(MeshInspection, CountsWhatIsUnsound) {
   EXPECT_GE(found.crowdedFaces, 1U);
 }
 
+TEST(MeshInspection, FindsTheSameInSlicesOfAnySize) {
+  Filled mesh = fill(cubeWithSphericalCavity(4, 3));
+  std::swap(mesh.volume.tetrahedra[40], mesh.volume.tetrahedra[41]);
+  const MeshInspection whole = inspect(mesh.volume);
+  MeshInspector inspector(mesh.volume.points, mesh.volume.tetrahedra, mesh.volume.regions);
+  int calls = 1;
+  double before = 0.0;
+  for (; !inspector.advance(7); ++calls) {
+    ASSERT_LE(before, inspector.fraction());
+    before = inspector.fraction();
+  }
+  EXPECT_EQ(inspector.fraction(), 1.0);
+  EXPECT_GT(calls, static_cast<int>(whole.tetrahedra / 7));
+  const MeshInspection& found = inspector.result();
+  EXPECT_EQ(found.turnedTetrahedra, 1U);
+  EXPECT_EQ(found.turnedTetrahedra, whole.turnedTetrahedra);
+  EXPECT_EQ(found.boundary.triangles, whole.boundary.triangles);
+  EXPECT_EQ(found.boundary.trianglePatch, whole.boundary.trianglePatch);
+  EXPECT_EQ(found.meanEdge, whole.meanEdge);
+  EXPECT_EQ(found.quality.meanRadiusRatio, whole.quality.meanRadiusRatio);
+}
+
 TEST(MeshInspection, RefusesWhatIsNoMesh) {
   const Filled mesh = fill(gridCube(1));
   VolumeMesh wrong = mesh.volume;

@@ -298,8 +298,13 @@ TEST(SurfaceRepair, SurvivesRuins) {
     const RepairOptions options{
         .weldDistance = 0.3 * random.unit(), .removesTriangles = seed % 2 == 0, .fillsUpTo = 20};
     const SurfaceRepair once = repair(mesh, options);
-    const SurfaceRepair again = repair(mesh, options);
-    EXPECT_EQ(once.triangles, again.triangles);
+    SurfaceRepairer inSteps(mesh.points, mesh.triangles, options);
+    while (!inSteps.advance(1)) {
+    }
+    EXPECT_EQ(inSteps.fraction(), 1.0);
+    EXPECT_EQ(once.triangles, inSteps.result().triangles);
+    EXPECT_EQ(once.origin, inSteps.result().origin);
+    EXPECT_EQ(once.changes.size(), inSteps.result().changes.size());
     static_cast<void>(inspect(once));
   }
 }

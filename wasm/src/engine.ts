@@ -1,9 +1,16 @@
 /** Loads the compiled engine, once per worker. The only file that names the compiled module. */
-import createEngine, { type Inspection, type MainModule, type Run } from "./engine.mjs";
+import createEngine, {
+  type Inspection,
+  type MainModule,
+  type Repair,
+  type Run,
+  type VolumeInspection,
+} from "./engine.mjs";
 
 export type Engine = MainModule;
 export type EngineRun = Run;
-export type EngineInspector = Inspection;
+/** What works in slices and has one result. */
+export type EngineTool = Inspection | Repair | VolumeInspection;
 
 let loading: Promise<Engine> | undefined;
 

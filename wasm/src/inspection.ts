@@ -163,13 +163,15 @@ export interface MeshInspection {
   readonly boundary: { readonly triangles: Uint32Array; readonly region: Uint32Array };
 }
 
-type Inspection = ReturnType<NonNullable<ReturnType<Engine["inspectSurface"]>>["result"]>;
-type Repair = ReturnType<Engine["repair"]>;
-type VolumeInspection = ReturnType<Engine["inspectVolume"]>;
+type ResultOf<Tool extends keyof Engine> = Engine[Tool] extends (...given: never[]) => infer Made
+  ? NonNullable<Made> extends { result(): infer Result }
+    ? Result
+    : never
+  : never;
 /** The engine's answers, which cross to the caller as they are. */
-export type EngineInspection = Inspection;
-export type EngineRepair = Omit<Repair, "failure">;
-export type EngineVolumeInspection = Omit<VolumeInspection, "failure">;
+export type EngineInspection = ResultOf<"inspectSurface">;
+export type EngineRepair = ResultOf<"repairSurface">;
+export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 
 const SHELL_STRIDE = 6;
 const TRIANGLE_STRIDE = 7;

@@ -221,7 +221,7 @@ class WorkerMesher implements Mesher {
   async repairSurface(
     surface: SurfaceInput,
     options: RepairOptions = {},
-    control: AbortControl = {},
+    control: RunControl = {},
   ): Promise<SurfaceRepair> {
     refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
     const { points, triangles } = surface;
@@ -233,7 +233,7 @@ class WorkerMesher implements Mesher {
     return describedRepair(repair);
   }
 
-  async inspectMesh(mesh: MeshInput, control: AbortControl = {}): Promise<MeshInspection> {
+  async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
     refuse(checkVolume(mesh, undefined));
     const { points, tetrahedra, regions = new Uint32Array() } = mesh;
     const question = { kind: "inspect-mesh", id: this.#nextId(), points, tetrahedra, regions } as const;
@@ -286,8 +286,7 @@ class WorkerMesher implements Mesher {
     open.reject(cancelledError());
     this.#worker.post({ kind: "cancel", id }, []);
     const isIdle = this.#active === undefined && this.#questions.size === 0;
-    const hearsCancel = open.question.kind === "inspect-surface";
-    if (isIdle && !hearsCancel && this.#settleReady === undefined) {
+    if (isIdle && !isSliced(open.question) && this.#settleReady === undefined) {
       this.#worker.terminate();
       this.#worker = this.#startWorker();
     }
@@ -435,6 +434,11 @@ class WorkerMesher implements Mesher {
   #nextId(): number {
     return ++this.#lastId;
   }
+}
+
+/** Hears a cancel while it is answered. */
+function isSliced({ kind }: Question): boolean {
+  return kind === "inspect-surface" || kind === "repair-surface" || kind === "inspect-mesh";
 }
 
 /** Throws where there is anything in the list; the message is that of the first. */

@@ -77,7 +77,6 @@ export type Question =
       readonly tetrahedra: Uint32Array;
       readonly sizes: Float64Array;
     }
-  /** In slices: `progress` may come before the answer, and a `cancel` ends it without one. */
   | {
       readonly kind: "inspect-surface";
       readonly id: number;
@@ -99,6 +98,9 @@ export type Question =
       readonly tetrahedra: Uint32Array;
       readonly regions: Uint32Array;
     };
+
+/** Worked on in slices: `progress` may come before the answer, and a `cancel` ends them without one. */
+export type SlicedKind = "inspect-surface" | "repair-surface" | "inspect-mesh";
 
 /** Every request but `cancel` carries an id of its own; replies repeat it, late ones are dropped by it. */
 export type Request =

@@ -3,7 +3,7 @@
  * without shared memory, and V8 never replaces a WebAssembly frame that is running, so that one
  * long call would stay in slow baseline code.
  */
-import type { EngineInspector, EngineRun } from "./engine.js";
+import type { EngineRun, EngineTool } from "./engine.js";
 import { PHASES, type RunClock } from "./run-clock.js";
 import type { MeshStatus, Phase, Progress } from "./types.js";
 
@@ -58,20 +58,20 @@ export async function runInSlices(
   }
 }
 
-/** Inspects to the end; false where it was cancelled before. */
-export async function inspectInSlices(inspector: EngineInspector, control: SliceControl): Promise<boolean> {
+/** Inspects or repairs to the end; false where it was cancelled before. */
+export async function workInSlices(tool: EngineTool, control: SliceControl): Promise<boolean> {
   const began = performance.now();
   let reportedAt = began;
   for (;;) {
     const deadline = performance.now() + SLICE_MS;
     let isFinished = false;
-    while (!isFinished && performance.now() < deadline) isFinished = inspector.advance(BUDGET);
+    while (!isFinished && performance.now() < deadline) isFinished = tool.advance(BUDGET);
     const now = performance.now();
     if (isFinished || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;
       const counts = { points: 0, triangles: 0, tetrahedra: 0, frontFaces: 0, expectedTetrahedra: 0 };
       const elapsedSeconds = (now - began) / 1000;
-      control.onProgress({ phase: "check", fraction: inspector.fraction(), ...counts, elapsedSeconds });
+      control.onProgress({ phase: "check", fraction: tool.fraction(), ...counts, elapsedSeconds });
     }
     if (isFinished) return true;
     await control.letRequestsIn();

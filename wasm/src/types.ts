@@ -438,18 +438,16 @@ export interface Mesher {
   inspectSurface(surface: SurfaceInput, control?: RunControl): Promise<SurfaceInspection>;
   /**
    * Makes the repairs that are asked for, in a copy, and lists every one; `inspectSurface` then tells what
-   * they were good for. Rejects with `invalid-input` where coordinates or indices are broken.
+   * they were good for. Rejects with `invalid-input` where coordinates or indices are broken. Works in steps
+   * beside a run.
    */
-  repairSurface(
-    surface: SurfaceInput,
-    options?: RepairOptions,
-    control?: AbortControl,
-  ): Promise<SurfaceRepair>;
+  repairSurface(surface: SurfaceInput, options?: RepairOptions, control?: RunControl): Promise<SurfaceRepair>;
   /**
    * Whether a mesh is sound, how good its elements are, and its boundary. Rejects with `invalid-input`
-   * where coordinates or indices are broken. O(n log n); about a microsecond per element.
+   * where coordinates or indices are broken. O(n log n); about a microsecond per element. Works in slices beside
+   * a run.
    */
-  inspectMesh(mesh: MeshInput, control?: AbortControl): Promise<MeshInspection>;
+  inspectMesh(mesh: MeshInput, control?: RunControl): Promise<MeshInspection>;
   /** Ends the worker; runs under way are rejected. */
   dispose(): void;
 }

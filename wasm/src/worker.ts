@@ -1,11 +1,11 @@
 /** The worker: takes requests, runs the engine in slices, replies (src/protocol.ts). */
 import { workerPort } from "#worker-port";
 
-import { loadEngine, type Engine, type EngineInspector, type EngineRun } from "./engine.js";
-import type { Answers, EngineResult, FailureReason, Question, Request } from "./protocol.js";
+import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./engine.js";
+import type { Answers, EngineResult, FailureReason, Question, Request, SlicedKind } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
-import { inspectInSlices, runInSlices, type SliceControl } from "./slices.js";
+import { runInSlices, workInSlices, type SliceControl } from "./slices.js";
 import { buffersOf } from "./transfer.js";
 import type { MeshStatus, Progress } from "./types.js";
 
@@ -44,17 +44,20 @@ async function handle(engine: Engine, request: Request): Promise<void> {
         engine.fillSurface(request.points, request.triangles, request.grid, request.options),
       );
     case "inspect-surface":
-      return inspect(request.id, engine.inspectSurface(request.points, request.triangles));
+      return work(request.id, engine.inspectSurface(request.points, request.triangles));
+    case "repair-surface":
+      return work(request.id, engine.repairSurface(request.points, request.triangles, request.options));
+    case "inspect-mesh":
+      return work(request.id, engine.inspectMesh(request.points, request.tetrahedra, request.regions));
     default:
       return answer(engine, request);
   }
 }
 
-/** Questions take one call each, which hears nothing; those given up while they waited are not begun. */
-async function answer(
-  engine: Engine,
-  question: Exclude<Question, { kind: "inspect-surface" }>,
-): Promise<void> {
+/** Of one call each, which hears nothing; those given up while they waited are not begun. */
+type QuickQuestion = Exclude<Question, { kind: SlicedKind }>;
+
+async function answer(engine: Engine, question: QuickQuestion): Promise<void> {
   const { id } = question;
   running.add(id);
   try {
@@ -66,9 +69,9 @@ async function answer(
   }
 }
 
-type Answer = Answers[keyof Answers] & { readonly failure: string };
+type Answer = Answers[QuickQuestion["kind"]] & { readonly failure: string };
 
-function answerTo(engine: Engine, question: Exclude<Question, { kind: "inspect-surface" }>): Answer {
+function answerTo(engine: Engine, question: QuickQuestion): Answer {
   switch (question.kind) {
     case "preview":
       return engine.preview(question.model, question.options);
@@ -78,10 +81,6 @@ function answerTo(engine: Engine, question: Exclude<Question, { kind: "inspect-s
       return engine.propose(question.model, question.options);
     case "mesh-as-grid":
       return engine.meshAsGrid(question.points, question.tetrahedra, question.sizes);
-    case "repair-surface":
-      return engine.repair(question.points, question.triangles, question.options);
-    case "inspect-mesh":
-      return engine.inspectVolume(question.points, question.tetrahedra, question.regions);
   }
 }
 
@@ -90,20 +89,20 @@ function reply(id: number, { failure, ...answer }: Answer): void {
   workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
 }
 
-async function inspect(id: number, inspection: EngineInspector | null): Promise<void> {
-  if (inspection === null) throw new EngineFailure("the engine gave no inspection");
+async function work(id: number, tool: EngineTool | null): Promise<void> {
+  if (tool === null) throw new EngineFailure("the engine gave no tool");
   running.add(id);
   try {
-    assertHealthy(inspection);
-    const isComplete = await inspectInSlices(inspection, controlOf(id));
+    assertHealthy(tool);
+    const isComplete = await workInSlices(tool, controlOf(id));
     if (!isComplete) return;
-    const answer = inspection.result();
-    assertHealthy(inspection);
+    const answer = tool.result();
+    assertHealthy(tool);
     workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
   } finally {
     running.delete(id);
     cancelled.delete(id);
-    inspection.delete();
+    tool.delete();
   }
 }
 

@@ -4,6 +4,7 @@
 /// them. Signs are exact, and figures are those of a run's own report.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 
 #include "tetrafront/mesh.h"
@@ -36,8 +37,32 @@ struct MeshInspection {
   SurfaceMesh boundary;
 };
 
-/// Inspects the elements a b c d at tetrahedra[4t..4t+3], positions in `points` (x y z each), with one
-/// region each, or none at all. O(n log n).
+/// Inspects a mesh in slices. O(n log n).
+class MeshInspector {
+ public:
+  /// The elements a b c d at tetrahedra[4t..4t+3], positions in `points` (x y z each), with one region
+  /// each, or none at all. All is copied.
+  MeshInspector(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
+                std::span<const std::uint32_t> regions);
+  MeshInspector(MeshInspector&&) noexcept;
+  MeshInspector& operator=(MeshInspector&&) noexcept;
+  ~MeshInspector();
+
+  /// Works on for about `budget` elements; true when finished.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Complete once advance() has returned true.
+  [[nodiscard]] const MeshInspection& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The whole inspection at once.
 [[nodiscard]] MeshInspection inspectMesh(std::span<const double> points,
                                          std::span<const std::uint32_t> tetrahedra,
                                          std::span<const std::uint32_t> regions);

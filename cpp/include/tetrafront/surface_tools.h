@@ -132,6 +132,31 @@ inline constexpr std::uint32_t kNoOrigin = 0xffffffffU;
 /// nothing about the result, which is to be inspected. Holes are filled by the triangles of least
 /// area in sum, without new nodes; one that would need an edge that exists is left open.
 /// O(n log n), and O(edges^3) for each hole.
+class SurfaceRepairer {
+ public:
+  /// Arrays as for MeshRun; they are copied.
+  SurfaceRepairer(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                  const RepairOptions& options);
+  SurfaceRepairer(SurfaceRepairer&&) noexcept;
+  SurfaceRepairer& operator=(SurfaceRepairer&&) noexcept;
+  ~SurfaceRepairer();
+
+  /// Works on; true when finished. A call takes a step of the repair, the longest of which look at
+  /// all triangles once; triangles are turned and nodes welded for about `budget` of them.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Complete once advance() has returned true.
+  [[nodiscard]] const SurfaceRepair& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The whole repair at once.
 [[nodiscard]] SurfaceRepair repairSurface(std::span<const double> points,
                                           std::span<const std::uint32_t> triangles,
                                           const RepairOptions& options);

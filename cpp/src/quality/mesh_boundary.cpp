@@ -1,10 +1,8 @@
 #include "quality/mesh_boundary.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <vector>
+#include <tuple>
+#include <utility>
 
 namespace tetrafront {
 namespace {
@@ -13,47 +11,107 @@ namespace {
 constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
     {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
-struct Face {
-  std::array<std::uint32_t, 3> nodes;  ///< ascending
-  std::uint32_t owner;                 ///< 4 x element + face
+using Nodes = std::array<std::uint32_t, 3>;
 
-  [[nodiscard]] bool isBefore(const Face& other) const {
-    return nodes != other.nodes ? nodes < other.nodes : owner < other.owner;
-  }
-};
-
-std::array<std::uint32_t, 3> faceOf(const VolumeMesh& mesh, std::uint32_t owner) {
-  const std::size_t first = 4 * std::size_t{owner / 4};
-  std::array<std::uint32_t, 3> nodes{};
-  for (std::size_t k = 0; k < 3; ++k) nodes[k] = mesh.tetrahedra[first + kFaces[owner % 4][k]];
+Nodes faceOf(const VolumeMesh& mesh, std::size_t owner) {
+  Nodes nodes{};
+  for (std::size_t k = 0; k < 3; ++k)
+    nodes[k] = mesh.tetrahedra[owner / 4 * 4 + kFaces[owner % 4][k]];
   return nodes;
+}
+
+Nodes sortedFaceOf(const VolumeMesh& mesh, std::size_t owner) {
+  auto [a, b, c] = faceOf(mesh, owner);
+  if (a > b) std::swap(a, b);
+  if (b > c) std::swap(b, c);
+  if (a > b) std::swap(a, b);
+  return {a, b, c};
 }
 
 }  // namespace
 
-SurfaceMesh boundaryOf(const VolumeMesh& mesh) {
-  std::vector<Face> faces;
-  faces.reserve(mesh.tetrahedra.size());
-  for (std::uint32_t owner = 0; owner < mesh.tetrahedra.size(); ++owner) {
-    Face face{faceOf(mesh, owner), owner};
-    std::sort(face.nodes.begin(), face.nodes.end());
-    faces.push_back(face);
+BoundaryFinder::BoundaryFinder(const VolumeMesh& mesh)
+    : mesh_(&mesh), begins_(mesh.points.size() / 3 + 1, 0), isOuter_(mesh.tetrahedra.size(), 0) {}
+
+bool BoundaryFinder::advance(std::uint32_t budget) {
+  const std::size_t nodes = mesh_->points.size() / 3;
+  const std::size_t faces = mesh_->tetrahedra.size();
+  const std::size_t end = stage_ == Stage::kMatch ? nodes : faces;
+  // A tetrahedron has four faces; of nodes there are fewer, but each has many faces.
+  const std::size_t share = stage_ == Stage::kMatch ? budget / 4 : 4 * std::size_t{budget};
+  const std::size_t last = std::min(end, next_ + std::max(share, std::size_t{1}));
+  switch (stage_) {
+    case Stage::kCount:
+      count(next_, last);
+      break;
+    case Stage::kPlace:
+      place(next_, last);
+      break;
+    case Stage::kMatch:
+      match(next_, last);
+      break;
+    case Stage::kCollect:
+      collect(next_, last);
+      break;
+    case Stage::kDone:
+      return true;
   }
-  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.isBefore(b); });
-  std::vector<std::uint32_t> single;
-  for (std::size_t i = 0; i < faces.size(); ++i) {
-    const bool hasTwinBefore = i > 0 && faces[i - 1].nodes == faces[i].nodes;
-    const bool hasTwinAfter = i + 1 < faces.size() && faces[i + 1].nodes == faces[i].nodes;
-    if (!hasTwinBefore && !hasTwinAfter) single.push_back(faces[i].owner);
+  next_ = last;
+  if (last == end) goOn(static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1));
+  return stage_ == Stage::kDone;
+}
+
+void BoundaryFinder::goOn(Stage stage) {
+  stage_ = stage;
+  next_ = 0;
+  if (stage == Stage::kPlace) {
+    std::uint32_t begin = 0;
+    for (std::uint32_t& bucket : begins_) begin += std::exchange(bucket, begin);
+    faces_.resize(mesh_->tetrahedra.size());
   }
-  std::sort(single.begin(), single.end());
-  SurfaceMesh boundary;
-  for (const std::uint32_t owner : single) {
-    const std::array<std::uint32_t, 3> nodes = faceOf(mesh, owner);
-    boundary.triangles.insert(boundary.triangles.end(), nodes.begin(), nodes.end());
-    boundary.trianglePatch.push_back(mesh.regions.empty() ? 0 : mesh.regions[owner / 4]);
+  if (stage == Stage::kMatch) {
+    // Each bucket's place has moved to its end, where the next one begins.
+    std::move_backward(begins_.begin(), begins_.end() - 1, begins_.end());
+    begins_.front() = 0;
   }
-  return boundary;
+}
+
+void BoundaryFinder::count(std::size_t first, std::size_t last) {
+  for (std::size_t owner = first; owner < last; ++owner) ++begins_[sortedFaceOf(*mesh_, owner)[0]];
+}
+
+void BoundaryFinder::place(std::size_t first, std::size_t last) {
+  for (std::size_t owner = first; owner < last; ++owner) {
+    const Nodes nodes = sortedFaceOf(*mesh_, owner);
+    faces_[begins_[nodes[0]]++] = {nodes[1], nodes[2], static_cast<std::uint32_t>(owner)};
+  }
+}
+
+void BoundaryFinder::match(std::size_t firstNode, std::size_t lastNode) {
+  const auto isSame = [](const Face& a, const Face& b) {
+    return a.middle == b.middle && a.highest == b.highest;
+  };
+  for (std::size_t node = firstNode; node < lastNode; ++node) {
+    Face* const begin = faces_.data() + begins_[node];
+    Face* const end = faces_.data() + begins_[node + 1];
+    std::sort(begin, end, [](const Face& a, const Face& b) {
+      return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
+    });
+    for (const Face* face = begin; face != end; ++face) {
+      const bool hasTwin = (face != begin && isSame(face[-1], *face)) ||
+                           (face + 1 != end && isSame(face[0], face[1]));
+      isOuter_[face->owner] = hasTwin ? 0 : 1;
+    }
+  }
+}
+
+void BoundaryFinder::collect(std::size_t first, std::size_t last) {
+  for (std::size_t owner = first; owner < last; ++owner) {
+    if (isOuter_[owner] == 0) continue;
+    const Nodes nodes = faceOf(*mesh_, owner);
+    boundary_.triangles.insert(boundary_.triangles.end(), nodes.begin(), nodes.end());
+    boundary_.trianglePatch.push_back(mesh_->regions.empty() ? 0 : mesh_->regions[owner / 4]);
+  }
 }
 
 }  // namespace tetrafront

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "field/size_field.h"
@@ -45,33 +46,13 @@ void countNodes(const VolumeMesh& mesh, MeshInspection& out) {
 }
 
 /// Leaves no element with a negative volume.
-void turnElements(VolumeMesh& mesh, MeshInspection& out) {
-  out.tetrahedra = static_cast<std::uint32_t>(mesh.tetrahedra.size() / 4);
-  for (std::size_t e = 0; e < out.tetrahedra; ++e) {
-    const auto [a, b, c, d] = cornersOf(mesh, e);
-    const int sign = orient3d(a, b, c, d);
-    if (sign == 0) ++out.flatTetrahedra;
-    if (sign >= 0) continue;
-    ++out.turnedTetrahedra;
-    std::swap(mesh.tetrahedra[4 * e + 2], mesh.tetrahedra[4 * e + 3]);
-  }
-}
-
-void measureEdges(const VolumeMesh& mesh, MeshInspection& out) {
-  double sum = 0.0;
-  for (std::size_t e = 0; e < out.tetrahedra; ++e) {
-    const std::array<Vec3, 4> p = cornersOf(mesh, e);
-    for (std::size_t i = 0; i < 4; ++i) {
-      for (std::size_t j = i + 1; j < 4; ++j) {
-        const double length = glm::length(p[j] - p[i]);
-        sum += length;
-        const bool isFirst = e == 0 && i == 0 && j == 1;
-        out.shortestEdge = isFirst ? length : std::min(out.shortestEdge, length);
-        out.longestEdge = std::max(out.longestEdge, length);
-      }
-    }
-  }
-  out.meanEdge = sum / (6.0 * out.tetrahedra);
+void turnElement(VolumeMesh& mesh, std::size_t element, MeshInspection& out) {
+  const auto [a, b, c, d] = cornersOf(mesh, element);
+  const int sign = orient3d(a, b, c, d);
+  if (sign == 0) ++out.flatTetrahedra;
+  if (sign >= 0) return;
+  ++out.turnedTetrahedra;
+  std::swap(mesh.tetrahedra[4 * element + 2], mesh.tetrahedra[4 * element + 3]);
 }
 
 std::uint32_t narrowed(std::uint64_t count) {
@@ -79,47 +60,155 @@ std::uint32_t narrowed(std::uint64_t count) {
   return static_cast<std::uint32_t>(std::min(count, kMost));
 }
 
-void verify(const VolumeMesh& mesh, MeshInspection& out) {
-  SurfaceMesh surface = out.boundary;
-  surface.points = mesh.points;
-  const MeshDefects defects = verifyMesh(mesh, surface);
-  out.repeatedTetrahedra = narrowed(defects.repeatedTetrahedra);
-  out.crowdedFaces = narrowed(defects.overfullFaces);
-  out.overlaps = narrowed(defects.onesidedFaces);
-  out.coincidentNodes = narrowed(defects.coincidentNodes);
-}
-
-void survey(const VolumeMesh& mesh, MeshInspection& out) {
-  constexpr std::uint32_t kSlice = 1U << 16U;
-  if (!(out.meanEdge > 0.0)) return;
-  const SizeField field = SizeField::uniform(out.meanEdge);
-  QualitySurvey survey(mesh, out.boundary, field);
-  while (!survey.advance(kSlice)) {
-  }
-  out.quality = survey.summary();
-  out.statistics = survey.statistics();
-}
-
 }  // namespace
+
+class MeshInspector::Impl {
+ public:
+  Impl(std::span<const double> points, std::span<const std::uint32_t> tetrahedra,
+       std::span<const std::uint32_t> regions) {
+    mesh_.points.assign(points.begin(), points.end());
+    mesh_.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
+    mesh_.regions.assign(regions.begin(), regions.end());
+  }
+
+  bool advance(std::uint32_t budget);
+
+  [[nodiscard]] double fraction() const {
+    return static_cast<double>(stage_) / static_cast<double>(Stage::kDone);
+  }
+  [[nodiscard]] const MeshInspection& result() const { return out_; }
+
+ private:
+  enum class Stage : std::uint8_t { kNodes, kElements, kBoundary, kVerify, kSurvey, kDone };
+
+  [[nodiscard]] Stage readNodes();
+  /// Whether all are done.
+  bool measureElements(std::uint32_t budget);
+  void measureEdges(std::size_t element);
+  void takeDefects();
+  void beginSurvey();
+
+  VolumeMesh mesh_;
+  Stage stage_ = Stage::kNodes;
+  std::size_t nextElement_ = 0;
+  double edgeSum_ = 0.0;
+  std::optional<BoundaryFinder> boundary_;
+  SurfaceMesh surface_;  ///< the boundary with its points
+  std::optional<MeshVerifier> verifier_;
+  std::optional<SizeField> field_;
+  std::optional<QualitySurvey> survey_;
+  MeshInspection out_;
+};
+
+bool MeshInspector::Impl::advance(std::uint32_t budget) {
+  switch (stage_) {
+    case Stage::kNodes:
+      stage_ = readNodes();
+      break;
+    case Stage::kElements:
+      if (!measureElements(budget)) break;
+      boundary_.emplace(mesh_);
+      stage_ = Stage::kBoundary;
+      break;
+    case Stage::kBoundary:
+      if (!boundary_->advance(budget)) break;
+      out_.boundary = boundary_->take();
+      boundary_.reset();
+      surface_ = out_.boundary;
+      surface_.points = mesh_.points;
+      verifier_.emplace(mesh_, surface_);
+      stage_ = Stage::kVerify;
+      break;
+    case Stage::kVerify:
+      if (!verifier_->advance(budget)) break;
+      takeDefects();
+      beginSurvey();
+      break;
+    case Stage::kSurvey:
+      if (!survey_->advance(budget)) break;
+      out_.quality = survey_->summary();
+      out_.statistics = survey_->statistics();
+      stage_ = Stage::kDone;
+      break;
+    case Stage::kDone:
+      break;
+  }
+  return stage_ == Stage::kDone;
+}
+
+MeshInspector::Impl::Stage MeshInspector::Impl::readNodes() {
+  out_.isReadable = isReadable(mesh_);
+  if (!out_.isReadable) return Stage::kDone;
+  mesh_.regions.resize(mesh_.tetrahedra.size() / 4, 0);
+  out_.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
+  countNodes(mesh_, out_);
+  return Stage::kElements;
+}
+
+bool MeshInspector::Impl::measureElements(std::uint32_t budget) {
+  const std::size_t last = std::min<std::size_t>(out_.tetrahedra, nextElement_ + budget);
+  for (; nextElement_ < last; ++nextElement_) {
+    turnElement(mesh_, nextElement_, out_);
+    measureEdges(nextElement_);
+  }
+  if (nextElement_ < out_.tetrahedra) return false;
+  out_.meanEdge = edgeSum_ / (6.0 * out_.tetrahedra);
+  return true;
+}
+
+void MeshInspector::Impl::measureEdges(std::size_t element) {
+  const std::array<Vec3, 4> p = cornersOf(mesh_, element);
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = i + 1; j < 4; ++j) {
+      const double length = glm::length(p[j] - p[i]);
+      edgeSum_ += length;
+      const bool isFirst = element == 0 && i == 0 && j == 1;
+      out_.shortestEdge = isFirst ? length : std::min(out_.shortestEdge, length);
+      out_.longestEdge = std::max(out_.longestEdge, length);
+    }
+  }
+}
+
+void MeshInspector::Impl::takeDefects() {
+  const MeshDefects& defects = verifier_->defects();
+  out_.repeatedTetrahedra = narrowed(defects.repeatedTetrahedra);
+  out_.crowdedFaces = narrowed(defects.overfullFaces);
+  out_.overlaps = narrowed(defects.onesidedFaces);
+  out_.coincidentNodes = narrowed(defects.coincidentNodes);
+  verifier_.reset();
+  surface_ = {};
+}
+
+void MeshInspector::Impl::beginSurvey() {
+  if (!(out_.meanEdge > 0.0)) {
+    stage_ = Stage::kDone;
+    return;
+  }
+  field_ = SizeField::uniform(out_.meanEdge);
+  survey_.emplace(mesh_, out_.boundary, *field_);
+  stage_ = Stage::kSurvey;
+}
+
+MeshInspector::MeshInspector(std::span<const double> points,
+                             std::span<const std::uint32_t> tetrahedra,
+                             std::span<const std::uint32_t> regions)
+    : impl_(std::make_unique<Impl>(points, tetrahedra, regions)) {}
+MeshInspector::MeshInspector(MeshInspector&&) noexcept = default;
+MeshInspector& MeshInspector::operator=(MeshInspector&&) noexcept = default;
+MeshInspector::~MeshInspector() = default;
+
+bool MeshInspector::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
+double MeshInspector::fraction() const { return impl_->fraction(); }
+const MeshInspection& MeshInspector::result() const { return impl_->result(); }
 
 MeshInspection inspectMesh(std::span<const double> points,
                            std::span<const std::uint32_t> tetrahedra,
                            std::span<const std::uint32_t> regions) {
-  VolumeMesh mesh;
-  mesh.points.assign(points.begin(), points.end());
-  mesh.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
-  mesh.regions.assign(regions.begin(), regions.end());
-  MeshInspection out;
-  out.isReadable = isReadable(mesh);
-  if (!out.isReadable) return out;
-  mesh.regions.resize(mesh.tetrahedra.size() / 4, 0);
-  countNodes(mesh, out);
-  turnElements(mesh, out);
-  measureEdges(mesh, out);
-  out.boundary = boundaryOf(mesh);
-  verify(mesh, out);
-  survey(mesh, out);
-  return out;
+  constexpr std::uint32_t kSlice = 1U << 16U;
+  MeshInspector inspector(points, tetrahedra, regions);
+  while (!inspector.advance(kSlice)) {
+  }
+  return inspector.result();
 }
 
 }  // namespace tetrafront

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "surface/boundary.h"
@@ -14,12 +15,13 @@
 #include "tetrafront/surface_tools.h"
 
 namespace tetrafront {
-namespace {
 
 /// A surface under repair: its nodes keep their given numbers until the end.
-class Repair {
+class SurfaceRepairer::Impl {
  public:
-  Repair(std::span<const double> points, std::span<const std::uint32_t> triangles) {
+  Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
+       const RepairOptions& options)
+      : options_(options) {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.triangles.assign(triangles.begin(), triangles.end());
     origin_.resize(triangles.size() / 3);
@@ -27,22 +29,40 @@ class Repair {
     isWelded_.resize(points.size() / 3, 0);
   }
 
-  [[nodiscard]] std::vector<Diagnostic> brokenNumbers() const {
-    BoundaryReport report(mesh_, BoundarySource::kGivenSurface);
-    checkNumbers(mesh_, report);
-    return report.take();
+  bool advance(std::uint32_t budget);
+
+  [[nodiscard]] double fraction() const {
+    return static_cast<double>(stage_) / static_cast<double>(Stage::kDone);
   }
-
-  void weld(double distance);
-  void removeTriangles();
-  void fill(std::uint32_t mostEdges);
-  void turn();
-
-  /// With the nodes that are used only, in their order.
-  [[nodiscard]] SurfaceRepair take();
+  [[nodiscard]] const SurfaceRepair& result() const { return result_; }
 
  private:
   using Triangle = std::array<std::uint32_t, 3>;
+  enum class Stage : std::uint8_t {
+    kNumbers,
+    kWeld,
+    kRepeating,
+    kDuplicates,
+    kDissolve,
+    kSlivers,
+    kNewDuplicates,
+    kFill,
+    kTurn,
+    kTake,
+    kDone
+  };
+
+  /// One step of the present stage; whether that is over.
+  bool step(std::uint32_t budget);
+  [[nodiscard]] Stage nextStage() const;
+
+  /// Whether coordinates and indices are such that anything can be repaired.
+  bool checkNumbersOnce();
+  bool weld(std::uint32_t budget);
+  void fill();
+  bool turn(std::uint32_t budget);
+  /// With the nodes that are used only, in their order.
+  void take();
 
   [[nodiscard]] Triangle nodesOfTriangle(std::uint32_t t) const {
     const std::size_t i = 3 * std::size_t{t};
@@ -64,30 +84,118 @@ class Repair {
   void removeSlivers();
   void removeDuplicates();
   void keep(const std::vector<std::uint8_t>& isGone);
-  void turnOutward();
+  void turnAlikeIfClear();
+  void listTurned();
 
+  RepairOptions options_;
+  Stage stage_ = Stage::kNumbers;
   SurfaceMesh mesh_;
   std::vector<std::uint32_t> origin_;
   std::vector<std::uint8_t> isWelded_;  ///< nodes that are others now
   std::vector<RepairChange> changes_;
+  std::optional<NodeWelder> welder_;
+  SurfaceMesh outward_;  ///< turned by the boundary check
+  std::optional<BoundaryCheck> check_;
+  SurfaceRepair result_;
 };
 
-void Repair::addAt(RepairKind kind, std::uint32_t triangle, std::uint32_t second) {
+bool SurfaceRepairer::Impl::advance(std::uint32_t budget) {
+  if (stage_ != Stage::kDone && step(budget)) stage_ = nextStage();
+  return stage_ == Stage::kDone;
+}
+
+bool SurfaceRepairer::Impl::step(std::uint32_t budget) {
+  switch (stage_) {
+    case Stage::kNumbers:
+      return checkNumbersOnce();
+    case Stage::kWeld:
+      return weld(budget);
+    case Stage::kRepeating:
+      removeRepeating();
+      return true;
+    case Stage::kDuplicates:
+    case Stage::kNewDuplicates:
+      removeDuplicates();
+      return true;
+    case Stage::kDissolve:
+      dissolveSlivers();
+      return true;
+    case Stage::kSlivers:
+      removeSlivers();
+      return true;
+    case Stage::kFill:
+      fill();
+      return true;
+    case Stage::kTurn:
+      return turn(budget);
+    case Stage::kTake:
+      take();
+      return true;
+    case Stage::kDone:
+      return true;
+  }
+  return true;
+}
+
+/// The one after the present that the options ask for.
+SurfaceRepairer::Impl::Stage SurfaceRepairer::Impl::nextStage() const {
+  const bool isBroken = !result_.diagnostics.empty();
+  if (isBroken) return Stage::kDone;
+  for (auto stage = static_cast<std::uint8_t>(stage_);;) {
+    switch (const auto next = static_cast<Stage>(++stage)) {
+      case Stage::kWeld:
+        if (options_.weldDistance >= 0.0) return next;
+        break;
+      case Stage::kRepeating:
+      case Stage::kDuplicates:
+      case Stage::kDissolve:
+      case Stage::kSlivers:
+      case Stage::kNewDuplicates:
+        if (options_.removesTriangles) return next;
+        break;
+      case Stage::kFill:
+        if (options_.fillsUpTo > 0) return next;
+        break;
+      case Stage::kTurn:
+        if (options_.turns) return next;
+        break;
+      default:
+        return next;
+    }
+  }
+}
+
+bool SurfaceRepairer::Impl::checkNumbersOnce() {
+  BoundaryReport report(mesh_, BoundarySource::kGivenSurface);
+  checkNumbers(mesh_, report);
+  result_.diagnostics = report.take();
+  if (result_.diagnostics.empty()) return true;
+  result_.points = std::move(mesh_.points);
+  result_.triangles = std::move(mesh_.triangles);
+  result_.origin = std::move(origin_);
+  return true;
+}
+
+void SurfaceRepairer::Impl::addAt(RepairKind kind, std::uint32_t triangle, std::uint32_t second) {
   const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
   add(kind, origin_[triangle], second, (p[0] + p[1] + p[2]) / 3.0);
 }
 
-void Repair::weld(double distance) {
-  const std::vector<std::uint32_t> target = weldedNodes(mesh_.points, distance);
+bool SurfaceRepairer::Impl::weld(std::uint32_t budget) {
+  if (!welder_) welder_.emplace(mesh_.points, options_.weldDistance);
+  if (!welder_->advance(budget)) return false;
+  const std::vector<std::uint32_t>& target = welder_->targets();
   for (std::uint32_t i = 0; i < target.size(); ++i) {
     if (target[i] == i) continue;
     isWelded_[i] = 1;
     add(RepairKind::kWeldedNode, i, target[i], pointOf(mesh_, i));
   }
   for (std::uint32_t& node : mesh_.triangles) node = target[node];
+  welder_.reset();
+  return true;
 }
 
-void Repair::keep(const std::vector<std::uint8_t>& isGone) {
+void SurfaceRepairer::Impl::keep(const std::vector<std::uint8_t>& isGone) {
   std::uint32_t kept = 0;
   for (std::uint32_t t = 0; t < isGone.size(); ++t) {
     if (isGone[t] != 0) continue;
@@ -99,15 +207,7 @@ void Repair::keep(const std::vector<std::uint8_t>& isGone) {
   origin_.resize(kept);
 }
 
-void Repair::removeTriangles() {
-  removeRepeating();
-  removeDuplicates();
-  dissolveSlivers();
-  removeSlivers();
-  removeDuplicates();
-}
-
-void Repair::removeRepeating() {
+void SurfaceRepairer::Impl::removeRepeating() {
   std::vector<std::uint8_t> isGone(triangleCount(), 0);
   for (std::uint32_t t = 0; t < isGone.size(); ++t) {
     const auto [a, b, c] = nodesOfTriangle(t);
@@ -119,14 +219,14 @@ void Repair::removeRepeating() {
 }
 
 /// Those beside others that have area; the shape is the same.
-void Repair::dissolveSlivers() {
+void SurfaceRepairer::Impl::dissolveSlivers() {
   for (const auto& [sliver, other, middle] : splitBesideSlivers(mesh_)) {
     add(RepairKind::kSplitTriangle, origin_[sliver], origin_[other], pointOf(mesh_, middle));
     origin_[sliver] = origin_[other];
   }
 }
 
-void Repair::removeSlivers() {
+void SurfaceRepairer::Impl::removeSlivers() {
   std::vector<std::uint8_t> isGone(triangleCount(), 0);
   for (std::uint32_t t = 0; t < isGone.size(); ++t) {
     if (!isSliver(mesh_, t)) continue;
@@ -136,7 +236,7 @@ void Repair::removeSlivers() {
   keep(isGone);
 }
 
-void Repair::removeDuplicates() {
+void SurfaceRepairer::Impl::removeDuplicates() {
   std::vector<std::pair<Triangle, std::uint32_t>> sorted;
   for (std::uint32_t t = 0; t < triangleCount(); ++t) {
     Triangle nodes = nodesOfTriangle(t);
@@ -159,7 +259,8 @@ void Repair::removeDuplicates() {
   keep(isGone);
 }
 
-void Repair::fill(std::uint32_t mostEdges) {
+void SurfaceRepairer::Impl::fill() {
+  const std::uint32_t mostEdges = std::min(options_.fillsUpTo, kMostHoleEdges);
   for (const FilledHole& hole : fillHoles(mesh_, mostEdges)) {
     Vec3 place(0.0);
     for (std::uint32_t t = 0; t < hole.triangles; ++t) {
@@ -171,33 +272,41 @@ void Repair::fill(std::uint32_t mostEdges) {
   origin_.resize(triangleCount(), kNoOrigin);
 }
 
-void Repair::turn() {
-  const std::vector<std::uint32_t> before = mesh_.triangles;
-  turnOutward();
+/// As the boundary check does it; where that refuses, triangles at least agree with each other.
+bool SurfaceRepairer::Impl::turn(std::uint32_t budget) {
+  if (!check_) {
+    outward_ = mesh_;
+    check_.emplace(outward_, BoundarySource::kGivenSurface);
+  }
+  if (!check_->advance(budget)) return false;
+  if (!check_->result().valid) {
+    outward_ = mesh_;
+    turnAlikeIfClear();
+  }
+  check_.reset();
+  listTurned();
+  mesh_.triangles = std::move(outward_.triangles);
+  return true;
+}
+
+/// With crowded edges nobody knows who the neighbours are, and nothing is turned.
+void SurfaceRepairer::Impl::turnAlikeIfClear() {
+  const EdgeTable edges(outward_.triangles, outward_.points.size() / 3, {});
+  for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
+    if (edges.halfEdgesOf(e).size() > 2) return;
+  }
+  static_cast<void>(turnAlike(outward_, edges));
+}
+
+void SurfaceRepairer::Impl::listTurned() {
   for (std::uint32_t t = 0; t < triangleCount(); ++t) {
-    const bool isTurned = before[3 * std::size_t{t} + 1] != mesh_.triangles[3 * std::size_t{t} + 1];
+    const std::size_t second = 3 * std::size_t{t} + 1;
+    const bool isTurned = mesh_.triangles[second] != outward_.triangles[second];
     if (isTurned && origin_[t] != kNoOrigin) addAt(RepairKind::kTurnedTriangle, t, kNoOrigin);
   }
 }
 
-/// As the boundary check does it; where that refuses, triangles at least agree with each other. With
-/// crowded edges nobody knows who the neighbours are, and nothing is turned.
-void Repair::turnOutward() {
-  SurfaceMesh outward = mesh_;
-  std::vector<Diagnostic> ignored;
-  if (closeBoundary(outward, BoundarySource::kGivenSurface, ignored).valid) {
-    mesh_.triangles = outward.triangles;
-    return;
-  }
-  const EdgeTable edges(mesh_.triangles, mesh_.points.size() / 3, {});
-  for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
-    if (edges.halfEdgesOf(e).size() > 2) return;
-  }
-  static_cast<void>(turnAlike(mesh_, edges));
-}
-
-SurfaceRepair Repair::take() {
-  SurfaceRepair repair;
+void SurfaceRepairer::Impl::take() {
   constexpr std::uint32_t kUnused = 0xffffffffU;
   std::vector<std::uint32_t> number(mesh_.points.size() / 3, kUnused);
   for (const std::uint32_t node : mesh_.triangles) number[node] = 0;
@@ -209,40 +318,40 @@ SurfaceRepair Repair::take() {
       continue;
     }
     number[i] = count++;
-    repair.points.insert(repair.points.end(), {p.x, p.y, p.z});
+    result_.points.insert(result_.points.end(), {p.x, p.y, p.z});
   }
   for (std::uint32_t& node : mesh_.triangles) node = number[node];
-  repair.triangles = std::move(mesh_.triangles);
-  repair.origin = std::move(origin_);
+  result_.triangles = std::move(mesh_.triangles);
+  result_.origin = std::move(origin_);
   for (std::uint8_t kind = 0; kind <= static_cast<std::uint8_t>(RepairKind::kTurnedTriangle);
        ++kind) {
-    std::copy_if(changes_.begin(), changes_.end(), std::back_inserter(repair.changes),
+    std::copy_if(changes_.begin(), changes_.end(), std::back_inserter(result_.changes),
                  [kind](const RepairChange& change) {
                    return static_cast<std::uint8_t>(change.kind) == kind;
                  });
   }
-  return repair;
 }
 
-}  // namespace
+SurfaceRepairer::SurfaceRepairer(std::span<const double> points,
+                                 std::span<const std::uint32_t> triangles,
+                                 const RepairOptions& options)
+    : impl_(std::make_unique<Impl>(points, triangles, options)) {}
+SurfaceRepairer::SurfaceRepairer(SurfaceRepairer&&) noexcept = default;
+SurfaceRepairer& SurfaceRepairer::operator=(SurfaceRepairer&&) noexcept = default;
+SurfaceRepairer::~SurfaceRepairer() = default;
+
+bool SurfaceRepairer::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
+double SurfaceRepairer::fraction() const { return impl_->fraction(); }
+const SurfaceRepair& SurfaceRepairer::result() const { return impl_->result(); }
 
 SurfaceRepair repairSurface(std::span<const double> points,
                             std::span<const std::uint32_t> triangles,
                             const RepairOptions& options) {
-  Repair repair(points, triangles);
-  if (std::vector<Diagnostic> broken = repair.brokenNumbers(); !broken.empty()) {
-    SurfaceRepair nothing;
-    nothing.points.assign(points.begin(), points.end());
-    nothing.triangles.assign(triangles.begin(), triangles.end());
-    for (std::uint32_t t = 0; t < triangles.size() / 3; ++t) nothing.origin.push_back(t);
-    nothing.diagnostics = std::move(broken);
-    return nothing;
+  constexpr std::uint32_t kSlice = 1U << 16U;
+  SurfaceRepairer repairer(points, triangles, options);
+  while (!repairer.advance(kSlice)) {
   }
-  if (options.weldDistance >= 0.0) repair.weld(options.weldDistance);
-  if (options.removesTriangles) repair.removeTriangles();
-  if (options.fillsUpTo > 0) repair.fill(std::min(options.fillsUpTo, kMostHoleEdges));
-  if (options.turns) repair.turn();
-  return repair.take();
+  return repairer.result();
 }
 
 }  // namespace tetrafront

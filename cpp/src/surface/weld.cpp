@@ -18,11 +18,13 @@ double cellEdge(std::span<const double> points, double distance) {
   return distance > 0.0 ? std::max(distance, kFinest * largest) : 0.0;
 }
 
+}  // namespace
+
 /// The nodes that stay what they are, by the cubic cell of a lattice they lie in; with an edge of 0, by
 /// their place. To be added in ascending order.
-class NodeLattice {
+class NodeWelder::Lattice {
  public:
-  NodeLattice(std::span<const double> points, double edge) : points_(points), edge_(edge) {
+  Lattice(std::span<const double> points, double edge) : points_(points), edge_(edge) {
     const std::size_t count = points.size() / 3;
     std::vector<Cell> cellOf(count);
     for (std::uint32_t i = 0; i < count; ++i) cellOf[i] = cellAt(i);
@@ -95,23 +97,37 @@ class NodeLattice {
   std::vector<std::uint32_t> nodes_;
 };
 
-}  // namespace
+NodeWelder::NodeWelder(std::span<const double> points, double distance)
+    : points_(points), distance_(distance) {}
+NodeWelder::NodeWelder(NodeWelder&&) noexcept = default;
+NodeWelder& NodeWelder::operator=(NodeWelder&&) noexcept = default;
+NodeWelder::~NodeWelder() = default;
 
-std::vector<std::uint32_t> weldedNodes(std::span<const double> points, double distance) {
-  std::vector<std::uint32_t> target(points.size() / 3);
-  NodeLattice lattice(points, cellEdge(points, distance));
-  for (std::uint32_t i = 0; i < target.size(); ++i) {
-    target[i] = lattice.lowestNear(i, [&](std::uint32_t other) {
-      double squared = 0.0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double d = points[3 * std::size_t{i} + k] - points[3 * std::size_t{other} + k];
-        squared += d * d;
-      }
-      return squared <= distance * distance;
-    });
-    if (target[i] == i) lattice.add(i);
+bool NodeWelder::advance(std::uint32_t budget) {
+  const std::size_t count = points_.size() / 3;
+  if (!lattice_) {
+    lattice_ = std::make_unique<Lattice>(points_, cellEdge(points_, distance_));
+    targets_.reserve(count);
+    return count == 0;
   }
-  return target;
+  const std::size_t last = std::min(count, targets_.size() + budget);
+  while (targets_.size() < last) {
+    const auto node = static_cast<std::uint32_t>(targets_.size());
+    targets_.push_back(targetOf(node));
+    if (targets_.back() == node) lattice_->add(node);
+  }
+  return last == count;
+}
+
+std::uint32_t NodeWelder::targetOf(std::uint32_t node) const {
+  return lattice_->lowestNear(node, [&](std::uint32_t other) {
+    double squared = 0.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double d = points_[3 * std::size_t{node} + k] - points_[3 * std::size_t{other} + k];
+      squared += d * d;
+    }
+    return squared <= distance_ * distance_;
+  });
 }
 
 }  // namespace tetrafront

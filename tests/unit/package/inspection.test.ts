@@ -165,3 +165,28 @@ describe("a size that asks for too many elements", () => {
     expect((await mesher.fillSurface(box)).report.status).toBe("done");
   });
 });
+
+test("a repair and the inspection of a mesh tell their progress, and let a run beside them go on", async () => {
+  const stop = new AbortController();
+  let reports = 0;
+  const run = mesher.fillSurface(
+    sphereSurface(30),
+    { size: 0.03 },
+    { signal: stop.signal, onProgress: () => reports++ },
+  );
+  const fractions: number[] = [];
+  const onProgress = ({ fraction }: { readonly fraction: number }) => fractions.push(fraction);
+  const { surface } = await mesher.repairSurface(sphereSurface(60), { weld: 1e-9 }, { onProgress });
+  expect(surface.triangles.length).toBe(sphereSurface(60).triangles.length);
+  expect(fractions.at(-1)).toBe(1);
+  expect(fractions).toEqual(fractions.toSorted((a, b) => a - b));
+  const told = fractions.length;
+  const tetrahedra = Uint32Array.from({ length: 400_000 }, (_, i) => i);
+  const points = Float64Array.from({ length: 1_200_000 }, (_, i) => Math.sin(i));
+  const found = await mesher.inspectMesh({ points, tetrahedra }, { onProgress });
+  expect(found.tetrahedra).toBe(100_000);
+  expect(fractions.length).toBeGreaterThan(told);
+  expect(reports).toBeGreaterThan(0);
+  stop.abort();
+  expect((await run).report.status).toBe("cancelled");
+});
