@@ -2,6 +2,7 @@ import type CameraControls from "camera-controls";
 import type { PerspectiveCamera, WebGLRenderer } from "three";
 import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
 import type { ViewerColors } from "./colors";
+import { prepareShaders } from "./shaders";
 
 /** The clickable cube in the corner; small screens have no room for it. */
 export class ViewCube {
@@ -45,7 +46,7 @@ export class ViewCube {
 
   /** Resolves when its shaders are there. */
   async prepare(renderer: WebGLRenderer, camera: PerspectiveCamera): Promise<void> {
-    await renderer.compileAsync(this.#gizmo, camera);
+    await prepareShaders(renderer, this.#gizmo, camera);
   }
 
   get animating(): boolean {

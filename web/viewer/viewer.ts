@@ -20,6 +20,7 @@ import { patchOfFace } from "./patch-finder";
 import { Picker, type Pick } from "./picking";
 import { elementCorners, triangleCorners } from "./marked-corners";
 import { watchPointer } from "./pointer";
+import { prepareShaders } from "./shaders";
 import type { ViewCube } from "./view-cube";
 
 export interface ViewerEvents {
@@ -285,9 +286,9 @@ export class Viewer {
     return [this.#ground, this.#patches, this.#mesh, this.#marks, ...model];
   }
 
-  /** Has all shaders made while the page goes on: to draw with one that is not there is to wait for it. */
+  /** To draw with shaders that are not there is to wait for them. */
   async #prepare(): Promise<void> {
-    await this.#renderer.compileAsync(this.#scene, this.#view.camera);
+    await prepareShaders(this.#renderer, this.#scene, this.#view.camera);
     this.#prepared = true;
     this.#requestFrame();
   }
