@@ -54,7 +54,8 @@ class ClosureCheck {
       for (const Loop& loop : model_->patches[patch].loops) {
         for (const OrientedLine& walked : loop) {
           if (walked.line >= uses_.size()) continue;
-          uses_[found_->duplicates.lines[walked.line]].push_back({patch, walked.line, walked.reversed, inHole});
+          uses_[found_->duplicates.lines[walked.line]].push_back(
+              {patch, walked.line, walked.reversed, inHole});
         }
         inHole = true;
       }
@@ -68,8 +69,8 @@ class ClosureCheck {
     const auto isOuterSide = [&](const Use& use) {
       return !use.inHole && found_->soundPatches[use.patch] != 0;
     };
-    const bool isPlain = uses.size() == 2 && uses[0].line == uses[1].line &&
-                         std::ranges::all_of(uses, isOuterSide);
+    const bool isPlain =
+        uses.size() == 2 && uses[0].line == uses[1].line && std::ranges::all_of(uses, isOuterSide);
     for (std::size_t i = 1; i < uses.size(); ++i) {
       joints_.push_back({uses[i - 1].patch, uses[i].patch, line, isPlain,
                          isPlain && uses[0].reversed == uses[1].reversed});

@@ -28,9 +28,8 @@ struct alignas(16) BoxQuad {
   std::array<Lanes<float>, 3> low{{{kFar, kFar, kFar, kFar},  //
                                    {kFar, kFar, kFar, kFar},
                                    {kFar, kFar, kFar, kFar}}};
-  std::array<Lanes<float>, 3> high{{{-kFar, -kFar, -kFar, -kFar},
-                                    {-kFar, -kFar, -kFar, -kFar},
-                                    {-kFar, -kFar, -kFar, -kFar}}};
+  std::array<Lanes<float>, 3> high{
+      {{-kFar, -kFar, -kFar, -kFar}, {-kFar, -kFar, -kFar, -kFar}, {-kFar, -kFar, -kFar, -kFar}}};
   Lanes<std::uint32_t> names{};
 
   void set(std::size_t lane, const Box& box, std::uint32_t name) {
