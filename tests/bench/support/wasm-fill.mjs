@@ -67,6 +67,7 @@ function fill(engine, surface, optimization) {
     filters: true,
     optimization,
     exactFillOnly: false,
+    enclosed: 0,
   };
   const run = engine.fillSurface(surface.points, surface.triangles, grid, options);
   const seconds = Object.fromEntries(PHASES.map((phase) => [phase, 0]));
