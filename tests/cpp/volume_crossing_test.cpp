@@ -120,8 +120,10 @@ bool engineSays(const std::vector<Integers>& points, const std::array<int, 4>& e
   const NodeTriple base{id(element[0]), id(element[1]), id(element[2])};
   front.addFace(base, 0, {}, false);
   front.addFace({id(face[0]), id(face[1]), id(face[2])}, 0, {}, false);
-  Box everything = front.boxOf(FaceId(0U));
-  everything.include(Vec3(0.0), Vec3(100.0));
+  const UnitSpace space = UnitSpace::plain(1.0);
+  const SearchRegion everything(space,
+                                {front.node(base[0]), front.node(base[1]), front.node(base[2])},
+                                Vec3(0.0), 100.0, front.extent());
   Neighbourhood around;
   around.gather(front, base, everything, front.node(id(element[3])));
   CrossingTest test(around, filters);

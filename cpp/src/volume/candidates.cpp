@@ -28,7 +28,7 @@ bool isWedge(const Vec3& from, const Vec3& to, const Vec3& third, const Vec3& ap
 
 }  // namespace
 
-bool SideNeighbours::find(const Neighbourhood& around, const BaseFace& base, Box& box) {
+bool SideNeighbours::find(const Neighbourhood& around, const BaseFace& base, SearchRegion& region) {
   sidesClosed_.assign(around.nodeCount(), 0);
   wedgeCount_ = 0;
   bool grew = false;
@@ -41,7 +41,7 @@ bool SideNeighbours::find(const Neighbourhood& around, const BaseFace& base, Box
       continue;
     }
     wedgeApexes_[wedgeCount_++] = face.apex;
-    grew = box.include(around.place(face.apex)) || grew;
+    grew = region.include(around.place(face.apex)) || grew;
   }
   return grew;
 }

@@ -6,12 +6,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "geom/box.h"
 #include "tetrafront/vec3.h"
 #include "volume/crossing.h"
 #include "volume/ideal_point.h"
 #include "volume/neighbourhood.h"
 #include "volume/rules.h"
+#include "volume/search_region.h"
 
 namespace tetrafront {
 
@@ -27,9 +27,9 @@ class SideNeighbours {
  public:
   /// Finds them in the neighbourhood. Faces that fold over the base with a dihedral angle below
   /// 90 degrees on the empty side form a wedge with it; their apexes must be offered, wherever
-  /// they are. `box` is made to hold those apexes; returns true if it grew, when the
+  /// they are. The region is made to hold those apexes; returns true if it grew, when the
   /// neighbourhood must be gathered again.
-  bool find(const Neighbourhood& around, const BaseFace& base, Box& box);
+  bool find(const Neighbourhood& around, const BaseFace& base, SearchRegion& region);
 
   /// How many sides of the base face a face with this apex stands on.
   [[nodiscard]] std::uint8_t sidesClosedBy(LocalNode node) const { return sidesClosed_[node]; }

@@ -63,6 +63,8 @@ Front::Front(double typicalSize, const Vec3& origin, FrontOrder order)
 
 NodeId Front::addNode(const Vec3& place, std::uint16_t layer, FieldHint hint) {
   nodes_.push_back(place);
+  for (int axis = 0; axis < 3; ++axis)
+    farthest_ = std::max(farthest_, std::fabs(place[axis] - origin_[axis]));
   layers_.push_back(layer);
   hints_.push_back(hint);
   return NodeId(nodes_.size() - 1);

@@ -51,6 +51,8 @@ class Front {
   void dropNodesFrom(std::size_t count);
   [[nodiscard]] const Vec3& node(NodeId id) const { return nodes_[id.index()]; }
   [[nodiscard]] std::span<const Vec3> nodes() const { return nodes_; }
+  /// No two nodes there ever were are further apart along any axis.
+  [[nodiscard]] double extent() const { return 2.0 * farthest_; }
   [[nodiscard]] std::uint16_t layer(NodeId id) const { return layers_[id.index()]; }
   [[nodiscard]] FieldHint hint(NodeId id) const { return hints_[id.index()]; }
 
@@ -91,6 +93,7 @@ class Front {
   FrontOrder order_;
   double typicalSize_;
   Vec3 origin_;
+  double farthest_ = 0.0;  ///< of any node from the origin, along an axis
   std::vector<Vec3> nodes_;
   std::vector<std::uint16_t> layers_;
   std::vector<FieldHint> hints_;

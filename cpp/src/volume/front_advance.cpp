@@ -74,19 +74,19 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace&
                                        const BaseFace& base, const IdealPoint& ideal,
                                        const RuleClass& rules) {
   const Vec3 idealPlace = space.toSpace(ideal.place);
-  Box box = Box::of(front_.node(nodes[0]), front_.node(nodes[1]), front_.node(nodes[2]));
-  box.include(idealPlace, space.extentOfBall(rules.searchRadius * ideal.size));
-  // A wedge apex may lie outside; then the box grows, as every apex that is tried must have all
-  // faces it could cross in the neighbourhood. The box only grows, so this ends.
+  SearchRegion region(space, {front_.node(nodes[0]), front_.node(nodes[1]), front_.node(nodes[2])},
+                      ideal.place, rules.searchRadius * ideal.size, front_.extent());
+  // A wedge apex may lie outside; then the region grows, as every apex that is tried must have all
+  // faces it could cross in the neighbourhood. It only grows, so this ends.
   do {
-    around_.gather(front_, nodes, box, idealPlace);
+    around_.gather(front_, nodes, region, idealPlace);
     around_.mapTo(space);
     {
       [[maybe_unused]] const CrossingScope scope(trace_);
       crossing_.setBase();
     }
     counters_.gatheredFaces += around_.faceCount();
-  } while (neighbours_.find(around_, base, box));
+  } while (neighbours_.find(around_, base, region));
 }
 
 template <class Trace>

@@ -106,9 +106,23 @@ void Neighbourhood::boundErrors(const Vec3& reach) {
       kErrorPerVolume * (ex.high - ex.low) * (ey.high - ey.low) * (ez.high - ez.low);
 }
 
-void Neighbourhood::gather(const Front& front, const NodeTriple& base, const Box& box,
+/// Of the faces found, keeps those that may meet the region, in their order; returns how many.
+std::size_t Neighbourhood::dropFarFaces(const Front& front, const SearchRegion& region,
+                                        std::size_t count) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const NodeTriple& nodes = front.face(FaceId(found_[i])).nodes;
+    found_[kept] = found_[i];
+    kept +=
+        region.mayMeet(front.node(nodes[0]), front.node(nodes[1]), front.node(nodes[2])) ? 1 : 0;
+  }
+  return kept;
+}
+
+void Neighbourhood::gather(const Front& front, const NodeTriple& base, const SearchRegion& region,
                            const Vec3& reach) {
-  const std::size_t count = front.facesNear(box, found_);
+  std::size_t count = front.facesNear(region.box(), found_);
+  if (region.isStretched()) count = dropFarFaces(front, region, count);
   reserve(front.nodes().size(), count);
   adjacent_.clear();
   ++stamp_;

@@ -9,9 +9,9 @@
 #include <span>
 #include <vector>
 
-#include "geom/box.h"
 #include "tetrafront/vec3.h"
 #include "volume/front.h"
+#include "volume/search_region.h"
 #include "volume/unit_space.h"
 
 namespace tetrafront {
@@ -36,9 +36,10 @@ struct AdjacentFace {
 
 class Neighbourhood {
  public:
-  /// Gathers the active faces whose boxes meet `box`. `reach` is a further place that tests will
-  /// use; it only widens the error bound.
-  void gather(const Front& front, const NodeTriple& base, const Box& box, const Vec3& reach);
+  /// Gathers the active faces that may meet what is in the region. `reach` is a further place that
+  /// tests will use; it only widens the error bound.
+  void gather(const Front& front, const NodeTriple& base, const SearchRegion& region,
+              const Vec3& reach);
 
   /// Sets the space of unitPlace() and its kin; to be called after each gather().
   void mapTo(const UnitSpace& space);
@@ -73,6 +74,7 @@ class Neighbourhood {
 
  private:
   class Numbering;
+  std::size_t dropFarFaces(const Front& front, const SearchRegion& region, std::size_t count);
   void reserve(std::size_t nodesOfFront, std::size_t faces);
   void boundErrors(const Vec3& reach);
 

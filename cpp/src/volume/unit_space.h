@@ -5,7 +5,9 @@
 /// it; signs and crossings are not, since they are the same in both. Where nothing is stretched it
 /// is plain space, and the wanted edge is the size.
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "field/size_tensor.h"
 #include "tetrafront/vec3.h"
@@ -28,6 +30,9 @@ class UnitSpace {
     space.toSpace_ = size;
     space.toUnit_ = size.inverse();
     space.origin_ = origin;
+    const SymmetricTensor& t = space.toUnit_;
+    for (const double term : {t.xx, t.yy, t.zz, t.xy, t.xz, t.yz})
+      space.largestTerm_ = std::max(space.largestTerm_, std::fabs(term));
     return space;
   }
 
@@ -37,8 +42,19 @@ class UnitSpace {
   [[nodiscard]] Vec3 toUnit(const Vec3& place) const {
     return stretched_ ? toUnit_ * (place - origin_) : place;
   }
+  /// The directions in plain space along which the unit coordinates grow, of a stretched space.
+  [[nodiscard]] Vec3 unitAxis(int k) const { return toUnit_.row(k); }
+  [[nodiscard]] const Vec3& origin() const { return origin_; }
   [[nodiscard]] Vec3 toSpace(const Vec3& unit) const {
     return stretched_ ? origin_ + toSpace_ * unit : unit;
+  }
+
+  /// In a stretched space: no coordinate of toUnit() is off by more than this, for places whose
+  /// coordinates are no further than `extent` from the origin's.
+  [[nodiscard]] double roundingWithin(double extent) const {
+    // Three products of a rounded difference, and two sums: less than eight roundings of each term.
+    constexpr double kPerTerm = 4.0 * std::numeric_limits<double>::epsilon();
+    return kPerTerm * 3.0 * largestTerm_ * extent;
   }
 
   /// Half the extents, in plain space, of a ball of this space.
@@ -59,6 +75,7 @@ class UnitSpace {
   SymmetricTensor toUnit_;
   SymmetricTensor toSpace_;
   Vec3 origin_{0.0};
+  double largestTerm_ = 0.0;  ///< of toUnit_
 };
 
 }  // namespace tetrafront

@@ -1,0 +1,78 @@
+#pragma once
+
+/// @file Where the faces around a base face are sought: a box in plain space, which the face grid is
+/// asked for, and where space is stretched a box in unit space too. A ball there is a long ellipsoid
+/// here; where it lies slanted, its box holds a hundred times as many faces as have to do with it.
+
+#include <algorithm>
+#include <array>
+
+#include "geom/box.h"
+#include "tetrafront/vec3.h"
+#include "volume/unit_space.h"
+
+namespace tetrafront {
+
+class SearchRegion {
+ public:
+  /// The corners of a base face, and what is within `radius` of `unitCentre` in `space`, which must
+  /// outlive the region. `extent`: no two places that are asked for are further apart along any axis.
+  SearchRegion(const UnitSpace& space, const std::array<Vec3, 3>& corners, const Vec3& unitCentre,
+               double radius, double extent)
+      : space_(space), box_(Box::of(corners[0], corners[1], corners[2])) {
+    box_.include(space.toSpace(unitCentre), space.extentOfBall(radius));
+    if (!space.isStretched()) return;
+    rounding_ = 2.0 * space.roundingWithin(extent);
+    unitLow_ = unitCentre - (radius + rounding_);
+    unitHigh_ = unitCentre + (radius + rounding_);
+    for (const Vec3& corner : corners) includeUnit(corner);
+  }
+
+  /// Grows to hold the place. Returns true if it grew.
+  bool include(const Vec3& place) {
+    const bool grewInUnitSpace = space_.isStretched() && includeUnit(place);
+    return box_.include(place) || grewInUnitSpace;
+  }
+
+  [[nodiscard]] const Box& box() const { return box_; }
+
+  /// Whether the box in unit space tells more than box() does.
+  [[nodiscard]] bool isStretched() const { return space_.isStretched(); }
+
+  /// In a stretched space: false only where the triangle has no point in common with the convex hull
+  /// of what is in the region.
+  [[nodiscard]] bool mayMeet(const Vec3& a, const Vec3& b, const Vec3& c) const {
+    const Vec3 fromA = a - space_.origin();
+    const Vec3 fromB = b - space_.origin();
+    const Vec3 fromC = c - space_.origin();
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 axis = space_.unitAxis(k);
+      const double ua = glm::dot(axis, fromA);
+      const double ub = glm::dot(axis, fromB);
+      const double uc = glm::dot(axis, fromC);
+      if (std::min(ua, std::min(ub, uc)) > unitHigh_[k]) return false;
+      if (std::max(ua, std::max(ub, uc)) < unitLow_[k]) return false;
+    }
+    return true;
+  }
+
+ private:
+  bool includeUnit(const Vec3& place) {
+    const Vec3 unit = space_.toUnit(place);
+    const Vec3 low = glm::min(unitLow_, unit - rounding_);
+    const Vec3 high = glm::max(unitHigh_, unit + rounding_);
+    const bool grew = low != unitLow_ || high != unitHigh_;
+    unitLow_ = low;
+    unitHigh_ = high;
+    return grew;
+  }
+
+  const UnitSpace& space_;
+  Box box_;
+  // Further out by what all places may be off.
+  Vec3 unitLow_{0.0};
+  Vec3 unitHigh_{0.0};
+  double rounding_ = 0.0;
+};
+
+}  // namespace tetrafront
