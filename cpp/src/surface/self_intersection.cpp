@@ -48,9 +48,11 @@ bool SelfIntersectionCheck::advance(std::uint32_t budget) {
 void SelfIntersectionCheck::testTriangle(std::uint32_t triangle) {
   const NumberedTriangle own = triangleOf(mesh_, triangle);
   const Box box = boxOf(mesh_, triangle);
+  const SectorSeparation separation(own);
   near_.clear();
   tree_.visitOverlaps(box, [&](std::uint32_t other) {
-    if (other > triangle && ignored_[other] == 0) near_.push_back(other);
+    if (other <= triangle || ignored_[other] != 0) return;
+    if (!separation.proves(triangleOf(mesh_, other))) near_.push_back(other);
   });
   std::sort(near_.begin(), near_.end());
   for (const std::uint32_t other : near_) {

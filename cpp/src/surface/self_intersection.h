@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file Every pair of triangles that meet where they should not, by the exact test of
-/// geom/intersect.h over all pairs whose boxes touch.
+/// geom/intersect.h over all pairs whose boxes touch and that are not told apart at a common node.
 
 #include <cstdint>
 #include <span>
