@@ -5,7 +5,7 @@ import { emptyProject } from "./document/edits";
 import { loadGallery, loadModel, type Gallery } from "./document/gallery";
 import { PreviewFeed } from "./document/preview";
 import { ProblemList } from "./document/problems";
-import { MeshRun } from "./document/run";
+import { MeshRun, regionCount } from "./document/run";
 import { ViewStore } from "./document/selection";
 import { createShell, type Shell } from "./document/shell";
 import { contentKey, DocumentStore } from "./document/store";
@@ -73,6 +73,7 @@ export async function createApp(still: boolean, model: string | null): Promise<A
   const problems = new ProblemList(documents, previews, run);
   run.state.subscribe((state, before) => {
     if (state.mesh !== before.mesh || state.outcome !== before.outcome) view.unmark();
+    if (regionCount(state) !== regionCount(before)) view.showAllRegions();
     const failed =
       state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";
     if (failed) shell.setState({ bottomTab: "problems" });

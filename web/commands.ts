@@ -120,6 +120,7 @@ const layerNames: readonly (readonly [Layer, string])[] = [
 const shadings: readonly (readonly [Shading, string])[] = [
   ["radius-ratio", "Shade by radius ratio"],
   ["dihedral", "Shade by smallest dihedral angle"],
+  ["region", "Shade by region"],
   ["plain", "Plain shading"],
 ];
 

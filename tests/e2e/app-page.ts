@@ -113,8 +113,22 @@ export async function nextFrame(viewport: Locator, act: () => Promise<void>): Pr
   await expect.poll(async () => Number(await viewport.getAttribute("data-frames"))).toBeGreaterThan(before);
 }
 
-/** Colours of a PNG as Chromium writes it: 8 bits per channel, not interlaced. */
+/** Number of colours in a PNG, with 5 bits per channel. */
 export function countColours(png: Buffer): number {
+  const colours = new Set<number>();
+  forEachPixel(png, (r, g, b) => colours.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3)));
+  return colours.size;
+}
+
+/** Pixels that are red before green before blue, by a third of full scale at least. */
+export function countOrange(png: Buffer): number {
+  let count = 0;
+  forEachPixel(png, (r, g, b) => (count += Number(r > g + 30 && g > b + 30 && r > b + 85)));
+  return count;
+}
+
+/** Reads a PNG as Chromium writes it: 8 bits per channel, not interlaced. */
+function forEachPixel(png: Buffer, visit: (r: number, g: number, b: number) => void): void {
   const width = png.readUInt32BE(16);
   const height = png.readUInt32BE(20);
   const channels = png[25] === 6 ? 4 : 3;
@@ -125,12 +139,7 @@ export function countColours(png: Buffer): number {
     }
   }
   const rows = unfilter(inflateSync(Buffer.concat(data)), width * channels, height, channels);
-  const colours = new Set<number>();
-  for (let i = 0; i < rows.length; i += channels) {
-    const [r = 0, g = 0, b = 0] = rows.subarray(i, i + 3);
-    colours.add(((r >> 3) << 10) | ((g >> 3) << 5) | (b >> 3));
-  }
-  return colours.size;
+  for (let i = 0; i < rows.length; i += channels) visit(rows[i] ?? 0, rows[i + 1] ?? 0, rows[i + 2] ?? 0);
 }
 
 /** Undoes PNG's row filters (PNG specification, section 9). */

@@ -91,3 +91,21 @@ test("Ctrl K pressed before the palette is there opens it when it is", async ({ 
   await expect(palette).toBeHidden();
   await expect(page.getByRole("switch", { name: "Cut" })).not.toBeChecked();
 });
+
+test("the palette finds a command by its words in any order", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.keyboard.press("Control+k");
+  const palette = page.getByRole("textbox", { name: "Search commands" });
+  const found = page.getByRole("dialog", { name: "Search commands" }).getByRole("button");
+  await palette.fill("Use mesh as background");
+  await expect(found).toHaveText(["Use this mesh as background grid"]);
+  await palette.fill("mesh and no such word");
+  await expect(found).toHaveCount(0);
+  await palette.fill("  plain SHAD ");
+  await expect(found).toHaveText(["Plain shading"]);
+  await palette.press("Enter");
+  await expect(palette).toBeHidden();
+  await page.getByRole("tab", { name: "Display" }).click();
+  await expect(page.getByRole("radio", { name: "Plain" })).toBeChecked();
+});

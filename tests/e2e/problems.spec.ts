@@ -1,5 +1,6 @@
 import { expect, test } from "@playwright/test";
-import { AppPage, nextFrame, sampleProject } from "./app-page";
+import type { Project } from "tetrafront";
+import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
 
 test("a broken model is explained beside the entity, in the view and in the list", async ({ page }) => {
   const app = new AppPage(page);
@@ -119,4 +120,64 @@ test("each triangle of a boundary that cuts itself is listed with its place, and
   }, place);
   expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.15 * (box?.width ?? 0));
   expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.15 * (box?.height ?? 0));
+});
+
+/** A ring of three straight bars with a patch, "gate", across one of them: the same space on both sides. */
+function ringWithGate(): Project {
+  const points = [0, 1, 2].flatMap((corner) => {
+    const [x = 0, y = 0] = [
+      [0, 0],
+      [4, 0],
+      [2, 3],
+    ][corner] as number[];
+    const within = (share: number) => [2 + share * (x - 2), 1 + share * (y - 1)] as const;
+    // Outside and inside, below and above.
+    return [within(1), within(0.4)].flatMap(([u, v]) => [
+      [u, v, 0],
+      [u, v, 0.8],
+    ]);
+  });
+  const lines: { id: number; type: "straight"; points: number[] }[] = [];
+  const line = (a: number, b: number): number => {
+    const known = lines.find(({ points: ends }) => ends.includes(a) && ends.includes(b));
+    if (known) return known.points[0] === a ? known.id : -known.id;
+    lines.push({ id: lines.length + 1, type: "straight", points: [a, b] });
+    return lines.length;
+  };
+  const loop = (...nodes: number[]) => nodes.map((node, i) => line(node, nodes[(i + 1) % nodes.length] ?? 0));
+  // Points of a corner in order around the bar's section.
+  const section = (corner: number) => [1, 2, 4, 3].map((k) => 4 * (corner % 3) + k);
+  const loops = [0, 1, 2].flatMap((corner) => {
+    const [here, there] = [section(corner), section(corner + 1)];
+    return [0, 1, 2, 3].map((k) => {
+      const next = (k + 1) % 4;
+      return loop(here[k] ?? 0, there[k] ?? 0, there[next] ?? 0, here[next] ?? 0);
+    });
+  });
+  return {
+    ...sampleProject("unit-cube"),
+    points: points.map(([x = 0, y = 0, z = 0], i) => ({ id: i + 1, at: [x, y, z] })),
+    patches: [...loops, loop(...section(0))].map((sides, i) => ({
+      id: i + 1,
+      type: "planar",
+      loops: [sides],
+      ...(i === loops.length && { name: "gate" }),
+    })),
+    lines,
+    meshing: { size: 0.4 },
+  };
+}
+
+test("a sheet that separates nothing is shown where it is, within the body", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const project = ringWithGate();
+  await app.openFile("ring.json", JSON.stringify(project));
+  await expect(page.locator("[data-code=dangling-sheet]").first()).toContainText("gate");
+  // The gate stands out: without it the picture has none of the colour of faults.
+  await page.keyboard.press("f");
+  const orange = async (): Promise<number> => countOrange(await app.viewport.screenshot());
+  await expect.poll(orange).toBeGreaterThan(100);
+  const { width = 0, height = 0 } = (await app.viewport.boundingBox()) ?? {};
+  expect(await orange()).toBeLessThan(0.1 * width * height);
 });

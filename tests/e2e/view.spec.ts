@@ -173,3 +173,53 @@ test("a lost graphics context is told and comes back", async ({ page }) => {
   await nextFrame(app.viewport, () => page.keyboard.press("0"));
   expect(await app.colours()).toBeGreaterThan(before / 2);
 });
+
+test("regions are told apart by colour, counted, hidden and shown", async ({ page }) => {
+  const app = new AppPage(page);
+  const { tets } = await app.open("light", "pipe-and-flow");
+  const faces = async (): Promise<number> => Number(await app.viewport.getAttribute("data-faces"));
+  const whole = await faces();
+  await page.getByRole("tab", { name: "Display" }).click();
+  const shadings = page.getByRole("radiogroup", { name: "Shading" });
+  const legend = page.getByRole("figure", { name: "Regions" });
+  await expect(legend).toBeHidden();
+  const before = await app.viewport.screenshot();
+  await nextFrame(app.viewport, () => shadings.getByText("Region").click());
+  await app.drawn();
+  expect((await app.viewport.screenshot()).equals(before)).toBe(false);
+
+  const entries = await legend.getByRole("button").all();
+  const names = await Promise.all(entries.map((entry) => entry.getAttribute("aria-label")));
+  const counts = names.map((name) => Number(name?.replaceAll(",", "").match(/: (\d+) /)?.[1]));
+  expect(counts.length).toBeGreaterThan(1);
+  expect(counts.reduce((sum, count) => sum + count)).toBe(tets);
+
+  /** What is drawn with the other regions hidden. */
+  const alone = async (wanted: number): Promise<number> => {
+    for (const [index, entry] of entries.entries()) {
+      const hide = index !== wanted;
+      if ((await entry.getAttribute("aria-pressed")) === String(hide)) await entry.click();
+      await expect(entry).toHaveAttribute("aria-pressed", String(!hide));
+    }
+    await app.drawn();
+    return faces();
+  };
+  const drawn: number[] = [];
+  for (const index of entries.keys()) drawn.push(await alone(index));
+  // All of them together show the boundary once and each wall from both sides.
+  const sum = drawn.reduce((total, count) => total + count);
+  expect(Math.min(...drawn)).toBeGreaterThan(0);
+  expect(sum).toBeGreaterThan(whole);
+  expect((sum - whole) % 2).toBe(0);
+  // The list among the layers is the same.
+  await page.getByTestId("display-region-1").click();
+  await expect(page.getByTestId("legend-region-1")).toHaveAttribute("aria-pressed", "true");
+  await page.keyboard.press("Shift+H");
+  await expect.poll(faces).toBe(whole);
+
+  // Where there is one region, there is nothing to tell apart, and nothing stays hidden.
+  await page.getByTestId("legend-region-1").click();
+  await app.openExample("unit-cube");
+  await expect(legend).toBeHidden();
+  await expect.poll(faces).toBeGreaterThan(0);
+});

@@ -222,6 +222,11 @@ function meshInput(project: Project): [Project, MeshOptions] {
 /** With a full stop, unless it ends in some other mark. */
 const sentence = (text: string): string => (/[.!?…]$/.test(text) ? text : `${text}.`);
 
+/** Of the mesh on show, if it is finished. */
+export function regionCount({ mesh }: RunState): number {
+  return mesh?.report.quality.regions.length ?? 0;
+}
+
 /** Is the mesh on show that of another state of the document? */
 export function isStale(run: RunState, project: Project): boolean {
   return run.mesh !== null && run.meshKey !== contentKey(project);

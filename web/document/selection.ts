@@ -5,7 +5,7 @@ import { entityKey, sameEntity, type Entity } from "./entities";
 
 export type Layer = "points" | "lines" | "patches" | "background" | "sources" | "mesh";
 export type CutAxis = "x" | "y" | "z";
-export type Shading = "radius-ratio" | "dihedral" | "plain";
+export type Shading = "radius-ratio" | "dihedral" | "region" | "plain";
 
 export interface Cut {
   readonly enabled: boolean;
@@ -27,6 +27,8 @@ export interface ViewState {
   /** Keys of the entities that are not drawn. */
   readonly hidden: ReadonlySet<string>;
   readonly layers: Readonly<Record<Layer, boolean>>;
+  /** Regions of the mesh that are not drawn, by their numbers. */
+  readonly hiddenRegions: ReadonlySet<number>;
   readonly cut: Cut;
   readonly shading: Shading;
   readonly edges: boolean;
@@ -42,6 +44,7 @@ const initialView: ViewState = {
   ...nothingMarked,
   hidden: new Set(),
   layers: { points: true, lines: true, patches: true, background: false, sources: false, mesh: true },
+  hiddenRegions: new Set(),
   cut: { enabled: false, axis: "x", position: 0.5, flipped: false },
   shading: "radius-ratio",
   edges: true,
@@ -128,6 +131,19 @@ export class ViewStore {
     this.setLayer(layer, !this.state.getState().layers[layer]);
   }
 
+  toggleRegion(region: number): void {
+    this.state.setState(({ hiddenRegions }) => {
+      const next = new Set(hiddenRegions);
+      if (!next.delete(region)) next.add(region);
+      return { hiddenRegions: next };
+    });
+  }
+
+  /** The mesh on show has other regions than the one before. */
+  showAllRegions(): void {
+    if (this.state.getState().hiddenRegions.size > 0) this.state.setState({ hiddenRegions: new Set() });
+  }
+
   setCut(change: Partial<Cut>): void {
     this.state.setState(({ cut }) => ({ cut: { ...cut, ...change } }));
   }
@@ -151,6 +167,7 @@ export class ViewStore {
   showAll(): void {
     this.state.setState(({ layers }) => ({
       hidden: new Set(),
+      hiddenRegions: new Set(),
       layers: { ...layers, points: true, lines: true, patches: true, mesh: true },
     }));
   }
@@ -162,6 +179,7 @@ export class ViewStore {
       hover: null,
       ...nothingMarked,
       hidden: new Set(),
+      hiddenRegions: new Set(),
       several: false,
     });
   }

@@ -54,6 +54,27 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
   return [...problems.values()].sort((a, b) => rank[a.severity] - rank[b.severity]);
 }
 
+/** What is to be pointed out in the view. */
+export interface Faults {
+  /** Of the boundary that the last run has refused. */
+  readonly triangles: readonly number[];
+  /** Ids of patches that are at fault as a whole. */
+  readonly patches: ReadonlySet<number>;
+}
+
+/** What errors blame: triangles where they name any, else the patches that they are about. */
+export function faultsOf(problems: readonly Problem[]): Faults {
+  const errors = problems.filter(({ severity }) => severity === "error");
+  const aboutPatches = errors.filter(
+    ({ triangles, entities }) => triangles.length === 0 && entities[0]?.kind === "patch",
+  );
+  const patches = aboutPatches.flatMap(({ entities }) => entities.filter(({ kind }) => kind === "patch"));
+  return {
+    triangles: errors.flatMap(({ triangles }) => triangles),
+    patches: new Set(patches.map(({ id }) => id)),
+  };
+}
+
 /** The problems of each entity, by entity key. */
 export function problemsByEntity(problems: readonly Problem[]): ReadonlyMap<string, readonly Problem[]> {
   const byEntity = new Map<string, Problem[]>();

@@ -6,7 +6,7 @@ import type { ProblemState } from "../document/problems";
 import { isStale, type RunState } from "../document/run";
 import type { ViewState } from "../document/selection";
 import type { ShellState } from "../document/shell";
-import type { Project } from "tetrafront";
+import type { Project, RegionQuality } from "tetrafront";
 
 export const AppContext = createContext<App | null>(null);
 
@@ -34,6 +34,13 @@ export function useView<T>(select: (state: ViewState) => T): T {
 
 export function useRun<T>(select: (state: RunState) => T): T {
   return useStore(useApp().run.state, select);
+}
+
+const noRegions: readonly RegionQuality[] = [];
+
+/** The regions of the mesh on show; none before it is finished. */
+export function useRegions(): readonly RegionQuality[] {
+  return useRun((state) => state.mesh?.report.quality.regions ?? noRegions);
 }
 
 export function useProblems<T>(select: (state: ProblemState) => T): T {

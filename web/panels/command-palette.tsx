@@ -8,6 +8,15 @@ import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 import { paletteStore } from "./palette";
 
+/** Does a label contain all words of a query, or the beginnings of them that have been typed, in any order? */
+function hasWords(label: string, query: string): boolean {
+  const text = label.toLowerCase();
+  return query
+    .toLowerCase()
+    .split(/\s+/)
+    .every((word) => text.includes(word));
+}
+
 /** The command palette: every command that may run now. */
 export function CommandPalette() {
   const app = useApp();
@@ -18,7 +27,7 @@ export function CommandPalette() {
   useView((state) => state.selection.length);
   useStore(app.viewer);
   const actions = commands
-    .filter((command) => command.enabled(app))
+    .filter((command) => command.enabled(app) && hasWords(command.label(app), query))
     .map((command) => ({
       id: command.id,
       group: strings.menus[command.menu],
@@ -37,6 +46,8 @@ export function CommandPalette() {
       shortcut={null}
       query={query}
       onQueryChange={setQuery}
+      // What remains of the actions has been found above.
+      filter={(_, found) => found}
       onSpotlightOpen={() => setQuery("")}
       tagsToIgnore={[]}
       actions={groups.filter((group) => group.actions.length > 0)}

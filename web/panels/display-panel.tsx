@@ -3,13 +3,15 @@ import { IconArrowsExchange } from "@tabler/icons-react";
 import type { Layer, Shading } from "../document/selection";
 import { FieldRow, SectionTitle } from "../ui/field-row";
 import { measureNames, strings } from "../ui/strings";
-import { useApp, useView } from "./app-context";
+import { useApp, useRegions, useView } from "./app-context";
+import { RegionList } from "./region-list";
 import { CutAxisControl, CutSlider } from "./cut-controls";
 
 const layers: readonly Layer[] = ["points", "lines", "patches", "background", "sources", "mesh"];
 const shadings: readonly { value: Shading; label: string }[] = [
   { value: "radius-ratio", label: measureNames["radius-ratio"] },
   { value: "dihedral", label: strings.display.dihedral },
+  { value: "region", label: strings.display.region },
   { value: "plain", label: strings.display.plain },
 ];
 
@@ -20,6 +22,7 @@ export function DisplayPanel() {
   const shading = useView((state) => state.shading);
   const edges = useView((state) => state.edges);
   const cut = useView((state) => state.cut);
+  const regions = useRegions();
   return (
     <div className="tf-scroll tf-pad" tabIndex={0} role="region" aria-label={strings.inspector.display}>
       <SectionTitle>{strings.display.layers}</SectionTitle>
@@ -73,6 +76,12 @@ export function DisplayPanel() {
       >
         {strings.display.flip}
       </Button>
+      {regions.length > 1 && (
+        <>
+          <SectionTitle>{strings.regions.title}</SectionTitle>
+          <RegionList testId="display-region" />
+        </>
+      )}
     </div>
   );
 }

@@ -18,6 +18,7 @@ import { HistogramChart } from "../ui/histogram-chart";
 import { recoverySteps, strings } from "../ui/strings";
 import { viridisAt } from "../ui/viridis";
 import { useApp, useRun, useStale, useView } from "./app-context";
+import { RegionSwatch } from "./region-list";
 
 const texts = strings.report;
 
@@ -106,6 +107,13 @@ function RegionSelect({ quality, choice, onChoose }: RegionSelectProps) {
         })),
       ]}
       value={choice === null ? "all" : String(choice)}
+      leftSection={choice !== null && <RegionSwatch region={choice} />}
+      renderOption={({ option: { value, label } }) => (
+        <span className="tf-region-option">
+          {value !== "all" && <RegionSwatch region={Number(value)} />}
+          {label}
+        </span>
+      )}
       onChange={(value) => onChoose(value === null || value === "all" ? null : Number(value))}
     />
   );

@@ -1,11 +1,12 @@
 import { ActionIcon, Button, Kbd, Switch, Text, Tooltip } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
-import { bestValue, worstShown } from "../document/mesh-quality";
+import { bestValue, worstShown, type QualityMeasure } from "../document/mesh-quality";
 import { measureNames, strings } from "../ui/strings";
 import { viridis } from "../ui/viridis";
-import { useApp, useRun, useStale, useView } from "./app-context";
+import { useApp, useRegions, useRun, useStale, useView } from "./app-context";
 import { CutAxisControl, CutSlider } from "./cut-controls";
+import { RegionList } from "./region-list";
 
 /** The cut, where the eye is: on or off, axis, position, side. */
 export function CutBar() {
@@ -82,28 +83,45 @@ export function MeshBadge() {
 
 const legendMarks = [1, 0.75, 0.5, 0.25, 0];
 
-/** What the colours of the mesh mean, in numbers. */
+/** What the colours of the mesh mean. */
 export function Legend() {
   const shading = useView((state) => state.shading);
   const visible = useView((state) => state.layers.mesh);
   const hasMesh = useRun((state) => (state.mesh?.report.tetrahedra ?? 0) > 0);
   if (shading === "plain" || !visible || !hasMesh) return null;
+  return shading === "region" ? <RegionLegend /> : <ScaleLegend measure={shading} />;
+}
+
+/** The colour and size of each region; nothing where there is one only. */
+function RegionLegend() {
+  const regions = useRegions();
+  if (regions.length < 2) return null;
   return (
-    <figure className="tf-legend" aria-label={`${strings.viewport.legend}: ${measureNames[shading]}`}>
+    <figure className="tf-legend tf-legend-regions" aria-label={strings.regions.title} data-testid="legend">
+      <figcaption>{strings.regions.title.toLowerCase()}</figcaption>
+      <RegionList testId="legend-region" />
+    </figure>
+  );
+}
+
+/** The scale of a measure, in numbers. */
+function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
+  return (
+    <figure className="tf-legend" aria-label={`${strings.viewport.legend}: ${measureNames[measure]}`}>
       <div
         className="tf-legend-bar"
         style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
       />
       <div className="tf-legend-marks">
         {legendMarks.map((mark) => {
-          const worst = worstShown[shading];
-          const value = worst + mark * (bestValue[shading] - worst);
+          const worst = worstShown[measure];
+          const value = worst + mark * (bestValue[measure] - worst);
           return (
-            <span key={mark}>{shading === "dihedral" ? `${Math.round(value)}°` : value.toFixed(2)}</span>
+            <span key={mark}>{measure === "dihedral" ? `${Math.round(value)}°` : value.toFixed(2)}</span>
           );
         })}
       </div>
-      <figcaption>{measureNames[shading].toLowerCase()}</figcaption>
+      <figcaption>{measureNames[measure].toLowerCase()}</figcaption>
     </figure>
   );
 }

@@ -3,6 +3,7 @@ import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { useStore } from "zustand";
 import { describeMesh } from "../actions";
 import { isStale } from "../document/run";
+import { faultsOf } from "../document/validate";
 import { strings } from "../ui/strings";
 import { viewerColors } from "../ui/theme";
 import { Viewer } from "../viewer/viewer";
@@ -23,7 +24,7 @@ const zoomStep = 1.15;
 
 /** Hands every change of the stores on to the viewer. Returns the way to stop. */
 function follow(app: App, viewer: Viewer): () => void {
-  const { documents, previews, run, view } = app;
+  const { documents, previews, problems, run, view } = app;
   const showMesh = (): void => {
     viewer.setMesh(run.state.getState().mesh);
     showStale();
@@ -31,11 +32,13 @@ function follow(app: App, viewer: Viewer): () => void {
   const showChecked = (): void =>
     viewer.setCheckedSurface(run.state.getState().outcome?.result.surface ?? null);
   const showStale = (): void => viewer.setStale(isStale(run.state.getState(), documents.project));
+  const showFaults = (): void => viewer.setFaults(faultsOf(problems.state.getState().problems));
   viewer.setView(view.state.getState());
   viewer.setProject(documents.project, true);
   viewer.setPreview(previews.state.getState().preview, previews.state.getState().project);
   showMesh();
   showChecked();
+  showFaults();
   const stops = [
     documents.onProject((project) => {
       viewer.setProject(project, false);
@@ -48,6 +51,7 @@ function follow(app: App, viewer: Viewer): () => void {
       else if (state.meshKey !== before.meshKey) showStale();
       if (state.outcome !== before.outcome) showChecked();
     }),
+    problems.state.subscribe(showFaults),
   ];
   return () => stops.forEach((stop) => stop());
 }

@@ -246,6 +246,7 @@ export const strings = {
     sources: "Sources",
     mesh: "Mesh",
     shading: "Shading",
+    region: "Region",
     plain: "Plain",
     dihedral: "Dihedral",
     edges: "Element edges",
@@ -340,6 +341,11 @@ export const strings = {
       cavities: "Closed patches within a body bound an empty space.",
       regions: "Closed patches within a body bound a region of its own, meshed to fit.",
     },
+  },
+  regions: {
+    title: "Regions",
+    hide: "Hide this region",
+    show: "Show this region",
   },
   triangles: {
     count: (count: string, single: boolean) => (single ? "1 triangle" : `${count} triangles`),

@@ -1,4 +1,5 @@
 import { createTheme, Menu, type CSSVariablesResolver, type MantineColorsTuple } from "@mantine/core";
+import { regionColors } from "./region-colors";
 import { viridis } from "./viridis";
 
 /**
@@ -102,6 +103,7 @@ export const viewerColors = {
     cubeText: "#e6ebf2",
     cubeHover: "#1971c2",
     ramp: viridis,
+    regions: regionColors,
   },
   light: {
     point: "#1f2a37",
@@ -121,6 +123,7 @@ export const viewerColors = {
     cubeText: "#26323f",
     cubeHover: "#1971c2",
     ramp: viridis,
+    regions: regionColors,
   },
 } as const;
 

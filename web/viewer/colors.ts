@@ -23,4 +23,6 @@ export interface ViewerColors {
   readonly cubeHover: string;
   /** Quality from bad to good, evenly spaced. */
   readonly ramp: readonly string[];
+  /** Of regions, by their numbers; they begin again after the last. */
+  readonly regions: readonly string[];
 }

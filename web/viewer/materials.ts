@@ -4,10 +4,13 @@ import {
   DoubleSide,
   FrontSide,
   LinearFilter,
+  NearestFilter,
   RGBAFormat,
   ShaderMaterial,
   UnsignedByteType,
+  type MagnificationTextureFilter,
   type Side,
+  type Texture,
 } from "three";
 
 /**
@@ -36,9 +39,19 @@ export function rampTexture(colors: readonly string[]): DataTexture {
     mixed.copy(stops[low] ?? mixed).lerp(stops[low + 1] ?? mixed, place - low);
     data.set([mixed.r * 255, mixed.g * 255, mixed.b * 255, 255], 4 * i);
   }
-  const texture = new DataTexture(data, rampLength, 1, RGBAFormat, UnsignedByteType);
-  texture.minFilter = LinearFilter;
-  texture.magFilter = LinearFilter;
+  return rowTexture(data, LinearFilter);
+}
+
+/** Colours side by side in a one-row texture, one texel each. */
+export function paletteTexture(colors: readonly string[]): DataTexture {
+  const data = colors.map(displayColor).flatMap(({ r, g, b }) => [r * 255, g * 255, b * 255, 255]);
+  return rowTexture(Uint8Array.from(data, Math.round), NearestFilter);
+}
+
+function rowTexture(data: Uint8Array<ArrayBuffer>, filter: MagnificationTextureFilter): DataTexture {
+  const texture = new DataTexture(data, data.length / 4, 1, RGBAFormat, UnsignedByteType);
+  texture.minFilter = filter;
+  texture.magFilter = filter;
   texture.needsUpdate = true;
   return texture;
 }
@@ -70,6 +83,7 @@ const meshVertex = /* glsl */ `
 
 const meshFragment = /* glsl */ `
   uniform sampler2D ramp;
+  uniform float hues;
   uniform vec3 plainColor;
   uniform vec3 edgeColor;
   uniform vec3 fadedColor;
@@ -82,7 +96,8 @@ const meshFragment = /* glsl */ `
   varying vec3 vBarycentric;
   ${facetLight}
   void main() {
-    vec3 color = mix(plainColor, texture2D(ramp, vec2(clamp(vValue, 0.002, 0.998), 0.5)).rgb, shaded);
+    float place = hues > 0.0 ? mod(vValue + 0.5, hues) / hues : clamp(vValue, 0.002, 0.998);
+    vec3 color = mix(plainColor, texture2D(ramp, vec2(place, 0.5)).rgb, shaded);
     color *= facetLight(vViewPosition);
     vec3 spread = fwidth(vBarycentric);
     vec3 inside = smoothstep(spread * (edgeWidth - 0.5), spread * (edgeWidth + 0.5), vBarycentric);
@@ -94,7 +109,10 @@ const meshFragment = /* glsl */ `
   }
 `;
 
-/** Faces of tetrahedra: shaded by a value per corner, with element edges drawn in the same pass. */
+/**
+ * Faces of tetrahedra: shaded by a value per corner, with element edges drawn in the same pass. The value is a
+ * place on the ramp, from 0 to 1, or, where the ramp is a palette of `hues` colours, one of these by its number.
+ */
 export function createMeshMaterial(): ShaderMaterial {
   return new ShaderMaterial({
     vertexShader: meshVertex,
@@ -105,6 +123,7 @@ export function createMeshMaterial(): ShaderMaterial {
     polygonOffsetUnits: 1,
     uniforms: {
       ramp: { value: null },
+      hues: { value: 0 },
       plainColor: { value: new Color() },
       edgeColor: { value: new Color() },
       fadedColor: { value: new Color() },
@@ -245,6 +264,11 @@ export function createGroundMaterial(): ShaderMaterial {
 export function setColor(material: ShaderMaterial, uniform: string, css: string): void {
   const target = material.uniforms[uniform];
   if (target?.value instanceof Color) target.value.copy(displayColor(css));
+}
+
+export function setTexture(material: ShaderMaterial, uniform: string, value: Texture | null): void {
+  const target = material.uniforms[uniform];
+  if (target) target.value = value;
 }
 
 export function setNumber(material: ShaderMaterial, uniform: string, value: number): void {

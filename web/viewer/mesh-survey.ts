@@ -1,7 +1,7 @@
-import type { Elements, Histogram, QualityMeasure } from "../document/mesh-quality";
+import type { Histogram, QualityMeasure } from "../document/mesh-quality";
 import { handedOver, workerFailure } from "../document/workers";
 import type { Answers, Question, Reply, Request } from "./survey-protocol";
-import type { DrawnFaces, Look } from "./survey";
+import type { DrawnFaces, Look, Surveyed } from "./survey";
 
 interface Asked {
   readonly resolve: (answer: Answers[keyof Answers]) => void;
@@ -15,7 +15,7 @@ interface Asked {
  */
 export class MeshSurvey {
   #worker: Worker | null = null;
-  #held: Elements | null = null;
+  #held: Surveyed | null = null;
   #lastId = 0;
   readonly #asked = new Map<number, Asked>();
 
@@ -25,12 +25,12 @@ export class MeshSurvey {
   }
 
   /** The triangles to draw. */
-  facesOf(mesh: Elements, look: Look): Promise<DrawnFaces> {
+  facesOf(mesh: Surveyed, look: Look): Promise<DrawnFaces> {
     return this.#ask(mesh, { kind: "faces", look });
   }
 
   /** How the elements are spread over a measure of quality. */
-  histogram(mesh: Elements, measure: QualityMeasure, barCount: number): Promise<Histogram> {
+  histogram(mesh: Surveyed, measure: QualityMeasure, barCount: number): Promise<Histogram> {
     return this.#ask(mesh, { kind: "histogram", measure, barCount });
   }
 
@@ -41,7 +41,7 @@ export class MeshSurvey {
   }
 
   async #ask<Kind extends keyof Answers>(
-    mesh: Elements,
+    mesh: Surveyed,
     question: Question & { readonly kind: Kind },
   ): Promise<Answers[Kind]> {
     return new Promise((resolve, reject) => {
@@ -52,11 +52,11 @@ export class MeshSurvey {
     });
   }
 
-  #show(mesh: Elements): void {
+  #show(mesh: Surveyed): void {
     if (this.#held === mesh) return;
     this.#held = mesh;
-    const { points, tetrahedra } = mesh;
-    const { copy, buffers } = handedOver({ points, tetrahedra });
+    const { points, tetrahedra, regions } = mesh;
+    const { copy, buffers } = handedOver({ points, tetrahedra, regions });
     this.#post({ kind: "mesh", mesh: copy }, buffers);
   }
 

@@ -1,5 +1,5 @@
-import type { Elements, Histogram, QualityMeasure } from "../document/mesh-quality";
-import type { DrawnFaces, Look } from "./survey";
+import type { Histogram, QualityMeasure } from "../document/mesh-quality";
+import type { DrawnFaces, Look, Surveyed } from "./survey";
 
 /** What the page and the surveying worker say to each other. Types only. */
 
@@ -15,7 +15,7 @@ export interface Answers {
 
 export type Request =
   /** The mesh that all later questions are about; null for none. */
-  | { readonly kind: "mesh"; readonly mesh: Elements | null }
+  | { readonly kind: "mesh"; readonly mesh: Surveyed | null }
   | { readonly kind: "question"; readonly id: number; readonly question: Question };
 
 export type Reply =

@@ -9,11 +9,12 @@ interface WorkerScope {
 }
 
 const scope = globalThis as unknown as WorkerScope;
-let survey = new Survey({ points: new Float64Array(), tetrahedra: new Uint32Array() });
+const noMesh = { points: new Float64Array(), tetrahedra: new Uint32Array(), regions: new Uint32Array() };
+let survey = new Survey(noMesh);
 
 scope.onmessage = ({ data }) => {
   if (data.kind === "mesh") {
-    survey = new Survey(data.mesh ?? { points: new Float64Array(), tetrahedra: new Uint32Array() });
+    survey = new Survey(data.mesh ?? noMesh);
     return;
   }
   try {

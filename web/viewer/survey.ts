@@ -7,10 +7,21 @@ import {
   type Histogram,
   type QualityMeasure,
 } from "../document/mesh-quality";
+import type { VolumeMesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../document/selection";
 import type { Place } from "./layers/layer";
 import { findNeighbours, outside } from "./topology";
-import { centroidsAlong, collectVisibleFaces, extentAlong, writeCorners } from "./visible-faces";
+import {
+  centroidsAlong,
+  collectVisibleFaces,
+  extentAlong,
+  hideBeyond,
+  hideRegions,
+  writeCorners,
+} from "./visible-faces";
+
+/** What is looked at of a mesh. */
+export type Surveyed = Elements & Pick<VolumeMesh, "regions">;
 
 /** How a mesh is looked at. */
 export interface Look {
@@ -18,6 +29,7 @@ export interface Look {
   readonly origin: Place;
   /** Null shows the boundary. */
   readonly cut: Omit<Cut, "enabled"> | null;
+  readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
 }
 
@@ -25,11 +37,14 @@ export interface Look {
 export interface DrawnFaces {
   /** Per triangle 4t + f: face f of tetrahedron t, opposite its node f. */
   readonly faces: Uint32Array<ArrayBuffer>;
-  /** Per triangle: 1 where the mesh ends at it, 0 where only the cut does. */
+  /** Per triangle: 1 where its region ends at it, 0 where only the cut does. */
   readonly onBoundary: Uint8Array<ArrayBuffer>;
   /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
   readonly corners: Float32Array<ArrayBuffer>;
-  /** Per corner the place of its element on the colour scale; empty where there is no shading. */
+  /**
+   * Per corner the place of its element on the colour scale, or the number of its region, whichever the shading
+   * is by; empty where there is none.
+   */
   readonly values: Float32Array<ArrayBuffer>;
 }
 
@@ -38,31 +53,31 @@ export interface DrawnFaces {
  * and take up to half a second for a million tetrahedra: they belong into a worker.
  */
 export class Survey {
-  readonly #mesh: Elements;
+  readonly #mesh: Surveyed;
   #neighbours: Int32Array | null = null;
   /** Room for all faces: a sheet is drawn once per side, so every face may become visible. */
   #faces = new Uint32Array();
+  /** Per tetrahedron: 1 where it is not shown. */
+  readonly #hidden: Uint8Array;
   readonly #centroids = new Map<CutAxis, Float32Array>();
   readonly #extents = new Map<CutAxis, readonly [number, number]>();
   readonly #qualities = new Map<QualityMeasure, Float32Array>();
 
-  constructor(mesh: Elements) {
+  constructor(mesh: Surveyed) {
     this.#mesh = mesh;
+    this.#hidden = new Uint8Array(mesh.tetrahedra.length / 4);
   }
 
-  facesOf({ origin, cut, shading }: Look): DrawnFaces {
+  facesOf({ origin, cut, hiddenRegions, shading }: Look): DrawnFaces {
     const neighbours = this.#knownNeighbours();
-    const count = collectVisibleFaces(
-      neighbours,
-      cut && remembered(this.#centroids, cut.axis, () => centroidsAlong(this.#mesh, cut.axis)),
-      cut ? this.#limit(cut) : 0,
-      cut?.flipped ?? false,
-      this.#faces,
-    );
+    this.#hidden.fill(0);
+    if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
+    hideRegions(this.#mesh.regions, hiddenRegions, this.#hidden);
+    const count = collectVisibleFaces(neighbours, this.#hidden, this.#faces);
     const faces = this.#faces.slice(0, count);
     const corners = new Float32Array(9 * count);
     writeCorners(this.#mesh, faces, count, origin, corners);
-    const onBoundary = Uint8Array.from(faces, (face) => Number(neighbours[face] === outside));
+    const onBoundary = Uint8Array.from(faces, (face) => Number(this.#endsRegion(face, neighbours)));
     return { faces, onBoundary, corners, values: this.#valuesOf(faces, shading) };
   }
 
@@ -78,6 +93,16 @@ export class Survey {
     return this.#neighbours;
   }
 
+  #endsRegion(face: number, neighbours: Int32Array): boolean {
+    const { regions } = this.#mesh;
+    const beyond = neighbours[face] ?? outside;
+    return beyond === outside || regions[beyond] !== regions[face >> 2];
+  }
+
+  #centroidsAlong(axis: CutAxis): Float32Array {
+    return remembered(this.#centroids, axis, () => centroidsAlong(this.#mesh, axis));
+  }
+
   #limit({ axis, position }: Omit<Cut, "enabled">): number {
     const [low, high] = remembered(this.#extents, axis, () => extentAlong(this.#mesh.points, axis));
     return low + position * (high - low);
@@ -89,15 +114,19 @@ export class Survey {
 
   #valuesOf(faces: Uint32Array, shading: Shading): Float32Array<ArrayBuffer> {
     if (shading === "plain") return new Float32Array();
+    const valueOf = this.#valueBy(shading);
+    const values = new Float32Array(3 * faces.length);
+    for (let i = 0; i < faces.length; ++i) values.fill(valueOf((faces[i] ?? 0) >> 2), 3 * i, 3 * i + 3);
+    return values;
+  }
+
+  #valueBy(shading: QualityMeasure | "region"): (tetrahedron: number) => number {
+    const { regions } = this.#mesh;
+    if (shading === "region") return (tetrahedron) => regions[tetrahedron] ?? 0;
     // Those of all elements take their time, and the picture waits.
     const known = this.#qualities.get(shading);
-    const values = new Float32Array(3 * faces.length);
-    for (let i = 0; i < faces.length; ++i) {
-      const element = (faces[i] ?? 0) >> 2;
-      const value = known?.[element] ?? qualityOf(this.#mesh, shading, element);
-      values.fill(placeOnScale(value, shading), 3 * i, 3 * i + 3);
-    }
-    return values;
+    return (tetrahedron) =>
+      placeOnScale(known?.[tetrahedron] ?? qualityOf(this.#mesh, shading, tetrahedron), shading);
   }
 }
 

@@ -1,6 +1,7 @@
 import type { MeshResult, Project, ProjectPreview, SurfaceMesh } from "tetrafront";
 import { Scene, Timer, Vector2, Vector3, WebGLRenderer } from "three";
 import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
+import type { Faults } from "../document/validate";
 import type { SelectMode, ViewState } from "../document/selection";
 import { Bounds, boundsOf, entityBounds, projectBounds, roomyBounds } from "./bounds";
 import { ViewCamera, type StandardView } from "./camera";
@@ -70,7 +71,8 @@ export class Viewer {
   /** The shaders are there; before, nothing is drawn. */
   #prepared = false;
   readonly #mesh: MeshLayer;
-  readonly #marks = new MarksLayer();
+  readonly #marks = new MarksLayer(({ selection, hover }) => ({ face: selection, edge: hover }));
+  readonly #faults = new MarksLayer(({ front, meshEdge }) => ({ face: front, edge: meshEdge }));
   readonly #patches = new PatchesLayer();
   readonly #lines = new LinesLayer();
   readonly #points = new DotsLayer("round", (colors) => colors.point);
@@ -93,6 +95,7 @@ export class Viewer {
   #previewProject: Project | null = null;
   #result: MeshResult | null = null;
   #checked: SurfaceMesh | null = null;
+  #faulty: Faults = { triangles: [], patches: new Set() };
   #state: ViewState | null = null;
 
   constructor(container: HTMLElement, canvas: HTMLCanvasElement, options: ViewerOptions) {
@@ -181,6 +184,14 @@ export class Viewer {
     this.#requestFrame();
   }
 
+  /** Points out patches, and triangles of the boundary that the last run has checked. */
+  setFaults(faults: Faults): void {
+    this.#faulty = faults;
+    this.#updateMarkings();
+    this.#updateMarks();
+    this.#requestFrame();
+  }
+
   setStale(stale: boolean): void {
     this.#mesh.setStale(stale);
     this.#requestFrame();
@@ -197,6 +208,7 @@ export class Viewer {
     this.#sources.root.visible = state.layers.sources;
     this.#mesh.setShading(state.shading, state.edges);
     this.#mesh.setCut(state.cut);
+    this.#mesh.setHiddenRegions(state.hiddenRegions);
     if (state.element !== before?.element || state.triangles !== before.triangles) this.#updateMarks();
     const marked =
       state.selection !== before?.selection ||
@@ -283,7 +295,7 @@ export class Viewer {
 
   get #layers(): readonly SceneLayer[] {
     const model = [this.#lines, this.#points, this.#grid, this.#sources];
-    return [this.#ground, this.#patches, this.#mesh, this.#marks, ...model];
+    return [this.#ground, this.#patches, this.#mesh, this.#faults, this.#marks, ...model];
   }
 
   /** To draw with shaders that are not there is to wait for them. */
@@ -375,7 +387,11 @@ export class Viewer {
     const idAt = (list: readonly { readonly id: number }[] | undefined, position: number) =>
       list?.[position]?.id ?? 0;
     this.#lines.update((position) => markingOf("line", idAt(drawn?.lines, position)));
-    this.#patches.update((position) => markingOf("patch", idAt(drawn?.patches, position)));
+    this.#patches.update((position) => {
+      const id = idAt(drawn?.patches, position);
+      const marking = markingOf("patch", id);
+      return marking === "normal" && this.#faulty.patches.has(id) ? "faulty" : marking;
+    });
     this.#patches.setOverMesh(state.layers.mesh && this.#mesh.counts.tetrahedra > 0);
   }
 
@@ -386,6 +402,10 @@ export class Viewer {
 
   #updateMarks(): void {
     if (this.#state) this.#marks.setTriangles(this.#markedCorners(this.#state), this.#origin);
+    this.#faults.setTriangles(
+      this.#checked ? triangleCorners(this.#checked, this.#faulty.triangles) : [],
+      this.#origin,
+    );
   }
 
   #fitElement(element: number): void {

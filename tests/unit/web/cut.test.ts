@@ -2,7 +2,12 @@ import { describe, expect, it } from "vitest";
 import type { VolumeMesh } from "tetrafront";
 import { histogramOf, qualitiesOf, qualityOf } from "../../../web/document/mesh-quality";
 import { faceNodes, findNeighbours } from "../../../web/viewer/topology";
-import { centroidsAlong, collectVisibleFaces, writeCorners } from "../../../web/viewer/visible-faces";
+import {
+  centroidsAlong,
+  collectVisibleFaces,
+  hideBeyond,
+  writeCorners,
+} from "../../../web/viewer/visible-faces";
 import { gridMesh } from "./grid-mesh";
 
 const nodesOfFace = ({ tetrahedra }: VolumeMesh, face: number): number[] =>
@@ -83,7 +88,9 @@ describe("collectVisibleFaces", () => {
         it(`shows the skin of the kept tetrahedra: ${axis} ${above ? "above" : "below"} ${limit}`, () => {
           const centroids = centroidsAlong(mesh, axis);
           const faces = new Uint32Array(neighbours.length);
-          const count = collectVisibleFaces(neighbours, centroids, limit, above, faces);
+          const hidden = new Uint8Array(centroids.length);
+          hideBeyond(centroids, limit, above, hidden);
+          const count = collectVisibleFaces(neighbours, hidden, faces);
           const kept = [...centroids.keys()].filter((t) =>
             above ? (centroids[t] ?? 0) >= limit : (centroids[t] ?? 0) <= limit,
           );

@@ -10,7 +10,7 @@ import { gridMesh } from "./grid-mesh";
 const size = 3;
 const mesh = gridMesh(size);
 const survey = new Survey(mesh);
-const whole: Look = { origin: [0, 0, 0], cut: null, shading: "plain" };
+const whole: Look = { origin: [0, 0, 0], cut: null, hiddenRegions: new Set(), shading: "plain" };
 
 const cornersOf = (face: number): number[] =>
   [0, 1, 2].flatMap((k) => {
@@ -61,6 +61,37 @@ describe("a survey", () => {
     );
     const after = survey.facesOf({ ...whole, shading: "dihedral" });
     after.values.forEach((value, i) => expect(value).toBeCloseTo(before.values[i] ?? NaN, 5));
+  });
+});
+
+describe("a survey of regions", () => {
+  // Two slabs, one upon the other: the lower third and the rest.
+  const perLayer = 6 * size * size;
+  const regions = Uint32Array.from({ length: size * perLayer }, (_, t) => (t < perLayer ? 0 : 1));
+  const slabs = new Survey({ ...mesh, regions });
+  const facesWithout = (...hidden: number[]) => slabs.facesOf({ ...whole, hiddenRegions: new Set(hidden) });
+
+  it("colours each face by the region of its element", () => {
+    const cut = { axis: "x", position: 0.5, flipped: false } as const;
+    const { faces, values } = slabs.facesOf({ ...whole, cut, shading: "region" });
+    expect(values).toHaveLength(3 * faces.length);
+    faces.forEach((face, i) => {
+      const region = face >> 2 < perLayer ? 0 : 1;
+      expect([...values.subarray(3 * i, 3 * i + 3)]).toEqual([region, region, region]);
+    });
+    expect(new Set(values)).toEqual(new Set([0, 1]));
+  });
+
+  it("hides regions, and shows of the others what was behind them, the wall as a boundary", () => {
+    const [lower, upper] = [facesWithout(1), facesWithout(0)];
+    expect(lower.faces.every((face) => face >> 2 < perLayer)).toBe(true);
+    expect(upper.faces.every((face) => face >> 2 >= perLayer)).toBe(true);
+    // Of each slab the two large sides and the four narrow ones, two triangles per square.
+    expect(lower.faces).toHaveLength(2 * (2 * size * size + 4 * size));
+    expect(upper.faces).toHaveLength(2 * (2 * size * size + 4 * size * (size - 1)));
+    for (const { onBoundary } of [lower, upper]) expect(onBoundary.every((flag) => flag === 1)).toBe(true);
+    expect(facesWithout(0, 1).faces).toHaveLength(0);
+    expect(facesWithout().faces).toEqual(survey.facesOf(whole).faces);
   });
 });
 

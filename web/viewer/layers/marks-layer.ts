@@ -3,9 +3,15 @@ import type { ViewerColors } from "../colors";
 import { createFacetMaterial, setColor } from "../materials";
 import type { Place, SceneLayer } from "./layer";
 
+export interface MarkColors {
+  readonly face: string;
+  readonly edge: string;
+}
+
 /** Triangles pointed out: of one element of the mesh, or of a faulty boundary. Seen through everything. */
 export class MarksLayer implements SceneLayer {
   readonly root = new Group();
+  readonly #colorsOf: (colors: ViewerColors) => MarkColors;
   readonly #plain = createFacetMaterial({ opacity: 0.9, depthWrite: true, polygonOffset: -2 });
   readonly #through = createFacetMaterial({ opacity: 0.3, depthTest: false });
   readonly #edgeMaterial = new LineBasicMaterial({ transparent: true, depthTest: false });
@@ -15,7 +21,8 @@ export class MarksLayer implements SceneLayer {
   ] as const;
   readonly #edges = new LineSegments(new BufferGeometry(), this.#edgeMaterial);
 
-  constructor() {
+  constructor(colorsOf: (colors: ViewerColors) => MarkColors) {
+    this.#colorsOf = colorsOf;
     for (const [order, drawn] of [...this.#faces, this.#edges].entries()) {
       drawn.frustumCulled = false;
       drawn.renderOrder = 2 + 2 * order;
@@ -24,9 +31,10 @@ export class MarksLayer implements SceneLayer {
   }
 
   setColors(colors: ViewerColors): void {
-    setColor(this.#plain, "color", colors.selection);
-    setColor(this.#through, "color", colors.selection);
-    this.#edgeMaterial.color.set(colors.hover);
+    const { face, edge } = this.#colorsOf(colors);
+    setColor(this.#plain, "color", face);
+    setColor(this.#through, "color", face);
+    this.#edgeMaterial.color.set(edge);
   }
 
   /** @param corners x y z of three corners per triangle. */

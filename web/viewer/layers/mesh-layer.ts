@@ -2,7 +2,15 @@ import type { MeshResult, VolumeMesh } from "tetrafront";
 import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type DataTexture } from "three";
 import type { Cut, Shading } from "../../document/selection";
 import type { ViewerColors } from "../colors";
-import { createFacetMaterial, createMeshMaterial, rampTexture, setColor, setNumber } from "../materials";
+import {
+  createFacetMaterial,
+  createMeshMaterial,
+  paletteTexture,
+  rampTexture,
+  setColor,
+  setNumber,
+  setTexture,
+} from "../materials";
 import type { MeshSurvey } from "../mesh-survey";
 import type { DrawnFaces } from "../survey";
 import { faceNodes } from "../topology";
@@ -23,6 +31,7 @@ interface Wanted {
   readonly volume: VolumeMesh | null;
   readonly origin: Place;
   readonly cut: Cut | null;
+  readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
 }
 
@@ -45,8 +54,16 @@ export class MeshLayer implements SceneLayer {
   readonly #frontMaterial = createFacetMaterial({ opacity: 1, depthWrite: true });
   readonly #mesh = new Mesh(new BufferGeometry(), this.#material);
   readonly #front = new Mesh(new BufferGeometry(), this.#frontMaterial);
+  /** The colours of quality, and those of regions. */
   #ramp: DataTexture | null = null;
-  #wanted: Wanted = { volume: null, origin: [0, 0, 0], cut: null, shading: "radius-ratio" };
+  #palette: DataTexture | null = null;
+  #wanted: Wanted = {
+    volume: null,
+    origin: [0, 0, 0],
+    cut: null,
+    hiddenRegions: new Set(),
+    shading: "radius-ratio",
+  };
   #drawn: Drawn = { wanted: this.#wanted, faces: null };
   #asking = false;
 
@@ -59,9 +76,10 @@ export class MeshLayer implements SceneLayer {
 
   setColors(colors: ViewerColors): void {
     this.#ramp?.dispose();
+    this.#palette?.dispose();
     this.#ramp = rampTexture(colors.ramp);
-    const { ramp } = this.#material.uniforms;
-    if (ramp) ramp.value = this.#ramp;
+    this.#palette = paletteTexture(colors.regions);
+    this.#setScale();
     setColor(this.#material, "plainColor", colors.meshPlain);
     setColor(this.#material, "edgeColor", colors.meshEdge);
     setColor(this.#material, "fadedColor", colors.faded);
@@ -78,6 +96,10 @@ export class MeshLayer implements SceneLayer {
   setCut(cut: Cut): void {
     const wanted = cut.enabled ? cut : null;
     if (wanted !== this.#wanted.cut) this.#want({ cut: wanted });
+  }
+
+  setHiddenRegions(hiddenRegions: ReadonlySet<number>): void {
+    if (hiddenRegions !== this.#wanted.hiddenRegions) this.#want({ hiddenRegions });
   }
 
   /** Asks for the faces that are wanted: once per frame, however often the cut has moved. */
@@ -114,7 +136,7 @@ export class MeshLayer implements SceneLayer {
     return isOfMesh && faces && faces.faces.length > 0 ? this.#mesh.geometry : null;
   }
 
-  /** The tetrahedron, its face and whether the face is the mesh's boundary, of a drawn triangle. */
+  /** The tetrahedron, its face and whether its region ends there, of a drawn triangle. */
   faceAt(triangle: number): { tetrahedron: number; nodes: number[]; onBoundary: boolean } | null {
     const { wanted, faces } = this.#drawn;
     const face = faces?.faces[triangle];
@@ -132,6 +154,7 @@ export class MeshLayer implements SceneLayer {
       mesh.material.dispose();
     }
     this.#ramp?.dispose();
+    this.#palette?.dispose();
   }
 
   #want(change: Partial<Wanted>): void {
@@ -150,9 +173,9 @@ export class MeshLayer implements SceneLayer {
     try {
       while (!this.isCurrent) {
         const wanted = this.#wanted;
-        const { volume, origin, cut, shading } = wanted;
+        const { volume, ...look } = wanted;
         if (!volume) break;
-        const faces = await this.#survey.facesOf(volume, { origin, cut, shading });
+        const faces = await this.#survey.facesOf(volume, look);
         if (volume === this.#wanted.volume) this.#show({ wanted, faces });
       }
     } catch (failure) {
@@ -167,12 +190,20 @@ export class MeshLayer implements SceneLayer {
     this.#drawn = drawn;
     const { corners, values } = drawn.faces ?? { corners: new Float32Array(), values: new Float32Array() };
     setNumber(this.#material, "shaded", values.length > 0 ? 1 : 0);
+    this.#setScale();
     this.#mesh.geometry.dispose();
     this.#mesh.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
     if (values.length > 0) this.#mesh.geometry.setAttribute("value", new BufferAttribute(values, 1));
     this.#mesh.visible = corners.length > 0;
     this.#place();
     this.#events.onChange();
+  }
+
+  /** The colours that the values of what is drawn stand for. */
+  #setScale(): void {
+    const byRegion = this.#drawn.wanted.shading === "region";
+    setTexture(this.#material, "ramp", byRegion ? this.#palette : this.#ramp);
+    setNumber(this.#material, "hues", byRegion ? (this.#palette?.image.width ?? 0) : 0);
   }
 
   /** What is drawn stays where it is when the origin moves. */
@@ -183,9 +214,11 @@ export class MeshLayer implements SceneLayer {
   }
 
   #showFront(result: MeshResult | null, origin: Place): void {
-    const incomplete = result !== null && result.report.status !== "done";
+    const status = result?.report.status;
+    const incomplete = status === "stalled" || status === "cancelled";
     const hasElements = (result?.volume.tetrahedra.length ?? 0) > 0;
-    const triangles = incomplete ? (hasElements ? result.volume.front : result.surface.triangles) : [];
+    const left = hasElements ? result?.volume.front : result?.surface.triangles;
+    const triangles = (incomplete ? left : null) ?? [];
     const points = hasElements ? result?.volume.points : result?.surface.points;
     const corners = new Float32Array(3 * triangles.length);
     for (let i = 0; points && i < triangles.length; ++i) {

@@ -4,22 +4,21 @@ import type { ViewerColors } from "../colors";
 import { createFacetMaterial, setColor, setNumber } from "../materials";
 import type { Place, SceneLayer } from "./layer";
 
-type Marking = "normal" | "hover" | "selected";
+type Marking = "normal" | "faulty" | "hover" | "selected";
 
 /** Over a mesh the patches are only a hint of the hull; alone they are the model. */
 const opacityOverMesh = 0.14;
 const opacityAlone = 0.42;
 const opacityThrough = 0.16;
 
+type FacetMesh = Mesh<BufferGeometry, ReturnType<typeof createFacetMaterial>>;
+
 /** The model's patches as sampled by the engine; marked ones are drawn again in their colour. */
 export class PatchesLayer implements SceneLayer {
   readonly root = new Group();
-  readonly #meshes: { readonly [M in Marking]: Mesh<BufferGeometry, ReturnType<typeof createFacetMaterial>> };
-  /** The selected patches once more, faintly, where something lies before them. */
-  readonly #through = new Mesh(
-    new BufferGeometry(),
-    createFacetMaterial({ opacity: opacityThrough, depthTest: false }),
-  );
+  readonly #meshes: { readonly [M in Marking]: FacetMesh };
+  /** These patches once more, faintly, where something lies before them. */
+  readonly #through: { readonly [M in "faulty" | "selected"]: FacetMesh };
   #position = new BufferAttribute(new Float32Array(), 3);
   #preview: ProjectPreview | null = null;
   #drawnPatches: number[] = [];
@@ -32,20 +31,30 @@ export class PatchesLayer implements SceneLayer {
       return mesh;
     };
     this.#meshes = {
-      normal: create(opacityAlone, 1, 1),
+      // Behind the mesh, where both lie in one plane.
+      normal: create(opacityAlone, 2, 1),
+      faulty: create(0.8, -1, 2),
       hover: create(0.35, -1, 2),
       selected: create(0.5, -1, 2),
     };
-    this.#through.frustumCulled = false;
-    this.#through.renderOrder = 3;
-    this.root.add(...Object.values(this.#meshes), this.#through);
+    const createThrough = () => {
+      const material = createFacetMaterial({ opacity: opacityThrough, depthTest: false });
+      const mesh = new Mesh(new BufferGeometry(), material);
+      mesh.frustumCulled = false;
+      mesh.renderOrder = 3;
+      return mesh;
+    };
+    this.#through = { faulty: createThrough(), selected: createThrough() };
+    this.root.add(...Object.values(this.#meshes), ...Object.values(this.#through));
   }
 
   setColors(colors: ViewerColors): void {
     setColor(this.#meshes.normal.material, "color", colors.patch);
     setColor(this.#meshes.hover.material, "color", colors.hover);
     setColor(this.#meshes.selected.material, "color", colors.selection);
-    setColor(this.#through.material, "color", colors.selection);
+    setColor(this.#meshes.faulty.material, "color", colors.front);
+    setColor(this.#through.selected.material, "color", colors.selection);
+    setColor(this.#through.faulty.material, "color", colors.front);
   }
 
   setOverMesh(overMesh: boolean): void {
@@ -60,7 +69,7 @@ export class PatchesLayer implements SceneLayer {
 
   /** Rebuilds the triangles drawn. `markingOf` tells how to draw the patch at a position; null hides it. */
   update(markingOf: (position: number) => Marking | null): void {
-    const triangles: Record<Marking, number[]> = { normal: [], hover: [], selected: [] };
+    const triangles: Record<Marking, number[]> = { normal: [], faulty: [], hover: [], selected: [] };
     this.#drawnPatches = [];
     const patchCount = (this.#preview?.patchOffsets.length ?? 1) - 1;
     for (let position = 0; position < patchCount; ++position) {
@@ -71,15 +80,17 @@ export class PatchesLayer implements SceneLayer {
       if (marking !== "normal") for (const node of range) triangles[marking].push(node);
       for (let t = 0; t < range.length / 3; ++t) this.#drawnPatches.push(position);
     }
-    for (const marking of ["normal", "hover", "selected"] as const) {
+    for (const marking of ["normal", "faulty", "hover", "selected"] as const) {
       const mesh = this.#meshes[marking];
       mesh.geometry.dispose();
       mesh.geometry = new BufferGeometry().setAttribute("position", this.#position);
       mesh.geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles[marking]), 1));
       mesh.visible = triangles[marking].length > 0;
     }
-    this.#through.geometry = this.#meshes.selected.geometry;
-    this.#through.visible = this.#meshes.selected.visible;
+    for (const marking of ["faulty", "selected"] as const) {
+      this.#through[marking].geometry = this.#meshes[marking].geometry;
+      this.#through[marking].visible = this.#meshes[marking].visible;
+    }
   }
 
   /** For picking: the triangles of all patches drawn; null without any. */
@@ -97,7 +108,7 @@ export class PatchesLayer implements SceneLayer {
       mesh.geometry.dispose();
       mesh.material.dispose();
     }
-    this.#through.material.dispose();
+    for (const { material } of Object.values(this.#through)) material.dispose();
   }
 
   #rangeOf(position: number): Uint32Array {
