@@ -53,7 +53,8 @@ test("each of the worst elements is gone to and marked", async ({ page }) => {
   for (const index of [0, 9]) {
     const row = page.getByTestId(`worst-${index}`);
     const figures = quality.worst[index];
-    await expect(row).toHaveAccessibleName(new RegExp(`^Go to tetrahedron ${figures?.tetrahedron} at `));
+    const number = figures?.tetrahedron.toLocaleString("en-US");
+    await expect(row).toHaveAccessibleName(new RegExp(`^Go to tetrahedron ${number} at `));
     const before = await app.viewport.screenshot();
     await nextFrame(app.viewport, () => row.click());
     await expect(row).toHaveAttribute("aria-pressed", "true");

@@ -1,0 +1,28 @@
+import { describe, expect, it } from "vitest";
+import { faultsOf, type Problem } from "../../../web/document/validate";
+
+const problem = (part: Partial<Problem>): Problem => ({
+  key: "",
+  severity: "error",
+  code: "",
+  message: "",
+  remedy: "",
+  entities: [],
+  triangles: [],
+  place: null,
+  ...part,
+});
+
+describe("faultsOf", () => {
+  const patch = (id: number) => ({ kind: "patch", id }) as const;
+
+  it("blames triangles where an error names any, else the patches that it is about", () => {
+    const faults = faultsOf([
+      problem({ entities: [patch(1)], triangles: [7, 8] }),
+      problem({ entities: [patch(2), patch(3)] }),
+      problem({ entities: [{ kind: "line", id: 5 }, patch(4)] }),
+      problem({ entities: [patch(6)], severity: "warning" }),
+    ]);
+    expect(faults).toEqual({ triangles: [7, 8], patches: new Set([2, 3]) });
+  });
+});
