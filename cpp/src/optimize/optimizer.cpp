@@ -47,6 +47,10 @@ constexpr double kQuietRound = 0.1;
 /// are near each other, splits and collapses can undo each other for ever.
 constexpr double kLeastRoundGain = 0.01;
 constexpr int kRepairPasses = 8;
+/// A repair also ends when a pass has left more bad elements than the first one met, and more than
+/// this part of all: in a gap or a wedge without room for nodes, what mends one spoils others, and
+/// each pass would take longer than the one before.
+constexpr double kFewBad = 0.005;
 /// A target is worth its cost only where few elements miss it: in a gap thinner than an element
 /// many do, and chasing them only adds elements.
 constexpr double kMaxMissingLow = 0.1;
@@ -313,6 +317,15 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     }
   }
 
+  /// Worst first; none where repairing them has only made more.
+  void rankBad() {
+    if (repeats_ == 0) badAtFirst_ = bad_.size();
+    const double few = kFewBad * static_cast<double>(complex_.elementCount());
+    if (bad_.size() > badAtFirst_ && static_cast<double>(bad_.size()) > few) bad_.clear();
+    std::stable_sort(bad_.begin(), bad_.end(),
+                     [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+  }
+
   void repair(std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       const TetId tet = bad_[i];
@@ -338,8 +351,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
         collapser_.clear();
         break;
       case Sweep::kCollectBad:
-        std::stable_sort(bad_.begin(), bad_.end(),
-                         [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+        rankBad();
         break;
       default:
         break;
@@ -457,6 +469,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::size_t lowTarget_ = 0;  ///< in kLowTargets
   std::size_t freeNodes_ = 0;  ///< when the last sweep ended: counting them is O(nodes)
   std::vector<TetId> bad_;
+  std::size_t badAtFirst_ = 0;  ///< when this repair began
 };
 
 MeshOptimizer::MeshOptimizer(const VolumeMesh& mesh, std::size_t boundaryNodes,
