@@ -13,6 +13,7 @@
 
 #include "support/models.h"
 #include "support/random.h"
+#include "tetrafront/mesher.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -77,6 +78,23 @@ TEST(ModelCheck, NotFinite) {
     const Diagnostic fault = onlyFault(model);
     EXPECT_EQ(fault.code, DiagnosticCode::kNotFinite);
     EXPECT_TRUE(names(fault, EntityKind::kPoint, 2));
+  }
+}
+
+/// What is wrong is the scale, and not the lines whose lengths underflow.
+TEST(ModelCheck, AModelTooSmallToComputeWithIsToldOnce) {
+  EXPECT_TRUE(checkModel(boxModel(Vec3(0.0), Vec3(1e-30))).empty());
+  for (const double scale : {5e-31, 1e-40, 1e-110, 1e-200, 1e-310}) {
+    const Model model = boxModel(Vec3(0.0), Vec3(scale));
+    const std::vector<Diagnostic> found = checkModel(model);
+    ASSERT_EQ(found.size(), 1U) << scale;
+    EXPECT_EQ(found[0].code, DiagnosticCode::kNotFinite);
+    ASSERT_EQ(found[0].entities.size(), 1U);
+    EXPECT_EQ(found[0].entities[0].kind, EntityKind::kPoint);
+    EXPECT_EQ(found[0].values, std::vector<double>{scale});
+    MeshOptions options;
+    options.size = 0.3 * scale;
+    EXPECT_EQ(previewModel(model, {}, options).diagnostics.size(), 1U) << scale;
   }
 }
 

@@ -432,6 +432,31 @@ TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {
   }
 }
 
+/// A layer of a fifteenth of an element in the middle of a cube: many elements there miss every target,
+/// and what is tried on them is not to take longer than all the rest.
+TEST(MeshOptimizer, GivesUpSoonWhereALayerLeavesNoRoom) {
+  testing::ModelBuilder builder;
+  const std::array<double, 4> levels{0.0, 0.5, 0.51, 1.01};
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    const std::vector<Vec3> square = testing::squareCorners({0.0, 0.0, levels[i]}, 1.0);
+    builder.patch(PatchType::kPlanar, {builder.polygon(square)});
+    for (std::size_t k = 0; i > 0 && k < 4; ++k) {
+      const Vec3 up(0.0, 0.0, levels[i] - levels[i - 1]);
+      const Vec3& a = square[k];
+      const Vec3& b = square[(k + 1) % 4];
+      builder.patch(PatchType::kPlanar, {builder.polygon({a - up, b - up, b, a})});
+    }
+  }
+  MeshOptions options;
+  options.size = 0.15;
+  MeshRun run(builder.model, {}, options);
+  constexpr std::uint32_t kBudget = 1000;
+  double work = 0.0;
+  while (run.advance(kBudget) == MeshStatus::kRunning) work += kBudget;
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_LT(work, 15.0 * static_cast<double>(run.volume().tetrahedra.size()));
+}
+
 TEST(MeshOptimizer, MoreEffortGivesBetterWorstElements) {
   const SurfaceMesh surface = testing::geodesicSphere(8);
   double before = 0.0;

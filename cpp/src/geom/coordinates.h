@@ -12,6 +12,14 @@ namespace tetrafront {
 /// infinite.
 inline constexpr double kLargestCoordinate = 0x1p100;
 
+/// Where all coordinates are smaller, products of three differences of them lose their last bits.
+inline constexpr double kSmallestExtent = 0x1p-100;
+
+/// The largest of the coordinates, without their signs.
+[[nodiscard]] inline double magnitudeOf(const Vec3& place) {
+  return std::fmax(std::fabs(place.x), std::fmax(std::fabs(place.y), std::fabs(place.z)));
+}
+
 /// True if no coordinate is NaN or beyond kLargestCoordinate.
 [[nodiscard]] inline bool isFinite(const Vec3& place) {
   // A comparison with NaN is false.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -48,6 +49,7 @@ class ModelCheck {
 
   ModelExamination run() {
     checkPoints();
+    if (isTooSmall_) return nothingSound();
     for (std::uint32_t line = 0; line < model_->lines.size(); ++line)
       found_.soundLines.push_back(checkLine(line) ? 1 : 0);
     const ResolvedModel resolved(*model_, found_.soundLines);
@@ -79,12 +81,39 @@ class ModelCheck {
         report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, point}},
                {refusedCoordinate(place)});
     }
-    samePlace_ = kSamePlace * usedExtent();
+    const std::vector<std::uint8_t> takesPart = usedPoints();
+    checkSmallness(takesPart);
+    samePlace_ = kSamePlace * extentOf(takesPart);
   }
 
-  /// Of the points on lines that patches walk: what lies forgotten far away makes nothing coarser. Of
-  /// all points where there are no such lines.
-  [[nodiscard]] double usedExtent() const {
+  /// Of a model too small to compute with, what else there is to say would be wrong.
+  ModelExamination nothingSound() {
+    found_.soundLines.assign(model_->lines.size(), 0);
+    found_.soundPatches.assign(model_->patches.size(), 0);
+    found_.duplicates.points.resize(model_->points.size());
+    found_.duplicates.lines.resize(model_->lines.size());
+    std::iota(found_.duplicates.points.begin(), found_.duplicates.points.end(), 0U);
+    std::iota(found_.duplicates.lines.begin(), found_.duplicates.lines.end(), 0U);
+    return std::move(found_);
+  }
+
+  void checkSmallness(const std::vector<std::uint8_t>& takesPart) {
+    std::uint32_t farthest = 0;
+    double largest = 0.0;
+    for (std::uint32_t point = 0; point < takesPart.size(); ++point) {
+      const Vec3& place = model_->points[point];
+      if (takesPart[point] == 0 || !isFinite(place) || !(magnitudeOf(place) > largest)) continue;
+      farthest = point;
+      largest = magnitudeOf(place);
+    }
+    isTooSmall_ = largest > 0.0 && largest < kSmallestExtent;
+    if (isTooSmall_)
+      report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, farthest}}, {largest});
+  }
+
+  /// The points on lines that patches walk: what lies forgotten far away makes nothing coarser. All
+  /// points where there are no such lines.
+  [[nodiscard]] std::vector<std::uint8_t> usedPoints() const {
     std::vector<std::uint8_t> takesPart(model_->points.size(), 0);
     for (std::size_t line = 0; line < model_->lines.size(); ++line) {
       if (isUsed_[line] == 0) continue;
@@ -92,6 +121,10 @@ class ModelCheck {
         if (point < takesPart.size()) takesPart[point] = 1;
     }
     if (std::ranges::count(takesPart, 1) == 0) std::ranges::fill(takesPart, 1);
+    return takesPart;
+  }
+
+  [[nodiscard]] double extentOf(const std::vector<std::uint8_t>& takesPart) const {
     std::optional<Vec3> low;
     Vec3 high(0.0);
     for (std::size_t point = 0; point < takesPart.size(); ++point) {
@@ -326,6 +359,7 @@ class ModelCheck {
   MovedPointFinder movedPoints_;
   ModelExamination found_;
   double samePlace_ = 0.0;
+  bool isTooSmall_ = false;
   std::vector<std::uint8_t> isUsed_;    ///< per line: by a patch
   std::vector<std::uint8_t> isCorner_;  ///< per point: an end of a used line
   std::vector<std::uint8_t> crosses_;   ///< per line: itself

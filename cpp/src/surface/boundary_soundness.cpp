@@ -11,9 +11,6 @@
 namespace tetrafront {
 namespace {
 
-/// Products of three coordinate differences must not lose their last bits, as beyond
-/// kLargestCoordinate they would overflow.
-constexpr double kSmallest = 0x1p-100;
 /// Single coordinates may be smaller than the model by far, as rounded zeros are.
 constexpr double kSmallestCoordinate = 0x1p-250;
 
@@ -40,7 +37,8 @@ void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
       largest = std::max(largest, magnitude);
     }
   }
-  if (nodes > 0 && largest < kSmallest) report.addNode(DiagnosticCode::kNotFinite, 0, {largest});
+  if (nodes > 0 && largest < kSmallestExtent)
+    report.addNode(DiagnosticCode::kNotFinite, 0, {largest});
   for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
     if (mesh.triangles[h] < nodes) continue;
     report.addTriangle(DiagnosticCode::kIndexOutOfRange, static_cast<std::uint32_t>(h / 3),
