@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "support/mesh_validator.h"
 #include "support/random.h"
@@ -51,6 +53,25 @@ TEST(CheckMeshTest, AcceptsUnusedNodes) {
   Specimen specimen;
   specimen.mesh.points.insert(specimen.mesh.points.end(), {0.5, 0.5, 0.5});
   EXPECT_EQ(specimen.judged().count(), 0U);
+}
+
+/// Its volumes are sums of needles and of cones over its whole length, whose rounding is more than its
+/// volume can tell.
+TEST(CheckMeshTest, AcceptsALongAndThinPlateAskew) {
+  Specimen specimen;
+  for (std::vector<double>* points : {&specimen.mesh.points, &specimen.surface.points}) {
+    for (std::size_t i = 0; i < points->size(); i += 3) {
+      const Vec3 p((*points)[i] * 40.0, (*points)[i + 1], (*points)[i + 2] * 1e-7);
+      const Vec3 turned(0.6 * p.x - 0.8 * p.z, p.y, 0.8 * p.x + 0.6 * p.z);
+      (*points)[i] = turned.x;
+      (*points)[i + 1] = 0.28 * turned.y - 0.96 * turned.z;
+      (*points)[i + 2] = 0.96 * turned.y + 0.28 * turned.z;
+    }
+  }
+  const MeshDefects defects = verifyMesh(specimen.mesh, specimen.surface);
+  EXPECT_GT(std::fabs(defects.meshVolume - defects.surfaceVolume), 1e-10 * defects.surfaceVolume)
+      << "else this shows nothing";
+  EXPECT_EQ(defects.count(), 0U);
 }
 
 TEST(CheckMeshTest, FindsAnInvertedTetrahedron) {

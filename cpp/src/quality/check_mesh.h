@@ -86,6 +86,7 @@ class MeshVerifier {
   void matchRegion(const Face& tetrahedron, const Face& triangle);
   [[nodiscard]] std::size_t triangleOf(const Face& face) const;
   void finish();
+  [[nodiscard]] double volumeRounding() const;
   template <class Use>
   void forEachFace(std::size_t first, std::size_t last, Use use) const;
   [[nodiscard]] std::size_t elementCount() const;
