@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "support/shapes.h"
@@ -105,6 +106,36 @@ TEST(MeshInspection, FindsTheSameInSlicesOfAnySize) {
   EXPECT_EQ(found.boundary.trianglePatch, whole.boundary.trianglePatch);
   EXPECT_EQ(found.meanEdge, whole.meanEdge);
   EXPECT_EQ(found.quality.meanRadiusRatio, whole.quality.meanRadiusRatio);
+}
+
+/// Elements around one edge, the first between two sheets at an angle of 24 degrees: walls, if regions
+/// differ there.
+TEST(MeshInspection, ExcusesWhatWallsBetweenRegionsForbid) {
+  VolumeMesh mesh;
+  mesh.points = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+  for (const double degrees : {0.0, 24.0, 90.0, 170.0}) {
+    const double angle = degrees * std::numbers::pi / 180.0;
+    mesh.points.insert(mesh.points.end(), {0.5, std::cos(angle), std::sin(angle)});
+  }
+  mesh.tetrahedra = {0, 1, 2, 3, 0, 1, 3, 4, 0, 1, 4, 5};
+  mesh.regions = {0, 0, 0};
+  EXPECT_EQ(inspect(mesh).statistics.limitedByEdges, 0U);
+  mesh.regions = {0, 1, 1};
+  EXPECT_EQ(inspect(mesh).statistics.limitedByEdges, 1U);
+  EXPECT_EQ(inspect(mesh).boundary.triangles.size(), 3U * 8U) << "walls are no boundary";
+}
+
+/// Where a gap is thinner than the elements wanted, whoever made the mesh.
+TEST(MeshInspection, ExcusesWhatNearSheetsForbid) {
+  const SurfaceMesh plate = thinPlate(10, 0.02);
+  MeshRun run(plate.points, plate.triangles, {});
+  while (run.advance(1U << 16U) == MeshStatus::kRunning) {
+  }
+  const QualityStatistics told = run.statistics();
+  ASSERT_GT(told.limitedBySheets, 0U);
+  const QualityStatistics found = inspect(run.volume()).statistics;
+  EXPECT_EQ(found.limitedBySheets, told.limitedBySheets);
+  EXPECT_EQ(found.missed, told.missed);
 }
 
 TEST(MeshInspection, RefusesWhatIsNoMesh) {

@@ -233,6 +233,21 @@ TEST(SurfaceRepair, FillsHolesUpToTheGivenNumberOfEdges) {
   EXPECT_EQ(found.turnedTriangles, 0U);
 }
 
+TEST(SurfaceRepair, FillsManyHolesOneByOne) {
+  SurfaceMesh mesh = geodesicSphere(8);
+  std::vector<std::size_t> lost;
+  for (std::size_t t = 0; t < mesh.triangles.size() / 3; t += 20) lost.push_back(t);
+  removeTriangles(mesh, lost);
+  const RepairOptions options{
+      .weldDistance = -1.0, .removesTriangles = false, .fillsUpTo = 10, .turns = false};
+  SurfaceRepairer repairer(mesh.points, mesh.triangles, options);
+  std::size_t calls = 1;
+  while (!repairer.advance(1)) ++calls;
+  const std::size_t filled = repairer.result().changes.size();
+  EXPECT_GT(filled, 50U);
+  EXPECT_GT(calls, filled);
+}
+
 TEST(SurfaceRepair, FillsHolesThatTouchInANode) {
   // Two triangles of a sphere that share one node only.
   const SurfaceMesh sphere = geodesicSphere(3);

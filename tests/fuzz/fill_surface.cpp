@@ -120,6 +120,7 @@ MeshOptions optionsFrom(Bytes& bytes) {
   options.exactFillOnly = (switches & 4) != 0;
   options.optimization = static_cast<Optimization>(switches >> 3 & 3);
   if ((switches & 32) != 0) options.size = bytes.number();
+  if ((switches & 64) != 0) options.enclosed = EnclosedBodies::kRegions;
   options.maxTetrahedra = 20'000;
   return options;
 }

@@ -142,7 +142,8 @@ class SurfaceRepairer {
   ~SurfaceRepairer();
 
   /// Works on; true when finished. A call takes a step of the repair, the longest of which look at
-  /// all triangles once; triangles are turned and nodes welded for about `budget` of them.
+  /// all triangles once; nodes are welded, holes filled and triangles turned for about `budget` nodes,
+  /// edges and triangles.
   bool advance(std::uint32_t budget);
 
   /// 0 to 1.

@@ -37,6 +37,7 @@ void BoundaryLimits::add(std::span<const std::uint32_t, 3> triangle) {
     const std::uint32_t a = triangle[k];
     const std::uint32_t b = triangle[(k + 1) % 3];
     edges_.push_back({std::min(a, b), std::max(a, b), triangle[(k + 2) % 3]});
+    isOnBoundary_[a] = 1;
   }
 }
 
@@ -70,6 +71,8 @@ Vec3 BoundaryLimits::seen(std::uint32_t node, const ElementView& view) const {
 /// the next beyond d.
 bool BoundaryLimits::liesInSharpWedge(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                       std::uint32_t d, const ElementView& view) const {
+  const std::span<const Edge> around = edgesBetween(a, b);
+  if (around.size() < 2) return false;
   const Vec3 origin = seen(a, view);
   const Vec3 along = seen(b, view) - origin;
   const auto directionOf = [&](std::uint32_t third) { return seen(third, view) - origin; };
@@ -84,7 +87,7 @@ bool BoundaryLimits::liesInSharpWedge(std::uint32_t a, std::uint32_t b, std::uin
   };
   End beyondC;
   End beyondD;
-  for (const Edge& edge : edgesBetween(a, b)) {
+  for (const Edge& edge : around) {
     const Vec3 normal = normalOf(edge.third);
     const bool isBeyondD =
         edge.third == d ||
@@ -113,7 +116,7 @@ bool BoundaryLimits::hasNeedle(std::span<const std::uint32_t, 4> nodes,
 /// Whether the boundary's edges among the nodes leave two groups of them, near each other.
 bool BoundaryLimits::joinsNearSheets(std::span<const std::uint32_t, 4> nodes,
                                      const ElementView& view) const {
-  if (std::ranges::any_of(nodes, [&](std::uint32_t node) { return node >= boundaryNodes_; })) {
+  if (std::ranges::any_of(nodes, [&](std::uint32_t node) { return isOnBoundary_[node] == 0; })) {
     return false;
   }
   std::array<Vec3, 4> corners;

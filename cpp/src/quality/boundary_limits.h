@@ -24,11 +24,11 @@ struct ElementView {
 
 class BoundaryLimits {
  public:
-  /// `points`: x y z of the mesh's nodes, of which the first `boundaryNodes` are the boundary's.
-  BoundaryLimits(std::span<const double> points, std::size_t boundaryNodes)
-      : points_(points), boundaryNodes_(boundaryNodes) {}
+  /// `points`: x y z of the mesh's nodes.
+  explicit BoundaryLimits(std::span<const double> points)
+      : points_(points), isOnBoundary_(points.size() / 3, 0) {}
 
-  /// A triangle of the boundary, or a wall, turned either way. Those without two nodes of an element
+  /// A triangle of the boundary, or a wall, turned either way. Those without a node of an element
   /// that is asked for need not be added.
   void add(std::span<const std::uint32_t, 3> triangle);
   /// After the last triangle. O(n log n).
@@ -56,7 +56,7 @@ class BoundaryLimits {
                                      const ElementView& view) const;
 
   std::span<const double> points_;
-  std::size_t boundaryNodes_;
+  std::vector<std::uint8_t> isOnBoundary_;  ///< per node
   std::vector<Edge> edges_;
 };
 

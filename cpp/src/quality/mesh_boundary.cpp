@@ -31,15 +31,18 @@ Nodes sortedFaceOf(const VolumeMesh& mesh, std::size_t owner) {
 }  // namespace
 
 BoundaryFinder::BoundaryFinder(const VolumeMesh& mesh)
-    : mesh_(&mesh), begins_(mesh.points.size() / 3 + 1, 0), isOuter_(mesh.tetrahedra.size(), 0) {}
+    : mesh_(&mesh),
+      begins_(mesh.points.size() / 3 + 1, 0),
+      partOf_(mesh.tetrahedra.size(), Part::kNone) {}
 
 bool BoundaryFinder::advance(std::uint32_t budget) {
   const std::size_t nodes = mesh_->points.size() / 3;
   const std::size_t faces = mesh_->tetrahedra.size();
   const std::size_t end = stage_ == Stage::kMatch ? nodes : faces;
   // A tetrahedron has four faces; of nodes there are fewer, but each has many faces.
-  const std::size_t share = stage_ == Stage::kMatch ? budget / 4 : 4 * std::size_t{budget};
-  const std::size_t last = std::min(end, next_ + std::max(share, std::size_t{1}));
+  const std::size_t share =
+      stage_ == Stage::kMatch ? budget / 4 : 4 * std::min<std::size_t>(budget, faces / 4);
+  const std::size_t last = next_ + std::min(end - next_, std::max(share, std::size_t{1}));
   switch (stage_) {
     case Stage::kCount:
       count(next_, last);
@@ -98,20 +101,29 @@ void BoundaryFinder::match(std::size_t firstNode, std::size_t lastNode) {
       return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
     });
     for (const Face* face = begin; face != end; ++face) {
-      const bool hasTwin = (face != begin && isSame(face[-1], *face)) ||
-                           (face + 1 != end && isSame(face[0], face[1]));
-      isOuter_[face->owner] = hasTwin ? 0 : 1;
+      if (face != begin && isSame(face[-1], face[0])) continue;
+      if (face + 1 == end || !isSame(face[0], face[1])) {
+        partOf_[face->owner] = Part::kBoundary;
+      } else if (regionOf(face[0].owner) != regionOf(face[1].owner)) {
+        partOf_[face->owner] = Part::kWall;
+      }
     }
   }
 }
 
 void BoundaryFinder::collect(std::size_t first, std::size_t last) {
   for (std::size_t owner = first; owner < last; ++owner) {
-    if (isOuter_[owner] == 0) continue;
+    if (partOf_[owner] == Part::kNone) continue;
+    const bool isWall = partOf_[owner] == Part::kWall;
     const Nodes nodes = faceOf(*mesh_, owner);
-    boundary_.triangles.insert(boundary_.triangles.end(), nodes.begin(), nodes.end());
-    boundary_.trianglePatch.push_back(mesh_->regions.empty() ? 0 : mesh_->regions[owner / 4]);
+    std::vector<std::uint32_t>& triangles = isWall ? walls_ : boundary_.triangles;
+    triangles.insert(triangles.end(), nodes.begin(), nodes.end());
+    if (!isWall) boundary_.trianglePatch.push_back(regionOf(owner));
   }
+}
+
+std::uint32_t BoundaryFinder::regionOf(std::size_t owner) const {
+  return mesh_->regions.empty() ? 0 : mesh_->regions[owner / 4];
 }
 
 }  // namespace tetrafront

@@ -74,7 +74,8 @@ class MeshInspector::Impl {
   bool advance(std::uint32_t budget);
 
   [[nodiscard]] double fraction() const {
-    return static_cast<double>(stage_) / static_cast<double>(Stage::kDone);
+    const double within = verifier_ ? verifier_->fraction() : 0.0;
+    return (static_cast<double>(stage_) + within) / static_cast<double>(Stage::kDone);
   }
   [[nodiscard]] const MeshInspection& result() const { return out_; }
 
@@ -85,6 +86,7 @@ class MeshInspector::Impl {
   /// Whether all are done.
   bool measureElements(std::uint32_t budget);
   void measureEdges(std::size_t element);
+  void takeBoundary();
   void takeDefects();
   void beginSurvey();
 
@@ -93,7 +95,8 @@ class MeshInspector::Impl {
   std::size_t nextElement_ = 0;
   double edgeSum_ = 0.0;
   std::optional<BoundaryFinder> boundary_;
-  SurfaceMesh surface_;  ///< the boundary with its points
+  SurfaceMesh surface_;    ///< the boundary with its points
+  SurfaceMesh withWalls_;  ///< the boundary, and the walls between regions
   std::optional<MeshVerifier> verifier_;
   std::optional<SizeField> field_;
   std::optional<QualitySurvey> survey_;
@@ -112,12 +115,7 @@ bool MeshInspector::Impl::advance(std::uint32_t budget) {
       break;
     case Stage::kBoundary:
       if (!boundary_->advance(budget)) break;
-      out_.boundary = boundary_->take();
-      boundary_.reset();
-      surface_ = out_.boundary;
-      surface_.points = mesh_.points;
-      verifier_.emplace(mesh_, surface_);
-      stage_ = Stage::kVerify;
+      takeBoundary();
       break;
     case Stage::kVerify:
       if (!verifier_->advance(budget)) break;
@@ -146,7 +144,8 @@ MeshInspector::Impl::Stage MeshInspector::Impl::readNodes() {
 }
 
 bool MeshInspector::Impl::measureElements(std::uint32_t budget) {
-  const std::size_t last = std::min<std::size_t>(out_.tetrahedra, nextElement_ + budget);
+  const std::size_t last =
+      nextElement_ + std::min<std::size_t>(out_.tetrahedra - nextElement_, budget);
   for (; nextElement_ < last; ++nextElement_) {
     turnElement(mesh_, nextElement_, out_);
     measureEdges(nextElement_);
@@ -169,6 +168,18 @@ void MeshInspector::Impl::measureEdges(std::size_t element) {
   }
 }
 
+void MeshInspector::Impl::takeBoundary() {
+  out_.boundary = boundary_->take();
+  const std::vector<std::uint32_t> walls = boundary_->takeWalls();
+  boundary_.reset();
+  withWalls_.triangles = out_.boundary.triangles;
+  withWalls_.triangles.insert(withWalls_.triangles.end(), walls.begin(), walls.end());
+  surface_ = out_.boundary;
+  surface_.points = mesh_.points;
+  verifier_.emplace(mesh_, surface_);
+  stage_ = Stage::kVerify;
+}
+
 void MeshInspector::Impl::takeDefects() {
   const MeshDefects& defects = verifier_->defects();
   out_.repeatedTetrahedra = narrowed(defects.repeatedTetrahedra);
@@ -185,7 +196,7 @@ void MeshInspector::Impl::beginSurvey() {
     return;
   }
   field_ = SizeField::uniform(out_.meanEdge);
-  survey_.emplace(mesh_, out_.boundary, *field_);
+  survey_.emplace(mesh_, withWalls_, *field_);
   stage_ = Stage::kSurvey;
 }
 

@@ -72,7 +72,7 @@ QualitySurvey::QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface,
       surface_(surface),
       field_(field),
       isStretched_(field.isStretched()),
-      limits_(mesh.points, surface.points.size() / 3) {
+      limits_(mesh.points) {
   const std::size_t nodes = mesh.points.size() / 3;
   if (isStretched_) {
     tensors_.resize(nodes);
@@ -114,8 +114,14 @@ bool QualitySurvey::advance(std::uint32_t budget) {
       }
       break;
     case Stage::kBoundary:
-      if (slice(surface_.triangles.size() / 3, Stage::kDone,
+      if (slice(surface_.triangles.size() / 3, Stage::kLimits,
                 [&](std::size_t a, std::size_t b) { findBoundaryFaces(a, b); })) {
+        limits_.finish();
+      }
+      break;
+    case Stage::kLimits:
+      if (slice(missed_.size(), Stage::kDone,
+                [&](std::size_t a, std::size_t b) { findLimits(a, b); })) {
         finish();
       }
       break;
@@ -257,7 +263,7 @@ void QualitySurvey::startBoundary() {
 void QualitySurvey::findBoundaryFaces(std::size_t first, std::size_t last) {
   for (std::size_t h = first; h < last; ++h) {
     const std::span<const std::uint32_t, 3> nodes(&surface_.triangles[3 * h], 3);
-    if (concerned_[nodes[0]] + concerned_[nodes[1]] + concerned_[nodes[2]] >= 2) limits_.add(nodes);
+    if (concerned_[nodes[0]] + concerned_[nodes[1]] + concerned_[nodes[2]] > 0) limits_.add(nodes);
   }
 }
 
@@ -314,17 +320,18 @@ std::vector<ElementFigures> QualitySurvey::figuresOf(const std::vector<Ranked>& 
   return figures;
 }
 
-void QualitySurvey::finish() {
-  limits_.finish();
-  std::vector<Ranked> limited;
-  for (const Ranked& one : missed_) {
-    const auto nodes = nodesOf(one.element);
+void QualitySurvey::findLimits(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const auto nodes = nodesOf(missed_[i].element);
     const BoundaryLimit limit = limits_.limitOf(nodes, viewOf(nodes));
     count(limit);
-    if (limit != BoundaryLimit::kNone) keepWorst(limited, one);
+    if (limit != BoundaryLimit::kNone) keepWorst(worstLimited_, missed_[i]);
   }
+}
+
+void QualitySurvey::finish() {
   statistics_.worst = figuresOf(worst_);
-  statistics_.worstLimited = figuresOf(limited);
+  statistics_.worstLimited = figuresOf(worstLimited_);
   if (mesh_.tetrahedra.empty()) return;
   statistics_.smallest = figuresOf(smallest_);
   statistics_.volumeRatio = smallestVolume_ > 0.0 ? largestVolume_ / smallestVolume_ : 0.0;

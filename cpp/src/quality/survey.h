@@ -18,7 +18,8 @@ namespace tetrafront {
 
 class QualitySurvey {
  public:
-  /// `surface` is the boundary whose nodes are the mesh's first. All must outlive this.
+  /// `surface` has the triangles of the boundary and of walls; its nodes are the mesh's. All must
+  /// outlive this.
   QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface, const SizeField& field);
 
   /// Works on for about `budget` elements or nodes; true when finished. O(n); about 0.5 µs for
@@ -30,7 +31,15 @@ class QualitySurvey {
   [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
 
  private:
-  enum class Stage : std::uint8_t { kSizes, kElements, kPlaceEdges, kEdges, kBoundary, kDone };
+  enum class Stage : std::uint8_t {
+    kSizes,
+    kElements,
+    kPlaceEdges,
+    kEdges,
+    kBoundary,
+    kLimits,
+    kDone
+  };
 
   void askSizes(std::size_t first, std::size_t last);
   void measureElements(std::size_t first, std::size_t last);
@@ -39,6 +48,7 @@ class QualitySurvey {
   void findBoundaryFaces(std::size_t first, std::size_t last);
   void startEdges();
   void startBoundary();
+  void findLimits(std::size_t first, std::size_t last);
   void finish();
 
   [[nodiscard]] Vec3 pointOf(std::uint32_t node) const;
@@ -84,6 +94,7 @@ class QualitySurvey {
   std::uint32_t smallest_ = 0;
   std::vector<Ranked> worst_;
   std::vector<Ranked> missed_;
+  std::vector<Ranked> worstLimited_;
   std::vector<std::uint8_t> concerned_;  ///< nodes of those
   BoundaryLimits limits_;                ///< of those
 };

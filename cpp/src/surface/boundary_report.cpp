@@ -135,8 +135,8 @@ void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> ent
   finding.isCounted = false;
   Kind& kind = kinds_[code];
   ++kind.total;
-  // A drawn model has as many as patches; a given surface may have a million inverted shells.
-  if (!isDrawn() && kind.kept == kMaxOfAKind) return;
+  // A given surface may have a million inverted shells.
+  if (kind.kept == kMaxOfAKind) return;
   ++kind.kept;
   findings_.push_back(std::move(finding));
 }

@@ -190,26 +190,55 @@ class EdgeSet {
 
 }  // namespace
 
-std::vector<FilledHole> fillHoles(SurfaceMesh& mesh, std::uint32_t mostEdges) {
-  const EdgeTable edges(mesh.triangles, mesh.points.size() / 3, {});
-  EdgeSet existing(mesh);
-  std::vector<FilledHole> filled;
-  const std::vector<Rim> rims = RimWalk(mesh, edges).rims();
-  for (const Rim& rim : rims) {
-    if (rim.size() < 3 || rim.size() > mostEdges) continue;
-    const LeastArea least(mesh, rim,
-                          [&](std::uint32_t a, std::uint32_t b) { return existing.holds(a, b); });
-    if (!least.exists()) continue;
-    const auto first = static_cast<std::uint32_t>(mesh.triangles.size() / 3);
-    least.forEach([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-      mesh.triangles.insert(mesh.triangles.end(), {a, b, c});
-      existing.add(a, b);
-      existing.add(b, c);
-      existing.add(c, a);
-    });
-    filled.push_back({first, static_cast<std::uint32_t>(mesh.triangles.size() / 3) - first});
+class HoleFiller::Impl {
+ public:
+  Impl(SurfaceMesh& mesh, std::uint32_t mostEdges)
+      : mesh_(mesh), mostEdges_(mostEdges), existing_(mesh) {
+    const EdgeTable edges(mesh.triangles, mesh.points.size() / 3, {});
+    rims_ = RimWalk(mesh, edges).rims();
   }
-  return filled;
-}
+
+  bool advance(std::uint32_t budget) {
+    for (std::size_t edges = 0; edges < budget && next_ < rims_.size(); ++next_) {
+      edges += rims_[next_].size();
+      fill(rims_[next_]);
+    }
+    return next_ == rims_.size();
+  }
+
+  [[nodiscard]] const std::vector<FilledHole>& filled() const { return filled_; }
+
+ private:
+  void fill(const Rim& rim) {
+    if (rim.size() < 3 || rim.size() > mostEdges_) return;
+    const LeastArea least(mesh_, rim,
+                          [&](std::uint32_t a, std::uint32_t b) { return existing_.holds(a, b); });
+    if (!least.exists()) return;
+    const auto first = static_cast<std::uint32_t>(mesh_.triangles.size() / 3);
+    least.forEach([&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+      mesh_.triangles.insert(mesh_.triangles.end(), {a, b, c});
+      existing_.add(a, b);
+      existing_.add(b, c);
+      existing_.add(c, a);
+    });
+    filled_.push_back({first, static_cast<std::uint32_t>(mesh_.triangles.size() / 3) - first});
+  }
+
+  SurfaceMesh& mesh_;
+  std::uint32_t mostEdges_;
+  EdgeSet existing_;
+  std::vector<Rim> rims_;
+  std::size_t next_ = 0;
+  std::vector<FilledHole> filled_;
+};
+
+HoleFiller::HoleFiller(SurfaceMesh& mesh, std::uint32_t mostEdges)
+    : impl_(std::make_unique<Impl>(mesh, mostEdges)) {}
+HoleFiller::HoleFiller(HoleFiller&&) noexcept = default;
+HoleFiller& HoleFiller::operator=(HoleFiller&&) noexcept = default;
+HoleFiller::~HoleFiller() = default;
+
+bool HoleFiller::advance(std::uint32_t budget) { return impl_->advance(budget); }
+const std::vector<FilledHole>& HoleFiller::filled() const { return impl_->filled(); }
 
 }  // namespace tetrafront

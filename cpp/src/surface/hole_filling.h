@@ -3,6 +3,7 @@
 /// @file Closes small holes of a surface without new nodes.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tetrafront/mesh.h"
@@ -14,11 +15,27 @@ struct FilledHole {
   std::uint32_t triangles = 0;
 };
 
-/// Appends triangles that close the holes of at most `mostEdges` edges: of all triangulations of a
-/// hole without new nodes, without triangles of no area and without edges that exist elsewhere, the
-/// one of least area (Barequet & Sharir 1995); where there is none the hole stays. They are turned as
-/// a triangle at the hole's edge is. O(n log n), and O(edges^3) for each hole. Triangles with a
-/// repeated node should be gone: what they have for edges counts as open.
-std::vector<FilledHole> fillHoles(SurfaceMesh& mesh, std::uint32_t mostEdges);
+/// Closes the holes of at most `mostEdges` edges, in slices: of all triangulations of a hole without
+/// new nodes, without triangles of no area and without edges that exist elsewhere, by the one of least
+/// area (Barequet & Sharir 1995); where there is none the hole stays. New triangles are turned as one
+/// at the hole's edge is. O(n log n), and O(edges^3) for each hole.
+class HoleFiller {
+ public:
+  /// Finds the holes. Triangles are appended to `mesh`, which must outlive this. Those with a repeated
+  /// node should be gone: what they have for edges counts as open.
+  HoleFiller(SurfaceMesh& mesh, std::uint32_t mostEdges);
+  HoleFiller(HoleFiller&&) noexcept;
+  HoleFiller& operator=(HoleFiller&&) noexcept;
+  ~HoleFiller();
+
+  /// Works on holes of about `budget` edges together; true when finished.
+  bool advance(std::uint32_t budget);
+
+  [[nodiscard]] const std::vector<FilledHole>& filled() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace tetrafront

@@ -32,7 +32,8 @@ class SurfaceRepairer::Impl {
   bool advance(std::uint32_t budget);
 
   [[nodiscard]] double fraction() const {
-    return static_cast<double>(stage_) / static_cast<double>(Stage::kDone);
+    const double within = check_ ? check_->fraction() : 0.0;
+    return (static_cast<double>(stage_) + within) / static_cast<double>(Stage::kDone);
   }
   [[nodiscard]] const SurfaceRepair& result() const { return result_; }
 
@@ -56,10 +57,10 @@ class SurfaceRepairer::Impl {
   bool step(std::uint32_t budget);
   [[nodiscard]] Stage nextStage() const;
 
-  /// Whether coordinates and indices are such that anything can be repaired.
-  bool checkNumbersOnce();
+  /// Where coordinates or indices are broken, the result is what was given.
+  void refuseBrokenNumbers();
   bool weld(std::uint32_t budget);
-  void fill();
+  bool fill(std::uint32_t budget);
   bool turn(std::uint32_t budget);
   /// With the nodes that are used only, in their order.
   void take();
@@ -94,6 +95,7 @@ class SurfaceRepairer::Impl {
   std::vector<std::uint8_t> isWelded_;  ///< nodes that are others now
   std::vector<RepairChange> changes_;
   std::optional<NodeWelder> welder_;
+  std::optional<HoleFiller> filler_;
   SurfaceMesh outward_;  ///< turned by the boundary check
   std::optional<BoundaryCheck> check_;
   SurfaceRepair result_;
@@ -107,7 +109,8 @@ bool SurfaceRepairer::Impl::advance(std::uint32_t budget) {
 bool SurfaceRepairer::Impl::step(std::uint32_t budget) {
   switch (stage_) {
     case Stage::kNumbers:
-      return checkNumbersOnce();
+      refuseBrokenNumbers();
+      return true;
     case Stage::kWeld:
       return weld(budget);
     case Stage::kRepeating:
@@ -124,8 +127,7 @@ bool SurfaceRepairer::Impl::step(std::uint32_t budget) {
       removeSlivers();
       return true;
     case Stage::kFill:
-      fill();
-      return true;
+      return fill(budget);
     case Stage::kTurn:
       return turn(budget);
     case Stage::kTake:
@@ -165,15 +167,14 @@ SurfaceRepairer::Impl::Stage SurfaceRepairer::Impl::nextStage() const {
   }
 }
 
-bool SurfaceRepairer::Impl::checkNumbersOnce() {
+void SurfaceRepairer::Impl::refuseBrokenNumbers() {
   BoundaryReport report(mesh_, BoundarySource::kGivenSurface);
   checkNumbers(mesh_, report);
   result_.diagnostics = report.take();
-  if (result_.diagnostics.empty()) return true;
+  if (result_.diagnostics.empty()) return;
   result_.points = std::move(mesh_.points);
   result_.triangles = std::move(mesh_.triangles);
   result_.origin = std::move(origin_);
-  return true;
 }
 
 void SurfaceRepairer::Impl::addAt(RepairKind kind, std::uint32_t triangle, std::uint32_t second) {
@@ -259,9 +260,10 @@ void SurfaceRepairer::Impl::removeDuplicates() {
   keep(isGone);
 }
 
-void SurfaceRepairer::Impl::fill() {
-  const std::uint32_t mostEdges = std::min(options_.fillsUpTo, kMostHoleEdges);
-  for (const FilledHole& hole : fillHoles(mesh_, mostEdges)) {
+bool SurfaceRepairer::Impl::fill(std::uint32_t budget) {
+  if (!filler_) filler_.emplace(mesh_, std::min(options_.fillsUpTo, kMostHoleEdges));
+  if (!filler_->advance(budget)) return false;
+  for (const FilledHole& hole : filler_->filled()) {
     Vec3 place(0.0);
     for (std::uint32_t t = 0; t < hole.triangles; ++t) {
       const std::array<Vec3, 3> p = cornersOf(mesh_, hole.firstTriangle + t);
@@ -270,6 +272,8 @@ void SurfaceRepairer::Impl::fill() {
     add(RepairKind::kFilledHole, hole.firstTriangle, hole.triangles, place);
   }
   origin_.resize(triangleCount(), kNoOrigin);
+  filler_.reset();
+  return true;
 }
 
 /// As the boundary check does it; where that refuses, triangles at least agree with each other.

@@ -110,7 +110,7 @@ bool NodeWelder::advance(std::uint32_t budget) {
     targets_.reserve(count);
     return count == 0;
   }
-  const std::size_t last = std::min(count, targets_.size() + budget);
+  const std::size_t last = targets_.size() + std::min<std::size_t>(count - targets_.size(), budget);
   while (targets_.size() < last) {
     const auto node = static_cast<std::uint32_t>(targets_.size());
     targets_.push_back(targetOf(node));
