@@ -39,7 +39,7 @@ import {
   type EntityNamer,
 } from "./project-arrays.js";
 import type { Project, ProjectBackground } from "./project-schema.js";
-import type { Answers, EngineResult, Question, Reply, Request } from "./protocol.js";
+import type { Answers, EngineResult, Question, Reply, Request, SlicedKind } from "./protocol.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { buffersOf } from "./transfer.js";
 import type {
@@ -436,9 +436,15 @@ class WorkerMesher implements Mesher {
   }
 }
 
+const SLICED: Readonly<Record<SlicedKind, true>> = {
+  "inspect-surface": true,
+  "repair-surface": true,
+  "inspect-mesh": true,
+};
+
 /** Hears a cancel while it is answered. */
 function isSliced({ kind }: Question): boolean {
-  return kind === "inspect-surface" || kind === "repair-surface" || kind === "inspect-mesh";
+  return kind in SLICED;
 }
 
 /** Throws where there is anything in the list; the message is that of the first. */

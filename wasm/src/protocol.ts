@@ -48,7 +48,7 @@ export interface EngineRepairOptions {
 
 /** Asked for at once and answered by one `answer` or `failure`, also while a run is under way. */
 export type Question =
-  /** `size`: the uniform one to mesh with, 0 for none. */
+  /** `options`: those to mesh with. */
   | {
       readonly kind: "preview";
       readonly id: number;

@@ -151,6 +151,21 @@ describe("a polygon is cut into triangles", () => {
       ],
     ],
     [
+      "a band that overlaps itself",
+      [
+        [0, 0],
+        [4, 0],
+        [4, 3],
+        [1, 3],
+        [1, -1],
+        [2, -1],
+        [2, 2],
+        [3, 2],
+        [3, 1],
+        [0, 1],
+      ],
+    ],
+    [
       "corners on one line",
       [
         [0, 0],

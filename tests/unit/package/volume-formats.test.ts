@@ -129,7 +129,7 @@ ${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}<
     const piece = /<Piece.*<\/Piece>/s.exec(file)?.[0] ?? "";
     const unnamed = piece.replace('Name="direction"', 'Name="other"');
     const empty = `<Piece NumberOfPoints="0" NumberOfCells="0"></Piece>`;
-    const twice = file.replace(piece, `${piece}${empty}${unnamed}`);
+    const twice = file.replace(piece, `${empty}${piece}${empty}${unnamed}`);
     const options = { fileName: "a.vtu" };
     const encoded = (content: string) => new TextEncoder().encode(content);
     const one = await readMesh(encoded(file), options);

@@ -33,7 +33,9 @@ export function addPolygon(corners: readonly number[], points: Coordinates, tria
     return true;
   }
   if (corners.length > MOST_CORNERS) return false;
-  const ears = clippedEars(flattened(corners, points));
+  const places = flattened(corners, points);
+  if (crossesItself(places)) return false;
+  const ears = clippedEars(places);
   if (ears === undefined) return false;
   for (const corner of ears) triangles.push(corners[corner] ?? 0);
   return true;
@@ -62,6 +64,20 @@ function flattened(corners: readonly number[], points: Coordinates): readonly Pl
     const [first, second] = [place[u] ?? 0, place[v] ?? 0];
     return isSeenFromBehind ? [second, first] : [first, second];
   });
+}
+
+/** Whether two edges cross within both; ears would be found all the same, one over another. */
+function crossesItself(places: readonly Place[]): boolean {
+  const edges = places.map((place, i): readonly [Place, Place] => [places.at(i - 1) ?? place, place]);
+  return edges.some(([a, b], i) =>
+    edges.some(([c, d], j) => j < i && isBetween(a, b, c, d) && isBetween(c, d, a, b)),
+  );
+}
+
+/** Whether the line through a and b has c on one side and d on the other. */
+function isBetween(a: Place, b: Place, c: Place, d: Place): boolean {
+  const [left, right] = [turn(a, b, c), turn(a, b, d)];
+  return (left > 0 && right < 0) || (left < 0 && right > 0);
 }
 
 /** Positions of corners, three for each triangle, counter-clockwise; undefined where no ear is left. */

@@ -94,11 +94,11 @@ function addPoints(piece: Piece, numbers: Numbers, builder: MeshBuilder): void {
   }
 }
 
-/** What all pieces have under one name, piece after piece. */
+/** What all pieces that tell anything of their nodes have under one name, piece after piece. */
 function addPointData(pieces: readonly Piece[], numbers: Numbers, builder: MeshBuilder): void {
-  const [first, ...others] = pieces.map(pointArrays);
-  for (const [name, found] of first ?? []) {
-    const parts = [found, ...others.map((arrays) => arrays.get(name))];
+  const told = pieces.map(pointArrays);
+  for (const [name, found] of told.find(({ size }) => size > 0) ?? []) {
+    const parts = told.map((arrays) => arrays.get(name));
     const values = joinedNumbers(parts.map((part) => (part === undefined ? NO_NUMBERS : numbers(part))));
     const components = Number(found.attributes.get("NumberOfComponents") ?? 1);
     if (values.length === components * builder.pointCount) builder.nodeData.set(name, { components, values });
