@@ -13,7 +13,8 @@ const scope = globalThis as unknown as WorkerScope;
 scope.onmessage = ({ data }) => {
   write(data).then(
     (files) => scope.postMessage({ files }),
-    (failure: unknown) => scope.postMessage({ failure: String(failure) }),
+    (failure: unknown) =>
+      scope.postMessage({ failure: failure instanceof Error ? failure.message : String(failure) }),
   );
 };
 

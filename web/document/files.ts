@@ -16,6 +16,15 @@ const isAbort = (error: unknown): boolean => error instanceof DOMException && er
 
 /** Reads a project file, from the dialog or dropped on the page. */
 export async function readProjectFile(file: File): Promise<OpenResult> {
+  try {
+    return await projectIn(file);
+  } catch (error) {
+    // A folder, say, or a part of the app that does not come.
+    return { kind: "failed", fileName: file.name, reasons: [String(error)] };
+  }
+}
+
+async function projectIn(file: File): Promise<OpenResult> {
   const mesh = await meshFileReasons(file.name);
   if (mesh !== undefined) return { kind: "failed", fileName: file.name, reasons: mesh };
   const read = readProject(await file.text());

@@ -45,19 +45,20 @@ export class MeshSurvey {
     question: Question & { readonly kind: Kind },
   ): Promise<Answers[Kind]> {
     return new Promise((resolve, reject) => {
+      this.#show(mesh);
       const id = ++this.#lastId;
       this.#asked.set(id, { resolve: (answer) => resolve(answer as Answers[Kind]), reject });
-      this.#show(mesh);
       this.#post({ kind: "question", id, question });
     });
   }
 
   #show(mesh: Surveyed): void {
     if (this.#held === mesh) return;
-    this.#held = mesh;
     const { points, tetrahedra, regions } = mesh;
     const { copy, buffers } = handedOver({ points, tetrahedra, regions });
     this.#post({ kind: "mesh", mesh: copy }, buffers);
+    // Not before: there may be no memory for the copy.
+    this.#held = mesh;
   }
 
   #post(request: Request, transfer: Transferable[] = []): void {

@@ -170,16 +170,18 @@ export class MeshLayer implements SceneLayer {
   /** Asks until the last answer is what is wanted by then. */
   async #update(): Promise<void> {
     this.#asking = true;
+    let wanted = this.#wanted;
     try {
       while (!this.isCurrent) {
-        const wanted = this.#wanted;
+        wanted = this.#wanted;
         const { volume, ...look } = wanted;
         if (!volume) break;
         const faces = await this.#survey.facesOf(volume, look);
         if (volume === this.#wanted.volume) this.#show({ wanted, faces });
       }
     } catch (failure) {
-      this.#show({ wanted: this.#wanted, faces: null });
+      // What has been wanted since is asked for next.
+      this.#show({ wanted, faces: null });
       this.#events.onFailure(failure instanceof Error ? failure.message : String(failure));
     } finally {
       this.#asking = false;
