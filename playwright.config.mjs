@@ -1,4 +1,5 @@
 import { defineConfig } from "@playwright/test";
+import { jobs } from "./scripts/lib/run.mjs";
 import { findChromium } from "./scripts/lib/tools.mjs";
 
 const port = Number(process.env.TETRAFRONT_E2E_PORT ?? 4179);
@@ -7,7 +8,8 @@ const port = Number(process.env.TETRAFRONT_E2E_PORT ?? 4179);
 export default defineConfig({
   testDir: "tests/e2e",
   outputDir: "test-results",
-  workers: 1,
+  // Files side by side; more of them than two get in each other's way, each with a worker and a renderer of its own.
+  workers: Math.min(jobs, 2),
   fullyParallel: false,
   forbidOnly: true,
   timeout: 120_000,

@@ -8,7 +8,7 @@ import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
 import { bundlePages, dropOrphans, minifyLoader, writeProjectSchema } from "./lib/package-files.mjs";
 import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
 import { jobs, main, must, say, UserError } from "./lib/run.mjs";
-import { which } from "./lib/tools.mjs";
+import { findFuzzer, which } from "./lib/tools.mjs";
 import { setup } from "./setup.mjs";
 
 const bin = (name) => inRoot("node_modules", ".bin", name);
@@ -62,14 +62,16 @@ export const steps = {
     await configureNative(buildFolders.asan, compiler, [
       "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
       // Without NDEBUG: our own assertions and the library's are part of this build.
-      "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g -D_GLIBCXX_ASSERTIONS",
+      "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -D_GLIBCXX_ASSERTIONS",
       "-DTETRAFRONT_APPS=OFF",
       "-DTETRAFRONT_SANITIZE=address,undefined",
     ]);
     await must("ninja", [`-j${jobs}`, "-C", buildFolders.asan], { quietOut: true });
   },
-  /** The targets of libFuzzer; the compiler is a clang that has it. */
-  async fuzzer({ compiler }) {
+  /** The targets of libFuzzer, where there is a clang that has it. */
+  async fuzzer() {
+    const compiler = findFuzzer();
+    if (compiler === undefined) return;
     await configureNative(buildFolders.fuzz, compiler, [
       "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
       "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -gline-tables-only",

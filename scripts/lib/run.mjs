@@ -7,6 +7,20 @@ import { root } from "./paths.mjs";
 /** How many processes at once: the processors there are, or TETRAFRONT_JOBS where they are shared. */
 export const jobs = Number(process.env.TETRAFRONT_JOBS) || availableParallelism();
 
+/** What `work` answers for each item, in their order; `jobs` items at a time. */
+export async function inParallel(items, work) {
+  const answers = Array.from(items, () => undefined);
+  const queue = [...items.entries()];
+  const worker = async () => {
+    for (let next = queue.shift(); next !== undefined; next = queue.shift()) {
+      const [at, item] = next;
+      answers[at] = await work(item);
+    }
+  };
+  await Promise.all(Array.from({ length: jobs }, worker));
+  return answers;
+}
+
 /** Something the user must read and act on: printed without a stack. */
 export class UserError extends Error {}
 

@@ -4,32 +4,39 @@ import path from "node:path";
 import { formatCpp, formatScript } from "../format.mjs";
 import { wrongIncludes } from "./arrows.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
+import { fuzzSurfaces } from "./fuzzer.mjs";
 import { untestedOracles } from "./oracles.mjs";
 import { buildFolders, inRoot, reports } from "./paths.mjs";
-import { jobs, run } from "./run.mjs";
+import { inParallel, jobs, run } from "./run.mjs";
 import { tidy } from "./tidy.mjs";
+import { findFuzzer } from "./tools.mjs";
 
 const bin = (name) => inRoot("node_modules", ".bin", name);
 const report = (name) => path.join(reports, `${name}.json`);
 
+/** Longer with `npm run fuzz`. */
+const FUZZ_SECONDS = 60;
+
 /** A static check counts as one test. */
 const check = (ok, name) => ({ passed: ok ? 1 : 0, failed: ok ? 0 : 1, failures: ok ? [] : [name] });
 
-/** The C++ tests run in `jobs` processes; each takes every n-th test. */
+/** Some tests take long; with more parts than processors one of these is not left with all of them. */
+const PARTS_PER_JOB = 8;
+
+/** The C++ tests in parts, each with every n-th of them; `jobs` parts run at a time. */
 async function cpp(folder, name, env) {
   const program = path.join(folder, "tetrafront_tests");
-  const shards = await Promise.all(
-    Array.from({ length: jobs }, async (_, shard) => {
-      const file = report(`${name}-${shard}`);
-      const sharding = { GTEST_TOTAL_SHARDS: `${jobs}`, GTEST_SHARD_INDEX: `${shard}` };
-      await run(program, ["--gtest_brief=1", `--gtest_output=json:${file}`], {
-        env: { ...env, ...sharding },
-        quietOut: true,
-      });
-      return countGoogleTest(file);
-    }),
-  );
-  return sum(shards);
+  const parts = Array.from({ length: PARTS_PER_JOB * jobs }, (_, part) => part);
+  const counts = await inParallel(parts, async (part) => {
+    const file = report(`${name}-${part}`);
+    const sharding = { GTEST_TOTAL_SHARDS: `${parts.length}`, GTEST_SHARD_INDEX: `${part}` };
+    await run(program, ["--gtest_brief=1", `--gtest_output=json:${file}`], {
+      env: { ...env, ...sharding },
+      quietOut: true,
+    });
+    return countGoogleTest(file);
+  });
+  return sum(counts);
 }
 
 /** Asks the system for a port nobody listens on. */
@@ -110,6 +117,21 @@ export const suites = {
     title: "C++ tests (ASan + UBSan)",
     needs: ["sanitized"],
     run: () => cpp(buildFolders.asan, "cpp-sanitized", { UBSAN_OPTIONS: "print_stacktrace=1" }),
+  },
+  fuzz: {
+    title: "surfaces found by coverage",
+    needs: ["fuzzer"],
+    async run() {
+      if (findFuzzer() === undefined) return sum([]);
+      const status = await fuzzSurfaces({ count: -1, seconds: FUZZ_SECONDS });
+      return check(status === 0, "libFuzzer found a surface that the engine does not survive");
+    },
+    untested: () =>
+      findFuzzer() === undefined
+        ? [
+            "NOT TESTED what libFuzzer finds (ruined surfaces from a seed were): install clang with its runtime",
+          ]
+        : [],
   },
   e2e: {
     title: "end-to-end tests",

@@ -3,7 +3,7 @@ import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { buildFolders, glmFolder, inRoot, root } from "./paths.mjs";
-import { jobs, say } from "./run.mjs";
+import { inParallel, say } from "./run.mjs";
 import { findTidy } from "./tools.mjs";
 
 /**
@@ -17,19 +17,16 @@ export async function tidy() {
     .filter((file) => file.startsWith(inRoot("cpp") + path.sep));
   const headers = filesUnder([inRoot("cpp")]).filter((file) => file.endsWith(".h"));
   const shared = hashOf([inRoot(".clang-tidy"), inRoot("cpp", "CMakeLists.txt"), ...headers]);
-  const queue = [...new Set(sources)].sort();
-  const bad = [];
-  const worker = async () => {
-    for (let file = queue.shift(); file !== undefined; file = queue.shift()) {
-      const stamp = inRoot("build", "tidy", path.relative(root, file).replaceAll(path.sep, "__"));
-      const hash = `${program} ${shared} ${hashOf([file])}`;
-      if (isFresh(stamp, hash)) continue;
-      if (await isTidy(program, file)) markFresh(stamp, hash);
-      else bad.push(path.relative(root, file));
-    }
-  };
-  await Promise.all(Array.from({ length: jobs }, worker));
-  return bad.sort();
+  const files = [...new Set(sources)].sort();
+  const bad = await inParallel(files, async (file) => {
+    const stamp = inRoot("build", "tidy", path.relative(root, file).replaceAll(path.sep, "__"));
+    const hash = `${program} ${shared} ${hashOf([file])}`;
+    if (isFresh(stamp, hash)) return [];
+    if (!(await isTidy(program, file))) return [path.relative(root, file)];
+    markFresh(stamp, hash);
+    return [];
+  });
+  return bad.flat();
 }
 
 /** Where clang-tidy reads how files are compiled. */

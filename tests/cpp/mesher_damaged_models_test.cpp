@@ -266,7 +266,7 @@ Damaged damaged(std::uint64_t seed) {
 }
 
 TEST(DamagedModels, ThePreviewNamesWhatIsWrong) {
-  constexpr std::uint64_t kModels = 3000;
+  constexpr std::uint64_t kModels = 1000;
   int sound = 0;
   for (std::uint64_t seed = 0; seed < kModels; ++seed) {
     const Damaged input = damaged(seed);
