@@ -170,7 +170,8 @@ bool isInFront(const Vec3& n, const Vec3& x, const Vec3& p) {
 
 /// Of a plane through x that has a and b strictly in front, a by little; zero if not proven.
 Vec3 planeBesides(const Vec3& x, const Vec3& a, const Vec3& b) {
-  /// Sectors of needles are narrow: the plane must not turn away from its side by as much.
+  /// In radians: far above rounding (2^-50), so that a is proven in front, and far below the angles of
+  /// needles. Where it is too much nothing is proven, and the exact test decides.
   constexpr double kTurn = 1e-10;
   const Vec3 u = (a - x) * (1.0 / glm::length(a - x));
   const Vec3 v = (b - x) * (1.0 / glm::length(b - x));

@@ -54,7 +54,9 @@ class CommonPoints {
   [[nodiscard]] Vec3 mean() const { return count_ > 0.0 ? sum_ / count_ : nearest_; }
 
  private:
-  static constexpr double kRounding = 1e-10;  ///< of the longest side
+  /// Points this near to both triangles, of their longest side, count as shared: the places come from
+  /// divisions by small angles, which cost some digits of 16. It chooses a place to show, no topology.
+  static constexpr double kRounding = 1e-10;
   const Triangle& a_;
   const Triangle& b_;
   double near_;
