@@ -92,6 +92,20 @@ test("Ctrl K pressed before the palette is there opens it when it is", async ({ 
   await expect(page.getByRole("switch", { name: "Cut" })).not.toBeChecked();
 });
 
+test("keys stay the commands' when the palette's part of the app does not come", async ({ page }) => {
+  await page.route(/overlays-.*\.js$/, (route) => route.abort());
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.keyboard.press("Control+k");
+  await expect(page.getByRole("alert")).toContainText("could not be loaded");
+  const cut = page.getByRole("switch", { name: "Cut" });
+  await page.keyboard.press("x");
+  await expect(cut).toBeChecked();
+  await page.keyboard.press("Control+k");
+  await page.keyboard.press("x");
+  await expect(cut).not.toBeChecked();
+});
+
 test("the palette finds a command by its words in any order", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();

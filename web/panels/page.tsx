@@ -6,6 +6,7 @@ import { AppContext } from "./app-context";
 import { PageLayout } from "./layout";
 import { PanelBoundary } from "./panel-boundary";
 import { fetchAhead } from "./later";
+import { losePalette } from "./palette";
 import { useCommandHotkeys } from "./use-hotkeys";
 
 const Overlays = lazy(() => import("./overlays"));
@@ -19,7 +20,7 @@ export function Page({ app }: { readonly app: App }) {
   return (
     <AppContext value={app}>
       <PageLayout />
-      <PanelBoundary>
+      <PanelBoundary onFailed={losePalette}>
         <Overlays />
       </PanelBoundary>
       {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}

@@ -4,6 +4,15 @@ import { createSpotlight } from "@mantine/spotlight";
 export const [paletteStore, palette] = createSpotlight();
 
 /** Also while an opened palette is still on its way: what is typed then is meant for it. */
+/** Its part of the app did not come. */
+let isLost = false;
+
+/** Without its part of the app the palette stays shut, and keys are the commands' again. */
+export function losePalette(): void {
+  isLost = true;
+  palette.close();
+}
+
 export const isPaletteOpen = (): boolean => paletteStore.getState().opened;
 
 /**
@@ -13,7 +22,7 @@ export const isPaletteOpen = (): boolean => paletteStore.getState().opened;
 export function listenForPalette(): void {
   window.addEventListener("keydown", (event) => {
     const isOnly = (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && !event.repeat;
-    if (!isOnly || event.key.toLowerCase() !== "k") return;
+    if (isLost || !isOnly || event.key.toLowerCase() !== "k") return;
     event.preventDefault();
     palette.toggle();
   });

@@ -4,6 +4,7 @@ import { strings } from "../ui/strings";
 
 interface PanelBoundaryProps {
   readonly children: ReactNode;
+  readonly onFailed?: () => void;
 }
 
 interface PanelBoundaryState {
@@ -16,6 +17,10 @@ export class PanelBoundary extends Component<PanelBoundaryProps, PanelBoundarySt
 
   static getDerivedStateFromError(): PanelBoundaryState {
     return { failed: true };
+  }
+
+  override componentDidCatch(): void {
+    this.props.onFailed?.();
   }
 
   override render(): ReactNode {

@@ -10,7 +10,6 @@ import { useHistogram } from "./use-histogram";
 
 /** Bars of the histogram. */
 const barCount = 20;
-const emptyBars: readonly number[] = Array<number>(barCount).fill(0);
 const axisShares = [0, 0.25, 0.5, 0.75, 1];
 
 function valueText(measure: QualityMeasure, value: number): string {
@@ -51,7 +50,7 @@ export function QualityPanel() {
             {measureNames[measure]}
           </Text>
           <HistogramChart
-            bars={histogram?.bars ?? emptyBars}
+            bars={histogram?.bars ?? null}
             end={bestValue[measure]}
             marks={axisShares.map((share) => share * bestValue[measure])}
             testId="quality-histogram"

@@ -1,7 +1,8 @@
 import { formatCount, formatShort } from "./format";
 
 export interface HistogramChartProps {
-  readonly bars: readonly number[];
+  /** Null while nobody knows them. */
+  readonly bars: readonly number[] | null;
   /** The value at which the last bar ends; the first begins at 0. */
   readonly end: number;
   /** Values written below the bars, ascending, the first 0 and the last `end`. */
@@ -19,16 +20,23 @@ const leastHeight = 1.5;
 
 /** Bars in the colours of the view. Each carries its numbers for the mouse and for screen readers. */
 export function HistogramChart({ bars, end, marks, label, colorOf, describe, testId }: HistogramChartProps) {
-  const highest = Math.max(1, ...bars);
+  const known = bars ?? [];
+  const highest = Math.max(1, ...known);
   return (
     <div className="tf-histogram" data-testid={testId}>
       <span className="tf-histogram-top" aria-hidden>
-        {formatCount(highest)}
+        {bars && formatCount(highest)}
       </span>
-      <div className="tf-histogram-bars" role="list" aria-label={label} style={{ height }}>
-        {bars.map((count, index) => {
-          const from = (index / bars.length) * end;
-          const to = ((index + 1) / bars.length) * end;
+      <div
+        className="tf-histogram-bars"
+        role="list"
+        aria-label={label}
+        aria-busy={bars === null}
+        style={{ height }}
+      >
+        {known.map((count, index) => {
+          const from = (index / known.length) * end;
+          const to = ((index + 1) / known.length) * end;
           const text = describe(count, from, to);
           return (
             <div key={from} role="listitem" aria-label={text} title={text} data-testid={`bar-${index}`}>

@@ -8,6 +8,7 @@ import { prepareShaders } from "./shaders";
 export class ViewCube {
   readonly #gizmo: ViewportGizmo;
   readonly #fixed: GizmoOptions;
+  readonly #life = new AbortController();
 
   constructor(
     camera: PerspectiveCamera,
@@ -36,12 +37,13 @@ export class ViewCube {
       this.#gizmo.update(false);
     });
     let wasOver = false;
-    options.container.addEventListener("pointermove", ({ target }) => {
+    const light = ({ target }: PointerEvent): void => {
       // What is not above the picture may be above the cube, which lights up.
       const isOver = !(target instanceof HTMLCanvasElement);
       if (isOver || wasOver) options.onChange();
       wasOver = isOver;
-    });
+    };
+    options.container.addEventListener("pointermove", light, { signal: this.#life.signal });
   }
 
   /** Resolves when its shaders are there. */
@@ -66,6 +68,7 @@ export class ViewCube {
   }
 
   dispose(): void {
+    this.#life.abort();
     this.#gizmo.dispose();
   }
 }
