@@ -20,7 +20,7 @@ export function Page({ app }: { readonly app: App }) {
   return (
     <AppContext value={app}>
       <PageLayout />
-      <PanelBoundary onFailed={losePalette}>
+      <PanelBoundary floats onFailed={losePalette}>
         <Overlays />
       </PanelBoundary>
       {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}

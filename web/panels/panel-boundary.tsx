@@ -5,6 +5,8 @@ import { strings } from "../ui/strings";
 interface PanelBoundaryProps {
   readonly children: ReactNode;
   readonly onFailed?: () => void;
+  /** It is no panel with a place of its own: what is told stands above the page. */
+  readonly floats?: boolean;
 }
 
 interface PanelBoundaryState {
@@ -26,7 +28,7 @@ export class PanelBoundary extends Component<PanelBoundaryProps, PanelBoundarySt
   override render(): ReactNode {
     if (!this.state.failed) return <Suspense fallback={null}>{this.props.children}</Suspense>;
     return (
-      <div className="tf-pad" role="alert">
+      <div className={this.props.floats ? "tf-floating-alert" : "tf-pad"} role="alert">
         <Text size="sm" mb={8}>
           {strings.messages.partFailed}
         </Text>

@@ -92,6 +92,7 @@ export function QualityPanel() {
       {measured && (
         <Button
           size="compact-sm"
+          mt={10}
           variant="default"
           data-testid="all-figures"
           onClick={() => app.shell.setState({ rightTab: "quality" })}

@@ -418,8 +418,7 @@ export const strings = {
     galleryFailed: "The examples could not be loaded",
     engineFailed: "The mesher failed",
     notDrawn: "The mesh could not be drawn",
-    partFailed:
-      "This part of the app could not be loaded. Your model is safe; reload when there is a network.",
+    partFailed: "Part of the app could not be loaded. Your model is safe; reload when there is a network.",
     reload: "Reload",
     downloadFailed: "The mesh could not be written",
     close: "Close",
