@@ -50,6 +50,17 @@ export function splitPattern(
 /** Stands for the input's name without folder and extension, in the name of an output. */
 const NAME = "{name}";
 
+/** Throws a FileProblem where the name of an output has something in braces that stands for nothing. */
+export function checkPlaceholders(output: string, known: readonly string[] = [NAME]): void {
+  const unknown = output.match(/\{[^{}]*\}/g)?.find((word) => !known.includes(word));
+  if (unknown === undefined) return;
+  const remedy =
+    known.length === 0
+      ? "Give a name without braces: there is one report for all inputs."
+      : `Give ${known.join(" or ")}, the input's name without folder and extension, or no braces.`;
+  throw new FileProblem(output, `${unknown} stands for nothing here`, remedy);
+}
+
 /** Where the output of one of many inputs goes. Throws a FileProblem where the name cannot tell them apart. */
 export function outputFor(input: string, output: string): string {
   if (output.includes(NAME)) return output.replaceAll(NAME, nameOf(input));
@@ -65,13 +76,6 @@ function nameOf(file: string): string {
   return name.slice(0, name.length - extensionOf(name).length) || name;
 }
 
-/** Throws a FileProblem where two inputs have one output. */
-export function checkDistinct(outputs: readonly string[]): void {
-  const twice = outputs.find((output, i) => outputs.indexOf(output) < i);
-  if (twice === undefined) return;
-  throw new FileProblem(twice, "two inputs would go into this output", "Rename one, or mesh them apart.");
-}
-
 export interface Task {
   readonly input: string;
   readonly args: readonly string[];
@@ -84,7 +88,10 @@ export interface TaskResult {
   readonly stdout: string;
 }
 
-/** Runs the tasks, `jobs` at a time; messages come together for each task as it ends. In the order of the tasks. */
+/**
+ * Runs the tasks, `jobs` at a time. Results and messages come in the order of the tasks: those of one wait until
+ * all before it have ended.
+ */
 export async function runTasks(
   tasks: readonly Task[],
   jobs: number,
@@ -92,17 +99,25 @@ export async function runTasks(
 ): Promise<TaskResult[]> {
   const results: TaskResult[] = [];
   const bar = process.stderr.isTTY && !isQuiet ? new BatchBar(tasks.length) : undefined;
+  const messages: string[] = [];
   let next = 0;
+  let told = 0;
+  const tellInOrder = () => {
+    for (let said = messages[told]; said !== undefined; said = messages[++told]) {
+      if (said === "") continue;
+      if (bar === undefined) process.stderr.write(said);
+      else bar.say(said);
+    }
+  };
   const work = async () => {
     for (let at = next++; at < tasks.length; at = next++) {
       const task = tasks[at];
       if (task === undefined) return;
       const { stderr, ...result } = await runTask(task);
       results[at] = result;
+      messages[at] = stderr;
       bar?.advance();
-      if (stderr === "") continue;
-      if (bar === undefined) process.stderr.write(stderr);
-      else bar.say(stderr);
+      tellInOrder();
     }
   };
   await Promise.all(Array.from({ length: Math.min(jobs, tasks.length) }, work));

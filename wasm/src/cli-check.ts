@@ -1,4 +1,5 @@
 /** `tetrafront check`: everything that is wrong with a project, a surface or a mesh, without meshing it. */
+import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
@@ -45,7 +46,7 @@ export async function checkFile(input: string, options: CheckCommandOptions): Pr
   const isQuiet = options.quiet === true;
   if (options.json === true) {
     const { subject: _, ...told } = { subject: "", ...findings };
-    process.stdout.write(`${JSON.stringify({ input, errors, ...told }, null, 2)}\n`);
+    await writeToStandardOutput(`${JSON.stringify({ input, errors, ...told }, null, 2)}\n`);
   } else {
     if (!isQuiet) tellFigures(input, findings);
     const subject = findings.kind === "none" ? findings.subject : input;

@@ -1,8 +1,9 @@
 /** `tetrafront convert`: one mesh file into another format; of a volume mesh its boundary, if that is all it takes. */
-import { checkOutput, FileProblem, isSameFile, STANDARD_STREAM, writeOutput } from "./cli-files.js";
+import { FileProblem, writeOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, readMeshFile } from "./cli-input.js";
 import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
 import { mixedTurns, plural } from "./cli-tables.js";
 import { boundaryOf } from "./formats/boundary.js";
@@ -27,10 +28,9 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     const { output, quiet: isQuiet = false } = options;
     const repair = repairOptions(options);
     const name = writableName(output, options.to, ["surface", "volume"]);
-    await checkOutput(output);
-    if (await isSameFile(input, output)) {
-      throw new FileProblem(output, "the output would replace the input", "Give it another name.");
-    }
+    const written = outputFiles(output, options.to);
+    await checkApart(inputFiles(input, options.from), written);
+    await checkWritable(written);
     const given = await readMeshFile(input, options.from);
     const mesh = await prepared(given, { input, output, name, repair, isQuiet });
     await writeAll(await writeMesh(mesh, name), output, name);
@@ -62,11 +62,8 @@ export function writableName(output: string, to: string | undefined, contents: r
   );
 }
 
-/** Writes the files of one mesh; to standard output only one. */
+/** Writes the files of one mesh. */
 export async function writeAll(files: readonly WrittenFile[], output: string, name: string): Promise<void> {
-  if (output === STANDARD_STREAM && files.length > 1) {
-    throw new FileProblem("-", "this format has several files", "Give the name of a file.");
-  }
   for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
 }
 

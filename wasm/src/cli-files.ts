@@ -136,10 +136,15 @@ export async function writeOutput(file: string, content: string | Uint8Array): P
   }
 }
 
-function writeToStandardOutput(content: string | Uint8Array): Promise<void> {
+/** Raised where the reader of standard output has gone: nobody is left to be told anything. */
+export class ClosedPipe extends Error {}
+
+/** Throws a ClosedPipe, or a FileProblem where it cannot be written to for another reason. */
+export function writeToStandardOutput(content: string | Uint8Array): Promise<void> {
   return new Promise((resolve, reject) => {
     process.stdout.write(content, (failure) => {
       if (failure == null) return resolve();
+      if (codeOf(failure) === "EPIPE") return reject(new ClosedPipe());
       reject(
         new FileProblem(
           "standard output",
@@ -164,11 +169,16 @@ async function statOf(file: string): Promise<Awaited<ReturnType<typeof stat>> | 
   return stat(file).catch(() => undefined);
 }
 
-/** Whether two names lead to one existing file. */
-export async function isSameFile(a: string, b: string): Promise<boolean> {
-  const [first, second] = await Promise.all([statOf(a), statOf(b)]);
-  if (first === undefined || second === undefined) return false;
-  return first.isFile() && first.dev === second.dev && first.ino === second.ino;
+/**
+ * The same for all names of one place, whether or not a file is there yet; undefined for devices and pipes,
+ * where nothing is replaced.
+ */
+export async function placeOf(file: string): Promise<string | undefined> {
+  if (file === STANDARD_STREAM) return STANDARD_STREAM;
+  const found = await statOf(file);
+  if (found !== undefined) return found.isFile() ? `${found.dev} ${found.ino}` : undefined;
+  const folder = await realpath(path.dirname(file)).catch(() => path.resolve(path.dirname(file)));
+  return path.join(folder, path.basename(file));
 }
 
 function codeOf(failure: unknown): string {

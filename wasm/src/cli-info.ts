@@ -1,4 +1,5 @@
 /** `tetrafront info`, what a file holds, and `tetrafront stats`, how good its elements are. */
+import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
@@ -21,8 +22,9 @@ export function infoOnFile(input: string, options: InfoCommandOptions): Promise<
       const held = projectContents(await readProjectFile(input, options.from));
       return { json: held, lines: projectLines(held) };
     }
-    const format = formatOf(formatName(input, options.from))?.name ?? "";
-    const held = { format, ...meshContents(await readMeshFile(input, options.from)) };
+    const mesh = await readMeshFile(input, options.from);
+    const format = mesh.format ?? formatOf(formatName(input, options.from))?.name ?? "";
+    const held = { format, ...meshContents(mesh) };
     return { json: held, lines: contentLines(held) };
   });
 }
@@ -62,7 +64,7 @@ async function answered(
     const { json, lines } = await ask();
     const text =
       isJson === true ? JSON.stringify({ input, ...json }, null, 2) : [input, ...lines].join("\n  ");
-    process.stdout.write(`${text}\n`);
+    await writeToStandardOutput(`${text}\n`);
     return ExitCode.meshed;
   } catch (failure) {
     const bad = asBadInput(failure, input);

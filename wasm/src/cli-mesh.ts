@@ -1,6 +1,6 @@
 /** `tetrafront mesh`: reads, meshes, writes, and says what happened. */
 import { writableName, writeAll } from "./cli-convert.js";
-import { checkOutput, FileProblem, isSameFile, STANDARD_STREAM, writeOutput } from "./cli-files.js";
+import { checkOutput, FileProblem, STANDARD_STREAM, writeOutput } from "./cli-files.js";
 import {
   gridArrays,
   numberIn,
@@ -11,6 +11,7 @@ import {
   type Input,
 } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { checkApart, checkWritable, inputFiles, outputFiles, type NamedFile } from "./cli-places.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
 import { packageDiagnostic } from "./diagnostics.js";
@@ -77,9 +78,7 @@ interface Outcome {
 
 /** Runs the command; resolves with the exit code. */
 export async function meshFile(input: string, options: MeshCommandOptions): Promise<number> {
-  const place = await checkReportPlace(input, options.report).catch((failure: unknown) =>
-    failed(failure, input),
-  );
+  const place = await checkReportPlace(input, options).catch((failure: unknown) => failed(failure, input));
   // Without a place for it there will be no report, not even about that.
   if (place !== undefined) return place.exitCode;
   const outcome = await meshAndWrite(input, options).catch((failure: unknown) => failed(failure, input));
@@ -93,7 +92,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
   const repair = repairOptions(options);
-  await checkMeshPlace(options);
+  await checkMeshPlace(input, options);
   const given = await readModel(input, options.from);
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
   const { model, changes } = await withRepair(given, repair);
@@ -181,17 +180,23 @@ function sourceIn(text: string, index: number): ProjectSource {
   return { id: index + 1, type: "point", places: [[x, y, z]], size, distance, growth };
 }
 
-async function checkMeshPlace({ output, to }: MeshCommandOptions): Promise<void> {
+async function checkMeshPlace(input: string, options: MeshCommandOptions): Promise<void> {
+  const { output, from, to, background } = options;
   writableName(output, to, ["volume"]);
-  await checkOutput(output);
+  const written = outputFiles(output, to, "the mesh");
+  const grid = background === undefined ? [] : inputFiles(background, undefined, "the background grid");
+  await checkApart([...inputFiles(input, from), ...grid], written);
+  await checkWritable(written);
 }
 
-async function checkReportPlace(input: string, report: string | undefined): Promise<undefined> {
-  if (report === undefined || report === STANDARD_STREAM) return;
+async function checkReportPlace(input: string, options: MeshCommandOptions): Promise<undefined> {
+  const { report, output, background } = options;
+  if (report === undefined) return;
   await checkOutput(report);
-  if (await isSameFile(report, input)) {
-    throw new FileProblem(report, "the report would replace the input", "Give the report another name.");
-  }
+  const kept: NamedFile[] = [{ words: "the mesh", file: output }];
+  if (input !== STANDARD_STREAM) kept.push({ words: "the input", file: input });
+  if (background !== undefined) kept.push({ words: "the background grid", file: background });
+  await checkApart(kept, [{ words: "the report", file: report }]);
 }
 
 /** A background grid still to be made of what its file holds. */

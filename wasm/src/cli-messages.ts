@@ -5,7 +5,8 @@ import { MesherError } from "./mesher-error.js";
 import type { ReadProblem } from "./read-result.js";
 import type { Diagnostic } from "./types.js";
 
-export const ExitCode = { meshed: 0, notCompleted: 1, badInput: 2 } as const;
+/** 141 is what shells report of programs that write to a pipe which nobody reads: 128 and the signal's number. */
+export const ExitCode = { meshed: 0, notCompleted: 1, badInput: 2, closedPipe: 141 } as const;
 
 /** Raised where the input is bad; becomes messages, a report, and exit code 2. */
 export class BadInput extends Error {

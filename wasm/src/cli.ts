@@ -6,7 +6,7 @@ import { availableParallelism } from "node:os";
 import { Command, CommanderError, Option } from "commander";
 
 import {
-  checkDistinct,
+  checkPlaceholders,
   exitCodeOf,
   expandInputs,
   outputFor,
@@ -15,7 +15,7 @@ import {
 } from "./cli-batch.js";
 import { checkFile, type CheckCommandOptions } from "./cli-check.js";
 import { convertFile, type ConvertCommandOptions } from "./cli-convert.js";
-import { STANDARD_STREAM, writeOutput } from "./cli-files.js";
+import { ClosedPipe, STANDARD_STREAM, writeOutput } from "./cli-files.js";
 import {
   coverFile,
   proposeForFile,
@@ -26,6 +26,7 @@ import { infoOnFile, statsOfFile, type InfoCommandOptions } from "./cli-info.js"
 import { numberIn } from "./cli-input.js";
 import { meshFile, type MeshCommandOptions } from "./cli-mesh.js";
 import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
+import { checkApart, inputFiles, outputFiles } from "./cli-places.js";
 import { packageDiagnostic } from "./diagnostics.js";
 import type { Contents } from "./formats/file-format.js";
 import { FILE_FORMATS } from "./formats/file-formats.js";
@@ -134,6 +135,8 @@ Examples
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
 export async function main(args: readonly string[]): Promise<number> {
+  // Their failures come back to those who write; the events would end the process with a trace.
+  for (const stream of [process.stdout, process.stderr]) stream.on("error", () => undefined);
   let exitCode: number = ExitCode.meshed;
   const program = commandLine(args, (code) => (exitCode = code));
   try {
@@ -141,6 +144,7 @@ export async function main(args: readonly string[]): Promise<number> {
     return exitCode;
   } catch (failure) {
     if (failure instanceof CommanderError) return failure.exitCode === 0 ? 0 : ExitCode.badInput;
+    if (failure instanceof ClosedPipe) return ExitCode.closedPipe;
     throw failure;
   }
 }
@@ -213,6 +217,9 @@ async function forEach<Options extends BatchOptions>(
 ): Promise<number> {
   const options = withStreamFormat<Options>(inputs, command.opts());
   try {
+    const jobs = jobsOf(options.jobs);
+    if (options.output !== undefined) checkPlaceholders(options.output);
+    if (options.report !== undefined) checkPlaceholders(options.report, []);
     const files = await expandInputs(inputs);
     const [only] = files;
     if (files.length === 1 && only !== undefined) {
@@ -222,7 +229,7 @@ async function forEach<Options extends BatchOptions>(
         output?.includes("{name}") === true ? withOutput(options, only, output) : options,
       );
     }
-    return await batch(files, command, options);
+    return await batch(files, command, options, jobs);
   } catch (failure) {
     const bad = asBadInput(failure, inputs[0] ?? "");
     if (bad === undefined) throw failure;
@@ -249,11 +256,21 @@ function withOutput<Options extends BatchOptions>(options: Options, input: strin
   return { ...options, output: outputFor(input, output) };
 }
 
-async function batch(files: readonly string[], command: Command, options: BatchOptions): Promise<number> {
-  const jobs = jobsOf(options.jobs);
-  const { output, report } = options;
+async function batch(
+  files: readonly string[],
+  command: Command,
+  options: BatchOptions,
+  jobs: number,
+): Promise<number> {
+  const { output, report, from, to } = options;
   const outputs = output === undefined ? [] : files.map((file) => outputFor(file, output));
-  checkDistinct(outputs);
+  await checkApart(
+    files.flatMap((file) => inputFiles(file, from, `the input ${file}`)),
+    [
+      ...outputs.flatMap((file, i) => outputFiles(file, to, `the output of ${files[i]}`)),
+      ...(report === undefined ? [] : [{ words: "the report", file: report }]),
+    ],
+  );
   const tasks = files.map((input, i) => ({
     input,
     args: [

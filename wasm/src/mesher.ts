@@ -52,6 +52,7 @@ import type {
   MeshOptions,
   MeshResult,
   PreviewOptions,
+  Progress,
   ProjectPreview,
   ProposalOptions,
   RunControl,
@@ -80,18 +81,21 @@ export async function createMesher(): Promise<Mesher> {
 }
 
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
-interface Job {
-  readonly request: RunRequest;
-  readonly control: RunControl;
-  readonly resolve: (result: EngineResult | "cancelled") => void;
-  readonly reject: (failure: MesherError) => void;
+interface Waiting {
+  /** What a callback of the caller throws is the caller's own. */
+  readonly reject: (failure: unknown) => void;
+  /** Not called again once it has failed. */
+  onProgress: RunControl["onProgress"];
 }
 
-interface OpenQuestion {
+interface Job extends Waiting {
+  readonly request: RunRequest;
+  readonly resolve: (result: EngineResult | "cancelled") => void;
+}
+
+interface OpenQuestion extends Waiting {
   readonly question: Question;
-  readonly control: RunControl;
   readonly resolve: (answer: Answers[keyof Answers]) => void;
-  readonly reject: (failure: MesherError) => void;
 }
 
 class WorkerMesher implements Mesher {
@@ -257,8 +261,8 @@ class WorkerMesher implements Mesher {
     question: Question & { readonly kind: Kind },
     control: RunControl,
   ): Promise<Answers[Kind]> {
-    const { signal } = control;
-    const onAbort = () => this.#abandon(question.id);
+    const { signal, onProgress } = control;
+    const onAbort = () => this.#abandon(question.id, cancelledError());
     try {
       return await new Promise((resolve, reject) => {
         if (this.#disposed) return reject(disposedError());
@@ -266,7 +270,7 @@ class WorkerMesher implements Mesher {
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#questions.set(question.id, {
           question,
-          control,
+          onProgress,
           resolve: (answer) => resolve(answer as Answers[Kind]),
           reject,
         });
@@ -279,11 +283,11 @@ class WorkerMesher implements Mesher {
   }
 
   /** Nobody waits for the answer any more. A worker that works on nothing else is freed from it. */
-  #abandon(id: number): void {
+  #abandon(id: number, reason: unknown): void {
     const open = this.#questions.get(id);
     if (open === undefined) return;
     this.#questions.delete(id);
-    open.reject(cancelledError());
+    open.reject(reason);
     this.#worker.post({ kind: "cancel", id }, []);
     const isIdle = this.#active === undefined && this.#questions.size === 0;
     if (isIdle && !isSliced(open.question) && this.#settleReady === undefined) {
@@ -294,13 +298,13 @@ class WorkerMesher implements Mesher {
   }
 
   async #run(request: RunRequest, control: RunControl, name: EntityNamer): Promise<MeshResult> {
-    const { signal } = control;
+    const { signal, onProgress } = control;
     let onAbort: (() => void) | undefined;
     try {
       const result = await new Promise<EngineResult | "cancelled">((resolve, reject) => {
         if (this.#disposed) return reject(disposedError());
         if (signal?.aborted === true) return resolve("cancelled");
-        const job = { request, control, resolve, reject };
+        const job: Job = { request, onProgress, resolve, reject };
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#waiting.push(job);
@@ -331,6 +335,7 @@ class WorkerMesher implements Mesher {
       return job.resolve("cancelled");
     }
     this.#worker.post({ kind: "cancel", id: job.request.id }, []);
+    clearTimeout(this.#forceTimer);
     this.#forceTimer = setTimeout(() => {
       this.#forceTimer = setTimeout(() => this.#cancelByForce(job), LAST_HEARING_MS);
     }, CANCEL_GRACE_MS);
@@ -388,12 +393,17 @@ class WorkerMesher implements Mesher {
 
   #receiveForRun(reply: Extract<Reply, { kind: "progress" | "stopping" | "result" }>): void {
     const open = this.#questions.get(reply.id);
-    if (open !== undefined && reply.kind === "progress") return open.control.onProgress?.(reply.progress);
+    if (open !== undefined && reply.kind === "progress") {
+      return tellProgress(open, reply.progress, (failure) => this.#abandon(reply.id, failure));
+    }
     const job = this.#active;
     if (job?.request.id !== reply.id) return;
     switch (reply.kind) {
       case "progress":
-        return job.control.onProgress?.(reply.progress);
+        return tellProgress(job, reply.progress, (failure) => {
+          job.reject(failure);
+          this.#cancel(job);
+        });
       case "stopping":
         return clearTimeout(this.#forceTimer);
       case "result":
@@ -433,6 +443,21 @@ class WorkerMesher implements Mesher {
 
   #nextId(): number {
     return ++this.#lastId;
+  }
+}
+
+/** A callback that throws, or whose promise is rejected, fails once and is not called again. */
+function tellProgress(waiting: Waiting, progress: Progress, onFailure: (failure: unknown) => void): void {
+  const fail = (failure: unknown) => {
+    if (waiting.onProgress === undefined) return;
+    waiting.onProgress = undefined;
+    onFailure(failure);
+  };
+  try {
+    const told: unknown = waiting.onProgress?.(progress);
+    if (told instanceof Promise) told.catch(fail);
+  } catch (failure) {
+    fail(failure);
   }
 }
 

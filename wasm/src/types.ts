@@ -138,7 +138,10 @@ export interface Progress {
 
 /** How a run is followed and stopped. */
 export interface RunControl {
-  /** Called at most ten times a second, and once at the end. */
+  /**
+   * Called at most ten times a second, and once at the end. What it throws, or its promise is rejected with, ends
+   * the call, which is rejected with just that.
+   */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
   /**
    * Aborting ends the run within 100 ms with status `cancelled`. What exists is returned, unless the

@@ -1,5 +1,14 @@
 /** The command line and files from anywhere: check, repair, convert, info, stats, streams and batches. */
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import path from "node:path";
 
@@ -9,7 +18,7 @@ import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import { splitPattern } from "../../../wasm/src/cli-batch.js";
 import { tetrafront } from "../../support/command-line.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
-import { boxSurface, cavitySurface } from "../../support/surfaces.js";
+import { boxSurface, cavitySurface, sphereSurface } from "../../support/surfaces.js";
 
 let folder: string;
 beforeEach(() => {
@@ -159,6 +168,20 @@ describe("a batch", () => {
     }
   });
 
+  test("tells of its files in their order, however long each takes", async () => {
+    save("slow.off", offFile(sphereSurface(16)));
+    for (const name of ["b.off", "c.off"]) save(name, offFile(box));
+    const { code, stderr } = await tetrafront(folder, [
+      ...["mesh", "slow.off", "b.off", "c.off", "-o", "{name}.vtu", "-j", "3"],
+    ]);
+    expect(code).toBe(0);
+    expect([...stderr.matchAll(/(\w+\.off): done/g)].map(([, name]) => name)).toEqual([
+      "slow.off",
+      "b.off",
+      "c.off",
+    ]);
+  });
+
   test.each<[string, string[], RegExp]>([
     ["one output for all", ["mesh", "a.off", "b.off", "-o", "c.vtu"], /Put \{name\} into its name/],
     ["no match", ["check", "*.ply"], /no file matches this pattern/i],
@@ -191,6 +214,20 @@ describe("convert, info and stats", () => {
     expect(text.stdout).toMatch(/ 60° to 65° +#+ \d+/);
   });
 
+  test("tell the version that a file has, whatever its name", async () => {
+    save("part.off", offFile(box));
+    await tetrafront(folder, ["mesh", "part.off", "-o", "old.msh2", "-q"]);
+    await tetrafront(folder, ["mesh", "part.off", "-o", "new.msh", "-q"]);
+    renameSync(inFolder("old.msh2"), inFolder("old.msh"));
+    for (const [name, format] of [
+      ["old.msh", "Gmsh 2.2"],
+      ["new.msh", "Gmsh 4.1"],
+    ] as const) {
+      const { stdout } = await tetrafront(folder, ["info", name, "--json"]);
+      expect(JSON.parse(stdout)).toMatchObject({ format });
+    }
+  });
+
   test("turn inverted elements, and say so where a file mixes both", async () => {
     const head = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n";
     const vertices = "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n";
@@ -213,6 +250,86 @@ describe("convert, info and stats", () => {
     const same = await tetrafront(folder, ["convert", "part.off", "-o", "part.off"]);
     expect(same.code).toBe(2);
   });
+});
+
+describe("what would be written over is refused before any work:", () => {
+  test.each<[string, string[], RegExp]>([
+    [
+      "the mesh by its report",
+      ["mesh", "a.off", "-o", "x.vtu", "-r", "./x.vtu"],
+      /report would replace the mesh/,
+    ],
+    [
+      "both on standard output",
+      ["mesh", "a.off", "-o", "-", "--to", "vtu", "-r", "-"],
+      /would replace the mesh/,
+    ],
+    ["the input by the mesh", ["mesh", "part.mesh", "-o", "link.mesh"], /mesh would replace the input/],
+    [
+      "the background grid by the mesh",
+      ["mesh", "a.off", "-o", "grid.vtu", "-b", "grid.vtu"],
+      /replace the background grid/,
+    ],
+    ["a file beside the input", ["convert", "part.face", "-o", "part.ele"], /output would replace the input/],
+    [
+      "one output by another",
+      ["convert", "a.off", "sub/a.off", "-o", "{name}.stl"],
+      /the output of sub\/a\.off would replace the output of a\.off/i,
+    ],
+    [
+      "an output by another, through a link",
+      ["convert", "b.off", "c.off", "-o", "{name}.stl"],
+      /the output of c\.off would replace the output of b\.off/i,
+    ],
+    [
+      "an input of the batch by an output",
+      ["convert", "a.off", "a.stl", "-o", "{name}.stl"],
+      /output of a\.off would replace the input a\.stl/i,
+    ],
+    [
+      "an output of the batch by the report",
+      ["mesh", "a.off", "b.off", "-o", "{name}.vtu", "-r", "b.vtu"],
+      /report would replace the output of b\.off/i,
+    ],
+    ["several files on one stream", ["mesh", "a.off", "-o", "-", "--format", "tetgen"], /several files/],
+    [
+      "a word in braces that stands for nothing",
+      ["mesh", "a.off", "-o", "{foo}.vtu"],
+      /\{foo\}.*Give \{name\}/,
+    ],
+    ["one in a report's name", ["mesh", "a.off", "-o", "a.vtu", "-r", "{name}.json"], /one report for all/],
+    ["no number of jobs, with one input", ["check", "a.off", "-j", "0"], /number of jobs is "0"/],
+  ])("%s", async (_, args, message) => {
+    mkdirSync(inFolder("sub"));
+    for (const name of ["a.off", "b.off", "c.off", "sub/a.off"]) save(name, offFile(box));
+    for (const name of ["part.mesh", "part.face", "part.node", "grid.vtu", "b.stl", "a.stl"])
+      save(name, "old");
+    symlinkSync("b.stl", inFolder("c.stl"));
+    symlinkSync("part.mesh", inFolder("link.mesh"));
+    const before = contentsOf(folder);
+    const { code, stderr, stdout } = await tetrafront(folder, args);
+    expect(stderr).toMatch(message);
+    expect([code, stdout]).toEqual([2, ""]);
+    expect(contentsOf(folder)).toEqual(before);
+  });
+
+  const contentsOf = (where: string) =>
+    readdirSync(where, { recursive: true, encoding: "utf8" })
+      .filter((name) => /\.[a-z]+$/.test(name))
+      .sort()
+      .map((name) => [name, readFileSync(path.join(where, name), "utf8")]);
+});
+
+test("a reader that goes away ends the command quietly, as shells know it", async () => {
+  save("part.off", offFile(box));
+  for (const args of [
+    ["info", "part.off"],
+    ["check", "part.off", "--json"],
+    ["mesh", "part.off", "-o", "-", "--to", "vtu", "-q"],
+  ]) {
+    const { code, stderr } = await tetrafront(folder, args, { started: (child) => child.stdout?.destroy() });
+    expect([code, stderr]).toEqual([141, ""]);
+  }
 });
 
 test("each command teaches by examples", async () => {

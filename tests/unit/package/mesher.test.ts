@@ -459,6 +459,35 @@ describe("cancelling", () => {
   });
 });
 
+describe("a callback that fails", () => {
+  const surface = boxSurface(6);
+  const failure = new Error("the caller's own");
+
+  test.each<[string, () => void]>([
+    [
+      "throws",
+      () => {
+        throw failure;
+      },
+    ],
+    ["is rejected", () => Promise.reject(failure)],
+  ])("(it %s) rejects its own call with that, and the next ones work", async (_, onProgress) => {
+    const next = mesher.fillSurface(surface);
+    const failing = mesher.fillSurface(surface, { size: 0.02 }, { onProgress });
+    const after = mesher.fillSurface(surface);
+    await expect(failing).rejects.toBe(failure);
+    await expect(mesher.inspectSurface(surface, { onProgress })).rejects.toBe(failure);
+    await expect(mesher.repairSurface(surface, {}, { onProgress })).rejects.toBe(failure);
+    const { volume } = await next;
+    await expect(mesher.inspectMesh(volume, { onProgress })).rejects.toBe(failure);
+    expect((await after).report).toMatchObject({
+      status: "done",
+      fingerprint: (await next).report.fingerprint,
+    });
+    expect((await mesher.inspectSurface(surface)).isFillable).toBe(true);
+  });
+});
+
 describe("disposing", () => {
   test("may be left out: a program ends without it", async () => {
     const program = `

@@ -39,6 +39,8 @@ export interface FileFormat {
   readonly name: string;
   /** In lower case with their dots; the first is the usual one. No two formats share one. */
   readonly extensions: readonly [string, ...string[]];
+  /** Extensions of the files that a mesh is spread over, beside the one that is named. */
+  readonly beside?: readonly string[];
   readonly reads: readonly Contents[];
   readonly writes: readonly Contents[];
   /** The code of the format, fetched when it is first needed. */

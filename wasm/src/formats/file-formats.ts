@@ -174,6 +174,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "tetgen",
     name: "TetGen",
     extensions: [".node", ".ele"],
+    beside: [".node", ".ele", ".face"],
     reads: ["volume"],
     writes: ["volume"],
     load: async () => ({
@@ -193,6 +194,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "tetgen-surface",
     name: "TetGen surface",
     extensions: [".smesh", ".poly", ".face"],
+    beside: [".node"],
     reads: ["surface"],
     writes: [],
     load: async () => ({ read: (await import("./tetgen-reader.js")).readTetgen }),
@@ -212,6 +214,14 @@ export function extensionOf(fileName: string): string {
     .filter((extension) => name.endsWith(extension))
     .sort((a, b) => b.length - a.length);
   return known[0] ?? /\.[^./\\]+$/.exec(name)?.[0] ?? "";
+}
+
+/** The files of a mesh in the format of this name, which is the first: mostly it is the only one. */
+export function filesOf(fileName: string): readonly string[] {
+  const end = extensionOf(fileName);
+  const stem = fileName.slice(0, fileName.length - end.length);
+  const others = formatOf(fileName)?.beside?.filter((extension) => extension !== end) ?? [];
+  return [fileName, ...others.map((extension) => stem + extension)];
 }
 
 /** Extensions of the formats from which such meshes can be read, or as which they can be written. */

@@ -20,6 +20,8 @@ export interface NodeData {
 
 /** Triangles and tetrahedra as a file holds them, with their groups and the numbers at their nodes. */
 export interface FileMesh {
+  /** The format and version that the file itself tells, where its name leaves that open: "Gmsh 2.2". */
+  readonly format?: string | undefined;
   /** x y z per node. */
   readonly points: Float64Array;
   /** No two points are equal, so that nothing is left to be welded exactly. Default false. */

@@ -54,7 +54,9 @@ class MshReader {
     for (;;) {
       await this.#reader.fill();
       const section = this.#reader.word();
-      if (section === "") return this.#builder.mesh(this.#names);
+      if (section === "") {
+        return { format: `Gmsh ${this.#hasBlocks ? "4.1" : "2.2"}`, ...this.#builder.mesh(this.#names) };
+      }
       await this.#readSection(section);
       await this.#reader.skipPast(`$End${section.slice(1)}`);
     }
