@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "field/grid_locator.h"
+#include "base/sort.h"
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -109,10 +110,9 @@ void checkRepeated(const BackgroundGrid& grid, std::vector<Diagnostic>& found) {
   std::vector<Entry> entries;
   entries.reserve(grid.tetrahedra.size());
   for (std::uint32_t t = 0; t < grid.tetrahedra.size(); ++t) {
-    entries.push_back({grid.tetrahedra[t], t});
-    std::sort(entries.back().nodes.begin(), entries.back().nodes.end());
+    entries.push_back({sorted(grid.tetrahedra[t]), t});
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+  stableSort(entries, [](const Entry& a, const Entry& b) {
     return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {

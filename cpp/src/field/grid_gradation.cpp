@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "base/sort.h"
 #include "field/tensor_limits.h"
 #include "search/indexed_heap.h"
 
@@ -30,8 +31,7 @@ std::vector<Edge> edgesOf(const BackgroundGrid& grid) {
   for (const auto& tet : grid.tetrahedra) {
     for (const auto& [i, j] : kTetrahedronEdges) pairs.push_back(std::minmax({tet[i], tet[j]}));
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  sortUnique(pairs);
   std::vector<Edge> edges;
   edges.reserve(pairs.size());
   for (const auto& [a, b] : pairs) {
@@ -104,8 +104,7 @@ void limitTensors(const BackgroundGrid& grid, double growth,
   const auto smaller = [&grid](const Edge& edge) {
     return std::min(grid.nodes[edge.a].size, grid.nodes[edge.b].size);
   };
-  std::stable_sort(edges.begin(), edges.end(),
-                   [&](const Edge& x, const Edge& y) { return smaller(x) < smaller(y); });
+  stableSort(edges, [&](const Edge& x, const Edge& y) { return smaller(x) < smaller(y); });
   const auto limit = [&](const Edge& edge) {
     const SymmetricTensor grown = SymmetricTensor::isotropic(growth * edge.length);
     const auto lower = [&](std::uint32_t node, std::uint32_t by) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "base/sort.h"
 #include "field/grid_gradation.h"
 #include "field/tensor_limits.h"
 
@@ -139,12 +140,11 @@ void GridLocator::buildNeighbours() {
   for (std::uint32_t t = 0; t < grid_.tetrahedra.size(); ++t) {
     const auto& tet = grid_.tetrahedra[t];
     for (std::uint32_t i = 0; i < 4; ++i) {
-      std::array<std::uint32_t, 3> nodes{tet[kFaces[i][0]], tet[kFaces[i][1]], tet[kFaces[i][2]]};
-      std::sort(nodes.begin(), nodes.end());
-      faces.push_back({nodes, t, i});
+      const std::array nodes{tet[kFaces[i][0]], tet[kFaces[i][1]], tet[kFaces[i][2]]};
+      faces.push_back({sorted(nodes), t, i});
     }
   }
-  std::sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) {
+  stableSort(faces, [](const Face& a, const Face& b) {
     return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
   });
   for (std::size_t i = 1; i < faces.size(); ++i) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 namespace {
 
@@ -43,8 +45,7 @@ void BoundaryRecovery::collectEdges() {
   for (const auto& t : triangles_) {
     for (std::size_t k = 0; k < 3; ++k) edgeOf_.push_back({ordered(t[k], t[(k + 1) % 3]), 0});
   }
-  std::sort(edgeOf_.begin(), edgeOf_.end());
-  edgeOf_.erase(std::unique(edgeOf_.begin(), edgeOf_.end()), edgeOf_.end());
+  sortUnique(edgeOf_);
   for (auto& [nodes, edge] : edgeOf_) {
     edge = static_cast<std::uint32_t>(edges_.size());
     waiting_.push_back(edge);

@@ -2,15 +2,10 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 namespace {
-
-std::array<NodeId, 3> sorted(std::array<NodeId, 3> nodes) {
-  if (nodes[1] < nodes[0]) std::swap(nodes[0], nodes[1]);
-  if (nodes[2] < nodes[1]) std::swap(nodes[1], nodes[2]);
-  if (nodes[1] < nodes[0]) std::swap(nodes[0], nodes[1]);
-  return nodes;
-}
 
 bool contains(const std::array<NodeId, 3>& nodes, NodeId node) {
   return nodes[0] == node || nodes[1] == node || nodes[2] == node;
@@ -82,8 +77,10 @@ void FillMesh::collectFreshFaces(std::span<const std::array<NodeId, 4>> fresh) {
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const auto& c = kInnerCorners[k];
-      slots_.push_back(
-          {sorted({fresh[i][c[0]], fresh[i][c[1]], fresh[i][c[2]]}), {TetId(i), k}, {}, kNoFacet});
+      slots_.push_back({sorted(std::array{fresh[i][c[0]], fresh[i][c[1]], fresh[i][c[2]]}),
+                        {TetId(i), k},
+                        {},
+                        kNoFacet});
     }
   }
 }
@@ -116,7 +113,7 @@ bool FillMesh::replace(std::span<const TetId> old, std::span<const std::array<No
   collectOuterFaces(old, lost);
   for (const BoundaryFace& f : boundary) slots_.push_back({sorted(f.nodes), {}, {}, f.facet});
   collectFreshFaces(fresh);
-  std::sort(slots_.begin(), slots_.end(), [](const FaceSlot& p, const FaceSlot& q) {
+  stableSort(slots_, [](const FaceSlot& p, const FaceSlot& q) {
     if (p.key != q.key) return p.key < q.key;
     return p.face.tet < q.face.tet;
   });
@@ -175,8 +172,7 @@ std::vector<NodeId> FillMesh::neighboursIn(std::span<const TetId> star, NodeId n
       if (other != node) neighbours.push_back(other);
     }
   }
-  std::sort(neighbours.begin(), neighbours.end());
-  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  sortUnique(neighbours);
   return neighbours;
 }
 

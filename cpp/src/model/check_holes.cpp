@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sort.h"
 #include "model/check_loops.h"
 #include "model/patch_projection.h"
 
@@ -59,7 +60,7 @@ class HoleCheck {
   [[nodiscard]] std::optional<Diagnostic> findRepetition() const {
     std::vector<LineStart> starts;
     appendStarts(*model_, drawn_->loops.front(), starts);
-    std::ranges::sort(starts);
+    stableSort(starts);
     const auto seams = std::ranges::unique(starts, {}, &LineStart::point);
     starts.erase(seams.begin(), seams.end());
     for (const Loop& hole : std::span(drawn_->loops).subspan(1))

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/sort.h"
 #include "search/quadtree.h"
 
 namespace tetrafront {
@@ -102,7 +103,7 @@ void appendStarts(const ResolvedModel& model, const Loop& loop, std::vector<Line
 }
 
 std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts) {
-  std::ranges::sort(starts);
+  stableSort(starts);
   const auto twice = std::ranges::adjacent_find(starts, {}, &LineStart::point);
   if (twice == starts.end()) return std::nullopt;
   return RepeatedPoint{twice->point, twice->line, std::next(twice)->line};

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort.h"
 #include "geom/coordinates.h"
 #include "model/check_patch.h"
 #include "model/duplicates.h"
@@ -234,7 +235,7 @@ class ModelCheck {
       if (matters[first] == 0 || matters[second] == 0)
         found_.diagnostics.back().severity = Severity::kWarning;
     };
-    std::ranges::sort(namedPairs_);
+    stableSort(namedPairs_);
     for (std::uint32_t point = 0; point < model_->points.size(); ++point) {
       const std::uint32_t first = found_.duplicates.points[point];
       if (first == point || std::ranges::binary_search(namedPairs_, std::pair(first, point)))

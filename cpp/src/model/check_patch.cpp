@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort.h"
 #include "model/check_fold.h"
 #include "model/check_holes.h"
 #include "model/check_loops.h"
@@ -120,7 +121,7 @@ class PatchCheck {
     for (const Loop& loop : drawn_->loops) appendStarts(*model_, loop, starts);
     std::vector<std::uint32_t> lines;
     for (const LineStart& start : starts) lines.push_back(start.line);
-    std::ranges::sort(lines);
+    stableSort(lines);
     if (const auto twice = std::ranges::adjacent_find(lines); twice != lines.end()) {
       report(DiagnosticCode::kLoopTouchesItself, {*twice}, model_->curve(*twice).start());
       return false;

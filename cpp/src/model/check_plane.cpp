@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sort.h"
 #include "model/planar_surface.h"
 
 namespace tetrafront {
@@ -45,9 +46,7 @@ std::vector<std::uint32_t> pointsOfPatch(const Model& model, const Patch& patch)
       }
     }
   }
-  std::ranges::sort(points);
-  const auto repeated = std::ranges::unique(points);
-  points.erase(repeated.begin(), repeated.end());
+  sortUnique(points);
   return points;
 }
 
@@ -112,7 +111,7 @@ class PlaneVote {
       const double distance = std::fabs(surface.distance(place(i)));
       if (distance > tolerance_) off.emplace_back(-distance, points_[i]);
     }
-    std::ranges::sort(off);
+    stableSort(off);
     plane.agreeing = points_.size() - off.size();
     for (const auto& [distance, point] : off) plane.moved.points.push_back(point);
     plane.moved.distance = off.empty() ? 0.0 : -off.front().first;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/sort.h"
 #include "geom/coordinates.h"
 #include "search/box_tree.h"
 #include "search/disjoint_sets.h"
@@ -33,7 +34,7 @@ std::vector<std::uint32_t> samePlaces(const std::vector<Vec3>& points, double sa
   const auto key = [&](std::uint32_t i) {
     return std::array<double, 3>{points[i].x, points[i].y, points[i].z};
   };
-  std::ranges::sort(sorted, [&](std::uint32_t a, std::uint32_t b) {
+  stableSort(sorted, [&](std::uint32_t a, std::uint32_t b) {
     return key(a) != key(b) ? key(a) < key(b) : a < b;
   });
   std::vector<std::uint32_t> distinct;
@@ -44,7 +45,7 @@ std::vector<std::uint32_t> samePlaces(const std::vector<Vec3>& points, double sa
       distinct.push_back(point);
     }
   }
-  std::ranges::sort(distinct);
+  stableSort(distinct);
   if (distinct.empty()) return result;
   // Relative to one of them, so that the boxes' rounding is small against the model.
   const Vec3 origin = points[distinct.front()];
@@ -97,7 +98,7 @@ void findAlike(const ResolvedModel& model, std::span<const std::uint32_t> lines,
   }
   // Twice what middles may differ by: for curves by their course, for straight lines by their ends.
   const double reach = 2.0 * std::max(kSameCourse * longest, samePlace);
-  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+  stableSort(entries, [](const Entry& a, const Entry& b) {
     return a.along != b.along ? a.along < b.along : a.position < b.position;
   });
   DisjointSets sets(lines.size());
@@ -135,7 +136,7 @@ Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8
         std::minmax(result.points[points.front()], result.points[points.back()]);
     entries.push_back({{low, high}, line});
   }
-  std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
+  stableSort(entries, [](const Entry& a, const Entry& b) {
     return a.ends != b.ends ? a.ends < b.ends : a.line < b.line;
   });
   std::vector<std::uint32_t> sameEnds;

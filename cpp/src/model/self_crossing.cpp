@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/sort.h"
 #include "search/box_tree.h"
 
 namespace tetrafront {
@@ -100,7 +101,7 @@ class CrossingSearch {
       tree.visitOverlaps(boxes[i], [&](std::uint32_t k) {
         if (k > i) near.push_back(k);
       });
-      std::ranges::sort(near);
+      stableSort(near);
       if (std::ranges::any_of(near, [&](std::size_t k) { return meet(i, k); })) return place_;
     }
     return std::nullopt;

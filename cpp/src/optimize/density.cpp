@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 namespace {
 
@@ -38,8 +40,7 @@ void EdgeSplitter<Space>::collect(std::size_t first, std::size_t last, std::uint
 
 template <class Space>
 void EdgeSplitter<Space>::sortCollected() {
-  std::stable_sort(edges_.begin(), edges_.end(),
-                   [](const LongEdge& p, const LongEdge& q) { return p.length > q.length; });
+  stableSort(edges_, [](const LongEdge& p, const LongEdge& q) { return p.length > q.length; });
 }
 
 template <class Space>
@@ -163,8 +164,7 @@ void NodeCollapser<Space>::collect(std::size_t first, std::size_t last, std::uin
 
 template <class Space>
 void NodeCollapser<Space>::sortCollected() {
-  std::stable_sort(nodes_.begin(), nodes_.end(),
-                   [](const Crowded& p, const Crowded& q) { return p.length < q.length; });
+  stableSort(nodes_, [](const Crowded& p, const Crowded& q) { return p.length < q.length; });
 }
 
 template <class Space>

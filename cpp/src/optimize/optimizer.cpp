@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/sort.h"
 #include "optimize/density.h"
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
@@ -322,8 +323,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (repeats_ == 0) badAtFirst_ = bad_.size();
     const double few = kFewBad * static_cast<double>(complex_.elementCount());
     if (bad_.size() > badAtFirst_ && static_cast<double>(bad_.size()) > few) bad_.clear();
-    std::stable_sort(bad_.begin(), bad_.end(),
-                     [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+    stableSort(bad_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
   }
 
   void repair(std::size_t first, std::size_t last) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 namespace {
 
@@ -185,7 +187,7 @@ bool ElementRepair<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
     }
   }
   // A cavity may swallow free nodes, but not fixed ones.
-  std::sort(kept.begin(), kept.end());
+  sortFew(kept);
   std::vector<NodeId> swallowed;
   for (const TetId tet : cavity_) {
     for (const NodeId node : complex_.element(tet).nodes) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 
 TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, bool isStretched)
@@ -81,19 +83,18 @@ void TetComplex::placeSides(std::size_t first, std::size_t last) {
 /// share is a boundary of both.
 void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
   for (std::size_t node = firstNode; node < lastNode; ++node) {
-    const auto at = [&](std::size_t i) {
-      return build_.sides.begin() + static_cast<std::ptrdiff_t>(build_.starts[i]);
-    };
-    std::sort(at(node), at(node + 1),
-              [](const Side& a, const Side& b) { return a.key.nodes < b.key.nodes; });
-    for (auto side = at(node); side != at(node + 1); ++side) {
-      if (side + 1 == at(node + 1) || !(side->key == (side + 1)->key)) continue;
-      const Facing one = side->facing;
-      const Facing other = (side + 1)->facing;
+    const std::span sides =
+        std::span(build_.sides)
+            .subspan(build_.starts[node], build_.starts[node + 1] - build_.starts[node]);
+    sortFew(sides, [](const Side& a, const Side& b) { return a.key.nodes < b.key.nodes; });
+    for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
+      if (!(sides[i].key == sides[i + 1].key)) continue;
+      const Facing one = sides[i].facing;
+      const Facing other = sides[i + 1].facing;
       if (regions_[one.tet().index()] != regions_[other.tet().index()]) continue;
       elements_[one.tet().index()].across[one.corner()] = other;
       elements_[other.tet().index()].across[other.corner()] = one;
-      ++side;
+      ++i;
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "base/sort.h"
 #include "geom/measure.h"
 #include "quality/metrics.h"
 
@@ -42,7 +43,7 @@ void BoundaryLimits::add(std::span<const std::uint32_t, 3> triangle) {
 }
 
 void BoundaryLimits::finish() {
-  std::sort(edges_.begin(), edges_.end(), [](const Edge& p, const Edge& q) {
+  stableSort(edges_, [](const Edge& p, const Edge& q) {
     return std::tie(p.lower, p.upper, p.third) < std::tie(q.lower, q.upper, q.third);
   });
 }

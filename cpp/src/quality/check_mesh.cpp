@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 
+#include "base/sort.h"
 #include "geom/predicates.h"
 #include "tetrafront/vec3.h"
 
@@ -209,7 +210,7 @@ void MeshVerifier::matchPlaces(std::size_t firstBucket, std::size_t lastBucket) 
       const Vec3 p = pointOf(mesh_.points, places_[i]);
       places.push_back({p.x, p.y, p.z});
     }
-    std::sort(places.begin(), places.end());
+    stableSort(places);
     for (std::size_t i = 1; i < places.size(); ++i)
       defects_.coincidentNodes += places[i] == places[i - 1] ? 1U : 0U;
   }
@@ -256,7 +257,7 @@ void MeshVerifier::matchFaces(std::size_t firstNode, std::size_t lastNode) {
   for (std::size_t node = firstNode; node < lastNode; ++node) {
     Face* const begin = faces_.get() + buckets_[node];
     Face* const end = faces_.get() + buckets_[node + 1];
-    std::sort(begin, end, [](const Face& a, const Face& b) {
+    sortFew(std::span(begin, end), [](const Face& a, const Face& b) {
       if (a.middle != b.middle) return a.middle < b.middle;
       if (a.highest != b.highest) return a.highest < b.highest;
       return a.ownerAndTurn < b.ownerAndTurn;
@@ -317,16 +318,14 @@ void MeshVerifier::matchRegion(const Face& tetrahedron, const Face& triangle) {
 
 void MeshVerifier::finish() {
   // A repeated tetrahedron leaves no face in order, so both copies are among the suspects.
-  std::sort(suspects_.begin(), suspects_.end());
-  suspects_.erase(std::unique(suspects_.begin(), suspects_.end()), suspects_.end());
+  sortUnique(suspects_);
   std::vector<std::array<std::uint32_t, 4>> keys;
   for (const std::uint32_t t : suspects_) {
     std::array<std::uint32_t, 4> key;
     std::copy_n(mesh_.tetrahedra.begin() + std::ptrdiff_t{4} * t, 4, key.begin());
-    std::sort(key.begin(), key.end());
-    keys.push_back(key);
+    keys.push_back(sorted(key));
   }
-  std::sort(keys.begin(), keys.end());
+  stableSort(keys);
   for (std::size_t i = 1; i < keys.size(); ++i) {
     defects_.repeatedTetrahedra += keys[i] == keys[i - 1] ? 1U : 0U;
   }

@@ -1,8 +1,11 @@
 #include "quality/mesh_boundary.h"
 
 #include <algorithm>
+#include <span>
 #include <tuple>
 #include <utility>
+
+#include "base/sort.h"
 
 namespace tetrafront {
 namespace {
@@ -97,7 +100,7 @@ void BoundaryFinder::match(std::size_t firstNode, std::size_t lastNode) {
   for (std::size_t node = firstNode; node < lastNode; ++node) {
     Face* const begin = faces_.data() + begins_[node];
     Face* const end = faces_.data() + begins_[node + 1];
-    std::sort(begin, end, [](const Face& a, const Face& b) {
+    sortFew(std::span(begin, end), [](const Face& a, const Face& b) {
       return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
     });
     for (const Face* face = begin; face != end; ++face) {

@@ -1,6 +1,8 @@
 #include "search/morton.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
 
 namespace tetrafront {
@@ -20,10 +22,22 @@ std::uint64_t spreadBits(std::uint64_t v) {
 struct Key {
   std::uint64_t code;
   std::uint32_t position;
-  friend bool operator<(const Key& a, const Key& b) {
-    return a.code != b.code ? a.code < b.code : a.position < b.position;
-  }
 };
+
+/// Digit by digit, the lowest first; equal codes stay in order.
+void sortByCode(std::vector<Key>& keys) {
+  constexpr std::uint32_t kDigitBits = 8;
+  constexpr std::size_t kDigits = 1U << kDigitBits;
+  std::vector<Key> sorted(keys.size());
+  for (std::uint32_t shift = 0; shift < 3 * kBitsPerAxis; shift += kDigitBits) {
+    const auto digitOf = [shift](const Key& key) { return (key.code >> shift) % kDigits; };
+    std::array<std::uint32_t, kDigits + 1> begins{};
+    for (const Key& key : keys) ++begins[digitOf(key) + 1];
+    for (std::size_t digit = 1; digit < kDigits; ++digit) begins[digit] += begins[digit - 1];
+    for (const Key& key : keys) sorted[begins[digitOf(key)]++] = key;
+    keys.swap(sorted);
+  }
+}
 
 }  // namespace
 
@@ -48,7 +62,7 @@ std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places) {
     }
     keys[i] = {code, i};
   }
-  std::sort(keys.begin(), keys.end());
+  sortByCode(keys);
   std::vector<std::uint32_t> order(keys.size());
   for (std::size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].position;
   return order;

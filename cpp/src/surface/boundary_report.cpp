@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/sort.h"
 #include "surface/surface_access.h"
 
 namespace tetrafront {
@@ -22,7 +23,7 @@ bool BoundaryReport::lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& lin
       const auto [low, high] = std::minmax(mesh_.sides[2 * s], mesh_.sides[2 * s + 1]);
       sides_.push_back({low, high, mesh_.sideLine[s]});
     }
-    std::sort(sides_.begin(), sides_.end());
+    stableSort(sides_);
   }
   const std::array<std::uint32_t, 3> key{std::min(a, b), std::max(a, b), 0};
   const auto at = std::lower_bound(sides_.begin(), sides_.end(), key);
@@ -117,8 +118,7 @@ void BoundaryReport::addEdge(DiagnosticCode code, std::uint32_t from, std::uint3
     if (lineOf(from, to, line)) entities.push_back({EntityKind::kLine, line});
     std::vector<std::uint32_t> patches;
     for (const std::uint32_t t : triangles) patches.push_back(mesh_.trianglePatch[t]);
-    std::sort(patches.begin(), patches.end());
-    patches.erase(std::unique(patches.begin(), patches.end()), patches.end());
+    sortUnique(patches);
     for (const std::uint32_t patch : patches) entities.push_back({EntityKind::kPatch, patch});
   } else {
     for (const std::uint32_t t : triangles) entities.push_back({EntityKind::kTriangle, t});

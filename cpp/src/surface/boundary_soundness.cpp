@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/sort.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
 #include "surface/surface_access.h"
@@ -58,10 +59,9 @@ UnsoundTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report)
   std::vector<std::uint32_t> bucket(mesh.points.size() / 3 + 1, 0);
   std::vector<Entry> entries(count);
   for (std::uint32_t t = 0; t < count; ++t) {
-    std::array<std::uint32_t, 3> n{mesh.triangles[3 * std::size_t{t}],
-                                   mesh.triangles[3 * std::size_t{t} + 1],
-                                   mesh.triangles[3 * std::size_t{t} + 2]};
-    std::sort(n.begin(), n.end());
+    const std::array n = sorted(std::array{mesh.triangles[3 * std::size_t{t}],
+                                           mesh.triangles[3 * std::size_t{t} + 1],
+                                           mesh.triangles[3 * std::size_t{t} + 2]});
     const bool repeats = n[0] == n[1] || n[1] == n[2];
     if (repeats || collinear(pointOf(mesh, n[0]), pointOf(mesh, n[1]), pointOf(mesh, n[2]))) {
       report.addTriangle(DiagnosticCode::kDegenerateTriangle, t);
@@ -72,13 +72,13 @@ UnsoundTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report)
     ++bucket[n[0] + 1];
   }
   for (std::size_t i = 1; i < bucket.size(); ++i) bucket[i] += bucket[i - 1];
-  std::vector<Entry> sorted(count);
+  std::vector<Entry> byLowest(count);
   std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
-  for (const Entry& entry : entries) sorted[next[entry.nodes[0]]++] = entry;
+  for (const Entry& entry : entries) byLowest[next[entry.nodes[0]]++] = entry;
   for (std::size_t node = 0; node + 1 < bucket.size(); ++node) {
-    const auto first = sorted.begin() + bucket[node];
-    const auto last = sorted.begin() + bucket[node + 1];
-    std::sort(first, last, [](const Entry& a, const Entry& b) {
+    const auto first = byLowest.begin() + bucket[node];
+    const auto last = byLowest.begin() + bucket[node + 1];
+    sortFew(std::span(first, last), [](const Entry& a, const Entry& b) {
       return a.nodes != b.nodes ? a.nodes < b.nodes : a.triangle < b.triangle;
     });
     for (auto at = first; at != last; ++at) {
@@ -107,7 +107,7 @@ void checkCoincidentNodes(const SurfaceMesh& mesh, BoundaryReport& report) {
     const Vec3 p = pointOf(mesh, i);
     entries.push_back({{p.x, p.y, p.z}, i});
   }
-  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+  stableSort(entries, [](const Entry& a, const Entry& b) {
     return a.place != b.place ? a.place < b.place : a.node < b.node;
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {

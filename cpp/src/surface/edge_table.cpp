@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 
 EdgeTable::EdgeTable(std::span<const std::uint32_t> triangles, std::size_t nodeCount,
@@ -32,7 +34,7 @@ EdgeTable::EdgeTable(std::span<const std::uint32_t> triangles, std::size_t nodeC
   for (std::size_t node = 0; node < nodeCount; ++node) {
     const std::span<Entry> run =
         std::span(entries).subspan(bucket[node], bucket[node + 1] - bucket[node]);
-    std::sort(run.begin(), run.end(), [](const Entry& a, const Entry& b) {
+    sortFew(run, [](const Entry& a, const Entry& b) {
       return a.higher != b.higher ? a.higher < b.higher : a.halfEdge < b.halfEdge;
     });
     for (std::size_t i = 0; i < run.size(); ++i) {

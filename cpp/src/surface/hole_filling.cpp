@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/sort.h"
 #include "geom/predicates.h"
 #include "surface/corner_fans.h"
 #include "surface/edge_table.h"
@@ -37,7 +38,7 @@ class RimWalk {
       ends_.push_back({fans_[open_[i]], i});
       ends_.push_back({fans_[nextCorner(open_[i])], i});
     }
-    std::sort(ends_.begin(), ends_.end());
+    stableSort(ends_);
     isWalked_.assign(open_.size(), 0);
   }
 
@@ -171,7 +172,7 @@ class EdgeSet {
     for (std::uint32_t h = 0; h < mesh.triangles.size(); ++h) {
       known_.push_back(edgeBetween(mesh.triangles[h], mesh.triangles[nextCorner(h)]));
     }
-    std::sort(known_.begin(), known_.end());
+    stableSort(known_);
   }
 
   [[nodiscard]] bool holds(std::uint32_t a, std::uint32_t b) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/sort.h"
 #include "model/patch_projection.h"
 #include "search/quadtree.h"
 
@@ -76,7 +77,7 @@ class Carriers {
         tree_.query({turned - slack, turned + slack}, near_);
       }
     }
-    std::ranges::sort(near_);
+    stableSort(near_);
   }
 
   static bool isOn(const Carrier& carrier, const Vec2& place) {
@@ -298,9 +299,7 @@ PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
 std::vector<std::uint32_t> findFaultySides(const PatchBoundary& boundary) {
   std::vector<std::uint32_t> faulty = findTouchingSides(boundary.mesh);
   if (faulty.empty()) faulty = findMisplacedSides(boundary);
-  std::ranges::sort(faulty);
-  const auto repeated = std::ranges::unique(faulty);
-  faulty.erase(repeated.begin(), repeated.end());
+  sortUnique(faulty);
   return faulty;
 }
 

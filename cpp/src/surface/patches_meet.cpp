@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "base/sort.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
 #include "geom/predicates.h"
@@ -68,7 +69,7 @@ class SampledPatches {
     patchTree_.visitOverlaps(patchBoxes_[position], [&](std::uint32_t k) {
       if (k >= position) near.push_back(patches_[k]);
     });
-    std::ranges::sort(near);
+    stableSort(near);
     return near;
   }
 
@@ -86,7 +87,7 @@ class SampledPatches {
         const std::uint32_t other = begin(b) + i;
         if ((a != b || other > t) && overlap(boxes_[other], regionA)) near.push_back(other);
       });
-      std::ranges::sort(near);
+      stableSort(near);
       for (const std::uint32_t other : near) {
         if (isFlat(other) || !meetImproperly(numbered(t), numbered(other))) continue;
         if (areBent && haveSameNodes(t, other)) continue;
@@ -127,11 +128,7 @@ class SampledPatches {
   }
 
   [[nodiscard]] bool haveSameNodes(std::uint32_t t, std::uint32_t other) const {
-    std::array<std::uint32_t, 3> a = numbered(t).nodes;
-    std::array<std::uint32_t, 3> b = numbered(other).nodes;
-    std::ranges::sort(a);
-    std::ranges::sort(b);
-    return a == b;
+    return sorted(numbered(t).nodes) == sorted(numbered(other).nodes);
   }
 
   [[nodiscard]] bool isFlat(std::uint32_t t) const {

@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 
 namespace {
@@ -197,7 +199,7 @@ void PlanarFront::rankCandidates(const Base& base) {
     candidates_.push_back({captured ? away : 2.0 - worth, node});
   }
   candidates_.push_back({kCaptureRadius, PlanarMesh::kNone});
-  std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
+  sortFew(candidates_, [](const Candidate& a, const Candidate& b) {
     return a.rank != b.rank ? a.rank < b.rank : a.node < b.node;
   });
 }

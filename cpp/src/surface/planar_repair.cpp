@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 
 namespace {
@@ -33,7 +35,7 @@ PlanarRepair::PlanarRepair(const PatchMetric& metric, PlanarMesh& mesh, PlanarLi
                            PlanarMoves& moves)
     : metric_(&metric), mesh_(&mesh), links_(&links), moves_(&moves) {
   std::vector<std::uint32_t> nodes(mesh.aliases.begin(), mesh.aliases.begin() + mesh.boundaryCount);
-  std::ranges::sort(nodes);
+  stableSort(nodes);
   hasSeam_ = std::ranges::adjacent_find(nodes) != nodes.end();
 }
 

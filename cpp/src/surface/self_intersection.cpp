@@ -1,7 +1,6 @@
 #include "surface/self_intersection.h"
 
-#include <algorithm>
-
+#include "base/sort.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
 #include "surface/surface_access.h"
@@ -54,7 +53,7 @@ void SelfIntersectionCheck::testTriangle(std::uint32_t triangle) {
     if (other <= triangle || ignored_[other] != 0) return;
     if (!separation.proves(triangleOf(mesh_, other))) near_.push_back(other);
   });
-  std::sort(near_.begin(), near_.end());
+  stableSort(near_);
   for (const std::uint32_t other : near_) {
     const NumberedTriangle met = triangleOf(mesh_, other);
     if (!meetImproperly(own, met)) continue;

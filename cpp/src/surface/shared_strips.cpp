@@ -6,19 +6,14 @@
 #include <span>
 #include <utility>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 
 namespace {
 
 /// Two numbers of which the first is looked up.
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
-
-template <class T>
-void sortUnique(std::vector<T>& values) {
-  std::ranges::sort(values);
-  const auto repeated = std::ranges::unique(values);
-  values.erase(repeated.begin(), repeated.end());
-}
 
 /// The second numbers of the pairs that begin with `first`.
 auto secondsOf(const std::vector<Pair>& pairs, std::uint32_t first) {
@@ -38,7 +33,7 @@ class Incidence {
     sortUnique(nodesOfPatches_);
     patchesAtNodes_.reserve(nodesOfPatches_.size());
     for (const auto& [patch, node] : nodesOfPatches_) patchesAtNodes_.emplace_back(node, patch);
-    std::ranges::sort(patchesAtNodes_);
+    stableSort(patchesAtNodes_);
   }
 
   /// The other patches that have all nodes of the joint.

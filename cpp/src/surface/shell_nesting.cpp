@@ -1,10 +1,10 @@
 #include "surface/shell_nesting.h"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
+#include "base/sort.h"
 #include "geom/predicates.h"
 #include "surface/surface_access.h"
 #include "surface/surface_sides.h"
@@ -104,7 +104,7 @@ std::vector<std::uint32_t> ShellNesting::around(std::uint32_t part) const {
     crossed.push_back(shellOf_[backOf(t)]);
     crossed.push_back(shellOf_[frontOf(t)]);
   });
-  std::sort(crossed.begin(), crossed.end());
+  stableSort(crossed);
   std::vector<std::uint32_t> result;
   for (std::size_t i = 0, j = 0; i < crossed.size(); i = j) {
     while (j < crossed.size() && crossed[j] == crossed[i]) ++j;

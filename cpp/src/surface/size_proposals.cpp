@@ -19,6 +19,7 @@
 #include <utility>
 
 #include "field/size_sources.h"
+#include "base/sort.h"
 #include "search/box_tree.h"
 #include "surface/model_sampling.h"
 #include "tetrafront/grid_tools.h"
@@ -248,8 +249,7 @@ class Proposer {
   }
 
   void thinOut() {
-    std::stable_sort(offers_.begin(), offers_.end(),
-                     [](const SizeSource& a, const SizeSource& b) { return a.size < b.size; });
+    stableSort(offers_, [](const SizeSource& a, const SizeSource& b) { return a.size < b.size; });
     for (const SizeSource& source : offers_) {
       if (!isServed(source)) keep(source);
     }

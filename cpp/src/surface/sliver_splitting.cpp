@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort.h"
 #include "geom/predicates.h"
 #include "surface/edge_table.h"
 #include "surface/surface_access.h"
@@ -41,9 +42,7 @@ class SliverSplitter {
     for (const std::uint32_t sliver : waiting_) {
       for (std::uint32_t k = 0; k < 3; ++k) edges_.push_back(edgeOf(3 * sliver + k));
     }
-    std::ranges::sort(edges_);
-    const auto repeated = std::ranges::unique(edges_);
-    edges_.erase(repeated.begin(), repeated.end());
+    sortUnique(edges_);
     halfEdges_.resize(edges_.size());
     if (edges_.empty()) return;
     for (std::uint32_t h = 0; h < mesh.triangles.size(); ++h) {

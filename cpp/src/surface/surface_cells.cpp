@@ -5,6 +5,7 @@
 #include <numeric>
 #include <span>
 
+#include "base/sort.h"
 #include "search/disjoint_sets.h"
 #include "surface/surface_sides.h"
 
@@ -100,10 +101,11 @@ class CellFinder {
     // Shells part by part, those around others first.
     std::vector<std::uint32_t> order(cells_.shells.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::uint32_t shell) {
+    const auto rank = [&](std::uint32_t shell) {
       const std::uint32_t part = partOfShell(shell);
       return std::array{depth_[part], part, shell};
-    });
+    };
+    stableSort(order, [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
     cells_.isFilled.assign(order.size(), 0);
     for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
       while (j < order.size() && partOfShell(order[j]) == partOfShell(order[i])) ++j;

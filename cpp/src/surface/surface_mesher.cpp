@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/sort.h"
 #include "surface/expected_count.h"
 #include "surface/patch_summary.h"
 #include "surface/shared_strips.h"
@@ -159,9 +160,7 @@ void SurfaceMesher::Impl::findUsedLines() {
     endPoints_.push_back(model.lines[line].points.front());
     endPoints_.push_back(model.lines[line].points.back());
   }
-  std::ranges::sort(endPoints_);
-  const auto repeated = std::ranges::unique(endPoints_);
-  endPoints_.erase(repeated.begin(), repeated.end());
+  sortUnique(endPoints_);
 }
 
 void SurfaceMesher::Impl::findMinimumSides() {
@@ -364,9 +363,7 @@ void SurfaceMesher::Impl::reportFaulty(std::uint32_t patch, const PatchBoundary&
   diagnostic.entities = {{EntityKind::kPatch, patch}};
   std::vector<std::uint32_t> lines;
   for (const std::uint32_t side : faulty) lines.push_back(boundary.origins[side].line);
-  std::ranges::sort(lines);
-  const auto repeated = std::ranges::unique(lines);
-  lines.erase(repeated.begin(), repeated.end());
+  sortUnique(lines);
   for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
   diagnostic.hasPlace = true;
   diagnostic.place = boundary.mesh.places[boundary.mesh.sides[2 * std::size_t{faulty.front()}]];

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "surface/boundary.h"
+#include "base/sort.h"
 #include "surface/boundary_soundness.h"
 #include "surface/edge_table.h"
 #include "surface/hole_filling.h"
@@ -238,18 +239,16 @@ void SurfaceRepairer::Impl::removeSlivers() {
 }
 
 void SurfaceRepairer::Impl::removeDuplicates() {
-  std::vector<std::pair<Triangle, std::uint32_t>> sorted;
+  std::vector<std::pair<Triangle, std::uint32_t>> byNodes;
   for (std::uint32_t t = 0; t < triangleCount(); ++t) {
-    Triangle nodes = nodesOfTriangle(t);
-    std::sort(nodes.begin(), nodes.end());
-    sorted.emplace_back(nodes, t);
+    byNodes.emplace_back(sorted(nodesOfTriangle(t)), t);
   }
-  std::sort(sorted.begin(), sorted.end());
+  stableSort(byNodes);
   std::vector<std::uint32_t> sameAs(triangleCount(), kNoOrigin);
-  for (std::size_t i = 1; i < sorted.size(); ++i) {
-    if (sorted[i].first != sorted[i - 1].first) continue;
-    const std::uint32_t before = sorted[i - 1].second;
-    sameAs[sorted[i].second] = sameAs[before] == kNoOrigin ? before : sameAs[before];
+  for (std::size_t i = 1; i < byNodes.size(); ++i) {
+    if (byNodes[i].first != byNodes[i - 1].first) continue;
+    const std::uint32_t before = byNodes[i - 1].second;
+    sameAs[byNodes[i].second] = sameAs[before] == kNoOrigin ? before : sameAs[before];
   }
   std::vector<std::uint8_t> isGone(triangleCount(), 0);
   for (std::uint32_t t = 0; t < isGone.size(); ++t) {

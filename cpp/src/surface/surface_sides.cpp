@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort.h"
 #include "geom/predicates.h"
 #include "search/disjoint_sets.h"
 #include "surface/surface_access.h"
@@ -60,7 +61,7 @@ void sortByAngle(const SurfaceMesh& mesh, std::vector<std::uint32_t>& halfEdges)
     const int side = orient3d(low, high, reference, apex);
     entries.push_back({h == halfEdges[0] ? 0 : 2 - side, apex, h});
   }
-  std::sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+  stableSort(entries, [&](const Entry& a, const Entry& b) {
     if (a.quarter != b.quarter) return a.quarter < b.quarter;
     return orient3d(low, high, a.apex, b.apex) > 0;
   });

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 namespace {
 
@@ -30,7 +32,7 @@ class NodeWelder::Lattice {
     for (std::uint32_t i = 0; i < count; ++i) cellOf[i] = cellAt(i);
     nodes_.resize(count);
     std::iota(nodes_.begin(), nodes_.end(), 0U);
-    std::sort(nodes_.begin(), nodes_.end(), [&](std::uint32_t a, std::uint32_t b) {
+    stableSort(nodes_, [&](std::uint32_t a, std::uint32_t b) {
       return cellOf[a] != cellOf[b] ? cellOf[a] < cellOf[b] : a < b;
     });
     for (std::uint32_t i = 0; i < count; ++i) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <iterator>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 namespace {
 
@@ -17,9 +19,7 @@ std::vector<std::array<std::uint32_t, 2>> wallNeighbours(const SurfaceMesh& boun
         std::minmax(boundary.triangleRegions[2 * t], boundary.triangleRegions[2 * t + 1]);
     pairs.push_back({high, low});
   }
-  std::ranges::sort(pairs);
-  const auto repeated = std::ranges::unique(pairs);
-  pairs.erase(repeated.begin(), repeated.end());
+  sortUnique(pairs);
   return pairs;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 
 PocketFill::PocketFill(const Front& front, Pocket pocket, unsigned order)
@@ -13,8 +15,7 @@ FillTask PocketFill::taskFor(const Front& front, const Pocket& pocket, std::vect
     const NodeTriple& n = front.face(face).nodes;
     nodes.insert(nodes.end(), n.begin(), n.end());
   }
-  std::sort(nodes.begin(), nodes.end());
-  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  sortUnique(nodes);
   const auto numberOf = [&](NodeId node) {
     const auto at = std::lower_bound(nodes.begin(), nodes.end(), node);
     return NodeId(static_cast<std::size_t>(at - nodes.begin()));

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "base/sort.h"
 #include "geom/predicates.h"
 #include "search/disjoint_sets.h"
 
@@ -174,7 +175,7 @@ std::vector<Pocket> findPockets(const Front& front) {
   }
   std::vector<Pocket> result;
   for (auto& entry : pockets) {
-    std::sort(entry.second.faces.begin(), entry.second.faces.end());
+    stableSort(entry.second.faces);
     result.push_back(std::move(entry.second));
   }
   return result;
