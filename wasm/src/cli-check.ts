@@ -5,7 +5,7 @@ import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } fro
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
 import { meshLines, surfaceLines } from "./cli-tables.js";
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
 import { checkPreviewOptions } from "./options.js";
@@ -96,11 +96,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     return { kind: "mesh", diagnostics: faultsOf(inspection), inspection };
   }
   if (mesh.triangles.length === 0) {
-    const nothing = packageDiagnostic(
-      "unreadable-input",
-      "the file holds no triangle and no tetrahedron",
-      "",
-    );
+    const nothing = packageDiagnostic("no-triangles", "the file holds no triangle and no tetrahedron", "");
     throw new BadInput(input, [nothing]);
   }
   const { surface, changes } = await repaired(mesher, surfaceOf(mesh), wanted);

@@ -4,7 +4,7 @@ import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
 import { meshLines, mixedTurns, placeText, plural, qualityLines } from "./cli-tables.js";
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { formatOf } from "./formats/file-formats.js";
 import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
 import type { Project } from "./project-schema.js";
@@ -35,7 +35,7 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
     const mesh = await readMeshFile(input, options.from);
     if (mesh.tetrahedra.length === 0) {
       const remedy = "Give a volume mesh; of a surface `tetrafront check` tells the figures.";
-      const none = packageDiagnostic("unreadable-input", "the file holds no tetrahedron", remedy);
+      const none = packageDiagnostic("no-tetrahedra", "the file holds no tetrahedron", remedy);
       throw new BadInput(input, [none]);
     }
     const found = await withMesher((mesher) =>

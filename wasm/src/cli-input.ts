@@ -72,7 +72,7 @@ export async function readModel(input: string, from?: string): Promise<Input> {
     return { kind: "project", project: await readProjectFile(input, from) };
   }
   const read = await readSurface(piecesOfInput(input), openedAs(input, name));
-  return { kind: "surface", surface: valueOf(input, read) };
+  return { kind: "surface", surface: valueOf(input, read, name) };
 }
 
 /** All that a mesh file holds, nothing welded. */
@@ -81,7 +81,7 @@ export async function readMeshFile(input: string, from?: string): Promise<FileMe
   checkedExtension(name, [
     ...new Set([...extensionsThat("reads", "surface"), ...extensionsThat("reads", "volume")]),
   ]);
-  return valueOf(input, await readMesh(piecesOfInput(input), openedAs(input, name)));
+  return valueOf(input, await readMesh(piecesOfInput(input), openedAs(input, name)), name);
 }
 
 /** Whether the input is a project: its name, or the format given, tells. */
@@ -102,7 +102,7 @@ export async function readGrid(file: string): Promise<GridInput> {
   }
   return {
     kind: "volume",
-    volume: valueOf(file, await readVolume(piecesOfInput(file), openedAs(file, file))),
+    volume: valueOf(file, await readVolume(piecesOfInput(file), openedAs(file, file)), file),
   };
 }
 
@@ -110,7 +110,11 @@ export async function readGrid(file: string): Promise<GridInput> {
 export async function gridArrays(mesher: Mesher, file: string, grid: GridInput): Promise<BackgroundArrays> {
   if (grid.kind === "project") return grid.background;
   const read = await volumeBackground(mesher, grid.volume);
-  if (!read.success) throw new BadInput(file, read.problems.map(unreadable));
+  if (!read.success)
+    throw new BadInput(
+      file,
+      read.problems.map((problem) => unreadable(problem)),
+    );
   return read.value;
 }
 
@@ -128,7 +132,10 @@ function checkedExtension(file: string, known: readonly string[]): string {
   );
 }
 
-function valueOf<T>(file: string, read: ReadResult<T>): T {
+function valueOf<T>(file: string, read: ReadResult<T>, readAs?: string): T {
   if (read.success) return read.value;
-  throw new BadInput(file, read.problems.map(unreadable));
+  throw new BadInput(
+    file,
+    read.problems.map((problem) => unreadable(problem, readAs)),
+  );
 }

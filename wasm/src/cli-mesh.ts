@@ -14,7 +14,7 @@ import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles, type NamedFile } from "./cli-places.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { fileMeshOf } from "./formats/file-mesh.js";
 import { writeMesh } from "./formats/mesh-files.js";
 import { withMesher } from "./cli-grids.js";

@@ -1,6 +1,6 @@
 /** What the command line says, and how its commands end. */
 import { FileProblem } from "./cli-files.js";
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { MesherError } from "./mesher-error.js";
 import type { ReadProblem } from "./read-result.js";
 import type { Diagnostic } from "./types.js";
@@ -32,9 +32,14 @@ export function asBadInput(failure: unknown, input: string): BadInput | undefine
   return undefined;
 }
 
-export function unreadable({ message, remedy, line }: ReadProblem): Diagnostic {
+/** `readAs`: the name of the file that was given; a problem of another beside it names that. */
+export function unreadable(
+  { code, message, remedy, line, fileName }: ReadProblem,
+  readAs?: string,
+): Diagnostic {
+  const other = fileName === undefined || readAs === undefined || fileName === readAs ? "" : `${fileName}: `;
   const place = line === undefined || message.startsWith("line ") ? "" : `line ${line}: `;
-  return packageDiagnostic("unreadable-input", `${place}${message}`, remedy);
+  return packageDiagnostic(code, `${other}${place}${message}`, remedy);
 }
 
 /** Of one code no more than these are told: more of the same teach nothing and hide the others. */

@@ -27,7 +27,7 @@ import { numberIn } from "./cli-input.js";
 import { meshFile, type MeshCommandOptions } from "./cli-mesh.js";
 import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
 import { checkApart, inputFiles, outputFiles } from "./cli-places.js";
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import type { Contents } from "./formats/file-format.js";
 import { FILE_FORMATS } from "./formats/file-formats.js";
 import {

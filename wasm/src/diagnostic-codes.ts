@@ -1,3 +1,6 @@
+import type { MesherErrorCode } from "./mesher-error.js";
+import type { ReadCode } from "./read-result.js";
+
 /**
  * The stable names of everything a run can complain about. The numbers are those of the engine's
  * `DiagnosticCode` (cpp/include/tetrafront/status.h), which a test compares with this table.
@@ -49,23 +52,24 @@ export type EngineCode = (typeof ENGINE_CODES)[keyof typeof ENGINE_CODES];
 
 /** What the package and its command line find themselves. */
 export type PackageCode =
-  /** The value given as a project does not follow the schema. */
-  | "invalid-project"
   /** An option is out of range. */
   | "invalid-option"
-  /** The arrays of a surface do not fit together. */
+  /** The arrays of a surface or a mesh do not fit together. */
   | "invalid-arrays"
-  /** A mesh file whose elements do not fit together. */
+  /** A mesh whose elements do not fit together. */
   | "unsound-mesh"
-  /** A file could not be read or is not what its extension says. */
+  /** A file could not be opened or written, or holds nothing that a command could use. */
   | "unreadable-input"
   /** The memory did not suffice. */
   | "out-of-memory"
   /** Our own mistake. */
   | "engine-failed";
 
-/** Everything that can be wrong, by its stable name. */
-export type DiagnosticCode = EngineCode | PackageCode;
+/** Everything that can be found in what is given, by its stable name. */
+export type DiagnosticCode = EngineCode | PackageCode | ReadCode;
+
+/** Everything that can go wrong at all: the codes of diagnostics, of reading, and of calls that are rejected. */
+export type ErrorCode = DiagnosticCode | MesherErrorCode;
 
 /** The name of an engine code; undefined for a number the engine does not use. */
 export function engineCodeName(code: number): EngineCode | undefined {

@@ -2,7 +2,8 @@
  * What the engine found, said in sentences: the entities by the names the user gave them, the place,
  * the numbers, and what to do about it.
  */
-import { engineCodeName, type DiagnosticCode, type EngineCode } from "./diagnostic-codes.js";
+import { engineCodeName, type EngineCode } from "./diagnostic-codes.js";
+import { capitalised } from "./package-diagnostic.js";
 import type { EntityNamer } from "./project-arrays.js";
 import type { Diagnostic, EntityKind, EntityRef, Severity } from "./types.js";
 
@@ -332,11 +333,6 @@ function withCounting(message: string, entities: readonly EntityRef[]): string {
   return `${message.slice(0, end)} (counted from 0)${message.slice(end)}`;
 }
 
-/** A diagnostic that the package raises itself, about no entity in particular. */
-export function packageDiagnostic(code: DiagnosticCode, message: string, remedy: string): Diagnostic {
-  return { code, severity: "error", message: capitalised(message), remedy, entities: [], values: [] };
-}
-
 function namedEntities(pairs: Uint32Array, name: EntityNamer): EntityRef[] {
   const named: EntityRef[] = [];
   for (let i = 0; i + 1 < pairs.length; i += 2) {
@@ -378,9 +374,4 @@ function joined(labels: readonly string[]): string | undefined {
 function shortNumber(value: number | undefined): string {
   if (value === undefined) return "?";
   return Number.isSafeInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
-}
-
-/** A path such as `points[8].id` at the beginning stays as it is. */
-function capitalised(sentence: string): string {
-  return sentence.replace(/^[a-z]+(?=[ ,])/, (word) => word.charAt(0).toUpperCase() + word.slice(1));
 }

@@ -4,7 +4,7 @@
  *     import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
  */
 export { ENGINE_CODES } from "./diagnostic-codes.js";
-export type { DiagnosticCode, EngineCode, PackageCode } from "./diagnostic-codes.js";
+export type { DiagnosticCode, EngineCode, ErrorCode, PackageCode } from "./diagnostic-codes.js";
 export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagnostics.js";
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
@@ -65,7 +65,7 @@ export type {
   SourceId,
   SourceType,
 } from "./project-schema.js";
-export type { ReadProblem, ReadResult } from "./read-result.js";
+export type { ReadCode, ReadProblem, ReadResult } from "./read-result.js";
 export { repairedSurface } from "./repaired-surface.js";
 export type {
   AbortControl,

@@ -1,8 +1,8 @@
 /** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { parseProject } from "./project.js";
 import { sourceProblem } from "./project-schema.js";
-import type { BackgroundArrays, Diagnostic, SurfaceInput, VolumeMesh } from "./types.js";
+import type { BackgroundArrays, Diagnostic, RunControl, SurfaceInput, VolumeMesh } from "./types.js";
 
 /** What a caller without type checks may give in place of T. */
 type Unchecked<T> = { readonly [Key in keyof T]?: unknown };
@@ -17,6 +17,17 @@ export function checkProject(project: unknown): Diagnostic[] {
   const parsed = parseProject(project);
   if (parsed.success) return [];
   return parsed.problems.map(({ message, remedy }) => packageDiagnostic("invalid-project", message, remedy));
+}
+
+export function checkControl(control: RunControl): Diagnostic[] {
+  const given: unknown = control;
+  const { onProgress, signal } = asObject(control);
+  const isWatched = onProgress === undefined || typeof onProgress === "function";
+  const isSignal =
+    signal === undefined || typeof asObject(signal as AbortSignal).addEventListener === "function";
+  if (typeof given === "object" && given !== null && isWatched && isSignal) return [];
+  const remedy = "Give an object with a function onProgress, an AbortSignal signal, both or neither.";
+  return [packageDiagnostic("invalid-option", "the control of the call is not what it should be", remedy)];
 }
 
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {

@@ -45,6 +45,13 @@ export class MesherError extends Error {
   }
 }
 
+/** Throws where there is anything in the list; the message is that of the first. */
+export function refuse(wrong: readonly Diagnostic[]): void {
+  const [first] = wrong;
+  if (first === undefined) return;
+  throw new MesherError("invalid-input", `${first.message}. ${first.remedy}`, wrong);
+}
+
 export function cancelledError(): MesherError {
   return new MesherError("cancelled", "The signal was aborted before the answer came");
 }

@@ -4,9 +4,9 @@
  */
 import { startWorker } from "#worker-host";
 
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
-import { checkProject, checkSurface, checkVolume } from "./input-checks.js";
+import { checkControl, checkProject, checkSurface, checkVolume } from "./input-checks.js";
 import {
   describedInspection,
   describedMesh,
@@ -19,6 +19,7 @@ import {
 } from "./inspection.js";
 import {
   checkCoverOptions,
+  checkGridOptions,
   checkOptions,
   checkPreviewOptions,
   checkProposalOptions,
@@ -30,13 +31,21 @@ import {
   engineRepairOptions,
   withSettings,
 } from "./options.js";
-import { cancelledError, crashError, disposedError, failureError, MesherError } from "./mesher-error.js";
+import {
+  cancelledError,
+  crashError,
+  disposedError,
+  failureError,
+  MesherError,
+  refuse,
+} from "./mesher-error.js";
 import {
   gridByPosition,
   nameByPosition,
   projectArrays,
   projectNamer,
   type EntityNamer,
+  type ModelArrays,
 } from "./project-arrays.js";
 import type { Project, ProjectBackground } from "./project-schema.js";
 import type { Answers, EngineResult, Question, Reply, Request, SlicedKind } from "./protocol.js";
@@ -156,12 +165,13 @@ class WorkerMesher implements Mesher {
     control: AbortControl = {},
   ): Promise<ProjectPreview> {
     const unusable = checkPreviewOptions(options);
+    const model = drawnArrays(project);
     const { size, enclosed } = withSettings(unusable.length > 0 ? {} : options, project);
     const wrong = unusable.length > 0 ? unusable : checkPreviewOptions({ size, enclosed });
     const question = {
       kind: "preview",
       id: this.#nextId(),
-      model: projectArrays(project),
+      model,
       options: engineOptions(wrong.length > 0 ? {} : { size, enclosed }),
     } as const;
     const preview = describedPreview(await this.#ask(question, control), projectNamer(project));
@@ -199,9 +209,11 @@ class WorkerMesher implements Mesher {
 
   async meshAsBackground(
     mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
-    { sizes }: { readonly sizes?: Float64Array | undefined } = {},
+    options: { readonly sizes?: Float64Array | undefined } = {},
     control: AbortControl = {},
   ): Promise<BackgroundArrays> {
+    refuse(checkGridOptions(options));
+    const { sizes } = options;
     refuse(checkVolume(mesh, sizes));
     const { points, tetrahedra } = mesh;
     const id = this.#nextId();
@@ -261,6 +273,7 @@ class WorkerMesher implements Mesher {
     question: Question & { readonly kind: Kind },
     control: RunControl,
   ): Promise<Answers[Kind]> {
+    refuse(checkControl(control));
     const { signal, onProgress } = control;
     const onAbort = () => this.#abandon(question.id, cancelledError());
     try {
@@ -298,6 +311,8 @@ class WorkerMesher implements Mesher {
   }
 
   async #run(request: RunRequest, control: RunControl, name: EntityNamer): Promise<MeshResult> {
+    const wrong = checkControl(control);
+    if (wrong.length > 0) return emptyResult("invalid-input", wrong);
     const { signal, onProgress } = control;
     let onAbort: (() => void) | undefined;
     try {
@@ -472,11 +487,14 @@ function isSliced({ kind }: Question): boolean {
   return kind in SLICED;
 }
 
-/** Throws where there is anything in the list; the message is that of the first. */
-function refuse(wrong: readonly Diagnostic[]): void {
-  const [first] = wrong;
-  if (first === undefined) return;
-  throw new MesherError("invalid-input", `${first.message}. ${first.remedy}`, wrong);
+/** A preview shows drawings that are not finished: only what is no project at all is refused. */
+function drawnArrays(project: Project): ModelArrays {
+  try {
+    return projectArrays(project);
+  } catch (failure) {
+    refuse(checkProject(project));
+    throw failure;
+  }
 }
 
 function nothingToCover(): Diagnostic {

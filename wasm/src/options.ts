@@ -1,5 +1,5 @@
 /** The options as the engine takes them, or what is wrong with them. */
-import { packageDiagnostic } from "./diagnostics.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { checkBackground } from "./input-checks.js";
 import type { RepairOptions } from "./inspection.js";
 import type { Project } from "./project-schema.js";
@@ -146,6 +146,11 @@ export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
 
 export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
   return checkAgainst(options, options, COVER_RULES);
+}
+
+/** Of `meshAsBackground`; the sizes are looked at together with the mesh. */
+export function checkGridOptions(options: { readonly sizes?: unknown }): Diagnostic[] {
+  return checkAgainst(options, options, { sizes: ["sizes", () => undefined] });
 }
 
 export function checkProposalOptions(options: ProposalOptions): Diagnostic[] {

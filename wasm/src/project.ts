@@ -28,7 +28,10 @@ export function parseProject(value: unknown): ReadResult<Project> {
 
 /** Reads the text of a project file. Never throws. */
 export function readProject(text: string): ReadResult<Project> {
-  if (text.trim() === "") return { success: false, problems: [notAProject("the file is empty")] };
+  if (typeof text !== "string") return { success: false, problems: [notAProject("it is no text")] };
+  if (text.trim() === "") {
+    return { success: false, problems: [{ ...notAProject("the file is empty"), code: "empty-file" }] };
+  }
   let value: unknown;
   try {
     value = JSON.parse(text.startsWith("\uFEFF") ? text.slice(1) : text);
@@ -78,6 +81,7 @@ function checkHead(value: unknown): ReadProblem | undefined {
   if (format !== PROJECT_FORMAT) return notAProject(`"format" is not "${PROJECT_FORMAT}"`);
   if (typeof version === "number" && version > PROJECT_VERSION) {
     return {
+      code: "later-version",
       message: `the file has version ${version}, this program reads versions up to ${PROJECT_VERSION}`,
       remedy: "Update Tetrafront.",
       path: "version",
@@ -88,6 +92,7 @@ function checkHead(value: unknown): ReadProblem | undefined {
 
 function notAProject(why: string): ReadProblem {
   return {
+    code: "not-a-project",
     message: `this is not a Tetrafront project: ${why}`,
     remedy: `Give a file that begins with { "format": "${PROJECT_FORMAT}", "version": ${PROJECT_VERSION}, … }.`,
   };
@@ -98,6 +103,7 @@ function describeSyntaxError(text: string, failure: unknown): ReadProblem {
   const position = /position (\d+)/.exec(reason)?.[1];
   const offset = position === undefined ? undefined : Number(position);
   return {
+    code: "malformed-file",
     message: `this is not JSON: ${reason.replace(/ in JSON at position.*| \(line \d+ column \d+\)/, "")}`,
     remedy: "Correct the text there, or save the project again from the program that wrote it.",
     line: offset === undefined ? undefined : text.slice(0, offset).split("\n").length,
@@ -108,6 +114,7 @@ function describeIssue(issue: z.core.$ZodIssue): ReadProblem {
   const path = pathText(issue.path);
   const reason = issue.message.replace(/^Invalid (input|option|key|element): /, "");
   return {
+    code: "invalid-project",
     message: path === "" ? reason : `${path}: ${reason}`,
     remedy: "Correct the value there; docs/FORMAT.md describes every field.",
     path,

@@ -1,9 +1,40 @@
 /** Why a file, or a value said to be a project, could not be read. */
+
+/**
+ * - `invalid-argument`: what was given is no source of bytes, or has no file name.
+ * - `unknown-format`: the file's name tells no format that can be read, or written, as this.
+ * - `empty-file`: it has no byte.
+ * - `malformed-file`: its content does not follow its format, or goes beyond what is read of it; `line` or `offset`
+ *   tells where.
+ * - `missing-file`: it says so little without another file beside it, which was not there.
+ * - `no-triangles`, `no-tetrahedra`: it holds none.
+ * - `invalid-sizes`: the numbers at its nodes are no element sizes.
+ * - `not-a-project`: neither format nor structure are a project's.
+ * - `later-version`: a project of a later version of this program.
+ * - `invalid-project`: a project with a value that cannot be; `path` tells where.
+ */
+export type ReadCode =
+  | "invalid-argument"
+  | "unknown-format"
+  | "empty-file"
+  | "malformed-file"
+  | "missing-file"
+  | "no-triangles"
+  | "no-tetrahedra"
+  | "invalid-sizes"
+  | "not-a-project"
+  | "later-version"
+  | "invalid-project";
+
+/** One thing that is wrong. */
 export interface ReadProblem {
-  /** One sentence: what is wrong. */
+  readonly code: ReadCode;
+  /** One sentence: what is wrong, and where in the file. */
   readonly message: string;
   /** One sentence: what to do about it. */
   readonly remedy: string;
+  /** Of formats that have several files it may be one beside that which was given. */
+  readonly fileName?: string | undefined;
   /** Where in a project, e.g. `lines[3].points[1]`. */
   readonly path?: string | undefined;
   /** Where in a text file, from 1. */
@@ -19,9 +50,27 @@ export type ReadResult<T> =
 
 /** Raised inside a reader and turned into a result at its entry; never seen by callers. */
 export class ReadFailure extends Error {
-  constructor(readonly problem: ReadProblem) {
+  readonly problem: ReadProblem;
+
+  constructor(problem: Omit<ReadProblem, "code"> & { readonly code?: ReadCode }) {
     super(problem.message);
+    this.problem = { code: "malformed-file", ...problem };
   }
+}
+
+/** A failure in a file of this name, unless it tells of another; anything else as it is. */
+export function failureIn(fileName: string, failure: unknown): unknown {
+  if (!(failure instanceof ReadFailure)) return failure;
+  return new ReadFailure({ fileName, ...failure.problem });
+}
+
+/** Where something was read: `line` in text, else `offset`. */
+export type FilePlace = Pick<ReadProblem, "line" | "offset">;
+
+/** A failure at a place, which its message begins with. */
+export function failureAt(place: FilePlace, message: string, remedy: string): ReadFailure {
+  const words = place.line === undefined ? `byte ${place.offset ?? 0}` : `line ${place.line}`;
+  return new ReadFailure({ message: `${words}: ${message}`, remedy, ...place });
 }
 
 /** Runs a reader; a ReadFailure becomes a result, anything else is our own mistake and passes through. */

@@ -156,15 +156,15 @@ describe("check", () => {
   });
 
   test.each([
-    ["none.json", /no such file/],
-    ["text.json", /not JSON/],
-  ])("of %s says why it cannot be read, as JSON too", async (name, message) => {
+    ["none.json", /no such file/, "unreadable-input"],
+    ["text.json", /line 1: this is not JSON/i, "malformed-file"],
+  ])("of %s says why it cannot be read, as JSON too", async (name, message, wanted) => {
     save("text.json", "{");
     expect((await run("check", name)).stderr).toMatch(message);
     const { code, stdout } = await run("check", name, "--json");
     expect(code).toBe(2);
     const { diagnostics } = JSON.parse(stdout) as { diagnostics: Diagnostic[] };
-    expect(diagnostics).toMatchObject([{ code: "unreadable-input" }]);
+    expect(diagnostics).toMatchObject([{ code: wanted }]);
   });
 });
 
@@ -198,7 +198,7 @@ describe("mesh --background", () => {
     ["together with a size", ["--background", "grid.json", "--size", "0.2"], /Both --size and --background/],
     ["that is not there", ["--background", "none.vtu"], /none\.vtu: There is no such file/],
     ["of another kind", ["--background", "cube.off"], /"\.off" cannot be read.*\.json, \.vtu, \.msh/],
-    ["that is broken", ["--background", "broken.msh"], /broken\.msh: The file does not begin with/],
+    ["that is broken", ["--background", "broken.msh"], /broken\.msh: Line 1: the file does not begin with/],
     ["that does not cover", ["--background", "far.json"], /outside the background grid/],
   ])("%s is refused", async (_, args, message) => {
     save("bare.json", writeProject(bare));
@@ -254,7 +254,7 @@ describe("what is said", () => {
   test("of text that is no STL is that it is none", async () => {
     save("part.stl", `OFF\n${"0 0 0\n".repeat(40)}`);
     expect((await run("mesh", "part.stl", "-o", "out.vtu")).stderr).toMatch(
-      /part\.stl: This is text, but not an STL file/,
+      /part\.stl: Line 1: this is text, but not an STL file/,
     );
   });
 

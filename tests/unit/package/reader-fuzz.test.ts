@@ -180,6 +180,17 @@ describe.each(samples)("%s", (_, fileName, load) => {
         const [problem] = result?.problems ?? [];
         const isTold = /\S/.test(problem?.message ?? "") && /^[A-Z].*\.$/.test(problem?.remedy ?? "");
         expect(isTold, `seed ${seed}: ${problem?.message}`).toBe(true);
+        // All the rest of a file may make sense without the points that another has to tell.
+        if (problem?.code === "missing-file") continue;
+        const hasPlace = problem?.line !== undefined || problem?.offset !== undefined;
+        expect(hasPlace, `seed ${seed}: ${problem?.message}`).toBe(true);
+        expect([problem?.code, problem?.message]).toEqual(
+          problem?.code === "empty-file"
+            ? ["empty-file", "the file is empty"]
+            : ["malformed-file", expect.stringMatching(/^(line [1-9]|byte \d+|the file ends at byte)/)],
+        );
+        expect(problem?.message).not.toMatch(/NaN|undefined/);
+        expect(problem?.fileName).toMatch(/^a\./);
       }
     }
     expect(refused).toBeGreaterThan(seeds / 10);

@@ -3,7 +3,7 @@
  * LOOKAHEAD bytes ahead, or to the end of the file; all other calls are plain functions on the window, so
  * that a number costs no promise. Readers call `fill` where `isLow` says so, once per entry (a point, a face).
  */
-import { ReadFailure } from "../read-result.js";
+import { failureAt, ReadFailure, type FilePlace } from "../read-result.js";
 import { piecesOf, type ByteSource } from "./byte-source.js";
 import { decimalIn } from "./decimal.js";
 
@@ -31,7 +31,9 @@ export class ByteReader {
   /** Bytes of the file before the window. */
   #before = 0;
   #line = 1;
-  /** Whether the last thing read was text, whose place is best told by its line. */
+  /** The line of what was read last. */
+  #lastLine = 1;
+  /** Whether all that was read is text, whose places are best told by their lines. */
   #isText = true;
   #isWhole = false;
   readonly #pieces: AsyncIterator<Uint8Array>;
@@ -54,7 +56,8 @@ export class ByteReader {
     try {
       await reader.fill();
       if (reader.isAtEnd) {
-        throw new ReadFailure({ message: "the file is empty", remedy: options.remedy, offset: 0 });
+        const { remedy } = options;
+        throw new ReadFailure({ code: "empty-file", message: "the file is empty", remedy, offset: 0 });
       }
       return await read(reader);
     } finally {
@@ -194,11 +197,10 @@ export class ByteReader {
 
   /** The rest of this line without blanks around it; the place is then the begin of the next. */
   line(): string {
-    this.#isText = true;
     const end = this.#lineEnd();
     const text = new TextDecoder().decode(this.#bytes.subarray(this.#at, end));
     this.#at = Math.min(end + 1, this.#bytes.length);
-    this.#line++;
+    this.#lastLine = this.#line++;
     return text.trim();
   }
 
@@ -207,7 +209,7 @@ export class ByteReader {
     this.#skipBlanks(false);
     if (this.#bytes[this.#at] !== LINE_FEED) this.fail("the line should end here");
     this.#at++;
-    this.#line++;
+    this.#lastLine = this.#line++;
   }
 
   /** Moves behind the next place where the file says `text`, and the rest of that line. */
@@ -217,12 +219,12 @@ export class ByteReader {
       await this.fill();
       const found = indexOf(this.#bytes, wanted, this.#at);
       if (found >= 0) {
-        this.#at = found + wanted.length;
+        this.#moveTo(found + wanted.length);
         this.skipLine();
         return;
       }
       // The begin of the text may stand at the window's end.
-      this.#at = Math.max(this.#at, this.#bytes.length - wanted.length + 1);
+      this.#moveTo(Math.max(this.#at, this.#bytes.length - wanted.length + 1));
       if (this.#isWhole) this.fail(`the file ends where "${text}" should be`);
     }
   }
@@ -252,17 +254,27 @@ export class ByteReader {
 
   /** `count` if it is one that can be; that so many items follow is seen only when they do. */
   count(count: number, what: string): number {
+    if (Number.isNaN(count)) this.fail(`the number of ${what} should be here`);
     return Number.isSafeInteger(count) && count >= 0 ? count : this.fail(`${count} is no number of ${what}`);
   }
 
-  fail(message: string): never {
-    const { remedy, place } = { remedy: this.#remedy, place: this.#isText ? "line" : "byte" };
-    const at = this.#isText ? this.#line : this.offset;
-    throw new ReadFailure({
-      message: `${place} ${at}: ${message}`,
-      remedy,
-      ...(this.#isText ? { line: at } : { offset: at }),
-    });
+  /** Where the reader is, for what is judged only later. */
+  get place(): FilePlace {
+    return this.#isText ? { line: this.#lastLine } : { offset: this.offset };
+  }
+
+  fail(message: string, place = this.place): never {
+    throw failureAt(place, message, this.#remedy);
+  }
+
+  /** Moves on within the window over lines that are not looked at. */
+  #moveTo(at: number): void {
+    if (this.#isText) {
+      let end = this.#bytes.indexOf(LINE_FEED, this.#at);
+      for (; end >= 0 && end < at; end = this.#bytes.indexOf(LINE_FEED, end + 1)) this.#line++;
+    }
+    this.#at = at;
+    this.#lastLine = this.#line;
   }
 
   #advance(bytes: number): number {
@@ -273,20 +285,20 @@ export class ByteReader {
   }
 
   #skipBlanks(alsoLineEnds: boolean): void {
-    this.#isText = true;
     const bytes = this.#bytes;
     for (; this.#at < bytes.length; this.#at++) {
       const byte = bytes[this.#at] ?? 0;
       if (byte > SPACE) {
-        if (byte !== this.#comment) return;
+        if (byte !== this.#comment) break;
         this.skipLine();
         this.#at--;
       } else if (byte === LINE_FEED) {
-        if (!alsoLineEnds) return;
+        if (!alsoLineEnds) break;
         this.#line++;
       }
     }
-    this.#checkEdge();
+    this.#lastLine = this.#line;
+    if (this.#at === bytes.length) this.#checkEdge();
   }
 
   #wordEnd(): number {
@@ -345,3 +357,6 @@ function concatenated(parts: readonly Uint8Array[], length: number): Uint8Array<
   }
   return joined;
 }
+
+/** Of text, for what its first line should have said. */
+export const FIRST_LINE: FilePlace = { line: 1 };

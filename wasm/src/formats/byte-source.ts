@@ -1,4 +1,5 @@
 /** Where the bytes of a file come from: all at once, or piece by piece while it is read. */
+import { ReadFailure } from "../read-result.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */
 export type ByteSource =
@@ -13,6 +14,7 @@ const BREATH_MS = 12;
 export async function* piecesOf(source: ByteSource): AsyncGenerator<Uint8Array, void> {
   let breathed = performance.now();
   for await (const piece of rawPiecesOf(source)) {
+    if (!ArrayBuffer.isView(piece)) throw noBytes("what it gives is no Uint8Array");
     yield piece;
     if (performance.now() - breathed > BREATH_MS) {
       await new Promise((resolve) => setTimeout(resolve));
@@ -25,6 +27,26 @@ function rawPiecesOf(source: ByteSource): AsyncIterable<Uint8Array> | Iterable<U
   if (source instanceof Uint8Array) return cut(source);
   if (source instanceof Blob) return fromStream(source.stream());
   return "getReader" in source ? fromStream(source) : source;
+}
+
+/** Throws a ReadFailure where this cannot be read from, as callers without type checks may give anything. */
+export function checkSource(source: unknown): asserts source is ByteSource {
+  const isObject = typeof source === "object" && source !== null;
+  const isSource =
+    isObject &&
+    (source instanceof Blob ||
+      "getReader" in source ||
+      Symbol.asyncIterator in source ||
+      Symbol.iterator in source);
+  if (!isSource) throw noBytes(`it is ${isObject ? "an object without bytes" : typeof source}`);
+}
+
+function noBytes(why: string): ReadFailure {
+  return new ReadFailure({
+    code: "invalid-argument",
+    message: `the source cannot be read: ${why}`,
+    remedy: "Give a Uint8Array, a Blob, or a stream or iterable of Uint8Arrays.",
+  });
 }
 
 function* cut(bytes: Uint8Array): Generator<Uint8Array, void> {

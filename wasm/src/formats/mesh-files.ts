@@ -1,9 +1,12 @@
 /** Reading and writing mesh files of any format: the file's name tells which. */
-import { ReadFailure, readSafely, type ReadResult } from "../read-result.js";
-import { watched, type ByteSource } from "./byte-source.js";
+import { refuse } from "../mesher-error.js";
+import { packageDiagnostic } from "../package-diagnostic.js";
+import { failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
+import { checkSource, watched, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
 import { extensionsThat, formatOf } from "./file-formats.js";
 import type { FileMesh } from "./file-mesh.js";
+import { checkFileMesh } from "./mesh-checks.js";
 import { surfaceOf, type SurfaceFile } from "./surface-file.js";
 import { volumeOf, type VolumeFile } from "./volume-file.js";
 
@@ -43,12 +46,21 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
 
 /**
  * The files that a mesh becomes in the format of this name: one, or several beside each other. Formats that
- * hold surfaces only get the triangles. Rejects with a `RangeError` where the name tells no format that can
- * be written; `formatOf` tells beforehand.
+ * hold surfaces only get the triangles. Rejects with a `MesherError` of the code `invalid-input`, whose diagnostic
+ * is `unknown-format` where the name tells no format that can be written (`formatOf` tells beforehand), or
+ * `invalid-arrays` where the mesh does not hold together.
  */
 export async function writeMesh(mesh: FileMesh, fileName: string): Promise<readonly WrittenFile[]> {
-  const { write } = (await formatOf(fileName)?.load()) ?? {};
-  if (write === undefined) throw new RangeError(`no format to write: ${fileName}`);
+  const format = typeof fileName === "string" ? formatOf(fileName) : undefined;
+  const { write } = (await format?.load()) ?? {};
+  if (write === undefined) {
+    const message = `the name "${fileName}" tells no format that can be written`;
+    const known = [...extensionsThat("writes", "volume"), ...extensionsThat("writes", "surface")];
+    const remedy = `Give a name that ends in one of ${known.join(", ")}.`;
+    refuse([packageDiagnostic("unknown-format", message, remedy)]);
+    return [];
+  }
+  refuse(checkFileMesh(mesh));
   return write(mesh, fileName);
 }
 
@@ -57,12 +69,27 @@ async function readAny(
   options: ReadFileOptions,
   contents: readonly Contents[],
 ): Promise<FileMesh> {
-  const { fileName, openOther = () => Promise.resolve(undefined) } = options;
+  checkSource(source);
+  const { fileName, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
   const format = formatOf(fileName);
   if (!format?.reads.some((held) => contents.includes(held))) throw unknownFormat(fileName, format, contents);
   const { read } = await format.load();
   if (read === undefined) throw unknownFormat(fileName, format, contents);
-  return read(watched(source, options), { fileName, openOther });
+  try {
+    return await read(watched(source, options), { fileName, openOther });
+  } catch (failure) {
+    throw failureIn(fileName, failure);
+  }
+}
+
+function checkedOptions(options: ReadFileOptions): ReadFileOptions {
+  const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};
+  if (typeof fileName === "string") return options;
+  throw new ReadFailure({
+    code: "invalid-argument",
+    message: "no name of the file is given, by which its format is told",
+    remedy: 'Give options with a name: { fileName: "part.stl" }.',
+  });
 }
 
 function unknownFormat(
@@ -76,7 +103,8 @@ function unknownFormat(
       ? `the name "${fileName}" tells no known format`
       : `${format.name} files cannot be read as a ${what}`;
   const known = [...new Set(contents.flatMap((held) => extensionsThat("reads", held)))];
-  return new ReadFailure({ message, remedy: `Give a file that ends in one of ${known.join(", ")}.` });
+  const remedy = `Give a file that ends in one of ${known.join(", ")}.`;
+  return new ReadFailure({ code: "unknown-format", message, remedy, fileName });
 }
 
 async function asResult<T>(read: () => Promise<T>): Promise<ReadResult<T>> {

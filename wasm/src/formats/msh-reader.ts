@@ -3,8 +3,7 @@
  * meshio's. Triangles and quadrilaterals go to patches, tetrahedra to regions, by their physical group or,
  * without one, their entity; numbers at nodes are kept. Points, lines and other sections are passed over.
  */
-import { ReadFailure } from "../read-result.js";
-import { ByteReader } from "./byte-reader.js";
+import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder, type GroupList } from "./mesh-builder.js";
@@ -65,11 +64,12 @@ class MshReader {
   async #readFormat(): Promise<void> {
     const reader = this.#reader;
     if (reader.line() !== "$MeshFormat") {
-      throw new ReadFailure({ message: 'the file does not begin with "$MeshFormat"', remedy: REMEDY });
+      reader.fail('the file does not begin with "$MeshFormat"', FIRST_LINE);
     }
-    const [version, kind, size] = reader.line().split(/\s+/);
+    const format = reader.line();
+    const [version, kind, size] = format.split(/\s+/);
     if ((version !== "4.1" && version !== "2.2") || size !== "8") {
-      reader.fail(`the format is "${version} ${kind} ${size}", versions 4.1 and 2.2 of size 8 can be read`);
+      reader.fail(`the format is "${format.slice(0, 24)}", versions 4.1 and 2.2 of size 8 can be read`);
     }
     this.#hasBlocks = version === "4.1";
     this.#isBinary = kind === "1";
@@ -284,11 +284,12 @@ class MshReader {
     reader.endLine();
     const strings = await this.#readLines("names");
     await this.#readLines("times");
-    const [, components = NaN, rows = NaN] = (await this.#readLines("numbers")).map(Number);
-    if (!(Number.isInteger(components) && components > 0 && components <= MAX_COMPONENTS)) {
+    const [, width, rows] = (await this.#readLines("numbers")).map(Number);
+    const components = this.#count(width ?? NaN, "numbers per node");
+    if (components === 0 || components > MAX_COMPONENTS) {
       reader.fail(`${components} numbers per node cannot be read`);
     }
-    const count = this.#count(rows, "values");
+    const count = this.#count(rows ?? NaN, "values");
     if (++this.#sectionsOfData > MAX_DATA) reader.fail(`more than ${MAX_DATA} sections of numbers at nodes`);
     const values = new Float64Array(components * this.#builder.pointCount).fill(NaN);
     for (let r = 0; r < count; r++) {

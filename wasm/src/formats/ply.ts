@@ -3,8 +3,7 @@
  * `face` count. Faces are put into patches by their number `patch`, else by their colour; all other
  * properties and elements are read over. Convex polygons are cut into triangles.
  */
-import { ReadFailure } from "../read-result.js";
-import { ByteReader } from "./byte-reader.js";
+import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch } from "./colors.js";
 import { Column } from "./column.js";
@@ -46,27 +45,48 @@ interface Element {
   readonly properties: Property[];
 }
 
-/** Faces may come before the points that they are cut by. */
-interface Faces {
-  readonly sizes: Column<Uint32Array>;
-  readonly corners: Column<Uint32Array>;
-  readonly patches: Column<Uint32Array>;
+/** Faces that came before the points which they are cut by. */
+class EarlyFaces {
+  readonly #sizes = new Column(Uint32Array);
+  readonly #corners = new Column(Uint32Array);
+  readonly #patches = new Column(Uint32Array);
+
+  push(corners: readonly number[], patch: number): void {
+    this.#sizes.push(corners.length);
+    for (const corner of corners) this.#corners.push(corner);
+    this.#patches.push(patch);
+  }
+
+  addTo(builder: MeshBuilder, reader: ByteReader): void {
+    for (let f = 0, begin = 0; f < this.#sizes.length; begin += this.#sizes.at(f++)) {
+      const face = Array.from({ length: this.#sizes.at(f) }, (_, i) => this.#corners.at(begin + i));
+      addFace(reader, builder, f, face, this.#patches.at(f));
+    }
+  }
+}
+
+interface PlyReading {
+  readonly reader: ByteReader;
+  readonly read: ReadNumber;
+  readonly builder: MeshBuilder;
+  /** Undefined once the points are there. */
+  early: EarlyFaces | undefined;
+  faces: number;
 }
 
 export function readPly(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY }, async (reader) => {
-    if (reader.line() !== "ply") {
-      throw new ReadFailure({ message: 'the file does not begin with "ply"', remedy: REMEDY });
-    }
+    if (reader.line() !== "ply") reader.fail('the file does not begin with "ply"', FIRST_LINE);
     const { elements, read } = readHeader(reader);
     const builder = new MeshBuilder();
-    const faces: Faces = {
-      sizes: new Column(Uint32Array),
-      corners: new Column(Uint32Array),
-      patches: new Column(Uint32Array),
-    };
-    for (const element of elements) await readElement(reader, element, read, builder, faces);
-    addFaces(reader, faces, builder);
+    const early = new EarlyFaces();
+    const reading: PlyReading = { reader, read, builder, early, faces: 0 };
+    for (const element of elements) {
+      await readElement(reading, element);
+      if (element.name === "vertex") reading.early = undefined;
+    }
+    early.addTo(builder, reader);
+    if (reading.faces === 0) reader.fail("the file has no face");
     return builder.mesh();
   });
 }
@@ -115,13 +135,8 @@ function readerFor(reader: ByteReader, format: string): ReadNumber {
   }
 }
 
-async function readElement(
-  reader: ByteReader,
-  { name, count, properties }: Element,
-  read: ReadNumber,
-  builder: MeshBuilder,
-  faces: Faces,
-): Promise<void> {
+async function readElement(reading: PlyReading, { name, count, properties }: Element): Promise<void> {
+  const { reader, read, builder } = reading;
   // Without properties an element takes no room, and any number of them says nothing.
   if (properties.length === 0) return;
   const position = (wanted: string) => properties.findIndex((property) => property.name === wanted);
@@ -135,14 +150,19 @@ async function readElement(
     if (patch >= 0) return builder.patches.tagged(values[patch] ?? 0);
     return colorPatch(builder.patches, colors.includes(-1) ? [] : colors.map((at) => values[at] ?? 0));
   };
+  let face: number[] = [];
   for (let e = 0; e < count; e++) {
     if (reader.isLow) await reader.fill();
     for (const [p, property] of properties.entries()) {
       if (property.countType === undefined) values[p] = read(property.type);
-      else if (name === "face" && p === corners) readCorners(reader, property, read, faces);
+      else if (name === "face" && p === corners) face = readCorners(reading, property);
       else skipList(reader, property, read);
     }
-    if (name === "face" && corners >= 0) faces.patches.push(patchOf());
+    if (name === "face" && corners >= 0) {
+      if (reading.early !== undefined) reading.early.push(face, patchOf());
+      else addFace(reader, builder, reading.faces, face, patchOf());
+      reading.faces++;
+    }
     if (name !== "vertex") continue;
     const [x, y, z] = axes.map((axis) => values[axis] ?? NaN);
     if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
@@ -157,32 +177,26 @@ function skipList(reader: ByteReader, { type, countType }: Property, read: ReadN
   for (let i = 0; i < items; i++) read(type);
 }
 
-function readCorners(
-  reader: ByteReader,
-  { type, countType }: Property,
-  read: ReadNumber,
-  faces: Faces,
-): void {
+function readCorners({ reader, read, faces }: PlyReading, { type, countType }: Property): number[] {
   const items = reader.count(read(countType ?? ""), "corners");
-  if (items < 3) reader.fail(`face ${faces.sizes.length} has ${items} corners`);
-  faces.sizes.push(items);
+  if (items < 3) reader.fail(`face ${faces} has ${items} corners`);
+  const corners: number[] = [];
   for (let i = 0; i < items; i++) {
     const corner = read(type);
-    faces.corners.push(
-      Number.isInteger(corner) && corner >= 0 ? corner : reader.fail(`${corner} is no corner`),
-    );
+    corners.push(Number.isInteger(corner) && corner >= 0 ? corner : reader.fail(`${corner} is no corner`));
   }
+  return corners;
 }
 
-function addFaces(reader: ByteReader, { sizes, corners, patches }: Faces, builder: MeshBuilder): void {
-  if (sizes.length === 0) reader.fail("the file has no face");
-  for (let f = 0, begin = 0; f < sizes.length; begin += sizes.at(f++)) {
-    const face = Array.from({ length: sizes.at(f) }, (_, i) => corners.at(begin + i));
-    const wild = face.find((corner) => corner >= builder.pointCount);
-    if (wild !== undefined)
-      reader.fail(`face ${f} has the corner ${wild}, there are ${builder.pointCount} points`);
-    if (!builder.addPolygon(face, patches.at(f))) {
-      reader.fail(`face ${f} ${UNCUT}`);
-    }
-  }
+function addFace(
+  reader: ByteReader,
+  builder: MeshBuilder,
+  f: number,
+  corners: readonly number[],
+  patch: number,
+): void {
+  const wild = corners.find((corner) => corner >= builder.pointCount);
+  if (wild !== undefined)
+    reader.fail(`face ${f} has the corner ${wild}, there are ${builder.pointCount} points`);
+  if (!builder.addPolygon(corners, patch)) reader.fail(`face ${f} ${UNCUT}`);
 }

@@ -4,8 +4,8 @@
  * word too, but all of them have zeros in the number of triangles. Solids, and the attributes of binary
  * triangles, become patches; normals are not used.
  */
-import { ReadFailure } from "../read-result.js";
-import { ByteReader } from "./byte-reader.js";
+import { failureAt, ReadFailure } from "../read-result.js";
+import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
@@ -28,12 +28,10 @@ export function readStl(source: ByteSource): Promise<FileMesh> {
     const startsLikeText = /^\s*solid/i.test(String.fromCharCode(...head.subarray(0, HEADER_BYTES)));
     if (startsLikeText && !head.includes(0)) return readText(reader);
     if (head.length < HEADER_BYTES + COUNT_BYTES) {
-      const message = `it has ${head.length} bytes, too few for an STL file`;
-      throw new ReadFailure({ message, remedy: REMEDY, offset: head.length });
+      throw failureAt({ offset: head.length }, "the file ends here, with too few bytes for STL", REMEDY);
     }
     if (!head.includes(0)) {
-      const message = 'this is text, but not an STL file: it does not begin with "solid"';
-      throw new ReadFailure({ message, remedy: REMEDY, offset: 0 });
+      reader.fail('this is text, but not an STL file: it does not begin with "solid"', FIRST_LINE);
     }
     return readBinary(reader);
   });

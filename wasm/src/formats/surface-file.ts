@@ -27,8 +27,13 @@ function exactlyWelded({ points: given, triangles, isWelded }: FileMesh): Surfac
 
 function noTriangles(tetrahedra: number): ReadFailure {
   return tetrahedra === 0
-    ? new ReadFailure({ message: "the file holds no triangle", remedy: "Export the surface as triangles." })
+    ? new ReadFailure({
+        code: "no-triangles",
+        message: "the file holds no triangle",
+        remedy: "Export the surface as triangles.",
+      })
     : new ReadFailure({
+        code: "no-triangles",
         message: `the file holds ${tetrahedra} tetrahedra and no triangle; their outside is not taken for a surface`,
         remedy: "Write the boundary's triangles into the file too, or give it as background grid.",
       });

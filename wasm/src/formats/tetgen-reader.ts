@@ -3,7 +3,7 @@
  * or leave them to the `.node` file beside; `.face` and `.ele`, which always need it. Facets are polygons with
  * a boundary marker as patch; tetrahedra have a region attribute. Facets of a `.poly` with holes are refused.
  */
-import { ReadFailure } from "../read-result.js";
+import { failureIn, ReadFailure } from "../read-result.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { OpenOther, ReadContext } from "./file-format.js";
@@ -57,21 +57,27 @@ function overFile<T>(source: ByteSource, read: (reader: ByteReader) => Promise<T
 }
 
 async function readNodeFile(stem: string, openOther: OpenOther, points: Points): Promise<void> {
-  const other = await openOther(`${stem}.node`);
-  if (other === undefined) {
-    throw new ReadFailure({ message: `the points are in another file, ${stem}.node`, remedy: REMEDY });
-  }
-  await overFile(other, (reader) => readNodes(reader, points));
+  const isThere = await readIfThere(stem, "node", openOther, (reader) => readNodes(reader, points));
+  if (isThere) return;
+  const message = `the points are in another file, ${stem}.node, which is not there`;
+  throw new ReadFailure({ code: "missing-file", message, remedy: REMEDY });
 }
 
 async function readIfThere(
   stem: string,
   extension: string,
   openOther: OpenOther,
-  read: (reader: ByteReader) => Promise<void>,
-): Promise<void> {
-  const other = await openOther(`${stem}.${extension}`);
-  if (other !== undefined) await overFile(other, read);
+  read: (reader: ByteReader) => Promise<unknown>,
+): Promise<boolean> {
+  const fileName = `${stem}.${extension}`;
+  const other = await openOther(fileName);
+  if (other === undefined) return false;
+  try {
+    await overFile(other, read);
+  } catch (failure) {
+    throw failureIn(fileName, failure);
+  }
+  return true;
 }
 
 /** Number, x y z, attributes, marker. Returns how many were announced. */

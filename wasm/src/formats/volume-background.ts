@@ -1,5 +1,6 @@
 /** A volume mesh from a file as background grid. */
-import { MesherError } from "../mesher-error.js";
+import { checkVolume } from "../input-checks.js";
+import { MesherError, refuse } from "../mesher-error.js";
 import type { ReadResult } from "../read-result.js";
 import type { BackgroundArrays, Mesher } from "../types.js";
 import type { VolumeFile } from "./volume-file.js";
@@ -13,10 +14,11 @@ export async function volumeBackground(
   mesher: Pick<Mesher, "meshAsBackground">,
   volume: VolumeFile,
 ): Promise<ReadResult<BackgroundArrays>> {
+  refuse(checkVolume(volume, undefined));
   const count = volume.points.length / 3;
   const problem = (message: string) => {
     const remedy = "Give the nodes one size, and one stretching and three numbers of direction, or none.";
-    return { success: false, problems: [{ message, remedy }] } as const;
+    return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] } as const;
   };
   const of = (name: string) => volume.nodeData.get(name)?.values;
   const [sizes, stretchings, directions] = [of("size"), of("stretching"), of("direction")];
@@ -31,6 +33,7 @@ export async function volumeBackground(
   } catch (failure) {
     const [first] = failure instanceof MesherError ? failure.diagnostics : [];
     if (first === undefined) throw failure;
-    return { success: false, problems: [{ message: first.message, remedy: first.remedy }] };
+    const { message, remedy } = first;
+    return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] };
   }
 }

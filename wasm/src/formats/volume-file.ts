@@ -23,7 +23,9 @@ export function volumeFile(
   remedy: string,
 ): VolumeFile {
   const count = points.length / 3;
-  if (corners.length === 0) throw new ReadFailure({ message: "the file holds no tetrahedron", remedy });
+  if (corners.length === 0) {
+    throw new ReadFailure({ code: "no-tetrahedra", message: "the file holds no tetrahedron", remedy });
+  }
   const isUsed = new Uint8Array(count);
   for (let i = 0; i < corners.length; i++) {
     const node = corners[i] ?? NaN;

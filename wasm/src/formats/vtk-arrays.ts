@@ -12,8 +12,11 @@ export interface ArrayCoding {
   readonly nextOffsets: ReadonlyMap<number, number>;
   /** What may still be unpacked, in bytes. */
   readonly budget: UnpackingBudget;
-  readonly fail: (message: string) => never;
+  /** `within`: so many characters or bytes from the array's begin. */
+  readonly fail: ArrayFail;
 }
+
+export type ArrayFail = (message: string, within?: number) => never;
 
 /**
  * Arrays may share their bytes, and zlib packs a thousandfold: without a bound a small file could fill any
@@ -21,16 +24,14 @@ export interface ArrayCoding {
  */
 export class UnpackingBudget {
   #left: number;
-  readonly #fail: ArrayCoding["fail"];
 
-  constructor(fileBytes: number, fail: ArrayCoding["fail"]) {
+  constructor(fileBytes: number) {
     this.#left = MOST_UNPACKED_ANYWAY + MOST_UNPACKED_PER_BYTE * fileBytes;
-    this.#fail = fail;
   }
 
-  spend(bytes: number): void {
+  spend(bytes: number, fail: ArrayFail): void {
     this.#left -= bytes;
-    if (this.#left < 0) this.#fail("the arrays unpack to far more than such a file can hold");
+    if (this.#left < 0) fail("the arrays unpack to far more than such a file can hold");
   }
 }
 
@@ -73,7 +74,7 @@ export function decodeArray(coding: ArrayCoding, array: CodedArray): Float64Arra
   if (number === undefined) return coding.fail(`numbers of type "${array.type}" cannot be read`);
   const encoded = encodedBytes(coding, array);
   const bytes = contentOf(coding, encoded);
-  coding.budget.spend((8 * bytes.length) / number.bytes);
+  coding.budget.spend((8 * bytes.length) / number.bytes, coding.fail);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const values = new Float64Array(Math.floor(bytes.length / number.bytes));
   for (let i = 0; i < values.length; i++)
@@ -83,10 +84,19 @@ export function decodeArray(coding: ArrayCoding, array: CodedArray): Float64Arra
 
 function textNumbers({ fail }: ArrayCoding, content: string): Float64Array {
   const words = content.match(/\S+/g) ?? [];
-  return Float64Array.from(words, (word) => {
+  return Float64Array.from(words, (word, i) => {
     const value = Number(word);
-    return Number.isFinite(value) ? value : fail(`"${word.slice(0, 24)}" is not a finite number`);
+    return Number.isFinite(value)
+      ? value
+      : fail(`"${word.slice(0, 24)}" is not a finite number`, placeOfWord(content, i));
   });
+}
+
+/** Where word number `index` of a text begins. */
+function placeOfWord(content: string, index: number): number {
+  const words = content.matchAll(/\S+/g);
+  for (let i = 0; i < index; i++) words.next();
+  return words.next().value?.index ?? 0;
 }
 
 /** The bytes from the array's length on; what follows the array may be among them. */
@@ -96,17 +106,18 @@ function encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArr
   if (format !== "appended" || appended === undefined) {
     return fail(`the format "${format}" of an array cannot be read`);
   }
+  if (Number.isNaN(offset)) return fail("an array does not say where in the appended data it begins");
   if (!(Number.isInteger(offset) && offset >= 0 && offset < appended.length)) {
     return fail(`an array begins ${offset} bytes into ${appended.length} bytes of appended data`);
   }
   if (typeof appended !== "string") return appended.subarray(offset);
   const text = appended.slice(offset, nextOffsets.get(offset));
-  budget.spend(COST_OF_BASE64 * text.length);
+  budget.spend(COST_OF_BASE64 * text.length, fail);
   return fromBase64(text, fail);
 }
 
 /** Base64 in one or more padded pieces, up to the first character that is none of it. */
-function fromBase64(text: string, fail: ArrayCoding["fail"]): Uint8Array {
+function fromBase64(text: string, fail: ArrayFail): Uint8Array {
   const coded = /^[A-Za-z0-9+/=\s]*/.exec(text)?.[0].replace(/\s+/g, "") ?? "";
   const pieces = (coded.match(/[A-Za-z0-9+/]+={0,2}/g) ?? []).map((piece) => {
     try {
@@ -158,7 +169,7 @@ function inflated(packed: Uint8Array, length: number, { budget, fail }: ArrayCod
   if (length > MAX_RATIO * packed.length) {
     return fail(`a block of ${packed.length} bytes claims to hold ${length}`);
   }
-  budget.spend(length);
+  budget.spend(length, fail);
   try {
     // One byte more, by which a longer block betrays itself.
     const block = unzlibSync(packed, { out: new Uint8Array(length + 1) });

@@ -2,8 +2,8 @@
  * Reads legacy VTK files, binary and ASCII, versions 1 to 5.1: polygons and unstructured grids, as this
  * package, meshio, VTK and ParaView write them. The numbers `patch` and `region` of cells tell their groups.
  */
-import { ReadFailure } from "../read-result.js";
-import { ByteReader } from "./byte-reader.js";
+import type { FilePlace } from "../read-result.js";
+import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
 import type { FileMesh } from "./file-mesh.js";
@@ -43,6 +43,8 @@ const MAX_COMPONENTS = 9;
 
 /** Nodes of cell c: nodes[offsets[c]..offsets[c + 1]]. */
 interface CellList {
+  /** Of its begin. */
+  readonly place: FilePlace;
   readonly offsets: Float64Array;
   readonly nodes: Float64Array;
 }
@@ -84,9 +86,7 @@ class VtkReader {
   #readHead(): void {
     const reader = this.#reader;
     const version = /^# vtk datafile version (\d+)/i.exec(reader.line());
-    if (version === null) {
-      throw new ReadFailure({ message: 'the file does not begin with "# vtk DataFile"', remedy: REMEDY });
-    }
+    if (version === null) return reader.fail('the file does not begin with "# vtk DataFile"', FIRST_LINE);
     this.#hasOffsets = Number(version[1]) >= 5;
     reader.line();
     const coding = reader.line().toUpperCase();
@@ -165,26 +165,30 @@ class VtkReader {
 
   async #readPoints(): Promise<void> {
     const count = this.#size();
+    const { place } = this.#reader;
     const values = await this.#numbers(this.#reader.word(), 3 * count);
-    if (!values.every(Number.isFinite)) this.#reader.fail("a point has a coordinate that is not finite");
+    const wild = values.findIndex((value) => !Number.isFinite(value));
+    if (wild >= 0)
+      this.#reader.fail(`point ${Math.floor(wild / 3)} (counted from 0) has no finite place`, place);
     for (let i = 0; i < values.length; i += 3) {
       this.#builder.addPoint(values[i] ?? 0, values[i + 1] ?? 0, values[i + 2] ?? 0);
     }
   }
 
   async #readList(): Promise<CellList> {
+    const { place } = this.#reader;
     const count = this.#size();
     const total = this.#size();
-    if (!this.#hasOffsets) return this.#splitList(count, await this.#numbers("int", total));
-    if (count === 0) return { offsets: new Float64Array(), nodes: new Float64Array() };
+    if (!this.#hasOffsets) return this.#splitList(place, count, await this.#numbers("int", total));
+    if (count === 0) return { place, offsets: new Float64Array(), nodes: new Float64Array() };
     this.#reader.expect("offsets");
     const offsets = await this.#numbers(this.#reader.word(), count);
     this.#reader.expect("connectivity");
-    return { offsets, nodes: await this.#numbers(this.#reader.word(), total) };
+    return { place, offsets, nodes: await this.#numbers(this.#reader.word(), total) };
   }
 
   /** Cells with their number of nodes before each. */
-  #splitList(count: number, values: Float64Array): CellList {
+  #splitList(place: FilePlace, count: number, values: Float64Array): CellList {
     const offsets: number[] = [0];
     const nodes = new Float64Array(Math.max(0, values.length - count));
     let at = 0;
@@ -192,13 +196,13 @@ class VtkReader {
       const size = values[at] ?? NaN;
       const isListed = Number.isInteger(size) && size >= 0 && at - cell + size <= nodes.length;
       if (!isListed || at + 1 + size > values.length) {
-        this.#reader.fail(`cell ${cell} (counted from 0) has no corners`);
+        this.#reader.fail(`cell ${cell} (counted from 0) has no corners`, place);
       }
       nodes.set(values.subarray(at + 1, at + 1 + size), at - cell);
       at += 1 + size;
       offsets.push(at - cell - 1);
     }
-    return { offsets: Float64Array.from(offsets), nodes };
+    return { place, offsets: Float64Array.from(offsets), nodes };
   }
 
   #keep(name: string, components: number, values: Float64Array): void {
@@ -251,18 +255,19 @@ class VtkReader {
   }
 
   #addCells(): void {
-    const fail = (message: string): never => this.#reader.fail(message);
-    const cells = cellsOf(this.#builder, this.#cellData, fail);
     let first = 0;
     for (const { list, type } of this.#lists) {
-      const { offsets, nodes } = list;
+      const { place, offsets, nodes } = list;
+      const fail = (message: string): never => this.#reader.fail(message, place);
+      const cells = cellsOf(this.#builder, this.#cellData, fail);
       const count = Math.max(0, offsets.length - 1);
       if (type === undefined && this.#types.length !== count) {
         fail(`there are ${count} cells and ${this.#types.length} types of cells`);
       }
       for (let cell = 0; cell < count; cell++) {
         const [begin = 0, end = 0] = offsets.subarray(cell, cell + 2);
-        if (!(begin >= 0 && begin <= end && end <= nodes.length)) fail(`cell ${cell} has no corners`);
+        if (!(begin >= 0 && begin <= end && end <= nodes.length))
+          fail(`cell ${cell} (counted from 0) has no corners`);
         addCell(cells, type ?? this.#types[cell] ?? 0, [...nodes.subarray(begin, end)], first + cell);
       }
       first += count;

@@ -1,0 +1,181 @@
+/** What callers give who have no type checks, and where readers say that something is wrong. */
+import {
+  createMesher,
+  MesherError,
+  parseProject,
+  readMesh,
+  readProject,
+  readSurface,
+  readVolume,
+  volumeBackground,
+  writeMesh,
+  type ErrorCode,
+  type Mesher,
+  type ReadProblem,
+} from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+const CODES: readonly ErrorCode[] = [
+  "invalid-argument",
+  "invalid-arrays",
+  "invalid-option",
+  "invalid-project",
+  "not-a-project",
+  "empty-file",
+  "malformed-file",
+  "unknown-format",
+];
+
+/** The codes of a failure in whatever way a call tells it; `undefined` where that is no way to tell it. */
+async function codesOf(call: () => unknown): Promise<readonly (string | undefined)[]> {
+  try {
+    const told = (await call()) as {
+      readonly problems?: readonly ReadProblem[];
+      readonly report?: { readonly diagnostics: readonly ReadProblem[] };
+    };
+    return (told.problems ?? told.report?.diagnostics ?? [{ code: undefined }]).map(({ code }) => code);
+  } catch (failure) {
+    if (!(failure instanceof MesherError) || failure.code !== "invalid-input") return [undefined];
+    return failure.diagnostics.map(({ code }) => code);
+  }
+}
+
+const surface = boxSurface(1);
+const block = blockMesh(1);
+
+describe.each<[string, unknown]>([
+  ["nothing", undefined],
+  ["null", null],
+  ["a number", 5],
+  ["a word", "word"],
+  ["a list of numbers", [1, 2]],
+  ["an object of something else", { lines: 5 }],
+])("%s", (_, given) => {
+  const wrong = given as never;
+  test.each<[string, () => unknown]>([
+    ["the source of readSurface", () => readSurface(wrong, { fileName: "a.stl" })],
+    ["the source of readMesh", () => readMesh(wrong, { fileName: "a.vtu" })],
+    ["the options of readSurface", () => readSurface(new Uint8Array(9), wrong)],
+    ["the options of readVolume", () => readVolume(new Uint8Array(9), wrong)],
+    ["the text of readProject", () => readProject(wrong)],
+    ["the value of parseProject", () => parseProject(wrong)],
+    ["the mesh of writeMesh", () => writeMesh(wrong, "a.vtu")],
+    ["the name of writeMesh", () => writeMesh(block, wrong)],
+    ["the surface to fill", () => mesher.fillSurface(wrong)],
+    ["the project to mesh", () => mesher.meshProject(wrong)],
+    ["the project of a preview", () => mesher.previewProject(wrong)],
+    ["the project to cover", () => mesher.coverProject(wrong)],
+    ["the project of a proposal", () => mesher.proposeSizes(wrong)],
+    ["the mesh for a background", () => mesher.meshAsBackground(wrong)],
+    ["the volume for a background", () => volumeBackground(mesher, wrong)],
+    ["the surface to inspect", () => mesher.inspectSurface(wrong)],
+    ["the surface to repair", () => mesher.repairSurface(wrong)],
+    ["the mesh to inspect", () => mesher.inspectMesh(wrong)],
+  ])("as %s is refused by a code", async (__, call) => {
+    const codes = await codesOf(call);
+    expect(codes.length).toBeGreaterThan(0);
+    expect(codes.filter((code) => !CODES.includes(code as ErrorCode))).toEqual([]);
+  });
+});
+
+describe.each<[string, unknown]>([
+  ["null", null],
+  ["a number", 5],
+])("%s", (_, given) => {
+  const wrong = given as never;
+  test.each<[string, () => unknown]>([
+    ["the options of fillSurface", () => mesher.fillSurface(surface, wrong)],
+    ["the options of repairSurface", () => mesher.repairSurface(surface, wrong)],
+    ["the options of meshAsBackground", () => mesher.meshAsBackground(block, wrong)],
+    ["the control of fillSurface", () => mesher.fillSurface(surface, {}, wrong)],
+    ["the control of inspectSurface", () => mesher.inspectSurface(surface, wrong)],
+    ["a signal", () => mesher.inspectSurface(surface, { signal: wrong })],
+  ])("as %s is refused as an option", async (__, call) => {
+    expect(await codesOf(call)).toEqual(["invalid-option"]);
+  });
+});
+
+test("a mesh whose arrays do not fit together is not written", async () => {
+  for (const wrong of [
+    { points: block.points.subarray(1) },
+    { tetrahedra: block.tetrahedra.map((node) => node + 1) },
+    { trianglePatch: block.trianglePatch.subarray(1) },
+    { patches: [] },
+  ]) {
+    expect(await codesOf(() => writeMesh({ ...block, ...wrong }, "a.su2"))).toEqual(["invalid-arrays"]);
+  }
+});
+
+test("a source that gives no bytes is refused", async () => {
+  const words = ["solid a", "endsolid a"] as unknown as Iterable<Uint8Array>;
+  expect(await codesOf(() => readSurface(words, { fileName: "a.stl" }))).toEqual(["invalid-argument"]);
+});
+
+describe("readers say where:", () => {
+  const vtu = (points: string, connectivity: string, count = '"4"') =>
+    `<VTKFile type="UnstructuredGrid">\n<Piece NumberOfPoints=${count} NumberOfCells="1">\n<Points>
+<DataArray type="Float64" format="ascii">\n0 0 0\n1 0 0\n${points}\n0 0 1\n</DataArray></Points>\n<Cells>
+<DataArray type="Int32" Name="connectivity" format="ascii">\n${connectivity}</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">4</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells></Piece></VTKFile>`;
+  const vtk = (cells: string, points = "0 0 0 1 0 0\n0 1 0 0 0 1") =>
+    `# vtk DataFile Version 3.0\ntest\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n${points}
+CELLS 1 5\n${cells}\nCELL_TYPES 1\n10\n`;
+  const ply = `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z
+element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n`;
+
+  test.each<[string, string, string, number, RegExp]>([
+    ["a word among coordinates", "a.vtu", vtu("0 x 0", "0 1 2 3"), 7, /"x" is not a finite number/],
+    ["too few coordinates", "a.vtu", vtu("", "0 1 2 3"), 4, /3 points, 4 are announced/],
+    ["a corner that is no node", "a.vtu", vtu("0 1 0", "0 1 2 9"), 11, /no node of its piece: 9/],
+    ["a count that is none", "a.vtu", vtu("0 1 0", "0 1 2 3", '"many"'), 2, /NumberOfPoints is "many"/],
+    [
+      "no count",
+      "a.vtu",
+      vtu("0 1 0", "", '"4"').replace(/NumberOfPoints="4"/, ""),
+      2,
+      /not say its NumberOf/,
+    ],
+    ["a corner of legacy VTK", "a.vtk", vtk("4 0 1 2 9"), 8, /corner that is no node: 9/],
+    ["a corner of PLY", "a.ply", ply, 14, /face 1 has the corner 7/],
+    ["a beginning of something else", "a.msh", "hello\nthere\n", 1, /does not begin with/],
+    ["text that is no STL", "a.stl", "hello\n".repeat(99), 1, /does not begin with "solid"/],
+  ])("%s", async (_, fileName, file, line, message) => {
+    const read = await readMesh(new TextEncoder().encode(file), { fileName });
+    if (read.success) throw new Error("it could be read");
+    const [problem] = read.problems;
+    expect(problem.message).toMatch(message);
+    expect(problem).toMatchObject({ code: "malformed-file", fileName, line });
+    expect(problem.message.startsWith(`line ${line}: `)).toBe(true);
+  });
+
+  test("a byte of appended data", async () => {
+    const [written] = await writeMesh(block, "a.vtu");
+    if (written === undefined) throw new Error("nothing was written");
+    const bytes = written.bytes.slice();
+    const begin = new TextDecoder("latin1").decode(bytes).indexOf("\n_") + 2;
+    bytes.fill(255, begin + 40, begin + 60);
+    const read = await readMesh(bytes, { fileName: "a.vtu" });
+    if (read.success) throw new Error("it could be read");
+    expect(read.problems[0]).toMatchObject({ code: "malformed-file", offset: begin });
+    expect(read.problems[0].message).toMatch(`byte ${begin}: `);
+  });
+
+  test("the file, where it is another than the one given", async () => {
+    const node = new TextEncoder().encode("3 3 0 0\n1 0 0 0\n2 1 x 0\n");
+    const openOther = () => Promise.resolve(node);
+    const read = await readMesh(new TextEncoder().encode("0 0\n"), { fileName: "a.face", openOther });
+    expect(read).toMatchObject({ success: false, problems: [{ fileName: "a.node", line: 3 }] });
+    const alone = await readMesh(new TextEncoder().encode("0 0\n"), { fileName: "a.face" });
+    expect(alone).toMatchObject({ success: false, problems: [{ fileName: "a.face", code: "missing-file" }] });
+  });
+});

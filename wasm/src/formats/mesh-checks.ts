@@ -1,0 +1,43 @@
+/** Whether the arrays of a mesh fit together, before a writer walks through them. */
+import { packageDiagnostic } from "../package-diagnostic.js";
+import type { Diagnostic } from "../types.js";
+import type { FileMesh } from "./file-mesh.js";
+
+/** The form alone; callers without type checks may give anything. Empty where all is well. */
+export function checkFileMesh(mesh: FileMesh): Diagnostic[] {
+  const given: unknown = mesh;
+  const what = faultIn(typeof given === "object" && given !== null ? given : {});
+  if (what === undefined) return [];
+  const remedy = "Give a mesh as readMesh and fileMeshOf make it.";
+  return [packageDiagnostic("invalid-arrays", `the mesh cannot be written: ${what}`, remedy)];
+}
+
+function faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): string | undefined {
+  if (!(points instanceof Float64Array) || points.length % 3 !== 0) {
+    return "its points are no Float64Array of x y z each";
+  }
+  if (!(nodeData instanceof Map)) return "it has no map of numbers at the nodes";
+  const count = points.length / 3;
+  return (
+    faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches) ??
+    faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions)
+  );
+}
+
+function faultOf(
+  word: string,
+  width: number,
+  count: number,
+  nodes: unknown,
+  owners: unknown,
+  groups: unknown,
+): string | undefined {
+  if (!(nodes instanceof Uint32Array && owners instanceof Uint32Array && Array.isArray(groups))) {
+    return `a ${word}'s nodes or groups are no Uint32Array, or the groups have no list`;
+  }
+  if (nodes.length !== width * owners.length) return `there is not one group per ${word}`;
+  const wild = nodes.findIndex((node) => node >= count);
+  if (wild >= 0) return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]} of ${count}`;
+  const lost = owners.findIndex((owner) => owner >= groups.length);
+  return lost < 0 ? undefined : `${word} ${lost} is of group ${owners[lost]} of ${groups.length}`;
+}
