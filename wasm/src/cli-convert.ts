@@ -12,7 +12,9 @@ import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js
 import { numbered, type FileMesh } from "./formats/file-mesh.js";
 import { writeMesh } from "./formats/mesh-files.js";
 import { surfaceOf } from "./formats/surface-file.js";
+import { misfits, tetFaces } from "./formats/tet-faces.js";
 import type { RepairOptions } from "./inspection.js";
+import type { Diagnostic } from "./types.js";
 
 /** As commander hands them over. */
 export interface ConvertCommandOptions extends RepairCommandOptions {
@@ -33,8 +35,9 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     await checkWritable(written);
     const given = await readMeshFile(input, options.from);
     const mesh = await prepared(given, { input, output, name, repair, isQuiet });
-    await writeAll(await writeMesh(mesh, name), output, name);
+    await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
     if (!isQuiet) {
+      tell(input, misfits(mesh, tetFaces(mesh)).map(asWarning), { isQuiet });
       for (const line of mixedTurns(given)) say(`${input}: note: ${line}`);
       say(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }
@@ -62,18 +65,26 @@ export function writableName(output: string, to: string | undefined, contents: r
   );
 }
 
-/** Writes the files of one mesh. */
-export async function writeAll(files: readonly WrittenFile[], output: string, name: string): Promise<void> {
-  for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
-}
-
-interface Conversion {
+/** Where a mesh goes, and what is told of it. */
+export interface Destination {
   readonly input: string;
   readonly output: string;
   /** Tells the output's format. */
   readonly name: string;
-  readonly repair: RepairOptions | undefined;
   readonly isQuiet: boolean;
+}
+
+/** Writes the files of one mesh, and says what its format left out. */
+export async function writeAll(
+  files: readonly WrittenFile[],
+  { input, output, name, isQuiet }: Destination,
+): Promise<void> {
+  for (const { notes } of files) tell(input, notes, { isQuiet });
+  for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
+}
+
+interface Conversion extends Destination {
+  readonly repair: RepairOptions | undefined;
 }
 
 async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMesh> {
@@ -92,6 +103,11 @@ async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMes
   const { surface, changes } = await withMesher((mesher) => repaired(mesher, surfaceOf(mesh), repair));
   if (!isQuiet && changes !== undefined) tellChanges(input, changes);
   return { ...mesh, ...surface, nodeData: new Map() };
+}
+
+/** A format whose faces need not fit together takes such a mesh, but hardly any program can use it. */
+function asWarning(fault: Diagnostic): Diagnostic {
+  return { ...fault, severity: "warning" };
 }
 
 /** Triangles that share places share nodes; that is what formats with nodes are for. */

@@ -101,7 +101,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { report } = result;
   tell(input, report.diagnostics, { isQuiet });
   const isWanted = mayWrite(result, options);
-  const written = isWanted && (await writeResult(options, result, model)) ? options.output : null;
+  const written = isWanted && (await writeResult(input, options, result, model)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written, options));
   const isLost = isWanted && written === null;
   const exitCode = isLost ? ExitCode.notCompleted : EXIT_CODES[report.status];
@@ -242,13 +242,14 @@ function mayWrite({ report, volume }: MeshResult, { keepPartial }: MeshCommandOp
 }
 
 async function writeResult(
-  { output, to }: MeshCommandOptions,
+  input: string,
+  { output, to, quiet: isQuiet = false }: MeshCommandOptions,
   result: MeshResult,
   model: Input,
 ): Promise<boolean> {
   const name = writableName(output, to, ["volume"]);
   const files = await writeMesh(fileMeshOf(result, model), name);
-  return succeeds(() => writeAll(files, output, name));
+  return succeeds(() => writeAll(files, { input, output, name, isQuiet }));
 }
 
 type CommandReport = MeshReport & { readonly input: string; readonly output: string | null };

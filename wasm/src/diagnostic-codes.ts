@@ -58,6 +58,8 @@ export type PackageCode =
   | "invalid-arrays"
   /** A mesh whose elements do not fit together. */
   | "unsound-mesh"
+  /** A format has no place for something, which is not in the file. */
+  | "left-out"
   /** A file could not be opened or written, or holds nothing that a command could use. */
   | "unreadable-input"
   /** The memory did not suffice. */

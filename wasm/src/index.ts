@@ -9,10 +9,12 @@ export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagn
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
   Contents,
+  FileBytes,
   FileFormat,
   FormatCode,
   MeshReader,
   MeshWriter,
+  Note,
   OpenOther,
   ReadContext,
   WrittenFile,

@@ -209,11 +209,17 @@ test("SU2 holds the tetrahedra, the points bit for bit, and a marker per patch",
   expect(places.flatMap((row) => row.slice(0, 3))).toEqual(Array.from(points, (x) => x + 0));
   expect(places.map((row) => row[3])).toEqual([0, 1, 2, 3, 4]);
   expect(lines.slice(10)).toEqual(
-    ["NMARK= 2", "MARKER_TAG= the_inlet", "MARKER_ELEMS= 1", "5 0 1 3"].concat([
+    ["NMARK= 3", "MARKER_TAG= the_inlet", "MARKER_ELEMS= 1", "5 0 1 3"].concat([
       "MARKER_TAG= wall",
       "MARKER_ELEMS= 2",
       "5 0 2 1",
       "5 0 3 2",
+      // Three outer faces of this mesh have no triangle.
+      "MARKER_TAG= unnamed_faces",
+      "MARKER_ELEMS= 3",
+      "5 4 2 3",
+      "5 1 4 3",
+      "5 1 2 4",
       "",
     ]),
   );
@@ -224,7 +230,8 @@ const hardNames = named(["the wall ".repeat(40), "Wall", "the wall ".repeat(40)]
 
 test("SU2 markers have no more than 199 bytes, and differ", async () => {
   const text = new TextDecoder().decode(await written(".su2", hardNames));
-  const names = Array.from(text.matchAll(/^MARKER_TAG= (.*)$/gm), ([, name]) => name ?? "");
+  const all = Array.from(text.matchAll(/^MARKER_TAG= (.*)$/gm), ([, name]) => name ?? "");
+  const names = all.filter((name) => name !== "unnamed_faces");
   expect(names).toHaveLength(2);
   expect(new Set(names).size).toBe(2);
   for (const name of names) expect(name).toMatch(/^\S{100,199}$/);

@@ -1,7 +1,8 @@
 /**
  * Abaqus and CalculiX `.inp`: tetrahedra C3D4 in one element set and solid section per region, with the
  * region's name as material, and per patch a node set and a surface of element faces: boundary conditions
- * and loads refer to these by name. What a material is made of is left to the user.
+ * and loads refer to these by name. Walls between regions have a surface for either side. What a material is made of is
+ * left to the user.
  */
 import { joinBytes } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
@@ -60,20 +61,26 @@ function nodeSets(patches: readonly Group[]): string[] {
 }
 
 function surfaces(mesh: FileMesh, patches: readonly Group[]): string[] {
-  const { faceOfTriangle } = tetFaces(mesh);
+  const { faceOfTriangle, twin } = tetFaces(mesh);
   const numbers = elementNumbers(mesh);
-  const lines: string[][] = mesh.patches.map(() => []);
+  /** By patch: the faces that its triangles look out of, and those on the other side of walls. */
+  const sides = mesh.patches.map(() => ({ FACES: [] as string[], BACK: [] as string[] }));
+  const line = (face: number) => `${numbers[face >>> 2]}, ${SIDE_OPPOSITE[face & 3] ?? "S1"}\n`;
   faceOfTriangle.forEach((face, t) => {
     if (face === NONE) return;
-    lines[mesh.trianglePatch[t] ?? 0]?.push(`${numbers[face >>> 2]}, ${SIDE_OPPOSITE[face & 3] ?? "S1"}\n`);
+    const own = sides[mesh.trianglePatch[t] ?? 0];
+    const other = twin[face] ?? NONE;
+    own?.FACES.push(line(face));
+    if (other !== NONE) own?.BACK.push(line(other));
   });
   // Patches without triangles have no group, and no lines here.
   const used = new Set(mesh.trianglePatch);
-  const filled = lines.filter((_, patch) => used.has(patch));
-  return patches.flatMap(({ name }, p) => {
-    const own = filled[p] ?? [];
-    return own.length === 0 ? [] : [`*SURFACE, NAME=${name}_FACES, TYPE=ELEMENT\n`, ...own];
-  });
+  const filled = sides.filter((_, patch) => used.has(patch));
+  return patches.flatMap(({ name }, p) =>
+    Object.entries(filled[p] ?? {}).flatMap(([side, lines]) =>
+      lines.length === 0 ? [] : [`*SURFACE, NAME=${name}_${side}, TYPE=ELEMENT\n`, ...lines],
+    ),
+  );
 }
 
 /** The number of each tetrahedron when they are written region by region, from 1. */

@@ -1,15 +1,25 @@
 /** What a file format is to the rest of the package. Each has one file, named after it, and one row in file-formats.ts. */
+import type { Diagnostic } from "../types.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 
 /** Triangles, or tetrahedra with their boundary. */
 export type Contents = "surface" | "volume";
 
-/** One of the files that a mesh becomes: most formats have one, some several. */
-export interface WrittenFile {
+/** A name and what is in it. */
+export interface FileBytes {
   readonly fileName: string;
   readonly bytes: Uint8Array<ArrayBuffer>;
 }
+
+/** One of the files that a mesh becomes: most formats have one, some several. */
+export interface WrittenFile extends FileBytes {
+  /** What the format has no place for and is not in the file, in sentences; with the first of several files. */
+  readonly notes: readonly Diagnostic[];
+}
+
+/** Takes what a writer leaves out, as a sentence. */
+export type Note = (message: string) => void;
 
 /** The files beside the one that is read, by name; undefined where there is none. */
 export type OpenOther = (fileName: string) => Promise<ByteSource | undefined>;
@@ -22,8 +32,8 @@ export interface ReadContext {
 
 /** Throws a ReadFailure. */
 export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<FileMesh>;
-/** Gives the files of a mesh; the first has the name given. */
-export type MeshWriter = (mesh: FileMesh, fileName: string) => readonly WrittenFile[];
+/** Gives the files of a mesh; the first has the name given. Throws a MesherError where the format cannot hold it. */
+export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => readonly FileBytes[];
 
 /** What reads and writes a format, once it is fetched. */
 export interface FormatCode {

@@ -2,7 +2,7 @@
  * The file formats, one row each: the only place where a format is registered. Command line, app and
  * documents take names and extensions from here; the code of a format is fetched when it is first needed.
  */
-import type { Contents, FileFormat, MeshWriter } from "./file-format.js";
+import type { Contents, FileFormat, MeshWriter, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 
 /** Every format that can be read or written. */
@@ -232,6 +232,6 @@ export function extensionsThat(can: "reads" | "writes", contents: Contents): rea
 }
 
 /** For formats of one file. */
-function one(write: (mesh: FileMesh) => Uint8Array<ArrayBuffer>): MeshWriter {
-  return (mesh, fileName) => [{ fileName, bytes: write(mesh) }];
+function one(write: (mesh: FileMesh, note: Note) => Uint8Array<ArrayBuffer>): MeshWriter {
+  return (mesh, fileName, note) => [{ fileName, bytes: write(mesh, note) }];
 }

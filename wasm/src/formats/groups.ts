@@ -1,4 +1,5 @@
 /** Triangles by patch and tetrahedra by region, with names: what other programs put conditions on. */
+import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 
 /** With Gmsh's numbers of element types; its node order is ours. */
@@ -98,4 +99,18 @@ const utf8 = new TextEncoder();
 function shortened(text: string, bytes: number): string {
   if (utf8.encode(text).length <= bytes) return text;
   return text.slice(0, utf8.encodeInto(text, new Uint8Array(bytes)).read).trimEnd();
+}
+
+/** A name that says no more than the number does. */
+function isPlain({ name, tag }: FileGroup): boolean {
+  return (
+    ["", "surface", String(tag)].includes(name) || /^(patch|shell|region|boundary|entity) \d+$/.test(name)
+  );
+}
+
+/** For formats without a place for names. */
+export function noteNames(groups: readonly FileGroup[], note: Note): void {
+  const tags = tagsOf(groups);
+  const named = groups.flatMap((group, g) => (isPlain(group) ? [] : [`${tags[g]} for "${group.name}"`]));
+  if (named.length > 0) note(`names are left out, their numbers stand for them: ${named.join(", ")}`);
 }

@@ -2,6 +2,7 @@
 import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import { failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
+import type { Diagnostic } from "../types.js";
 import { checkSource, watched, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
 import { extensionsThat, formatOf } from "./file-formats.js";
@@ -45,10 +46,11 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
 }
 
 /**
- * The files that a mesh becomes in the format of this name: one, or several beside each other. Formats that
- * hold surfaces only get the triangles. Rejects with a `MesherError` of the code `invalid-input`, whose diagnostic
- * is `unknown-format` where the name tells no format that can be written (`formatOf` tells beforehand), or
- * `invalid-arrays` where the mesh does not hold together.
+ * The files that a mesh becomes in the format of this name: one, or several beside each other, with notes of what the
+ * format has no place for. Formats that hold surfaces only get the triangles. Rejects with a `MesherError` of the code
+ * `invalid-input`, whose diagnostics are `unknown-format` where the name tells no format that can be written
+ * (`formatOf` tells beforehand), `invalid-arrays` where the arrays do not fit together, and `unsound-mesh` where the
+ * elements do not and the format is for solvers that need it.
  */
 export async function writeMesh(mesh: FileMesh, fileName: string): Promise<readonly WrittenFile[]> {
   const format = typeof fileName === "string" ? formatOf(fileName) : undefined;
@@ -61,7 +63,11 @@ export async function writeMesh(mesh: FileMesh, fileName: string): Promise<reado
     return [];
   }
   refuse(checkFileMesh(mesh));
-  return write(mesh, fileName);
+  const notes: Diagnostic[] = [];
+  const files = write(mesh, fileName, (message) =>
+    notes.push(packageDiagnostic("left-out", message, "", "information")),
+  );
+  return files.map((file, i) => ({ ...file, notes: i === 0 ? notes : [] }));
 }
 
 async function readAny(

@@ -7,10 +7,12 @@
 import { zipSync, type Zippable } from "fflate";
 
 import { joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups } from "./groups.js";
 import { numberRows } from "./number-rows.js";
-import { cornersOf, NONE, tetFaces, type TetFaces } from "./tet-faces.js";
+import { noteLoose, noteNameless } from "./outer-faces.js";
+import { cornersOf, NONE, soundFaces, type TetFaces } from "./tet-faces.js";
 
 /** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
 const MADE = new Date(1980, 0, 1);
@@ -34,10 +36,10 @@ interface PolyMesh {
 }
 
 /** The bytes of the zip. */
-export function writeOpenFoam(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const poly = polyMesh(mesh);
+export function writeOpenFoam(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const poly = polyMesh(mesh, note);
   const owners = Uint32Array.from(poly.faces, (face) => face >>> 2);
-  const note =
+  const counts =
     `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
     `nFaces:${poly.faces.length} nInternalFaces:${poly.neighbours.length}";\n`;
   const corners = Uint32Array.from(poly.faces.flatMap((face) => [...cornersOf(mesh.tetrahedra, face)]));
@@ -49,8 +51,8 @@ export function writeOpenFoam(mesh: FileMesh): Uint8Array<ArrayBuffer> {
       poly.faces.length,
       numberRows(corners, 3, (row) => `3${inBrackets(row)}`),
     ),
-    owner: list("labelList", "owner", owners.length, labels(owners), note),
-    neighbour: list("labelList", "neighbour", poly.neighbours.length, labels(poly.neighbours), note),
+    owner: list("labelList", "owner", owners.length, labels(owners), counts),
+    neighbour: list("labelList", "neighbour", poly.neighbours.length, labels(poly.neighbours), counts),
     boundary: list("polyBoundaryMesh", "boundary", poly.patches.length, poly.patches.map(patchEntry)),
     cellZones: cellZones(mesh),
     faceZones: list("regIOobject", "faceZones", poly.zones.length, poly.zones.map(zoneEntry)),
@@ -60,8 +62,9 @@ export function writeOpenFoam(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   return zipSync(named, { level: LEVEL, mtime: MADE }).slice();
 }
 
-function polyMesh(mesh: FileMesh): PolyMesh {
-  const found = tetFaces(mesh);
+function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
+  const found = soundFaces(mesh);
+  noteLoose(found.faceOfTriangle.filter((face) => face === NONE).length, note);
   const { inner, neighbours } = innerFaces(found.twin);
   const faces = [...inner];
   const positions = new Map<number, number>();
@@ -81,7 +84,7 @@ function polyMesh(mesh: FileMesh): PolyMesh {
     const zone = between.map((face) => positions.get(lowerSide(face, found.twin)) ?? 0);
     zones.push({ name, faces: Uint32Array.from(zone).sort() });
   });
-  addNamelessFaces(found, faces, patches);
+  addNamelessFaces(found, faces, patches, note);
   return { faces, neighbours, patches, zones };
 }
 
@@ -104,12 +107,19 @@ function innerFaces(twin: Uint32Array): { inner: readonly number[]; neighbours: 
   return { inner, neighbours: Uint32Array.from(inner, (face) => (twin[face] ?? 0) >>> 2) };
 }
 
-function addNamelessFaces({ twin, triangle }: TetFaces, faces: number[], patches: FaceRange[]): void {
+function addNamelessFaces(
+  { twin, triangle }: TetFaces,
+  faces: number[],
+  patches: FaceRange[],
+  note: Note,
+): void {
   const begin = faces.length;
   twin.forEach((other, face) => {
     if (other === NONE && triangle[face] === NONE) faces.push(face);
   });
-  if (faces.length > begin) patches.push({ name: "defaultFaces", begin, count: faces.length - begin });
+  if (faces.length === begin) return;
+  patches.push({ name: "defaultFaces", begin, count: faces.length - begin });
+  noteNameless(faces.length - begin, "defaultFaces", note);
 }
 
 function trianglesByPatch({ trianglePatch, patches }: FileMesh): number[][] {

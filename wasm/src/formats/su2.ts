@@ -1,11 +1,13 @@
 /**
- * SU2 meshes, as text: the tetrahedra, and one marker per patch with its triangles. A marker's name has
- * underscores for blanks, for SU2 ends names there. Regions have no place in the format.
+ * SU2 meshes, as text: the tetrahedra, and one marker per patch with its triangles on the boundary. A marker's
+ * name has underscores for blanks, for SU2 ends names there. Regions and walls between them have no place in the format.
  */
 import { joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, type Naming } from "./groups.js";
 import { numberRows } from "./number-rows.js";
+import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
 /** VTK's numbers of cells, which SU2 uses; its node orders are ours. */
 const VTK_TRIANGLE = 5;
@@ -14,9 +16,10 @@ const VTK_TETRA = 10;
 const NAMING: Naming = { plain: (name) => name.replace(/\s+/g, "_"), longest: 199 };
 
 /** The bytes of an SU2 file. */
-export function writeSu2(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeSu2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points, tetrahedra } = mesh;
-  const markers = patchGroups(mesh, NAMING);
+  const markers = patchGroups(withOuterFaces(mesh, note), NAMING);
+  noteRegions(mesh, note);
   return joinBytes([
     `NDIME= 3\nNELEM= ${tetrahedra.length / 4}\n`,
     ...numberRows(tetrahedra, 4, (row, t) => `${VTK_TETRA} ${row.join(" ")} ${t}`),

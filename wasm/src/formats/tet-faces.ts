@@ -1,4 +1,7 @@
 /** Which tetrahedra stand on either side of a triangle. */
+import { refuse } from "../mesher-error.js";
+import { packageDiagnostic } from "../package-diagnostic.js";
+import type { Diagnostic } from "../types.js";
 import type { FileMesh } from "./file-mesh.js";
 
 export const NONE = 0xffffffff;
@@ -18,6 +21,8 @@ export interface TetFaces {
   readonly triangle: Uint32Array;
   /** Per triangle: the face on which it lies, of two the one that it looks out of, or NONE. */
   readonly faceOfTriangle: Uint32Array;
+  /** Faces of a third tetrahedron where there are two already. */
+  readonly crowded: readonly number[];
 }
 
 /** O(n) expected: faces are sorted into buckets by all their nodes, as many may share one or two. */
@@ -28,6 +33,7 @@ export function tetFaces({ triangles, tetrahedra }: FileMesh): TetFaces {
   const heads = new Uint32Array(buckets).fill(NONE);
   const next = new Uint32Array(faceCount);
   const twin = new Uint32Array(faceCount).fill(NONE);
+  const crowded: number[] = [];
   for (let face = 0; face < faceCount; face++) {
     const corners = sorted(cornersOf(tetrahedra, face));
     const bucket = bucketOf(corners);
@@ -36,6 +42,7 @@ export function tetFaces({ triangles, tetrahedra }: FileMesh): TetFaces {
       twin[known] = face;
       twin[face] = known;
     } else {
+      if (known !== NONE) crowded.push(face);
       next[face] = heads[bucket] ?? NONE;
       heads[bucket] = face;
     }
@@ -52,7 +59,7 @@ export function tetFaces({ triangles, tetrahedra }: FileMesh): TetFaces {
     if (other !== NONE) triangle[other] = t;
     faceOfTriangle[t] = other === NONE || isTurnedAs(cornersOf(tetrahedra, found), corners) ? found : other;
   });
-  return { twin, triangle, faceOfTriangle };
+  return { twin, triangle, faceOfTriangle, crowded };
 
   function bucketOf([low, middle, high]: Triple): number {
     let h = 0;
@@ -83,6 +90,11 @@ export function cornersOf(tetrahedra: Uint32Array, face: number): Triple {
   return [tetrahedra[begin + a] ?? 0, tetrahedra[begin + b] ?? 0, tetrahedra[begin + c] ?? 0];
 }
 
+/** The same three nodes the other way round. */
+function isMirrored(tetrahedra: Uint32Array, face: number, other: number): boolean {
+  return !isTurnedAs(cornersOf(tetrahedra, face), cornersOf(tetrahedra, other));
+}
+
 function sorted([a, b, c]: Triple): Triple {
   const low = Math.min(a, b, c);
   const high = Math.max(a, b, c);
@@ -94,4 +106,56 @@ function isTurnedAs([a, b, c]: Triple, [x, y, z]: Triple): boolean {
   return (
     (a === x && b === y && c === z) || (a === y && b === z && c === x) || (a === z && b === x && c === y)
   );
+}
+
+/** The tetrahedra that keep a mesh from fitting together, by what is wrong with them. */
+export function misfits(mesh: FileMesh, { twin, crowded }: TetFaces): Diagnostic[] {
+  const { points, tetrahedra } = mesh;
+  const inverted: number[] = [];
+  const flat: number[] = [];
+  for (let t = 0; t < tetrahedra.length / 4; t++) {
+    const volume = sixfoldVolume(points, tetrahedra, t);
+    if (volume < 0) inverted.push(t);
+    if (volume === 0) flat.push(t);
+  }
+  const overlapping = new Set<number>();
+  twin.forEach((other, face) => {
+    if (other !== NONE && !isMirrored(tetrahedra, face, other)) overlapping.add(face >>> 2);
+  });
+  const third = new Set(crowded.map((face) => face >>> 2));
+  return [
+    ...fault(inverted, "inside out", "Exchange two nodes of each."),
+    ...fault(flat, "without volume", "Mesh the body again."),
+    ...fault([...overlapping], "on the same side of a face as another, or repeat it", "Remove one of each."),
+    ...fault([...third], "on a face that two others share", "Mesh the body again."),
+  ];
+}
+
+/** So many ids are named; the number of all is told, too. */
+const MOST_IDS = 10;
+
+function fault(ids: readonly number[], words: string, remedy: string): Diagnostic[] {
+  if (ids.length === 0) return [];
+  const named = ids.slice(0, MOST_IDS).join(", ");
+  const more = ids.length > MOST_IDS ? ` and ${ids.length - MOST_IDS} more` : "";
+  const message = `${ids.length === 1 ? "tetrahedron" : `${ids.length} tetrahedra:`} ${named}${more} (counted from 0): ${words}`;
+  return [packageDiagnostic("unsound-mesh", message, remedy)];
+}
+
+function sixfoldVolume(points: Float64Array, tetrahedra: Uint32Array, t: number): number {
+  const at = (corner: number, axis: number) => points[3 * (tetrahedra[4 * t + corner] ?? 0) + axis] ?? 0;
+  const [u, v, w] = [1, 2, 3].map((corner) => [0, 1, 2].map((axis) => at(corner, axis) - at(0, axis)));
+  const [[ux = 0, uy = 0, uz = 0] = [], [vx = 0, vy = 0, vz = 0] = [], [wx = 0, wy = 0, wz = 0] = []] = [
+    u,
+    v,
+    w,
+  ];
+  return (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+}
+
+/** As `tetFaces`, for formats whose faces must fit together. Throws a MesherError where they do not. */
+export function soundFaces(mesh: FileMesh): TetFaces {
+  const faces = tetFaces(mesh);
+  refuse(misfits(mesh, faces));
+  return faces;
 }

@@ -5,7 +5,7 @@
 import { zipSync } from "fflate";
 
 import { joinBytes } from "./bytes.js";
-import type { WrittenFile } from "./file-format.js";
+import type { FileBytes } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
 import { numberRows } from "./number-rows.js";
@@ -14,7 +14,7 @@ import { numberRows } from "./number-rows.js";
 const MADE = new Date(1980, 0, 1);
 
 /** Three files of one stem. */
-export function writeTetgen(mesh: FileMesh, fileName: string): readonly WrittenFile[] {
+export function writeTetgen(mesh: FileMesh, fileName: string): readonly FileBytes[] {
   const stem = fileName.replace(/\.[^.]*$/, "");
   return [
     { fileName: `${stem}.node`, bytes: nodes(mesh) },
@@ -24,7 +24,7 @@ export function writeTetgen(mesh: FileMesh, fileName: string): readonly WrittenF
 }
 
 /** The three files in one zip. */
-export function writeTetgenZip(mesh: FileMesh, fileName: string): readonly WrittenFile[] {
+export function writeTetgenZip(mesh: FileMesh, fileName: string): readonly FileBytes[] {
   const [base = ""] = /[^/\\]*$/.exec(fileName) ?? [];
   const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`);
   const zipped = zipSync(Object.fromEntries(files.map((file) => [file.fileName, file.bytes])), {

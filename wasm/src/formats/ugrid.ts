@@ -4,12 +4,15 @@
  * format has no names and no regions; patches are numbered as everywhere else.
  */
 import { bigEndianDoubles, bigEndianInts, joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { tagsOf } from "./groups.js";
+import { noteNames, tagsOf } from "./groups.js";
 import { numberRows } from "./number-rows.js";
+import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
 /** The bytes of a UGRID file as text. */
-export function writeUgrid(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeUgrid(given: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const mesh = boundedMesh(given, note);
   return joinBytes([
     `${countsOf(mesh).join(" ")}\n`,
     ...numberRows(mesh.points, 3, (row) => row.join(" ")),
@@ -20,7 +23,8 @@ export function writeUgrid(mesh: FileMesh): Uint8Array<ArrayBuffer> {
 }
 
 /** The bytes of a UGRID file as numbers, high byte first. */
-export function writeUgridBinary(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeUgridBinary(given: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const mesh = boundedMesh(given, note);
   return joinBytes([
     bigEndianInts(countsOf(mesh)),
     bigEndianDoubles(mesh.points),
@@ -28,6 +32,12 @@ export function writeUgridBinary(mesh: FileMesh): Uint8Array<ArrayBuffer> {
     bigEndianInts(tagsOfTriangles(mesh)),
     bigEndianInts(fromOne(mesh.tetrahedra)),
   ]);
+}
+
+function boundedMesh(mesh: FileMesh, note: Note): FileMesh {
+  noteRegions(mesh, note);
+  noteNames(mesh.patches, note);
+  return withOuterFaces(mesh, note);
 }
 
 /** Nodes, triangles, quadrilaterals, tetrahedra, pyramids, prisms, hexahedra. */

@@ -1,0 +1,197 @@
+/** What solvers ask of a mesh: markers on the boundary alone, elements that fit together, and a word where not. */
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+
+import { MesherError, writeMesh, type FileMesh, type WrittenFile } from "tetrafront";
+import { expect, test } from "vitest";
+
+import { blockMesh, outerFaces } from "../../support/block-mesh.js";
+import { tetrafront } from "../../support/command-line.js";
+import { polyMeshFaults, readPolyMesh } from "../../support/poly-mesh.js";
+
+const block = blockMesh();
+const keyOf = (face: ArrayLike<number>) =>
+  Array.from(face)
+    .sort((a, b) => a - b)
+    .join(" ");
+
+/** Faces of two elements of different regions, as one of them has it. */
+function wallFaces({ tetrahedra, tetrahedronRegion }: FileMesh): number[][] {
+  const first = new Map<string, number>();
+  const walls: number[][] = [];
+  tetrahedronRegion.forEach((region, t) => {
+    const nodes = [...tetrahedra.subarray(4 * t, 4 * t + 4)];
+    for (let f = 0; f < 4; f++) {
+      const face = nodes.filter((_, i) => i !== f);
+      const other = first.get(keyOf(face));
+      if (other !== undefined && other !== region) walls.push(face);
+      first.set(keyOf(face), region);
+    }
+  });
+  return walls;
+}
+
+const walls = wallFaces(block);
+const outer = outerFaces(block.tetrahedra).map(keyOf).sort();
+
+function withTriangles(mesh: FileMesh, added: readonly number[][], name: string): FileMesh {
+  const owners = added.map(() => mesh.patches.length);
+  return {
+    ...mesh,
+    triangles: Uint32Array.from([...mesh.triangles, ...added.flat()]),
+    trianglePatch: Uint32Array.from([...mesh.trianglePatch, ...owners]),
+    patches: [...mesh.patches, { name, tag: 50 }],
+  };
+}
+
+const walled = withTriangles(block, walls, "baffle");
+
+async function written(mesh: FileMesh, fileName: string): Promise<WrittenFile> {
+  const [file] = await writeMesh(mesh, fileName);
+  if (file === undefined) throw new Error("nothing was written");
+  return file;
+}
+
+const textOf = ({ bytes }: WrittenFile) => new TextDecoder().decode(bytes);
+const notesOf = ({ notes }: WrittenFile) => notes.map(({ message }) => message).join("\n");
+
+/** The faces of all markers, by the marker's name. */
+function markersOf(file: WrittenFile): Map<string, string[]> {
+  const markers = new Map<string, string[]>();
+  let own: string[] = [];
+  for (const line of textOf(file).split("\n")) {
+    if (line.startsWith("MARKER_TAG= ")) markers.set(line.slice(12), (own = []));
+    if (line.startsWith("5 ")) own.push(keyOf(line.split(" ").slice(1).map(Number)));
+  }
+  return markers;
+}
+
+/** Three nodes from 0 and a tag per triangle. */
+function ugridFaces(file: WrittenFile): { face: number[]; tag: number }[] {
+  const lines = textOf(file)
+    .trim()
+    .split("\n")
+    .map((line) => line.split(" ").map(Number));
+  const [points = 0, triangles = 0] = lines[0] ?? [];
+  return Array.from({ length: triangles }, (_, t) => ({
+    face: (lines[1 + points + t] ?? []).map((node) => node - 1),
+    tag: lines[1 + points + triangles + t]?.[0] ?? NaN,
+  }));
+}
+
+test("there is a wall to test with", () => expect(walls).toHaveLength(8));
+
+test("SU2: a wall is no marker, and that is said", async () => {
+  const file = await written(walled, "a.su2");
+  const markers = markersOf(file);
+  expect([...markers.values()].flat().sort()).toEqual(outer);
+  expect([...markers.keys()]).not.toContain("baffle");
+  expect(notesOf(file)).toMatch(/8 triangles with a tetrahedron on either side, of "baffle", are left out/);
+  expect(notesOf(file)).toMatch(/2 regions/);
+  expect(file.notes[0]).toMatchObject({ code: "left-out", severity: "information" });
+});
+
+test("UGRID: the triangles are the boundary, outward, and the wall is left out", async () => {
+  for (const name of ["a.ugrid", "a.b8.ugrid"]) {
+    expect(notesOf(await written(walled, name))).toMatch(/of "baffle", are left out/);
+  }
+  const turned = (face: readonly number[]) => {
+    const at = face.indexOf(Math.min(...face));
+    return [...face.slice(at), ...face.slice(0, at)].join(" ");
+  };
+  const file = await written(walled, "a.ugrid");
+  expect(
+    ugridFaces(file)
+      .map(({ face }) => turned(face))
+      .sort(),
+  ).toEqual(outerFaces(block.tetrahedra).map(turned).sort());
+  expect(notesOf(file)).toMatch(/names are left out.*7 for "in let"/i);
+});
+
+test("OpenFOAM: the wall is a zone of faces, of which the boundary knows nothing", async () => {
+  const file = await written(walled, "a.foam.zip");
+  const poly = readPolyMesh(file.bytes);
+  expect(polyMeshFaults(poly)).toEqual([]);
+  expect(poly.faces.length - poly.neighbour.length).toBe(outer.length);
+  expect(notesOf(file)).toBe("");
+});
+
+test("Abaqus: the wall has a surface for either side", async () => {
+  const lines = textOf(await written(walled, "a.inp")).split("\n");
+  const rowsOf = (name: string) => {
+    const begin = lines.indexOf(`*SURFACE, NAME=${name}, TYPE=ELEMENT`) + 1;
+    expect(begin).toBeGreaterThan(0);
+    return lines.slice(
+      begin,
+      lines.findIndex((line, i) => i >= begin && line.startsWith("*")),
+    );
+  };
+  const sides = [rowsOf("baffle_FACES"), rowsOf("baffle_BACK")];
+  const elements = sides.map((rows) => rows.map((row) => Number(row.split(",")[0])));
+  expect(elements.map((own) => own.length)).toEqual([8, 8]);
+  expect(elements[0]?.filter((element) => elements[1]?.includes(element))).toEqual([]);
+  expect(lines.filter((line) => /_BACK/.test(line))).toHaveLength(1);
+});
+
+test("faces of no patch have one of their own, and triangles of no element are left out, with a word", async () => {
+  const gap = {
+    ...block,
+    triangles: block.triangles.subarray(3),
+    trianglePatch: block.trianglePatch.subarray(1),
+  };
+  const odd = withTriangles(gap, [[0, 13, 26]], "loose");
+  const su2 = await written(odd, "a.su2");
+  expect(markersOf(su2).get("unnamed_faces")).toEqual([keyOf(block.triangles.subarray(0, 3))]);
+  expect([...markersOf(su2).values()].flat().sort()).toEqual(outer);
+  const tags = ugridFaces(await written(odd, "a.ugrid")).map(({ tag }) => tag);
+  expect(tags.filter((tag) => !block.patches.some((patch) => patch.tag === tag))).toEqual([51]);
+  for (const file of [su2, await written(odd, "a.foam.zip")]) {
+    expect(notesOf(file)).toMatch(/1 triangles that are no face of a tetrahedron are left out/);
+    expect(notesOf(file)).toMatch(/1 faces of one tetrahedron each are of no patch/);
+  }
+});
+
+const tetrahedron = (t: number) => [...block.tetrahedra.subarray(4 * t, 4 * t + 4)];
+const [a = 0, b = 0, c = 0, d = 0] = tetrahedron(5);
+const FLAWS: readonly (readonly [string, number[], RegExp])[] = [
+  ["repeated", [a, b, c, d], /5, 48 .*same side|48.*share/],
+  ["inside out", [b, a, c, d], /tetrahedron 48 .*inside out/i],
+  ["without volume", [a, b, c, c], /tetrahedron 48 .*without volume/i],
+];
+
+test.each(FLAWS)(
+  "an element %s is refused where a solver needs better, with its number",
+  async (_, nodes, message) => {
+    const flawed = {
+      ...block,
+      tetrahedra: Uint32Array.from([...block.tetrahedra, ...nodes]),
+      tetrahedronRegion: Uint32Array.from([...block.tetrahedronRegion, 0]),
+    };
+    for (const name of ["a.su2", "a.ugrid", "a.b8.ugrid", "a.foam.zip"]) {
+      const failure: unknown = await writeMesh(flawed, name).catch((reason: unknown) => reason);
+      if (!(failure instanceof MesherError)) throw new Error(`${name} was written`);
+      expect(failure.diagnostics.every(({ code }) => code === "unsound-mesh")).toBe(true);
+      expect(failure.diagnostics.map((found) => found.message).join("\n")).toMatch(message);
+    }
+    expect((await writeMesh(flawed, "a.vtu")).length).toBe(1);
+  },
+);
+
+test("convert refuses a repeated element for a solver, and warns of it elsewhere", async () => {
+  const folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+  try {
+    const head =
+      "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n";
+    const rows = ["1 2 3 4 1", "2 1 3 5 1", "1 2 3 4 1"].join("\n");
+    writeFileSync(path.join(folder, "a.mesh"), `${head}Tetrahedra\n3\n${rows}\nEnd\n`);
+    const solver = await tetrafront(folder, ["convert", "a.mesh", "-o", "a.su2"]);
+    expect(solver.code).toBe(2);
+    expect(solver.stderr).toMatch(/error: a\.mesh: .*2 \(counted from 0\).*share/i);
+    const other = await tetrafront(folder, ["convert", "a.mesh", "-o", "a.vtu"]);
+    expect(other.code).toBe(0);
+    expect(other.stderr).toMatch(/warning: a\.mesh: .*2 \(counted from 0\).*share/i);
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+});

@@ -1,0 +1,66 @@
+/**
+ * The boundary as solvers take it: each face of one tetrahedron once, outward, in a patch. Walls between regions, which
+ * have an element on either side, are no boundary; nor are triangles without any.
+ */
+import type { Note } from "./file-format.js";
+import type { FileMesh } from "./file-mesh.js";
+import { tagsOf } from "./groups.js";
+import { cornersOf, NONE, soundFaces } from "./tet-faces.js";
+
+/** For faces that no patch has, as in a partial mesh. */
+export const NAMELESS = "unnamed faces";
+
+/** The mesh with these triangles alone. Throws a MesherError where its elements do not fit together. */
+export function withOuterFaces(mesh: FileMesh, note: Note): FileMesh {
+  const { tetrahedra, trianglePatch, patches } = mesh;
+  const { twin, triangle, faceOfTriangle } = soundFaces(mesh);
+  const faces: number[] = [];
+  const owners: number[] = [];
+  const walls: number[] = [];
+  let lost = 0;
+  faceOfTriangle.forEach((face, t) => {
+    if (face === NONE) lost++;
+    else if (twin[face] !== NONE) walls.push(t);
+    else {
+      faces.push(face);
+      owners.push(trianglePatch[t] ?? 0);
+    }
+  });
+  const named = faces.length;
+  twin.forEach((other, face) => {
+    if (other !== NONE || triangle[face] !== NONE) return;
+    faces.push(face);
+    owners.push(patches.length);
+  });
+  noteWalls(mesh, walls, note);
+  noteLoose(lost, note);
+  if (faces.length > named) noteNameless(faces.length - named, NAMELESS, note);
+  const lastTag = tagsOf(patches).reduce((most, tag) => Math.max(most, tag), 0);
+  return {
+    ...mesh,
+    triangles: Uint32Array.from(faces.flatMap((face) => [...cornersOf(tetrahedra, face)])),
+    trianglePatch: Uint32Array.from(owners),
+    patches: [...patches, { name: NAMELESS, tag: lastTag + 1 }],
+  };
+}
+
+function noteWalls({ trianglePatch, patches }: FileMesh, walls: readonly number[], note: Note): void {
+  if (walls.length === 0) return;
+  const names = new Set(walls.map((t) => `"${patches[trianglePatch[t] ?? 0]?.name ?? ""}"`));
+  note(
+    `${walls.length} triangles with a tetrahedron on either side, of ${[...names].join(", ")}, are left out: ` +
+      "the format has faces on the boundary alone",
+  );
+}
+
+export function noteLoose(count: number, note: Note): void {
+  if (count > 0) note(`${count} triangles that are no face of a tetrahedron are left out`);
+}
+
+export function noteNameless(count: number, patch: string, note: Note): void {
+  note(`${count} faces of one tetrahedron each are of no patch, and are put into "${patch}"`);
+}
+
+export function noteRegions({ regions }: FileMesh, note: Note): void {
+  if (regions.length > 1) note(`the ${regions.length} regions are told apart no more: the format has none`);
+}
