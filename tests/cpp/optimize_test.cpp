@@ -16,6 +16,7 @@
 #include "optimize/locality.h"
 #include "optimize/node_moves.h"
 #include "optimize/optimizer.h"
+#include "optimize/repair.h"
 #include "optimize/tet_complex.h"
 #include "quality/metrics.h"
 #include "support/mesh_validator.h"
@@ -200,6 +201,38 @@ TEST(TetComplex, TakesATrialBackWithoutATrace) {
   for (std::size_t node = complex.boundaryNodeCount(); node < complex.nodeCount(); ++node) {
     mover.improve(NodeId(node), MoveKind::kCircumcentres, cost);
   }
+  EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+}
+
+/// Costs of the elements that miss the targets, together.
+double badness(const TetComplex& complex) {
+  double sum = 0.0;
+  for (std::size_t t = 0; t < complex.slotCount(); ++t) {
+    if (complex.isLive(TetId(t)) && complex.cost(TetId(t)) > 1.0) sum += complex.cost(TetId(t));
+  }
+  return sum;
+}
+
+TEST(ElementRepair, NeverLeavesAWorseMesh) {
+  const Filled filled = fill(testing::geodesicSphere(5));
+  const ElementCost cost(Measure::kDihedral, kTargets30And135);
+  TetComplex complex = complexOf(filled, cost);
+  EdgeRemoval removal(complex);
+  EdgeSplitter splitter(complex);
+  NodeCollapser collapser(complex);
+  NodeMover mover(complex);
+  ElementRepair repair(complex, removal, splitter, collapser, mover);
+  repair.allowCompounds(100);
+  const double atFirst = badness(complex);
+  double before = atFirst;
+  for (std::size_t t = 0; t < complex.slotCount(); ++t) {
+    if (!complex.isLive(TetId(t)) || complex.cost(TetId(t)) <= 1.0) continue;
+    repair.repair(TetId(t), cost);
+    const double now = badness(complex);
+    ASSERT_LE(now, before * (1.0 + 1e-12));
+    before = now;
+  }
+  EXPECT_LT(before, 0.2 * atFirst);
   EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
 }
 

@@ -102,6 +102,13 @@ bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_
   return back == 0 && ring.nodeCount <= maxNodes;
 }
 
+bool isBoundaryEdge(const TetComplex& complex, TetId tet, std::size_t edge) {
+  const Corners& nodes = complex.element(tet).nodes;
+  const auto& corners = kEdgeCorners[edge];
+  return walkAround(complex, tet, nodes[corners[2]], nodes[corners[3]],
+                    [](TetId, NodeId) { return true; }) == 0;
+}
+
 /// The two elements over ring nodes i, j, k in this order round the ring; kInvalidCost if they cost
 /// `bound` or more.
 template <class Space>

@@ -49,6 +49,9 @@ struct EdgeRing {
 [[nodiscard]] bool findClosedRing(const TetComplex& complex, TetId tet, std::size_t edge,
                                   std::size_t maxNodes, std::uint32_t since, EdgeRing& ring);
 
+/// Whether an element's edge lies on the boundary.
+[[nodiscard]] bool isBoundaryEdge(const TetComplex& complex, TetId tet, std::size_t edge);
+
 struct EdgeRemovalOptions {
   bool fans = false;      ///< also try keeping the edge with fewer sectors, at boundary edges too
   double minGain = 1e-4;  ///< relative

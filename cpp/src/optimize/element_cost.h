@@ -8,6 +8,7 @@
 ///                  the volume: the mean ratio to the power -3, 1 for the regular tetrahedron.
 ///                  Summed over elements; a convex barrier in each free node. The -1 makes a
 ///                  regular element free: without it, deleting elements would pay.
+///   within         that of bulk where no angle misses its target, and invalid elsewhere.
 ///   dihedral       the largest of k1 (1 + c)/(1 - c) over the dihedral cosines c and
 ///                  k2 (1 - c)/(1 + c), k the squared tangent of half the angle aimed at: at most
 ///                  1 iff no angle is below, and none above, its target. The worst counts.
@@ -23,7 +24,7 @@
 
 namespace tetrafront {
 
-enum class Measure : std::uint8_t { kBulk, kFinish, kDihedral };
+enum class Measure : std::uint8_t { kBulk, kFinish, kWithin, kDihedral };
 
 /// Cost of what must not be.
 inline constexpr double kInvalidCost = 1e30;
@@ -97,6 +98,8 @@ class ElementCost {
         return std::sqrt(shape) - 1.0;
       case Measure::kFinish:
         return shape - 1.0;
+      case Measure::kWithin:
+        return dihedral(edges) <= 1.0 ? std::sqrt(shape) - 1.0 : kInvalidCost;
       case Measure::kDihedral:
         return dihedral(edges);
     }

@@ -30,6 +30,8 @@ struct PlainSpace {
   static Wanted meanOf(Wanted a, Wanted b, Wanted c, Wanted d) {
     return a * 0.25 + b * 0.25 + c * 0.25 + d * 0.25;
   }
+  /// A vector in units of the wanted length.
+  static Vec3 inWanted(Wanted wanted, const Vec3& v) { return v * (1.0 / wanted); }
   static Vec3 toUnit(const Frame& /*frame*/, const Vec3& v) { return v; }
   static Vec3 toSpace(const Back& /*back*/, const Vec3& v) { return v; }
   static Back backFrom(const Frame& /*frame*/) { return {}; }
@@ -77,6 +79,7 @@ struct StretchedSpace {
     frame.accumulate(d, 1.0);
     return frame;
   }
+  static Vec3 inWanted(const Wanted& wanted, const Vec3& v) { return wanted * v; }
   static Vec3 toUnit(const Frame& frame, const Vec3& v) { return frame * v; }
   static Vec3 toSpace(const Back& back, const Vec3& v) { return back * v; }
   static Back backFrom(const Frame& frame) { return frame.inverse(); }

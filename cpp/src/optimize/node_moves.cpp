@@ -228,7 +228,7 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
   Vec3 direction(0.0);
   if (kind == MoveKind::kCircumcentres) {
     direction = circumcentreMean(hollow_, place) - place;
-  } else if (!newtonStep(hollow_, place, cost.measure() == Measure::kBulk, direction)) {
+  } else if (!newtonStep(hollow_, place, cost.measure() != Measure::kFinish, direction)) {
     return false;
   }
   if (!stepAlong(direction, cost, old, place)) return false;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "optimize/density.h"
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
+#include "optimize/judgement.h"
+#include "optimize/near_sheets.h"
 #include "optimize/node_moves.h"
 #include "optimize/repair.h"
 #include "optimize/tet_complex.h"
@@ -28,8 +31,9 @@ enum class Sweep : std::uint8_t {
   kCollapse,          ///< C
   kCollectBad,        ///< elements over the target, worst first
   kRepair,
+  kJudge,
 };
-constexpr std::size_t kSweepKinds = 9;
+constexpr std::size_t kSweepKinds = 10;
 
 /// Splits and collapses need a settled mesh between them: back to back they undo each other.
 constexpr std::array kFirstSweeps{Sweep::kSwap, Sweep::kMove, Sweep::kMove};
@@ -39,6 +43,8 @@ constexpr std::array kRound{
 constexpr std::array kFinishSweeps{Sweep::kSwap, Sweep::kNewton, Sweep::kNewton, Sweep::kSwap};
 constexpr std::array kFastSweeps{Sweep::kSwap, Sweep::kNewton, Sweep::kSwap, Sweep::kNewton,
                                  Sweep::kSwap};
+constexpr std::array kPolishSweeps{Sweep::kSwap, Sweep::kMove, Sweep::kNewton};
+constexpr std::array kJudgeSweeps{Sweep::kJudge};
 constexpr std::array kRepairSweeps{Sweep::kCollectBad, Sweep::kRepair};
 
 constexpr int kMaxRounds = 10;
@@ -48,19 +54,22 @@ constexpr double kQuietRound = 0.1;
 /// are near each other, splits and collapses can undo each other for ever.
 constexpr double kLeastRoundGain = 0.01;
 constexpr int kRepairPasses = 8;
-/// A repair also ends when a pass has left more bad elements than the first one met, and more than
-/// this part of all: in a gap or a wedge without room for nodes, what mends one spoils others, and
-/// each pass would take longer than the one before.
+/// A repair also ends when a pass has left more than this part of the bad elements that it met, and
+/// more than that part of all: in a gap or a wedge without room for nodes, what mends one spoils
+/// others.
+constexpr double kMaxLeft = 0.8;
 constexpr double kFewBad = 0.005;
-/// A target is worth its cost only where few elements miss it: in a gap thinner than an element
-/// many do, and chasing them only adds elements.
+/// A target is worth its cost only where few elements miss it: where the boundary is coarse for its
+/// shape many do, and chasing them only adds elements.
 constexpr double kMaxMissingLow = 0.1;
-constexpr double kMaxMissingHigh = 0.02;
+constexpr double kMaxMissingHigh = 0.04;
+constexpr double kMaxMissingStrive = 0.01;
+constexpr int kPolishPasses = 4;
 /// The lower targets: the first that few elements miss.
 constexpr std::array kLowTargets{kTargets18And150, kTargets8And165, kTargets2And175};
-/// Compound changes beside bad elements, in one repair: so many, and one for so many elements.
-constexpr std::size_t kLeastDetours = 500;
-constexpr std::size_t kElementsPerDetour = 50;
+/// Compound changes in one repair: so many, and one for so many elements.
+constexpr std::size_t kLeastCompounds = 300;
+constexpr std::size_t kElementsPerCompound = 50;
 constexpr std::uint32_t kRepairWork = 64;  ///< elements of a sweep that one repair costs
 
 enum class Stage : std::uint8_t {
@@ -70,7 +79,11 @@ enum class Stage : std::uint8_t {
   kFinish,
   kRepairLow,
   kRepairHigh,
+  kJudgeDefault,  ///< what striving begins with
   kRepairStrive,
+  kJudgeStrive,
+  kPolish,  ///< shapes, where the repair has seen to angles only
+  kJudgePolished,
   kDone
 };
 
@@ -86,7 +99,7 @@ class MeshOptimizer::Impl {
 
   virtual bool advance(std::uint32_t budget) = 0;
   [[nodiscard]] virtual double fraction() const = 0;
-  [[nodiscard]] virtual const TetComplex& complex() const = 0;
+  [[nodiscard]] virtual std::size_t elementCount() const = 0;
   [[nodiscard]] virtual VolumeMesh mesh() const = 0;
   [[nodiscard]] virtual std::size_t pointCount() const = 0;
 };
@@ -129,13 +142,18 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     const auto done = static_cast<double>(stage_);
     return (done + static_cast<double>(sweep_) / static_cast<double>(sweeps_.size() + 1)) / stages;
   }
-  [[nodiscard]] const TetComplex& complex() const override { return complex_; }
+  [[nodiscard]] std::size_t elementCount() const override {
+    if (stage_ == Stage::kDone && defaultMesh_) return defaultMesh_->regions.size();
+    return complex_.elementCount();
+  }
   /// Until the complex is built there is nothing but the mesh as it came.
   [[nodiscard]] VolumeMesh mesh() const override {
+    if (stage_ == Stage::kDone && defaultMesh_) return *defaultMesh_;
     return stage_ == Stage::kBuild ? mesh_ : complex_.toMesh();
   }
   [[nodiscard]] std::size_t pointCount() const override {
     if (stage_ == Stage::kBuild) return mesh_.points.size() / 3;
+    if (stage_ == Stage::kDone && defaultMesh_) return defaultMesh_->points.size() / 3;
     return complex_.boundaryNodeCount() + freeNodes_;
   }
 
@@ -170,7 +188,9 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     costed_ += count;
     costing_ = costed_ < complex_.slotCount();
     if (!costing_ && cost_.measure() == Measure::kDihedral) {
-      const double share = stage_ == Stage::kRepairLow ? kMaxMissingLow : kMaxMissingHigh;
+      const double share = stage_ == Stage::kRepairLow    ? kMaxMissingLow
+                           : stage_ == Stage::kRepairHigh ? kMaxMissingHigh
+                                                          : kMaxMissingStrive;
       if (missing() > share * static_cast<double>(complex_.elementCount())) giveUpTarget();
     }
     return count;
@@ -237,6 +257,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       case Sweep::kSwap:
       case Sweep::kCollectSplits:
       case Sweep::kCollectBad:
+      case Sweep::kJudge:
         return complex_.slotCount();
       case Sweep::kMove:
       case Sweep::kNewton:
@@ -281,6 +302,9 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       case Sweep::kRepair:
         repair(first, last);
         break;
+      case Sweep::kJudge:
+        judge(first, last);
+        break;
     }
   }
 
@@ -311,18 +335,26 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     }
   }
 
-  void collectBad(std::size_t first, std::size_t last) {
-    if (first == 0) bad_.clear();
+  void judge(std::size_t first, std::size_t last) {
+    if (first == 0) judgement_ = {};
     for (std::size_t t = first; t < last; ++t) {
-      if (complex_.isLive(TetId(t)) && complex_.cost(TetId(t)) > 1.0) bad_.emplace_back(t);
+      if (complex_.isLive(TetId(t))) judgement_.add<Space>(complex_, TetId(t));
     }
   }
 
-  /// Worst first; none where repairing them has only made more.
+  void collectBad(std::size_t first, std::size_t last) {
+    if (first == 0) bad_.clear();
+    for (std::size_t t = first; t < last; ++t) {
+      if (isToBeMended(TetId(t))) bad_.emplace_back(t);
+    }
+  }
+
+  /// Worst first; none where the last pass has hardly helped.
   void rankBad() {
-    if (repeats_ == 0) badAtFirst_ = bad_.size();
-    const double few = kFewBad * static_cast<double>(complex_.elementCount());
-    if (bad_.size() > badAtFirst_ && static_cast<double>(bad_.size()) > few) bad_.clear();
+    const auto count = static_cast<double>(bad_.size());
+    const bool helped = repeats_ == 0 || count <= kMaxLeft * static_cast<double>(badBefore_);
+    badBefore_ = bad_.size();
+    if (!helped && count > kFewBad * static_cast<double>(complex_.elementCount())) bad_.clear();
     stableSort(bad_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
   }
 
@@ -387,7 +419,26 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       case Stage::kRepairHigh:
       case Stage::kRepairStrive:
         if (changes > 0 && repeats_ < kRepairPasses) return beginSweeps();
+        if (!bad_.empty() && aim_ == RepairAim::kFewer) {
+          aimAt(RepairAim::kLessBad);
+          repeats_ = 0;
+          return beginSweeps();
+        }
         return endRepair();
+      case Stage::kJudgeDefault:
+        judgedDefault_ = judgement_;
+        defaultMesh_ = complex_.toMesh();
+        return beginRepair(Stage::kRepairStrive);
+      case Stage::kJudgeStrive:
+        return begin(Stage::kPolish, kPolishSweeps,
+                     ElementCost<Space>(Measure::kWithin, judgement_.within(kTargets35And130)));
+      case Stage::kPolish:
+        if (repeats_ < kPolishPasses) return beginSweeps();
+        return beginJudging(Stage::kJudgePolished);
+      case Stage::kJudgePolished:
+        if (judgement_.isNoWorseThan(judgedDefault_)) defaultMesh_.reset();
+        stage_ = Stage::kDone;
+        return;
       case Stage::kDone:
         return;
     }
@@ -412,8 +463,14 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     const DihedralTargets targets = stage == Stage::kRepairLow    ? kLowTargets[lowTarget_]
                                     : stage == Stage::kRepairHigh ? kTargets30And135
                                                                   : kTargets35And130;
-    repair_.allowDetours(kLeastDetours + complex_.elementCount() / kElementsPerDetour);
+    repair_.allowCompounds(kLeastCompounds + complex_.elementCount() / kElementsPerCompound);
+    aimAt(RepairAim::kFewer);
     begin(stage, kRepairSweeps, ElementCost<Space>(Measure::kDihedral, targets));
+  }
+
+  void aimAt(RepairAim aim) {
+    aim_ = aim;
+    repair_.aimAt(aim);
   }
 
   /// Too many elements miss the target. So they would the higher ones.
@@ -421,21 +478,41 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (stage_ == Stage::kRepairLow && ++lowTarget_ < kLowTargets.size()) {
       return beginRepair(Stage::kRepairLow);
     }
-    stage_ = Stage::kDone;
+    endDefault();
+  }
+
+  /// After the last repair of the default; striving goes on from there, and may come back to it.
+  void endDefault() {
+    if (level_ != Optimization::kStrive) {
+      stage_ = Stage::kDone;
+    } else {
+      beginJudging(stage_ == Stage::kRepairStrive ? Stage::kJudgeStrive : Stage::kJudgeDefault);
+    }
+  }
+
+  void beginJudging(Stage stage) {
+    stage_ = stage;
+    repeats_ = 0;
+    sweeps_ = kJudgeSweeps;
+    beginSweeps();
   }
 
   void endRepair() {
     if (stage_ == Stage::kRepairLow && lowTarget_ == 0) return beginRepair(Stage::kRepairHigh);
-    if (stage_ == Stage::kRepairHigh && level_ == Optimization::kStrive) {
-      return beginRepair(Stage::kRepairStrive);
-    }
-    stage_ = Stage::kDone;
+    endDefault();
+  }
+
+  /// Above the low targets, elements between two sheets of the boundary without room for a node are
+  /// left alone: nodes put there would only make more elements that miss.
+  [[nodiscard]] bool isToBeMended(TetId tet) const {
+    if (!complex_.isLive(tet) || complex_.cost(tet) <= 1.0) return false;
+    return stage_ == Stage::kRepairLow || !isBetweenNearSheets<Space>(complex_, tet);
   }
 
   [[nodiscard]] double missing() const {
     double count = 0.0;
     for (std::size_t t = 0; t < complex_.slotCount(); ++t) {
-      if (complex_.isLive(TetId(t)) && complex_.cost(TetId(t)) > 1.0) count += 1.0;
+      if (isToBeMended(TetId(t))) count += 1.0;
     }
     return count;
   }
@@ -469,7 +546,11 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::size_t lowTarget_ = 0;  ///< in kLowTargets
   std::size_t freeNodes_ = 0;  ///< when the last sweep ended: counting them is O(nodes)
   std::vector<TetId> bad_;
-  std::size_t badAtFirst_ = 0;  ///< when this repair began
+  RepairAim aim_ = RepairAim::kFewer;
+  Judgement judgement_;  ///< as far as judged
+  Judgement judgedDefault_;
+  std::optional<VolumeMesh> defaultMesh_;  ///< what striving began with, unless it is no worse
+  std::size_t badBefore_ = 0;              ///< when the last pass of a repair began
 };
 
 MeshOptimizer::MeshOptimizer(const VolumeMesh& mesh, std::size_t boundaryNodes,
@@ -491,7 +572,7 @@ std::uint32_t MeshOptimizer::pointCount() const {
   return static_cast<std::uint32_t>(impl_->pointCount());
 }
 std::uint32_t MeshOptimizer::tetrahedronCount() const {
-  return static_cast<std::uint32_t>(impl_->complex().elementCount());
+  return static_cast<std::uint32_t>(impl_->elementCount());
 }
 VolumeMesh MeshOptimizer::mesh() const { return impl_->mesh(); }
 

@@ -21,15 +21,37 @@ bool ElementRepair<Space>::stillBad(TetId tet, const Corners& nodes) const {
   return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;
 }
 
+/// Makes a change for a trial; keeps it if what it touched is better off, by that part.
+template <class Space>
+template <class Change>
+bool ElementRepair<Space>::attempt(double gain, Change change) {
+  const auto badness = [&](double cost) {
+    if (cost <= 1.0) return 0.0;
+    return aim_ == RepairAim::kFewer ? cost : cost * cost * cost * cost;
+  };
+  complex_.beginTrial();
+  if (change()) {
+    const auto sums = complex_.sumsOfTrial(badness);
+    if (sums.now < sums.before * (1.0 - gain)) {
+      complex_.keepTrial();
+      return true;
+    }
+  }
+  complex_.takeBack();
+  return false;
+}
+
 template <class Space>
 bool ElementRepair<Space>::repair(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
-  swapAround(tet, cost);
+  attempt(kRepairGain, [&] { return swapAround(tet, cost); });
   if (!stillBad(tet, nodes)) return true;
-  moveCorners(nodes, cost);
+  attempt(kRepairGain, [&] { return moveCorners(nodes, cost); });
   if (!stillBad(tet, nodes)) return true;
-  if (collapseCorner(nodes, cost)) return true;
-  if (insertNode(tet, cost) && !stillBad(tet, nodes)) return true;
+  attempt(kRepairGain, [&] { return collapseCorner(nodes, cost); });
+  if (!stillBad(tet, nodes)) return true;
+  attempt(kRepairGain, [&] { return insertNode(tet, cost); });
+  if (!stillBad(tet, nodes)) return true;
   compound(tet, cost);
   if (!stillBad(tet, nodes)) return true;
   detour(tet, cost);
@@ -222,8 +244,6 @@ bool ElementRepair<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
     const Corners nodes = complex_.element(across.tet()).nodes;
     for (const auto& corners : kEdgeCorners) {
       for (const bool split : {false, true}) {
-        if (detours_ == 0) return false;
-        --detours_;
         if (tryCompound(across.tet(), nodes[corners[0]], nodes[corners[1]], split, cost)) {
           return true;
         }
@@ -238,54 +258,55 @@ bool ElementRepair<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
 template <class Space>
 bool ElementRepair<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
                                        const ElementCost<Space>& cost) {
+  if (compounds_ == 0) return false;
   EdgeRing ring;
   const std::size_t edge = edgeBetween(complex_.element(tet), a, b);
   if (edge == kEdgeCorners.size() || !findRing(complex_, tet, edge, kRepairRing, ring)) {
     return false;
   }
   if (!ring.closed) return false;
-  complex_.beginTrial();
-  std::vector<NodeId> nodes;
-  bool made = false;
-  if (split) {
-    const NodeId middle = splitter_.force(ring, cost);
-    made = !middle.isNone();
-    if (made) nodes.push_back(middle);
-  } else {
-    made = removal_.force(ring, cost);
-  }
-  if (made) {
+  --compounds_;
+  return attempt(kCompoundGain, [&] {
+    std::vector<NodeId> nodes(ring.nodes.begin(),
+                              ring.nodes.begin() + static_cast<std::ptrdiff_t>(ring.nodeCount));
     nodes.insert(nodes.end(), {ring.from, ring.to});
-    nodes.insert(nodes.end(), ring.nodes.begin(),
-                 ring.nodes.begin() + static_cast<std::ptrdiff_t>(ring.nodeCount));
-    settle(nodes, cost);
-    const TetComplex::WorstCosts worst = complex_.worstOfTrial();
-    if (worst.now < worst.before * (1.0 - kCompoundGain)) {
-      complex_.keepTrial();
-      return true;
+    if (split) {
+      const NodeId middle = splitter_.force(ring, cost);
+      if (middle.isNone()) return false;
+      nodes.push_back(middle);
+    } else if (!removal_.force(ring, cost)) {
+      return false;
     }
-  }
-  complex_.takeBack();
-  return false;
+    settle(nodes, cost);
+    return true;
+  });
 }
 
 template <class Space>
 void ElementRepair<Space>::settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost) {
-  constexpr int kSteps = 6;
+  constexpr int kSteps = 20;
   const auto moveAll = [&] {
     for (const NodeId node : nodes) mover_.improve(node, MoveKind::kLowerWorst, cost);
   };
   moveAll();
-  for (int i = 0; i < kSteps; ++i) {
-    const std::vector<TetId> touched = complex_.touchedByTrial();
-    const auto worst = std::max_element(touched.begin(), touched.end(), [&](TetId p, TetId q) {
-      return complex_.cost(p) < complex_.cost(q);
-    });
-    if (worst == touched.end()) break;
-    if (swapAround(*worst, cost)) continue;
-    if (!moveCorners(complex_.element(*worst).nodes, cost)) break;
+  for (int i = 0; i < kSteps && settleOne(cost); ++i) {
   }
   moveAll();
+}
+
+/// Improves one of the few worst elements that the trial has touched, if any can be.
+template <class Space>
+bool ElementRepair<Space>::settleOne(const ElementCost<Space>& cost) {
+  constexpr std::size_t kWorst = 4;
+  std::vector<TetId> bad = complex_.touchedByTrial();
+  std::erase_if(bad, [&](TetId tet) { return complex_.cost(tet) <= 1.0; });
+  stableSort(bad, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+  bad.resize(std::min(bad.size(), kWorst));
+  return std::any_of(bad.begin(), bad.end(), [&](TetId tet) {
+    const Corners nodes = complex_.element(tet).nodes;
+    return swapAround(tet, cost) || moveCorners(nodes, cost) || collapseCorner(nodes, cost) ||
+           insertNode(tet, cost);
+  });
 }
 
 template class ElementRepair<PlainSpace>;

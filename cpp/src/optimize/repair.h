@@ -2,7 +2,8 @@
 
 /// @file The last few bad elements, one by one, worst first: swaps, moves, collapses, insertion of
 /// a node into a cavity, and compound changes that may get worse before they get better. Each is
-/// kept only if the worst element concerned gets better.
+/// tried, and kept only if the bad elements that it touched are better off together, so a repair
+/// never ends with a worse mesh than it began with.
 
 #include <array>
 #include <cstdint>
@@ -16,6 +17,12 @@
 #include "optimize/tet_complex.h"
 
 namespace tetrafront {
+
+/// What counts of the bad elements that a change has touched.
+enum class RepairAim : std::uint8_t {
+  kFewer,    ///< the sum of their costs: that there be fewer, whatever the one left is like
+  kLessBad,  ///< the sum of the fourth powers: the worst of them
+};
 
 template <class Space = PlainSpace>
 class ElementRepair {
@@ -32,9 +39,11 @@ class ElementRepair {
   /// good enough (cost at most 1).
   bool repair(TetId tet, const ElementCost<Space>& cost);
 
-  /// How many compound changes may yet begin at an element beside the bad one. They save the last
-  /// few, but are many; without a limit, elements that nothing can save would take all the time.
-  void allowDetours(std::size_t count) { detours_ = count; }
+  void aimAt(RepairAim aim) { aim_ = aim; }
+
+  /// How many compound changes may yet be tried. They save the last few elements, but take long;
+  /// without a limit, elements that nothing can save would take all the time.
+  void allowCompounds(std::size_t count) { compounds_ = count; }
 
  private:
   using Wanted = typename Space::Wanted;
@@ -42,6 +51,8 @@ class ElementRepair {
   [[nodiscard]] typename Space::Frame coneFrame(const Wanted& apex, const Corners& nodes,
                                                 std::size_t side) const;
   [[nodiscard]] bool stillBad(TetId tet, const Corners& nodes) const;
+  template <class Change>
+  bool attempt(double gain, Change change);
   bool swapAround(TetId tet, const ElementCost<Space>& cost);
   bool moveCorners(const Corners& nodes, const ElementCost<Space>& cost);
   bool collapseCorner(const Corners& nodes, const ElementCost<Space>& cost);
@@ -56,6 +67,7 @@ class ElementRepair {
   bool detour(TetId tet, const ElementCost<Space>& cost);
   bool tryCompound(TetId tet, NodeId a, NodeId b, bool split, const ElementCost<Space>& cost);
   void settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost);
+  bool settleOne(const ElementCost<Space>& cost);
 
   TetComplex& complex_;
   EdgeRemoval<Space>& removal_;
@@ -67,7 +79,8 @@ class ElementRepair {
   std::vector<std::uint32_t> inCavity_;
   std::uint32_t cavityStamp_ = 0;
   std::vector<NewElement> fresh_;
-  std::size_t detours_ = 0;
+  std::size_t compounds_ = 0;
+  RepairAim aim_ = RepairAim::kFewer;
 };
 
 }  // namespace tetrafront

@@ -214,6 +214,10 @@ TetId TetComplex::takeSlot() {
   if (!freeSlots_.empty()) {
     const TetId slot = freeSlots_.back();
     freeSlots_.pop_back();
+    if (inTrial_ && freeSlots_.size() < freeSlotsKept_) {
+      freeSlotsKept_ = freeSlots_.size();
+      takenSlots_.push_back(slot);
+    }
     return slot;
   }
   elements_.emplace_back();
@@ -282,7 +286,8 @@ void TetComplex::beginTrial() {
   inTrial_ = true;
   savedElements_.clear();
   savedPlaces_.clear();
-  savedFreeSlots_ = freeSlots_;
+  freeSlotsKept_ = freeSlots_.size();
+  takenSlots_.clear();
   slotsBeforeTrial_ = elements_.size();
   nodesBeforeTrial_ = places_.size();
 }
@@ -310,22 +315,8 @@ void TetComplex::takeBack() {
     }
   }
   resizeNodes(nodesBeforeTrial_);
-  freeSlots_ = savedFreeSlots_;
-}
-
-TetComplex::WorstCosts TetComplex::worstOfTrial() {
-  WorstCosts worst{0.0, 0.0};
-  const std::uint32_t stamp = freshStamp();
-  for (const SavedElement& saved : savedElements_) {
-    // The first save of an element holds its state before the trial.
-    if (states_[saved.id.index()].stamp == stamp) continue;
-    states_[saved.id.index()].stamp = stamp;
-    const bool wasLive = !saved.element.nodes[0].isNone() && saved.id.index() < slotsBeforeTrial_;
-    if (wasLive) worst.before = std::max(worst.before, saved.cost);
-  }
-  for (const TetId tet : touchedByTrial())
-    worst.now = std::max(worst.now, states_[tet.index()].cost);
-  return worst;
+  freeSlots_.resize(freeSlotsKept_);
+  freeSlots_.insert(freeSlots_.end(), takenSlots_.rbegin(), takenSlots_.rend());
 }
 
 std::vector<TetId> TetComplex::touchedByTrial() {

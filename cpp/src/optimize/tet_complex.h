@@ -153,12 +153,13 @@ class TetComplex {
   void beginTrial();
   void keepTrial();
   void takeBack();
-  /// The largest cost among the elements that the trial has touched: before it, and now.
-  struct WorstCosts {
-    double before;
-    double now;
+  /// Sum of weigh(cost) over the elements that the trial has touched: before it, and now.
+  struct TrialSums {
+    double before = 0.0;
+    double now = 0.0;
   };
-  [[nodiscard]] WorstCosts worstOfTrial();
+  template <class Weigh>
+  [[nodiscard]] TrialSums sumsOfTrial(Weigh weigh);
   /// Live elements that the trial has touched or made.
   [[nodiscard]] std::vector<TetId> touchedByTrial();
 
@@ -242,9 +243,25 @@ class TetComplex {
   bool inTrial_ = false;
   std::vector<SavedElement> savedElements_;
   std::vector<SavedPlace> savedPlaces_;
-  std::vector<TetId> savedFreeSlots_;
+  std::size_t freeSlotsKept_ = 0;  ///< of freeSlots_: those that the trial has not taken
+  std::vector<TetId> takenSlots_;  ///< the others, the last first
   std::size_t slotsBeforeTrial_ = 0;
   std::size_t nodesBeforeTrial_ = 0;
 };
+
+template <class Weigh>
+TetComplex::TrialSums TetComplex::sumsOfTrial(Weigh weigh) {
+  TrialSums sums;
+  const std::uint32_t stamp = freshStamp();
+  for (const SavedElement& saved : savedElements_) {
+    // The first save of an element holds its state before the trial.
+    if (hasStamp(saved.id, stamp)) continue;
+    this->stamp(saved.id, stamp);
+    const bool wasLive = !saved.element.nodes[0].isNone() && saved.id.index() < slotsBeforeTrial_;
+    if (wasLive) sums.before += weigh(saved.cost);
+  }
+  for (const TetId tet : touchedByTrial()) sums.now += weigh(cost(tet));
+  return sums;
+}
 
 }  // namespace tetrafront

@@ -19,9 +19,6 @@ constexpr double kNeedle = 0.3;
 /// near to one of them.
 constexpr double kNear = 0.6;
 
-constexpr std::array<std::array<std::size_t, 4>, 6> kEdges{
-    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
-
 /// Square of the distance between the lines a b and c d.
 double squaredDistanceOfLines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 across = glm::cross(b - a, d - c);
@@ -32,6 +29,34 @@ double squaredDistanceOfLines(const Vec3& a, const Vec3& b, const Vec3& c, const
 }
 
 }  // namespace
+
+/// The boundary's edges leave two groups of the corners, near each other.
+bool joinsNearSheets(const std::array<Vec3, 4>& seen, const std::array<bool, 6>& joined) {
+  constexpr double kSquare = kNear * kNear;
+  // Edge e and the one opposite, 5 - e, apart from each other.
+  for (std::size_t e = 0; e < 3; ++e) {
+    const auto& [a, b, c, d] = kElementEdges[e];
+    bool apart = joined[e] && joined[5 - e];
+    for (std::size_t other = 0; other < kElementEdges.size(); ++other) {
+      apart = apart && (other == e || other == 5 - e || !joined[other]);
+    }
+    if (apart && squaredDistanceOfLines(seen[a], seen[b], seen[c], seen[d]) < kSquare) {
+      return true;
+    }
+  }
+  // A node apart from the three others.
+  for (std::size_t k = 0; k < 4; ++k) {
+    bool apart = true;
+    for (std::size_t e = 0; e < kElementEdges.size(); ++e) {
+      apart = apart && (!joined[e] || (kElementEdges[e][0] != k && kElementEdges[e][1] != k));
+    }
+    if (apart && squaredDistanceToTriangle(seen[k], seen[(k + 1) % 4], seen[(k + 2) % 4],
+                                           seen[(k + 3) % 4]) < kSquare) {
+      return true;
+    }
+  }
+  return false;
+}
 
 void BoundaryLimits::add(std::span<const std::uint32_t, 3> triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -114,53 +139,29 @@ bool BoundaryLimits::hasNeedle(std::span<const std::uint32_t, 4> nodes,
   return false;
 }
 
-/// Whether the boundary's edges among the nodes leave two groups of them, near each other.
-bool BoundaryLimits::joinsNearSheets(std::span<const std::uint32_t, 4> nodes,
-                                     const ElementView& view) const {
+bool BoundaryLimits::liesBetweenNearSheets(std::span<const std::uint32_t, 4> nodes,
+                                           const ElementView& view) const {
   if (std::ranges::any_of(nodes, [&](std::uint32_t node) { return isOnBoundary_[node] == 0; })) {
     return false;
   }
   std::array<Vec3, 4> corners;
   std::array<bool, 6> joined{};
   for (std::size_t k = 0; k < 4; ++k) corners[k] = seen(nodes[k], view);
-  for (std::size_t e = 0; e < kEdges.size(); ++e) {
-    joined[e] = !edgesBetween(nodes[kEdges[e][0]], nodes[kEdges[e][1]]).empty();
+  for (std::size_t e = 0; e < kElementEdges.size(); ++e) {
+    joined[e] = !edgesBetween(nodes[kElementEdges[e][0]], nodes[kElementEdges[e][1]]).empty();
   }
-  constexpr double kSquare = kNear * kNear;
-  // Edge e and the one opposite, 5 - e, apart from each other.
-  for (std::size_t e = 0; e < 3; ++e) {
-    const auto& [a, b, c, d] = kEdges[e];
-    bool apart = joined[e] && joined[5 - e];
-    for (std::size_t other = 0; other < kEdges.size(); ++other) {
-      apart = apart && (other == e || other == 5 - e || !joined[other]);
-    }
-    if (apart && squaredDistanceOfLines(corners[a], corners[b], corners[c], corners[d]) < kSquare) {
-      return true;
-    }
-  }
-  // A node apart from the three others.
-  for (std::size_t k = 0; k < 4; ++k) {
-    bool apart = true;
-    for (std::size_t e = 0; e < kEdges.size(); ++e) {
-      apart = apart && (!joined[e] || (kEdges[e][0] != k && kEdges[e][1] != k));
-    }
-    if (apart && squaredDistanceToTriangle(corners[k], corners[(k + 1) % 4], corners[(k + 2) % 4],
-                                           corners[(k + 3) % 4]) < kSquare) {
-      return true;
-    }
-  }
-  return false;
+  return joinsNearSheets(corners, joined);
 }
 
 BoundaryLimit BoundaryLimits::limitOf(std::span<const std::uint32_t, 4> nodes,
                                       const ElementView& view) const {
-  for (const auto& [a, b, c, d] : kEdges) {
+  for (const auto& [a, b, c, d] : kElementEdges) {
     if (liesInSharpWedge(nodes[a], nodes[b], nodes[c], nodes[d], view)) {
       return BoundaryLimit::kSharpEdge;
     }
   }
   if (hasNeedle(nodes, view)) return BoundaryLimit::kNeedle;
-  return joinsNearSheets(nodes, view) ? BoundaryLimit::kNearSheets : BoundaryLimit::kNone;
+  return liesBetweenNearSheets(nodes, view) ? BoundaryLimit::kNearSheets : BoundaryLimit::kNone;
 }
 
 }  // namespace tetrafront

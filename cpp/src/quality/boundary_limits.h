@@ -22,6 +22,16 @@ struct ElementView {
   [[nodiscard]] Vec3 operator()(const Vec3& place) const { return toUnit * (place - origin); }
 };
 
+/// The edges of an element; edge e and edge 5 - e lie opposite each other.
+inline constexpr std::array<std::array<std::size_t, 4>, 6> kElementEdges{
+    {{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 0, 2}, {2, 3, 0, 1}}};
+
+/// Whether an element with all its corners on the boundary joins two sheets of it that are too near
+/// each other for a node between them. `seen`: the corners, where wanted edges have length 1;
+/// `joined`: whether each of kElementEdges is an edge of the boundary.
+[[nodiscard]] bool joinsNearSheets(const std::array<Vec3, 4>& seen,
+                                   const std::array<bool, 6>& joined);
+
 class BoundaryLimits {
  public:
   /// `points`: x y z of the mesh's nodes.
@@ -52,8 +62,8 @@ class BoundaryLimits {
                                       std::uint32_t d, const ElementView& view) const;
   [[nodiscard]] bool hasNeedle(std::span<const std::uint32_t, 4> nodes,
                                const ElementView& view) const;
-  [[nodiscard]] bool joinsNearSheets(std::span<const std::uint32_t, 4> nodes,
-                                     const ElementView& view) const;
+  [[nodiscard]] bool liesBetweenNearSheets(std::span<const std::uint32_t, 4> nodes,
+                                           const ElementView& view) const;
 
   std::span<const double> points_;
   std::vector<std::uint8_t> isOnBoundary_;  ///< per node

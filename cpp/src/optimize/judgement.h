@@ -1,0 +1,58 @@
+#pragma once
+
+/// @file What a mesh is judged by as a whole, to tell which of two is better.
+
+#include <algorithm>
+
+#include "optimize/element_cost.h"
+#include "optimize/tet_complex.h"
+#include "quality/metrics.h"
+
+namespace tetrafront {
+
+class Judgement {
+ public:
+  template <class Space>
+  void add(const TetComplex& complex, TetId tet) {
+    const Corners& nodes = complex.element(tet).nodes;
+    const auto frame = complex.frameOf<Space>(nodes);
+    const Vec3& origin = complex.place(nodes[0]);
+    const auto seen = [&](std::size_t k) {
+      return Space::toUnit(frame, complex.place(nodes[k]) - origin);
+    };
+    const TetrahedronMeasures measures = measureTetrahedron(Vec3(0.0), seen(1), seen(2), seen(3));
+    largestCosine_ = std::max(largestCosine_, measures.largestCosine);
+    smallestCosine_ = std::min(smallestCosine_, measures.smallestCosine);
+    radiusRatios_ += measures.radiusRatio;
+    ++count_;
+  }
+
+  /// Those targets, lowered to what the worst angles are.
+  [[nodiscard]] DihedralTargets within(const DihedralTargets& targets) const {
+    return {std::min(targets.least, least()), std::min(targets.greatest, greatest())};
+  }
+
+  /// Whether this misses no target by more than the other does, and is no worse in the mean.
+  [[nodiscard]] bool isNoWorseThan(const Judgement& other) const {
+    return missing(kTargets30And135) <= other.missing(kTargets30And135) &&
+           missing(kTargets35And130) <= other.missing(kTargets35And130) &&
+           radiusRatios_ * other.count_ >= other.radiusRatios_ * count_;
+  }
+
+ private:
+  [[nodiscard]] double least() const { return (1.0 - largestCosine_) / (1.0 + largestCosine_); }
+  [[nodiscard]] double greatest() const {
+    return (1.0 + smallestCosine_) / (1.0 - smallestCosine_);
+  }
+  /// The cost of the worst element; 1 if none misses.
+  [[nodiscard]] double missing(const DihedralTargets& targets) const {
+    return std::max({1.0, targets.least / least(), targets.greatest / greatest()});
+  }
+
+  double largestCosine_ = -1.0;
+  double smallestCosine_ = 1.0;
+  double radiusRatios_ = 0.0;
+  double count_ = 0.0;
+};
+
+}  // namespace tetrafront
