@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <string>
 
@@ -142,6 +143,51 @@ TEST(ExactFill, FillsNeedlesInFewSteps) {
   EXPECT_LT(steps, 200);
 }
 
+/// A point on the boundary that no other can replace is tried again only where something has changed.
+TEST(ExactFill, ClearsTheBoundaryOfBulgingSidesInFewSteps) {
+  std::vector<Vec2> outline;
+  constexpr int kPieces = 50;
+  const std::array<Vec2, 5> corners{{{0, 0}, {3, 0}, {3, 2}, {0, 2}, {0, 0}}};
+  for (std::size_t side = 0; side < 4; ++side) {
+    const Vec2 along = corners[side + 1] - corners[side];
+    for (int i = 0; i < kPieces; ++i) {
+      const double t = static_cast<double>(i) / kPieces;
+      outline.push_back(corners[side] + along * t +
+                        Vec2(along.y, -along.x) * (4e-3 * t * (1.0 - t)));
+    }
+  }
+  const SurfaceMesh surface = testing::extruded(outline, 0.7, 1, 1);
+  ExactFill exactFill(taskOf(surface));
+  int steps = 0;
+  while (exactFill.advance(1000) == ExactFill::State::kRunning) ++steps;
+  EXPECT_EQ(testing::complaintAbout(meshOf(surface, exactFill.result()), surface), "");
+  EXPECT_LT(steps, 700);
+}
+
+/// Where a point has no place in doubles, all but what is around it is filled.
+TEST(ExactFill, LeavesOpenOnlyWhatIsAroundPointsWithoutAPlace) {
+  const SurfaceMesh surface = testing::flatPocket();
+  FillResult result;
+  ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kPartial);
+  ASSERT_FALSE(result.tetrahedra.empty());
+  ASSERT_EQ(result.triangleOfOpenFace.size(), result.openFaces.size());
+  const VolumeMesh mesh = meshOf(surface, result);
+  SurfaceMesh filled;
+  filled.points = mesh.points;
+  const std::set<std::uint32_t> open(result.openTriangles.begin(), result.openTriangles.end());
+  EXPECT_EQ(open.size(), result.openTriangles.size()) << "each once";
+  for (std::uint32_t t = 0; t < surface.triangles.size() / 3; ++t) {
+    if (open.contains(t)) continue;
+    const auto first = surface.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(t);
+    filled.triangles.insert(filled.triangles.end(), first, first + 3);
+  }
+  // Seen from what is open they are counter-clockwise, and so outward for what is filled.
+  for (const auto& face : result.openFaces) {
+    for (const NodeId node : face) filled.triangles.push_back(node.value);
+  }
+  EXPECT_EQ(testing::complaintAbout(mesh, filled), "");
+}
+
 TEST(ExactFill, FillsWhateverTheOrderOfTheNodes) {
   const SurfaceMesh surface = testing::randomBlocks(4, 0.5, 1);
   std::set<std::uint64_t> fingerprints;
@@ -229,6 +275,21 @@ TEST(MeshRun, FillsBySteinerPointsAloneWhenAskedTo) {
   EXPECT_EQ(run.recovery().steinerPoints, 4U);
   EXPECT_EQ(run.recovery().starred, 0U);
   EXPECT_EQ(run.counters().pops, 0U);
+}
+
+/// What is left open is filled with a little around it, and what that takes away is not counted.
+TEST(MeshRun, FillsAFlatPocketInParts) {
+  const SurfaceMesh surface = testing::flatPocket();
+  MeshOptions options;
+  options.exactFillOnly = true;
+  options.optimization = Optimization::kNone;
+  MeshRun run(surface.points, surface.triangles, options);
+  while (run.advance(1000) == MeshStatus::kRunning) {
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
+  const std::size_t inside = (run.volume().points.size() - run.surface().points.size()) / 3;
+  EXPECT_EQ(run.recovery().steinerPoints, inside) << "of them, what was taken away again";
 }
 
 }  // namespace

@@ -69,6 +69,10 @@ SurfaceMesh randomBlocks(int n, double share, std::uint64_t seed);
 /// Such blocks with the coordinate k at 2^(step (k - n)): sizes many powers of two apart.
 SurfaceMesh distantBlocks(int n, int step, std::uint64_t seed);
 
+/// What a front left of an ear-clipped plate with holes, turned in space: nearly all its nodes are in one
+/// plane but for rounding, so that a point within may find no place in doubles.
+SurfaceMesh flatPocket();
+
 /// A block with a cavity, and a block in that.
 SurfaceMesh blockWithIsland(int n);
 

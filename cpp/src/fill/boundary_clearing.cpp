@@ -42,6 +42,7 @@ BoundaryClearing::BoundaryClearing(FillMesh& mesh,
                                    std::span<const NodeId> boundaryPoints)
     : mesh_(mesh), triangles_(triangles), cone_(mesh, none_) {
   separateSectors(boundaryPoints);
+  triedAt_.assign(mesh_.points.size(), 0);
 }
 
 /// A point where pieces of the inside meet in an edge or at it alone becomes one point for each.
@@ -84,10 +85,17 @@ BoundaryClearing::State BoundaryClearing::step() {
     next_ = 0;
   }
   const NodeId node = waiting_[next_++];
+  mesh_.star(node, star_);
+  const bool mayExist = changedSinceTried(node);
+  if (!mayExist && !lifting_) {
+    postponed_.push_back(node);
+    return State::kRunning;
+  }
   if (!describe(node)) return State::kFailed;
-  if (replaceByExisting(node)) {
+  if (mayExist && replaceByExisting(node)) {
     progress_ = true;
   } else if (!lifting_) {
+    triedAt_[node.index()] = mesh_.changes();
     postponed_.push_back(node);
   } else if (replaceByNew(node)) {
     progress_ = true;
@@ -98,10 +106,20 @@ BoundaryClearing::State BoundaryClearing::step() {
   return State::kRunning;
 }
 
+/// What did not go with the same tetrahedra around does not go now.
+bool BoundaryClearing::changedSinceTried(NodeId node) const {
+  const std::uint32_t then = triedAt_[node.index()];
+  return std::any_of(star_.begin(), star_.end(), [&](TetId tet) {
+    if (mesh_.madeAt(tet) > then) return true;
+    const TetId beyond = mesh_.tet(tet).across[mesh_.cornerOf(tet, node)].tet;
+    return !beyond.isNone() && mesh_.madeAt(beyond) > then;
+  });
+}
+
 // ---- what is around a point --------------------------------------------------------------------
 
+/// Of what is in `star_`.
 bool BoundaryClearing::describe(NodeId node) {
-  mesh_.star(node, star_);
   fans_.clear();
   std::map<std::uint32_t, std::vector<std::array<NodeId, 2>>> linksOf;
   std::map<std::uint32_t, NodeId> aboveOf;

@@ -41,6 +41,7 @@ class BoundaryClearing {
   };
 
   void separateSectors(std::span<const NodeId> boundaryPoints);
+  [[nodiscard]] bool changedSinceTried(NodeId node) const;
   bool describe(NodeId node);
   bool chainFans(std::vector<std::array<NodeId, 2>>& links, Fan& fan) const;
   bool triangulate(Fan& fan) const;
@@ -64,6 +65,7 @@ class BoundaryClearing {
   bool progress_ = false;
   bool lifting_ = false;
   std::vector<NodeId> interiorPoints_;
+  std::vector<std::uint32_t> triedAt_;  ///< per node: the mesh's changes when it was last tried
   std::vector<TetId> star_;
   std::vector<Fan> fans_;
 };

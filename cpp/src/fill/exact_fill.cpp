@@ -26,7 +26,9 @@ class ExactFill::Impl {
     const std::uint64_t end = work() + kWorkPerUnit * std::max(budget, 1U);
     while (stage_ != Stage::kDone && stage_ != Stage::kFailed && work() < end) step();
     if (stage_ == Stage::kFailed) return State::kFailed;
-    return stage_ == Stage::kDone ? State::kDone : State::kRunning;
+    if (stage_ != Stage::kDone) return State::kRunning;
+    return result_.openFaces.empty() && result_.openTriangles.empty() ? State::kDone
+                                                                      : State::kPartial;
   }
 
   [[nodiscard]] const FillResult& result() const { return result_; }
@@ -150,8 +152,8 @@ class ExactFill::Impl {
   void clearInterior() {
     const InteriorClearing::State state = interior_->step();
     if (state == InteriorClearing::State::kRunning) return;
-    if (state == InteriorClearing::State::kFailed) return failUnless(false);
     takeResult();
+    if (result_.tetrahedra.empty()) return failUnless(false);
     beginStage(Stage::kDone);
   }
 
@@ -159,6 +161,7 @@ class ExactFill::Impl {
     std::vector<NodeId> numbers(mesh_.points.size());
     for (std::size_t i = 0; i < task_.places.size(); ++i) numbers[i] = NodeId(i);
     for (const NodeId node : interior_->points()) {
+      if (!mesh_.points.isDouble(node)) continue;
       numbers[node.index()] = NodeId(task_.places.size() + result_.newPlaces.size());
       result_.newPlaces.push_back(mesh_.points.place(node));
     }
@@ -185,10 +188,35 @@ class ExactFill::Impl {
       }
     }
     for (const TetId id : place) {
+      if (isOpen(id)) {
+        takeOpenFaces(id, triangle, numbers);
+        continue;
+      }
       const auto& n = mesh_.tet(id).nodes;
       result_.tetrahedra.push_back({numbers[n[0].index()], numbers[n[1].index()],
                                     numbers[n[2].index()], numbers[n[3].index()]});
       result_.triangleOfTetrahedron.push_back(triangle);
+    }
+  }
+
+  /// Has it a point that doubles cannot hold?
+  [[nodiscard]] bool isOpen(TetId tet) const {
+    const auto& n = mesh_.tet(tet).nodes;
+    return std::any_of(n.begin(), n.end(),
+                       [&](NodeId node) { return !mesh_.points.isDouble(node); });
+  }
+
+  void takeOpenFaces(TetId tet, std::uint32_t triangle, const std::vector<NodeId>& numbers) {
+    const FillTet& t = mesh_.tet(tet);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      if (t.across[k].isNone()) {
+        result_.openTriangles.push_back(t.facet[k]);
+      } else if (!isOpen(t.across[k].tet)) {
+        const std::array<NodeId, 3> n = mesh_.innerFace(tet, k);
+        result_.openFaces.push_back(
+            {numbers[n[0].index()], numbers[n[1].index()], numbers[n[2].index()]});
+        result_.triangleOfOpenFace.push_back(triangle);
+      }
     }
   }
 

@@ -2,8 +2,8 @@
 
 /// @file The guaranteed fill: tetrahedra for any closed, embedded, consistently turned set of
 /// triangles, with new points inside only. All signs are exact, so nothing can go wrong but the last
-/// step, where points inside must be brought to places that doubles can hold; where that fails, there
-/// is no result, never a wrong one.
+/// step, where points inside must be brought to places that doubles can hold; where that fails, what is
+/// around these points is left open, and all else is filled.
 ///
 /// The nodes are put into a nearly Delaunay mesh; edges, then triangles are recovered, by swaps and,
 /// where these do not do it, points on the boundary; what is outside is dropped; and the points on the
@@ -31,6 +31,11 @@ struct FillResult {
   std::vector<Vec3> newPlaces;  ///< of the nodes that follow those of the task
   std::vector<std::array<NodeId, 4>> tetrahedra;
   std::vector<std::uint32_t> triangleOfTetrahedron;  ///< some triangle of the place each is in
+  /// Where State::kPartial: triangles of the task that no tetrahedron has, and the faces that together
+  /// with them bound what is open, counter-clockwise seen from there, each with a triangle of its place.
+  std::vector<std::uint32_t> openTriangles;
+  std::vector<std::array<NodeId, 3>> openFaces;
+  std::vector<std::uint32_t> triangleOfOpenFace;
 };
 
 class ExactFill {
@@ -44,11 +49,13 @@ class ExactFill {
   ExactFill& operator=(ExactFill&&) noexcept;
   ~ExactFill();
 
-  enum class State : std::uint8_t { kRunning, kDone, kFailed };
+  /// kPartial: points inside had no place in doubles; the result leaves open what is around them.
+  /// kFailed: the triangles are not the closed boundary of something; there is no result.
+  enum class State : std::uint8_t { kRunning, kDone, kPartial, kFailed };
   /// Works on for about `budget` times 2 microseconds, then returns; the outcome does not depend on it.
   State advance(std::uint32_t budget);
 
-  /// Once done.
+  /// Once done, in part or all.
   [[nodiscard]] const FillResult& result() const;
 
  private:

@@ -79,6 +79,10 @@ class FillMesh {
   bool replace(std::span<const TetId> old, std::span<const std::array<NodeId, 4>> fresh,
                NodeId lost, std::span<const BoundaryFace> boundary);
 
+  /// How many replacements there have been, and after how many of them a tetrahedron was made.
+  [[nodiscard]] std::uint32_t changes() const { return changes_; }
+  [[nodiscard]] std::uint32_t madeAt(TetId tet) const { return madeAt_[tet.index()]; }
+
   /// Keeps only the tetrahedra so marked; faces between kept ones and others become boundary.
   void keep(const std::vector<std::uint8_t>& kept);
   /// Gives the tetrahedra of `sector` a point of their own in place of `node`.
@@ -110,6 +114,8 @@ class FillMesh {
   std::vector<TetId> freeSlots_;
   std::vector<TetId> tetAt_;
   std::uint32_t stamp_ = 0;
+  std::vector<std::uint32_t> madeAt_;
+  std::uint32_t changes_ = 0;
   std::vector<FaceSlot> slots_;
   std::vector<TetId> freshIds_;
 };

@@ -29,22 +29,40 @@ FillTask PocketFill::taskFor(const Front& front, const Pocket& pocket, std::vect
   return task;
 }
 
-std::uint32_t PocketFill::apply(Front& front, Elements& elements) const {
+std::vector<FaceId> PocketFill::apply(Front& front, Elements& elements) const {
   const FillResult& result = fill_.result();
   std::uint16_t layer = 0;
   for (const NodeId node : nodes_) layer = std::max(layer, front.layer(node));
   const FieldHint hint = front.face(pocket_.faces.front()).hint;
+  const auto regionAt = [&](std::uint32_t triangle) {
+    return front.face(pocket_.faces[triangle]).region;
+  };
   std::vector<NodeId> nodes = nodes_;
   for (const Vec3& place : result.newPlaces) nodes.push_back(front.addNode(place, layer, hint));
   for (std::size_t i = 0; i < result.tetrahedra.size(); ++i) {
     const auto& n = result.tetrahedra[i];
-    const FaceId face = pocket_.faces[result.triangleOfTetrahedron[i]];
     elements.add(
         {nodes[n[0].index()], nodes[n[1].index()], nodes[n[2].index()], nodes[n[3].index()]},
-        front.face(face).region);
+        regionAt(result.triangleOfTetrahedron[i]));
   }
-  for (const FaceId face : pocket_.faces) front.removeFace(face);
-  return static_cast<std::uint32_t>(result.newPlaces.size());
+  std::vector<FaceId> open;
+  for (const std::uint32_t triangle : result.openTriangles) {
+    open.push_back(pocket_.faces[triangle]);
+  }
+  std::sort(open.begin(), open.end());
+  std::vector<std::uint32_t> regions;
+  for (const std::uint32_t triangle : result.triangleOfOpenFace) {
+    regions.push_back(regionAt(triangle));
+  }
+  for (const FaceId face : pocket_.faces) {
+    if (!std::binary_search(open.begin(), open.end(), face)) front.removeFace(face);
+  }
+  for (std::size_t i = 0; i < result.openFaces.size(); ++i) {
+    const auto& n = result.openFaces[i];
+    open.push_back(front.addFace({nodes[n[0].index()], nodes[n[1].index()], nodes[n[2].index()]},
+                                 regions[i], hint, false));
+  }
+  return open;
 }
 
 }  // namespace tetrafront

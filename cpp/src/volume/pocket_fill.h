@@ -19,9 +19,9 @@ class PocketFill {
 
   ExactFill::State advance(std::uint32_t budget) { return fill_.advance(budget); }
 
-  /// Once done: puts the elements in, takes the pocket's faces out of the front. Returns how many nodes
-  /// were made.
-  std::uint32_t apply(Front& front, Elements& elements) const;
+  /// Once done, in part or all: puts the elements in, takes the pocket's faces out of the front. Returns
+  /// the faces that bound what is left open.
+  std::vector<FaceId> apply(Front& front, Elements& elements) const;
 
  private:
   static FillTask taskFor(const Front& front, const Pocket& pocket, std::vector<NodeId>& nodes);

@@ -30,6 +30,11 @@ constexpr std::uint64_t kExtraCost = 2000;
 constexpr std::uint64_t kTotalCostPerElement = 2;
 constexpr std::uint64_t kExtraTotalCost = 40'000;
 
+/// A place with at most so many rings around it may be filled in part only, so often in all; else it is
+/// tried as a whole in a larger one.
+constexpr std::uint32_t kMaxRingsInPart = 4;
+constexpr std::uint32_t kMaxPartFills = 100;
+
 /// Looking at this many active faces, or slots of faces, costs about as much as one step of the
 /// front.
 constexpr std::size_t kFacesPerStep = 4;
@@ -62,6 +67,32 @@ typename Recovery<Trace>::State Recovery<Trace>::advance(std::uint32_t budget) {
     budget -= static_cast<std::uint32_t>(std::min<std::size_t>(cost, budget));
   }
   return State::kRunning;
+}
+
+template <class Trace>
+bool Recovery<Trace>::anyIsLeft(const Range& made) const {
+  const auto begin = elements_.removed.begin();
+  const auto last = begin + static_cast<std::ptrdiff_t>(made.last);
+  return std::find(begin + static_cast<std::ptrdiff_t>(made.first), last, 0) != last;
+}
+
+template <class Trace>
+RecoverySummary Recovery<Trace>::summary() const {
+  std::vector<std::uint8_t> used(front_.nodes().size(), 0);
+  for (std::size_t element = 0; element < elements_.size(); ++element) {
+    if (elements_.removed[element] != 0) continue;
+    for (const NodeId node : elements_.nodes[element]) used[node.index()] = 1;
+  }
+  RecoverySummary left;
+  for (const Range& made : starred_) left.starred += anyIsLeft(made) ? 1 : 0;
+  for (const Range& made : reopened_) left.reopened += anyIsLeft(made) ? 1 : 0;
+  for (const MadeByFill& made : filled_) {
+    left.filled += anyIsLeft(made.elements) ? 1 : 0;
+    for (std::size_t node = made.nodes.first; node < made.nodes.last; ++node) {
+      left.steinerPoints += used[node];
+    }
+  }
+  return left;
 }
 
 template <class Trace>
@@ -115,7 +146,8 @@ std::size_t Recovery<Trace>::starNext() {
     return 1;
   }
   const Pocket& pocket = pockets_[nextInQueue_++];
-  starred_ += star(pocket) ? 1 : 0;
+  const std::size_t first = elements_.size();
+  if (star(pocket)) starred_.push_back({first, elements_.size()});
   return 1 + pocket.faces.size();
 }
 
@@ -342,7 +374,7 @@ void Recovery<Trace>::finishAttempt() {
     }
   }
   if (onlyForeignLeft(facesByNodes(front_))) {
-    ++reopened_;
+    reopened_.push_back({attempt_.elementsBefore, elements_.size()});
   } else {
     putBack();
   }
@@ -390,16 +422,52 @@ std::size_t Recovery<Trace>::fillNext(std::uint32_t budget) {
   const ExactFill::State state = fill_->advance(budget);
   if (state == ExactFill::State::kRunning) return budget;
   if (state == ExactFill::State::kDone) {
-    steinerPoints_ += fill_->apply(front_, elements_);
-    ++filled_;
+    takeFilled();
     nextToFill();
   } else {
     // A place inside without a double mostly has one when the place is larger.
-    if (fillRings_ > 0) putBack();
+    if (state == ExactFill::State::kPartial && fillRings_ <= kMaxRingsInPart &&
+        partFills_ < kMaxPartFills) {
+      ++partFills_;
+      queueOpenPlaces(takeFilled());
+    } else if (fillRings_ > 0) {
+      putBack();
+    }
     fillRings_ = std::max(1U, 2 * fillRings_);
   }
   fill_.reset();
   return budget;
+}
+
+/// Returns the faces around what is left open.
+template <class Trace>
+std::vector<FaceId> Recovery<Trace>::takeFilled() {
+  MadeByFill made;
+  made.elements.first = elements_.size();
+  made.nodes.first = front_.nodes().size();
+  std::vector<FaceId> open = fill_->apply(front_, elements_);
+  made.elements.last = elements_.size();
+  made.nodes.last = front_.nodes().size();
+  filled_.push_back(made);
+  return open;
+}
+
+/// What is around points without a place in doubles: mostly little, so a ring of elements with it is
+/// little too.
+template <class Trace>
+void Recovery<Trace>::queueOpenPlaces(std::vector<FaceId> open) {
+  std::sort(open.begin(), open.end());
+  std::vector<NodeTriple> keys;
+  for (const Pocket& pocket : findPockets(front_)) {
+    for (const FaceId face : pocket.faces) {
+      if (!std::binary_search(open.begin(), open.end(), face)) continue;
+      keys.push_back(leastFirst(front_.face(face).nodes));
+      break;
+    }
+  }
+  const auto head = queue_.begin() + static_cast<std::ptrdiff_t>(nextInQueue_);
+  queue_.insert(queue_.erase(head), keys.begin(), keys.end());
+  removedToFill_ = 0;
 }
 
 template <class Trace>

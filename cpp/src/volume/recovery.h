@@ -40,11 +40,9 @@ class Recovery {
   /// Works on for about `budget` steps of the front. To be called when nothing is queued.
   State advance(std::uint32_t budget);
 
-  [[nodiscard]] std::uint32_t starred() const { return starred_; }
-  [[nodiscard]] std::uint32_t reopened() const { return reopened_; }
-  [[nodiscard]] std::uint32_t filled() const { return filled_; }
-  /// Nodes that the exact fill has made.
-  [[nodiscard]] std::uint32_t steinerPoints() const { return steinerPoints_; }
+  /// What the mesh as it is now has of each rung, without what a larger place has taken away again.
+  /// O(elements).
+  [[nodiscard]] RecoverySummary summary() const;
 
  private:
   enum class Stage : std::uint8_t {
@@ -74,10 +72,20 @@ class Recovery {
     std::set<NodeTriple> foreignFaces;  ///< active faces that do not bound the reopened place
     std::uint64_t costLeft = 0;
   };
+  /// From `first` up to before `last`.
+  struct Range {
+    std::size_t first = 0;
+    std::size_t last = 0;
+  };
+  struct MadeByFill {
+    Range elements;
+    Range nodes;
+  };
   using FaceMap = std::map<NodeTriple, FaceId>;
 
   /// One piece of work; returns what it cost, in faces taken from the front.
   std::size_t work(std::uint32_t budget);
+  [[nodiscard]] bool anyIsLeft(const Range& made) const;
   void findPocketsOfPass();
   std::size_t starNext();
   bool star(const Pocket& pocket);
@@ -97,6 +105,8 @@ class Recovery {
                                 const FaceMap& active, std::vector<TetId> removed);
   std::size_t fillNext(std::uint32_t budget);
   void beginFill();
+  std::vector<FaceId> takeFilled();
+  void queueOpenPlaces(std::vector<FaceId> open);
   void nextToFill();
   void beginOrder(unsigned order);
   void tryNextOrder();
@@ -118,17 +128,17 @@ class Recovery {
   std::size_t indexedElements_ = 0;
   std::size_t nextToIndex_ = 0;
   Attempt attempt_;
-  std::uint64_t cost_ = 0;  ///< of all attempts
-  std::uint32_t starred_ = 0;
-  std::uint32_t reopened_ = 0;
+  std::uint64_t cost_ = 0;       ///< of all attempts
+  std::vector<Range> starred_;   ///< elements of each star
+  std::vector<Range> reopened_;  ///< and of each reopened place
   std::optional<PocketFill> fill_;
   /// In which its nodes are inserted; see ExactFill::kOrders.
   unsigned fillOrder_ = 0;
   /// Taken away around the pocket at the head of the queue.
   std::uint32_t fillRings_ = 0;
   std::size_t removedToFill_ = 0;  ///< how many elements that is
-  std::uint32_t filled_ = 0;
-  std::uint32_t steinerPoints_ = 0;
+  std::uint32_t partFills_ = 0;
+  std::vector<MadeByFill> filled_;
 };
 
 extern template class Recovery<NullTrace>;

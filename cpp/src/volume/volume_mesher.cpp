@@ -244,8 +244,9 @@ VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
 
 template <class Trace>
 RecoverySummary BasicVolumeMesher<Trace>::recovery() const {
-  return {static_cast<std::uint32_t>(advance_.counters().relaxed), recovery_.starred(),
-          recovery_.reopened(), recovery_.filled(), recovery_.steinerPoints()};
+  RecoverySummary summary = recovery_.summary();
+  summary.relaxed = static_cast<std::uint32_t>(advance_.counters().relaxed);
+  return summary;
 }
 
 template <class Trace>
