@@ -13,6 +13,10 @@ const SPACE = 32;
 const LOOKAHEAD = 1 << 18;
 /** As much is asked for at once, so that what is left of the window is seldom moved. */
 const WINDOW = 1 << 20;
+/** From here on a byte is part of a character of several, in UTF-8. */
+const FIRST_OF_SEVERAL = 0x80;
+/** Longer comments are no words to anyone. */
+const HEARD = 1 << 12;
 /** No more of a word than a reader of messages can use. */
 const SHOWN = 24;
 
@@ -21,6 +25,8 @@ export interface ByteReaderOptions {
   readonly remedy: string;
   /** A character that hides the rest of its line. */
   readonly comment?: string;
+  /** Is told what stands behind it, where that is short. */
+  readonly heard?: (comment: string) => void;
 }
 
 export class ByteReader {
@@ -39,11 +45,13 @@ export class ByteReader {
   readonly #pieces: AsyncIterator<Uint8Array>;
   readonly #comment: number;
   readonly #remedy: string;
+  readonly #heard: ByteReaderOptions["heard"];
 
-  private constructor(source: ByteSource, { remedy, comment }: ByteReaderOptions) {
+  private constructor(source: ByteSource, { remedy, comment, heard }: ByteReaderOptions) {
     this.#pieces = piecesOf(source);
     this.#comment = comment?.charCodeAt(0) ?? NaN;
     this.#remedy = remedy;
+    this.#heard = heard;
   }
 
   /** Runs `read` on a file and lets go of the file whatever happens. An empty file is a failure. */
@@ -190,6 +198,11 @@ export class ByteReader {
     return this.#wordEnd() > this.#at;
   }
 
+  /** Skips blanks and comments up to the next word. */
+  skipComments(): void {
+    this.#skipBlanks(true);
+  }
+
   /** Skips what is left of this line. */
   skipLine(): void {
     this.#at = this.#lineEnd();
@@ -198,7 +211,7 @@ export class ByteReader {
   /** The rest of this line without blanks around it; the place is then the begin of the next. */
   line(): string {
     const end = this.#lineEnd();
-    const text = new TextDecoder().decode(this.#bytes.subarray(this.#at, end));
+    const text = textOf(this.#bytes.subarray(this.#at, end));
     this.#at = Math.min(end + 1, this.#bytes.length);
     this.#lastLine = this.#line++;
     return text.trim();
@@ -290,7 +303,9 @@ export class ByteReader {
       const byte = bytes[this.#at] ?? 0;
       if (byte > SPACE) {
         if (byte !== this.#comment) break;
+        const begin = this.#at + 1;
         this.skipLine();
+        if (this.#at - begin < HEARD) this.#heard?.(textOf(bytes.subarray(begin, this.#at)));
         this.#at--;
       } else if (byte === LINE_FEED) {
         if (!alsoLineEnds) break;
@@ -328,7 +343,11 @@ export class ByteReader {
     const begin = this.#at;
     this.#at = end;
     let text = "";
-    for (let i = begin; i < end; i++) text += String.fromCharCode(this.#bytes[i] ?? 0);
+    for (let i = begin; i < end; i++) {
+      const byte = this.#bytes[i] ?? 0;
+      if (byte >= FIRST_OF_SEVERAL) return textOf(this.#bytes.subarray(begin, end));
+      text += String.fromCharCode(byte);
+    }
     return text;
   }
 
@@ -338,6 +357,10 @@ export class ByteReader {
     const text = String.fromCharCode(...this.#bytes.subarray(this.#at, Math.min(end, this.#at + SHOWN)));
     return end - this.#at > SHOWN ? `${text}…` : text;
   }
+}
+
+function textOf(bytes: Uint8Array): string {
+  return new TextDecoder().decode(bytes);
 }
 
 function indexOf(bytes: Uint8Array, wanted: Uint8Array, from: number): number {

@@ -102,7 +102,7 @@ function shortened(text: string, bytes: number): string {
 }
 
 /** A name that says no more than the number does. */
-function isPlain({ name, tag }: FileGroup): boolean {
+export function isPlain({ name, tag }: FileGroup): boolean {
   return (
     ["", "surface", String(tag)].includes(name) || /^(patch|shell|region|boundary|entity) \d+$/.test(name)
   );

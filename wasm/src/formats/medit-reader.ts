@@ -6,6 +6,7 @@ import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { NameLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Save the mesh again as a Medit file in text form, with triangles or linear tetrahedra.";
@@ -29,14 +30,16 @@ const SKIPPED: ReadonlyMap<string, number> = new Map([
 const VOLUMES = new Set(["hexahedra", "hexaedra", "prisms", "pyramids"]);
 
 export function readMedit(source: ByteSource): Promise<FileMesh> {
-  return ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
+  const names = new NameLines();
+  const options = { remedy: REMEDY, comment: "#", heard: names.hear };
+  return ByteReader.over(source, options, async (reader) => {
     reader.expect("meshversionformatted");
     reader.number("the version");
     const builder = new MeshBuilder();
     for (;;) {
       await reader.fill();
       const word = reader.word().toLowerCase();
-      if (word === "" || word === "end") return builder.mesh();
+      if (word === "" || word === "end") return names.given(builder.mesh());
       await readSection(reader, word, builder);
     }
   });

@@ -1,10 +1,11 @@
 /**
  * Medit `.mesh` files, as text: the tetrahedra with their region as reference, and the triangles of the
- * boundary with their patch as reference; references count from 1.
+ * boundary with their patch as reference; references count from 1, and comments tell the names.
  */
 import { joinBytes } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
+import { allNameLines } from "./name-lines.js";
 import { numberRows } from "./number-rows.js";
 
 /** The bytes of a Medit file. */
@@ -12,7 +13,9 @@ export function writeMedit(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   const { points } = mesh;
   const [patchTags, regionTags] = [tagsOf(mesh.patches), tagsOf(mesh.regions)];
   return joinBytes([
-    `MeshVersionFormatted 2\n\nDimension 3\n\nVertices\n${points.length / 3}\n`,
+    "MeshVersionFormatted 2\n\nDimension 3\n\n",
+    ...allNameLines(mesh).map((line) => `# ${line}\n`),
+    `Vertices\n${points.length / 3}\n`,
     ...numberRows(points, 3, (row) => `${row.join(" ")} 0`),
     ...elements("Triangles", mesh.triangles, 3, mesh.trianglePatch, patchTags),
     ...elements("Tetrahedra", mesh.tetrahedra, 4, mesh.tetrahedronRegion, regionTags),

@@ -1,18 +1,24 @@
 /**
  * OFF, as text: the boundary, points and triangles alone. Colours of faces would tell patches apart, but many
- * programs read three corners and nothing else from a face's line, and refuse or garble the rest.
+ * programs read three corners and nothing else from a face's line, and refuse or garble the rest: they are told by
+ * comments at the end, where nobody else looks.
  */
 import { boundaryOf } from "./boundary.js";
 import { joinBytes } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
+import { tagsOf } from "./groups.js";
+import { faceLines, nameLines } from "./name-lines.js";
 import { numberRows } from "./number-rows.js";
 
 /** The bytes of an OFF file. */
 export function writeOff(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const { points, triangles } = boundaryOf(mesh);
+  const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
   return joinBytes([
     `OFF\n${points.length / 3} ${triangles.length / 3} 0\n`,
     ...numberRows(points, 3, (row) => row.join(" ")),
     ...numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
+    ...[...nameLines("patch", patches), ...faceLines(trianglePatch, tagsOf(patches))].map(
+      (line) => `# ${line}\n`,
+    ),
   ]);
 }

@@ -7,6 +7,7 @@ import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { FaceLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OFF file in text form.";
@@ -14,7 +15,9 @@ const REMEDY = "Export the surface again as an OFF file in text form.";
 const MAX_COUNT = 0x7fffffff;
 
 export function readOff(source: ByteSource): Promise<FileMesh> {
-  return ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
+  const lines = new FaceLines();
+  const options = { remedy: REMEDY, comment: "#", heard: lines.hear };
+  return ByteReader.over(source, options, async (reader) => {
     const hasExtras = readHeader(reader);
     const pointCount = reader.index("the number of points", MAX_COUNT);
     const faceCount = reader.index("the number of faces", MAX_COUNT);
@@ -30,7 +33,12 @@ export function readOff(source: ByteSource): Promise<FileMesh> {
       if (reader.isLow) await reader.fill();
       readFace(reader, builder, f);
     }
-    return builder.mesh();
+    for (let before = -1; before < reader.offset;) {
+      before = reader.offset;
+      await reader.fill();
+      reader.skipComments();
+    }
+    return lines.given(builder.mesh());
   });
 }
 

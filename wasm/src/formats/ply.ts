@@ -1,7 +1,7 @@
 /**
  * PLY (Stanford polygon format), text and binary of either byte order: x y z of `vertex` and the corners of
- * `face` count. Faces are put into patches by their number `patch`, else by their colour; all other
- * properties and elements are read over. Convex polygons are cut into triangles.
+ * `face` count. Faces are put into patches by their number `patch`, whose names comments may tell, else by their
+ * colour; all other properties and elements are read over. Convex polygons are cut into triangles.
  */
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
@@ -9,6 +9,7 @@ import { colorPatch } from "./colors.js";
 import { Column } from "./column.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { NameLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as a PLY file of triangles.";
@@ -77,7 +78,8 @@ interface PlyReading {
 export function readPly(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY }, async (reader) => {
     if (reader.line() !== "ply") reader.fail('the file does not begin with "ply"', FIRST_LINE);
-    const { elements, read } = readHeader(reader);
+    const names = new NameLines();
+    const { elements, read } = readHeader(reader, names);
     const builder = new MeshBuilder();
     const early = new EarlyFaces();
     const reading: PlyReading = { reader, read, builder, early, faces: 0 };
@@ -87,18 +89,20 @@ export function readPly(source: ByteSource): Promise<FileMesh> {
     }
     early.addTo(builder, reader);
     if (reading.faces === 0) reader.fail("the file has no face");
-    return builder.mesh();
+    return names.given(builder.mesh());
   });
 }
 
-function readHeader(reader: ByteReader): { elements: Element[]; read: ReadNumber } {
+function readHeader(reader: ByteReader, names: NameLines): { elements: Element[]; read: ReadNumber } {
   const elements: Element[] = [];
   let read: ReadNumber | undefined;
   for (;;) {
     if (reader.isAtEnd) reader.fail('the file ends before "end_header"');
-    const [word, ...rest] = reader.line().split(/\s+/);
+    const line = reader.line();
+    const [word, ...rest] = line.split(/\s+/);
     if (word === "end_header") break;
-    if (word === "format") read = readerFor(reader, rest[0] ?? "");
+    if (word === "comment") names.hear(line.slice("comment".length));
+    else if (word === "format") read = readerFor(reader, rest[0] ?? "");
     else if (word === "element") {
       const count = reader.count(Number(rest[1]), "elements");
       elements.push({ name: rest[0] ?? "", count, properties: [] });

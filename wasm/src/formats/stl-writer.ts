@@ -1,17 +1,24 @@
-/** Binary STL: the triangles with their normals, as float32, and the number of their patch as attribute. */
+/**
+ * Binary STL: the triangles with their normals, as float32, and the number of their patch as attribute. Names are in the
+ * header, where all of them fit into its 80 bytes.
+ */
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
+import { isPlain, noteNames } from "./groups.js";
+import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
 
+const HEADER_TEXT = 80;
 const HEADER_BYTES = 84;
 const TRIANGLE_BYTES = 50;
 /** Those that readers take for a colour have the highest bit set. */
 const MOST_ATTRIBUTES = 0x7fff;
 
 /** The bytes of an STL file. Patches beyond 32767 lose their number. */
-export function writeStl({ points, triangles, trianglePatch }: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeStl(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const { points, triangles, trianglePatch } = mesh;
   const count = triangles.length / 3;
   const bytes = new Uint8Array(HEADER_BYTES + TRIANGLE_BYTES * count);
-  // Never the word "solid": that begins text.
-  bytes.set(new TextEncoder().encode("binary STL"));
+  bytes.set(header(mesh, note));
   const view = new DataView(bytes.buffer);
   view.setUint32(HEADER_BYTES - 4, count, true);
   for (let t = 0; t < count; t++) {
@@ -27,6 +34,18 @@ export function writeStl({ points, triangles, trianglePatch }: FileMesh): Uint8A
     view.setUint16(at, patch <= MOST_ATTRIBUTES ? patch : 0, true);
   }
   return bytes;
+}
+
+/** Never the word "solid" at its begin, which begins text, and no zero, nor "COLOR=", which has a meaning. */
+function header({ patches }: FileMesh, note: Note): Uint8Array {
+  const numbered = patches.map((patch, p) => ({ ...patch, tag: p + 1 }));
+  const names = patches.map(({ name }) => name);
+  const text = `${STL_NAMES}${names.join(NAME_BREAK)}`;
+  const bytes = new TextEncoder().encode(text);
+  const isTold = names.every((name) => name !== "" && !/;|\s$|[\r\n]/.test(name)) && !text.includes("COLOR=");
+  if (isTold && bytes.length <= HEADER_TEXT && !patches.every(isPlain)) return bytes;
+  noteNames(numbered, note);
+  return new TextEncoder().encode(STL_TITLE);
 }
 
 /** Of length 1; zero where the triangle has no area. */

@@ -9,6 +9,7 @@ import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { NAME_BREAK, NameLines, STL_NAMES } from "./name-lines.js";
 
 const HEADER_BYTES = 80;
 const COUNT_BYTES = 4;
@@ -38,7 +39,14 @@ export function readStl(source: ByteSource): Promise<FileMesh> {
 }
 
 async function readBinary(reader: ByteReader): Promise<FileMesh> {
-  const header = String.fromCharCode(...(await reader.bytes(HEADER_BYTES)));
+  const head = await reader.bytes(HEADER_BYTES);
+  const header = String.fromCharCode(...head);
+  const names = new NameLines();
+  const title = new TextDecoder().decode(head).replace(/\0+$/, "");
+  if (title.startsWith(STL_NAMES)) {
+    const told = title.slice(STL_NAMES.length).split(NAME_BREAK);
+    for (const [p, name] of told.entries()) names.hear(`patch ${p + 1} ${name}`);
+  }
   const count = reader.integer(COUNT_BYTES, false);
   const builder = new MeshBuilder(true);
   for (let t = 0; t < count; t++) {
@@ -46,7 +54,7 @@ async function readBinary(reader: ByteReader): Promise<FileMesh> {
     if (reader.ahead < TRIANGLE_BYTES) throw tooShort(reader.offset + reader.ahead, count);
     readTriangle(reader, builder, header);
   }
-  return builder.mesh();
+  return names.given(builder.mesh());
 }
 
 function tooShort(length: number, count: number): ReadFailure {

@@ -9,16 +9,18 @@ import type { ByteSource } from "./byte-source.js";
 import type { OpenOther, ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { NameLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Give TetGen's .node file beside the file, or save the surface again as .smesh.";
-const OPTIONS = { remedy: REMEDY, comment: "#" };
 const MAX_COUNT = 0x7fffffff;
 
 /** The points in a builder, and the number that the file gives to the first. */
 interface Points {
   readonly builder: MeshBuilder;
   first: number;
+  /** What comments tell. */
+  readonly names: NameLines;
 }
 
 export async function readTetgen(
@@ -26,38 +28,42 @@ export async function readTetgen(
   { fileName, openOther }: ReadContext,
 ): Promise<FileMesh> {
   const [, stem = "", extension = ""] = /^(.*)\.([^.]*)$/.exec(fileName) ?? [];
-  const points: Points = { builder: new MeshBuilder(), first: 0 };
+  const points: Points = { builder: new MeshBuilder(), first: 0, names: new NameLines() };
   switch (extension.toLowerCase()) {
     case "face":
       await readNodeFile(stem, openOther, points);
-      await overFile(source, (reader) => readFaces(reader, points));
+      await overFile(source, points, (reader) => readFaces(reader, points));
       break;
     case "ele":
       await readNodeFile(stem, openOther, points);
-      await overFile(source, (reader) => readElements(reader, points));
-      await readIfThere(stem, "face", openOther, (reader) => readFaces(reader, points));
+      await overFile(source, points, (reader) => readElements(reader, points));
+      await readIfThere(stem, "face", openOther, points, (reader) => readFaces(reader, points));
       break;
     case "node":
-      await overFile(source, (reader) => readNodes(reader, points));
-      await readIfThere(stem, "ele", openOther, (reader) => readElements(reader, points));
-      await readIfThere(stem, "face", openOther, (reader) => readFaces(reader, points));
+      await overFile(source, points, (reader) => readNodes(reader, points));
+      await readIfThere(stem, "ele", openOther, points, (reader) => readElements(reader, points));
+      await readIfThere(stem, "face", openOther, points, (reader) => readFaces(reader, points));
       break;
     default:
-      await overFile(source, async (reader) => {
+      await overFile(source, points, async (reader) => {
         const count = await readNodes(reader, points);
         if (count === 0) await readNodeFile(stem, openOther, points);
         await readFacets(reader, points, extension.toLowerCase() === "poly");
       });
   }
-  return points.builder.mesh();
+  return points.names.given(points.builder.mesh());
 }
 
-function overFile<T>(source: ByteSource, read: (reader: ByteReader) => Promise<T>): Promise<T> {
-  return ByteReader.over(source, OPTIONS, read);
+function overFile<T>(
+  source: ByteSource,
+  { names }: Points,
+  read: (reader: ByteReader) => Promise<T>,
+): Promise<T> {
+  return ByteReader.over(source, { remedy: REMEDY, comment: "#", heard: names.hear }, read);
 }
 
 async function readNodeFile(stem: string, openOther: OpenOther, points: Points): Promise<void> {
-  const isThere = await readIfThere(stem, "node", openOther, (reader) => readNodes(reader, points));
+  const isThere = await readIfThere(stem, "node", openOther, points, (reader) => readNodes(reader, points));
   if (isThere) return;
   const message = `the points are in another file, ${stem}.node, which is not there`;
   throw new ReadFailure({ code: "missing-file", message, remedy: REMEDY });
@@ -67,13 +73,14 @@ async function readIfThere(
   stem: string,
   extension: string,
   openOther: OpenOther,
+  points: Points,
   read: (reader: ByteReader) => Promise<unknown>,
 ): Promise<boolean> {
   const fileName = `${stem}.${extension}`;
   const other = await openOther(fileName);
   if (other === undefined) return false;
   try {
-    await overFile(other, read);
+    await overFile(other, points, read);
   } catch (failure) {
     throw failureIn(fileName, failure);
   }

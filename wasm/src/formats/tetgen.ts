@@ -1,6 +1,6 @@
 /**
  * TetGen's three files, as text: `.node` with the points, `.ele` with the tetrahedra and their region as
- * attribute, `.face` with the boundary's triangles and their patch as marker. Numbers count from 1.
+ * attribute, `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments tell names.
  */
 import { zipSync } from "fflate";
 
@@ -8,6 +8,7 @@ import { joinBytes } from "./bytes.js";
 import type { FileBytes } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
+import { nameLines } from "./name-lines.js";
 import { numberRows } from "./number-rows.js";
 
 /** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
@@ -43,7 +44,8 @@ function nodes({ points }: FileMesh): Uint8Array<ArrayBuffer> {
 function elements({ tetrahedra, tetrahedronRegion, regions }: FileMesh): Uint8Array<ArrayBuffer> {
   const tags = tagsOf(regions);
   return joinBytes([
-    `# tetrahedra with their region\n${tetrahedra.length / 4} 4 1\n`,
+    ...comments("tetrahedra with their region", nameLines("region", regions)),
+    `${tetrahedra.length / 4} 4 1\n`,
     ...rows(tetrahedra, 4, tetrahedronRegion, tags),
   ]);
 }
@@ -51,9 +53,14 @@ function elements({ tetrahedra, tetrahedronRegion, regions }: FileMesh): Uint8Ar
 function faces({ triangles, trianglePatch, patches }: FileMesh): Uint8Array<ArrayBuffer> {
   const tags = tagsOf(patches);
   return joinBytes([
-    `# triangles with their patch\n${triangles.length / 3} 1\n`,
+    ...comments("triangles with their patch", nameLines("patch", patches)),
+    `${triangles.length / 3} 1\n`,
     ...rows(triangles, 3, trianglePatch, tags),
   ]);
+}
+
+function comments(...lines: readonly (string | readonly string[])[]): string[] {
+  return lines.flat().map((line) => `# ${line}\n`);
 }
 
 /** Number, corners from 1, tag. */

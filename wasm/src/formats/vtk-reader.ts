@@ -8,6 +8,7 @@ import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { NAME_BREAK, NameLines } from "./name-lines.js";
 import { addCell, cellsOf } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetrahedra, or as .vtu.";
@@ -56,6 +57,7 @@ export function readVtk(source: ByteSource): Promise<FileMesh> {
 class VtkReader {
   readonly #reader: ByteReader;
   readonly #builder = new MeshBuilder();
+  readonly #names = new NameLines();
   readonly #cellData = new Map<string, Float64Array>();
   /** In the order of the file, which is that of the cell data. */
   readonly #lists: { readonly list: CellList; readonly type: number | undefined }[] = [];
@@ -80,7 +82,7 @@ class VtkReader {
       if (!(await this.#readSection(word))) break;
     }
     this.#addCells();
-    return this.#builder.mesh();
+    return this.#names.given(this.#builder.mesh());
   }
 
   #readHead(): void {
@@ -88,7 +90,7 @@ class VtkReader {
     const version = /^# vtk datafile version (\d+)/i.exec(reader.line());
     if (version === null) return reader.fail('the file does not begin with "# vtk DataFile"', FIRST_LINE);
     this.#hasOffsets = Number(version[1]) >= 5;
-    reader.line();
+    for (const line of reader.line().split(NAME_BREAK)) this.#names.hear(line);
     const coding = reader.line().toUpperCase();
     if (coding !== "ASCII" && coding !== "BINARY") reader.fail(`"${coding.slice(0, 24)}" is no coding`);
     this.#isBinary = coding === "BINARY";

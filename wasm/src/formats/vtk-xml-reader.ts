@@ -7,6 +7,7 @@ import { failureAt } from "../read-result.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
+import { NameLines } from "./name-lines.js";
 import { decodeArray, UnpackingBudget, type ArrayCoding, type ArrayFail } from "./vtk-arrays.js";
 import { addCell, cellsOf, type Fail } from "./vtk-cells.js";
 
@@ -44,10 +45,12 @@ interface Head {
 /** A file whose tags are known; each byte is a character of its text. */
 class XmlFile {
   readonly head: Head;
+  readonly #bytes: Uint8Array;
   readonly #text: string;
   readonly #coding: Omit<ArrayCoding, "fail">;
 
   constructor(bytes: Uint8Array) {
+    this.#bytes = bytes;
     this.#text = new TextDecoder("latin1").decode(bytes);
     this.head = readHead(this.#text);
     this.#coding = codingOf(this.head, bytes, this.#text);
@@ -85,9 +88,24 @@ class XmlFile {
     );
   }
 
+  /** Names that comments tell before the first piece. */
+  names(): NameLines {
+    const names = new NameLines();
+    const begin = new TextDecoder().decode(this.#bytes.subarray(0, this.head.pieces[0]?.at));
+    for (const [, line = ""] of begin.matchAll(/<!--([^<>]{1,4000})-->/g)) {
+      names.hear(unescaped(line));
+    }
+    return names;
+  }
+
   fail(message: string, at: number): never {
     return failIn(this.#text, message, at, this.head.appended?.begin);
   }
+}
+
+function unescaped(line: string): string {
+  const characters: Readonly<Record<string, string>> = { lt: "<", gt: ">", "#45": "-", amp: "&" };
+  return line.replace(/&(lt|gt|#45|amp);/g, (_, name: string) => characters[name] ?? "");
 }
 
 /** `at`: a character, counted as a line up to where data that are no text begin. */
@@ -109,7 +127,7 @@ export async function readVtkXml(source: ByteSource): Promise<FileMesh> {
     else addCells(reading);
   }
   addPointData(file, builder);
-  return builder.mesh();
+  return file.names().given(builder.mesh());
 }
 
 /** A piece whose points are there. */

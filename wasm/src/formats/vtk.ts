@@ -1,18 +1,20 @@
 /**
  * Legacy VTK files, which nearly every program that knows VTK reads: as VTU an unstructured grid of the
  * tetrahedra and the boundary's triangles with `region` and `patch` as cell data; binary, which in this
- * format is high byte first.
+ * format is high byte first. Names are in the title, where all of them fit.
  */
 import { bigEndianDoubles, bigEndianInts, joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { tagsOf } from "./groups.js";
+import { noteNames, tagsOf } from "./groups.js";
+import { allNameLines, NAME_BREAK } from "./name-lines.js";
 
 /** VTK's numbers of linear cells; their node orders are ours. */
 const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
 
 /** The bytes of a legacy VTK file. */
-export function writeVtk(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeVtk(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { connectivity, offsets, types, regions, patches } = vtkCells(mesh);
   const cells = new Int32Array(connectivity.length + offsets.length);
   for (let c = 0, begin = 0; c < offsets.length; begin = offsets[c++] ?? 0) {
@@ -21,7 +23,7 @@ export function writeVtk(mesh: FileMesh): Uint8Array<ArrayBuffer> {
     cells.set(nodes, begin + c + 1);
   }
   return joinBytes([
-    "# vtk DataFile Version 3.0\nTetrafront\nBINARY\nDATASET UNSTRUCTURED_GRID\n",
+    `# vtk DataFile Version 3.0\n${title(mesh, note)}\nBINARY\nDATASET UNSTRUCTURED_GRID\n`,
     `POINTS ${mesh.points.length / 3} double\n`,
     bigEndianDoubles(mesh.points),
     `\nCELLS ${types.length} ${cells.length}\n`,
@@ -34,6 +36,15 @@ export function writeVtk(mesh: FileMesh): Uint8Array<ArrayBuffer> {
     bigEndianInts(patches),
     "\n",
   ]);
+}
+
+/** Up to 255 bytes in one line. */
+function title(mesh: FileMesh, note: Note): string {
+  const text = ["Tetrafront", ...allNameLines(mesh)].join(NAME_BREAK);
+  if (new TextEncoder().encode(text).length < 256) return text;
+  noteNames(mesh.patches, note);
+  noteNames(mesh.regions, note);
+  return "Tetrafront";
 }
 
 /** The cells of either VTK format. */

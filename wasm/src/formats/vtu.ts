@@ -1,13 +1,14 @@
 /**
  * VTU (VTK XML unstructured grid), which ParaView, VTK and meshio read: float64 points, the tetrahedra and
  * behind them the boundary's triangles as cells; as cell data the number of their `region` and `patch`, 0
- * where a cell has none. The arrays are appended raw and compressed with zlib, as ParaView writes them:
+ * where a cell has none, and comments with their names. The arrays are appended raw and compressed with zlib, as ParaView writes them:
  * coordinates come back bit for bit.
  */
 import { zlibSync } from "fflate";
 
 import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
 import type { FileMesh } from "./file-mesh.js";
+import { allNameLines } from "./name-lines.js";
 import { vtkCells } from "./vtk.js";
 
 /** Blocks are compressed one by one; readers hold one of them at a time. */
@@ -38,6 +39,7 @@ export function writeVtu(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   const head = [
     '<?xml version="1.0"?>',
     `<VTKFile type="UnstructuredGrid" version="1.0" byte_order="${order}" header_type="UInt64" compressor="vtkZLibDataCompressor">`,
+    ...allNameLines(mesh).map((line) => `<!-- ${escaped(line)} -->`),
     "<UnstructuredGrid>",
     `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${types.length}">`,
     `<Points>${pointTag}</Points>`,
@@ -49,6 +51,12 @@ export function writeVtu(mesh: FileMesh): Uint8Array<ArrayBuffer> {
     "_",
   ].join("\n");
   return joinBytes([head, ...packed, "\n</AppendedData>\n</VTKFile>\n"]);
+}
+
+/** As text of a comment, in which two hyphens must not follow each other. */
+function escaped(line: string): string {
+  const entities: Readonly<Record<string, string>> = { "&": "&amp;", "<": "&lt;", ">": "&gt;", "-": "&#45;" };
+  return line.replace(/[&<>]|-(?=-|$)/g, (found) => entities[found] ?? found);
 }
 
 /** Numbers of blocks, bytes of a block, bytes of a shorter last one, bytes of each when packed; the blocks. */

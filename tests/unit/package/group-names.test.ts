@@ -1,0 +1,122 @@
+/** Names of patches and regions, kept by every format that has any place for them, and missed aloud by the others. */
+import { FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+const block = blockMesh();
+const NAMES = ["in let", "outlet", "floor; & <cold> -- 20 °C -", "Wand Süd", "roof", "door"];
+const named: FileMesh = {
+  ...block,
+  patches: NAMES.map((name, p) => ({ name, tag: [7, 3, 11, 4, 21, 2][p] ?? 0 })),
+  regions: [
+    { name: "steel", tag: 5 },
+    { name: "water", tag: 9 },
+  ],
+};
+
+async function again(mesh: FileMesh, fileName: string): Promise<{ read: FileMesh; notes: string }> {
+  const files = await writeMesh(mesh, fileName);
+  const others = new Map(files.map((file) => [file.fileName, file.bytes]));
+  const read = await readMesh(files[0]?.bytes ?? new Uint8Array(), {
+    fileName,
+    openOther: (name) => Promise.resolve(others.get(name)),
+  });
+  if (!read.success) throw new Error(read.problems[0].message);
+  return {
+    read: read.value,
+    notes: files.flatMap(({ notes }) => notes.map(({ message }) => message)).join("\n"),
+  };
+}
+
+/** The name of the patch of each triangle, by its place, whatever the order. */
+function byTriangle({ points, triangles, trianglePatch, patches }: FileMesh): string[] {
+  return Array.from(trianglePatch, (patch, t) => {
+    const corners = [0, 1, 2].map((k) => {
+      const node = triangles[3 * t + k] ?? 0;
+      return Array.from(points.subarray(3 * node, 3 * node + 3), (x) => Math.fround(x) + 0).join(" ");
+    });
+    return `${corners.sort().join(", ")}: ${patches[patch]?.name ?? ""}`;
+  }).sort();
+}
+
+const regionsOf = ({ tetrahedronRegion, regions }: FileMesh) =>
+  Array.from(tetrahedronRegion, (region) => regions[region]?.name);
+
+const both = FILE_FORMATS.filter(({ reads, writes }) => reads.length > 0 && writes.length > 0);
+
+/** So long that they fit into neither a title nor a header. */
+const long = (group: { readonly name: string; readonly tag: number }) => ({
+  ...group,
+  name: `${group.name} ${"very ".repeat(12)}long`,
+});
+
+describe.each(both.map(({ name, extensions, writes }) => [name, extensions[0], writes] as const))(
+  "%s",
+  (_, extension, writes) => {
+    const fileName = `a${extension}`;
+
+    test("gives names back, or says that it has no place for them", async () => {
+      const short = {
+        ...named,
+        patches: named.patches.map(({ name, tag }) => ({ name: name.replace(/;.*|\s/g, ""), tag })),
+      };
+      for (const mesh of [short, named, { ...named, patches: named.patches.map(long) }]) {
+        const { read, notes } = await again(mesh, fileName);
+        if (/names are left out/i.test(notes)) {
+          expect([".stl", ".vtk"]).toContain(extension);
+          expect(mesh === short, notes).toBe(false);
+          continue;
+        }
+        // Words of OBJ and lines with breaks of their own end at blanks and at "; ".
+        const plain = (triangles: string[]) =>
+          triangles.map((line) =>
+            line.replace(
+              /: .*$/,
+              (name) =>
+                `: ${name
+                  .slice(2)
+                  .replace(/[\s_]+/g, "_")
+                  .replace(/;.*/, "")}`,
+            ),
+          );
+        expect(plain(byTriangle(read))).toEqual(plain(byTriangle(mesh)));
+        if (writes.includes("volume")) expect(regionsOf(read)).toEqual(regionsOf(mesh));
+      }
+    });
+
+    test("gives the one name of a surface back", async () => {
+      const { points, triangles } = boxSurface(1);
+      const one = {
+        ...block,
+        points,
+        triangles,
+        trianglePatch: new Uint32Array(triangles.length / 3),
+        patches: [{ name: "skin", tag: 1 }],
+        tetrahedra: new Uint32Array(),
+        tetrahedronRegion: new Uint32Array(),
+        regions: [],
+      };
+      const { read } = await again(one, fileName);
+      expect(new Set(Array.from(read.trianglePatch, (patch) => read.patches[patch]?.name))).toEqual(
+        new Set(["skin"]),
+      );
+    });
+  },
+);
+
+test("lines of faces in OFF that do not fit the faces are nothing but comments", async () => {
+  const [file] = await writeMesh(named, "a.off");
+  const text = new TextDecoder().decode(file?.bytes);
+  for (const [from, to] of [
+    [/faces of patch 7: 0-7/, "faces of patch 7: 0-6"],
+    [/faces of patch 7: 0-7/, "faces of patch 7: 1-8"],
+    [/faces of patch 7: 0-7/, "faces of patch 7: 0-99999999999"],
+    [/faces of patch 7: 0-7/, "faces of patch 7: 7-0"],
+  ] as const) {
+    expect(text).toMatch(from);
+    const read = await readMesh(new TextEncoder().encode(text.replace(from, to)), { fileName: "a.off" });
+    expect(read.success && read.value.patches).toHaveLength(1);
+  }
+});
