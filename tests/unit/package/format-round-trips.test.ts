@@ -166,14 +166,15 @@ describe("the boundary", () => {
     expect(read.patches).toHaveLength(6);
   });
 
-  test("comes back from .off without patches: a number behind three corners stops strict readers", async () => {
+  test("comes back from .off, whose lines stay plain for strict readers: comments at its end tell the patches", async () => {
     const lines = (await text("part.off")).trimEnd().split("\n");
     expect(lines.slice(0, 2)).toEqual(["OFF", "26 48 0"]);
-    expect(lines.slice(28).filter((line) => !/^3 \d+ \d+ \d+$/.test(line))).toEqual([]);
+    expect(lines.slice(28, 76).filter((line) => !/^3 \d+ \d+ \d+$/.test(line))).toEqual([]);
+    expect(lines.slice(76).filter((line) => !line.startsWith("# "))).toEqual([]);
     const read = await readBack("part.off");
     const places = (given: FileMesh) => soup(given, () => "", exact);
     expect(places(read)).toEqual(places(mesh));
-    expect(read.patches).toHaveLength(1);
+    expect(read.patches).toHaveLength(6);
   });
   const objNames = ["in_let", "outlet", "5th_wall", "outlet_(patch_4)", "floor,_cold", "patch_6"];
 
