@@ -1,6 +1,6 @@
 /** Why a call of the mesher is rejected. */
 import type { Reply } from "./protocol.js";
-import type { Diagnostic, Phase } from "./types.js";
+import type { Diagnostic, Phase, Progress } from "./types.js";
 
 /**
  * - `invalid-input`: what was given makes no sense; `diagnostics` say what and what to do.
@@ -64,13 +64,17 @@ export function crashError(message: string): MesherError {
   return new MesherError("engine-failed", `The engine's worker ended: ${message}`);
 }
 
-export function failureError({ reason, message, memory }: Extract<Reply, { kind: "failure" }>): MesherError {
+/** `progress`: of the run that is rejected, which need not be what failed. */
+export function failureError(
+  { reason, message, bytes }: Extract<Reply, { kind: "failure" }>,
+  progress: Progress | undefined,
+): MesherError {
   if (reason === "engine-failed") {
     return new MesherError(reason, `The engine failed (${message}): please report it with the model`);
   }
-  const { phase, tetrahedra = 0, expectedTetrahedra = 0 } = memory?.progress ?? {};
+  const { phase, tetrahedra = 0, expectedTetrahedra = 0 } = progress ?? {};
   const sizeFactor = sizeFactorFor(tetrahedra, expectedTetrahedra);
-  const figures = { bytes: memory?.bytes ?? 0, phase, tetrahedra, expectedTetrahedra, sizeFactor };
+  const figures = { bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor };
   return new MesherError(reason, outOfMemoryText(figures), [], figures);
 }
 

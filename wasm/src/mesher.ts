@@ -99,8 +99,13 @@ interface Waiting {
 
 interface Job extends Waiting {
   readonly request: RunRequest;
+  /** The latest heard of. */
+  progress: Progress | undefined;
   readonly resolve: (result: EngineResult | "cancelled") => void;
 }
+
+/** Why a call is rejected, a run with where it stood, as far as that was heard of. */
+type FailureAt = (progress: Progress | undefined) => MesherError;
 
 interface OpenQuestion extends Waiting {
   readonly question: Question;
@@ -264,7 +269,7 @@ class WorkerMesher implements Mesher {
     clearTimeout(this.#forceTimer);
     this.#worker.terminate();
     this.#settleReady?.reject(disposedError());
-    this.#rejectUnderWay(disposedError());
+    this.#rejectUnderWay(disposedError);
     for (const job of this.#waiting.splice(0)) job.reject(disposedError());
   }
 
@@ -319,7 +324,7 @@ class WorkerMesher implements Mesher {
       const result = await new Promise<EngineResult | "cancelled">((resolve, reject) => {
         if (this.#disposed) return reject(disposedError());
         if (signal?.aborted === true) return resolve("cancelled");
-        const job: Job = { request, onProgress, resolve, reject };
+        const job: Job = { request, onProgress, progress: undefined, resolve, reject };
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#waiting.push(job);
@@ -377,7 +382,7 @@ class WorkerMesher implements Mesher {
         if (worker === this.#worker || reply.kind === "ready") this.#receive(reply);
       },
       onCrash: (message) => {
-        if (worker === this.#worker) this.#replaceWorker(crashError(message));
+        if (worker === this.#worker) this.#replaceWorker(() => crashError(message));
       },
     });
     return worker;
@@ -391,10 +396,10 @@ class WorkerMesher implements Mesher {
         return this.#updateKeepAlive();
       case "unusable":
         return this.#giveUp(
-          new MesherError("engine-failed", `The engine cannot be loaded: ${reply.message}`),
+          () => new MesherError("engine-failed", `The engine cannot be loaded: ${reply.message}`),
         );
       case "failure":
-        return this.#replaceWorker(failureError(reply));
+        return this.#replaceWorker((progress) => failureError(reply, progress));
       case "answer":
         this.#questions.get(reply.id)?.resolve(reply.answer);
         this.#questions.delete(reply.id);
@@ -415,6 +420,7 @@ class WorkerMesher implements Mesher {
     if (job?.request.id !== reply.id) return;
     switch (reply.kind) {
       case "progress":
+        job.progress = reply.progress;
         return tellProgress(job, reply.progress, (failure) => {
           job.reject(failure);
           this.#cancel(job);
@@ -427,7 +433,7 @@ class WorkerMesher implements Mesher {
   }
 
   /** What was under way is rejected, for it may be the cause; what waits gets a fresh worker. */
-  #replaceWorker(failure: MesherError): void {
+  #replaceWorker(failure: FailureAt): void {
     if (this.#settleReady !== undefined) return this.#giveUp(failure);
     clearTimeout(this.#forceTimer);
     this.#worker.terminate();
@@ -437,17 +443,17 @@ class WorkerMesher implements Mesher {
   }
 
   /** The engine does not even load: another worker would do no better. */
-  #giveUp(failure: MesherError): void {
-    this.#settleReady?.reject(failure);
+  #giveUp(failure: FailureAt): void {
+    this.#settleReady?.reject(failure(undefined));
     this.#settleReady = undefined;
     this.#rejectUnderWay(failure);
     this.dispose();
   }
 
-  #rejectUnderWay(failure: MesherError): void {
-    this.#active?.reject(failure);
+  #rejectUnderWay(failure: FailureAt): void {
+    this.#active?.reject(failure(this.#active.progress));
     this.#active = undefined;
-    for (const question of this.#questions.values()) question.reject(failure);
+    for (const question of this.#questions.values()) question.reject(failure(undefined));
     this.#questions.clear();
   }
 

@@ -158,14 +158,6 @@ export interface Answers {
 
 export type FailureReason = "out-of-memory" | "engine-failed";
 
-/** Where memory ran out. */
-export interface MemoryFigures {
-  /** What the engine had of the machine's memory. */
-  readonly bytes: number;
-  /** Where the run stood a moment before; undefined for questions. */
-  readonly progress: Progress | undefined;
-}
-
 export type Reply =
   /** Once, when the engine is loaded. Requests sent earlier wait for it. */
   | { readonly kind: "ready" }
@@ -180,8 +172,8 @@ export type Reply =
       readonly id: number;
       readonly reason: FailureReason;
       readonly message: string;
-      /** Where memory ran out. */
-      readonly memory?: MemoryFigures | undefined;
+      /** What the engine had of the machine's memory. */
+      readonly bytes: number;
     }
   /** The engine could not be loaded at all. */
   | { readonly kind: "unusable"; readonly message: string };

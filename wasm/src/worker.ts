@@ -7,13 +7,11 @@ import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { runInSlices, workInSlices, type SliceControl } from "./slices.js";
 import { buffersOf } from "./transfer.js";
-import type { MeshStatus, Progress } from "./types.js";
+import type { MeshStatus } from "./types.js";
 
 const OUT_OF_MEMORY = "out of memory";
 const cancelled = new Set<number>();
 const running = new Set<number>();
-/** Of the runs under way. */
-const latestProgress = new Map<number, Progress>();
 
 /** What the engine says in `failure()`, raised here to reach the reply. */
 class EngineFailure extends Error {
@@ -24,9 +22,7 @@ class EngineFailure extends Error {
 
 function start(engine: Engine): void {
   workerPort.onRequest((request) => {
-    handle(engine, request)
-      .catch((failure: unknown) => replyFailure(engine, request.id, failure))
-      .finally(() => latestProgress.delete(request.id));
+    handle(engine, request).catch((failure: unknown) => replyFailure(engine, request.id, failure));
   });
   workerPort.post({ kind: "ready" });
 }
@@ -120,12 +116,7 @@ async function mesh(id: number, run: EngineRun | null): Promise<void> {
   running.add(id);
   try {
     assertHealthy(run);
-    const control = controlOf(id);
-    const onProgress = (progress: Progress) => {
-      latestProgress.set(id, progress);
-      control.onProgress(progress);
-    };
-    const status = await runInSlices(run, clock, { ...control, onProgress });
+    const status = await runInSlices(run, clock, controlOf(id));
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
     const result = resultOf(run, status, clock);
     workerPort.post({ kind: "result", id, result }, buffersOf(result.surface, result.volume));
@@ -169,8 +160,7 @@ function assertHealthy(run: { failure(): string }): void {
 function replyFailure(engine: Engine, id: number, failure: unknown): void {
   const reason = failure instanceof EngineFailure ? failure.reason : "engine-failed";
   const message = failure instanceof Error ? failure.message : String(failure);
-  const memory = { bytes: engine.memoryBytes(), progress: latestProgress.get(id) };
-  workerPort.post({ kind: "failure", id, reason, message, ...(reason === "out-of-memory" && { memory }) });
+  workerPort.post({ kind: "failure", id, reason, message, bytes: engine.memoryBytes() });
 }
 
 loadEngine().then(start, (failure: unknown) =>

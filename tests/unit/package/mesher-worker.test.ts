@@ -161,13 +161,20 @@ describe("a worker that fails", () => {
           id: idOf(worker),
           reason: "out-of-memory",
           message: "out of memory",
+          bytes: 2 ** 32,
         }),
       "out-of-memory",
     ],
     [
       "reports a failure",
       (worker) =>
-        worker.reply({ kind: "failure", id: idOf(worker), reason: "engine-failed", message: "trap" }),
+        worker.reply({
+          kind: "failure",
+          id: idOf(worker),
+          reason: "engine-failed",
+          message: "trap",
+          bytes: 0,
+        }),
       "engine-failed",
     ],
   ])("because it %s is replaced; what waited goes on", async (_, fail, code) => {
@@ -187,6 +194,22 @@ describe("a worker that fails", () => {
     fresh.reply({ kind: "result", id: idOf(fresh), result: resultWith("fresh") });
     expect((await second).report.fingerprint).toBe("fresh");
     expect(workers).toHaveLength(2);
+  });
+});
+
+test("a run beside a question that runs out of memory is rejected with where the run stood", async () => {
+  const mesher = await readyMesher();
+  const worker = workerNumber(0);
+  const run = mesher.fillSurface(boxSurface(1));
+  const preview = mesher.previewProject(cubeProject());
+  const stood = { phase: "volume", tetrahedra: 1000, expectedTetrahedra: 8000 } as const;
+  const figures = { fraction: 0.5, points: 9, triangles: 9, frontFaces: 9, elapsedSeconds: 1 };
+  worker.reply({ kind: "progress", id: idOf(worker), progress: { ...stood, ...figures } });
+  const failure = { kind: "failure", reason: "out-of-memory", message: "out of memory" } as const;
+  worker.reply({ ...failure, id: idOf(worker, 1), bytes: 2 ** 32 });
+  await expect(run).rejects.toMatchObject({ memory: { ...stood, bytes: 2 ** 32, sizeFactor: 2.2 } });
+  await expect(preview).rejects.toMatchObject({
+    memory: { bytes: 2 ** 32, phase: undefined, tetrahedra: 0 },
   });
 });
 

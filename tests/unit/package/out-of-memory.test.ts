@@ -52,6 +52,30 @@ test("a mesh too large for the memory is refused with figures, and a size that f
   expect(status).toBe("done");
 });
 
+test("a run beside a question too large for the memory is rejected with where it stood", async () => {
+  const [run, question] = await withLittleMemory<[Told, Told]>(`
+    const count = 1_000_000;
+    const mesh = {
+      points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
+      tetrahedra: Uint32Array.from({ length: 4 * count }, (_, i) => i % 4),
+    };
+    let question;
+    const onProgress = ({ tetrahedra }) => {
+      if (tetrahedra > 0) question ??= mesher.inspectMesh(mesh).catch(told);
+    };
+    const run = await mesher.meshProject(cube, { size: 0.03 }, { onProgress }).catch(told);
+    return [run, await question];`);
+  expect(run.code).toBe("out-of-memory");
+  expect(run.memory).toMatchObject({
+    bytes: expect.any(Number) as number,
+    phase: expect.any(String) as string,
+    tetrahedra: expect.any(Number) as number,
+    sizeFactor: expect.any(Number) as number,
+  });
+  expect(run.memory["tetrahedra"]).toBeGreaterThan(0);
+  expect(question).toMatchObject({ code: "out-of-memory", memory: { tetrahedra: 0 } });
+});
+
 test("a question too large for the memory is refused, and the next one is answered", async () => {
   const [failure, isSound] = await withLittleMemory<[Told, boolean]>(`
     const count = 1_000_000;
