@@ -88,7 +88,7 @@ class Run {
                             .triangles = p.triangles,
                             .tetrahedra = p.tetrahedra,
                             .frontFaces = p.frontFaces,
-                            .expectedTetrahedra = run.estimatedTetrahedra()};
+                            .expectedTetrahedra = p.expectedTetrahedra};
     });
   }
 

@@ -142,12 +142,11 @@ class MeshRun::Impl {
     return fingerprint.value();
   }
 
-  [[nodiscard]] std::uint32_t estimatedTetrahedra() const { return expectedTetrahedra_; }
-
   [[nodiscard]] Progress progress() const {
     Progress progress;
     progress.phase = phase();
     progress.fraction = fraction_;
+    progress.expectedTetrahedra = expectedTetrahedra_;
     progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
     progress.points = static_cast<std::uint32_t>(surface_.points.size() / 3);
     if (volumeMesher_) {
@@ -441,7 +440,6 @@ MeshStatus MeshRun::advance(std::uint32_t budget) { return impl_->advance(budget
 void MeshRun::cancel() { impl_->cancel(); }
 MeshStatus MeshRun::status() const { return impl_->status(); }
 Progress MeshRun::progress() const { return impl_->progress(); }
-std::uint32_t MeshRun::estimatedTetrahedra() const { return impl_->estimatedTetrahedra(); }
 const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
 const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
 VolumeMesh MeshRun::volume() const { return impl_->volume(); }

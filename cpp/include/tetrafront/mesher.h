@@ -51,10 +51,6 @@ class MeshRun {
 
   [[nodiscard]] MeshStatus status() const;
   [[nodiscard]] Progress progress() const;
-
-  /// As many as the sizes ask for, estimated before the front starts; 0 until then.
-  [[nodiscard]] std::uint32_t estimatedTetrahedra() const;
-
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
 
   /// The boundary, oriented outward; complete from the end of Phase::kSurface on.

@@ -135,6 +135,8 @@ struct Progress {
   std::uint32_t triangles = 0;
   std::uint32_t tetrahedra = 0;
   std::uint32_t frontFaces = 0;
+  /// As many as the sizes ask for, estimated before the front starts; 0 until then.
+  std::uint32_t expectedTetrahedra = 0;
 };
 
 /// How the front was brought to an end, for those who want to know.

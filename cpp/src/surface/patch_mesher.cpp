@@ -1,5 +1,6 @@
 #include "surface/patch_mesher.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tetrafront {
@@ -12,8 +13,19 @@ PatchMesher::PatchMesher(const PatchSurface& surface, const SizeField& field,
       optimizer_(metric_, mesh_) {}
 
 MeshStatus PatchMesher::advance(std::uint32_t budget) {
-  // The front makes triangles, and so does the optimizer where it divides sides.
-  if (tooMany()) return MeshStatus::kStalled;
+  // The front makes triangles, and so does the optimizer where it divides sides: both are looked at
+  // often, however long the slice.
+  constexpr std::uint32_t kBetweenLooks = 4096;
+  MeshStatus status = MeshStatus::kRunning;
+  for (std::uint32_t left = budget; left > 0 && status == MeshStatus::kRunning;) {
+    const std::uint32_t step = std::min(left, kBetweenLooks);
+    status = tooMany() ? MeshStatus::kStalled : work(step);
+    left -= step;
+  }
+  return status;
+}
+
+MeshStatus PatchMesher::work(std::uint32_t budget) {
   if (covered_) return optimizer_.advance(budget) ? MeshStatus::kDone : MeshStatus::kRunning;
   const MeshStatus status = front_.advance(budget);
   if (status == MeshStatus::kDone) covered_ = true;

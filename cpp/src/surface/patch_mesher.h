@@ -30,6 +30,8 @@ class PatchMesher {
   [[nodiscard]] bool tooMany() const { return mesh_.triangles.size() / 3 > kMaxTrianglesPerPatch; }
 
  private:
+  MeshStatus work(std::uint32_t budget);
+
   PatchMetric metric_;
   PlanarMesh mesh_;
   PlanarFront front_;
