@@ -64,6 +64,7 @@ export const steps = {
       // Without NDEBUG: our own assertions and the library's are part of this build.
       "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -D_GLIBCXX_ASSERTIONS",
       "-DTETRAFRONT_APPS=OFF",
+      "-DTETRAFRONT_PCH=ON",
       "-DTETRAFRONT_SANITIZE=address,undefined",
     ]);
     await must("ninja", [`-j${jobs}`, "-C", buildFolders.asan], { quietOut: true });

@@ -91,7 +91,7 @@ TEST(MeshRun, ReportsPhasesInTheirOrderAndAFractionThatNeverFalls) {
 }
 
 TEST(MeshRun, CanBeCancelledAtAnyTimeAndKeepsWhatIsThere) {
-  const SurfaceMesh surface = testing::geodesicSphere(6);
+  const SurfaceMesh surface = testing::geodesicSphere(4);
   MeshRun whole(surface.points, surface.triangles, {});
   int slices = 0;
   while (whole.advance(300) == MeshStatus::kRunning) ++slices;
