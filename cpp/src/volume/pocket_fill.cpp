@@ -49,7 +49,7 @@ std::vector<FaceId> PocketFill::apply(Front& front, Elements& elements) const {
   for (const std::uint32_t triangle : result.openTriangles) {
     open.push_back(pocket_.faces[triangle]);
   }
-  std::sort(open.begin(), open.end());
+  stableSort(open);
   std::vector<std::uint32_t> regions;
   for (const std::uint32_t triangle : result.triangleOfOpenFace) {
     regions.push_back(regionAt(triangle));

@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/sort.h"
+
 namespace tetrafront {
 namespace {
 
@@ -456,7 +458,7 @@ std::vector<FaceId> Recovery<Trace>::takeFilled() {
 /// little too.
 template <class Trace>
 void Recovery<Trace>::queueOpenPlaces(std::vector<FaceId> open) {
-  std::sort(open.begin(), open.end());
+  stableSort(open);
   std::vector<NodeTriple> keys;
   for (const Pocket& pocket : findPockets(front_)) {
     for (const FaceId face : pocket.faces) {
