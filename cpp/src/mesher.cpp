@@ -281,7 +281,7 @@ class MeshRun::Impl {
       if (!isModel()) report(checkGrid());
       boundaryCheck_.emplace(
           surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface,
-          options_.enclosed);
+          options_.enclosed, MixedTurns::kRefuse);
     }
     if (!boundaryCheck_->advance(budget)) return;
     for (const Diagnostic& found : boundaryCheck_->diagnostics()) {

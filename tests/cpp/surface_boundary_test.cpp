@@ -113,6 +113,44 @@ TEST(BoundaryTest, RestoresRandomlyFlippedTriangles) {
   }
 }
 
+TEST(BoundaryTest, RefusesPartsOfMixedTurnsWhereAskedTo) {
+  for (Shape& shape : soundShapes()) {
+    const SurfaceMesh sound = shape.mesh;
+    flipRandomly(shape.mesh, 11);
+    std::set<std::uint32_t> flipped;
+    for (std::uint32_t t = 0; t < triangleCount(sound); ++t) {
+      if (shape.mesh.triangles[3 * t + 1] != sound.triangles[3 * t + 1]) flipped.insert(t);
+    }
+    BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
+                        MixedTurns::kRefuse);
+    while (!check.advance(1U << 16U)) {
+    }
+    EXPECT_FALSE(check.result().valid) << shape.name;
+    std::set<std::uint32_t> named;
+    for (const Diagnostic& found : check.diagnostics()) {
+      if (found.code != DiagnosticCode::kTurnedTriangle) continue;
+      EXPECT_EQ(found.severity, Severity::kError);
+      EXPECT_EQ(found.values.back(), static_cast<double>(flipped.size())) << shape.name;
+      ASSERT_EQ(found.entities.size(), 1U);
+      named.insert(found.entities[0].index);
+    }
+    EXPECT_EQ(named, flipped) << shape.name;
+  }
+}
+
+TEST(BoundaryTest, TakesPartsThatAreInsideOutAsAWholeInAnyCase) {
+  for (Shape& shape : soundShapes()) {
+    const auto expected = turnsOf(shape.mesh);
+    turnInsideOut(shape.mesh);
+    BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
+                        MixedTurns::kRefuse);
+    while (!check.advance(1U << 16U)) {
+    }
+    EXPECT_TRUE(check.result().valid) << shape.name;
+    EXPECT_EQ(turnsOf(shape.mesh), expected) << shape.name;
+  }
+}
+
 TEST(BoundaryTest, RestoresSurfacesTurnedInsideOut) {
   for (Shape& shape : soundShapes()) {
     const auto expected = turnsOf(shape.mesh);

@@ -103,8 +103,12 @@ TEST(SurfaceInspection, CountsTrianglesToBeTurned) {
   SurfaceMesh mesh = geodesicSphere(3);
   std::swap(mesh.triangles[7], mesh.triangles[8]);
   EXPECT_EQ(inspect(mesh).turnedTriangles, 1U);
+  EXPECT_FALSE(inspect(mesh).isFillable) << "unless a repair is asked for";
   turnInsideOut(mesh);
   EXPECT_EQ(inspect(mesh).turnedTriangles, triangleCount(mesh) - 1);
+  std::swap(mesh.triangles[7], mesh.triangles[8]);
+  EXPECT_EQ(inspect(mesh).turnedTriangles, triangleCount(mesh));
+  EXPECT_TRUE(inspect(mesh).isFillable) << "a whole part has no sides to choose from";
 }
 
 TEST(SurfaceInspection, KeepsAwayFromBrokenNumbers) {

@@ -40,7 +40,9 @@ export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): str
     `box ${placeText(found.box.low)} to ${placeText(found.box.high)}`,
     edgesLine(found.edgeLengths),
     ...(found.turnedTriangles > 0
-      ? [`${plural(found.turnedTriangles, "triangle")} not turned outward, which meshing sets right`]
+      ? [
+          `${plural(found.turnedTriangles, "triangle")} not turned outward${isKnown ? ", as whole parts" : ""}`,
+        ]
       : []),
     ...found.worst
       .slice(0, 3)

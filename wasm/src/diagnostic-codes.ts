@@ -43,6 +43,7 @@ export const ENGINE_CODES = {
   47: "reoriented-patch",
   48: "coincident-nodes",
   49: "nested-bodies",
+  50: "turned-triangle",
   60: "stalled",
   61: "verification-failed",
 } as const;

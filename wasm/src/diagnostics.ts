@@ -259,11 +259,18 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Remove the flat shell, or move its corners apart.",
   },
   "reoriented-patch": {
-    message: ({ all, count }) => {
-      const [were, have] = count(["patch", "triangle"]) > 1 ? ["were", "have"] : ["was", "has"];
-      return `${all(["patch", "triangle"], "A shell")} ${were} drawn inside out and ${have} been turned round`;
+    message: ({ all, count, value, main, drawn }) => {
+      if (!drawn) {
+        return `The part of the surface with ${main} is inside out: the mesh has all of its ${value(1)} triangles turned outward`;
+      }
+      const [were, have] = count(["patch"]) > 1 ? ["were", "have"] : ["was", "has"];
+      return `${all(["patch"], "A patch")} ${were} drawn inside out and ${have} been turned round`;
     },
     remedy: "",
+  },
+  "turned-triangle": {
+    message: ({ main, at }) => `${main} faces inward, but others of its part of the surface outward${at}`,
+    remedy: "Turn it round; a repair does so and lists each: --repair, or repairSurface.",
   },
   "coincident-nodes": {
     message: ({ all, at }) =>

@@ -65,7 +65,10 @@ export interface SurfaceInspection {
   readonly crowdedEdges: number;
   /** Where the surface touches itself in a point. */
   readonly pinchedNodes: number;
-  /** Triangles that do not face outward, which filling sets right; known where `isFillable`. */
+  /**
+   * Triangles that do not face outward. Where a whole part of the surface is so, filling sets it right and says so;
+   * single ones are errors. Known where nothing else keeps the surface from being filled.
+   */
   readonly turnedTriangles: number;
   /** Known where `isFillable`. */
   readonly bodies: number;

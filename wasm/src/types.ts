@@ -402,8 +402,9 @@ export interface Mesher {
    */
   meshProject(project: Project, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
   /**
-   * Fills a closed surface, kept triangle for triangle. Without `size` the sizes come from the
-   * surface's own edges. Ends and rejects as `meshProject` does.
+   * Fills a closed surface, kept triangle for triangle: nothing is repaired, which is for `repairSurface`. Only in
+   * what is returned all triangles face outward, also where a whole part of the surface was given inside out, which is
+   * said. Without `size` the sizes come from the surface's own edges. Ends and rejects as `meshProject` does.
    */
   fillSurface(surface: SurfaceInput, options?: MeshOptions, control?: RunControl): Promise<MeshResult>;
   /**

@@ -26,8 +26,9 @@ class MeshRun {
   MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options);
 
   /// Fills a given closed surface, which is kept triangle for triangle. `points` holds x y z per
-  /// node, `triangles` three node positions per triangle; any consistent or inconsistent turning
-  /// is accepted and oriented. Sizes come from the surface's own edges unless options.size is set.
+  /// node, `triangles` three node positions per triangle; parts that are inside out as a whole are
+  /// turned, single triangles that face inward refused. Sizes come from the surface's own edges
+  /// unless options.size is set.
   MeshRun(std::span<const double> points, std::span<const std::uint32_t> triangles,
           const MeshOptions& options);
 

@@ -87,9 +87,12 @@ enum class DiagnosticCode : std::uint16_t {
   kDuplicateTriangle = 44,        ///< two triangles with the same nodes
   kDegenerateTriangle = 45,       ///< triangle with repeated or collinear nodes
   kZeroVolume = 46,               ///< shell that encloses nothing
-  kReorientedPatch = 47,          ///< information: patch or shell drawn inside out, turned round
-  kCoincidentNodes = 48,          ///< two nodes at one place that are not joined
-  kNestedBodies = 49,             ///< information; values: number of regions, of cavities
+  kReorientedPatch = 47,  ///< information: patch, or whole part of a given surface, drawn inside
+                          ///< out and turned round; values of the latter: triangles turned, all
+  kCoincidentNodes = 48,  ///< two nodes at one place that are not joined
+  kNestedBodies = 49,     ///< information; values: number of regions, of cavities
+  kTurnedTriangle = 50,  ///< triangle of a given surface that faces inward where others of its part
+                         ///< face outward; values: number of such triangles
   // Volume
   kStalled = 60,             ///< values: faces left in the front
   kVerificationFailed = 61,  ///< values: failing elements; our own mistake, never the user's

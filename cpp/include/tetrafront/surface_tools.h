@@ -44,12 +44,13 @@ struct SurfaceInspection {
   std::uint32_t unusedNodes = 0;
   std::uint32_t triangles = 0;
   std::uint32_t edges = 0;
-  std::uint32_t openEdges = 0;        ///< with one triangle
-  std::uint32_t crowdedEdges = 0;     ///< with more than two
-  std::uint32_t pinchedNodes = 0;     ///< where more than one fan of triangles meets
-  std::uint32_t turnedTriangles = 0;  ///< that do not face outward; known where isFillable
-  std::uint32_t regions = 0;          ///< bodies; known where isFillable
-  Vec3 low{0.0};                      ///< the box of all used nodes
+  std::uint32_t openEdges = 0;     ///< with one triangle
+  std::uint32_t crowdedEdges = 0;  ///< with more than two
+  std::uint32_t pinchedNodes = 0;  ///< where more than one fan of triangles meets
+  /// That do not face outward; known where nothing else keeps the surface from being filled.
+  std::uint32_t turnedTriangles = 0;
+  std::uint32_t regions = 0;  ///< bodies; known where isFillable
+  Vec3 low{0.0};              ///< the box of all used nodes
   Vec3 high{0.0};
   double area = 0.0;
   double volume = 0.0;  ///< of all regions, cavities left out; known where isFillable

@@ -17,8 +17,8 @@ namespace tetrafront {
 
 class BoundaryCheck::Impl {
  public:
-  Impl(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed)
-      : mesh_(mesh), source_(source), enclosed_(enclosed), report_(mesh, source) {}
+  Impl(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed, MixedTurns mixed)
+      : mesh_(mesh), source_(source), enclosed_(enclosed), mixed_(mixed), report_(mesh, source) {}
 
   bool advance(std::uint32_t budget) {
     switch (stage_) {
@@ -51,7 +51,7 @@ class BoundaryCheck::Impl {
         break;
       case Stage::kRegions:
         turnOutward();
-        numberRegions();
+        if (!report_.hasErrors()) numberRegions();
         stage_ = Stage::kReport;
         break;
       case Stage::kReport:
@@ -91,12 +91,16 @@ class BoundaryCheck::Impl {
 
   void turnOutward();
   void reportTurnedPatches(const std::vector<std::uint8_t>& isTurned);
-  void reportTurnedShells(const std::vector<std::uint8_t>& isTurned);
+  void reportTurnedParts(const std::vector<std::uint8_t>& isTurned);
+  [[nodiscard]] bool isWall(std::uint32_t triangle) const {
+    return cells_.isFilledAt(frontOf(triangle)) && cells_.isFilledAt(backOf(triangle));
+  }
   void numberRegions();
 
   SurfaceMesh& mesh_;
   BoundarySource source_;
   EnclosedBodies enclosed_;
+  MixedTurns mixed_;
   BoundaryReport report_;
   Stage stage_ = Stage::kNumbers;
   UnsoundTriangles unsound_;
@@ -121,7 +125,7 @@ void BoundaryCheck::Impl::turnOutward() {
   if (source_ == BoundarySource::kDrawnPatches) {
     reportTurnedPatches(isTurned);
   } else {
-    reportTurnedShells(isTurned);
+    reportTurnedParts(isTurned);
   }
 }
 
@@ -142,7 +146,7 @@ void BoundaryCheck::Impl::reportTurnedPatches(const std::vector<std::uint8_t>& i
                          report_.centreOf(first), {});
 }
 
-void BoundaryCheck::Impl::reportTurnedShells(const std::vector<std::uint8_t>& isTurned) {
+void BoundaryCheck::Impl::reportTurnedParts(const std::vector<std::uint8_t>& isTurned) {
   struct Count {
     std::uint32_t first = 0;
     std::uint32_t turned = 0;
@@ -152,12 +156,20 @@ void BoundaryCheck::Impl::reportTurnedShells(const std::vector<std::uint8_t>& is
   for (std::uint32_t t = 0; t < isTurned.size(); ++t) {
     if (cells_.partOf[t] == counts.size()) counts.emplace_back();
     Count& count = counts[cells_.partOf[t]];
-    ++count.all;
+    if (!isWall(t)) ++count.all;
     if (isTurned[t] == 0) continue;
     if (count.turned++ == 0) count.first = t;
   }
+  const auto isRefused = [this](const Count& count) {
+    return mixed_ == MixedTurns::kRefuse && count.turned > 0 && count.turned < count.all;
+  };
+  for (std::uint32_t t = 0; t < isTurned.size(); ++t) {
+    if (isTurned[t] != 0 && isRefused(counts[cells_.partOf[t]])) {
+      report_.addTriangle(DiagnosticCode::kTurnedTriangle, t);
+    }
+  }
   for (const Count& count : counts) {
-    if (count.turned == 0) continue;
+    if (count.turned == 0 || isRefused(count)) continue;
     report_.addInformation(DiagnosticCode::kReorientedPatch, {{EntityKind::kTriangle, count.first}},
                            report_.centreOf(count.first),
                            {static_cast<double>(count.turned), static_cast<double>(count.all)});
@@ -205,8 +217,9 @@ void BoundaryCheck::Impl::numberRegions() {
   }
 }
 
-BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed)
-    : impl_(std::make_unique<Impl>(mesh, source, enclosed)) {}
+BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed,
+                             MixedTurns mixed)
+    : impl_(std::make_unique<Impl>(mesh, source, enclosed, mixed)) {}
 BoundaryCheck::BoundaryCheck(BoundaryCheck&&) noexcept = default;
 BoundaryCheck& BoundaryCheck::operator=(BoundaryCheck&&) noexcept = default;
 BoundaryCheck::~BoundaryCheck() = default;

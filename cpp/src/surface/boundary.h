@@ -32,6 +32,13 @@ struct BoundaryResult {
   std::uint32_t regionCount = 0;
 };
 
+/// What becomes of a part of a given surface, connected over edges, some of whose triangles face
+/// inward and others outward. Parts that are inside out as a whole are always set right.
+enum class MixedTurns : std::uint8_t {
+  kSetRight,  ///< and named as information
+  kRefuse,    ///< each triangle that faces inward is an error: repair is for those who ask for it
+};
+
 /// The check in slices. Surfaces that pass are left
 ///   - with every triangle counter-clockwise seen from outside its region, whatever way it was drawn;
 ///     a wall, which has a region on either side, as it was drawn;
@@ -45,7 +52,8 @@ class BoundaryCheck {
  public:
   /// `mesh` must outlive this, and not change meanwhile.
   BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
-                EnclosedBodies enclosed = EnclosedBodies::kCavities);
+                EnclosedBodies enclosed = EnclosedBodies::kCavities,
+                MixedTurns mixed = MixedTurns::kSetRight);
   BoundaryCheck(BoundaryCheck&&) noexcept;
   BoundaryCheck& operator=(BoundaryCheck&&) noexcept;
   ~BoundaryCheck();

@@ -69,7 +69,8 @@ class SurfaceInspector::Impl {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.triangles.assign(triangles.begin(), triangles.end());
     given_ = mesh_.triangles;
-    check_.emplace(mesh_, BoundarySource::kGivenSurface);
+    check_.emplace(mesh_, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
+                   MixedTurns::kRefuse);
   }
 
   bool advance(std::uint32_t budget) {
@@ -89,6 +90,7 @@ class SurfaceInspector::Impl {
   void measureEdges(const EdgeTable& edges);
   void countPinchedNodes(const EdgeTable& edges);
   void measureTriangles();
+  void countTurnedTriangles();
   void measureShellsAndRegions();
 
   SurfaceMesh mesh_;
@@ -111,6 +113,7 @@ void SurfaceInspector::Impl::measure() {
   result_.isClosed = result_.openEdges == 0;
   result_.isManifold = result_.crowdedEdges == 0 && result_.pinchedNodes == 0;
   measureTriangles();
+  countTurnedTriangles();
   if (result_.isFillable) measureShellsAndRegions();
 }
 
@@ -182,6 +185,15 @@ void SurfaceInspector::Impl::measureTriangles() {
   }
 }
 
+/// None where the check went no further than to what keeps the surface from enclosing a volume.
+void SurfaceInspector::Impl::countTurnedTriangles() {
+  for (std::uint32_t t = 0; t < result_.triangles; ++t) {
+    if (given_[3 * std::size_t{t} + 1] != mesh_.triangles[3 * std::size_t{t} + 1]) {
+      ++result_.turnedTriangles;
+    }
+  }
+}
+
 void SurfaceInspector::Impl::measureShellsAndRegions() {
   const BoundaryResult& boundary = check_->result();
   result_.regions = boundary.regionCount;
@@ -193,11 +205,6 @@ void SurfaceInspector::Impl::measureShellsAndRegions() {
                               .isCavity = shell.volume < 0.0,
                               .area = shell.area,
                               .volume = std::fabs(shell.volume)});
-  }
-  for (std::uint32_t t = 0; t < result_.triangles; ++t) {
-    if (given_[3 * std::size_t{t} + 1] != mesh_.triangles[3 * std::size_t{t} + 1]) {
-      ++result_.turnedTriangles;
-    }
   }
 }
 

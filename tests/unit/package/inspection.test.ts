@@ -87,6 +87,27 @@ describe("a repair", () => {
     expect(given).toEqual(copy);
   });
 
+  test("turns triangles on request only, and lists each; without it they are refused, each", async () => {
+    const wrong = [3, 7, 8];
+    const triangles = box.triangles.slice();
+    for (const t of wrong) triangles.set([box.triangles[3 * t + 1] ?? 0, box.triangles[3 * t] ?? 0], 3 * t);
+    const given = { points: box.points, triangles };
+    const codes = (found: readonly Diagnostic[]) =>
+      found.map(({ code, entities }) => [code, entities[0]?.index]);
+    const errors = wrong.map((t) => ["turned-triangle", t]);
+    const { report } = await mesher.fillSurface(given);
+    expect([report.status, codes(report.diagnostics)]).toEqual(["invalid-input", errors]);
+    expect(report.diagnostics[0]?.remedy).toMatch(/--repair/);
+    const found = await mesher.inspectSurface(given);
+    expect(found).toMatchObject({ isFillable: false, isClosed: true, isManifold: true, turnedTriangles: 3 });
+    expect(codes(found.diagnostics)).toEqual(errors);
+    const { surface, changes } = await mesher.repairSurface(given);
+    expect(changes.map((change) => (change.kind === "turned-triangle" ? change.triangle : -1))).toEqual(
+      wrong,
+    );
+    expect((await mesher.fillSurface(surface)).report).toMatchObject({ status: "done", diagnostics: [] });
+  });
+
   test("lists what it has welded, removed, filled and turned", async () => {
     const corners = [...box.triangles].map((node) => [...box.points.subarray(3 * node, 3 * node + 3)]);
     const soup = { points: Float64Array.from(corners.flat()), triangles: box.triangles.map((_, h) => h) };

@@ -91,7 +91,12 @@ describe("ruined surfaces", () => {
         const { surface } = once as Awaited<ReturnType<Mesher["repairSurface"]>>;
         const { diagnostics } = await mesher.inspectSurface(surface);
         const left = new Set(diagnostics.map(({ code }) => code));
-        for (const code of ["duplicate-triangle", "degenerate-triangle", "coincident-nodes"] as const) {
+        for (const code of [
+          "duplicate-triangle",
+          "degenerate-triangle",
+          "coincident-nodes",
+          "turned-triangle",
+        ] as const) {
           expect(left.has(code), `seed ${seed}: ${code}`).toBe(false);
         }
       }
