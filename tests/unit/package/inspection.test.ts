@@ -1,5 +1,12 @@
 /** Surfaces and meshes as they come: inspected, repaired on request, every finding and change listed. */
-import { createMesher, MesherError, NO_ORIGIN, type Mesher, type SurfaceInput } from "tetrafront";
+import {
+  createMesher,
+  MesherError,
+  NO_ORIGIN,
+  type Diagnostic,
+  type Mesher,
+  type SurfaceInput,
+} from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { enclosedVolume } from "../../support/check-mesh.js";
