@@ -2,13 +2,19 @@
  * Walks through a file while it arrives. A window on it is kept in memory: `fill` makes it reach at least
  * LOOKAHEAD bytes ahead, or to the end of the file; all other calls are plain functions on the window, so
  * that a number costs no promise. Readers call `fill` where `isLow` says so, once per entry (a point, a face).
+ *
+ * Lines end with a line feed, a carriage return or both. A byte-order mark of UTF-8 before a word or a line is white
+ * space: files begin with one, and where such files were joined it stands inside.
  */
 import { failureAt, ReadFailure, type FilePlace } from "../read-result.js";
 import { piecesOf, type ByteSource } from "./byte-source.js";
 import { decimalIn } from "./decimal.js";
 
 const LINE_FEED = 10;
+const CARRIAGE_RETURN = 13;
 const SPACE = 32;
+/** The byte-order mark in UTF-8. */
+const MARK = [0xef, 0xbb, 0xbf] as const;
 /** An entry of a file may be as long as this; a face of ten thousand corners is. */
 const LOOKAHEAD = 1 << 18;
 /** As much is asked for at once, so that what is left of the window is seldom moved. */
@@ -41,6 +47,8 @@ export class ByteReader {
   #lastLine = 1;
   /** Whether all that was read is text, whose places are best told by their lines. */
   #isText = true;
+  /** Whether a line that was read ended with a carriage return alone. */
+  #hasLoneReturns = false;
   #isWhole = false;
   readonly #pieces: AsyncIterator<Uint8Array>;
   readonly #comment: number;
@@ -119,7 +127,7 @@ export class ByteReader {
 
   /** The next `count` bytes; fewer at the end of the file. Memory grows with the file, not with `count`. */
   async bytes(count: number): Promise<Uint8Array<ArrayBuffer>> {
-    this.#isText = false;
+    this.#leaveText();
     const parts: Uint8Array[] = [];
     let length = 0;
     while (length < count) {
@@ -208,11 +216,12 @@ export class ByteReader {
     this.#at = this.#lineEnd();
   }
 
-  /** The rest of this line without blanks around it; the place is then the begin of the next. */
+  /** The rest of this line without blanks (for `trim` a byte-order mark is one) around it; the place is then the begin of the next. */
   line(): string {
     const end = this.#lineEnd();
     const text = textOf(this.#bytes.subarray(this.#at, end));
-    this.#at = Math.min(end + 1, this.#bytes.length);
+    this.#at = end;
+    if (end < this.#bytes.length) this.#passLineEnd();
     this.#lastLine = this.#line++;
     return text.trim();
   }
@@ -220,8 +229,8 @@ export class ByteReader {
   /** Moves behind the line end that closes the words before binary numbers. */
   endLine(): void {
     this.#skipBlanks(false);
-    if (this.#bytes[this.#at] !== LINE_FEED) this.fail("the line should end here");
-    this.#at++;
+    if (!this.#isLineEnd(this.#at)) this.fail("the line should end here");
+    this.#passLineEnd();
     this.#lastLine = this.#line++;
   }
 
@@ -283,15 +292,34 @@ export class ByteReader {
   /** Moves on within the window over lines that are not looked at. */
   #moveTo(at: number): void {
     if (this.#isText) {
-      let end = this.#bytes.indexOf(LINE_FEED, this.#at);
-      for (; end >= 0 && end < at; end = this.#bytes.indexOf(LINE_FEED, end + 1)) this.#line++;
+      for (let end = this.#at; end < at; end++) if (this.#isLineEnd(end)) this.#line++;
     }
     this.#at = at;
     this.#lastLine = this.#line;
   }
 
-  #advance(bytes: number): number {
+  /** A carriage return before a line feed is a blank. */
+  #isLineEnd(at: number): boolean {
+    const byte = this.#bytes[at];
+    return byte === LINE_FEED || (byte === CARRIAGE_RETURN && this.#bytes[at + 1] !== LINE_FEED);
+  }
+
+  #passLineEnd(): void {
+    if (this.#bytes[this.#at++] === CARRIAGE_RETURN) this.#hasLoneReturns = true;
+  }
+
+  /** From here on numbers are binary. */
+  #leaveText(): void {
+    if (!this.#isText) return;
+    if (this.#hasLoneReturns) {
+      // The first byte of a number may be a line feed: the two would be taken for one line end.
+      this.fail("binary numbers cannot follow lines that end with carriage returns alone");
+    }
     this.#isText = false;
+  }
+
+  #advance(bytes: number): number {
+    this.#leaveText();
     if (this.#bytes.length - this.#at < bytes) this.fail("the file ends in the middle of a number");
     this.#at += bytes;
     return this.#at - bytes;
@@ -302,13 +330,18 @@ export class ByteReader {
     for (; this.#at < bytes.length; this.#at++) {
       const byte = bytes[this.#at] ?? 0;
       if (byte > SPACE) {
+        if (byte === MARK[0] && startsWithMark(bytes, this.#at)) {
+          this.#at += MARK.length - 1;
+          continue;
+        }
         if (byte !== this.#comment) break;
         const begin = this.#at + 1;
         this.skipLine();
         if (this.#at - begin < HEARD) this.#heard?.(textOf(bytes.subarray(begin, this.#at)));
         this.#at--;
-      } else if (byte === LINE_FEED) {
+      } else if ((byte === LINE_FEED || byte === CARRIAGE_RETURN) && this.#isLineEnd(this.#at)) {
         if (!alsoLineEnds) break;
+        if (byte === CARRIAGE_RETURN) this.#hasLoneReturns = true;
         this.#line++;
       }
     }
@@ -328,10 +361,11 @@ export class ByteReader {
   }
 
   #lineEnd(): number {
-    const end = this.#bytes.indexOf(LINE_FEED, this.#at);
-    if (end >= 0) return end;
-    this.#checkEdge();
-    return this.#bytes.length;
+    let end = this.#at;
+    while (end < this.#bytes.length && !this.#isLineEnd(end)) end++;
+    // What follows the last byte is not known.
+    if (end + 1 >= this.#bytes.length && this.#bytes[end] !== LINE_FEED) this.#checkEdge();
+    return end;
   }
 
   /** The end of the window must be that of the file. */
@@ -359,8 +393,13 @@ export class ByteReader {
   }
 }
 
+function startsWithMark(bytes: Uint8Array, at = 0): boolean {
+  return MARK.every((byte, i) => bytes[at + i] === byte);
+}
+
+/** Every byte leaves something, for "" means that there was none. */
 function textOf(bytes: Uint8Array): string {
-  return new TextDecoder().decode(bytes);
+  return new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
 }
 
 function indexOf(bytes: Uint8Array, wanted: Uint8Array, from: number): number {

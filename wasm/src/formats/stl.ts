@@ -26,7 +26,7 @@ const REMEDY = "Export the surface again; the file is damaged or is not STL.";
 export function readStl(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => {
     const head = reader.peek(SNIFFED_BYTES);
-    const startsLikeText = /^\s*solid/i.test(String.fromCharCode(...head.subarray(0, HEADER_BYTES)));
+    const startsLikeText = /^\s*solid/i.test(new TextDecoder().decode(head.subarray(0, HEADER_BYTES)));
     if (startsLikeText && !head.includes(0)) return readText(reader);
     if (head.length < HEADER_BYTES + COUNT_BYTES) {
       throw failureAt({ offset: head.length }, "the file ends here, with too few bytes for STL", REMEDY);

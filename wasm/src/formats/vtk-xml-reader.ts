@@ -17,6 +17,9 @@ const VTK_STRIP = 6;
 /** Sections in which arrays are looked for. Those of cells in polygon files are named by their kind. */
 const SECTIONS = new Set(["Points", "Cells", "Verts", "Lines", "Strips", "Polys", "PointData", "CellData"]);
 
+/** A tag, in whose values there may be what ends it elsewhere. */
+const TAG = /<(\/?)([A-Za-z]+)((?:"[^"<]*"|'[^'<]*'|[^<>"'])*)>/g;
+
 type Attributes = ReadonlyMap<string, string>;
 
 /** An array before its numbers are read. */
@@ -110,7 +113,7 @@ function unescaped(line: string): string {
 
 /** `at`: a character, counted as a line up to where data that are no text begin. */
 function failIn(text: string, message: string, at: number, dataBegin = Infinity): never {
-  const place = at < dataBegin ? { line: text.slice(0, at).split("\n").length } : { offset: at };
+  const place = at < dataBegin ? { line: text.slice(0, at).split(/\r\n?|\n/).length } : { offset: at };
   throw failureAt(place, message, REMEDY);
 }
 
@@ -276,7 +279,7 @@ function readHead(text: string): Head {
   let file: Attributes | undefined;
   const pieces: Piece[] = [];
   let section = "";
-  for (const match of text.matchAll(/<(\/?)([A-Za-z]+)([^<>]*)>/g)) {
+  for (const match of text.matchAll(TAG)) {
     const [tag, slash, name = "", rest = ""] = match;
     const end = match.index + tag.length;
     const attributes = attributesIn(rest);
@@ -320,15 +323,10 @@ function checkedHead(
   return { file, pieces, appended };
 }
 
-/** name="value" pairs; between quotes there are names, within them values. */
+/** name="value" pairs, or name='value'. */
 function attributesIn(text: string): Attributes {
-  const parts = text.split('"');
-  const attributes = new Map<string, string>();
-  for (let i = 0; i + 1 < parts.length; i += 2) {
-    const name = (parts[i] ?? "").replace("=", "").trim();
-    attributes.set(name, parts[i + 1] ?? "");
-  }
-  return attributes;
+  const pairs = text.matchAll(/([^\s="']{1,100})\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
+  return new Map([...pairs].map(([, name = "", double, single]) => [name, double ?? single ?? ""]));
 }
 
 function codingOf(

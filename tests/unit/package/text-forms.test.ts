@@ -1,0 +1,156 @@
+/** Text as editors and shells leave it: byte-order marks, line ends of any kind, files joined to one. */
+import { extensionsThat, FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { plyBinary } from "../../support/surface-files.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+const MARK = "\u{feff}";
+
+/** The surface of a tetrahedron in every format that may be text; a patch has a name where the format has a place. */
+const POINTS = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+const FACES = ["0 2 1", "0 1 3", "1 2 3", "2 0 3"];
+const eachPoint = (line: (point: string, p: number) => string) => `${POINTS.map(line).join("\n")}\n`;
+const eachFace = (line: (face: string, f: number) => string) => `${FACES.map(line).join("\n")}\n`;
+const from1 = (face: string) => face.replace(/\d/g, (node) => String(Number(node) + 1));
+const poly = `# patch 3 in let\n4 3 0 0\n${eachPoint((point, p) => `${p} ${point}`)}`;
+const vtkXml = (type: string, cells: string) => `<?xml version="1.0"?>\n<!--patch 3 in let-->\n
+<VTKFile type="${type}" version="1.0" byte_order="LittleEndian"><${type}>
+<Piece NumberOfPoints="4" NumberOfPolys="4" NumberOfCells="4">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">\n${POINTS.join("\n")}\n</DataArray></Points>
+${cells}\n<CellData><DataArray type="Int32" Name="patch" format="ascii">\n3 3 3 3\n</DataArray></CellData>
+</Piece></${type}></VTKFile>\n`;
+const vtkCells = `<DataArray type="Int32" Name="connectivity" format="ascii">\n${FACES.join("\n")}\n</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">3\n6\n9 12\n</DataArray>`;
+const msh = (version: string, nodes: string, elements: string) =>
+  `$MeshFormat\n${version} 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 3 "in let"\n$EndPhysicalNames\n${
+    version === "2.2" ? "" : "$Entities\n0 0 1 0\n1 0 0 0 1 1 1 1 3 0\n$EndEntities\n"
+  }$Nodes\n${nodes}$EndNodes\n$Elements\n${elements}$EndElements\n`;
+const msh2 = msh(
+  "2.2",
+  `4\n${eachPoint((point, p) => `${p + 1} ${point}`)}`,
+  `4\n${eachFace((face, f) => `${f + 1} 2 2 3 1 ${from1(face)}`)}`,
+);
+
+const TEXTS: Readonly<Record<string, string>> = {
+  ".stl": `solid in let\n${eachFace(
+    (face) =>
+      `facet normal 0 0 0\nouter loop\n${face.replace(/(\d) ?/g, (_, node: string) => `vertex ${POINTS[Number(node)]}\n`)}endloop\nendfacet`,
+  )}endsolid in let\n`,
+  ".off": `# patch 3 in let\nOFF\n4 4 6\n${eachPoint((point) => point)}${eachFace((face) => `3 ${face}`)}`,
+  ".obj": `# a comment\n${eachPoint((point) => `v ${point}`)}usemtl in let\n${eachFace((face) => `f ${from1(face)}`)}`,
+  ".ply": `ply\nformat ascii 1.0\ncomment patch 3 in let\nelement vertex 4\nproperty double x\nproperty double y
+property double z\nelement face 4\nproperty list uchar int vertex_indices\nend_header
+${eachPoint((point) => point)}${eachFace((face) => `3 ${face}`)}`,
+  ".vtu": vtkXml(
+    "UnstructuredGrid",
+    `<Cells>${vtkCells}<DataArray type="UInt8" Name="types" format="ascii">5 5\n5 5</DataArray></Cells>`,
+  ),
+  ".vtp": vtkXml("PolyData", `<Polys>${vtkCells}</Polys>`),
+  ".msh": msh(
+    "4.1",
+    `1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n${eachPoint((point) => point)}`,
+    `1 4 1 4\n2 1 2 4\n${eachFace((face, f) => `${f + 1} ${from1(face)}`)}`,
+  ),
+  ".msh2": msh2,
+  ".vtk": `# vtk DataFile Version 3.0\npatch 3 in let\nASCII\nDATASET POLYDATA\nPOINTS 4 double\n${eachPoint(
+    (point) => point,
+  )}METADATA\nINFORMATION 0\n\nPOLYGONS 4 16\n${eachFace((face) => `3 ${face}`)}`,
+  ".mesh": `# patch 3 in let\nMeshVersionFormatted 2\nDimension 3\nVertices\n4\n${eachPoint(
+    (point) => `${point} 0`,
+  )}Triangles\n4\n${eachFace((face) => `${from1(face)} 3`)}End\n`,
+  ".smesh": `${poly}4 1\n${eachFace((face) => `3 ${face} 3`)}0\n0\n`,
+  ".poly": `${poly}4 1\n${eachFace((face) => `1 0 3\n3 ${face}`)}0\n0\n`,
+  ".face": `4 1\n${eachFace((face, f) => `${f} ${face} 3`)}`,
+};
+/** Beside the others; without a face of its own. */
+const NODES = poly;
+
+async function meshIn(extension: string, change: (text: string) => string): Promise<FileMesh> {
+  const encode = (text: string) => new TextEncoder().encode(change(text));
+  const read = await readMesh(encode(TEXTS[extension] ?? ""), {
+    fileName: `a${extension}`,
+    openOther: (name) => Promise.resolve(name === "a.node" ? encode(NODES) : undefined),
+  });
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+test("there is a text for every format of surfaces", () => {
+  expect(Object.keys(TEXTS).sort()).toEqual([...extensionsThat("reads", "surface")].sort());
+});
+
+describe.each(Object.keys(TEXTS))("text of %s", (extension) => {
+  test.each<[string, (text: string) => string]>([
+    ["a byte-order mark", (text) => MARK + text],
+    ["carriage returns alone", (text) => text.replaceAll("\n", "\r")],
+    ["carriage returns before line feeds", (text) => text.replaceAll("\n", "\r\n")],
+    ["a byte-order mark and carriage returns", (text) => MARK + text.replaceAll("\n", "\r")],
+    ["no line end at its end", (text) => text.trimEnd()],
+  ])("with %s is the same", async (_, change) => {
+    const plain = await meshIn(extension, (text) => text);
+    expect(plain.triangles).toHaveLength(12);
+    expect(plain.patches.map(({ name }) => name)).toEqual(["in let"]);
+    expect(await meshIn(extension, change)).toEqual(plain);
+  });
+
+  test("with line ends of carriage returns tells the same line", async () => {
+    const broken = (end: string) => async () => {
+      await meshIn(extension, (text) => text.replace(/0 1 0(?=[^]*$)/, "0 x 0").replaceAll("\n", end));
+    };
+    const message = await broken("\n")().then(String, String);
+    expect(message).toMatch(/line \d+/);
+    expect(await broken("\r")().then(String, String)).toBe(message);
+  });
+});
+
+test.each([".vtu", ".vtp"])(
+  "values of %s are in quotes of either kind, and may hold what ends a tag",
+  async (extension) => {
+    const plain = await meshIn(extension, (text) => text);
+    const single = (text: string) => text.replaceAll('"', "'");
+    const odd = (text: string) =>
+      text.replace("<Points><DataArray", `<Points><DataArray Name = 'it is "a > b"/'`);
+    for (const change of [single, odd, (text: string) => odd(single(text))]) {
+      expect(await meshIn(extension, change)).toEqual(plain);
+    }
+  },
+);
+
+test.each([".obj", ".stl"])("files %s joined to one are read to the end", async (extension) => {
+  for (const end of ["\n", "\r", "\r\n"]) {
+    const one = await meshIn(extension, (text) => text);
+    for (const marked of [MARK, `${MARK}${MARK} # more\n`.slice(0, extension === ".obj" ? undefined : 1)]) {
+      const two = await meshIn(extension, (text) => text + marked + text.replaceAll("\n", end));
+      expect(two.trianglePatch).toHaveLength(2 * one.trianglePatch.length);
+    }
+  }
+});
+
+test("a file of byte-order marks alone holds nothing", async () => {
+  const read = await readMesh(new TextEncoder().encode(MARK), { fileName: "a.obj" });
+  expect(read.success).toBe(false);
+});
+
+describe("binary numbers behind lines that end with carriage returns alone are refused", () => {
+  const withReturns = (bytes: Uint8Array, lines: number) => {
+    for (let i = 0, line = 0; line < lines; i++) if (bytes[i] === 10 && ++line > 0) bytes[i] = 13;
+    return bytes;
+  };
+  test.each([
+    [".ply", () => withReturns(plyBinary(boxSurface(1), true), 11)],
+    [
+      ".vtk",
+      async () => withReturns((await writeMesh(blockMesh(), "a.vtk"))[0]?.bytes ?? new Uint8Array(), 5),
+    ],
+    [
+      ".msh",
+      async () => withReturns((await writeMesh(blockMesh(), "a.msh"))[0]?.bytes ?? new Uint8Array(), 2),
+    ],
+  ])("in %s", async (extension, bytes) => {
+    expect(FILE_FORMATS.some(({ extensions }) => extensions.includes(extension))).toBe(true);
+    const read = await readMesh(await bytes(), { fileName: `a${extension}` });
+    expect(read.success ? "read" : read.problems[0].message).toMatch(/carriage returns alone/);
+  });
+});
