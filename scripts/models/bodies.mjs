@@ -79,7 +79,7 @@ function coreInShell() {
   ball(builder, 1, "shell outside", true);
   ball(builder, 0.74, "shell inside", false);
   ball(builder, 0.52, "core", true);
-  uniform(builder, [-1.5, -1.5, -1.5], 9, 0.14);
+  uniform(builder, [-1.5, -1.5, -1.5], 9, 0.123);
   return builder;
 }
 

@@ -109,9 +109,9 @@ function engineIntake() {
   const loop = [...keel, lower, ...turned(below), ...above, -upper, ...turned(crown), inletMid];
   builder.planar("symmetry plane", loop);
   halfPrismsAlongAxis(builder, [
-    { x: -0.2, inner: 0.345, outer: 0.345, reach: 2.4 },
-    { x: noseAt, inner: 0.013, outer: 0.334, reach: 2.4 },
-    { x: length + 0.2, inner: 0.132, outer: 0.273, reach: 2.4 },
+    { x: -0.2, inner: 0.35, outer: 0.35, reach: 2.4 },
+    { x: noseAt, inner: 0.013, outer: 0.34, reach: 2.4 },
+    { x: length + 0.2, inner: 0.135, outer: 0.28, reach: 2.4 },
   ]);
   return builder;
 }

@@ -223,10 +223,10 @@ function missileLauncher() {
   surroundings(builder, missileLines, railLines, pylonLines);
   const reach = 4.5;
   halfPrismsAlongAxis(builder, [
-    { x: -1.8, inner: 0.39, outer: 0.58, reach },
-    { x: 0, inner: 0.045, outer: 0.74, reach },
-    { x: tail, inner: 0.079, outer: 0.74, reach },
-    { x: 6.2, inner: 0.44, outer: 0.58, reach },
+    { x: -1.8, inner: 0.4, outer: 0.57, reach },
+    { x: 0, inner: 0.046, outer: 0.76, reach },
+    { x: tail, inner: 0.079, outer: 0.76, reach },
+    { x: 6.2, inner: 0.46, outer: 0.57, reach },
   ]);
   return builder;
 }

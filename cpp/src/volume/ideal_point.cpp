@@ -41,7 +41,8 @@ UnitSpace unitSpaceOf(const Front& front, const NodeTriple& nodes, const SizeFie
 }
 
 IdealPoint placeIdealPoint(const BaseFace& base, double wantedEdge) {
-  const double h = std::clamp(wantedEdge, kMinSizePerBase * base.size, kMaxSizePerBase * base.size);
+  const double h = std::clamp(kEdgeAimedAt * wantedEdge, kMinSizePerBase * base.size,
+                              kMaxSizePerBase * base.size);
   const Vec3 ab = base.b - base.a;
   const Vec3 bc = base.c - base.b;
   const Vec3 ca = base.a - base.c;

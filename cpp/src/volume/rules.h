@@ -35,6 +35,10 @@ inline constexpr double kMaxSizePerBase = 2.0;
 /// The field is asked this far in front of the centroid, in units of the face's size.
 inline constexpr double kFieldLookAhead = 0.4;
 
+/// New edges aim at this part of the wanted length: nodes that find no room there take existing ones
+/// farther away, so that the mean edge comes out longer than the one aimed at.
+inline constexpr double kEdgeAimedAt = 0.97;
+
 /// The ideal point stands sqrt(h^2 - R^2) above the centroid, R the base's circumradius within
 /// these bounds, and never lower than the least height.
 inline constexpr double kMinCircumradius = 0.4;

@@ -79,13 +79,15 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
   test("is meshed well", async () => {
     const result = await meshOf(id);
     expectValid(result);
-    const { diagnostics, dihedral, radiusRatio, tetrahedra } = result.report;
+    const { diagnostics, dihedral, quality, radiusRatio, tetrahedra } = result.report;
     expect(diagnostics.filter(({ severity }) => severity === "warning")).toEqual([]);
     expect(diagnostics.map(({ code }) => code)).not.toContain("reoriented-patch");
     expect(tetrahedra).toBeGreaterThan(1000);
     // Stretched elements are flat by intention; 4 in 1 leaves some 10 degrees.
     expect(dihedral.min).toBeGreaterThan(isStretched(projectOf(id)) ? 5 : 28);
     expect(radiusRatio.mean).toBeGreaterThan(isStretched(projectOf(id)) ? 0.7 : 0.85);
+    expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
+    expect(quality.edges.nearWanted).toBeGreaterThan(0.95);
   });
 });
 
