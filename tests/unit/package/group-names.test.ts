@@ -120,3 +120,38 @@ test("lines of faces in OFF that do not fit the faces are nothing but comments",
     expect(read.success && read.value.patches).toHaveLength(1);
   }
 });
+
+/** Told as "old" as "new". */
+const told = (notes: string) =>
+  new Map([...notes.matchAll(/"([^"]*)" as "([^"]*)"/g)].map(([, was = "", is = ""]) => [was, is]));
+
+test.each([
+  [".su2", /^[\p{L}\p{M}\p{N}_.+-]+$/u, /^MARKER_TAG= (.*)$/gm],
+  [".inp", /^[A-Za-z]\w*$/, /^\*NSET, NSET=(.*)$/gm],
+])(
+  "%s has names that can be used, each of its own, and says which are not as they were",
+  async (end, usable, line) => {
+    const odd = ["in (1)", "in {1}", "a:b,c%d;e", "none", "Süd", "plain"];
+    const [file] = await writeMesh(
+      { ...named, patches: odd.map((name, p) => ({ name, tag: p + 1 })) },
+      `a${end}`,
+    );
+    const text = new TextDecoder().decode(file?.bytes);
+    const names = [...text.matchAll(line)].map(([, name = ""]) => name);
+    expect(names).toHaveLength(odd.length);
+    expect(new Set(names.map((name) => name.toLowerCase())).size).toBe(odd.length);
+    for (const name of names) expect(name).toMatch(usable);
+    if (end === ".su2") expect(names).not.toContain("none");
+    const changed = told(file?.notes.map(({ message }) => message).join("\n") ?? "");
+    expect(odd.map((name) => changed.get(name) ?? name)).toEqual(names);
+  },
+);
+
+test("binary STL tells patches whose names it leaves out by the numbers that are in the file", async () => {
+  const [file] = await writeMesh({ ...named, patches: named.patches.map(long) }, "a.stl");
+  const view = new DataView(file?.bytes.buffer ?? new ArrayBuffer(0));
+  for (const [t, patch] of named.trianglePatch.entries()) {
+    const number = view.getUint16(84 + 50 * t + 48, true);
+    expect(file?.notes[0]?.message).toContain(`${number} for "${NAMES[patch]} very`);
+  }
+});

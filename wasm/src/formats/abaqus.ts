@@ -5,6 +5,7 @@
  * left to the user.
  */
 import { joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
 import { numberRows } from "./number-rows.js";
@@ -18,9 +19,9 @@ const PER_LINE = 16;
 const NAMING: Naming = { plain: plainName, longest: 72, isCaseless: true };
 
 /** The bytes of an Abaqus input file. Triangles of no tetrahedron are in the node sets only. */
-export function writeAbaqus(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const regions = regionGroups(mesh, NAMING);
-  const patches = patchGroups(mesh, NAMING);
+export function writeAbaqus(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const regions = regionGroups(mesh, { ...NAMING, note });
+  const patches = patchGroups(mesh, { ...NAMING, note });
   return joinBytes([
     "*HEADING\nTetrafront\n*NODE\n",
     ...numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${row.join(", ")}`),

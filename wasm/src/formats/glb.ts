@@ -4,6 +4,7 @@
  */
 import { boundaryOf, colorsOf } from "./boundary.js";
 import { joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, type Group } from "./groups.js";
 
@@ -18,9 +19,9 @@ const FLOAT = 5126;
 const UNSIGNED_INT = 5125;
 
 /** The bytes of a GLB file. A surface without triangles is a scene without a mesh. */
-export function writeGlb(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeGlb(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const surface = boundaryOf(mesh);
-  const groups = patchGroups(surface);
+  const groups = patchGroups(surface, { note });
   const places = littleEndian(surface.points, (view, at, value) => view.setFloat32(at, value, true));
   const indices = groups.map(({ nodes }) =>
     littleEndian(nodes, (view, at, value) => view.setUint32(at, value, true)),

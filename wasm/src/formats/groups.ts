@@ -26,6 +26,8 @@ export interface Naming {
   readonly longest?: number;
   /** Whether capitals and small letters are the same to it. */
   readonly isCaseless?: boolean;
+  /** Is told of names that are written otherwise than they were given. */
+  readonly note?: Note;
 }
 
 /** The triangles by patch; patches without triangles get no group. */
@@ -58,11 +60,20 @@ function groupsOf(
   });
   const tags = tagsOf(groups);
   const taken = new Set<string>();
-  return split.flatMap((own, owner) => {
+  const changed: string[] = [];
+  const named = split.flatMap((own, owner) => {
     if (own.length === 0) return [];
-    const name = uniqueName(groups[owner]?.name, `${word} ${owner + 1}`, taken, naming);
+    const group = groups[owner] ?? { name: "", tag: 0 };
+    const name = uniqueName(group.name, `${word} ${owner + 1}`, taken, naming);
+    if (name !== group.name && !isPlain(group)) changed.push(`"${group.name}" as "${name}"`);
     return [{ kind, tag: tags[owner] ?? 0, name, nodes: own }];
   });
+  if (changed.length > 0) {
+    naming.note?.(
+      `names of ${word === "patch" ? "patches" : "regions"} are written as the format takes them: ${changed.join(", ")}`,
+    );
+  }
+  return named;
 }
 
 /** The groups' own tags where they can stand in any format; else from 1 in order. */
@@ -108,9 +119,8 @@ export function isPlain({ name, tag }: FileGroup): boolean {
   );
 }
 
-/** For formats without a place for names. */
-export function noteNames(groups: readonly FileGroup[], note: Note): void {
-  const tags = tagsOf(groups);
-  const named = groups.flatMap((group, g) => (isPlain(group) ? [] : [`${tags[g]} for "${group.name}"`]));
+/** For formats without a place for names. `numbers`: what the file has instead. */
+export function noteNames(groups: readonly FileGroup[], note: Note, numbers = tagsOf(groups)): void {
+  const named = groups.flatMap((group, g) => (isPlain(group) ? [] : [`${numbers[g]} for "${group.name}"`]));
   if (named.length > 0) note(`names are left out, their numbers stand for them: ${named.join(", ")}`);
 }

@@ -4,6 +4,7 @@
  * the groups carry the user's names, for boundary conditions.
  */
 import { joinBytes, widened } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
 
@@ -11,10 +12,10 @@ import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js"
 export const GMSH_NAMING: Naming = { longest: 127 };
 
 /** The bytes of an MSH file. */
-export function writeMsh(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeMsh(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points } = mesh;
-  const patches = patchGroups(mesh, GMSH_NAMING);
-  const regions = regionGroups(mesh, GMSH_NAMING);
+  const patches = patchGroups(mesh, { ...GMSH_NAMING, note });
+  const regions = regionGroups(mesh, { ...GMSH_NAMING, note });
   const groups = [...patches, ...regions];
   return joinBytes([
     // 1: binary, 8: bytes of a size_t; the number 1 that follows tells the byte order.

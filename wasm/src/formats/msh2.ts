@@ -3,6 +3,7 @@
  * and as entity; the groups carry the names.
  */
 import { IS_LITTLE_ENDIAN, joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
 import { GMSH_NAMING, physicalNames } from "./msh.js";
@@ -11,8 +12,11 @@ import { GMSH_NAMING, physicalNames } from "./msh.js";
 const NODE_BYTES = 4 + 3 * 8;
 
 /** The bytes of an MSH file. */
-export function writeMsh2(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const groups = [...patchGroups(mesh, GMSH_NAMING), ...regionGroups(mesh, GMSH_NAMING)];
+export function writeMsh2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const groups = [
+    ...patchGroups(mesh, { ...GMSH_NAMING, note }),
+    ...regionGroups(mesh, { ...GMSH_NAMING, note }),
+  ];
   const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
   return joinBytes([
     // 1: binary, 8: bytes of a coordinate; the number 1 that follows tells the byte order.

@@ -5,14 +5,15 @@
  * the user.
  */
 import { joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
 import { numberRows } from "./number-rows.js";
 
 /** The bytes of a bulk data file. Properties are numbered from 1 through regions and patches. */
-export function writeNastran(mesh: FileMesh): Uint8Array<ArrayBuffer> {
-  const regions = regionGroups(mesh);
-  const patches = patchGroups(mesh);
+export function writeNastran(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const regions = regionGroups(mesh, { note });
+  const patches = patchGroups(mesh, { note });
   return joinBytes([
     "$ Tetrafront\nCEND\nBEGIN BULK\n",
     ...numberRows(mesh.points, 3, (row, i) => gridCard(i + 1, row)),

@@ -54,7 +54,7 @@ export function writeOpenFoam(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffe
     owner: list("labelList", "owner", owners.length, labels(owners), counts),
     neighbour: list("labelList", "neighbour", poly.neighbours.length, labels(poly.neighbours), counts),
     boundary: list("polyBoundaryMesh", "boundary", poly.patches.length, poly.patches.map(patchEntry)),
-    cellZones: cellZones(mesh),
+    cellZones: cellZones(mesh, note),
     faceZones: list("regIOobject", "faceZones", poly.zones.length, poly.zones.map(zoneEntry)),
   };
   const named: Zippable = {};
@@ -71,7 +71,7 @@ function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
   inner.forEach((face, position) => positions.set(face, position));
   const patches: FaceRange[] = [];
   const zones: { name: string; faces: Uint32Array }[] = [];
-  const names = namesOf(mesh);
+  const names = namesOf(mesh, note);
   const byPatch = trianglesByPatch(mesh);
   byPatch.forEach((own, patch) => {
     const sides = own.map((t) => found.faceOfTriangle[t] ?? NONE).filter((face) => face !== NONE);
@@ -129,9 +129,9 @@ function trianglesByPatch({ trianglePatch, patches }: FileMesh): number[][] {
 }
 
 /** Words as OpenFOAM takes them, by position of the patch; patches without triangles have none. */
-function namesOf(mesh: FileMesh): (string | undefined)[] {
+function namesOf(mesh: FileMesh, note: Note): (string | undefined)[] {
   const used = new Set(mesh.trianglePatch);
-  const names = patchGroups(mesh, { plain: word }).map(({ name }) => name);
+  const names = patchGroups(mesh, { plain: word, note }).map(({ name }) => name);
   return mesh.patches.map((_, patch) => (used.has(patch) ? names.shift() : undefined));
 }
 
@@ -177,11 +177,11 @@ function zoneEntry({ name, faces }: { readonly name: string; readonly faces: Uin
   );
 }
 
-function cellZones(mesh: FileMesh): Uint8Array {
+function cellZones(mesh: FileMesh, note: Note): Uint8Array {
   const cells: number[][] = mesh.regions.map(() => []);
   mesh.tetrahedronRegion.forEach((region, cell) => cells[region]?.push(cell));
   const filled = cells.filter((own) => own.length > 0);
-  const entries = regionGroups(mesh, { plain: word }).map(({ name }, r) => {
+  const entries = regionGroups(mesh, { plain: word, note }).map(({ name }, r) => {
     const own = Uint32Array.from(filled[r] ?? []);
     return `${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n${labels(own).join("")});\n}\n`;
   });

@@ -30,21 +30,27 @@ export function writeStl(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     for (const row of [normalOf(corners), ...corners]) {
       for (let axis = 0; axis < 3; axis++, at += 4) view.setFloat32(at, row[axis] ?? 0, true);
     }
-    const patch = trianglePatch[t] ?? 0;
-    view.setUint16(at, patch <= MOST_ATTRIBUTES ? patch : 0, true);
+    view.setUint16(at, attributeOf(trianglePatch[t] ?? 0), true);
   }
   return bytes;
 }
 
+function attributeOf(patch: number): number {
+  return patch <= MOST_ATTRIBUTES ? patch : 0;
+}
+
 /** Never the word "solid" at its begin, which begins text, and no zero, nor "COLOR=", which has a meaning. */
 function header({ patches }: FileMesh, note: Note): Uint8Array {
-  const numbered = patches.map((patch, p) => ({ ...patch, tag: p + 1 }));
   const names = patches.map(({ name }) => name);
   const text = `${STL_NAMES}${names.join(NAME_BREAK)}`;
   const bytes = new TextEncoder().encode(text);
   const isTold = names.every((name) => name !== "" && !/;|\s$|[\r\n]/.test(name)) && !text.includes("COLOR=");
   if (isTold && bytes.length <= HEADER_TEXT && !patches.every(isPlain)) return bytes;
-  noteNames(numbered, note);
+  noteNames(
+    patches,
+    note,
+    patches.map((_, patch) => attributeOf(patch)),
+  );
   return new TextEncoder().encode(STL_TITLE);
 }
 

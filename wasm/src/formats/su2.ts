@@ -1,6 +1,6 @@
 /**
  * SU2 meshes, as text: the tetrahedra, and one marker per patch with its triangles on the boundary. A marker's
- * name has underscores for blanks, for SU2 ends names there. Regions and walls between them have no place in the format.
+ * name has underscores for all that ends or splits names in SU2's configurations. Regions and walls between them have no place in the format.
  */
 import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -13,12 +13,12 @@ import { noteRegions, withOuterFaces } from "./outer-faces.js";
 const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
 /** SU2 hands names from process to process in 200 bytes, a zero behind them. */
-const NAMING: Naming = { plain: (name) => name.replace(/\s+/g, "_"), longest: 199 };
+const NAMING: Naming = { plain: plainName, longest: 199 };
 
 /** The bytes of an SU2 file. */
 export function writeSu2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points, tetrahedra } = mesh;
-  const markers = patchGroups(withOuterFaces(mesh, note), NAMING);
+  const markers = patchGroups(withOuterFaces(mesh, note), { ...NAMING, note });
   noteRegions(mesh, note);
   return joinBytes([
     `NDIME= 3\nNELEM= ${tetrahedra.length / 4}\n`,
@@ -31,4 +31,10 @@ export function writeSu2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
       ...numberRows(nodes, 3, (row) => `${VTK_TRIANGLE} ${row.join(" ")}`),
     ]),
   ]);
+}
+
+/** Letters and digits of any script; a list of markers may say NONE for no marker at all. */
+function plainName(name: string): string {
+  const plain = name.replace(/[^\p{L}\p{M}\p{N}_.+-]+/gu, "_");
+  return plain.toUpperCase() === "NONE" ? `${plain}_` : plain;
 }
