@@ -29,14 +29,19 @@ test.beforeAll(() => {
 test.afterAll(() => fresh.dispose());
 test.afterEach(() => server?.close());
 
-/** Serves a folder with a header that allows no more than it says; resolves with the page's address. */
-async function served(folder: string, policy: string): Promise<string> {
+/** Serves a folder with a header that allows no more than it says, but not this file; resolves with the page's address. */
+async function served(folder: string, policy: string, missing?: string): Promise<string> {
   const started = createServer((request, response) => {
     const name = new URL(request.url ?? "/", "http://localhost").pathname;
     const file = path.join(folder, name === "/" ? "index.html" : name);
-    if (!existsSync(file) || !statSync(file).isFile()) return void response.writeHead(404).end();
+    const isThere = existsSync(file) && statSync(file).isFile() && path.basename(file) !== missing;
+    if (!isThere) return void response.writeHead(404).end();
     const type = TYPES[path.extname(file)] ?? "application/octet-stream";
-    response.writeHead(200, { "Content-Type": type, "Content-Security-Policy": policy });
+    response.writeHead(200, {
+      "Content-Type": type,
+      "Content-Security-Policy": policy,
+      "Access-Control-Allow-Origin": "*",
+    });
     createReadStream(file).pipe(response);
   });
   server = started;
@@ -65,6 +70,53 @@ async function expectBoxMeshed(page: Page, address: string): Promise<void> {
 
 test("a plain page needs no bundler and no more than a strict policy", async ({ page }) => {
   await expectBoxMeshed(page, await served(fresh.example("page"), STRICT));
+});
+
+test.describe("a mesher that cannot be loaded tells where it looked, why and what to do", () => {
+  const FAILING = `import { createMesher } from "MODULE";
+createMesher().catch(({ name, code, message }) => { document.title = [name, code, message].join(" | "); });`;
+  for (const [what, missing, policy, told] of [
+    [
+      "the worker is missing",
+      "worker.js",
+      STRICT,
+      /worker cannot be loaded: the browser got no script .* http:\S+\.js asks for\. Serve/,
+    ],
+    ["the engine is missing", "engine.wasm", STRICT, /loaded: http:\S+engine\.wasm is .* status 404\. Serve/],
+    [
+      "trusted types are required",
+      "nothing",
+      `${STRICT}; require-trusted-types-for 'script'`,
+      /worker cannot be loaded: TypeError.*Serve/,
+    ],
+    [
+      "the engine may not be compiled",
+      "nothing",
+      STRICT.replace("'wasm-unsafe-eval'", ""),
+      /engine\.wasm: .*Serve/,
+    ],
+    [
+      "the scripts are another site's",
+      "nothing",
+      `${STRICT} *`,
+      /worker cannot be loaded: SecurityError.*Serve/,
+    ],
+  ] as const) {
+    test(`where ${what}`, async ({ page }) => {
+      const folder = path.join(fresh.folder, "page");
+      if (!existsSync(folder)) fresh.example("page");
+      writeFileSync(path.join(folder, "failing.html"), '<script type="module" src="failing.js"></script>');
+      const open = policy.replace("script-src 'self'", "script-src 'self' http:");
+      const address = await served(folder, open, missing);
+      const site = what.includes("another") ? address.replace("127.0.0.1", "localhost") : address;
+      const module = `${site}node_modules/tetrafront/dist/page/tetrafront.js`;
+      writeFileSync(path.join(folder, "failing.js"), FAILING.replace("MODULE", module));
+      await page.goto(`${address}failing.html`);
+      await expect(page).toHaveTitle(/^MesherError \| engine-not-loaded \| /);
+      expect(await page.title()).toMatch(told);
+      expect(await page.title()).not.toMatch(/undefined|ASSERTIONS/);
+    });
+  }
 });
 
 test("Vite bundles it", async ({ page }) => {

@@ -19,3 +19,23 @@ export function loadEngine(): Promise<Engine> {
   loading ??= createEngine();
   return loading;
 }
+
+/**
+ * Why `loadEngine` was rejected with this, and where the code was looked for, as far as that is known: bundlers alone know
+ * its address, but a worker remembers what it asked for, in most browsers with the status of the answer.
+ */
+export function whyNotLoaded(failure: unknown): string {
+  const said = String(failure).replace(/\.?( Build with -sASSERTIONS for more info\.)?$/, "");
+  const asked = performance.getEntriesByType("resource") as readonly Answered[];
+  const { name, responseStatus = 0 } = asked.filter((entry) => entry.name.includes(".wasm")).at(-1) ?? {};
+  if (name === undefined) return said;
+  return responseStatus >= 400
+    ? `${name} is answered with HTTP status ${responseStatus}`
+    : `${name}: ${said}`;
+}
+
+/** What is used of the timing of a resource; some browsers give no status. */
+interface Answered {
+  readonly name: string;
+  readonly responseStatus?: number;
+}

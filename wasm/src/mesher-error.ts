@@ -9,10 +9,12 @@ import type { Diagnostic, Phase, Progress } from "./types.js";
  * - `disposed`: the mesher was disposed of, before the call or during it.
  * - `out-of-memory`: the memory of the engine did not suffice; `memory` has the figures. The mesher has
  *   replaced it and goes on.
- * - `engine-failed`: our own mistake. The mesher has replaced its engine and goes on, unless that could
- *   not be loaded at all.
+ * - `engine-not-loaded`: the worker or the engine could not be had; the message tells from where and why, as far as
+ *   that is known, and what to do. The mesher is disposed of; another try begins with `createMesher`.
+ * - `engine-failed`: our own mistake. The mesher has replaced its engine and goes on.
  */
-export type MesherErrorCode = "invalid-input" | "cancelled" | "disposed" | "out-of-memory" | "engine-failed";
+export type MesherErrorCode =
+  "invalid-input" | "cancelled" | "disposed" | "out-of-memory" | "engine-not-loaded" | "engine-failed";
 
 /** Where memory ran out, and what would fit. */
 export interface OutOfMemory {
@@ -58,6 +60,21 @@ export function cancelledError(): MesherError {
 
 export function disposedError(): MesherError {
   return new MesherError("disposed", "The mesher was disposed of");
+}
+
+const LOAD_REMEDIES = {
+  worker:
+    "Serve worker.js of the package from the page's own origin, and let its Content-Security-Policy allow workers without trusted types.",
+  engine:
+    "Serve engine.wasm of the package, and let the Content-Security-Policy allow 'wasm-unsafe-eval' and to connect to it.",
+} as const;
+
+/** `reason`: where it was looked for and why it is not there. */
+export function notLoadedError(what: keyof typeof LOAD_REMEDIES, reason: string): MesherError {
+  return new MesherError(
+    "engine-not-loaded",
+    `The engine${what === "worker" ? "'s worker" : ""} cannot be loaded: ${reason}. ${LOAD_REMEDIES[what]}`,
+  );
 }
 
 export function crashError(message: string): MesherError {

@@ -36,8 +36,9 @@ import {
   crashError,
   disposedError,
   failureError,
-  MesherError,
+  notLoadedError,
   refuse,
+  type MesherError,
 } from "./mesher-error.js";
 import {
   gridByPosition,
@@ -377,15 +378,25 @@ class WorkerMesher implements Mesher {
   }
 
   #startWorker(): WorkerHandle {
-    const worker = startWorker({
-      onReply: (reply) => {
-        if (worker === this.#worker || reply.kind === "ready") this.#receive(reply);
-      },
-      onCrash: (message) => {
-        if (worker === this.#worker) this.#replaceWorker(() => crashError(message));
-      },
-    });
-    return worker;
+    try {
+      const worker = startWorker({
+        onReply: (reply) => {
+          if (worker === this.#worker || reply.kind === "ready") this.#receive(reply);
+        },
+        onCrash: (message) => {
+          if (worker === this.#worker) this.#replaceWorker(() => this.#crashError(message));
+        },
+      });
+      return worker;
+    } catch (failure) {
+      queueMicrotask(() => this.#giveUp(() => notLoadedError("worker", String(failure))));
+      return NO_WORKER;
+    }
+  }
+
+  /** A worker that ends before it was ever ready was not loaded. */
+  #crashError(message: string): MesherError {
+    return this.#settleReady === undefined ? crashError(message) : notLoadedError("worker", message);
   }
 
   #receive(reply: Reply): void {
@@ -395,9 +406,7 @@ class WorkerMesher implements Mesher {
         this.#settleReady = undefined;
         return this.#updateKeepAlive();
       case "unusable":
-        return this.#giveUp(
-          () => new MesherError("engine-failed", `The engine cannot be loaded: ${reply.message}`),
-        );
+        return this.#giveUp(() => notLoadedError("engine", reply.message));
       case "failure":
         return this.#replaceWorker((progress) => failureError(reply, progress));
       case "answer":
@@ -466,6 +475,13 @@ class WorkerMesher implements Mesher {
     return ++this.#lastId;
   }
 }
+
+/** Where none can be started. */
+const NO_WORKER: WorkerHandle = {
+  post: () => undefined,
+  keepAlive: () => undefined,
+  terminate: () => undefined,
+};
 
 /** A callback that throws, or whose promise is rejected, fails once and is not called again. */
 function tellProgress(waiting: Waiting, progress: Progress, onFailure: (failure: unknown) => void): void {

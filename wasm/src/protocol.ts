@@ -175,5 +175,5 @@ export type Reply =
       /** What the engine had of the machine's memory. */
       readonly bytes: number;
     }
-  /** The engine could not be loaded at all. */
+  /** The engine could not be loaded at all: where it was looked for, and why it is not there. */
   | { readonly kind: "unusable"; readonly message: string };

@@ -11,7 +11,9 @@ export const startWorker: StartWorker = (events) => {
   worker.onmessageerror = () => events.onCrash("a reply could not be received");
   worker.onerror = (event) => {
     event.preventDefault();
-    events.onCrash(event.message);
+    // Of a script that could not be had there is an event without words. Its address is known to the bundler alone.
+    const spoken = event instanceof ErrorEvent ? event.message : "";
+    events.onCrash(spoken || `the browser got no script for it, which ${import.meta.url} asks for`);
   };
   return {
     post: (request, transfer) => worker.postMessage(request, [...transfer]),

@@ -1,7 +1,7 @@
 /** The worker: takes requests, runs the engine in slices, replies (src/protocol.ts). */
 import { workerPort } from "#worker-port";
 
-import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./engine.js";
+import { loadEngine, whyNotLoaded, type Engine, type EngineRun, type EngineTool } from "./engine.js";
 import type { Answers, EngineResult, FailureReason, Question, Request, SlicedKind } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
@@ -164,5 +164,5 @@ function replyFailure(engine: Engine, id: number, failure: unknown): void {
 }
 
 loadEngine().then(start, (failure: unknown) =>
-  workerPort.post({ kind: "unusable", message: String(failure) }),
+  workerPort.post({ kind: "unusable", message: whyNotLoaded(failure) }),
 );

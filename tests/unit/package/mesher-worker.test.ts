@@ -1,5 +1,5 @@
 /** The client of the worker against a worker that misbehaves: one that a test plays. */
-import { createMesher, MesherError, type Mesher } from "tetrafront";
+import { createMesher, type Mesher } from "tetrafront";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 
 import type { EngineResult, Reply, Request } from "../../../wasm/src/protocol.js";
@@ -17,9 +17,12 @@ interface PlayedWorker {
 }
 
 const workers: PlayedWorker[] = [];
+/** Thrown instead of starting one. */
+let refusal: Error | undefined;
 
 vi.mock("../../../wasm/dist/worker-host-node.js", () => ({
   startWorker: (events: WorkerEvents) => {
+    if (refusal !== undefined) throw refusal;
     const worker: PlayedWorker = {
       requests: [],
       reply: (reply) => events.onReply(reply),
@@ -90,7 +93,10 @@ function resultWith(fingerprint: string): EngineResult {
   };
 }
 
-beforeEach(() => void workers.splice(0));
+beforeEach(() => {
+  workers.splice(0);
+  refusal = undefined;
+});
 
 describe("starting", () => {
   test("waits until the engine is loaded", async () => {
@@ -106,10 +112,20 @@ describe("starting", () => {
     const unusable = createMesher();
     workerNumber(0).reply({ kind: "unusable", message: "no WebAssembly" });
     await expect(unusable).rejects.toThrow(/cannot be loaded.*no WebAssembly/);
+    await expect(unusable).rejects.toMatchObject({ name: "MesherError", code: "engine-not-loaded" });
     const dead = createMesher();
     workerNumber(1).crash("out of threads");
-    await expect(dead).rejects.toBeInstanceOf(MesherError);
+    await expect(dead).rejects.toMatchObject({ name: "MesherError", code: "engine-not-loaded" });
     expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
+  });
+});
+
+test("a browser that refuses to start a worker is told as everything else", async () => {
+  refusal = new TypeError("This document requires 'TrustedScriptURL' assignment");
+  await expect(createMesher()).rejects.toMatchObject({
+    name: "MesherError",
+    code: "engine-not-loaded",
+    message: expect.stringMatching(/TrustedScriptURL.*Serve/) as string,
   });
 });
 
