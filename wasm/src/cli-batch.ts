@@ -11,10 +11,15 @@ import { extensionOf } from "./formats/file-formats.js";
 
 const GLOB = /[*?[\]{}]/;
 
-/** The files meant: patterns that the shell left alone are expanded, in alphabetical order. */
+/** The files meant, each once: patterns that the shell left alone are expanded, in alphabetical order. */
 export async function expandInputs(inputs: readonly string[]): Promise<string[]> {
   const files = await Promise.all(inputs.map(expand));
-  return [...new Set(files.flat())];
+  const places = new Map<string, string>();
+  for (const file of files.flat()) {
+    const place = file === STANDARD_STREAM ? file : path.resolve(file);
+    if (!places.has(place)) places.set(place, file);
+  }
+  return [...places.values()];
 }
 
 async function expand(input: string): Promise<readonly string[]> {

@@ -279,11 +279,14 @@ function summary(
 ): string {
   const { status, tetrahedra, points, dihedral, radiusRatio, quality, seconds } = report;
   const { missed, limitedByBoundary: limited } = quality;
+  const shapes = [
+    `dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
+    `mean radius ratio ${radiusRatio.mean.toFixed(3)}`,
+  ];
   const figures = [
     `${tetrahedra} tetrahedra`,
     `${points} points`,
-    `dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
-    `mean radius ratio ${radiusRatio.mean.toFixed(3)}`,
+    ...(tetrahedra > 0 ? shapes : []),
     ...(status === "done" ? [`mean edge ${quality.edges.mean.toFixed(2)} of the wanted`] : []),
     ...(missed > 0 ? [`${missed} beyond 30° to 135°`] : []),
     ...(limited.count > 0 ? [`${limited.count} so because of the boundary`] : []),

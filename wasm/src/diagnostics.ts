@@ -67,10 +67,13 @@ const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"]
 /** One entry per engine code: the compiler refuses a table with a gap. */
 const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   "not-finite": {
-    message: ({ main, value }) =>
-      Number.isFinite(Number(value(0)))
+    message: ({ main, value }) => {
+      const coordinate = Number(value(0));
+      if (coordinate === 0) return "All points lie at the origin";
+      return Number.isFinite(coordinate)
         ? `${main} has the coordinate ${value(0)}, too large or too small to compute with`
-        : `${main} has a coordinate that is not a finite number`,
+        : `${main} has a coordinate that is not a finite number`;
+    },
     remedy: "Give finite coordinates, not beyond 1e30 and not all below 1e-30; scale the model if need be.",
   },
   "index-out-of-range": {

@@ -100,9 +100,16 @@ interface Waiting {
 
 interface Job extends Waiting {
   readonly request: RunRequest;
+  /** When it was sent to the worker, in milliseconds. */
+  began: number | undefined;
   /** The latest heard of. */
   progress: Progress | undefined;
-  readonly resolve: (result: EngineResult | "cancelled") => void;
+  readonly resolve: (result: EngineResult | Cancelled) => void;
+}
+
+/** Ended without a word of the worker. */
+interface Cancelled {
+  readonly cancelledAfterSeconds: number;
 }
 
 /** Why a call is rejected, a run with where it stood, as far as that was heard of. */
@@ -322,16 +329,18 @@ class WorkerMesher implements Mesher {
     const { signal, onProgress } = control;
     let onAbort: (() => void) | undefined;
     try {
-      const result = await new Promise<EngineResult | "cancelled">((resolve, reject) => {
+      const result = await new Promise<EngineResult | Cancelled>((resolve, reject) => {
         if (this.#disposed) return reject(disposedError());
-        if (signal?.aborted === true) return resolve("cancelled");
-        const job: Job = { request, onProgress, progress: undefined, resolve, reject };
+        if (signal?.aborted === true) return resolve({ cancelledAfterSeconds: 0 });
+        const job: Job = { request, onProgress, began: undefined, progress: undefined, resolve, reject };
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#waiting.push(job);
         this.#startNext();
       });
-      return result === "cancelled" ? emptyResult("cancelled") : describedResult(result, name);
+      return "cancelledAfterSeconds" in result
+        ? emptyResult("cancelled", [], result.cancelledAfterSeconds)
+        : describedResult(result, name);
     } finally {
       if (onAbort !== undefined) signal?.removeEventListener("abort", onAbort);
     }
@@ -342,6 +351,7 @@ class WorkerMesher implements Mesher {
       this.#active = this.#waiting.shift();
       if (this.#active !== undefined) {
         const { request } = this.#active;
+        this.#active.began = performance.now();
         const holder = request.kind === "mesh-model" ? request.model : request;
         this.#worker.post(request, buffersOf(holder, holder.grid));
       }
@@ -353,7 +363,7 @@ class WorkerMesher implements Mesher {
     if (this.#active !== job) {
       const place = this.#waiting.indexOf(job);
       if (place >= 0) this.#waiting.splice(place, 1);
-      return job.resolve("cancelled");
+      return job.resolve({ cancelledAfterSeconds: 0 });
     }
     this.#worker.post({ kind: "cancel", id: job.request.id }, []);
     clearTimeout(this.#forceTimer);
@@ -366,7 +376,8 @@ class WorkerMesher implements Mesher {
     this.#worker.terminate();
     this.#worker = this.#startWorker();
     for (const { question } of this.#questions.values()) this.#worker.post(question, []);
-    this.#finish(() => job.resolve("cancelled"));
+    const now = performance.now();
+    this.#finish(() => job.resolve({ cancelledAfterSeconds: (now - (job.began ?? now)) / 1000 }));
   }
 
   /** The active job is over, in whatever way `settle` says; the next one begins. */

@@ -17,7 +17,11 @@ export function describedPreview(preview: EnginePreview, name: EntityNamer): Pro
 }
 
 /** A result without a mesh: the input was refused, or the run was cancelled before it had one. */
-export function emptyResult(status: MeshStatus, diagnostics: readonly Diagnostic[] = []): MeshResult {
+export function emptyResult(
+  status: MeshStatus,
+  diagnostics: readonly Diagnostic[] = [],
+  seconds = 0,
+): MeshResult {
   return {
     surface: {
       points: new Float64Array(),
@@ -33,17 +37,17 @@ export function emptyResult(status: MeshStatus, diagnostics: readonly Diagnostic
       regions: new Uint32Array(),
       front: new Uint32Array(),
     },
-    report: emptyReport(status, diagnostics),
+    report: emptyReport(status, diagnostics, seconds),
   };
 }
 
-export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic[]): MeshReport {
+export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic[], seconds = 0): MeshReport {
   return {
     status,
     points: 0,
     tetrahedra: 0,
     triangles: 0,
-    seconds: { total: 0, check: 0, sides: 0, surface: 0, volume: 0, optimize: 0 },
+    seconds: { total: seconds, check: 0, sides: 0, surface: 0, volume: 0, optimize: 0 },
     dihedral: { min: 0, max: 0 },
     radiusRatio: { min: 0, mean: 0 },
     volume: 0,

@@ -237,7 +237,8 @@ export interface VolumeMesh {
   readonly front: Uint32Array;
 }
 
-/** Wall-clock seconds. `check` includes the verification of the result; `total` includes copying it. */
+/** Wall-clock seconds. `check` includes the verification of the result; `total` includes copying it,
+ * and is all that is known of a run that had to be ended by force: the phases are 0 then. */
 export interface Seconds {
   readonly total: number;
   readonly check: number;

@@ -15,7 +15,7 @@ import path from "node:path";
 import { readMesh, type FileMesh, type MeshReport, type SurfaceInput } from "tetrafront";
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 
-import { splitPattern } from "../../../wasm/src/cli-batch.js";
+import { expandInputs, splitPattern } from "../../../wasm/src/cli-batch.js";
 import { tetrafront } from "../../support/command-line.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
 import { boxSurface, cavitySurface, sphereSurface } from "../../support/surfaces.js";
@@ -129,6 +129,12 @@ describe("mesh", () => {
 });
 
 describe("a batch", () => {
+  test("does what is named twice once", async () => {
+    save("twice.off", offFile(box));
+    const file = inFolder("twice.off");
+    expect(await expandInputs([file, `${folder}/./twice.off`, "-"])).toEqual([file, "-"]);
+  });
+
   test("meshes what a pattern finds, one process each, one report for all", async () => {
     mkdirSync(inFolder("parts"));
     mkdirSync(inFolder("out"));

@@ -166,8 +166,12 @@ describe("an interrupt", () => {
   }
 
   test("ends with code 1, a report and no mesh", async () => {
-    expect((await interrupted(1500, [])).code).toBe(1);
+    const { code, stderr } = await interrupted(1500, []);
+    expect(code).toBe(1);
     expect(reportIn("r.json").status).toBe("cancelled");
+    expect(reportIn("r.json").seconds.total).toBeGreaterThan(0);
+    // Of no elements there are no angles.
+    expect(/dihedral/.test(stderr)).toBe(reportIn("r.json").tetrahedra > 0);
     expect(readdirSync(folder).sort()).toEqual(["large.off", "r.json"]);
   });
 

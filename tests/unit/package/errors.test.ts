@@ -179,3 +179,21 @@ element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0
     expect(alone).toMatchObject({ success: false, problems: [{ fileName: "a.face", code: "missing-file" }] });
   });
 });
+
+test("an option of a reader that does not exist is refused by name", async () => {
+  const options = { fileName: "a.stl", weld: 1e-6 };
+  for (const read of [readSurface, readMesh, readVolume]) {
+    expect(await read(new Uint8Array(9), options)).toMatchObject({
+      success: false,
+      problems: [{ code: "invalid-argument", message: 'there is no option "weld"' }],
+    });
+  }
+});
+
+test("a surface whose points all lie at the origin is told so", async () => {
+  const { report } = await mesher.fillSurface({ ...surface, points: surface.points.map(() => 0) });
+  expect(report.diagnostics[0]).toMatchObject({
+    code: "not-finite",
+    message: "All points lie at the origin",
+  });
+});

@@ -56,7 +56,7 @@ describe("a source of bytes", () => {
   const file = stlText(sphereSurface(4));
   const whole = async () => valueOf(await readSurface(file, { fileName: "a.stl" }));
 
-  test("may be a Blob, a stream of the web, or an iterator that waits", async () => {
+  test("may be an ArrayBuffer, a Blob, a stream of the web, or an iterator that waits", async () => {
     const blob = new Blob([file.slice()]);
     async function* slow(): AsyncGenerator<Uint8Array> {
       for (const piece of pieces(file, 5000)) {
@@ -64,7 +64,7 @@ describe("a source of bytes", () => {
         yield piece;
       }
     }
-    for (const source of [blob, blob.stream(), slow()]) {
+    for (const source of [file.slice().buffer, blob, blob.stream(), slow()]) {
       expect(valueOf(await readSurface(source, { fileName: "a.stl" }))).toEqual(await whole());
     }
   });

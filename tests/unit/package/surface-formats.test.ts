@@ -178,7 +178,8 @@ describe("OFF", () => {
   });
 
   test.each<[string, string, number]>([
-    ["no head", "8 6 0\n", 1],
+    ["another head", "OBJ\n8 6 0\n", 1],
+    ["no head and no points", "8 6 0\n", 2],
     ["points of four dimensions", "4OFF\n1 0 0\n0 0 0 1\n", 1],
     ["too few points", "OFF\n4 1 0\n0 0 0\n1 0 0\n", 5],
     ["a word for a coordinate", "OFF\n3 1 0\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n", 4],

@@ -128,6 +128,28 @@ test.each([".obj", ".stl"])("files %s joined to one are read to the end", async 
   }
 });
 
+test.each(["-3", "0.5", "x"])("a VTK XML file with NumberOfCells='%s' is refused", async (count) => {
+  const change = (text: string) => text.replace('NumberOfCells="4"', `NumberOfCells="${count}"`);
+  await expect(meshIn(".vtu", change)).rejects.toThrow(/line 5: NumberOfCells is/);
+});
+
+test("OFF may begin with its numbers", async () => {
+  const plain = await meshIn(".off", (text) => text);
+  expect(await meshIn(".off", (text) => text.replace("OFF\n", ""))).toEqual(plain);
+  await expect(meshIn(".off", (text) => text.replace("OFF\n4 4 6", "4 4 x"))).rejects.toThrow(
+    /begin with "OFF"/,
+  );
+});
+
+test("entities of a partitioned Gmsh mesh have the physical groups of what they are part of", async () => {
+  const plain = await meshIn(".msh", (text) => text);
+  const parts = `$PartitionedEntities\n2\n1\n9 1\n0 0 2 0
+11 2 1 1 1 0 0 0 1 1 1 0 0\n12 2 1 2 1 2 0 0 0 1 1 1 1 3 2 5 -6\n$EndPartitionedEntities\n$Nodes`;
+  const cut = (text: string) =>
+    text.replace("$Nodes", parts).replace(/1 4 1 4\n2 1 2 4\n(.*\n.*\n)/, "2 4 1 4\n2 11 2 2\n$12 12 2 2\n");
+  expect(await meshIn(".msh", cut)).toEqual(plain);
+});
+
 test("a file of byte-order marks alone holds nothing", async () => {
   const read = await readMesh(new TextEncoder().encode(MARK), { fileName: "a.obj" });
   expect(read.success).toBe(false);

@@ -3,7 +3,12 @@ import { ReadFailure } from "../read-result.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */
 export type ByteSource =
-  Uint8Array | Blob | ReadableStream<Uint8Array> | AsyncIterable<Uint8Array> | Iterable<Uint8Array>;
+  | Uint8Array
+  | ArrayBuffer
+  | Blob
+  | ReadableStream<Uint8Array>
+  | AsyncIterable<Uint8Array>
+  | Iterable<Uint8Array>;
 
 /** What is in memory already is handed on in pieces of this size, between which others may run. */
 const PIECE_BYTES = 1 << 20;
@@ -25,6 +30,7 @@ export async function* piecesOf(source: ByteSource): AsyncGenerator<Uint8Array, 
 
 function rawPiecesOf(source: ByteSource): AsyncIterable<Uint8Array> | Iterable<Uint8Array> {
   if (source instanceof Uint8Array) return cut(source);
+  if (source instanceof ArrayBuffer) return cut(new Uint8Array(source));
   if (source instanceof Blob) return fromStream(source.stream());
   return "getReader" in source ? fromStream(source) : source;
 }
@@ -34,7 +40,8 @@ export function checkSource(source: unknown): asserts source is ByteSource {
   const isObject = typeof source === "object" && source !== null;
   const isSource =
     isObject &&
-    (source instanceof Blob ||
+    (source instanceof ArrayBuffer ||
+      source instanceof Blob ||
       "getReader" in source ||
       Symbol.asyncIterator in source ||
       Symbol.iterator in source);
@@ -45,7 +52,7 @@ function noBytes(why: string): ReadFailure {
   return new ReadFailure({
     code: "invalid-argument",
     message: `the source cannot be read: ${why}`,
-    remedy: "Give a Uint8Array, a Blob, or a stream or iterable of Uint8Arrays.",
+    remedy: "Give a Uint8Array, an ArrayBuffer, a Blob, or a stream or iterable of Uint8Arrays.",
   });
 }
 

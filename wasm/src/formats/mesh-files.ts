@@ -88,9 +88,24 @@ async function readAny(
   }
 }
 
+const OPTIONS: readonly string[] = [
+  "fileName",
+  "openOther",
+  "onProgress",
+  "signal",
+] satisfies (keyof ReadFileOptions)[];
+
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};
-  if (typeof fileName === "string") return options;
+  if (typeof fileName === "string") {
+    const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
+    if (unknown === undefined) return options;
+    throw new ReadFailure({
+      code: "invalid-argument",
+      message: `there is no option "${unknown}"`,
+      remedy: `Correct its name: the options are ${OPTIONS.join(", ")}.`,
+    });
+  }
   throw new ReadFailure({
     code: "invalid-argument",
     message: "no name of the file is given, by which its format is told",

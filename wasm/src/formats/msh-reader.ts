@@ -85,6 +85,9 @@ class MshReader {
       case "$Entities":
         if (this.#hasBlocks) await this.#readEntities();
         return;
+      case "$PartitionedEntities":
+        if (this.#hasBlocks) await this.#readPartitionedEntities();
+        return;
       case "$Nodes":
         this.#reader.endLine();
         return this.#hasBlocks ? this.#readNodeBlocks() : this.#readNodeList();
@@ -132,11 +135,37 @@ class MshReader {
 
   async #readEntities(): Promise<void> {
     this.#reader.endLine();
+    await this.#eachEntity(() => undefined);
+  }
+
+  /** What a mesh was cut into: entities of their own, with the physical groups of what they are part of. */
+  async #readPartitionedEntities(): Promise<void> {
+    this.#reader.endLine();
+    this.#size();
+    await this.#skipInts(2 * this.#count(this.#size(), "ghosts"));
+    await this.#eachEntity(async () => {
+      const parent = `${this.#int()} ${this.#int()}`;
+      await this.#skipInts(this.#count(this.#size(), "partitions"));
+      return this.#physical.get(parent);
+    });
+  }
+
+  async #skipInts(count: number): Promise<void> {
+    for (let i = 0; i < count; i++) {
+      if (this.#reader.isLow) await this.#reader.fill();
+      this.#int();
+    }
+  }
+
+  /** `readParent`: what stands behind the tag; gives the physical group for entities that have none of their own. */
+  async #eachEntity(readParent: () => Promise<number | undefined> | undefined): Promise<void> {
     const counts = [0, 1, 2, 3].map(() => this.#count(this.#size(), "entities"));
     for (const [dimension, count] of counts.entries()) {
       for (let i = 0; i < count; i++) {
         await this.#reader.fill();
         const tag = this.#int();
+        const inherited = await readParent();
+        if (inherited !== undefined) this.#physical.set(`${dimension} ${tag}`, inherited);
         for (let c = 0; c < (dimension === 0 ? 3 : 6); c++) this.#double();
         const groups = this.#count(this.#size(), "physical groups");
         for (let g = 0; g < groups; g++) {
@@ -145,10 +174,7 @@ class MshReader {
           if (g === 0) this.#physical.set(`${dimension} ${tag}`, group);
         }
         const around = dimension === 0 ? 0 : this.#count(this.#size(), "bounding entities");
-        for (let b = 0; b < around; b++) {
-          if (this.#reader.isLow) await this.#reader.fill();
-          this.#int();
-        }
+        await this.#skipInts(around);
       }
     }
   }

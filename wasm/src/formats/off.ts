@@ -11,6 +11,8 @@ import { FaceLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OFF file in text form.";
+/** Three numbers and the blanks around them are no longer. */
+const COUNTS_BYTES = 64;
 /** More than these would be written as a triangle soup of a different format, or are garbage. */
 const MAX_COUNT = 0x7fffffff;
 
@@ -42,8 +44,10 @@ export function readOff(source: ByteSource): Promise<FileMesh> {
   });
 }
 
-/** Whether more than x y z may stand in a point's line. */
+/** Whether more than x y z may stand in a point's line. Files may leave the word out and begin with their numbers. */
 function readHeader(reader: ByteReader): boolean {
+  reader.skipComments();
+  if (/^\d+\s+\d+\s+\d+\s/.test(String.fromCharCode(...reader.peek(COUNTS_BYTES)))) return false;
   const word = reader.word();
   const variant = /^(ST)?(C)?(N)?(4)?(n)?OFF$/.exec(word);
   if (variant === null) return reader.fail('the file does not begin with "OFF"');

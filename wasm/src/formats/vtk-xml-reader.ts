@@ -143,15 +143,11 @@ interface PieceReading {
 }
 
 function addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): void {
+  for (const [name, value] of piece.attributes)
+    if (name.startsWith("NumberOf")) checkCount(piece, file, name, value);
   const announced = piece.attributes.get("NumberOfPoints");
   if (announced === undefined) return file.fail("the piece does not say its NumberOfPoints", piece.at);
   const count = Number(announced);
-  if (!(Number.isSafeInteger(count) && count >= 0)) {
-    file.fail(
-      `NumberOfPoints is "${announced.slice(0, 24)}", which is no whole number of 0 or more`,
-      piece.at,
-    );
-  }
   if (count === 0) return;
   const array = file.arrayOf(piece, "Points", "");
   const points = file.numbers(array);
@@ -163,6 +159,12 @@ function addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): void {
   for (let i = 0; i < points.length; i += 3) {
     builder.addPoint(points[i] ?? 0, points[i + 1] ?? 0, points[i + 2] ?? 0);
   }
+}
+
+function checkCount(piece: Piece, file: XmlFile, name: string, value: string): void {
+  const count = Number(value);
+  if (Number.isSafeInteger(count) && count >= 0) return;
+  file.fail(`${name} is "${value.slice(0, 24)}", which is no whole number of 0 or more`, piece.at);
 }
 
 /** What all pieces that tell anything of their nodes have under one name, piece after piece. */
