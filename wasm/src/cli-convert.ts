@@ -38,7 +38,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
     if (!isQuiet) {
       tell(input, misfits(mesh, tetFaces(mesh)).map(asWarning), { isQuiet });
-      for (const line of mixedTurns(given)) say(`${input}: note: ${line}`);
+      for (const line of mixedTurns(given)) say(`note: ${input}: ${line}`);
       say(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }
     return ExitCode.meshed;

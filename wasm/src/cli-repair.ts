@@ -48,7 +48,7 @@ const TOLD_PER_KIND = 20;
 
 /** One line per change, and one for each kind of which there are more. */
 export function tellChanges(input: string, changes: readonly RepairChange[]): void {
-  if (changes.length === 0) return say(`${input}: repair: nothing to change.`);
+  if (changes.length === 0) return say(`repair: ${input}: nothing to change.`);
   const kinds = new Map<RepairChange["kind"], RepairChange[]>();
   for (const change of changes) {
     const known = kinds.get(change.kind);
@@ -56,9 +56,9 @@ export function tellChanges(input: string, changes: readonly RepairChange[]): vo
     else known.push(change);
   }
   for (const [kind, all] of kinds) {
-    for (const change of all.slice(0, TOLD_PER_KIND)) say(`${input}: repair: ${sentenceOf(change)}.`);
+    for (const change of all.slice(0, TOLD_PER_KIND)) say(`repair: ${input}: ${sentenceOf(change)}.`);
     const rest = all.length - TOLD_PER_KIND;
-    if (rest > 0) say(`${input}: repair: and ${rest} more of the kind "${kind}".`);
+    if (rest > 0) say(`repair: ${input}: and ${rest} more of the kind "${kind}".`);
   }
 }
 

@@ -232,7 +232,9 @@ describe("what is said", () => {
   test("includes that a shell was turned round, unless it is to be quiet", async () => {
     save("turned.off", offFile(turned(sphereSurface(4))));
     const told = await run("mesh", "turned.off", "-o", "out.vtu");
-    expect(told.stderr).toMatch(/note: turned\.off: The part of the surface with triangle 0 .*is inside out.* all of its \d+ triangles/);
+    expect(told.stderr).toMatch(
+      /note: turned\.off: The part of the surface with triangle 0 .*is inside out.* all of its \d+ triangles/,
+    );
     expect((await run("mesh", "turned.off", "-o", "out.vtu", "--quiet")).stderr).toBe("");
   });
 

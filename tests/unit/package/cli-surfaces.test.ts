@@ -72,7 +72,7 @@ describe("check", () => {
     save("open.off", file);
     const { code, stderr } = await tetrafront(folder, ["check", "open.off", "--fill-holes", "3"]);
     expect(code).toBe(0);
-    expect(stderr).toContain("open.off: repair: filled a hole with 1 triangle from ");
+    expect(stderr).toContain("repair: open.off: filled a hole with 1 triangle from ");
     expect(stderr).toContain("no problems");
     expect(new Uint8Array(readFileSync(inFolder("open.off")))).toEqual(new Uint8Array(file));
   });
@@ -239,7 +239,7 @@ describe("convert, info and stats", () => {
     const vertices = "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n";
     const mesh = (...tetrahedra: string[]) =>
       `${head}${vertices}Tetrahedra\n${tetrahedra.length}\n${tetrahedra.map((line) => `${line} 1\n`).join("")}End\n`;
-    const note = /note: 1 of 2 tetrahedra were inverted against the others, and were turned/;
+    const note = /note: mixed\.mesh: 1 of 2 tetrahedra were inverted against the others, and were turned/;
     save("mixed.mesh", mesh("1 2 3 4", "1 2 3 5"));
     save("alike.mesh", mesh("2 1 3 4", "1 2 3 5"));
     expect((await tetrafront(folder, ["convert", "mixed.mesh", "-o", "a.vtu"])).stderr).toMatch(note);
