@@ -207,6 +207,7 @@ class Stepwise {
 using Inspection = Stepwise<SurfaceInspector, SurfaceInspectionRecord>;
 using VolumeInspection = Stepwise<MeshInspector, MeshInspectionRecord>;
 using Repair = Stepwise<SurfaceRepairer, RepairRecord>;
+using Refinement = Stepwise<SurfaceRefiner, RefinementRecord>;
 
 /// The answer of `work`, in which `failure` tells what it threw.
 template <class Answer, class Work>
@@ -286,6 +287,14 @@ Repair* repairSurface(const Float64Array& points, const Uint32Array& triangles,
                       const RepairOptions& options) {
   return std::make_unique<Repair>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
                                   [&options] { return options; })
+      .release();
+}
+
+Refinement* refineSurface(const Float64Array& points, const Uint32Array& triangles,
+                          const GridArrays& grid, const Options& options) {
+  return std::make_unique<Refinement>(
+             copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
+             [&grid] { return toGrid(grid); }, [&options] { return toOptions(options); })
       .release();
 }
 
@@ -397,6 +406,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("smallest", &StatisticsRecord::smallest)
       .field("volumeRatio", &StatisticsRecord::volumeRatio)
       .field("meanEdge", &StatisticsRecord::meanEdge)
+      .field("meanEdgeOfPossible", &StatisticsRecord::meanEdgeOfPossible)
       .field("edgesNearWanted", &StatisticsRecord::edgesNearWanted)
       .field("missed", &StatisticsRecord::missed)
       .field("limitedByBoundary", &StatisticsRecord::limitedByBoundary)
@@ -450,6 +460,12 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("subjects", &RepairRecord::subjects)
       .field("places", &RepairRecord::places)
       .field("diagnostics", &RepairRecord::diagnostics);
+  value_object<RefinementRecord>("RefinementRecord")
+      .field("points", &RefinementRecord::points)
+      .field("triangles", &RefinementRecord::triangles)
+      .field("origin", &RefinementRecord::origin)
+      .field("splitEdges", &RefinementRecord::splitEdges)
+      .field("diagnostics", &RefinementRecord::diagnostics);
   value_object<MeshInspectionRecord>("MeshInspectionRecord")
       .field("isReadable", &MeshInspectionRecord::isReadable)
       .field("nodes", &MeshInspectionRecord::nodes)
@@ -498,12 +514,14 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   registerStepwise<Inspection>("Inspection");
   registerStepwise<VolumeInspection>("VolumeInspection");
   registerStepwise<Repair>("Repair");
+  registerStepwise<Refinement>("Refinement");
 
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
   function("inspectSurface", &inspectSurface, allow_raw_pointers());
   function("inspectMesh", &border::inspectMesh, allow_raw_pointers());
   function("repairSurface", &border::repairSurface, allow_raw_pointers());
+  function("refineSurface", &refineSurface, allow_raw_pointers());
   function("preview", &preview);
   function("cover", &cover);
   function("propose", &propose);

@@ -51,6 +51,14 @@ struct RepairRecord {
   DiagnosticRecords diagnostics{emscripten::val::array()};
 };
 
+struct RefinementRecord {
+  Float64Array points = copyOut(std::vector<double>{});
+  Uint32Array triangles = copyOut(std::vector<std::uint32_t>{});
+  Uint32Array origin = triangles;
+  std::uint32_t splitEdges = 0;
+  DiagnosticRecords diagnostics{emscripten::val::array()};
+};
+
 struct MeshInspectionRecord {
   bool isReadable = false;
   std::uint32_t nodes = 0;
@@ -131,6 +139,14 @@ struct MeshInspectionRecord {
           .subjects = copyOut(subjects),
           .places = copyOut(places),
           .diagnostics = toRecords(repair.diagnostics)};
+}
+
+[[nodiscard]] inline RefinementRecord toRecord(const SurfaceRefinement& refinement) {
+  return {.points = copyOut(refinement.points),
+          .triangles = copyOut(refinement.triangles),
+          .origin = copyOut(refinement.origin),
+          .splitEdges = refinement.splitEdges,
+          .diagnostics = toRecords(refinement.diagnostics)};
 }
 
 [[nodiscard]] inline MeshInspectionRecord toRecord(const MeshInspection& found) {

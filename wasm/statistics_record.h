@@ -21,6 +21,7 @@ struct StatisticsRecord {
   Float64Array smallest = regions;  ///< one element, or none
   double volumeRatio = 0.0;
   double meanEdge = 0.0;
+  double meanEdgeOfPossible = 0.0;
   double edgesNearWanted = 0.0;
   std::uint32_t missed = 0;
   std::uint32_t limitedByBoundary = 0;
@@ -60,6 +61,7 @@ struct StatisticsRecord {
           .smallest = isEmpty ? flatFigures({}) : flatFigures({statistics.smallest}),
           .volumeRatio = statistics.volumeRatio,
           .meanEdge = statistics.meanEdge,
+          .meanEdgeOfPossible = statistics.meanEdgeOfPossible,
           .edgesNearWanted = statistics.edgesNearWanted,
           .missed = statistics.missed,
           .limitedByBoundary = statistics.limitedByBoundary,

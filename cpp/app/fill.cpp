@@ -189,6 +189,7 @@ int main(int argc, char** argv) {
   const tetrafront::Progress progress = run.progress();
   const tetrafront::QualitySummary quality = run.quality();
   std::printf("status %s\n", nameOf(run.status()));
+  std::printf("estimated %u\n", progress.expectedTetrahedra);
   std::printf("triangles %u\npoints %u\ntetrahedra %u\n", progress.triangles, progress.points,
               progress.tetrahedra);
   std::printf("seconds %.6f\ncheckSeconds %.6f\n", total, secondsOf(tetrafront::Phase::kCheck));

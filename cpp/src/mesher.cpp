@@ -7,7 +7,6 @@
 
 #include "base/fingerprint.h"
 #include "field/size_field.h"
-#include "field/size_octree_builder.h"
 #include "optimize/locality.h"
 #include "optimize/optimizer.h"
 #include "quality/check_mesh.h"
@@ -16,8 +15,9 @@
 #include "surface/boundary.h"
 #include "surface/examine_input.h"
 #include "surface/expected_count.h"
-#include "surface/surface_coverage.h"
+#include "surface/possible_sizes.h"
 #include "surface/surface_mesher.h"
+#include "surface/wanted_sizes.h"
 #include "volume/cell_mesher.h"
 
 namespace tetrafront {
@@ -28,18 +28,6 @@ constexpr double kCheckEnd = 0.02;
 constexpr double kModelSurfaceEnd = 0.15;
 constexpr double kVolumeEnd = 0.4;
 constexpr double kOptimizeEnd = 0.97;
-
-/// Where a given surface is coarser than the size asked for, sizes fall by so much per unit of
-/// distance. At 0.5 the front dives where it should descend, and leaves pockets.
-constexpr double kInwardDescent = 0.3;
-
-std::vector<Vec3> pointsOf(const SurfaceMesh& surface) {
-  std::vector<Vec3> points(surface.points.size() / 3);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i] = {surface.points[3 * i], surface.points[3 * i + 1], surface.points[3 * i + 2]};
-  }
-  return points;
-}
 
 }  // namespace
 
@@ -241,21 +229,6 @@ class MeshRun::Impl {
                                [&](const Diagnostic& known) { return known.code == code; });
   }
 
-  /// Whether sizes come from the grid's tetrahedra: a uniform size goes before them, and a given
-  /// surface has sizes of its own.
-  [[nodiscard]] bool usesGrid() const {
-    if (options_.size > 0.0) return false;
-    return isModel() || !grid_.nodes.empty() || !grid_.tetrahedra.empty();
-  }
-
-  [[nodiscard]] std::vector<Diagnostic> checkGrid() const {
-    return usesGrid() ? checkBackgroundGrid(grid_) : checkSizeSources(grid_.sources);
-  }
-
-  [[nodiscard]] SizeField gridField() const {
-    return SizeField::fromGrid(GridLocator(grid_, options_.gradation - 1.0));
-  }
-
   /// What examineInput() says is what a preview says.
   void checkInput() {
     InputExamination found = examineInput(*model_, grid_, options_);
@@ -278,7 +251,7 @@ class MeshRun::Impl {
 
   void checkBoundary(std::uint32_t budget) {
     if (!boundaryCheck_) {
-      if (!isModel()) report(checkGrid());
+      if (!isModel()) report(checkWantedSizes(grid_, options_));
       boundaryCheck_.emplace(
           surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface,
           options_.enclosed, MixedTurns::kRefuse);
@@ -292,34 +265,20 @@ class MeshRun::Impl {
     stage_ = isModel() ? Stage::kEstimate : Stage::kField;
   }
 
-  void makeGridField(std::uint32_t budget) {
-    if (!coverage_) {
-      field_ = gridField();
-      field_->addSources(grid_.sources);
-      coverage_.emplace(surface_, *field_);
-    }
-    if (!coverage_->advance(budget)) return;
-    report(coverage_->diagnostics());
-    if (anyError(diagnostics_)) return fail();
-    stage_ = Stage::kEstimate;
-  }
-
+  /// Once the sizes wanted are known, what of them the surface allows.
   void makeSurfaceField(std::uint32_t budget) {
-    if (usesGrid()) return makeGridField(budget);
-    // Away from a coarser surface the field has the size asked for; if that is too small, so is the
-    // field.
-    if (!octreeBuilder_ && options_.size > 0.0) {
-      const double expected = expectedTetrahedra(surface_, SizeField::uniform(options_.size));
-      if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
+    if (!field_) {
+      if (!wantedSizes_) wantedSizes_.emplace(surface_, grid_, options_);
+      if (!wantedSizes_->advance(budget)) return;
+      report(wantedSizes_->diagnostics());
+      if (anyError(diagnostics_)) return fail();
+      field_ = wantedSizes_->take();
+      wantedSizes_.reset();
+      possibleSizes_.emplace(surface_, grid_, options_, *field_);
     }
-    if (!octreeBuilder_) {
-      octreeBuilder_.emplace(pointsOf(surface_), surface_.triangles, options_.growth, options_.size,
-                             kInwardDescent);
-    }
-    if (!octreeBuilder_->advance(budget)) return;
-    field_ = SizeField::fromOctree(octreeBuilder_->take());
-    field_->addSources(grid_.sources);
-    octreeBuilder_.reset();
+    if (!possibleSizes_->advance(budget)) return;
+    report(possibleSizes_->diagnostics());
+    possibleSizes_.reset();
     stage_ = Stage::kEstimate;
   }
 
@@ -403,8 +362,8 @@ class MeshRun::Impl {
   SurfaceMesh surface_;
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
-  std::optional<SizeOctreeBuilder> octreeBuilder_;
-  std::optional<SurfaceCoverage> coverage_;
+  std::optional<WantedSizes> wantedSizes_;
+  std::optional<PossibleSizes> possibleSizes_;
   std::optional<SurfaceMesher> surfaceMesher_;
   std::optional<BoundaryCheck> boundaryCheck_;
   std::optional<CellMesher> volumeMesher_;

@@ -178,24 +178,43 @@ TEST(SizeOctreeTest, IgnoresUnusedNodes) {
   EXPECT_EQ(with.sizeAt(Vec3(0.3)), without.sizeAt(Vec3(0.3)));
 }
 
-TEST(SizeOctree, DescendsFromACoarseSurfaceToTheCapStepByStep) {
+double slowDescent(const std::vector<Vec3>& places, const std::vector<double>& lengths,
+                   double descent, const Vec3& at) {
+  double most = -1e300;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    most = std::max(most, lengths[i] - descent * glm::length(at - places[i]));
+  }
+  return most;
+}
+
+TEST(SizeOctreeTest, DescendsFromASurface) {
   const SurfaceMesh mesh = testing::gridCube(4, testing::Diagonals::kAlternating);
   const std::vector<Vec3> points = pointsOf(mesh);
-  const std::vector<double> sizes = averagedEdgeLengths(points, mesh.triangles);
-  const double cap = 0.2;
-  const SizeOctree octree(points, mesh.triangles, 0.3, cap, 0.4);
+  std::vector<double> lengths = averagedEdgeLengths(points, mesh.triangles);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    EXPECT_NEAR(octree.sizeAt(points[i]), sizes[i], 0.1 * sizes[i]) << "node " << i;
+    if (points[i].x > 0.9) lengths[i] *= 0.6;
   }
-  EXPECT_NEAR(octree.sizeAt(Vec3(0.5)), cap, 0.01);
-  double before = octree.sizeAt(Vec3(0.0, 0.5, 0.5));
-  for (double x = 0.025; x < 0.5; x += 0.025) {
-    const double here = octree.sizeAt(Vec3(x, 0.5, 0.5));
-    EXPECT_LE(here, before + 0.005) << x;
-    EXPECT_GE(here, before - 0.03) << x;
-    before = here;
+  SizeOctreeBuilder builder(points, lengths, SizeDescent{0.3, 0.02});
+  while (!builder.advance(7)) {
   }
-  EXPECT_LT(SizeOctree(points, mesh.triangles, 0.3, cap).sizeAt(Vec3(0.0, 0.5, 0.5)), cap + 1e-6);
+  const SizeOctree octree = builder.take();
+  Random random(305);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 place = 0.5 * (Vec3(1.0) + random.inBox(1.0));
+    const double wanted = slowDescent(points, lengths, 0.3, place);
+    EXPECT_NEAR(octree.sizeAt(place), wanted, 0.2 * std::max(wanted, 0.25 * 0.3)) << i;
+  }
+}
+
+/// However small the sizes asked for: cells follow the surface's triangles.
+TEST(SizeOctreeTest, DescendsInCellsThatDoNotDependOnTheLeastSize) {
+  const SurfaceMesh mesh = geodesicSphere(12);
+  const std::vector<Vec3> points = pointsOf(mesh);
+  const std::vector<double> lengths = averagedEdgeLengths(points, mesh.triangles);
+  SizeOctreeBuilder builder(points, lengths, SizeDescent{0.3, 1e-9});
+  while (!builder.advance(1000)) {
+  }
+  EXPECT_LT(builder.take().leafCount(), 40 * mesh.triangles.size() / 3);
 }
 
 }  // namespace

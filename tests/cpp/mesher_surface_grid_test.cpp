@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "support/mesh_validator.h"
 #include "support/models.h"
 #include "support/shapes.h"
@@ -60,7 +64,7 @@ TEST(SurfaceWithGrid, SourcesCutDownItsOwnSizes) {
 }
 
 TEST(SurfaceWithGrid, IsStretchedWhereTheGridSaysSo) {
-  const SurfaceMesh cube = gridCube(4);
+  const SurfaceMesh cube = gridCube(10);
   BackgroundGrid grid = gridOfSize(0.08);
   const MeshRun round = filled(cube, grid);
   for (BackgroundNode& node : grid.nodes) {
@@ -72,6 +76,82 @@ TEST(SurfaceWithGrid, IsStretchedWhereTheGridSaysSo) {
   EXPECT_LT(2 * countOf(stretched), countOf(round));
 }
 
+const Diagnostic* coarsenessOf(const MeshRun& run) {
+  const auto found =
+      std::ranges::find(run.diagnostics(), DiagnosticCode::kCoarseSurface, &Diagnostic::code);
+  return found == run.diagnostics().end() ? nullptr : &*found;
+}
+
+void expectGoodAngles(const MeshRun& run) {
+  expectValid(run);
+  EXPECT_GE(run.quality().minDihedral, 30.0);
+  EXPECT_LE(run.quality().maxDihedral, 135.0);
+}
+
+BackgroundGrid sourceAt(const Vec3& place, double size, double distance) {
+  BackgroundGrid grid;
+  grid.sources.emplace_back();
+  grid.sources[0].points[0] = place;
+  grid.sources[0].size = size;
+  grid.sources[0].distance = distance;
+  return grid;
+}
+
+/// Far below the surface's own edges, in whatever way it is asked for: sizes descend from the triangles,
+/// and elements keep their angles.
+TEST(SurfaceWithGrid, SizesFarBelowTheTrianglesLeaveNoSlivers) {
+  const SurfaceMesh sphere = geodesicSphere(6);
+  MeshOptions fine;
+  fine.size = 0.06;
+  BackgroundGrid stretched = gridOfSize(0.06);
+  for (BackgroundNode& node : stretched.nodes) node.stretching = 1.5;
+  const std::array runs{filled(sphere, {}, fine), filled(sphere, gridOfSize(0.06)),
+                        filled(sphere, stretched),
+                        filled(sphere, sourceAt(Vec3(0, 0, 1), 0.04, 0.2)),
+                        filled(sphere, sourceAt(Vec3(0.2), 0.02, 0.05))};
+  for (const MeshRun& run : runs) {
+    expectValid(run);
+    EXPECT_EQ(run.statistics().missed, 0U);
+    EXPECT_EQ(run.statistics().limitedByBoundary, 0U);
+    EXPECT_NEAR(run.statistics().meanEdgeOfPossible, 1.0, 0.12);
+    const double estimated = run.progress().expectedTetrahedra;
+    const auto count = static_cast<double>(countOf(run));
+    EXPECT_LT(std::max(estimated / count, count / estimated), 1.5);
+  }
+  expectGoodAngles(runs[0]);
+  const auto count = static_cast<double>(countOf(runs[0]));
+  EXPECT_NEAR(static_cast<double>(countOf(runs[1])), count, 0.02 * count) << "one rule for all";
+}
+
+TEST(SurfaceWithGrid, TellsOfTrianglesTooLargeForWhatIsWanted) {
+  const SurfaceMesh cube = gridCube(1);
+  MeshOptions options;
+  options.size = 0.05;
+  const MeshRun run = filled(cube, {}, options);
+  expectGoodAngles(run);
+  const Diagnostic* coarse = coarsenessOf(run);
+  ASSERT_NE(coarse, nullptr);
+  EXPECT_EQ(coarse->severity, Severity::kWarning);
+  EXPECT_EQ(coarse->values[0], 12.0);
+  EXPECT_NEAR(coarse->values[1], std::sqrt(2.0) / 0.05, 1e-9);
+  EXPECT_GT(run.statistics().meanEdge, 15.0) << "of what is wanted";
+  EXPECT_NEAR(run.statistics().meanEdgeOfPossible, 1.0, 0.3);
+}
+
+/// A source that no node or edge of the surface is near.
+TEST(SurfaceWithGrid, TellsOfTheTriangleAroundASmallSource) {
+  const SurfaceMesh cube = gridCube(4);
+  const Vec3 within = Vec3(0.5 * (0.25 + 0.3), 0.26, 0.0);
+  const Diagnostic* coarse = nullptr;
+  const MeshRun run = filled(cube, sourceAt(within, 0.01, 0.0));
+  coarse = coarsenessOf(run);
+  ASSERT_NE(coarse, nullptr);
+  EXPECT_LT(glm::length(coarse->place - within), 0.25);
+  EXPECT_LT(coarse->values[0], 60.0);
+  EXPECT_EQ(coarsenessOf(filled(cube, sourceAt(within, 0.2, 0.0))), nullptr);
+  EXPECT_EQ(coarsenessOf(filled(cube, {})), nullptr);
+}
+
 TEST(SurfaceWithGrid, AUniformSizeGoesBeforeTheGrid) {
   const SurfaceMesh cube = gridCube(4);
   MeshOptions options;
@@ -81,15 +161,15 @@ TEST(SurfaceWithGrid, AUniformSizeGoesBeforeTheGrid) {
 }
 
 TEST(SurfaceWithGrid, AskedForMoreThanCanBeCountedIsRefusedWithANumber) {
-  const SurfaceMesh cube = gridCube(4);
-  for (const double size : {1e-5, 1e-308}) {
+  const SurfaceMesh cube = gridCube(12);
+  for (const double size : {1e-6, 1e-308}) {
     MeshOptions options;
     options.size = size;
     const MeshRun run = filled(cube, {}, options);
     ASSERT_EQ(run.status(), MeshStatus::kInvalidInput) << size;
-    EXPECT_EQ(run.diagnostics()[0].code, DiagnosticCode::kTooManyElements);
-    EXPECT_GT(run.diagnostics()[0].values[0], 1e14);
-    EXPECT_LE(run.diagnostics()[0].values[0], 1e15);
+    EXPECT_EQ(run.diagnostics().back().code, DiagnosticCode::kTooManyElements);
+    EXPECT_GT(run.diagnostics().back().values[0], 1e14);
+    EXPECT_LE(run.diagnostics().back().values[0], 1e15);
   }
 }
 

@@ -57,7 +57,7 @@ TEST(MeshRun, RefusesAbsurdSizesBeforeAnythingIsDivided) {
     ASSERT_EQ(run.advance(1), MeshStatus::kInvalidInput) << size;
     EXPECT_EQ(run.diagnostics().back().code, DiagnosticCode::kTooManyElements);
   }
-  const SurfaceMesh surface = testing::gridCube(2);
+  const SurfaceMesh surface = testing::gridCube(12);
   for (const double size : {1e-4, 1e-320}) {
     MeshOptions options;
     options.size = size;

@@ -17,12 +17,14 @@ import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from 
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { fileMeshOf } from "./formats/file-mesh.js";
 import { writeMesh } from "./formats/mesh-files.js";
+import type { SurfaceFile } from "./formats/surface-file.js";
 import { withMesher } from "./cli-grids.js";
 import type { RepairChange, RepairOptions } from "./inspection.js";
 import { MesherError } from "./mesher-error.js";
 import { createMesher } from "./mesher.js";
 import type { ProjectSource } from "./project-schema.js";
 import { checkOptions } from "./options.js";
+import { repairedSurface } from "./repaired-surface.js";
 import { emptyReport, emptyResult } from "./report.js";
 import type {
   Diagnostic,
@@ -49,6 +51,7 @@ export interface MeshCommandOptions extends RepairCommandOptions {
   readonly source?: readonly string[];
   readonly gradation?: string;
   readonly background?: string;
+  readonly refineSurface?: boolean;
   readonly enclosed?: EnclosedBodies;
   readonly order?: FrontOrder;
   /** False after --no-filters. */
@@ -74,6 +77,15 @@ interface Outcome {
   readonly written: string | null;
   /** Of the surface, where a repair was asked for. */
   readonly changes?: readonly RepairChange[] | undefined;
+  readonly refinement?: RefinementFigures | undefined;
+}
+
+/** What became of the surface, where its refinement was asked for. */
+interface RefinementFigures {
+  /** Triangles before and after. */
+  readonly given: number;
+  readonly triangles: number;
+  readonly splitEdges: number;
 }
 
 /** Runs the command; resolves with the exit code. */
@@ -82,8 +94,9 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   // Without a place for it there will be no report, not even about that.
   if (place !== undefined) return place.exitCode;
   const outcome = await meshAndWrite(input, options).catch((failure: unknown) => failed(failure, input));
-  const { changes, written } = outcome;
-  const report = { ...outcome.report, ...(changes && { repair: changes }), input, output: written };
+  const { changes, refinement, written } = outcome;
+  const done = { ...(changes && { repair: changes }), ...(refinement && { refinement }) };
+  const report = { ...outcome.report, ...done, input, output: written };
   const isOut = options.report === undefined || (await writeReport(options.report, report));
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
@@ -97,15 +110,29 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
   const { model, changes } = await withRepair(given, repair);
   if (changes !== undefined && !isQuiet) tellChanges(input, changes);
-  const result = await mesh(model, meshOptions, isQuiet, grid && { file: options.background ?? "", grid });
+  const isRefined = options.refineSurface === true;
+  const {
+    result,
+    model: meshed,
+    refinement,
+  } = await mesh(model, meshOptions, {
+    isQuiet,
+    isRefined,
+    given: grid && { file: options.background ?? "", grid },
+  });
+  if (refinement !== undefined && !isQuiet) tellRefinement(input, refinement);
   const { report } = result;
   tell(input, report.diagnostics, { isQuiet });
   const isWanted = mayWrite(result, options);
-  const written = isWanted && (await writeResult(input, options, result, model)) ? options.output : null;
+  const written = isWanted && (await writeResult(input, options, result, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written, options));
   const isLost = isWanted && written === null;
   const exitCode = isLost ? ExitCode.notCompleted : EXIT_CODES[report.status];
-  return { report, written, exitCode, changes };
+  return { report, written, exitCode, changes, refinement };
+}
+
+function tellRefinement(input: string, { given, triangles, splitEdges }: RefinementFigures): void {
+  say(`${input}: refined: ${given} triangles are ${triangles}, ${splitEdges} edges were halved.`);
 }
 
 async function withRepair(
@@ -153,7 +180,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
   const wrong = checkOptions(meshOptions);
   if (options.size !== undefined && options.background !== undefined) {
     const message = "both --size and --background are given";
-    wrong.push(packageDiagnostic("invalid-option", message, "Give one of them: a size is uniform."));
+    wrong.push(packageDiagnostic("invalid-option", message, "Give one of them."));
   }
   refuseOptions(wrong);
   return meshOptions;
@@ -205,12 +232,24 @@ interface GivenGrid {
   readonly grid: GridInput;
 }
 
+interface MeshingOptions {
+  readonly isQuiet: boolean;
+  readonly isRefined: boolean;
+  readonly given: GivenGrid | undefined;
+}
+
+/** A mesh, and what was meshed in the end. */
+interface Meshed {
+  readonly result: MeshResult;
+  readonly model: Input;
+  readonly refinement?: RefinementFigures;
+}
+
 async function mesh(
   model: Input,
   options: MeshOptions,
-  isQuiet: boolean,
-  given: GivenGrid | undefined,
-): Promise<MeshResult> {
+  { isQuiet, isRefined, given }: MeshingOptions,
+): Promise<Meshed> {
   const stop = new AbortController();
   // Once: who asks again while the mesher stops wants to be out at once, and gets the default.
   const onSignal = () => stop.abort();
@@ -220,15 +259,38 @@ async function mesh(
   const control: RunControl = { signal: stop.signal, onProgress: (progress) => bar?.update(progress) };
   try {
     const all = given === undefined ? options : await withGrid(mesher, options, given);
-    if (stop.signal.aborted) return emptyResult("cancelled");
-    return model.kind === "project"
-      ? await mesher.meshProject(model.project, all, control)
-      : await mesher.fillSurface(model.surface, all, control);
+    if (stop.signal.aborted) return { result: emptyResult("cancelled"), model };
+    if (model.kind === "project") {
+      return { result: await mesher.meshProject(model.project, all, control), model };
+    }
+    if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
+    const { surface, figures } = await refined(mesher, model.surface, all, control);
+    const result = await mesher.fillSurface(surface, all, control);
+    return { result, model: { kind: "surface", surface }, refinement: figures };
+  } catch (failure) {
+    if (!(failure instanceof MesherError) || failure.code !== "cancelled") throw failure;
+    return { result: emptyResult("cancelled"), model };
   } finally {
     bar?.stop();
     mesher.dispose();
     process.off("SIGINT", onSignal).off("SIGTERM", onSignal);
   }
+}
+
+async function refined(
+  mesher: Mesher,
+  given: SurfaceFile,
+  options: MeshOptions,
+  control: RunControl,
+): Promise<{ readonly surface: SurfaceFile; readonly figures: RefinementFigures }> {
+  const refinement = await mesher.refineSurface(given, options, control);
+  const surface = repairedSurface(given, refinement);
+  const figures = {
+    given: given.triangles.length / 3,
+    triangles: surface.triangles.length / 3,
+    splitEdges: refinement.splitEdges,
+  };
+  return { surface, figures };
 }
 
 async function withGrid(mesher: Mesher, options: MeshOptions, given: GivenGrid): Promise<MeshOptions> {

@@ -67,9 +67,13 @@ ${formatLines("writes", "volume")}
   -                  standard output, with --format to tell its format
 
 Sizes of elements
-  Of a project as it says; of a surface from its own edges, growing inwards by --grading. --size is
-  uniform. --background takes them from a mesh with sizes at its nodes (named "size"; "stretching" and
+  Of a project as it says; of a surface from its own edges, growing inwards by --grading up to --size.
+  --background takes them from a mesh with sizes at its nodes (named "size"; "stretching" and
   "direction" too, else from its own edges) or from a project. --source makes them smaller around a place.
+
+  A surface is kept triangle for triangle: beside triangles larger than wanted elements are as large, and
+  sizes fall inwards by --grading (at most 0.5 per unit of distance). You are told of such triangles;
+  --refine-surface divides them first, and leaves the shape as it is.
 
 Surfaces that cannot be filled
   \`tetrafront check\` tells why. Nothing is repaired unless you ask: --repair joins nodes at the same
@@ -80,7 +84,7 @@ ${EXIT_CODES_HELP}
 Examples
   tetrafront mesh part.stl -o part.vtu
   tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
-  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --grading 0.2
+  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --refine-surface
   tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
   tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
   tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu' --jobs 4 --report all.json
@@ -332,7 +336,10 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
     .addOption(formatOption())
     .addOption(fromOption())
     .addOption(toOption())
-    .option("-s, --size <length>", "uniform element size; replaces a project's background grid")
+    .option(
+      "-s, --size <length>",
+      "one element size: replaces a project's background grid, and is the largest within a surface",
+    )
     .option(
       "-g, --grading <rate>",
       `growth of the size away from a given surface (default ${DEFAULT_GROWTH})`,
@@ -345,6 +352,10 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]),
     )
     .option("-b, --background <file>", "sizes from this background grid instead")
+    .option(
+      "--refine-surface",
+      "divide a surface's triangles that are larger than the elements wanted there, first",
+    )
     .option(
       "--gradation <ratio>",
       `the most by which a grid's sizes grow from element to element; 0: as they are (default ${DEFAULT_GRADATION})`,

@@ -44,6 +44,7 @@ export const ENGINE_CODES = {
   48: "coincident-nodes",
   49: "nested-bodies",
   50: "turned-triangle",
+  51: "coarse-surface",
   60: "stalled",
   61: "verification-failed",
 } as const;

@@ -201,6 +201,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
           return `${main} asks for more than ${value(1)} sides`;
         case "patch":
           return `${main} asks for more than ${value(1)} triangles`;
+        case "triangle":
+          return `Refined, the surface would have ${isBeyondCounting(value(0)) ? "more than" : "about"} ${value(0)} triangles, the most of them in ${main}; the limit is ${value(1)}`;
         default:
           return `The sizes ask for ${isBeyondCounting(value(0)) ? "more than" : "about"} ${value(0)} tetrahedra, the limit is ${value(1)}`;
       }
@@ -280,6 +282,12 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       `${all(["point", "surface-node", "line", "patch"], "Two nodes")} lie at one place without being joined${at}`,
     remedy: ({ drawn }) =>
       drawn ? "Use one point in both lines, or move them apart." : "Weld the corners, or move them apart.",
+  },
+  "coarse-surface": {
+    message: ({ the, at, value }) =>
+      `${the("triangle")}${at} has an edge ${value(1)} times as long as wanted there, ${value(0) === "1" ? "alone" : `one of ${value(0)} triangles`} with edges more than twice as long: beside them elements are as large`,
+    remedy:
+      "Refine the surface (refineSurface(), --refine-surface on the command line), or ask for larger elements.",
   },
   stalled: {
     message: ({ value, at }) =>

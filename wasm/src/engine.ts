@@ -2,6 +2,7 @@
 import createEngine, {
   type Inspection,
   type MainModule,
+  type Refinement,
   type Repair,
   type Run,
   type VolumeInspection,
@@ -10,7 +11,7 @@ import createEngine, {
 export type Engine = MainModule;
 export type EngineRun = Run;
 /** What works in slices and has one result. */
-export type EngineTool = Inspection | Repair | VolumeInspection;
+export type EngineTool = Inspection | Refinement | Repair | VolumeInspection;
 
 let loading: Promise<Engine> | undefined;
 

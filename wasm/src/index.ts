@@ -42,6 +42,7 @@ export {
   type RepairOptions,
   type ShellFigures,
   type SurfaceInspection,
+  type SurfaceRefinement,
   type SurfaceRepair,
   type TriangleFigures,
 } from "./inspection.js";
@@ -74,6 +75,7 @@ export type {
   BackgroundArrays,
   CoverOptions,
   Diagnostic,
+  EdgeFigures,
   ElementFigures,
   EntityKind,
   EntityRef,

@@ -129,6 +129,16 @@ export interface SurfaceRepair {
   readonly changes: readonly RepairChange[];
 }
 
+/** A surface whose large triangles are divided: the same shape. */
+export interface SurfaceRefinement {
+  /** The given points, then the middles of the edges that were halved. */
+  readonly surface: SurfaceInput;
+  /** Per triangle: the position of the given triangle that it is a part of. */
+  readonly origin: Uint32Array;
+  /** How many edges were halved, halves of halves counted too; as many points are new. */
+  readonly splitEdges: number;
+}
+
 /** In `SurfaceRepair.origin`: a triangle that the given surface did not have. */
 export const NO_ORIGIN = 0xffffffff;
 
@@ -174,6 +184,7 @@ type ResultOf<Tool extends keyof Engine> = Engine[Tool] extends (...given: never
 /** The engine's answers, which cross to the caller as they are. */
 export type EngineInspection = ResultOf<"inspectSurface">;
 export type EngineRepair = ResultOf<"repairSurface">;
+export type EngineRefinement = ResultOf<"refineSurface">;
 export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 
 const SHELL_STRIDE = 6;
@@ -194,7 +205,9 @@ export function describedInspection(found: EngineInspection): SurfaceInspection 
   };
 }
 
-export function repairDiagnostics({ diagnostics }: EngineRepair): Diagnostic[] {
+export function changeDiagnostics({
+  diagnostics,
+}: Pick<EngineRepair | EngineRefinement, "diagnostics">): Diagnostic[] {
   return diagnostics.map((raw) => describeDiagnostic(raw, nameByPosition));
 }
 
@@ -205,6 +218,11 @@ export function describedRepair({ points, triangles, origin, ...rest }: EngineRe
     place: placeAt(places, i),
   })) as RepairChange[];
   return { surface: { points, triangles }, origin, changes };
+}
+
+export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {
+  const { points, triangles, origin, splitEdges } = refinement;
+  return { surface: { points, triangles }, origin, splitEdges };
 }
 
 type Without<T> = T extends unknown ? Omit<T, "place"> : never;

@@ -10,11 +10,13 @@ import { checkControl, checkProject, checkSurface, checkVolume } from "./input-c
 import {
   describedInspection,
   describedMesh,
+  describedRefinement,
   describedRepair,
-  repairDiagnostics,
+  changeDiagnostics,
   type MeshInspection,
   type RepairOptions,
   type SurfaceInspection,
+  type SurfaceRefinement,
   type SurfaceRepair,
 } from "./inspection.js";
 import {
@@ -23,6 +25,7 @@ import {
   checkOptions,
   checkPreviewOptions,
   checkProposalOptions,
+  checkRefineOptions,
   checkRepairOptions,
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
@@ -258,8 +261,28 @@ class WorkerMesher implements Mesher {
     const wanted = engineRepairOptions(options);
     const question = { kind: "repair-surface", id, points, triangles, options: wanted } as const;
     const repair = await this.#ask(question, control);
-    refuse(repairDiagnostics(repair));
+    refuse(changeDiagnostics(repair));
     return describedRepair(repair);
+  }
+
+  async refineSurface(
+    surface: SurfaceInput,
+    options: MeshOptions,
+    control: RunControl = {},
+  ): Promise<SurfaceRefinement> {
+    refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
+    const { background } = options;
+    const question = {
+      kind: "refine-surface",
+      id: this.#nextId(),
+      points: surface.points,
+      triangles: surface.triangles,
+      grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
+      options: engineOptions(options),
+    } as const;
+    const refinement = await this.#ask(question, control);
+    refuse(changeDiagnostics(refinement));
+    return describedRefinement(refinement);
   }
 
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
@@ -512,6 +535,7 @@ function tellProgress(waiting: Waiting, progress: Progress, onFailure: (failure:
 const SLICED: Readonly<Record<SlicedKind, true>> = {
   "inspect-surface": true,
   "repair-surface": true,
+  "refine-surface": true,
   "inspect-mesh": true,
 };
 

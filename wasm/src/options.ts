@@ -135,9 +135,17 @@ export function checkOptions(options: MeshOptions): Diagnostic[] {
   if (background === undefined) return wrong;
   if (rest.size !== undefined && !hasSourcesOnly(background)) {
     const message = "both an element size and a background grid are given";
-    wrong.push(invalidOption(message, "Give one of them: the size is uniform, the grid's are not."));
+    wrong.push(invalidOption(message, "Give one of them: one size, or the grid's."));
   }
   return [...wrong, ...checkBackground(background)];
+}
+
+/** Of `refineSurface`, which needs something to go by. */
+export function checkRefineOptions(options: MeshOptions): Diagnostic[] {
+  const wrong = checkOptions(options);
+  if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
+  const message = "no sizes are given to refine the surface by";
+  return [invalidOption(message, "Give an element size, sources of size or a background grid.")];
 }
 
 export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {

@@ -1,7 +1,12 @@
 /** What the page (or a Node program) and the worker say to each other. Types only. */
 import type { EngineDiagnostic } from "./diagnostics.js";
 import type { GridArrays } from "./grid-arrays.js";
-import type { EngineInspection, EngineRepair, EngineVolumeInspection } from "./inspection.js";
+import type {
+  EngineInspection,
+  EngineRefinement,
+  EngineRepair,
+  EngineVolumeInspection,
+} from "./inspection.js";
 import type { ModelArrays } from "./project-arrays.js";
 import type {
   BackgroundArrays,
@@ -90,6 +95,15 @@ export type Question =
       readonly triangles: Uint32Array;
       readonly options: EngineRepairOptions;
     }
+  /** Grid and options as for `fill-surface`. */
+  | {
+      readonly kind: "refine-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly grid: GridArrays;
+      readonly options: EngineOptions;
+    }
   /** No regions: all elements in one. */
   | {
       readonly kind: "inspect-mesh";
@@ -100,7 +114,7 @@ export type Question =
     };
 
 /** Worked on in slices: `progress` may come before the answer, and a `cancel` ends them without one. */
-export type SlicedKind = "inspect-surface" | "repair-surface" | "inspect-mesh";
+export type SlicedKind = "inspect-surface" | "repair-surface" | "refine-surface" | "inspect-mesh";
 
 /** Every request but `cancel` carries an id of its own; replies repeat it, late ones are dropped by it. */
 export type Request =
@@ -153,6 +167,7 @@ export interface Answers {
   readonly "mesh-as-grid": BackgroundArrays;
   readonly "inspect-surface": EngineInspection;
   readonly "repair-surface": EngineRepair;
+  readonly "refine-surface": EngineRefinement;
   readonly "inspect-mesh": EngineVolumeInspection;
 }
 

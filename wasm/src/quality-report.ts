@@ -19,7 +19,7 @@ export const NO_QUALITY: QualityReport = {
   worst: [],
   smallest: null,
   volumeRatio: 0,
-  edges: { mean: 0, nearWanted: 0 },
+  edges: { mean: 0, meanOfPossible: 0, nearWanted: 0 },
   missed: 0,
   limitedByBoundary: { count: 0, edges: 0, needles: 0, sheets: 0, worst: [] },
 };
@@ -31,7 +31,11 @@ export function qualityReport(record: StatisticsRecord): QualityReport {
     worst: elementsOf(record.worst),
     smallest: elementsOf(record.smallest)[0] ?? null,
     volumeRatio: record.volumeRatio,
-    edges: { mean: record.meanEdge, nearWanted: record.edgesNearWanted },
+    edges: {
+      mean: record.meanEdge,
+      meanOfPossible: record.meanEdgeOfPossible,
+      nearWanted: record.edgesNearWanted,
+    },
     missed: record.missed,
     limitedByBoundary: {
       count: record.limitedByBoundary,

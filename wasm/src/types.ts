@@ -4,7 +4,13 @@
  */
 
 import type { DiagnosticCode } from "./diagnostic-codes.js";
-import type { MeshInspection, RepairOptions, SurfaceInspection, SurfaceRepair } from "./inspection.js";
+import type {
+  MeshInspection,
+  RepairOptions,
+  SurfaceInspection,
+  SurfaceRefinement,
+  SurfaceRepair,
+} from "./inspection.js";
 import type { Project, ProjectBackground, ProjectSource } from "./project-schema.js";
 
 /** A closed triangle surface: x y z per node, three node positions per triangle, any turning. */
@@ -82,8 +88,13 @@ export type Optimization = "none" | "fast" | "default" | "strive";
 /** How a project or a surface is meshed. */
 export interface MeshOptions {
   /**
-   * Uniform element size in model units, > 0. Replaces the nodes and tetrahedra of a project's
-   * background grid, not its sources. Not together with `background`.
+   * Element size in model units, > 0. Replaces the nodes and tetrahedra of a project's background grid,
+   * not its sources; within a given surface it is the largest. Not together with `background`, unless that has
+   * sources only.
+   *
+   * A given surface is kept: where its triangles are larger than wanted, by this or by a grid or sources, so are
+   * the elements beside them (`coarse-surface`), and sizes fall inwards by `growth`, at most 0.5, per unit of
+   * distance. `refineSurface` divides them first.
    */
   readonly size?: number | undefined;
   /**
@@ -306,6 +317,19 @@ export interface LimitedByBoundary {
   readonly worst: readonly ElementFigures[];
 }
 
+/** Lengths of edges. Wanted are those asked for, whether a given surface allows them or not. */
+export interface EdgeFigures {
+  /** The mean of length by wanted length. */
+  readonly mean: number;
+  /**
+   * The mean of length by the length wanted of the front: longer beside triangles of a given surface that
+   * are too large (`coarse-surface`), the same everywhere else.
+   */
+  readonly meanOfPossible: number;
+  /** The share of edges between 0.6 and 1.5 wanted lengths. */
+  readonly nearWanted: number;
+}
+
 /**
  * The elements of a finished mesh. Shapes and lengths are those the size field sees: where it is
  * stretched, in the space where the wanted element is regular with edge 1.
@@ -320,8 +344,8 @@ export interface QualityReport {
   readonly smallest: ElementFigures | null;
   /** Largest by smallest volume. */
   readonly volumeRatio: number;
-  /** Length by wanted length: the mean, and the share of edges between 0.6 and 1.5. */
-  readonly edges: { readonly mean: number; readonly nearWanted: number };
+  /** Of all edges. */
+  readonly edges: EdgeFigures;
   /** Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse. */
   readonly missed: number;
   /** Those it does. */
@@ -447,6 +471,20 @@ export interface Mesher {
    * beside a run.
    */
   repairSurface(surface: SurfaceInput, options?: RepairOptions, control?: RunControl): Promise<SurfaceRepair>;
+  /**
+   * Divides the triangles of a surface that are larger than the elements wanted there, so that `fillSurface`
+   * with the same options can have these (otherwise it warns with `coarse-surface`). Edges longer than 1.41
+   * wanted lengths are halved in all their triangles, the longest of a triangle first: no angle falls below
+   * half of what it was, and the shape stays the same up to the rounding of middles. Patches follow by
+   * `repairedSurface(file, refinement)`. Rejects with `invalid-input` where numbers are broken, no sizes are
+   * given, or the triangles would be too many. O(n log n) for n triangles of the result; about 2 µs for each.
+   * Works in slices beside a run.
+   */
+  refineSurface(
+    surface: SurfaceInput,
+    options: MeshOptions,
+    control?: RunControl,
+  ): Promise<SurfaceRefinement>;
   /**
    * Whether a mesh is sound, how good its elements are, and its boundary. Rejects with `invalid-input`
    * where coordinates or indices are broken. O(n log n); about a microsecond per element. Works in slices beside

@@ -43,6 +43,11 @@ async function handle(engine: Engine, request: Request): Promise<void> {
       return work(request.id, engine.inspectSurface(request.points, request.triangles));
     case "repair-surface":
       return work(request.id, engine.repairSurface(request.points, request.triangles, request.options));
+    case "refine-surface":
+      return work(
+        request.id,
+        engine.refineSurface(request.points, request.triangles, request.grid, request.options),
+      );
     case "inspect-mesh":
       return work(request.id, engine.inspectMesh(request.points, request.tetrahedra, request.regions));
     default:

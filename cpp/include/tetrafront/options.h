@@ -28,9 +28,12 @@ enum class EnclosedBodies : std::uint8_t {
 };
 
 struct MeshOptions {
-  /// Uniform element size, in model units, > 0. Given, it replaces the nodes and tetrahedra of a
-  /// model's background grid, but not its sources, and caps the interior size of a given surface
-  /// (reached step by step where the surface's own edges are longer). 0: not given.
+  /// Uniform element size, in model units, > 0. Given, it replaces the nodes and tetrahedra of the
+  /// background grid, but not its sources, and caps the sizes within a given surface. 0: not given.
+  ///
+  /// The triangles of a given surface stay: where they are larger than wanted (by this, a grid or
+  /// sources), so are the elements beside them, and sizes fall inwards by `growth` per unit of
+  /// distance, at most 0.5. refineSurface() divides such triangles first.
   double size = 0.0;
   /// Growth of the element size per unit of distance from a given surface's edges, >= 0.
   double growth = 0.3;

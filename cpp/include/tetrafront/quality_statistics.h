@@ -42,6 +42,7 @@ struct QualityStatistics {
   ElementFigures smallest;                ///< by volume
   double volumeRatio = 0.0;               ///< largest by smallest volume
   double meanEdge = 0.0;                  ///< by wanted length
+  double meanEdgeOfPossible = 0.0;        ///< by the length that the surface's triangles allow
   double edgesNearWanted = 0.0;           ///< share of the edges between 0.6 and 1.5 wanted lengths
   /// Wanted are dihedral angles from 30 to 135 degrees: elements with an angle beyond, which the
   /// boundary does not excuse.

@@ -9,7 +9,9 @@
 #include <span>
 #include <vector>
 
+#include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"
+#include "tetrafront/options.h"
 #include "tetrafront/status.h"
 #include "tetrafront/vec3.h"
 
@@ -162,5 +164,44 @@ class SurfaceRepairer {
 [[nodiscard]] SurfaceRepair repairSurface(std::span<const double> points,
                                           std::span<const std::uint32_t> triangles,
                                           const RepairOptions& options);
+
+struct SurfaceRefinement {
+  std::vector<double> points;  ///< the given ones, then the middles of halved edges
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> origin;  ///< per triangle: the given one that it is a part of
+  std::uint32_t splitEdges = 0;       ///< as many as there are new points
+  /// Not empty where nothing was done: numbers, sizes or the grid are broken, or kTooManyElements, with
+  /// the triangle that asks for the most, as values the triangles expected and the most there may be.
+  std::vector<Diagnostic> diagnostics;
+};
+
+/// Divides the triangles of a surface that are larger than the elements wanted there, so that a run
+/// with the same grid and options can have these: sizes as for MeshRun. Edges longer than root 2 of
+/// what is wanted are halved, each in all of its triangles, the longest of its triangles only (Rivara
+/// 1984): angles stay above half of what they were. New points are middles of edges, up to rounding:
+/// the shape is the same. Triangles keep their turning. O(n log n) for n triangles of the result.
+class SurfaceRefiner {
+ public:
+  /// Arrays as for MeshRun; they are copied.
+  SurfaceRefiner(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                 BackgroundGrid grid, const MeshOptions& options);
+  SurfaceRefiner(SurfaceRefiner&&) noexcept;
+  SurfaceRefiner& operator=(SurfaceRefiner&&) noexcept;
+  ~SurfaceRefiner();
+
+  /// Works on for about `budget` edges or triangles; true when finished. Linking the edges of the
+  /// given triangles is one step.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Complete once advance() has returned true.
+  [[nodiscard]] const SurfaceRefinement& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace tetrafront

@@ -1,5 +1,6 @@
 #include "field/size_field.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "field/tensor_limits.h"
@@ -20,7 +21,23 @@ void SizeField::addSources(std::span<const SizeSource> sources) {
   sources_ = SizeSources(all);
 }
 
+void SizeField::liftTo(SizeOctree floor) { floor_ = std::move(floor); }
+
+double SizeField::liftAt(const Vec3& place, double meanSize) const {
+  return floor_ ? std::max(1.0, floor_->sizeAt(place) / meanSize) : 1.0;
+}
+
 double SizeField::sizeAt(const Vec3& place, FieldHint& hint) const {
+  const double size = wantedSizeAt(place, hint);
+  return floor_ ? std::max(size, floor_->sizeAt(place)) : size;
+}
+
+SymmetricTensor SizeField::tensorAt(const Vec3& place, FieldHint& hint) const {
+  const SymmetricTensor tensor = wantedTensorAt(place, hint);
+  return floor_ ? tensor.scaledBy(liftAt(place, meanSizeOf(tensor))) : tensor;
+}
+
+double SizeField::wantedSizeAt(const Vec3& place, FieldHint& hint) const {
   const double size = baseSizeAt(place, hint);
   return sources_.empty() ? size : sources_.cappedSize(place, size);
 }
@@ -37,9 +54,9 @@ bool SizeField::isStretched() const {
   return grid != nullptr && grid->isStretched();
 }
 
-SymmetricTensor SizeField::tensorAt(const Vec3& place, FieldHint& hint) const {
+SymmetricTensor SizeField::wantedTensorAt(const Vec3& place, FieldHint& hint) const {
   const auto* grid = std::get_if<GridLocator>(&base_);
-  if (grid == nullptr) return SymmetricTensor::isotropic(sizeAt(place, hint));
+  if (grid == nullptr) return SymmetricTensor::isotropic(wantedSizeAt(place, hint));
   const SymmetricTensor tensor = grid->tensorAt(locate(*grid, place, hint));
   if (sources_.empty()) return tensor;
   return cappedTo(tensor, sources_.cappedSize(place, largestPossible(tensor)));

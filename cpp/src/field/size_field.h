@@ -1,10 +1,12 @@
 #pragma once
 
 /// @file The size field: what the background grid, a uniform size or the surface's own edges ask
-/// for at a place (steps F1, F3, F7), cut down to what sources ask for. One concrete class without
-/// virtual calls, as it is asked several times per element.
+/// for at a place (steps F1, F3, F7), cut down to what sources ask for, and lifted where the
+/// triangles of a given surface allow no smaller elements. One concrete class without virtual calls,
+/// as it is asked several times per element.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <variant>
@@ -37,7 +39,11 @@ class SizeField {
   /// Adds sources, which must have passed checkSizeSources(), to what there is.
   void addSources(std::span<const SizeSource> sources);
 
-  /// Wanted edge length at `place`, > 0. Outside a background grid: the value at the nearest
+  /// Lifts sizes to what can be had beside a surface's triangles. Stretched elements keep their
+  /// shape: all axes grow alike, until the mean square of the principal sizes is no smaller.
+  void liftTo(SizeOctree floor);
+
+  /// Edge length to be made at `place`, > 0. Outside a background grid: the value at the nearest
   /// point of the nearest tetrahedron met; whoever must not accept that asks covers() first.
   [[nodiscard]] double sizeAt(const Vec3& place, FieldHint& hint) const;
 
@@ -46,6 +52,14 @@ class SizeField {
 
   /// The size tensor H at `place`; outside a background grid as sizeAt().
   [[nodiscard]] SymmetricTensor tensorAt(const Vec3& place, FieldHint& hint) const;
+
+  /// What is wanted, whether it can be had or not: the same without the lifting.
+  [[nodiscard]] double wantedSizeAt(const Vec3& place, FieldHint& hint) const;
+  [[nodiscard]] SymmetricTensor wantedTensorAt(const Vec3& place, FieldHint& hint) const;
+
+  [[nodiscard]] bool isLifted() const { return floor_.has_value(); }
+  /// Size to be made over wanted size, >= 1. `meanSize`: meanSizeOf() the tensor wanted there.
+  [[nodiscard]] double liftAt(const Vec3& place, double meanSize) const;
 
   /// False if `place` is outside the background grid by more than rounding; always true for the
   /// other kinds.
@@ -63,6 +77,7 @@ class SizeField {
 
   Base base_;
   SizeSources sources_;
+  std::optional<SizeOctree> floor_;
   mutable WalkCount walked_;  ///< a measurement, which no answer depends on
 };
 

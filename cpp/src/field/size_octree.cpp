@@ -7,9 +7,9 @@
 namespace tetrafront {
 
 SizeOctree::SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
-                       double growth, double cap, double descent) {
+                       double growth, double cap) {
   constexpr std::uint32_t kSlice = 1U << 20U;
-  SizeOctreeBuilder builder(points, triangles, growth, cap, descent);
+  SizeOctreeBuilder builder(points, triangles, growth, cap);
   while (!builder.advance(kSlice)) {
   }
   *this = builder.take();

@@ -1,7 +1,8 @@
 #pragma once
 
-/// @file The size field of a given surface: each surface node asks for the mean length of its
-/// edges, and the wish grows with the distance from it, up to a cap. Held on an octree.
+/// @file Sizes that come from a given surface, held on an octree: what its nodes ask for, which is
+/// the mean length of their edges and grows with the distance from them; and the least that can be
+/// had beside its triangles, which falls with the distance.
 
 #include <array>
 #include <cstdint>
@@ -17,16 +18,15 @@ class SizeOctree {
   /// h(x) = min(cap, min_i h_i + growth |x - x_i|), h_i the twice averaged mean edge at node i.
   /// `cap` 0: the 90th percentile of the h_i. Triangles are three positions in `points` each;
   /// nodes of no triangle are ignored. 1 to 3 µs per triangle; SizeOctreeBuilder does it in
-  /// slices. `descent` > 0: where the surface is coarser than the cap, h falls from its h_i to the cap
-  /// by so much per unit of distance; a front cannot follow a jump.
+  /// slices.
   SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles, double growth,
-             double cap, double descent = 0.0);
+             double cap);
 
   /// Trilinear in the leaf that holds `place`; outside the box, the value at its nearest point.
   /// Not continuous from one leaf size to the next: the jump is below the leaf's own error.
   [[nodiscard]] double sizeAt(const Vec3& place) const;
 
-  /// The largest size the field takes, but for places where it descends to it.
+  /// The largest size the field takes.
   [[nodiscard]] double cap() const { return cap_; }
 
   [[nodiscard]] std::size_t leafCount() const { return leaves_.size(); }

@@ -18,10 +18,12 @@ constexpr double kSmoothCellPerSize = 4.0;
 constexpr double kFlatBend = 0.03;
 /// Cells reached by at most this many cones keep a list of them; larger ones ask the tree.
 constexpr std::size_t kMaxListLength = 128;
-/// Where it descends from a coarse surface, cells are this much smaller, and it begins so many sizes
-/// below the surface: else leaves could not hold the ridge.
-constexpr double kRidgeCellShare = 0.5;
-constexpr double kRim = 0.4;
+/// No cap is below this share of the box: single precision could not tell it from nothing.
+constexpr double kLeastCap = 1e-20;
+/// Deep below the surface errors count as shares of smaller sizes.
+constexpr float kDescentSlack = 0.006F;
+/// Sizes this much below those of the surface need no smaller cells: some dozens for each triangle.
+constexpr double kDeepShare = 0.25;
 /// Of the unit cube.
 constexpr double kHalfDiagonal = 0.8660254037844386;
 /// Where no cap is given: this share of the node sizes lies below it.
@@ -34,7 +36,9 @@ constexpr double kFinestQuantile = 0.2;
 /// Adds each triangle's edge lengths to both of their ends. An edge of a closed surface is met
 /// from both sides, once in each direction, so every edge at a node counts twice.
 std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
-                                    std::span<const std::uint32_t> triangles) {
+                                    std::span<const std::uint32_t> triangles,
+                                    std::span<const SymmetricTensor> views) {
+  const auto lengthOf = [](const Vec3& d) { return std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z); };
   std::vector<double> sum(points.size(), 0.0);
   std::vector<std::uint32_t> count(points.size(), 0);
   for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
@@ -42,9 +46,8 @@ std::vector<double> meanEdgeLengths(std::span<const Vec3> points,
       const std::uint32_t a = triangles[t + k];
       const std::uint32_t b = triangles[t + (k + 1) % 3];
       const Vec3 d = points[b] - points[a];
-      const double length = std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z);
-      sum[a] += length;
-      sum[b] += length;
+      sum[a] += lengthOf(views.empty() ? d : views[a] * d);
+      sum[b] += lengthOf(views.empty() ? d : views[b] * d);
       ++count[a];
       ++count[b];
     }
@@ -96,8 +99,9 @@ double rootEdge(double extent, double size) {
 }  // namespace
 
 std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
-                                        std::span<const std::uint32_t> triangles) {
-  std::vector<double> sizes = meanEdgeLengths(points, triangles);
+                                        std::span<const std::uint32_t> triangles,
+                                        std::span<const SymmetricTensor> views) {
+  std::vector<double> sizes = meanEdgeLengths(points, triangles, views);
   averageOnce(triangles, sizes);
   averageOnce(triangles, sizes);
   return sizes;
@@ -105,10 +109,26 @@ std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
 
 SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points,
                                      std::span<const std::uint32_t> triangles, double growth,
-                                     double cap, double descent)
-    : descentPerGrowth_(cap > 0.0 && growth > 0.0 ? descent / growth : 0.0) {
+                                     double cap) {
   const std::vector<double> sizes = averagedEdgeLengths(points, triangles);
   tree_.cap_ = cap > 0.0 ? cap : quantile(sizes, kCapQuantile);
+  placeRoot(points, sizes);
+  sites_.emplace(points, sizes, growth);
+}
+
+SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> places, std::span<const double> lengths,
+                                     const SizeDescent& rule)
+    : rule_(rule) {
+  tree_.cap_ = std::numeric_limits<double>::max();
+  placeRoot(places, lengths);
+  top_ = 2.0 * *std::ranges::max_element(lengths);
+  std::vector<double> below;
+  below.reserve(lengths.size());
+  for (const double length : lengths) below.push_back(top_ - length);
+  sites_.emplace(places, below, rule.descent, kDescentSlack);
+}
+
+void SizeOctreeBuilder::placeRoot(std::span<const Vec3> points, std::span<const double> sizes) {
   Vec3 lower(std::numeric_limits<double>::max());
   Vec3 upper(-std::numeric_limits<double>::max());
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -120,8 +140,8 @@ SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points,
   edge_ = rootEdge(extent * (1.0 + 2.0 * kBoxMargin), quantile(sizes, kFinestQuantile));
   tree_.origin_ = 0.5 * (lower + upper) - Vec3(0.5 * edge_);
   tree_.latticePerLength_ = static_cast<double>(1U << SizeOctree::kMaxLevel) / edge_;
+  tree_.cap_ = std::max(tree_.cap_, kLeastCap * edge_);
   tree_.nodes_.assign(1, 0);
-  sites_.emplace(points, sizes, growth);
   open_.reserve(SizeOctree::kMaxLevel + 1);
 }
 
@@ -169,29 +189,28 @@ SizeSites::Value SizeOctreeBuilder::sample(const Vec3& place, std::uint32_t gues
 void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   const double w = width(cell.level);
   const Value centre = sample(cell.lower + Vec3(0.5 * w), cell.corners[0].site, reaching);
+  if (rule_ && descentIsFine(cell, centre)) return close(cell);
   // The field's slope is at most `growth`: that bounds it from the value at the centre.
   const double swing = kHalfDiagonal * w * sites_->growth();
-  Extremes sizes = extremesAt(cell, centre);
+  Extremes sizes = extremesAt(cell, held(centre));
   sizes.most = std::min(tree_.cap_, centre.size + swing);
   const SizeSites::Range range{cell.lower, cell.lower + Vec3(w)};
   List& own = lists_[static_cast<std::size_t>(cell.level)];
   own.clear();
   bool hasList = false;
   double least = std::min(sizes.most, centre.size - swing);
-  // Where the field descends to the cap, the cones above it matter too.
-  const double highest = descentPerGrowth_ > 0.0 ? centre.size + swing : sizes.most;
   if (reaching != nullptr) {
-    least = sites_->collect(range, highest, *reaching, own);
+    least = sites_->collect(range, sizes.most, *reaching, own);
     hasList = true;
-  } else if (estimatedReach(centre, highest) < static_cast<double>(kMaxListLength)) {
-    least = sites_->collect(range, highest, kMaxListLength, own);
+  } else if (estimatedReach(centre, sizes.most) < static_cast<double>(kMaxListLength)) {
+    least = sites_->collect(range, sizes.most, kMaxListLength, own);
     hasList = own.size() <= kMaxListLength;
   }
   // Samples may miss a small feature; where they would let the cell be, it is looked for.
-  if (!hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
+  if (!rule_ && !hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
     least = sites_->leastIn(range, sizes.most);
   }
-  const bool fine = isFine(w, sizes.loweredTo(least)) && descentIsFine(cell, centre);
+  const bool fine = !rule_ && isFine(w, sizes.loweredTo(least));
   if (fine || cell.level == SizeOctree::kMaxLevel) {
     close(cell);
   } else {
@@ -199,17 +218,18 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   }
 }
 
-SizeOctreeBuilder::Extremes SizeOctreeBuilder::extremesAt(const Cell& cell,
-                                                          const Value& centre) const {
-  const double middle = std::min(centre.size, tree_.cap_);
+/// Of what the tree is to hold at the corners; `middle` at the centre.
+SizeOctreeBuilder::Extremes SizeOctreeBuilder::extremesAt(const Cell& cell, double middle) const {
   double lowest = middle;
+  double most = middle;
   double sum = 0.0;
   for (const Value& corner : cell.corners) {
-    const double size = std::min(corner.size, tree_.cap_);
+    const double size = held(corner);
     lowest = std::min(lowest, size);
+    most = std::max(most, size);
     sum += size;
   }
-  return {lowest, tree_.cap_, lowest, std::fabs(sum / 8.0 - middle)};
+  return {lowest, most, lowest, std::fabs(sum / 8.0 - middle)};
 }
 
 bool SizeOctreeBuilder::isFine(double width, const Extremes& sizes) {
@@ -219,29 +239,14 @@ bool SizeOctreeBuilder::isFine(double width, const Extremes& sizes) {
          sizes.lowest - sizes.least <= kFlatSpread * sizes.least;
 }
 
-/// The value under the cap, or on its way down to it from a coarser surface.
-double SizeOctreeBuilder::limited(const Value& value, double nearer) const {
-  const double size = sites_->sizeOf(value.site);
-  if (descentPerGrowth_ == 0.0 || size <= tree_.cap_) return std::min(value.size, tree_.cap_);
-  const double rise = value.size - size - sites_->growth() * (kRim * size + nearer);
-  return std::max(tree_.cap_, size - descentPerGrowth_ * std::max(rise, 0.0));
-}
-
 bool SizeOctreeBuilder::descentIsFine(const Cell& cell, const Value& centre) const {
-  if (descentPerGrowth_ == 0.0) return true;
   const double w = width(cell.level);
-  const double middle = limited(centre);
-  double least = middle;
-  // Samples may miss the surface.
-  double most = limited(centre, kHalfDiagonal * w);
-  double sum = 0.0;
-  for (unsigned k = 0; k < 8; ++k) {
-    const double size = limited(cell.corners[k]);
-    least = std::min(least, size);
-    most = std::max(most, size);
-    sum += size;
-  }
-  return isFine(w / kRidgeCellShare, {least, most, least, std::fabs(sum / 8.0 - middle)});
+  const Extremes sizes = extremesAt(cell, held(centre));
+  const double swing = kHalfDiagonal * w * sites_->growth();
+  if (held(centre) + swing <= rule_->least) return true;
+  const double scale = std::max(sizes.least, kDeepShare * lengthAt(centre.site));
+  if (w <= kCellPerSize * scale) return true;
+  return w <= kSmoothCellPerSize * scale && sizes.bend <= kFlatBend * scale;
 }
 
 /// How many sites have cones below `most`, were the surface a plane of the nearest one's size.
@@ -249,14 +254,14 @@ double SizeOctreeBuilder::estimatedReach(const Value& nearest, double most) cons
   const double size = sites_->sizeOf(nearest.site);
   const double reach = most - size;
   const double height = nearest.size - size;
-  const double scale = size * sites_->growth();
+  const double scale = lengthAt(nearest.site) * sites_->growth();
   return 4.0 * (reach * reach - height * height) / (scale * scale);
 }
 
 void SizeOctreeBuilder::close(const Cell& cell) {
   SizeOctree::Leaf leaf;
   for (unsigned k = 0; k < 8; ++k) {
-    leaf[k] = static_cast<float>(limited(cell.corners[k]));
+    leaf[k] = static_cast<float>(held(cell.corners[k]));
   }
   tree_.nodes_[cell.node] = SizeOctree::kLeafBit | static_cast<std::uint32_t>(tree_.leaves_.size());
   tree_.leaves_.push_back(leaf);

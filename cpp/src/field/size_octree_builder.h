@@ -4,6 +4,7 @@
 /// values at its corners; a split adds the 18 places between them and the centre. Small cells hand
 /// down the list of the cones that reach them.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -12,15 +13,32 @@
 
 #include "field/size_octree.h"
 #include "field/size_sites.h"
+#include "field/size_tensor.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
+
+/// The least sizes that a front can make beside places of a surface whose edges have length h_i:
+///
+///     max_i h_i - descent |x - x_i|.
+///
+/// A front cannot follow a jump.
+struct SizeDescent {
+  double descent = 0.0;  ///< per unit of distance, > 0
+  double least = 0.0;    ///< below this nobody asks: values there need not be exact
+};
 
 class SizeOctreeBuilder {
  public:
   /// Arguments as of SizeOctree; they need not outlive the call. O(triangles log triangles).
   SizeOctreeBuilder(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
-                    double growth, double cap, double descent = 0.0);
+                    double growth, double cap);
+
+  /// The least sizes beside places with edges of those lengths, > 0. O(n log n): away from them a
+  /// cell is a share of their edges.
+  SizeOctreeBuilder(std::span<const Vec3> places, std::span<const double> lengths,
+                    const SizeDescent& rule);
+
   // Frames point to lists in here.
   SizeOctreeBuilder(const SizeOctreeBuilder&) = delete;
   SizeOctreeBuilder& operator=(const SizeOctreeBuilder&) = delete;
@@ -50,32 +68,41 @@ class SizeOctreeBuilder {
   };
   /// What is known of the field in a cell.
   struct Extremes {
-    double least;   ///< of the samples, or in the whole cell
-    double most;    ///< an upper bound
-    double lowest;  ///< of the samples
-    double bend;    ///< how far the centre is from the mean of the corners
+    double least = 0.0;   ///< of the samples, or in the whole cell
+    double most = 0.0;    ///< an upper bound
+    double lowest = 0.0;  ///< of the samples
+    double bend = 0.0;    ///< how far the centre is from the mean of the corners
 
     [[nodiscard]] Extremes loweredTo(double size) const {
       return {std::min(least, size), most, lowest, bend};
     }
   };
 
+  void placeRoot(std::span<const Vec3> points, std::span<const double> sizes);
   void refineRoot();
   void refine(const Cell& cell, const List* reaching);
   void split(const Cell& cell, const Value& centre, const List* reaching);
   void close(const Cell& cell);
   [[nodiscard]] double width(int level) const;
   [[nodiscard]] Value sample(const Vec3& place, std::uint32_t guess, const List* reaching) const;
-  [[nodiscard]] Extremes extremesAt(const Cell& cell, const Value& centre) const;
+  [[nodiscard]] Extremes extremesAt(const Cell& cell, double middle) const;
+  [[nodiscard]] bool descentIsFine(const Cell& cell, const Value& centre) const;
   [[nodiscard]] double estimatedReach(const Value& nearest, double most) const;
   static bool isFine(double width, const Extremes& sizes);
-  /// `nearer`: for a place that much nearer to the site.
-  [[nodiscard]] double limited(const Value& value, double nearer = 0.0) const;
-  [[nodiscard]] bool descentIsFine(const Cell& cell, const Value& centre) const;
+  /// What the tree is to hold.
+  [[nodiscard]] double held(const Value& value) const {
+    return rule_ ? top_ - value.size : std::min(value.size, tree_.cap_);
+  }
+  /// The length of edges at the site.
+  [[nodiscard]] double lengthAt(std::uint32_t site) const {
+    return rule_ ? top_ - sites_->sizeOf(site) : sites_->sizeOf(site);
+  }
 
   SizeOctree tree_;
   std::optional<SizeSites> sites_;
-  double descentPerGrowth_;  ///< 0: the field jumps to the cap at once
+  std::optional<SizeDescent> rule_;
+  /// The greatest of values that fall is this less the least of values that grow: of top_ - h_i.
+  double top_ = 0.0;
   double edge_ = 0.0;
   bool hasBegun_ = false;
   std::vector<Frame> open_;
@@ -83,8 +110,10 @@ class SizeOctreeBuilder {
 };
 
 /// h_i of SizeOctree: the mean length of the edges at each node, averaged twice (half its own
-/// value, half the mean of its neighbours'); 0 at nodes of no triangle.
+/// value, half the mean of its neighbours'); 0 at nodes of no triangle. `views`: edges are as long as
+/// the views of their nodes make them; empty: as they are.
 [[nodiscard]] std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
-                                                      std::span<const std::uint32_t> triangles);
+                                                      std::span<const std::uint32_t> triangles,
+                                                      std::span<const SymmetricTensor> views = {});
 
 }  // namespace tetrafront

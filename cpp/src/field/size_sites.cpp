@@ -24,8 +24,9 @@ float gapSquared(const LowA& lowA, const HighA& highA, const LowB& lowB, const H
 
 }  // namespace
 
-SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth)
-    : growth_(growth), squaredGrowth_(static_cast<float>(growth * growth)) {
+SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth,
+                     float slack)
+    : slack_(slack), growth_(growth), squaredGrowth_(static_cast<float>(growth * growth)) {
   std::vector<std::uint32_t> used;
   std::vector<Vec3> places;
   Vec3 lower(std::numeric_limits<double>::max());
@@ -165,8 +166,8 @@ SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess) const {
   const Reach reach{p, p};
   std::uint32_t site = guess;
   float best = cone(guess, reach);
-  float limit = best * (1.0F - kSlack);
-  float merge = best * kMerge;
+  float limit = best * (1.0F - slack_);
+  float merge = best * slack_;
   visitBoxes(reach, limit, merge, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) {
       const float size = cone(i, reach);
@@ -174,8 +175,8 @@ SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess) const {
       best = size;
       site = i;
     }
-    limit = best * (1.0F - kSlack);
-    merge = best * kMerge;
+    limit = best * (1.0F - slack_);
+    merge = best * slack_;
     return true;
   });
   return {best * extent_, site};
@@ -202,12 +203,12 @@ SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess,
 double SizeSites::leastIn(const Range& range, double limit) const {
   const Reach reach = inward(range);
   float least = inward(limit);
-  float worthwhile = least * (1.0F - kSlack);
-  float merge = least * kMerge;
+  float worthwhile = least * (1.0F - slack_);
+  float merge = least * slack_;
   visitBoxes(reach, worthwhile, merge, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t i = first; i < last; ++i) least = std::min(least, cone(i, reach));
-    worthwhile = least * (1.0F - kSlack);
-    merge = least * kMerge;
+    worthwhile = least * (1.0F - slack_);
+    merge = least * slack_;
     return true;
   });
   return std::min(limit, least * extent_);

@@ -18,8 +18,10 @@ namespace tetrafront {
 
 class SizeSites {
  public:
-  /// Nodes whose size is 0 are left out. At least one size must be > 0.
-  SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth);
+  /// Nodes whose size is 0 are left out. At least one size must be > 0. No value will be above the
+  /// true one by more than twice the share `slack` of it; work grows with its inverse.
+  SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth,
+            float slack = kSlack);
 
   [[nodiscard]] double growth() const { return growth_; }
   [[nodiscard]] double sizeOf(std::uint32_t site) const { return sites_[site].size * extent_; }
@@ -29,7 +31,7 @@ class SizeSites {
     std::uint32_t site = 0;  ///< which cone is lowest: a good first guess for places nearby
   };
 
-  /// min_i h_i + growth |x - x_i|, at most kSlack + kMerge above the true minimum. `guess` is any
+  /// min_i h_i + growth |x - x_i|, up to the slack. `guess` is any
   /// site.
   [[nodiscard]] Value at(const Vec3& place, std::uint32_t guess) const;
 
@@ -52,7 +54,7 @@ class SizeSites {
   double collect(const Range& range, double limit, std::span<const std::uint32_t> among,
                  std::vector<std::uint32_t>& list) const;
 
-  /// The least value in the range, or `limit` if that is less; at most kSlack + kMerge too high.
+  /// The least value in the range, or `limit` if that is less; up to the slack.
   [[nodiscard]] double leastIn(const Range& range, double limit) const;
 
  private:
@@ -82,13 +84,13 @@ class SizeSites {
   template <class Visit>
   void visitBoxes(const Reach& reach, const float& limit, const float& merge, Visit visit) const;
 
-  /// A branch is not opened for less than this relative gain. Bounds the work at places that are
-  /// equally far from everything, such as the centre of a sphere.
   static constexpr float kSlack = 0.03F;
-  /// Nor is one whose sites agree this well, seen from so far: its smallest stands for all.
-  static constexpr float kMerge = 0.03F;
   static constexpr std::uint32_t kSitesPerLeaf = 8;
 
+  /// A branch is not opened for less than this relative gain. Bounds the work at places that are
+  /// equally far from everything, such as the centre of a sphere. Nor is one whose sites agree this
+  /// well, seen from so far: its smallest stands for all.
+  float slack_;
   double growth_;
   float squaredGrowth_;
   Vec3 centre_{0.0};

@@ -69,6 +69,12 @@ struct SymmetricTensor {
   }
 };
 
+/// The mean square of the principal sizes, as a length: the size itself where nothing is stretched.
+[[nodiscard]] inline double meanSizeOf(const SymmetricTensor& h) {
+  const double crossed = h.xy * h.xy + h.xz * h.xz + h.yz * h.yz;
+  return std::sqrt((h.xx * h.xx + h.yy * h.yy + h.zz * h.zz + 2.0 * crossed) / 3.0);
+}
+
 /// H of one node.
 [[nodiscard]] inline SymmetricTensor sizeTensor(const BackgroundNode& node) {
   const double square = glm::dot(node.direction, node.direction);

@@ -79,6 +79,7 @@ QualitySurvey::QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface,
   } else {
     sizes_.resize(nodes);
   }
+  if (field.isLifted()) lifts_.resize(nodes);
   starts_.assign(nodes + 1, 0);
 }
 
@@ -143,12 +144,23 @@ std::span<const std::uint32_t, 4> QualitySurvey::nodesOf(std::size_t element) co
 void QualitySurvey::askSizes(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const Vec3 place = pointOf(static_cast<std::uint32_t>(i));
+    double size = 0.0;
     if (isStretched_) {
-      tensors_[i] = field_.tensorAt(place, hint_).inverse();
+      const SymmetricTensor wanted = field_.wantedTensorAt(place, hint_);
+      tensors_[i] = wanted.inverse();
+      size = meanSizeOf(wanted);
     } else {
-      sizes_[i] = field_.sizeAt(place, hint_);
+      size = sizes_[i] = field_.wantedSizeAt(place, hint_);
     }
+    if (!lifts_.empty()) lifts_[i] = field_.liftAt(place, size);
   }
+}
+
+double QualitySurvey::meanLift(std::span<const std::uint32_t> nodes) const {
+  if (lifts_.empty()) return 1.0;
+  double sum = 0.0;
+  for (const std::uint32_t node : nodes) sum += lifts_[node];
+  return sum / static_cast<double>(nodes.size());
 }
 
 std::array<Vec3, 4> QualitySurvey::seenCorners(std::span<const std::uint32_t, 4> nodes) const {
@@ -243,6 +255,7 @@ void QualitySurvey::measureEdges(std::size_t firstNode, std::size_t lastNode) {
       const double length = relativeLength(static_cast<std::uint32_t>(lower), upper);
       ++statisticsOf(mesh_.regions[element]).edge[linearBin(length, kBinsPerEdge, kEdgeBins)];
       sumOfEdges_ += length;
+      sumOfPossible_ += length / meanLift(std::array{static_cast<std::uint32_t>(lower), upper});
       ++edgeCount_;
       nearCount_ += length >= kNearFrom && length <= kNearTo ? 1 : 0;
     }
@@ -272,11 +285,12 @@ ElementView QualitySurvey::viewOf(std::span<const std::uint32_t, 4> nodes) const
   if (!isStretched_) {
     double size = 0.0;
     for (const std::uint32_t node : nodes) size += kPart * sizes_[node];
+    size *= meanLift(nodes);
     return {SymmetricTensor::isotropic(1.0 / size), pointOf(nodes[0])};
   }
   SymmetricTensor toUnit = tensors_[nodes[0]].scaledBy(kPart);
   for (std::size_t k = 1; k < 4; ++k) toUnit.accumulate(tensors_[nodes[k]], kPart);
-  return {toUnit, pointOf(nodes[0])};
+  return {toUnit.scaledBy(1.0 / meanLift(nodes)), pointOf(nodes[0])};
 }
 
 void QualitySurvey::count(BoundaryLimit limit) {
@@ -336,10 +350,12 @@ void QualitySurvey::finish() {
   statistics_.smallest = figuresOf(smallest_);
   statistics_.volumeRatio = smallestVolume_ > 0.0 ? largestVolume_ / smallestVolume_ : 0.0;
   statistics_.meanEdge = sumOfEdges_ / static_cast<double>(edgeCount_);
+  statistics_.meanEdgeOfPossible = sumOfPossible_ / static_cast<double>(edgeCount_);
   statistics_.edgesNearWanted = static_cast<double>(nearCount_) / static_cast<double>(edgeCount_);
   missed_ = {};
   sizes_ = {};
   tensors_ = {};
+  lifts_ = {};
 }
 
 }  // namespace tetrafront

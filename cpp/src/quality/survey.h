@@ -55,6 +55,8 @@ class QualitySurvey {
   [[nodiscard]] std::span<const std::uint32_t, 4> nodesOf(std::size_t element) const;
   /// The corners as the size field sees them, the first in the origin; plain ones up to a factor.
   [[nodiscard]] std::array<Vec3, 4> seenCorners(std::span<const std::uint32_t, 4> nodes) const;
+  /// Over the nodes, of the sizes made over the sizes wanted.
+  [[nodiscard]] double meanLift(std::span<const std::uint32_t> nodes) const;
   [[nodiscard]] double relativeLength(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] ElementFigures figuresOf(std::uint32_t element) const;
   [[nodiscard]] ElementView viewOf(std::span<const std::uint32_t, 4> nodes) const;
@@ -77,8 +79,9 @@ class QualitySurvey {
   std::size_t next_ = 0;
   QualityMeter meter_;
   QualityStatistics statistics_;
-  std::vector<double> sizes_;             ///< of nodes, where nothing is stretched
+  std::vector<double> sizes_;             ///< wanted at nodes, where nothing is stretched
   std::vector<SymmetricTensor> tensors_;  ///< T of nodes, where something is
+  std::vector<double> lifts_;             ///< of nodes, where the field is lifted
   /// Edges of elements by their lower node, as 6 x element + edge: those of node i begin at
   /// starts_[i].
   std::vector<std::uint32_t> starts_;
@@ -87,6 +90,7 @@ class QualitySurvey {
   std::vector<std::uint32_t>
       metBy_;  ///< of a node: the last lower node it shared an edge with, + 1
   double sumOfEdges_ = 0.0;
+  double sumOfPossible_ = 0.0;
   std::uint64_t edgeCount_ = 0;
   std::uint64_t nearCount_ = 0;
   double largestVolume_ = 0.0;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 
+#include "surface/column_samples.h"
 #include "surface/model_sampling.h"
 #include "surface/surface_access.h"
 
@@ -15,6 +17,8 @@ constexpr int kSamplesPerAxis = 12;
 constexpr double kUnitTriangle = 0.4330127018922193;
 /// No element has more of the boundary's triangles.
 constexpr double kTrianglesPerTetrahedron = 4.0;
+/// Without nodes inside there are at least about half as many elements as triangles.
+constexpr double kTetrahedraPerTriangle = 0.5;
 
 /// Mean over a lattice of samples in the box of how many unit tetrahedra's volume fits into H's.
 double meanDensity(const Vec3& low, const Vec3& high, const SizeField& field) {
@@ -47,13 +51,11 @@ double enclosedVolume(const SurfaceMesh& surface) {
 }
 
 double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {
-  Vec3 low = pointOf(surface, 0);
-  Vec3 high = low;
-  for (std::uint32_t node = 1; 3 * std::size_t{node} < surface.points.size(); ++node) {
-    low = glm::min(low, pointOf(surface, node));
-    high = glm::max(high, pointOf(surface, node));
-  }
-  return enclosedVolume(surface) * meanDensity(low, high, field);
+  const auto corners = static_cast<double>(surface.triangles.size());
+  const double atTriangles = kTetrahedraPerTriangle * corners / 3.0;
+  const double density = ColumnSamples(surface, field).meanDensity();
+  const double within = kTetrahedraPerUnitVolume * enclosedVolume(surface) * density;
+  return within > atTriangles || std::isnan(within) ? within : atTriangles;
 }
 
 double tetrahedraPerVolume(const Vec3& low, const Vec3& high, const SizeField& field) {

@@ -11,9 +11,9 @@ namespace tetrafront {
 /// So many regular tetrahedra of edge 1 have the unit volume: 6 sqrt 2.
 inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
 
-/// The number of tetrahedra that the field asks for: the mean of 1/h^3 over a lattice of samples
-/// in the boundary's box, times the enclosed volume; h^3 is the size tensor's determinant. The
-/// surface must be closed, oriented and not empty.
+/// The number of tetrahedra that the field asks for: the mean of 1/h^3 over samples of the inside,
+/// times the enclosed volume; h^3 is the size tensor's determinant. The surface must be closed,
+/// oriented and not empty. O(triangles).
 [[nodiscard]] double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field);
 
 /// An estimate as it is told to the user: above 10^15, or where it overflowed, that.

@@ -7,7 +7,9 @@ import {
   writeProject,
   type BackgroundArrays,
   type Mesher,
+  type MeshOptions,
   type MeshResult,
+  type SurfaceInput,
   type Project,
   type ProjectSource,
   type VolumeMesh,
@@ -267,13 +269,19 @@ function around(size: number, more: Partial<BackgroundArrays> = {}): BackgroundA
   };
 }
 
+/** With triangles as small as the elements wanted. */
+async function refinedAndFilled(given: SurfaceInput, options: MeshOptions) {
+  const { surface } = await mesher.refineSurface(given, options);
+  return mesher.fillSurface(surface, options);
+}
+
 describe("a background grid of arrays", () => {
   test("gives a given surface its sizes", async () => {
     const surface = boxSurface(6);
     const [own, coarse, fine] = [
       await mesher.fillSurface(surface),
       await mesher.fillSurface(surface, { background: around(0.4) }),
-      await mesher.fillSurface(surface, { background: around(0.1) }),
+      await refinedAndFilled(surface, { background: around(0.1) }),
     ];
     for (const result of [own, coarse, fine]) expectDone(result);
     expect(coarse.report.tetrahedra).toBeLessThan(own.report.tetrahedra);
@@ -285,8 +293,8 @@ describe("a background grid of arrays", () => {
     const directions = Float64Array.from({ length: 12 }, (_, i) => (i % 3 === 0 ? 2 : 0));
     const stretched = around(0.1, { stretchings: new Float64Array(4).fill(3), directions });
     const [round, long] = [
-      await mesher.fillSurface(surface, { background: around(0.1), optimization: "none" }),
-      await mesher.fillSurface(surface, { background: stretched }),
+      await refinedAndFilled(surface, { background: around(0.1), optimization: "none" }),
+      await refinedAndFilled(surface, { background: stretched }),
     ];
     expectDone(long);
     expect(2 * long.report.tetrahedra).toBeLessThan(round.report.tetrahedra);
@@ -315,7 +323,7 @@ describe("a background grid of arrays", () => {
     };
     const [own, refined] = [
       await mesher.fillSurface(boxSurface(3)),
-      await mesher.fillSurface(boxSurface(3), { background: alone }),
+      await refinedAndFilled(boxSurface(3), { background: alone }),
     ];
     expectDone(refined);
     expect(refined.report.tetrahedra).toBeGreaterThan(1.3 * own.report.tetrahedra);

@@ -42,6 +42,35 @@ const without = ({ points, triangles }: SurfaceInput, count: number): SurfaceInp
   triangles: triangles.slice(3 * count),
 });
 
+describe("--refine-surface", () => {
+  test("divides large triangles first, and tells; patches follow", async () => {
+    const { points, triangles } = boxSurface(1, [0, 0, 0], [1, 1, 1]);
+    const patched = offFile({ points, triangles });
+    save("box.off", patched);
+    const args = ["mesh", "box.off", "-o", "box.msh", "--size", "0.2", "--report", "box.json"];
+    const coarse = await tetrafront(folder, args);
+    expect(coarse.code).toBe(0);
+    expect(coarse.stderr).toContain("--refine-surface");
+    const { code, stderr } = await tetrafront(folder, [...args, "--refine-surface"]);
+    expect(code).toBe(0);
+    expect(stderr).not.toContain("warning");
+    const { refinement, triangles: count } = jsonIn("box.json") as MeshReport & {
+      refinement: { given: number; triangles: number; splitEdges: number };
+    };
+    expect(refinement.given).toBe(12);
+    expect(refinement.triangles).toBe(count);
+    expect(refinement.splitEdges).toBe(count / 2 - 6);
+    expect(stderr).toContain(`refined: 12 triangles are ${count}`);
+  });
+
+  test("without sizes is refused", async () => {
+    save("box.off", offFile(box));
+    const { code, stderr } = await tetrafront(folder, ["mesh", "box.off", "-o", "b.vtu", "--refine-surface"]);
+    expect(code).toBe(2);
+    expect(stderr).toContain("No sizes are given");
+  });
+});
+
 describe("check", () => {
   test("tells the figures of a sound surface and ends with 0", async () => {
     save("part.off", offFile(cavitySurface(10)));
@@ -114,6 +143,7 @@ describe("mesh", () => {
         async (more, i) => {
           const { code } = await tetrafront(folder, [
             ...["mesh", "part.off", "-o", `${i}.vtu`, "--report", `${i}.json`, "-q", ...more],
+            ...(more.length > 0 ? ["--refine-surface"] : []),
           ]);
           expect(code).toBe(0);
           return (jsonIn(`${i}.json`) as MeshReport).tetrahedra;

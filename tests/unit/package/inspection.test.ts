@@ -147,6 +147,51 @@ describe("a repair", () => {
   });
 });
 
+describe("the refinement of a surface", () => {
+  const plain = boxSurface(1, [0, 0, 0], [1, 1, 1]);
+
+  test("makes a box of twelve triangles fit for a small size, and the warning goes", async () => {
+    const options = { size: 0.15 };
+    const before = await mesher.fillSurface(plain, options);
+    expect(before.report.tetrahedra).toBeLessThan(50);
+    expect(before.report.diagnostics).toMatchObject([
+      { code: "coarse-surface", severity: "warning", entities: [{ kind: "triangle" }] },
+    ]);
+    expect(before.report.quality.edges.mean).toBeGreaterThan(5);
+    const { surface, origin, splitEdges } = await mesher.refineSurface(plain, options);
+    expect(surface.points).toHaveLength(plain.points.length + 3 * splitEdges);
+    expect(origin).toHaveLength(surface.triangles.length / 3);
+    const found = await mesher.inspectSurface(surface);
+    expect(found).toMatchObject({ isFillable: true, volume: 1, bodies: 1 });
+    expect(found.area).toBeCloseTo(6, 12);
+    const { report } = await mesher.fillSurface(surface, options);
+    expect(report.diagnostics).toEqual([]);
+    expect(report.dihedral.min).toBeGreaterThan(30);
+    expect(report.dihedral.max).toBeLessThan(135);
+    expect(Math.abs(report.quality.edges.mean - 1)).toBeLessThan(0.12);
+  });
+
+  test("needs sizes to go by, and refuses what would be too much", async () => {
+    for (const [options, code] of [
+      [{}, "invalid-option"],
+      [{ size: -1 }, "invalid-option"],
+      [{ size: 1e-6 }, "too-many-elements"],
+    ] as const) {
+      await expect(mesher.refineSurface(plain, options)).rejects.toMatchObject({
+        code: "invalid-input",
+        diagnostics: [{ code }],
+      });
+    }
+  });
+
+  test("can be cancelled", async () => {
+    const control = new AbortController();
+    const refining = mesher.refineSurface(plain, { size: 0.002 }, { signal: control.signal });
+    setTimeout(() => control.abort(), 50);
+    await expect(refining).rejects.toMatchObject({ code: "cancelled" });
+  });
+});
+
 describe("the inspection of a mesh", () => {
   test("agrees with the report of the run", async () => {
     const { volume, report, surface } = await mesher.fillSurface(box, { size: 0.5 });
@@ -183,9 +228,11 @@ describe("aborting", () => {
 
 describe("a size that asks for too many elements", () => {
   test("is refused before the start with a size that fits, and the mesher goes on", async () => {
-    const { report } = await mesher.fillSurface(box, { size: 1e-4 });
-    expect(report).toMatchObject({ status: "invalid-input", diagnostics: [{ code: "too-many-elements" }] });
-    const { remedy = "", values = [] } = report.diagnostics[0] ?? {};
+    const fine = boxSurface(12, [0, 0, 0], [1, 1, 1]);
+    const { report } = await mesher.fillSurface(fine, { size: 1e-4 });
+    expect(report.status).toBe("invalid-input");
+    const { code, remedy = "", values = [] } = report.diagnostics.at(-1) ?? {};
+    expect(code).toBe("too-many-elements");
     const factor = Number(/at least ([\d.]+) times as large/.exec(remedy)?.[1]);
     const [estimate = 0, limit = 0] = values;
     expect(estimate / factor ** 3).toBeLessThanOrEqual(limit);

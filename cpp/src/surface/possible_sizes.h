@@ -1,0 +1,54 @@
+#pragma once
+
+/// @file What of the sizes wanted in a given surface can be had: its triangles stay, and elements
+/// beside them can be no smaller; from there inwards sizes fall step by step. Triangles that are too
+/// large for what is wanted are counted.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "field/size_field.h"
+#include "field/size_octree_builder.h"
+#include "tetrafront/background_grid.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/options.h"
+#include "tetrafront/status.h"
+
+namespace tetrafront {
+
+/// Looks at a surface in slices, and lifts the field where that is coarser.
+class PossibleSizes {
+ public:
+  /// `field` has the sizes wanted there by the same grid and options. All must outlive this.
+  PossibleSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
+                SizeField& field);
+
+  /// Works on for about `budget` triangles or cells; true when the field is lifted.
+  bool advance(std::uint32_t budget);
+
+  /// kCoarseSurface, or nothing.
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
+
+ private:
+  void look(std::uint32_t triangle);
+  /// How many wanted elements the triangle's edges are long, at most.
+  [[nodiscard]] double coarsenessOf(std::uint32_t triangle);
+  void startFloor();
+
+  const SurfaceMesh& surface_;
+  const MeshOptions& options_;
+  SizeField& field_;
+  SizeField asked_;  ///< what is asked for but for the surface's own sizes; empty if that is field_
+  bool usesGrid_;
+  double least_ = 0.0;  ///< nobody asks for less
+  FieldHint hint_;
+  std::uint32_t next_ = 0;
+  std::uint32_t coarse_ = 0;
+  std::uint32_t coarsest_ = 0;
+  double coarseness_ = 0.0;
+  bool isLooking_ = true;
+  std::optional<SizeOctreeBuilder> builder_;
+};
+
+}  // namespace tetrafront

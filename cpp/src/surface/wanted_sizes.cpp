@@ -1,0 +1,63 @@
+#include "surface/wanted_sizes.h"
+
+#include <utility>
+
+#include "surface/surface_access.h"
+
+namespace tetrafront {
+
+bool usesGrid(const BackgroundGrid& grid, const MeshOptions& options) {
+  return !(options.size > 0.0) && (!grid.nodes.empty() || !grid.tetrahedra.empty());
+}
+
+bool asksForSizes(const BackgroundGrid& grid, const MeshOptions& options) {
+  return options.size > 0.0 || usesGrid(grid, options) || !grid.sources.empty();
+}
+
+std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid, const MeshOptions& options) {
+  return usesGrid(grid, options) ? checkBackgroundGrid(grid) : checkSizeSources(grid.sources);
+}
+
+WantedSizes::WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
+                         const MeshOptions& options)
+    : grid_(grid) {
+  if (usesGrid(grid, options)) {
+    field_ = SizeField::fromGrid(GridLocator(grid, options.gradation - 1.0));
+    field_->addSources(grid.sources);
+    coverage_.emplace(surface, *field_);
+  } else {
+    builder_.emplace(pointsOf(surface), surface.triangles, options.growth, options.size);
+  }
+}
+
+bool WantedSizes::advance(std::uint32_t budget) {
+  if (coverage_) return coverage_->advance(budget);
+  if (!builder_) return true;
+  if (!builder_->advance(budget)) return false;
+  field_ = SizeField::fromOctree(builder_->take());
+  field_->addSources(grid_.sources);
+  builder_.reset();
+  return true;
+}
+
+std::vector<Diagnostic> WantedSizes::diagnostics() const {
+  return coverage_ ? coverage_->diagnostics() : std::vector<Diagnostic>{};
+}
+
+SizeField WantedSizes::take() { return std::move(*field_); }
+
+double wantedLengthAt(const SizeField& field, const Vec3& place, const Vec3& edge,
+                      FieldHint& hint) {
+  if (!field.isStretched()) return glm::length(edge) / field.wantedSizeAt(place, hint);
+  return glm::length(field.wantedTensorAt(place, hint).inverse() * edge);
+}
+
+double wantedLength(const SizeField& field, const Vec3& a, const Vec3& b, FieldHint& hint) {
+  const Vec3 edge = b - a;
+  return (wantedLengthAt(field, a, edge, hint) +
+          4.0 * wantedLengthAt(field, 0.5 * (a + b), edge, hint) +
+          wantedLengthAt(field, b, edge, hint)) /
+         6.0;
+}
+
+}  // namespace tetrafront
