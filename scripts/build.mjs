@@ -5,7 +5,13 @@ import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
 import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
-import { bundlePages, dropOrphans, minifyLoader, writeProjectSchema } from "./lib/package-files.mjs";
+import {
+  bundlePages,
+  dropOrphans,
+  minifyCommandLine,
+  minifyLoader,
+  writeProjectSchema,
+} from "./lib/package-files.mjs";
 import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
 import { jobs, main, must, say, UserError } from "./lib/run.mjs";
 import { findFuzzer, which } from "./lib/tools.mjs";
@@ -33,6 +39,7 @@ export const steps = {
     dropOrphans();
     await writeProjectSchema();
     await bundlePages();
+    await minifyCommandLine();
     markFresh(stamp, hash);
   },
   async site() {

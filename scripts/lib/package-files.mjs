@@ -38,6 +38,24 @@ export async function minifyLoader() {
   markFresh(stamp, hashOf([loader]));
 }
 
+/** Minifies what only the command line loads; its maps lead to the sources as before. */
+export async function minifyCommandLine() {
+  const { build } = await import("esbuild");
+  const dist = inRoot("wasm", "dist");
+  await build({
+    entryPoints: filesUnder([dist], { skip: [] }).filter((file) =>
+      /^cli[^/]*\.js$/.test(path.relative(dist, file)),
+    ),
+    outdir: dist,
+    allowOverwrite: true,
+    format: "esm",
+    target: "es2022",
+    minify: true,
+    sourcemap: true,
+    logLevel: "warning",
+  });
+}
+
 /**
  * Bundles the package for pages without a bundler: wasm/dist/page holds the API and the worker with all
  * they import, formats in files of their own that are fetched when needed. The engine stays the one in

@@ -179,12 +179,12 @@ describe("mesh --background", () => {
   });
 
   test("takes the grid and the sources of another project, also for a surface", async () => {
-    const sources = [{ id: 1, type: "point", places: [[0, 0, 0]], size: 0.1, distance: 0.2 }] as const;
+    const sources = [{ id: 1, type: "point", places: [[0.5, 0.5, 0.5]], size: 0.08, distance: 0.2 }] as const;
     save("grid.json", writeProject(cubeProject(0.5)));
     save("fine.json", writeProject({ ...bare, background: { ...cubeProject(0.5).background, sources } }));
     save("only.json", writeProject({ ...bare, background: { ...bare.background, sources } }));
     save("bare.json", writeProject(bare));
-    save("cube.off", offFile(boxSurface(3)));
+    save("cube.off", offFile(boxSurface(6)));
     for (const input of ["bare.json", "cube.off"]) {
       const coarse = await meshed(input, "-o", "a.vtu", "--background", "grid.json");
       const fine = await meshed(input, "-o", "b.vtu", "--background", "fine.json");
