@@ -268,7 +268,7 @@ class MeshRun::Impl {
   /// Once the sizes wanted are known, what of them the surface allows.
   void makeSurfaceField(std::uint32_t budget) {
     if (!field_) {
-      if (!wantedSizes_) wantedSizes_.emplace(surface_, grid_, options_);
+      if (!wantedSizes_) wantedSizes_.emplace(surface_, grid_, options_, OwnEdges::kCount);
       if (!wantedSizes_->advance(budget)) return;
       report(wantedSizes_->diagnostics());
       if (anyError(diagnostics_)) return fail();

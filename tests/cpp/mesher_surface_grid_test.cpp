@@ -97,6 +97,20 @@ BackgroundGrid sourceAt(const Vec3& place, double size, double distance) {
   return grid;
 }
 
+/// Far above the surface's own edges sizes grow from these, and elements keep their angles.
+TEST(SurfaceWithGrid, SizesFarAboveTheTrianglesLeaveNoSlivers) {
+  const SurfaceMesh sphere = geodesicSphere(14);
+  BackgroundGrid stretched = gridOfSize(0.4);
+  for (BackgroundNode& node : stretched.nodes) node.stretching = 1.2;
+  for (const BackgroundGrid& grid : {gridOfSize(0.4), stretched}) {
+    const MeshRun run = filled(sphere, grid);
+    expectValid(run);
+    EXPECT_EQ(run.statistics().missed, 0U);
+    EXPECT_GT(run.statistics().meanEdge, 0.88);
+    EXPECT_EQ(coarsenessOf(run), nullptr);
+  }
+}
+
 /// Far below the surface's own edges, in whatever way it is asked for: sizes descend from the triangles,
 /// and elements keep their angles.
 TEST(SurfaceWithGrid, SizesFarBelowTheTrianglesLeaveNoSlivers) {

@@ -1,6 +1,6 @@
 /** `tetrafront mesh`: reads, meshes, writes, and says what happened. */
 import { writableName, writeAll } from "./cli-convert.js";
-import { checkOutput, FileProblem, STANDARD_STREAM, writeOutput } from "./cli-files.js";
+import { checkOutput, FileProblem, writeOutput } from "./cli-files.js";
 import {
   gridArrays,
   numberIn,
@@ -11,7 +11,7 @@ import {
   type Input,
 } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
-import { checkApart, checkWritable, inputFiles, outputFiles, type NamedFile } from "./cli-places.js";
+import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
@@ -101,12 +101,19 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
 
+const refinedProject = packageDiagnostic(
+  "invalid-option",
+  "--refine-surface is for surfaces, and this is a project",
+  "Leave it out: patches are meshed to the sizes wanted.",
+);
+
 async function meshAndWrite(input: string, options: MeshCommandOptions): Promise<Outcome> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
   const repair = repairOptions(options);
   await checkMeshPlace(input, options);
   const given = await readModel(input, options.from);
+  if (given.kind === "project" && options.refineSurface === true) refuseOptions([refinedProject]);
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
   const { model, changes } = await withRepair(given, repair);
   if (changes !== undefined && !isQuiet) tellChanges(input, changes);
@@ -217,12 +224,14 @@ async function checkMeshPlace(input: string, options: MeshCommandOptions): Promi
 }
 
 async function checkReportPlace(input: string, options: MeshCommandOptions): Promise<undefined> {
-  const { report, output, background } = options;
+  const { report, output, background, from, to } = options;
   if (report === undefined) return;
   await checkOutput(report);
-  const kept: NamedFile[] = [{ words: "the mesh", file: output }];
-  if (input !== STANDARD_STREAM) kept.push({ words: "the input", file: input });
-  if (background !== undefined) kept.push({ words: "the background grid", file: background });
+  const kept = [
+    ...outputFiles(output, to, "the mesh"),
+    ...inputFiles(input, from),
+    ...(background === undefined ? [] : inputFiles(background, undefined, "the background grid")),
+  ];
   await checkApart(kept, [{ words: "the report", file: report }]);
 }
 
@@ -264,6 +273,9 @@ async function mesh(
       return { result: await mesher.meshProject(model.project, all, control), model };
     }
     if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
+    // Told in the numbers of what was given.
+    const { isFillable, diagnostics } = await mesher.inspectSurface(model.surface, control);
+    if (!isFillable) return { result: emptyResult("invalid-input", diagnostics), model };
     const { surface, figures } = await refined(mesher, model.surface, all, control);
     const result = await mesher.fillSurface(surface, all, control);
     return { result, model: { kind: "surface", surface }, refinement: figures };

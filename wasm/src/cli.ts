@@ -72,7 +72,8 @@ Sizes of elements
   "direction" too, else from its own edges) or from a project. --source makes them smaller around a place.
 
   A surface is kept triangle for triangle: beside triangles larger than wanted elements are as large, and
-  sizes fall inwards by --grading (at most 0.5 per unit of distance). You are told of such triangles;
+  sizes fall inwards by --grading (at most 0.5 per unit of distance), as they grow from triangles that are
+  smaller than a background's sizes. You are told of triangles that are too large;
   --refine-surface divides them first, and leaves the shape as it is.
 
 Surfaces that cannot be filled

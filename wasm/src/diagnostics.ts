@@ -74,7 +74,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
         ? `${main} has the coordinate ${value(0)}, too large or too small to compute with`
         : `${main} has a coordinate that is not a finite number`;
     },
-    remedy: "Give finite coordinates, not beyond 1e30 and not all below 1e-30; scale the model if need be.",
+    remedy:
+      "Give finite coordinates, not beyond 1e30, and 0 for those below 1e-75; scale a model that is all below 1e-30.",
   },
   "index-out-of-range": {
     message: ({ main, value }) => `${main} refers to number ${value(0)}, which does not exist`,

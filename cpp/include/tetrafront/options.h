@@ -35,7 +35,8 @@ struct MeshOptions {
   /// sources), so are the elements beside them, and sizes fall inwards by `growth` per unit of
   /// distance, at most 0.5. refineSurface() divides such triangles first.
   double size = 0.0;
-  /// Growth of the element size per unit of distance from a given surface's edges, >= 0.
+  /// Growth of the element size per unit of distance from a given surface's edges, up to `size` or what a
+  /// background grid asks for, >= 0.
   double growth = 0.3;
   /// The most by which sizes may grow from one element to the next, > 1: nodes of the background
   /// grid that ask for more than their neighbours' size + (gradation - 1) times the distance are

@@ -93,9 +93,9 @@ enum class DiagnosticCode : std::uint16_t {
   kNestedBodies = 49,     ///< information; values: number of regions, of cavities
   kTurnedTriangle = 50,  ///< triangle of a given surface that faces inward where others of its part
                          ///< face outward; values: number of such triangles
-  kCoarseSurface = 51,  ///< warning; triangle of a given surface with the longest edges in wanted
-                        ///< lengths, place; values: number of triangles with edges more than twice
-                        ///< as long as wanted, wanted lengths of the longest
+  kCoarseSurface = 51,   ///< warning; triangle of a given surface with the longest edges in wanted
+                         ///< lengths, place; values: number of triangles with edges more than twice
+                         ///< as long as wanted, wanted lengths of the longest
   // Volume
   kStalled = 60,             ///< values: faces left in the front
   kVerificationFailed = 61,  ///< values: failing elements; our own mistake, never the user's

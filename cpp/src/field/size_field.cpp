@@ -21,6 +21,8 @@ void SizeField::addSources(std::span<const SizeSource> sources) {
   sources_ = SizeSources(all);
 }
 
+void SizeField::cutTo(SizeOctree ceiling) { ceiling_ = std::move(ceiling); }
+
 void SizeField::liftTo(SizeOctree floor) { floor_ = std::move(floor); }
 
 double SizeField::liftAt(const Vec3& place, double meanSize) const {
@@ -38,7 +40,8 @@ SymmetricTensor SizeField::tensorAt(const Vec3& place, FieldHint& hint) const {
 }
 
 double SizeField::wantedSizeAt(const Vec3& place, FieldHint& hint) const {
-  const double size = baseSizeAt(place, hint);
+  double size = baseSizeAt(place, hint);
+  if (ceiling_) size = std::min(size, ceiling_->sizeAt(place));
   return sources_.empty() ? size : sources_.cappedSize(place, size);
 }
 
@@ -57,7 +60,10 @@ bool SizeField::isStretched() const {
 SymmetricTensor SizeField::wantedTensorAt(const Vec3& place, FieldHint& hint) const {
   const auto* grid = std::get_if<GridLocator>(&base_);
   if (grid == nullptr) return SymmetricTensor::isotropic(wantedSizeAt(place, hint));
-  const SymmetricTensor tensor = grid->tensorAt(locate(*grid, place, hint));
+  SymmetricTensor tensor = grid->tensorAt(locate(*grid, place, hint));
+  if (ceiling_) {
+    tensor = tensor.scaledBy(std::min(1.0, ceiling_->sizeAt(place) / meanSizeOf(tensor)));
+  }
   if (sources_.empty()) return tensor;
   return cappedTo(tensor, sources_.cappedSize(place, largestPossible(tensor)));
 }

@@ -39,6 +39,10 @@ class SizeField {
   /// Adds sources, which must have passed checkSizeSources(), to what there is.
   void addSources(std::span<const SizeSource> sources);
 
+  /// Cuts sizes down to those that grow from a surface's own edges. Stretched elements keep their
+  /// shape, as in liftTo().
+  void cutTo(SizeOctree ceiling);
+
   /// Lifts sizes to what can be had beside a surface's triangles. Stretched elements keep their
   /// shape: all axes grow alike, until the mean square of the principal sizes is no smaller.
   void liftTo(SizeOctree floor);
@@ -77,6 +81,7 @@ class SizeField {
 
   Base base_;
   SizeSources sources_;
+  std::optional<SizeOctree> ceiling_;
   std::optional<SizeOctree> floor_;
   mutable WalkCount walked_;  ///< a measurement, which no answer depends on
 };

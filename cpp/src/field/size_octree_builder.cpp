@@ -110,7 +110,16 @@ std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
 SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points,
                                      std::span<const std::uint32_t> triangles, double growth,
                                      double cap) {
-  const std::vector<double> sizes = averagedEdgeLengths(points, triangles);
+  growFrom(points, averagedEdgeLengths(points, triangles), growth, cap);
+}
+
+SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points, std::span<const double> lengths,
+                                     double growth, double cap) {
+  growFrom(points, lengths, growth, cap);
+}
+
+void SizeOctreeBuilder::growFrom(std::span<const Vec3> points, std::span<const double> sizes,
+                                 double growth, double cap) {
   tree_.cap_ = cap > 0.0 ? cap : quantile(sizes, kCapQuantile);
   placeRoot(points, sizes);
   sites_.emplace(points, sizes, growth);

@@ -34,6 +34,10 @@ class SizeOctreeBuilder {
   SizeOctreeBuilder(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
                     double growth, double cap);
 
+  /// The same for edges as long as given at each point; `cap` > 0.
+  SizeOctreeBuilder(std::span<const Vec3> points, std::span<const double> lengths, double growth,
+                    double cap);
+
   /// The least sizes beside places with edges of those lengths, > 0. O(n log n): away from them a
   /// cell is a share of their edges.
   SizeOctreeBuilder(std::span<const Vec3> places, std::span<const double> lengths,
@@ -78,6 +82,8 @@ class SizeOctreeBuilder {
     }
   };
 
+  void growFrom(std::span<const Vec3> points, std::span<const double> sizes, double growth,
+                double cap);
   void placeRoot(std::span<const Vec3> points, std::span<const double> sizes);
   void refineRoot();
   void refine(const Cell& cell, const List* reaching);

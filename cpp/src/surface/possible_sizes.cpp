@@ -27,40 +27,47 @@ double leastAskedFor(const BackgroundGrid& grid, const MeshOptions& options) {
   return least;
 }
 
-/// A size or nothing, and the sources.
-SizeField askedBeside(const BackgroundGrid& grid, const MeshOptions& options) {
-  constexpr double kAnySize = 1e300;
-  SizeField asked = SizeField::uniform(options.size > 0.0 ? options.size : kAnySize);
-  asked.addSources(grid.sources);
-  return asked;
-}
-
 }  // namespace
 
 PossibleSizes::PossibleSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
                              const MeshOptions& options, SizeField& field)
     : surface_(surface),
+      grid_(grid),
       options_(options),
       field_(field),
-      asked_(askedBeside(grid, options)),
+      asked_(askedBesideEdges(grid, options)),
       usesGrid_(usesGrid(grid, options)),
       least_(leastAskedFor(grid, options)),
-      isLooking_(asksForSizes(grid, options)) {}
+      stage_(asksForSizes(grid, options) ? Stage::kLook : Stage::kDone) {}
 
 bool PossibleSizes::advance(std::uint32_t budget) {
-  if (isLooking_) {
-    const auto triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
-    const std::uint32_t last = next_ + std::min(budget, triangles - next_);
-    for (; next_ < last; ++next_) look(next_);
-    if (next_ < triangles) return false;
-    isLooking_ = false;
-    startFloor();
-    return !builder_.has_value();
+  switch (stage_) {
+    case Stage::kLook: {
+      const auto triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
+      const std::uint32_t last = next_ + std::min(budget, triangles - next_);
+      for (; next_ < last; ++next_) look(next_);
+      if (next_ < triangles) return false;
+      measureEdges();
+      startCeiling();
+      stage_ = Stage::kCeiling;
+      return false;
+    }
+    case Stage::kCeiling:
+      if (builder_ && !builder_->advance(budget)) return false;
+      if (builder_) field_.cutTo(builder_->take());
+      builder_.reset();
+      startFloor();
+      stage_ = Stage::kFloor;
+      return false;
+    case Stage::kFloor:
+      if (builder_ && !builder_->advance(budget)) return false;
+      if (builder_) field_.liftTo(builder_->take());
+      builder_.reset();
+      stage_ = Stage::kDone;
+      break;
+    case Stage::kDone:
+      break;
   }
-  if (!builder_) return true;
-  if (!builder_->advance(budget)) return false;
-  field_.liftTo(builder_->take());
-  builder_.reset();
   return true;
 }
 
@@ -92,31 +99,47 @@ double PossibleSizes::coarsenessOf(std::uint32_t triangle) {
   return coarseness;
 }
 
-/// Where nobody asks for less than the surface has, there is nothing to lift.
-void PossibleSizes::startFloor() {
-  const std::vector<Vec3> points = pointsOf(surface_);
+/// How long edges are at each point; in a stretched field, as if it were not stretched.
+void PossibleSizes::measureEdges() {
+  points_ = pointsOf(surface_);
   std::vector<SymmetricTensor> views;
-  if (usesGrid_ && field_.isStretched()) {
-    views.reserve(points.size());
-    for (const Vec3& point : points) {
+  if (field_.isStretched()) {
+    views.reserve(points_.size());
+    for (const Vec3& point : points_) {
       const SymmetricTensor wanted = field_.wantedTensorAt(point, hint_);
       views.push_back(wanted.inverse().scaledBy(meanSizeOf(wanted)));
     }
   }
-  const std::vector<double> lengths = averagedEdgeLengths(points, surface_.triangles, views);
-  if (std::ranges::none_of(lengths, [&](double length) { return length > least_; })) return;
+  lengths_ = averagedEdgeLengths(points_, surface_.triangles, views);
+}
+
+/// Where the grid asks for no more than the surface has, there is nothing to cut.
+void PossibleSizes::startCeiling() {
+  if (!usesGrid_) return;
+  double most = 0.0;
+  for (const BackgroundNode& node : grid_.nodes) {
+    most = std::max(most, node.size * std::max(1.0, node.stretching));
+  }
+  const auto isShorter = [&](double length) { return length > 0.0 && length < most; };
+  if (std::ranges::none_of(lengths_, isShorter)) return;
+  builder_.emplace(points_, lengths_, options_.growth, most);
+}
+
+/// Where nobody asks for less than the surface has, there is nothing to lift.
+void PossibleSizes::startFloor() {
+  if (std::ranges::none_of(lengths_, [&](double length) { return length > least_; })) return;
   const double growth = options_.growth;
   const double descent = growth > 0.0 ? std::min(growth, kMostDescent) : kUsualDescent;
   // As lengths at nodes differ by more than that, the longer ones give way.
-  const SizeSites shortest(points, lengths, descent);
+  const SizeSites shortest(points_, lengths_, descent);
   std::vector<Vec3> places;
   std::vector<double> held;
   const auto add = [&](const Vec3& place) {
     places.push_back(place);
     held.push_back(shortest.at(place, 0).size);
   };
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (lengths[i] > 0.0) add(points[i]);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (lengths_[i] > 0.0) add(points_[i]);
   }
   for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
     const std::array<Vec3, 3> corners = cornersOf(surface_, t);

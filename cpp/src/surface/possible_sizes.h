@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file What of the sizes wanted in a given surface can be had: its triangles stay, and elements
-/// beside them can be no smaller; from there inwards sizes fall step by step. Triangles that are too
-/// large for what is wanted are counted.
+/// beside them are neither smaller nor larger; from there inwards sizes fall, or grow to those of a
+/// grid, step by step. Triangles that are too large for what is wanted are counted.
 
 #include <cstdint>
 #include <optional>
@@ -17,26 +17,32 @@
 
 namespace tetrafront {
 
-/// Looks at a surface in slices, and lifts the field where that is coarser.
+/// Looks at a surface in slices; cuts the field where the surface is finer than a grid, and lifts it where
+/// it is coarser than what is wanted.
 class PossibleSizes {
  public:
   /// `field` has the sizes wanted there by the same grid and options. All must outlive this.
   PossibleSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
                 SizeField& field);
 
-  /// Works on for about `budget` triangles or cells; true when the field is lifted.
+  /// Works on for about `budget` triangles or cells; true when the field is fit.
   bool advance(std::uint32_t budget);
 
   /// kCoarseSurface, or nothing.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
 
  private:
+  enum class Stage : std::uint8_t { kLook, kCeiling, kFloor, kDone };
+
   void look(std::uint32_t triangle);
   /// How many wanted elements the triangle's edges are long, at most.
   [[nodiscard]] double coarsenessOf(std::uint32_t triangle);
+  void measureEdges();
+  void startCeiling();
   void startFloor();
 
   const SurfaceMesh& surface_;
+  const BackgroundGrid& grid_;
   const MeshOptions& options_;
   SizeField& field_;
   SizeField asked_;  ///< what is asked for but for the surface's own sizes; empty if that is field_
@@ -47,7 +53,9 @@ class PossibleSizes {
   std::uint32_t coarse_ = 0;
   std::uint32_t coarsest_ = 0;
   double coarseness_ = 0.0;
-  bool isLooking_ = true;
+  Stage stage_;
+  std::vector<Vec3> points_;
+  std::vector<double> lengths_;  ///< of edges, at each point
   std::optional<SizeOctreeBuilder> builder_;
 };
 

@@ -152,7 +152,7 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::check() {
     result_.diagnostics.insert(result_.diagnostics.end(), found.begin(), found.end());
   }
   if (anyError(result_.diagnostics) || !asksForSizes(grid_, options_)) return finish();
-  wanted_.emplace(mesh_, grid_, options_);
+  wanted_.emplace(mesh_, grid_, options_, OwnEdges::kIgnored);
   return Stage::kSizes;
 }
 

@@ -1,5 +1,6 @@
 #include "surface/wanted_sizes.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "surface/surface_access.h"
@@ -18,13 +19,25 @@ std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid, const MeshO
   return usesGrid(grid, options) ? checkBackgroundGrid(grid) : checkSizeSources(grid.sources);
 }
 
+SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& options) {
+  // Beyond all that can be meshed, and cubes of them are numbers still.
+  constexpr double kLeast = 1e-60;
+  constexpr double kMost = 1e60;
+  SizeField asked =
+      SizeField::uniform(options.size > 0.0 ? std::clamp(options.size, kLeast, kMost) : kMost);
+  asked.addSources(grid.sources);
+  return asked;
+}
+
 WantedSizes::WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
-                         const MeshOptions& options)
+                         const MeshOptions& options, OwnEdges own)
     : grid_(grid) {
   if (usesGrid(grid, options)) {
     field_ = SizeField::fromGrid(GridLocator(grid, options.gradation - 1.0));
     field_->addSources(grid.sources);
     coverage_.emplace(surface, *field_);
+  } else if (own == OwnEdges::kIgnored) {
+    field_ = askedBesideEdges(grid, options);
   } else {
     builder_.emplace(pointsOf(surface), surface.triangles, options.growth, options.size);
   }

@@ -27,11 +27,18 @@ namespace tetrafront {
 [[nodiscard]] std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid,
                                                        const MeshOptions& options);
 
+/// What is asked for beside the surface's own edges: a size, or none, and sources. Not for grids.
+[[nodiscard]] SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& options);
+
+/// Whether the surface's own edges count where there is no grid, or only what is asked for beside them.
+enum class OwnEdges : std::uint8_t { kCount, kIgnored };
+
 /// Makes the field in slices.
 class WantedSizes {
  public:
   /// The grid must have passed checkWantedSizes(). All must outlive this.
-  WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options);
+  WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
+              OwnEdges own);
 
   /// Works on for about `budget` places or cells; true when finished.
   bool advance(std::uint32_t budget);
@@ -43,10 +50,10 @@ class WantedSizes {
   [[nodiscard]] SizeField take();
 
  private:
+  const BackgroundGrid& grid_;
   std::optional<SizeField> field_;
   std::optional<SizeOctreeBuilder> builder_;
   std::optional<SurfaceCoverage> coverage_;
-  const BackgroundGrid& grid_;
 };
 
 /// How many wanted elements an edge is long: an integral, by Simpson's rule.

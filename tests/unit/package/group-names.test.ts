@@ -86,6 +86,18 @@ describe.each(both.map(({ name, extensions, writes }) => [name, extensions[0], w
       }
     });
 
+    test("gives regions' names back beside the one name of a patch", async () => {
+      if (!writes.includes("volume")) return;
+      const one = {
+        ...named,
+        patches: [{ name: "skin", tag: 1 }],
+        trianglePatch: new Uint32Array(block.trianglePatch.length),
+      };
+      const { read } = await again(one, fileName);
+      expect(regionsOf(read)).toEqual(regionsOf(one));
+      expect(new Set(read.patches.map(({ name }) => name))).toEqual(new Set(["skin"]));
+    });
+
     test("gives the one name of a surface back", async () => {
       const { points, triangles } = boxSurface(1);
       const one = {
@@ -105,6 +117,15 @@ describe.each(both.map(({ name, extensions, writes }) => [name, extensions[0], w
     });
   },
 );
+
+test("OFF is read however long its comments at the end are", async () => {
+  const [file] = await writeMesh(named, "a.off");
+  const text = new TextDecoder().decode(file?.bytes);
+  const begin = text.indexOf("# patch");
+  const longer = `${text.slice(0, begin)}${"# of no use\n".repeat(60_000)}${text.slice(begin)}`;
+  const read = await readMesh(new TextEncoder().encode(longer), { fileName: "a.off" });
+  expect(read.success && read.value.patches).toHaveLength(NAMES.length);
+});
 
 test("lines of faces in OFF that do not fit the faces are nothing but comments", async () => {
   const [file] = await writeMesh(named, "a.off");

@@ -152,6 +152,50 @@ test("faces of no patch have one of their own, and triangles of no element are l
   }
 });
 
+test("a triangle that is there twice is a face once, with a word", async () => {
+  const twice = withTriangles(
+    block,
+    [[...block.triangles.subarray(0, 3)], walls[0] ?? [], walls[0] ?? []],
+    "more",
+  );
+  const su2 = await written(twice, "a.su2");
+  expect([...markersOf(su2).values()].flat().sort()).toEqual(outer);
+  const foam = await written(twice, "a.foam.zip");
+  const poly = readPolyMesh(foam.bytes);
+  expect(polyMeshFaults(poly)).toEqual([]);
+  expect(poly.faces.length - poly.neighbour.length).toBe(outer.length);
+  for (const file of [su2, foam])
+    expect(notesOf(file)).toMatch(/2 triangles that repeat another are left out/);
+});
+
+test("an element so thin that rounding decides how it is turned is accused of nothing", async () => {
+  const corners = [
+    [0, 0, 0],
+    [1, 0.3, 0.1],
+    [0.2, 1, 0.7],
+  ] as const;
+  for (let i = 1; i < 30; i++) {
+    const inside = [0, 1, 2].map((axis) =>
+      corners.reduce((sum, at) => sum + at[axis as 0 | 1 | 2] / (i + 2), 0),
+    );
+    const points = Float64Array.from([...corners.flat(), ...inside]);
+    for (const nodes of [
+      [0, 1, 2, 3],
+      [1, 0, 2, 3],
+    ]) {
+      const thin = {
+        ...block,
+        points,
+        tetrahedra: Uint32Array.from(nodes),
+        tetrahedronRegion: new Uint32Array(1),
+        triangles: new Uint32Array(),
+        trianglePatch: new Uint32Array(),
+      };
+      expect(textOf(await written(thin, "a.su2"))).toMatch(/NELEM= 1/);
+    }
+  }
+});
+
 const tetrahedron = (t: number) => [...block.tetrahedra.subarray(4 * t, 4 * t + 4)];
 const [a = 0, b = 0, c = 0, d = 0] = tetrahedron(5);
 const FLAWS: readonly (readonly [string, number[], RegExp])[] = [

@@ -206,9 +206,9 @@ export class ByteReader {
     return this.#wordEnd() > this.#at;
   }
 
-  /** Skips blanks and comments up to the next word. */
+  /** Skips blanks and comments up to the next word, or until more of the file should be there: `fill`, and call again. */
   skipComments(): void {
-    this.#skipBlanks(true);
+    this.#skipBlanks(true, true);
   }
 
   /** Skips what is left of this line. */
@@ -325,7 +325,7 @@ export class ByteReader {
     return this.#at - bytes;
   }
 
-  #skipBlanks(alsoLineEnds: boolean): void {
+  #skipBlanks(alsoLineEnds: boolean, mayPause = false): void {
     const bytes = this.#bytes;
     for (; this.#at < bytes.length; this.#at++) {
       const byte = bytes[this.#at] ?? 0;
@@ -338,6 +338,7 @@ export class ByteReader {
         const begin = this.#at + 1;
         this.skipLine();
         if (this.#at - begin < HEARD) this.#heard?.(textOf(bytes.subarray(begin, this.#at)));
+        if (mayPause && this.isLow) break;
         this.#at--;
       } else if ((byte === LINE_FEED || byte === CARRIAGE_RETURN) && this.#isLineEnd(this.#at)) {
         if (!alsoLineEnds) break;

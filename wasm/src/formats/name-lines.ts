@@ -38,12 +38,14 @@ export class NameLines {
   given(mesh: FileMesh): FileMesh {
     const { patches, regions } = mesh;
     const [only, ...others] = this.patches;
-    if (only !== undefined && others.length === 0 && patches.length === 1) {
-      return { ...mesh, patches: [{ ...patches[0], tag: only[0], name: only[1] }] };
-    }
+    const isOne = only !== undefined && others.length === 0 && patches.length === 1;
     const named = (groups: readonly FileGroup[], names: ReadonlyMap<number, string>) =>
       groups.map((group) => ({ ...group, name: names.get(group.tag) ?? group.name }));
-    return { ...mesh, patches: named(patches, this.patches), regions: named(regions, this.regions) };
+    return {
+      ...mesh,
+      patches: isOne ? [{ ...patches[0], tag: only[0], name: only[1] }] : named(patches, this.patches),
+      regions: named(regions, this.regions),
+    };
   }
 }
 

@@ -11,7 +11,7 @@ import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups } from "./groups.js";
 import { numberRows } from "./number-rows.js";
-import { noteLoose, noteNameless } from "./outer-faces.js";
+import { noteLoose, noteNameless, noteRepeated } from "./outer-faces.js";
 import { cornersOf, NONE, soundFaces, type TetFaces } from "./tet-faces.js";
 
 /** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
@@ -65,6 +65,8 @@ export function writeOpenFoam(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffe
 function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
   const found = soundFaces(mesh);
   noteLoose(found.faceOfTriangle.filter((face) => face === NONE).length, note);
+  const isRepeated = (t: number, face: number) => face !== NONE && found.triangle[face] !== t;
+  noteRepeated(found.faceOfTriangle.filter((face, t) => isRepeated(t, face)).length, note);
   const { inner, neighbours } = innerFaces(found.twin);
   const faces = [...inner];
   const positions = new Map<number, number>();
@@ -74,7 +76,8 @@ function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
   const names = namesOf(mesh, note);
   const byPatch = trianglesByPatch(mesh);
   byPatch.forEach((own, patch) => {
-    const sides = own.map((t) => found.faceOfTriangle[t] ?? NONE).filter((face) => face !== NONE);
+    const kept = own.filter((t) => !isRepeated(t, found.faceOfTriangle[t] ?? NONE));
+    const sides = kept.map((t) => found.faceOfTriangle[t] ?? NONE).filter((face) => face !== NONE);
     const outer = sides.filter((face) => found.twin[face] === NONE);
     const between = sides.filter((face) => found.twin[face] !== NONE);
     const name = names[patch] ?? `patch_${patch + 1}`;

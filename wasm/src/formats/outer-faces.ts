@@ -18,8 +18,10 @@ export function withOuterFaces(mesh: FileMesh, note: Note): FileMesh {
   const owners: number[] = [];
   const walls: number[] = [];
   let lost = 0;
+  let repeated = 0;
   faceOfTriangle.forEach((face, t) => {
     if (face === NONE) lost++;
+    else if (triangle[face] !== t) repeated++;
     else if (twin[face] !== NONE) walls.push(t);
     else {
       faces.push(face);
@@ -34,6 +36,7 @@ export function withOuterFaces(mesh: FileMesh, note: Note): FileMesh {
   });
   noteWalls(mesh, walls, note);
   noteLoose(lost, note);
+  noteRepeated(repeated, note);
   if (faces.length > named) noteNameless(faces.length - named, NAMELESS, note);
   const lastTag = tagsOf(patches).reduce((most, tag) => Math.max(most, tag), 0);
   return {
@@ -55,6 +58,10 @@ function noteWalls({ trianglePatch, patches }: FileMesh, walls: readonly number[
 
 export function noteLoose(count: number, note: Note): void {
   if (count > 0) note(`${count} triangles that are no face of a tetrahedron are left out`);
+}
+
+export function noteRepeated(count: number, note: Note): void {
+  if (count > 0) note(`${count} triangles that repeat another are left out`);
 }
 
 export function noteNameless(count: number, patch: string, note: Note): void {

@@ -142,6 +142,10 @@ function fault(ids: readonly number[], words: string, remedy: string): Diagnosti
   return [packageDiagnostic("unsound-mesh", message, remedy)];
 }
 
+/** Shewchuk's bound for the sign of a determinant of differences, rounded up. */
+const ROUNDING = 8e-16;
+
+/** NaN where doubles do not tell its sign: such an element is accused of nothing. */
 function sixfoldVolume(points: Float64Array, tetrahedra: Uint32Array, t: number): number {
   const at = (corner: number, axis: number) => points[3 * (tetrahedra[4 * t + corner] ?? 0) + axis] ?? 0;
   const [u, v, w] = [1, 2, 3].map((corner) => [0, 1, 2].map((axis) => at(corner, axis) - at(0, axis)));
@@ -150,7 +154,12 @@ function sixfoldVolume(points: Float64Array, tetrahedra: Uint32Array, t: number)
     v,
     w,
   ];
-  return (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+  const volume = (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+  const size =
+    (Math.abs(uy * vz) + Math.abs(uz * vy)) * Math.abs(wx) +
+    (Math.abs(uz * vx) + Math.abs(ux * vz)) * Math.abs(wy) +
+    (Math.abs(ux * vy) + Math.abs(uy * vx)) * Math.abs(wz);
+  return size > 0 && Math.abs(volume) <= ROUNDING * size ? NaN : volume;
 }
 
 /** As `tetFaces`, for formats whose faces must fit together. Throws a MesherError where they do not. */

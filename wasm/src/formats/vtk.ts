@@ -40,8 +40,10 @@ export function writeVtk(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
 
 /** Up to 255 bytes in one line. */
 function title(mesh: FileMesh, note: Note): string {
-  const text = ["Tetrafront", ...allNameLines(mesh)].join(NAME_BREAK);
-  if (new TextEncoder().encode(text).length < 256) return text;
+  const lines = allNameLines(mesh);
+  const text = ["Tetrafront", ...lines].join(NAME_BREAK);
+  const isTold = !lines.some((line) => line.includes(NAME_BREAK.trim()));
+  if (isTold && new TextEncoder().encode(text).length < 256) return text;
   noteNames(mesh.patches, note);
   noteNames(mesh.regions, note);
   return "Tetrafront";
