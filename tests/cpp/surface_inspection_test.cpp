@@ -63,6 +63,17 @@ TEST(SurfaceInspection, TellsBodiesFromCavities) {
               found.shells[0].volume - found.shells[1].volume + found.shells[2].volume, 1e-12);
 }
 
+TEST(SurfaceInspection, TakesFacesBetweenRegionsEitherWayRound) {
+  SurfaceMesh spheres = nestedSpheres(3, 2);
+  const std::size_t last = spheres.triangles.size() - 3;
+  std::swap(spheres.triangles[last], spheres.triangles[last + 1]);
+  EXPECT_FALSE(inspect(spheres).isFillable);
+  SurfaceInspector asRegions(spheres.points, spheres.triangles, EnclosedBodies::kRegions);
+  while (!asRegions.advance(1000)) {
+  }
+  EXPECT_TRUE(asRegions.result().isFillable);
+}
+
 TEST(SurfaceInspection, CountsOpenEdges) {
   SurfaceMesh mesh = gridCube(2);
   removeTriangle(mesh, 5);

@@ -131,15 +131,15 @@ void demand(bool holds, const std::string& what) {
   std::abort();
 }
 
-bool isFillable(const SurfaceMesh& surface) {
-  SurfaceInspector inspector(surface.points, surface.triangles);
+bool isFillable(const SurfaceMesh& surface, EnclosedBodies enclosed) {
+  SurfaceInspector inspector(surface.points, surface.triangles, enclosed);
   while (!inspector.advance(1000)) {
   }
   return inspector.result().isFillable;
 }
 
 void fill(const SurfaceMesh& surface, const MeshOptions& options) {
-  const bool canBeFilled = isFillable(surface);
+  const bool canBeFilled = isFillable(surface, options.enclosed);
   MeshRun run(surface.points, surface.triangles, options);
   MeshStatus status = MeshStatus::kRunning;
   while (status == MeshStatus::kRunning) status = run.advance(1000);

@@ -275,7 +275,10 @@ async function mesh(
     if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
     // Told in the numbers of what was given.
     const { isFillable, diagnostics } = await mesher.inspectSurface(model.surface, control);
-    if (!isFillable) return { result: emptyResult("invalid-input", diagnostics), model };
+    // Inspection takes enclosed parts for cavities; as regions they may be turned either way.
+    if (!isFillable && options.enclosed !== "regions") {
+      return { result: emptyResult("invalid-input", diagnostics), model };
+    }
     const { surface, figures } = await refined(mesher, model.surface, all, control);
     const result = await mesher.fillSurface(surface, all, control);
     return { result, model: { kind: "surface", surface }, refinement: figures };

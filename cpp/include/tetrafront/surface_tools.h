@@ -69,8 +69,10 @@ struct SurfaceInspection {
 /// Inspects a surface in slices. O(n log n) where triangles have few others near them.
 class SurfaceInspector {
  public:
-  /// Arrays as for MeshRun; they are copied.
-  SurfaceInspector(std::span<const double> points, std::span<const std::uint32_t> triangles);
+  /// Arrays as for MeshRun; they are copied. What enclosed parts bound decides how they may be turned:
+  /// between two regions either way will do.
+  SurfaceInspector(std::span<const double> points, std::span<const std::uint32_t> triangles,
+                   EnclosedBodies enclosed = EnclosedBodies::kCavities);
   SurfaceInspector(SurfaceInspector&&) noexcept;
   SurfaceInspector& operator=(SurfaceInspector&&) noexcept;
   ~SurfaceInspector();

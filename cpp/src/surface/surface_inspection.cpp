@@ -65,12 +65,12 @@ std::vector<std::uint8_t> repeatingNodes(std::span<const std::uint32_t> triangle
 
 class SurfaceInspector::Impl {
  public:
-  Impl(std::span<const double> points, std::span<const std::uint32_t> triangles) {
+  Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
+       EnclosedBodies enclosed) {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.triangles.assign(triangles.begin(), triangles.end());
     given_ = mesh_.triangles;
-    check_.emplace(mesh_, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
-                   MixedTurns::kRefuse);
+    check_.emplace(mesh_, BoundarySource::kGivenSurface, enclosed, MixedTurns::kRefuse);
   }
 
   bool advance(std::uint32_t budget) {
@@ -209,8 +209,9 @@ void SurfaceInspector::Impl::measureShellsAndRegions() {
 }
 
 SurfaceInspector::SurfaceInspector(std::span<const double> points,
-                                   std::span<const std::uint32_t> triangles)
-    : impl_(std::make_unique<Impl>(points, triangles)) {}
+                                   std::span<const std::uint32_t> triangles,
+                                   EnclosedBodies enclosed)
+    : impl_(std::make_unique<Impl>(points, triangles, enclosed)) {}
 SurfaceInspector::SurfaceInspector(SurfaceInspector&&) noexcept = default;
 SurfaceInspector& SurfaceInspector::operator=(SurfaceInspector&&) noexcept = default;
 SurfaceInspector::~SurfaceInspector() = default;
