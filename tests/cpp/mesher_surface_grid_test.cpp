@@ -88,15 +88,6 @@ void expectGoodAngles(const MeshRun& run) {
   EXPECT_LE(run.quality().maxDihedral, 135.0);
 }
 
-BackgroundGrid sourceAt(const Vec3& place, double size, double distance) {
-  BackgroundGrid grid;
-  grid.sources.emplace_back();
-  grid.sources[0].points[0] = place;
-  grid.sources[0].size = size;
-  grid.sources[0].distance = distance;
-  return grid;
-}
-
 /// Far above the surface's own edges sizes grow from these, and elements keep their angles.
 TEST(SurfaceWithGrid, SizesFarAboveTheTrianglesLeaveNoSlivers) {
   const SurfaceMesh sphere = geodesicSphere(14);

@@ -110,15 +110,6 @@ MeshRun filled(const SurfaceMesh& surface, const BackgroundGrid& grid, const Mes
   return run;
 }
 
-BackgroundGrid sourceAt(const Vec3& place, double size, double distance) {
-  BackgroundGrid grid;
-  grid.sources.emplace_back();
-  grid.sources[0].points[0] = place;
-  grid.sources[0].size = size;
-  grid.sources[0].distance = distance;
-  return grid;
-}
-
 /// A drum whose lids are fans of needles around a node on the rim.
 SurfaceMesh drumOfNeedles(std::uint32_t sectors) {
   SurfaceMesh mesh;

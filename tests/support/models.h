@@ -72,6 +72,16 @@ Model bracketModel();
 /// The side of a tube, one Coons patch between two circles of one spline each, with a seam.
 Model seamedTube(double radius, double height);
 
+/// No nodes, and one point source.
+inline BackgroundGrid sourceAt(const Vec3& place, double size, double distance) {
+  BackgroundGrid grid;
+  grid.sources.emplace_back();
+  grid.sources[0].points[0] = place;
+  grid.sources[0].size = size;
+  grid.sources[0].distance = distance;
+  return grid;
+}
+
 /// Six tetrahedra over the box; `sizeAt` gives the size at its corners.
 template <class SizeAt>
 BackgroundGrid boxGrid(const Vec3& low, const Vec3& high, SizeAt&& sizeAt) {

@@ -20,7 +20,8 @@ std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid, const MeshO
 }
 
 SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& options) {
-  // Beyond all that can be meshed, and cubes of them are numbers still.
+  // Coordinates have magnitudes from 2^-100 to 1e30: these are beyond any size that can be meshed, and
+  // their cubes, which inverting a tensor takes, are numbers still.
   constexpr double kLeast = 1e-60;
   constexpr double kMost = 1e60;
   SizeField asked =
