@@ -58,8 +58,8 @@ export async function minifyCommandLine() {
 
 /**
  * Bundles the package for pages without a bundler: wasm/dist/page holds the API and the worker with all
- * they import, formats in files of their own that are fetched when needed. The engine stays the one in
- * wasm/dist, for its loader finds the .wasm beside itself.
+ * they import, formats in files of their own that are fetched when needed. The engine and its loader stay those in
+ * wasm/dist, where the .wasm is beside them.
  */
 export async function bundlePages() {
   const { build } = await import("esbuild");
@@ -83,7 +83,7 @@ export async function bundlePages() {
       {
         name: "engine-beside",
         setup({ onResolve }) {
-          onResolve({ filter: /\/engine\.mjs$/ }, () => ({ path: "../engine.mjs", external: true }));
+          onResolve({ filter: /\/engine\.js$/ }, () => ({ path: "../engine.js", external: true }));
         },
       },
     ],

@@ -72,6 +72,35 @@ test("a plain page needs no bundler and no more than a strict policy", async ({ 
   await expectBoxMeshed(page, await served(fresh.example("page"), STRICT));
 });
 
+test("the engine is fetched once, by however many meshers, and by those that start again", async ({
+  page,
+}) => {
+  const folder = path.join(fresh.folder, "page");
+  if (!existsSync(folder)) fresh.example("page");
+  writeFileSync(path.join(folder, "many.html"), '<script type="module" src="many.js"></script>');
+  writeFileSync(path.join(folder, "many.js"), MANY_MESHERS);
+  const fetched: string[] = [];
+  page.context().on("request", (request) => fetched.push(path.basename(request.url())));
+  await page.goto(`${await served(folder, STRICT)}many.html`);
+  await expect(page).toHaveTitle("invalid-input cancelled true true true");
+  expect(fetched.filter((name) => name === "engine.wasm")).toHaveLength(1);
+});
+
+/** Two that start together, a third one later, and a worker that is replaced in the middle of what it does. */
+const MANY_MESHERS = `import { createMesher } from "./node_modules/tetrafront/dist/page/tetrafront.js";
+const [one, two] = await Promise.all([createMesher(), createMesher()]);
+const three = await createMesher();
+const points = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
+const tetrahedron = { points, triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3) };
+const stop = new AbortController();
+const mesh = { points, tetrahedra: Uint32Array.of(0, 1, 2, 3) };
+const given = three.meshAsBackground(mesh, {}, { signal: stop.signal }).catch(({ code }) => code);
+stop.abort();
+const { report } = await three.fillSurface({ points, triangles: new Uint32Array(3) });
+const said = await given;
+const inspected = await Promise.all([one, two, three].map((mesher) => mesher.inspectSurface(tetrahedron)));
+document.title = [report.status, said, ...inspected.map(({ isClosed }) => isClosed)].join(" ");`;
+
 test.describe("a mesher that cannot be loaded tells where it looked, why and what to do", () => {
   const FAILING = `import { createMesher } from "MODULE";
 createMesher().catch(({ name, code, message }) => { document.title = [name, code, message].join(" | "); });`;

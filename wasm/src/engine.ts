@@ -13,30 +13,32 @@ export type EngineRun = Run;
 /** What works in slices and has one result. */
 export type EngineTool = Inspection | Refinement | Repair | VolumeInspection;
 
-let loading: Promise<Engine> | undefined;
+/** Fetches the file and compiles it; rejects with words that name the file and why it is not to be had. */
+export type CompileEngine = (address: URL) => Promise<WebAssembly.Module>;
 
-/** The engine; the same one at every call. Rejects where WebAssembly or the file is missing. */
-export function loadEngine(): Promise<Engine> {
-  loading ??= createEngine();
-  return loading;
+/** An engine, and its code for those who load another one. */
+export interface LoadedEngine {
+  readonly engine: Engine;
+  readonly module: WebAssembly.Module;
 }
 
-/**
- * Why `loadEngine` was rejected with this, and where the code was looked for, as far as that is known: bundlers alone know
- * its address, but a worker remembers what it asked for, in most browsers with the status of the answer.
- */
-export function whyNotLoaded(failure: unknown): string {
-  const said = String(failure).replace(/\.?( Build with -sASSERTIONS for more info\.)?$/, "");
-  const asked = performance.getEntriesByType("resource") as readonly Answered[];
-  const { name, responseStatus = 0 } = asked.filter((entry) => entry.name.includes(".wasm")).at(-1) ?? {};
-  if (name === undefined) return said;
-  return responseStatus >= 400
-    ? `${name} is answered with HTTP status ${responseStatus}`
-    : `${name}: ${said}`;
+/** The engine, of `given` code or of that beside this module. Rejects where WebAssembly or the file is missing. */
+export async function loadEngine(
+  given: WebAssembly.Module | undefined,
+  compile: CompileEngine,
+): Promise<LoadedEngine> {
+  const module = given ?? (await compile(new URL("./engine.wasm", import.meta.url)));
+  const engine = await new Promise<Engine>((resolve, reject) => {
+    // Of what goes wrong in here Emscripten's own promise would never hear.
+    const instantiateWasm = (imports: WebAssembly.Imports, receive: ReceiveInstance) => {
+      WebAssembly.instantiate(module, imports)
+        .then((instance) => receive(instance, module))
+        .catch(reject);
+      return {};
+    };
+    createEngine({ instantiateWasm }).then(resolve, reject);
+  });
+  return { engine, module };
 }
 
-/** What is used of the timing of a resource; some browsers give no status. */
-interface Answered {
-  readonly name: string;
-  readonly responseStatus?: number;
-}
+type ReceiveInstance = (instance: WebAssembly.Instance, module: WebAssembly.Module) => void;

@@ -10,7 +10,8 @@ import type { Diagnostic, Phase, Progress } from "./types.js";
  * - `out-of-memory`: the memory of the engine did not suffice; `memory` has the figures. The mesher has
  *   replaced it and goes on.
  * - `engine-not-loaded`: the worker or the engine could not be had; the message tells from where and why, as far as
- *   that is known, and what to do. The mesher is disposed of; another try begins with `createMesher`.
+ *   that is known, and what to do. Where a worker had to be replaced it is every call that was under way, waited or is
+ *   made afterwards that rejects so. The mesher is disposed of; another try begins with `createMesher`.
  * - `engine-failed`: our own mistake. The mesher has replaced its engine and goes on.
  */
 export type MesherErrorCode =

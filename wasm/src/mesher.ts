@@ -2,8 +2,7 @@
  * The client of the worker: one run at a time, the others wait; progress, cancelling, and a worker
  * that is replaced when it has failed or does not listen.
  */
-import { startWorker } from "#worker-host";
-
+import { EngineWorker, type WorkReply } from "./engine-worker.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
 import { checkControl, checkProject, checkSurface, checkVolume } from "./input-checks.js";
@@ -34,15 +33,7 @@ import {
   engineRepairOptions,
   withSettings,
 } from "./options.js";
-import {
-  cancelledError,
-  crashError,
-  disposedError,
-  failureError,
-  notLoadedError,
-  refuse,
-  type MesherError,
-} from "./mesher-error.js";
+import { cancelledError, disposedError, failureError, refuse, type MesherError } from "./mesher-error.js";
 import {
   gridByPosition,
   nameByPosition,
@@ -52,7 +43,7 @@ import {
   type ModelArrays,
 } from "./project-arrays.js";
 import type { Project, ProjectBackground } from "./project-schema.js";
-import type { Answers, EngineResult, Question, Reply, Request, SlicedKind } from "./protocol.js";
+import type { Answers, EngineResult, Question, Request, SlicedKind } from "./protocol.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { buffersOf } from "./transfer.js";
 import type {
@@ -73,7 +64,6 @@ import type {
   SurfaceInput,
   VolumeMesh,
 } from "./types.js";
-import type { WorkerHandle } from "./worker-host.js";
 
 /** Time for the worker to say that it stops; then it is ended by force, within the promised 100 ms. */
 const CANCEL_GRACE_MS = 75;
@@ -126,13 +116,14 @@ interface OpenQuestion extends Waiting {
 class WorkerMesher implements Mesher {
   readonly ready: Promise<void>;
   #settleReady: { resolve: () => void; reject: (failure: MesherError) => void } | undefined;
-  #worker: WorkerHandle;
+  #worker: EngineWorker;
   #lastId = 0;
   #active: Job | undefined;
   readonly #waiting: Job[] = [];
   readonly #questions = new Map<number, OpenQuestion>();
   #forceTimer: ReturnType<typeof setTimeout> | undefined;
-  #disposed = false;
+  /** Why there will be no more answers; undefined as long as there will. */
+  #closed: (() => MesherError) | undefined;
 
   constructor() {
     this.ready = new Promise((resolve, reject) => {
@@ -295,13 +286,18 @@ class WorkerMesher implements Mesher {
   }
 
   dispose(): void {
-    if (this.#disposed) return;
-    this.#disposed = true;
+    this.#close(disposedError);
+  }
+
+  #close(failure: () => MesherError): void {
+    if (this.#closed !== undefined) return;
+    this.#closed = failure;
     clearTimeout(this.#forceTimer);
     this.#worker.terminate();
-    this.#settleReady?.reject(disposedError());
-    this.#rejectUnderWay(disposedError);
-    for (const job of this.#waiting.splice(0)) job.reject(disposedError());
+    this.#settleReady?.reject(failure());
+    this.#settleReady = undefined;
+    this.#rejectUnderWay(failure);
+    for (const job of this.#waiting.splice(0)) job.reject(failure());
   }
 
   /** Nothing is transferred: the arrays are the caller's, and a new worker may have to be asked again. */
@@ -314,7 +310,7 @@ class WorkerMesher implements Mesher {
     const onAbort = () => this.#abandon(question.id, cancelledError());
     try {
       return await new Promise((resolve, reject) => {
-        if (this.#disposed) return reject(disposedError());
+        if (this.#closed !== undefined) return reject(this.#closed());
         if (signal?.aborted === true) return reject(cancelledError());
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#questions.set(question.id, {
@@ -353,7 +349,7 @@ class WorkerMesher implements Mesher {
     let onAbort: (() => void) | undefined;
     try {
       const result = await new Promise<EngineResult | Cancelled>((resolve, reject) => {
-        if (this.#disposed) return reject(disposedError());
+        if (this.#closed !== undefined) return reject(this.#closed());
         if (signal?.aborted === true) return resolve({ cancelledAfterSeconds: 0 });
         const job: Job = { request, onProgress, began: undefined, progress: undefined, resolve, reject };
         onAbort = () => this.#cancel(job);
@@ -370,7 +366,7 @@ class WorkerMesher implements Mesher {
   }
 
   #startNext(): void {
-    if (this.#active === undefined && !this.#disposed) {
+    if (this.#active === undefined && this.#closed === undefined) {
       this.#active = this.#waiting.shift();
       if (this.#active !== undefined) {
         const { request } = this.#active;
@@ -411,36 +407,21 @@ class WorkerMesher implements Mesher {
     this.#startNext();
   }
 
-  #startWorker(): WorkerHandle {
-    try {
-      const worker = startWorker({
-        onReply: (reply) => {
-          if (worker === this.#worker || reply.kind === "ready") this.#receive(reply);
-        },
-        onCrash: (message) => {
-          if (worker === this.#worker) this.#replaceWorker(() => this.#crashError(message));
-        },
-      });
-      return worker;
-    } catch (failure) {
-      queueMicrotask(() => this.#giveUp(() => notLoadedError("worker", String(failure))));
-      return NO_WORKER;
-    }
-  }
-
-  /** A worker that ends before it was ever ready was not loaded. */
-  #crashError(message: string): MesherError {
-    return this.#settleReady === undefined ? crashError(message) : notLoadedError("worker", message);
-  }
-
-  #receive(reply: Reply): void {
-    switch (reply.kind) {
-      case "ready":
+  #startWorker(): EngineWorker {
+    return new EngineWorker({
+      onReady: () => {
         this.#settleReady?.resolve();
         this.#settleReady = undefined;
-        return this.#updateKeepAlive();
-      case "unusable":
-        return this.#giveUp(() => notLoadedError("engine", reply.message));
+        this.#updateKeepAlive();
+      },
+      onReply: (reply) => this.#receive(reply),
+      onCrash: (failure) => this.#replaceWorker(failure),
+      onUnusable: (failure) => this.#close(failure),
+    });
+  }
+
+  #receive(reply: WorkReply): void {
+    switch (reply.kind) {
       case "failure":
         return this.#replaceWorker((progress) => failureError(reply, progress));
       case "answer":
@@ -454,7 +435,7 @@ class WorkerMesher implements Mesher {
     }
   }
 
-  #receiveForRun(reply: Extract<Reply, { kind: "progress" | "stopping" | "result" }>): void {
+  #receiveForRun(reply: Extract<WorkReply, { kind: "progress" | "stopping" | "result" }>): void {
     const open = this.#questions.get(reply.id);
     if (open !== undefined && reply.kind === "progress") {
       return tellProgress(open, reply.progress, (failure) => this.#abandon(reply.id, failure));
@@ -477,20 +458,11 @@ class WorkerMesher implements Mesher {
 
   /** What was under way is rejected, for it may be the cause; what waits gets a fresh worker. */
   #replaceWorker(failure: FailureAt): void {
-    if (this.#settleReady !== undefined) return this.#giveUp(failure);
     clearTimeout(this.#forceTimer);
     this.#worker.terminate();
     this.#worker = this.#startWorker();
     this.#rejectUnderWay(failure);
     this.#startNext();
-  }
-
-  /** The engine does not even load: another worker would do no better. */
-  #giveUp(failure: FailureAt): void {
-    this.#settleReady?.reject(failure(undefined));
-    this.#settleReady = undefined;
-    this.#rejectUnderWay(failure);
-    this.dispose();
   }
 
   #rejectUnderWay(failure: FailureAt): void {
@@ -509,13 +481,6 @@ class WorkerMesher implements Mesher {
     return ++this.#lastId;
   }
 }
-
-/** Where none can be started. */
-const NO_WORKER: WorkerHandle = {
-  post: () => undefined,
-  keepAlive: () => undefined,
-  terminate: () => undefined,
-};
 
 /** A callback that throws, or whose promise is rejected, fails once and is not called again. */
 function tellProgress(waiting: Waiting, progress: Progress, onFailure: (failure: unknown) => void): void {

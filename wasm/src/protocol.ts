@@ -116,8 +116,10 @@ export type Question =
 /** Worked on in slices: `progress` may come before the answer, and a `cancel` ends them without one. */
 export type SlicedKind = "inspect-surface" | "repair-surface" | "refine-surface" | "inspect-mesh";
 
-/** Every request but `cancel` carries an id of its own; replies repeat it, late ones are dropped by it. */
+/** Every request about work carries an id of its own; replies repeat it, late ones are dropped by it. */
 export type Request =
+  /** The first of all, and sent once: load the engine, of this code or of what the worker fetches and compiles. */
+  | { readonly kind: "load"; readonly module: WebAssembly.Module | undefined }
   /** Answered by any number of `progress`, then one `result` or `failure`. */
   | {
       readonly kind: "mesh-model";
@@ -174,8 +176,8 @@ export interface Answers {
 export type FailureReason = "out-of-memory" | "engine-failed";
 
 export type Reply =
-  /** Once, when the engine is loaded. Requests sent earlier wait for it. */
-  | { readonly kind: "ready" }
+  /** Once, when the engine is loaded, with its code for other workers. Requests sent earlier wait for it. */
+  | { readonly kind: "ready"; readonly module: WebAssembly.Module }
   | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }

@@ -14,6 +14,19 @@ const waiting: (() => void)[] = [];
 channel.port1.onmessage = () => waiting.shift()?.();
 
 export const workerPort: WorkerPort = {
+  compile: async ({ href }) => {
+    const failed = (reason: unknown): never => {
+      throw new Error(`${href}${reason instanceof Error ? `: ${String(reason)}` : ` ${String(reason)}`}`);
+    };
+    const response = await fetch(href).catch(failed);
+    if (!response.ok) return failed(`is answered with HTTP status ${response.status}`);
+    // Browsers compile what arrives only where the server names its type.
+    const isNamed = response.headers.get("Content-Type") === "application/wasm";
+    const compiling = isNamed
+      ? WebAssembly.compileStreaming(response)
+      : response.arrayBuffer().then((bytes) => WebAssembly.compile(bytes));
+    return compiling.catch(failed);
+  },
   post: (reply, transfer = []) => scope.postMessage(reply, [...transfer]),
   onRequest: (handle) => {
     scope.onmessage = (event) => handle(event.data);

@@ -1,7 +1,7 @@
 /** The worker: takes requests, runs the engine in slices, replies (src/protocol.ts). */
 import { workerPort } from "#worker-port";
 
-import { loadEngine, whyNotLoaded, type Engine, type EngineRun, type EngineTool } from "./engine.js";
+import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./engine.js";
 import type { Answers, EngineResult, FailureReason, Question, Request, SlicedKind } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
@@ -20,14 +20,38 @@ class EngineFailure extends Error {
   }
 }
 
-function start(engine: Engine): void {
+/** Listens at once: what a browser's worker is sent before it listens is lost. */
+const loaded = new Promise<Engine | undefined>((resolve) => {
   workerPort.onRequest((request) => {
-    handle(engine, request).catch((failure: unknown) => replyFailure(engine, request.id, failure));
+    if (request.kind === "load") resolve(load(request.module));
+    else void loaded.then((engine) => engine && serve(engine, request));
   });
-  workerPort.post({ kind: "ready" });
+});
+
+/** The engine; undefined, and told, where it cannot be had. */
+async function load(given: WebAssembly.Module | undefined): Promise<Engine | undefined> {
+  try {
+    const { engine, module } = await loadEngine(given, workerPort.compile);
+    workerPort.post({ kind: "ready", module });
+    return engine;
+  } catch (failure) {
+    const message = failure instanceof Error ? failure.message : String(failure);
+    workerPort.post({ kind: "unusable", message });
+    return undefined;
+  }
 }
 
-async function handle(engine: Engine, request: Request): Promise<void> {
+async function serve(engine: Engine, request: WorkRequest): Promise<void> {
+  try {
+    await handle(engine, request);
+  } catch (failure) {
+    replyFailure(engine, request.id, failure);
+  }
+}
+
+type WorkRequest = Exclude<Request, { kind: "load" }>;
+
+async function handle(engine: Engine, request: WorkRequest): Promise<void> {
   switch (request.kind) {
     case "cancel":
       if (running.has(request.id)) cancelled.add(request.id);
@@ -167,7 +191,3 @@ function replyFailure(engine: Engine, id: number, failure: unknown): void {
   const message = failure instanceof Error ? failure.message : String(failure);
   workerPort.post({ kind: "failure", id, reason, message, bytes: engine.memoryBytes() });
 }
-
-loadEngine().then(start, (failure: unknown) =>
-  workerPort.post({ kind: "unusable", message: whyNotLoaded(failure) }),
-);

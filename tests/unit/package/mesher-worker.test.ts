@@ -1,5 +1,5 @@
 /** The client of the worker against a worker that misbehaves: one that a test plays. */
-import { createMesher, type Mesher } from "tetrafront";
+import { createMesher, type Mesher, type MesherError } from "tetrafront";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 
 import type { EngineResult, Reply, Request } from "../../../wasm/src/protocol.js";
@@ -10,12 +10,18 @@ import { boxSurface } from "../../support/surfaces.js";
 
 /** A worker as the client sees it, and the strings a test pulls. */
 interface PlayedWorker {
-  readonly requests: Request[];
+  /** But for that to load the engine. */
+  readonly requests: Exclude<Request, { kind: "load" }>[];
+  /** What it was given to load: code, or undefined where it is to compile it. */
+  readonly loads: (WebAssembly.Module | undefined)[];
   readonly reply: (reply: Reply) => void;
   readonly crash: (message: string) => void;
   terminated: boolean;
 }
 
+/** The smallest there is: a header. */
+const module = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
+const READY = { kind: "ready", module } as const;
 const workers: PlayedWorker[] = [];
 /** Thrown instead of starting one. */
 let refusal: Error | undefined;
@@ -25,13 +31,15 @@ vi.mock("../../../wasm/dist/worker-host-node.js", () => ({
     if (refusal !== undefined) throw refusal;
     const worker: PlayedWorker = {
       requests: [],
+      loads: [],
       reply: (reply) => events.onReply(reply),
       crash: (message) => events.onCrash(message),
       terminated: false,
     };
     workers.push(worker);
     return {
-      post: (request: Request) => worker.requests.push(request),
+      post: (request: Request) =>
+        request.kind === "load" ? worker.loads.push(request.module) : worker.requests.push(request),
       keepAlive: () => undefined,
       terminate: () => (worker.terminated = true),
     };
@@ -46,9 +54,11 @@ function workerNumber(index: number): PlayedWorker {
 
 async function readyMesher(): Promise<Mesher> {
   const starting = createMesher();
-  workerNumber(0).reply({ kind: "ready" });
+  workerNumber(0).reply(READY);
   return starting;
 }
+
+const codeOf = (failure: unknown) => (failure as MesherError).code;
 
 /** The id of the request a worker got as number `index`. */
 const idOf = (worker: PlayedWorker, index = 0) => worker.requests[index]?.id ?? NaN;
@@ -104,7 +114,7 @@ describe("starting", () => {
     const starting = createMesher().then(() => (isReady = true));
     await Promise.resolve();
     expect(isReady).toBe(false);
-    workerNumber(0).reply({ kind: "ready" });
+    workerNumber(0).reply(READY);
     expect(await starting).toBe(true);
   });
 
@@ -203,7 +213,7 @@ describe("a worker that fails", () => {
     await expect(preview).rejects.toMatchObject({ code });
     expect(workerNumber(0).terminated).toBe(true);
     const fresh = workerNumber(1);
-    fresh.reply({ kind: "ready" });
+    fresh.reply(READY);
     // A last word of the old worker changes nothing.
     workerNumber(0).crash("again");
     workerNumber(0).reply({ kind: "result", id: idOf(fresh), result: resultWith("ghost") });
@@ -211,6 +221,48 @@ describe("a worker that fails", () => {
     expect((await second).report.fingerprint).toBe("fresh");
     expect(workers).toHaveLength(2);
   });
+});
+
+describe("a worker that cannot be had when one had to be replaced", () => {
+  test.each<[string, (worker: PlayedWorker) => void]>([
+    ["because it ends at once", (worker) => worker.crash("no script")],
+    ["because its engine is gone", (worker) => worker.reply({ kind: "unusable", message: "no file" })],
+  ])("%s is not asked for again: all calls are rejected with why", async (_, fail) => {
+    const mesher = await readyMesher();
+    const calls = [
+      mesher.fillSurface(boxSurface(1)),
+      mesher.fillSurface(boxSurface(2)),
+      mesher.inspectSurface(boxSurface(1)),
+    ];
+    const settled = Promise.allSettled(calls);
+    workerNumber(0).crash("unreachable executed");
+    const asked = mesher.inspectSurface(boxSurface(1));
+    fail(workerNumber(1));
+    const code = (await settled).map((call) => (call.status === "rejected" ? codeOf(call.reason) : "done"));
+    expect(code).toEqual(["engine-failed", "engine-not-loaded", "engine-failed"]);
+    await expect(asked).rejects.toMatchObject({ code: "engine-not-loaded" });
+    await expect(mesher.fillSurface(boxSurface(1))).rejects.toMatchObject({ code: "engine-not-loaded" });
+    expect(workers.map(({ terminated }) => terminated)).toEqual([true, true]);
+  });
+
+  test("because the browser refuses", async () => {
+    const mesher = await readyMesher();
+    const runs = [mesher.fillSurface(boxSurface(1)), mesher.fillSurface(boxSurface(2))];
+    const settled = Promise.allSettled(runs);
+    refusal = new Error("no more threads");
+    workerNumber(0).crash("unreachable executed");
+    const code = (await settled).map((call) => (call.status === "rejected" ? codeOf(call.reason) : "done"));
+    expect(code).toEqual(["engine-failed", "engine-not-loaded"]);
+    expect(workers).toHaveLength(1);
+  });
+});
+
+test("a worker that replaces another is given the code of the engine", async () => {
+  const mesher = await readyMesher();
+  const run = mesher.fillSurface(boxSurface(1));
+  workerNumber(0).crash("unreachable executed");
+  await expect(run).rejects.toMatchObject({ code: "engine-failed" });
+  expect(workerNumber(1).loads).toEqual([module]);
 });
 
 test("a run beside a question that runs out of memory is rejected with where the run stood", async () => {
@@ -258,7 +310,7 @@ describe("a worker that is asked to cancel", () => {
     expect(report.seconds.total).toBeGreaterThan(0.05);
     expect(workerNumber(0).terminated).toBe(true);
     const fresh = workerNumber(1);
-    fresh.reply({ kind: "ready" });
+    fresh.reply(READY);
     expect(fresh.requests.map(({ kind }) => kind)).toEqual(["preview"]);
     const arrays = {
       linePoints: noPoints,

@@ -56,7 +56,7 @@ describe("the packed files", () => {
     // What pages load is the same API and formats as Node loads, bundled.
     const page = files.filter((name) => /^dist\/page\/.*\.js$/.test(name));
     const commandLine = files.filter((name) => /^dist\/cli.*\.js$|^bin\//.test(name));
-    const all = ["dist/engine.wasm", "dist/engine.mjs", ...page, ...commandLine];
+    const all = ["dist/engine.wasm", "dist/engine.mjs", "dist/engine.js", ...page, ...commandLine];
     const bytes = all.map((name) => gzipSync(readFileSync(installed(name))).length);
     expect(bytes.reduce((sum, size) => sum + size)).toBeLessThan(400_000);
   });

@@ -19,9 +19,12 @@ vi.mock("../../../wasm/dist/worker-port-node.js", () => ({
 vi.mock("../../../wasm/dist/engine.js", () => ({
   loadEngine: () =>
     Promise.resolve({
-      preview: (model: unknown) => {
-        port.asked.push(model);
-        return { failure: "" };
+      module: undefined,
+      engine: {
+        preview: (model: unknown) => {
+          port.asked.push(model);
+          return { failure: "" };
+        },
       },
     }),
 }));
@@ -32,11 +35,12 @@ function preview(id: number): Request {
 
 test("questions given up while they waited are not begun, others are answered in order", async () => {
   await import("../../../wasm/dist/worker.js");
-  await vi.waitFor(() => expect(port.replies).toEqual([{ kind: "ready" }]));
+  port.handle({ kind: "load", module: undefined });
   for (const id of [1, 2, 3, 4]) port.handle(preview(id));
   for (const id of [2, 3]) port.handle({ kind: "cancel", id });
   await vi.waitFor(() => expect(port.asked).toHaveLength(2));
   expect(port.asked).toEqual(["model 1", "model 4"]);
+  expect(port.replies.map(({ kind }) => kind)).toEqual(["ready", "answer", "answer"]);
   expect(port.replies.slice(1).map((reply) => "id" in reply && reply.id)).toEqual([1, 4]);
   // The number of a question that was given up is nothing that would keep the next from its answer.
   port.handle(preview(2));
