@@ -78,6 +78,19 @@ TEST(SizeOctreeTest, SitesAgreeWithBruteForce) {
   }
 }
 
+/// Beside the smallest sites too, however far the guess and however large its size.
+TEST(SizeOctreeTest, SitesAgreeWithBruteForceFromAFarGuess) {
+  const SurfaceMesh mesh = gradedSphere();
+  const std::vector<Vec3> points = pointsOf(mesh);
+  const std::vector<double> sizes = averagedEdgeLengths(points, mesh.triangles);
+  const SizeSites sites(points, sizes, 0.3);
+  for (std::size_t i = 0; i < points.size(); i += 11) {
+    const double expected = bruteForce(points, sizes, 0.3, 1e30, points[i]);
+    EXPECT_LE(sites.at(points[i], 0).size, expected * 1.07) << i;
+    EXPECT_LE(sites.at(points[i], 4000).size, expected * 1.07) << i;
+  }
+}
+
 TEST(SizeOctreeTest, OctreeAgreesWithBruteForce) {
   for (const double cap : {0.0, 0.5, 1e9}) {
     const SurfaceMesh mesh = gradedSphere();
@@ -203,6 +216,23 @@ TEST(SizeOctreeTest, DescendsFromASurface) {
     const Vec3 place = 0.5 * (Vec3(1.0) + random.inBox(1.0));
     const double wanted = slowDescent(points, lengths, 0.3, place);
     EXPECT_NEAR(octree.sizeAt(place), wanted, 0.2 * std::max(wanted, 0.25 * 0.3)) << i;
+  }
+}
+
+/// Fine triangles keep their lengths beside others two hundred times as large.
+TEST(SizeOctreeTest, DescendsFromAStronglyGradedSurface) {
+  const SurfaceMesh mesh = gradedSphere();
+  const std::vector<Vec3> points = pointsOf(mesh);
+  const std::vector<double> edges = averagedEdgeLengths(points, mesh.triangles);
+  std::vector<double> lengths;
+  for (const Vec3& point : points) lengths.push_back(bruteForce(points, edges, 0.3, 1e30, point));
+  SizeOctreeBuilder builder(points, lengths, SizeDescent{0.3, 1e-5});
+  while (!builder.advance(1000)) {
+  }
+  const SizeOctree octree = builder.take();
+  for (std::size_t i = 0; i < points.size(); i += 3) {
+    // A cell may be one and a half times as wide as the least size in it.
+    EXPECT_NEAR(octree.sizeAt(points[i]), lengths[i], 0.4 * lengths[i]) << i;
   }
 }
 

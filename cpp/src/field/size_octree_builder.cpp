@@ -20,8 +20,8 @@ constexpr double kFlatBend = 0.03;
 constexpr std::size_t kMaxListLength = 128;
 /// No cap is below this share of the box: single precision could not tell it from nothing.
 constexpr double kLeastCap = 1e-20;
-/// Deep below the surface errors count as shares of smaller sizes.
-constexpr float kDescentSlack = 0.006F;
+/// Deep below the surface errors count as shares of smaller sizes than those of the sites.
+constexpr float kDescentSlack = 0.01F;
 /// Sizes this much below those of the surface need no smaller cells: some dozens for each triangle.
 constexpr double kDeepShare = 0.25;
 /// Of the unit cube.
@@ -130,11 +130,11 @@ SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> places, std::span<con
     : rule_(rule) {
   tree_.cap_ = std::numeric_limits<double>::max();
   placeRoot(places, lengths);
-  top_ = 2.0 * *std::ranges::max_element(lengths);
-  std::vector<double> below;
-  below.reserve(lengths.size());
-  for (const double length : lengths) below.push_back(top_ - length);
-  sites_.emplace(places, below, rule.descent, kDescentSlack);
+  // The greatest of cones that fall is the least of those that grow, turned over.
+  std::vector<double> turned;
+  turned.reserve(lengths.size());
+  for (const double length : lengths) turned.push_back(-length);
+  sites_.emplace(places, turned, rule.descent, kDescentSlack);
 }
 
 void SizeOctreeBuilder::placeRoot(std::span<const Vec3> points, std::span<const double> sizes) {
@@ -217,7 +217,7 @@ void SizeOctreeBuilder::refine(const Cell& cell, const List* reaching) {
   }
   // Samples may miss a small feature; where they would let the cell be, it is looked for.
   if (!rule_ && !hasList && isFine(w, sizes) && !isFine(w, sizes.loweredTo(least))) {
-    least = sites_->leastIn(range, sizes.most);
+    least = sites_->leastIn(range, sizes.most, centre.site);
   }
   const bool fine = !rule_ && isFine(w, sizes.loweredTo(least));
   if (fine || cell.level == SizeOctree::kMaxLevel) {

@@ -97,18 +97,16 @@ class SizeOctreeBuilder {
   static bool isFine(double width, const Extremes& sizes);
   /// What the tree is to hold.
   [[nodiscard]] double held(const Value& value) const {
-    return rule_ ? top_ - value.size : std::min(value.size, tree_.cap_);
+    return rule_ ? -value.size : std::min(value.size, tree_.cap_);
   }
   /// The length of edges at the site.
   [[nodiscard]] double lengthAt(std::uint32_t site) const {
-    return rule_ ? top_ - sites_->sizeOf(site) : sites_->sizeOf(site);
+    return rule_ ? -sites_->sizeOf(site) : sites_->sizeOf(site);
   }
 
   SizeOctree tree_;
   std::optional<SizeSites> sites_;
   std::optional<SizeDescent> rule_;
-  /// The greatest of values that fall is this less the least of values that grow: of top_ - h_i.
-  double top_ = 0.0;
   double edge_ = 0.0;
   bool hasBegun_ = false;
   std::vector<Frame> open_;

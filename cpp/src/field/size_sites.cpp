@@ -32,7 +32,7 @@ SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes
   Vec3 lower(std::numeric_limits<double>::max());
   Vec3 upper(-std::numeric_limits<double>::max());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (!(sizes[i] > 0.0)) continue;
+    if (sizes[i] == 0.0) continue;
     used.push_back(i);
     places.push_back(points[i]);
     lower = glm::min(lower, points[i]);
@@ -129,7 +129,8 @@ void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& 
   };
   std::array<Open, 64> stack;  // at most one entry per level waits
   std::size_t waiting = 0;
-  stack[waiting++] = {0, 0.0F, 0.0F, std::numeric_limits<float>::max()};
+  constexpr float kMost = std::numeric_limits<float>::max();
+  stack[waiting++] = {0, 0.0F, -kMost, kMost};
   while (waiting > 0) {
     const Open open = stack[--waiting];
     if (!liesBelow(open.size, open.squared, limit)) continue;
@@ -161,24 +162,40 @@ void SizeSites::visitBoxes(const Reach& reach, const float& limit, const float& 
   }
 }
 
+/// What may be overlooked where the site's cone has the value.
+float SizeSites::toleranceOf(float value, std::uint32_t site) const {
+  return slack_ * larger(std::fabs(value), std::fabs(sites_[site].size));
+}
+
+/// Lowers the best value in the reach, that of the site's cone, up to the tolerance. Boxes that a
+/// much higher value let stand for all within them are opened again once a lower one is known.
+void SizeSites::improve(const Reach& reach, float& best, std::uint32_t& site) const {
+  constexpr float kMuchHigher = 2.0F;
+  float atFirst = 0.0F;
+  float tolerance = toleranceOf(best, site);
+  do {
+    atFirst = tolerance;
+    float limit = best - tolerance;
+    visitBoxes(reach, limit, tolerance, [&](std::uint32_t first, std::uint32_t last) {
+      for (std::uint32_t i = first; i < last; ++i) {
+        const float size = cone(i, reach);
+        if (size >= best) continue;
+        best = size;
+        site = i;
+      }
+      tolerance = toleranceOf(best, site);
+      limit = best - tolerance;
+      return true;
+    });
+  } while (atFirst > kMuchHigher * tolerance);
+}
+
 SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess) const {
   const std::array<float, 3> p = inward(place);
   const Reach reach{p, p};
   std::uint32_t site = guess;
   float best = cone(guess, reach);
-  float limit = best * (1.0F - slack_);
-  float merge = best * slack_;
-  visitBoxes(reach, limit, merge, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t i = first; i < last; ++i) {
-      const float size = cone(i, reach);
-      if (size >= best) continue;
-      best = size;
-      site = i;
-    }
-    limit = best * (1.0F - slack_);
-    merge = best * slack_;
-    return true;
-  });
+  improve(reach, best, site);
   return {best * extent_, site};
 }
 
@@ -200,17 +217,11 @@ SizeSites::Value SizeSites::at(const Vec3& place, std::uint32_t guess,
   return {best * extent_, site};
 }
 
-double SizeSites::leastIn(const Range& range, double limit) const {
+double SizeSites::leastIn(const Range& range, double limit, std::uint32_t guess) const {
   const Reach reach = inward(range);
-  float least = inward(limit);
-  float worthwhile = least * (1.0F - slack_);
-  float merge = least * slack_;
-  visitBoxes(reach, worthwhile, merge, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t i = first; i < last; ++i) least = std::min(least, cone(i, reach));
-    worthwhile = least * (1.0F - slack_);
-    merge = least * slack_;
-    return true;
-  });
+  std::uint32_t site = guess;
+  float least = std::min(inward(limit), cone(guess, reach));
+  improve(reach, least, site);
   return std::min(limit, least * extent_);
 }
 

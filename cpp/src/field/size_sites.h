@@ -2,7 +2,7 @@
 
 /// @file The lower envelope of cones h_i + growth |x - x_i|, evaluated by branch and bound over a
 /// tree of boxes along a Morton curve. Brute force over all nodes would dominate everything else
-/// on graded surfaces.
+/// on graded surfaces. With all h_i negative it is an upper envelope turned over.
 ///
 /// Single precision, relative to the centre and the extent of the sites: half the memory, and
 /// its error is far below the slack that is granted anyway.
@@ -18,8 +18,9 @@ namespace tetrafront {
 
 class SizeSites {
  public:
-  /// Nodes whose size is 0 are left out. At least one size must be > 0. No value will be above the
-  /// true one by more than twice the share `slack` of it; work grows with its inverse.
+  /// Nodes whose size is 0 are left out; at least one must not be. No value will be above the true one by
+  /// much more than the share `slack` of it, or of the size of the site it comes from if that is
+  /// further from 0; work grows with the inverse.
   SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth,
             float slack = kSlack);
 
@@ -31,8 +32,7 @@ class SizeSites {
     std::uint32_t site = 0;  ///< which cone is lowest: a good first guess for places nearby
   };
 
-  /// min_i h_i + growth |x - x_i|, up to the slack. `guess` is any
-  /// site.
+  /// min_i h_i + growth |x - x_i|, up to the slack. `guess` is any site; a far one costs more.
   [[nodiscard]] Value at(const Vec3& place, std::uint32_t guess) const;
 
   /// The same over a list of sites, exactly. One step per site.
@@ -54,8 +54,8 @@ class SizeSites {
   double collect(const Range& range, double limit, std::span<const std::uint32_t> among,
                  std::vector<std::uint32_t>& list) const;
 
-  /// The least value in the range, or `limit` if that is less; up to the slack.
-  [[nodiscard]] double leastIn(const Range& range, double limit) const;
+  /// The least value in the range, or `limit` if that is less; up to the slack. `guess` is any site.
+  [[nodiscard]] double leastIn(const Range& range, double limit, std::uint32_t guess) const;
 
  private:
   struct Site {
@@ -79,6 +79,8 @@ class SizeSites {
   [[nodiscard]] Reach inward(const Range& range) const;
   [[nodiscard]] float inward(double size) const { return static_cast<float>(size / extent_); }
   [[nodiscard]] float cone(std::uint32_t site, const Reach& reach) const;
+  [[nodiscard]] float toleranceOf(float value, std::uint32_t site) const;
+  void improve(const Reach& reach, float& best, std::uint32_t& site) const;
   [[nodiscard]] bool liesBelow(float size, float squaredDistance, float limit) const;
   void build();
   template <class Visit>
@@ -87,7 +89,7 @@ class SizeSites {
   static constexpr float kSlack = 0.03F;
   static constexpr std::uint32_t kSitesPerLeaf = 8;
 
-  /// A branch is not opened for less than this relative gain. Bounds the work at places that are
+  /// A branch is not opened for less than this gain, as a share. Bounds the work at places that are
   /// equally far from everything, such as the centre of a sphere. Nor is one whose sites agree this
   /// well, seen from so far: its smallest stands for all.
   float slack_;
