@@ -6,9 +6,9 @@ import { fileURLToPath } from "node:url";
 import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
 import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
 import {
+  bundleCommandLine,
   bundlePages,
   dropOrphans,
-  minifyCommandLine,
   minifyLoader,
   writeProjectSchema,
 } from "./lib/package-files.mjs";
@@ -39,7 +39,7 @@ export const steps = {
     dropOrphans();
     await writeProjectSchema();
     await bundlePages();
-    await minifyCommandLine();
+    await bundleCommandLine();
     markFresh(stamp, hash);
   },
   async site() {

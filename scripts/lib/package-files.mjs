@@ -38,22 +38,36 @@ export async function minifyLoader() {
   markFresh(stamp, hashOf([loader]));
 }
 
-/** Minifies what only the command line loads; its maps lead to the sources as before. */
-export async function minifyCommandLine() {
+/** Makes one script of all that only the command line loads, minified; its map leads to the sources as before. */
+export async function bundleCommandLine() {
   const { build } = await import("esbuild");
   const dist = inRoot("wasm", "dist");
+  const entry = path.join(dist, "cli.js");
   await build({
-    entryPoints: filesUnder([dist], { skip: [] }).filter((file) =>
-      /^cli[^/]*\.js$/.test(path.relative(dist, file)),
-    ),
-    outdir: dist,
+    entryPoints: [entry],
+    outfile: entry,
     allowOverwrite: true,
+    bundle: true,
     format: "esm",
+    platform: "node",
     target: "es2022",
     minify: true,
     sourcemap: true,
     logLevel: "warning",
+    plugins: [
+      {
+        name: "command-line-only",
+        setup({ onResolve }) {
+          onResolve({ filter: /./ }, ({ kind, path: name }) =>
+            kind === "entry-point" || name.startsWith("./cli-") ? undefined : { external: true },
+          );
+        },
+      },
+    ],
   });
+  for (const file of filesUnder([dist], { skip: [] })) {
+    if (/^cli-[^/]*$/.test(path.relative(dist, file))) rmSync(file);
+  }
 }
 
 /**

@@ -1,4 +1,5 @@
 /** Files as the command line meets them: every way to fail gets one line with a remedy. */
+import { randomUUID } from "node:crypto";
 import { constants, createReadStream } from "node:fs";
 import { access, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
 import path from "node:path";
@@ -109,8 +110,9 @@ async function tryPlace(file: string, exists: boolean): Promise<void> {
   }
 }
 
+/** Of a name that no run had before, for in a container all have one number; short, however long the file's is. */
 function temporaryFor(target: string): string {
-  return path.join(path.dirname(target), `.${path.basename(target)}.${process.pid}.part`);
+  return path.join(path.dirname(target), `.${randomUUID()}.part`);
 }
 
 /**

@@ -132,6 +132,10 @@ describe("readers say where:", () => {
 CELLS 1 5\n${cells}\nCELL_TYPES 1\n10\n`;
   const ply = `ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z
 element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 7\n`;
+  // As a 32-bit number the corner would be 0, which is a point.
+  const plyBefore = `ply\nformat ascii 1.0\nelement face 2\nproperty list uchar double vertex_indices
+element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_header\n3 0 1 2
+3 4294967296 1 2\n0 0 0\n1 0 0\n0 1 0\n`;
 
   test.each<[string, string, string, number, RegExp]>([
     ["a word among coordinates", "a.vtu", vtu("0 x 0", "0 1 2 3"), 7, /"x" is not a finite number/],
@@ -147,6 +151,7 @@ element face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0
     ],
     ["a corner of legacy VTK", "a.vtk", vtk("4 0 1 2 9"), 8, /corner that is no node: 9/],
     ["a corner of PLY", "a.ply", ply, 14, /face 1 has the corner 7/],
+    ["a corner of PLY before its point", "a.ply", plyBefore, 11, /face 1 has the corner 4294967296/],
     ["a beginning of something else", "a.msh", "hello\nthere\n", 1, /does not begin with/],
     ["text that is no STL", "a.stl", "hello\n".repeat(99), 1, /does not begin with "solid"/],
   ])("%s", async (_, fileName, file, line, message) => {

@@ -181,6 +181,30 @@ test("what rounding has torn is welded on wish, and keeps its patches", async ()
   }
 });
 
+test("a section that is passed over may end wherever the bytes in memory do", async () => {
+  const square =
+    "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n$Elements\n1\n1 2 2 5 1 1 2 3\n$EndElements\n";
+  const begin = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Comments\n";
+  const end = "\n$EndComments";
+  const piece = 1 << 20;
+  for (let beyond = -end.length; beyond <= 3; beyond++) {
+    const comment = "c".repeat(piece + beyond - begin.length - end.length);
+    const file = new TextEncoder().encode(`${begin}${comment}${end}\n${square}`);
+    const read = await readMesh(pieces(file, piece), { fileName: "a.msh" });
+    expect(valueOf(read).triangles, `${beyond}`).toHaveLength(3);
+  }
+});
+
+test("a face that is longer than what is held of a file is told so", async () => {
+  const header = `ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y
+property float z\nelement face 1\nproperty list uint int vertex_indices\nend_header\n`;
+  const body = new Uint8Array(9 * 12 + 4 + 4 * 400_000);
+  new DataView(body.buffer).setUint32(9 * 12, 400_000, true);
+  const file = new Uint8Array([...new TextEncoder().encode(header), ...body]);
+  const read = await readMesh(pieces(file, 1 << 16), { fileName: "a.ply" });
+  expect(read.success ? "" : read.problems[0].message).toMatch(/an entry is longer than/);
+});
+
 test("decimals of every length are read as JavaScript reads them, bit for bit", async () => {
   const random = randomSource(11);
   const digits = (count: number) => Array.from({ length: count }, () => random() % 10).join("");

@@ -55,6 +55,11 @@ const spiral = (turns: number): Place[] => {
   return [...arm(10), ...arm(14).reverse()];
 };
 
+const onCircle = (degrees: number): Place => [
+  Math.cos((degrees * Math.PI) / 180),
+  Math.sin((degrees * Math.PI) / 180),
+];
+
 describe("a polygon is cut into triangles", () => {
   test.each<[string, readonly Place[]]>([
     [
@@ -182,6 +187,10 @@ describe("a polygon is cut into triangles", () => {
         [1, 1],
         [1, 1],
       ],
+    ],
+    [
+      "one that goes around its first corner more than once, always turning the same way",
+      [[0, 0], ...[0, 100, 200, 300, 40, 140].map(onCircle)],
     ],
   ])("but not %s", (_, places) => {
     expect(trianglesOf(places)).toBeUndefined();

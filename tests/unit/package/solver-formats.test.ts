@@ -4,7 +4,7 @@ import { tmpdir } from "node:os";
 import path from "node:path";
 
 import { MesherError, writeMesh, type FileMesh, type WrittenFile } from "tetrafront";
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 
 import { blockMesh, outerFaces } from "../../support/block-mesh.js";
 import { tetrafront } from "../../support/command-line.js";
@@ -107,6 +107,16 @@ test("UGRID: the triangles are the boundary, outward, and the wall is left out",
       .sort(),
   ).toEqual(outerFaces(block.tetrahedra).map(turned).sort());
   expect(notesOf(file)).toMatch(/names are left out.*7 for "in let"/i);
+});
+
+test("OpenFOAM: no map, which has room for 2^24 entries, has one for each face", async () => {
+  const set = vi.spyOn(Map.prototype, "set");
+  try {
+    await written(walled, "a.foam.zip");
+    expect(set.mock.calls.length).toBeLessThan(block.tetrahedra.length / 4);
+  } finally {
+    set.mockRestore();
+  }
 });
 
 test("OpenFOAM: the wall is a zone of faces, of which the boundary knows nothing", async () => {

@@ -242,6 +242,7 @@ export class ByteReader {
       const found = indexOf(this.#bytes, wanted, this.#at);
       if (found >= 0) {
         this.#moveTo(found + wanted.length);
+        await this.fill();
         this.skipLine();
         return;
       }
@@ -320,7 +321,10 @@ export class ByteReader {
 
   #advance(bytes: number): number {
     this.#leaveText();
-    if (this.#bytes.length - this.#at < bytes) this.fail("the file ends in the middle of a number");
+    if (this.#bytes.length - this.#at < bytes) {
+      this.#checkEdge();
+      this.fail("the file ends in the middle of a number");
+    }
     this.#at += bytes;
     return this.#at - bytes;
   }

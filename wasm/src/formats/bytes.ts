@@ -1,18 +1,22 @@
 /** Joins text and typed arrays into the bytes of a file. Numbers stand in the machine's byte order. */
 export function joinBytes(parts: readonly (string | ArrayBufferView)[]): Uint8Array<ArrayBuffer> {
   const encoder = new TextEncoder();
-  const pieces = parts.map((part) =>
-    typeof part === "string"
-      ? encoder.encode(part)
-      : new Uint8Array(part.buffer, part.byteOffset, part.byteLength),
-  );
-  const joined = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, 0));
+  const joined = new Uint8Array(parts.reduce((sum, part) => sum + lengthOf(part), 0));
   let position = 0;
-  for (const piece of pieces) {
-    joined.set(piece, position);
-    position += piece.length;
+  for (const part of parts) {
+    if (typeof part === "string") position += encoder.encodeInto(part, joined.subarray(position)).written;
+    else {
+      joined.set(new Uint8Array(part.buffer, part.byteOffset, part.byteLength), position);
+      position += part.byteLength;
+    }
   }
   return joined;
+}
+
+/** In bytes, of text without a second copy of it: nearly all is ASCII. */
+function lengthOf(part: string | ArrayBufferView): number {
+  if (typeof part !== "string") return part.byteLength;
+  return /[\u0080-\uffff]/.test(part) ? new TextEncoder().encode(part).length : part.length;
 }
 
 /** Whether the machine writes the low byte first; file headers say so. */

@@ -7,6 +7,7 @@ import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, type Group } from "./groups.js";
+import { noteMerged } from "./single-precision.js";
 
 const MAGIC = 0x46546c67;
 const VERSION = 2;
@@ -21,6 +22,7 @@ const UNSIGNED_INT = 5125;
 /** The bytes of a GLB file. A surface without triangles is a scene without a mesh. */
 export function writeGlb(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const surface = boundaryOf(mesh);
+  noteMerged(surface.points, note);
   const groups = patchGroups(surface, { note });
   const places = littleEndian(surface.points, (view, at, value) => view.setFloat32(at, value, true));
   const indices = groups.map(({ nodes }) =>

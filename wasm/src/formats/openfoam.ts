@@ -28,7 +28,7 @@ interface FaceRange {
 
 interface PolyMesh {
   /** Faces 4 t + f of tetrahedra, in OpenFOAM's order. */
-  readonly faces: readonly number[];
+  readonly faces: Uint32Array;
   /** Per inner face, which come first. */
   readonly neighbours: Uint32Array;
   readonly patches: readonly FaceRange[];
@@ -38,18 +38,17 @@ interface PolyMesh {
 /** The bytes of the zip. */
 export function writeOpenFoam(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const poly = polyMesh(mesh, note);
-  const owners = Uint32Array.from(poly.faces, (face) => face >>> 2);
+  const owners = poly.faces.map((face) => face >>> 2);
   const counts =
     `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
     `nFaces:${poly.faces.length} nInternalFaces:${poly.neighbours.length}";\n`;
-  const corners = Uint32Array.from(poly.faces.flatMap((face) => [...cornersOf(mesh.tetrahedra, face)]));
   const files: Record<string, Uint8Array> = {
     points: list("vectorField", "points", mesh.points.length / 3, numberRows(mesh.points, 3, inBrackets)),
     faces: list(
       "faceList",
       "faces",
       poly.faces.length,
-      numberRows(corners, 3, (row) => `3${inBrackets(row)}`),
+      numberRows(poly.faces, 1, ([face = 0]) => `3${inBrackets(cornersOf(mesh.tetrahedra, face))}`),
     ),
     owner: list("labelList", "owner", owners.length, labels(owners), counts),
     neighbour: list("labelList", "neighbour", poly.neighbours.length, labels(poly.neighbours), counts),
@@ -67,10 +66,9 @@ function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
   noteLoose(found.faceOfTriangle.filter((face) => face === NONE).length, note);
   const isRepeated = (t: number, face: number) => face !== NONE && found.triangle[face] !== t;
   noteRepeated(found.faceOfTriangle.filter((face, t) => isRepeated(t, face)).length, note);
-  const { inner, neighbours } = innerFaces(found.twin);
-  const faces = [...inner];
-  const positions = new Map<number, number>();
-  inner.forEach((face, position) => positions.set(face, position));
+  const inner = innerFaces(found.twin);
+  const outside: number[] = [];
+  let positions: Uint32Array | undefined;
   const patches: FaceRange[] = [];
   const zones: { name: string; faces: Uint32Array }[] = [];
   const names = namesOf(mesh, note);
@@ -81,13 +79,26 @@ function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
     const outer = sides.filter((face) => found.twin[face] === NONE);
     const between = sides.filter((face) => found.twin[face] !== NONE);
     const name = names[patch] ?? `patch_${patch + 1}`;
-    if (outer.length > 0) patches.push({ name, begin: faces.length, count: outer.length });
-    for (const face of outer) faces.push(face);
+    if (outer.length > 0) {
+      patches.push({ name, begin: inner.length + outside.length, count: outer.length });
+    }
+    for (const face of outer) outside.push(face);
     if (between.length === 0) return;
-    const zone = between.map((face) => positions.get(lowerSide(face, found.twin)) ?? 0);
-    zones.push({ name, faces: Uint32Array.from(zone).sort() });
+    const known = (positions ??= positionsOf(inner, found.twin.length));
+    const zone = Uint32Array.from(between, (face) => known[lowerSide(face, found.twin)] ?? 0);
+    zones.push({ name, faces: zone.sort() });
   });
-  addNamelessFaces(found, faces, patches, note);
+  const nameless = namelessFaces(found);
+  if (nameless.length > 0) {
+    const name = "defaultFaces";
+    patches.push({ name, begin: inner.length + outside.length, count: nameless.length });
+    noteNameless(nameless.length, name, note);
+  }
+  const faces = new Uint32Array(inner.length + outside.length + nameless.length);
+  faces.set(inner);
+  faces.set(outside, inner.length);
+  faces.set(nameless, inner.length + outside.length);
+  const neighbours = inner.map((face) => (found.twin[face] ?? 0) >>> 2);
   return { faces, neighbours, patches, zones };
 }
 
@@ -97,32 +108,34 @@ function lowerSide(face: number, twin: Uint32Array): number {
 }
 
 /** Cell by cell, towards the higher neighbours in their order. */
-function innerFaces(twin: Uint32Array): { inner: readonly number[]; neighbours: Uint32Array } {
-  const inner: number[] = [];
+function innerFaces(twin: Uint32Array): Uint32Array {
+  const inner = new Uint32Array(twin.length / 2);
+  let count = 0;
   for (let begin = 0; begin < twin.length; begin += 4) {
     const own = [begin, begin + 1, begin + 2, begin + 3].filter((face) => {
       const other = twin[face] ?? NONE;
       return other !== NONE && other > face;
     });
     own.sort((a, b) => (twin[a] ?? 0) - (twin[b] ?? 0));
-    inner.push(...own);
+    for (const face of own) inner[count++] = face;
   }
-  return { inner, neighbours: Uint32Array.from(inner, (face) => (twin[face] ?? 0) >>> 2) };
+  return inner.subarray(0, count);
 }
 
-function addNamelessFaces(
-  { twin, triangle }: TetFaces,
-  faces: number[],
-  patches: FaceRange[],
-  note: Note,
-): void {
-  const begin = faces.length;
+/** By face: its position among these, of which each is there once. */
+function positionsOf(faces: Uint32Array, faceCount: number): Uint32Array {
+  const positions = new Uint32Array(faceCount);
+  faces.forEach((face, position) => (positions[face] = position));
+  return positions;
+}
+
+/** Faces of one tetrahedron on which no triangle lies. */
+function namelessFaces({ twin, triangle }: TetFaces): number[] {
+  const nameless: number[] = [];
   twin.forEach((other, face) => {
-    if (other === NONE && triangle[face] === NONE) faces.push(face);
+    if (other === NONE && triangle[face] === NONE) nameless.push(face);
   });
-  if (faces.length === begin) return;
-  patches.push({ name: "defaultFaces", begin, count: faces.length - begin });
-  noteNameless(faces.length - begin, "defaultFaces", note);
+  return nameless;
 }
 
 function trianglesByPatch({ trianglePatch, patches }: FileMesh): number[][] {
@@ -160,7 +173,7 @@ function list(
   return joinBytes([header(kind, object, note), `${count}\n(\n`, ...entries, ")\n"]);
 }
 
-function inBrackets(row: Float64Array | Uint32Array): string {
+function inBrackets(row: Float64Array | Uint32Array | readonly number[]): string {
   return `(${row.join(" ")})`;
 }
 

@@ -70,6 +70,8 @@ interface PlyReading {
   readonly reader: ByteReader;
   readonly read: ReadNumber;
   readonly builder: MeshBuilder;
+  /** So many points the header announces. */
+  readonly points: number;
   /** Undefined once the points are there. */
   early: EarlyFaces | undefined;
   faces: number;
@@ -82,10 +84,12 @@ export function readPly(source: ByteSource): Promise<FileMesh> {
     const { elements, read } = readHeader(reader, names);
     const builder = new MeshBuilder();
     const early = new EarlyFaces();
-    const reading: PlyReading = { reader, read, builder, early, faces: 0 };
-    for (const element of elements) {
+    const isOfPoints = ({ name }: Element) => name === "vertex";
+    const points = elements.filter(isOfPoints).reduce((sum, { count }) => sum + count, 0);
+    const reading: PlyReading = { reader, read, builder, points, early, faces: 0 };
+    for (const [e, element] of elements.entries()) {
       await readElement(reading, element);
-      if (element.name === "vertex") reading.early = undefined;
+      if (e === elements.findLastIndex(isOfPoints)) reading.early = undefined;
     }
     early.addTo(builder, reader);
     if (reading.faces === 0) reader.fail("the file has no face");
@@ -111,7 +115,9 @@ function readHeader(reader: ByteReader, names: NameLines): { elements: Element[]
       owner.properties.push(propertyIn(reader, rest));
     }
   }
-  return { elements, read: read ?? reader.fail("the file does not say its format") };
+  // Without properties an element takes no room, and any number of them says nothing.
+  const held = elements.filter(({ properties }) => properties.length > 0);
+  return { elements: held, read: read ?? reader.fail("the file does not say its format") };
 }
 
 function propertyIn(reader: ByteReader, words: readonly string[]): Property {
@@ -141,8 +147,6 @@ function readerFor(reader: ByteReader, format: string): ReadNumber {
 
 async function readElement(reading: PlyReading, { name, count, properties }: Element): Promise<void> {
   const { reader, read, builder } = reading;
-  // Without properties an element takes no room, and any number of them says nothing.
-  if (properties.length === 0) return;
   const position = (wanted: string) => properties.findIndex((property) => property.name === wanted);
   const axes = ["x", "y", "z"].map(position);
   if (name === "vertex" && axes.includes(-1)) reader.fail("the points have no x, y and z");
@@ -181,13 +185,16 @@ function skipList(reader: ByteReader, { type, countType }: Property, read: ReadN
   for (let i = 0; i < items; i++) read(type);
 }
 
-function readCorners({ reader, read, faces }: PlyReading, { type, countType }: Property): number[] {
+function readCorners({ reader, read, faces, points }: PlyReading, { type, countType }: Property): number[] {
   const items = reader.count(read(countType ?? ""), "corners");
   if (items < 3) reader.fail(`face ${faces} has ${items} corners`);
   const corners: number[] = [];
   for (let i = 0; i < items; i++) {
     const corner = read(type);
-    corners.push(Number.isInteger(corner) && corner >= 0 ? corner : reader.fail(`${corner} is no corner`));
+    if (!(Number.isInteger(corner) && corner >= 0 && corner < points)) {
+      reader.fail(`face ${faces} has the corner ${corner}, there are ${points} points`);
+    }
+    corners.push(corner);
   }
   return corners;
 }
@@ -199,8 +206,5 @@ function addFace(
   corners: readonly number[],
   patch: number,
 ): void {
-  const wild = corners.find((corner) => corner >= builder.pointCount);
-  if (wild !== undefined)
-    reader.fail(`face ${f} has the corner ${wild}, there are ${builder.pointCount} points`);
   if (!builder.addPolygon(corners, patch)) reader.fail(`face ${f} ${UNCUT}`);
 }

@@ -1,6 +1,6 @@
 /**
- * Polygons of files cut into triangles: convex ones from their first corner, which changes nothing about a plane
- * one; others by clipping ears (Meisters 1975), in the plane of the two axes that shows them largest. Every
+ * Polygons of files cut into triangles: those that lie around their first corner, as convex ones do, from there,
+ * which changes nothing about a plane one; others by clipping ears (Meisters 1975), in the plane of the two axes that shows them largest. Every
  * corner stays one, also on a straight edge, where the faces beside may have theirs; that is why no library
  * for the drawing of polygons does this, for those leave such corners out.
  */
@@ -23,10 +23,10 @@ const ROUNDING = 1e-14;
 
 /**
  * Adds the triangles of a polygon of three or more corners. False, and nothing added, where that cannot be done
- * safely: it crosses itself, has no area, or is not convex and has more than 5000 corners. O(n²).
+ * safely: it crosses itself, has no area, or is not convex and has more than 5000 corners. O(n²), O(n) for convex ones.
  */
 export function addPolygon(corners: readonly number[], points: Coordinates, triangles: number[]): boolean {
-  if (corners.length === 3 || isConvex(corners, points)) {
+  if (corners.length === 3 || isFan(corners, points)) {
     for (let i = 2; i < corners.length; i++) {
       triangles.push(corners[0] ?? 0, corners[i - 1] ?? 0, corners[i] ?? 0);
     }
@@ -41,16 +41,26 @@ export function addPolygon(corners: readonly number[], points: Coordinates, tria
   return true;
 }
 
-/** Whether all triangles from the first corner turn the same way as the whole polygon. */
-function isConvex(corners: readonly number[], points: Coordinates): boolean {
-  const first = placeOf(points, corners[0] ?? 0);
+/** Whether all triangles from the first corner turn as the whole polygon does, less than once around it together. */
+function isFan(corners: readonly number[], points: Coordinates): boolean {
+  const places = corners.map((corner) => placeOf(points, corner));
+  const [first = ORIGIN, second = ORIGIN] = places;
   const whole = wholeNormal(corners, points);
-  for (let i = 2; i < corners.length; i++) {
-    const n = normal(first, placeOf(points, corners[i - 1] ?? 0), placeOf(points, corners[i] ?? 0));
-    if (!(n[0] * whole[0] + n[1] * whole[1] + n[2] * whole[2] > 0)) return false;
-  }
-  return true;
+  const turnOf = (a: Triple, b: Triple) => {
+    const n = normal(first, a, b);
+    return n[0] * whole[0] + n[1] * whole[1] + n[2] * whole[2];
+  };
+  let isPastHalf = false;
+  return places.every((place, i) => {
+    if (i < 2) return true;
+    const side = turnOf(second, place);
+    if (isPastHalf && side >= 0) return false;
+    isPastHalf ||= side < 0;
+    return turnOf(places[i - 1] ?? ORIGIN, place) > 0;
+  });
 }
+
+const ORIGIN: Triple = [0, 0, 0];
 
 /** Seen along the axis nearest to the polygon's normal, so that it runs counter-clockwise. */
 function flattened(corners: readonly number[], points: Coordinates): readonly Place[] {

@@ -2,10 +2,12 @@
  * Binary STL: the triangles with their normals, as float32, and the number of their patch as attribute. Names are in the
  * header, where all of them fit into its 80 bytes.
  */
+import { boundaryOf } from "./boundary.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { isPlain, noteNames } from "./groups.js";
 import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
+import { noteMerged } from "./single-precision.js";
 
 const HEADER_TEXT = 80;
 const HEADER_BYTES = 84;
@@ -13,9 +15,17 @@ const TRIANGLE_BYTES = 50;
 /** Those that readers take for a colour have the highest bit set. */
 const MOST_ATTRIBUTES = 0x7fff;
 
-/** The bytes of an STL file. Patches beyond 32767 lose their number. */
-export function writeStl(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
-  const { points, triangles, trianglePatch } = mesh;
+/** The bytes of an STL file. Patches beyond 32767 lose their number, and points their later digits. */
+export function writeStl(given: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const mesh = boundaryOf(given);
+  const { points, triangles, trianglePatch, patches } = mesh;
+  noteMerged(points, note);
+  const numberless = patches.length - 1 - MOST_ATTRIBUTES;
+  if (numberless > 0) {
+    note(
+      `${numberless} patches are written as the first one: the format has numbers up to ${MOST_ATTRIBUTES}`,
+    );
+  }
   const count = triangles.length / 3;
   const bytes = new Uint8Array(HEADER_BYTES + TRIANGLE_BYTES * count);
   bytes.set(header(mesh, note));

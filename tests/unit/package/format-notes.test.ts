@@ -1,0 +1,51 @@
+/** What formats make of a mesh that they have no place for is told beside the file. */
+import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { expect, test } from "vitest";
+
+import { boxSurface } from "../../support/surfaces.js";
+
+const cube = boxSurface(1);
+
+/** A cube with its triangles in turn in so many patches, moved along x. */
+function surfaceMesh(patchCount: number, shift = 0): FileMesh {
+  return {
+    points: cube.points.map((value, i) => (i % 3 === 0 ? value + shift : value)),
+    triangles: cube.triangles,
+    trianglePatch: Uint32Array.from(
+      { length: cube.triangles.length / 3 },
+      (_, t) => patchCount - 1 - (t % 2),
+    ),
+    patches: Array.from({ length: patchCount }, (_, p) => ({ name: `patch ${p + 1}`, tag: p + 1 })),
+    tetrahedra: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(),
+    regions: [],
+    nodeData: new Map(),
+  };
+}
+
+async function notesOf(mesh: FileMesh, fileName: string): Promise<string> {
+  const [file] = await writeMesh(mesh, fileName);
+  return (file?.notes ?? []).map(({ message }) => message).join("\n");
+}
+
+test.each(["a.stl", "a.glb"])("%s: points that single precision makes one are counted", async (fileName) => {
+  expect(await notesOf(surfaceMesh(2), fileName)).toBe("");
+  // Of two corners that differ in x alone one is left.
+  const told = await notesOf(surfaceMesh(2, 1e9), fileName);
+  const lost = Number(/^(\d+) of the points fall on others/.exec(told)?.[1]);
+  expect(lost).toBe(cube.points.length / 3 - distinct(surfaceMesh(2, 1e9).points));
+});
+
+function distinct(points: Float64Array): number {
+  const rounded = [...points].map(Math.fround);
+  return new Set(rounded.flatMap((_, i) => (i % 3 === 0 ? [rounded.slice(i, i + 3).join(" ")] : []))).size;
+}
+
+test("STL: patches beyond its numbers are told", async () => {
+  expect(await notesOf(surfaceMesh(1 << 15), "a.stl")).toBe("");
+  const mesh = surfaceMesh((1 << 15) + 1);
+  expect(await notesOf(mesh, "a.stl")).toMatch(/^1 patches are written as the first one/);
+  const [file] = await writeMesh(mesh, "a.stl");
+  const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: "a.stl" });
+  expect(read.success && read.value.patches).toHaveLength(2);
+});
