@@ -270,8 +270,9 @@ auto copiedIn(const Array& array) {
   return [&array] { return copyIn<Value>(array); };
 }
 
-Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles) {
-  return std::make_unique<Inspection>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles))
+Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles, int enclosed) {
+  return std::make_unique<Inspection>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
+                                      [enclosed] { return static_cast<EnclosedBodies>(enclosed); })
       .release();
 }
 

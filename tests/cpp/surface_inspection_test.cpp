@@ -72,6 +72,10 @@ TEST(SurfaceInspection, TakesFacesBetweenRegionsEitherWayRound) {
   while (!asRegions.advance(1000)) {
   }
   EXPECT_TRUE(asRegions.result().isFillable);
+  // Three regions; each of the two walls is there from either side, and no side is a void.
+  EXPECT_EQ(asRegions.result().regions, 3U);
+  EXPECT_EQ(asRegions.result().shells.size(), 5U);
+  for (const ShellFigures& shell : asRegions.result().shells) EXPECT_FALSE(shell.isCavity);
 }
 
 TEST(SurfaceInspection, CountsOpenEdges) {

@@ -9,10 +9,11 @@ import { packageDiagnostic } from "./package-diagnostic.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
 import { checkPreviewOptions } from "./options.js";
-import type { Diagnostic, Mesher } from "./types.js";
+import type { Diagnostic, EnclosedBodies, Mesher } from "./types.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions {
   readonly size?: string;
+  readonly enclosed?: EnclosedBodies;
   readonly from?: string;
   readonly json?: boolean;
   readonly quiet?: boolean;
@@ -67,10 +68,13 @@ function tellFigures(input: string, findings: Findings): void {
 async function findingsIn(input: string, options: CheckCommandOptions): Promise<Findings> {
   try {
     const size = numberIn(options.size);
-    refuseOptions(checkPreviewOptions({ size }));
+    const { enclosed } = options;
+    refuseOptions(checkPreviewOptions({ size, enclosed }));
     if (isProject(input, options.from)) {
       const project = await readProjectFile(input, options.from);
-      const { diagnostics } = await withMesher((mesher) => mesher.previewProject(project, { size }));
+      const { diagnostics } = await withMesher((mesher) =>
+        mesher.previewProject(project, { size, enclosed }),
+      );
       return { kind: "project", diagnostics };
     }
     return await withMesher((mesher) => inspected(mesher, input, options));
@@ -100,7 +104,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new BadInput(input, [nothing]);
   }
   const { surface, changes } = await repaired(mesher, surfaceOf(mesh), wanted);
-  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface);
+  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, { enclosed: options.enclosed });
   return { kind: "surface", diagnostics, changes, inspection };
 }
 

@@ -274,9 +274,9 @@ async function mesh(
     }
     if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
     // Told in the numbers of what was given.
-    const { isFillable, diagnostics } = await mesher.inspectSurface(model.surface, control);
-    // Inspection takes enclosed parts for cavities; as regions they may be turned either way.
-    if (!isFillable && options.enclosed !== "regions") {
+    const { enclosed } = options;
+    const { isFillable, diagnostics } = await mesher.inspectSurface(model.surface, { enclosed }, control);
+    if (!isFillable) {
       return { result: emptyResult("invalid-input", diagnostics), model };
     }
     const { surface, figures } = await refined(mesher, model.surface, all, control);

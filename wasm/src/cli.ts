@@ -103,6 +103,7 @@ Examples
   tetrafront check part.stl
   tetrafront check part.stl --json | jq .inspection.openEdges
   tetrafront check part.stl --repair --fill-holes 10     # what would be changed, and what then remains
+  tetrafront check parts.stl --enclosed regions          # bodies within others are bodies too
   tetrafront check duct.json --size 0.1
   tetrafront check 'parts/*.stl' --jobs 4
 `;
@@ -361,12 +362,7 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
       "--gradation <ratio>",
       `the most by which a grid's sizes grow from element to element; 0: as they are (default ${DEFAULT_GRADATION})`,
     )
-    .addOption(
-      new Option(
-        "--enclosed <meaning>",
-        `what closed parts within a body bound: empty spaces, or regions meshed too (default ${DEFAULT_ENCLOSED})`,
-      ).choices(Object.keys(ENCLOSED_BODIES)),
-    )
+    .addOption(enclosedOption())
     .addOption(
       new Option(
         "--order <order>",
@@ -483,12 +479,20 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
     );
 }
 
+function enclosedOption(): Option {
+  return new Option(
+    "--enclosed <meaning>",
+    `what closed parts within a body bound: empty spaces, or regions meshed too (default ${DEFAULT_ENCLOSED})`,
+  ).choices(Object.keys(ENCLOSED_BODIES));
+}
+
 function addCheck(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("check")
     .description("List everything that is wrong with projects, surfaces or meshes.")
     .argument("<input...>", "projects, surfaces or meshes")
     .option("-s, --size <length>", "the size a project will be meshed with; its grid is not checked")
+    .addOption(enclosedOption())
     .addOption(formatOption())
     .addOption(fromOption());
   withJobs(withRepair(command))

@@ -30,6 +30,7 @@ export {
 } from "./formats/file-mesh.js";
 export { readMesh, readSurface, readVolume, writeMesh, type ReadFileOptions } from "./formats/mesh-files.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
+export type { SurfaceRegions } from "./formats/region-names.js";
 export { volumeBackground } from "./formats/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
 export { backgroundArrays, projectBackground } from "./grid-arrays.js";
@@ -81,6 +82,7 @@ export type {
   EntityRef,
   EnclosedBodies,
   FrontOrder,
+  InspectionOptions,
   LimitedByBoundary,
   Mesher,
   MeshInput,

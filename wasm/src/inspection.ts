@@ -18,7 +18,7 @@ export interface EdgeLengths {
   readonly longest: number;
 }
 
-/** One closed, connected part of a surface. */
+/** One closed, connected part of a surface. A wall between bodies belongs to one on either side. */
 export interface ShellFigures {
   readonly firstTriangle: number;
   readonly triangles: number;

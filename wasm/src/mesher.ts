@@ -21,6 +21,7 @@ import {
 import {
   checkCoverOptions,
   checkGridOptions,
+  checkInspectionOptions,
   checkOptions,
   checkPreviewOptions,
   checkProposalOptions,
@@ -51,6 +52,7 @@ import type {
   BackgroundArrays,
   CoverOptions,
   Diagnostic,
+  InspectionOptions,
   Mesher,
   MeshInput,
   MeshOptions,
@@ -234,10 +236,16 @@ class WorkerMesher implements Mesher {
     return this.#ask(question, control);
   }
 
-  async inspectSurface(surface: SurfaceInput, control: RunControl = {}): Promise<SurfaceInspection> {
-    refuse(checkSurface(surface));
+  async inspectSurface(
+    surface: SurfaceInput,
+    options: InspectionOptions = {},
+    control: RunControl = {},
+  ): Promise<SurfaceInspection> {
+    refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
     const { points, triangles } = surface;
-    const question = { kind: "inspect-surface", id: this.#nextId(), points, triangles } as const;
+    const id = this.#nextId();
+    const { enclosed } = engineOptions(options);
+    const question = { kind: "inspect-surface", id, points, triangles, enclosed } as const;
     return describedInspection(await this.#ask(question, control));
   }
 

@@ -10,6 +10,7 @@ import type {
   Diagnostic,
   EnclosedBodies,
   FrontOrder,
+  InspectionOptions,
   MeshOptions,
   Optimization,
   PreviewOptions,
@@ -93,6 +94,8 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
 
 const PREVIEW_RULES: Rules<PreviewOptions> = { size: MESH_RULES.size, enclosed: MESH_RULES.enclosed };
 
+const INSPECTION_RULES: Rules<InspectionOptions> = { enclosed: MESH_RULES.enclosed };
+
 const COVER_RULES: Rules<CoverOptions> = {
   size: MESH_RULES.size,
   shape: ["shape", oneOf(COVER_SHAPES)],
@@ -150,6 +153,10 @@ export function checkRefineOptions(options: MeshOptions): Diagnostic[] {
 
 export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
   return checkAgainst(options, options, PREVIEW_RULES);
+}
+
+export function checkInspectionOptions(options: InspectionOptions): Diagnostic[] {
+  return checkAgainst(options, options, INSPECTION_RULES);
 }
 
 export function checkCoverOptions(options: CoverOptions): Diagnostic[] {

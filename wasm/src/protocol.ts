@@ -87,6 +87,8 @@ export type Question =
       readonly id: number;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
+      /** As among EngineOptions. */
+      readonly enclosed: number;
     }
   | {
       readonly kind: "repair-surface";

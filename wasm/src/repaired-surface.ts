@@ -2,9 +2,10 @@
 import { countOf, type FileGroup } from "./formats/file-mesh.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
 import { NO_ORIGIN, type SurfaceRepair } from "./inspection.js";
+import { NO_REGION } from "./walls.js";
 
 /**
- * A repaired surface with the patches of the given one, triangle for triangle; triangles that fill holes are a
+ * A repaired or refined surface with the patches and regions of the given one, triangle for triangle; triangles that fill holes are a
  * patch of their own, "filled holes", the last one.
  *
  *     const repair = await mesher.repairSurface(file, { weld: 1e-6 });
@@ -19,5 +20,12 @@ export function repairedSurface(
   const lastTag = given.patches.reduce((most, { tag }) => Math.max(most, tag), 0);
   const filled: FileGroup = { name: "filled holes", tag: lastTag + 1 };
   const hasFilled = countOf(trianglePatch) > added;
-  return { ...surface, trianglePatch, patches: hasFilled ? [...given.patches, filled] : given.patches };
+  const patches = hasFilled ? [...given.patches, filled] : given.patches;
+  if (given.surfaceRegions === undefined) return { ...surface, trianglePatch, patches };
+  const { regions, triangleRegions: beside } = given.surfaceRegions;
+  const triangleRegions = new Uint32Array(2 * origin.length).map((_, side) => {
+    const from = origin[side >>> 1] ?? NO_ORIGIN;
+    return from === NO_ORIGIN ? NO_REGION : (beside[2 * from + (side & 1)] ?? NO_REGION);
+  });
+  return { ...surface, trianglePatch, patches, surfaceRegions: { regions, triangleRegions } };
 }

@@ -48,6 +48,15 @@ export interface PreviewOptions {
   readonly enclosed?: EnclosedBodies | undefined;
 }
 
+/** How a given surface is judged. */
+export interface InspectionOptions {
+  /**
+   * As among the `MeshOptions` it will be filled with: closed parts within a body bound cavities and must be turned so,
+   * or regions, which either way will do. Default `cavities`.
+   */
+  readonly enclosed?: EnclosedBodies | undefined;
+}
+
 /** How a covering grid is built. */
 export interface CoverOptions {
   /** At every node, in model units. Default: a twentieth of the model's diagonal. */
@@ -464,7 +473,11 @@ export interface Mesher {
    * and places. Rejects with `invalid-input` only where the arrays are none. O(n log n); about a
    * microsecond per triangle. Works in slices beside a run.
    */
-  inspectSurface(surface: SurfaceInput, control?: RunControl): Promise<SurfaceInspection>;
+  inspectSurface(
+    surface: SurfaceInput,
+    options?: InspectionOptions,
+    control?: RunControl,
+  ): Promise<SurfaceInspection>;
   /**
    * Makes the repairs that are asked for, in a copy, and lists every one; `inspectSurface` then tells what
    * they were good for. Rejects with `invalid-input` where coordinates or indices are broken. Works in steps

@@ -64,7 +64,7 @@ async function handle(engine: Engine, request: WorkRequest): Promise<void> {
         engine.fillSurface(request.points, request.triangles, request.grid, request.options),
       );
     case "inspect-surface":
-      return work(request.id, engine.inspectSurface(request.points, request.triangles));
+      return work(request.id, engine.inspectSurface(request.points, request.triangles, request.enclosed));
     case "repair-surface":
       return work(request.id, engine.repairSurface(request.points, request.triangles, request.options));
     case "refine-surface":

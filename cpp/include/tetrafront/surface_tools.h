@@ -17,7 +17,8 @@
 
 namespace tetrafront {
 
-/// One closed, connected part of a surface that can be filled.
+/// One closed, connected part of a surface that can be filled. A wall between regions belongs to one on
+/// either side.
 struct ShellFigures {
   std::uint32_t firstTriangle = 0;
   std::uint32_t triangles = 0;

@@ -202,7 +202,7 @@ void SurfaceInspector::Impl::measureShellsAndRegions() {
     result_.shells.push_back({.firstTriangle = shell.firstTriangle,
                               .triangles = shell.triangles,
                               .region = shell.region,
-                              .isCavity = shell.volume < 0.0,
+                              .isCavity = shell.volume < 0.0 && !mesh_.isWall(shell.firstTriangle),
                               .area = shell.area,
                               .volume = std::fabs(shell.volume)});
   }

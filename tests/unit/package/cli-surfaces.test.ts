@@ -18,7 +18,7 @@ import { afterEach, beforeEach, describe, expect, test } from "vitest";
 import { expandInputs, splitPattern } from "../../../wasm/src/cli-batch.js";
 import { tetrafront } from "../../support/command-line.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
-import { boxSurface, cavitySurface, sphereSurface } from "../../support/surfaces.js";
+import { boxSurface, cavitySurface, joined, sphereSurface } from "../../support/surfaces.js";
 
 let folder: string;
 beforeEach(() => {
@@ -72,6 +72,20 @@ describe("--refine-surface", () => {
 });
 
 describe("check", () => {
+  test("says what enclosed parts are taken for", async () => {
+    const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.75, 0.75, 0.75]);
+    writeFileSync(path.join(folder, "core.off"), offFile(joined(boxSurface(2), inside)));
+    for (const [meaning, bodies] of [
+      ["regions", 2],
+      ["cavities", 1],
+    ] as const) {
+      const args = ["check", "core.off", "--enclosed", meaning, "--json"];
+      const { code, stdout } = await tetrafront(folder, args);
+      expect(code).toBe(0);
+      expect(JSON.parse(stdout)).toMatchObject({ inspection: { bodies, cavities: 2 - bodies } });
+    }
+  });
+
   test("tells the figures of a sound surface and ends with 0", async () => {
     save("part.off", offFile(cavitySurface(10)));
     const { code, stderr } = await tetrafront(folder, ["check", "part.off"]);

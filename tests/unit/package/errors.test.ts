@@ -97,8 +97,9 @@ describe.each<[string, unknown]>([
     ["the options of repairSurface", () => mesher.repairSurface(surface, wrong)],
     ["the options of meshAsBackground", () => mesher.meshAsBackground(block, wrong)],
     ["the control of fillSurface", () => mesher.fillSurface(surface, {}, wrong)],
-    ["the control of inspectSurface", () => mesher.inspectSurface(surface, wrong)],
-    ["a signal", () => mesher.inspectSurface(surface, { signal: wrong })],
+    ["the options of inspectSurface", () => mesher.inspectSurface(surface, wrong)],
+    ["the control of inspectSurface", () => mesher.inspectSurface(surface, {}, wrong)],
+    ["a signal", () => mesher.inspectSurface(surface, {}, { signal: wrong })],
   ])("as %s is refused as an option", async (__, call) => {
     expect(await codesOf(call)).toEqual(["invalid-option"]);
   });

@@ -98,6 +98,39 @@ describe.each(both.map(({ name, extensions, writes }) => [name, extensions[0], w
       expect(new Set(read.patches.map(({ name }) => name))).toEqual(new Set(["skin"]));
     });
 
+    test("gives no group the name of one without elements", async () => {
+      const patches = [
+        { name: "nowhere", tag: 7 },
+        { name: "patch 3", tag: 3 },
+      ];
+      const regions = [
+        { name: "nothing", tag: 5 },
+        { name: "region 9", tag: 9 },
+      ];
+      const mesh = {
+        ...block,
+        patches,
+        trianglePatch: block.trianglePatch.map(() => 1),
+        regions,
+        tetrahedronRegion: block.tetrahedronRegion.map(() => 1),
+      };
+      const { read } = await again(mesh, fileName);
+      const used = new Set(Array.from(read.trianglePatch, (patch) => read.patches[patch]?.name));
+      expect([...used, ...regionsOf(read)]).not.toContain("nowhere");
+      expect(regionsOf(read)).not.toContain("nothing");
+    });
+
+    test("keeps long names whole, or tells which it cuts", async () => {
+      const end = (p: number) => `${"long ".repeat(180)}end of ${p}`;
+      const mesh = { ...named, patches: named.patches.map(({ tag }, p) => ({ name: end(p), tag })) };
+      const { read, notes } = await again(mesh, fileName);
+      const names = new Set(Array.from(read.trianglePatch, (patch) => read.patches[patch]?.name ?? ""));
+      const isKept = [...names].every((name) => / *end of \d$/.test(name.replaceAll("_", " ")));
+      if (!isKept) expect(notes).toMatch(/cut|left out|written as the format takes them/);
+      if (!isKept)
+        for (const { tag } of named.patches) expect(notes).toMatch(new RegExp(`\\b${tag}\\b|end of`));
+    });
+
     test("gives the one name of a surface back", async () => {
       const { points, triangles } = boxSurface(1);
       const one = {

@@ -53,6 +53,22 @@ describe("the inspection of a surface", () => {
     expect(found.shells.map(({ isCavity }) => isCavity)).toEqual([false, true, false]);
   });
 
+  test("takes enclosed parts for regions where they are to be filled, turned either way", async () => {
+    const inside = boxSurface(2, [-0.5, -0.5, -0.5], [0.5, 0.5, 0.5]);
+    const outside = boxSurface(4, [-1, -1, -1], [1, 1, 1]);
+    for (const core of [inside, turned(inside)]) {
+      const surface = joined(outside, core);
+      const found = await mesher.inspectSurface(surface, { enclosed: "regions" });
+      expect(found).toMatchObject({ isFillable: true, bodies: 2, cavities: 0 });
+      expect(found.volume).toBeCloseTo(8, 12);
+      const { report } = await mesher.fillSurface(surface, { enclosed: "regions" });
+      expect(report.diagnostics).toEqual(found.diagnostics);
+    }
+    const asCavity = await mesher.inspectSurface(joined(outside, turned(inside)), { enclosed: "cavities" });
+    expect(asCavity).toMatchObject({ isFillable: true, bodies: 1, cavities: 1 });
+    expect(asCavity.volume).toBeCloseTo(7, 12);
+  });
+
   test("names every open edge with its place, as filling would", async () => {
     const open = without(box, 7);
     const found = await mesher.inspectSurface(open);
@@ -74,9 +90,13 @@ describe("the inspection of a surface", () => {
   test("goes on beside a run, with progress", async () => {
     const run = mesher.fillSurface(sphereSurface(20));
     const fractions: number[] = [];
-    const inspecting = mesher.inspectSurface(sphereSurface(60), {
-      onProgress: ({ fraction }) => fractions.push(fraction),
-    });
+    const inspecting = mesher.inspectSurface(
+      sphereSurface(60),
+      {},
+      {
+        onProgress: ({ fraction }) => fractions.push(fraction),
+      },
+    );
     const [found, { report }] = await Promise.all([inspecting, run]);
     expect(found.isFillable).toBe(true);
     expect(report.status).toBe("done");
@@ -212,7 +232,7 @@ describe("the inspection of a mesh", () => {
 
 describe("aborting", () => {
   test.each<[string, (signal: AbortSignal) => Promise<unknown>]>([
-    ["an inspection", (signal) => mesher.inspectSurface(sphereSurface(80), { signal })],
+    ["an inspection", (signal) => mesher.inspectSurface(sphereSurface(80), {}, { signal })],
     ["a repair", (signal) => mesher.repairSurface(sphereSurface(40), {}, { signal })],
   ])("%s rejects, and the mesher goes on", async (_, ask) => {
     const stop = new AbortController();

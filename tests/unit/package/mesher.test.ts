@@ -476,7 +476,7 @@ describe("a callback that fails", () => {
     const failing = mesher.fillSurface(surface, { size: 0.02 }, { onProgress });
     const after = mesher.fillSurface(surface);
     await expect(failing).rejects.toBe(failure);
-    await expect(mesher.inspectSurface(surface, { onProgress })).rejects.toBe(failure);
+    await expect(mesher.inspectSurface(surface, {}, { onProgress })).rejects.toBe(failure);
     await expect(mesher.repairSurface(surface, {}, { onProgress })).rejects.toBe(failure);
     const { volume } = await next;
     await expect(mesher.inspectMesh(volume, { onProgress })).rejects.toBe(failure);

@@ -10,7 +10,7 @@ let shared: typeof Shared;
 let told: string[];
 beforeEach(async () => {
   vi.resetModules();
-  shared = (await import("../../../wasm/dist/shared-engine.js"));
+  shared = await import("../../../wasm/dist/shared-engine.js");
   told = [];
 });
 

@@ -1,6 +1,8 @@
 /** A mesh as files hold it: what every reader makes and every writer takes. */
 import type { Project } from "../project-schema.js";
 import type { MeshResult } from "../types.js";
+import { isPlain } from "./groups.js";
+import { carriedRegions, type SurfaceRegions } from "./region-names.js";
 
 /** Triangles or tetrahedra of one kind: a patch with its boundary condition, a region with its material. */
 export interface FileGroup {
@@ -41,6 +43,8 @@ export interface FileMesh {
    */
   readonly turnedTetrahedra?: number | undefined;
   readonly regions: readonly FileGroup[];
+  /** Where the file tells of spaces between its triangles without tetrahedra in them. */
+  readonly surfaceRegions?: SurfaceRegions | undefined;
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
 }
@@ -49,23 +53,27 @@ export interface FileMesh {
 export interface NameSource {
   /** The project that was meshed. */
   readonly project?: Project | undefined;
-  /** The surface that was filled, as `readSurface` gave it; one patch says no more than the shells do. */
-  readonly surface?: Pick<FileMesh, "trianglePatch" | "patches"> | undefined;
+  /** The surface that was filled, as `readSurface` gave it; one patch without a name says no more than the shells do. */
+  readonly surface?: Pick<FileMesh, "trianglePatch" | "patches" | "surfaceRegions"> | undefined;
 }
 
 /**
  * A generated mesh, ready to be written. Its patches are those of the project by name (else "patch 12", by
- * id), those of the given surface, or its shells. A partial mesh goes as far as it goes.
+ * id), those of the given surface, or its shells; its regions those that the surface's file tells of, else numbered.
+ * A partial mesh goes as far as it goes.
  */
 export function fileMeshOf(
   mesh: Pick<MeshResult, "surface" | "volume">,
   { project, surface: given }: NameSource = {},
 ): FileMesh {
   const { surface, volume } = mesh;
-  const isKept =
-    given !== undefined &&
-    given.patches.length > 1 &&
-    given.trianglePatch.length === surface.trianglePatch.length;
+  const isSame = given !== undefined && given.trianglePatch.length === surface.trianglePatch.length;
+  const isKept = isSame && (given.patches.length > 1 || !given.patches.every(isPlain));
+  const regionCount = countOf(volume.regions);
+  const carried =
+    isSame && given.surfaceRegions !== undefined
+      ? carriedRegions(mesh, given.surfaceRegions, regionCount)
+      : undefined;
   const trianglePatch = isKept ? given.trianglePatch : surface.trianglePatch;
   const names = project === undefined ? [] : patchNames(project);
   const word = project === undefined ? "shell" : "patch";
@@ -75,8 +83,8 @@ export function fileMeshOf(
     trianglePatch,
     patches: isKept ? given.patches : numbered(word, countOf(trianglePatch), names),
     tetrahedra: volume.tetrahedra,
-    tetrahedronRegion: volume.regions,
-    regions: numbered("region", countOf(volume.regions)),
+    tetrahedronRegion: carried?.tetrahedronRegion ?? volume.regions,
+    regions: carried?.regions ?? numbered("region", regionCount),
     nodeData: new Map(),
   };
 }

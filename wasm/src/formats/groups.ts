@@ -107,7 +107,7 @@ function uniqueName(
 const utf8 = new TextEncoder();
 
 /** As much of a text as fits into so many bytes, without half characters. */
-function shortened(text: string, bytes: number): string {
+export function shortened(text: string, bytes: number): string {
   if (utf8.encode(text).length <= bytes) return text;
   return text.slice(0, utf8.encodeInto(text, new Uint8Array(bytes)).read).trimEnd();
 }

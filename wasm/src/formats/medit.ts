@@ -3,18 +3,19 @@
  * boundary with their patch as reference; references count from 1, and comments tell the names.
  */
 import { joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
 import { allNameLines } from "./name-lines.js";
 import { numberRows } from "./number-rows.js";
 
 /** The bytes of a Medit file. */
-export function writeMedit(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeMedit(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points } = mesh;
   const [patchTags, regionTags] = [tagsOf(mesh.patches), tagsOf(mesh.regions)];
   return joinBytes([
     "MeshVersionFormatted 2\n\nDimension 3\n\n",
-    ...allNameLines(mesh).map((line) => `# ${line}\n`),
+    ...allNameLines(mesh, note).map((line) => `# ${line}\n`),
     `Vertices\n${points.length / 3}\n`,
     ...numberRows(points, 3, (row) => `${row.join(" ")} 0`),
     ...elements("Triangles", mesh.triangles, 3, mesh.trianglePatch, patchTags),

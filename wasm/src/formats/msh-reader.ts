@@ -7,6 +7,7 @@ import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder, type GroupList } from "./mesh-builder.js";
+import { MshVolumes } from "./msh-volumes.js";
 import { NodeTags } from "./node-tags.js";
 import { UNCUT } from "./polygons.js";
 
@@ -38,6 +39,7 @@ class MshReader {
   readonly #nodes = new NodeTags();
   /** Names of physical groups by tag, of surfaces and of volumes. */
   readonly #names = { patches: new Map<number, string>(), regions: new Map<number, string>() };
+  readonly #volumes = new MshVolumes();
   /** Physical tag of an entity, by "dimension tag". */
   readonly #physical = new Map<string, number>();
   #sectionsOfData = 0;
@@ -54,7 +56,9 @@ class MshReader {
       await this.#reader.fill();
       const section = this.#reader.word();
       if (section === "") {
-        return { format: `Gmsh ${this.#hasBlocks ? "4.1" : "2.2"}`, ...this.#builder.mesh(this.#names) };
+        const mesh = this.#builder.mesh(this.#names);
+        const surfaceRegions = this.#volumes.regions(mesh, this.#names.regions);
+        return { format: `Gmsh ${this.#hasBlocks ? "4.1" : "2.2"}`, ...mesh, surfaceRegions };
       }
       await this.#readSection(section);
       await this.#reader.skipPast(`$End${section.slice(1)}`);
@@ -174,7 +178,12 @@ class MshReader {
           if (g === 0) this.#physical.set(`${dimension} ${tag}`, group);
         }
         const around = dimension === 0 ? 0 : this.#count(this.#size(), "bounding entities");
-        await this.#skipInts(around);
+        const group = this.#physical.get(`${dimension} ${tag}`);
+        for (let b = 0; b < around; b++) {
+          if (this.#reader.isLow) await this.#reader.fill();
+          const bounding = this.#int();
+          if (dimension === 3 && group !== undefined) this.#volumes.bound(bounding, group);
+        }
       }
     }
   }
@@ -259,6 +268,7 @@ class MshReader {
       const type = this.#int();
       const count = this.#count(this.#size(), "elements");
       const group = this.#groupOf(this.#physical.get(`${dimension} ${entity}`) ?? 0, entity);
+      if (dimension === 2) this.#volumes.trianglesFollow(this.#builder.triangleCount, entity);
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();
         this.#size();

@@ -2,24 +2,38 @@
  * Names of patches and regions as lines of text: "patch 4 inlet". Formats that know numbers alone keep them where they
  * have a place for any text, such as comments, which other programs pass over.
  */
+import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { isPlain, tagsOf } from "./groups.js";
+import { isPlain, shortened, tagsOf } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
 
-/** No line is longer than readers of comments look at. */
+/** In bytes: no line is longer than readers of comments look at. */
 const LONGEST = 500;
 
-/** One line per group whose name says more than its number; without line ends. */
-export function nameLines(word: "patch" | "region", groups: readonly FileGroup[]): string[] {
+/**
+ * One line per group with elements whose name says more than its number; without line ends. Of a group without any, a
+ * reader would take the name for that of another.
+ */
+export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note): string[] {
+  const groups = word === "patch" ? mesh.patches : mesh.regions;
+  const used = new Set(word === "patch" ? mesh.trianglePatch : mesh.tetrahedronRegion);
   const tags = tagsOf(groups);
-  return groups.flatMap((group, g) =>
-    isPlain(group) ? [] : [`${word} ${tags[g]} ${group.name.replace(/\s+/g, " ").trim()}`.slice(0, LONGEST)],
-  );
+  const cut: string[] = [];
+  const lines = groups.flatMap((group, g) => {
+    if (isPlain(group) || !used.has(g)) return [];
+    const whole = `${word} ${tags[g]} ${group.name.replace(/\s+/g, " ").trim()}`;
+    const line = shortened(whole, LONGEST);
+    if (line !== whole) cut.push(`that of ${word} ${tags[g]}`);
+    return [line];
+  });
+  if (cut.length > 0)
+    note(`names too long for a comment's line of ${LONGEST} bytes are cut: ${cut.join(", ")}`);
+  return lines;
 }
 
 /** The lines of patches and regions. */
-export function allNameLines({ patches, regions }: FileMesh): string[] {
-  return [...nameLines("patch", patches), ...nameLines("region", regions)];
+export function allNameLines(mesh: FileMesh, note: Note): string[] {
+  return [...nameLines("patch", mesh, note), ...nameLines("region", mesh, note)];
 }
 
 /** The names that a file tells in such lines; all other lines are passed over. */

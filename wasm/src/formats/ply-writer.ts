@@ -4,12 +4,14 @@
  */
 import { boundaryOf, colorsOf } from "./boundary.js";
 import { joinBytes } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
+import { nameLines } from "./name-lines.js";
 import { numberRows } from "./number-rows.js";
 
 /** The bytes of a PLY file. */
-export function writePly(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writePly(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
   const hasPatches = patches.length > 1;
   const tags = tagsOf(patches);
@@ -18,7 +20,7 @@ export function writePly(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   );
   const header = [
     "ply\nformat ascii 1.0",
-    ...tags.map((tag, p) => `comment patch ${tag} ${(patches[p]?.name ?? "").replace(/[\r\n]/g, " ")}`),
+    ...nameLines("patch", mesh, note).map((line) => `comment ${line}`),
     `element vertex ${points.length / 3}\nproperty double x\nproperty double y\nproperty double z`,
     `element face ${triangles.length / 3}\nproperty list uchar int vertex_indices`,
     ...(hasPatches ? ["property int patch"] : []),

@@ -3,6 +3,7 @@ import { ReadFailure } from "../read-result.js";
 import type { SurfaceInput } from "../types.js";
 import { boundaryOf } from "./boundary.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
+import { surfaceRegionsOf, type SurfaceRegions } from "./region-names.js";
 import { weldPoints } from "./weld.js";
 
 export interface SurfaceFile extends SurfaceInput {
@@ -10,13 +11,17 @@ export interface SurfaceFile extends SurfaceInput {
   readonly trianglePatch: Uint32Array;
   /** Tags, colours, solids or groups of the file; one patch where it tells none. */
   readonly patches: readonly FileGroup[];
+  /** Regions that the file tells of, by tetrahedra or, in Gmsh's files, by volumes; undefined where it does not. */
+  readonly surfaceRegions?: SurfaceRegions | undefined;
 }
 
 /** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
 export function surfaceOf(mesh: FileMesh): SurfaceFile {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
   const { trianglePatch, patches } = mesh;
-  return { ...exactlyWelded(boundaryOf(mesh)), trianglePatch, patches };
+  const surfaceRegions = surfaceRegionsOf(mesh);
+  const surface = { ...exactlyWelded(boundaryOf(mesh)), trianglePatch, patches };
+  return surfaceRegions === undefined ? surface : { ...surface, surfaceRegions };
 }
 
 function exactlyWelded({ points: given, triangles, isWelded }: FileMesh): SurfaceInput {

@@ -5,7 +5,7 @@
 import { zipSync } from "fflate";
 
 import { joinBytes } from "./bytes.js";
-import type { FileBytes } from "./file-format.js";
+import type { FileBytes, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
 import { nameLines } from "./name-lines.js";
@@ -15,19 +15,19 @@ import { numberRows } from "./number-rows.js";
 const MADE = new Date(1980, 0, 1);
 
 /** Three files of one stem. */
-export function writeTetgen(mesh: FileMesh, fileName: string): readonly FileBytes[] {
+export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): readonly FileBytes[] {
   const stem = fileName.replace(/\.[^.]*$/, "");
   return [
     { fileName: `${stem}.node`, bytes: nodes(mesh) },
-    { fileName: `${stem}.ele`, bytes: elements(mesh) },
-    { fileName: `${stem}.face`, bytes: faces(mesh) },
+    { fileName: `${stem}.ele`, bytes: elements(mesh, note) },
+    { fileName: `${stem}.face`, bytes: faces(mesh, note) },
   ];
 }
 
 /** The three files in one zip. */
-export function writeTetgenZip(mesh: FileMesh, fileName: string): readonly FileBytes[] {
+export function writeTetgenZip(mesh: FileMesh, fileName: string, note: Note): readonly FileBytes[] {
   const [base = ""] = /[^/\\]*$/.exec(fileName) ?? [];
-  const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`);
+  const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`, note);
   const zipped = zipSync(Object.fromEntries(files.map((file) => [file.fileName, file.bytes])), {
     mtime: MADE,
   });
@@ -41,19 +41,21 @@ function nodes({ points }: FileMesh): Uint8Array<ArrayBuffer> {
   ]);
 }
 
-function elements({ tetrahedra, tetrahedronRegion, regions }: FileMesh): Uint8Array<ArrayBuffer> {
+function elements(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const { tetrahedra, tetrahedronRegion, regions } = mesh;
   const tags = tagsOf(regions);
   return joinBytes([
-    ...comments("tetrahedra with their region", nameLines("region", regions)),
+    ...comments("tetrahedra with their region", nameLines("region", mesh, note)),
     `${tetrahedra.length / 4} 4 1\n`,
     ...rows(tetrahedra, 4, tetrahedronRegion, tags),
   ]);
 }
 
-function faces({ triangles, trianglePatch, patches }: FileMesh): Uint8Array<ArrayBuffer> {
+function faces(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const { triangles, trianglePatch, patches } = mesh;
   const tags = tagsOf(patches);
   return joinBytes([
-    ...comments("triangles with their patch", nameLines("patch", patches)),
+    ...comments("triangles with their patch", nameLines("patch", mesh, note)),
     `${triangles.length / 3} 1\n`,
     ...rows(triangles, 3, trianglePatch, tags),
   ]);

@@ -40,9 +40,10 @@ export function writeVtk(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
 
 /** Up to 255 bytes in one line. */
 function title(mesh: FileMesh, note: Note): string {
-  const lines = allNameLines(mesh);
+  const cut: string[] = [];
+  const lines = allNameLines(mesh, (message) => cut.push(message));
   const text = ["Tetrafront", ...lines].join(NAME_BREAK);
-  const isTold = !lines.some((line) => line.includes(NAME_BREAK.trim()));
+  const isTold = cut.length === 0 && !lines.some((line) => line.includes(NAME_BREAK.trim()));
   if (isTold && new TextEncoder().encode(text).length < 256) return text;
   noteNames(mesh.patches, note);
   noteNames(mesh.regions, note);

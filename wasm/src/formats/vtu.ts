@@ -7,6 +7,7 @@
 import { zlibSync } from "fflate";
 
 import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
+import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
 import { vtkCells } from "./vtk.js";
@@ -22,7 +23,7 @@ interface DataArray {
 }
 
 /** The bytes of a VTU file. */
-export function writeVtu(mesh: FileMesh): Uint8Array<ArrayBuffer> {
+export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points } = mesh;
   const { connectivity, offsets, types, regions, patches } = vtkCells(mesh);
   const arrays: readonly DataArray[] = [
@@ -39,7 +40,7 @@ export function writeVtu(mesh: FileMesh): Uint8Array<ArrayBuffer> {
   const head = [
     '<?xml version="1.0"?>',
     `<VTKFile type="UnstructuredGrid" version="1.0" byte_order="${order}" header_type="UInt64" compressor="vtkZLibDataCompressor">`,
-    ...allNameLines(mesh).map((line) => `<!-- ${escaped(line)} -->`),
+    ...allNameLines(mesh, note).map((line) => `<!-- ${escaped(line)} -->`),
     "<UnstructuredGrid>",
     `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${types.length}">`,
     `<Points>${pointTag}</Points>`,

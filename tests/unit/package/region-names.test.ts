@@ -1,0 +1,193 @@
+/** Regions of a surface's file come out with the mesh that is made within it, each where it was. */
+import {
+  createMesher,
+  fileMeshOf,
+  readSurface,
+  repairedSurface,
+  writeMesh,
+  type FileMesh,
+  type Mesher,
+  type SurfaceFile,
+} from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { cavitySurface } from "../../support/surfaces.js";
+
+let mesher: Mesher;
+beforeAll(async () => {
+  mesher = await createMesher();
+});
+afterAll(() => mesher.dispose());
+
+/** A cube of edge 2 in two regions, with the wall between them, z = 1, as a patch of its own. */
+function halves(): FileMesh {
+  const block = blockMesh(2);
+  const points = Float64Array.from({ length: 81 }, (_, i) => Math.floor(i / 3 / 3 ** (i % 3)) % 3);
+  const corner = (x: number, y: number) => x + 3 * y + 9;
+  const wall = [0, 1].flatMap((y) =>
+    [0, 1].flatMap((x) => [
+      ...[corner(x, y), corner(x + 1, y), corner(x + 1, y + 1)],
+      ...[corner(x, y), corner(x + 1, y + 1), corner(x, y + 1)],
+    ]),
+  );
+  // The block's elements were positive with z downward.
+  const tetrahedra = block.tetrahedra.map((node, i, all) =>
+    i % 4 > 1 ? node : (all[i % 4 === 0 ? i + 1 : i - 1] ?? node),
+  );
+  const outside = block.triangles.map((node, i, all) =>
+    i % 3 === 0 ? node : (all[i % 3 === 1 ? i + 1 : i - 1] ?? node),
+  );
+  const wallPatch = block.patches.length;
+  return {
+    ...block,
+    points,
+    tetrahedra,
+    triangles: Uint32Array.of(...outside, ...wall),
+    trianglePatch: Uint32Array.of(...block.trianglePatch, ...wall.map(() => wallPatch).slice(0, 8)),
+    patches: [...block.patches, { name: "wall", tag: 30 }],
+  };
+}
+
+async function reread(mesh: FileMesh, fileName: string): Promise<SurfaceFile> {
+  const files = await writeMesh(mesh, fileName);
+  const others = new Map(files.map((file) => [file.fileName, file.bytes]));
+  const first = files[0] ?? { bytes: new Uint8Array() };
+  return readAs(first.bytes, fileName, (name) => Promise.resolve(others.get(name)));
+}
+
+async function readAs(
+  bytes: Uint8Array | string,
+  fileName: string,
+  openOther?: (name: string) => Promise<Uint8Array | undefined>,
+): Promise<SurfaceFile> {
+  const source = typeof bytes === "string" ? new TextEncoder().encode(bytes) : bytes;
+  const read = await readSurface(source, { fileName, openOther });
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+async function filled(surface: SurfaceFile, enclosed?: "regions"): Promise<FileMesh> {
+  const result = await mesher.fillSurface(surface, { enclosed });
+  expect(result.report.status).toBe("done");
+  return fileMeshOf(result, { surface });
+}
+
+/** The name of each element's region must be that of the place of its centre. */
+function expectNames(mesh: FileMesh, nameAt: (center: readonly number[]) => string): void {
+  const { points, tetrahedra, tetrahedronRegion, regions } = mesh;
+  const wrong = Array.from(tetrahedronRegion).filter((region, t) => {
+    const center = [0, 1, 2].map((axis) => {
+      const corners = tetrahedra.subarray(4 * t, 4 * t + 4);
+      return corners.reduce((sum, node) => sum + (points[3 * node + axis] ?? NaN), 0) / 4;
+    });
+    return regions[region]?.name !== nameAt(center);
+  });
+  expect(wrong).toHaveLength(0);
+  expect(new Set(tetrahedronRegion).size).toBe(regions.length);
+}
+
+describe.each([".msh", ".vtu", ".vtk", ".mesh"])("from the elements of a %s file", (end) => {
+  test("on both sides of a wall", async () => {
+    const surface = await reread(halves(), `halves${end}`);
+    const mesh = await filled(surface);
+    expectNames(mesh, ([, , z = 0]) => (z < 1 ? "steel" : "water (20 C)"));
+    // VTU and VTK count regions from 1 where they have numbers of their own.
+    if (end === ".msh") expect(mesh.regions.map(({ tag }) => tag)).toEqual([5, 9]);
+  });
+
+  test("behind walls all around, which only what is in front of them tells", async () => {
+    const given = cavitySurface(1);
+    const first = await mesher.fillSurface(given, { enclosed: "regions" });
+    const names = ["shell of steel", "core"].map((name, r) => ({ name, tag: r + 1 }));
+    const made = { ...fileMeshOf(first), regions: names };
+    const again = volumesByName(await filled(await reread(made, `core${end}`), "regions"));
+    expect([...again.keys()].sort()).toEqual(["core", "shell of steel"]);
+    for (const [name, volume] of volumesByName(made)) expect(again.get(name)).toBeCloseTo(volume, 9);
+  });
+});
+
+function volumesByName({ points, tetrahedra, tetrahedronRegion, regions }: FileMesh): Map<string, number> {
+  const volumes = new Map<string, number>();
+  tetrahedronRegion.forEach((region, t) => {
+    const [a, b, c, d] = [0, 1, 2, 3].map((k) => {
+      const node = tetrahedra[4 * t + k] ?? 0;
+      return points.subarray(3 * node, 3 * node + 3);
+    }) as [Float64Array, Float64Array, Float64Array, Float64Array];
+    const [u, v, w] = [b, c, d].map((p) => p.map((x, axis) => x - (a[axis] ?? 0)));
+    const [ux = 0, uy = 0, uz = 0] = u ?? [];
+    const [vx = 0, vy = 0, vz = 0] = v ?? [];
+    const [wx = 0, wy = 0, wz = 0] = w ?? [];
+    const six = (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
+    const name = regions[region]?.name ?? "";
+    volumes.set(name, (volumes.get(name) ?? 0) + six / 6);
+  });
+  return volumes;
+}
+
+/** A tetrahedron by its surface alone. */
+const SURFACES = `$Entities
+0 0 4 1
+1 0 0 0 1 1 1 0 0
+2 0 0 0 1 1 1 0 0
+3 0 0 0 1 1 1 0 0
+4 0 0 0 1 1 1 0 0
+8 0 0 0 1 1 1 1 9 4 -1 2 -3 4
+$EndEntities
+$Nodes
+1 4 1 4
+3 8 0 4
+1
+2
+3
+4
+0 0 0
+1 0 0
+0 1 0
+0 0 1
+$EndNodes
+$Elements
+4 4 1 4
+2 1 2 1
+1 1 3 2
+2 2 2 1
+2 1 2 4
+2 3 2 1
+3 1 4 3
+2 4 2 1
+4 2 3 4
+$EndElements
+`;
+const named = (names: string) =>
+  `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n${names}\n$EndPhysicalNames\n${SURFACES}`;
+
+describe("from a Gmsh file of surfaces alone", () => {
+  test("by the volume's physical group", async () => {
+    const mesh = await filled(await readAs(named('2\n3 9 "core"\n3 4 "other"'), "a.msh"));
+    expect(mesh.regions).toEqual([{ name: "core", tag: 9 }]);
+  });
+
+  test("of version 2.2, which knows no volumes, by the only name there is", async () => {
+    const nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes\n";
+    const elements = "1 2 2 0 1 1 3 2\n2 2 2 0 1 1 2 4\n3 2 2 0 1 1 4 3\n4 2 2 0 1 2 3 4";
+    const old = (names: string) =>
+      `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n${names}\n$EndPhysicalNames\n${nodes}$Elements\n4\n${elements}\n$EndElements\n`;
+    const mesh = await filled(await readAs(old('1\n3 9 "core"'), "a.msh"));
+    expect(mesh.regions).toEqual([{ name: "core", tag: 9 }]);
+    const unclear = await filled(await readAs(old('2\n3 9 "core"\n3 4 "other"'), "a.msh"));
+    expect(unclear.regions).toEqual([{ name: "region 1", tag: 1 }]);
+  });
+});
+
+test("a refined surface keeps the regions on its sides", async () => {
+  const surface = await reread(halves(), "halves.msh");
+  const refinement = await mesher.refineSurface(surface, { size: 0.6 });
+  expect(refinement.splitEdges).toBeGreaterThan(0);
+  const mesh = await filled(repairedSurface(surface, refinement));
+  expectNames(mesh, ([, , z = 0]) => (z < 1 ? "steel" : "water (20 C)"));
+});
+
+test("the one patch of a surface keeps the name it has", async () => {
+  const mesh = { ...halves(), trianglePatch: new Uint32Array(56), patches: [{ name: "skin", tag: 8 }] };
+  expect((await filled(await reread(mesh, "skin.msh"))).patches).toEqual([{ name: "skin", tag: 8 }]);
+});

@@ -1,0 +1,96 @@
+/**
+ * Regions of a file carried over to the mesh that is made within its triangles: each of the new regions is the one
+ * that the file has beside most of its triangles.
+ */
+import { NO_REGION } from "../walls.js";
+import type { MeshResult } from "../types.js";
+import type { FileGroup, FileMesh } from "./file-mesh.js";
+import { isPlain } from "./groups.js";
+import { NONE, tetFaces } from "./tet-faces.js";
+
+/** What a file says of the spaces on the sides of its triangles. */
+export interface SurfaceRegions {
+  readonly regions: readonly FileGroup[];
+  /** Two per triangle, in either order: positions in `regions` of what is on its sides, `NO_REGION` for nothing. */
+  readonly triangleRegions: Uint32Array;
+}
+
+/** Of the file's own volumes, else of its tetrahedra; undefined where they are told by nothing. O(n) expected. */
+export function surfaceRegionsOf(mesh: FileMesh): SurfaceRegions | undefined {
+  const { regions, tetrahedronRegion, surfaceRegions } = mesh;
+  if (mesh.tetrahedra.length === 0) return surfaceRegions;
+  if (regions.length === 1 && regions.every(isPlain)) return undefined;
+  const { faceOfTriangle, twin } = tetFaces(mesh);
+  const regionAt = (face: number) =>
+    face === NONE ? NO_REGION : (tetrahedronRegion[face >>> 2] ?? NO_REGION);
+  const triangleRegions = new Uint32Array(2 * faceOfTriangle.length);
+  faceOfTriangle.forEach((face, t) => {
+    triangleRegions[2 * t] = regionAt(face);
+    triangleRegions[2 * t + 1] = regionAt(face === NONE ? NONE : (twin[face] ?? NONE));
+  });
+  return { regions, triangleRegions };
+}
+
+/** The regions of a mesh within that surface, each with the number and name of the one it is. */
+export function carriedRegions(
+  { surface, volume }: Pick<MeshResult, "surface" | "volume">,
+  given: SurfaceRegions,
+  count: number,
+): Pick<FileMesh, "regions" | "tetrahedronRegion"> {
+  const found = matches(surface.triangleRegions, given, count);
+  const used = [...new Set(found)].filter((region) => region !== NO_REGION).sort((a, b) => a - b);
+  const regions = used.flatMap((region) => given.regions[region] ?? []);
+  const lastTag = regions.reduce((most, { tag }) => Math.max(most, tag), 0);
+  let added = 0;
+  const positions = found.map((region, own) => {
+    if (region !== NO_REGION) return used.indexOf(region);
+    regions.push({ name: `region ${own + 1}`, tag: lastTag + ++added });
+    return regions.length - 1;
+  });
+  return { regions, tetrahedronRegion: volume.regions.map((region) => positions[region] ?? 0) };
+}
+
+/** Per region of the mesh the given one, or NO_REGION. */
+function matches(sides: Uint32Array, given: SurfaceRegions, count: number): number[] {
+  const found = Array.from({ length: count }, () => NO_REGION);
+  // What is behind a wall is known once what is in front of it is.
+  for (let isChanged = true; isChanged;) {
+    const votes = found.map(() => new Map<number, number>());
+    for (let side = 0; side < sides.length; side += 2) {
+      const own = [sides[side], sides[side + 1]].filter(isRegion);
+      const theirs = [given.triangleRegions[side], given.triangleRegions[side + 1]].filter(isRegion);
+      const [region, match] = onlyPair(own, theirs, found);
+      const tally = region === undefined ? undefined : votes[region];
+      if (match !== undefined) tally?.set(match, (tally.get(match) ?? 0) + 1);
+    }
+    isChanged = false;
+    votes.forEach((tally, region) => {
+      const most = Math.max(...tally.values());
+      const best = [...tally].filter(([, number]) => number === most).map(([match]) => match);
+      if (best.length === 0 || found[region] !== NO_REGION) return;
+      found[region] = Math.min(...best);
+      isChanged = true;
+    });
+  }
+  return found;
+}
+
+const isRegion = (region: number | undefined): region is number =>
+  region !== undefined && region !== NO_REGION;
+
+/** The one region of the mesh that is not known yet, and what is left for it; nothing where that is not clear. */
+function onlyPair(
+  own: readonly number[],
+  theirs: readonly number[],
+  found: readonly number[],
+): readonly [] | readonly [number, number] {
+  const left = [...theirs];
+  const open = own.filter((region) => {
+    const place = left.indexOf(found[region] ?? NO_REGION);
+    if (place >= 0) left.splice(place, 1);
+    return found[region] === NO_REGION;
+  });
+  const [region, match] = [open[0], left[0]];
+  const isClear = open.length === 1 && left.length === 1 && own.length === theirs.length;
+  return isClear && region !== undefined && match !== undefined ? [region, match] : [];
+}
