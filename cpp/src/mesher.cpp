@@ -29,6 +29,9 @@ constexpr double kModelSurfaceEnd = 0.15;
 constexpr double kVolumeEnd = 0.4;
 constexpr double kOptimizeEnd = 0.97;
 
+/// To come to so many elements in the order of a list costs as much as one step of the front.
+constexpr std::size_t kReorderedPerBudget = 32;
+
 }  // namespace
 
 /// The rooms composed: each stage makes what the next one needs.
@@ -313,17 +316,22 @@ class MeshRun::Impl {
 
   void optimize(std::uint32_t budget) {
     if (options_.optimization != Optimization::kNone) {
-      if (!optimizer_) {
-        const std::size_t boundaryNodes = surface_.points.size() / 3;
-        finishedMesh_ = alongMortonCurve(*finishedMesh_, boundaryNodes);
-        optimizer_.emplace(*finishedMesh_, boundaryNodes, *field_, options_.optimization);
-      }
+      if (!optimizer_) return beginOptimizer(budget);
       if (!optimizer_->advance(budget)) return;
       finishedMesh_ = optimizer_->mesh();
       optimizer_.reset();
     }
     verifier_.emplace(*finishedMesh_, surface_);
     stage_ = Stage::kMeasure;
+  }
+
+  void beginOptimizer(std::uint32_t budget) {
+    const std::size_t boundaryNodes = surface_.points.size() / 3;
+    if (!reordering_) reordering_.emplace(*finishedMesh_, boundaryNodes);
+    if (!reordering_->advance(kReorderedPerBudget * budget)) return;
+    finishedMesh_ = reordering_->take();
+    reordering_.reset();
+    optimizer_.emplace(*finishedMesh_, boundaryNodes, *field_, options_.optimization);
   }
 
   /// Takes what the volume mesher has made and frees it: the front needs more room than the mesh.
@@ -375,6 +383,7 @@ class MeshRun::Impl {
   RecoverySummary recovery_;
   FrontCounters counters_;
   std::optional<QualitySurvey> survey_;
+  std::optional<MortonReordering> reordering_;
   std::optional<MeshOptimizer> optimizer_;
   std::optional<MeshVerifier> verifier_;
   std::vector<Diagnostic> diagnostics_;

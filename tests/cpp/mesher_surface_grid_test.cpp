@@ -52,6 +52,20 @@ TEST(SurfaceWithGrid, WithoutNodesKeepsItsOwnSizes) {
   EXPECT_EQ(filled(sphere, {}).fingerprint(), own.fingerprint());
 }
 
+TEST(SurfaceWithGrid, SizesThatItsTrianglesAllowDoNotDependOnTheSlices) {
+  const SurfaceMesh sphere = geodesicSphere(5);  // edges of about 0.2
+  MeshOptions options;
+  options.size = 0.08;
+  MeshRun inOne(sphere.points, sphere.triangles, options);
+  while (inOne.advance(1U << 30U) == MeshStatus::kRunning) {
+  }
+  MeshRun inMany(sphere.points, sphere.triangles, options);
+  while (inMany.advance(7) == MeshStatus::kRunning) {
+  }
+  expectValid(inOne);
+  EXPECT_EQ(inOne.fingerprint(), inMany.fingerprint());
+}
+
 TEST(SurfaceWithGrid, SourcesCutDownItsOwnSizes) {
   const SurfaceMesh sphere = geodesicSphere(6);
   BackgroundGrid grid;

@@ -536,6 +536,18 @@ TEST(AlongMortonCurve, IsTheSameMeshWithNeighboursTogether) {
   EXPECT_LT(meanStride(ordered), 0.4 * meanStride(shuffled));
 }
 
+TEST(AlongMortonCurve, ComesToSoManyElementsPerCall) {
+  const Filled filled = fill(testing::gridCube(6));
+  const std::size_t count = filled.mesh.regions.size();
+  constexpr std::size_t kBudget = 50;
+  MortonReordering reordering(filled.mesh, filled.surface.points.size() / 3);
+  std::size_t calls = 1;
+  while (!reordering.advance(kBudget)) ++calls;
+  EXPECT_GE(calls * kBudget, 13 * count);
+  EXPECT_EQ(reordering.take().tetrahedra,
+            alongMortonCurve(filled.mesh, filled.surface.points.size() / 3).tetrahedra);
+}
+
 TEST(MeshOptimizer, IsValidAtEveryMomentItIsStopped) {
   const Filled filled = fill(testing::gridCube(5));
   const SizeField field = SizeField::uniform(0.2);

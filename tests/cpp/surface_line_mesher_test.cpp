@@ -147,6 +147,18 @@ TEST(SurfaceLineMesher, RefusesAnAbsurdSize) {
   const LineDivision division = divideLine(curve, SizeField::uniform(1e-9), 1);
   EXPECT_EQ(division.status, LineDivisionStatus::kTooManySides);
   EXPECT_NEAR(division.wantedSides, 1e9, 1e5);
+  EXPECT_LT(division.place.x, 1e-4) << "without walking the million sides that there may be";
+}
+
+TEST(SurfaceLineMesher, LongWalksGoOnThroughSmallSizesAtASinglePlace) {
+  // Sizes grow from almost nothing in the middle: there are few sides all the same.
+  const Curve curve(LineType::kStraight, {{0, 0, 0}, {1, 0, 0}});
+  SizeField field = SizeField::uniform(1.0 / 30000.0);
+  field.addSources(
+      std::vector{SizeSource{.points = {Vec3(0.75, 0, 0), Vec3(0.0), Vec3(0.0)}, .size = 1e-13}});
+  const LineDivision division = divideLine(curve, field, 1);
+  EXPECT_EQ(division.status, LineDivisionStatus::kDivided);
+  EXPECT_GT(division.sideCount(), 30000U);
 }
 
 TEST(SurfaceLineMesher, RefusesASizeThatNoParameterCanTellFromZero) {

@@ -28,6 +28,8 @@ constexpr double kDeepShare = 0.25;
 constexpr double kHalfDiagonal = 0.8660254037844386;
 /// Where no cap is given: this share of the node sizes lies below it.
 constexpr double kCapQuantile = 0.9;
+/// To come to so many sites in the order of a list costs as much as one cell.
+constexpr std::size_t kSitesPerCell = 32;
 /// The box is wider than the surface by this share, so that rounding never leaves it.
 constexpr double kBoxMargin = 1.0 / 64.0;
 /// The node size from which the box is chosen: this share of the sizes lies below it.
@@ -156,6 +158,7 @@ void SizeOctreeBuilder::placeRoot(std::span<const Vec3> points, std::span<const 
 
 bool SizeOctreeBuilder::advance(std::uint32_t budget) {
   if (!hasBegun_) {
+    if (!sites_->advance(kSitesPerCell * std::size_t{budget})) return false;
     hasBegun_ = true;
     refineRoot();
   }

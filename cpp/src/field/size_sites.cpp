@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "search/morton.h"
-
 namespace tetrafront {
 namespace {
 
@@ -27,24 +25,48 @@ float gapSquared(const LowA& lowA, const HighA& highA, const LowB& lowB, const H
 SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth,
                      float slack)
     : slack_(slack), growth_(growth), squaredGrowth_(static_cast<float>(growth * growth)) {
-  std::vector<std::uint32_t> used;
-  std::vector<Vec3> places;
   Vec3 lower(std::numeric_limits<double>::max());
   Vec3 upper(-std::numeric_limits<double>::max());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     if (sizes[i] == 0.0) continue;
-    used.push_back(i);
-    places.push_back(points[i]);
+    building_.places.push_back(points[i]);
+    building_.sizes.push_back(sizes[i]);
     lower = glm::min(lower, points[i]);
     upper = glm::max(upper, points[i]);
   }
   centre_ = 0.5 * (lower + upper);
   extent_ = std::max(std::max(upper.x - lower.x, upper.y - lower.y), upper.z - lower.z);
-  sites_.reserve(used.size());
-  for (const std::uint32_t i : mortonOrder(places)) {
-    sites_.push_back({inward(places[i]), inward(sizes[used[i]])});
+  building_.sort.emplace(building_.places);
+}
+
+bool SizeSites::advance(std::size_t budget) {
+  std::size_t& next = building_.next;
+  switch (stage_) {
+    case Stage::kSort:
+      if (!building_.sort->advance(budget)) break;
+      building_.order = building_.sort->take();
+      beginTree();
+      stage_ = Stage::kTake;
+      break;
+    case Stage::kTake: {
+      const std::size_t last = next + std::min(budget, building_.order.size() - next);
+      takeSites(next, last);
+      next = last;
+      if (next < building_.order.size()) break;
+      next = firstLeaf_;
+      stage_ = Stage::kJoin;
+      break;
+    }
+    case Stage::kJoin:
+      for (std::size_t i = 0; i < budget && next > 0; ++i) join(--next);
+      if (next > 0) break;
+      building_ = {};
+      stage_ = Stage::kReady;
+      break;
+    case Stage::kReady:
+      break;
   }
-  build();
+  return stage_ == Stage::kReady;
 }
 
 std::array<float, 3> SizeSites::inward(const Vec3& place) const {
@@ -56,44 +78,59 @@ SizeSites::Reach SizeSites::inward(const Range& range) const {
   return {inward(range.lower), inward(range.upper)};
 }
 
-void SizeSites::build() {
-  const auto count = static_cast<std::uint32_t>(sites_.size());
+void SizeSites::beginTree() {
   std::uint32_t leaves = 1;
-  while (std::size_t{leaves} * kSitesPerLeaf < count) leaves *= 2;
+  while (std::size_t{leaves} * kSitesPerLeaf < building_.order.size()) leaves *= 2;
   firstLeaf_ = leaves - 1;
   constexpr float kFar = std::numeric_limits<float>::max();
   // Empty leaves keep a size that is below no limit.
   const Reach nothing{{kFar, kFar, kFar}, {-kFar, -kFar, -kFar}};
-  std::vector<Reach> boxes(2 * std::size_t{leaves} - 1, nothing);
-  std::vector<float> sizes(boxes.size(), kFar);
-  smallest_.assign(boxes.size(), 0);
-  const auto include = [&](std::size_t node, const Reach& reach, float size, std::uint32_t site) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      boxes[node].low[k] = std::min(boxes[node].low[k], reach.low[k]);
-      boxes[node].high[k] = std::max(boxes[node].high[k], reach.high[k]);
-    }
-    if (size >= sizes[node]) return;
-    sizes[node] = size;
-    smallest_[node] = site;
-  };
-  for (std::uint32_t i = 0; i < count; ++i) {
-    include(firstLeaf_ + i / kSitesPerLeaf, {sites_[i].place, sites_[i].place}, sites_[i].size, i);
-  }
+  building_.boxes.assign(2 * std::size_t{leaves} - 1, nothing);
+  building_.smallest.assign(building_.boxes.size(), kFar);
+  smallest_.assign(building_.boxes.size(), 0);
   children_.resize(firstLeaf_);
-  for (std::size_t n = firstLeaf_; n-- > 0;) {
-    for (std::size_t side = 0; side < 2; ++side) {
-      const std::size_t child = 2 * n + 1 + side;
-      include(n, boxes[child], sizes[child], smallest_[child]);
-      float squared = 0.0F;
-      for (std::size_t k = 0; k < 3; ++k) {
-        children_[n].low[k][side] = boxes[child].low[k];
-        children_[n].high[k][side] = boxes[child].high[k];
-        const float width = sizes[child] < kFar ? boxes[child].high[k] - boxes[child].low[k] : 0.0F;
-        squared += width * width;
-      }
-      children_[n].size[side] = sizes[child];
-      children_[n].diagonal[side] = std::sqrt(squared);
+  sites_.reserve(building_.order.size());
+}
+
+void SizeSites::include(std::size_t node, const Reach& reach, float size, std::uint32_t site) {
+  Reach& box = building_.boxes[node];
+  for (std::size_t k = 0; k < 3; ++k) {
+    box.low[k] = std::min(box.low[k], reach.low[k]);
+    box.high[k] = std::max(box.high[k], reach.high[k]);
+  }
+  if (size >= building_.smallest[node]) return;
+  building_.smallest[node] = size;
+  smallest_[node] = site;
+}
+
+/// Along the curve, into the leaves.
+void SizeSites::takeSites(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    const std::uint32_t place = building_.order[i];
+    const Site site{inward(building_.places[place]), inward(building_.sizes[place])};
+    sites_.push_back(site);
+    include(firstLeaf_ + i / kSitesPerLeaf, {site.place, site.place}, site.size,
+            static_cast<std::uint32_t>(i));
+  }
+}
+
+/// An inner node out of the two below.
+void SizeSites::join(std::size_t node) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::size_t child = 2 * node + 1 + side;
+    const Reach& box = building_.boxes[child];
+    const float size = building_.smallest[child];
+    include(node, box, size, smallest_[child]);
+    float squared = 0.0F;
+    for (std::size_t k = 0; k < 3; ++k) {
+      children_[node].low[k][side] = box.low[k];
+      children_[node].high[k][side] = box.high[k];
+      const float width =
+          size < std::numeric_limits<float>::max() ? box.high[k] - box.low[k] : 0.0F;
+      squared += width * width;
     }
+    children_[node].size[side] = size;
+    children_[node].diagonal[side] = std::sqrt(squared);
   }
 }
 

@@ -9,9 +9,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "search/morton.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -23,6 +25,12 @@ class SizeSites {
   /// further from 0; work grows with the inverse.
   SizeSites(std::span<const Vec3> points, std::span<const double> sizes, double growth,
             float slack = kSlack);
+  SizeSites(const SizeSites&) = delete;
+  SizeSites& operator=(const SizeSites&) = delete;
+
+  /// Puts `budget` sites in order, each of which is come to thirteen times; true when all are. Nothing
+  /// else may be asked before.
+  bool advance(std::size_t budget);
 
   [[nodiscard]] double growth() const { return growth_; }
   [[nodiscard]] double sizeOf(std::uint32_t site) const { return sites_[site].size * extent_; }
@@ -82,7 +90,10 @@ class SizeSites {
   [[nodiscard]] float toleranceOf(float value, std::uint32_t site) const;
   void improve(const Reach& reach, float& best, std::uint32_t& site) const;
   [[nodiscard]] bool liesBelow(float size, float squaredDistance, float limit) const;
-  void build();
+  void beginTree();
+  void takeSites(std::size_t first, std::size_t last);
+  void include(std::size_t node, const Reach& reach, float size, std::uint32_t site);
+  void join(std::size_t node);
   template <class Visit>
   void visitBoxes(const Reach& reach, const float& limit, const float& merge, Visit visit) const;
 
@@ -102,6 +113,20 @@ class SizeSites {
   std::vector<Children> children_;
   std::vector<std::uint32_t> smallest_;  ///< per node of the tree: its site with the smallest size
   std::uint32_t firstLeaf_ = 0;
+
+  enum class Stage : std::uint8_t { kSort, kTake, kJoin, kReady };
+  /// What is needed until the tree stands.
+  struct Building {
+    std::vector<Vec3> places;
+    std::vector<double> sizes;
+    std::optional<MortonSort> sort;
+    std::vector<std::uint32_t> order;
+    std::size_t next = 0;
+    std::vector<Reach> boxes;     ///< per node of the tree
+    std::vector<float> smallest;  ///< per node of the tree: the size of its smallest site
+  };
+  Stage stage_ = Stage::kSort;
+  Building building_;
 };
 
 }  // namespace tetrafront

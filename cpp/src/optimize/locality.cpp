@@ -1,56 +1,81 @@
 #include "optimize/locality.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <numeric>
-#include <vector>
-
-#include "search/morton.h"
-#include "tetrafront/vec3.h"
 
 namespace tetrafront {
 namespace {
 
-std::vector<Vec3> centroidsOf(const VolumeMesh& mesh) {
-  std::vector<Vec3> centroids(mesh.tetrahedra.size() / 4);
-  for (std::size_t t = 0; t < centroids.size(); ++t) {
-    Vec3 sum(0.0);
-    for (std::size_t k = 0; k < 4; ++k) {
-      const double* at = &mesh.points[3 * std::size_t{mesh.tetrahedra[4 * t + k]}];
-      sum += Vec3(at[0], at[1], at[2]);
-    }
-    centroids[t] = sum * 0.25;
-  }
-  return centroids;
-}
+constexpr std::uint32_t kNone = 0xffffffffU;
 
 }  // namespace
 
-VolumeMesh alongMortonCurve(const VolumeMesh& mesh, std::size_t boundaryNodes) {
-  constexpr std::uint32_t kNone = 0xffffffffU;
-  const std::vector<std::uint32_t> order = mortonOrder(centroidsOf(mesh));
-  std::vector<std::uint32_t> newId(mesh.points.size() / 3, kNone);
-  std::iota(newId.begin(), newId.begin() + static_cast<std::ptrdiff_t>(boundaryNodes), 0U);
-  VolumeMesh ordered;
-  ordered.front = mesh.front;
-  ordered.points.reserve(mesh.points.size());
-  ordered.points.assign(mesh.points.begin(),
-                        mesh.points.begin() + static_cast<std::ptrdiff_t>(3 * boundaryNodes));
-  ordered.tetrahedra.reserve(mesh.tetrahedra.size());
-  ordered.regions.reserve(mesh.regions.size());
-  for (const std::uint32_t t : order) {
-    for (std::size_t k = 0; k < 4; ++k) {
-      const std::size_t node = mesh.tetrahedra[4 * std::size_t{t} + k];
-      if (newId[node] == kNone) {
-        newId[node] = static_cast<std::uint32_t>(ordered.points.size() / 3);
-        const double* at = &mesh.points[3 * node];
-        ordered.points.insert(ordered.points.end(), at, at + 3);
-      }
-      ordered.tetrahedra.push_back(newId[node]);
-    }
-    ordered.regions.push_back(mesh.regions[t]);
+MortonReordering::MortonReordering(const VolumeMesh& mesh, std::size_t boundaryNodes)
+    : mesh_(mesh),
+      centroids_(mesh.regions.size()),
+      sort_(centroids_),
+      newId_(mesh.points.size() / 3, kNone) {
+  std::iota(newId_.begin(), newId_.begin() + static_cast<std::ptrdiff_t>(boundaryNodes), 0U);
+  ordered_.front = mesh.front;
+  ordered_.points.reserve(mesh.points.size());
+  ordered_.points.assign(mesh.points.begin(),
+                         mesh.points.begin() + static_cast<std::ptrdiff_t>(3 * boundaryNodes));
+}
+
+bool MortonReordering::advance(std::size_t budget) {
+  if (stage_ == Stage::kSort) {
+    if (!sort_.advance(budget)) return false;
+    order_ = sort_.take();
+    centroids_ = {};
+    ordered_.tetrahedra.reserve(mesh_.tetrahedra.size());
+    ordered_.regions.reserve(mesh_.regions.size());
+    stage_ = Stage::kCopy;
+    return false;
   }
-  return ordered;
+  const std::size_t count = mesh_.regions.size();
+  const std::size_t last = next_ + std::min(budget, count - next_);
+  for (; next_ < last; ++next_) {
+    if (stage_ == Stage::kCentroids) {
+      addCentroid(next_);
+    } else {
+      copyElement(order_[next_]);
+    }
+  }
+  if (next_ < count) return false;
+  if (stage_ == Stage::kCopy) return true;
+  next_ = 0;
+  stage_ = Stage::kSort;
+  return false;
+}
+
+void MortonReordering::addCentroid(std::size_t element) {
+  Vec3 sum(0.0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const double* at = &mesh_.points[3 * std::size_t{mesh_.tetrahedra[4 * element + k]}];
+    sum += Vec3(at[0], at[1], at[2]);
+  }
+  centroids_[element] = sum * 0.25;
+}
+
+/// With those of its nodes that no element before it has.
+void MortonReordering::copyElement(std::size_t element) {
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::size_t node = mesh_.tetrahedra[4 * element + k];
+    if (newId_[node] == kNone) {
+      newId_[node] = static_cast<std::uint32_t>(ordered_.points.size() / 3);
+      const double* at = &mesh_.points[3 * node];
+      ordered_.points.insert(ordered_.points.end(), at, at + 3);
+    }
+    ordered_.tetrahedra.push_back(newId_[node]);
+  }
+  ordered_.regions.push_back(mesh_.regions[element]);
+}
+
+VolumeMesh alongMortonCurve(const VolumeMesh& mesh, std::size_t boundaryNodes) {
+  MortonReordering reordering(mesh, boundaryNodes);
+  while (!reordering.advance(mesh.regions.size())) {
+  }
+  return reordering.take();
 }
 
 }  // namespace tetrafront

@@ -1,14 +1,9 @@
 #include "search/morton.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
-#include <limits>
 
 namespace tetrafront {
 namespace {
-
-constexpr unsigned kBitsPerAxis = 20;
 
 /// Spreads the lowest 20 bits to every third bit.
 std::uint64_t spreadBits(std::uint64_t v) {
@@ -19,53 +14,99 @@ std::uint64_t spreadBits(std::uint64_t v) {
   return (v | (v << 2U)) & 0x1249249249249249U;
 }
 
-struct Key {
-  std::uint64_t code;
-  std::uint32_t position;
-};
+}  // namespace
 
-/// Digit by digit, the lowest first; equal codes stay in order.
-void sortByCode(std::vector<Key>& keys) {
-  constexpr std::uint32_t kDigitBits = 8;
-  constexpr std::size_t kDigits = 1U << kDigitBits;
-  std::vector<Key> sorted(keys.size());
-  for (std::uint32_t shift = 0; shift < 3 * kBitsPerAxis; shift += kDigitBits) {
-    const auto digitOf = [shift](const Key& key) { return (key.code >> shift) % kDigits; };
-    std::array<std::uint32_t, kDigits + 1> begins{};
-    for (const Key& key : keys) ++begins[digitOf(key) + 1];
-    for (std::size_t digit = 1; digit < kDigits; ++digit) begins[digit] += begins[digit - 1];
-    for (const Key& key : keys) sorted[begins[digitOf(key)]++] = key;
-    keys.swap(sorted);
+bool MortonSort::advance(std::size_t budget) {
+  const std::size_t last = next_ + std::min(budget, places_.size() - next_);
+  switch (stage_) {
+    case Stage::kBound:
+      bound(next_, last);
+      break;
+    case Stage::kCode:
+      code(next_, last);
+      break;
+    case Stage::kSort:
+      sort(next_, last);
+      break;
+    case Stage::kName:
+      for (std::size_t i = next_; i < last; ++i) order_.push_back(keys_[i].position);
+      break;
+    case Stage::kDone:
+      return true;
+  }
+  next_ = last;
+  if (next_ == places_.size()) endStage();
+  return stage_ == Stage::kDone;
+}
+
+void MortonSort::endStage() {
+  next_ = 0;
+  switch (stage_) {
+    case Stage::kBound:
+      keys_.reserve(places_.size());
+      stage_ = Stage::kCode;
+      break;
+    case Stage::kCode:
+      for (auto& begins : begins_) {
+        for (std::size_t digit = 1; digit < kDigits; ++digit) begins[digit] += begins[digit - 1];
+      }
+      sorted_.resize(keys_.size());
+      stage_ = Stage::kSort;
+      break;
+    case Stage::kSort:
+      keys_.swap(sorted_);
+      if (++pass_ < kPasses) break;
+      sorted_ = {};
+      order_.reserve(keys_.size());
+      stage_ = Stage::kName;
+      break;
+    case Stage::kName:
+      keys_ = {};
+      stage_ = Stage::kDone;
+      break;
+    case Stage::kDone:
+      break;
   }
 }
 
-}  // namespace
-
-std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places) {
-  Vec3 lower(std::numeric_limits<double>::max());
-  Vec3 upper(-std::numeric_limits<double>::max());
-  for (const Vec3& place : places) {
+void MortonSort::bound(std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
     for (int a = 0; a < 3; ++a) {
-      lower[a] = std::min(lower[a], place[a]);
-      upper[a] = std::max(upper[a], place[a]);
+      lower_[a] = std::min(lower_[a], places_[i][a]);
+      upper_[a] = std::max(upper_[a], places_[i][a]);
     }
   }
-  const double extent = std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z});
+}
+
+/// The codes, and how often they have each digit.
+void MortonSort::code(std::size_t first, std::size_t last) {
+  const double extent = std::max({upper_.x - lower_.x, upper_.y - lower_.y, upper_.z - lower_.z});
   const double cells = static_cast<double>((1U << kBitsPerAxis) - 1U);
   const double scale = extent > 0.0 ? cells / extent : 0.0;
-  std::vector<Key> keys(places.size());
-  for (std::uint32_t i = 0; i < places.size(); ++i) {
+  for (std::size_t i = first; i < last; ++i) {
     std::uint64_t code = 0;
     for (int a = 0; a < 3; ++a) {
-      const double cell = std::min((places[i][a] - lower[a]) * scale, cells);
+      const double cell = std::min((places_[i][a] - lower_[a]) * scale, cells);
       code |= spreadBits(static_cast<std::uint64_t>(cell)) << static_cast<unsigned>(a);
     }
-    keys[i] = {code, i};
+    keys_.push_back({code, static_cast<std::uint32_t>(i)});
+    for (unsigned pass = 0; pass < kPasses; ++pass) {
+      ++begins_[pass][digitOf(keys_.back(), pass) + 1];
+    }
   }
-  sortByCode(keys);
-  std::vector<std::uint32_t> order(keys.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) order[i] = keys[i].position;
-  return order;
+}
+
+/// By one digit, the lowest first; equal codes stay in order.
+void MortonSort::sort(std::size_t first, std::size_t last) {
+  auto& begins = begins_[pass_];
+  for (std::size_t i = first; i < last; ++i) sorted_[begins[digitOf(keys_[i], pass_)]++] = keys_[i];
+}
+
+std::vector<std::uint32_t> mortonOrder(std::span<const Vec3> places) {
+  MortonSort sort(places);
+  while (!sort.advance(places.size())) {
+  }
+  return sort.take();
 }
 
 }  // namespace tetrafront

@@ -26,6 +26,12 @@ constexpr double kLongestStep = 1.0 / 16.0;
 constexpr double kLengthTolerance = 1e-5;
 constexpr int kMaxHalvings = 10;
 
+/// A walk that has become so long looks ahead once, at so many places: whether the rest alone asks for
+/// so many times the most sides there may be.
+constexpr std::size_t kLongTable = 1U << 14U;
+constexpr int kPlacesAhead = 1024;
+constexpr double kCertainlyTooMany = 4.0;
+
 /// One entry of the table of metric length: at t, lambda so far and its rate.
 struct Station {
   double t;
@@ -108,12 +114,32 @@ void integrate(LineWalker& walker, double to, double rateTo, int depth,
   integrate(walker, to, rateTo, depth + 1, table);
 }
 
+/// Of the sides from t to the end, at least about so many. The lesser of neighbouring rates counts, as a
+/// place may lie on a source of a size that nothing around it has.
+double leastSidesFrom(LineWalker& walker, double t) {
+  const double width = (1.0 - t) / kPlacesAhead;
+  double before = walker.rateAt(t);
+  double sides = 0.0;
+  for (int i = 1; i <= kPlacesAhead; ++i) {
+    const double rate = walker.rateAt(std::min(1.0, t + i * width));
+    sides += width * std::min(before, rate);
+    before = rate;
+  }
+  return sides;
+}
+
 /// The table of metric length over the walk's steps; false if there are too many, or one is too
 /// short to move the parameter at all.
 bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table) {
   table.push_back({0.0, 0.0, walker.rateAt(0.0)});
   std::size_t nextKnot = 1;
+  bool hasLooked = false;
   while (table.back().t < 1.0) {
+    if (!hasLooked && table.size() > kLongTable) {
+      hasLooked = true;
+      if (leastSidesFrom(walker, table.back().t) > kCertainlyTooMany * kMaxSidesPerLine)
+        return false;
+    }
     const double knot = curve.knots()[nextKnot];
     double to = walker.step(table.back().t);
     // A step that would leave a sliver before the knot takes it in.

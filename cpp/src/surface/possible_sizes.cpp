@@ -47,21 +47,37 @@ bool PossibleSizes::advance(std::uint32_t budget) {
       const std::uint32_t last = next_ + std::min(budget, triangles - next_);
       for (; next_ < last; ++next_) look(next_);
       if (next_ < triangles) return false;
-      measureEdges();
+      points_ = pointsOf(surface_);
+      stage_ = field_.isStretched() ? Stage::kView : Stage::kMeasure;
+      return false;
+    }
+    case Stage::kView:
+      viewSome(budget);
+      if (views_.size() == points_.size()) stage_ = Stage::kMeasure;
+      return false;
+    case Stage::kMeasure:
+      lengths_ = averagedEdgeLengths(points_, surface_.triangles, views_);
+      views_ = {};
       startCeiling();
       stage_ = Stage::kCeiling;
       return false;
-    }
     case Stage::kCeiling:
       if (builder_ && !builder_->advance(budget)) return false;
       if (builder_) field_.cutTo(builder_->take());
       builder_.reset();
-      startFloor();
+      stage_ = startFloor() ? Stage::kGiveWay : Stage::kDone;
+      return stage_ == Stage::kDone;
+    case Stage::kGiveWay:
+      if (!giveWay(budget)) return false;
+      builder_.emplace(places_, held_, SizeDescent{descent_, least_});
+      shortest_.reset();
+      places_ = {};
+      held_ = {};
       stage_ = Stage::kFloor;
       return false;
     case Stage::kFloor:
-      if (builder_ && !builder_->advance(budget)) return false;
-      if (builder_) field_.liftTo(builder_->take());
+      if (!builder_->advance(budget)) return false;
+      field_.liftTo(builder_->take());
       builder_.reset();
       stage_ = Stage::kDone;
       break;
@@ -99,18 +115,14 @@ double PossibleSizes::coarsenessOf(std::uint32_t triangle) {
   return coarseness;
 }
 
-/// How long edges are at each point; in a stretched field, as if it were not stretched.
-void PossibleSizes::measureEdges() {
-  points_ = pointsOf(surface_);
-  std::vector<SymmetricTensor> views;
-  if (field_.isStretched()) {
-    views.reserve(points_.size());
-    for (const Vec3& point : points_) {
-      const SymmetricTensor wanted = field_.wantedTensorAt(point, hint_);
-      views.push_back(wanted.inverse().scaledBy(meanSizeOf(wanted)));
-    }
+/// A stretched field's edges are measured as if it were not stretched.
+void PossibleSizes::viewSome(std::uint32_t budget) {
+  const std::size_t last =
+      views_.size() + std::min<std::size_t>(budget, points_.size() - views_.size());
+  while (views_.size() < last) {
+    const SymmetricTensor wanted = field_.wantedTensorAt(points_[views_.size()], hint_);
+    views_.push_back(wanted.inverse().scaledBy(meanSizeOf(wanted)));
   }
-  lengths_ = averagedEdgeLengths(points_, surface_.triangles, views);
 }
 
 /// Where the grid asks for no more than the surface has, there is nothing to cut.
@@ -125,27 +137,37 @@ void PossibleSizes::startCeiling() {
   builder_.emplace(points_, lengths_, options_.growth, most);
 }
 
-/// Where nobody asks for less than the surface has, there is nothing to lift.
-void PossibleSizes::startFloor() {
-  if (std::ranges::none_of(lengths_, [&](double length) { return length > least_; })) return;
+/// False where nobody asks for less than the surface has: there is nothing to lift.
+bool PossibleSizes::startFloor() {
+  if (std::ranges::none_of(lengths_, [&](double length) { return length > least_; })) return false;
   const double growth = options_.growth;
-  const double descent = growth > 0.0 ? std::min(growth, kMostDescent) : kUsualDescent;
-  // As lengths at nodes differ by more than that, the longer ones give way.
-  const SizeSites shortest(points_, lengths_, descent);
-  std::vector<Vec3> places;
-  std::vector<double> held;
-  const auto add = [&](const Vec3& place) {
-    places.push_back(place);
-    held.push_back(shortest.at(place, 0).size);
-  };
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (lengths_[i] > 0.0) add(points_[i]);
+  descent_ = growth > 0.0 ? std::min(growth, kMostDescent) : kUsualDescent;
+  shortest_.emplace(points_, lengths_, descent_);
+  next_ = 0;
+  return true;
+}
+
+/// At nodes and in the middle of triangles: as lengths at nodes differ by more than the descent, the
+/// longer ones give way. True when all have.
+bool PossibleSizes::giveWay(std::uint32_t budget) {
+  if (!shortest_->advance(budget)) return false;
+  const auto nodes = static_cast<std::uint32_t>(points_.size());
+  const auto all = static_cast<std::uint32_t>(nodes + surface_.triangles.size() / 3);
+  const std::uint32_t last = next_ + std::min(budget, all - next_);
+  for (; next_ < last; ++next_) {
+    if (next_ < nodes && !(lengths_[next_] > 0.0)) continue;
+    if (next_ < nodes) {
+      places_.push_back(points_[next_]);
+    } else {
+      const std::array<Vec3, 3> corners = cornersOf(surface_, next_ - nodes);
+      places_.push_back((corners[0] + corners[1] + corners[2]) / 3.0);
+    }
+    // The next place is mostly near the last one: asked from there, few sites are looked at.
+    const SizeSites::Value found = shortest_->at(places_.back(), nearest_);
+    held_.push_back(found.size);
+    nearest_ = found.site;
   }
-  for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
-    const std::array<Vec3, 3> corners = cornersOf(surface_, t);
-    add((corners[0] + corners[1] + corners[2]) / 3.0);
-  }
-  builder_.emplace(places, held, SizeDescent{descent, least_});
+  return next_ == all;
 }
 
 std::vector<Diagnostic> PossibleSizes::diagnostics() const {

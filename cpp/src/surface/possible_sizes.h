@@ -10,6 +10,8 @@
 
 #include "field/size_field.h"
 #include "field/size_octree_builder.h"
+#include "field/size_sites.h"
+#include "field/size_tensor.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
@@ -32,14 +34,15 @@ class PossibleSizes {
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
 
  private:
-  enum class Stage : std::uint8_t { kLook, kCeiling, kFloor, kDone };
+  enum class Stage : std::uint8_t { kLook, kView, kMeasure, kCeiling, kGiveWay, kFloor, kDone };
 
   void look(std::uint32_t triangle);
   /// How many wanted elements the triangle's edges are long, at most.
   [[nodiscard]] double coarsenessOf(std::uint32_t triangle);
-  void measureEdges();
+  void viewSome(std::uint32_t budget);
   void startCeiling();
-  void startFloor();
+  [[nodiscard]] bool startFloor();
+  [[nodiscard]] bool giveWay(std::uint32_t budget);
 
   const SurfaceMesh& surface_;
   const BackgroundGrid& grid_;
@@ -55,7 +58,13 @@ class PossibleSizes {
   double coarseness_ = 0.0;
   Stage stage_;
   std::vector<Vec3> points_;
+  std::vector<SymmetricTensor> views_;
   std::vector<double> lengths_;  ///< of edges, at each point
+  double descent_ = 0.0;         ///< of sizes, per unit of distance from the surface
+  std::optional<SizeSites> shortest_;
+  std::uint32_t nearest_ = 0;  ///< site of the last place
+  std::vector<Vec3> places_;   ///< nodes and middles of triangles
+  std::vector<double> held_;   ///< the sizes there that the surface allows
   std::optional<SizeOctreeBuilder> builder_;
 };
 

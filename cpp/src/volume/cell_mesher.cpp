@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 #include "base/sort.h"
 
@@ -48,9 +49,9 @@ std::vector<std::uint32_t> takeTurns(const SurfaceMesh& boundary) {
 }
 
 /// Adds what one turn has made, whose boundary nodes are the same.
-void append(VolumeMesh& mesh, const VolumeMesh& part, std::size_t boundaryNodes) {
+void append(VolumeMesh& mesh, VolumeMesh part, std::size_t boundaryNodes) {
   if (mesh.points.empty()) {
-    mesh = part;
+    mesh = std::move(part);
     return;
   }
   const auto further = static_cast<std::uint32_t>(mesh.points.size() / 3 - boundaryNodes);
