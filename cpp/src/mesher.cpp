@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include "base/fingerprint.h"
 #include "field/size_field.h"
@@ -34,7 +35,8 @@ constexpr std::size_t kReorderedPerBudget = 32;
 
 }  // namespace
 
-/// The rooms composed: each stage makes what the next one needs.
+/// The rooms composed. One worker is there at a time; it hands what it has made to the run and goes,
+/// with all it needed, when the next one comes.
 class MeshRun::Impl {
  public:
   Impl(Model model, BackgroundGrid grid, const MeshOptions& options)
@@ -45,60 +47,23 @@ class MeshRun::Impl {
       : options_(options), grid_(std::move(grid)) {
     surface_.points.assign(points.begin(), points.end());
     surface_.triangles.assign(triangles.begin(), triangles.end());
-    stage_ = Stage::kCheckBoundary;
   }
 
   MeshStatus advance(std::uint32_t budget) {
     if (status_ != MeshStatus::kRunning) return status_;
-    budget = std::max(budget, 1U);
-    // A model's options are examined with it.
-    if (!optionsChecked_ && !isModel()) {
-      optionsChecked_ = true;
-      report(checkOptions(options_));
-      if (anyError(diagnostics_)) {
-        fail();
-        return status_;
-      }
+    std::visit([&](auto& worker) { work(worker, std::max(budget, 1U)); }, worker_);
+    if (status_ != MeshStatus::kRunning) {
+      end();
+    } else {
+      look();
     }
-    switch (stage_) {
-      case Stage::kCheckModel:
-        checkInput();
-        break;
-      case Stage::kSurface:
-        meshSurface(budget);
-        break;
-      case Stage::kCheckBoundary:
-        checkBoundary(budget);
-        break;
-      case Stage::kField:
-        makeSurfaceField(budget);
-        break;
-      case Stage::kEstimate:
-        estimate();
-        break;
-      case Stage::kVolume:
-        fillVolume(budget);
-        break;
-      case Stage::kOptimize:
-        optimize(budget);
-        break;
-      case Stage::kMeasure:
-        measure(budget);
-        break;
-      case Stage::kVerify:
-        verify(budget);
-        break;
-    }
-    // Sweeps that repeat take their estimate back; the bar must not.
-    fraction_ = std::max(fraction_, estimateFraction());
     return status_;
   }
 
   void cancel() {
     if (status_ != MeshStatus::kRunning) return;
     status_ = MeshStatus::kCancelled;
-    if (volumeMesher_) keepMesh();
-    if (optimizer_) finishedMesh_ = optimizer_->mesh();
+    end();
   }
 
   [[nodiscard]] MeshStatus status() const { return status_; }
@@ -108,21 +73,22 @@ class MeshRun::Impl {
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
 
   [[nodiscard]] VolumeMesh volume() const {
-    if (finishedMesh_) return *finishedMesh_;
-    return volumeMesher_ ? volumeMesher_->mesh() : VolumeMesh{};
+    if (const auto* mesher = std::get_if<CellMesher>(&worker_)) return mesher->mesh();
+    if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) return optimizer->mesh();
+    return mesh_;
   }
 
   [[nodiscard]] QualitySummary quality() const {
-    return status_ == MeshStatus::kDone ? survey_->summary() : measureQuality(volume());
+    return status_ == MeshStatus::kDone ? quality_ : measureQuality(volume());
   }
-  [[nodiscard]] QualityStatistics statistics() const {
-    return status_ == MeshStatus::kDone ? survey_->statistics() : QualityStatistics{};
-  }
+  [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
   [[nodiscard]] RecoverySummary recovery() const {
-    return volumeMesher_ ? volumeMesher_->recovery() : recovery_;
+    const auto* mesher = std::get_if<CellMesher>(&worker_);
+    return mesher != nullptr ? mesher->recovery() : recovery_;
   }
   [[nodiscard]] FrontCounters counters() const {
-    return volumeMesher_ ? volumeMesher_->counters() : counters_;
+    const auto* mesher = std::get_if<CellMesher>(&worker_);
+    return mesher != nullptr ? mesher->counters() : counters_;
   }
 
   [[nodiscard]] std::uint64_t fingerprint() const {
@@ -135,91 +101,38 @@ class MeshRun::Impl {
 
   [[nodiscard]] Progress progress() const {
     Progress progress;
-    progress.phase = phase();
+    progress.phase = phase_;
     progress.fraction = fraction_;
     progress.expectedTetrahedra = expectedTetrahedra_;
     progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
     progress.points = static_cast<std::uint32_t>(surface_.points.size() / 3);
-    if (volumeMesher_) {
-      progress.points = volumeMesher_->pointCount();
-      progress.tetrahedra = volumeMesher_->tetrahedronCount();
-      progress.frontFaces = volumeMesher_->frontFaceCount();
-    } else if (optimizer_) {
-      progress.points = optimizer_->pointCount();
-      progress.tetrahedra = optimizer_->tetrahedronCount();
-    } else if (finishedMesh_) {
-      progress.points = static_cast<std::uint32_t>(finishedMesh_->points.size() / 3);
-      progress.tetrahedra = static_cast<std::uint32_t>(finishedMesh_->tetrahedra.size() / 4);
-      progress.frontFaces = static_cast<std::uint32_t>(finishedMesh_->front.size() / 3);
+    if (const auto* mesher = std::get_if<CellMesher>(&worker_)) {
+      progress.points = mesher->pointCount();
+      progress.tetrahedra = mesher->tetrahedronCount();
+      progress.frontFaces = mesher->frontFaceCount();
+    } else if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) {
+      progress.points = optimizer->pointCount();
+      progress.tetrahedra = optimizer->tetrahedronCount();
+    } else if (!mesh_.points.empty()) {
+      progress.points = static_cast<std::uint32_t>(mesh_.points.size() / 3);
+      progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
+      progress.frontFaces = static_cast<std::uint32_t>(mesh_.front.size() / 3);
     }
     return progress;
   }
 
  private:
-  enum class Stage : std::uint8_t {
-    kCheckModel,
-    kSurface,
-    kCheckBoundary,
-    kField,
-    kEstimate,
-    kVolume,
-    kOptimize,
-    kMeasure,
-    kVerify,
-  };
+  // Done in one step each.
+  struct InputCheck {};
+  struct Estimate {};
+  struct Nobody {};
+
+  using Worker = std::variant<InputCheck, SurfaceMesher, BoundaryCheck, WantedSizes, PossibleSizes,
+                              Estimate, CellMesher, MortonReordering, MeshOptimizer, QualitySurvey,
+                              MeshVerifier, Nobody>;
 
   [[nodiscard]] bool isModel() const { return model_.has_value(); }
-
-  [[nodiscard]] Phase phase() const {
-    switch (stage_) {
-      case Stage::kCheckModel:
-        return Phase::kCheck;
-      case Stage::kSurface:
-        return surfaceMesher_->phase();
-      case Stage::kCheckBoundary:
-        return isModel() ? Phase::kSurface : Phase::kCheck;
-      case Stage::kField:
-        return Phase::kCheck;
-      case Stage::kEstimate:
-      case Stage::kVolume:
-        return Phase::kVolume;
-      case Stage::kOptimize:
-        return Phase::kOptimize;
-      case Stage::kMeasure:
-      case Stage::kVerify:
-        return Phase::kVerify;
-    }
-    return Phase::kCheck;
-  }
-
-  /// Estimated part of the whole run that is done.
-  [[nodiscard]] double estimateFraction() const {
-    const double surfaceEnd = isModel() ? kModelSurfaceEnd : kCheckEnd;
-    const auto between = [](double from, double to, double part) {
-      return from + (to - from) * part;
-    };
-    switch (stage_) {
-      case Stage::kCheckModel:
-        return 0.0;
-      case Stage::kSurface:
-        return between(kCheckEnd, surfaceEnd, surfaceMesher_->fraction());
-      case Stage::kCheckBoundary:
-        return isModel() ? surfaceEnd : 0.0;
-      case Stage::kField:
-      case Stage::kEstimate:
-        return surfaceEnd;
-      case Stage::kVolume:
-        return between(surfaceEnd, kVolumeEnd, filled_);
-      case Stage::kOptimize:
-        return between(kVolumeEnd, kOptimizeEnd, optimizer_ ? optimizer_->fraction() : 0.0);
-      case Stage::kMeasure:
-        return kOptimizeEnd;
-      case Stage::kVerify:
-        return status_ == MeshStatus::kDone ? 1.0
-                                            : between(kOptimizeEnd, 1.0, verifier_->fraction());
-    }
-    return 0.0;
-  }
+  [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
 
   void fail() { status_ = MeshStatus::kInvalidInput; }
 
@@ -232,125 +145,133 @@ class MeshRun::Impl {
                                [&](const Diagnostic& known) { return known.code == code; });
   }
 
-  /// What examineInput() says is what a preview says.
-  void checkInput() {
-    InputExamination found = examineInput(*model_, grid_, options_);
-    report(found.preview.diagnostics);
-    if (anyError(diagnostics_) || !found.field) return fail();
-    field_ = std::move(found.field);
-    surfaceMesher_.emplace(*model_, *field_);
-    stage_ = Stage::kSurface;
-  }
-
-  void meshSurface(std::uint32_t budget) {
-    const MeshStatus status = surfaceMesher_->advance(budget);
-    if (status == MeshStatus::kRunning) return;
-    report(surfaceMesher_->diagnostics());
-    if (status != MeshStatus::kDone || anyError(diagnostics_)) return fail();
-    surface_ = surfaceMesher_->takeMesh();
-    patches_ = surfaceMesher_->patchSummaries();
-    stage_ = Stage::kCheckBoundary;
-  }
-
-  void checkBoundary(std::uint32_t budget) {
-    if (!boundaryCheck_) {
-      if (!isModel()) report(checkWantedSizes(grid_, options_));
-      boundaryCheck_.emplace(
-          surface_, isModel() ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface,
-          options_.enclosed, MixedTurns::kRefuse);
+  /// Keeps what an unfinished worker has made.
+  void end() {
+    if (auto* mesher = std::get_if<CellMesher>(&worker_)) {
+      keepFront(*mesher);
+    } else if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) {
+      mesh_ = optimizer->mesh();
     }
-    if (!boundaryCheck_->advance(budget)) return;
-    for (const Diagnostic& found : boundaryCheck_->diagnostics()) {
+    if (status_ == MeshStatus::kDone) fraction_ = 1.0;
+    worker_.emplace<Nobody>();
+  }
+
+  void keepFront(CellMesher& mesher) {
+    mesh_ = mesher.take();
+    recovery_ = mesher.recovery();
+    counters_ = mesher.counters();
+  }
+
+  // work() on each worker's own, about `budget` of it; the worker is gone once the next is there.
+
+  void work(InputCheck& /*worker*/, std::uint32_t /*budget*/) {
+    if (isModel()) {
+      // What a preview says.
+      InputExamination found = examineInput(*model_, grid_, options_);
+      report(found.preview.diagnostics);
+      if (anyError(diagnostics_) || !found.field) return fail();
+      field_ = std::move(found.field);
+      worker_.emplace<SurfaceMesher>(*model_, *field_);
+    } else {
+      report(checkOptions(options_));
+      if (anyError(diagnostics_)) return fail();
+      report(checkWantedSizes(grid_, options_));
+      worker_.emplace<BoundaryCheck>(surface_, BoundarySource::kGivenSurface, options_.enclosed,
+                                     MixedTurns::kRefuse);
+    }
+  }
+
+  void work(SurfaceMesher& mesher, std::uint32_t budget) {
+    const MeshStatus status = mesher.advance(budget);
+    if (status == MeshStatus::kRunning) return;
+    report(mesher.diagnostics());
+    if (status != MeshStatus::kDone || anyError(diagnostics_)) return fail();
+    surface_ = mesher.takeMesh();
+    patches_ = mesher.patchSummaries();
+    worker_.emplace<BoundaryCheck>(surface_, BoundarySource::kDrawnPatches, options_.enclosed,
+                                   MixedTurns::kRefuse);
+  }
+
+  void work(BoundaryCheck& check, std::uint32_t budget) {
+    if (!check.advance(budget)) return;
+    for (const Diagnostic& found : check.diagnostics()) {
       // How the bodies of a model are nested was told with the check of the input.
       if (found.code != DiagnosticCode::kNestedBodies || !wasReported(found.code)) report({found});
     }
-    if (!boundaryCheck_->result().valid || anyError(diagnostics_)) return fail();
-    stage_ = isModel() ? Stage::kEstimate : Stage::kField;
-  }
-
-  /// Once the sizes wanted are known, what of them the surface allows.
-  void makeSurfaceField(std::uint32_t budget) {
-    if (!field_) {
-      if (!wantedSizes_) wantedSizes_.emplace(surface_, grid_, options_, OwnEdges::kCount);
-      if (!wantedSizes_->advance(budget)) return;
-      report(wantedSizes_->diagnostics());
-      if (anyError(diagnostics_)) return fail();
-      field_ = wantedSizes_->take();
-      wantedSizes_.reset();
-      possibleSizes_.emplace(surface_, grid_, options_, *field_);
+    if (!check.result().valid || anyError(diagnostics_)) return fail();
+    if (isModel()) {
+      worker_.emplace<Estimate>();
+    } else {
+      worker_.emplace<WantedSizes>(surface_, grid_, options_, OwnEdges::kCount);
     }
-    if (!possibleSizes_->advance(budget)) return;
-    report(possibleSizes_->diagnostics());
-    possibleSizes_.reset();
-    stage_ = Stage::kEstimate;
   }
 
-  void refuse(double expectedCount) {
-    Diagnostic tooMany;
-    tooMany.code = DiagnosticCode::kTooManyElements;
-    tooMany.values = {counted(expectedCount), static_cast<double>(options_.maxTetrahedra)};
-    report({tooMany});
-    fail();
+  void work(WantedSizes& sizes, std::uint32_t budget) {
+    if (!sizes.advance(budget)) return;
+    report(sizes.diagnostics());
+    if (anyError(diagnostics_)) return fail();
+    field_ = sizes.take();
+    worker_.emplace<PossibleSizes>(surface_, grid_, options_, *field_);
   }
 
-  void estimate() {
+  void work(PossibleSizes& sizes, std::uint32_t budget) {
+    if (!sizes.advance(budget)) return;
+    report(sizes.diagnostics());
+    worker_.emplace<Estimate>();
+  }
+
+  void work(Estimate& /*worker*/, std::uint32_t /*budget*/) {
     const double expected = expectedTetrahedra(surface_, *field_);
-    if (!(expected <= static_cast<double>(options_.maxTetrahedra))) return refuse(expected);
+    if (!(expected <= static_cast<double>(options_.maxTetrahedra))) {
+      Diagnostic tooMany;
+      tooMany.code = DiagnosticCode::kTooManyElements;
+      tooMany.values = {counted(expected), static_cast<double>(options_.maxTetrahedra)};
+      report({tooMany});
+      return fail();
+    }
     expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
-    volumeMesher_.emplace(surface_, *field_, options_);
-    stage_ = Stage::kVolume;
+    worker_.emplace<CellMesher>(surface_, *field_, options_);
   }
 
-  void fillVolume(std::uint32_t budget) {
-    const MeshStatus status = volumeMesher_->advance(budget);
-    filled_ = volumeMesher_->filledFraction();
+  void work(CellMesher& mesher, std::uint32_t budget) {
+    const MeshStatus status = mesher.advance(budget);
     if (status == MeshStatus::kRunning) return;
-    report(volumeMesher_->diagnostics());
-    keepMesh();
+    report(mesher.diagnostics());
     if (status != MeshStatus::kDone) {
       status_ = status;
       return;
     }
-    stage_ = Stage::kOptimize;
+    keepFront(mesher);
+    if (options_.optimization == Optimization::kNone) return judge();
+    worker_.emplace<MortonReordering>(mesh_, boundaryNodes());
   }
 
-  void optimize(std::uint32_t budget) {
-    if (options_.optimization != Optimization::kNone) {
-      if (!optimizer_) return beginOptimizer(budget);
-      if (!optimizer_->advance(budget)) return;
-      finishedMesh_ = optimizer_->mesh();
-      optimizer_.reset();
-    }
-    verifier_.emplace(*finishedMesh_, surface_);
-    stage_ = Stage::kMeasure;
+  void work(MortonReordering& reordering, std::uint32_t budget) {
+    if (!reordering.advance(kReorderedPerBudget * budget)) return;
+    mesh_ = reordering.take();
+    worker_.emplace<MeshOptimizer>(std::exchange(mesh_, {}), boundaryNodes(), *field_,
+                                   options_.optimization);
   }
 
-  void beginOptimizer(std::uint32_t budget) {
-    const std::size_t boundaryNodes = surface_.points.size() / 3;
-    if (!reordering_) reordering_.emplace(*finishedMesh_, boundaryNodes);
-    if (!reordering_->advance(kReorderedPerBudget * budget)) return;
-    finishedMesh_ = reordering_->take();
-    reordering_.reset();
-    optimizer_.emplace(*finishedMesh_, boundaryNodes, *field_, options_.optimization);
+  void work(MeshOptimizer& optimizer, std::uint32_t budget) {
+    if (!optimizer.advance(budget)) return;
+    mesh_ = optimizer.mesh();
+    judge();
   }
 
-  /// Takes what the volume mesher has made and frees it: the front needs more room than the mesh.
-  void keepMesh() {
-    finishedMesh_ = volumeMesher_->mesh();
-    recovery_ = volumeMesher_->recovery();
-    counters_ = volumeMesher_->counters();
-    volumeMesher_.reset();
-  }
+  void judge() { worker_.emplace<QualitySurvey>(mesh_, surface_, *field_); }
 
-  void measure(std::uint32_t budget) {
-    if (!survey_) survey_.emplace(*finishedMesh_, surface_, *field_);
-    if (survey_->advance(budget)) stage_ = Stage::kVerify;
+  void work(QualitySurvey& survey, std::uint32_t budget) {
+    if (!survey.advance(budget)) return;
+    quality_ = survey.summary();
+    statistics_ = survey.statistics();
+    worker_.emplace<MeshVerifier>(mesh_, surface_);
   }
 
   /// The engine's own exact verdict; a failure is our mistake, and is told rather than hidden.
-  void verify(std::uint32_t budget) {
-    if (!verifier_->advance(budget)) return;
-    const std::uint64_t defects = verifier_->defects().count();
+  void work(MeshVerifier& verifier, std::uint32_t budget) {
+    if (!verifier.advance(budget)) return;
+    const std::uint64_t defects = verifier.defects().count();
     if (defects == 0) {
       status_ = MeshStatus::kDone;
       return;
@@ -359,34 +280,84 @@ class MeshRun::Impl {
     failed.code = DiagnosticCode::kVerificationFailed;
     failed.values = {static_cast<double>(defects)};
     report({failed});
+    statistics_ = {};
     status_ = MeshStatus::kStalled;
+  }
+
+  void work(Nobody& /*worker*/, std::uint32_t /*budget*/) {}
+
+  /// Where a run is: `part`, 0 to 1, of the way between two marks of the progress bar.
+  struct Position {
+    Phase phase;
+    double from;
+    double to;
+    double part = 0.0;
+  };
+
+  [[nodiscard]] double surfaceEnd() const { return isModel() ? kModelSurfaceEnd : kCheckEnd; }
+
+  [[nodiscard]] Position positionOf(const InputCheck& /*worker*/) const {
+    return {Phase::kCheck, 0.0, kCheckEnd};
+  }
+  [[nodiscard]] Position positionOf(const SurfaceMesher& mesher) const {
+    return {mesher.phase(), kCheckEnd, surfaceEnd(), mesher.fraction()};
+  }
+  [[nodiscard]] Position positionOf(const BoundaryCheck& check) const {
+    if (isModel()) return {Phase::kSurface, surfaceEnd(), surfaceEnd()};
+    return {Phase::kCheck, 0.0, kCheckEnd, check.fraction()};
+  }
+  [[nodiscard]] Position positionOf(const WantedSizes& /*sizes*/) const {
+    return {Phase::kCheck, kCheckEnd, kCheckEnd};
+  }
+  [[nodiscard]] Position positionOf(const PossibleSizes& /*sizes*/) const {
+    return {Phase::kCheck, kCheckEnd, kCheckEnd};
+  }
+  [[nodiscard]] Position positionOf(const Estimate& /*worker*/) const {
+    return {Phase::kVolume, surfaceEnd(), kVolumeEnd};
+  }
+  [[nodiscard]] Position positionOf(const CellMesher& mesher) const {
+    return {Phase::kVolume, surfaceEnd(), kVolumeEnd, mesher.filledFraction()};
+  }
+  [[nodiscard]] Position positionOf(const MortonReordering& /*reordering*/) const {
+    return {Phase::kOptimize, kVolumeEnd, kVolumeEnd};
+  }
+  [[nodiscard]] Position positionOf(const MeshOptimizer& optimizer) const {
+    return {Phase::kOptimize, kVolumeEnd, kOptimizeEnd, optimizer.fraction()};
+  }
+  [[nodiscard]] Position positionOf(const QualitySurvey& /*survey*/) const {
+    return {Phase::kVerify, kOptimizeEnd, kOptimizeEnd};
+  }
+  [[nodiscard]] Position positionOf(const MeshVerifier& verifier) const {
+    return {Phase::kVerify, kOptimizeEnd, 1.0, verifier.fraction()};
+  }
+  [[nodiscard]] Position positionOf(const Nobody& /*worker*/) const {
+    return {phase_, fraction_, fraction_};
+  }
+
+  /// Sweeps that repeat take their estimate back; the bar must not.
+  void look() {
+    const Position at = std::visit([&](const auto& worker) { return positionOf(worker); }, worker_);
+    phase_ = at.phase;
+    fraction_ = std::max(fraction_, at.from + (at.to - at.from) * at.part);
   }
 
   MeshOptions options_;
   std::optional<Model> model_;
   BackgroundGrid grid_;
-  Stage stage_ = Stage::kCheckModel;
   MeshStatus status_ = MeshStatus::kRunning;
+  Phase phase_ = Phase::kCheck;
+  double fraction_ = 0.0;
   SurfaceMesh surface_;
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
-  std::optional<WantedSizes> wantedSizes_;
-  std::optional<PossibleSizes> possibleSizes_;
-  std::optional<SurfaceMesher> surfaceMesher_;
-  std::optional<BoundaryCheck> boundaryCheck_;
-  std::optional<CellMesher> volumeMesher_;
-  std::optional<VolumeMesh> finishedMesh_;
-  double filled_ = 0.0;
-  double fraction_ = 0.0;
   std::uint32_t expectedTetrahedra_ = 0;
-  bool optionsChecked_ = false;
+  VolumeMesh mesh_;  ///< between two workers, and from the last on
   RecoverySummary recovery_;
   FrontCounters counters_;
-  std::optional<QualitySurvey> survey_;
-  std::optional<MortonReordering> reordering_;
-  std::optional<MeshOptimizer> optimizer_;
-  std::optional<MeshVerifier> verifier_;
+  QualitySummary quality_;
+  QualityStatistics statistics_;
   std::vector<Diagnostic> diagnostics_;
+  Worker worker_;  ///< the last: it refers to the others
 };
 
 MeshRun::MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options)

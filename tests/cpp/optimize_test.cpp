@@ -104,7 +104,7 @@ constexpr double kSize = 0.2;
 
 TetComplex complexOf(const Filled& filled, const ElementCost<>& cost) {
   TetComplex complex(filled.mesh, filled.surface.points.size() / 3);
-  while (!complex.build(filled.mesh, 100)) {
+  while (!complex.build(100)) {
   }
   for (std::size_t i = 0; i < complex.nodeCount(); ++i)
     complex.setWanted<PlainSpace>(NodeId(i), kSize);

@@ -107,13 +107,11 @@ class MeshOptimizer::Impl {
 template <class Space>
 class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
  public:
-  ImplIn(const VolumeMesh& mesh, std::size_t boundaryNodes, const SizeField& field,
-         Optimization level)
+  ImplIn(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field, Optimization level)
       : level_(level),
-        mesh_(mesh),
         field_(field),
         toAsk_(mesh.points.size() / 3),
-        complex_(mesh, boundaryNodes, Space::kIsStretched),
+        complex_(std::move(mesh), boundaryNodes, Space::kIsStretched),
         removal_(complex_),
         mover_(complex_),
         splitter_(complex_),
@@ -146,13 +144,12 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (stage_ == Stage::kDone && defaultMesh_) return defaultMesh_->regions.size();
     return complex_.elementCount();
   }
-  /// Until the complex is built there is nothing but the mesh as it came.
   [[nodiscard]] VolumeMesh mesh() const override {
     if (stage_ == Stage::kDone && defaultMesh_) return *defaultMesh_;
-    return stage_ == Stage::kBuild ? mesh_ : complex_.toMesh();
+    return complex_.toMesh();
   }
   [[nodiscard]] std::size_t pointCount() const override {
-    if (stage_ == Stage::kBuild) return mesh_.points.size() / 3;
+    if (stage_ == Stage::kBuild) return complex_.nodeCount();
     if (stage_ == Stage::kDone && defaultMesh_) return defaultMesh_->points.size() / 3;
     return complex_.boundaryNodeCount() + freeNodes_;
   }
@@ -169,7 +166,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   }
 
   std::size_t build(std::uint32_t budget) {
-    if (!complex_.build(mesh_, budget)) return budget;
+    if (!complex_.build(budget)) return budget;
     freeNodes_ = complex_.freeNodeCount();
     if (level_ == Optimization::kNone || complex_.elementCount() == 0) {
       stage_ = Stage::kDone;
@@ -518,7 +515,6 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   }
 
   Optimization level_;
-  const VolumeMesh& mesh_;
   const SizeField& field_;
   FieldHint hint_;
   std::size_t asked_ = 0;  ///< of the field: for nodes up to here
@@ -553,12 +549,12 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::size_t badBefore_ = 0;              ///< when the last pass of a repair began
 };
 
-MeshOptimizer::MeshOptimizer(const VolumeMesh& mesh, std::size_t boundaryNodes,
-                             const SizeField& field, Optimization level) {
+MeshOptimizer::MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
+                             Optimization level) {
   if (field.isStretched()) {
-    impl_ = std::make_unique<ImplIn<StretchedSpace>>(mesh, boundaryNodes, field, level);
+    impl_ = std::make_unique<ImplIn<StretchedSpace>>(std::move(mesh), boundaryNodes, field, level);
   } else {
-    impl_ = std::make_unique<ImplIn<PlainSpace>>(mesh, boundaryNodes, field, level);
+    impl_ = std::make_unique<ImplIn<PlainSpace>>(std::move(mesh), boundaryNodes, field, level);
   }
 }
 

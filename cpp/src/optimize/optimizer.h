@@ -16,9 +16,9 @@ namespace tetrafront {
 
 class MeshOptimizer {
  public:
-  /// The first `boundaryNodes` nodes of the mesh are fixed. Mesh and field must outlive this. Costs
-  /// are O(n) per sweep.
-  MeshOptimizer(const VolumeMesh& mesh, std::size_t boundaryNodes, const SizeField& field,
+  /// The first `boundaryNodes` nodes of the mesh are fixed. The field must outlive this. Costs are
+  /// O(n) per sweep.
+  MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
                 Optimization level);
   MeshOptimizer(MeshOptimizer&&) noexcept;
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;

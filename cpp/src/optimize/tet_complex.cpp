@@ -1,15 +1,16 @@
 #include "optimize/tet_complex.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/sort.h"
 
 namespace tetrafront {
 
-TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, bool isStretched)
+TetComplex::TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretched)
     : boundaryNodes_(boundaryNodes),
       isStretched_(isStretched),
-      regions_(mesh.regions),
+      regions_(std::move(mesh.regions)),
       faceSlots_(kFaceSlots) {
   places_.reserve(mesh.points.size() / 3);
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
@@ -19,16 +20,17 @@ TetComplex::TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, bool i
   const std::size_t count = mesh.tetrahedra.size() / 4;
   elements_.resize(count);
   states_.assign(count, {.pass = pass_});
+  build_.given = std::move(mesh.tetrahedra);
   build_.starts.assign(places_.size() + 1, 0);
 }
 
-bool TetComplex::build(const VolumeMesh& mesh, std::size_t budget) {
+bool TetComplex::build(std::size_t budget) {
   const bool byNode = build_.step == BuildStep::kMatch;
   const std::size_t size = byNode ? places_.size() : elements_.size();
   const std::size_t last = build_.next + std::min(budget, size - build_.next);
   switch (build_.step) {
     case BuildStep::kTake:
-      takeElements(mesh, build_.next, last);
+      takeElements(build_.next, last);
       break;
     case BuildStep::kPlace:
       placeSides(build_.next, last);
@@ -43,6 +45,7 @@ bool TetComplex::build(const VolumeMesh& mesh, std::size_t budget) {
   if (last < size) return false;
   build_.next = 0;
   if (build_.step == BuildStep::kTake) {
+    build_.given = {};
     for (std::size_t i = 1; i < build_.starts.size(); ++i) {
       build_.starts[i] += build_.starts[i - 1];
     }
@@ -59,11 +62,11 @@ bool TetComplex::build(const VolumeMesh& mesh, std::size_t budget) {
 }
 
 /// Copies elements and counts their sides by the least node.
-void TetComplex::takeElements(const VolumeMesh& mesh, std::size_t first, std::size_t last) {
+void TetComplex::takeElements(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     Element& element = elements_[t];
     for (std::size_t k = 0; k < 4; ++k) {
-      element.nodes[k] = NodeId(mesh.tetrahedra[4 * t + k]);
+      element.nodes[k] = NodeId(build_.given[4 * t + k]);
       elementAt_[element.nodes[k].index()] = TetId(t);
     }
     for (std::size_t k = 0; k < 4; ++k) ++build_.starts[keyOf(element.nodes, k).nodes[0] + 1];
@@ -73,8 +76,8 @@ void TetComplex::takeElements(const VolumeMesh& mesh, std::size_t first, std::si
 void TetComplex::placeSides(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     for (std::size_t k = 0; k < 4; ++k) {
-      const FaceKey key = keyOf(elements_[t].nodes, k);
-      build_.sides[build_.filled[key.nodes[0]]++] = {key, {TetId(t), k}};
+      const auto [least, middle, most] = keyOf(elements_[t].nodes, k).nodes;
+      build_.sides[build_.filled[least]++] = {{middle, most}, {TetId(t), k}};
     }
   }
 }
@@ -86,9 +89,9 @@ void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
     const std::span sides =
         std::span(build_.sides)
             .subspan(build_.starts[node], build_.starts[node + 1] - build_.starts[node]);
-    sortFew(sides, [](const Side& a, const Side& b) { return a.key.nodes < b.key.nodes; });
+    sortFew(sides, [](const Side& a, const Side& b) { return a.nodes < b.nodes; });
     for (std::size_t i = 0; i + 1 < sides.size(); ++i) {
-      if (!(sides[i].key == sides[i + 1].key)) continue;
+      if (sides[i].nodes != sides[i + 1].nodes) continue;
       const Facing one = sides[i].facing;
       const Facing other = sides[i + 1].facing;
       if (regions_[one.tet().index()] != regions_[other.tet().index()]) continue;
@@ -100,6 +103,7 @@ void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
 }
 
 VolumeMesh TetComplex::toMesh() const {
+  if (build_.step == BuildStep::kTake) return asGiven();
   constexpr std::uint32_t kUnused = 0xffffffffU;
   std::vector<std::uint32_t> newId(places_.size(), kUnused);
   VolumeMesh mesh;
@@ -115,6 +119,16 @@ VolumeMesh TetComplex::toMesh() const {
     for (const NodeId node : elements_[t].nodes) mesh.tetrahedra.push_back(newId[node.index()]);
     mesh.regions.push_back(regions_[t]);
   }
+  return mesh;
+}
+
+VolumeMesh TetComplex::asGiven() const {
+  VolumeMesh mesh;
+  mesh.points.reserve(3 * places_.size());
+  for (const Vec3& place : places_)
+    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+  mesh.tetrahedra = build_.given;
+  mesh.regions = regions_;
   return mesh;
 }
 

@@ -68,12 +68,13 @@ struct Star {
 
 class TetComplex {
  public:
-  /// The first `boundaryNodes` nodes are fixed. Not usable before build() has finished.
-  TetComplex(const VolumeMesh& mesh, std::size_t boundaryNodes, bool isStretched = false);
+  /// The first `boundaryNodes` nodes are fixed. Until build() has finished only counts, places and
+  /// toMesh() are of use.
+  TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretched = false);
 
-  /// Finds the neighbours, about `budget` elements or nodes at a time; true when finished. `mesh`
-  /// is the one given to the constructor. O(n log k) for k elements at a node.
-  bool build(const VolumeMesh& mesh, std::size_t budget);
+  /// Finds the neighbours, about `budget` elements or nodes at a time; true when finished.
+  /// O(n log k) for k elements at a node.
+  bool build(std::size_t budget);
 
   /// Elements and used nodes, the boundary's first; orders kept.
   [[nodiscard]] VolumeMesh toMesh() const;
@@ -189,15 +190,16 @@ class TetComplex {
     Facing facing;
     std::uint32_t stamp = 0;
   };
-  /// Work of build(): all sides, grouped by their least node.
+  /// Work of build(): all sides, grouped by their least node; the other two, and whose it is.
   struct Side {
-    FaceKey key;
+    std::array<std::uint32_t, 2> nodes;
     Facing facing;
   };
   enum class BuildStep : std::uint8_t { kTake, kPlace, kMatch, kBuilt };
   struct BuildState {
     BuildStep step = BuildStep::kTake;
     std::size_t next = 0;
+    std::vector<std::uint32_t> given;   ///< elements to take
     std::vector<std::uint32_t> starts;  ///< sides of node i begin at starts[i]
     std::vector<std::uint32_t> filled;
     std::vector<Side> sides;
@@ -213,13 +215,14 @@ class TetComplex {
       return self.sizes_;
     }
   }
+  [[nodiscard]] VolumeMesh asGiven() const;
   NodeId addNode(const Vec3& place);
   void resizeNodes(std::size_t count);
   [[nodiscard]] FaceKey keyOf(const Corners& nodes, std::size_t corner) const;
   FaceSlot& slotFor(const FaceKey& key);
   TetId takeSlot();
   void link(TetId tet, std::size_t corner);
-  void takeElements(const VolumeMesh& mesh, std::size_t first, std::size_t last);
+  void takeElements(std::size_t first, std::size_t last);
   void placeSides(std::size_t first, std::size_t last);
   void matchSides(std::size_t firstNode, std::size_t lastNode);
   void save(TetId tet);

@@ -154,8 +154,12 @@ std::vector<std::uint32_t> CellMesher::waitingFaces() const {
   return faces;
 }
 
-VolumeMesh CellMesher::mesh() const {
-  VolumeMesh mesh = filled_;
+VolumeMesh CellMesher::mesh() const { return completed(filled_); }
+
+VolumeMesh CellMesher::take() { return completed(std::exchange(filled_, {})); }
+
+/// With this turn's elements and the faces that wait.
+VolumeMesh CellMesher::completed(VolumeMesh mesh) const {
   append(mesh, current_->mesh(), boundary_.points.size() / 3);
   const std::vector<std::uint32_t> waiting = waitingFaces();
   mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());

@@ -41,6 +41,8 @@ class CellMesher {
 
   /// The mesh as it stands; regions that were not begun are in its front.
   [[nodiscard]] VolumeMesh mesh() const;
+  /// The same without a copy of what earlier turns have made; the last call but for counts.
+  [[nodiscard]] VolumeMesh take();
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
 
@@ -48,6 +50,7 @@ class CellMesher {
   void begin(std::uint32_t turn);
   [[nodiscard]] SurfaceMesh boundaryOf(std::uint32_t turn) const;
   [[nodiscard]] std::vector<std::uint32_t> waitingFaces() const;
+  [[nodiscard]] VolumeMesh completed(VolumeMesh mesh) const;
 
   const SurfaceMesh& boundary_;
   const SizeField& field_;
