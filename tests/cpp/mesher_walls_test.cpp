@@ -12,11 +12,13 @@
 #include <utility>
 #include <vector>
 
+#include "field/size_field.h"
 #include "quality/check_mesh.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
 #include "support/shapes.h"
 #include "tetrafront/mesher.h"
+#include "volume/cell_mesher.h"
 
 namespace tetrafront {
 namespace {
@@ -98,6 +100,25 @@ TEST(MeshWalls, TwoBoxesShareOnePatch) {
       std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedBodies, &Diagnostic::code);
   ASSERT_NE(told, run.diagnostics().end());
   EXPECT_EQ(told->values, (std::vector{2.0, 0.0}));
+}
+
+TEST(MeshWalls, TooManyElementsAreThoseOfAllRegions) {
+  MeshOptions options;
+  options.optimization = Optimization::kNone;
+  const MeshRun run = meshed(dividedBoxModel({2, 1, 1}), 0.3, options);
+  const std::vector<std::uint32_t> regions = run.volume().regions;
+  const auto ofFirst = static_cast<std::uint32_t>(std::ranges::count(regions, 0U));
+  options.maxTetrahedra = ofFirst + 20;
+  const SizeField field = SizeField::uniform(0.3);
+  CellMesher mesher(run.surface(), field, options);
+  while (mesher.advance(100) == MeshStatus::kRunning) {
+  }
+  const std::vector<Diagnostic> told = mesher.diagnostics();
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].code, DiagnosticCode::kTooManyElements);
+  EXPECT_EQ(told[0].values[1], ofFirst + 20);
+  EXPECT_GT(told[0].values[0], ofFirst + 20);
+  EXPECT_LT(told[0].values[0], 3.0 * static_cast<double>(regions.size()));
 }
 
 TEST(MeshWalls, TwentySevenCubes) {

@@ -129,6 +129,15 @@ MeshStatus CellMesher::advance(std::uint32_t budget) {
   return MeshStatus::kRunning;
 }
 
+std::vector<Diagnostic> CellMesher::diagnostics() const {
+  std::vector<Diagnostic> told = current_->diagnostics();
+  for (Diagnostic& one : told) {
+    if (one.code != DiagnosticCode::kTooManyElements) continue;
+    for (double& count : one.values) count += static_cast<double>(filled_.tetrahedra.size() / 4);
+  }
+  return told;
+}
+
 std::uint32_t CellMesher::pointCount() const {
   if (filled_.points.empty()) return current_->pointCount();
   return current_->pointCount() +

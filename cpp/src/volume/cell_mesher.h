@@ -28,9 +28,8 @@ class CellMesher {
   /// be filled.
   MeshStatus advance(std::uint32_t budget);
 
-  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const {
-    return current_->diagnostics();
-  }
+  /// Of kTooManyElements both values are of all regions, but for those not begun.
+  [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
   [[nodiscard]] std::uint32_t pointCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
   [[nodiscard]] std::uint32_t frontFaceCount() const {

@@ -78,8 +78,7 @@ BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary, const S
       advance_(front_, elements_, field, options.filters),
       recovery_(front_, elements_, advance_, options.order, options.exactFillOnly),
       exactFillOnly_(options.exactFillOnly),
-      boundaryNodes_(boundary.points.size() / 3),
-      exactBefore_(exactPredicateCount()) {
+      boundaryNodes_(boundary.points.size() / 3) {
   for (std::size_t i = 0; i < boundaryNodes_; ++i) {
     front_.addNode(boundaryNode(boundary, NodeId(i)), 0);
   }
@@ -88,6 +87,7 @@ BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary, const S
 
 template <class Trace>
 MeshStatus BasicVolumeMesher<Trace>::advance(std::uint32_t budget) {
+  const std::uint64_t exactBefore = exactPredicateCount();
   switch (stage_) {
     case Stage::kSetUp:
       setUp(budget);
@@ -101,6 +101,7 @@ MeshStatus BasicVolumeMesher<Trace>::advance(std::uint32_t budget) {
     case Stage::kFinished:
       break;
   }
+  exactPredicates_ += exactPredicateCount() - exactBefore;
   return status_;
 }
 
@@ -257,7 +258,7 @@ FrontCounters BasicVolumeMesher<Trace>::counters() const {
   counters.candidatesTried = advance_.counters().candidatesTried;
   counters.facesTested = advance_.crossingCounters().facesTested;
   counters.facesAnalysed = advance_.crossingCounters().facesAnalysed;
-  counters.exactPredicates = exactPredicateCount() - exactBefore_;
+  counters.exactPredicates = exactPredicates_;
   return counters;
 }
 

@@ -78,9 +78,9 @@ class BasicVolumeMesher {
   std::size_t inspectedNodes_ = 0;
   std::uint64_t frontCost_ = 0;
   std::size_t inspectedElements_ = 0;
-  double enclosedVolume_ = 0.0;  ///< six times
-  double filledVolume_ = 0.0;    ///< six times
-  std::uint64_t exactBefore_ = 0;
+  double enclosedVolume_ = 0.0;        ///< six times
+  double filledVolume_ = 0.0;          ///< six times
+  std::uint64_t exactPredicates_ = 0;  ///< others may ask for signs between two slices
   FieldHint coverHint_;
   std::vector<Diagnostic> diagnostics_;
 };
