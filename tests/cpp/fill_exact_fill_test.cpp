@@ -143,6 +143,16 @@ TEST(ExactFill, FillsNeedlesInFewSteps) {
   EXPECT_LT(steps, 200);
 }
 
+/// Nodes of long needles are nearly on one sphere by the hundred. Where the mesh of the nodes is not
+/// Delaunay there, most edges must be recovered, and each one makes more elements.
+TEST(ExactFill, FillsRingsOfNeedlesWithFewElements) {
+  const SurfaceMesh surface = rotated(testing::torus(1.0, 0.2, 4, 200));
+  FillResult result;
+  ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kDone);
+  EXPECT_EQ(testing::complaintAbout(meshOf(surface, result), surface), "");
+  EXPECT_LT(result.tetrahedra.size(), 5 * testing::triangleCount(surface));
+}
+
 /// A point on the boundary that no other can replace is tried again only where something has changed.
 TEST(ExactFill, ClearsTheBoundaryOfBulgingSidesInFewSteps) {
   std::vector<Vec2> outline;

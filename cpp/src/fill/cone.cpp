@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geom/insphere.h"
+
 namespace tetrafront {
 namespace {
 
@@ -11,23 +13,6 @@ bool contains(const std::array<NodeId, 3>& nodes, NodeId node) {
 }
 bool contains(const std::array<NodeId, 4>& nodes, NodeId node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-}
-
-/// Is p well within the circumsphere? In doubles: it only ranks.
-bool circumsphereHolds(const std::array<Vec3, 4>& corners, const Vec3& p) {
-  // Share of the largest terms; rounding is a few 1e-16 of them, and points that are on the sphere
-  // but for rounding, as on grids, must not count as inside.
-  constexpr double kDoubt = 1e-12;
-  const Vec3 a = corners[0] - p;
-  const Vec3 b = corners[1] - p;
-  const Vec3 c = corners[2] - p;
-  const Vec3 d = corners[3] - p;
-  const double ta = glm::dot(a, a) * glm::dot(b, glm::cross(c, d));
-  const double tb = glm::dot(b, b) * glm::dot(a, glm::cross(c, d));
-  const double tc = glm::dot(c, c) * glm::dot(a, glm::cross(b, d));
-  const double td = glm::dot(d, d) * glm::dot(a, glm::cross(b, c));
-  const double size = std::fabs(ta) + std::fabs(tb) + std::fabs(tc) + std::fabs(td);
-  return ta - tb + tc - td > kDoubt * size;
 }
 
 }  // namespace
@@ -109,7 +94,7 @@ bool Cone::look(TetFace face, const ConeRules& rules) {
 bool Cone::wantsToEnter(TetFace beyond) const {
   const std::array<NodeId, 4>& n = mesh_.tet(beyond.tet).nodes;
   const ExactPoints& points = mesh_.points;
-  return circumsphereHolds(
+  return isInsideSphere(
       {points.place(n[0]), points.place(n[1]), points.place(n[2]), points.place(n[3])},
       points.place(apex_));
 }

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <limits>
 
+#include "base/sort.h"
 #include "search/morton.h"
 
 namespace tetrafront {
@@ -11,7 +14,14 @@ namespace {
 /// The large tetrahedron's corners are so many extents away from the middle: its sides are then 4.6
 /// away, the box's corners at most 1.8.
 constexpr double kEnclosure = 8.0;
-constexpr std::size_t kLargestCavity = 2000;
+
+/// Rounds come from high to low: 0 has half of all points, 1 a quarter, and so on.
+unsigned roundOf(std::uint32_t point) {
+  std::uint32_t hash = (point + 1) * 0x9e3779b1U;
+  hash = (hash ^ (hash >> 15U)) * 0x85ebca6bU;
+  hash ^= hash >> 13U;
+  return static_cast<unsigned>(std::countr_one(hash));
+}
 
 }  // namespace
 
@@ -23,6 +33,7 @@ PointInsertion::PointInsertion(FillMesh& mesh, unsigned variant) : mesh_(mesh), 
   if (variant % 2 == 1) std::reverse(order_.begin(), order_.end());
   const auto first = static_cast<std::ptrdiff_t>(variant / 2 * order_.size() / 3);
   std::rotate(order_.begin(), order_.begin() + first, order_.end());
+  stableSort(order_, [](std::uint32_t a, std::uint32_t b) { return roundOf(a) > roundOf(b); });
   Vec3 low = places.front();
   Vec3 high = low;
   for (const Vec3& p : places) {
@@ -74,7 +85,7 @@ bool PointInsertion::insert(std::size_t position) {
   const TetId tet = locate(node);
   if (tet.isNone()) return false;
   ConeRules rules;
-  rules.largestCavity = kLargestCavity;
+  rules.largestCavity = std::numeric_limits<std::size_t>::max();
   rules.delaunay = true;
   bool done = cone_.make(node, std::span(&tet, 1), rules);
   if (!done) {

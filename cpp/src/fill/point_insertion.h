@@ -1,7 +1,10 @@
 #pragma once
 
-/// @file A tetrahedral mesh of given points, nearly Delaunay, within a large tetrahedron around them.
-/// That it is nearly Delaunay only makes it likely that edges of the boundary are there already.
+/// @file A tetrahedral mesh of given points, Delaunay but for ties, within a large tetrahedron around
+/// them. That it is Delaunay only makes it likely that edges of the boundary are there already. The
+/// points come in rounds, each a random half of those left for later ones, along a Morton curve (Amenta,
+/// Choi & Rote 2003): in the curve's order alone each next point of a ring of needles would undo what
+/// hundreds before it have made.
 
 #include <span>
 #include <vector>
