@@ -201,27 +201,26 @@ double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& c
   return sum;
 }
 
+/// False for a node that is fixed or gone, or that has too many elements.
 template <class Space>
-bool NodeCollapser<Space>::collapse(NodeId node, const ElementCost<Space>& cost, double maxLength,
-                                    double minGain) {
-  if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
-    return false;
-  }
-  double old = 0.0;
-  for (std::size_t i = 0; i < star_.size; ++i) {
-    old = cost.combined(old, complex_.cost(star_.elements[i]));
-  }
+bool NodeCollapser<Space>::findStarOf(NodeId node) {
+  return !complex_.isFixed(node) && complex_.isUsed(node) && complex_.findStar(node, star_);
+}
+
+/// Onto the neighbour where the combined cost of the star's elements is least, and below the bound.
+template <class Space>
+bool NodeCollapser<Space>::collapseBelow(double bound, NodeId node, const ElementCost<Space>& cost,
+                                         double maxLength) {
   findNeighbours(node);
   const auto limit = [&](NodeId target) {
     return typename Space::Limit(maxLength, complex_.wanted<Space>(node),
                                  complex_.wanted<Space>(target));
   };
-  double best = old * (1.0 - minGain);
   NodeId target;
   for (const NodeId other : neighbours_) {
-    const double sum = costOnto(other, cost, limit(other), best);
-    if (sum >= best) continue;
-    best = sum;
+    const double sum = costOnto(other, cost, limit(other), bound);
+    if (sum >= bound) continue;
+    bound = sum;
     target = other;
   }
   if (target.isNone()) return false;
@@ -230,6 +229,22 @@ bool NodeCollapser<Space>::collapse(NodeId node, const ElementCost<Space>& cost,
                    std::span(fresh_).first(freshCount_));
   complex_.forget(node);
   return true;
+}
+
+template <class Space>
+bool NodeCollapser<Space>::collapse(NodeId node, const ElementCost<Space>& cost, double maxLength,
+                                    double minGain) {
+  if (!findStarOf(node)) return false;
+  double old = 0.0;
+  for (std::size_t i = 0; i < star_.size; ++i) {
+    old = cost.combined(old, complex_.cost(star_.elements[i]));
+  }
+  return collapseBelow(old * (1.0 - minGain), node, cost, maxLength);
+}
+
+template <class Space>
+bool NodeCollapser<Space>::force(NodeId node, const ElementCost<Space>& cost, double maxLength) {
+  return findStarOf(node) && collapseBelow(kInvalidCost, node, cost, maxLength);
 }
 
 template class EdgeSplitter<PlainSpace>;

@@ -77,13 +77,17 @@ class NodeCollapser {
   /// Collapses a free node onto its best neighbour if the combined cost of its elements falls by
   /// `minGain` (relative) and no new edge is longer than `maxLength` wanted sizes.
   bool collapse(NodeId node, const ElementCost<Space>& cost, double maxLength, double minGain);
+  /// The same at whatever cost, onto the neighbour where that is least.
+  bool force(NodeId node, const ElementCost<Space>& cost, double maxLength);
 
  private:
   struct Crowded {
     double length;
     NodeId node;
   };
+  [[nodiscard]] bool findStarOf(NodeId node);
   void findNeighbours(NodeId node);
+  bool collapseBelow(double bound, NodeId node, const ElementCost<Space>& cost, double maxLength);
   double costOnto(NodeId target, const ElementCost<Space>& cost, const typename Space::Limit& limit,
                   double bound);
 

@@ -8,7 +8,8 @@
 ///                  the volume: the mean ratio to the power -3, 1 for the regular tetrahedron.
 ///                  Summed over elements; a convex barrier in each free node. The -1 makes a
 ///                  regular element free: without it, deleting elements would pay.
-///   within         that of bulk where no angle misses its target, and invalid elsewhere.
+///   within         that of bulk; invalid where an angle misses its target, and with a price for
+///                  each angle below 30 or above 135 degrees that no better shapes can pay.
 ///   dihedral       the largest of k1 (1 + c)/(1 - c) over the dihedral cosines c and
 ///                  k2 (1 - c)/(1 + c), k the squared tangent of half the angle aimed at: at most
 ///                  1 iff no angle is below, and none above, its target. The worst counts.
@@ -39,6 +40,11 @@ inline constexpr double kMaxShape = 1e20;
 struct DihedralTargets {
   double least;
   double greatest;
+
+  /// Those that an element just meets whose cost by these is `cost`.
+  [[nodiscard]] DihedralTargets loweredBy(double cost) const {
+    return {least / cost, greatest / cost};
+  }
 };
 inline constexpr DihedralTargets kTargets2And175{0.0003046792916482916, 0.0019062779356603494};
 inline constexpr DihedralTargets kTargets8And165{0.00488975902858307, 0.017332380120999264};
@@ -79,6 +85,7 @@ class ElementCost {
       : measure_(measure), targets_(targets) {}
 
   [[nodiscard]] Measure measure() const { return measure_; }
+  [[nodiscard]] const DihedralTargets& targets() const { return targets_; }
 
   [[nodiscard]] double operator()(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                                   const Frame& frame = {}) const {
@@ -98,10 +105,15 @@ class ElementCost {
         return std::sqrt(shape) - 1.0;
       case Measure::kFinish:
         return shape - 1.0;
-      case Measure::kWithin:
-        return dihedral(edges) <= 1.0 ? std::sqrt(shape) - 1.0 : kInvalidCost;
+      case Measure::kWithin: {
+        constexpr double kPrice = 1e4;
+        const ExtremeCosines extremes = extremeCosines(edges);
+        if (dihedral(extremes, targets_) > 1.0) return kInvalidCost;
+        const double missed = dihedral(extremes, kTargets30And135);
+        return std::sqrt(shape) - 1.0 + (missed > 1.0 ? kPrice * missed : 0.0);
+      }
       case Measure::kDihedral:
-        return dihedral(edges);
+        return dihedral(extremeCosines(edges), targets_);
     }
     return kInvalidCost;
   }
@@ -112,7 +124,11 @@ class ElementCost {
   }
 
  private:
-  [[nodiscard]] double dihedral(const Edges& edges) const {
+  struct ExtremeCosines {
+    double greatest = -1.0;
+    double least = 1.0;
+  };
+  [[nodiscard]] static ExtremeCosines extremeCosines(const Edges& edges) {
     const auto& [u, v, w] = edges;
     const Vec3 vw = glm::cross(v, w);
     const Vec3 wu = glm::cross(w, u);
@@ -122,18 +138,22 @@ class ElementCost {
     for (std::size_t i = 0; i < 4; ++i) {
       inverse[i] = 1.0 / std::sqrt(glm::dot(normals[i], normals[i]));
     }
-    double greatest = -1.0;
-    double least = 1.0;
+    ExtremeCosines extremes;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
         const double cosine = -glm::dot(normals[i], normals[j]) * inverse[i] * inverse[j];
-        greatest = std::max(greatest, cosine);
-        least = std::min(least, cosine);
+        extremes.greatest = std::max(extremes.greatest, cosine);
+        extremes.least = std::min(extremes.least, cosine);
       }
     }
+    return extremes;
+  }
+  [[nodiscard]] static double dihedral(const ExtremeCosines& extremes,
+                                       const DihedralTargets& targets) {
+    const auto& [greatest, least] = extremes;
     if (greatest >= 1.0 || least <= -1.0) return kInvalidCost;
-    return std::max(targets_.least * (1.0 + greatest) / (1.0 - greatest),
-                    targets_.greatest * (1.0 - least) / (1.0 + least));
+    return std::max(targets.least * (1.0 + greatest) / (1.0 - greatest),
+                    targets.greatest * (1.0 - least) / (1.0 + least));
   }
 
   Measure measure_;

@@ -23,6 +23,11 @@ class Judgement {
     const TetrahedronMeasures measures = measureTetrahedron(Vec3(0.0), seen(1), seen(2), seen(3));
     largestCosine_ = std::max(largestCosine_, measures.largestCosine);
     smallestCosine_ = std::min(smallestCosine_, measures.smallestCosine);
+    if (kTargets30And135.least * (1.0 + measures.largestCosine) > 1.0 - measures.largestCosine ||
+        kTargets30And135.greatest * (1.0 - measures.smallestCosine) >
+            1.0 + measures.smallestCosine) {
+      ++missedCount_;
+    }
     radiusRatios_ += measures.radiusRatio;
     ++count_;
   }
@@ -32,10 +37,12 @@ class Judgement {
     return {std::min(targets.least, least()), std::min(targets.greatest, greatest())};
   }
 
-  /// Whether this misses no target by more than the other does, and is no worse in the mean.
+  /// Whether this misses no target by more than the other does, has no more elements that miss 30
+  /// and 135 degrees, and is no worse in the mean.
   [[nodiscard]] bool isNoWorseThan(const Judgement& other) const {
     return missing(kTargets30And135) <= other.missing(kTargets30And135) &&
            missing(kTargets35And130) <= other.missing(kTargets35And130) &&
+           missedCount_ <= other.missedCount_ &&
            radiusRatios_ * other.count_ >= other.radiusRatios_ * count_;
   }
 
@@ -52,6 +59,7 @@ class Judgement {
   double largestCosine_ = -1.0;
   double smallestCosine_ = 1.0;
   double radiusRatios_ = 0.0;
+  double missedCount_ = 0.0;
   double count_ = 0.0;
 };
 

@@ -34,6 +34,20 @@ Vec3 gradientOf(const Hollow<Space>& hollow, std::size_t i, const Vec3& apex,
   return gradient;
 }
 
+/// Of the eighth powers of the costs of all elements; kInvalidCost as soon as `bound` is reached.
+template <class Space>
+double sumOfPowers(const Hollow<Space>& hollow, const ElementCost<Space>& cost, const Vec3& apex,
+                   double bound) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < hollow.size(); ++i) {
+    const double one = hollow.costOf(i, apex, cost);
+    const double fourth = one * one * one * one;
+    sum += fourth * fourth;
+    if (!(sum < bound)) return kInvalidCost;
+  }
+  return sum;
+}
+
 constexpr std::size_t kMaxGradients = 24;
 
 /// The shortest vector in the convex hull of the gradients (Frank & Wolfe 1956): against it, all of
@@ -202,6 +216,48 @@ bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps
 }
 
 template <class Space>
+bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex) {
+  constexpr double kFirstStep = 0.2;
+  constexpr int kTries = 9;
+  const auto& frame = hollow.frame(0);
+  const auto back = Space::backFrom(frame);
+  const double radius = hollow.meanRadius(apex, frame);
+  double reach = kFirstStep * radius;
+  double here = sumOfPowers(hollow, cost, apex, kInvalidCost);
+  bool fell = false;
+  for (int step = 0; step < steps && here < kInvalidCost; ++step) {
+    Vec3 up(0.0);
+    for (std::size_t i = 0; i < hollow.size(); ++i) {
+      const double one = hollow.costOf(i, apex, cost);
+      const double third = one * one * one;
+      up += gradientOf(hollow, i, apex, cost, radius, back) * (third * third * one);
+    }
+    const double slope = lengthOf(up);
+    if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
+    const Vec3 down = up * (-1.0 / slope);
+    const double before = here;
+    Vec3 best = apex;
+    double length = reach;
+    for (int i = 0; i < kTries; ++i, length *= 0.5) {
+      const Vec3 place = apex + Space::toSpace(back, down * length);
+      const double there = sumOfPowers(hollow, cost, place, here);
+      if (there < here) {
+        here = there;
+        best = place;
+      } else if (here < before) {
+        break;
+      }
+    }
+    if (!(here < before)) return fell;
+    reach = std::min(kFirstStep * radius,
+                     2.0 * lengthOf(Space::toUnit(frame, best - apex)) + 4.0 * length);
+    apex = best;
+    fell = true;
+  }
+  return fell;
+}
+
+template <class Space>
 bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Space>& cost) {
   if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
     return false;
@@ -222,6 +278,13 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
     double worst = old;
     if (!lowerWorst(hollow_, cost, kSteps, place, worst)) return false;
     if (hollow_.costAt(place, cost, kInvalidCost) >= old * (1.0 - kWorthwhile)) return false;
+    takePlace(node, place);
+    return true;
+  }
+  if (kind == MoveKind::kLowerPowers) {
+    constexpr int kSteps = 3;
+    if (!lowerPowers(hollow_, cost, kSteps, place)) return false;
+    if (hollow_.costAt(place, cost, kInvalidCost) >= kInvalidCost) return false;
     takePlace(node, place);
     return true;
   }
@@ -284,6 +347,8 @@ template bool newtonStep(const Hollow<StretchedSpace>&, const Vec3&, bool, Vec3&
 template bool lowerWorst(Hollow<PlainSpace>&, const ElementCost<PlainSpace>&, int, Vec3&, double&);
 template bool lowerWorst(Hollow<StretchedSpace>&, const ElementCost<StretchedSpace>&, int, Vec3&,
                          double&);
+template bool lowerPowers(Hollow<PlainSpace>&, const ElementCost<PlainSpace>&, int, Vec3&);
+template bool lowerPowers(Hollow<StretchedSpace>&, const ElementCost<StretchedSpace>&, int, Vec3&);
 template class NodeMover<PlainSpace>;
 template class NodeMover<StretchedSpace>;
 

@@ -61,7 +61,13 @@ template <class Space>
 bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst);
 
-enum class MoveKind : std::uint8_t { kCircumcentres, kNewton, kLowerWorst };
+/// The same against the gradient of the sum of the costs' eighth powers. It is smooth where the
+/// worst is not, and sees what comes after the worst: where nodes stop each other from lowering the
+/// worst one by one, it leads on.
+template <class Space>
+bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex);
+
+enum class MoveKind : std::uint8_t { kCircumcentres, kNewton, kLowerWorst, kLowerPowers };
 
 template <class Space = PlainSpace>
 class NodeMover {

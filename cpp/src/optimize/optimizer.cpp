@@ -15,6 +15,7 @@
 #include "optimize/near_sheets.h"
 #include "optimize/node_moves.h"
 #include "optimize/repair.h"
+#include "optimize/rescue.h"
 #include "optimize/tet_complex.h"
 
 namespace tetrafront {
@@ -70,6 +71,14 @@ constexpr std::array kLowTargets{kTargets18And150, kTargets8And165, kTargets2And
 /// Compound changes in one repair: so many, and one for so many elements.
 constexpr std::size_t kLeastCompounds = 300;
 constexpr std::size_t kElementsPerCompound = 50;
+/// Rescues are for the last few; so many changes in all are tried, and one for so many elements.
+constexpr std::size_t kMaxRescued = 40;
+constexpr std::size_t kLeastRescueTries = 80;
+constexpr std::size_t kElementsPerRescueTry = 200;
+constexpr std::uint32_t kRescueWork = 1000;  ///< elements of a sweep that one of these costs
+/// Easing goes once over what repairs have changed; as often as polishing where that is more than this
+/// part of all, as in gaps of an edge.
+constexpr double kMuchChanged = 0.02;
 constexpr std::uint32_t kRepairWork = 64;  ///< elements of a sweep that one repair costs
 
 enum class Stage : std::uint8_t {
@@ -79,6 +88,9 @@ enum class Stage : std::uint8_t {
   kFinish,
   kRepairLow,
   kRepairHigh,
+  kRescue,  ///< of what the repair has left
+  kJudgeRepaired,
+  kEase,          ///< shapes, where repairs and rescues have seen to angles only
   kJudgeDefault,  ///< what striving begins with
   kRepairStrive,
   kJudgeStrive,
@@ -116,7 +128,8 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
         mover_(complex_),
         splitter_(complex_),
         collapser_(complex_),
-        repair_(complex_, removal_, splitter_, collapser_, mover_) {}
+        repair_(complex_, removal_, splitter_, collapser_, mover_),
+        rescue_(complex_, removal_, splitter_, collapser_, mover_, repair_) {}
 
   bool advance(std::uint32_t budget) override {
     while (budget > 0 && stage_ != Stage::kDone) {
@@ -194,6 +207,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   }
 
   std::size_t sweepSome(std::uint32_t budget) {
+    if (stage_ == Stage::kRescue && sweeps_[sweep_] == Sweep::kRepair) return rescueSome();
     const std::uint32_t each = sweeps_[sweep_] == Sweep::kRepair ? kRepairWork : 1;
     const std::size_t count = std::min<std::size_t>(sweepEnd_ - next_, std::max(1U, budget / each));
     work(next_, next_ + count);
@@ -202,13 +216,15 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     return count * each;
   }
 
-  void begin(Stage stage, std::span<const Sweep> sweeps, const ElementCost<Space>& cost) {
+  /// The first sweep of each kind visits what has changed since that pass.
+  void begin(Stage stage, std::span<const Sweep> sweeps, const ElementCost<Space>& cost,
+             std::uint32_t since = 0) {
     stage_ = stage;
     repeats_ = 0;
     sweeps_ = sweeps;
     cost_ = cost;
     costAnew();
-    lastRun_.fill(0);
+    lastRun_.fill(since);
     // Where nothing is stretched only lengths are concerned, which matter in rounds alone.
     if (Space::kIsStretched && stage_ != Stage::kFirst) askAnew();
     beginSweeps();
@@ -346,13 +362,16 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     }
   }
 
-  /// Worst first; none where the last pass has hardly helped.
+  /// Worst first; none where the last pass has hardly helped. Rescues begin with the best: it is
+  /// the likeliest to be saved, and tries are few.
   void rankBad() {
     const auto count = static_cast<double>(bad_.size());
-    const bool helped = repeats_ == 0 || count <= kMaxLeft * static_cast<double>(badBefore_);
+    const bool helped = repeats_ == 0 || bad_.size() <= kMaxRescued ||
+                        count <= kMaxLeft * static_cast<double>(badBefore_);
     badBefore_ = bad_.size();
     if (!helped && count > kFewBad * static_cast<double>(complex_.elementCount())) bad_.clear();
     stableSort(bad_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
+    if (stage_ == Stage::kRescue) std::reverse(bad_.begin(), bad_.end());
   }
 
   void repair(std::size_t first, std::size_t last) {
@@ -362,6 +381,24 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       if (complex_.changedIn(tet) == complex_.pass()) continue;  // made in this pass: in the next
       changesInSweep_ += repair_.repair(tet, cost_) ? 1 : 0;
     }
+  }
+
+  /// One try for the element whose turn it is, or the next one's turn.
+  std::size_t rescueSome() {
+    if (isRescuing_ && rescue_.tryOne(cost_)) return kRescueWork;
+    if (isRescuing_) {
+      changesInSweep_ += rescue_.isSaved() ? 1 : 0;
+      isRescuing_ = false;
+      ++next_;
+    }
+    while (next_ < sweepEnd_ && !isToBeMended(bad_[next_])) ++next_;
+    if (next_ < sweepEnd_) {
+      rescue_.begin(bad_[next_]);
+      isRescuing_ = true;
+    } else {
+      endSweep();
+    }
+    return 1;
   }
 
   void endSweep() {
@@ -411,6 +448,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
         if (repeats_ < kMaxRounds && isRoundWorthwhile(changes)) return beginRound();
         return begin(Stage::kFinish, kFinishSweeps, ElementCost<Space>(Measure::kFinish));
       case Stage::kFinish:
+        repairsBegan_ = complex_.pass() + 1;
         return beginRepair(Stage::kRepairLow);
       case Stage::kRepairLow:
       case Stage::kRepairHigh:
@@ -422,13 +460,20 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
           return beginSweeps();
         }
         return endRepair();
+      case Stage::kRescue:
+        if (changes > 0 && repeats_ < kRepairPasses) return beginSweeps();
+        return endRepair();
+      case Stage::kJudgeRepaired:
+        return beginEase();
+      case Stage::kEase:
+        if (repeats_ < easePasses_) return beginSweeps();
+        return endDefault();
       case Stage::kJudgeDefault:
         judgedDefault_ = judgement_;
         defaultMesh_ = complex_.toMesh();
         return beginRepair(Stage::kRepairStrive);
       case Stage::kJudgeStrive:
-        return begin(Stage::kPolish, kPolishSweeps,
-                     ElementCost<Space>(Measure::kWithin, judgement_.within(kTargets35And130)));
+        return begin(Stage::kPolish, kPolishSweeps, costWithinAngles());
       case Stage::kPolish:
         if (repeats_ < kPolishPasses) return beginSweeps();
         return beginJudging(Stage::kJudgePolished);
@@ -475,16 +520,55 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (stage_ == Stage::kRepairLow && ++lowTarget_ < kLowTargets.size()) {
       return beginRepair(Stage::kRepairLow);
     }
-    endDefault();
+    endRepairs();
   }
 
-  /// After the last repair of the default; striving goes on from there, and may come back to it.
-  void endDefault() {
-    if (level_ != Optimization::kStrive) {
-      stage_ = Stage::kDone;
-    } else {
-      beginJudging(stage_ == Stage::kRepairStrive ? Stage::kJudgeStrive : Stage::kJudgeDefault);
+  /// The stage that follows when a repair has done what it can.
+  void endRepair() {
+    if (stage_ == Stage::kRepairLow && lowTarget_ == 0) return beginRepair(Stage::kRepairHigh);
+    if (stage_ == Stage::kRepairHigh && isRescueWorthwhile()) {
+      rescue_.allow(kLeastRescueTries + complex_.elementCount() / kElementsPerRescueTry);
+      return begin(Stage::kRescue, kRepairSweeps, cost_);
     }
+    endRepairs();
+  }
+
+  [[nodiscard]] bool isRescueWorthwhile() const {
+    const auto left = std::ranges::count_if(bad_, [&](TetId tet) { return isToBeMended(tet); });
+    return left > 0 && left <= static_cast<std::ptrdiff_t>(kMaxRescued);
+  }
+
+  void endRepairs() {
+    beginJudging(stage_ == Stage::kRepairStrive ? Stage::kJudgeStrive : Stage::kJudgeRepaired);
+  }
+
+  /// What the repairs have changed may gain by other shapes with angles no worse.
+  void beginEase() {
+    const bool many = static_cast<double>(changedSince(repairsBegan_)) >
+                      kMuchChanged * static_cast<double>(complex_.elementCount());
+    easePasses_ = many ? kPolishPasses : 1;
+    begin(Stage::kEase, kPolishSweeps, costWithinAngles(), repairsBegan_);
+  }
+
+  /// By shapes, and no angle worse than the worst at the last judgement.
+  [[nodiscard]] ElementCost<Space> costWithinAngles() const {
+    constexpr double kRounding = 1.0 + 1e-9;
+    return ElementCost<Space>(Measure::kWithin,
+                              judgement_.within(kTargets35And130).loweredBy(kRounding));
+  }
+
+  [[nodiscard]] std::size_t changedSince(std::uint32_t pass) const {
+    std::size_t count = 0;
+    for (std::size_t t = 0; t < complex_.slotCount(); ++t) {
+      if (complex_.isLive(TetId(t)) && complex_.changedIn(TetId(t)) >= pass) ++count;
+    }
+    return count;
+  }
+
+  /// Striving goes on from the default, and may come back to it.
+  void endDefault() {
+    if (level_ == Optimization::kStrive) return beginJudging(Stage::kJudgeDefault);
+    stage_ = Stage::kDone;
   }
 
   void beginJudging(Stage stage) {
@@ -492,11 +576,6 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     repeats_ = 0;
     sweeps_ = kJudgeSweeps;
     beginSweeps();
-  }
-
-  void endRepair() {
-    if (stage_ == Stage::kRepairLow && lowTarget_ == 0) return beginRepair(Stage::kRepairHigh);
-    endDefault();
   }
 
   /// Above the low targets, elements between two sheets of the boundary without room for a node are
@@ -527,6 +606,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   EdgeSplitter<Space> splitter_;
   NodeCollapser<Space> collapser_;
   ElementRepair<Space> repair_;
+  ElementRescue<Space> rescue_;
   ElementCost<Space> cost_{Measure::kBulk};
   Stage stage_ = Stage::kBuild;
   std::span<const Sweep> sweeps_;
@@ -546,7 +626,10 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   Judgement judgement_;  ///< as far as judged
   Judgement judgedDefault_;
   std::optional<VolumeMesh> defaultMesh_;  ///< what striving began with, unless it is no worse
-  std::size_t badBefore_ = 0;              ///< when the last pass of a repair began
+  std::uint32_t repairsBegan_ = 0;         ///< the pass
+  int easePasses_ = 1;
+  bool isRescuing_ = false;
+  std::size_t badBefore_ = 0;  ///< when the last pass of a repair began
 };
 
 MeshOptimizer::MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,

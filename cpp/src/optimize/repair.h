@@ -41,6 +41,10 @@ class ElementRepair {
 
   void aimAt(RepairAim aim) { aim_ = aim; }
 
+  /// Moves the nodes, then mends the few worst elements that the trial under way has touched, a few
+  /// times; each step lowers the worst of what it touches.
+  void settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost);
+
   /// How many compound changes may yet be tried. They save the last few elements, but take long;
   /// without a limit, elements that nothing can save would take all the time.
   void allowCompounds(std::size_t count) { compounds_ = count; }
@@ -66,7 +70,6 @@ class ElementRepair {
   bool compound(TetId tet, const ElementCost<Space>& cost);
   bool detour(TetId tet, const ElementCost<Space>& cost);
   bool tryCompound(TetId tet, NodeId a, NodeId b, bool split, const ElementCost<Space>& cost);
-  void settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost);
   bool settleOne(const ElementCost<Space>& cost);
 
   TetComplex& complex_;

@@ -1,0 +1,157 @@
+#include "optimize/rescue.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "base/sort.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr std::size_t kRescueRing = 9;
+constexpr double kRescueGain = 1e-2;
+
+template <class Id>
+void sortOnce(std::vector<Id>& ids) {
+  stableSort(ids);
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+}
+
+}  // namespace
+
+template <class Space>
+bool ElementRescue<Space>::isSaved() const {
+  return !complex_.isLive(tet_) || complex_.cost(tet_) <= 1.0 ||
+         complex_.element(tet_).nodes != nodes_;
+}
+
+template <class Space>
+void ElementRescue<Space>::begin(TetId tet) {
+  tet_ = tet;
+  nodes_ = complex_.element(tet).nodes;
+  next_ = 0;
+  gather();
+}
+
+template <class Space>
+void ElementRescue<Space>::gather() {
+  near_.clear();
+  freeNodes_.clear();
+  edges_.clear();
+  Vec3 centroid(0.0);
+  for (const NodeId node : nodes_) {
+    centroid += complex_.place(node) * 0.25;
+    if (!complex_.findStar(node, star_)) continue;
+    near_.insert(near_.end(), star_.elements.begin(),
+                 star_.elements.begin() + static_cast<std::ptrdiff_t>(star_.size));
+  }
+  sortOnce(near_);
+  for (const TetId tet : near_) {
+    const Corners& corners = complex_.element(tet).nodes;
+    for (const NodeId node : corners) {
+      if (!complex_.isFixed(node)) freeNodes_.push_back(node);
+    }
+    for (const auto& at : kEdgeCorners) {
+      const auto [a, b] = std::minmax(corners[at[0]], corners[at[1]]);
+      const Vec3 away = (complex_.place(a) + complex_.place(b)) * 0.5 - centroid;
+      edges_.push_back({glm::dot(away, away), a, b});
+    }
+  }
+  sortOnce(freeNodes_);
+  stableSort(edges_, [](const NearEdge& p, const NearEdge& q) {
+    return std::tie(p.distance, p.a, p.b) < std::tie(q.distance, q.a, q.b);
+  });
+  const auto isSame = [](const NearEdge& p, const NearEdge& q) { return p.a == q.a && p.b == q.b; };
+  edges_.erase(std::unique(edges_.begin(), edges_.end(), isSame), edges_.end());
+}
+
+/// One of the elements gathered that still has the edge, or none.
+template <class Space>
+TetId ElementRescue<Space>::elementAt(const NearEdge& edge) const {
+  const auto found = std::ranges::find_if(near_, [&](TetId tet) {
+    return complex_.isLive(tet) &&
+           edgeBetween(complex_.element(tet), edge.a, edge.b) < kEdgeCorners.size();
+  });
+  return found == near_.end() ? TetId() : *found;
+}
+
+template <class Space>
+void ElementRescue<Space>::moveAll(const std::vector<NodeId>& nodes,
+                                   const ElementCost<Space>& cost) {
+  constexpr int kSweeps = 4;
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (const NodeId node : nodes) mover_.improve(node, MoveKind::kLowerPowers, cost);
+  }
+}
+
+/// All nodes of what the trial has touched, and then the worst of it.
+template <class Space>
+void ElementRescue<Space>::settle(const ElementCost<Space>& cost) {
+  std::vector<NodeId> nodes;
+  for (const TetId tet : complex_.touchedByTrial()) {
+    for (const NodeId node : complex_.element(tet).nodes) {
+      if (!complex_.isFixed(node)) nodes.push_back(node);
+    }
+  }
+  sortOnce(nodes);
+  moveAll(nodes, cost);
+  repair_.settle(nodes, cost);
+}
+
+/// Makes a change for a trial, and lets what it touched settle.
+template <class Space>
+template <class Change>
+bool ElementRescue<Space>::attempt(const ElementCost<Space>& cost, Change change) {
+  complex_.beginTrial();
+  if (change()) {
+    settle(cost);
+    const auto counts = complex_.sumsOfTrial([](double one) { return one > 1.0 ? 1.0 : 0.0; });
+    const auto powers =
+        complex_.sumsOfTrial([](double one) { return one > 1.0 ? one * one * one * one : 0.0; });
+    if (counts.now <= counts.before && powers.now < powers.before * (1.0 - kRescueGain)) {
+      complex_.keepTrial();
+      return true;
+    }
+  }
+  complex_.takeBack();
+  return false;
+}
+
+template <class Space>
+bool ElementRescue<Space>::changeEdge(const NearEdge& edge, bool split,
+                                      const ElementCost<Space>& cost) {
+  const TetId tet = elementAt(edge);
+  if (tet.isNone()) return false;
+  EdgeRing ring;
+  const std::size_t at = edgeBetween(complex_.element(tet), edge.a, edge.b);
+  if (!findRing(complex_, tet, at, kRescueRing, ring) || !ring.closed) return false;
+  --tries_;
+  return attempt(cost, [&] {
+    return split ? !splitter_.force(ring, cost).isNone() : removal_.force(ring, cost);
+  });
+}
+
+template <class Space>
+bool ElementRescue<Space>::tryOne(const ElementCost<Space>& cost) {
+  constexpr double kMaxLength = 2.0;  // wanted sizes
+  const std::size_t collapses = 1 + 2 * edges_.size();
+  if (tries_ == 0 || isSaved() || next_ == collapses + freeNodes_.size()) return false;
+  const std::size_t at = next_++;
+  if (at == 0) {
+    attempt(cost, [&] {
+      moveAll(freeNodes_, cost);
+      return true;
+    });
+  } else if (at < collapses) {
+    changeEdge(edges_[(at - 1) / 2], (at - 1) % 2 == 1, cost);
+  } else {
+    --tries_;
+    attempt(cost, [&] { return collapser_.force(freeNodes_[at - collapses], cost, kMaxLength); });
+  }
+  return true;
+}
+
+template class ElementRescue<PlainSpace>;
+template class ElementRescue<StretchedSpace>;
+
+}  // namespace tetrafront
