@@ -54,7 +54,11 @@ function takeOpened(app: App, result: OpenResult): void {
 }
 
 export async function openFromDialog(app: App): Promise<void> {
-  takeOpened(app, await openProjectFile());
+  try {
+    takeOpened(app, await openProjectFile());
+  } catch (error) {
+    tell(app, strings.messages.noOpenDialog, [String(error)]);
+  }
 }
 
 export async function openDropped(app: App, file: File): Promise<void> {

@@ -12,7 +12,14 @@ const projectFile = {
   mimeTypes: ["application/json"],
 };
 
-const isAbort = (error: unknown): boolean => error instanceof DOMException && error.name === "AbortError";
+const isNamed = (error: unknown, name: string): boolean =>
+  error instanceof DOMException && error.name === name;
+const isAbort = (error: unknown): boolean => isNamed(error, "AbortError");
+
+/** Browsers open a dialog only right after a click or a key: its code must be there by then. */
+export const loadFileDialogs = () => import("browser-fs-access");
+
+let openDialogs = 0;
 
 /** Reads a project file, from the dialog or dropped on the page. */
 export async function readProjectFile(file: File): Promise<OpenResult> {
@@ -49,13 +56,18 @@ async function meshFileReasons(fileName: string): Promise<readonly string[] | un
   return [what, command];
 }
 
+/** Asks the user for a file. Asked again while the dialog is open, browsers refuse: that changes nothing. */
 export async function openProjectFile(): Promise<OpenResult> {
+  openDialogs += 1;
   try {
-    const { fileOpen } = await import("browser-fs-access");
+    const { fileOpen } = await loadFileDialogs();
     return await readProjectFile(await fileOpen(projectFile));
   } catch (error) {
-    if (isAbort(error)) return { kind: "cancelled" };
+    if (isAbort(error) || (openDialogs > 1 && isNamed(error, "NotAllowedError")))
+      return { kind: "cancelled" };
     throw error;
+  } finally {
+    openDialogs -= 1;
   }
 }
 
@@ -76,7 +88,7 @@ export async function saveProjectFile(
 ): Promise<{ readonly handle: FileSystemFileHandle | null } | null> {
   const blob = new Blob([writeProject(project)], { type: "application/json" });
   try {
-    const { fileSave } = await import("browser-fs-access");
+    const { fileSave } = await loadFileDialogs();
     const saved = await fileSave(
       blob,
       { ...projectFile, fileName: `${fileStem(project.name)}.json` },

@@ -1,4 +1,5 @@
 import { lazy, type ComponentType } from "react";
+import { loadFileDialogs } from "../document/files";
 
 const load = () => import("./later-panels");
 
@@ -9,7 +10,7 @@ const aheadMs = 1500;
 export function fetchAhead(): () => void {
   const timer = setTimeout(() => {
     // What fails now is asked for again when it is wanted, and told then.
-    load().catch(() => undefined);
+    for (const later of [load, loadFileDialogs]) later().catch(() => undefined);
   }, aheadMs);
   return () => clearTimeout(timer);
 }

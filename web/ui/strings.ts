@@ -414,6 +414,7 @@ export const strings = {
   },
   messages: {
     openFailed: (file: string) => `${file} could not be opened`,
+    noOpenDialog: "The browser did not open its dialog; try again, or drop the file here",
     saveFailed: "The project could not be saved",
     galleryFailed: "The examples could not be loaded",
     engineFailed: "The mesher failed",

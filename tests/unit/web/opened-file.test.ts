@@ -1,6 +1,11 @@
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 
-import { readProjectFile } from "../../../web/document/files.js";
+import { openProjectFile, readProjectFile } from "../../../web/document/files.js";
+
+const fileOpen = vi.hoisted(() => vi.fn<() => Promise<File>>());
+vi.mock("browser-fs-access", () => ({ fileOpen }));
+
+const refused = () => Promise.reject(new DOMException("no click or key before", "NotAllowedError"));
 
 test("a file that cannot be read, such as a folder, is told and does not end in silence", async () => {
   const folder = Object.assign(new File([], "parts.json"), {
@@ -11,4 +16,16 @@ test("a file that cannot be read, such as a folder, is told and does not end in 
     fileName: "parts.json",
     reasons: ["Error: it is a folder"],
   });
+});
+
+test("asking again while the dialog is open changes nothing; a dialog refused otherwise is an error", async () => {
+  let choose: (file: File) => void = () => undefined;
+  fileOpen.mockReturnValueOnce(new Promise((resolve) => (choose = resolve)));
+  const first = openProjectFile();
+  await vi.waitFor(() => expect(fileOpen).toHaveBeenCalledOnce());
+  fileOpen.mockImplementation(refused);
+  expect(await openProjectFile()).toEqual({ kind: "cancelled" });
+  choose(new File(["no project"], "parts.json"));
+  expect(await first).toMatchObject({ kind: "failed", fileName: "parts.json" });
+  await expect(openProjectFile()).rejects.toThrow("no click or key before");
 });
