@@ -224,8 +224,12 @@ describe("hostile files are refused at once:", () => {
       { length: 20_000 },
       (_, i) => `<DataArray type="UInt8" Name="${i}" format="appended" offset="0"/>`,
     ).join("");
-    const file = `<VTKFile type="UnstructuredGrid"><Piece NumberOfPoints="0" NumberOfCells="0"><PointData>${tags}</PointData>
-</Piece><AppendedData encoding="base64">_${"AAAA".repeat(100_000)}`;
+    const none = ["connectivity", "offsets", "types"].map(
+      (name) => `<DataArray Name="${name}" format="ascii"/>`,
+    );
+    const file = `<VTKFile type="UnstructuredGrid"><Piece NumberOfPoints="1" NumberOfCells="0">
+<Points><DataArray format="ascii">0 0 0</DataArray></Points><Cells>${none.join("")}</Cells>
+<PointData>${tags}</PointData></Piece><AppendedData encoding="base64">_AQAAAAU=${"AAAA".repeat(100_000)}`;
     expect(await problemOf("a.vtu", encoded(file))).toMatch(/unpack to far more/);
   });
 

@@ -143,7 +143,12 @@ ${array("Int64", "offsets", [4, 7, 11])}${array("UInt8", "types", [10, 5, 10])}<
     expect([...two.value.points]).toEqual(repeated(one.value.points));
     expect([...two.value.tetrahedra]).toEqual(repeated(one.value.tetrahedra, count));
     expect([...two.value.triangles]).toEqual(repeated(one.value.triangles, count));
-    expect([...two.value.nodeData.keys()]).toEqual(["size"]);
+    expect([...two.value.nodeData.keys()]).toEqual(["size", "direction", "other"]);
+    const direction = two.value.nodeData.get("direction")?.values ?? new Float64Array();
+    expect([...direction.subarray(0, 3 * count)]).toEqual([
+      ...(one.value.nodeData.get("direction")?.values ?? []),
+    ]);
+    expect(direction.subarray(3 * count).every(Number.isNaN)).toBe(true);
     expect([...(two.value.nodeData.get("size")?.values ?? [])]).toEqual(repeated(size));
     const welded = await readSurface(encoded(twice), options);
     expect(welded.success && [welded.value.points.length, welded.value.triangles.length]).toEqual([9, 6]);

@@ -8,7 +8,7 @@
  */
 import { failureAt, ReadFailure, type FilePlace } from "../read-result.js";
 import { piecesOf, type ByteSource } from "./byte-source.js";
-import { decimalIn } from "./decimal.js";
+import { decimalIn, otherNumber } from "./decimal.js";
 
 const LINE_FEED = 10;
 const CARRIAGE_RETURN = 13;
@@ -181,13 +181,17 @@ export class ByteReader {
     );
   }
 
-  /** The next word as a finite number; `what` names it where it is missing or is none. */
-  number(what: string): number {
+  /**
+   * The next word as a number, a finite one unless it `mayBeNone`, as values at nodes may; `what` names it where it is
+   * missing or is none.
+   */
+  number(what: string, mayBeNone = false): number {
     this.#skipBlanks(true);
     const end = this.#wordEnd();
     if (end === this.#at) this.fail(`the file ends where ${what} should be`);
-    const value = decimalIn(this.#bytes, this.#at, end);
-    if (!Number.isFinite(value)) this.fail(`"${this.#shown()}" is not a finite number (${what})`);
+    let value: number | undefined = decimalIn(this.#bytes, this.#at, end);
+    if (!Number.isFinite(value)) value = mayBeNone ? otherNumber(this.#bytes, this.#at, end) : undefined;
+    if (value === undefined) return this.fail(`"${this.#shown()}" is not a finite number (${what})`);
     this.#at = end;
     return value;
   }
@@ -407,7 +411,8 @@ function textOf(bytes: Uint8Array): string {
   return new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
 }
 
-function indexOf(bytes: Uint8Array, wanted: Uint8Array, from: number): number {
+/** Where these bytes are next, or -1. */
+export function indexOf(bytes: Uint8Array, wanted: Uint8Array, from: number): number {
   const first = wanted[0] ?? 0;
   for (let at = bytes.indexOf(first, from); at >= 0; at = bytes.indexOf(first, at + 1)) {
     if (wanted.every((byte, i) => bytes[at + i] === byte)) return at;

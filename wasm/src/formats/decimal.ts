@@ -60,6 +60,16 @@ function exponentIn(bytes: Uint8Array, begin: number, end: number): number {
   return sign === MINUS ? -value : value;
 }
 
+/** As C and C++ write what is no number, or without bounds; undefined for any other word. */
+export function otherNumber(bytes: Uint8Array, begin: number, end: number): number | undefined {
+  const word = String.fromCharCode(...bytes.subarray(begin, Math.min(end, begin + LONGEST_OTHER)));
+  const [, sign, kind] = /^([+-]?)(nan|inf)/i.exec(word) ?? [];
+  if (kind === undefined) return undefined;
+  return kind.toLowerCase() === "nan" ? NaN : Number(`${sign}Infinity`);
+}
+
+const LONGEST_OTHER = 9;
+
 /** No decimal of use is longer: 767 digits decide every double. */
 const LONGEST = 1100;
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;

@@ -331,7 +331,9 @@ class MshReader {
     for (let r = 0; r < count; r++) {
       if (reader.isLow) await reader.fill();
       const node = this.#nodes.positionOf(this.#int()) ?? reader.fail("a value belongs to no node");
-      for (let i = 0; i < components; i++) values[components * node + i] = this.#double();
+      for (let i = 0; i < components; i++) {
+        values[components * node + i] = this.#isBinary ? reader.float(8) : reader.number("a value", true);
+      }
     }
     const name = (strings[0] ?? "").replace(/^"|"$/g, "");
     this.#builder.nodeData.set(name, { components, values });

@@ -1,13 +1,16 @@
 /** The arrays of VTK's XML files: text, base64 or raw bytes, whole or in blocks compressed with zlib. */
 import { unzlibSync } from "fflate";
 
+import { decimalIn, otherNumber } from "./decimal.js";
+
 export interface ArrayCoding {
   readonly isLittleEndian: boolean;
   /** Bytes of the numbers that tell lengths: 4 or 8. */
   readonly headerBytes: number;
   readonly isCompressed: boolean;
-  /** Text in base64, or raw bytes. */
-  readonly appended: string | Uint8Array | undefined;
+  readonly appended: Uint8Array | undefined;
+  /** Whether the appended data are text in base64; else they are raw. */
+  readonly isBase64: boolean;
   /** Where the next array begins, by where one does; the last one has none. */
   readonly nextOffsets: ReadonlyMap<number, number>;
   /** What may still be unpacked, in bytes. */
@@ -46,7 +49,10 @@ export interface CodedArray {
   readonly format: string;
   /** In the appended data. */
   readonly offset: number;
-  readonly content: string;
+  /** What stands between its tags. */
+  readonly content: Uint8Array;
+  /** Whether some of its numbers may be none, or without bounds. */
+  readonly mayBeNone: boolean;
 }
 
 type Get = (view: DataView, at: number, isLittleEndian: boolean) => number;
@@ -67,9 +73,14 @@ const NUMBERS: Readonly<Record<string, { readonly bytes: number; readonly get: G
 /** zlib does not compress by more than about this factor: larger claims are not believed. */
 const MAX_RATIO = 1100;
 
+/** Whether arrays of this type can be read; those of text and of single bits cannot. */
+export function isReadable(type: string): boolean {
+  return Object.hasOwn(NUMBERS, type);
+}
+
 /** The numbers of an array. Calls `coding.fail` where they cannot be read. */
 export function decodeArray(coding: ArrayCoding, array: CodedArray): Float64Array {
-  if (array.format === "ascii") return textNumbers(coding, array.content);
+  if (array.format === "ascii") return textNumbers(coding, array);
   const number = Object.hasOwn(NUMBERS, array.type) ? NUMBERS[array.type] : undefined;
   if (number === undefined) return coding.fail(`numbers of type "${array.type}" cannot be read`);
   const encoded = encodedBytes(coding, array);
@@ -82,26 +93,43 @@ export function decodeArray(coding: ArrayCoding, array: CodedArray): Float64Arra
   return values;
 }
 
-function textNumbers({ fail }: ArrayCoding, content: string): Float64Array {
-  const words = content.match(/\S+/g) ?? [];
-  return Float64Array.from(words, (word, i) => {
-    const value = Number(word);
-    return Number.isFinite(value)
-      ? value
-      : fail(`"${word.slice(0, 24)}" is not a finite number`, placeOfWord(content, i));
-  });
+function textNumbers({ fail }: ArrayCoding, { content, mayBeNone }: CodedArray): Float64Array {
+  const values = new Float64Array(wordCount(content));
+  let at = 0;
+  for (let i = 0; i < values.length; i++) {
+    while (isBlank(content, at)) at++;
+    const begin = at;
+    while (at < content.length && !isBlank(content, at)) at++;
+    const value = decimalIn(content, begin, at);
+    const other = Number.isNaN(value) && mayBeNone ? otherNumber(content, begin, at) : undefined;
+    if (Number.isNaN(value) && other === undefined) {
+      const word = new TextDecoder().decode(content.subarray(begin, Math.min(at, begin + SHOWN)));
+      fail(`"${word}" is not a finite number`, begin);
+    }
+    values[i] = other ?? value;
+  }
+  return values;
 }
 
-/** Where word number `index` of a text begins. */
-function placeOfWord(content: string, index: number): number {
-  const words = content.matchAll(/\S+/g);
-  for (let i = 0; i < index; i++) words.next();
-  return words.next().value?.index ?? 0;
+const SHOWN = 24;
+
+function wordCount(content: Uint8Array): number {
+  let count = 0;
+  for (let at = 0; at < content.length; at++) {
+    if (!isBlank(content, at) && (at === 0 || isBlank(content, at - 1))) count++;
+  }
+  return count;
 }
+
+function isBlank(content: Uint8Array, at: number): boolean {
+  return (content[at] ?? SPACE + 1) <= SPACE;
+}
+
+const SPACE = 32;
 
 /** The bytes from the array's length on; what follows the array may be among them. */
 function encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArray): Uint8Array {
-  const { appended, nextOffsets, budget, fail } = coding;
+  const { appended, isBase64, nextOffsets, budget, fail } = coding;
   if (format === "binary") return fromBase64(content, fail);
   if (format !== "appended" || appended === undefined) {
     return fail(`the format "${format}" of an array cannot be read`);
@@ -110,30 +138,47 @@ function encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArr
   if (!(Number.isInteger(offset) && offset >= 0 && offset < appended.length)) {
     return fail(`an array begins ${offset} bytes into ${appended.length} bytes of appended data`);
   }
-  if (typeof appended !== "string") return appended.subarray(offset);
-  const text = appended.slice(offset, nextOffsets.get(offset));
+  if (!isBase64) return appended.subarray(offset);
+  const text = appended.subarray(offset, nextOffsets.get(offset));
   budget.spend(COST_OF_BASE64 * text.length, fail);
   return fromBase64(text, fail);
 }
 
 /** Base64 in one or more padded pieces, up to the first character that is none of it. */
-function fromBase64(text: string, fail: ArrayFail): Uint8Array {
-  const coded = /^[A-Za-z0-9+/=\s]*/.exec(text)?.[0].replace(/\s+/g, "") ?? "";
-  const pieces = (coded.match(/[A-Za-z0-9+/]+={0,2}/g) ?? []).map((piece) => {
-    try {
-      return atob(piece);
-    } catch {
-      return fail("an array is not in base64");
-    }
-  });
-  const decoded = pieces.join("");
-  const bytes = new Uint8Array(decoded.length);
-  for (let i = 0; i < bytes.length; i++) bytes[i] = decoded.charCodeAt(i);
-  return bytes;
+function fromBase64(text: Uint8Array, fail: ArrayFail): Uint8Array {
+  const bytes = new Uint8Array(Math.ceil((3 * text.length) / 4));
+  let length = 0;
+  /** The last bits, and how many characters this piece has. */
+  let bits = 0;
+  let characters = 0;
+  const endPiece = () => {
+    if (characters % 4 === 1) fail("an array is not in base64");
+    characters = 0;
+  };
+  for (let at = 0; at < text.length; at++) {
+    const byte = text[at] ?? 0;
+    const value = BASE64[byte] ?? NONE;
+    if (value < NONE) {
+      bits = (bits << 6) | value;
+      // Three bytes of four characters; the first one gives none.
+      if (characters++ % 4 > 0) bytes[length++] = bits >> (2 * (3 - ((characters - 1) % 4)));
+    } else if (byte === EQUALS) endPiece();
+    else if (!isBlank(text, at)) break;
+  }
+  endPiece();
+  return bytes.subarray(0, length);
 }
 
+const NONE = 64;
+const EQUALS = 61;
+/** By character: its six bits. */
+const BASE64 = new Uint8Array(256).fill(NONE);
+[..."ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/"].forEach((character, value) => {
+  BASE64[character.charCodeAt(0)] = value;
+});
+
 function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
-  const { headerBytes, isCompressed, isLittleEndian, fail } = coding;
+  const { headerBytes, isCompressed, isLittleEndian, budget, fail } = coding;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const header = (index: number): number => {
     const at = headerBytes * index;
@@ -152,40 +197,50 @@ function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
   if (blocks * headerBytes > bytes.length)
     return fail(`an array of ${blocks} blocks has ${bytes.length} bytes`);
   const lastLength = header(2);
-  const contents: Uint8Array[] = [];
+  const lengthOf = (block: number) => (block === blocks - 1 && lastLength !== 0 ? lastLength : header(1));
+  let total = 0;
+  for (let b = 0; b < blocks; b++) {
+    const [packed, length] = [header(3 + b), lengthOf(b)];
+    if (length > MAX_RATIO * packed) return fail(`a block of ${packed} bytes claims to hold ${length}`);
+    total += length;
+  }
+  budget.spend(total, fail);
+  const content = new Uint8Array(total);
   let begin = headerBytes * (3 + blocks);
+  let end = 0;
   for (let b = 0; b < blocks; b++) {
     const packed = piece(begin, header(3 + b));
-    const isShort = b === blocks - 1 && lastLength !== 0;
-    const length = isShort ? lastLength : header(1);
-    contents.push(inflated(packed, length, coding));
+    content.set(inflated(packed, lengthOf(b), fail), end);
+    end += lengthOf(b);
     begin += packed.length;
   }
-  return joined(contents);
+  return content;
 }
 
-/** Undoes zlib. The length is known beforehand; a block of any other length is damaged. */
-function inflated(packed: Uint8Array, length: number, { budget, fail }: ArrayCoding): Uint8Array {
-  if (length > MAX_RATIO * packed.length) {
-    return fail(`a block of ${packed.length} bytes claims to hold ${length}`);
-  }
-  budget.spend(length, fail);
+/** Undoes zlib. The length is known beforehand; a block of any other length or sum is damaged. */
+function inflated(packed: Uint8Array, length: number, fail: ArrayFail): Uint8Array {
+  let block: Uint8Array;
   try {
     // One byte more, by which a longer block betrays itself.
-    const block = unzlibSync(packed, { out: new Uint8Array(length + 1) });
-    if (block.length === length) return block;
+    block = unzlibSync(packed, { out: new Uint8Array(length + 1) });
   } catch {
     return fail("a compressed block is damaged");
   }
-  return fail(`a block holds other than the ${length} bytes it announces`);
+  if (block.length !== length) return fail(`a block holds other than the ${length} bytes it announces`);
+  const view = new DataView(packed.buffer, packed.byteOffset + packed.length - 4);
+  return view.getUint32(0) === adler32(block) ? block : fail("a compressed block is damaged");
 }
 
-function joined(pieces: readonly Uint8Array[]): Uint8Array {
-  const bytes = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, 0));
-  let at = 0;
-  for (const piece of pieces) {
-    bytes.set(piece, at);
-    at += piece.length;
+/** zlib's sum of bytes (RFC 1950), which fflate does not compare. */
+function adler32(bytes: Uint8Array): number {
+  let [low, high] = [1, 0];
+  for (let i = 0; i < bytes.length; i++) {
+    low += bytes[i] ?? 0;
+    high += low;
+    // So often that both stay whole numbers of 32 bits.
+    if ((i & 2047) === 2047) [low, high] = [low % ADLER, high % ADLER];
   }
-  return bytes;
+  return (high % ADLER) * 2 ** 16 + (low % ADLER);
 }
+
+const ADLER = 65521;

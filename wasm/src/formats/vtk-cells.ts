@@ -8,15 +8,15 @@ const VTK_POLYGON = 7;
 const VTK_PIXEL = 8;
 const VTK_QUAD = 9;
 const VTK_TETRA = 10;
-/** Vertices and lines. */
-const THIN_CELLS = new Set([1, 2, 3, 4, 21, 35]);
+/** Vertices and lines, and cells of nothing. */
+const THIN_CELLS = new Set([0, 1, 2, 3, 4, 21, 35]);
 
 /** Names under which programs keep what cells belong to: this one, Gmsh and Medit by way of meshio, VMTK. */
 const PATCH_ARRAYS = ["patch", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags", "region"];
 const REGION_ARRAYS = ["region", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags"];
 
-/** One number per cell, by name. */
-export type CellNumbers = ReadonlyMap<string, Float64Array>;
+/** One number per cell, by name; undefined where there are none. */
+export type CellNumbers = (name: string) => Float64Array | undefined;
 export type Fail = (message: string) => never;
 
 export interface Cells {
@@ -28,16 +28,24 @@ export interface Cells {
 }
 
 export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Cells {
-  const find = (names: readonly string[]) => names.map((name) => data.get(name)).find((found) => found);
+  const find = (names: readonly string[]) => {
+    for (const name of names) {
+      const numbers = data(name);
+      if (numbers !== undefined) return { name, numbers };
+    }
+    return undefined;
+  };
   const [patch, region] = [find(PATCH_ARRAYS), find(REGION_ARRAYS)];
+  const tagOf = (found: NonNullable<typeof patch>, cell: number): number =>
+    found.numbers[cell] ?? fail(`cell ${cell} (counted from 0) has no number "${found.name}"`);
   return {
     builder,
     fail,
     patchOf: (cell) =>
       patch === undefined
         ? builder.patches.of("surface", () => ({ name: "surface", tag: 1 }))
-        : builder.patches.tagged(patch[cell] ?? 0),
-    regionOf: (cell) => builder.regions.tagged(region?.[cell] ?? 1),
+        : builder.patches.tagged(tagOf(patch, cell)),
+    regionOf: (cell) => builder.regions.tagged(region === undefined ? 1 : tagOf(region, cell)),
   };
 }
 

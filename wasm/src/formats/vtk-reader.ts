@@ -15,6 +15,7 @@ const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetr
 const VTK_VERTEX = 1;
 const VTK_STRIP = 6;
 const VTK_POLYGON = 7;
+/** In the order in which VTK counts their cells, wherever they stand. */
 const POLYGON_SECTIONS: ReadonlyMap<string, number> = new Map([
   ["VERTICES", VTK_VERTEX],
   ["LINES", VTK_VERTEX],
@@ -22,8 +23,11 @@ const POLYGON_SECTIONS: ReadonlyMap<string, number> = new Map([
   ["TRIANGLE_STRIPS", VTK_STRIP],
 ]);
 
-/** Binary numbers are high byte first. Bits come packed and only ever as attributes, which are passed over. */
-const TYPES: Readonly<Record<string, { readonly bytes: 1 | 2 | 4 | 8; readonly kind: "i" | "u" | "f" }>> = {
+/** Binary numbers are high byte first; of kind "b" eight are in a byte. */
+const TYPES: Readonly<
+  Record<string, { readonly bytes: 1 | 2 | 4 | 8; readonly kind: "i" | "u" | "f" | "b" }>
+> = {
+  bit: { bytes: 1, kind: "b" },
   unsigned_char: { bytes: 1, kind: "u" },
   char: { bytes: 1, kind: "i" },
   unsigned_short: { bytes: 2, kind: "u" },
@@ -59,15 +63,18 @@ class VtkReader {
   readonly #builder = new MeshBuilder();
   readonly #names = new NameLines();
   readonly #cellData = new Map<string, Float64Array>();
-  /** In the order of the file, which is that of the cell data. */
-  readonly #lists: { readonly list: CellList; readonly type: number | undefined }[] = [];
+  readonly #lists: {
+    readonly list: CellList;
+    readonly section: string;
+    readonly type: number | undefined;
+  }[] = [];
   #types: Float64Array = new Float64Array();
   #isBinary = false;
   /** Since version 5 cells have offsets and connectivity of their own. */
   #hasOffsets = false;
-  /** Rows of the attributes that follow. */
+  /** Rows of the attributes that follow, and what they are of. */
   #rows = 0;
-  #isPointData = false;
+  #attributesOf: "dataset" | "cells" | "points" = "dataset";
 
   constructor(reader: ByteReader) {
     this.#reader = reader;
@@ -79,7 +86,7 @@ class VtkReader {
       await this.#reader.fill();
       const word = this.#reader.word().toUpperCase();
       if (word === "") break;
-      if (!(await this.#readSection(word))) break;
+      await this.#readSection(word);
     }
     this.#addCells();
     return this.#names.given(this.#builder.mesh());
@@ -102,29 +109,22 @@ class VtkReader {
     }
   }
 
-  /** False where the rest of the file cannot matter. */
-  async #readSection(word: string): Promise<boolean> {
+  async #readSection(section: string): Promise<void> {
     const reader = this.#reader;
-    const kind = POLYGON_SECTIONS.get(word);
-    if (kind !== undefined) {
-      this.#lists.push({ list: await this.#readList(), type: kind });
-      return true;
+    const type = POLYGON_SECTIONS.get(section);
+    if (type !== undefined || section === "CELLS") {
+      this.#lists.push({ list: await this.#readList(), section, type });
+      return;
     }
-    switch (word) {
+    switch (section) {
       case "POINTS":
-        await this.#readPoints();
-        return true;
-      case "CELLS":
-        this.#lists.push({ list: await this.#readList(), type: undefined });
-        return true;
+        return this.#readPoints();
       case "CELL_TYPES":
         this.#types = await this.#numbers("int", this.#size());
-        return true;
+        return;
       case "CELL_DATA":
       case "POINT_DATA":
-        this.#isPointData = word === "POINT_DATA";
-        this.#rows = this.#size();
-        return true;
+        return this.#beginAttributes(section);
       case "SCALARS":
         return this.#readScalars();
       case "VECTORS":
@@ -132,16 +132,37 @@ class VtkReader {
         return this.#readAttribute(3);
       case "TENSORS":
         return this.#readAttribute(9);
+      case "TENSORS6":
+        return this.#readAttribute(6);
+      case "GLOBAL_IDS":
+      case "PEDIGREE_IDS":
+      case "EDGE_FLAGS":
+        return this.#readAttribute(1);
+      case "TEXTURE_COORDINATES": {
+        const name = reader.word();
+        return this.#readAttribute(this.#componentCount(), name);
+      }
+      case "COLOR_SCALARS":
+        reader.word();
+        return this.#skipColors(this.#componentCount() * this.#rows);
+      case "LOOKUP_TABLE":
+        reader.word();
+        return this.#skipColors(4 * this.#size());
       case "FIELD":
         return this.#readField();
       case "METADATA":
         return this.#skipMetadata();
-      case "LOOKUP_TABLE":
-      case "COLOR_SCALARS":
-      case "TEXTURE_COORDINATES":
-        return false;
       default:
-        return reader.fail(`"${word.slice(0, 24)}" is not a section`);
+        return reader.fail(`"${section.slice(0, 24)}" is not a section`);
+    }
+  }
+
+  #beginAttributes(section: "CELL_DATA" | "POINT_DATA"): void {
+    this.#attributesOf = section === "CELL_DATA" ? "cells" : "points";
+    this.#rows = this.#size();
+    const { pointCount } = this.#builder;
+    if (section === "POINT_DATA" && this.#rows !== pointCount) {
+      this.#reader.fail(`there are ${pointCount} points, and data of ${this.#rows}`);
     }
   }
 
@@ -149,32 +170,66 @@ class VtkReader {
     return this.#reader.count(this.#reader.number("a number of items"), "items");
   }
 
-  /** The words of this line are over; `count` numbers follow. */
   async #numbers(type: string, count: number): Promise<Float64Array> {
+    const column = new Column(Float64Array);
+    await this.#eachNumber(type, count, (value) => column.push(value));
+    return column.taken();
+  }
+
+  /** The words of this line are over; `count` numbers follow. */
+  async #eachNumber(type: string, count: number, use: (value: number) => void): Promise<void> {
     const reader = this.#reader;
     const { bytes, kind } =
-      TYPES[type.toLowerCase()] ?? reader.fail(`numbers of type "${type}" cannot be read`);
+      TYPES[type.toLowerCase()] ?? reader.fail(`numbers of type "${type.slice(0, 24)}" cannot be read`);
+    const mayBeNone = this.#attributesOf === "points";
     if (this.#isBinary) reader.endLine();
-    const column = new Column(Float64Array);
+    let bits = 0;
     for (let i = 0; i < count; i++) {
       if (reader.isLow) await reader.fill();
-      if (!this.#isBinary) column.push(reader.number("a value"));
-      else if (kind === "f") column.push(reader.float(bytes === 4 ? 4 : 8));
-      else column.push(reader.integer(bytes, kind === "i"));
+      if (kind === "b" && this.#isBinary) {
+        bits = i % 8 === 0 ? reader.integer(1, false) : bits << 1;
+        use((bits >> 7) & 1);
+      } else if (!this.#isBinary) use(reader.number("a value", mayBeNone));
+      else if (kind === "f") use(reader.float(bytes === 4 ? 4 : 8));
+      else use(reader.integer(bytes, kind === "i"));
     }
-    return column.taken();
+  }
+
+  /** Colours are bytes in binary files, and numbers from 0 to 1 in text. */
+  #skipColors(count: number): Promise<void> {
+    return this.#eachNumber("unsigned_char", count, () => undefined);
+  }
+
+  /** In text one line for each, else its length before each, whose first two bits tell how long the length is. */
+  async #skipStrings(count: number): Promise<void> {
+    const reader = this.#reader;
+    if (this.#isBinary) reader.endLine();
+    else reader.line();
+    for (let i = 0; i < count; i++) {
+      await reader.fill();
+      if (reader.isAtEnd) reader.fail("the file ends where text should be");
+      if (!this.#isBinary) {
+        reader.line();
+        continue;
+      }
+      const sizes = [8, 4, 2, 1] as const;
+      const size = sizes[(reader.peek(1)[0] ?? 0) >> 6] ?? 1;
+      await reader.bytes(reader.integer(size, false) % 2 ** (8 * size - 2));
+    }
   }
 
   async #readPoints(): Promise<void> {
     const count = this.#size();
-    const { place } = this.#reader;
-    const values = await this.#numbers(this.#reader.word(), 3 * count);
-    const wild = values.findIndex((value) => !Number.isFinite(value));
-    if (wild >= 0)
-      this.#reader.fail(`point ${Math.floor(wild / 3)} (counted from 0) has no finite place`, place);
-    for (let i = 0; i < values.length; i += 3) {
-      this.#builder.addPoint(values[i] ?? 0, values[i + 1] ?? 0, values[i + 2] ?? 0);
-    }
+    const place: number[] = [];
+    await this.#eachNumber(this.#reader.word(), 3 * count, (value) => {
+      if (!Number.isFinite(value)) {
+        this.#reader.fail(`point ${this.#builder.pointCount} (counted from 0) has no finite place`);
+      }
+      if (place.push(value) < 3) return;
+      const [x = 0, y = 0, z = 0] = place;
+      this.#builder.addPoint(x, y, z);
+      place.length = 0;
+    });
   }
 
   async #readList(): Promise<CellList> {
@@ -207,12 +262,16 @@ class VtkReader {
     return { place, offsets: Float64Array.from(offsets), nodes };
   }
 
+  /** By a name whose blanks and the like stand as %20. */
   #keep(name: string, components: number, values: Float64Array): void {
-    if (this.#isPointData) this.#builder.nodeData.set(name, { components, values });
-    else if (components === 1) this.#cellData.set(name, values);
+    const plain = name.replace(/(?:%[0-9a-f]{2})+/gi, (codes) =>
+      new TextDecoder().decode(Uint8Array.from(codes.slice(1).split("%"), (code) => parseInt(code, 16))),
+    );
+    if (this.#attributesOf === "points") this.#builder.nodeData.set(plain, { components, values });
+    else if (this.#attributesOf === "cells" && components === 1) this.#cellData.set(plain, values);
   }
 
-  async #readScalars(): Promise<boolean> {
+  async #readScalars(): Promise<void> {
     const reader = this.#reader;
     const name = reader.word();
     const type = reader.word();
@@ -220,7 +279,6 @@ class VtkReader {
     reader.expect("lookup_table");
     reader.word();
     this.#keep(name, components, await this.#numbers(type, components * this.#rows));
-    return true;
   }
 
   #componentCount(): number {
@@ -228,40 +286,46 @@ class VtkReader {
     return count <= MAX_COMPONENTS ? count : this.#reader.fail(`${count} numbers per row cannot be read`);
   }
 
-  async #readAttribute(components: number): Promise<boolean> {
-    const name = this.#reader.word();
+  async #readAttribute(components: number, name = this.#reader.word()): Promise<void> {
     this.#keep(name, components, await this.#numbers(this.#reader.word(), components * this.#rows));
-    return true;
   }
 
-  async #readField(): Promise<boolean> {
-    this.#reader.word();
+  async #readField(): Promise<void> {
+    const reader = this.#reader;
+    reader.word();
     const arrays = this.#size();
     for (let i = 0; i < arrays; i++) {
-      await this.#reader.fill();
-      if (this.#reader.accepts("metadata")) this.#skipMetadata();
-      const name = this.#reader.word();
+      await reader.fill();
+      if (reader.accepts("metadata")) this.#skipMetadata();
+      const name = reader.word();
       const components = this.#size();
       const rows = this.#size();
-      const values = await this.#numbers(this.#reader.word(), components * rows);
-      if (rows === this.#rows && components <= MAX_COMPONENTS) this.#keep(name, components, values);
+      const type = reader.word();
+      const isOfMesh = this.#attributesOf !== "dataset";
+      if (isOfMesh && rows !== this.#rows) {
+        reader.fail(`"${name.slice(0, 24)}" has ${rows} rows where ${this.#rows} ${this.#attributesOf} are`);
+      }
+      if (/string$/i.test(type)) await this.#skipStrings(components * rows);
+      else if (isOfMesh && components <= MAX_COMPONENTS) {
+        this.#keep(name, components, await this.#numbers(type, components * rows));
+      } else await this.#eachNumber(type, components * rows, () => undefined);
     }
-    return true;
   }
 
   /** Lines up to an empty one. */
-  #skipMetadata(): boolean {
+  #skipMetadata(): void {
     this.#reader.line();
     while (!this.#reader.isAtEnd && this.#reader.line() !== "");
-    return true;
   }
 
   #addCells(): void {
     let first = 0;
+    const order = [...POLYGON_SECTIONS.keys()];
+    this.#lists.sort((a, b) => order.indexOf(a.section) - order.indexOf(b.section));
     for (const { list, type } of this.#lists) {
       const { place, offsets, nodes } = list;
       const fail = (message: string): never => this.#reader.fail(message, place);
-      const cells = cellsOf(this.#builder, this.#cellData, fail);
+      const cells = cellsOf(this.#builder, (name) => this.#cellData.get(name), fail);
       const count = Math.max(0, offsets.length - 1);
       if (type === undefined && this.#types.length !== count) {
         fail(`there are ${count} cells and ${this.#types.length} types of cells`);

@@ -3,65 +3,32 @@
  * write them: pieces one after the other; arrays as text, in base64 or appended; compressed with zlib or not.
  * The numbers `patch` and `region` of cells tell their groups; vertices and lines are passed over.
  */
-import { failureAt } from "../read-result.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
-import { decodeArray, UnpackingBudget, type ArrayCoding, type ArrayFail } from "./vtk-arrays.js";
-import { addCell, cellsOf, type Fail } from "./vtk-cells.js";
+import { decodeArray, isReadable, UnpackingBudget, type ArrayCoding, type ArrayFail } from "./vtk-arrays.js";
+import { addCell, cellsOf, type CellNumbers, type Fail } from "./vtk-cells.js";
+import { failIn, readHead, unescaped, type FoundArray, type Head, type Piece } from "./vtk-xml-head.js";
 
-const REMEDY = "Save the mesh again as .vtu or .vtp with triangles or linear tetrahedra.";
 const VTK_POLYGON = 7;
 const VTK_STRIP = 6;
-/** Sections in which arrays are looked for. Those of cells in polygon files are named by their kind. */
-const SECTIONS = new Set(["Points", "Cells", "Verts", "Lines", "Strips", "Polys", "PointData", "CellData"]);
 
-/** A tag, in whose values there may be what ends it elsewhere. */
-const TAG = /<(\/?)([A-Za-z]+)((?:"[^"<]*"|'[^'<]*'|[^<>"'])*)>/g;
-
-type Attributes = ReadonlyMap<string, string>;
-
-/** An array before its numbers are read. */
-interface FoundArray {
-  readonly section: string;
-  readonly attributes: Attributes;
-  /** What stands between its tags, and where that begins. */
-  readonly content: string;
-  readonly at: number;
-}
-
-interface Piece {
-  /** Where its tag begins. */
-  readonly at: number;
-  readonly attributes: Attributes;
-  readonly arrays: FoundArray[];
-}
-
-interface Head {
-  readonly file: Attributes;
-  readonly pieces: readonly Piece[];
-  /** What follows the underscore of the appended data, and whether it is base64. */
-  readonly appended: { readonly begin: number; readonly isBase64: boolean } | undefined;
-}
-
-/** A file whose tags are known; each byte is a character of its text. */
+/** A file whose tags are known. */
 class XmlFile {
   readonly head: Head;
   readonly #bytes: Uint8Array;
-  readonly #text: string;
   readonly #coding: Omit<ArrayCoding, "fail">;
 
   constructor(bytes: Uint8Array) {
     this.#bytes = bytes;
-    this.#text = new TextDecoder("latin1").decode(bytes);
-    this.head = readHead(this.#text);
-    this.#coding = codingOf(this.head, bytes, this.#text);
+    this.head = readHead(bytes);
+    this.#coding = codingOf(this.head, bytes);
   }
 
   /** The numbers of an array. */
   numbers(found: FoundArray): Float64Array {
-    const { attributes, content } = found;
+    const { section, attributes, content } = found;
     const fail: ArrayFail = (message, within = 0) => this.fail(message, this.placeOf(found) + within);
     return decodeArray(
       { ...this.#coding, fail },
@@ -70,6 +37,7 @@ class XmlFile {
         format: attributes.get("format") ?? "ascii",
         offset: Number(attributes.get("offset") ?? NaN),
         content,
+        mayBeNone: section === "PointData",
       },
     );
   }
@@ -79,7 +47,7 @@ class XmlFile {
     const { appended } = this.head;
     const offset = Number(attributes.get("offset") ?? NaN);
     const begin = (appended?.begin ?? NaN) + offset;
-    return attributes.get("format") === "appended" && begin < this.#text.length ? begin : at;
+    return attributes.get("format") === "appended" && begin < this.#bytes.length ? begin : at;
   }
 
   /** The array of this name in a section; the first one for the name "". */
@@ -89,6 +57,11 @@ class XmlFile {
         (array) => array.section === section && (name === "" || array.attributes.get("Name") === name),
       ) ?? this.fail(`the piece has no array "${name === "" ? section : name}"`, piece.at)
     );
+  }
+
+  /** So many bytes are taken beside those of arrays. */
+  spend(bytes: number, found: FoundArray): void {
+    this.#coding.budget.spend(bytes, (message) => this.fail(message, this.placeOf(found)));
   }
 
   /** Names that comments tell before the first piece. */
@@ -102,34 +75,25 @@ class XmlFile {
   }
 
   fail(message: string, at: number): never {
-    return failIn(this.#text, message, at, this.head.appended?.begin);
+    return failIn(this.#bytes, message, at, this.head.appended?.begin);
   }
-}
-
-function unescaped(line: string): string {
-  const characters: Readonly<Record<string, string>> = { lt: "<", gt: ">", "#45": "-", amp: "&" };
-  return line.replace(/&(lt|gt|#45|amp);/g, (_, name: string) => characters[name] ?? "");
-}
-
-/** `at`: a character, counted as a line up to where data that are no text begin. */
-function failIn(text: string, message: string, at: number, dataBegin = Infinity): never {
-  const place = at < dataBegin ? { line: text.slice(0, at).split(/\r\n?|\n/).length } : { offset: at };
-  throw failureAt(place, message, REMEDY);
 }
 
 export async function readVtkXml(source: ByteSource): Promise<FileMesh> {
   const file = new XmlFile(await allBytes(source));
   const builder = new MeshBuilder();
+  const held: PieceReading[] = [];
   for (const piece of file.head.pieces) {
     const firstNode = builder.pointCount;
     addPoints(piece, file, builder);
     // A piece may be empty where others are not.
     if (builder.pointCount === firstNode) continue;
-    const reading = { piece, file, builder, firstNode };
+    const reading = { piece, file, builder, firstNode, pointCount: builder.pointCount - firstNode };
+    held.push(reading);
     if (file.head.file.get("type") === "PolyData") addPolygons(reading);
     else addCells(reading);
   }
-  addPointData(file, builder);
+  addPointData(held, file, builder);
   return file.names().given(builder.mesh());
 }
 
@@ -140,6 +104,7 @@ interface PieceReading {
   readonly builder: MeshBuilder;
   /** Of the piece; its cells count from there. */
   readonly firstNode: number;
+  readonly pointCount: number;
 }
 
 function addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): void {
@@ -167,29 +132,56 @@ function checkCount(piece: Piece, file: XmlFile, name: string, value: string): v
   file.fail(`${name} is "${value.slice(0, 24)}", which is no whole number of 0 or more`, piece.at);
 }
 
-/** What all pieces that tell anything of their nodes have under one name, piece after piece. */
-function addPointData(file: XmlFile, builder: MeshBuilder): void {
-  const told = file.head.pieces.map(pointArrays);
-  for (const [name, found] of told.find(({ size }) => size > 0) ?? []) {
-    const parts = told.map((arrays) => arrays.get(name));
-    const values = joinedNumbers(parts.map((part) => (part === undefined ? NO_NUMBERS : file.numbers(part))));
-    const components = Number(found.attributes.get("NumberOfComponents") ?? 1);
-    if (values.length === components * builder.pointCount) builder.nodeData.set(name, { components, values });
+/** The numbers at nodes by name, piece after piece; NaN at those of a piece that has none where others do. */
+function addPointData(held: readonly PieceReading[], file: XmlFile, builder: MeshBuilder): void {
+  const told = held.map(({ piece }) => pointArrays(piece));
+  for (const [name, first] of told.flatMap((arrays) => [...arrays])) {
+    if (builder.nodeData.has(name)) continue;
+    const components = componentsOf(first, file);
+    const parts = held.map(({ pointCount }, p) => {
+      const found = told[p]?.get(name);
+      if (found !== undefined) return pointNumbers(found, { file, components, pointCount });
+      file.spend(8 * components * pointCount, first);
+      return new Float64Array(components * pointCount).fill(NaN);
+    });
+    builder.nodeData.set(name, { components, values: joinedNumbers(parts) });
   }
+}
+
+function componentsOf({ attributes, at }: FoundArray, file: XmlFile): number {
+  const word = attributes.get("NumberOfComponents") ?? "1";
+  const count = Number(word);
+  if (Number.isSafeInteger(count) && count > 0) return count;
+  return file.fail(`NumberOfComponents is "${word.slice(0, 24)}", which is no whole number above 0`, at);
+}
+
+interface PointNumbers {
+  readonly file: XmlFile;
+  readonly components: number;
+  readonly pointCount: number;
+}
+
+function pointNumbers(found: FoundArray, { file, components, pointCount }: PointNumbers): Float64Array {
+  const values = file.numbers(found);
+  if (values.length === components * pointCount) return values;
+  const name = found.attributes.get("Name") ?? "";
+  return file.fail(
+    `"${name}" has ${values.length} numbers where ${pointCount} points have ${components} each`,
+    file.placeOf(found),
+  );
 }
 
 function pointArrays({ arrays }: Piece): Map<string, FoundArray> {
   const named = new Map<string, FoundArray>();
   for (const array of arrays) {
-    if (array.section !== "PointData" || array.attributes.get("type") === "String") continue;
+    if (array.section !== "PointData" || !isReadable(array.attributes.get("type") ?? "")) continue;
     named.set(array.attributes.get("Name") ?? "", array);
   }
   return named;
 }
 
-const NO_NUMBERS = new Float64Array();
-
 function joinedNumbers(parts: readonly Float64Array[]): Float64Array {
+  if (parts.length === 1 && parts[0] !== undefined) return parts[0];
   const joined = new Float64Array(parts.reduce((sum, { length }) => sum + length, 0));
   let end = 0;
   for (const part of parts) {
@@ -199,15 +191,15 @@ function joinedNumbers(parts: readonly Float64Array[]): Float64Array {
   return joined;
 }
 
-/** Arrays of one number per cell. */
-function cellData({ piece, file }: PieceReading): Map<string, Float64Array> {
-  const data = new Map<string, Float64Array>();
-  for (const found of piece.arrays) {
-    if (found.section !== "CellData" || found.attributes.get("type") === "String") continue;
-    if (Number(found.attributes.get("NumberOfComponents") ?? 1) > 1) continue;
-    data.set(found.attributes.get("Name") ?? "", file.numbers(found));
-  }
-  return data;
+/** Arrays of one number per cell; only those are read that are asked for. */
+function cellData({ piece, file }: PieceReading): CellNumbers {
+  return (name) => {
+    const found = piece.arrays.find(
+      ({ section, attributes }) => section === "CellData" && attributes.get("Name") === name,
+    );
+    if (found === undefined || componentsOf(found, file) > 1) return undefined;
+    return isReadable(found.attributes.get("type") ?? "") ? file.numbers(found) : undefined;
+  };
 }
 
 function addCells(reading: PieceReading): void {
@@ -277,75 +269,13 @@ function eachCell(
   }
 }
 
-function readHead(text: string): Head {
-  let file: Attributes | undefined;
-  const pieces: Piece[] = [];
-  let section = "";
-  for (const match of text.matchAll(TAG)) {
-    const [tag, slash, name = "", rest = ""] = match;
-    const end = match.index + tag.length;
-    const attributes = attributesIn(rest);
-    if (slash === "/") {
-      if (name === section) section = "";
-    } else if (name === "VTKFile") file = attributes;
-    else if (name === "Piece") pieces.push({ at: match.index, attributes, arrays: [] });
-    else if (SECTIONS.has(name)) section = rest.endsWith("/") ? section : name;
-    else if (name === "DataArray" && section !== "") {
-      const close = rest.endsWith("/") ? end : text.indexOf("<", end);
-      const content = text.slice(end, close < 0 ? end : close);
-      pieces.at(-1)?.arrays.push({ section, attributes, content, at: end });
-    } else if (name === "AppendedData") {
-      const begin = text.indexOf("_", end) + 1;
-      const isBase64 = attributes.get("encoding") === "base64";
-      return checkedHead(text, file, pieces, { begin: begin === 0 ? text.length : begin, isBase64 });
-    }
-  }
-  return checkedHead(text, file, pieces, undefined);
-}
-
-function checkedHead(
-  text: string,
-  file: Attributes | undefined,
-  pieces: readonly Piece[],
-  appended: Head["appended"],
-): Head {
-  const type = file?.get("type");
-  if (file === undefined || (type !== "UnstructuredGrid" && type !== "PolyData"))
-    return failIn(
-      text,
-      "this is neither a VTU nor a VTP file: it has no unstructured grid and no polygons",
-      0,
-    );
-  if (pieces.length === 0) return failIn(text, "the file has no piece", text.length, appended?.begin);
-  const compressor = file.get("compressor");
-  if (compressor !== undefined && compressor !== "vtkZLibDataCompressor") {
-    const message = `the compressor ${compressor} is not known, only vtkZLibDataCompressor`;
-    failIn(text, message, text.indexOf("<VTKFile"));
-  }
-  return { file, pieces, appended };
-}
-
-/** name="value" pairs, or name='value'. */
-function attributesIn(text: string): Attributes {
-  const pairs = text.matchAll(/([^\s="']{1,100})\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
-  return new Map([...pairs].map(([, name = "", double, single]) => [name, double ?? single ?? ""]));
-}
-
-function codingOf(
-  { file, pieces, appended }: Head,
-  bytes: Uint8Array,
-  text: string,
-): Omit<ArrayCoding, "fail"> {
+function codingOf({ file, pieces, appended }: Head, bytes: Uint8Array): Omit<ArrayCoding, "fail"> {
   return {
     isLittleEndian: file.get("byte_order") !== "BigEndian",
     headerBytes: file.get("header_type") === "UInt64" ? 8 : 4,
     isCompressed: file.has("compressor"),
-    appended:
-      appended === undefined
-        ? undefined
-        : appended.isBase64
-          ? text.slice(appended.begin)
-          : bytes.subarray(appended.begin),
+    appended: appended && bytes.subarray(appended.begin),
+    isBase64: appended?.isBase64 ?? false,
     nextOffsets: nextOffsets(pieces.flatMap(({ arrays }) => arrays)),
     budget: new UnpackingBudget(bytes.length),
   };

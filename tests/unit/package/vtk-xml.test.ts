@@ -1,0 +1,131 @@
+/** VTU files as their specification allows them: read from their bytes, no number lost or made up. */
+import { zlibSync } from "fflate";
+import { readMesh, readVolume, type ReadResult } from "tetrafront";
+import { expect, test, vi } from "vitest";
+
+const encoder = new TextEncoder();
+
+interface Tetrahedron {
+  /** Of `<PointData>`, before its end. */
+  readonly pointData?: string;
+  readonly cellData?: string;
+  /** Of the array of points. */
+  readonly points?: string;
+  readonly data?: string;
+}
+
+const POINTS = "0 0 0 1 0 0 0 1 0 0 0 1";
+
+function piece({ pointData = "", cellData = "", points = `format="ascii">${POINTS}` }: Tetrahedron): string {
+  return `<Piece NumberOfPoints="4" NumberOfCells="1">
+<Points><DataArray type="Float64" NumberOfComponents="3" ${points}</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity" format="ascii">0 1 2 3</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">4</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">10</DataArray></Cells>
+<PointData>${pointData}</PointData><CellData>${cellData}</CellData></Piece>\n`;
+}
+
+const vtu = (pieces: string, attributes = "", appended = "") =>
+  `<VTKFile type="UnstructuredGrid" byte_order="LittleEndian" ${attributes}>\n<UnstructuredGrid>
+${pieces}</UnstructuredGrid>${appended}</VTKFile>`;
+
+const array = (name: string, numbers: string, attributes = "") =>
+  `<DataArray type="Float64" Name="${name}" format="ascii" ${attributes}>${numbers}</DataArray>`;
+
+const volume = (file: string | Uint8Array) =>
+  readVolume(typeof file === "string" ? encoder.encode(file) : file, { fileName: "a.vtu" });
+
+function valueOf<T>(read: ReadResult<T>): T {
+  if (!read.success) throw new Error(read.problems[0].message);
+  return read.value;
+}
+
+const problemOf = async (file: string | Uint8Array): Promise<string> => {
+  const read = await volume(file);
+  return read.success ? "it could be read" : read.problems[0].message;
+};
+
+test("no text is made of what may be longer than the longest text", async () => {
+  const blanks = " ".repeat(1 << 16);
+  const coded = Buffer.from(new Uint8Array(1 << 16)).toString("base64");
+  const head = Buffer.from(Uint32Array.of(4 * 8, 0).buffer).subarray(0, 4);
+  const sizes = Buffer.concat([head, Buffer.from(Float64Array.of(1, 2, 3, 4).buffer)]).toString("base64");
+  const pointData =
+    `<DataArray type="Float64" Name="a" format="appended" offset="0"/>${array("b", `1${blanks}2 3 4`)}` +
+    `<DataArray type="Float64" Name="c" format="binary">${sizes}${blanks}</DataArray>`;
+  const appended = `<AppendedData encoding="base64">_${sizes}${coded}</AppendedData>`;
+  const decode = vi.spyOn(TextDecoder.prototype, "decode");
+  try {
+    const { nodeData } = valueOf(await volume(vtu(piece({ pointData }), "", appended)));
+    for (const name of ["a", "b", "c"]) expect([...(nodeData.get(name)?.values ?? [])]).toEqual([1, 2, 3, 4]);
+    const longest = Math.max(...decode.mock.calls.map(([bytes]) => bytes?.byteLength ?? 0));
+    expect(longest).toBeLessThan(1 << 12);
+  } finally {
+    decode.mockRestore();
+  }
+});
+
+test("a piece that has no numbers of a name has none at its nodes, and loses those of no other", async () => {
+  const pieces = [
+    piece({ pointData: array("size", "1 2 3 4") }),
+    piece({ pointData: array("other", "5 6 7 8 9 10 11 12", 'NumberOfComponents="2"') }),
+  ];
+  for (const order of [pieces, pieces.toReversed()]) {
+    const { nodeData } = valueOf(await volume(vtu(order.join(""))));
+    const first = order === pieces ? 0 : 4;
+    expect([...(nodeData.get("size")?.values ?? [])].slice(first, first + 4)).toEqual([1, 2, 3, 4]);
+    expect(nodeData.get("size")?.values.filter(Number.isNaN)).toHaveLength(4);
+    expect(nodeData.get("other")).toMatchObject({ components: 2 });
+    expect(nodeData.get("other")?.values.filter(Number.isNaN)).toHaveLength(8);
+  }
+});
+
+test("numbers at nodes that are too few, or of other components in another piece, are refused by name", async () => {
+  expect(await problemOf(vtu(piece({ pointData: array("size", "1 2 3") })))).toMatch(
+    /line 8: "size" has 3 numbers where 4 points have 1 each/,
+  );
+  const [one, two] = ["1 2 3 4", "1 2 3 4 5 6 7 8"].map((numbers, i) =>
+    piece({ pointData: array("size", numbers, `NumberOfComponents="${i + 1}"`) }),
+  );
+  expect(await problemOf(vtu(`${one}${two}`))).toMatch(/line 14: "size" has 8 numbers where 4 points have 1/);
+  const none = piece({ pointData: array("size", "1 2 3 4", 'NumberOfComponents="some"') });
+  expect(await problemOf(vtu(none))).toMatch(/line 8: NumberOfComponents is "some"/);
+});
+
+test("a cell without a number of its group is refused", async () => {
+  const read = await readMesh(encoder.encode(vtu(piece({ cellData: array("region", "") }))), {
+    fileName: "a.vtu",
+  });
+  expect(read.success ? "" : read.problems[0].message).toMatch(/cell 0 .* has no number "region"/);
+});
+
+test("names are UTF-8 with entities, comments hold no tags, and arrays of no use to a mesh may be anything", async () => {
+  const pointData =
+    array("Größe &lt;m&gt; &amp; &quot;so&quot;", "nan -inf 1 +1e3") +
+    '<DataArray type="String" Name="words" format="ascii">104 0</DataArray>' +
+    '<DataArray type="Bit" Name="bits" format="appended" offset="99"/>';
+  const cellData = array("pressure", "one") + array("region", "7");
+  const file = vtu(`<!-- <Piece NumberOfPoints="x"> -->${piece({ pointData, cellData })}`);
+  const read = await readMesh(encoder.encode(file), { fileName: "a.vtu" });
+  const mesh = valueOf(read);
+  expect([...mesh.nodeData.keys()]).toEqual(['Größe <m> & "so"']);
+  expect([...(mesh.nodeData.values().next().value?.values ?? [])]).toEqual([NaN, -Infinity, 1, 1000]);
+  expect(mesh.regions.map(({ tag }) => tag)).toEqual([7]);
+});
+
+test("a compressed block whose sum is another is damaged", async () => {
+  const points = new Uint8Array(Float64Array.from(POINTS.split(" "), Number).buffer);
+  const packed = zlibSync(points);
+  const file = (damage: (bytes: Uint8Array) => void) => {
+    const bytes = packed.slice();
+    damage(bytes);
+    const head = new Uint8Array(Uint32Array.of(1, points.length, 0, bytes.length).buffer);
+    const coded = [head, bytes].map((part) => Buffer.from(part).toString("base64")).join("");
+    return vtu(piece({ points: `format="binary">${coded}` }), 'compressor="vtkZLibDataCompressor"');
+  };
+  expect([...valueOf(await volume(file(() => undefined))).points]).toEqual(POINTS.split(" ").map(Number));
+  const last = packed.length - 1;
+  expect(await problemOf(file((bytes) => (bytes[last] = (bytes[last] ?? 0) ^ 1)))).toMatch(
+    /line 4: a compressed block is damaged/,
+  );
+});

@@ -1,0 +1,165 @@
+/**
+ * The tags of a VTU or VTP file, found in its bytes: no text is made of what stands between them, which may be longer
+ * than the longest text.
+ */
+import { failureAt } from "../read-result.js";
+import { indexOf } from "./byte-reader.js";
+
+const REMEDY = "Save the mesh again as .vtu or .vtp with triangles or linear tetrahedra.";
+/** Sections in which arrays are looked for. Those of cells in polygon files are named by their kind. */
+const SECTIONS = new Set(["Points", "Cells", "Verts", "Lines", "Strips", "Polys", "PointData", "CellData"]);
+
+/** A tag, in whose values there may be what ends it elsewhere. */
+const TAG = /^<(\/?)([A-Za-z]+)((?:"[^"<]*"|'[^'<]*'|[^<>"'])*)>$/;
+const [LESS, GREATER, QUOTE, APOSTROPHE] = [60, 62, 34, 39];
+
+export type Attributes = ReadonlyMap<string, string>;
+
+/** An array before its numbers are read. */
+export interface FoundArray {
+  readonly section: string;
+  readonly attributes: Attributes;
+  /** What stands between its tags, and where that begins. */
+  readonly content: Uint8Array;
+  readonly at: number;
+}
+
+export interface Piece {
+  /** Where its tag begins. */
+  readonly at: number;
+  readonly attributes: Attributes;
+  readonly arrays: FoundArray[];
+}
+
+export interface Head {
+  readonly file: Attributes;
+  readonly pieces: readonly Piece[];
+  /** What follows the underscore of the appended data, and whether it is base64. */
+  readonly appended: { readonly begin: number; readonly isBase64: boolean } | undefined;
+}
+
+/** Throws a ReadFailure where these are no bytes of such a file. */
+export function readHead(bytes: Uint8Array): Head {
+  let file: Attributes | undefined;
+  const pieces: Piece[] = [];
+  let section = "";
+  for (const { begin, end, isClosing, name, rest } of tagsIn(bytes)) {
+    const attributes = attributesIn(rest);
+    if (isClosing) {
+      if (name === section) section = "";
+    } else if (name === "VTKFile") file = attributes;
+    else if (name === "Piece") pieces.push({ at: begin, attributes, arrays: [] });
+    else if (SECTIONS.has(name)) section = rest.endsWith("/") ? section : name;
+    else if (name === "DataArray" && section !== "") {
+      const close = rest.endsWith("/") ? end : bytes.indexOf(LESS, end);
+      const content = bytes.subarray(end, Math.max(end, close));
+      pieces.at(-1)?.arrays.push({ section, attributes, content, at: end });
+    } else if (name === "AppendedData") {
+      const start = bytes.indexOf(UNDERSCORE, end) + 1;
+      const isBase64 = attributes.get("encoding") === "base64";
+      return checkedHead(bytes, file, pieces, { begin: start === 0 ? bytes.length : start, isBase64 });
+    }
+  }
+  return checkedHead(bytes, file, pieces, undefined);
+}
+
+const UNDERSCORE = 95;
+
+function checkedHead(
+  bytes: Uint8Array,
+  file: Attributes | undefined,
+  pieces: readonly Piece[],
+  appended: Head["appended"],
+): Head {
+  const type = file?.get("type");
+  if (file === undefined || (type !== "UnstructuredGrid" && type !== "PolyData"))
+    return failIn(
+      bytes,
+      "this is neither a VTU nor a VTP file: it has no unstructured grid and no polygons",
+      0,
+    );
+  if (pieces.length === 0) return failIn(bytes, "the file has no piece", bytes.length, appended?.begin);
+  const compressor = file.get("compressor");
+  if (compressor !== undefined && compressor !== "vtkZLibDataCompressor") {
+    const message = `the compressor ${compressor} is not known, only vtkZLibDataCompressor`;
+    failIn(bytes, message, indexOf(bytes, encoded("<VTKFile"), 0));
+  }
+  return { file, pieces, appended };
+}
+
+/** `at`: a byte, told as its line up to where data that are no text begin. */
+export function failIn(bytes: Uint8Array, message: string, at: number, dataBegin = Infinity): never {
+  throw failureAt(at < dataBegin ? { line: lineAt(bytes, at) } : { offset: at }, message, REMEDY);
+}
+
+function lineAt(bytes: Uint8Array, at: number): number {
+  let line = 1;
+  for (let i = 0; i < at; i++) {
+    const byte = bytes[i];
+    if (byte === 10 || (byte === 13 && bytes[i + 1] !== 10)) line++;
+  }
+  return line;
+}
+
+interface Tag {
+  readonly begin: number;
+  readonly end: number;
+  readonly isClosing: boolean;
+  readonly name: string;
+  readonly rest: string;
+}
+
+/** Those of elements, in order; comments are passed over. O(n), of which most is spent in looking for "<". */
+function* tagsIn(bytes: Uint8Array): Generator<Tag> {
+  const decoder = new TextDecoder();
+  for (let at = bytes.indexOf(LESS); at >= 0;) {
+    if (bytes[at + 1] === 33 && bytes[at + 2] === 45 && bytes[at + 3] === 45) {
+      const end = indexOf(bytes, encoded("-->"), at + 4);
+      if (end < 0) return;
+      at = bytes.indexOf(LESS, end);
+      continue;
+    }
+    const last = tagEnd(bytes, at + 1);
+    const text = decoder.decode(bytes.subarray(at, last + 1));
+    const [whole, slash, name = "", rest = ""] = TAG.exec(text) ?? [];
+    if (whole !== undefined) yield { begin: at, end: last + 1, isClosing: slash === "/", name, rest };
+    at = bytes.indexOf(LESS, last);
+  }
+}
+
+/** Where the next ">" outside of quotes is, or the next "<", or the end. */
+function tagEnd(bytes: Uint8Array, from: number): number {
+  let quote = 0;
+  for (let at = from; at < bytes.length; at++) {
+    const byte = bytes[at] ?? 0;
+    if (byte === LESS || (byte === GREATER && quote === 0)) return at;
+    if (byte === quote) quote = 0;
+    else if (quote === 0 && (byte === QUOTE || byte === APOSTROPHE)) quote = byte;
+  }
+  return bytes.length;
+}
+
+/** name="value" pairs, or name='value'. */
+function attributesIn(text: string): Attributes {
+  const pairs = text.matchAll(/([^\s="']{1,100})\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
+  return new Map(
+    [...pairs].map(([, name = "", double, single]) => [name, unescaped(double ?? single ?? "")]),
+  );
+}
+
+export function unescaped(text: string): string {
+  return text.replace(/&(lt|gt|quot|apos|#45|amp);/g, (_, name: string) => CHARACTERS[name] ?? "");
+}
+
+const CHARACTERS: Readonly<Record<string, string>> = {
+  lt: "<",
+  gt: ">",
+  quot: '"',
+  apos: "'",
+  "#45": "-",
+  amp: "&",
+};
+
+function encoded(text: string): Uint8Array {
+  return new TextEncoder().encode(text);
+}
