@@ -42,11 +42,10 @@ export async function minifyLoader() {
 export async function bundleCommandLine() {
   const { build } = await import("esbuild");
   const dist = inRoot("wasm", "dist");
-  const entry = path.join(dist, "cli.js");
   await build({
-    entryPoints: [entry],
-    outfile: entry,
-    allowOverwrite: true,
+    // From the sources: the compiler writes anew only what has changed.
+    entryPoints: [inRoot("wasm", "src", "cli.ts")],
+    outfile: path.join(dist, "cli.js"),
     bundle: true,
     format: "esm",
     platform: "node",
