@@ -1,6 +1,7 @@
 import { createMesher, type Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { Autosave, type Kept } from "./document/autosave";
+import { contentKey } from "./document/content-key";
 import { emptyProject } from "./document/edits";
 import { loadGallery, loadModel, type Gallery } from "./document/gallery";
 import { PreviewFeed } from "./document/preview";
@@ -8,7 +9,7 @@ import { ProblemList } from "./document/problems";
 import { MeshRun, regionCount } from "./document/run";
 import { ViewStore } from "./document/selection";
 import { createShell, type Shell } from "./document/shell";
-import { contentKey, DocumentStore } from "./document/store";
+import { DocumentStore } from "./document/store";
 import { strings } from "./ui/strings";
 import { MeshSurvey } from "./viewer/mesh-survey";
 import type { Viewer } from "./viewer/viewer";

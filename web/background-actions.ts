@@ -1,6 +1,8 @@
-import { projectBackground, type CoverOptions, type ProjectSource, type SizeProposal } from "tetrafront";
+import type { CoverOptions, ProjectSource, SizeProposal } from "tetrafront";
 import type { App } from "./app";
 import { replaceBackground, replaceSources, setMeshing } from "./document/edits";
+import { documentGrid } from "./document/large-grid";
+import { packArrays } from "./document/packed-grid";
 import { rangeAlong, smallestSize } from "./document/extent";
 import { strings } from "./ui/strings";
 
@@ -29,8 +31,10 @@ export async function takeMeshAsGrid(app: App): Promise<void> {
   if (!mesh) return;
   try {
     const arrays = await (await app.mesher).meshAsBackground(mesh.volume);
+    const grid = await documentGrid(packArrays(arrays));
     const { sources } = app.documents.project.background;
-    const background = { ...projectBackground(arrays), ...(sources && { sources }) };
+    const { overhang = 0 } = arrays;
+    const background = { ...grid, ...(sources && { sources }), ...(overhang > 0 && { overhang }) };
     app.documents.edit(replaceBackground(strings.background.meshAsGrid, app.documents.project, background));
   } catch (error) {
     fail(app, strings.background.meshAsGrid, error);

@@ -1,5 +1,7 @@
 import { expect, test, type Route } from "@playwright/test";
-import { writeProject } from "tetrafront";
+import { readFileSync } from "node:fs";
+import { writeProject, type Project } from "tetrafront";
+import { gridMesh } from "../unit/web/grid-mesh";
 import { AppPage, sampleProject } from "./app-page";
 
 /** What takes long for large meshes is done by workers; here one of them is late, or does not come at all. */
@@ -93,3 +95,46 @@ test("while a mesh is made nothing moves by itself: every picture costs the mesh
   expect(moving.length).toBeGreaterThan(2);
   expect(Math.max(...moving)).toBe(0);
 });
+
+test("a project with a large background grid is read and written by a worker, and comes back whole", async ({
+  page,
+}) => {
+  const cube = sampleProject("unit-cube");
+  const background = blockGrid(14);
+  const text = writeProject({ ...cube, name: "Large grid", background });
+  expect(text.length).toBeGreaterThan(200_000);
+  const app = new AppPage(page);
+  await app.openCube();
+  const started: string[] = [];
+  page.on("worker", (worker) => started.push(worker.url()));
+  const before = await app.mesh();
+  await app.openFile("large.json", text);
+  await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);
+  await app.meshed();
+  expect(started.filter((url) => url.includes("project-worker"))).toHaveLength(1);
+  const [saved] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
+  expect(readFileSync(await saved.path(), "utf8")).toBe(text);
+  expect(started.filter((url) => url.includes("project-worker"))).toHaveLength(2);
+
+  await page.route(/project-worker-.*\.js$/, (route) => route.abort());
+  await app.openFile("large.json", text);
+  const dialog = page.getByRole("dialog", { name: /large\.json/ });
+  await expect(dialog).toContainText("could not be loaded");
+});
+
+/** A grid of n × n × n cubes around the unit cube, of six tetrahedra each. */
+function blockGrid(n: number): Project["background"] {
+  const { points, tetrahedra } = gridMesh(n);
+  const at = (node: number, axis: number): number => -0.1 + (1.2 * (points[3 * node + axis] ?? 0)) / n;
+  return {
+    nodes: Array.from({ length: points.length / 3 }, (_, i) => ({
+      id: i + 1,
+      at: [at(i, 0), at(i, 1), at(i, 2)],
+      size: 0.3,
+    })),
+    tetrahedra: Array.from({ length: tetrahedra.length / 4 }, (_, t) => {
+      const id = (k: number): number => (tetrahedra[4 * t + k] ?? 0) + 1;
+      return [id(0), id(1), id(2), id(3)];
+    }),
+  };
+}

@@ -174,16 +174,19 @@ class WorkerMesher implements Mesher {
     control: AbortControl = {},
   ): Promise<ProjectPreview> {
     const unusable = checkPreviewOptions(options);
-    const model = drawnArrays(project);
-    const { size, enclosed } = withSettings(unusable.length > 0 ? {} : options, project);
-    const wrong = unusable.length > 0 ? unusable : checkPreviewOptions({ size, enclosed });
+    const drawn = drawnArrays(project);
+    const { size, enclosed, background } = withSettings(unusable.length > 0 ? {} : options, project);
+    const wrong = unusable.length > 0 ? unusable : checkPreviewOptions({ size, enclosed, background });
+    const hasGrid = background !== undefined && wrong.length === 0;
     const question = {
       kind: "preview",
       id: this.#nextId(),
-      model,
+      model: hasGrid ? { ...drawn, grid: withNodes(drawn.grid, background) } : drawn,
       options: engineOptions(wrong.length > 0 ? {} : { size, enclosed }),
     } as const;
-    const preview = describedPreview(await this.#ask(question, control), projectNamer(project));
+    const name = projectNamer(project);
+    const answer = await this.#ask(question, control);
+    const preview = describedPreview(answer, hasGrid ? gridByPosition(name) : name);
     return { ...preview, diagnostics: [...wrong, ...preview.diagnostics] };
   }
 

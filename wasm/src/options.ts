@@ -92,7 +92,10 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
   exactFillOnly: ["choice of the exact fill alone", trueOrFalse],
 };
 
-const PREVIEW_RULES: Rules<PreviewOptions> = { size: MESH_RULES.size, enclosed: MESH_RULES.enclosed };
+const PREVIEW_RULES: Rules<Omit<PreviewOptions, "background">> = {
+  size: MESH_RULES.size,
+  enclosed: MESH_RULES.enclosed,
+};
 
 const INSPECTION_RULES: Rules<InspectionOptions> = { enclosed: MESH_RULES.enclosed };
 
@@ -133,8 +136,15 @@ const REPAIR_RULES: Rules<RepairOptions> = {
 
 /** What is wrong with the options; empty where nothing is. */
 export function checkOptions(options: MeshOptions): Diagnostic[] {
-  const { background, ...rest } = asRecord(options) as MeshOptions;
-  const wrong = checkAgainst(options, rest, MESH_RULES, ["background"]);
+  return checkWithBackground(options, MESH_RULES);
+}
+
+function checkWithBackground<Options extends PreviewOptions>(
+  options: Options,
+  rules: Rules<Omit<Options, "background">>,
+): Diagnostic[] {
+  const { background, ...rest } = asRecord(options) as Options;
+  const wrong = checkAgainst(options, rest, rules, ["background"]);
   if (background === undefined) return wrong;
   if (rest.size !== undefined && !hasSourcesOnly(background)) {
     const message = "both an element size and a background grid are given";
@@ -152,7 +162,7 @@ export function checkRefineOptions(options: MeshOptions): Diagnostic[] {
 }
 
 export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
-  return checkAgainst(options, options, PREVIEW_RULES);
+  return checkWithBackground(options, PREVIEW_RULES);
 }
 
 export function checkInspectionOptions(options: InspectionOptions): Diagnostic[] {

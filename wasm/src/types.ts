@@ -46,6 +46,8 @@ export interface PreviewOptions {
   readonly size?: number | undefined;
   /** As among the `MeshOptions`, for what is said about regions and cavities. */
   readonly enclosed?: EnclosedBodies | undefined;
+  /** As among the `MeshOptions`: the grid that the project will be meshed with, in place of its own. */
+  readonly background?: BackgroundArrays | undefined;
 }
 
 /** How a given surface is judged. */

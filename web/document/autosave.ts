@@ -1,7 +1,9 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import { parseProject, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { packNodes, packTetrahedra, unpackNodes, unpackTetrahedra, type PackedGrid } from "./packed-grid";
+import { manyTetrahedra } from "./engine-input";
+import { documentGrid } from "./large-grid";
+import { packedGrid, type PackedGrid } from "./packed-grid";
 import type { DocumentState, DocumentStore } from "./store";
 
 interface Saved {
@@ -32,8 +34,6 @@ type Database = IDBPDatabase<AutosaveSchema>;
 const ringLength = 5;
 const allLength = 15;
 const idleMs = 1000;
-/** Above this many tetrahedra a background grid is written as flat arrays. */
-const manyTetrahedra = 2000;
 
 /** Keys are microseconds since 1970: the newest has the highest. */
 const newKey = (after: number): number => Math.max(after + 1, Date.now() * 1000);
@@ -72,8 +72,6 @@ export class Autosave {
   #database: Database | null = null;
   /** What has been written, or is being written. */
   #kept: DocumentState | null = null;
-  readonly #nodes = remembering(packNodes);
-  readonly #tetrahedra = remembering(packTetrahedra);
   #timer: ReturnType<typeof setTimeout> | null = null;
   /** `pending`: there is a change that no storage holds yet; leaving the page deserves a warning. */
   readonly state: StoreApi<{ readonly pending: boolean }> = createStore<{ readonly pending: boolean }>(
@@ -97,7 +95,7 @@ export class Autosave {
     const all = await database.getAllKeys("versions");
     for (const key of [...this.#ownKeys.read().reverse(), ...all.reverse()]) {
       const version = await database.get("versions", key);
-      const project = version ? readKept(version) : null;
+      const project = version ? await readKept(version) : null;
       if (version && project) return { project, savedKey: version.savedKey };
     }
     return null;
@@ -140,22 +138,13 @@ export class Autosave {
     }
   }
 
-  /** The project to be written. A large grid seldom changes, and is not packed afresh. */
+  /** The project to be written. */
   #written({ background, ...rest }: Project): Pick<Saved, "text" | "grid"> {
-    const { nodes, tetrahedra, ...more } = background;
-    if (tetrahedra.length <= manyTetrahedra) return { text: JSON.stringify({ ...rest, background }) };
-    const text = JSON.stringify({ ...rest, background: { ...more, nodes: [], tetrahedra: [] } });
-    return { text, grid: { nodes: this.#nodes(nodes), tetrahedra: this.#tetrahedra(tetrahedra) } };
+    if (background.tetrahedra.length <= manyTetrahedra)
+      return { text: JSON.stringify({ ...rest, background }) };
+    const text = JSON.stringify({ ...rest, background: { ...background, nodes: [], tetrahedra: [] } });
+    return { text, grid: packedGrid(background) };
   }
-}
-
-/** A function that remembers its last answer. */
-function remembering<In extends object, Out>(compute: (input: In) => Out): (input: In) => Out {
-  let last: { readonly input: In; readonly output: Out } | null = null;
-  return (input) => {
-    if (last?.input !== input) last = { input, output: compute(input) };
-    return last.output;
-  };
 }
 
 /** Takes away these states, and the oldest of all tabs. */
@@ -166,13 +155,10 @@ async function prune(database: Database, keys: readonly number[]): Promise<void>
   await done;
 }
 
-function readKept({ text, grid, project, uniformSize = null }: Saved): Project | null {
+async function readKept({ text, grid, project, uniformSize = null }: Saved): Promise<Project | null> {
   const read = parseProject(text === undefined ? project : JSON.parse(text));
   if (!read.success) return null;
   const { value } = read;
   if (uniformSize !== null) return { ...value, meshing: { size: uniformSize } };
-  if (!grid) return value;
-  const nodes = unpackNodes(grid.nodes);
-  const tetrahedra = unpackTetrahedra(grid.tetrahedra);
-  return { ...value, background: { ...value.background, nodes, tetrahedra } };
+  return grid ? { ...value, background: { ...value.background, ...(await documentGrid(grid)) } } : value;
 }

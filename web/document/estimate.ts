@@ -1,4 +1,5 @@
 import type { ProjectPreview, ProjectSource } from "tetrafront";
+import { nextTurn, sliceMs } from "./slices";
 
 /**
  * How many tetrahedra a size field asks for, before anything is meshed: the integral of
@@ -15,8 +16,6 @@ const offsets = [0.4871, 0.5213] as const;
 const stepInSizes = 0.7;
 /** Sizes below this share of the model are not followed step by step: the count is absurd anyway. */
 const leastStep = 1e-3;
-/** Work between two looks at the page, in milliseconds. */
-const sliceMs = 8;
 /** Growth of a source that does not say. */
 const defaultGrowth = 0.3;
 
@@ -116,8 +115,6 @@ function rangeOf(points: Float64Array, axis: number): Range & { readonly length:
   }
   return { low, step: (high - low) / linesPerSide, length: high - low };
 }
-
-const nextTurn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
 
 /**
  * The expected number of tetrahedra for a uniform size refined by sources. Null where the preview

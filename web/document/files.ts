@@ -1,4 +1,5 @@
-import { readProject, writeProject, type Project } from "tetrafront";
+import type { Project } from "tetrafront";
+import { projectFileOf, readProjectIn } from "./project-files";
 
 /** What opening a file came to. `cancelled` means that the user closed the dialog. */
 export type OpenResult =
@@ -34,7 +35,7 @@ export async function readProjectFile(file: File): Promise<OpenResult> {
 async function projectIn(file: File): Promise<OpenResult> {
   const mesh = await meshFileReasons(file.name);
   if (mesh !== undefined) return { kind: "failed", fileName: file.name, reasons: mesh };
-  const read = readProject(await file.text());
+  const read = await readProjectIn(file);
   if (read.success) return { kind: "opened", project: read.value, fileName: file.name };
   const reasons = read.problems.map(({ message, remedy, line }) =>
     line === undefined ? `${message}. ${remedy}` : `Line ${line}: ${message}. ${remedy}`,
@@ -86,11 +87,11 @@ export async function saveProjectFile(
   project: Project,
   handle: FileSystemFileHandle | null,
 ): Promise<{ readonly handle: FileSystemFileHandle | null } | null> {
-  const blob = new Blob([writeProject(project)], { type: "application/json" });
   try {
     const { fileSave } = await loadFileDialogs();
     const saved = await fileSave(
-      blob,
+      // A promise: the browser lets the user choose a file only right after a click.
+      projectFileOf(project),
       { ...projectFile, fileName: `${fileStem(project.name)}.json` },
       handle,
     );

@@ -1,9 +1,13 @@
-import type { Project, ProjectBackgroundNode } from "tetrafront";
+import type { BackgroundArrays, Project, ProjectBackground, ProjectBackgroundNode } from "tetrafront";
+import { forEachInSlices, nextTurn } from "./slices";
 
 type Nodes = Project["background"]["nodes"];
 type Tetrahedra = Project["background"]["tetrahedra"];
 
-/** A background grid as flat arrays, which a browser stores a hundred times as fast as its text. */
+/**
+ * A background grid as flat arrays. Whatever looks at a whole grid looks at these: they are made once for each
+ * list, and a browser hands them on, stores them and goes through them a hundred times as fast as objects.
+ */
 export interface PackedGrid {
   /** Per node: id, x y z, size, stretching, direction x y z; not a number where there is none. */
   readonly nodes: Float64Array;
@@ -11,13 +15,46 @@ export interface PackedGrid {
   readonly tetrahedra: Float64Array;
 }
 
-/** Numbers per node. */
-const stride = 9;
+export const numbersPerNode = 9;
 
-export function packNodes(nodes: Nodes): Float64Array {
-  const packed = new Float64Array(stride * nodes.length).fill(NaN);
+const nodesOf = new WeakMap<Nodes, Float64Array>();
+const tetrahedraOf = new WeakMap<Tetrahedra, Float64Array>();
+const arraysOf = new WeakMap<
+  Float64Array,
+  { readonly nodes: Float64Array; readonly arrays: BackgroundArrays }
+>();
+
+/** The same array every time for the same list. */
+export function packedNodes(nodes: Nodes): Float64Array {
+  return remembered(nodesOf, nodes, packNodes);
+}
+
+/** The same array every time for the same list. */
+export function packedTetrahedra(tetrahedra: Tetrahedra): Float64Array {
+  return remembered(tetrahedraOf, tetrahedra, packTetrahedra);
+}
+
+export function packedGrid({ nodes, tetrahedra }: ProjectBackground): PackedGrid {
+  return { nodes: packedNodes(nodes), tetrahedra: packedTetrahedra(tetrahedra) };
+}
+
+function remembered<In extends object, Out>(
+  known: WeakMap<In, Out>,
+  input: In,
+  compute: (input: In) => Out,
+): Out {
+  let output = known.get(input);
+  if (output === undefined) {
+    output = compute(input);
+    known.set(input, output);
+  }
+  return output;
+}
+
+function packNodes(nodes: Nodes): Float64Array {
+  const packed = new Float64Array(numbersPerNode * nodes.length).fill(NaN);
   nodes.forEach(({ id, at, size, stretching, direction }, i) => {
-    const first = stride * i;
+    const first = numbersPerNode * i;
     packed[first] = id;
     packed.set(at, first + 1);
     packed[first + 4] = size;
@@ -27,30 +64,126 @@ export function packNodes(nodes: Nodes): Float64Array {
   return packed;
 }
 
-export function packTetrahedra(tetrahedra: Tetrahedra): Float64Array {
+function packTetrahedra(tetrahedra: Tetrahedra): Float64Array {
   const packed = new Float64Array(4 * tetrahedra.length);
   let out = 0;
   for (const corners of tetrahedra) for (const id of corners) packed[out++] = id;
   return packed;
 }
 
-export function unpackNodes(packed: Float64Array): Nodes {
-  return Array.from({ length: packed.length / stride }, (_, i): ProjectBackgroundNode => {
-    const [id = 0, x = 0, y = 0, z = 0, size = 0, stretching = NaN, u = NaN, v = NaN, w = NaN] =
-      packed.subarray(stride * i, stride * (i + 1));
-    return {
-      id,
-      at: [x, y, z],
-      size,
-      ...(Number.isNaN(stretching) ? {} : { stretching }),
-      ...(Number.isNaN(u) ? {} : { direction: [u, v, w] as const }),
-    };
-  });
+/** Which of its optional parts the node has that begins there. */
+export function partsOf(
+  nodes: Float64Array,
+  first: number,
+): { readonly stretching: boolean; readonly direction: boolean } {
+  return { stretching: !Number.isNaN(nodes[first + 5]), direction: !Number.isNaN(nodes[first + 6]) };
 }
 
-export function unpackTetrahedra(packed: Float64Array): Tetrahedra {
-  return Array.from({ length: packed.length / 4 }, (_, t) => {
-    const [a = 0, b = 0, c = 0, d = 0] = packed.subarray(4 * t, 4 * t + 4);
-    return [a, b, c, d] as const;
+function nodeAt(packed: Float64Array, i: number): ProjectBackgroundNode {
+  const first = numbersPerNode * i;
+  const number = (k: number): number => packed[first + k] ?? 0;
+  const { stretching, direction } = partsOf(packed, first);
+  return {
+    id: number(0),
+    at: [number(1), number(2), number(3)],
+    size: number(4),
+    ...(stretching ? { stretching: number(5) } : {}),
+    ...(direction ? { direction: [number(6), number(7), number(8)] as const } : {}),
+  };
+}
+
+/**
+ * Nodes and tetrahedra as a project has them, one object each, and ready to go to the engine. The page is let go
+ * on in between.
+ */
+export async function unpackGrid(grid: PackedGrid): Promise<{ nodes: Nodes; tetrahedra: Tetrahedra }> {
+  const nodes: ProjectBackgroundNode[] = [];
+  const tetrahedra: Tetrahedra[number][] = [];
+  await forEachInSlices(grid.nodes.length / numbersPerNode, (i) => nodes.push(nodeAt(grid.nodes, i)));
+  await forEachInSlices(grid.tetrahedra.length / 4, (t) => {
+    const id = (corner: number): number => grid.tetrahedra[4 * t + corner] ?? 0;
+    tetrahedra.push([id(0), id(1), id(2), id(3)]);
   });
+  nodesOf.set(nodes, grid.nodes);
+  tetrahedraOf.set(tetrahedra, grid.tetrahedra);
+  const positionOf = positionFinder(grid.nodes);
+  const positions = new Uint32Array(grid.tetrahedra.length);
+  await forEachInSlices(positions.length, (i) => (positions[i] = positionOf(grid.tetrahedra[i] ?? 0)));
+  await nextTurn();
+  const arrays = { ...nodeArrays(grid.nodes), tetrahedra: positions };
+  arraysOf.set(grid.tetrahedra, { nodes: grid.nodes, arrays });
+  return { nodes, tetrahedra };
+}
+
+/** A grid that the engine has made, with ids from 1. */
+export function packArrays(arrays: BackgroundArrays): PackedGrid {
+  const { points, sizes, stretchings, directions, tetrahedra } = arrays;
+  const nodes = new Float64Array(numbersPerNode * sizes.length).fill(NaN);
+  for (let i = 0; i < sizes.length; ++i) {
+    const first = numbersPerNode * i;
+    nodes[first] = i + 1;
+    nodes.set(points.subarray(3 * i, 3 * i + 3), first + 1);
+    nodes[first + 4] = sizes[i] ?? 0;
+    const stretching = stretchings?.[i] ?? 1;
+    if (stretching === 1) continue;
+    nodes[first + 5] = stretching;
+    if (directions) nodes.set(directions.subarray(3 * i, 3 * i + 3), first + 6);
+  }
+  return { nodes, tetrahedra: Float64Array.from(tetrahedra, (node) => node + 1) };
+}
+
+/** The grid as the engine takes it, without its sources. */
+export function engineGrid(background: ProjectBackground): BackgroundArrays {
+  const { nodes, tetrahedra } = packedGrid(background);
+  const known = arraysOf.get(tetrahedra);
+  if (known?.nodes === nodes) return { ...known.arrays, overhang: background.overhang };
+  // Another size or place of a node leaves the tetrahedra.
+  const positions =
+    known && sameIds(known.nodes, nodes) ? known.arrays.tetrahedra : nodePositions(nodes, tetrahedra);
+  const arrays = { ...nodeArrays(nodes), tetrahedra: positions };
+  arraysOf.set(tetrahedra, { nodes, arrays });
+  return { ...arrays, overhang: background.overhang };
+}
+
+function sameIds(nodes: Float64Array, others: Float64Array): boolean {
+  if (nodes.length !== others.length) return false;
+  for (let i = 0; i < nodes.length; i += numbersPerNode) if (nodes[i] !== others[i]) return false;
+  return true;
+}
+
+function nodeArrays(nodes: Float64Array): Omit<BackgroundArrays, "tetrahedra"> {
+  const count = nodes.length / numbersPerNode;
+  const points = new Float64Array(3 * count);
+  const sizes = new Float64Array(count);
+  const stretchings = new Float64Array(count).fill(1);
+  const directions = new Float64Array(3 * count);
+  for (let i = 0; i < count; ++i) {
+    const first = numbersPerNode * i;
+    for (let k = 0; k < 3; ++k) points[3 * i + k] = nodes[first + 1 + k] ?? 0;
+    sizes[i] = nodes[first + 4] ?? 0;
+    const { stretching, direction } = partsOf(nodes, first);
+    if (stretching) stretchings[i] = nodes[first + 5] ?? 1;
+    for (let k = 0; k < 3; ++k)
+      directions[3 * i + k] = direction ? (nodes[first + 6 + k] ?? 0) : Number(k === 0);
+  }
+  return { points, sizes, stretchings, directions };
+}
+
+function nodePositions(nodes: Float64Array, tetrahedra: Float64Array): Uint32Array {
+  const positionOf = positionFinder(nodes);
+  const positions = new Uint32Array(tetrahedra.length);
+  for (let i = 0; i < tetrahedra.length; ++i) positions[i] = positionOf(tetrahedra[i] ?? 0);
+  return positions;
+}
+
+/** Tells the position of the node with an id; of an id that is not there, one that the engine tells is not. */
+function positionFinder(nodes: Float64Array): (id: number) => number {
+  const nowhere = 0x7fffffff;
+  const count = nodes.length / numbersPerNode;
+  let isInOrder = true;
+  for (let i = 0; isInOrder && i < count; ++i) isInOrder = nodes[numbersPerNode * i] === i + 1;
+  if (isInOrder) return (id) => (id >= 1 && id <= count ? id - 1 : nowhere);
+  const positions = new Map<number, number>();
+  for (let i = 0; i < count; ++i) positions.set(nodes[numbersPerNode * i] ?? 0, i);
+  return (id) => positions.get(id) ?? nowhere;
 }

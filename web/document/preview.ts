@@ -1,5 +1,6 @@
 import type { Mesher, Project, ProjectPreview } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
+import { engineInput } from "./engine-input";
 import type { DocumentStore } from "./store";
 
 export interface PreviewState {
@@ -46,7 +47,7 @@ export class PreviewFeed {
       const project = this.#wanted;
       this.#wanted = null;
       try {
-        const preview = await (await this.#mesher).previewProject(project);
+        const preview = await (await this.#mesher).previewProject(...engineInput(project));
         this.state.setState({ preview, project, failure: null });
       } catch (error) {
         this.state.setState({ failure: error instanceof Error ? error.message : String(error) });

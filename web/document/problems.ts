@@ -1,7 +1,8 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
-import { contentKey, type DocumentStore } from "./store";
+import { contentKey } from "./content-key";
+import type { DocumentStore } from "./store";
 import { problemsByEntity, toProblems, type Problem } from "./validate";
 
 export interface ProblemState {

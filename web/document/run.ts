@@ -1,13 +1,8 @@
-import {
-  backgroundArrays,
-  type Mesher,
-  type MeshOptions,
-  type MeshResult,
-  type Progress,
-  type Project,
-} from "tetrafront";
+import { type Mesher, type MeshResult, type Progress, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { contentKey, type DocumentStore } from "./store";
+import { contentKey } from "./content-key";
+import { engineInput } from "./engine-input";
+import type { DocumentStore } from "./store";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 
@@ -102,7 +97,7 @@ export class MeshRun {
     try {
       const result = await (
         await this.#mesher
-      ).meshProject(...meshInput(project), {
+      ).meshProject(...engineInput(project), {
         signal: abort.signal,
         onProgress: (progress) => this.#report(progress, log),
       });
@@ -204,19 +199,6 @@ function summary({ report }: MeshResult): string {
     case "invalid-input":
       return "Not meshed: the model has errors";
   }
-}
-
-/** Above this many tetrahedra a background grid goes to the mesher as flat arrays. */
-const manyTetrahedra = 2000;
-
-/** What to mesh and with which options. A project is looked through node by node, flat arrays are not. */
-function meshInput(project: Project): [Project, MeshOptions] {
-  const { background, meshing } = project;
-  if (meshing?.size !== undefined) return [project, {}];
-  if (background.tetrahedra.length <= manyTetrahedra) return [project, {}];
-  const grid = backgroundArrays({ ...background, sources: [] });
-  const rest = { nodes: [], tetrahedra: [], ...(background.sources && { sources: background.sources }) };
-  return [{ ...project, background: rest }, { background: grid }];
 }
 
 /** With a full stop, unless it ends in some other mark. */

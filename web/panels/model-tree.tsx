@@ -26,7 +26,7 @@ import { entityWords, strings } from "../ui/strings";
 import { formatCount } from "../ui/format";
 import { useApp, useProblems, useProject, useView } from "./app-context";
 import { EntityIcon } from "./entity-icon";
-import { treeRows, type TreeRow } from "./tree-rows";
+import { TreeRows, type TreeRow } from "./tree-rows";
 import { useRowWindow } from "./use-row-window";
 
 /** Pixels per row. */
@@ -47,11 +47,8 @@ export function ModelTree() {
   const [filter, setFilter] = useState("");
   const [closed, setClosed] = useState<ReadonlySet<DrawnKind>>(() => new Set(["point"] as const));
   const [focusedKey, setFocusedKey] = useState<string | null>(null);
-  const rows = useMemo(() => treeRows(project, filter, closed), [project, filter, closed]);
-  const focused = Math.max(
-    0,
-    rows.findIndex((row) => rowKey(row) === focusedKey),
-  );
+  const rows = useMemo(() => new TreeRows(project, filter, closed), [project, filter, closed]);
+  const focused = Math.max(0, rows.indexOf(focusedKey));
   const scroller = useRef<HTMLDivElement>(null);
   const { first, last, scrollTo } = useRowWindow(scroller, rows.length, rowHeight);
 
@@ -74,17 +71,18 @@ export function ModelTree() {
   // Where a range of rows, selected with Shift, begins.
   const anchor = useRef<string | null>(null);
   const selectRange = (row: TreeRow): void => {
-    const from = rows.findIndex((other) => rowKey(other) === anchor.current);
-    const to = rows.indexOf(row);
+    const from = rows.indexOf(anchor.current);
+    const to = rows.indexOf(rowKey(row));
     const range = from < 0 ? [row] : rows.slice(Math.min(from, to), Math.max(from, to) + 1);
     const entities = range.flatMap((other) => (other.type === "entity" ? [other.entity] : []));
     app.view.selectAll(from > to ? entities.reverse() : entities);
   };
   const focusRow = (index: number): void => {
-    const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
+    const within = Math.min(rows.length - 1, Math.max(0, index));
+    const row = rows.at(within);
     if (!row) return;
     setFocusedKey(rowKey(row));
-    scrollTo(rows.indexOf(row));
+    scrollTo(within);
     wantsFocus.current = true;
   };
   const activate = (row: TreeRow, mode: SelectMode): void => {
@@ -100,17 +98,14 @@ export function ModelTree() {
   /** Moves the focus by one row; with Shift the selection goes along. */
   const stepTo = (index: number, extend: boolean): void => {
     focusRow(index);
-    const row = rows[Math.min(rows.length - 1, Math.max(0, index))];
+    const row = rows.at(Math.min(rows.length - 1, Math.max(0, index)));
     if (!extend || !row) return;
-    anchor.current ??= rowKey(rows[focused] ?? row);
+    anchor.current ??= rowKey(rows.at(focused) ?? row);
     selectRange(row);
   };
-  const selectKind = (kind: DrawnKind): void =>
-    app.view.selectAll(
-      rows.flatMap((row) => (row.type === "entity" && row.entity.kind === kind ? [row.entity] : [])),
-    );
+  const selectKind = (kind: DrawnKind): void => app.view.selectAll(rows.entitiesOf(kind));
   const onKeyDown = (event: KeyboardEvent): void => {
-    const row = rows[focused];
+    const row = rows.at(focused);
     if (!row) return;
     const steps: Readonly<Record<string, () => void>> = {
       ArrowDown: () => stepTo(focused + 1, event.shiftKey),
@@ -120,7 +115,7 @@ export function ModelTree() {
       ArrowRight: () => (row.type === "group" && !row.open ? setOpen(row.kind, true) : focusRow(focused + 1)),
       ArrowLeft: () => {
         if (row.type === "group") setOpen(row.kind, false);
-        else focusRow(rows.findIndex((other) => other.type === "group" && other.kind === row.entity.kind));
+        else focusRow(rows.indexOf(row.entity.kind));
       },
       Enter: () => activate(row, modeOf(event)),
       " ": () => activate(row, modeOf(event)),
@@ -148,7 +143,7 @@ export function ModelTree() {
     );
   }, [selected]);
   useEffect(() => {
-    const index = rows.findIndex((row) => rowKey(row) === selectedKey);
+    const index = rows.indexOf(selectedKey);
     if (index >= 0) scrollTo(index);
   }, [selectedKey, rows, scrollTo]);
 

@@ -416,6 +416,26 @@ describe("a preview", () => {
     expect(await codes({ size: 0.2 })).toEqual([]);
     expect(await codes({ size: 0 })).toEqual(["invalid-option", "empty-background-grid"]);
   });
+
+  test("judges a grid of flat arrays as it judges the project's own", async () => {
+    const { nodes, ...rest } = cubeProject().background;
+    const spoilt = nodes.map((node, i) => (i === 2 ? { ...node, size: -1 } : node));
+    for (const background of [
+      { ...rest, nodes },
+      { ...rest, nodes: spoilt },
+    ]) {
+      const own = (await mesher.previewProject({ ...cubeProject(), background })).diagnostics;
+      const project = bare(cubeProject());
+      const given = await mesher.previewProject(project, { background: backgroundArrays(background) });
+      expect(
+        given.diagnostics.map(({ code, entities }) => [code, entities.map(({ index }) => index)]),
+      ).toEqual(own.map(({ code, entities }) => [code, entities.map(({ index }) => index)]));
+      expect(own.length > 0).toBe(background.nodes === spoilt);
+    }
+    const unusable = { background: { ...backgroundArrays(cubeProject().background), sizes: [1] } } as never;
+    const { diagnostics } = await mesher.previewProject(bare(cubeProject()), unusable);
+    expect(diagnostics.map(({ code }) => code)).toContain("invalid-arrays");
+  });
 });
 
 test("the report tells about every patch", async () => {

@@ -11,9 +11,9 @@ import {
   setNodeDirection,
   setNodeStretching,
 } from "../../../web/document/edits";
-import { contentKey, DocumentStore, hasUnsavedChanges } from "../../../web/document/store";
+import { contentKey } from "../../../web/document/content-key";
+import { DocumentStore, hasUnsavedChanges } from "../../../web/document/store";
 import { toProblems } from "../../../web/document/validate";
-import { treeRows } from "../../../web/panels/tree-rows";
 import { cubeProject } from "../../support/projects";
 
 describe("the document", () => {
@@ -105,28 +105,6 @@ describe("toProblems", () => {
     ]);
     expect(problems[1]?.place).toEqual([1, 2, 3]);
     expect(problems.map(({ triangles }) => triangles)).toEqual([[7, 9], []]);
-  });
-});
-
-describe("treeRows", () => {
-  const project = cubeProject();
-
-  it("lists every entity under the heading of its kind", () => {
-    const rows = treeRows(project, "", new Set());
-    const listed = rows.filter((row) => row.type === "entity").length;
-    const { points, lines, patches, background } = project;
-    expect(listed).toBe(points.length + lines.length + patches.length + background.nodes.length);
-    expect(rows.filter((row) => row.type === "group")).toHaveLength(5);
-    expect(treeRows(project, "", new Set(["line"]))).toHaveLength(rows.length - lines.length);
-  });
-
-  it("filters by number and type, and opens what is closed", () => {
-    const id = project.lines[3]?.id ?? 0;
-    const rows = treeRows(project, `line ${id}`, new Set(["line"]));
-    expect(
-      rows.some((row) => row.type === "entity" && row.entity.kind === "line" && row.entity.id === id),
-    ).toBe(true);
-    expect(treeRows(project, "no such thing", new Set())).toEqual([]);
   });
 });
 

@@ -1,17 +1,81 @@
+import { backgroundArrays, projectBackground, type ProjectBackground } from "tetrafront";
 import { describe, expect, it } from "vitest";
-import { packNodes, packTetrahedra, unpackNodes, unpackTetrahedra } from "../../../web/document/packed-grid";
+import { contentKey } from "../../../web/document/content-key";
+import { documentGrid } from "../../../web/document/large-grid";
+import {
+  engineGrid,
+  packArrays,
+  packedGrid,
+  packedTetrahedra,
+  unpackGrid,
+} from "../../../web/document/packed-grid";
 import { cubeProject } from "../../support/projects";
 
-describe("a packed grid", () => {
-  it("comes back as it was, with what its nodes do not say left out", () => {
-    const { nodes, tetrahedra } = cubeProject().background;
-    const various = nodes.map((node, i) => ({
+/** Nodes with and without what they need not say, under ids that are no positions. */
+function variousGrid(idOf: (id: number) => number): ProjectBackground {
+  const { nodes, tetrahedra } = cubeProject().background;
+  return {
+    nodes: nodes.map((node, i) => ({
       ...node,
-      id: 10 * node.id + 2 ** 40,
+      id: idOf(node.id),
       ...(i % 2 === 0 ? { stretching: 3 } : {}),
       ...(i % 4 === 0 ? { direction: [0, -1, 0.5] as const } : {}),
-    }));
-    expect(unpackNodes(packNodes(various))).toEqual(various);
-    expect(unpackTetrahedra(packTetrahedra(tetrahedra))).toEqual(tetrahedra);
+    })),
+    tetrahedra: tetrahedra.map(([a, b, c, d]) => [idOf(a), idOf(b), idOf(c), idOf(d)] as const),
+    overhang: 0.25,
+  };
+}
+
+const farIds = (id: number): number => 10 * id + 2 ** 40;
+
+describe("a packed grid", () => {
+  it("is known by the same key, whether this is found at once or while the page goes on", async () => {
+    const project = { ...cubeProject(), background: variousGrid(farIds) };
+    const { nodes, tetrahedra } = await documentGrid(packedGrid(project.background));
+    expect(nodes).not.toBe(project.background.nodes);
+    const same = { ...project, background: { nodes, tetrahedra, overhang: 0.25 } };
+    expect(contentKey(same)).toBe(contentKey(project));
+    const other = nodes.map((node, i) => (i === 0 ? { ...node, size: node.size + 1e-15 } : node));
+    expect(contentKey({ ...same, background: { ...same.background, nodes: other } })).not.toBe(
+      contentKey(project),
+    );
+  });
+
+  it("comes back as it was, with what its nodes do not say left out", async () => {
+    const { nodes, tetrahedra } = variousGrid(farIds);
+    expect(await unpackGrid(packedGrid({ nodes, tetrahedra }))).toEqual({ nodes, tetrahedra });
+  });
+
+  it("is made once for each list", async () => {
+    const grid = variousGrid(farIds);
+    expect(packedGrid(grid).nodes).toBe(packedGrid(grid).nodes);
+    const packed = packedGrid(grid);
+    const unpacked = await unpackGrid(packed);
+    expect(packedGrid(unpacked).nodes).toBe(packed.nodes);
+    expect(packedTetrahedra(unpacked.tetrahedra)).toBe(packed.tetrahedra);
+  });
+
+  it("is what the package makes of the grid for the engine, whatever the ids", () => {
+    for (const idOf of [farIds, (id: number) => id, (id: number) => 100 - id]) {
+      const grid = variousGrid(idOf);
+      expect(engineGrid(grid)).toEqual({ ...backgroundArrays(grid), sources: undefined });
+    }
+  });
+
+  it("keeps its tetrahedra where only nodes have changed", () => {
+    const grid = variousGrid(farIds);
+    const before = engineGrid(grid);
+    const nodes = grid.nodes.map((node) => ({ ...node, size: 2 * node.size }));
+    const after = engineGrid({ ...grid, nodes });
+    expect(after.tetrahedra).toBe(before.tetrahedra);
+    expect(after.sizes).toEqual(before.sizes.map((size) => 2 * size));
+    const renumbered = engineGrid({ ...grid, nodes: grid.nodes.toReversed() });
+    expect(renumbered.tetrahedra).not.toEqual(before.tetrahedra);
+  });
+
+  it("takes what the engine has made as the package does", async () => {
+    const arrays = backgroundArrays(variousGrid(farIds));
+    const { nodes, tetrahedra } = projectBackground(arrays);
+    expect(await unpackGrid(packArrays(arrays))).toEqual({ nodes, tetrahedra });
   });
 });

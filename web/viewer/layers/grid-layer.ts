@@ -1,6 +1,6 @@
 import type { Project } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from "three";
-import { positionsById } from "../../document/entities";
+import { engineGrid } from "../../document/packed-grid";
 import type { ViewerColors } from "../colors";
 import { uniqueEdges } from "../topology";
 import { DotsLayer, type DotState } from "./dots-layer";
@@ -85,13 +85,8 @@ function sameIds(nodes: Background["nodes"], others: Background["nodes"]): boole
 }
 
 /** The edges of the grid, two positions of nodes each. */
-function edgeNodes(project: Project): Uint32Array<ArrayBuffer> {
-  const { tetrahedra } = project.background;
-  const positions = positionsById(project, "background-node");
-  const corners = new Uint32Array(4 * tetrahedra.length);
-  let out = 0;
-  for (const ids of tetrahedra) for (const id of ids) corners[out++] = positions.get(id) ?? 0;
-  return uniqueEdges(corners).slice();
+function edgeNodes({ background }: Project): Uint32Array<ArrayBuffer> {
+  return uniqueEdges(engineGrid(background).tetrahedra).slice();
 }
 
 /** Shaft and two heads per stretched node, in one plane. */

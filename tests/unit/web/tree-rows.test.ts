@@ -1,0 +1,75 @@
+import { describe, expect, it } from "vitest";
+import type { DrawnKind } from "../../../web/document/entities";
+import { TreeRows } from "../../../web/panels/tree-rows";
+import { cubeProject } from "../../support/projects";
+
+const keyOf = (row: ReturnType<TreeRows["at"]>): string =>
+  row === undefined ? "" : row.type === "group" ? row.kind : `${row.entity.kind}-${row.entity.id}`;
+
+describe("the rows of the tree", () => {
+  const project = cubeProject();
+
+  it("are found where they are, headings and entities, open, closed and filtered", () => {
+    const cases: readonly (readonly [filter: string, closed: readonly DrawnKind[]])[] = [
+      ["", []],
+      ["", ["point", "background-node"]],
+      ["node", ["background-node"]],
+      ["1", []],
+      ["nothing of the kind", []],
+    ];
+    for (const [filter, closed] of cases) {
+      const rows = new TreeRows(project, filter, new Set(closed));
+      const keys = rows.slice(0, rows.length).map(keyOf);
+      expect(keys).toHaveLength(rows.length);
+      expect(new Set(keys).size).toBe(rows.length);
+      keys.forEach((key, i) => expect(rows.indexOf(key)).toBe(i));
+      expect(rows.at(rows.length)).toBeUndefined();
+      expect(rows.at(-1)).toBeUndefined();
+      expect(rows.indexOf("line-4711")).toBe(-1);
+      expect(rows.indexOf(null)).toBe(-1);
+    }
+  });
+
+  it("are all entities under the heading of their kind", () => {
+    const rows = new TreeRows(project, "", new Set());
+    const { points, lines, patches, background } = project;
+    expect(rows.length).toBe(5 + points.length + lines.length + patches.length + background.nodes.length);
+    expect(new TreeRows(project, "", new Set(["line"])).length).toBe(rows.length - lines.length);
+  });
+
+  it("with a filter are the entities with its text in them", () => {
+    const rows = new TreeRows(project, "point 3", new Set());
+    expect(rows.slice(0, rows.length).map(keyOf)).toEqual(["point", "point-3"]);
+    expect(rows.entitiesOf("point")).toEqual([{ kind: "point", id: 3 }]);
+    expect(rows.entitiesOf("line")).toEqual([]);
+    const id = project.lines[3]?.id ?? 0;
+    expect(new TreeRows(project, `line ${id}`, new Set(["line"])).indexOf(`line-${id}`)).toBeGreaterThan(0);
+    expect(new TreeRows(project, "no such thing", new Set()).length).toBe(0);
+  });
+
+  it("of a closed group are its heading alone", () => {
+    const rows = new TreeRows(project, "", new Set(["point"]));
+    expect(rows.at(0)).toMatchObject({ kind: "point", total: project.points.length, open: false });
+    expect(rows.at(1)).toMatchObject({ kind: "line" });
+    expect(rows.indexOf("point-1")).toBe(-1);
+  });
+
+  it("are made when they are asked for, however many there are", () => {
+    let asked = 0;
+    const nodes = Array.from({ length: 50_000 }, (_, i) => ({
+      at: [0, 0, 0] as const,
+      size: 1,
+      get id() {
+        ++asked;
+        return i + 1;
+      },
+    }));
+    const many = { ...project, background: { ...project.background, nodes } };
+    const rows = new TreeRows(many, "", new Set());
+    expect(rows.length).toBeGreaterThan(50_000);
+    const first = rows.indexOf("background-node");
+    asked = 0;
+    expect(rows.slice(first, first + 60)).toHaveLength(60);
+    expect(asked).toBeLessThan(200);
+  });
+});
