@@ -9,10 +9,9 @@ namespace {
 
 /// Edges above this many wanted sizes are split; anywhere in 1.15 .. 1.45 gives the same meshes.
 constexpr double kMaxEdge = 1.3;
-/// Edges longer than this are split even where that makes elements worse, up to this cost (by the
-/// bulk measure: a mean ratio of 0.4). The sweeps that follow see to their shape; without this,
-/// interiors that begin without nodes stay half empty.
-constexpr double kMuchTooLong = 1.6;
+/// Edges that are much too long are split even where that makes elements worse, up to this cost (by
+/// the bulk measure: a mean ratio of 0.4). The sweeps that follow see to their shape; without this,
+/// interiors that begin without nodes stay half empty, and the others lose mean radius ratio.
 constexpr double kBearable = 3.0;
 /// No collapse makes an edge longer than this.
 constexpr double kMaxEdgeAfterCollapse = 1.8;
@@ -111,7 +110,7 @@ bool EdgeSplitter<Space>::split(const EdgeRing& ring, const ElementCost<Space>& 
   const Vec3 place = bestMiddle(ring, cost);
   double worst = 0.0;
   for (const TetId tet : ring.elementSpan()) worst = std::max(worst, complex_.cost(tet));
-  if (relativeLength<Space>(complex_, ring.from, ring.to) > kMuchTooLong) {
+  if (relativeLength<Space>(complex_, ring.from, ring.to) > muchTooLong_) {
     worst = std::max(worst, kBearable);
   }
   // The worst decides, whatever the sum: by the sum, few edges would ever be split.

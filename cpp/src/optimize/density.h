@@ -38,6 +38,10 @@ class EdgeSplitter {
   [[nodiscard]] std::size_t collected() const { return edges_.size(); }
   void clear() { edges_.clear(); }
 
+  /// From so many wanted lengths on, edges are split even where that makes elements worse, up to some
+  /// cost; 1.5 unless told otherwise.
+  void splitAllAbove(double length) { muchTooLong_ = length; }
+
   /// Splits one edge by a new node at its middle, at whatever cost. The new node, or none.
   NodeId force(const EdgeRing& ring, const ElementCost<Space>& cost);
 
@@ -56,6 +60,7 @@ class EdgeSplitter {
   [[nodiscard]] Vec3 bestMiddle(const EdgeRing& ring, const ElementCost<Space>& cost);
 
   TetComplex& complex_;
+  double muchTooLong_ = 1.5;
   std::vector<LongEdge> edges_;
   Hollow<Space> hollow_;
   std::array<NewElement, 2 * kMaxRing> fresh_;

@@ -49,6 +49,10 @@ constexpr std::array kJudgeSweeps{Sweep::kJudge};
 constexpr std::array kRepairSweeps{Sweep::kCollectBad, Sweep::kRepair};
 
 constexpr int kMaxRounds = 10;
+/// An interior with longer edges than this in the mean, by wanted lengths, began without nodes. The
+/// sum of costs is content with fewer than wanted, so that those edges are split from less on.
+constexpr double kSparse = 1.3;
+constexpr double kSplitAllOfSparse = 1.4;
 /// Rounds end when splits and collapses together are fewer than this part of the free nodes.
 constexpr double kQuietRound = 0.1;
 /// Or when a round lowers the mean cost by less than this part: where two sheets of the boundary
@@ -441,6 +445,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       case Stage::kFirst:
         repeats_ = 0;
         meanCost_ = meanCost();
+        if (meanEdge() > kSparse) splitter_.splitAllAbove(kSplitAllOfSparse);
         stage_ = Stage::kRounds;
         sweeps_ = kRound;
         return beginRound();
@@ -499,6 +504,22 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       if (complex_.isLive(TetId(t))) sum += complex_.cost(TetId(t));
     }
     return sum / static_cast<double>(complex_.elementCount());
+  }
+
+  /// By wanted lengths, of one element in so many.
+  [[nodiscard]] double meanEdge() const {
+    constexpr std::size_t kOneIn = 16;
+    double sum = 0.0;
+    double count = 0.0;
+    for (std::size_t t = 0; t < complex_.slotCount(); t += kOneIn) {
+      if (!complex_.isLive(TetId(t))) continue;
+      const Corners& nodes = complex_.element(TetId(t)).nodes;
+      for (const auto& corners : kEdgeCorners) {
+        sum += relativeLength<Space>(complex_, nodes[corners[0]], nodes[corners[1]]);
+        count += 1.0;
+      }
+    }
+    return sum / std::max(count, 1.0);
   }
 
   void beginRepair(Stage stage) {
