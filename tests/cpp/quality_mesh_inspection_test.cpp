@@ -47,6 +47,24 @@ TEST(MeshInspection, AgreesWithTheReportOfARun) {
   EXPECT_NEAR(found.statistics.meanEdge, 1.0, 0.1);
 }
 
+TEST(MeshInspection, TakesRegionsOfAnyNumbers) {
+  const VolumeMesh mesh = fill(nestedSpheres(2, 3)).volume;
+  VolumeMesh renamed = mesh;
+  constexpr std::uint32_t kLarge = 0xffffffffU;
+  for (std::size_t t = 0; t < mesh.regions.size(); ++t)
+    renamed.regions[t] = t % 3 == 0 ? kLarge : 7;
+  const MeshInspection found = inspect(renamed);
+  ASSERT_EQ(found.statistics.regions.size(), 2U);
+  EXPECT_EQ(found.statistics.regions[0].region, 7U);
+  EXPECT_EQ(found.statistics.regions[1].region, kLarge);
+  const auto large = std::count(renamed.regions.begin(), renamed.regions.end(), kLarge);
+  EXPECT_EQ(found.statistics.regions[1].tetrahedra, large);
+  ASSERT_FALSE(found.boundary.trianglePatch.empty());
+  for (const std::uint32_t region : found.boundary.trianglePatch) {
+    EXPECT_TRUE(region == 7 || region == kLarge);
+  }
+}
+
 TEST(MeshInspection, GivesABoundaryThatCanBeFilledAgain) {
   const Filled mesh = fill(nestedSpheres(2, 3));
   const MeshInspection found = inspect(mesh.volume);

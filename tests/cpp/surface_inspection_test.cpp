@@ -149,6 +149,15 @@ TEST(SurfaceInspection, DoesNotDependOnItsSlices) {
   EXPECT_EQ(whole.worst[0].triangle, sliced.worst[0].triangle);
 }
 
+TEST(SurfaceInspection, EndsWhateverBudgetItGets) {
+  const SurfaceMesh mesh = gridCube(1);
+  SurfaceInspector inspector(mesh.points, mesh.triangles);
+  int calls = 0;
+  while (!inspector.advance(0) && calls < 10000) ++calls;
+  EXPECT_LT(calls, 10000);
+  EXPECT_TRUE(inspector.result().isFillable);
+}
+
 TEST(SurfaceInspection, PutsTheWorstTriangleFirst) {
   SurfaceMesh mesh = gridCube(3);
   const auto moved = std::find(mesh.points.begin(), mesh.points.end(), 1.0 / 3.0);

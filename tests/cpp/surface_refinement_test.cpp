@@ -259,6 +259,19 @@ TEST(SurfaceRefiner, RefusesWhatNobodyCouldFill) {
   EXPECT_EQ(refined.diagnostics[0].code, DiagnosticCode::kTooManyElements);
 }
 
+TEST(SurfaceRefiner, RefusesNoSurfaceThatIsFineEnough) {
+  const SurfaceMesh sphere = geodesicSphere(8);
+  const auto triangles = static_cast<std::uint32_t>(sphere.triangles.size() / 3);
+  MeshOptions few = sized(0.3);
+  few.maxTetrahedra = triangles;
+  const SurfaceRefinement kept = refine(sphere, {}, few);
+  EXPECT_TRUE(kept.diagnostics.empty());
+  EXPECT_EQ(kept.triangles, sphere.triangles);
+  few = sized(0.05);
+  few.maxTetrahedra = triangles;
+  EXPECT_EQ(refine(sphere, {}, few).diagnostics.size(), 1U);
+}
+
 TEST(SurfaceRefiner, NamesWhatIsBroken) {
   SurfaceMesh cube = gridCube(1);
   cube.triangles[1] = cube.triangles[0];

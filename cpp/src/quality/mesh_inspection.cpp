@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/sort.h"
 #include "field/size_field.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -83,6 +84,7 @@ class MeshInspector::Impl {
   enum class Stage : std::uint8_t { kNodes, kElements, kBoundary, kVerify, kSurvey, kDone };
 
   [[nodiscard]] Stage readNodes();
+  void numberRegions();
   /// Whether all are done.
   bool measureElements(std::uint32_t budget);
   void measureEdges(std::size_t element);
@@ -90,7 +92,8 @@ class MeshInspector::Impl {
   void takeDefects();
   void beginSurvey();
 
-  VolumeMesh mesh_;
+  VolumeMesh mesh_;  ///< its regions are positions in regionIds_
+  std::vector<std::uint32_t> regionIds_;
   Stage stage_ = Stage::kNodes;
   std::size_t nextElement_ = 0;
   double edgeSum_ = 0.0;
@@ -126,6 +129,7 @@ bool MeshInspector::Impl::advance(std::uint32_t budget) {
       if (!survey_->advance(budget)) break;
       out_.quality = survey_->summary();
       out_.statistics = survey_->statistics();
+      for (RegionStatistics& own : out_.statistics.regions) own.region = regionIds_[own.region];
       stage_ = Stage::kDone;
       break;
     case Stage::kDone:
@@ -138,9 +142,23 @@ MeshInspector::Impl::Stage MeshInspector::Impl::readNodes() {
   out_.isReadable = isReadable(mesh_);
   if (!out_.isReadable) return Stage::kDone;
   mesh_.regions.resize(mesh_.tetrahedra.size() / 4, 0);
+  numberRegions();
   out_.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
   countNodes(mesh_, out_);
   return Stage::kElements;
+}
+
+/// Regions may have any numbers, and statistics are kept by position.
+void MeshInspector::Impl::numberRegions() {
+  for (const std::uint32_t region : mesh_.regions) {
+    if (regionIds_.empty() || regionIds_.back() != region) regionIds_.push_back(region);
+  }
+  stableSort(regionIds_);
+  regionIds_.erase(std::unique(regionIds_.begin(), regionIds_.end()), regionIds_.end());
+  for (std::uint32_t& region : mesh_.regions) {
+    const auto found = std::lower_bound(regionIds_.begin(), regionIds_.end(), region);
+    region = static_cast<std::uint32_t>(found - regionIds_.begin());
+  }
 }
 
 bool MeshInspector::Impl::measureElements(std::uint32_t budget) {
@@ -176,6 +194,7 @@ void MeshInspector::Impl::takeBoundary() {
   withWalls_.triangles.insert(withWalls_.triangles.end(), walls.begin(), walls.end());
   surface_ = out_.boundary;
   surface_.points = mesh_.points;
+  for (std::uint32_t& region : out_.boundary.trianglePatch) region = regionIds_[region];
   verifier_.emplace(mesh_, surface_);
   stage_ = Stage::kVerify;
 }

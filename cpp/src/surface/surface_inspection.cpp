@@ -216,7 +216,9 @@ SurfaceInspector::SurfaceInspector(SurfaceInspector&&) noexcept = default;
 SurfaceInspector& SurfaceInspector::operator=(SurfaceInspector&&) noexcept = default;
 SurfaceInspector::~SurfaceInspector() = default;
 
-bool SurfaceInspector::advance(std::uint32_t budget) { return impl_->advance(budget); }
+bool SurfaceInspector::advance(std::uint32_t budget) {
+  return impl_->advance(std::max(budget, 1U));
+}
 double SurfaceInspector::fraction() const { return impl_->fraction(); }
 const SurfaceInspection& SurfaceInspector::result() const { return impl_->result(); }
 

@@ -23,7 +23,7 @@ constexpr double kLongest = 1.4142135623730951;
 /// Area of the triangles that come out, in squares of wanted lengths: right and isosceles ones have
 /// between a quarter and a half.
 constexpr double kUsualArea = 0.36;
-/// There are about four tetrahedra to each of a boundary's triangles, and many more in most bodies.
+/// There are as many tetrahedra to each triangle of most bodies, and more; only thin ones have fewer.
 constexpr std::uint32_t kTetrahedraPerTriangle = 4;
 constexpr std::uint32_t kNone = 0xffffffffU;
 
@@ -38,7 +38,8 @@ class SurfaceRefiner::Impl {
       : grid_(std::move(grid)), options_(options) {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.triangles.assign(triangles.begin(), triangles.end());
-    origin_.resize(triangles.size() / 3);
+    given_ = static_cast<std::uint32_t>(triangles.size() / 3);
+    origin_.resize(given_);
     for (std::uint32_t t = 0; t < origin_.size(); ++t) origin_[t] = t;
   }
 
@@ -67,8 +68,10 @@ class SurfaceRefiner::Impl {
   [[nodiscard]] std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(origin_.size());
   }
+  /// As many as are given are never too many: that is the mesher's to say.
   [[nodiscard]] double mostTriangles() const {
-    return static_cast<double>(options_.maxTetrahedra) / kTetrahedraPerTriangle;
+    return std::max(static_cast<double>(options_.maxTetrahedra) / kTetrahedraPerTriangle,
+                    static_cast<double>(given_));
   }
 
   void measureEdge(std::uint32_t edge);
@@ -90,6 +93,7 @@ class SurfaceRefiner::Impl {
   MeshOptions options_;
   Stage stage_ = Stage::kCheck;
   SurfaceMesh mesh_;
+  std::uint32_t given_ = 0;  ///< triangles
   std::vector<std::uint32_t> origin_;
   std::optional<WantedSizes> wanted_;
   std::optional<SizeField> field_;
@@ -170,8 +174,11 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::estimate(std::uint32_t budget)
   for (; next_ < last; ++next_) {
     const auto [a, b, c] = cornersOf(mesh_, next_);
     const SymmetricTensor toUnit = field_->wantedTensorAt((a + b + c) / 3.0, hint_).inverse();
-    const double area = 0.5 * glm::length(glm::cross(toUnit * (b - a), toUnit * (c - a)));
-    const double expected = std::max(1.0, area / kUsualArea);
+    const Vec3 ab = toUnit * (b - a);
+    const Vec3 ac = toUnit * (c - a);
+    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+    const double area = 0.5 * glm::length(glm::cross(ab, ac));
+    const double expected = longest <= kLongest ? 1.0 : std::max(1.0, area / kUsualArea);
     expected_ += expected;
     if (expected > mostExpected_) {
       mostExpected_ = expected;
