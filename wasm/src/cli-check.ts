@@ -3,7 +3,13 @@ import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
-import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
+import {
+  refuseRepair,
+  repaired,
+  repairOptions,
+  tellChanges,
+  type RepairCommandOptions,
+} from "./cli-repair.js";
 import { meshLines, surfaceLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { surfaceOf } from "./formats/surface-file.js";
@@ -71,6 +77,7 @@ async function findingsIn(input: string, options: CheckCommandOptions): Promise<
     const { enclosed } = options;
     refuseOptions(checkPreviewOptions({ size, enclosed }));
     if (isProject(input, options.from)) {
+      refuseRepair(repairOptions(options), "a project");
       const project = await readProjectFile(input, options.from);
       const { diagnostics } = await withMesher((mesher) =>
         mesher.previewProject(project, { size, enclosed }),
@@ -89,6 +96,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
   const wanted = repairOptions(options);
   const mesh = await readMeshFile(input, options.from);
   if (mesh.tetrahedra.length > 0) {
+    refuseRepair(wanted, "a mesh of tetrahedra");
     const {
       boundary: _,
       quality: __,

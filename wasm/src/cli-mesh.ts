@@ -13,7 +13,13 @@ import {
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
 import { ProgressBar } from "./cli-progress-bar.js";
-import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
+import {
+  refuseRepair,
+  repaired,
+  repairOptions,
+  tellChanges,
+  type RepairCommandOptions,
+} from "./cli-repair.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { fileMeshOf } from "./formats/file-mesh.js";
 import { writeMesh } from "./formats/mesh-files.js";
@@ -113,7 +119,10 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const repair = repairOptions(options);
   await checkMeshPlace(input, options);
   const given = await readModel(input, options.from);
-  if (given.kind === "project" && options.refineSurface === true) refuseOptions([refinedProject]);
+  if (given.kind === "project") {
+    if (options.refineSurface === true) refuseOptions([refinedProject]);
+    refuseRepair(repair, "a project");
+  }
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
   const { model, changes } = await withRepair(given, repair);
   if (changes !== undefined && !isQuiet) tellChanges(input, changes);

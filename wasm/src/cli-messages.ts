@@ -61,15 +61,28 @@ export function tell(subject: string, diagnostics: readonly Diagnostic[], option
     const key = `${severity} ${code}`;
     groups.set(key, [...(groups.get(key) ?? []), diagnostic]);
   }
-  for (const group of groups.values()) {
-    for (const { severity, message, remedy } of group.slice(0, perCode)) {
-      say(`${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd());
-    }
-    const [first] = group;
-    const rest = group.length - perCode;
-    if (first !== undefined && rest > 0) {
-      say(`${WORDS[first.severity]}: ${subject}: and ${rest} more of the kind "${first.code}".`);
-    }
+  for (const group of groups.values()) tellGroup(subject, group, perCode);
+}
+
+/** What has no place and reads the same but for its numbers is one line with a count. */
+function tellGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
+  const lines = new Map<string, { readonly line: string; count: number }>();
+  for (const { severity, code, message, remedy, place } of group) {
+    const line = `${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd();
+    // Coordinates that cannot be computed with are no place either.
+    const key = place === undefined || code === "not-finite" ? message.replace(/[-+\d.e]*\d/g, "#") : line;
+    const known = lines.get(key);
+    if (known === undefined) lines.set(key, { line, count: 1 });
+    else known.count++;
+  }
+  let rest = group.length;
+  for (const { line, count } of [...lines.values()].slice(0, perCode)) {
+    say(count === 1 ? line : `${line} (and ${count - 1} more like it)`);
+    rest -= count;
+  }
+  const [first] = group;
+  if (first !== undefined && rest > 0) {
+    say(`${WORDS[first.severity]}: ${subject}: and ${rest} more of the kind "${first.code}".`);
   }
 }
 

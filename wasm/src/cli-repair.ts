@@ -5,6 +5,7 @@ import { placeText, plural } from "./cli-tables.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
 import type { RepairChange, RepairOptions } from "./inspection.js";
 import { checkRepairOptions } from "./options.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { repairedSurface } from "./repaired-surface.js";
 import type { Mesher } from "./types.js";
 
@@ -31,6 +32,14 @@ export function repairOptions(given: RepairCommandOptions): RepairOptions | unde
   };
   refuseOptions(checkRepairOptions(options));
   return options;
+}
+
+/** Throws a BadInput where repairs are asked for of what is no surface. */
+export function refuseRepair(options: RepairOptions | undefined, what: string): void {
+  if (options === undefined) return;
+  const message = `repairs are for surfaces, and this is ${what}`;
+  const remedy = "Leave --repair, --weld and --fill-holes out.";
+  refuseOptions([packageDiagnostic("invalid-option", message, remedy)]);
 }
 
 export async function repaired(

@@ -2,6 +2,7 @@
  * What the engine found, said in sentences: the entities by the names the user gave them, the place,
  * the numbers, and what to do about it.
  */
+import { aFunction, aNumber, arrayOf, checkArgument, objectOf } from "./argument-checks.js";
 import { engineCodeName, type EngineCode } from "./diagnostic-codes.js";
 import { capitalised } from "./package-diagnostic.js";
 import type { EntityNamer } from "./project-arrays.js";
@@ -321,8 +322,18 @@ function total(count: string, noun: string): string {
   return count === "?" || count === "1" ? "" : ` (${count} ${noun}s in all)`;
 }
 
-/** Composes the sentences for one diagnostic of the engine. */
+const anEngineDiagnostic = objectOf({
+  code: aNumber,
+  severity: aNumber,
+  entities: arrayOf(Uint32Array, 2),
+  place: arrayOf(Float64Array, 3),
+  values: arrayOf(Float64Array),
+});
+
+/** Composes the sentences for one diagnostic of the engine. Throws a `MesherError` where it is none. */
 export function describeDiagnostic(raw: EngineDiagnostic, name: EntityNamer): Diagnostic {
+  checkArgument("diagnostic", raw, anEngineDiagnostic);
+  checkArgument("name", name, aFunction);
   const entities = namedEntities(raw.entities, name);
   const code = engineCodeName(raw.code) ?? "verification-failed";
   const subject = subjectOf(raw, entities);

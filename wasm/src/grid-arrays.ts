@@ -5,6 +5,9 @@ import type {
   ProjectSource,
   SourceType,
 } from "./project-schema.js";
+import { aNumber, checkArgument, listOf, objectOf, oneOf, orNothing } from "./argument-checks.js";
+import { checkBackground } from "./input-checks.js";
+import { refuse } from "./mesher-error.js";
 import type { BackgroundArrays } from "./types.js";
 
 /** A background grid as it crosses into the engine. All references are positions. */
@@ -37,6 +40,15 @@ export const NOWHERE = 0x7fffffff;
 /** For a surface that nothing was said about. New arrays every time, as they will be transferred. */
 export function emptyGrid(): GridArrays {
   return projectGrid({ nodes: [], tetrahedra: [] });
+}
+
+/** A project may come without one, as its file may. */
+export function backgroundOf({
+  background,
+}: {
+  readonly background?: ProjectBackground | undefined;
+}): ProjectBackground {
+  return background ?? { nodes: [], tetrahedra: [] };
 }
 
 /** Flattens a project's grid. References that lead nowhere become positions out of range. O(size). */
@@ -119,8 +131,12 @@ function joined<T extends Uint8Array | Float64Array>(
   return both;
 }
 
-/** A project's grid as flat arrays, for another project or for a given surface. O(size). */
+/**
+ * A project's grid as flat arrays, for another project or for a given surface. O(size). Throws a `MesherError` where it is
+ * none.
+ */
 export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
+  checkArgument("background", background, aBackground);
   const { nodes, tetrahedra, overhang } = projectGrid(background);
   const column = (begin: number, width: number) =>
     Float64Array.from(
@@ -140,9 +156,11 @@ export function backgroundArrays(background: ProjectBackground): BackgroundArray
 
 /**
  * A grid of flat arrays as a project has it, with ids from 1 in the order of the arrays: to be drawn,
- * edited and saved. One object per node; large grids are better left as arrays. O(size).
+ * edited and saved. One object per node; large grids are better left as arrays. O(size). Throws a `MesherError` where
+ * the arrays do not fit together.
  */
 export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
+  refuse(checkBackground(arrays));
   const { points, sizes, stretchings, directions, tetrahedra, overhang = 0, sources } = arrays;
   const triple = (values: Float64Array, i: number): [number, number, number] => [
     values[3 * i] ?? 0,
@@ -167,6 +185,15 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
     ...(overhang > 0 ? { overhang } : {}),
   };
 }
+
+const aTriple = listOf(aNumber);
+const aNode = objectOf({ id: aNumber, at: aTriple, size: aNumber, direction: orNothing(aTriple) });
+const aSource = objectOf({ type: oneOf(SOURCE_TYPE_NAMES), places: listOf(aTriple), size: aNumber });
+const aBackground = objectOf({
+  nodes: listOf(aNode),
+  tetrahedra: listOf(listOf(aNumber)),
+  sources: orNothing(listOf(aSource)),
+});
 
 function nodeValues(nodes: readonly ProjectBackgroundNode[]): Float64Array {
   const values = new Float64Array(NODE_STRIDE * nodes.length);

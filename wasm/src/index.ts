@@ -35,7 +35,6 @@ export { volumeBackground } from "./formats/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
 export { backgroundArrays, projectBackground } from "./grid-arrays.js";
 export {
-  NO_ORIGIN,
   type EdgeLengths,
   type MeshInspection,
   type Place,
@@ -71,6 +70,7 @@ export type {
 } from "./project-schema.js";
 export type { ReadCode, ReadProblem, ReadResult } from "./read-result.js";
 export { repairedSurface } from "./repaired-surface.js";
+export { NO_ORIGIN } from "./surface-numbers.js";
 export type {
   AbortControl,
   BackgroundArrays,

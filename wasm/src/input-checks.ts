@@ -1,8 +1,16 @@
 /** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
+import { isDetached, shown } from "./argument-checks.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { parseProject } from "./project.js";
 import { sourceProblem } from "./project-schema.js";
-import type { BackgroundArrays, Diagnostic, RunControl, SurfaceInput, VolumeMesh } from "./types.js";
+import type {
+  BackgroundArrays,
+  Diagnostic,
+  MeshInput,
+  RunControl,
+  SurfaceInput,
+  VolumeMesh,
+} from "./types.js";
 
 /** What a caller without type checks may give in place of T. */
 type Unchecked<T> = { readonly [Key in keyof T]?: unknown };
@@ -23,23 +31,40 @@ export function checkControl(control: RunControl): Diagnostic[] {
   const given: unknown = control;
   const { onProgress, signal } = asObject(control);
   const isWatched = onProgress === undefined || typeof onProgress === "function";
+  const { addEventListener, removeEventListener } = asObject(signal as AbortSignal);
   const isSignal =
-    signal === undefined || typeof asObject(signal as AbortSignal).addEventListener === "function";
+    signal === undefined ||
+    (typeof addEventListener === "function" && typeof removeEventListener === "function");
   if (typeof given === "object" && given !== null && isWatched && isSignal) return [];
   const remedy = "Give an object with a function onProgress, an AbortSignal signal, both or neither.";
   return [packageDiagnostic("invalid-option", "the control of the call is not what it should be", remedy)];
 }
 
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {
-  const { points, triangles } = asObject(surface);
-  if (!(points instanceof Float64Array) || !(triangles instanceof Uint32Array)) {
-    return [surfaceProblem("the surface's points and triangles are not a Float64Array and a Uint32Array")];
+  const { points, triangles, origin } = asObject(surface);
+  if (!isUsable(Float64Array, points) || !isUsable(Uint32Array, triangles)) {
+    return [
+      surfaceProblem(`the surface's points and triangles are not a Float64Array and a Uint32Array${GONE}`),
+    ];
   }
   if (points.length % 3 !== 0 || triangles.length % 3 !== 0) {
     return [surfaceProblem("the lengths of the surface's points and triangles are not multiples of 3")];
   }
+  if (origin !== undefined && (!isUsable(Uint32Array, origin) || 3 * origin.length !== triangles.length)) {
+    return [surfaceProblem("the surface's origin is no Uint32Array with a number for each triangle")];
+  }
   return [];
 }
+
+/** Views of buffers that were transferred are as good as none. */
+function isUsable<T extends Float64Array | Uint32Array>(
+  type: new (length: number) => T,
+  array: unknown,
+): array is T {
+  return array instanceof type && !isDetached(array);
+}
+
+const GONE = " with their numbers in them";
 
 function surfaceProblem(message: string): Diagnostic {
   return arraysProblem(message, "Give x y z per node and three node positions per triangle.");
@@ -56,15 +81,15 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
     overhang = 0,
     sources = [],
   } = asObject(background);
-  const isOptional = (array: unknown) => array === undefined || array instanceof Float64Array;
+  const isOptional = (array: unknown) => array === undefined || isUsable(Float64Array, array);
   if (
-    !(points instanceof Float64Array && sizes instanceof Float64Array && tetrahedra instanceof Uint32Array) ||
+    !(isUsable(Float64Array, points) && isUsable(Float64Array, sizes) && isUsable(Uint32Array, tetrahedra)) ||
     !(isOptional(stretchings) && isOptional(directions))
   ) {
     return [
       gridProblem(
         "the background grid's points, sizes, stretchings and directions are not Float64Arrays, " +
-          "or its tetrahedra no Uint32Array",
+          `or its tetrahedra no Uint32Array${GONE}`,
       ),
     ];
   }
@@ -80,7 +105,7 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
     return [gridProblem(`the arrays of the background grid do not fit its ${count} sizes`)];
   }
   if (!isFiniteFrom(0, overhang)) {
-    return [arraysProblem(`the overhang is ${String(overhang)}`, "Give a finite overhang of 0 or more.")];
+    return [arraysProblem(`the overhang is ${shown(overhang)}`, "Give a finite overhang of 0 or more.")];
   }
   const problem = sourceProblem(sources);
   if (problem !== undefined) {
@@ -102,8 +127,10 @@ export function checkVolume(
   sizes: Float64Array | undefined,
 ): Diagnostic[] {
   const { points, tetrahedra } = asObject(mesh);
-  if (!(points instanceof Float64Array) || !(tetrahedra instanceof Uint32Array)) {
-    return [volumeProblem("the mesh's points and tetrahedra are not a Float64Array and a Uint32Array")];
+  if (!isUsable(Float64Array, points) || !isUsable(Uint32Array, tetrahedra)) {
+    return [
+      volumeProblem(`the mesh's points and tetrahedra are not a Float64Array and a Uint32Array${GONE}`),
+    ];
   }
   if (points.length % 3 !== 0 || tetrahedra.length % 4 !== 0) {
     return [volumeProblem("the mesh has half a point or half a tetrahedron")];
@@ -123,9 +150,18 @@ export function checkVolume(
   return checkNodeSizes(sizes, count);
 }
 
+/** As `checkVolume`, with a region per element or none. */
+export function checkMesh(mesh: MeshInput): Diagnostic[] {
+  const { regions } = asObject(mesh);
+  if (regions !== undefined && !isUsable(Uint32Array, regions)) {
+    return [volumeProblem(`the mesh's regions are no Uint32Array${GONE}`)];
+  }
+  return checkVolume(mesh, undefined);
+}
+
 function checkNodeSizes(sizes: unknown, count: number): Diagnostic[] {
   if (sizes === undefined) return [];
-  if (!(sizes instanceof Float64Array) || sizes.length !== count) {
+  if (!isUsable(Float64Array, sizes) || sizes.length !== count) {
     return [
       arraysProblem(
         `the sizes are no Float64Array of ${count} numbers`,

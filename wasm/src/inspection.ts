@@ -4,7 +4,7 @@
  */
 import { describeDiagnostic } from "./diagnostics.js";
 import type { Engine } from "./engine.js";
-import { nameByPosition } from "./project-arrays.js";
+import { nameByPosition, type EntityNamer } from "./project-arrays.js";
 import { qualityReport } from "./quality-report.js";
 import type { Diagnostic, QualityReport, SurfaceInput } from "./types.js";
 
@@ -139,9 +139,6 @@ export interface SurfaceRefinement {
   readonly splitEdges: number;
 }
 
-/** In `SurfaceRepair.origin`: a triangle that the given surface did not have. */
-export const NO_ORIGIN = 0xffffffff;
-
 /** What `inspectMesh` finds. */
 export interface MeshInspection {
   /** None of the counts of faults below is above 0. */
@@ -190,7 +187,7 @@ export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 const SHELL_STRIDE = 6;
 const TRIANGLE_STRIDE = 7;
 
-export function describedInspection(found: EngineInspection): SurfaceInspection {
+export function describedInspection(found: EngineInspection, name: EntityNamer): SurfaceInspection {
   const { regions: bodies, box, diagnostics, shells, worst, edgeLengths, ...rest } = found;
   const described = rowsOf(shells, SHELL_STRIDE).map(shellFigures);
   return {
@@ -201,7 +198,7 @@ export function describedInspection(found: EngineInspection): SurfaceInspection 
     edgeLengths: lengthsOf(edgeLengths),
     shells: described,
     worst: rowsOf(worst, TRIANGLE_STRIDE).map(triangleFigures),
-    diagnostics: diagnostics.map((raw) => describeDiagnostic(raw, nameByPosition)),
+    diagnostics: diagnostics.map((raw) => describeDiagnostic(raw, name)),
   };
 }
 
@@ -217,12 +214,12 @@ export function describedRepair({ points, triangles, origin, ...rest }: EngineRe
     ...CHANGES[kind]?.(subjects[2 * i] ?? 0, subjects[2 * i + 1] ?? 0),
     place: placeAt(places, i),
   })) as RepairChange[];
-  return { surface: { points, triangles }, origin, changes };
+  return { surface: { points, triangles, origin }, origin, changes };
 }
 
 export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {
   const { points, triangles, origin, splitEdges } = refinement;
-  return { surface: { points, triangles }, origin, splitEdges };
+  return { surface: { points, triangles, origin }, origin, splitEdges };
 }
 
 type Without<T> = T extends unknown ? Omit<T, "place"> : never;

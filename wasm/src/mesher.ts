@@ -4,8 +4,8 @@
  */
 import { EngineWorker, type WorkReply } from "./engine-worker.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
-import { emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
-import { checkControl, checkProject, checkSurface, checkVolume } from "./input-checks.js";
+import { backgroundOf, emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
+import { checkControl, checkMesh, checkProject, checkSurface, checkVolume } from "./input-checks.js";
 import {
   describedInspection,
   describedMesh,
@@ -37,7 +37,6 @@ import {
 import { cancelledError, disposedError, failureError, refuse, type MesherError } from "./mesher-error.js";
 import {
   gridByPosition,
-  nameByPosition,
   projectArrays,
   projectNamer,
   type EntityNamer,
@@ -46,6 +45,7 @@ import {
 import type { Project, ProjectBackground } from "./project-schema.js";
 import type { Answers, EngineResult, Question, Request, SlicedKind } from "./protocol.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
+import { surfaceNamer } from "./surface-numbers.js";
 import { buffersOf } from "./transfer.js";
 import type {
   AbortControl,
@@ -165,7 +165,7 @@ class WorkerMesher implements Mesher {
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(options),
     } as const;
-    return this.#run(request, control, nameByPosition);
+    return this.#run(request, control, surfaceNamer(surface));
   }
 
   async previewProject(
@@ -202,7 +202,7 @@ class WorkerMesher implements Mesher {
     const question = { kind: "cover", id, model, size, shape: COVER_SHAPES[shape] } as const;
     const grid = await this.#ask(question, control);
     if (grid.tetrahedra.length === 0) refuse([nothingToCover()]);
-    const { sources } = project.background;
+    const { sources } = backgroundOf(project);
     return { ...projectBackground(grid), ...(sources && { sources }) };
   }
 
@@ -249,7 +249,7 @@ class WorkerMesher implements Mesher {
     const id = this.#nextId();
     const { enclosed } = engineOptions(options);
     const question = { kind: "inspect-surface", id, points, triangles, enclosed } as const;
-    return describedInspection(await this.#ask(question, control));
+    return describedInspection(await this.#ask(question, control), surfaceNamer(surface));
   }
 
   async repairSurface(
@@ -288,7 +288,7 @@ class WorkerMesher implements Mesher {
   }
 
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
-    refuse(checkVolume(mesh, undefined));
+    refuse(checkMesh(mesh));
     const { points, tetrahedra, regions = new Uint32Array() } = mesh;
     const question = { kind: "inspect-mesh", id: this.#nextId(), points, tetrahedra, regions } as const;
     const found = await this.#ask(question, control);

@@ -1,4 +1,5 @@
 /** The options as the engine takes them, or what is wrong with them. */
+import { shown } from "./argument-checks.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { checkBackground } from "./input-checks.js";
 import type { RepairOptions } from "./inspection.js";
@@ -206,7 +207,7 @@ function checkAgainst<Options>(
   alsoKnown: readonly string[] = [],
 ): Diagnostic[] {
   if (typeof given !== "object" || given === null) {
-    return [invalidOption(`the options are ${String(given)}`, "Give an object, or leave them out.")];
+    return [invalidOption(`the options are ${shown(given)}`, "Give an object, or leave them out.")];
   }
   const wrong: Diagnostic[] = [];
   for (const [name, value] of Object.entries(values as object)) {
@@ -233,10 +234,6 @@ export function hasSourcesOnly(background: BackgroundArrays): boolean {
 
 function asRecord(value: unknown): object {
   return typeof value === "object" && value !== null ? value : {};
-}
-
-function shown(value: unknown): string {
-  return typeof value === "string" ? `"${value}"` : String(value);
 }
 
 function invalidOption(message: string, remedy: string): Diagnostic {

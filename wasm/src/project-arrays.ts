@@ -1,5 +1,6 @@
 /** From a project, with ids and names, to the flat arrays the engine takes; and back from positions to names. */
-import { NOWHERE, projectGrid, type GridArrays } from "./grid-arrays.js";
+import { aPosition, checkArgument, listOf, objectOf, oneOf } from "./argument-checks.js";
+import { backgroundOf, NOWHERE, projectGrid, type GridArrays } from "./grid-arrays.js";
 import type { LineType, PatchType, Project } from "./project-schema.js";
 import type { EntityKind, EntityRef } from "./types.js";
 
@@ -48,7 +49,7 @@ export function projectArrays(project: Project): ModelArrays {
     patchOffsets: flatten(project.patches.map((patch) => patch.loops.map(() => 0))).offsets,
     loopOffsets: loopLines.offsets,
     loopLines: loopLines.values,
-    grid: projectGrid(project.background),
+    grid: projectGrid(backgroundOf(project)),
   };
 }
 
@@ -83,11 +84,12 @@ const KIND_WORDS: Readonly<Record<EntityKind, string>> = {
 };
 
 /** Names by number, for a given surface, whose entities nobody named. */
-export const nameByPosition: EntityNamer = (kind, index) => ({
-  kind,
-  index,
-  label: `${KIND_WORDS[kind]} ${index}`,
-});
+export const nameByPosition: EntityNamer = (kind, index) => {
+  checkArgument("kind", kind, aKind);
+  checkArgument("index", index, aPosition);
+  return { kind, index, label: `${KIND_WORDS[kind]} ${index}` };
+};
+const aKind = oneOf(Object.keys(KIND_WORDS));
 
 /** As `name`, but for a background grid that came as arrays, whose nodes nobody named. */
 export function gridByPosition(name: EntityNamer): EntityNamer {
@@ -99,6 +101,7 @@ export function gridByPosition(name: EntityNamer): EntityNamer {
 
 /** Names as the project has them: `line "lip"`, else by id: `line 12`. */
 export function projectNamer(project: Project): EntityNamer {
+  checkArgument("project", project, aDrawing);
   return (kind, index) => {
     const entity = entityAt(project, kind, index);
     if (entity === undefined) return nameByPosition(kind, index);
@@ -108,6 +111,9 @@ export function projectNamer(project: Project): EntityNamer {
     return { kind, index, id: entity.id, label };
   };
 }
+
+const entities = listOf(objectOf({}));
+const aDrawing = objectOf({ points: entities, lines: entities, patches: entities });
 
 function entityAt(
   project: Project,
@@ -122,9 +128,9 @@ function entityAt(
     case "patch":
       return project.patches[index];
     case "background-node":
-      return project.background.nodes[index];
+      return backgroundOf(project).nodes[index];
     case "source":
-      return project.background.sources?.[index];
+      return backgroundOf(project).sources?.[index];
     case "background-tetrahedron":
     case "triangle":
     case "surface-node":

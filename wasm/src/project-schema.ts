@@ -196,9 +196,21 @@ export function checkReferences(project: Document, report: Report): void {
   checkSources(project.background.sources ?? [], report);
 }
 
+/** The library freezes even what it refuses, and typed arrays cannot be frozen: undefined, then. */
+export function parsedSafely<T>(parse: () => T): T | undefined {
+  try {
+    return parse();
+  } catch (failure) {
+    if (failure instanceof TypeError) return undefined;
+    throw failure;
+  }
+}
+export const HOLDS_ARRAYS = "it holds typed arrays, as no project does";
+
 /** What is wrong with a value that should be a list of sources, in a sentence; undefined if nothing. */
 export function sourceProblem(sources: unknown): string | undefined {
-  const parsed = z.array(sourceSchema).safeParse(sources);
+  const parsed = parsedSafely(() => z.array(sourceSchema).safeParse(sources));
+  if (parsed === undefined) return HOLDS_ARRAYS;
   const problems =
     parsed.error?.issues.map(({ path, message }) => `sources[${path.join("].")}: ${message}`) ?? [];
   if (parsed.success) checkSources(parsed.data, (_, message) => problems.push(message));

@@ -1,13 +1,18 @@
 /** Reading and writing project files (docs/FORMAT.md). */
 import type * as z from "zod/mini";
 
+import { checkArgument, listOf, objectOf, orNothing } from "./argument-checks.js";
 import {
+  HOLDS_ARRAYS,
+  parsedSafely,
   PROJECT_FORMAT,
   PROJECT_VERSION,
   projectSchema,
   type Project,
   type ProjectBackground,
 } from "./project-schema.js";
+import { refuse } from "./mesher-error.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import type { ReadProblem, ReadResult } from "./read-result.js";
 
 /** More problems than this help nobody; the first ones usually cause the rest. */
@@ -20,7 +25,11 @@ const MAX_PROBLEMS = 20;
 export function parseProject(value: unknown): ReadResult<Project> {
   const headProblem = checkHead(value);
   if (headProblem !== undefined) return { success: false, problems: [headProblem] };
-  const parsed = projectSchema.safeParse(value);
+  const parsed = parsedSafely(() => projectSchema.safeParse(value));
+  if (parsed === undefined) {
+    const remedy = "Give lists of numbers, as JSON has them.";
+    return { success: false, problems: [{ code: "invalid-project", message: HOLDS_ARRAYS, remedy }] };
+  }
   if (parsed.success) return { success: true, value: parsed.data };
   const [first, ...rest] = parsed.error.issues.slice(0, MAX_PROBLEMS).map(describeIssue);
   return { success: false, problems: [first ?? notAProject("it does not follow the schema"), ...rest] };
@@ -43,9 +52,26 @@ export function readProject(text: string): ReadResult<Project> {
 
 /**
  * The text of a project file: JSON with one entity per line, so that differences between two
- * versions of a model can be read.
+ * versions of a model can be read. Throws a `MesherError` where it is no project that can be written at all; whether it
+ * can be read again is for `parseProject` to tell.
  */
 export function writeProject(project: Project): string {
+  checkArgument("project", project, aProject);
+  try {
+    return projectText(project);
+  } catch (failure) {
+    // Circles and large integers, of which JSON knows nothing.
+    const remedy = "Give what JSON can hold, as readProject does.";
+    if (failure instanceof TypeError) {
+      refuse([
+        packageDiagnostic("invalid-argument", `project cannot be written: ${failure.message}`, remedy),
+      ]);
+    }
+    throw failure;
+  }
+}
+
+function projectText(project: Project): string {
   const { points, lines, patches, background, ...rest } = project;
   const { $schema, format, version, name, description, units, meshing } = rest;
   const head = Object.entries({ $schema, format, version, name, description, units, meshing })
@@ -60,6 +86,14 @@ export function writeProject(project: Project): string {
   return `{\n${[...head, ...body].join(",\n")}\n}\n`;
 }
 
+const entities = listOf(() => undefined);
+const aProject = objectOf({
+  points: entities,
+  lines: entities,
+  patches: entities,
+  background: objectOf({ nodes: entities, tetrahedra: entities, sources: orNothing(entities) }),
+});
+
 function backgroundText({ nodes, tetrahedra, sources, overhang }: ProjectBackground): string {
   const parts = [`"nodes": ${rows(nodes, "    ")}`, `"tetrahedra": ${rows(tetrahedra, "    ")}`];
   if (sources !== undefined) parts.push(`"sources": ${rows(sources, "    ")}`);
@@ -67,9 +101,10 @@ function backgroundText({ nodes, tetrahedra, sources, overhang }: ProjectBackgro
   return `{\n${parts.map((part) => `    ${part}`).join(",\n")}\n  }`;
 }
 
-function rows(entities: readonly unknown[], indent: string): string {
-  if (entities.length === 0) return "[]";
-  return `[\n${entities.map((entity) => `${indent}  ${JSON.stringify(entity)}`).join(",\n")}\n${indent}]`;
+/** One line each; within a list JSON writes null for what it has no word for. */
+function rows(list: readonly unknown[], indent: string): string {
+  if (list.length === 0) return "[]";
+  return `[\n${list.map((entity) => `${indent}  ${JSON.stringify([entity]).slice(1, -1)}`).join(",\n")}\n${indent}]`;
 }
 
 /** Format and version first: with another version every other complaint would mislead. */

@@ -1,7 +1,7 @@
 /** Why a file, or a value said to be a project, could not be read. */
 
 /**
- * - `invalid-argument`: what was given is no source of bytes, or has no file name.
+ * - `invalid-argument`: an argument is not what it should be, such as a source of bytes, or a file name is missing.
  * - `unknown-format`: the file's name tells no format that can be read, or written, as this.
  * - `empty-file`: it has no byte.
  * - `malformed-file`: its content does not follow its format, or goes beyond what is read of it; `line` or `offset`

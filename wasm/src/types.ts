@@ -17,6 +17,11 @@ import type { Project, ProjectBackground, ProjectSource } from "./project-schema
 export interface SurfaceInput {
   readonly points: Float64Array;
   readonly triangles: Uint32Array;
+  /**
+   * Per triangle the number by which messages name it, where the surface was made of another, as by `repairSurface` and
+   * `refineSurface`: its number there, `NO_ORIGIN` for none. Default: its position. Nodes are named by their positions.
+   */
+  readonly origin?: Uint32Array | undefined;
 }
 
 /**

@@ -12,11 +12,20 @@ import {
 import { tmpdir } from "node:os";
 import path from "node:path";
 
-import { readMesh, type FileMesh, type MeshReport, type SurfaceInput } from "tetrafront";
+import {
+  readMesh,
+  writeMesh,
+  writeProject,
+  type FileMesh,
+  type MeshReport,
+  type SurfaceInput,
+} from "tetrafront";
 import { afterEach, beforeEach, describe, expect, test } from "vitest";
 
 import { expandInputs, splitPattern } from "../../../wasm/src/cli-batch.js";
+import { blockMesh } from "../../support/block-mesh.js";
 import { tetrafront } from "../../support/command-line.js";
+import { cubeProject } from "../../support/projects.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
 import { boxSurface, cavitySurface, joined, sphereSurface } from "../../support/surfaces.js";
 
@@ -71,7 +80,36 @@ describe("--refine-surface", () => {
   });
 });
 
+describe("a repair", () => {
+  test.each<[string, (args: { mesh: string; project: string }) => string[], RegExp]>([
+    ["a project to mesh", ({ project }) => ["mesh", project, "-o", "a.vtu", "--repair"], /this is a project/],
+    ["a project to check", ({ project }) => ["check", project, "--weld", "1e-6"], /this is a project/],
+    ["a mesh to check", ({ mesh }) => ["check", mesh, "--fill-holes", "3"], /a mesh of tetrahedra/],
+  ])("of %s is refused", async (_, argsFor, told) => {
+    save("cube.json", writeProject(cubeProject()));
+    save("block.vtu", (await writeMesh(blockMesh(), "block.vtu"))[0]?.bytes ?? "");
+    const args = argsFor({ mesh: "block.vtu", project: "cube.json" });
+    const { code, stderr } = await tetrafront(folder, args);
+    expect(code).toBe(2);
+    expect(stderr).toMatch(/repairs are for surfaces/i);
+    expect(stderr).toMatch(told);
+  });
+});
+
 describe("check", () => {
+  test("tells what reads the same once, with how often", async () => {
+    const { points, triangles } = boxSurface(3);
+    save("tiny.off", offFile({ points: points.map((x) => 1e-90 * x), triangles }));
+    const { code, stderr } = await tetrafront(folder, ["check", "tiny.off"]);
+    expect(code).toBe(2);
+    // As often as there are nodes with such coordinates; where problems have places of their own each is told.
+    expect(stderr.match(/has the coordinate/g)).toHaveLength(1);
+    const tiny = points.filter(
+      (_, i) => i % 3 === 0 && points.subarray(i, i + 3).some((x) => x !== 0),
+    ).length;
+    expect(stderr).toMatch(`(and ${tiny - 1} more like it)`);
+  });
+
   test("says what enclosed parts are taken for", async () => {
     const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.75, 0.75, 0.75]);
     writeFileSync(path.join(folder, "core.off"), offFile(joined(boxSurface(2), inside)));

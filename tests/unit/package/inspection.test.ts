@@ -3,6 +3,7 @@ import {
   createMesher,
   MesherError,
   NO_ORIGIN,
+  repairedSurface,
   type Diagnostic,
   type Mesher,
   type SurfaceInput,
@@ -79,6 +80,28 @@ describe("the inspection of a surface", () => {
     expect(report.diagnostics).toEqual(found.diagnostics);
   });
 
+  test("names triangles that were divided or repaired by the numbers they were given with", async () => {
+    const open = without(boxSurface(1), 7);
+    const refinement = await mesher.refineSurface(open, { size: 0.2 });
+    const count = refinement.origin.length;
+    expect(count).toBeGreaterThan(100);
+    const { diagnostics } = await mesher.inspectSurface(refinement.surface);
+    const named = diagnostics.flatMap(({ entities }) => entities.filter(({ kind }) => kind === "triangle"));
+    expect(named.length).toBeGreaterThan(3);
+    const around = (await mesher.inspectSurface(open)).diagnostics.flatMap(({ entities }) =>
+      entities.filter(({ kind }) => kind === "triangle").map(({ index }) => index),
+    );
+    expect(new Set(named.map(({ index }) => index))).toEqual(new Set(around));
+    for (const { index, label } of named) expect(label).toBe(`triangle ${index}`);
+    const { report } = await mesher.fillSurface(refinement.surface);
+    expect(report.diagnostics).toEqual(diagnostics);
+    // Through a repair in between, and with a triangle that was in no surface given.
+    const file = { ...open, trianglePatch: new Uint32Array(11), patches: [{ name: "skin", tag: 1 }] };
+    const repaired = repairedSurface(file, await mesher.repairSurface(file, { fillHoles: 3 }));
+    const again = repairedSurface(repaired, await mesher.refineSurface(repaired, { size: 0.5 }));
+    expect(new Set(again.origin)).toEqual(new Set([...file.trianglePatch.keys(), NO_ORIGIN]));
+  });
+
   test("survives numbers that are none", async () => {
     const points = box.points.slice();
     points[4] = NaN;
@@ -110,7 +133,7 @@ describe("a repair", () => {
     const copy = { points: given.points.slice(), triangles: given.triangles.slice() };
     const { changes, surface } = await mesher.repairSurface(given, { orient: false });
     expect(changes).toEqual([]);
-    expect(surface).toEqual(copy);
+    expect(surface).toMatchObject(copy);
     expect(given).toEqual(copy);
   });
 

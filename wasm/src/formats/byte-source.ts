@@ -1,4 +1,5 @@
 /** Where the bytes of a file come from: all at once, or piece by piece while it is read. */
+import { isDetached } from "../argument-checks.js";
 import { ReadFailure } from "../read-result.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */
@@ -19,8 +20,9 @@ const BREATH_MS = 12;
 export async function* piecesOf(source: ByteSource): AsyncGenerator<Uint8Array, void> {
   let breathed = performance.now();
   for await (const piece of rawPiecesOf(source)) {
-    if (!ArrayBuffer.isView(piece)) throw noBytes("what it gives is no Uint8Array");
-    yield piece;
+    if (!(ArrayBuffer.isView(piece) && isBytes(piece))) throw noBytes("what it gives is no Uint8Array");
+    // Decoders of text take nothing that others may change meanwhile.
+    yield piece.buffer instanceof ArrayBuffer ? piece : piece.slice();
     if (performance.now() - breathed > BREATH_MS) {
       await new Promise((resolve) => setTimeout(resolve));
       breathed = performance.now();
@@ -30,7 +32,10 @@ export async function* piecesOf(source: ByteSource): AsyncGenerator<Uint8Array, 
 
 function rawPiecesOf(source: ByteSource): AsyncIterable<Uint8Array> | Iterable<Uint8Array> {
   if (source instanceof Uint8Array) return cut(source);
-  if (source instanceof ArrayBuffer) return cut(new Uint8Array(source));
+  if (source instanceof ArrayBuffer) {
+    if (isDetached(source)) throw noBytes("it was transferred");
+    return cut(new Uint8Array(source));
+  }
   if (source instanceof Blob) return fromStream(source.stream());
   return "getReader" in source ? fromStream(source) : source;
 }
@@ -40,12 +45,19 @@ export function checkSource(source: unknown): asserts source is ByteSource {
   const isObject = typeof source === "object" && source !== null;
   const isSource =
     isObject &&
+    !(ArrayBuffer.isView(source) && (!isBytes(source) || isDetached(source))) &&
     (source instanceof ArrayBuffer ||
       source instanceof Blob ||
+      source instanceof Uint8Array ||
       "getReader" in source ||
       Symbol.asyncIterator in source ||
       Symbol.iterator in source);
   if (!isSource) throw noBytes(`it is ${isObject ? "an object without bytes" : typeof source}`);
+}
+
+/** Also of another realm, as tests have them. */
+function isBytes(view: ArrayBufferView): view is Uint8Array {
+  return Object.prototype.toString.call(view) === "[object Uint8Array]";
 }
 
 function noBytes(why: string): ReadFailure {
@@ -74,7 +86,7 @@ async function* fromStream(stream: ReadableStream<Uint8Array>): AsyncGenerator<U
 
 /** All bytes together, for formats whose parts refer to places further on. */
 export async function allBytes(source: ByteSource): Promise<Uint8Array> {
-  if (source instanceof Uint8Array) return source;
+  if (source instanceof Uint8Array && source.buffer instanceof ArrayBuffer) return source;
   const pieces: Uint8Array[] = [];
   let length = 0;
   for await (const piece of piecesOf(source)) {

@@ -2,6 +2,7 @@
  * The file formats, one row each: the only place where a format is registered. Command line, app and
  * documents take names and extensions from here; the code of a format is fetched when it is first needed.
  */
+import { aString, checkArgument, oneOf } from "../argument-checks.js";
 import type { Contents, FileFormat, MeshWriter, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 
@@ -201,8 +202,12 @@ export const FILE_FORMATS: readonly FileFormat[] = [
   },
 ];
 
-/** The format that the name of a file tells by its end; the longest that fits, in capitals or not. */
+/**
+ * The format that the name of a file tells by its end; the longest that fits, in capitals or not. Throws a `MesherError`
+ * where it is no name.
+ */
 export function formatOf(fileName: string): FileFormat | undefined {
+  checkArgument("fileName", fileName, aString);
   const end = extensionOf(fileName);
   return FILE_FORMATS.find(({ extensions }) => extensions.includes(end));
 }
@@ -226,6 +231,8 @@ export function filesOf(fileName: string): readonly string[] {
 
 /** Extensions of the formats from which such meshes can be read, or as which they can be written. */
 export function extensionsThat(can: "reads" | "writes", contents: Contents): readonly string[] {
+  checkArgument("can", can, oneOf(["reads", "writes"]));
+  checkArgument("contents", contents, oneOf(["surface", "volume"]));
   return FILE_FORMATS.filter((format) => format[can].includes(contents)).flatMap(
     ({ extensions }) => extensions,
   );

@@ -1,6 +1,17 @@
 /** A mesh as files hold it: what every reader makes and every writer takes. */
+import {
+  aNumber,
+  arrayOf,
+  aString,
+  checkArgument,
+  listOf,
+  objectOf,
+  orNothing,
+  type Check,
+} from "../argument-checks.js";
 import type { Project } from "../project-schema.js";
 import type { MeshResult } from "../types.js";
+import { hasPatches } from "./mesh-checks.js";
 import { isPlain } from "./groups.js";
 import { carriedRegions, type SurfaceRegions } from "./region-names.js";
 
@@ -60,13 +71,16 @@ export interface NameSource {
 /**
  * A generated mesh, ready to be written. Its patches are those of the project by name (else "patch 12", by
  * id), those of the given surface, or its shells; its regions those that the surface's file tells of, else numbered.
- * A partial mesh goes as far as it goes.
+ * A partial mesh goes as far as it goes. Throws a `MesherError` where something is no result, project or surface.
  */
-export function fileMeshOf(
-  mesh: Pick<MeshResult, "surface" | "volume">,
-  { project, surface: given }: NameSource = {},
-): FileMesh {
+export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: NameSource = {}): FileMesh {
+  checkArgument("mesh", mesh, aMeshResult);
+  checkArgument("names", names, aNameSource);
   const { surface, volume } = mesh;
+  const { project, surface: given } = names;
+  const patchLimit = Math.max(surface.trianglePatch.length, project?.patches.length ?? 0);
+  checkArgument("mesh.surface.trianglePatch", surface.trianglePatch, positionsBelow(patchLimit));
+  checkArgument("mesh.volume.regions", volume.regions, positionsBelow(volume.regions.length));
   const isSame = given !== undefined && given.trianglePatch.length === surface.trianglePatch.length;
   const isKept = isSame && (given.patches.length > 1 || !given.patches.every(isPlain));
   const regionCount = countOf(volume.regions);
@@ -75,13 +89,12 @@ export function fileMeshOf(
       ? carriedRegions(mesh, given.surfaceRegions, regionCount)
       : undefined;
   const trianglePatch = isKept ? given.trianglePatch : surface.trianglePatch;
-  const names = project === undefined ? [] : patchNames(project);
   const word = project === undefined ? "shell" : "patch";
   return {
     points: volume.points.length > 0 ? volume.points : surface.points,
     triangles: surface.triangles,
     trianglePatch,
-    patches: isKept ? given.patches : numbered(word, countOf(trianglePatch), names),
+    patches: isKept ? given.patches : numbered(word, countOf(trianglePatch), project && patchNames(project)),
     tetrahedra: volume.tetrahedra,
     tetrahedronRegion: carried?.tetrahedronRegion ?? volume.regions,
     regions: carried?.regions ?? numbered("region", regionCount),
@@ -89,8 +102,31 @@ export function fileMeshOf(
   };
 }
 
-/** What to call each patch in a file: its name, else its id. */
+const aProject = objectOf({ patches: listOf(objectOf({ id: aNumber, name: orNothing(aString) })) });
+const aNameSource = objectOf({ project: orNothing(aProject), surface: orNothing(hasPatches) });
+const aMeshResult = objectOf({
+  surface: objectOf({
+    points: arrayOf(Float64Array, 3),
+    triangles: arrayOf(Uint32Array, 3),
+    trianglePatch: arrayOf(Uint32Array),
+    triangleRegions: arrayOf(Uint32Array, 2),
+  }),
+  volume: objectOf({
+    points: arrayOf(Float64Array, 3),
+    tetrahedra: arrayOf(Uint32Array, 4),
+    regions: arrayOf(Uint32Array),
+  }),
+});
+
+/** There are no more groups than elements, or than a project names. */
+function positionsBelow(limit: number): Check {
+  return (positions, name) =>
+    countOf(positions as Uint32Array) > limit ? `${name} has a position beyond ${limit}` : undefined;
+}
+
+/** What to call each patch in a file: its name, else its id. Throws a `MesherError` where it is no project. */
 export function patchNames(project: Project): string[] {
+  checkArgument("project", project, aProject);
   return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
 }
 

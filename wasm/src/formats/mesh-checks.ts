@@ -1,7 +1,28 @@
 /** Whether the arrays of a mesh fit together, before a writer walks through them. */
+import {
+  aNumber,
+  arrayOf,
+  aString,
+  isDetached,
+  listOf,
+  objectOf,
+  orNothing,
+  type Check,
+} from "../argument-checks.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import type { Diagnostic } from "../types.js";
 import type { FileMesh } from "./file-mesh.js";
+
+const checkGroup = objectOf({ name: aString, tag: aNumber, color: orNothing(listOf(aNumber)) });
+
+/** A surface of a file beside its points and triangles: what its patches and regions are. */
+export const hasPatches: Check = objectOf({
+  trianglePatch: arrayOf(Uint32Array),
+  patches: listOf(checkGroup),
+  surfaceRegions: orNothing(
+    objectOf({ regions: listOf(checkGroup), triangleRegions: arrayOf(Uint32Array, 2) }),
+  ),
+});
 
 /** The form alone; callers without type checks may give anything. Empty where all is well. */
 export function checkFileMesh(mesh: FileMesh): Diagnostic[] {
@@ -13,7 +34,7 @@ export function checkFileMesh(mesh: FileMesh): Diagnostic[] {
 }
 
 function faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): string | undefined {
-  if (!(points instanceof Float64Array) || points.length % 3 !== 0) {
+  if (!(points instanceof Float64Array) || points.length % 3 !== 0 || isDetached(points)) {
     return "its points are no Float64Array of x y z each";
   }
   if (!(nodeData instanceof Map)) return "it has no map of numbers at the nodes";
@@ -32,12 +53,17 @@ function faultOf(
   owners: unknown,
   groups: unknown,
 ): string | undefined {
-  if (!(nodes instanceof Uint32Array && owners instanceof Uint32Array && Array.isArray(groups))) {
+  if (
+    !(nodes instanceof Uint32Array && owners instanceof Uint32Array && Array.isArray(groups)) ||
+    isDetached(nodes)
+  ) {
     return `a ${word}'s nodes or groups are no Uint32Array, or the groups have no list`;
   }
   if (nodes.length !== width * owners.length) return `there is not one group per ${word}`;
   const wild = nodes.findIndex((node) => node >= count);
   if (wild >= 0) return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]} of ${count}`;
+  const named = groups.findIndex((group) => checkGroup(group, "") !== undefined);
+  if (named >= 0) return `group ${named} of its ${word}s has no name or no number`;
   const lost = owners.findIndex((owner) => owner >= groups.length);
   return lost < 0 ? undefined : `${word} ${lost} is of group ${owners[lost]} of ${groups.length}`;
 }

@@ -1,4 +1,5 @@
 /** Reading and writing mesh files of any format: the file's name tells which. */
+import { aFunction, objectOf, orNothing, shown } from "../argument-checks.js";
 import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import { failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
@@ -56,7 +57,7 @@ export async function writeMesh(mesh: FileMesh, fileName: string): Promise<reado
   const format = typeof fileName === "string" ? formatOf(fileName) : undefined;
   const { write } = (await format?.load()) ?? {};
   if (write === undefined) {
-    const message = `the name "${fileName}" tells no format that can be written`;
+    const message = `the name ${shown(fileName)} tells no format that can be written`;
     const known = [...extensionsThat("writes", "volume"), ...extensionsThat("writes", "surface")];
     const remedy = `Give a name that ends in one of ${known.join(", ")}.`;
     refuse([packageDiagnostic("unknown-format", message, remedy)]);
@@ -82,7 +83,7 @@ async function readAny(
   const { read } = await format.load();
   if (read === undefined) throw unknownFormat(fileName, format, contents);
   try {
-    return await read(watched(source, options), { fileName, openOther });
+    return await read(watched(source, options), { fileName, openOther: checkedOpening(openOther) });
   } catch (failure) {
     throw failureIn(fileName, failure);
   }
@@ -95,20 +96,24 @@ const OPTIONS: readonly string[] = [
   "signal",
 ] satisfies (keyof ReadFileOptions)[];
 
+const aReading = objectOf({
+  openOther: orNothing(aFunction),
+  onProgress: orNothing(aFunction),
+  signal: orNothing(objectOf({ throwIfAborted: aFunction })),
+});
+
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};
   if (typeof fileName === "string") {
     const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
-    if (unknown === undefined) return options;
-    throw new ReadFailure({
-      code: "invalid-argument",
-      message: `there is no option "${unknown}"`,
-      remedy: `Correct its name: the options are ${OPTIONS.join(", ")}.`,
-    });
+    const wrong = unknown === undefined ? aReading(options, "options") : `there is no option "${unknown}"`;
+    if (wrong === undefined) return options;
+    const remedy = `Correct it: the options are ${OPTIONS.join(", ")}.`;
+    throw new ReadFailure({ code: "invalid-argument", message: wrong, remedy });
   }
   throw new ReadFailure({
     code: "invalid-argument",
-    message: "no name of the file is given, by which its format is told",
+    message: "the options give no name of the file, by which its format is told",
     remedy: 'Give options with a name: { fileName: "part.stl" }.',
   });
 }
@@ -126,6 +131,15 @@ function unknownFormat(
   const known = [...new Set(contents.flatMap((held) => extensionsThat("reads", held)))];
   const remedy = `Give a file that ends in one of ${known.join(", ")}.`;
   return new ReadFailure({ code: "unknown-format", message, remedy, fileName });
+}
+
+/** What callers without type checks open may be anything. */
+function checkedOpening(openOther: OpenOther): OpenOther {
+  return async (name) => {
+    const source = await openOther(name);
+    if (source !== undefined) checkSource(source);
+    return source;
+  };
 }
 
 async function asResult<T>(read: () => Promise<T>): Promise<ReadResult<T>> {

@@ -1,4 +1,5 @@
 /** A volume mesh from a file as background grid. */
+import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../argument-checks.js";
 import { checkVolume } from "../input-checks.js";
 import { MesherError, refuse } from "../mesher-error.js";
 import type { ReadResult } from "../read-result.js";
@@ -14,13 +15,19 @@ export async function volumeBackground(
   mesher: Pick<Mesher, "meshAsBackground">,
   volume: VolumeFile,
 ): Promise<ReadResult<BackgroundArrays>> {
+  checkArgument("mesher", mesher, objectOf({ meshAsBackground: aFunction }));
   refuse(checkVolume(volume, undefined));
+  checkArgument("volume", volume, objectOf({ nodeData: aMap }));
   const count = volume.points.length / 3;
   const problem = (message: string) => {
     const remedy = "Give the nodes one size, and one stretching and three numbers of direction, or none.";
     return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] } as const;
   };
-  const of = (name: string) => volume.nodeData.get(name)?.values;
+  const of = (name: string) => {
+    const values = volume.nodeData.get(name)?.values;
+    checkArgument(`volume.nodeData "${name}"`, values, orNothing(arrayOf(Float64Array)));
+    return values;
+  };
   const [sizes, stretchings, directions] = [of("size"), of("stretching"), of("direction")];
   if (sizes !== undefined && sizes.length !== count) return problem("the nodes have more than one size");
   if (stretchings !== undefined) {

@@ -1,0 +1,257 @@
+/**
+ * Every function of the package with whatever a caller without type checks may give, in place of each argument and of each
+ * value within it: it works all the same, or says why not by a code of the closed union, and what about.
+ */
+import * as api from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { cubeProject } from "../../support/projects.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+type AnyFunction = (...given: never[]) => unknown;
+/** By name, in order: what the function takes. */
+type Arguments = Readonly<Record<string, unknown>>;
+
+let mesher: api.Mesher;
+beforeAll(async () => {
+  mesher = await api.createMesher();
+});
+afterAll(() => mesher.dispose());
+
+const box = boxSurface(1);
+const block = blockMesh(1);
+const project = cubeProject();
+/** A cube around everything. */
+const background: api.BackgroundArrays = {
+  points: Float64Array.from(block.points, (_, i) => ((Math.floor(i / 3) >> (i % 3)) & 1 ? 3 : -2)),
+  sizes: new Float64Array(8).fill(1),
+  stretchings: new Float64Array(8).fill(1),
+  directions: new Float64Array(24).fill(1),
+  tetrahedra: block.tetrahedra,
+  overhang: 0.1,
+  sources: [{ id: 1, type: "point", places: [[0, 0, 0]], size: 1 }],
+};
+const control = { signal: new AbortController().signal, onProgress: () => undefined };
+const surfaceFile = { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "skin", tag: 1 }] };
+const surfaceRegions = { regions: [{ name: "body", tag: 1 }], triangleRegions: new Uint32Array(24) };
+const meshed = {
+  surface: {
+    ...box,
+    trianglePatch: new Uint32Array(12),
+    triangleRegions: new Uint32Array(24),
+    sides: new Uint32Array(),
+    sideLine: new Uint32Array(),
+  },
+  volume: {
+    points: block.points,
+    tetrahedra: block.tetrahedra,
+    regions: block.tetrahedronRegion,
+    front: new Uint32Array(),
+  },
+};
+const text = new TextEncoder().encode("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+const nodes = new TextEncoder().encode("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+const elements = new TextEncoder().encode("1 4 0\n1 1 2 3 4\n");
+const raw = {
+  code: 40,
+  severity: 2,
+  entities: Uint32Array.of(5, 0),
+  place: Float64Array.of(1, 2, 3),
+  values: Float64Array.of(1),
+};
+const readOptions = { fileName: "a.off", openOther: () => Promise.resolve(undefined), ...control };
+
+const functions: Readonly<Record<string, Arguments>> = {
+  describeDiagnostic: { diagnostic: raw, name: api.nameByPosition },
+  extensionsThat: { can: "reads", contents: "surface" },
+  formatOf: { fileName: "a.off" },
+  fileMeshOf: { mesh: meshed, names: { project, surface: { ...surfaceFile, surfaceRegions } } },
+  patchNames: { project },
+  readMesh: { source: text, options: readOptions },
+  readSurface: { source: text, options: readOptions },
+  readVolume: {
+    source: elements,
+    options: {
+      fileName: "a.ele",
+      openOther: (name: string) => Promise.resolve(name.endsWith(".node") ? nodes : undefined),
+    },
+  },
+  writeMesh: { mesh: block, fileName: "a.vtu" },
+  volumeBackground: {
+    mesher: { meshAsBackground: () => Promise.resolve(background) },
+    volume: {
+      ...block,
+      nodeData: new Map([["size", { components: 1, values: new Float64Array(8).fill(1) }]]),
+    },
+  },
+  backgroundArrays: { background: { ...project.background, sources: background.sources, overhang: 0.1 } },
+  projectBackground: { background },
+  parseProject: { value: project },
+  readProject: { text: api.writeProject(project) },
+  writeProject: { project: { ...project, name: "a", meshing: { size: 1 } } },
+  nameByPosition: { kind: "triangle", index: 3 },
+  projectNamer: { project },
+  repairedSurface: {
+    given: { ...surfaceFile, surfaceRegions },
+    repair: { surface: box, origin: Uint32Array.from({ length: 12 }, (_, t) => t) },
+  },
+  isWall: { surface: meshed.surface, triangle: 0 },
+};
+
+const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>> = {
+  meshProject: { project, options: { gradation: 1.3, background }, control },
+  fillSurface: { surface: box, options: { growth: 0.3, background }, control },
+  previewProject: { project, options: { size: 1, enclosed: "cavities" }, control },
+  coverProject: { project, options: { size: 1, shape: "box" }, control },
+  proposeSizes: { project, options: { smallest: 0.5 }, control },
+  meshAsBackground: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },
+  inspectSurface: { surface: box, options: { enclosed: "regions" }, control },
+  repairSurface: { surface: box, options: { weld: 0, fillHoles: 3 }, control },
+  refineSurface: { surface: box, options: { background }, control },
+  inspectMesh: { mesh: { ...block, regions: block.tetrahedronRegion }, control },
+};
+
+function detached<T extends Float64Array | Uint32Array>(array: T): T {
+  structuredClone(array, { transfer: [array.buffer as ArrayBuffer] });
+  return array;
+}
+
+/** Made anew for each call. */
+const GARBAGE: Readonly<Record<string, () => unknown>> = {
+  nothing: () => undefined,
+  null: () => null,
+  "a number": () => 5,
+  "a number below 0": () => -1,
+  "no number": () => NaN,
+  "a word": () => "word",
+  true: () => true,
+  "an empty list": () => [],
+  "a list": () => [1, 2],
+  "a list of nothing": () => [null, undefined],
+  "an empty object": () => ({}),
+  "an object of something else": () => ({ lines: 5 }),
+  "a function": () => () => 5,
+  "a symbol": () => Symbol("any"),
+  "a large integer": () => 5n,
+  "an array of another type": () => new Float32Array(24),
+  "an odd number of doubles": () => new Float64Array(7),
+  "doubles that are none": () => new Float64Array(24).fill(NaN),
+  "an odd number of integers": () => new Uint32Array(7),
+  "integers out of range": () => new Uint32Array(24).fill(0xfffffff0),
+  "doubles that were sent away": () => detached(new Float64Array(24)),
+  "integers that were sent away": () => detached(new Uint32Array(24)),
+  "doubles in shared memory": () => new Float64Array(new SharedArrayBuffer(8 * 24)),
+  "integers in shared memory": () => new Uint32Array(new SharedArrayBuffer(4 * 24)),
+  "shared memory": () => new SharedArrayBuffer(64),
+};
+
+/** Where in a value something else may be put: itself, and what is in objects and lists, of lists the first. */
+function placesIn(value: unknown, depth = 0): (readonly string[])[] {
+  const isOpen = typeof value === "object" && value !== null && !ArrayBuffer.isView(value) && depth < 4;
+  if (!isOpen || value instanceof Map || value instanceof AbortSignal) return [[]];
+  const entries = Array.isArray(value) ? Object.entries(value).slice(0, 1) : Object.entries(value);
+  return [[], ...entries.flatMap(([key, own]) => placesIn(own, depth + 1).map((rest) => [key, ...rest]))];
+}
+
+function withAnother(value: unknown, [key, ...rest]: readonly string[], other: unknown): unknown {
+  if (key === undefined) return other;
+  const own = value as Record<string, unknown>;
+  const changed = withAnother(own[key], rest, other);
+  return Array.isArray(value)
+    ? value.map((kept: unknown, i) => (String(i) === key ? changed : kept))
+    : { ...own, [key]: changed };
+}
+
+const ENGINE: readonly string[] = Object.values(api.ENGINE_CODES);
+const OTHERS: readonly string[] = [
+  ...["invalid-argument", "invalid-arrays", "invalid-option", "invalid-project", "not-a-project"],
+  ...["unknown-format", "empty-file", "malformed-file", "missing-file", "no-triangles", "no-tetrahedra"],
+  ...["invalid-sizes", "later-version", "unsound-mesh"],
+];
+
+interface Told {
+  readonly code: string;
+  readonly message: string;
+}
+
+/** Wherever an answer has what is wrong. */
+interface Answer {
+  readonly problems?: readonly Told[];
+  readonly diagnostics?: readonly api.Diagnostic[];
+  readonly report?: api.MeshReport;
+}
+
+/** What is said of it; undefined where it worked. */
+async function complaintOf(call: () => unknown): Promise<readonly Told[] | undefined> {
+  try {
+    const made = (await call()) as Answer | undefined;
+    const diagnostics = made?.report?.diagnostics ?? made?.diagnostics;
+    const found = made?.problems ?? diagnostics?.filter(({ severity }) => severity === "error");
+    return found?.length === 0 ? undefined : found;
+  } catch (failure) {
+    if (!(failure instanceof api.MesherError)) throw failure;
+    expect(failure.code).toBe("invalid-input");
+    expect(failure.diagnostics.length).toBeGreaterThan(0);
+    return failure.diagnostics;
+  }
+}
+
+test("all functions are listed", () => {
+  const exported = Object.entries(api).filter(([, value]) => typeof value === "function");
+  const names = exported
+    .map(([name]) => name)
+    .filter((name) => !["MesherError", "createMesher"].includes(name));
+  expect(Object.keys(functions).sort()).toEqual(names.sort());
+  const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesher) as object);
+  expect(own.filter((name) => !["constructor", "dispose"].includes(name)).sort()).toEqual(
+    Object.keys(methods).sort(),
+  );
+});
+
+/** What every message about an argument has in it, where that is not its name. */
+const SAID_AS: Readonly<Record<string, RegExp>> = {
+  fileName: /name/i,
+  value: /project/,
+  text: /project/,
+  volume: /mesh/,
+};
+
+describe.each([
+  ...Object.entries(functions).map(([name, given]) => [name, given, false] as const),
+  ...Object.entries(methods).map(([name, given]) => [name, given, true] as const),
+])("%s", (name, given, isMethod) => {
+  const callWith = (values: readonly unknown[]) => {
+    const owner = (isMethod ? mesher : api) as unknown as Readonly<Record<string, AnyFunction>>;
+    return owner[name]?.call(owner, ...(values as never[]));
+  };
+  const valid = Object.values(given);
+
+  test("works as it is meant to", async () => {
+    expect(await complaintOf(() => callWith(valid))).toBeUndefined();
+  });
+
+  test.each(Object.keys(given))("says what is wrong with its %s", async (argument) => {
+    const position = Object.keys(given).indexOf(argument);
+    for (const [what, make] of Object.entries(GARBAGE)) {
+      for (const place of placesIn(given[argument])) {
+        const label = `${name}: ${what} as ${[argument, ...place].join(".")}`;
+        const values = valid.map((value, i) => (i === position ? withAnother(value, place, make()) : value));
+        let told: readonly Told[] | undefined;
+        try {
+          told = await complaintOf(() => callWith(values));
+        } catch (failure) {
+          throw new Error(`${label}: ${String(failure)}`, { cause: failure });
+        }
+        for (const { code, message } of told ?? []) {
+          expect([...OTHERS, ...ENGINE], label).toContain(code);
+          expect(message, label).not.toBe("");
+        }
+        const isMeant = place.length === 0 && ["a number", "a symbol"].includes(what);
+        if (isMeant && !["index", "triangle"].includes(argument)) {
+          expect(told?.[0]?.message, label).toMatch(SAID_AS[argument] ?? new RegExp(argument, "i"));
+        }
+      }
+    }
+  });
+});

@@ -1,0 +1,93 @@
+/**
+ * What functions of the public API ask of their arguments, as callers without type checks may give anything: checks that
+ * name the value at fault, and one way to refuse it.
+ */
+import { refuse } from "./mesher-error.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
+
+/** What is wrong with a value of this name, in a sentence; undefined where nothing is. */
+export type Check = (value: unknown, name: string) => string | undefined;
+
+/** Throws a MesherError that tells what is wrong with the argument of this name. */
+export function checkArgument(name: string, value: unknown, check: Check): void {
+  const wrong = check(value, name);
+  if (wrong === undefined) return;
+  const remedy = "The types of the package tell what it takes.";
+  refuse([packageDiagnostic("invalid-argument", `the argument ${wrong}`, remedy)]);
+}
+
+function is(test: (value: unknown) => boolean, wanted: string): Check {
+  return (value, name) => (test(value) ? undefined : `${name} is ${shown(value)}, and should be ${wanted}`);
+}
+
+export const aString = is((value) => typeof value === "string", "a string");
+export const aNumber = is((value) => typeof value === "number", "a number");
+export const aPosition = is(
+  (value) => Number.isInteger(value) && Number(value) >= 0,
+  "a whole number from 0 on",
+);
+export const aFunction = is((value) => typeof value === "function", "a function");
+export const aMap = is((value) => value instanceof Map, "a Map");
+
+export function oneOf(known: readonly string[]): Check {
+  return is((value) => known.includes(value as string), `one of ${known.join(", ")}`);
+}
+
+export function orNothing(check: Check): Check {
+  return (value, name) => (value === undefined ? undefined : check(value, name));
+}
+
+/** Checks the fields that are named; others may be there too. */
+export function objectOf(fields: Readonly<Record<string, Check>>): Check {
+  return (value, name) => {
+    if (typeof value !== "object" || value === null)
+      return `${name} is ${shown(value)}, and should be an object`;
+    for (const [field, check] of Object.entries(fields)) {
+      const wrong = check((value as Readonly<Record<string, unknown>>)[field], `${name}.${field}`);
+      if (wrong !== undefined) return wrong;
+    }
+    return undefined;
+  };
+}
+
+export function listOf(check: Check): Check {
+  return (value, name) => {
+    if (!Array.isArray(value)) return `${name} is ${shown(value)}, and should be a list`;
+    for (const [i, own] of value.entries()) {
+      const wrong = check(own, `${name}[${i}]`);
+      if (wrong !== undefined) return wrong;
+    }
+    return undefined;
+  };
+}
+
+/** Numbers in a typed array, so many for each thing. */
+export function arrayOf(type: typeof Float64Array | typeof Uint32Array, stride = 1): Check {
+  return (value, name) => {
+    if (!(value instanceof type)) return `${name} is ${shown(value)}, and should be a ${type.name}`;
+    if (isDetached(value)) return `${name} was transferred, and its numbers are gone`;
+    if (value.length % stride !== 0)
+      return `${name} has ${value.length} numbers, and should have ${stride} for each`;
+    return undefined;
+  };
+}
+
+/** Whether a buffer, or that of a view, was transferred to somewhere else. */
+export function isDetached(given: ArrayBufferView | ArrayBufferLike): boolean {
+  if (given.byteLength > 0) return false;
+  try {
+    new Uint8Array(ArrayBuffer.isView(given) ? given.buffer : given);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
+/** As words of any value, of whatever type. */
+export function shown(value: unknown): string {
+  if (typeof value === "string") return `"${value}"`;
+  if (Array.isArray(value)) return "a list";
+  // "Float64Array", "Map", "Object": by a name that no value can take away.
+  if (typeof value === "object" && value !== null) return Object.prototype.toString.call(value).slice(8, -1);
+  return typeof value === "function" ? "a function" : String(value);
+}
