@@ -127,13 +127,13 @@ TEST(MeshInspection, FindsTheSameInSlicesOfAnySize) {
 }
 
 /// Elements around one edge, the first between two sheets at an angle of 24 degrees: walls, if regions
-/// differ there.
+/// differ there. Its other edges have angles above 60 degrees.
 TEST(MeshInspection, ExcusesWhatWallsBetweenRegionsForbid) {
   VolumeMesh mesh;
-  mesh.points = {0.0, 0.0, 0.0, 1.0, 0.0, 0.0};
+  mesh.points = {0.0, 0.0, 0.0, 1.4, 0.0, 0.0};
   for (const double degrees : {0.0, 24.0, 90.0, 170.0}) {
     const double angle = degrees * std::numbers::pi / 180.0;
-    mesh.points.insert(mesh.points.end(), {0.5, std::cos(angle), std::sin(angle)});
+    mesh.points.insert(mesh.points.end(), {0.7, std::cos(angle), std::sin(angle)});
   }
   mesh.tetrahedra = {0, 1, 2, 3, 0, 1, 3, 4, 0, 1, 4, 5};
   mesh.regions = {0, 0, 0};

@@ -199,6 +199,45 @@ TEST(QualitySurvey, ExcusesAllElementsInASharpEdge) {
   EXPECT_EQ(statistics.limitedByBoundary, 2U);
 }
 
+/// A wedge between two triangles at the edge from 0 to 1, whose apexes lie at these places along it.
+/// Below 60 degrees one element must fill it, or one of less than 30 degrees is there: with apexes
+/// far apart that one misses its angles, and so does whatever else is made of it.
+TEST(QualitySurvey, ExcusesWhatAnEdgeBelow60DegreesForces) {
+  struct Wedge {
+    double degrees;
+    double shift;  ///< of the apexes along the edge
+    bool isForced;
+  };
+  for (const Wedge& wedge : {Wedge{40.0, 1.2, true}, Wedge{56.0, 1.2, true},
+                             Wedge{64.0, 1.2, false}, Wedge{40.0, 0.0, false}}) {
+    const auto at = [&](double part, double along) {
+      const double radians = part * wedge.degrees * std::numbers::pi / 180.0;
+      return Vec3(along, std::cos(radians), std::sin(radians));
+    };
+    VolumeMesh mesh;
+    for (const Vec3& place : {Vec3(0.0), Vec3(1.0, 0.0, 0.0), at(0.0, 0.5 - wedge.shift),
+                              at(1.0, 0.5 + wedge.shift), at(0.6, 0.5)}) {
+      mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+    }
+    SurfaceMesh sheets;
+    sheets.points = mesh.points;
+    sheets.triangles = {0, 2, 1, 0, 1, 3};
+    mesh.regions = {0};
+    const auto isExcused = [&](const std::vector<std::uint32_t>& element) {
+      mesh.tetrahedra = element;
+      const QualityStatistics statistics = survey(mesh, sheets);
+      EXPECT_LE(statistics.limitedByEdges + statistics.missed, 1U);
+      return statistics.limitedByEdges == 1U;
+    };
+    EXPECT_EQ(isExcused({0, 1, 2, 3}), wedge.isForced) << wedge.degrees << " " << wedge.shift;
+    // Two elements in place of one: that of less than 30 degrees is forced, the other is not.
+    EXPECT_EQ(isExcused({0, 1, 4, 3}), wedge.isForced) << wedge.degrees;
+    if (0.6 * wedge.degrees > 30.0) {
+      EXPECT_FALSE(isExcused({0, 1, 2, 4})) << wedge.degrees;
+    }
+  }
+}
+
 /// Triangles that all have the edge from 0 to 1, at angles in degrees around it.
 SurfaceMesh sheetsAround(const std::vector<double>& angles) {
   SurfaceMesh sheets;

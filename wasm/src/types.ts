@@ -321,7 +321,10 @@ export interface RegionQuality {
 /** Each tetrahedron counts under the first of the three reasons that applies. */
 export interface LimitedByBoundary {
   readonly count: number;
-  /** In an edge of the boundary where the inside takes less than 30°, which forces them. */
+  /**
+   * Forced by an edge of the boundary: the inside takes less than 30° there, or less than 60°, which
+   * one tetrahedron only can fill, and that one has other angles beyond.
+   */
   readonly edges: number;
   /** On a needle or cap among the boundary's triangles: experience, not proof. */
   readonly needles: number;

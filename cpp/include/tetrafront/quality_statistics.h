@@ -50,7 +50,8 @@ struct QualityStatistics {
   /// Those it does, each counted under the first of the three reasons that applies to it.
   std::uint32_t limitedByBoundary = 0;
   /// They lie in an edge of the boundary or of walls where the space around them takes less than 30
-  /// degrees. That forces them: all elements there share that angle.
+  /// degrees, which all elements there share; or less than 60, so that only the tetrahedron of its
+  /// two triangles could do without less than 30, and that tetrahedron misses its angles. Proved.
   std::uint32_t limitedByEdges = 0;
   /// They own a boundary triangle that is a needle or a cap (radius ratio below 0.3). Experience,
   /// not proof: good elements exist over such triangles, but hardly ever beside those of their

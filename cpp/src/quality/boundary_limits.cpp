@@ -11,7 +11,9 @@
 namespace tetrafront {
 namespace {
 
-constexpr double kLeastCosine = 0.8660254037844387;  // of 30 degrees
+constexpr double kLeastCosine = 0.8660254037844387;      // of 30 degrees
+constexpr double kTwiceLeastCosine = 0.5;                // of 60 degrees
+constexpr double kGreatestCosine = -0.7071067811865476;  // of 135 degrees
 /// Of a triangle's radius ratio. No triangle forbids a single element good angles, but below this
 /// those around it leave none to be found.
 constexpr double kNeedle = 0.3;
@@ -26,6 +28,13 @@ double squaredDistanceOfLines(const Vec3& a, const Vec3& b, const Vec3& c, const
   if (!(square > 0.0)) return 0.0;
   const double along = glm::dot(across, c - a);
   return along * along / square;
+}
+
+/// Whether a tetrahedron, its corners in either order, has an angle below 30 or above 135 degrees.
+bool misses(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
+  const TetrahedronMeasures measures = measureTetrahedron(a, b, c, d);
+  return measures.volume == 0.0 || measures.largestCosine > kLeastCosine ||
+         measures.smallestCosine < kGreatestCosine;
 }
 
 }  // namespace
@@ -93,10 +102,12 @@ Vec3 BoundaryLimits::seen(std::uint32_t node, const ElementView& view) const {
 }
 
 /// Of the spaces into which the triangles at edge a b divide what is around it, an element a b c d
-/// lies in one: whether that takes less than 30 degrees. It ends with the next triangle beyond c and
-/// the next beyond d.
-bool BoundaryLimits::liesInSharpWedge(std::uint32_t a, std::uint32_t b, std::uint32_t c,
-                                      std::uint32_t d, const ElementView& view) const {
+/// lies in one, which ends with the next triangle beyond c and the next beyond d. Where it takes less
+/// than 30 degrees, so does the element. Where it takes less than 60, either one element fills it,
+/// between those two triangles, or some element takes less than 30. If that one misses its angles,
+/// the edge forces it, or one of the others: whichever there is.
+bool BoundaryLimits::isForcedByEdge(std::uint32_t a, std::uint32_t b, std::uint32_t c,
+                                    std::uint32_t d, const ElementView& view) const {
   const std::span<const Edge> around = edgesBetween(a, b);
   if (around.size() < 2) return false;
   const Vec3 origin = seen(a, view);
@@ -108,6 +119,7 @@ bool BoundaryLimits::liesInSharpWedge(std::uint32_t a, std::uint32_t b, std::uin
   const Vec3 start = normalOf(c);
   const bool isLeft = glm::dot(start, directionOf(d)) > 0.0;
   struct End {
+    std::uint32_t third = 0;
     Vec3 normal{0.0};
     double cosine = 0.0;  ///< of the angle from c; a sharp space has both ends within a right one
   };
@@ -120,9 +132,13 @@ bool BoundaryLimits::liesInSharpWedge(std::uint32_t a, std::uint32_t b, std::uin
         (edge.third != c && (glm::dot(start, directionOf(edge.third)) > 0.0) == isLeft);
     End& end = isBeyondD ? beyondD : beyondC;
     const double cosine = glm::dot(start, normal);
-    if (cosine > end.cosine) end = {normal, cosine};
+    if (cosine > end.cosine) end = {edge.third, normal, cosine};
   }
-  return glm::dot(beyondC.normal, beyondD.normal) > kLeastCosine;
+  const double space = glm::dot(beyondC.normal, beyondD.normal);
+  if (space > kLeastCosine) return true;
+  const bool isTheOne = beyondC.third == c && beyondD.third == d;
+  return space > kTwiceLeastCosine && (isTheOne || glm::dot(start, normalOf(d)) > kLeastCosine) &&
+         misses(Vec3(0.0), along, directionOf(beyondC.third), directionOf(beyondD.third));
 }
 
 bool BoundaryLimits::hasNeedle(std::span<const std::uint32_t, 4> nodes,
@@ -156,7 +172,7 @@ bool BoundaryLimits::liesBetweenNearSheets(std::span<const std::uint32_t, 4> nod
 BoundaryLimit BoundaryLimits::limitOf(std::span<const std::uint32_t, 4> nodes,
                                       const ElementView& view) const {
   for (const auto& [a, b, c, d] : kElementEdges) {
-    if (liesInSharpWedge(nodes[a], nodes[b], nodes[c], nodes[d], view)) {
+    if (isForcedByEdge(nodes[a], nodes[b], nodes[c], nodes[d], view)) {
       return BoundaryLimit::kSharpEdge;
     }
   }
