@@ -131,6 +131,15 @@ class RescuedFloor : public ::testing::TestWithParam<Body> {};
 /// leaves some of them: those around must give way.
 TEST_P(RescuedFloor, HoldsBesideNeedles) { expectFloor(GetParam(), finished(GetParam(), {})); }
 
+SurfaceMesh plate(double length, double width, double thickness, int columns, int rows) {
+  return testing::gridBox(Vec3(0.0), Vec3(length, width, thickness), {columns, rows, 1});
+}
+
+class CoarseFloor : public ::testing::TestWithParam<Body> {};
+
+/// Small meshes of bodies that are one element thick, where many elements miss their angles at first.
+TEST_P(CoarseFloor, HoldsWhereBodiesAreThin) { expectFloor(GetParam(), finished(GetParam(), {})); }
+
 class StrivingFloor : public ::testing::TestWithParam<Body> {};
 
 /// Where an angle of the default mesh misses its target, it is not to miss it by more; no more
@@ -174,6 +183,12 @@ INSTANTIATE_TEST_SUITE_P(Optimize, RescuedFloor,
                          ::testing::Values(Body{"a", sphere(1.0, 6, 0.25, 14), 0.0, 0.855},
                                            Body{"b", sphere(1.0, 6, 0.27, 7), 0.0, 0.845},
                                            Body{"c", sphere(1.0, 7, 0.25, 2), 0.0, 0.86}),
+                         [](const auto& each) { return each.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(Optimize, CoarseFloor,
+                         ::testing::Values(Body{"plateA", plate(3.6, 3.0, 0.8, 4, 3), 0.0, 0.65},
+                                           Body{"plateB", plate(3.6, 3.0, 0.6, 5, 4), 0.0, 0.65},
+                                           Body{"plateC", plate(4.5, 4.0, 0.8, 5, 4), 0.0, 0.65}),
                          [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(

@@ -69,6 +69,9 @@ constexpr double kFewBad = 0.005;
 constexpr double kMaxMissingLow = 0.1;
 constexpr double kMaxMissingHigh = 0.04;
 constexpr double kMaxMissingStrive = 0.01;
+/// So few are mended in no time, unless they are a large part of all.
+constexpr double kFewMissing = 500.0;
+constexpr double kMaxMissingOfFew = 0.2;
 constexpr int kPolishPasses = 4;
 /// The lower targets: the first that few elements miss.
 constexpr std::array kLowTargets{kTargets18And150, kTargets8And165, kTargets2And175};
@@ -197,17 +200,21 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
 
   /// Costs by a new measure; after the last one a repair may turn out not to be worth its while.
   std::size_t costSome(std::uint32_t budget) {
-    const std::size_t count = std::min<std::size_t>(budget, complex_.slotCount() - costed_);
-    complex_.costAnew(cost_, costed_, costed_ + count);
-    costed_ += count;
+    const std::size_t some = std::min<std::size_t>(budget, complex_.slotCount() - costed_);
+    complex_.costAnew(cost_, costed_, costed_ + some);
+    costed_ += some;
     costing_ = costed_ < complex_.slotCount();
-    if (!costing_ && cost_.measure() == Measure::kDihedral) {
-      const double share = stage_ == Stage::kRepairLow    ? kMaxMissingLow
-                           : stage_ == Stage::kRepairHigh ? kMaxMissingHigh
-                                                          : kMaxMissingStrive;
-      if (missing() > share * static_cast<double>(complex_.elementCount())) giveUpTarget();
-    }
-    return count;
+    const bool aims = cost_.measure() == Measure::kDihedral;
+    if (!costing_ && aims && missing() > mostWorthwhile()) giveUpTarget();
+    return some;
+  }
+
+  /// So many elements may miss this stage's target for it to be worth its cost.
+  [[nodiscard]] double mostWorthwhile() const {
+    const auto count = static_cast<double>(complex_.elementCount());
+    if (stage_ == Stage::kRepairLow) return kMaxMissingLow * count;
+    if (stage_ == Stage::kRepairStrive) return kMaxMissingStrive * count;
+    return std::max(kMaxMissingHigh * count, std::min(kFewMissing, kMaxMissingOfFew * count));
   }
 
   std::size_t sweepSome(std::uint32_t budget) {
