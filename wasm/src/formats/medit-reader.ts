@@ -26,6 +26,20 @@ const SKIPPED: ReadonlyMap<string, number> = new Map([
   ["normalatvertices", 2],
   ["tangentatvertices", 2],
   ["tangentatedges", 3],
+  ["normalattrianglevertices", 3],
+  ["normalatquadrilateralvertices", 3],
+  ["vertexongeometricvertex", 2],
+  ["vertexongeometricedge", 3],
+  ["vertexongeometrictriangle", 4],
+  ["edgeongeometricedge", 2],
+  ["triangleongeometrictriangle", 2],
+  ["subdomainfrommesh", 4],
+  ["subdomainfromgeom", 4],
+]);
+/** Sections of so many numbers, without a number of entries. */
+const HEADS: ReadonlyMap<string, number> = new Map([
+  ["boundingbox", 6],
+  ["angleofcornerbound", 1],
 ]);
 const VOLUMES = new Set(["hexahedra", "hexaedra", "prisms", "pyramids"]);
 
@@ -65,18 +79,35 @@ async function readSection(reader: ByteReader, word: string, builder: MeshBuilde
         const [a, b, c, d] = [corner(), corner(), corner(), corner()];
         builder.addTetrahedron(a, b, c, d, builder.regions.tagged(reader.number("a reference")));
       });
+    case "identifier":
+    case "geometry":
+      return skipQuoted(reader);
     default: {
-      if (VOLUMES.has(word)) reader.fail(`${word} cannot be read, only triangles and tetrahedra`);
+      if (VOLUMES.has(word)) {
+        return eachEntry(reader, () => reader.fail(`${word} cannot be read, only triangles and tetrahedra`));
+      }
+      const head = HEADS.get(word);
+      if (head !== undefined) return skipNumbers(reader, head, word);
       const width = SKIPPED.get(word) ?? reader.fail(`"${word.slice(0, 24)}" is not a section`);
-      return eachEntry(reader, () => {
-        for (let i = 0; i < width; i++) reader.number(`a number of ${word}`);
-      });
+      return eachEntry(reader, () => skipNumbers(reader, width, word));
     }
   }
 
   function corner(): number {
     return cornerIn(reader, builder);
   }
+}
+
+function skipNumbers(reader: ByteReader, count: number, section: string): void {
+  for (let i = 0; i < count; i++) reader.number(`a number of ${section}`);
+}
+
+/** Words from one that begins with a quote to one that ends with it. */
+function skipQuoted(reader: ByteReader): void {
+  let word = reader.word();
+  if (!word.startsWith('"')) reader.fail("a text in quotes should be here");
+  if (word === '"') word = reader.word();
+  while (word !== "" && !word.endsWith('"')) word = reader.word();
 }
 
 async function eachEntry(reader: ByteReader, readEntry: () => void): Promise<void> {

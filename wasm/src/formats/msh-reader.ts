@@ -94,7 +94,10 @@ class MshReader {
         return;
       case "$Nodes":
         this.#reader.endLine();
-        return this.#hasBlocks ? this.#readNodeBlocks() : this.#readNodeList();
+        return this.#hasBlocks ? this.#readNodeBlocks() : this.#readNodeList(false);
+      case "$ParametricNodes":
+        this.#reader.endLine();
+        return this.#readNodeList(true);
       case "$Elements":
         this.#reader.endLine();
         if (this.#hasBlocks) return this.#readElementBlocks();
@@ -219,11 +222,16 @@ class MshReader {
     }
   }
 
-  async #readNodeList(): Promise<void> {
+  /** `isParametric`: behind the place stand a dimension and an entity, and where the node is on its line or face. */
+  async #readNodeList(isParametric: boolean): Promise<void> {
     const count = this.#count(Number(this.#reader.line()), "nodes");
     for (let i = 0; i < count; i++) {
       if (this.#reader.isLow) await this.#reader.fill();
       this.#addNode(this.#int());
+      if (!isParametric) continue;
+      const dimension = this.#int();
+      this.#int();
+      for (let p = 0; p < dimension && dimension < 3; p++) this.#double();
     }
   }
 

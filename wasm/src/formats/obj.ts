@@ -68,5 +68,7 @@ function readFace(reader: ByteReader, builder: MeshBuilder, patch: number): void
 /** The next word of the face; a backslash at the end of a line continues it on the next. */
 function nextCorner(reader: ByteReader): string {
   const word = reader.wordInLine();
-  return word === "\\" ? reader.word() : word;
+  if (word !== "\\") return word;
+  reader.endLine();
+  return nextCorner(reader);
 }

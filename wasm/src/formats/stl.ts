@@ -54,6 +54,11 @@ async function readBinary(reader: ByteReader): Promise<FileMesh> {
     if (reader.ahead < TRIANGLE_BYTES) throw tooShort(reader.offset + reader.ahead, count);
     readTriangle(reader, builder, header);
   }
+  await reader.fill();
+  // Zeros fill up blocks; anything else is what a wrong number would leave out.
+  if (reader.ahead >= TRIANGLE_BYTES && reader.peek(TRIANGLE_BYTES).some((byte) => byte !== 0)) {
+    reader.fail(`the file goes on behind the ${count} triangles it announces`);
+  }
   return names.given(builder.mesh());
 }
 
