@@ -10,6 +10,7 @@
 #include <string>
 #include <variant>
 
+#include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
 #include "support/random.h"
@@ -125,6 +126,21 @@ TEST_P(QualityFloor, HoldsFromAFillWithoutNodesInside) {
   EXPECT_NEAR(run.statistics().meanEdge, 1.0, 0.12);
 }
 
+class BesideCoarseTriangles : public ::testing::TestWithParam<Body> {};
+
+/// Where sizes jump, the front puts nodes against triangles much larger than the elements wanted. The
+/// exact fill puts none there; what the front leaves must not end much worse than what it leaves.
+TEST_P(BesideCoarseTriangles, TheFrontsMeshEndsAsWellAsTheExactFills) {
+  MeshOptions options;
+  const MeshRun usual = finished(GetParam(), options);
+  options.exactFillOnly = true;
+  const MeshRun filled = finished(GetParam(), options);
+  ASSERT_EQ(usual.status(), MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(usual.volume(), usual.surface()), "");
+  EXPECT_LT(usual.statistics().missed, 1.15 * filled.statistics().missed);
+  EXPECT_GT(usual.quality().meanRadiusRatio, 0.97 * filled.quality().meanRadiusRatio);
+}
+
 class RescuedFloor : public ::testing::TestWithParam<Body> {};
 
 /// Spheres with a few needles and caps among their triangles, where what mends elements one by one
@@ -177,6 +193,12 @@ INSTANTIATE_TEST_SUITE_P(
         Body{"gapOfHalfAnEdge", sphericalGap(1.0, 12, 0.05, 12), 0.0, 0.8, 17.0, 150.0, 0.935},
         Body{"gapOfShakenTriangles", sphericalGap(0.4, 10, 0.05, 9, 0.2), 0.0, 0.795},
         Body{"shellOfPoorTriangles", sphericalGap(1.0, 6, 0.3, 4, 0.25), 0.0, 0.84}),
+    [](const auto& each) { return each.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Optimize, BesideCoarseTriangles,
+    ::testing::Values(Body{"finePatch", testing::cubeWithFinePatch(24), 0.0, 0.0},
+                      Body{"gradedCube", testing::gradedCube(12, 3), 0.0, 0.0}),
     [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Optimize, RescuedFloor,

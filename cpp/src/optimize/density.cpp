@@ -13,8 +13,12 @@ constexpr double kMaxEdge = 1.3;
 /// the bulk measure: a mean ratio of 0.4). The sweeps that follow see to their shape; without this,
 /// interiors that begin without nodes stay half empty, and the others lose mean radius ratio.
 constexpr double kBearable = 3.0;
-/// No collapse makes an edge longer than this.
+/// No collapse makes an edge longer than this, or than the node's edges are.
 constexpr double kMaxEdgeAfterCollapse = 1.8;
+/// Any length will do where the elements of a node cost more than this in the mean (by the bulk measure:
+/// a mean ratio of 0.2). The front may leave nodes against boundary triangles that are much larger than
+/// the elements wanted: all edges there are long, and only without those nodes can it get better.
+constexpr double kHopeless = 10.0;
 constexpr std::size_t kMaxSplitRing = kMaxRing - 1;
 
 }  // namespace
@@ -200,17 +204,20 @@ double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& c
   return sum;
 }
 
-/// False for a node that is fixed or gone, or that has too many elements.
+/// And its neighbours. False for a node that is fixed or gone, or that has too many elements.
 template <class Space>
 bool NodeCollapser<Space>::findStarOf(NodeId node) {
-  return !complex_.isFixed(node) && complex_.isUsed(node) && complex_.findStar(node, star_);
+  if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
+    return false;
+  }
+  findNeighbours(node);
+  return true;
 }
 
 /// Onto the neighbour where the combined cost of the star's elements is least, and below the bound.
 template <class Space>
 bool NodeCollapser<Space>::collapseBelow(double bound, NodeId node, const ElementCost<Space>& cost,
                                          double maxLength) {
-  findNeighbours(node);
   const auto limit = [&](NodeId target) {
     return typename Space::Limit(maxLength, complex_.wanted<Space>(node),
                                  complex_.wanted<Space>(target));
@@ -238,7 +245,12 @@ bool NodeCollapser<Space>::collapse(NodeId node, const ElementCost<Space>& cost,
   for (std::size_t i = 0; i < star_.size; ++i) {
     old = cost.combined(old, complex_.cost(star_.elements[i]));
   }
-  return collapseBelow(old * (1.0 - minGain), node, cost, maxLength);
+  for (const NodeId other : neighbours_) {
+    maxLength = std::max(maxLength, relativeLength<Space>(complex_, node, other));
+  }
+  const bool isHopeless =
+      cost.measure() == Measure::kBulk && old > kHopeless * static_cast<double>(star_.size);
+  return collapseBelow(old * (1.0 - minGain), node, cost, isHopeless ? kInvalidCost : maxLength);
 }
 
 template <class Space>

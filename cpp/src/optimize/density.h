@@ -80,7 +80,8 @@ class NodeCollapser {
   void clear() { nodes_.clear(); }
 
   /// Collapses a free node onto its best neighbour if the combined cost of its elements falls by
-  /// `minGain` (relative) and no new edge is longer than `maxLength` wanted sizes.
+  /// `minGain` (relative) and no new edge is longer than `maxLength` wanted sizes, or the node's
+  /// longest; in hopeless places new edges may be of any length.
   bool collapse(NodeId node, const ElementCost<Space>& cost, double maxLength, double minGain);
   /// The same at whatever cost, onto the neighbour where that is least.
   bool force(NodeId node, const ElementCost<Space>& cost, double maxLength);
