@@ -208,6 +208,7 @@ using Inspection = Stepwise<SurfaceInspector, SurfaceInspectionRecord>;
 using VolumeInspection = Stepwise<MeshInspector, MeshInspectionRecord>;
 using Repair = Stepwise<SurfaceRepairer, RepairRecord>;
 using Refinement = Stepwise<SurfaceRefiner, RefinementRecord>;
+using Preview = Stepwise<ModelPreviewer, PreviewRecord>;
 
 /// The answer of `work`, in which `failure` tells what it threw.
 template <class Answer, class Work>
@@ -216,19 +217,6 @@ Answer answered(const Work& work) {
   Answer answer = guarded(failure, Answer{}, work);
   answer.failure = Text{emscripten::val(failure)};
   return answer;
-}
-
-PreviewArrays preview(const ModelArrays& arrays, const Options& options) {
-  return answered<PreviewArrays>([&] {
-    const ModelPreview drawn =
-        previewModel(toModel(arrays), toGrid(arrays.grid), toOptions(options));
-    return PreviewArrays{.linePoints = copyOut(drawn.linePoints),
-                         .lineOffsets = copyOut(drawn.lineOffsets),
-                         .patchPoints = copyOut(drawn.patchPoints),
-                         .patchTriangles = copyOut(drawn.patchTriangles),
-                         .patchOffsets = copyOut(drawn.patchOffsets),
-                         .diagnostics = toRecords(drawn.diagnostics)};
-  });
 }
 
 GridRecord cover(const ModelArrays& arrays, double size, std::uint32_t shape) {
@@ -296,6 +284,13 @@ Refinement* refineSurface(const Float64Array& points, const Uint32Array& triangl
   return std::make_unique<Refinement>(
              copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
              [&grid] { return toGrid(grid); }, [&options] { return toOptions(options); })
+      .release();
+}
+
+Preview* previewModel(const ModelArrays& arrays, const Options& options) {
+  return std::make_unique<Preview>([&arrays] { return toModel(arrays); },
+                                   [&arrays] { return toGrid(arrays.grid); },
+                                   [&options] { return toOptions(options); })
       .release();
 }
 
@@ -374,14 +369,13 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("tetrahedra", &ProgressRecord::tetrahedra)
       .field("frontFaces", &ProgressRecord::frontFaces)
       .field("expectedTetrahedra", &ProgressRecord::expectedTetrahedra);
-  value_object<PreviewArrays>("PreviewArrays")
-      .field("linePoints", &PreviewArrays::linePoints)
-      .field("lineOffsets", &PreviewArrays::lineOffsets)
-      .field("patchPoints", &PreviewArrays::patchPoints)
-      .field("patchTriangles", &PreviewArrays::patchTriangles)
-      .field("patchOffsets", &PreviewArrays::patchOffsets)
-      .field("diagnostics", &PreviewArrays::diagnostics)
-      .field("failure", &PreviewArrays::failure);
+  value_object<PreviewRecord>("PreviewRecord")
+      .field("linePoints", &PreviewRecord::linePoints)
+      .field("lineOffsets", &PreviewRecord::lineOffsets)
+      .field("patchPoints", &PreviewRecord::patchPoints)
+      .field("patchTriangles", &PreviewRecord::patchTriangles)
+      .field("patchOffsets", &PreviewRecord::patchOffsets)
+      .field("diagnostics", &PreviewRecord::diagnostics);
   value_object<GridRecord>("GridRecord")
       .field("points", &GridRecord::points)
       .field("sizes", &GridRecord::sizes)
@@ -516,6 +510,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   registerStepwise<VolumeInspection>("VolumeInspection");
   registerStepwise<Repair>("Repair");
   registerStepwise<Refinement>("Refinement");
+  registerStepwise<Preview>("Preview");
 
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
@@ -523,7 +518,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   function("inspectMesh", &border::inspectMesh, allow_raw_pointers());
   function("repairSurface", &border::repairSurface, allow_raw_pointers());
   function("refineSurface", &refineSurface, allow_raw_pointers());
-  function("preview", &preview);
+  function("previewModel", &border::previewModel, allow_raw_pointers());
   function("cover", &cover);
   function("propose", &propose);
   function("meshAsGrid", &meshAsGrid);

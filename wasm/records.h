@@ -11,6 +11,7 @@
 #include "model_arrays.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/grid_tools.h"
+#include "tetrafront/mesher.h"
 #include "tetrafront/status.h"
 #include "typed_arrays.h"
 
@@ -67,14 +68,13 @@ struct ProgressRecord {
   std::uint32_t expectedTetrahedra = 0;
 };
 
-struct PreviewArrays {
+struct PreviewRecord {
   Float64Array linePoints = copyOut(std::vector<double>{});
   Uint32Array lineOffsets = copyOut(std::vector<std::uint32_t>{});
   Float64Array patchPoints = linePoints;
   Uint32Array patchTriangles = lineOffsets;
   Uint32Array patchOffsets = lineOffsets;
   DiagnosticRecords diagnostics{emscripten::val::array()};
-  Text failure{emscripten::val("")};
 };
 
 /// FrontCounters as JavaScript numbers, exact up to 2^53.
@@ -126,6 +126,15 @@ inline DiagnosticRecords toRecords(const std::vector<Diagnostic>& diagnostics) {
     records.call<void>("push", toRecord(diagnostic));
   }
   return DiagnosticRecords{records};
+}
+
+inline PreviewRecord toRecord(const ModelPreview& drawn) {
+  return {.linePoints = copyOut(drawn.linePoints),
+          .lineOffsets = copyOut(drawn.lineOffsets),
+          .patchPoints = copyOut(drawn.patchPoints),
+          .patchTriangles = copyOut(drawn.patchTriangles),
+          .patchOffsets = copyOut(drawn.patchOffsets),
+          .diagnostics = toRecords(drawn.diagnostics)};
 }
 
 /// Sixteen hexadecimal digits: a 64-bit number does not fit a JavaScript number.

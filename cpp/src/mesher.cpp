@@ -122,8 +122,10 @@ class MeshRun::Impl {
   }
 
  private:
+  struct InputCheck {
+    std::optional<InputExaminer> ofModel;
+  };
   // Done in one step each.
-  struct InputCheck {};
   struct Estimate {};
   struct Nobody {};
 
@@ -164,10 +166,12 @@ class MeshRun::Impl {
 
   // work() on each worker's own, about `budget` of it; the worker is gone once the next is there.
 
-  void work(InputCheck& /*worker*/, std::uint32_t /*budget*/) {
+  void work(InputCheck& check, std::uint32_t budget) {
     if (isModel()) {
       // What a preview says.
-      InputExamination found = examineInput(*model_, grid_, options_);
+      if (!check.ofModel) check.ofModel.emplace(*model_, grid_, options_);
+      if (!check.ofModel->advance(budget)) return;
+      InputExamination found = check.ofModel->take();
       report(found.preview.diagnostics);
       if (anyError(diagnostics_) || !found.field) return fail();
       field_ = std::move(found.field);
@@ -296,8 +300,8 @@ class MeshRun::Impl {
 
   [[nodiscard]] double surfaceEnd() const { return isModel() ? kModelSurfaceEnd : kCheckEnd; }
 
-  [[nodiscard]] Position positionOf(const InputCheck& /*worker*/) const {
-    return {Phase::kCheck, 0.0, kCheckEnd};
+  [[nodiscard]] Position positionOf(const InputCheck& check) const {
+    return {Phase::kCheck, 0.0, kCheckEnd, check.ofModel ? check.ofModel->fraction() : 0.0};
   }
   [[nodiscard]] Position positionOf(const SurfaceMesher& mesher) const {
     return {mesher.phase(), kCheckEnd, surfaceEnd(), mesher.fraction()};

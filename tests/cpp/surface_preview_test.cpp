@@ -145,5 +145,28 @@ TEST(SurfacePreview, SurvivesAnyInput) {
   }
 }
 
+TEST(ModelPreviewer, LooksAtSoManyPatchesPerCallAndSaysTheSame) {
+  const Model model = boxModel({0, 0, 0}, {1, 1, 1});
+  BackgroundGrid broken = grid();
+  broken.nodes.front().size = -1.0;
+  const ModelPreview whole = previewModel(model, broken);
+  ModelPreviewer previewer(model, broken);
+  std::size_t calls = 1;
+  double before = previewer.fraction();
+  while (!previewer.advance(1)) {
+    ++calls;
+    EXPECT_GE(previewer.fraction(), before);
+    before = previewer.fraction();
+  }
+  // Each patch is looked at twice, by itself and for its samples.
+  EXPECT_GE(calls, 2 * model.patches.size());
+  EXPECT_EQ(previewer.result().patchPoints, whole.patchPoints);
+  EXPECT_EQ(previewer.result().patchTriangles, whole.patchTriangles);
+  EXPECT_EQ(previewer.result().linePoints, whole.linePoints);
+  ASSERT_EQ(previewer.result().diagnostics.size(), whole.diagnostics.size());
+  EXPECT_FALSE(whole.diagnostics.empty());
+  EXPECT_EQ(previewer.result().diagnostics.front().code, whole.diagnostics.front().code);
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

@@ -2,6 +2,7 @@
 import createEngine, {
   type Inspection,
   type MainModule,
+  type Preview,
   type Refinement,
   type Repair,
   type Run,
@@ -11,7 +12,7 @@ import createEngine, {
 export type Engine = MainModule;
 export type EngineRun = Run;
 /** What works in slices and has one result. */
-export type EngineTool = Inspection | Refinement | Repair | VolumeInspection;
+export type EngineTool = Inspection | Preview | Refinement | Repair | VolumeInspection;
 
 /** Fetches the file and compiles it; rejects with words that name the file and why it is not to be had. */
 export type CompileEngine = (address: URL) => Promise<WebAssembly.Module>;

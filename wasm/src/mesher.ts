@@ -509,6 +509,7 @@ function tellProgress(waiting: Waiting, progress: Progress, onFailure: (failure:
 }
 
 const SLICED: Readonly<Record<SlicedKind, true>> = {
+  preview: true,
   "inspect-surface": true,
   "repair-surface": true,
   "refine-surface": true,

@@ -116,7 +116,7 @@ export type Question =
     };
 
 /** Worked on in slices: `progress` may come before the answer, and a `cancel` ends them without one. */
-export type SlicedKind = "inspect-surface" | "repair-surface" | "refine-surface" | "inspect-mesh";
+export type SlicedKind = "preview" | "inspect-surface" | "repair-surface" | "refine-surface" | "inspect-mesh";
 
 /** Every request about work carries an id of its own; replies repeat it, late ones are dropped by it. */
 export type Request =

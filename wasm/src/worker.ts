@@ -63,6 +63,8 @@ async function handle(engine: Engine, request: WorkRequest): Promise<void> {
         request.id,
         engine.fillSurface(request.points, request.triangles, request.grid, request.options),
       );
+    case "preview":
+      return work(request.id, engine.previewModel(request.model, request.options));
     case "inspect-surface":
       return work(request.id, engine.inspectSurface(request.points, request.triangles, request.enclosed));
     case "repair-surface":
@@ -98,8 +100,6 @@ type Answer = Answers[QuickQuestion["kind"]] & { readonly failure: string };
 
 function answerTo(engine: Engine, question: QuickQuestion): Answer {
   switch (question.kind) {
-    case "preview":
-      return engine.preview(question.model, question.options);
     case "cover":
       return engine.cover(question.model, question.size, question.shape);
     case "propose":

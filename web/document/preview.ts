@@ -13,7 +13,7 @@ export interface PreviewState {
 
 /**
  * Keeps the shape of lines and patches, and the list of what is wrong with them, up to date with the
- * document. One request at a time; what changed meanwhile is asked for when the answer is in.
+ * document. One question at a time, given up for a newer one, but never two before there is an answer.
  */
 export class PreviewFeed {
   readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => ({
@@ -23,7 +23,10 @@ export class PreviewFeed {
   }));
   readonly #mesher: Promise<Mesher>;
   #wanted: Project | null = null;
-  #asking = false;
+  /** Gives up the question that is being asked; null while none is. */
+  #abort: AbortController | null = null;
+  /** Since the last answer. Once only: else edits without a pause would never be answered. */
+  #hasGivenUp = false;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#mesher = mesher;
@@ -33,26 +36,35 @@ export class PreviewFeed {
 
   /** Is an answer about the document's present state still to come? */
   get busy(): boolean {
-    return this.#asking;
+    return this.#abort !== null;
   }
 
   request(project: Project): void {
     this.#wanted = project;
-    if (!this.#asking) void this.#ask();
+    if (this.#abort === null) void this.#ask();
+    else if (!this.#hasGivenUp) {
+      this.#hasGivenUp = true;
+      this.#abort.abort();
+    }
   }
 
   async #ask(): Promise<void> {
-    this.#asking = true;
     while (this.#wanted) {
       const project = this.#wanted;
       this.#wanted = null;
+      const abort = new AbortController();
+      this.#abort = abort;
       try {
-        const preview = await (await this.#mesher).previewProject(...engineInput(project));
+        const [drawn, options] = engineInput(project);
+        const control = { signal: abort.signal };
+        const preview = await (await this.#mesher).previewProject(drawn, options, control);
+        this.#hasGivenUp = false;
         this.state.setState({ preview, project, failure: null });
       } catch (error) {
+        if (abort.signal.aborted) continue;
         this.state.setState({ failure: error instanceof Error ? error.message : String(error) });
       }
     }
-    this.#asking = false;
+    this.#abort = null;
   }
 }

@@ -101,4 +101,27 @@ struct ModelPreview {
 [[nodiscard]] ModelPreview previewModel(const Model& model, const BackgroundGrid& grid,
                                         const MeshOptions& options = {});
 
+/// previewModel() in slices, so that a preview nobody waits for any more can be given up.
+class ModelPreviewer {
+ public:
+  /// All is copied.
+  ModelPreviewer(Model model, BackgroundGrid grid, const MeshOptions& options = {});
+  ModelPreviewer(ModelPreviewer&&) noexcept;
+  ModelPreviewer& operator=(ModelPreviewer&&) noexcept;
+  ~ModelPreviewer();
+
+  /// Works on for about `budget` steps; true when finished.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Complete once advance() has returned true.
+  [[nodiscard]] const ModelPreview& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 }  // namespace tetrafront

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -44,25 +45,44 @@ PatchRule ruleOf(PatchType type) {
   return {4, false};
 }
 
-class ModelCheck {
- public:
-  explicit ModelCheck(const Model& model) : model_(&model), movedPoints_(model) {}
+}  // namespace
 
-  ModelExamination run() {
-    checkPoints();
-    if (isTooSmall_) return nothingSound();
-    for (std::uint32_t line = 0; line < model_->lines.size(); ++line)
-      found_.soundLines.push_back(checkLine(line) ? 1 : 0);
-    const ResolvedModel resolved(*model_, found_.soundLines);
-    checkDuplicates(resolved);
-    checkCourses(resolved);
-    if (model_->patches.empty()) report(DiagnosticCode::kEmptyModel, {});
-    for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch)
-      found_.soundPatches.push_back(checkPatch(resolved, patch) ? 1 : 0);
-    return std::move(found_);
+class ModelExaminer::Impl {
+ public:
+  explicit Impl(const Model& model) : model_(&model), movedPoints_(model) {}
+
+  bool advance(std::uint32_t budget) {
+    const std::size_t patches = model_->patches.size();
+    if (!resolved_) {
+      checkPoints();
+      if (isTooSmall_) {
+        nothingIsSound();
+        return true;
+      }
+      checkLines();
+      if (patches == 0) report(DiagnosticCode::kEmptyModel, {});
+    } else {
+      const std::size_t last = found_.soundPatches.size() +
+                               std::min<std::size_t>(budget, patches - found_.soundPatches.size());
+      while (found_.soundPatches.size() < last) {
+        const auto patch = static_cast<std::uint32_t>(found_.soundPatches.size());
+        found_.soundPatches.push_back(checkPatch(*resolved_, patch) ? 1 : 0);
+      }
+    }
+    return found_.soundPatches.size() == patches;
   }
 
+  [[nodiscard]] ModelExamination take() { return std::move(found_); }
+
  private:
+  void checkLines() {
+    for (std::uint32_t line = 0; line < model_->lines.size(); ++line)
+      found_.soundLines.push_back(checkLine(line) ? 1 : 0);
+    resolved_.emplace(*model_, found_.soundLines);
+    checkDuplicates(*resolved_);
+    checkCourses(*resolved_);
+  }
+
   void report(DiagnosticCode code, std::vector<Entity> entities, std::vector<double> values = {},
               std::optional<Vec3> place = std::nullopt) {
     Diagnostic diagnostic;
@@ -88,14 +108,13 @@ class ModelCheck {
   }
 
   /// Of a model too small to compute with, what else there is to say would be wrong.
-  ModelExamination nothingSound() {
+  void nothingIsSound() {
     found_.soundLines.assign(model_->lines.size(), 0);
     found_.soundPatches.assign(model_->patches.size(), 0);
     found_.duplicates.points.resize(model_->points.size());
     found_.duplicates.lines.resize(model_->lines.size());
     std::iota(found_.duplicates.points.begin(), found_.duplicates.points.end(), 0U);
     std::iota(found_.duplicates.lines.begin(), found_.duplicates.lines.end(), 0U);
-    return std::move(found_);
   }
 
   void checkSmallness(const std::vector<std::uint8_t>& takesPart) {
@@ -359,6 +378,7 @@ class ModelCheck {
   const Model* model_;
   MovedPointFinder movedPoints_;
   ModelExamination found_;
+  std::optional<ResolvedModel> resolved_;
   double samePlace_ = 0.0;
   bool isTooSmall_ = false;
   std::vector<std::uint8_t> isUsed_;    ///< per line: by a patch
@@ -368,9 +388,20 @@ class ModelCheck {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> namedPairs_;
 };
 
-}  // namespace
+ModelExaminer::ModelExaminer(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
+ModelExaminer::ModelExaminer(ModelExaminer&&) noexcept = default;
+ModelExaminer& ModelExaminer::operator=(ModelExaminer&&) noexcept = default;
+ModelExaminer::~ModelExaminer() = default;
 
-ModelExamination examineModel(const Model& model) { return ModelCheck(model).run(); }
+bool ModelExaminer::advance(std::uint32_t budget) { return impl_->advance(budget); }
+ModelExamination ModelExaminer::take() { return impl_->take(); }
+
+ModelExamination examineModel(const Model& model) {
+  ModelExaminer examiner(model);
+  while (!examiner.advance(std::numeric_limits<std::uint32_t>::max())) {
+  }
+  return examiner.take();
+}
 
 std::vector<Diagnostic> checkModel(const Model& model) {
   return std::move(examineModel(model).diagnostics);

@@ -3,6 +3,7 @@
 /// @file Everything that is wrong with a drawn model, all at once, before anything is meshed.
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "model/duplicates.h"
@@ -30,5 +31,26 @@ struct ModelExamination {
   Duplicates duplicates;
 };
 [[nodiscard]] ModelExamination examineModel(const Model& model);
+
+/// examineModel() in slices.
+class ModelExaminer {
+ public:
+  /// The model must outlive this.
+  explicit ModelExaminer(const Model& model);
+  ModelExaminer(ModelExaminer&&) noexcept;
+  ModelExaminer& operator=(ModelExaminer&&) noexcept;
+  ~ModelExaminer();
+
+  /// Looks at `budget` patches, after a first call that looks at points and lines; true when
+  /// finished.
+  bool advance(std::uint32_t budget);
+
+  /// Once, when finished.
+  [[nodiscard]] ModelExamination take();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace tetrafront

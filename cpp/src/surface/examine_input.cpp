@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "field/grid_locator.h"
@@ -21,26 +23,62 @@ namespace {
 /// A model whose volume is not known fills some part of its box.
 constexpr double kLeastPart = 0.05;
 
-class InputCheck {
- public:
-  InputCheck(const Model& model, const BackgroundGrid& grid, const MeshOptions& options)
-      : model_(&model), grid_(&grid), options_(&options) {}
+/// To look at a patch costs as much as so many steps of the front.
+constexpr std::uint32_t kBudgetPerPatch = 64;
 
-  InputExamination run() {
-    ModelExamination found = examineModel(*model_);
-    report(std::move(found.diagnostics));
-    Closure closure = checkClosure(*model_, found);
-    report(std::move(closure.diagnostics));
-    sampled_ = sampleSurface(*model_, found);
-    report(findMeetingPatches(*model_, found, sampled_));
-    if (!anyError(diagnostics_)) closeSurface(closure);
-    report(checkOptions(*options_));
-    checkSizes();
-    sampled_.preview.diagnostics = std::move(diagnostics_);
-    return {std::move(sampled_.preview), std::move(field_)};
+}  // namespace
+
+class InputExaminer::Impl {
+ public:
+  Impl(const Model& model, const BackgroundGrid& grid, const MeshOptions& options)
+      : model_(&model), grid_(&grid), options_(&options), examiner_(model) {}
+
+  bool advance(std::uint32_t budget) {
+    const std::uint32_t patches = std::max(budget / kBudgetPerPatch, 1U);
+    switch (stage_) {
+      case Stage::kModel:
+        if (!examiner_.advance(patches)) break;
+        found_ = examiner_.take();
+        report(std::move(found_.diagnostics));
+        closure_ = checkClosure(*model_, found_);
+        report(std::move(closure_.diagnostics));
+        sampler_.emplace(*model_, found_);
+        stage_ = Stage::kSample;
+        break;
+      case Stage::kSample:
+        if (!sampler_->advance(patches)) break;
+        sampled_ = sampler_->take();
+        stage_ = Stage::kMeet;
+        break;
+      case Stage::kMeet:
+        report(findMeetingPatches(*model_, found_, sampled_));
+        stage_ = Stage::kClose;
+        break;
+      case Stage::kClose:
+        if (!anyError(diagnostics_)) closeSurface(closure_);
+        stage_ = Stage::kSizes;
+        break;
+      case Stage::kSizes:
+        report(checkOptions(*options_));
+        checkSizes();
+        sampled_.preview.diagnostics = std::move(diagnostics_);
+        stage_ = Stage::kFinished;
+        break;
+      case Stage::kFinished:
+        break;
+    }
+    return stage_ == Stage::kFinished;
   }
 
+  [[nodiscard]] double fraction() const {
+    return static_cast<double>(stage_) / static_cast<double>(Stage::kFinished);
+  }
+
+  [[nodiscard]] InputExamination take() { return {std::move(sampled_.preview), std::move(field_)}; }
+
  private:
+  enum class Stage : std::uint8_t { kModel, kSample, kMeet, kClose, kSizes, kFinished };
+
   void report(std::vector<Diagnostic> found) {
     for (Diagnostic& diagnostic : found) diagnostics_.push_back(std::move(diagnostic));
   }
@@ -159,13 +197,16 @@ class InputCheck {
   const Model* model_;
   const BackgroundGrid* grid_;
   const MeshOptions* options_;
+  Stage stage_ = Stage::kModel;
+  ModelExaminer examiner_;
+  ModelExamination found_;
+  Closure closure_;
+  std::optional<SurfaceSampler> sampler_;
   std::vector<Diagnostic> diagnostics_;
   SampledModel sampled_;
   std::optional<double> volume_;  ///< enclosed, where the surface closes
   std::optional<SizeField> field_;
 };
-
-}  // namespace
 
 bool anyError(const std::vector<Diagnostic>& diagnostics) {
   return std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
@@ -190,10 +231,61 @@ std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
   return found;
 }
 
+InputExaminer::InputExaminer(const Model& model, const BackgroundGrid& grid,
+                             const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(model, grid, options)) {}
+InputExaminer::InputExaminer(InputExaminer&&) noexcept = default;
+InputExaminer& InputExaminer::operator=(InputExaminer&&) noexcept = default;
+InputExaminer::~InputExaminer() = default;
+
+bool InputExaminer::advance(std::uint32_t budget) { return impl_->advance(budget); }
+double InputExaminer::fraction() const { return impl_->fraction(); }
+InputExamination InputExaminer::take() { return impl_->take(); }
+
 InputExamination examineInput(const Model& model, const BackgroundGrid& grid,
                               const MeshOptions& options) {
-  return InputCheck(model, grid, options).run();
+  InputExaminer examiner(model, grid, options);
+  while (!examiner.advance(std::numeric_limits<std::uint32_t>::max())) {
+  }
+  return examiner.take();
 }
+
+class ModelPreviewer::Impl {
+ public:
+  Impl(Model model, BackgroundGrid grid, const MeshOptions& options)
+      : model_(std::move(model)),
+        grid_(std::move(grid)),
+        options_(options),
+        examiner_(model_, grid_, options_) {}
+
+  bool advance(std::uint32_t budget) {
+    if (!isFinished_ && examiner_.advance(budget)) {
+      isFinished_ = true;
+      preview_ = std::move(examiner_.take().preview);
+    }
+    return isFinished_;
+  }
+  [[nodiscard]] double fraction() const { return examiner_.fraction(); }
+  [[nodiscard]] const ModelPreview& result() const { return preview_; }
+
+ private:
+  Model model_;
+  BackgroundGrid grid_;
+  MeshOptions options_;
+  InputExaminer examiner_;
+  bool isFinished_ = false;
+  ModelPreview preview_;
+};
+
+ModelPreviewer::ModelPreviewer(Model model, BackgroundGrid grid, const MeshOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(model), std::move(grid), options)) {}
+ModelPreviewer::ModelPreviewer(ModelPreviewer&&) noexcept = default;
+ModelPreviewer& ModelPreviewer::operator=(ModelPreviewer&&) noexcept = default;
+ModelPreviewer::~ModelPreviewer() = default;
+
+bool ModelPreviewer::advance(std::uint32_t budget) { return impl_->advance(budget); }
+double ModelPreviewer::fraction() const { return impl_->fraction(); }
+const ModelPreview& ModelPreviewer::result() const { return impl_->result(); }
 
 ModelPreview previewModel(const Model& model, const BackgroundGrid& grid,
                           const MeshOptions& options) {

@@ -3,6 +3,8 @@
 /// @file The one check of a drawn model and its sizes: what a preview and a run have to say before
 /// anything is meshed, all at once.
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -23,6 +25,30 @@ struct InputExamination {
 /// other is about. Milliseconds for the models people draw.
 [[nodiscard]] InputExamination examineInput(const Model& model, const BackgroundGrid& grid,
                                             const MeshOptions& options);
+
+/// examineInput() in slices.
+class InputExaminer {
+ public:
+  /// All must outlive this.
+  InputExaminer(const Model& model, const BackgroundGrid& grid, const MeshOptions& options);
+  InputExaminer(InputExaminer&&) noexcept;
+  InputExaminer& operator=(InputExaminer&&) noexcept;
+  ~InputExaminer();
+
+  /// Works on for about `budget` steps, a patch being many, or takes one of the steps that look at all
+  /// patches together; true when finished.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Once, when finished.
+  [[nodiscard]] InputExamination take();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Options that make no sense, as a caller of the engine may give them.
 [[nodiscard]] std::vector<Diagnostic> checkOptions(const MeshOptions& options);

@@ -3,6 +3,7 @@
 /// @file A model as the preview samples it, for questions about its extent and shape.
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,27 @@ struct SampledModel {
   std::vector<std::uint8_t> isJoined;
 };
 [[nodiscard]] SampledModel sampleSurface(const Model& model, const ModelExamination& found);
+
+/// sampleSurface() in slices.
+class SurfaceSampler {
+ public:
+  class Impl;
+
+  /// Both must outlive this.
+  SurfaceSampler(const Model& model, const ModelExamination& found);
+  SurfaceSampler(SurfaceSampler&&) noexcept;
+  SurfaceSampler& operator=(SurfaceSampler&&) noexcept;
+  ~SurfaceSampler();
+
+  /// Samples `budget` patches; true when finished.
+  bool advance(std::uint32_t budget);
+
+  /// Once, when finished.
+  [[nodiscard]] SampledModel take();
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
 
 /// Only these patches, with `refinement` times as many pieces and cells.
 [[nodiscard]] SampledModel sampleFinely(const Model& model, const ModelExamination& found,

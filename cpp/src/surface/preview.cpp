@@ -3,6 +3,7 @@
 // their lines' bends.
 
 #include <array>
+#include <limits>
 #include <utility>
 
 #include "model/check_model.h"
@@ -26,6 +27,7 @@ constexpr std::uint32_t kGridCells = 16;
 constexpr double kOnLine = 1e-6;
 /// Sides taken from a patch's front before it is given up; models people draw need some hundreds.
 constexpr std::uint32_t kFrontBudget = 200'000;
+constexpr std::uint32_t kAllPatches = std::numeric_limits<std::uint32_t>::max();
 
 void append(std::vector<double>& points, const Vec3& place) {
   points.insert(points.end(), {place.x, place.y, place.z});
@@ -41,9 +43,11 @@ LineDivision cut(const Curve& curve, std::uint32_t pieces) {
   return division;
 }
 
-class PreviewBuilder {
+}  // namespace
+
+class SurfaceSampler::Impl {
  public:
-  PreviewBuilder(const Model& model, const ModelExamination& found, std::uint32_t refinement)
+  Impl(const Model& model, const ModelExamination& found, std::uint32_t refinement)
       : model_(&model),
         found_(&found),
         cells_(kGridCells * refinement),
@@ -51,19 +55,24 @@ class PreviewBuilder {
         resolved_(model, found.soundLines) {}
 
   /// `isWanted`: per patch; empty for all.
-  SampledModel build(std::span<const std::uint8_t> isWanted) {
-    findLinesOfGrids();
-    addLines();
+  bool advance(std::uint32_t budget, std::span<const std::uint8_t> isWanted) {
     ModelPreview& preview = sampled_.preview;
-    preview.patchOffsets.push_back(0);
-    sampled_.isJoined.assign(model_->patches.size(), 0);
-    for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch) {
+    if (preview.patchOffsets.empty()) {
+      findLinesOfGrids();
+      addLines();
+      preview.patchOffsets.push_back(0);
+      sampled_.isJoined.assign(model_->patches.size(), 0);
+    }
+    for (; budget > 0 && preview.patchOffsets.size() <= model_->patches.size(); --budget) {
+      const auto patch = static_cast<std::uint32_t>(preview.patchOffsets.size() - 1);
       const bool wanted = isWanted.empty() || isWanted[patch] != 0;
       if (wanted && found_->soundPatches[patch] != 0) addPatch(patch);
       preview.patchOffsets.push_back(static_cast<std::uint32_t>(preview.patchTriangles.size() / 3));
     }
-    return std::move(sampled_);
+    return preview.patchOffsets.size() > model_->patches.size();
   }
+
+  [[nodiscard]] SampledModel take() { return std::move(sampled_); }
 
  private:
   void findLinesOfGrids() {
@@ -246,17 +255,30 @@ class PreviewBuilder {
   SampledModel sampled_;
 };
 
-}  // namespace
+SurfaceSampler::SurfaceSampler(const Model& model, const ModelExamination& found)
+    : impl_(std::make_unique<Impl>(model, found, 1)) {}
+SurfaceSampler::SurfaceSampler(SurfaceSampler&&) noexcept = default;
+SurfaceSampler& SurfaceSampler::operator=(SurfaceSampler&&) noexcept = default;
+SurfaceSampler::~SurfaceSampler() = default;
+
+bool SurfaceSampler::advance(std::uint32_t budget) { return impl_->advance(budget, {}); }
+SampledModel SurfaceSampler::take() { return impl_->take(); }
 
 SampledModel sampleSurface(const Model& model, const ModelExamination& found) {
-  return PreviewBuilder(model, found, 1).build({});
+  SurfaceSampler sampler(model, found);
+  while (!sampler.advance(kAllPatches)) {
+  }
+  return sampler.take();
 }
 
 SampledModel sampleFinely(const Model& model, const ModelExamination& found,
                           std::uint32_t refinement, std::span<const std::uint32_t> patches) {
   std::vector<std::uint8_t> isWanted(model.patches.size(), 0);
   for (const std::uint32_t patch : patches) isWanted[patch] = 1;
-  return PreviewBuilder(model, found, refinement).build(isWanted);
+  SurfaceSampler::Impl sampler(model, found, refinement);
+  while (!sampler.advance(kAllPatches, isWanted)) {
+  }
+  return sampler.take();
 }
 
 ModelPreview sampleModel(const Model& model) {

@@ -21,7 +21,7 @@ vi.mock("../../../wasm/dist/engine.js", () => ({
     Promise.resolve({
       module: undefined,
       engine: {
-        preview: (model: unknown) => {
+        propose: (model: unknown) => {
           port.asked.push(model);
           return { failure: "" };
         },
@@ -29,20 +29,20 @@ vi.mock("../../../wasm/dist/engine.js", () => ({
     }),
 }));
 
-function preview(id: number): Request {
-  return { kind: "preview", id, model: `model ${id}`, size: 1 } as unknown as Request;
+function proposal(id: number): Request {
+  return { kind: "propose", id, model: `model ${id}` } as unknown as Request;
 }
 
 test("questions given up while they waited are not begun, others are answered in order", async () => {
   await import("../../../wasm/dist/worker.js");
   port.handle({ kind: "load", module: undefined });
-  for (const id of [1, 2, 3, 4]) port.handle(preview(id));
+  for (const id of [1, 2, 3, 4]) port.handle(proposal(id));
   for (const id of [2, 3]) port.handle({ kind: "cancel", id });
   await vi.waitFor(() => expect(port.asked).toHaveLength(2));
   expect(port.asked).toEqual(["model 1", "model 4"]);
   expect(port.replies.map(({ kind }) => kind)).toEqual(["ready", "answer", "answer"]);
   expect(port.replies.slice(1).map((reply) => "id" in reply && reply.id)).toEqual([1, 4]);
   // The number of a question that was given up is nothing that would keep the next from its answer.
-  port.handle(preview(2));
+  port.handle(proposal(2));
   await vi.waitFor(() => expect(port.asked).toHaveLength(3));
 });

@@ -1,0 +1,57 @@
+import type { Mesher, ProjectPreview } from "tetrafront";
+import { expect, it } from "vitest";
+import { emptyProject, renameProject } from "../../../web/document/edits";
+import { PreviewFeed } from "../../../web/document/preview";
+import { DocumentStore } from "../../../web/document/store";
+
+interface Question {
+  readonly name: string;
+  readonly signal: AbortSignal;
+  readonly answer: () => void;
+}
+
+/** A mesher that waits until it is told to answer, and hears when it is not to. */
+function slowMesher(questions: Question[]): Mesher {
+  const previewProject: Mesher["previewProject"] = (project, _options, control) =>
+    new Promise((resolve, reject) => {
+      const { signal } = control ?? {};
+      if (!signal) return reject(new Error("a preview that cannot be given up"));
+      signal.addEventListener("abort", () => reject(new Error("cancelled")));
+      questions.push({
+        name: project.name,
+        signal,
+        answer: () => resolve({ diagnostics: [] } as never as ProjectPreview),
+      });
+    });
+  return { previewProject } as never;
+}
+
+const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
+
+it("gives a preview up for a newer one at once, but never two before there is an answer", async () => {
+  const questions: Question[] = [];
+  const documents = new DocumentStore(emptyProject("first"), () => 0);
+  const feed = new PreviewFeed(documents, Promise.resolve(slowMesher(questions)));
+  await settled();
+  const shown = () => feed.state.getState().project?.name;
+  const rename = async (name: string): Promise<void> => {
+    documents.edit(renameProject(name));
+    await settled();
+  };
+  await rename("second");
+  expect(questions.map(({ name }) => name)).toEqual(["first", "second"]);
+  expect(questions[0]?.signal.aborted).toBe(true);
+  await rename("third");
+  await rename("fourth");
+  expect(questions).toHaveLength(2);
+  expect(feed.busy).toBe(true);
+  questions[1]?.answer();
+  await settled();
+  expect(shown()).toBe("second");
+  expect(questions.map(({ name }) => name)).toEqual(["first", "second", "fourth"]);
+  questions[2]?.answer();
+  await settled();
+  expect(shown()).toBe("fourth");
+  expect(feed.busy).toBe(false);
+  expect(feed.state.getState().failure).toBeNull();
+});
