@@ -1,4 +1,4 @@
-import type { Mesher, ProjectPreview } from "tetrafront";
+import type { Mesher } from "tetrafront";
 import { expect, it } from "vitest";
 import { emptyProject, renameProject } from "../../../web/document/edits";
 import { PreviewFeed } from "../../../web/document/preview";
@@ -20,7 +20,7 @@ function slowMesher(questions: Question[]): Mesher {
       questions.push({
         name: project.name,
         signal,
-        answer: () => resolve({ diagnostics: [] } as never as ProjectPreview),
+        answer: () => resolve({ diagnostics: [] } as never),
       });
     });
   return { previewProject } as never;
