@@ -322,6 +322,16 @@ TEST(VolumeMesher, LeavesNeedlesToTheExactFillBeforeTheyCostTooMuch) {
   EXPECT_LT(facesLookedAt, 30'000'000);
 }
 
+TEST(VolumeMesher, LeavesRingsOfNeedlesToTheExactFillAtOnce) {
+  SurfaceMesh surface = testing::torus(1.0, 0.2, 4, 600);
+  testing::rotateRandomly(surface, 7);
+  const Outcome outcome = fillByOwnSizes(surface);
+  ASSERT_EQ(outcome.status, MeshStatus::kDone);
+  EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
+  const std::uint64_t facesLookedAt = outcome.counters.gatheredFaces + outcome.counters.facesTested;
+  EXPECT_LT(facesLookedAt, 40'000'000);
+}
+
 TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {
   MeshOptions options;
   options.maxTetrahedra = 500;

@@ -36,12 +36,12 @@ Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int s
 
 }  // namespace
 
-BoundaryRecovery::BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles)
+BoundaryRecovery::BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles, EdgeOrder order)
     : mesh_(mesh), triangles_(triangles), cone_(mesh, constraints_) {
-  collectEdges();
+  collectEdges(order);
 }
 
-void BoundaryRecovery::collectEdges() {
+void BoundaryRecovery::collectEdges(EdgeOrder order) {
   for (const auto& t : triangles_) {
     for (std::size_t k = 0; k < 3; ++k) edgeOf_.push_back({ordered(t[k], t[(k + 1) % 3]), 0});
   }
@@ -51,6 +51,19 @@ void BoundaryRecovery::collectEdges() {
     waiting_.push_back(edge);
     edges_.push_back({nodes.first, nodes.second, {}});
   }
+  sortWaiting(order);
+}
+
+/// By length, or as they are numbered.
+void BoundaryRecovery::sortWaiting(EdgeOrder order) {
+  if (order == EdgeOrder::kAsNumbered) return;
+  std::vector<double> keys;
+  for (const Edge& edge : edges_) {
+    const Vec3 along = mesh_.points.place(edge.to) - mesh_.points.place(edge.from);
+    const double square = glm::dot(along, along);
+    keys.push_back(order == EdgeOrder::kLongestFirst ? -square : square);
+  }
+  stableSort(waiting_, [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
 }
 
 // ---- edges ---------------------------------------------------------------------------------------

@@ -23,8 +23,12 @@ using NodeTripleList = std::vector<std::array<NodeId, 3>>;
 
 class BoundaryRecovery {
  public:
+  /// In which the edges are recovered. Long edges need the most room for swaps, and edges that are
+  /// there must stay, so the first order mostly makes the fewest points; but no order is best for all.
+  enum class EdgeOrder : std::uint8_t { kLongestFirst, kAsNumbered, kShortestFirst };
+
   /// `triangles` must outlive this. All their nodes must be nodes of the mesh.
-  BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles);
+  BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles, EdgeOrder order);
 
   /// kFailed: the triangles meet where they should not.
   enum class State : std::uint8_t { kRunning, kDone, kFailed };
@@ -54,7 +58,8 @@ class BoundaryRecovery {
   };
   using Direction = std::pair<NodeId, NodeId>;
 
-  void collectEdges();
+  void collectEdges(EdgeOrder order);
+  void sortWaiting(EdgeOrder order);
   void beginPass();
   /// kRunning: swaps do not do it.
   State recoverEdge(Edge& edge);

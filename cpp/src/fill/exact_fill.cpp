@@ -1,6 +1,7 @@
 #include "fill/exact_fill.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -15,6 +16,10 @@ namespace {
 
 /// Signs per unit of the budget.
 constexpr std::uint64_t kWorkPerUnit = 20;
+
+using EdgeOrder = BoundaryRecovery::EdgeOrder;
+constexpr std::array<EdgeOrder, 3> kEdgeOrders{EdgeOrder::kLongestFirst, EdgeOrder::kAsNumbered,
+                                               EdgeOrder::kShortestFirst};
 
 }  // namespace
 
@@ -89,7 +94,7 @@ class ExactFill::Impl {
 
   void beginRecovery() {
     insertion_.reset();
-    recovery_.emplace(mesh_, task_.triangles);
+    recovery_.emplace(mesh_, task_.triangles, kEdgeOrders.at(order_ % kEdgeOrders.size()));
     beginStage(Stage::kEdges);
   }
 

@@ -40,9 +40,9 @@ struct FillResult {
 
 class ExactFill {
  public:
-  /// Orders in which the nodes can be inserted: where a point inside has no place in doubles after
-  /// one of them, it mostly has after another.
-  static constexpr unsigned kOrders = 3;
+  /// Orders in which the nodes can be inserted and the edges recovered: where a point inside has no
+  /// place in doubles after one of them, it mostly has after another.
+  static constexpr unsigned kOrders = 6;
 
   explicit ExactFill(FillTask task, unsigned order = 0);
   ExactFill(ExactFill&&) noexcept;

@@ -245,9 +245,11 @@ std::size_t Recovery<Trace>::reopenNext() {
 template <class Trace>
 void Recovery<Trace>::reopen(const std::vector<Pocket>& pockets, std::size_t chosen,
                              const FaceMap& active) {
+  attempt_ = Attempt{};
   const auto rings = static_cast<std::uint32_t>((pass_ - 1) / kVariants.size() + 1);
-  const std::vector<FaceId> rim = openPlace(
-      pockets, chosen, active, elementsAround(pockets[chosen], rings, kMaxRemovedElements));
+  std::vector<TetId> around = elementsAround(pockets[chosen], rings, kMaxRemovedElements);
+  if (around.size() > kMaxRemovedElements) return;
+  const std::vector<FaceId> rim = openPlace(pockets, chosen, active, std::move(around));
   const RuleVariant& variant = kVariants[(pass_ - 1) % kVariants.size()];
   advance_.setVariant(variant);
   front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);

@@ -9,18 +9,20 @@ namespace tetrafront {
 namespace {
 
 /// What the front may cost in all, and what of it its relaxed rules, as FrontAdvance::step() counts
-/// it: per element, and more for small bodies. Well shaped boundaries take 1 to 2 per element. Among
-/// needles each face has hundreds of others near it, and what the rules leave there the exact fill
-/// closes for less.
+/// it: per element, per triangle of the boundary, and more for small bodies. Well shaped boundaries
+/// take 1 to 2 per element. Among needles each face has hundreds of others near it, and what the rules
+/// leave there the exact fill closes for less.
 struct CostLimit {
   std::uint64_t perElement;
+  std::uint64_t perTriangle;
   std::uint64_t extra;
-  [[nodiscard]] bool isReached(std::uint64_t cost, std::size_t elements) const {
-    return cost > perElement * elements + extra;
+  [[nodiscard]] bool isReached(std::uint64_t cost, std::size_t elements,
+                               std::size_t triangles) const {
+    return cost > perElement * elements + perTriangle * triangles + extra;
   }
 };
-constexpr CostLimit kRelaxedCost{16, 200'000};
-constexpr CostLimit kFrontCost{200, 1'000'000};
+constexpr CostLimit kRelaxedCost{16, 0, 200'000};
+constexpr CostLimit kFrontCost{200, 10, 100'000};
 
 Vec3 boundaryNode(const SurfaceMesh& surface, NodeId node) {
   const double* p = surface.points.data() + 3 * node.index();
@@ -131,13 +133,15 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
 
 template <class Trace>
 void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
+  const std::size_t triangles = boundary_.triangles.size() / 3;
   // Looked at after each step, so that where it stops does not depend on the slices.
   while (budget > 0 && stage_ == Stage::kAdvance && !front_.nothingQueued()) {
     const std::uint64_t relaxed = advance_.counters().relaxedCost;
-    const std::uint32_t cost = advance_.step(!kRelaxedCost.isReached(relaxed, elements_.size()));
+    const std::uint32_t cost =
+        advance_.step(!kRelaxedCost.isReached(relaxed, elements_.size(), triangles));
     budget -= std::min(cost, budget);
     frontCost_ += cost;
-    if (kFrontCost.isReached(frontCost_, elements_.size())) front_.unqueueAll();
+    if (kFrontCost.isReached(frontCost_, elements_.size(), triangles)) front_.unqueueAll();
     inspectNewNodes();
     if (elements_.size() > maxTetrahedra_) stopAtLimit();
   }
