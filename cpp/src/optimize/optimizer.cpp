@@ -71,16 +71,16 @@ constexpr double kMaxMissingHigh = 0.04;
 constexpr double kMaxMissingStrive = 0.01;
 /// So few are mended in no time, unless they are a large part of all.
 constexpr double kFewMissing = 500.0;
-constexpr double kMaxMissingOfFew = 0.2;
+constexpr double kMaxMissingOfFew = 0.1;
 constexpr int kPolishPasses = 4;
 /// The lower targets: the first that few elements miss.
 constexpr std::array kLowTargets{kTargets18And150, kTargets8And165, kTargets2And175};
 /// Compound changes in one repair: so many, and one for so many elements.
-constexpr std::size_t kLeastCompounds = 300;
+constexpr std::size_t kLeastCompounds = 100;
 constexpr std::size_t kElementsPerCompound = 50;
 /// Rescues are for the last few; so many changes in all are tried, and one for so many elements.
 constexpr std::size_t kMaxRescued = 40;
-constexpr std::size_t kLeastRescueTries = 80;
+constexpr std::size_t kLeastRescueTries = 60;
 constexpr std::size_t kElementsPerRescueTry = 200;
 constexpr std::uint32_t kRescueWork = 1000;  ///< elements of a sweep that one of these costs
 /// Easing goes once over what repairs have changed; as often as polishing where that is more than this
