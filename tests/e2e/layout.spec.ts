@@ -29,6 +29,25 @@ test("on a phone the panels are drawers and everything needed is in reach", asyn
   await expect(page.getByRole("dialog")).toBeHidden();
 });
 
+test("on a phone every menu opens in place, whole and in reach", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("button", { name: "Menu" }).click();
+  const menu = page.getByRole("menu");
+  for (const name of ["File", "View"]) {
+    await menu.getByRole("menuitem", { name, exact: true }).click();
+    const items = menu.getByRole("group", { name }).locator("[role^=menuitem]");
+    expect(await items.count()).toBeGreaterThan(3);
+    for (const item of await items.all()) {
+      await item.scrollIntoViewIfNeeded();
+      await expect(item).toBeInViewport({ ratio: 1 });
+    }
+    await menu.getByRole("menuitem", { name, exact: true }).scrollIntoViewIfNeeded();
+  }
+  await expect(menu.getByRole("group")).toHaveCount(1);
+});
+
 test("the header fits at every width, idle and meshing", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();

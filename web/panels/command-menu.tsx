@@ -6,7 +6,7 @@ import { commands, keyNames, runCommand } from "../commands";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 
-const menuNames: readonly MenuName[] = ["file", "edit", "create", "view", "mesh", "help"];
+export const menuNames: readonly MenuName[] = ["file", "edit", "create", "view", "mesh", "help"];
 
 /** The menus of the header, written from the registry. */
 export function CommandMenubar() {

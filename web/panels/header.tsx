@@ -11,6 +11,8 @@ import {
 import {
   IconArrowBackUp,
   IconArrowForwardUp,
+  IconChevronDown,
+  IconChevronUp,
   IconDownload,
   IconFocusCentered,
   IconMenu2,
@@ -20,12 +22,14 @@ import {
   IconSearch,
   IconSun,
 } from "@tabler/icons-react";
+import { Fragment, useState } from "react";
+import type { MenuName } from "../command";
 import { commandNamed, DOWNLOADS, runCommand } from "../commands";
 import { Logo } from "../ui/logo";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 import { CommandButton } from "./command-button";
-import { CommandItems, CommandMenubar } from "./command-menu";
+import { CommandItems, CommandMenubar, menuNames } from "./command-menu";
 import { palette } from "./palette";
 import type { Layout } from "./use-layout";
 
@@ -82,24 +86,33 @@ function PaletteBox() {
   );
 }
 
+/** All menus in one; they open in place, one at a time, as there is no room beside. */
 function PhoneMenu() {
+  const [open, setOpen] = useState<MenuName | null>(null);
   return (
-    <Menu position="bottom-start" width={260}>
+    <Menu position="bottom-start" width={280} onClose={() => setOpen(null)}>
       <Menu.Target>
         <ActionIcon size={32} variant="subtle" color="gray" aria-label={strings.header.menu}>
           <IconMenu2 size={18} aria-hidden />
         </ActionIcon>
       </Menu.Target>
-      <Menu.Dropdown mah="80vh" style={{ overflowY: "auto" }}>
-        {(["file", "edit", "create", "view", "mesh", "help"] as const).map((menu) => (
-          <Menu.Sub key={menu}>
-            <Menu.Sub.Target>
-              <Menu.Sub.Item>{strings.menus[menu]}</Menu.Sub.Item>
-            </Menu.Sub.Target>
-            <Menu.Sub.Dropdown>
-              <CommandItems menu={menu} />
-            </Menu.Sub.Dropdown>
-          </Menu.Sub>
+      <Menu.Dropdown mah="80vh" className="tf-phone-menu">
+        {menuNames.map((menu) => (
+          <Fragment key={menu}>
+            <Menu.Item
+              aria-expanded={open === menu}
+              closeMenuOnClick={false}
+              rightSection={open === menu ? <IconChevronUp {...icon} /> : <IconChevronDown {...icon} />}
+              onClick={() => setOpen(open === menu ? null : menu)}
+            >
+              {strings.menus[menu]}
+            </Menu.Item>
+            {open === menu && (
+              <div role="group" aria-label={strings.menus[menu]}>
+                <CommandItems menu={menu} />
+              </div>
+            )}
+          </Fragment>
         ))}
       </Menu.Dropdown>
     </Menu>
