@@ -115,3 +115,15 @@ test("a body within a body is a cavity, or a region if the settings say so", asy
   await page.getByTestId("undo").click();
   expect(await app.meshed()).toEqual(before);
 });
+
+test("a stretched mesh's report says which figures are of elements as the grid wants them", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.open("dark", "wing-in-a-tunnel");
+  await page.getByTestId("tab-quality").click();
+  await expect(page.getByTestId("stretched-hint")).toBeVisible();
+  await app.openExample("unit-cube");
+  await expect(page.getByTestId("quality-report")).toBeVisible();
+  await expect(page.getByTestId("stretched-hint")).toHaveCount(0);
+});

@@ -378,9 +378,9 @@ export interface MeshReport {
   readonly tetrahedra: number;
   readonly triangles: number;
   readonly seconds: Seconds;
-  /** Degrees, over all tetrahedra; 0 without any. */
+  /** Degrees, over all tetrahedra as they lie in space, stretched or not; 0 without any. */
   readonly dihedral: { readonly min: number; readonly max: number };
-  /** 3 × inradius / circumradius, 1 for the regular tetrahedron; 0 without any. */
+  /** 3 × inradius / circumradius, 1 for the regular tetrahedron, in space too; 0 without any. */
   readonly radiusRatio: { readonly min: number; readonly mean: number };
   /** Sum over the tetrahedra, in cubed model units. */
   readonly volume: number;

@@ -1,6 +1,6 @@
 import { Select, Text, UnstyledButton } from "@mantine/core";
 import { IconAlertTriangle, IconCircleCheck, IconClockExclamation } from "@tabler/icons-react";
-import { useState } from "react";
+import { useMemo, useState } from "react";
 import type { ElementFigures, MeshReport, QualityReport as Quality } from "tetrafront";
 import { showElement } from "../actions";
 import { bestValue, placeOnScale, worstShown } from "../document/mesh-quality";
@@ -17,7 +17,7 @@ import { formatAngle, formatCount, formatPlace, formatShare, formatShort } from 
 import { HistogramChart } from "../ui/histogram-chart";
 import { recoverySteps, strings } from "../ui/strings";
 import { viridisAt } from "../ui/viridis";
-import { useApp, useRun, useStale, useView } from "./app-context";
+import { useApp, useProject, useRun, useStale, useView } from "./app-context";
 import { RegionSwatch } from "./region-list";
 
 const texts = strings.report;
@@ -69,8 +69,14 @@ function Figures({ report }: { readonly report: MeshReport }) {
   const { quality } = report;
   const [wanted, setWanted] = useState<RegionChoice>(null);
   const choice = quality.regions.some(({ region }) => region === wanted) ? wanted : null;
+  const stretched = useStretched();
   return (
     <>
+      {stretched && (
+        <Text size="xs" c="dimmed" mt={8} data-testid="stretched-hint">
+          {texts.stretchedHint}
+        </Text>
+      )}
       {quality.regions.length > 1 && <RegionSelect quality={quality} choice={choice} onChoose={setWanted} />}
       <AngleChart report={report} choice={choice} />
       <RatioChart report={report} choice={choice} />
@@ -82,6 +88,12 @@ function Figures({ report }: { readonly report: MeshReport }) {
       <Recovery recovery={report.recovery} />
     </>
   );
+}
+
+/** Whether the background grid wants elements longer one way than another. */
+function useStretched(): boolean {
+  const { nodes } = useProject().background;
+  return useMemo(() => nodes.some(({ stretching }) => (stretching ?? 1) > 1), [nodes]);
 }
 
 interface RegionSelectProps {

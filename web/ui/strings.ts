@@ -191,6 +191,8 @@ export const strings = {
     tab: "Quality",
     title: "Quality report",
     notFinished: "The mesh is not finished: its elements have not been measured.",
+    stretchedHint:
+      "The background grid is stretched. Bars, worst elements and missed angles are those of the elements as the grid wants them; min, max and mean those of the elements as they lie in space.",
     verdicts: { passed: "Verified", failed: "Verification failed", none: "Not verified" },
     verdictHints: {
       passed:
