@@ -27,8 +27,9 @@ constexpr std::uint32_t kNoSlot = 0xffffffffU;
 }  // namespace
 
 ColumnSamples::ColumnSamples(const SurfaceMesh& surface, const SizeField& field)
-    : surface_(surface), field_(field), low_(pointOf(surface, 0)), high_(low_) {
-  for (std::uint32_t node = 1; node < surface.points.size() / 3; ++node) {
+    : surface_(surface), field_(field) {
+  low_ = high_ = pointOf(surface, surface.triangles.front());
+  for (const std::uint32_t node : surface.triangles) {
     low_ = glm::min(low_, pointOf(surface, node));
     high_ = glm::max(high_, pointOf(surface, node));
   }
@@ -81,7 +82,21 @@ double ColumnSamples::meanDensity() {
     step *= 0.5;
     reach *= 0.5;
   }
-  return length > 0.0 ? integral / length : -1.0;
+  return length > 0.0 ? integral / length : densityAtTriangles();
+}
+
+double ColumnSamples::densityAtTriangles() {
+  double area = 0.0;
+  double integral = 0.0;
+  for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
+    const std::array<Vec3, 3> corners = cornersOf(surface_, t);
+    const double twiceArea =
+        glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    area += twiceArea;
+    integral += twiceArea / field_.tensorAt(middle, hint_).determinant();
+  }
+  return integral / area;
 }
 
 void ColumnSamples::cross(std::uint32_t columnsPerAxis, const std::vector<std::uint32_t>& active) {

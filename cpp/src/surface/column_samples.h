@@ -19,8 +19,8 @@ class ColumnSamples {
   ColumnSamples(const SurfaceMesh& surface, const SizeField& field);
 
   /// The mean of 1 / det H over the inside. Columns, first 16 x 16 along the shortest extent, are
-  /// divided where much smaller sizes may hide between them. Negative where no column meets the
-  /// inside. O(triangles).
+  /// divided where much smaller sizes may hide between them. Where a body is so thin that no column
+  /// meets its inside, the mean over its triangles. O(triangles).
   [[nodiscard]] double meanDensity();
 
  private:
@@ -39,6 +39,7 @@ class ColumnSamples {
 
   void cross(std::uint32_t columnsPerAxis, const std::vector<std::uint32_t>& active);
   void crossTriangle(std::uint32_t triangle);
+  [[nodiscard]] double densityAtTriangles();
   [[nodiscard]] Column integrate(std::uint32_t place, std::uint32_t slot, double step);
   [[nodiscard]] double across(std::size_t axis, double column) const;
 

@@ -39,7 +39,8 @@ double meanDensity(const Vec3& low, const Vec3& high, const SizeField& field) {
 }  // namespace
 
 double enclosedVolume(const SurfaceMesh& surface) {
-  const Vec3 origin = pointOf(surface, 0);
+  // Not the first node, which may belong to no triangle and lie far away.
+  const Vec3 origin = pointOf(surface, surface.triangles.front());
   double sixVolumes = 0.0;
   for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
     if (surface.isWall(t)) continue;
