@@ -425,7 +425,13 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("weldDistance", &RepairOptions::weldDistance)
       .field("removesTriangles", &RepairOptions::removesTriangles)
       .field("fillsUpTo", &RepairOptions::fillsUpTo)
-      .field("turns", &RepairOptions::turns);
+      .field("turns", &RepairOptions::turns)
+      .field(
+          "enclosed",
+          +[](const RepairOptions& options) { return static_cast<int>(options.enclosed); },
+          +[](RepairOptions& options, int enclosed) {
+            options.enclosed = static_cast<EnclosedBodies>(enclosed);
+          });
   value_object<SurfaceInspectionRecord>("SurfaceInspectionRecord")
       .field("isFillable", &SurfaceInspectionRecord::isFillable)
       .field("isClosed", &SurfaceInspectionRecord::isClosed)

@@ -15,11 +15,10 @@ import { packageDiagnostic } from "./package-diagnostic.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
 import { checkPreviewOptions } from "./options.js";
-import type { Diagnostic, EnclosedBodies, Mesher } from "./types.js";
+import type { Diagnostic, Mesher } from "./types.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions {
   readonly size?: string;
-  readonly enclosed?: EnclosedBodies;
   readonly from?: string;
   readonly json?: boolean;
   readonly quiet?: boolean;

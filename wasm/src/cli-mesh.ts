@@ -34,7 +34,6 @@ import { repairedSurface } from "./repaired-surface.js";
 import { emptyReport, emptyResult } from "./report.js";
 import type {
   Diagnostic,
-  EnclosedBodies,
   FrontOrder,
   Mesher,
   MeshOptions,
@@ -58,7 +57,6 @@ export interface MeshCommandOptions extends RepairCommandOptions {
   readonly gradation?: string;
   readonly background?: string;
   readonly refineSurface?: boolean;
-  readonly enclosed?: EnclosedBodies;
   readonly order?: FrontOrder;
   /** False after --no-filters. */
   readonly filters: boolean;

@@ -7,13 +7,14 @@ import type { RepairChange, RepairOptions } from "./inspection.js";
 import { checkRepairOptions } from "./options.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { repairedSurface } from "./repaired-surface.js";
-import type { Mesher } from "./types.js";
+import type { EnclosedBodies, Mesher } from "./types.js";
 
 /** As commander hands them over. */
 export interface RepairCommandOptions {
   readonly repair?: boolean;
   readonly weld?: string;
   readonly fillHoles?: string;
+  readonly enclosed?: EnclosedBodies;
 }
 
 export interface RepairedSurface {
@@ -24,11 +25,12 @@ export interface RepairedSurface {
 
 /** The options of a repair, undefined where none is asked for. Throws a BadInput. */
 export function repairOptions(given: RepairCommandOptions): RepairOptions | undefined {
-  const { repair = false, weld, fillHoles } = given;
+  const { repair = false, weld, fillHoles, enclosed } = given;
   if (!repair && weld === undefined && fillHoles === undefined) return undefined;
   const options: RepairOptions = {
     ...(weld === undefined ? {} : { weld: numberIn(weld) }),
     ...(fillHoles === undefined ? {} : { fillHoles: numberIn(fillHoles) }),
+    enclosed,
   };
   refuseOptions(checkRepairOptions(options));
   return options;

@@ -6,7 +6,7 @@ import { describeDiagnostic } from "./diagnostics.js";
 import type { Engine } from "./engine.js";
 import { nameByPosition, type EntityNamer } from "./project-arrays.js";
 import { qualityReport } from "./quality-report.js";
-import type { Diagnostic, QualityReport, SurfaceInput } from "./types.js";
+import type { Diagnostic, EnclosedBodies, QualityReport, SurfaceInput } from "./types.js";
 
 /** In model units. */
 export type Place = readonly [x: number, y: number, z: number];
@@ -105,6 +105,8 @@ export interface RepairOptions {
   readonly fillHoles?: number | undefined;
   /** Triangles are turned to agree with each other, and outward where that is known. Default true. */
   readonly orient?: boolean | undefined;
+  /** As a run is to take closed parts within others: cavities face the other way. Default "cavities". */
+  readonly enclosed?: EnclosedBodies | undefined;
 }
 
 /** One change. Numbers are positions in the given surface, but for the triangles of filled holes. */

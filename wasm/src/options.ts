@@ -117,6 +117,7 @@ const PROPOSAL_RULES: Rules<ProposalOptions> = {
 /** As the engine has it (cpp/include/tetrafront/surface_tools.h): the work grows with its cube. */
 const MOST_HOLE_EDGES = 200;
 const REPAIR_RULES: Rules<RepairOptions> = {
+  enclosed: MESH_RULES.enclosed,
   weld: [
     "weld distance",
     (value) =>
@@ -273,10 +274,12 @@ export function engineProposalOptions(options: ProposalOptions): EngineProposalO
 /** Options that passed the check. */
 export function engineRepairOptions(options: RepairOptions): EngineRepairOptions {
   const { weld = 0, removeTriangles = true, fillHoles = 0, orient = true } = options;
+  const { enclosed = DEFAULT_ENCLOSED } = options;
   return {
     weldDistance: weld === false ? -1 : weld,
     removesTriangles: removeTriangles,
     fillsUpTo: fillHoles,
     turns: orient,
+    enclosed: ENCLOSED_BODIES[enclosed],
   };
 }

@@ -49,6 +49,7 @@ export interface EngineRepairOptions {
   readonly removesTriangles: boolean;
   readonly fillsUpTo: number;
   readonly turns: boolean;
+  readonly enclosed: number;
 }
 
 /** Asked for at once and answered by one `answer` or `failure`, also while a run is under way. */

@@ -100,6 +100,8 @@ struct RepairOptions {
   bool removesTriangles = true;  ///< without area, and all but one of those with the same nodes
   std::uint32_t fillsUpTo = 0;   ///< holes of so many edges, at most kMostHoleEdges; 0: none
   bool turns = true;             ///< triangles to agree with each other, outward if possible
+  /// As a run is to take closed parts within others: cavities are turned the other way.
+  EnclosedBodies enclosed = EnclosedBodies::kCavities;
 };
 inline constexpr std::uint32_t kMostHoleEdges = 200;
 

@@ -279,7 +279,7 @@ bool SurfaceRepairer::Impl::fill(std::uint32_t budget) {
 bool SurfaceRepairer::Impl::turn(std::uint32_t budget) {
   if (!check_) {
     outward_ = mesh_;
-    check_.emplace(outward_, BoundarySource::kGivenSurface);
+    check_.emplace(outward_, BoundarySource::kGivenSurface, options_.enclosed);
   }
   if (!check_->advance(budget)) return false;
   if (!check_->result().valid) {

@@ -158,6 +158,16 @@ describe("a repair", () => {
     expect((await mesher.fillSurface(surface)).report).toMatchObject({ status: "done", diagnostics: [] });
   });
 
+  test("turns parts within others as they are to be taken", async () => {
+    const inside = sphereSurface(2, 0.2, [0.5, 0.5, 0.5]);
+    const given = joined(boxSurface(2), inside);
+    expect((await mesher.repairSurface(given, { enclosed: "regions" })).changes).toEqual([]);
+    const { changes } = await mesher.repairSurface(given);
+    expect(changes.map(({ kind }) => kind)).toEqual(
+      Array.from({ length: inside.triangles.length / 3 }, () => "turned-triangle"),
+    );
+  });
+
   test("lists what it has welded, removed, filled and turned", async () => {
     const corners = [...box.triangles].map((node) => [...box.points.subarray(3 * node, 3 * node + 3)]);
     const soup = { points: Float64Array.from(corners.flat()), triangles: box.triangles.map((_, h) => h) };
@@ -178,6 +188,7 @@ describe("a repair", () => {
 
   test.each([
     { weld: -1 },
+    { enclosed: "holes" as "cavities" },
     { weld: NaN },
     { fillHoles: 1.5 },
     { fillHoles: 201 },
