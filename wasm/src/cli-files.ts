@@ -1,7 +1,7 @@
 /** Files as the command line meets them: every way to fail gets one line with a remedy. */
 import { randomUUID } from "node:crypto";
 import { constants, createReadStream } from "node:fs";
-import { access, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
+import { access, lstat, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
 import path from "node:path";
 
 import { allBytes } from "./formats/byte-source.js";
@@ -101,12 +101,22 @@ async function tryPlace(file: string, exists: boolean): Promise<void> {
     const temporary = temporaryFor(exists ? await realpath(file) : file);
     await writeTo(temporary, "", "wx");
     await rm(temporary, { force: true });
+    if (!exists) await tryName(file);
   } catch (failure) {
     throw new FileProblem(
       file,
       `this place may not be written to (${reasonOf(failure)})`,
       "Choose another, or change its permissions.",
     );
+  }
+}
+
+/** The file's own name may be too long, or one that the file system does not take. */
+async function tryName(file: string): Promise<void> {
+  try {
+    await lstat(file);
+  } catch (failure) {
+    if (codeOf(failure) !== "ENOENT") throw failure;
   }
 }
 

@@ -131,9 +131,10 @@ MeshStatus CellMesher::advance(std::uint32_t budget) {
 
 std::vector<Diagnostic> CellMesher::diagnostics() const {
   std::vector<Diagnostic> told = current_->diagnostics();
+  const std::size_t filledBefore = filled_.tetrahedra.size() / 4;
   for (Diagnostic& one : told) {
     if (one.code != DiagnosticCode::kTooManyElements) continue;
-    for (double& count : one.values) count += static_cast<double>(filled_.tetrahedra.size() / 4);
+    for (double& count : one.values) count += static_cast<double>(filledBefore);
   }
   return told;
 }

@@ -263,7 +263,7 @@ describe("what is said", () => {
   test("of a place that cannot be written to comes before the mesh", async () => {
     save("cube.off", offFile(boxSurface(1)));
     mkdirSync(inFolder("deep"));
-    const name = `${"x".repeat(250)}.vtu`;
+    const name = `${"x".repeat(300)}.vtu`;
     const { code, stderr } = await run(
       "mesh",
       "cube.off",
