@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/budget.h"
 #include "base/fingerprint.h"
 #include "field/size_field.h"
 #include "optimize/locality.h"
@@ -251,7 +252,7 @@ class MeshRun::Impl {
   }
 
   void work(MortonReordering& reordering, std::uint32_t budget) {
-    if (!reordering.advance(kReorderedPerBudget * budget)) return;
+    if (!reordering.advance(scaledBudget(budget, kReorderedPerBudget))) return;
     mesh_ = reordering.take();
     worker_.emplace<MeshOptimizer>(std::exchange(mesh_, {}), boundaryNodes(), *field_,
                                    options_.optimization);

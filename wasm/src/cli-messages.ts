@@ -64,13 +64,15 @@ export function tell(subject: string, diagnostics: readonly Diagnostic[], option
   for (const group of groups.values()) tellGroup(subject, group, perCode);
 }
 
-/** What has no place and reads the same but for its numbers is one line with a count. */
+/** What has neither name nor place and reads the same but for its numbers is one line with a count. */
 function tellGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
   const lines = new Map<string, { readonly line: string; count: number }>();
-  for (const { severity, code, message, remedy, place } of group) {
+  for (const { severity, code, message, remedy, place, entities } of group) {
     const line = `${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd();
+    const isNameless = entities.every(({ kind }) => kind === "triangle" || kind === "surface-node");
     // Coordinates that cannot be computed with are no place either.
-    const key = place === undefined || code === "not-finite" ? message.replace(/[-+\d.e]*\d/g, "#") : line;
+    const isAlike = isNameless && (place === undefined || code === "not-finite");
+    const key = isAlike ? message.replace(/[-+\d.e]*\d/g, "#") : line;
     const known = lines.get(key);
     if (known === undefined) lines.set(key, { line, count: 1 });
     else known.count++;

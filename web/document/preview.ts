@@ -62,6 +62,7 @@ export class PreviewFeed {
         this.state.setState({ preview, project, failure: null });
       } catch (error) {
         if (abort.signal.aborted) continue;
+        this.#hasGivenUp = false;
         this.state.setState({ failure: error instanceof Error ? error.message : String(error) });
       }
     }

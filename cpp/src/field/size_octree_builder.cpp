@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/budget.h"
+
 namespace tetrafront {
 namespace {
 
@@ -158,7 +160,7 @@ void SizeOctreeBuilder::placeRoot(std::span<const Vec3> points, std::span<const 
 
 bool SizeOctreeBuilder::advance(std::uint32_t budget) {
   if (!hasBegun_) {
-    if (!sites_->advance(kSitesPerCell * std::size_t{budget})) return false;
+    if (!sites_->advance(scaledBudget(budget, kSitesPerCell))) return false;
     hasBegun_ = true;
     refineRoot();
   }

@@ -28,7 +28,7 @@ SizeSites::SizeSites(std::span<const Vec3> points, std::span<const double> sizes
   Vec3 lower(std::numeric_limits<double>::max());
   Vec3 upper(-std::numeric_limits<double>::max());
   for (std::uint32_t i = 0; i < points.size(); ++i) {
-    if (sizes[i] == 0.0) continue;
+    if (sizes[i] == 0.0 || std::isnan(sizes[i])) continue;
     building_.places.push_back(points[i]);
     building_.sizes.push_back(sizes[i]);
     lower = glm::min(lower, points[i]);

@@ -62,6 +62,11 @@ const named = (
   regions: regions.map((name, r) => ({ name, tag: r + 1 })),
 });
 
+test("a partial mesh may hold elements of the last of many regions alone", () => {
+  const volume = { ...mesh.volume, regions: mesh.volume.regions.map(() => 2) };
+  expect(fileMeshOf({ ...mesh, volume }).regions).toHaveLength(3);
+});
+
 describe("VTU", () => {
   test("holds the tetrahedra with coordinates bit for bit", async () => {
     const read = parseVtu(await written(".vtu", fileMeshOf(mesh)));

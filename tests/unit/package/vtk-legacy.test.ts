@@ -125,3 +125,12 @@ test.each([
   const mesh = `POINTS 4 double\n${POINTS.join(" ")}\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n`;
   await expect(read(file("ASCII", "UNSTRUCTURED_GRID", mesh, data))).rejects.toThrow(message);
 });
+
+test("a word that begins like what is no number is none", async () => {
+  const field = (values: string) =>
+    `POINTS 4 double\n${POINTS.join(" ")}\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\nPOINT_DATA 4\nFIELD f 1\nsize 1 4 double\n${values}\n`;
+  const bytes = (values: string) => file("ASCII", "UNSTRUCTURED_GRID", field(values));
+  const mesh = await read(bytes("1 -Infinity nan(ind) 4"));
+  expect([...(mesh.nodeData.get("size")?.values ?? [])]).toEqual([1, -Infinity, NaN, 4]);
+  await expect(read(bytes("1 2 information 4"))).rejects.toThrow("information");
+});

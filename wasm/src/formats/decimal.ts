@@ -63,12 +63,14 @@ function exponentIn(bytes: Uint8Array, begin: number, end: number): number {
 /** As C and C++ write what is no number, or without bounds; undefined for any other word. */
 export function otherNumber(bytes: Uint8Array, begin: number, end: number): number | undefined {
   const word = String.fromCharCode(...bytes.subarray(begin, Math.min(end, begin + LONGEST_OTHER)));
-  const [, sign, kind] = /^([+-]?)(nan|inf)/i.exec(word) ?? [];
+  const [, sign, kind] = OTHER.exec(word) ?? [];
   if (kind === undefined) return undefined;
-  return kind.toLowerCase() === "nan" ? NaN : Number(`${sign}Infinity`);
+  return kind.toLowerCase().startsWith("nan") ? NaN : Number(`${sign}Infinity`);
 }
 
-const LONGEST_OTHER = 9;
+/** One more than "-infinity" has; "nan(" may go on for long. */
+const LONGEST_OTHER = 10;
+const OTHER = /^([+-]?)(nan|nan\(.*|inf|infinity)$/i;
 
 /** No decimal of use is longer: 767 digits decide every double. */
 const LONGEST = 1100;

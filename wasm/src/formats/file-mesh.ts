@@ -80,7 +80,9 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
   const { project, surface: given } = names;
   const patchLimit = Math.max(surface.trianglePatch.length, project?.patches.length ?? 0);
   checkArgument("mesh.surface.trianglePatch", surface.trianglePatch, positionsBelow(patchLimit));
-  checkArgument("mesh.volume.regions", volume.regions, positionsBelow(volume.regions.length));
+  // A partial mesh may have elements of the last of many regions alone.
+  const regionLimit = Math.max(volume.regions.length, surface.trianglePatch.length);
+  checkArgument("mesh.volume.regions", volume.regions, positionsBelow(regionLimit));
   const isSame = given !== undefined && given.trianglePatch.length === surface.trianglePatch.length;
   const isKept = isSame && (given.patches.length > 1 || !given.patches.every(isPlain));
   const regionCount = countOf(volume.regions);
@@ -118,7 +120,7 @@ const aMeshResult = objectOf({
   }),
 });
 
-/** There are no more groups than elements, or than a project names. */
+/** There are no more groups than elements, than triangles, or than a project names. */
 function positionsBelow(limit: number): Check {
   return (positions, name) =>
     countOf(positions as Uint32Array) > limit ? `${name} has a position beyond ${limit}` : undefined;

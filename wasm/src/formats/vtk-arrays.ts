@@ -101,8 +101,9 @@ function textNumbers({ fail }: ArrayCoding, { content, mayBeNone }: CodedArray):
     const begin = at;
     while (at < content.length && !isBlank(content, at)) at++;
     const value = decimalIn(content, begin, at);
-    const other = Number.isNaN(value) && mayBeNone ? otherNumber(content, begin, at) : undefined;
-    if (Number.isNaN(value) && other === undefined) {
+    const isNone = !Number.isFinite(value);
+    const other = isNone && mayBeNone ? otherNumber(content, begin, at) : undefined;
+    if (isNone && other === undefined) {
       const word = new TextDecoder().decode(content.subarray(begin, Math.min(at, begin + SHOWN)));
       fail(`"${word}" is not a finite number`, begin);
     }
