@@ -58,9 +58,11 @@ def sphere(n):
         at = lambda i, j: node((sx * (n - i - j), sy * i, sz * j))  # noqa: E731
         for i in range(n):
             for j in range(n - i):
-                faces.append((at(i, j), at(i + 1, j), at(i, j + 1)))
+                corners = [(at(i, j), at(i + 1, j), at(i, j + 1))]
                 if i + j < n - 1:
-                    faces.append((at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)))
+                    corners.append((at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)))
+                # Outward: every reflection turns them.
+                faces += [face if sx * sy * sz > 0 else face[::-1] for face in corners]
     lines = ["OFF", f"{len(places)} {len(faces)} 0"]
     lines += [" ".join(repr(float(x)) for x in p) for p in places]
     lines += ["3 " + " ".join(map(str, f)) for f in faces]
