@@ -14,6 +14,7 @@ const ENOUGH = 1_000_000;
 const WAIT_MS = 600_000;
 /** What an action sets off has begun by then, and its tasks are counted until nothing has moved for as long. */
 const SETTLE_MS = 1000;
+const LOAD_MS = 3000;
 
 function load() {
   const read = readProject(readFileSync(inRoot("public", "models", "unit-cube.json"), "utf8"));
@@ -169,6 +170,8 @@ async function inTab(project) {
       await noteLongTasks(page);
       await page.goto(`${url}?test=1&model=unit-cube`);
       await meshed(page, 0);
+      // Browsers without a graphics card compile shaders for a while.
+      await page.waitForTimeout(LOAD_MS);
       const run = await meshProject(page, project);
       const actions = [];
       for (const [name, act] of ACTIONS) {
