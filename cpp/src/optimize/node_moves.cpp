@@ -166,12 +166,46 @@ bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot, 
   return glm::dot(step, gradient) < 0.0;
 }
 
+/// Where a descent is: the place, the value there, and how far the next step may go.
+struct Descent {
+  Vec3& place;
+  double& value;
+  double& reach;
+};
+
+/// One step along `down`, of the unit space of the first element: halved until the value falls, and on as
+/// long as it falls further. Leaves all as it is, and returns false, where it does not.
+template <class Space, class ValueAt>
+bool descend(Hollow<Space>& hollow, const Vec3& down, double mostReach, ValueAt valueAt,
+             const Descent& at) {
+  constexpr int kTries = 9;
+  const auto& frame = hollow.frame(0);
+  const auto back = Space::backFrom(frame);
+  const double before = at.value;
+  Vec3 best = at.place;
+  double length = at.reach;
+  for (int i = 0; i < kTries; ++i, length *= 0.5) {
+    const Vec3 place = at.place + Space::toSpace(back, down * length);
+    const double there = valueAt(place);
+    if (there < at.value) {
+      at.value = there;
+      best = place;
+    } else if (at.value < before) {
+      break;
+    }
+  }
+  if (!(at.value < before)) return false;
+  at.reach =
+      std::min(mostReach, 2.0 * lengthOf(Space::toUnit(frame, best - at.place)) + 4.0 * length);
+  at.place = best;
+  return true;
+}
+
 template <class Space>
 bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst) {
   constexpr double kBand = 0.85;  // elements within 15 % of the worst go along
   constexpr double kFirstStep = 0.2;
-  constexpr int kTries = 9;
   constexpr double kWorthwhile = 1e-3;
   // Steps are taken in the unit space of any one of the elements.
   const auto& frame = hollow.frame(0);
@@ -192,23 +226,10 @@ bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps
     const Vec3 up = shortestInHull(gradients, count);
     const double slope = lengthOf(up);
     if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
-    const Vec3 down = up * (-1.0 / slope);
-    Vec3 best = apex;
-    double length = reach;
-    for (int i = 0; i < kTries; ++i, length *= 0.5) {
-      const Vec3 place = apex + Space::toSpace(back, down * length);
-      const double there = hollow.costAt(place, cost, worst);
-      if (there < worst) {
-        worst = there;
-        best = place;
-      } else if (worst < before) {
-        break;
-      }
+    const auto costAt = [&](const Vec3& place) { return hollow.costAt(place, cost, worst); };
+    if (!descend(hollow, up * (-1.0 / slope), kFirstStep * radius, costAt, {apex, worst, reach})) {
+      return fell;
     }
-    if (!(worst < before)) return fell;
-    reach = std::min(kFirstStep * radius,
-                     2.0 * lengthOf(Space::toUnit(frame, best - apex)) + 4.0 * length);
-    apex = best;
     fell = true;
     if (worst > before * (1.0 - kWorthwhile)) return fell;
   }
@@ -218,7 +239,6 @@ bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps
 template <class Space>
 bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex) {
   constexpr double kFirstStep = 0.2;
-  constexpr int kTries = 9;
   const auto& frame = hollow.frame(0);
   const auto back = Space::backFrom(frame);
   const double radius = hollow.meanRadius(apex, frame);
@@ -234,24 +254,10 @@ bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int step
     }
     const double slope = lengthOf(up);
     if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
-    const Vec3 down = up * (-1.0 / slope);
-    const double before = here;
-    Vec3 best = apex;
-    double length = reach;
-    for (int i = 0; i < kTries; ++i, length *= 0.5) {
-      const Vec3 place = apex + Space::toSpace(back, down * length);
-      const double there = sumOfPowers(hollow, cost, place, here);
-      if (there < here) {
-        here = there;
-        best = place;
-      } else if (here < before) {
-        break;
-      }
+    const auto sumAt = [&](const Vec3& place) { return sumOfPowers(hollow, cost, place, here); };
+    if (!descend(hollow, up * (-1.0 / slope), kFirstStep * radius, sumAt, {apex, here, reach})) {
+      return fell;
     }
-    if (!(here < before)) return fell;
-    reach = std::min(kFirstStep * radius,
-                     2.0 * lengthOf(Space::toUnit(frame, best - apex)) + 4.0 * length);
-    apex = best;
     fell = true;
   }
   return fell;

@@ -580,6 +580,8 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
 
   /// By shapes, and no angle worse than the worst at the last judgement.
   [[nodiscard]] ElementCost<Space> costWithinAngles() const {
+    // A share of the squared tangents of half the angles: far more than an unchanged element, reckoned
+    // anew, can differ by, and far less than any angle that is told.
     constexpr double kRounding = 1.0 + 1e-9;
     return ElementCost<Space>(Measure::kWithin,
                               judgement_.within(kTargets35And130).loweredBy(kRounding));

@@ -8,7 +8,10 @@
 namespace tetrafront {
 namespace {
 
+/// Edges with more elements around them are not removed in a rescue.
 constexpr std::size_t kRescueRing = 9;
+/// A change is kept that lowers the sum of the fourth powers of costs by this share, or it is not worth
+/// the elements it spoils. Costs are 1 at the target; the share has no unit.
 constexpr double kRescueGain = 1e-2;
 
 template <class Id>
