@@ -1,10 +1,12 @@
 import { defineConfig } from "vitest/config";
+import { pythonProgram } from "./scripts/lib/python.mjs";
 
 /** Unit tests run in Node and load the compiled engine as users do. */
 export default defineConfig({
   test: {
     include: ["tests/unit/**/*.test.{ts,tsx}"],
     environment: "node",
+    env: { TETRAFRONT_PYTHON: pythonProgram() },
     // Only a hang takes so long, also on a machine that is small and busy.
     testTimeout: 600_000,
     hookTimeout: 600_000,

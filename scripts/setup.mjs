@@ -1,11 +1,12 @@
 // Makes a fresh clone ready: npm packages, Emscripten, GLM and, for the tests, a native compiler,
-// GoogleTest, clang-tidy and Chromium. Needs nothing but Node; free when everything is there.
+// GoogleTest, clang-tidy, Chromium and, where they can be had, Python packages. Needs nothing but Node; free when everything is there.
 import { lstatSync, mkdirSync, readlinkSync, rmSync, symlinkSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 import { installMissing } from "./lib/apt.mjs";
 import { ensureEmscripten, glmBesideEmscripten } from "./lib/emscripten.mjs";
 import { ensurePackages } from "./lib/npm.mjs";
+import { ensurePython } from "./lib/python.mjs";
 import { glmFolder } from "./lib/paths.mjs";
 import { main, say, UserError } from "./lib/run.mjs";
 import { findChromium, findCompiler, findGoogleTest, findSystemGlm, findTidy, which } from "./lib/tools.mjs";
@@ -45,7 +46,7 @@ export async function setup(purposes = ["native", "tests"]) {
     const words = stillMissing.map((item) => item.what).join(", ");
     throw new UserError(`Still not found after installing Debian's packages: ${words}`);
   }
-  await ensurePackages();
+  await Promise.all([ensurePackages(), purposes.includes("tests") && ensurePython()]);
   const emscripten = await ensureEmscripten();
   await ensureGlm(emscripten.folder);
   return { emscripten, compiler: findCompiler(), chromium: findChromium() };

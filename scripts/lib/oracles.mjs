@@ -1,4 +1,5 @@
 import { spawnSync } from "node:child_process";
+import { pythonProgram } from "./python.mjs";
 
 /** Python packages that judge what is written, and what they judge; the tests do without those that are missing. */
 const ORACLES = [
@@ -9,7 +10,7 @@ const ORACLES = [
 
 /** One line for each test against another program that did not run, with what to install. */
 export function untestedOracles() {
-  const python = process.env.TETRAFRONT_PYTHON ?? "python3";
+  const python = pythonProgram();
   return ORACLES.filter(({ module }) => spawnSync(python, ["-c", `import ${module}`]).status !== 0).map(
     ({ pip, judges }) =>
       `NOT TESTED that ${judges}: pip install ${pip} (TETRAFRONT_PYTHON names the Python, now ${python})`,

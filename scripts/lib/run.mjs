@@ -26,9 +26,9 @@ export class UserError extends Error {}
 
 /**
  * Runs a program with its output on our terminal; resolves with the exit status (a signal counts as 1).
- * `quietOut` sends its standard output to standard error, `log` both to a file instead.
+ * `quietOut` sends its standard output to standard error, `log` both to a file instead; `timeout` is in milliseconds.
  */
-export async function run(program, args, { cwd = root, env = {}, quietOut = false, log } = {}) {
+export async function run(program, args, { cwd = root, env = {}, quietOut = false, log, timeout } = {}) {
   if (log) mkdirSync(path.dirname(log), { recursive: true });
   const file = log ? openSync(log, "w") : undefined;
   try {
@@ -36,6 +36,7 @@ export async function run(program, args, { cwd = root, env = {}, quietOut = fals
       const child = spawn(program, args, {
         cwd,
         env: merged(env),
+        timeout,
         stdio: ["ignore", file ?? (quietOut ? 2 : "inherit"), file ?? "inherit"],
       });
       child.on("error", (error) => reject(new UserError(`${program} cannot be started: ${error.message}`)));

@@ -1,4 +1,4 @@
-/** Reads VTU and MSH files by their specifications, not by the code that writes them. Little-endian only. */
+/** Reads VTU and MSH files by their specifications, not by the code that writes them; little-endian only. */
 import { inflateSync } from "node:zlib";
 
 export interface FileMesh {
@@ -153,4 +153,30 @@ class MshReader {
     this.#position += 8;
     return this.#view.getFloat64(this.#position - 8, true);
   }
+}
+
+/** The tetrahedra as a binary file of legacy VTK, whose numbers stand high byte first. */
+export function vtkBinary(points: Float64Array, tetrahedra: Uint32Array): Uint8Array {
+  const count = tetrahedra.length / 4;
+  const doubles = new DataView(new ArrayBuffer(8 * points.length));
+  points.forEach((value, i) => doubles.setFloat64(8 * i, value));
+  const ints = (values: readonly number[]) => {
+    const view = new DataView(new ArrayBuffer(4 * values.length));
+    values.forEach((value, i) => view.setInt32(4 * i, value));
+    return view;
+  };
+  const cells = Array.from({ length: count }, (_, t) => [4, ...tetrahedra.subarray(4 * t, 4 * t + 4)]).flat();
+  const parts = [
+    "# vtk DataFile Version 3.0\nmade by a test\nBINARY\nDATASET UNSTRUCTURED_GRID\n",
+    `POINTS ${points.length / 3} double\n`,
+    doubles,
+    `\nCELLS ${count} ${5 * count}\n`,
+    ints(cells),
+    `\nCELL_TYPES ${count}\n`,
+    ints(cells.slice(0, count).fill(10)),
+    `\nCELL_DATA ${count}\nSCALARS region int 1\nLOOKUP_TABLE default\n`,
+    ints(cells.slice(0, count).fill(3)),
+    "\n",
+  ].map((part) => (typeof part === "string" ? new TextEncoder().encode(part) : new Uint8Array(part.buffer)));
+  return new Uint8Array(Buffer.concat(parts));
 }

@@ -29,18 +29,21 @@ def by_gmsh(path):
     gmsh.open(path)
     numbers, places, _ = gmsh.model.mesh.getNodes()
     place = {int(n): places[3 * i : 3 * i + 3].tolist() for i, n in enumerate(numbers)}
+
+    def elements(dimension, entity):
+        width = dimension + 1
+        _, _, blocks = gmsh.model.mesh.getElements(dimension, entity)
+        return [[int(n) - 1 for n in block[i : i + width]] for block in blocks for i in range(0, len(block), width)]
+
+    entities = [[d, int(tag), elements(d, tag)] for d, tag in gmsh.model.getEntities() if d > 1]
     groups = []
     for dimension, tag in gmsh.model.getPhysicalGroups():
-        elements = []
-        for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag):
-            _, _, nodes = gmsh.model.mesh.getElements(dimension, entity)
-            width = dimension + 1
-            for block in nodes:
-                elements += [[int(n) - 1 for n in block[i : i + width]] for i in range(0, len(block), width)]
-        groups.append([dimension, int(tag), gmsh.model.getPhysicalName(dimension, tag), elements])
+        parts = gmsh.model.getEntitiesForPhysicalGroup(dimension, tag)
+        found = [nodes for entity in parts for nodes in elements(dimension, entity)]
+        groups.append([dimension, int(tag), gmsh.model.getPhysicalName(dimension, tag), found])
     triangles = sum(len(block) for block in gmsh.model.mesh.getElements(2)[1])
     gmsh.finalize()
-    return {"points": [place[n] for n in sorted(place)], "groups": groups, "triangles": triangles}
+    return {"points": [place[n] for n in sorted(place)], "groups": groups, "entities": entities, "triangles": triangles}
 
 
 def main():

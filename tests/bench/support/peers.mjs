@@ -1,9 +1,10 @@
 // Other meshers beside ours, where their Python packages are installed (tests/bench/peers/peers.py).
 import { spawnSync } from "node:child_process";
 import { fileURLToPath } from "node:url";
+import { pythonProgram } from "../../../scripts/lib/python.mjs";
 import { valuesOf } from "./engines.mjs";
 
-const python = process.env.TETRAFRONT_PYTHON ?? "python3";
+const python = pythonProgram();
 const script = fileURLToPath(new URL("../peers/peers.py", import.meta.url));
 /** Netgen's front takes most of a minute for 100 k tetrahedra. */
 const TIMEOUT_MS = 1000 * Number(process.env.TETRAFRONT_PEER_SECONDS ?? 900);

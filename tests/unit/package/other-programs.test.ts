@@ -73,6 +73,19 @@ function elements(read: ReadMesh, kind: "tetra" | "triangle", tags: string | und
 
 const untagged = (lines: readonly string[]) => lines.map((line) => line.replace(/^.*: /, "")).sort();
 
+/** What is wanted where regions and patches are numbered from these numbers on, or have all the same. */
+function renumbered(region: number, patch: number, step: 0 | 1 = 1): typeof wanted {
+  const from = (first: number) => (_: unknown, g: number) => ({ tag: first + step * g });
+  return {
+    tetra: taggedElements(mesh.tetrahedra, 4, mesh.tetrahedronRegion, mesh.regions.map(from(region))),
+    triangle: taggedElements(mesh.triangles, 3, mesh.trianglePatch, mesh.patches.map(from(patch))),
+  };
+}
+/** Nastran's properties are numbered through regions and patches. */
+const asProperties = renumbered(1, 1 + mesh.regions.length);
+/** meshio counts markers, which have names alone. */
+const asMarkers = { ...renumbered(0, 1), tetra: renumbered(0, 0, 0).tetra };
+
 if (programs.length === 0) {
   test("neither meshio nor Gmsh is there: the rules of the formats are checked elsewhere", () => {
     expect(programs).toEqual([]);
@@ -81,17 +94,17 @@ if (programs.length === 0) {
 
 if (programs.includes("meshio")) {
   describe("meshio reads the same points, elements and tags from", () => {
-    test.each<[string, string, string | undefined, string | undefined]>([
-      ["part.vtu", "vtu", "region", "patch"],
-      ["part.vtk", "vtk", "region", "patch"],
-      ["part.msh", "gmsh", "gmsh:physical", "gmsh:physical"],
-      ["part.msh2", "gmsh", "gmsh:physical", "gmsh:physical"],
-      ["part.mesh", "medit", "medit:ref", "medit:ref"],
-      ["part.su2", "su2", undefined, undefined],
-      ["part.bdf", "nastran", undefined, undefined],
-      ["part.ugrid", "ugrid", undefined, "ugrid:ref"],
-      ["part.b8.ugrid", "ugrid", undefined, "ugrid:ref"],
-    ])("%s", async (fileName, format, regions, patches) => {
+    test.each<[string, string, string | undefined, string, typeof wanted]>([
+      ["part.vtu", "vtu", "region", "patch", wanted],
+      ["part.vtk", "vtk", "region", "patch", wanted],
+      ["part.msh", "gmsh", "gmsh:physical", "gmsh:physical", wanted],
+      ["part.msh2", "gmsh", "gmsh:physical", "gmsh:physical", wanted],
+      ["part.mesh", "medit", "medit:ref", "medit:ref", wanted],
+      ["part.su2", "su2", "su2:tag", "su2:tag", asMarkers],
+      ["part.bdf", "nastran", "nastran:ref", "nastran:ref", asProperties],
+      ["part.ugrid", "ugrid", undefined, "ugrid:ref", wanted],
+      ["part.b8.ugrid", "ugrid", undefined, "ugrid:ref", wanted],
+    ])("%s", async (fileName, format, regions, patches, wanted) => {
       const read = await readByMeshio(fileName, format);
       const points = read.points.flat();
       // Fields of 16 characters; float32 in the text of UGRID.
@@ -102,15 +115,13 @@ if (programs.includes("meshio")) {
       expect(elements(read, "tetra", regions)).toEqual(
         regions === undefined ? untagged(wanted.tetra) : wanted.tetra,
       );
-      expect(elements(read, "triangle", patches)).toEqual(
-        patches === undefined ? untagged(wanted.triangle) : wanted.triangle,
-      );
+      expect(elements(read, "triangle", patches)).toEqual(wanted.triangle);
     });
 
     test("part.node with part.ele", async () => {
       const read = await readByMeshio("part.node", "tetgen");
       expect(plus(read.points.flat())).toEqual(plus(mesh.points));
-      expect(elements(read, "tetra", undefined)).toEqual(untagged(wanted.tetra));
+      expect(elements(read, "tetra", "tetgen:ref")).toEqual(wanted.tetra);
     });
 
     test("part.inp with its sets", async () => {
@@ -223,4 +234,28 @@ if (programs.includes("gmsh")) {
       expect(read.groups.map(([, , name]) => name)).toEqual(expect.arrayContaining(["in let", "steel"]));
     },
   );
+
+  test.each<[string, typeof wanted]>([
+    // Gmsh passes over the numbers of cells in VTK.
+    ["part.vtk", renumbered(1, 1, 0)],
+    ["part.mesh", wanted],
+    ["part.bdf", asProperties],
+  ])("Gmsh reads the same points and tagged elements from %s", async (fileName, wanted) => {
+    const read = JSON.parse(run([script, `gmsh::${await save(fileName)}`])) as {
+      points: number[][];
+      entities: [number, number, number[][]][];
+    };
+    const places = read.points.flat();
+    if (fileName === "part.bdf") {
+      expect(places).toHaveLength(mesh.points.length);
+      places.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, 12));
+    } else expect(plus(places)).toEqual(plus(mesh.points));
+    const of = (dimension: number) =>
+      read.entities
+        .filter(([d]) => d === dimension)
+        .flatMap(([, tag, cells]) => cells.map((nodes) => `${tag}: ${nodes.join(" ")}`))
+        .sort();
+    expect(of(3)).toEqual(wanted.tetra);
+    expect(of(2)).toEqual(wanted.triangle);
+  });
 }

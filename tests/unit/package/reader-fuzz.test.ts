@@ -13,6 +13,7 @@ import {
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
+import { vtkBinary } from "../../support/mesh-files.js";
 import { cubeProject } from "../../support/projects.js";
 import { mutated, randomSource } from "../../support/random.js";
 import { offFile, plyBinary, stlText } from "../../support/surface-files.js";
@@ -99,8 +100,9 @@ const samples: readonly Sample[] = [
     "a.vtp",
     textVtp.replace(/<Piece.*<\/Piece>/s, (piece) => piece + piece),
   ),
-  own("binary VTK", "a.vtk"),
-  sample("text VTK", "a.vtk", textVtk),
+  sample("binary VTK", "a.vtk", vtkBinary(mesh.points, mesh.tetrahedra)),
+  own("text VTK of version 3", "a.vtk"),
+  sample("text VTK of version 5", "a.vtk", textVtk),
   own("binary MSH 4.1", "a.msh"),
   sample("text MSH 4.1", "a.msh", textMsh),
   own("binary MSH 2.2", "a.msh2"),

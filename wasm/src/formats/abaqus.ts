@@ -8,7 +8,7 @@ import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
 /** By the corner opposite; Abaqus numbers faces by their corners: S1 is 1 2 3, S2 1 2 4, S3 2 3 4, S4 1 3 4. */
@@ -24,7 +24,7 @@ export function writeAbaqus(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer>
   const patches = patchGroups(mesh, { ...NAMING, note });
   return joinBytes([
     "*HEADING\nTetrafront\n*NODE\n",
-    ...numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${row.join(", ")}`),
+    ...numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${coordinates(row, ", ")}`),
     ...elementSets(regions),
     ...nodeSets(patches),
     ...surfaces(mesh, patches),

@@ -7,7 +7,7 @@ import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
 import { allNameLines } from "./name-lines.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of a Medit file. */
 export function writeMedit(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
@@ -17,7 +17,7 @@ export function writeMedit(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> 
     "MeshVersionFormatted 2\n\nDimension 3\n\n",
     ...allNameLines(mesh, note).map((line) => `# ${line}\n`),
     `Vertices\n${points.length / 3}\n`,
-    ...numberRows(points, 3, (row) => `${row.join(" ")} 0`),
+    ...numberRows(points, 3, (row) => `${coordinates(row)} 0`),
     ...elements("Triangles", mesh.triangles, 3, mesh.trianglePatch, patchTags),
     ...elements("Tetrahedra", mesh.tetrahedra, 4, mesh.tetrahedronRegion, regionTags),
     "\nEnd\n",

@@ -4,14 +4,14 @@ import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups } from "./groups.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of an OBJ file. The triangles are put in the order of their patches. */
 export function writeObj(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const surface = boundaryOf(mesh);
   return joinBytes([
     "# Tetrafront\n",
-    ...numberRows(surface.points, 3, (row) => `v ${row.join(" ")}`),
+    ...numberRows(surface.points, 3, (row) => `v ${coordinates(row)}`),
     ...patchGroups(surface, { plain: (name) => name.replace(/\s+/g, "_"), note }).flatMap(
       ({ name, nodes }) => [
         `g ${name}\nusemtl ${name}\n`,

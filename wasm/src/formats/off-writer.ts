@@ -9,14 +9,14 @@ import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
 import { faceLines, nameLines } from "./name-lines.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of an OFF file. */
 export function writeOff(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
   return joinBytes([
     `OFF\n${points.length / 3} ${triangles.length / 3} 0\n`,
-    ...numberRows(points, 3, (row) => row.join(" ")),
+    ...numberRows(points, 3, (row) => coordinates(row)),
     ...numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
     ...[...nameLines("patch", mesh, note), ...faceLines(trianglePatch, tagsOf(patches))].map(
       (line) => `# ${line}\n`,

@@ -10,7 +10,7 @@ import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups } from "./groups.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 import { noteLoose, noteNameless, noteRepeated } from "./outer-faces.js";
 import { cornersOf, NONE, soundFaces, type TetFaces } from "./tet-faces.js";
 
@@ -43,7 +43,12 @@ export function writeOpenFoam(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffe
     `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
     `nFaces:${poly.faces.length} nInternalFaces:${poly.neighbours.length}";\n`;
   const files: Record<string, Uint8Array> = {
-    points: list("vectorField", "points", mesh.points.length / 3, numberRows(mesh.points, 3, inBrackets)),
+    points: list(
+      "vectorField",
+      "points",
+      mesh.points.length / 3,
+      numberRows(mesh.points, 3, (row) => `(${coordinates(row)})`),
+    ),
     faces: list(
       "faceList",
       "faces",
@@ -173,7 +178,7 @@ function list(
   return joinBytes([header(kind, object, note), `${count}\n(\n`, ...entries, ")\n"]);
 }
 
-function inBrackets(row: Float64Array | Uint32Array | readonly number[]): string {
+function inBrackets(row: readonly number[]): string {
   return `(${row.join(" ")})`;
 }
 

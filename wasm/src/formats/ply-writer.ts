@@ -8,7 +8,7 @@ import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
 import { nameLines } from "./name-lines.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of a PLY file. */
 export function writePly(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
@@ -29,7 +29,7 @@ export function writePly(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   ];
   return joinBytes([
     header.join("\n"),
-    ...numberRows(points, 3, (row) => row.join(" ")),
+    ...numberRows(points, 3, (row) => coordinates(row)),
     ...numberRows(
       triangles,
       3,

@@ -6,7 +6,7 @@ import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, type Naming } from "./groups.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
 /** VTK's numbers of cells, which SU2 uses; its node orders are ours. */
@@ -24,7 +24,7 @@ export function writeSu2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     `NDIME= 3\nNELEM= ${tetrahedra.length / 4}\n`,
     ...numberRows(tetrahedra, 4, (row, t) => `${VTK_TETRA} ${row.join(" ")} ${t}`),
     `NPOIN= ${points.length / 3}\n`,
-    ...numberRows(points, 3, (row, i) => `${row.join(" ")} ${i}`),
+    ...numberRows(points, 3, (row, i) => `${coordinates(row)} ${i}`),
     `NMARK= ${markers.length}\n`,
     ...markers.flatMap(({ name, nodes }) => [
       `MARKER_TAG= ${name}\nMARKER_ELEMS= ${nodes.length / 3}\n`,

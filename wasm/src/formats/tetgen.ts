@@ -9,7 +9,7 @@ import type { FileBytes, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { tagsOf } from "./groups.js";
 import { nameLines } from "./name-lines.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 
 /** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
 const MADE = new Date(1980, 0, 1);
@@ -37,7 +37,7 @@ export function writeTetgenZip(mesh: FileMesh, fileName: string, note: Note): re
 function nodes({ points }: FileMesh): Uint8Array<ArrayBuffer> {
   return joinBytes([
     `# points\n${points.length / 3} 3 0 0\n`,
-    ...numberRows(points, 3, (row, i) => `${i + 1} ${row.join(" ")}`),
+    ...numberRows(points, 3, (row, i) => `${i + 1} ${coordinates(row)}`),
   ]);
 }
 

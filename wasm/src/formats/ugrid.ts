@@ -7,7 +7,7 @@ import { bigEndianDoubles, bigEndianInts, joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { noteNames, tagsOf } from "./groups.js";
-import { numberRows } from "./number-rows.js";
+import { coordinates, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
 /** The bytes of a UGRID file as text. */
@@ -15,7 +15,7 @@ export function writeUgrid(given: FileMesh, note: Note): Uint8Array<ArrayBuffer>
   const mesh = boundedMesh(given, note);
   return joinBytes([
     `${countsOf(mesh).join(" ")}\n`,
-    ...numberRows(mesh.points, 3, (row) => row.join(" ")),
+    ...numberRows(mesh.points, 3, (row) => coordinates(row)),
     ...numberRows(fromOne(mesh.triangles), 3, (row) => row.join(" ")),
     ...numberRows(tagsOfTriangles(mesh), 1, (row) => row.join(" ")),
     ...numberRows(fromOne(mesh.tetrahedra), 4, (row) => row.join(" ")),

@@ -10,7 +10,7 @@ import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
-import { vtkCells } from "./vtk.js";
+import { vtkCellData } from "./vtk.js";
 
 /** Blocks are compressed one by one; readers hold one of them at a time. */
 const BLOCK_BYTES = 1 << 16;
@@ -25,7 +25,8 @@ interface DataArray {
 /** The bytes of a VTU file. */
 export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points } = mesh;
-  const { connectivity, offsets, types, regions, patches } = vtkCells(mesh);
+  const { connectivity, offsets } = cellNodes(mesh);
+  const { types, regions, patches } = vtkCellData(mesh);
   const arrays: readonly DataArray[] = [
     { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', values: points },
     { attributes: 'type="Int32" Name="connectivity"', values: connectivity },
@@ -52,6 +53,18 @@ export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     "_",
   ].join("\n");
   return joinBytes([head, ...packed, "\n</AppendedData>\n</VTKFile>\n"]);
+}
+
+/** The nodes of the cells one after the other, and where those of each end. */
+function cellNodes({ tetrahedra, triangles }: FileMesh): { connectivity: Int32Array; offsets: Int32Array } {
+  const connectivity = new Int32Array(tetrahedra.length + triangles.length);
+  connectivity.set(tetrahedra);
+  connectivity.set(triangles, tetrahedra.length);
+  const [tets, faces] = [tetrahedra.length / 4, triangles.length / 3];
+  const offsets = Int32Array.from({ length: tets + faces }, (_, c) =>
+    c < tets ? 4 * (c + 1) : tetrahedra.length + 3 * (c + 1 - tets),
+  );
+  return { connectivity, offsets };
 }
 
 /** As text of a comment, in which two hyphens must not follow each other. */
