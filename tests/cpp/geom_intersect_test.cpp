@@ -179,8 +179,6 @@ TEST(IntersectTest, AgreesWithTheOracleOnRandomGridTriangles) {
       ++outcomes[expected ? 1 : 0];
       ASSERT_EQ(meetImproperly(numbered(a), numbered(b)), expected) << described(a, b);
       ASSERT_EQ(meetImproperly(numbered(b), numbered(a)), expected) << described(b, a);
-      ASSERT_FALSE(expected && SectorSeparation(numbered(a)).proves(numbered(b)))
-          << described(a, b);
     }
   }
   EXPECT_GT(outcomes[0], 5000);
@@ -204,30 +202,6 @@ TEST(IntersectTest, DoesNotDependOnTheOrderOfCorners) {
         ASSERT_EQ(meetImproperly(numbered(a), numbered(b)), expected) << described(a, b);
       } while (std::next_permutation(b.begin(), b.end()));
     } while (std::next_permutation(a.begin(), a.end()));
-  }
-}
-
-/// Needles around one node, flat or not: nearly all are told apart without exact signs.
-TEST(IntersectTest, SeparatesTheNeedlesOfAFan) {
-  constexpr std::uint32_t kNeedles = 400;
-  for (const double height : {0.0, 0.3, 1000.0}) {
-    std::vector<NumberedTriangle> fan;
-    const auto rim = [](std::uint32_t i) {
-      const double angle = 2.0 * std::numbers::pi * (i % kNeedles) / kNeedles;
-      return Vec3(std::cos(angle), std::sin(angle), 0.1 * std::cos(angle));
-    };
-    for (std::uint32_t i = 0; i < kNeedles; ++i) {
-      fan.push_back(
-          {{i, (i + 1) % kNeedles, kNeedles}, {rim(i), rim(i + 1), Vec3(0.0, 0.0, height)}});
-    }
-    for (std::uint32_t i = 0; i < kNeedles; ++i) {
-      const SectorSeparation separation(fan[i]);
-      const auto unproven =
-          std::count_if(fan.begin(), fan.end(),
-                        [&](const NumberedTriangle& other) { return !separation.proves(other); });
-      // Itself, its neighbours, and some just opposite.
-      ASSERT_LE(unproven, 6) << height << ' ' << i;
-    }
   }
 }
 

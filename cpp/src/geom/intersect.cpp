@@ -158,52 +158,7 @@ Sharing sharingOf(const NumberedTriangle& a, const NumberedTriangle& b) {
   return sharing;
 }
 
-/// Is n . (p - x) positive whatever the rounding? Each difference is off by half a last bit, and so are
-/// the products and sums: five in all, of the sum of sizes. What underflows is not positive.
-bool isInFront(const Vec3& n, const Vec3& x, const Vec3& p) {
-  constexpr double kBound = 0x1p-50;
-  constexpr double kLeast = 0x1p-900;
-  const Vec3 d = p - x;
-  const double sizes = std::fabs(n.x * d.x) + std::fabs(n.y * d.y) + std::fabs(n.z * d.z);
-  return n.x * d.x + n.y * d.y + n.z * d.z > kBound * sizes + kLeast;
-}
-
-/// Of a plane through x that has a and b strictly in front, a by little; zero if not proven.
-Vec3 planeBesides(const Vec3& x, const Vec3& a, const Vec3& b) {
-  /// In radians: far above rounding (2^-50), so that a is proven in front, and far below the angles of
-  /// needles. Where it is too much nothing is proven, and the exact test decides.
-  constexpr double kTurn = 1e-10;
-  const Vec3 u = (a - x) * (1.0 / glm::length(a - x));
-  const Vec3 v = (b - x) * (1.0 / glm::length(b - x));
-  const Vec3 across = v - u * glm::dot(u, v);
-  const Vec3 normal = across * (1.0 / glm::length(across)) + u * kTurn;
-  return isInFront(normal, x, a) && isInFront(normal, x, b) ? normal : Vec3(0.0);
-}
-
 }  // namespace
-
-SectorSeparation::SectorSeparation(const NumberedTriangle& triangle) : triangle_(triangle) {
-  const Triangle& t = triangle.corners;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3& a = t[(k + 1) % 3];
-    const Vec3& b = t[(k + 2) % 3];
-    normals_[k] = {planeBesides(t[k], a, b), planeBesides(t[k], b, a)};
-  }
-}
-
-bool SectorSeparation::proves(const NumberedTriangle& other) const {
-  const Sharing sharing = sharingOf(triangle_, other);
-  if (sharing.count != 1) return false;
-  std::size_t own = 0;
-  while (sharing.inB[own] == 3) ++own;
-  const std::size_t j = sharing.inB[own];
-  const Vec3& x = triangle_.corners[own];
-  const Vec3& c = other.corners[(j + 1) % 3];
-  const Vec3& d = other.corners[(j + 2) % 3];
-  return std::any_of(normals_[own].begin(), normals_[own].end(), [&](const Vec3& normal) {
-    return isInFront(-normal, x, c) && isInFront(-normal, x, d);
-  });
-}
 
 bool trianglesMeet(const Triangle& a, const Triangle& b) {
   const Sides ofB = sidesOf(a, b);

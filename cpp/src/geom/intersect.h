@@ -23,23 +23,6 @@ struct NumberedTriangle {
 /// three nodes always do. Neither may be degenerate.
 [[nodiscard]] bool meetImproperly(const NumberedTriangle& a, const NumberedTriangle& b);
 
-/// A quick look before meetImproperly(), in doubles with error bounds, for one triangle against many:
-/// of thousands of needles around one node every two have boxes that meet.
-class SectorSeparation {
- public:
-  explicit SectorSeparation(const NumberedTriangle& triangle);
-
-  /// True only if the triangles share exactly one node and a plane through it is proven to have the
-  /// one on either side, so that they do not meet improperly.
-  [[nodiscard]] bool proves(const NumberedTriangle& other) const;
-
- private:
-  NumberedTriangle triangle_;
-  /// Per corner two normals, each about upright on one side of the triangle's sector there and just
-  /// not parallel to it, so that the sector is strictly in front; zero where that is not proven.
-  std::array<std::array<Vec3, 2>, 3> normals_{};
-};
-
 /// True if the closed triangles have a point in common. Neither may be degenerate.
 [[nodiscard]] bool trianglesMeet(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 

@@ -4,6 +4,7 @@
 /// box or a place? Leaves are runs along a Morton curve; the tree above them is complete, so that
 /// it needs no pointers. The front, which changes, has its FaceGrid instead.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -31,22 +32,39 @@ class BoxTree {
   template <class Visit>
   void visitNear(const Vec3& place, const double& squaredLimit, Visit visit) const;
 
- private:
-  static constexpr std::uint32_t kItemsPerLeaf = 4;
-  /// One entry per level waits at most; 2^32 items make 32 levels.
-  static constexpr std::size_t kStack = 40;
+  // ---- for whoever goes through the tree by himself: node 0 is the root, the children of n are
+  // 2n + 1 and 2n + 2, and leaves are all at one depth, the last of them empty ----
+
+  [[nodiscard]] std::uint32_t nodeCount() const {
+    return static_cast<std::uint32_t>(nodes_.size());
+  }
+  [[nodiscard]] bool isLeaf(std::uint32_t node) const { return node >= firstLeaf_; }
+  [[nodiscard]] const Box& boxOf(std::uint32_t node) const { return nodes_[node]; }
+  [[nodiscard]] std::span<const std::uint32_t> itemsOf(std::uint32_t leaf) const {
+    return std::span(items_).subspan(leafBegin(leaf), leafEnd(leaf) - leafBegin(leaf));
+  }
+  /// Of itemsOf(), in the same order.
+  [[nodiscard]] std::span<const Box> itemBoxesOf(std::uint32_t leaf) const {
+    return std::span(boxes_).subspan(leafBegin(leaf), leafEnd(leaf) - leafBegin(leaf));
+  }
 
   static bool meets(const Box& a, const Box& b) {
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
            b.low[1] <= a.high[1] && a.low[2] <= b.high[2] && b.low[2] <= a.high[2];
   }
+
+ private:
+  static constexpr std::uint32_t kItemsPerLeaf = 4;
+  /// One entry per level waits at most; 2^32 items make 32 levels.
+  static constexpr std::size_t kStack = 40;
+
   static double squaredDistance(const Box& box, const Vec3& place);
   [[nodiscard]] std::uint32_t leafBegin(std::uint32_t node) const {
-    return (node - firstLeaf_) * kItemsPerLeaf;
+    return std::min((node - firstLeaf_) * kItemsPerLeaf, static_cast<std::uint32_t>(items_.size()));
   }
   [[nodiscard]] std::uint32_t leafEnd(std::uint32_t node) const;
 
-  std::vector<Box> nodes_;  ///< children of n are 2n+1 and 2n+2
+  std::vector<Box> nodes_;
   std::uint32_t firstLeaf_ = 0;
   std::vector<std::uint32_t> items_;  ///< in the order of the leaves
   std::vector<Box> boxes_;            ///< of items_, in the same order

@@ -1,44 +1,58 @@
 #pragma once
 
 /// @file Every pair of triangles that meet where they should not, by the exact test of
-/// geom/intersect.h over all pairs whose boxes touch and that are not told apart at a common node.
+/// geom/intersect.h. Pairs without a common node are found by their boxes (triangle_pairs.h), those
+/// with one among the triangles at that node: of the thousands of needles around the tip of a cone
+/// every two have boxes that meet, but few look into the same direction.
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "search/box_tree.h"
+#include "search/incidence.h"
 #include "surface/boundary_report.h"
+#include "surface/triangle_pairs.h"
 
 namespace tetrafront {
 
-/// In slices. Near-linear for surfaces whose triangles have few others near them.
+/// In slices. O(n log n) for surfaces whose triangles have few others near them.
 class SelfIntersectionCheck {
  public:
-  /// Triangles flagged in `ignored` take no part. Everything must outlive this.
+  /// Triangles flagged in `ignored` take no part. `tree`: of triangleBoxes(). Everything must outlive
+  /// this.
   SelfIntersectionCheck(const SurfaceMesh& mesh, std::span<const std::uint8_t> ignored,
                         const BoxTree& tree, BoundaryReport& report);
 
-  /// Tests about `budget` triangles against the others; true when finished.
+  /// Goes on for about `budget` triangles; true when finished and reported, in the triangles' order.
   bool advance(std::uint32_t budget);
 
-  [[nodiscard]] double fraction() const {
-    return static_cast<double>(next_) / static_cast<double>(ignored_.size());
-  }
+  [[nodiscard]] double fraction() const;
 
  private:
   /// After so many findings the rest would only cost time: some surfaces meet themselves in as
   /// many places as there are pairs.
   static constexpr std::size_t kEnough = 100000;
 
-  void testTriangle(std::uint32_t triangle);
+  enum class Stage : std::uint8_t { kCount, kList, kNodes, kPairs, kReport };
+
+  [[nodiscard]] bool hasEnough() const { return found_.size() >= kEnough; }
+  /// Finds who stands at each node; true when finished.
+  bool listTriangles(std::uint32_t budget);
+  bool testNodes(std::uint32_t budget);
+  void testAt(std::uint32_t node);
+  void testPair(std::uint32_t a, std::uint32_t b);
+  void report();
 
   const SurfaceMesh& mesh_;
   std::span<const std::uint8_t> ignored_;
-  const BoxTree& tree_;
   BoundaryReport& report_;
-  std::uint32_t next_ = 0;
-  std::vector<std::uint32_t> near_;
+  Stage stage_ = Stage::kCount;
+  std::uint32_t next_ = 0;  ///< corner or node of the stage
+  Incidence atNode_;
+  TrianglePairs pairs_;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> found_;  ///< lower triangle first
 };
 
 /// The box of each triangle.

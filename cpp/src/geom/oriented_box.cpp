@@ -1,0 +1,143 @@
+#include "geom/oriented_box.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace tetrafront {
+namespace {
+
+using Axes = std::array<Vec3, 3>;
+
+/// Far above what some dozens of roundings make of a sum, relative to its terms.
+constexpr double kRounding = 1e-14;
+
+/// Below this products may have lost digits to underflow.
+constexpr double kLeast = 0x1p-900;
+
+constexpr Axes kCoordinateAxes{Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)};
+
+Vec3 unit(const Vec3& v) { return v * (1.0 / glm::length(v)); }
+
+/// Three unit vectors at right angles: along the first direction, and across to the second. Where
+/// numbers are too large, too small or too alike for that, those of the coordinates.
+Axes axesAlong(const Vec3& along, const Vec3& across) {
+  const Vec3 u = unit(along);
+  // What is left of two directions nearly alike is mostly rounding, which the second round takes out.
+  Vec3 v = unit(across - u * glm::dot(across, u));
+  v = unit(v - u * glm::dot(v, u));
+  const Axes axes{u, v, glm::cross(u, v)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double square = glm::dot(axes[i], axes[i]);
+    const double cosine = glm::dot(axes[i], axes[(i + 1) % 3]);
+    // Not a number fails too.
+    if (!(std::fabs(square - 1.0) < kRounding && std::fabs(cosine) < kRounding)) {
+      return kCoordinateAxes;
+    }
+  }
+  return axes;
+}
+
+double absoluteDot(const Vec3& a, const Vec3& b) {
+  return std::fabs(a.x * b.x) + std::fabs(a.y * b.y) + std::fabs(a.z * b.z);
+}
+
+/// How far a box reaches along a unit vector to either side of its centre.
+double reachOf(const OrientedBox& box, const Vec3& axis) {
+  double reach = 0.0;
+  for (const Vec3& half : box.halves) reach += std::fabs(glm::dot(half, axis));
+  return reach;
+}
+
+double largestCoordinate(const Vec3& v) {
+  return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
+}
+
+/// From low to high along each of the axes, counted from `origin`; `size`: of the largest number that
+/// was rounded to find them.
+OrientedBox boxOf(const Axes& axes, const Vec3& origin, const Vec3& low, const Vec3& high,
+                  double size) {
+  OrientedBox box{.centre = origin};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto k = static_cast<int>(i);
+    box.centre += axes[i] * (0.5 * (low[k] + high[k]));
+    box.halves[i] = axes[i] * (0.5 * (high[k] - low[k]) + kRounding * size + kLeast);
+  }
+  return box;
+}
+
+/// The one that `direction` is turned to so as not to point against `other`.
+Vec3 turnedTo(const Vec3& direction, const Vec3& other) {
+  return glm::dot(direction, other) < 0.0 ? -direction : direction;
+}
+
+bool isApartAlong(const OrientedBox& a, const OrientedBox& b, const Vec3& axis) {
+  const Vec3 way = b.centre - a.centre;
+  const double reach = reachOf(a, axis) + reachOf(b, axis);
+  const double rounding = kRounding * (absoluteDot(way, axis) + reach) + kLeast;
+  return std::fabs(glm::dot(way, axis)) > reach + rounding;
+}
+
+}  // namespace
+
+OrientedBox OrientedBox::of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const std::array<Vec3, 3> corners{a, b, c};
+  const std::array<Vec3, 3> edges{b - a, c - b, a - c};
+  std::size_t longest = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    if (glm::dot(edges[i], edges[i]) > glm::dot(edges[longest], edges[longest])) longest = i;
+  }
+  const Vec3& origin = corners[longest];
+  const Axes axes = axesAlong(edges[longest], edges[(longest + 1) % 3]);
+  Vec3 low(0.0);
+  Vec3 high(0.0);
+  double size = largestCoordinate(origin);
+  for (const Vec3& corner : corners) {
+    size = std::max(size, largestCoordinate(corner));
+    for (int k = 0; k < 3; ++k) {
+      const double place = glm::dot(corner - origin, axes[static_cast<std::size_t>(k)]);
+      low[k] = std::min(low[k], place);
+      high[k] = std::max(high[k], place);
+    }
+  }
+  return boxOf(axes, origin, low, high, size);
+}
+
+OrientedBox OrientedBox::hull(const OrientedBox& a, const OrientedBox& b) {
+  const Vec3 along = a.halves[0] + turnedTo(b.halves[0], a.halves[0]);
+  const Vec3 way = b.centre - a.centre;
+  const auto left = [&](const Vec3& v) {
+    return v - along * (glm::dot(v, along) / glm::dot(along, along));
+  };
+  // What the boxes are widest in, side by side or each by itself.
+  Vec3 across = left(way);
+  for (const Vec3& one : {a.halves[1], b.halves[1]}) {
+    const Vec3 width = left(one);
+    if (glm::dot(width, width) > glm::dot(across, across)) across = width;
+  }
+  const Axes axes = axesAlong(along, across);
+  Vec3 low(0.0);
+  Vec3 high(0.0);
+  for (int k = 0; k < 3; ++k) {
+    const Vec3& axis = axes[static_cast<std::size_t>(k)];
+    const double place = glm::dot(way, axis);
+    const double reachA = reachOf(a, axis);
+    const double reachB = reachOf(b, axis);
+    low[k] = std::min(-reachA, place - reachB);
+    high[k] = std::max(reachA, place + reachB);
+  }
+  const double size = largestCoordinate(a.centre) + largestCoordinate(way) +
+                      largestCoordinate(high) + largestCoordinate(low);
+  return boxOf(axes, a.centre, low, high, size);
+}
+
+bool OrientedBox::isApartFrom(const OrientedBox& other) const {
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (isApartAlong(*this, other, halves[i]) || isApartAlong(*this, other, other.halves[i]))
+      return true;
+  }
+  // Needles that pass each other.
+  return isApartAlong(*this, other, glm::cross(halves[0], other.halves[0]));
+}
+
+}  // namespace tetrafront
