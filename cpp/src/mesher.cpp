@@ -207,6 +207,7 @@ class MeshRun::Impl {
     if (isModel()) {
       worker_.emplace<Estimate>();
     } else {
+      report(checkLargestSize(surface_, options_.size));
       worker_.emplace<WantedSizes>(surface_, grid_, options_, OwnEdges::kCount);
     }
   }

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "support/shapes.h"
@@ -88,6 +89,24 @@ TEST(SurfaceInspection, CountsOpenEdges) {
   EXPECT_EQ(found.openEdges, 3U);
   EXPECT_EQ(found.volume, 0.0);
   EXPECT_TRUE(found.shells.empty());
+}
+
+TEST(SurfaceInspection, CountsOpenEdgesAsItsProblemsDo) {
+  // A triangle twice, and none beside it: its free edge has two triangles by number.
+  SurfaceMesh mesh = gridCube(2);
+  const std::array<std::uint32_t, 3> again{mesh.triangles[3], mesh.triangles[5], mesh.triangles[4]};
+  mesh.triangles.insert(mesh.triangles.end(), again.begin(), again.end());
+  removeTriangle(mesh, 0);
+  const SurfaceInspection found = inspect(mesh);
+  const auto open = std::find_if(
+      found.diagnostics.begin(), found.diagnostics.end(),
+      [](const Diagnostic& diagnostic) { return diagnostic.code == DiagnosticCode::kOpenEdge; });
+  ASSERT_NE(open, found.diagnostics.end());
+  EXPECT_EQ(found.openEdges, 3U);
+  EXPECT_EQ(open->values.back(), 3.0);
+  EXPECT_FALSE(found.isClosed || found.isEmbedded);
+  EXPECT_TRUE(found.isManifold);
+  EXPECT_EQ(found.crowdedEdges + found.pinchedNodes, 0U);
 }
 
 TEST(SurfaceInspection, SeesBodiesThatTouch) {

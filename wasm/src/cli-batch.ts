@@ -4,7 +4,7 @@ import { stat } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { FileProblem, STANDARD_STREAM } from "./cli-files.js";
+import { FileProblem, nameless, STANDARD_STREAM } from "./cli-files.js";
 import { ExitCode, say } from "./cli-messages.js";
 import { BatchBar } from "./cli-progress-bar.js";
 import { extensionOf } from "./formats/file-formats.js";
@@ -23,6 +23,7 @@ export async function expandInputs(inputs: readonly string[]): Promise<string[]>
 }
 
 async function expand(input: string): Promise<readonly string[]> {
+  if (input === "") throw nameless();
   const isFile = await stat(input).then(
     () => true,
     () => false,

@@ -1,5 +1,5 @@
 /** `tetrafront convert`: one mesh file into another format; of a volume mesh its boundary, if that is all it takes. */
-import { FileProblem, writeOutput } from "./cli-files.js";
+import { FileProblem, refuseFolder, writeOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, readMeshFile } from "./cli-input.js";
 import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
@@ -29,6 +29,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
   try {
     const { output, quiet: isQuiet = false } = options;
     const repair = repairOptions(options);
+    await refuseFolder(output);
     const name = writableName(output, options.to, ["surface", "volume"]);
     const written = outputFiles(output, options.to);
     await checkApart(inputFiles(input, options.from), written);

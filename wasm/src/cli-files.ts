@@ -50,13 +50,34 @@ export async function openBeside(file: string, name: string): Promise<AsyncItera
   return (await statOf(other))?.isFile() === true ? piecesOfInput(other) : undefined;
 }
 
+/** An empty word, as scripts make of a variable that is not set. */
+export function nameless(): FileProblem {
+  return new FileProblem('""', "this is no name of a file", "Give one, or - for a stream.");
+}
+
+/** Whether there is a file to read at all. Throws a FileProblem. */
+export async function checkInput(file: string): Promise<void> {
+  if (file === STANDARD_STREAM) return;
+  if (file === "") throw nameless();
+  try {
+    if ((await stat(file)).isDirectory()) throw folderProblem(file);
+  } catch (failure) {
+    throw failure instanceof FileProblem ? failure : inputProblem(file, failure);
+  }
+}
+
+function folderProblem(folder: string): FileProblem {
+  const several = `what takes several files takes a pattern too, such as '${path.join(folder, "*.stl")}'`;
+  return new FileProblem(folder, "this is a folder", `Give a file in it; ${several}.`);
+}
+
 function inputProblem(file: string, failure: unknown): FileProblem {
   switch (codeOf(failure)) {
     case "ENOENT":
     case "ENOTDIR":
       return new FileProblem(file, "there is no such file", "Check the path.");
     case "EISDIR":
-      return new FileProblem(file, "this is a directory", "Give the file to mesh.");
+      return folderProblem(file);
     case "EACCES":
     case "EPERM":
       return new FileProblem(file, "the file may not be read", "Change its permissions.");
@@ -69,13 +90,18 @@ function inputProblem(file: string, failure: unknown): FileProblem {
   }
 }
 
+/** Throws a FileProblem where nothing, or a folder, is given as a file to write. */
+export async function refuseFolder(file: string): Promise<void> {
+  if (file === "") throw nameless();
+  if (file === STANDARD_STREAM || (await statOf(file))?.isDirectory() !== true) return;
+  throw new FileProblem(file, "this is a folder", "Give the name of a file in it.");
+}
+
 /** Finds out before hours of meshing whether a file can be written. Throws a FileProblem. */
 export async function checkOutput(file: string): Promise<void> {
   if (file === STANDARD_STREAM) return;
+  await refuseFolder(file);
   const found = await statOf(file);
-  if (found?.isDirectory() === true) {
-    throw new FileProblem(file, "this is a directory", "Give the name of a file in it.");
-  }
   const folder = path.dirname(file);
   const place = await statOf(folder);
   if (place?.isDirectory() !== true) {

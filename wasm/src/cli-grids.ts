@@ -1,5 +1,5 @@
 /** `tetrafront cover` and `tetrafront propose`: project files with a background grid put into them. */
-import { checkOutput, FileProblem, writeOutput } from "./cli-files.js";
+import { checkOutput, FileProblem, refuseFolder, writeOutput } from "./cli-files.js";
 import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./cli-input.js";
 import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { extensionOf } from "./formats/file-formats.js";
@@ -114,6 +114,7 @@ export async function withMesher<T>(use: (mesher: Mesher) => Promise<T>): Promis
 }
 
 async function checkProjectPlace(output: string): Promise<void> {
+  await refuseFolder(output);
   if (extensionOf(output) !== PROJECT_EXTENSION) {
     throw new FileProblem(
       output,

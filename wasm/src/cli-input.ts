@@ -1,5 +1,12 @@
 /** What the command line reads: options that are numbers, projects, surfaces, background grids. */
-import { FileProblem, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./cli-files.js";
+import {
+  checkInput,
+  FileProblem,
+  openBeside,
+  piecesOfInput,
+  readInput,
+  STANDARD_STREAM,
+} from "./cli-files.js";
 import { BadInput, unreadable } from "./cli-messages.js";
 import { extensionOf, extensionsThat, FILE_FORMATS } from "./formats/file-formats.js";
 import type { FileMesh } from "./formats/file-mesh.js";
@@ -47,7 +54,7 @@ export function extensionOfFormat(format: string): string {
   const known = FILE_FORMATS.find(({ id, extensions }) => id === word || extensions.includes(dotted));
   if (known !== undefined) return known.extensions.includes(dotted) ? dotted : known.extensions[0];
   throw new FileProblem(
-    format,
+    format || '""',
     "there is no such format",
     `Give one of ${FILE_FORMATS.map(({ id }) => id).join(", ")}, or an extension.`,
   );
@@ -67,7 +74,10 @@ export function formatName(file: string, format: string | undefined): string {
 
 export async function readModel(input: string, from?: string): Promise<Input> {
   const name = formatName(input, from);
-  const extension = checkedExtension(name, [PROJECT_EXTENSION, ...extensionsThat("reads", "surface")]);
+  const extension = await checkedExtension(input, name, [
+    PROJECT_EXTENSION,
+    ...extensionsThat("reads", "surface"),
+  ]);
   if (extension === PROJECT_EXTENSION) {
     return { kind: "project", project: await readProjectFile(input, from) };
   }
@@ -78,7 +88,7 @@ export async function readModel(input: string, from?: string): Promise<Input> {
 /** All that a mesh file holds, nothing welded. */
 export async function readMeshFile(input: string, from?: string): Promise<FileMesh> {
   const name = formatName(input, from);
-  checkedExtension(name, [
+  await checkedExtension(input, name, [
     ...new Set([...extensionsThat("reads", "surface"), ...extensionsThat("reads", "volume")]),
   ]);
   return valueOf(input, await readMesh(piecesOfInput(input), openedAs(input, name)), name);
@@ -90,12 +100,13 @@ export function isProject(input: string, from?: string): boolean {
 }
 
 export async function readProjectFile(input: string, from?: string): Promise<Project> {
-  checkedExtension(formatName(input, from), [PROJECT_EXTENSION]);
+  await checkedExtension(input, formatName(input, from), [PROJECT_EXTENSION]);
   return valueOf(input, readProject(new TextDecoder().decode(await readInput(input))));
 }
 
 export async function readGrid(file: string): Promise<GridInput> {
-  const extension = checkedExtension(file, [PROJECT_EXTENSION, ...extensionsThat("reads", "volume")]);
+  const known = [PROJECT_EXTENSION, ...extensionsThat("reads", "volume")];
+  const extension = await checkedExtension(file, file, known);
   if (extension === PROJECT_EXTENSION) {
     const { background } = await readProjectFile(file);
     return { kind: "project", background: backgroundArrays(background) };
@@ -122,9 +133,11 @@ function openedAs(file: string, fileName: string): ReadFileOptions {
   return { fileName, openOther: (name) => openBeside(file, name) };
 }
 
-function checkedExtension(file: string, known: readonly string[]): string {
-  const extension = extensionOf(file);
+/** Of the name that tells the format of `file`. Throws a FileProblem, first where there is no such file. */
+async function checkedExtension(file: string, name: string, known: readonly string[]): Promise<string> {
+  const extension = extensionOf(name);
   if (known.includes(extension)) return extension;
+  await checkInput(file);
   throw new FileProblem(
     file,
     extension === "" ? "the name has no extension to tell the format" : `"${extension}" cannot be read`,

@@ -1,6 +1,6 @@
 /** `tetrafront mesh`: reads, meshes, writes, and says what happened. */
 import { writableName, writeAll } from "./cli-convert.js";
-import { checkOutput, FileProblem, writeOutput } from "./cli-files.js";
+import { checkOutput, FileProblem, refuseFolder, writeOutput } from "./cli-files.js";
 import {
   gridArrays,
   numberIn,
@@ -223,6 +223,7 @@ function sourceIn(text: string, index: number): ProjectSource {
 
 async function checkMeshPlace(input: string, options: MeshCommandOptions): Promise<void> {
   const { output, from, to, background } = options;
+  await refuseFolder(output);
   writableName(output, to, ["volume"]);
   const written = outputFiles(output, to, "the mesh");
   const grid = background === undefined ? [] : inputFiles(background, undefined, "the background grid");

@@ -167,7 +167,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   "size-too-large": {
     message: ({ value }) =>
       `The smallest element size, ${value(0)}, is larger than the whole model, ${value(1)}`,
-    remedy: "Give a smaller size: the elements can follow the model's lines and patches only roughly.",
+    remedy:
+      "Give a smaller size: lines and patches are followed only roughly, and a given surface's own edges tell the sizes in it.",
   },
   "nested-bodies": {
     message: ({ value }) =>
@@ -220,7 +221,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   "bad-source": {
     message: ({ main, value }) =>
       `${main} has the size ${value(0)}, the distance ${value(1)} and the growth ${value(2)}`,
-    remedy: "Give a finite size above 0, and a distance and a growth of 0 or more.",
+    remedy: "Give a size from 1e-30 to 1e30, a distance of 0 or more, and a growth from 0 to 10.",
   },
   "open-edge": {
     message: ({ all, at, value }) =>

@@ -56,6 +56,21 @@ export function checkSurface(surface: SurfaceInput): Diagnostic[] {
   return [];
 }
 
+/** A distance of welding as large as the surface leaves nothing of it. */
+export function checkWeld({ points }: SurfaceInput, weld: number | false | undefined): Diagnostic[] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; i++) {
+    const coordinate = points[i] ?? 0;
+    if (coordinate < (low[i % 3] ?? 0)) low[i % 3] = coordinate;
+    if (coordinate > (high[i % 3] ?? 0)) high[i % 3] = coordinate;
+  }
+  const extent = Math.max(...high.map((most, axis) => most - (low[axis] ?? 0)));
+  if (!(Number(weld) > 0 && Number(weld) >= extent)) return [];
+  const message = `the weld distance is ${weld}, and the whole surface is ${extent} across`;
+  return [packageDiagnostic("invalid-option", message, "Give less than its shortest edges.")];
+}
+
 /** Views of buffers that were transferred are as good as none. */
 function isUsable<T extends Float64Array | Uint32Array>(
   type: new (length: number) => T,

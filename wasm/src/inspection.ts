@@ -44,7 +44,10 @@ export interface TriangleFigures {
   readonly radiusRatio: number;
 }
 
-/** What `inspectSurface` finds. Where coordinates or indices are broken only `diagnostics` tells. */
+/**
+ * What `inspectSurface` finds. Where coordinates or indices are broken only `diagnostics` tells. Triangles with a node
+ * twice make no edges, and of those with the same nodes only the first does.
+ */
 export interface SurfaceInspection {
   /** Whether `fillSurface` would accept the surface: no error is among the diagnostics. */
   readonly isFillable: boolean;

@@ -5,7 +5,14 @@
 import { EngineWorker, type WorkReply } from "./engine-worker.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { backgroundOf, emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
-import { checkControl, checkMesh, checkProject, checkSurface, checkVolume } from "./input-checks.js";
+import {
+  checkControl,
+  checkMesh,
+  checkProject,
+  checkSurface,
+  checkVolume,
+  checkWeld,
+} from "./input-checks.js";
 import {
   describedInspection,
   describedMesh,
@@ -258,6 +265,7 @@ class WorkerMesher implements Mesher {
     control: RunControl = {},
   ): Promise<SurfaceRepair> {
     refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
+    refuse(checkWeld(surface, options.weld));
     const { points, triangles } = surface;
     const id = this.#nextId();
     const wanted = engineRepairOptions(options);

@@ -61,12 +61,14 @@ type Rules<Options> = { readonly [Name in keyof Options]-?: readonly [words: str
 
 const isFiniteNumber = (value: unknown): value is number =>
   typeof value === "number" && Number.isFinite(value);
-const positiveLength: Rule = (value) =>
-  isFiniteNumber(value) && value > 0 ? undefined : "a finite size above 0, in model units";
-const atLeastZero =
-  (what: string): Rule =>
+/** What coordinates may be (cpp/src/geom/coordinates.h); sizes beyond are no sizes of anything. */
+const SMALLEST = 1e-30;
+const LARGEST = 1e30;
+const within =
+  (least: number, most: number, what: string): Rule =>
   (value) =>
-    isFiniteNumber(value) && value >= 0 ? undefined : what;
+    isFiniteNumber(value) && value >= least && value <= most ? undefined : what;
+const length = within(SMALLEST, LARGEST, "a size from 1e-30 to 1e30, in model units");
 const oneOf =
   (table: object): Rule =>
   (value) =>
@@ -74,17 +76,21 @@ const oneOf =
       ? undefined
       : `one of ${Object.keys(table).join(", ")}`;
 const trueOrFalse: Rule = (value) => (typeof value === "boolean" ? undefined : "true or false");
-const GROWTH_WANTED = "a finite growth of 0 or more, for example 0.3";
+/** Per unit of distance; where sizes grow faster than so no element can follow. */
+const MOST_GROWTH = 10;
+const growth = within(0, MOST_GROWTH, `a growth from 0 to ${MOST_GROWTH}, for example ${DEFAULT_GROWTH}`);
+/** From one element to the next. */
+const MOST_GRADATION = 10;
 
 const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
-  size: ["element size", positiveLength],
-  growth: ["growth", atLeastZero(GROWTH_WANTED)],
+  size: ["element size", length],
+  growth: ["growth", growth],
   gradation: [
     "gradation",
     (value) =>
-      isFiniteNumber(value) && (value === 0 || value > 1)
+      isFiniteNumber(value) && (value === 0 || (value > 1 && value <= MOST_GRADATION))
         ? undefined
-        : "0, or a finite gradation above 1, such as 1.3",
+        : `0, or a gradation above 1 and up to ${MOST_GRADATION}, such as ${DEFAULT_GRADATION}`,
   ],
   enclosed: ["meaning of enclosed bodies", oneOf(ENCLOSED_BODIES)],
   order: ["order of the front", oneOf(FRONT_ORDERS)],
@@ -105,13 +111,14 @@ const COVER_RULES: Rules<CoverOptions> = {
   shape: ["shape", oneOf(COVER_SHAPES)],
 };
 
-const COUNT_WANTED = "a finite number of 0 or more; 0 leaves it out";
+const MOST_PROPOSED = 1000;
+const count = within(0, MOST_PROPOSED, `a number from 0 to ${MOST_PROPOSED}; 0 leaves it out`);
 const PROPOSAL_RULES: Rules<ProposalOptions> = {
-  uniform: ["uniform size", positiveLength],
-  smallest: ["smallest size", positiveLength],
-  elementsPerCircle: ["number of elements per circle", atLeastZero(COUNT_WANTED)],
-  elementsPerGap: ["number of elements per gap", atLeastZero(COUNT_WANTED)],
-  growth: ["growth", atLeastZero(GROWTH_WANTED)],
+  uniform: ["uniform size", length],
+  smallest: ["smallest size", length],
+  elementsPerCircle: ["number of elements per circle", count],
+  elementsPerGap: ["number of elements per gap", count],
+  growth: ["growth", growth],
 };
 
 /** As the engine has it (cpp/include/tetrafront/surface_tools.h): the work grows with its cube. */
@@ -121,9 +128,9 @@ const REPAIR_RULES: Rules<RepairOptions> = {
   weld: [
     "weld distance",
     (value) =>
-      value === false || (isFiniteNumber(value) && value >= 0)
+      value === false || (isFiniteNumber(value) && value >= 0 && value <= LARGEST)
         ? undefined
-        : "a finite distance of 0 or more in model units, or false",
+        : "a distance from 0 to 1e30, in model units",
   ],
   removeTriangles: ["choice of removing triangles", trueOrFalse],
   fillHoles: [

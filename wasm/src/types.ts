@@ -104,7 +104,7 @@ export type Optimization = "none" | "fast" | "default" | "strive";
 /** How a project or a surface is meshed. */
 export interface MeshOptions {
   /**
-   * Element size in model units, > 0. Replaces the nodes and tetrahedra of a project's background grid,
+   * Element size in model units, from 1e-30 to 1e30. Replaces the nodes and tetrahedra of a project's background grid,
    * not its sources; within a given surface it is the largest. Not together with `background`, unless that has
    * sources only.
    *
@@ -118,10 +118,10 @@ export interface MeshOptions {
    * (its sources stay), or of a given surface's own edges, if there are any.
    */
   readonly background?: BackgroundArrays | undefined;
-  /** Growth of the size per unit of distance from a given surface's edges, >= 0. Default 0.3. */
+  /** Growth of the size per unit of distance from a given surface's edges, 0 to 10. Default 0.3. */
   readonly growth?: number | undefined;
   /**
-   * The most by which sizes of the background grid may grow from one element to the next, above 1;
+   * The most by which sizes of the background grid may grow from one element to the next, above 1 and up to 10;
    * nodes that ask for more are given less. Default 1.3; 0 takes all grids as they are.
    */
   readonly gradation?: number | undefined;

@@ -38,6 +38,7 @@ struct TriangleFigures {
 };
 
 /// What inspection finds. Where coordinates or indices are broken only the diagnostics are filled.
+/// Triangles with a node twice make no edges, and of those with the same nodes only the first does.
 struct SurfaceInspection {
   bool isFillable = false;  ///< no error among the diagnostics: a run would accept the surface
   bool isClosed = false;    ///< no edge with one triangle

@@ -11,6 +11,9 @@
 namespace tetrafront {
 namespace {
 
+/// Where sizes grow faster with the distance no element can follow.
+constexpr double kMostGrowth = 10.0;
+
 /// More sources than this stand in a tree.
 constexpr std::size_t kHandful = 8;
 
@@ -145,9 +148,11 @@ std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
     const auto refused = std::find_if_not(source.points.begin(), end, isFinite);
     if (refused != end)
       report(DiagnosticCode::kNotFinite, i).values = {refusedCoordinate(*refused)};
-    const bool sound = source.size > 0.0 && source.distance >= 0.0 && source.growth >= 0.0 &&
-                       std::isfinite(source.size) && std::isfinite(source.distance) &&
-                       std::isfinite(source.growth) && source.type <= SourceType::kTriangle;
+    // Comparisons with NaN are false.
+    const bool sound = source.size >= kSmallestExtent && source.size <= kLargestCoordinate &&
+                       source.distance >= 0.0 && source.distance <= kLargestCoordinate &&
+                       source.growth >= 0.0 && source.growth <= kMostGrowth &&
+                       source.type <= SourceType::kTriangle;
     if (sound) continue;
     Diagnostic& bad = report(DiagnosticCode::kBadSource, i);
     bad.values = {source.size, source.distance, source.growth};

@@ -75,6 +75,9 @@ class BoundaryCheck::Impl {
 
   [[nodiscard]] const BoundaryResult& result() const { return result_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] const std::vector<std::uint8_t>& withoutEdges() const {
+    return unsound_.inTopology;
+  }
 
  private:
   enum class Stage : std::uint8_t {
@@ -228,6 +231,9 @@ bool BoundaryCheck::advance(std::uint32_t budget) { return impl_->advance(budget
 double BoundaryCheck::fraction() const { return impl_->fraction(); }
 const BoundaryResult& BoundaryCheck::result() const { return impl_->result(); }
 const std::vector<Diagnostic>& BoundaryCheck::diagnostics() const { return impl_->diagnostics(); }
+const std::vector<std::uint8_t>& BoundaryCheck::withoutEdges() const {
+  return impl_->withoutEdges();
+}
 
 BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source, std::vector<Diagnostic>& out,
                              EnclosedBodies enclosed) {

@@ -70,6 +70,10 @@ class BoundaryCheck {
   [[nodiscard]] const BoundaryResult& result() const;
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
 
+  /// One flag per triangle: those that make no edges, having a node twice or the nodes of an earlier
+  /// triangle. Empty where numbers are broken.
+  [[nodiscard]] const std::vector<std::uint8_t>& withoutEdges() const;
+
  private:
   class Impl;
   std::unique_ptr<Impl> impl_;

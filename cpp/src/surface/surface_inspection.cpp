@@ -49,18 +49,6 @@ TriangleFigures figuresOf(const SurfaceMesh& mesh, std::uint32_t triangle, doubl
           .radiusRatio = radiusRatio};
 }
 
-/// Triangles with a repeated node have edges that are none.
-std::vector<std::uint8_t> repeatingNodes(std::span<const std::uint32_t> triangles) {
-  std::vector<std::uint8_t> repeats(triangles.size() / 3);
-  for (std::size_t t = 0; t < repeats.size(); ++t) {
-    const std::uint32_t a = triangles[3 * t];
-    const std::uint32_t b = triangles[3 * t + 1];
-    const std::uint32_t c = triangles[3 * t + 2];
-    repeats[t] = a == b || b == c || c == a ? 1 : 0;
-  }
-  return repeats;
-}
-
 }  // namespace
 
 class SurfaceInspector::Impl {
@@ -107,7 +95,8 @@ void SurfaceInspector::Impl::measure() {
   result_.isEmbedded = !isNamed(result_.diagnostics, DiagnosticCode::kSelfIntersection) &&
                        !isNamed(result_.diagnostics, DiagnosticCode::kDuplicateTriangle);
   measureNodes();
-  const EdgeTable edges(mesh_.triangles, mesh_.points.size() / 3, repeatingNodes(mesh_.triangles));
+  // As the check has them, or the two would contradict each other.
+  const EdgeTable edges(mesh_.triangles, mesh_.points.size() / 3, check_->withoutEdges());
   measureEdges(edges);
   countPinchedNodes(edges);
   result_.isClosed = result_.openEdges == 0;
@@ -154,7 +143,7 @@ void SurfaceInspector::Impl::countPinchedNodes(const EdgeTable& edges) {
   const std::vector<std::uint32_t> fans = cornerFans(mesh_.triangles, edges);
   std::vector<std::uint8_t> fansAt(mesh_.points.size() / 3, 0);
   for (std::uint32_t c = 0; c < fans.size(); ++c) {
-    if (fans[c] != c) continue;
+    if (fans[c] != c || check_->withoutEdges()[c / 3] != 0) continue;
     std::uint8_t& count = fansAt[mesh_.triangles[c]];
     if (count == 1) ++result_.pinchedNodes;
     if (count < 2) ++count;

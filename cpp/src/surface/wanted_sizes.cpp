@@ -19,6 +19,24 @@ std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid, const MeshO
   return usesGrid(grid, options) ? checkBackgroundGrid(grid) : checkSizeSources(grid.sources);
 }
 
+std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
+  std::vector<Diagnostic> found;
+  Vec3 low = pointOf(surface, 0);
+  Vec3 high = low;
+  for (std::uint32_t node = 1; node < surface.points.size() / 3; ++node) {
+    low = glm::min(low, pointOf(surface, node));
+    high = glm::max(high, pointOf(surface, node));
+  }
+  const Vec3 across = high - low;
+  const double extent = std::max({across.x, across.y, across.z});
+  if (!(size > extent)) return found;
+  Diagnostic& tooLarge = found.emplace_back();
+  tooLarge.code = DiagnosticCode::kSizeTooLarge;
+  tooLarge.severity = Severity::kWarning;
+  tooLarge.values = {size, extent};
+  return found;
+}
+
 SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& options) {
   // Coordinates have magnitudes from 2^-100 to 1e30: these are beyond any size that can be meshed, and
   // their cubes, which inverting a tensor takes, are numbers still.

@@ -27,6 +27,9 @@ namespace tetrafront {
 [[nodiscard]] std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid,
                                                        const MeshOptions& options);
 
+/// kSizeTooLarge where the surface, which has a node, is smaller than the one size. O(nodes).
+[[nodiscard]] std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size);
+
 /// What is asked for beside the surface's own edges: a size, or none, and sources. Not for grids.
 [[nodiscard]] SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& options);
 

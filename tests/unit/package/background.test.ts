@@ -132,7 +132,7 @@ describe("a covering grid", () => {
       {},
       /nothing to cover.*\. Draw /,
     ],
-    ["a size below 0", cubeProject(), { size: -1 }, /size is -1\. Give a finite size above 0/],
+    ["a size below 0", cubeProject(), { size: -1 }, /size is -1\. Give a size from 1e-30 to 1e30/],
     ["a shape unheard of", cubeProject(), { shape: "sphere" }, /"sphere"\. Give one of box, tetrahedron/],
     ["an option unheard of", cubeProject(), { sise: 1 }, /no option "sise".*size, shape/],
     ["no project", {} as Project, {}, /not a Tetrafront project/],

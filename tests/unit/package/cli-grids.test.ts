@@ -248,7 +248,7 @@ describe("what is said", () => {
       const { code, stderr } = await run("mesh", "cube.off", "-o", "out.vtu", `--size=${size}`);
       expect([code, stderr]).toEqual([
         2,
-        `tetrafront: error: command line: The element size is ${shown}. Give a finite size above 0, in model units.\n`,
+        `tetrafront: error: command line: The element size is ${shown}. Give a size from 1e-30 to 1e30, in model units.\n`,
       ]);
     }
   });

@@ -191,7 +191,7 @@ describe("bad input ends with code 2 and one line:", () => {
 
   test.each<[string, string, RegExp]>([
     ["a file that is not there", "none.stl", /no such file/],
-    ["a folder for a file", "folder.stl", /directory/],
+    ["a folder for a file", "folder.stl", /folder/],
     ["an empty STL file", "empty.stl", /empty/],
     ["an empty OFF file", "empty.off", /empty/],
     ["an empty project", "empty.json", /empty/],
@@ -247,7 +247,7 @@ describe("bad input ends with code 2 and one line:", () => {
     ["an unknown output format", ["cube.off", "-o", "out.stl"], /\.vtu or \.msh/],
     ["an output without extension", ["cube.off", "-o", "out"], /no extension/],
     ["an output in no folder", ["cube.off", "-o", "none/out.vtu"], /no folder none/],
-    ["an output that is a folder", ["cube.off", "-o", "taken.vtu"], /directory/],
+    ["an output that is a folder", ["cube.off", "-o", "taken.vtu"], /folder/],
     ["a report in no folder", ["cube.off", "-o", "out.vtu", "--report", "none/r.json"], /no folder none/],
     [
       "a report in place of the input",

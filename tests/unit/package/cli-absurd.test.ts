@@ -1,0 +1,72 @@
+/** Absurd values of every option, and places that are none: refused in one line that names what would be sensible. */
+import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+
+import { createMesher, writeProject } from "tetrafront";
+import { afterAll, beforeAll, describe, expect, test } from "vitest";
+
+import { tetrafront } from "../../support/command-line.js";
+import { cubeProject } from "../../support/projects.js";
+import { offFile } from "../../support/surface-files.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+let folder: string;
+beforeAll(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+  writeFileSync(path.join(folder, "part.off"), offFile(boxSurface(1)));
+  writeFileSync(path.join(folder, "cube.json"), writeProject(cubeProject()));
+  mkdirSync(path.join(folder, "parts"));
+});
+afterAll(() => rmSync(folder, { recursive: true, force: true }));
+
+const MESH = ["mesh", "part.off", "-o", "x.vtu"];
+const PROPOSE = ["propose", "cube.json", "-o", "x.json"];
+const SIZE = /from 1e-30 to 1e30/;
+
+test.each<[readonly string[], RegExp]>([
+  [[...MESH, "--size", "1e300"], SIZE],
+  [[...MESH, "--size", "1e-300"], SIZE],
+  [[...MESH, "--grading", "99"], /growth from 0 to 10/],
+  [[...MESH, "--gradation", "99"], /above 1 and up to 10/],
+  [[...MESH, "--source", "0,0,0,1e300"], /a size from 1e-30 to 1e30/],
+  [[...MESH, "--source", "0,0,0,1,1e300"], /a distance of 0 or more/],
+  [[...MESH, "--source", "0,0,0,1,1,99"], /a growth from 0 to 10/],
+  [[...MESH, "--weld", "1e300"], /from 0 to 1e30/],
+  [[...MESH, "--weld", "7"], /the whole surface is 1 across\. Give less than its shortest edges/],
+  [["cover", "cube.json", "-o", "x.json", "--size", "1e300"], SIZE],
+  [[...PROPOSE, "--uniform", "1e300"], SIZE],
+  [[...PROPOSE, "--per-circle", "1e300"], /from 0 to 1000/],
+  [[...PROPOSE, "--growth", "99"], /from 0 to 10/],
+  [["mesh", ".", "-o", "x.vtu"], /\.: This is a folder\. Give a file in it.*'\*\.stl'/],
+  [["mesh", "cube.json", "-o", "parts"], /parts: This is a folder\. Give the name of a file in it/],
+  [["convert", "part.off", "-o", "parts"], /parts: This is a folder/],
+  [["cover", "cube.json", "-o", "parts"], /parts: This is a folder/],
+  [["mesh", "part.off", "-o", "x.vtu", "--background", "parts"], /parts: This is a folder/],
+  [["check", "parts"], /parts: This is a folder/],
+  [["stats", "missing.xyz"], /missing\.xyz: There is no such file/],
+  [["mesh", "", "-o", "x.vtu"], /"": This is no name of a file/],
+  [["mesh", "part.off", "-o", ""], /"": This is no name of a file/],
+  [["mesh", "part.off", "-o", "x.vtu", "--from", ""], /"": There is no such format/],
+])("%j", async (args, message) => {
+  const { code, stderr } = await tetrafront(folder, args);
+  expect(stderr).toMatch(message);
+  expect(code).toBe(2);
+});
+
+describe("a size larger than a given surface", () => {
+  test("bounds nothing, and is told", async () => {
+    const mesher = await createMesher();
+    const surface = boxSurface(2);
+    try {
+      const codes = async (size: number) => {
+        const { report } = await mesher.fillSurface(surface, { size });
+        return report.diagnostics.map(({ code, severity }) => `${severity} ${code}`);
+      };
+      expect(await codes(1.5)).toEqual(["warning size-too-large"]);
+      expect(await codes(0.9)).toEqual([]);
+    } finally {
+      mesher.dispose();
+    }
+  });
+});
