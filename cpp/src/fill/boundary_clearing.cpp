@@ -10,7 +10,7 @@ namespace tetrafront {
 namespace {
 
 /// Tetrahedra around a star may give way to an existing point, up to so many in all.
-constexpr std::size_t kLargestGrowth = 200;
+constexpr std::size_t kLargestGrowth = 30;
 /// Halvings of the step inwards, in doubles and then exactly.
 constexpr int kMaxHalvings = 50;
 constexpr int kMaxExactHalvings = 400;
@@ -42,7 +42,6 @@ BoundaryClearing::BoundaryClearing(FillMesh& mesh,
                                    std::span<const NodeId> boundaryPoints)
     : mesh_(mesh), triangles_(triangles), cone_(mesh, none_) {
   separateSectors(boundaryPoints);
-  triedAt_.assign(mesh_.points.size(), 0);
 }
 
 /// A point where pieces of the inside meet in an edge or at it alone becomes one point for each.
@@ -63,57 +62,69 @@ void BoundaryClearing::separateSectors(std::span<const NodeId> boundaryPoints) {
       if (!mesh_.has(tet, node)) continue;
       mesh_.starFrom(tet, node, star_);
       if (first && star_.size() == tets.size()) {
-        waiting_.push_back(node);
+        wait(node);
         break;
       }
       first = false;
       const NodeId own = mesh_.points.copy(node);
       mesh_.separate(star_, node, own);
-      waiting_.push_back(own);
+      wait(own);
     }
   }
 }
 
-BoundaryClearing::State BoundaryClearing::step() {
-  if (next_ == waiting_.size()) {
-    if (postponed_.empty()) return State::kDone;
-    // Again and again with existing points only, then once with new ones.
-    lifting_ = !progress_;
-    progress_ = false;
-    waiting_.swap(postponed_);
-    postponed_.clear();
-    next_ = 0;
+void BoundaryClearing::wait(NodeId node) {
+  turns_.resize(mesh_.points.size(), Turn::kNone);
+  turns_[node.index()] = Turn::kWaiting;
+  waiting_.push_back(node);
+}
+
+void BoundaryClearing::postpone(NodeId node) {
+  turns_[node.index()] = Turn::kPostponed;
+  postponed_.push_back(node);
+}
+
+/// The one that has been postponed longest; none if none is.
+NodeId BoundaryClearing::nextToLift() {
+  while (nextPostponed_ < postponed_.size()) {
+    const NodeId node = postponed_[nextPostponed_++];
+    if (turns_[node.index()] == Turn::kPostponed) return node;
   }
-  const NodeId node = waiting_[next_++];
+  return {};
+}
+
+/// Points wait for an existing point as long as there is hope; only then one is lifted to a new one,
+/// which may make room for those around it.
+BoundaryClearing::State BoundaryClearing::step() {
+  const bool lifting = nextWaiting_ == waiting_.size();
+  const NodeId node = lifting ? nextToLift() : waiting_[nextWaiting_++];
+  if (node.isNone()) return State::kDone;
   mesh_.star(node, star_);
-  const bool mayExist = changedSinceTried(node);
-  if (!mayExist && !lifting_) {
-    postponed_.push_back(node);
+  if (!describe(node)) return State::kFailed;
+  if (lifting ? replaceByExistingInRoom(node) || replaceByNew(node) : replaceByExisting(node)) {
+    turns_[node.index()] = Turn::kNone;
+    queueTouched();
     return State::kRunning;
   }
-  if (!describe(node)) return State::kFailed;
-  if (mayExist && replaceByExisting(node)) {
-    progress_ = true;
-  } else if (!lifting_) {
-    triedAt_[node.index()] = mesh_.changes();
-    postponed_.push_back(node);
-  } else if (replaceByNew(node)) {
-    progress_ = true;
-    lifting_ = false;  // this may have made room for others
-  } else {
-    return State::kFailed;
-  }
+  if (lifting) return State::kFailed;
+  postpone(node);
   return State::kRunning;
 }
 
-/// What did not go with the same tetrahedra around does not go now.
-bool BoundaryClearing::changedSinceTried(NodeId node) const {
-  const std::uint32_t then = triedAt_[node.index()];
-  return std::any_of(star_.begin(), star_.end(), [&](TetId tet) {
-    if (mesh_.madeAt(tet) > then) return true;
-    const TetId beyond = mesh_.tet(tet).across[mesh_.cornerOf(tet, node)].tet;
-    return !beyond.isNone() && mesh_.madeAt(beyond) > then;
-  });
+/// What did not go with the same tetrahedra around does not go now; what has others now may.
+void BoundaryClearing::queueTouched() {
+  turns_.resize(mesh_.points.size(), Turn::kNone);
+  const auto touch = [&](NodeId node) {
+    if (turns_[node.index()] == Turn::kPostponed) wait(node);
+  };
+  for (const TetId id : mesh_.lastMade()) {
+    const FillTet& t = mesh_.tet(id);
+    for (std::uint32_t k = 0; k < 4; ++k) {
+      touch(t.nodes[k]);
+      const TetFace beyond = t.across[k];
+      if (!beyond.isNone()) touch(mesh_.tet(beyond.tet).nodes[beyond.corner]);
+    }
+  }
 }
 
 // ---- what is around a point --------------------------------------------------------------------
@@ -205,6 +216,16 @@ bool BoundaryClearing::triangulate(Fan& fan) const {
 
 // ---- by an existing point ------------------------------------------------------------------------
 
+/// A point in the plane of a fan can only be one of its own. Asked of the given triangle, whose nodes are
+/// doubles.
+bool BoundaryClearing::seesBoundary(NodeId apex) const {
+  return std::all_of(fans_.begin(), fans_.end(), [&](const Fan& fan) {
+    if (std::find(fan.polygon.begin(), fan.polygon.end(), apex) != fan.polygon.end()) return true;
+    const auto& t = triangles_[fan.facet];
+    return mesh_.points.orient(t[0], t[1], t[2], apex) > 0;
+  });
+}
+
 /// The boundary without the point. Where the apex is on it, all triangles there meet at the apex.
 std::vector<BoundaryFace> BoundaryClearing::boundaryFor(NodeId apex) const {
   std::vector<BoundaryFace> faces;
@@ -224,29 +245,44 @@ std::vector<BoundaryFace> BoundaryClearing::boundaryFor(NodeId apex) const {
   return faces;
 }
 
+std::vector<NodeId> BoundaryClearing::candidates(NodeId node) const {
+  std::vector<NodeId> nodes = mesh_.neighboursIn(star_, node);
+  std::erase_if(nodes, [&](NodeId apex) { return !seesBoundary(apex); });
+  return nodes;
+}
+
+/// By the neighbour that makes the best tetrahedra.
 bool BoundaryClearing::replaceByExisting(NodeId node) {
-  const std::vector<NodeId> candidates = mesh_.neighboursIn(star_, node);
-  for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
-    NodeId best;
-    double bestShape = 0.0;
-    ConeRules rules;
-    rules.lost = node;
-    rules.largestCavity = growth;
-    for (const NodeId apex : candidates) {
-      const std::vector<BoundaryFace> boundary = boundaryFor(apex);
-      rules.boundary = boundary;
-      if (!cone_.plan(apex, star_, rules)) continue;
-      const double shape = cone_.leastShape();
-      if (!best.isNone() && shape <= bestShape) continue;
-      best = apex;
-      bestShape = shape;
-    }
-    if (best.isNone()) continue;
-    const std::vector<BoundaryFace> boundary = boundaryFor(best);
+  NodeId best;
+  double bestShape = 0.0;
+  ConeRules rules;
+  rules.lost = node;
+  for (const NodeId apex : candidates(node)) {
+    const std::vector<BoundaryFace> boundary = boundaryFor(apex);
     rules.boundary = boundary;
-    if (cone_.make(best, star_, rules)) return true;
+    if (!cone_.plan(apex, star_, rules)) continue;
+    const double shape = cone_.leastShape();
+    if (!best.isNone() && shape <= bestShape) continue;
+    best = apex;
+    bestShape = shape;
   }
-  return false;
+  if (best.isNone()) return false;
+  const std::vector<BoundaryFace> boundary = boundaryFor(best);
+  rules.boundary = boundary;
+  return cone_.make(best, star_, rules);
+}
+
+/// By the first neighbour that can, if tetrahedra around the star may give way too.
+bool BoundaryClearing::replaceByExistingInRoom(NodeId node) {
+  ConeRules rules;
+  rules.lost = node;
+  rules.largestCavity = star_.size() + kLargestGrowth;
+  const std::vector<NodeId> nodes = candidates(node);
+  return std::any_of(nodes.begin(), nodes.end(), [&](NodeId apex) {
+    const std::vector<BoundaryFace> boundary = boundaryFor(apex);
+    rules.boundary = boundary;
+    return cone_.make(apex, star_, rules);
+  });
 }
 
 // ---- by a new point ------------------------------------------------------------------------------

@@ -41,12 +41,18 @@ class BoundaryClearing {
   };
 
   void separateSectors(std::span<const NodeId> boundaryPoints);
-  [[nodiscard]] bool changedSinceTried(NodeId node) const;
+  void wait(NodeId node);
+  void postpone(NodeId node);
+  NodeId nextToLift();
+  void queueTouched();
   bool describe(NodeId node);
   bool chainFans(std::vector<std::array<NodeId, 2>>& links, Fan& fan) const;
   bool triangulate(Fan& fan) const;
+  [[nodiscard]] bool seesBoundary(NodeId apex) const;
   [[nodiscard]] std::vector<BoundaryFace> boundaryFor(NodeId apex) const;
+  [[nodiscard]] std::vector<NodeId> candidates(NodeId node) const;
   bool replaceByExisting(NodeId node);
+  bool replaceByExistingInRoom(NodeId node);
   bool replaceByNew(NodeId node);
   bool tryPlace(NodeId node, const Vec3& place, std::size_t growth);
   bool tryPlace(NodeId node, const DyadicVec3& place);
@@ -59,13 +65,14 @@ class BoundaryClearing {
   const std::vector<std::array<NodeId, 3>>& triangles_;
   ConstraintEdges none_;
   Cone cone_;
-  std::vector<NodeId> waiting_;
-  std::vector<NodeId> postponed_;
-  std::size_t next_ = 0;
-  bool progress_ = false;
-  bool lifting_ = false;
+  /// What is to be done with a node next.
+  enum class Turn : std::uint8_t { kNone, kWaiting, kPostponed };
+  std::vector<Turn> turns_;        ///< per node
+  std::vector<NodeId> waiting_;    ///< to be tried, from nextWaiting_ on
+  std::vector<NodeId> postponed_;  ///< from nextPostponed_ on; some may have been tried again since
+  std::size_t nextWaiting_ = 0;
+  std::size_t nextPostponed_ = 0;
   std::vector<NodeId> interiorPoints_;
-  std::vector<std::uint32_t> triedAt_;  ///< per node: the mesh's changes when it was last tried
   std::vector<TetId> star_;
   std::vector<Fan> fans_;
 };

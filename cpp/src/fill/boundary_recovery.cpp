@@ -177,6 +177,9 @@ NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
     const NodeId node = points.add(place);
     ConeRules rules;
     rules.largestCavity = tets_.size() + kLargestSwap;
+    rules.delaunay = true;
+    if (cone_.make(node, tets_, rules)) return node;
+    rules.delaunay = false;
     if (cone_.make(node, tets_, rules)) return node;
     points.dropLast();
   }
@@ -315,7 +318,10 @@ bool BoundaryRecovery::splitCrossing(std::size_t triangle, NodeId below, NodeId 
     const NodeId node = points.add(place);
     ConeRules rules;
     rules.largestCavity = around.size() + kLargestSwap;
-    if (cone_.make(node, around, rules)) {
+    rules.delaunay = true;
+    bool done = cone_.make(node, around, rules);
+    rules.delaunay = false;
+    if (done || cone_.make(node, around, rules)) {
       boundaryPoints_.push_back(node);
       sides_.resize(points.size(), kUnknown);
       sides_[node.index()] = 0;

@@ -18,7 +18,6 @@ void FillMesh::begin(const std::array<NodeId, 4>& nodes) {
   first.nodes = nodes;
   tets_.assign(1, first);
   stamps_.assign(1, 0);
-  madeAt_.assign(1, 0);
   tetAt_.assign(points.size(), TetId());
   for (const NodeId node : nodes) tetAt_[node.index()] = TetId(0U);
 }
@@ -105,7 +104,6 @@ TetId FillMesh::takeSlot() {
   }
   tets_.emplace_back();
   stamps_.push_back(0);
-  madeAt_.push_back(0);
   return TetId(tets_.size() - 1);
 }
 
@@ -127,12 +125,10 @@ bool FillMesh::replace(std::span<const TetId> old, std::span<const std::array<No
   }
   tetAt_.resize(points.size());
   freshIds_.clear();
-  ++changes_;
   for (const std::array<NodeId, 4>& nodes : fresh) {
     const TetId id = takeSlot();
     freshIds_.push_back(id);
     tets_[id.index()].nodes = nodes;
-    madeAt_[id.index()] = changes_;
     for (const NodeId node : nodes) tetAt_[node.index()] = id;
   }
   for (std::size_t i = 0; i < slots_.size(); i += 2) {

@@ -79,9 +79,8 @@ class FillMesh {
   bool replace(std::span<const TetId> old, std::span<const std::array<NodeId, 4>> fresh,
                NodeId lost, std::span<const BoundaryFace> boundary);
 
-  /// How many replacements there have been, and after how many of them a tetrahedron was made.
-  [[nodiscard]] std::uint32_t changes() const { return changes_; }
-  [[nodiscard]] std::uint32_t madeAt(TetId tet) const { return madeAt_[tet.index()]; }
+  /// What the last replacement has made.
+  [[nodiscard]] std::span<const TetId> lastMade() const { return freshIds_; }
 
   /// Keeps only the tetrahedra so marked; faces between kept ones and others become boundary.
   void keep(const std::vector<std::uint8_t>& kept);
@@ -114,8 +113,6 @@ class FillMesh {
   std::vector<TetId> freeSlots_;
   std::vector<TetId> tetAt_;
   std::uint32_t stamp_ = 0;
-  std::vector<std::uint32_t> madeAt_;
-  std::uint32_t changes_ = 0;
   std::vector<FaceSlot> slots_;
   std::vector<TetId> freshIds_;
 };
