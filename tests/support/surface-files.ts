@@ -76,3 +76,42 @@ export function plyBinary({ points, triangles }: SurfaceInput, isLittleEndian: b
   }
   return Uint8Array.of(...header, ...new Uint8Array(view.buffer));
 }
+
+/** Geomview's binary form, of single precision; `extras` numbers stand behind each point, and all faces are orange. */
+export function offBinary({ points, triangles }: SurfaceInput, word: string, extras: number): Uint8Array {
+  const numbers: DataView[] = [];
+  const int = (value: number) => {
+    numbers.push(new DataView(new ArrayBuffer(4)));
+    numbers.at(-1)?.setInt32(0, value);
+  };
+  const float = (value: number) => {
+    numbers.push(new DataView(new ArrayBuffer(4)));
+    numbers.at(-1)?.setFloat32(0, value);
+  };
+  for (const count of [points.length / 3, triangles.length / 3, 0]) int(count);
+  points.forEach((value, i) => {
+    float(value);
+    if (i % 3 === 2) for (let k = 0; k < extras; k++) float(7);
+  });
+  for (let t = 0; t < triangles.length; t += 3) {
+    for (const value of [3, ...triangles.subarray(t, t + 3), 4]) int(value);
+    for (const value of [1, 128 / 255, 0, 1]) float(value);
+  }
+  const bytes = numbers.map(({ buffer }) => new Uint8Array(buffer as ArrayBuffer));
+  return new Uint8Array(Buffer.concat([encoder.encode(`${word} BINARY\n`), ...bytes]));
+}
+
+/** Five points and one list of strips, before the points or behind them. */
+export function plyStrips(corners: readonly number[], isFirst: boolean): Uint8Array {
+  const points = ["0 0 0", "1 0 0", "0 1 0", "1 1 0", "0 2 0"];
+  const elements = [
+    ["element vertex 5\nproperty double x\nproperty double y\nproperty double z\n", `${points.join("\n")}\n`],
+    [
+      "element tristrips 1\nproperty list int int vertex_indices\n",
+      `${[corners.length, ...corners].join(" ")}\n`,
+    ],
+  ];
+  if (isFirst) elements.reverse();
+  const [heads, bodies] = [0, 1].map((part) => elements.map((element) => element[part]).join(""));
+  return encoder.encode(`ply\nformat ascii 1.0\n${heads}end_header\n${bodies}`);
+}

@@ -6,6 +6,7 @@
  * - `empty-file`: it has no byte.
  * - `malformed-file`: its content does not follow its format, or goes beyond what is read of it; `line` or `offset`
  *   tells where.
+ * - `too-large-file`: it has more points or elements than can be numbered, or than there is memory for.
  * - `missing-file`: it says so little without another file beside it, which was not there.
  * - `no-triangles`, `no-tetrahedra`: it holds none.
  * - `invalid-sizes`: the numbers at its nodes are no element sizes.
@@ -18,6 +19,7 @@ export type ReadCode =
   | "unknown-format"
   | "empty-file"
   | "malformed-file"
+  | "too-large-file"
   | "missing-file"
   | "no-triangles"
   | "no-tetrahedra"
@@ -62,6 +64,28 @@ export class ReadFailure extends Error {
 export function failureIn(fileName: string, failure: unknown): unknown {
   if (!(failure instanceof ReadFailure)) return failure;
   return new ReadFailure({ fileName, ...failure.problem });
+}
+
+/** Of a file with more coordinates, or corners, than 32-bit positions can tell apart. */
+export function tooManyNumbers(most: number): ReadFailure {
+  const [threes, fours] = [Math.floor(most / 3), Math.floor(most / 4)];
+  return new ReadFailure({
+    code: "too-large-file",
+    message: `the file has more than ${threes} points or triangles, or ${fours} tetrahedra, the most that can be numbered`,
+    remedy: "Cut it into parts.",
+  });
+}
+
+/** The failure of a file whose arrays the machine has no memory for, where it is one. */
+export function asTooLarge(failure: unknown): unknown {
+  if (!(failure instanceof RangeError && /alloc|array length|buffer|maximum size/i.test(failure.message))) {
+    return failure;
+  }
+  return new ReadFailure({
+    code: "too-large-file",
+    message: "the file's points and elements do not fit into the memory that there is",
+    remedy: "Give a smaller mesh, or the parts of it one by one: a point takes 24 bytes, a triangle 16.",
+  });
 }
 
 /** Where something was read: `line` in text, else `offset`. */

@@ -1,8 +1,10 @@
 /** Files as other programs write them, with what formats allow beside a plain mesh. */
-import { readMesh, type FileMesh } from "tetrafront";
+import { readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
-import { stlBinary } from "../../support/surface-files.js";
+import { Column } from "../../../wasm/src/formats/column.js";
+import { blockMesh } from "../../support/block-mesh.js";
+import { offBinary, plyStrips, stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 async function read(file: string | Uint8Array, fileName: string): Promise<FileMesh> {
@@ -81,4 +83,72 @@ test("STL: triangles beyond the number announced are not left out silently; zero
   const filled = new Uint8Array(2048);
   filled.set(file);
   expect((await read(filled, "a.stl")).triangles).toHaveLength(36);
+});
+
+test("Medit: sections that other programs add are passed over, whatever numbers they have", async () => {
+  const head = "MeshVersionFormatted 2\nDimension 3\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n";
+  const more = "TangentAtEdgeVertices\n1\n1 1 1\nPeriodicVertices\n1\n1 2\nEdgesP2\n1\n1 2 3 0\nTime\n0.5\n";
+  expect([...(await read(`${head}${more}Triangles\n1\n1 2 3 4\nEnd`, "a.mesh")).triangles]).toEqual([
+    0, 1, 2,
+  ]);
+  await expect(read(`${head}TetrahedraP2\n1\n1\n`, "a.mesh")).rejects.toThrow(/tetrahedrap2 cannot be read/);
+  await expect(read(`${head}Triangels\n1\n1 2 3 4\n`, "a.mesh")).rejects.toThrow(
+    /"triangels" is not a section/,
+  );
+});
+
+test("PLY: strips turn every second triangle, and end at -1", async () => {
+  for (const isLast of [false, true]) {
+    const { triangles } = await read(plyStrips([0, 1, 2, 3, -1, 3, 2, 4, 4, 0], isLast), "a.ply");
+    expect([...triangles]).toEqual([0, 1, 2, 2, 1, 3, 3, 2, 4]);
+  }
+  await expect(read(plyStrips([0, 1, 5], false), "a.ply")).rejects.toThrow(/corner 5, there are 5 points/);
+});
+
+test("PLY: a strip may be longer than any entry", async () => {
+  const corners = Array.from({ length: 200_000 }, (_, i) => i % 5);
+  expect((await read(plyStrips(corners, false), "a.ply")).triangles).toHaveLength(3 * (corners.length - 2));
+});
+
+test("OFF: binary files give what text gives, with normals, colours and places in pictures passed over", async () => {
+  const box = boxSurface(2);
+  for (const [word, extras] of [
+    ["OFF", 0],
+    ["STCNOFF", 9],
+  ] as const) {
+    const { points, triangles, patches } = await read(offBinary(box, word, extras), "a.off");
+    expect([points, triangles]).toEqual([box.points, box.triangles]);
+    expect(patches.map(({ name }) => name)).toEqual(["#ff8000"]);
+  }
+});
+
+test.each([".msh", ".msh2", ".mesh", ".vtk", ".off", ".ply"])(
+  "a mesh behind another in one %s file is not taken for a part of it",
+  async (extension) => {
+    const [file] = await writeMesh(blockMesh(), `a${extension}`);
+    const bytes = Buffer.from(file?.bytes ?? []);
+    // What stands behind the end of a Medit file is not of it.
+    const one = extension === ".mesh" ? bytes.subarray(0, bytes.lastIndexOf("\nEnd")) : bytes;
+    const end = extension === ".mesh" ? one.subarray(one.indexOf("Vertices")) : one;
+    await expect(read(Buffer.concat([one, Buffer.from("\n"), end]), `a${extension}`)).rejects.toThrow();
+  },
+);
+
+test("a file with more than can be numbered, or than there is memory for, is told by a code", async () => {
+  const column = new Column(Uint32Array, 10_000);
+  const fill = () => {
+    for (let i = 0; i < 20_000; i++) column.push(i);
+  };
+  expect(fill).toThrow(
+    expect.objectContaining({ problem: expect.objectContaining({ code: "too-large-file" }) }),
+  );
+  expect(fill).toThrow(/more than 3333 points or triangles, or 2500 tetrahedra/);
+  const source = (function* () {
+    yield new TextEncoder().encode("OFF 1 1 0\n");
+    throw new RangeError("Array buffer allocation failed");
+  })();
+  expect(await readMesh(source, { fileName: "a.off" })).toMatchObject({
+    success: false,
+    problems: [{ code: "too-large-file", fileName: "a.off" }],
+  });
 });

@@ -16,7 +16,7 @@ import { blockMesh } from "../../support/block-mesh.js";
 import { vtkBinary } from "../../support/mesh-files.js";
 import { cubeProject } from "../../support/projects.js";
 import { mutated, randomSource } from "../../support/random.js";
-import { offFile, plyBinary, stlText } from "../../support/surface-files.js";
+import { offBinary, offFile, plyBinary, plyStrips, stlText } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
 
 /** Damaged files per format, in equal parts of each of its samples. */
@@ -64,6 +64,9 @@ $Elements\n2\n1 2 2 5 1 1 2 3\n2 4 2 0 1 1 2 3 4\n$EndElements\n`;
 const smesh = `# a square\n4 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n2 1\n4 1 2 3 4 7\n3 1 2 3 8\n0\n0\n`;
 const poly = `4 3 0 0\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n1 1\n2 0 3\n4 1 2 3 4\n2 1 3\n0\n`;
 
+const polygonObj = `mtllib a.mtl\no part\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .2 .2 0\nvt 0 0\nvn 0 0 1\nusemtl red
+f 1/1/1 2/1/1 3/1/1 4/1/1\ng top\nf -5//1 -4//1 \\\n-3//1 -1//1\nl 1 2\n`;
+
 const colouredOff = new TextDecoder()
   .decode(offFile(cube))
   .replace(/^3 .*$/gm, (face) => `${face} 255 128 0`);
@@ -90,9 +93,13 @@ const samples: readonly Sample[] = [
   sample("text STL", "a.stl", stlText(cube)),
   own("binary STL", "a.stl"),
   sample("OFF with colours", "a.off", colouredOff),
+  sample("binary OFF", "a.off", offBinary(cube, "COFF", 4)),
   own("OBJ", "a.obj"),
+  sample("OBJ with normals, groups and polygons", "a.obj", polygonObj),
   own("text PLY", "a.ply"),
   sample("binary PLY", "a.ply", plyBinary(cube, true)),
+  sample("binary PLY, high byte first", "a.ply", plyBinary(cube, false)),
+  sample("PLY of strips", "a.ply", plyStrips([0, 1, 2, 3, -1, 3, 2, 4], false)),
   own("compressed VTU", "a.vtu"),
   sample("text VTU", "a.vtu", textVtu),
   sample(

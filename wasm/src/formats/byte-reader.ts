@@ -19,6 +19,8 @@ const MARK = [0xef, 0xbb, 0xbf] as const;
 const LOOKAHEAD = 1 << 18;
 /** As much is asked for at once, so that what is left of the window is seldom moved. */
 const WINDOW = 1 << 20;
+/** Digits, signs, the point. */
+const NUMBER_BEGINS = new TextEncoder().encode("0123456789+-.");
 /** From here on a byte is part of a character of several, in UTF-8. */
 const FIRST_OF_SEVERAL = 0x80;
 /** Longer comments are no words to anyone. */
@@ -156,6 +158,12 @@ export class ByteReader {
   wordInLine(): string {
     this.#skipBlanks(false);
     return this.#text(this.#wordEnd());
+  }
+
+  /** Whether the next word, in this line or a later one, begins like a number. */
+  startsNumber(): boolean {
+    this.#skipBlanks(true);
+    return NUMBER_BEGINS.includes(this.#bytes[this.#at] ?? 0);
   }
 
   /** Moves behind the next word if it is this one (in small letters here), in capitals or not. */

@@ -1,3 +1,5 @@
+import { tooManyNumbers } from "../read-result.js";
+
 /** Numbers collected one by one, in pages: growing moves nothing, and memory follows what was collected. */
 
 type Numbers = Float64Array | Uint32Array;
@@ -13,8 +15,12 @@ export class Column<T extends Numbers> {
   #filled = PAGE;
   readonly #type: new (length: number) => T;
 
-  constructor(type: new (length: number) => T) {
+  readonly #most: number;
+
+  /** Throws a ReadFailure where it should hold more than so many. */
+  constructor(type: new (length: number) => T, most = MOST) {
     this.#type = type;
+    this.#most = most;
     this.#last = new type(0);
   }
 
@@ -45,7 +51,7 @@ export class Column<T extends Numbers> {
   }
 
   #turnPage(): void {
-    if (this.length >= MOST) throw new RangeError("more numbers than 32-bit positions");
+    if (this.length >= this.#most) throw tooManyNumbers(this.#most);
     this.#last = new this.#type(PAGE);
     this.#pages.push(this.#last);
     this.#filled = 0;

@@ -11,37 +11,25 @@ import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Save the mesh again as a Medit file in text form, with triangles or linear tetrahedra.";
 
-/** Numbers per entry of the sections that are passed over. */
-const SKIPPED: ReadonlyMap<string, number> = new Map([
-  ["edges", 3],
-  ["corners", 1],
-  ["ridges", 1],
-  ["requiredvertices", 1],
-  ["requirededges", 1],
-  ["requiredtriangles", 1],
-  ["requiredtetrahedra", 1],
-  ["requiredquadrilaterals", 1],
-  ["normals", 3],
-  ["tangents", 3],
-  ["normalatvertices", 2],
-  ["tangentatvertices", 2],
-  ["tangentatedges", 3],
-  ["normalattrianglevertices", 3],
-  ["normalatquadrilateralvertices", 3],
-  ["vertexongeometricvertex", 2],
-  ["vertexongeometricedge", 3],
-  ["vertexongeometrictriangle", 4],
-  ["edgeongeometricedge", 2],
-  ["triangleongeometrictriangle", 2],
-  ["subdomainfrommesh", 4],
-  ["subdomainfromgeom", 4],
+/** Passed over: numbers up to the next word, so many per entry as the program that wrote them knows. */
+const SKIPPED = new Set([
+  ...["edges", "corners", "ridges", "tangents", "normals", "boundingbox", "angleofcornerbound"],
+  ...["requiredvertices", "requirededges", "requiredtriangles", "requiredquadrilaterals"],
+  ...["requiredtetrahedra", "requiredprisms", "requiredhexahedra", "requiredpyramids"],
+  ...["tangentatvertices", "tangentatedges", "tangentatedgevertices", "normalatvertices"],
+  ...["normalattrianglevertices", "normalatquadrilateralvertices"],
+  ...["vertexongeometricvertex", "vertexongeometricedge", "vertexongeometrictriangle"],
+  ...["vertexongeometricquadrilateral", "edgeongeometricedge", "triangleongeometrictriangle"],
+  ...["quadrilateralongeometricquadrilateral", "subdomainfrommesh", "subdomainfromgeom"],
+  ...["extraverticesatedges", "extraverticesattriangles", "extraverticesatquadrilaterals"],
+  ...["extraverticesattetrahedra", "extraverticesathexahedra", "coarsehexahedra", "edgesp2", "edgesp3"],
+  ...["periodicvertices", "periodicedges", "periodictriangles", "periodicquadrilaterals"],
+  ...["paralleltriangles", "parallelvertices", "iterations", "time", "solatvertices", "solatedges"],
+  ...["solattriangles", "solattetrahedra", "solatquadrilaterals", "domain", "incidents", "version"],
 ]);
-/** Sections of so many numbers, without a number of entries. */
-const HEADS: ReadonlyMap<string, number> = new Map([
-  ["boundingbox", 6],
-  ["angleofcornerbound", 1],
-]);
-const VOLUMES = new Set(["hexahedra", "hexaedra", "prisms", "pyramids"]);
+/** Elements that are not linear triangles and tetrahedra; none of them may be there. */
+const OTHERS =
+  /^(hexahedra|hexaedra|prisms|pyramids|(triangles|tetrahedra|hexahedra|prisms|pyramids)[pq][2-4]|quadrilaterals[pq][2-4])$/;
 
 export function readMedit(source: ByteSource): Promise<FileMesh> {
   const names = new NameLines();
@@ -65,6 +53,8 @@ async function readSection(reader: ByteReader, word: string, builder: MeshBuilde
       if (reader.number("the dimension") !== 3) reader.fail("the mesh is not three-dimensional");
       return;
     case "vertices":
+      if (builder.pointCount > 0)
+        reader.fail("there is a second section of vertices: the file holds several meshes");
       return eachEntry(reader, () => {
         const [x, y, z] = [0, 1, 2].map(() => reader.number("a coordinate"));
         builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
@@ -82,15 +72,12 @@ async function readSection(reader: ByteReader, word: string, builder: MeshBuilde
     case "identifier":
     case "geometry":
       return skipQuoted(reader);
-    default: {
-      if (VOLUMES.has(word)) {
-        return eachEntry(reader, () => reader.fail(`${word} cannot be read, only triangles and tetrahedra`));
-      }
-      const head = HEADS.get(word);
-      if (head !== undefined) return skipNumbers(reader, head, word);
-      const width = SKIPPED.get(word) ?? reader.fail(`"${word.slice(0, 24)}" is not a section`);
-      return eachEntry(reader, () => skipNumbers(reader, width, word));
-    }
+    default:
+      if (SKIPPED.has(word)) return skipNumbers(reader);
+      if (!OTHERS.test(word)) reader.fail(`"${word.slice(0, 24)}" is not a section`);
+      return eachEntry(reader, () =>
+        reader.fail(`${word} cannot be read, only linear triangles and tetrahedra`),
+      );
   }
 
   function corner(): number {
@@ -98,8 +85,11 @@ async function readSection(reader: ByteReader, word: string, builder: MeshBuilde
   }
 }
 
-function skipNumbers(reader: ByteReader, count: number, section: string): void {
-  for (let i = 0; i < count; i++) reader.number(`a number of ${section}`);
+async function skipNumbers(reader: ByteReader): Promise<void> {
+  while (reader.startsNumber()) {
+    if (reader.isLow) await reader.fill();
+    reader.number("a number");
+  }
 }
 
 /** Words from one that begins with a quote to one that ends with it. */

@@ -2,7 +2,7 @@
 import { aFunction, objectOf, orNothing, shown } from "../argument-checks.js";
 import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
-import { failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
+import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import type { Diagnostic } from "../types.js";
 import { checkSource, watched, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
@@ -85,7 +85,7 @@ async function readAny(
   try {
     return await read(watched(source, options), { fileName, openOther: checkedOpening(openOther) });
   } catch (failure) {
-    throw failureIn(fileName, failure);
+    throw failureIn(fileName, asTooLarge(failure));
   }
 }
 

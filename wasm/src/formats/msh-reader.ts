@@ -43,6 +43,8 @@ class MshReader {
   /** Physical tag of an entity, by "dimension tag". */
   readonly #physical = new Map<string, number>();
   #sectionsOfData = 0;
+  /** Nodes of the sections before this one. */
+  #nodesBefore = 0;
   #isBinary = false;
   #hasBlocks = true;
 
@@ -93,9 +95,11 @@ class MshReader {
         if (this.#hasBlocks) await this.#readPartitionedEntities();
         return;
       case "$Nodes":
+        this.#beginNodes();
         this.#reader.endLine();
         return this.#hasBlocks ? this.#readNodeBlocks() : this.#readNodeList(false);
       case "$ParametricNodes":
+        this.#beginNodes();
         this.#reader.endLine();
         return this.#readNodeList(true);
       case "$Elements":
@@ -191,7 +195,17 @@ class MshReader {
     }
   }
 
+  /** Sections may be repeated, with other nodes; where they have the same, a mesh stands behind another. */
+  #beginNodes(): void {
+    this.#nodesBefore = this.#builder.pointCount;
+    if (this.#builder.nodeData.size > 0) this.#reader.fail("nodes stand behind the numbers at nodes");
+  }
+
   #addNode(tag: number): void {
+    const known = this.#nodesBefore > 0 ? this.#nodes.positionOf(tag) : undefined;
+    if (known !== undefined && known < this.#nodesBefore) {
+      this.#reader.fail(`node ${tag} is in two sections $Nodes: the file holds several meshes`);
+    }
     this.#nodes.add(tag);
     const [x, y, z] = [this.#double(), this.#double(), this.#double()];
     if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {

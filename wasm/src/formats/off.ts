@@ -1,5 +1,5 @@
 /**
- * OFF (Geomview's object file format), as text: corners by number, `#` begins a comment. Normals and texture
+ * OFF (Geomview's object file format), as text or binary: corners by number, `#` begins a comment. Normals and texture
  * coordinates of the variants are read over; faces of one colour are a patch; polygons are cut into triangles.
  */
 import { ByteReader } from "./byte-reader.js";
@@ -11,6 +11,8 @@ import { FaceLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OFF file in text form.";
+/** Behind the first word; then all numbers have four bytes, high byte first. */
+const BINARY = /^[ \t]+BINARY[ \t\r\n]/;
 /** Three numbers and the blanks around them are no longer. */
 const COUNTS_BYTES = 64;
 /** More than these would be written as a triangle soup of a different format, or are garbage. */
@@ -20,16 +22,20 @@ export function readOff(source: ByteSource): Promise<FileMesh> {
   const lines = new FaceLines();
   const options = { remedy: REMEDY, comment: "#", heard: lines.hear };
   return ByteReader.over(source, options, async (reader) => {
-    const hasExtras = readHeader(reader);
+    const { extras, isBinary } = readHeader(reader);
+    const builder = new MeshBuilder();
+    if (isBinary) {
+      await readBinary(reader, builder, extras);
+      return builder.mesh();
+    }
     const pointCount = reader.index("the number of points", MAX_COUNT);
     const faceCount = reader.index("the number of faces", MAX_COUNT);
     reader.index("the number of edges", MAX_COUNT);
-    const builder = new MeshBuilder();
     for (let i = 0; i < pointCount; i++) {
       if (reader.isLow) await reader.fill();
       const [x, y, z] = [0, 1, 2].map(() => reader.number(`a coordinate of point ${i}`));
       builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
-      if (hasExtras) reader.skipLine();
+      if (extras > 0) reader.skipLine();
     }
     for (let f = 0; f < faceCount; f++) {
       if (reader.isLow) await reader.fill();
@@ -40,21 +46,71 @@ export function readOff(source: ByteSource): Promise<FileMesh> {
       await reader.fill();
       reader.skipComments();
     }
+    if (/OFF$/.test(reader.word())) reader.fail("another surface begins behind this one");
     return lines.given(builder.mesh());
   });
 }
 
-/** Whether more than x y z may stand in a point's line. Files may leave the word out and begin with their numbers. */
-function readHeader(reader: ByteReader): boolean {
+interface OffHeader {
+  /** How many numbers a point has beyond x y z. */
+  readonly extras: number;
+  readonly isBinary: boolean;
+}
+
+/** Files may leave the word out and begin with their numbers. */
+function readHeader(reader: ByteReader): OffHeader {
   reader.skipComments();
-  if (/^\d+\s+\d+\s+\d+\s/.test(String.fromCharCode(...reader.peek(COUNTS_BYTES)))) return false;
+  if (/^\d+\s+\d+\s+\d+\s/.test(String.fromCharCode(...reader.peek(COUNTS_BYTES)))) {
+    return { extras: 0, isBinary: false };
+  }
   const word = reader.word();
   const variant = /^(ST)?(C)?(N)?(4)?(n)?OFF$/.exec(word);
   if (variant === null) return reader.fail('the file does not begin with "OFF"');
   if (variant[4] !== undefined || variant[5] !== undefined) {
     return reader.fail(`"${word}" has points of other than three dimensions`);
   }
-  return word !== "OFF";
+  const [, texture, color, normal] = variant;
+  const extras =
+    (texture === undefined ? 0 : 2) + (color === undefined ? 0 : 4) + (normal === undefined ? 0 : 3);
+  const isBinary = BINARY.test(String.fromCharCode(...reader.peek(COUNTS_BYTES)));
+  if (isBinary) {
+    reader.wordInLine();
+    reader.endLine();
+    reader.isLittleEndian = false;
+  }
+  return { extras, isBinary };
+}
+
+async function readBinary(reader: ByteReader, builder: MeshBuilder, extras: number): Promise<void> {
+  const integer = (what: string) => reader.count(reader.integer(4, true), what);
+  const [pointCount, faceCount] = [integer("points"), integer("faces")];
+  integer("edges");
+  for (let i = 0; i < pointCount; i++) {
+    if (reader.isLow) await reader.fill();
+    const [x = NaN, y = NaN, z = NaN] = Array.from({ length: 3 + extras }, () => reader.float(4));
+    if (!Number.isFinite(x + y + z)) reader.fail(`point ${i} has no finite place`);
+    builder.addPoint(x, y, z);
+  }
+  for (let f = 0; f < faceCount; f++) {
+    if (reader.isLow) await reader.fill();
+    const size = integer("corners");
+    if (size < 3) reader.fail(`face ${f} has ${size} corners`);
+    const corners: number[] = [];
+    for (let i = 0; i < size; i++) {
+      const corner = reader.integer(4, true);
+      if (!(corner >= 0 && corner < pointCount)) {
+        reader.fail(`face ${f} has the corner ${corner}, there are ${pointCount} points`);
+      }
+      corners.push(corner);
+    }
+    const colors = integer("numbers of a colour");
+    if (colors > 4) reader.fail(`the colour of face ${f} has ${colors} numbers`);
+    const patch = colorPatch(
+      builder.patches,
+      Array.from({ length: colors }, () => reader.float(4)),
+    );
+    if (!builder.addPolygon(corners, patch)) reader.fail(`face ${f} ${UNCUT}`);
+  }
 }
 
 function readFace(reader: ByteReader, builder: MeshBuilder, f: number): void {

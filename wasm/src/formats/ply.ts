@@ -1,7 +1,7 @@
 /**
  * PLY (Stanford polygon format), text and binary of either byte order: x y z of `vertex` and the corners of
  * `face` count. Faces are put into patches by their number `patch`, whose names comments may tell, else by their
- * colour; all other properties and elements are read over. Convex polygons are cut into triangles.
+ * colour; all other properties and elements are read over. Polygons and strips are cut into triangles.
  */
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
@@ -93,6 +93,14 @@ export function readPly(source: ByteSource): Promise<FileMesh> {
     }
     early.addTo(builder, reader);
     if (reading.faces === 0) reader.fail("the file has no face");
+    await reader.fill();
+    if (
+      String.fromCharCode(...reader.peek(6))
+        .trimStart()
+        .startsWith("ply\n")
+    ) {
+      reader.fail("another surface begins behind this one");
+    }
     return names.given(builder.mesh());
   });
 }
@@ -164,7 +172,8 @@ async function readElement(reading: PlyReading, { name, count, properties }: Ele
     for (const [p, property] of properties.entries()) {
       if (property.countType === undefined) values[p] = read(property.type);
       else if (name === "face" && p === corners) face = readCorners(reading, property);
-      else skipList(reader, property, read);
+      else if (name === "tristrips" && p === corners) await readStrips(reading, property);
+      else await skipList(reader, property, read);
     }
     if (name === "face" && corners >= 0) {
       if (reading.early !== undefined) reading.early.push(face, patchOf());
@@ -180,20 +189,52 @@ async function readElement(reading: PlyReading, { name, count, properties }: Ele
   }
 }
 
-function skipList(reader: ByteReader, { type, countType }: Property, read: ReadNumber): void {
+async function skipList(reader: ByteReader, { type, countType }: Property, read: ReadNumber): Promise<void> {
   const items = reader.count(read(countType ?? ""), "items of a list");
-  for (let i = 0; i < items; i++) read(type);
+  for (let i = 0; i < items; i++) {
+    if (reader.isLow) await reader.fill();
+    read(type);
+  }
 }
 
-function readCorners({ reader, read, faces, points }: PlyReading, { type, countType }: Property): number[] {
+/**
+ * Strips in one list, each ended by -1: every corner makes a triangle with the two before it, which turn the other way
+ * in every second one. Where two are the same there is none.
+ */
+async function readStrips(reading: PlyReading, { type, countType }: Property): Promise<void> {
+  const { reader, read, builder, early } = reading;
+  const items = reader.count(read(countType ?? ""), "corners");
+  const patch = colorPatch(builder.patches, []);
+  let [a, b, length] = [0, 0, 0];
+  for (let i = 0; i < items; i++) {
+    if (reader.isLow) await reader.fill();
+    const corner = read(type);
+    length = corner === -1 ? 0 : length + 1;
+    if (length === 0) continue;
+    checkCorner(reading, corner);
+    if (length > 2 && a !== b && b !== corner && corner !== a) {
+      const triangle = length % 2 === 1 ? [a, b, corner] : [b, a, corner];
+      if (early === undefined) addFace(reader, builder, reading.faces, triangle, patch);
+      else early.push(triangle, patch);
+      reading.faces++;
+    }
+    [a, b] = [b, corner];
+  }
+}
+
+function checkCorner({ reader, faces, points }: PlyReading, corner: number): void {
+  if (Number.isInteger(corner) && corner >= 0 && corner < points) return;
+  reader.fail(`face ${faces} has the corner ${corner}, there are ${points} points`);
+}
+
+function readCorners(reading: PlyReading, { type, countType }: Property): number[] {
+  const { reader, read, faces } = reading;
   const items = reader.count(read(countType ?? ""), "corners");
   if (items < 3) reader.fail(`face ${faces} has ${items} corners`);
   const corners: number[] = [];
   for (let i = 0; i < items; i++) {
     const corner = read(type);
-    if (!(Number.isInteger(corner) && corner >= 0 && corner < points)) {
-      reader.fail(`face ${faces} has the corner ${corner}, there are ${points} points`);
-    }
+    checkCorner(reading, corner);
     corners.push(corner);
   }
   return corners;

@@ -1,5 +1,7 @@
 /** Exact welding: points with the same three coordinates become one. No tolerance; -0 equals 0. */
+import { tooManyNumbers } from "../read-result.js";
 
+/** Positions are 32-bit numbers, of which this is none. */
 const EMPTY = 0xffffffff;
 /** Tables grow one by one, so that no single growth takes long, however many points there are. */
 const TABLE_BITS = 8;
@@ -62,13 +64,19 @@ export class PointWelder {
 
   #append(x: number, y: number, z: number): void {
     const at = 3 * (this.#count & (PAGE - 1));
-    if (at === 0) this.#pages.push(new Float64Array(3 * PAGE));
+    if (at === 0) this.#newPage();
     const page = this.#pages[this.#count >>> PAGE_BITS];
     if (page === undefined) return;
     page[at] = x;
     page[at + 1] = y;
     page[at + 2] = z;
     this.#count++;
+  }
+
+  #newPage(): void {
+    // So are positions of coordinates.
+    if (3 * (this.#count + PAGE) > EMPTY) throw tooManyNumbers(EMPTY);
+    this.#pages.push(new Float64Array(3 * PAGE));
   }
 
   #newTable(t: number, slots: number): Uint32Array {
