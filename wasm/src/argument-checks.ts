@@ -5,19 +5,19 @@
 import { refuse } from "./mesher-error.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 
-/** What is wrong with a value of this name, in a sentence; undefined where nothing is. */
-export type Check = (value: unknown, name: string) => string | undefined;
+/** What is wrong with a value, as it follows its name: " is 5, …" or ".points is …"; undefined where nothing is. */
+export type Check = (value: unknown) => string | undefined;
 
 /** Throws a MesherError that tells what is wrong with the argument of this name. */
 export function checkArgument(name: string, value: unknown, check: Check): void {
-  const wrong = check(value, name);
+  const wrong = check(value);
   if (wrong === undefined) return;
   const remedy = "The types of the package tell what it takes.";
-  refuse([packageDiagnostic("invalid-argument", `the argument ${wrong}`, remedy)]);
+  refuse([packageDiagnostic("invalid-argument", `the argument ${name}${wrong}`, remedy)]);
 }
 
 function is(test: (value: unknown) => boolean, wanted: string): Check {
-  return (value, name) => (test(value) ? undefined : `${name} is ${shown(value)}, and should be ${wanted}`);
+  return (value) => (test(value) ? undefined : ` is ${shown(value)}, and should be ${wanted}`);
 }
 
 export const aString = is((value) => typeof value === "string", "a string");
@@ -34,28 +34,28 @@ export function oneOf(known: readonly string[]): Check {
 }
 
 export function orNothing(check: Check): Check {
-  return (value, name) => (value === undefined ? undefined : check(value, name));
+  return (value) => (value === undefined ? undefined : check(value));
 }
 
 /** Checks the fields that are named; others may be there too. */
 export function objectOf(fields: Readonly<Record<string, Check>>): Check {
-  return (value, name) => {
-    if (typeof value !== "object" || value === null)
-      return `${name} is ${shown(value)}, and should be an object`;
-    for (const [field, check] of Object.entries(fields)) {
-      const wrong = check((value as Readonly<Record<string, unknown>>)[field], `${name}.${field}`);
-      if (wrong !== undefined) return wrong;
+  const checks = Object.entries(fields);
+  return (value) => {
+    if (typeof value !== "object" || value === null) return ` is ${shown(value)}, and should be an object`;
+    for (const [field, check] of checks) {
+      const wrong = check((value as Readonly<Record<string, unknown>>)[field]);
+      if (wrong !== undefined) return `.${field}${wrong}`;
     }
     return undefined;
   };
 }
 
 export function listOf(check: Check): Check {
-  return (value, name) => {
-    if (!Array.isArray(value)) return `${name} is ${shown(value)}, and should be a list`;
-    for (const [i, own] of value.entries()) {
-      const wrong = check(own, `${name}[${i}]`);
-      if (wrong !== undefined) return wrong;
+  return (value) => {
+    if (!Array.isArray(value)) return ` is ${shown(value)}, and should be a list`;
+    for (let i = 0; i < value.length; i++) {
+      const wrong = check(value[i]);
+      if (wrong !== undefined) return `[${i}]${wrong}`;
     }
     return undefined;
   };
@@ -63,11 +63,11 @@ export function listOf(check: Check): Check {
 
 /** Numbers in a typed array, so many for each thing. */
 export function arrayOf(type: typeof Float64Array | typeof Uint32Array, stride = 1): Check {
-  return (value, name) => {
-    if (!(value instanceof type)) return `${name} is ${shown(value)}, and should be a ${type.name}`;
-    if (isDetached(value)) return `${name} was transferred, and its numbers are gone`;
+  return (value) => {
+    if (!(value instanceof type)) return ` is ${shown(value)}, and should be a ${type.name}`;
+    if (isDetached(value)) return " was transferred, and its numbers are gone";
     if (value.length % stride !== 0)
-      return `${name} has ${value.length} numbers, and should have ${stride} for each`;
+      return ` has ${value.length} numbers, and should have ${stride} for each`;
     return undefined;
   };
 }

@@ -5,7 +5,7 @@ import { formatName, readMeshFile } from "./cli-input.js";
 import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
 import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
-import { mixedTurns, plural } from "./cli-tables.js";
+import { mixedTurns, plural, unplacedLines } from "./cli-tables.js";
 import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
 import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
@@ -39,7 +39,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
     if (!isQuiet) {
       tell(input, misfits(mesh, tetFaces(mesh)).map(asWarning), { isQuiet });
-      for (const line of mixedTurns(given)) say(`note: ${input}: ${line}`);
+      for (const line of [...mixedTurns(given), ...unplacedLines(given)]) say(`note: ${input}: ${line}`);
       say(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }
     return ExitCode.meshed;

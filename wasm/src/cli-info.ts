@@ -3,7 +3,7 @@ import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
-import { meshLines, mixedTurns, placeText, plural, qualityLines } from "./cli-tables.js";
+import { meshLines, mixedTurns, placeText, plural, qualityLines, unplacedLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { formatOf } from "./formats/file-formats.js";
 import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
@@ -25,7 +25,7 @@ export function infoOnFile(input: string, options: InfoCommandOptions): Promise<
     const mesh = await readMeshFile(input, options.from);
     const format = mesh.format ?? formatOf(formatName(input, options.from))?.name ?? "";
     const held = { format, ...meshContents(mesh) };
-    return { json: held, lines: contentLines(held) };
+    return { json: held, lines: [...contentLines(held), ...unplacedLines(mesh)] };
   });
 }
 

@@ -12,6 +12,7 @@ import {
 } from "./cli-input.js";
 import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
+import { unplacedLines } from "./cli-tables.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import {
   refuseRepair,
@@ -124,6 +125,9 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
   const { model, changes } = await withRepair(given, repair);
   if (changes !== undefined && !isQuiet) tellChanges(input, changes);
+  if (given.kind === "surface" && !isQuiet) {
+    for (const line of unplacedLines(given.surface)) say(`note: ${input}: ${line}`);
+  }
   const isRefined = options.refineSurface === true;
   const {
     result,

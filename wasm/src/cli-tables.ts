@@ -25,6 +25,13 @@ export function mixedTurns({ tetrahedra, turnedTetrahedra = 0 }: FileMesh): stri
   return [`${turnedTetrahedra} of ${count} tetrahedra were inverted against the others, and were turned`];
 }
 
+/** That names of regions come to nothing. */
+export function unplacedLines({ unplacedRegions = [] }: Pick<FileMesh, "unplacedRegions">): string[] {
+  if (unplacedRegions.length === 0) return [];
+  const names = unplacedRegions.map((name) => `"${name}"`).join(", ");
+  return [`the file names ${names} and does not tell which space is which: regions are numbered`];
+}
+
 export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): string[] {
   if (found.box === null) return [];
   const isKnown = found.isFillable;

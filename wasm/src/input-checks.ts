@@ -41,7 +41,7 @@ export function checkControl(control: RunControl): Diagnostic[] {
 }
 
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {
-  const { points, triangles, origin } = asObject(surface);
+  const { points, triangles, origin, nodeOrigin } = asObject(surface);
   if (!isUsable(Float64Array, points) || !isUsable(Uint32Array, triangles)) {
     return [
       surfaceProblem(`the surface's points and triangles are not a Float64Array and a Uint32Array${GONE}`),
@@ -52,6 +52,12 @@ export function checkSurface(surface: SurfaceInput): Diagnostic[] {
   }
   if (origin !== undefined && (!isUsable(Uint32Array, origin) || 3 * origin.length !== triangles.length)) {
     return [surfaceProblem("the surface's origin is no Uint32Array with a number for each triangle")];
+  }
+  if (
+    nodeOrigin !== undefined &&
+    (!isUsable(Uint32Array, nodeOrigin) || 3 * nodeOrigin.length !== points.length)
+  ) {
+    return [surfaceProblem("the surface's nodeOrigin is no Uint32Array with a number for each node")];
   }
   return [];
 }

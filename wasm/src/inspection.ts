@@ -6,6 +6,7 @@ import { describeDiagnostic } from "./diagnostics.js";
 import type { Engine } from "./engine.js";
 import { nameByPosition, type EntityNamer } from "./project-arrays.js";
 import { qualityReport } from "./quality-report.js";
+import { originsOf } from "./surface-numbers.js";
 import type { Diagnostic, EnclosedBodies, QualityReport, SurfaceInput } from "./types.js";
 
 /** In model units. */
@@ -213,18 +214,29 @@ export function changeDiagnostics({
   return diagnostics.map((raw) => describeDiagnostic(raw, nameByPosition));
 }
 
-export function describedRepair({ points, triangles, origin, ...rest }: EngineRepair): SurfaceRepair {
+/** `given`: how many nodes the surface had that was repaired. */
+export function describedRepair(
+  { points, triangles, origin, ...rest }: EngineRepair,
+  given: number,
+): SurfaceRepair {
   const { kinds, subjects, places } = rest;
   const changes = Array.from(kinds, (kind, i) => ({
     ...CHANGES[kind]?.(subjects[2 * i] ?? 0, subjects[2 * i + 1] ?? 0),
     place: placeAt(places, i),
   })) as RepairChange[];
-  return { surface: { points, triangles, origin }, origin, changes };
+  const gone = new Set(
+    changes.flatMap((change) =>
+      change.kind === "welded-node" || change.kind === "dropped-node" ? [change.node] : [],
+    ),
+  );
+  const nodeOrigin = originsOf(given, (node) => gone.has(node), 0);
+  return { surface: { points, triangles, origin, nodeOrigin }, origin, changes };
 }
 
 export function describedRefinement(refinement: EngineRefinement): SurfaceRefinement {
   const { points, triangles, origin, splitEdges } = refinement;
-  return { surface: { points, triangles, origin }, origin, splitEdges };
+  const nodeOrigin = originsOf(points.length / 3 - splitEdges, () => false, splitEdges);
+  return { surface: { points, triangles, origin, nodeOrigin }, origin, splitEdges };
 }
 
 type Without<T> = T extends unknown ? Omit<T, "place"> : never;

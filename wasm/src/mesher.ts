@@ -272,7 +272,7 @@ class WorkerMesher implements Mesher {
     const question = { kind: "repair-surface", id, points, triangles, options: wanted } as const;
     const repair = await this.#ask(question, control);
     refuse(changeDiagnostics(repair));
-    return describedRepair(repair);
+    return describedRepair(repair, points.length / 3);
   }
 
   async refineSurface(

@@ -4,7 +4,7 @@ import type { SurfaceFile } from "./formats/surface-file.js";
 import { arrayOf, checkArgument, objectOf } from "./argument-checks.js";
 import { hasPatches } from "./formats/mesh-checks.js";
 import type { SurfaceRepair } from "./inspection.js";
-import { NO_ORIGIN } from "./surface-numbers.js";
+import { chainedOrigins, NO_ORIGIN } from "./surface-numbers.js";
 import { NO_REGION } from "./walls.js";
 
 const aRepair = objectOf({
@@ -14,7 +14,7 @@ const aRepair = objectOf({
 
 /**
  * A repaired or refined surface with the patches and regions of the given one, triangle for triangle, and the numbers that
- * triangles have there, which messages name them by; triangles that fill holes are a patch of their own, "filled holes", the last one. Throws a `MesherError` where something is no surface or repair.
+ * triangles and nodes have there, which messages name them by; triangles that fill holes are a patch of their own, "filled holes", the last one. Throws a `MesherError` where something is no surface or repair.
  *
  *     const repair = await mesher.repairSurface(file, { weld: 1e-6 });
  *     const surface = repairedSurface(file, repair);
@@ -31,9 +31,12 @@ export function repairedSurface(
   const lastTag = given.patches.reduce((most, { tag }) => Math.max(most, tag), 0);
   const filled: FileGroup = { name: "filled holes", tag: lastTag + 1 };
   const hasFilled = countOf(trianglePatch) > added;
-  const numbers = origin.map((from) => (from === NO_ORIGIN ? from : (given.origin?.[from] ?? from)));
+  const numbers = {
+    origin: chainedOrigins(given.origin, origin),
+    nodeOrigin: surface.nodeOrigin && chainedOrigins(given.nodeOrigin, surface.nodeOrigin),
+  };
   const patches = hasFilled ? [...given.patches, filled] : given.patches;
-  if (given.surfaceRegions === undefined) return { ...surface, origin: numbers, trianglePatch, patches };
+  if (given.surfaceRegions === undefined) return { ...surface, ...numbers, trianglePatch, patches };
   const { regions, triangleRegions: beside } = given.surfaceRegions;
   const triangleRegions = new Uint32Array(2 * origin.length).map((_, side) => {
     const from = origin[side >>> 1] ?? NO_ORIGIN;
@@ -41,7 +44,7 @@ export function repairedSurface(
   });
   return {
     ...surface,
-    origin: numbers,
+    ...numbers,
     trianglePatch,
     patches,
     surfaceRegions: { regions, triangleRegions },

@@ -19,9 +19,11 @@ export interface SurfaceInput {
   readonly triangles: Uint32Array;
   /**
    * Per triangle the number by which messages name it, where the surface was made of another, as by `repairSurface` and
-   * `refineSurface`: its number there, `NO_ORIGIN` for none. Default: its position. Nodes are named by their positions.
+   * `refineSurface`: its number there, `NO_ORIGIN` for none. Default: its position.
    */
   readonly origin?: Uint32Array | undefined;
+  /** Per node the same. */
+  readonly nodeOrigin?: Uint32Array | undefined;
 }
 
 /**

@@ -186,6 +186,32 @@ describe("a repair", () => {
     expect(found.nodes).toBe(box.points.length / 3);
   });
 
+  test("names nodes by the numbers that the given surface has for them", async () => {
+    // Two nodes that nobody uses before the others, and the first corner of one triangle as a node of its own.
+    const count = box.points.length / 3 + 2;
+    const first = [...box.points.subarray(3 * (box.triangles[0] ?? 0)).slice(0, 3)];
+    const points = Float64Array.of(9, 9, 9, 8, 8, 8, ...box.points, ...first);
+    const triangles = box.triangles.map((node, h) => (h === 0 ? count : node + 2));
+    const given = { points, triangles, trianglePatch: new Uint32Array(triangles.length / 3), patches: [] };
+    const repaired = repairedSurface(given, await mesher.repairSurface(given, { weld: false }));
+    const placeOf = (all: Float64Array, node: number) => [...all.subarray(3 * node, 3 * node + 3)];
+    const { nodeOrigin = new Uint32Array() } = repaired;
+    expect(nodeOrigin).toHaveLength(repaired.points.length / 3);
+    nodeOrigin.forEach((from, node) => expect(placeOf(repaired.points, node)).toEqual(placeOf(points, from)));
+    const { diagnostics } = await mesher.inspectSurface(repaired);
+    const nodes = diagnostics
+      .filter(({ code }) => code === "coincident-nodes")
+      .flatMap(({ entities }) => entities.map(({ label }) => label));
+    expect(nodes.sort()).toEqual(
+      [`surface node ${count}`, `surface node ${(box.triangles[0] ?? 0) + 2}`].sort(),
+    );
+
+    const welded = repairedSurface(repaired, await mesher.repairSurface(repaired));
+    const { nodeOrigin: chained = new Uint32Array() } = welded;
+    expect(chained).toHaveLength(box.points.length / 3);
+    chained.forEach((from, node) => expect(placeOf(welded.points, node)).toEqual(placeOf(points, from)));
+  });
+
   test.each([
     { weld: -1 },
     { enclosed: "holes" as "cavities" },
@@ -215,6 +241,11 @@ describe("the refinement of a surface", () => {
     const { surface, origin, splitEdges } = await mesher.refineSurface(plain, options);
     expect(surface.points).toHaveLength(plain.points.length + 3 * splitEdges);
     expect(origin).toHaveLength(surface.triangles.length / 3);
+    const { nodeOrigin = new Uint32Array() } = surface;
+    expect([...nodeOrigin.filter((from) => from !== NO_ORIGIN)]).toEqual([
+      ...plain.points.filter((_, i) => i % 3 === 0).keys(),
+    ]);
+    expect(nodeOrigin.filter((from) => from === NO_ORIGIN)).toHaveLength(splitEdges);
     const found = await mesher.inspectSurface(surface);
     expect(found).toMatchObject({ isFillable: true, volume: 1, bodies: 1 });
     expect(found.area).toBeCloseTo(6, 12);

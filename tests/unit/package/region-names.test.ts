@@ -174,8 +174,9 @@ describe("from a Gmsh file of surfaces alone", () => {
       `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n${names}\n$EndPhysicalNames\n${nodes}$Elements\n4\n${elements}\n$EndElements\n`;
     const mesh = await filled(await readAs(old('1\n3 9 "core"'), "a.msh"));
     expect(mesh.regions).toEqual([{ name: "core", tag: 9 }]);
-    const unclear = await filled(await readAs(old('2\n3 9 "core"\n3 4 "other"'), "a.msh"));
-    expect(unclear.regions).toEqual([{ name: "region 1", tag: 1 }]);
+    const file = await readAs(old('2\n3 9 "core"\n3 4 "other"'), "a.msh");
+    expect((await filled(file)).regions).toEqual([{ name: "region 1", tag: 1 }]);
+    expect(file.unplacedRegions).toEqual(["core", "other"]);
   });
 });
 
@@ -190,4 +191,12 @@ test("a refined surface keeps the regions on its sides", async () => {
 test("the one patch of a surface keeps the name it has", async () => {
   const mesh = { ...halves(), trianglePatch: new Uint32Array(56), patches: [{ name: "skin", tag: 8 }] };
   expect((await filled(await reread(mesh, "skin.msh"))).patches).toEqual([{ name: "skin", tag: 8 }]);
+});
+
+test("regions that a caller puts beside triangles must be among those that are listed", async () => {
+  const surface = await reread(halves(), "halves.msh");
+  const { regions = [], triangleRegions = new Uint32Array() } = surface.surfaceRegions ?? {};
+  const result = await mesher.fillSurface(surface);
+  const wild = { ...surface, surfaceRegions: { regions, triangleRegions: triangleRegions.with(5, 7) } };
+  expect(() => fileMeshOf(result, { surface: wild })).toThrow(/triangleRegions\[5\] is 7 of 2/);
 });

@@ -56,6 +56,8 @@ export interface FileMesh {
   readonly regions: readonly FileGroup[];
   /** Where the file tells of spaces between its triangles without tetrahedra in them. */
   readonly surfaceRegions?: SurfaceRegions | undefined;
+  /** Names of regions of which the file does not tell where they are, and which are lost therefore. */
+  readonly unplacedRegions?: readonly string[] | undefined;
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
 }
@@ -122,8 +124,8 @@ const aMeshResult = objectOf({
 
 /** There are no more groups than elements, than triangles, or than a project names. */
 function positionsBelow(limit: number): Check {
-  return (positions, name) =>
-    countOf(positions as Uint32Array) > limit ? `${name} has a position beyond ${limit}` : undefined;
+  return (positions) =>
+    countOf(positions as Uint32Array) > limit ? ` has a position beyond ${limit}` : undefined;
 }
 
 /** What to call each patch in a file: its name, else its id. Throws a `MesherError` where it is no project. */

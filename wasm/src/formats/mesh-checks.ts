@@ -11,18 +11,25 @@ import {
 } from "../argument-checks.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import type { Diagnostic } from "../types.js";
+import { NO_REGION } from "../walls.js";
 import type { FileMesh } from "./file-mesh.js";
+import type { SurfaceRegions } from "./region-names.js";
 
 const checkGroup = objectOf({ name: aString, tag: aNumber, color: orNothing(listOf(aNumber)) });
+
+const areRegions = objectOf({ regions: listOf(checkGroup), triangleRegions: arrayOf(Uint32Array, 2) });
 
 /** A surface of a file beside its points and triangles: what its patches and regions are. */
 export const hasPatches: Check = objectOf({
   trianglePatch: arrayOf(Uint32Array),
   patches: listOf(checkGroup),
-  surfaceRegions: orNothing(
-    objectOf({ regions: listOf(checkGroup), triangleRegions: arrayOf(Uint32Array, 2) }),
-  ),
+  surfaceRegions: orNothing((given) => areRegions(given) ?? wildRegion(given as SurfaceRegions)),
 });
+
+function wildRegion({ regions, triangleRegions }: SurfaceRegions): string | undefined {
+  const wild = triangleRegions.findIndex((region) => region >= regions.length && region !== NO_REGION);
+  return wild < 0 ? undefined : `.triangleRegions[${wild}] is ${triangleRegions[wild]} of ${regions.length}`;
+}
 
 /** The form alone; callers without type checks may give anything. Empty where all is well. */
 export function checkFileMesh(mesh: FileMesh): Diagnostic[] {
@@ -62,7 +69,7 @@ function faultOf(
   if (nodes.length !== width * owners.length) return `there is not one group per ${word}`;
   const wild = nodes.findIndex((node) => node >= count);
   if (wild >= 0) return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]} of ${count}`;
-  const named = groups.findIndex((group) => checkGroup(group, "") !== undefined);
+  const named = groups.findIndex((group) => checkGroup(group) !== undefined);
   if (named >= 0) return `group ${named} of its ${word}s has no name or no number`;
   const lost = owners.findIndex((owner) => owner >= groups.length);
   return lost < 0 ? undefined : `${word} ${lost} is of group ${owners[lost]} of ${groups.length}`;

@@ -106,7 +106,8 @@ function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};
   if (typeof fileName === "string") {
     const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
-    const wrong = unknown === undefined ? aReading(options, "options") : `there is no option "${unknown}"`;
+    const fault = aReading(options);
+    const wrong = unknown === undefined ? fault && `options${fault}` : `there is no option "${unknown}"`;
     if (wrong === undefined) return options;
     const remedy = `Correct it: the options are ${OPTIONS.join(", ")}.`;
     throw new ReadFailure({ code: "invalid-argument", message: wrong, remedy });

@@ -60,7 +60,15 @@ class MshReader {
       if (section === "") {
         const mesh = this.#builder.mesh(this.#names);
         const surfaceRegions = this.#volumes.regions(mesh, this.#names.regions);
-        return { format: `Gmsh ${this.#hasBlocks ? "4.1" : "2.2"}`, ...mesh, surfaceRegions };
+        const isLost =
+          surfaceRegions === undefined && mesh.regions.length === 0 && this.#names.regions.size > 0;
+        const unplacedRegions = isLost ? [...this.#names.regions.values()] : undefined;
+        return {
+          format: `Gmsh ${this.#hasBlocks ? "4.1" : "2.2"}`,
+          ...mesh,
+          surfaceRegions,
+          unplacedRegions,
+        };
       }
       await this.#readSection(section);
       await this.#reader.skipPast(`$End${section.slice(1)}`);

@@ -50,26 +50,56 @@ export function carriedRegions(
   return { regions, tetrahedronRegion: volume.regions.map((region) => positions[region] ?? 0) };
 }
 
+/** Triangles with the same regions on their sides, in the mesh and in the file. */
+interface Interface {
+  readonly own: readonly number[];
+  readonly theirs: readonly number[];
+  triangles: number;
+}
+
+/** There are as many as pairs of regions that touch, however many triangles. */
+function interfacesOf(sides: Uint32Array, given: Uint32Array): Interface[] {
+  const found = new Map<string, Interface>();
+  let [last, lastSide]: [Interface | undefined, number] = [undefined, 0];
+  for (let side = 0; side < sides.length; side += 2) {
+    const isLast = [0, 1].every(
+      (k) => sides[side + k] === sides[lastSide + k] && given[side + k] === given[lastSide + k],
+    );
+    if (last === undefined || !isLast) {
+      const [own, theirs] = [sides, given].map((all) => [...all.subarray(side, side + 2)]);
+      const key = `${own?.join()} ${theirs?.join()}`;
+      last = found.get(key) ?? {
+        own: own?.filter(isRegion) ?? [],
+        theirs: theirs?.filter(isRegion) ?? [],
+        triangles: 0,
+      };
+      found.set(key, last);
+      lastSide = side;
+    }
+    last.triangles++;
+  }
+  return [...found.values()];
+}
+
 /** Per region of the mesh the given one, or NO_REGION. */
 function matches(sides: Uint32Array, given: SurfaceRegions, count: number): number[] {
   const found = Array.from({ length: count }, () => NO_REGION);
+  let open = interfacesOf(sides, given.triangleRegions);
   // What is behind a wall is known once what is in front of it is.
   for (let isChanged = true; isChanged;) {
-    const votes = found.map(() => new Map<number, number>());
-    for (let side = 0; side < sides.length; side += 2) {
-      const own = [sides[side], sides[side + 1]].filter(isRegion);
-      const theirs = [given.triangleRegions[side], given.triangleRegions[side + 1]].filter(isRegion);
+    const votes = new Map<number, Map<number, number>>();
+    open = open.filter(({ own }) => own.some((region) => found[region] === NO_REGION));
+    for (const { own, theirs, triangles } of open) {
       const [region, match] = onlyPair(own, theirs, found);
-      const tally = region === undefined ? undefined : votes[region];
-      if (match !== undefined) tally?.set(match, (tally.get(match) ?? 0) + 1);
+      if (region === undefined || match === undefined) continue;
+      const tally = votes.get(region) ?? new Map<number, number>();
+      votes.set(region, tally.set(match, (tally.get(match) ?? 0) + triangles));
     }
-    isChanged = false;
+    isChanged = votes.size > 0;
     votes.forEach((tally, region) => {
       const most = Math.max(...tally.values());
       const best = [...tally].filter(([, number]) => number === most).map(([match]) => match);
-      if (best.length === 0 || found[region] !== NO_REGION) return;
       found[region] = Math.min(...best);
-      isChanged = true;
     });
   }
   return found;

@@ -13,15 +13,22 @@ export interface SurfaceFile extends SurfaceInput {
   readonly patches: readonly FileGroup[];
   /** Regions that the file tells of, by tetrahedra or, in Gmsh's files, by volumes; undefined where it does not. */
   readonly surfaceRegions?: SurfaceRegions | undefined;
+  /** Names of regions of which the file does not tell where they are, and which are lost therefore. */
+  readonly unplacedRegions?: readonly string[] | undefined;
 }
 
 /** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
 export function surfaceOf(mesh: FileMesh): SurfaceFile {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const { trianglePatch, patches } = mesh;
+  const { trianglePatch, patches, unplacedRegions } = mesh;
   const surfaceRegions = surfaceRegionsOf(mesh);
-  const surface = { ...exactlyWelded(boundaryOf(mesh)), trianglePatch, patches };
-  return surfaceRegions === undefined ? surface : { ...surface, surfaceRegions };
+  return {
+    ...exactlyWelded(boundaryOf(mesh)),
+    trianglePatch,
+    patches,
+    ...(surfaceRegions && { surfaceRegions }),
+    ...(unplacedRegions && { unplacedRegions }),
+  };
 }
 
 function exactlyWelded({ points: given, triangles, isWelded }: FileMesh): SurfaceInput {
