@@ -5,6 +5,7 @@
 import { aString, checkArgument, oneOf } from "../argument-checks.js";
 import type { Contents, FileFormat, MeshWriter, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
+import { heldOf, type Held } from "./held.js";
 
 /** Every format that can be read or written. */
 export const FILE_FORMATS: readonly FileFormat[] = [
@@ -27,7 +28,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["surface"],
     load: async () => ({
       read: (await import("./off.js")).readOff,
-      write: one((await import("./off-writer.js")).writeOff),
+      write: one((await import("./off-writer.js")).writeOff, { lowestTag: 0 }),
     }),
   },
   {
@@ -49,7 +50,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["surface"],
     load: async () => ({
       read: (await import("./ply.js")).readPly,
-      write: one((await import("./ply-writer.js")).writePly),
+      write: one((await import("./ply-writer.js")).writePly, { lowestTag: 0 }),
     }),
   },
   {
@@ -68,7 +69,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./vtk-xml-reader.js")).readVtkXml,
-      write: one((await import("./vtu.js")).writeVtu),
+      write: one((await import("./vtu.js")).writeVtu, { lowestTag: 0 }),
     }),
   },
   {
@@ -87,7 +88,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
-      write: one((await import("./msh.js")).writeMsh),
+      write: one((await import("./msh.js")).writeMsh, { lowestTag: 1 }),
     }),
   },
   {
@@ -98,7 +99,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
-      write: one((await import("./msh2.js")).writeMsh2),
+      write: one((await import("./msh2.js")).writeMsh2, { lowestTag: 1 }),
     }),
   },
   {
@@ -109,7 +110,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./vtk-reader.js")).readVtk,
-      write: one((await import("./vtk.js")).writeVtk),
+      write: one((await import("./vtk.js")).writeVtk, { lowestTag: 0 }),
     }),
   },
   {
@@ -120,7 +121,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./medit-reader.js")).readMedit,
-      write: one((await import("./medit.js")).writeMedit),
+      write: one((await import("./medit.js")).writeMedit, { lowestTag: 0 }),
     }),
   },
   {
@@ -153,7 +154,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".ugrid"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./ugrid.js")).writeUgrid) }),
+    load: async () => ({ write: one((await import("./ugrid.js")).writeUgrid, { lowestTag: 1 }) }),
   },
   {
     id: "ugrid-binary",
@@ -161,7 +162,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".b8.ugrid"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./ugrid.js")).writeUgridBinary) }),
+    load: async () => ({ write: one((await import("./ugrid.js")).writeUgridBinary, { lowestTag: 1 }) }),
   },
   {
     id: "openfoam",
@@ -180,7 +181,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./tetgen-reader.js")).readTetgen,
-      write: (await import("./tetgen.js")).writeTetgen,
+      write: holding({ lowestTag: 0 }, (await import("./tetgen.js")).writeTetgen),
     }),
   },
   {
@@ -189,7 +190,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".tetgen.zip"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: (await import("./tetgen.js")).writeTetgenZip }),
+    load: async () => ({ write: holding({ lowestTag: 0 }, (await import("./tetgen.js")).writeTetgenZip) }),
   },
   {
     id: "tetgen-surface",
@@ -239,6 +240,10 @@ export function extensionsThat(can: "reads" | "writes", contents: Contents): rea
 }
 
 /** For formats of one file. */
-function one(write: (mesh: FileMesh, note: Note) => Uint8Array<ArrayBuffer>): MeshWriter {
-  return (mesh, fileName, note) => [{ fileName, bytes: write(mesh, note) }];
+function one(write: (mesh: FileMesh, note: Note) => Uint8Array<ArrayBuffer>, held: Held = {}): MeshWriter {
+  return holding(held, (mesh, fileName, note) => [{ fileName, bytes: write(mesh, note) }]);
+}
+
+function holding(held: Held, write: MeshWriter): MeshWriter {
+  return (mesh, fileName, note) => write(heldOf(mesh, held, note), fileName, note);
 }

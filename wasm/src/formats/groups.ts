@@ -10,7 +10,7 @@ export type ElementKind = typeof TRIANGLE | typeof TETRAHEDRON;
 /** Elements of one entity, in the order of the mesh. */
 export interface Group {
   readonly kind: ElementKind;
-  /** Above 0, and the only one of its kind with it. */
+  /** As `heldOf` leaves it: the only one of its kind with it. */
   readonly tag: number;
   /** The only one of its kind with it; without quotes and line ends. */
   readonly name: string;
@@ -58,7 +58,6 @@ function groupsOf(
     split[owner]?.set(nodes.subarray(kind.nodes * e, kind.nodes * (e + 1)), begin);
     filled[owner] = begin + kind.nodes;
   });
-  const tags = tagsOf(groups);
   const taken = new Set<string>();
   const changed: string[] = [];
   const named = split.flatMap((own, owner) => {
@@ -66,25 +65,24 @@ function groupsOf(
     const group = groups[owner] ?? { name: "", tag: 0 };
     const name = uniqueName(group.name, `${word} ${owner + 1}`, taken, naming);
     if (name !== group.name && !isPlain(group)) changed.push(`"${group.name}" as "${name}"`);
-    return [{ kind, tag: tags[owner] ?? 0, name, nodes: own }];
+    return [{ kind, tag: group.tag, name, nodes: own }];
   });
   if (changed.length > 0) {
     naming.note?.(
-      `names of ${word === "patch" ? "patches" : "regions"} are written as the format takes them: ${changed.join(", ")}`,
+      `names of ${word === "patch" ? "patches" : "regions"} are written as the format takes them: ${listed(changed)}`,
     );
   }
   return named;
 }
 
-/** The groups' own tags where they can stand in any format; else from 1 in order. */
-export function tagsOf(groups: readonly FileGroup[]): number[] {
-  const own = groups.map(({ tag }) => tag);
-  const isUsable = new Set(own).size === own.length && own.every((tag) => tag > 0 && tag <= MAX_TAG);
-  return isUsable ? own : own.map((_, i) => i + 1);
-}
+/** In a note no more than these are named: a mesh may have as many groups as triangles. */
+const MOST_NAMED = 10;
 
-/** The largest 32-bit number with a sign. */
-const MAX_TAG = 0x7fffffff;
+/** "a, b and 3 more". */
+export function listed(items: readonly string[]): string {
+  const more = items.length - MOST_NAMED;
+  return `${items.slice(0, MOST_NAMED).join(", ")}${more > 0 ? ` and ${more} more` : ""}`;
+}
 
 function uniqueName(
   given: string | undefined,
@@ -120,7 +118,11 @@ export function isPlain({ name, tag }: FileGroup): boolean {
 }
 
 /** For formats without a place for names. `numbers`: what the file has instead. */
-export function noteNames(groups: readonly FileGroup[], note: Note, numbers = tagsOf(groups)): void {
+export function noteNames(
+  groups: readonly FileGroup[],
+  note: Note,
+  numbers = groups.map(({ tag }) => tag),
+): void {
   const named = groups.flatMap((group, g) => (isPlain(group) ? [] : [`${numbers[g]} for "${group.name}"`]));
-  if (named.length > 0) note(`names are left out, their numbers stand for them: ${named.join(", ")}`);
+  if (named.length > 0) note(`names are left out, their numbers stand for them: ${listed(named)}`);
 }

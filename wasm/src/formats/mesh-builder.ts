@@ -8,6 +8,8 @@ import { PointWelder } from "./weld.js";
 export class GroupList {
   readonly #positions = new Map<string | number, number>();
   readonly #groups: FileGroup[] = [];
+  /** Positions of the groups that the file tells apart by their numbers. */
+  readonly #tagged = new Set<number>();
   readonly #word: string;
 
   /** `word` names groups that have no name: "patch 7" by its tag. */
@@ -26,7 +28,10 @@ export class GroupList {
 
   /** The position of a group told by its number. */
   tagged(tag: number, name?: string): number {
-    return this.of(tag, () => ({ name: name ?? `${this.#word} ${tag}`, tag }));
+    return this.of(tag, () => {
+      this.#tagged.add(this.#groups.length);
+      return { name: name ?? `${this.#word} ${tag}`, tag };
+    });
   }
 
   /** The position of a group told by its name; numbered from 1 in order. */
@@ -41,9 +46,23 @@ export class GroupList {
     return this.#groups.push(make()) - 1;
   }
 
-  /** With the names that the file gives to tags elsewhere. */
+  /**
+   * With the names that the file gives to numbers elsewhere. Those are of groups told by their numbers alone; where
+   * there are such, all others have numbers that are none of theirs.
+   */
   groups(names: ReadonlyMap<number, string> = new Map()): readonly FileGroup[] {
-    return this.#groups.map((group) => ({ ...group, name: names.get(group.tag) ?? group.name }));
+    const taken = new Set(this.#groups.filter((_, g) => this.#tagged.has(g)).map(({ tag }) => tag));
+    let free = 1;
+    const numberFor = (tag: number): number => {
+      if (taken.has(tag)) for (tag = free; taken.has(tag); free = ++tag);
+      taken.add(tag);
+      return tag;
+    };
+    return this.#groups.map((group, position) =>
+      this.#tagged.has(position)
+        ? { ...group, name: names.get(group.tag) ?? group.name }
+        : { ...group, tag: numberFor(group.tag) },
+    );
   }
 }
 

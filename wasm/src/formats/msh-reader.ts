@@ -190,7 +190,8 @@ class MshReader {
         for (let g = 0; g < groups; g++) {
           if (this.#reader.isLow) await this.#reader.fill();
           const group = this.#int();
-          if (g === 0) this.#physical.set(`${dimension} ${tag}`, group);
+          // Below 0 where the entity is turned in its group.
+          if (g === 0) this.#physical.set(`${dimension} ${tag}`, Math.abs(group));
         }
         const around = dimension === 0 ? 0 : this.#count(this.#size(), "bounding entities");
         const group = this.#physical.get(`${dimension} ${tag}`);
@@ -342,7 +343,7 @@ class MshReader {
       const tag = this.#int();
       if (i < 2) tags[i] = tag;
     }
-    return this.#groupOf(tags[0] ?? 0, tags[1] ?? 0);
+    return this.#groupOf(Math.abs(tags[0] ?? 0), tags[1] ?? 0);
   }
 
   async #readNodeData(): Promise<void> {

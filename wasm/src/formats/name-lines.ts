@@ -4,7 +4,7 @@
  */
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { isPlain, shortened, tagsOf } from "./groups.js";
+import { isPlain, listed, shortened } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
 
 /** In bytes: no line is longer than readers of comments look at. */
@@ -17,17 +17,15 @@ const LONGEST = 500;
 export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note): string[] {
   const groups = word === "patch" ? mesh.patches : mesh.regions;
   const used = new Set(word === "patch" ? mesh.trianglePatch : mesh.tetrahedronRegion);
-  const tags = tagsOf(groups);
   const cut: string[] = [];
   const lines = groups.flatMap((group, g) => {
     if (isPlain(group) || !used.has(g)) return [];
-    const whole = `${word} ${tags[g]} ${group.name.replace(/\s+/g, " ").trim()}`;
+    const whole = `${word} ${group.tag} ${group.name.replace(/\s+/g, " ").trim()}`;
     const line = shortened(whole, LONGEST);
-    if (line !== whole) cut.push(`that of ${word} ${tags[g]}`);
+    if (line !== whole) cut.push(`that of ${word} ${group.tag}`);
     return [line];
   });
-  if (cut.length > 0)
-    note(`names too long for a comment's line of ${LONGEST} bytes are cut: ${cut.join(", ")}`);
+  if (cut.length > 0) note(`names too long for a comment's line of ${LONGEST} bytes are cut: ${listed(cut)}`);
   return lines;
 }
 
@@ -74,9 +72,9 @@ export const STL_NAMES = `${STL_TITLE}: `;
 const RANGES_PER_LINE = 100;
 
 /** "faces of patch 4: 0-11 20-20", for formats that say nothing of their faces; none where there is one patch. */
-export function faceLines(owners: Uint32Array, tags: readonly number[]): string[] {
-  if (tags.length < 2) return [];
-  const ranges = tags.map((): string[] => []);
+export function faceLines(owners: Uint32Array, groups: readonly FileGroup[]): string[] {
+  if (groups.length < 2) return [];
+  const ranges = groups.map((): string[] => []);
   for (let begin = 0, end = 0; begin < owners.length; begin = end) {
     while (end < owners.length && owners[end] === owners[begin]) end++;
     ranges[owners[begin] ?? 0]?.push(`${begin}-${end - 1}`);
@@ -84,7 +82,7 @@ export function faceLines(owners: Uint32Array, tags: readonly number[]): string[
   return ranges.flatMap((own, group) => {
     const lines: string[] = [];
     for (let i = 0; i < own.length; i += RANGES_PER_LINE) {
-      lines.push(`faces of patch ${tags[group]}: ${own.slice(i, i + RANGES_PER_LINE).join(" ")}`);
+      lines.push(`faces of patch ${groups[group]?.tag ?? 0}: ${own.slice(i, i + RANGES_PER_LINE).join(" ")}`);
     }
     return lines;
   });

@@ -7,7 +7,6 @@ import { boundaryOf } from "./boundary.js";
 import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { tagsOf } from "./groups.js";
 import { faceLines, nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
@@ -18,8 +17,6 @@ export function writeOff(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     `OFF\n${points.length / 3} ${triangles.length / 3} 0\n`,
     ...numberRows(points, 3, (row) => coordinates(row)),
     ...numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
-    ...[...nameLines("patch", mesh, note), ...faceLines(trianglePatch, tagsOf(patches))].map(
-      (line) => `# ${line}\n`,
-    ),
+    ...[...nameLines("patch", mesh, note), ...faceLines(trianglePatch, patches)].map((line) => `# ${line}\n`),
   ]);
 }

@@ -4,7 +4,7 @@
  */
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { tagsOf } from "./groups.js";
+import { listed } from "./groups.js";
 import { cornersOf, NONE, soundFaces } from "./tet-faces.js";
 
 /** For faces that no patch has, as in a partial mesh. */
@@ -38,7 +38,7 @@ export function withOuterFaces(mesh: FileMesh, note: Note): FileMesh {
   noteLoose(lost, note);
   noteRepeated(repeated, note);
   if (faces.length > named) noteNameless(faces.length - named, NAMELESS, note);
-  const lastTag = tagsOf(patches).reduce((most, tag) => Math.max(most, tag), 0);
+  const lastTag = patches.reduce((most, { tag }) => Math.max(most, tag), 0);
   return {
     ...mesh,
     triangles: Uint32Array.from(faces.flatMap((face) => [...cornersOf(tetrahedra, face)])),
@@ -51,7 +51,7 @@ function noteWalls({ trianglePatch, patches }: FileMesh, walls: readonly number[
   if (walls.length === 0) return;
   const names = new Set(walls.map((t) => `"${patches[trianglePatch[t] ?? 0]?.name ?? ""}"`));
   note(
-    `${walls.length} triangles with a tetrahedron on either side, of ${[...names].join(", ")}, are left out: ` +
+    `${walls.length} triangles with a tetrahedron on either side, of ${listed([...names])}, are left out: ` +
       "the format has faces on the boundary alone",
   );
 }

@@ -6,7 +6,6 @@ import { boundaryOf, colorsOf } from "./boundary.js";
 import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { tagsOf } from "./groups.js";
 import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
@@ -14,9 +13,8 @@ import { coordinates, numberRows } from "./number-rows.js";
 export function writePly(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
   const hasPatches = patches.length > 1;
-  const tags = tagsOf(patches);
   const lineEnds = colorsOf(mesh).map(
-    (color, p) => ` ${tags[p]} ${color.map((value) => Math.round(255 * value)).join(" ")}`,
+    (color, p) => ` ${patches[p]?.tag ?? 0} ${color.map((value) => Math.round(255 * value)).join(" ")}`,
   );
   const header = [
     "ply\nformat ascii 1.0",

@@ -6,8 +6,7 @@ import { zipSync } from "fflate";
 
 import { joinBytes } from "./bytes.js";
 import type { FileBytes, Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
-import { tagsOf } from "./groups.js";
+import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
@@ -43,21 +42,19 @@ function nodes({ points }: FileMesh): Uint8Array<ArrayBuffer> {
 
 function elements(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { tetrahedra, tetrahedronRegion, regions } = mesh;
-  const tags = tagsOf(regions);
   return joinBytes([
     ...comments("tetrahedra with their region", nameLines("region", mesh, note)),
     `${tetrahedra.length / 4} 4 1\n`,
-    ...rows(tetrahedra, 4, tetrahedronRegion, tags),
+    ...rows(tetrahedra, 4, tetrahedronRegion, regions),
   ]);
 }
 
 function faces(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const { triangles, trianglePatch, patches } = mesh;
-  const tags = tagsOf(patches);
   return joinBytes([
     ...comments("triangles with their patch", nameLines("patch", mesh, note)),
     `${triangles.length / 3} 1\n`,
-    ...rows(triangles, 3, trianglePatch, tags),
+    ...rows(triangles, 3, trianglePatch, patches),
   ]);
 }
 
@@ -66,7 +63,16 @@ function comments(...lines: readonly (string | readonly string[])[]): string[] {
 }
 
 /** Number, corners from 1, tag. */
-function rows(nodes: Uint32Array, width: number, owners: Uint32Array, tags: readonly number[]): string[] {
+function rows(
+  nodes: Uint32Array,
+  width: number,
+  owners: Uint32Array,
+  groups: readonly FileGroup[],
+): string[] {
   const counted = nodes.map((node) => node + 1);
-  return numberRows(counted, width, (row, e) => `${e + 1} ${row.join(" ")} ${tags[owners[e] ?? 0] ?? 0}`);
+  return numberRows(
+    counted,
+    width,
+    (row, e) => `${e + 1} ${row.join(" ")} ${groups[owners[e] ?? 0]?.tag ?? 0}`,
+  );
 }

@@ -6,7 +6,7 @@
 import { bigEndianDoubles, bigEndianInts, joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { noteNames, tagsOf } from "./groups.js";
+import { noteNames } from "./groups.js";
 import { coordinates, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
@@ -50,6 +50,5 @@ function fromOne(nodes: Uint32Array): Uint32Array {
 }
 
 function tagsOfTriangles({ trianglePatch, patches }: FileMesh): Uint32Array {
-  const tags = tagsOf(patches);
-  return trianglePatch.map((patch) => tags[patch] ?? 0);
+  return trianglePatch.map((patch) => patches[patch]?.tag ?? 0);
 }

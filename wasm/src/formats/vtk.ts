@@ -6,7 +6,7 @@
 import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { noteNames, tagsOf } from "./groups.js";
+import { noteNames } from "./groups.js";
 import { allNameLines, NAME_BREAK } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
@@ -58,11 +58,10 @@ export interface VtkCellData {
 export function vtkCellData(mesh: FileMesh): VtkCellData {
   const { tetrahedronRegion, trianglePatch } = mesh;
   const [tets, faces] = [tetrahedronRegion.length, trianglePatch.length];
-  const [regionTags, patchTags] = [tagsOf(mesh.regions), tagsOf(mesh.patches)];
   const regions = new Int32Array(tets + faces);
-  tetrahedronRegion.forEach((region, t) => (regions[t] = regionTags[region] ?? 0));
+  tetrahedronRegion.forEach((region, t) => (regions[t] = mesh.regions[region]?.tag ?? 0));
   const patches = new Int32Array(tets + faces);
-  trianglePatch.forEach((patch, t) => (patches[tets + t] = patchTags[patch] ?? 0));
+  trianglePatch.forEach((patch, t) => (patches[tets + t] = mesh.patches[patch]?.tag ?? 0));
   return {
     types: new Uint8Array(tets + faces).fill(VTK_TETRA, 0, tets).fill(VTK_TRIANGLE, tets),
     regions,

@@ -1,0 +1,100 @@
+/** Numbers of patches and regions: read as what they are, written as they were wherever the format can. */
+import { readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+
+async function read(file: string | Uint8Array<ArrayBuffer>, fileName: string): Promise<FileMesh> {
+  const bytes = typeof file === "string" ? new TextEncoder().encode(file) : file;
+  const result = await readMesh(bytes, { fileName });
+  if (!result.success) throw new Error(result.problems[0].message);
+  return result.value;
+}
+
+const groupsOfTriangles = ({ trianglePatch, patches }: FileMesh) =>
+  Array.from(trianglePatch, (patch) => patches[patch]);
+
+describe("Gmsh: surfaces in no physical group (Mesh.SaveAll) do not take the name of one", () => {
+  const names = '$PhysicalNames\n1\n2 2 "inlet"\n$EndPhysicalNames\n';
+  const blocks = (groups: string) => `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n${names}$Entities
+0 0 2 0\n1 0 0 0 1 1 1 ${groups} 0\n2 0 0 0 1 1 1 0 0\n$EndEntities
+$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n$EndNodes
+$Elements\n2 4 1 4\n2 1 2 1\n1 1 3 2\n2 2 2 3\n2 1 2 4\n3 2 3 4\n4 1 4 3\n$EndElements\n`;
+  const list = (group: number) => `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n${names}
+$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes
+$Elements\n4\n1 2 2 ${group} 1 1 3 2\n2 2 2 0 2 1 2 4\n3 2 2 0 2 2 3 4\n4 2 2 0 2 1 4 3\n$EndElements\n`;
+
+  test.each([
+    ["4.1", blocks("1 2")],
+    ["4.1, turned", blocks("1 -2")],
+    ["2.2", list(2)],
+    ["2.2, turned", list(-2)],
+  ])("%s", async (_, file) => {
+    const mesh = await read(file, "a.msh");
+    const [inlet, ...others] = groupsOfTriangles(mesh);
+    expect(inlet).toMatchObject({ name: "inlet", tag: 2 });
+    for (const other of others) expect(other?.name).toBe("entity 2");
+    for (const other of others) expect(other?.tag).not.toBe(2);
+    expect(mesh.patches).toHaveLength(2);
+  });
+});
+
+describe("numbers are written as they were", () => {
+  const block = blockMesh();
+  const withTags = (...tags: readonly number[]): FileMesh => ({
+    ...block,
+    patches: block.patches.map((patch, p) => ({ ...patch, name: `side ${p}`, tag: tags[p] ?? 100 + p })),
+    regions: block.regions.map((region, r) => ({ ...region, name: `body ${r}`, tag: 5 * r })),
+  });
+
+  test.each([".mesh", ".vtu", ".vtk", ".ele"])("%s: zero too", async (extension) => {
+    const mesh = withTags(0, 10, 20);
+    const files = await writeMesh(mesh, `a${extension}`);
+    const others = new Map(files.map(({ fileName, bytes }) => [fileName, bytes]));
+    const again = await readMesh(others.get(`a${extension}`) ?? new Uint8Array(), {
+      fileName: `a${extension}`,
+      openOther: (name) => Promise.resolve(others.get(name)),
+    });
+    if (!again.success) throw new Error(again.problems[0].message);
+    const tagsOf = (given: FileMesh) => groupsOfTriangles(given).map((patch) => patch?.tag);
+    expect(tagsOf(again.value).sort()).toEqual(tagsOf(mesh).sort());
+    expect(new Set(again.value.regions.map(({ tag }) => tag))).toEqual(
+      new Set(mesh.regions.map(({ tag }) => tag)),
+    );
+    expect(files[0]?.notes.map(({ message }) => message).join()).not.toMatch(/numbers of/i);
+  });
+
+  test.each([".msh", ".msh2"])(
+    "%s: all but those that cannot be, and each change is told",
+    async (extension) => {
+      const [file] = await writeMesh(withTags(0, 10, 20, 10, 2.5, -1), `a${extension}`);
+      const again = await read(file?.bytes ?? new Uint8Array(), "a.msh");
+      const byName = new Map(again.patches.map(({ name, tag }) => [name, tag]));
+      expect([byName.get("side 1"), byName.get("side 2")]).toEqual([10, 20]);
+      expect(new Set(byName.values()).size).toBe(block.patches.length);
+      const note = file?.notes.find(({ message }) => message.startsWith("Numbers of patches"))?.message ?? "";
+      for (const [name, tag] of [
+        ["0", 0],
+        ["10", 3],
+        ["2.5", 4],
+        ["-1", 5],
+      ].map(([old, p]) => [old, byName.get(`side ${p}`)] as const)) {
+        expect(note).toContain(`${name} as ${tag}`);
+      }
+      expect(note).not.toContain("20 as");
+    },
+  );
+
+  test("of many changes ten are named", async () => {
+    const count = block.trianglePatch.length;
+    const many = {
+      ...block,
+      trianglePatch: Uint32Array.from({ length: count }, (_, t) => t),
+      patches: Array.from({ length: count }, (_, p) => ({ name: `side ${p}`, tag: -1 - p })),
+    };
+    const [file] = await writeMesh(many, "a.msh");
+    const note = file?.notes.map(({ message }) => message).join("\n") ?? "";
+    expect(note.match(/-\d+ as \d+/g)).toHaveLength(10);
+    expect(note).toContain(`and ${count - 10} more`);
+  });
+});
