@@ -10,6 +10,7 @@ import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
 import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
 import { numbered, type FileMesh } from "./formats/file-mesh.js";
+import { leftData } from "./formats/held.js";
 import { writeMesh } from "./formats/mesh-files.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import { misfits, tetFaces } from "./formats/tet-faces.js";
@@ -39,6 +40,8 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
     if (!isQuiet) {
       tell(input, misfits(mesh, tetFaces(mesh)).map(asWarning), { isQuiet });
+      const left = [...given.nodeData.keys()].filter((key) => !mesh.nodeData.has(key));
+      if (left.length > 0) say(`note: ${input}: ${leftData(left)}`);
       for (const line of [...mixedTurns(given), ...unplacedLines(given)]) say(`note: ${input}: ${line}`);
       say(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }

@@ -69,7 +69,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./vtk-xml-reader.js")).readVtkXml,
-      write: one((await import("./vtu.js")).writeVtu, { lowestTag: 0 }),
+      write: one((await import("./vtu.js")).writeVtu, { lowestTag: 0, takesData: () => true }),
     }),
   },
   {
@@ -88,7 +88,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
-      write: one((await import("./msh.js")).writeMsh, { lowestTag: 1 }),
+      write: one((await import("./msh.js")).writeMsh, { lowestTag: 1, takesData: isGmshData }),
     }),
   },
   {
@@ -99,7 +99,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
-      write: one((await import("./msh2.js")).writeMsh2, { lowestTag: 1 }),
+      write: one((await import("./msh2.js")).writeMsh2, { lowestTag: 1, takesData: isGmshData }),
     }),
   },
   {
@@ -110,7 +110,10 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     writes: ["volume"],
     load: async () => ({
       read: (await import("./vtk-reader.js")).readVtk,
-      write: one((await import("./vtk.js")).writeVtk, { lowestTag: 0 }),
+      write: one((await import("./vtk.js")).writeVtk, {
+        lowestTag: 0,
+        takesData: (components) => components <= 9,
+      }),
     }),
   },
   {
@@ -237,6 +240,11 @@ export function extensionsThat(can: "reads" | "writes", contents: Contents): rea
   return FILE_FORMATS.filter((format) => format[can].includes(contents)).flatMap(
     ({ extensions }) => extensions,
   );
+}
+
+/** Scalars, vectors and tensors. */
+function isGmshData(components: number): boolean {
+  return [1, 3, 9].includes(components);
 }
 
 /** For formats of one file. */

@@ -7,7 +7,7 @@ import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, type Group } from "./groups.js";
-import { noteMerged } from "./single-precision.js";
+import { noteMerged } from "./merged-points.js";
 
 const MAGIC = 0x46546c67;
 const VERSION = 2;

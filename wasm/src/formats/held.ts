@@ -1,18 +1,23 @@
 /** What a format takes of a mesh beside points, elements and names; the rest is told, not lost in silence. */
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { listed } from "./groups.js";
+import { isPlain, listed } from "./groups.js";
 
 export interface Held {
   /** The lowest number that it has for a group; undefined where it tells groups apart by names or its own order. */
   readonly lowestTag?: 0 | 1;
+  /** Whether it takes so many numbers per node; undefined where it takes none. */
+  readonly takesData?: (components: number) => boolean;
 }
 
 /** The largest 32-bit number with a sign. */
 const MAX_TAG = 0x7fffffff;
 
-/** The mesh as the format takes it: every group with a number of its own that can stand in the file. O(n). */
-export function heldOf(mesh: FileMesh, { lowestTag }: Held, note: Note): FileMesh {
+/**
+ * The mesh as the format takes it: every group with a number of its own that can stand in the file, and the numbers at
+ * nodes that it has a place for. O(n).
+ */
+export function heldOf(mesh: FileMesh, { lowestTag, takesData }: Held, note: Note): FileMesh {
   const settled = (word: string, groups: readonly FileGroup[], owners: Uint32Array) => {
     const used = new Set(owners);
     const tags = usableTags(groups, used, lowestTag ?? 1);
@@ -27,8 +32,14 @@ export function heldOf(mesh: FileMesh, { lowestTag }: Held, note: Note): FileMes
     }
     return groups.map((group, g) => ({ ...group, tag: tags[g] ?? 0 }));
   };
+  const data = [...mesh.nodeData];
+  const kept = data.filter(([, { components }]) => takesData?.(components) === true);
+  const left = data.filter((entry) => !kept.includes(entry)).map(([name]) => name);
+  if (left.length > 0) note(leftData(left));
+  noteSpaces(mesh, note);
   return {
     ...mesh,
+    nodeData: new Map(kept),
     patches: settled("patches", mesh.patches, mesh.trianglePatch),
     regions: settled("regions", mesh.regions, mesh.tetrahedronRegion),
   };
@@ -61,4 +72,18 @@ function usableTags(
     tags.set(g, next);
   }
   return groups.map((_, g) => tags.get(g) ?? 0);
+}
+
+/** What is said of numbers at nodes, by their names, that are not in the file. */
+export function leftData(names: readonly string[]): string {
+  return `numbers at the nodes are left out: ${listed(names.map((name) => `"${name}"`))}`;
+}
+
+/** Only the triangles are written: no format here tells of spaces between them without tetrahedra. */
+function noteSpaces({ tetrahedra, surfaceRegions }: FileMesh, note: Note): void {
+  const named = surfaceRegions?.regions.filter((region) => !isPlain(region)) ?? [];
+  if (tetrahedra.length > 0 || named.length === 0) return;
+  note(
+    `regions between the triangles have no place in the format and are left out: ${listed(named.map(({ name }) => `"${name}"`))}`,
+  );
 }

@@ -7,12 +7,13 @@ import {
   listOf,
   objectOf,
   orNothing,
+  shown,
   type Check,
 } from "../argument-checks.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import type { Diagnostic } from "../types.js";
 import { NO_REGION } from "../walls.js";
-import type { FileMesh } from "./file-mesh.js";
+import type { FileMesh, NodeData } from "./file-mesh.js";
 import type { SurfaceRegions } from "./region-names.js";
 
 const checkGroup = objectOf({ name: aString, tag: aNumber, color: orNothing(listOf(aNumber)) });
@@ -46,11 +47,26 @@ function faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): string | und
   }
   if (!(nodeData instanceof Map)) return "it has no map of numbers at the nodes";
   const count = points.length / 3;
+  const wild = points.findIndex((value) => !Number.isFinite(value));
+  if (wild >= 0) return `node ${Math.floor(wild / 3)} has no finite place`;
+  const data = [...(nodeData as ReadonlyMap<unknown, unknown>)].find(
+    ([name, given]) => !isData(name, given, count),
+  );
+  if (data !== undefined) return `its numbers ${shown(data[0])} are not so many for each of ${count} nodes`;
   return (
     faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches) ??
     faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions)
   );
 }
+
+/** A name, and as many numbers for every node as are said. */
+function isData(name: unknown, given: unknown, count: number): boolean {
+  if (typeof name !== "string" || aNodeData(given) !== undefined) return false;
+  const { components, values } = given as NodeData;
+  return Number.isInteger(components) && components > 0 && values.length === components * count;
+}
+
+const aNodeData = objectOf({ components: aNumber, values: arrayOf(Float64Array) });
 
 function faultOf(
   word: string,

@@ -3,7 +3,7 @@
  * patch, with its triangles, and one volume entity and physical group per region, with its tetrahedra;
  * the groups carry the user's names, for boundary conditions.
  */
-import { joinBytes, widened } from "./bytes.js";
+import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
@@ -30,7 +30,30 @@ export function writeMsh(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     "\n$EndNodes\n$Elements\n",
     ...elements(groups),
     "\n$EndElements\n",
+    ...nodeDataSections(mesh),
   ]);
+}
+
+/** One section per name, with the nodes that have numbers; in both versions of the format. */
+export function nodeDataSections({ nodeData }: FileMesh): (string | ArrayBufferView)[] {
+  return [...nodeData].flatMap(([name, { components, values }]) => {
+    const rows: number[] = [];
+    for (let node = 0; components * node < values.length; node++) {
+      const own = values.subarray(components * node, components * (node + 1));
+      if (!own.every(Number.isNaN)) rows.push(node);
+    }
+    const width = 4 + 8 * components;
+    const view = new DataView(new ArrayBuffer(width * rows.length));
+    rows.forEach((node, r) => {
+      view.setInt32(width * r, node + 1, IS_LITTLE_ENDIAN);
+      for (let i = 0; i < components; i++) {
+        view.setFloat64(width * r + 4 + 8 * i, values[components * node + i] ?? NaN, IS_LITTLE_ENDIAN);
+      }
+    });
+    // A name, a time, and three numbers: the step of time, numbers per node, nodes.
+    const title = `"${name.replace(/["\r\n]/g, "'")}"`;
+    return [`$NodeData\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows.length}\n`, view, "\n$EndNodeData\n"];
+  });
 }
 
 /** The section that tells the names of patches and regions. */

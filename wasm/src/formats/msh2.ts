@@ -6,7 +6,7 @@ import { IS_LITTLE_ENDIAN, joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
-import { GMSH_NAMING, physicalNames } from "./msh.js";
+import { GMSH_NAMING, nodeDataSections, physicalNames } from "./msh.js";
 
 /** A number, then x y z. */
 const NODE_BYTES = 4 + 3 * 8;
@@ -29,6 +29,7 @@ export function writeMsh2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     `\n$EndNodes\n$Elements\n${total}\n`,
     ...elements(groups),
     "\n$EndElements\n",
+    ...nodeDataSections(mesh),
   ]);
 }
 

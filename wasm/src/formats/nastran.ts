@@ -8,10 +8,13 @@ import { joinBytes } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
+import { noteMerged } from "./merged-points.js";
 import { numberRows } from "./number-rows.js";
 
 /** The bytes of a bulk data file. Properties are numbered from 1 through regions and patches. */
 export function writeNastran(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+  const written = mesh.points.map((value) => Number(wide(value)));
+  noteMerged(mesh.points, note, written, `the format has ${WIDE} characters for a coordinate`);
   const regions = regionGroups(mesh, { note });
   const patches = patchGroups(mesh, { note });
   return joinBytes([

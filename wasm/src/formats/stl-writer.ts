@@ -7,7 +7,7 @@ import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { isPlain, noteNames } from "./groups.js";
 import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
-import { noteMerged } from "./single-precision.js";
+import { noteMerged } from "./merged-points.js";
 
 const HEADER_TEXT = 80;
 const HEADER_BYTES = 84;

@@ -148,7 +148,11 @@ function attributesIn(text: string): Attributes {
 }
 
 export function unescaped(text: string): string {
-  return text.replace(/&(lt|gt|quot|apos|#45|amp);/g, (_, name: string) => CHARACTERS[name] ?? "");
+  return text.replace(/&(lt|gt|quot|apos|amp|#\d{1,7}|#x[0-9a-fA-F]{1,6});/g, (whole, name: string) => {
+    const code = name.startsWith("#") ? Number(name.replace("#x", "0x").replace("#", "")) : 0;
+    if (code > 0x10ffff) return whole;
+    return code > 0 ? String.fromCodePoint(code) : (CHARACTERS[name] ?? "");
+  });
 }
 
 const CHARACTERS: Readonly<Record<string, string>> = {
@@ -156,7 +160,6 @@ const CHARACTERS: Readonly<Record<string, string>> = {
   gt: ">",
   quot: '"',
   apos: "'",
-  "#45": "-",
   amp: "&",
 };
 

@@ -32,7 +32,25 @@ export function writeVtk(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     ...perCell(regions),
     "SCALARS patch int 1\nLOOKUP_TABLE default\n",
     ...perCell(patches),
+    ...pointData(mesh),
   ]);
+}
+
+/** Numbers at the nodes, under names in which what ends or splits words stands as %20. */
+function pointData({ points, nodeData }: FileMesh): string[] {
+  if (nodeData.size === 0) return [];
+  const count = points.length / 3;
+  const arrays = [...nodeData].flatMap(([name, { components, values }]) => [
+    `${nameWord(name)} ${components} ${count} double\n`,
+    ...numberRows(values, components, (row) => coordinates(row).replace("NaN", "nan")),
+  ]);
+  return [`POINT_DATA ${count}\nFIELD numbers ${nodeData.size}\n`, ...arrays];
+}
+
+function nameWord(name: string): string {
+  const codes = (text: string) =>
+    Array.from(new TextEncoder().encode(text), (byte) => `%${byte.toString(16).padStart(2, "0")}`).join("");
+  return name === "" ? "numbers" : name.replace(/[^!#$&-~]+/g, codes);
 }
 
 /** Up to 255 bytes in one line. */

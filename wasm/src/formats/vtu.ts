@@ -34,9 +34,16 @@ export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     { attributes: 'type="UInt8" Name="types"', values: types },
     { attributes: 'type="Int32" Name="region"', values: regions },
     { attributes: 'type="Int32" Name="patch"', values: patches },
+    ...[...mesh.nodeData].map(([name, { components, values }]) => ({
+      attributes: `type="Float64" Name="${inQuotes(name)}"${components === 1 ? "" : ` NumberOfComponents="${components}"`}`,
+      values,
+    })),
   ];
   const packed = arrays.map(({ values }) => compressed(values));
-  const [pointTag, connectivityTag, offsetTag, typeTag, regionTag, patchTag] = arrayTags(arrays, packed);
+  const [pointTag, connectivityTag, offsetTag, typeTag, regionTag, patchTag, ...dataTags] = arrayTags(
+    arrays,
+    packed,
+  );
   const order = IS_LITTLE_ENDIAN ? "LittleEndian" : "BigEndian";
   const head = [
     '<?xml version="1.0"?>',
@@ -47,6 +54,7 @@ export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     `<Points>${pointTag}</Points>`,
     `<Cells>${connectivityTag}${offsetTag}${typeTag}</Cells>`,
     `<CellData Scalars="region">${regionTag}${patchTag}</CellData>`,
+    ...(dataTags.length > 0 ? [`<PointData>${dataTags.join("")}</PointData>`] : []),
     "</Piece>",
     "</UnstructuredGrid>",
     '<AppendedData encoding="raw">',
@@ -65,6 +73,11 @@ function cellNodes({ tetrahedra, triangles }: FileMesh): { connectivity: Int32Ar
     c < tets ? 4 * (c + 1) : tetrahedra.length + 3 * (c + 1 - tets),
   );
   return { connectivity, offsets };
+}
+
+function inQuotes(name: string): string {
+  const codes = (found: string) => `&#${found.codePointAt(0)};`;
+  return name.replace(/[&<>"\t\r\n]/g, codes);
 }
 
 /** As text of a comment, in which two hyphens must not follow each other. */

@@ -1,0 +1,83 @@
+/** Numbers at the nodes: written where a format has a place for them, else told to be left out. */
+import { FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+
+const block = blockMesh();
+const count = block.points.length / 3;
+const mesh: FileMesh = {
+  ...block,
+  nodeData: new Map([
+    ["size", { components: 1, values: Float64Array.from({ length: count }, (_, i) => 1 / (i + 3)) }],
+    ['a <b> & "c"\'s %', { components: 3, values: Float64Array.from({ length: 3 * count }, (_, i) => -i) }],
+    ["Größe", { components: 1, values: Float64Array.from({ length: count }, (_, i) => (i === 4 ? NaN : i)) }],
+  ]),
+};
+
+test.each([".vtu", ".vtk", ".msh", ".msh2"])("%s gives them back", async (extension) => {
+  const [file] = await writeMesh(mesh, `a${extension}`);
+  expect(file?.notes.map(({ message }) => message).join()).not.toMatch(/left out/);
+  const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` });
+  if (!read.success) throw new Error(read.problems[0].message);
+  const plain = (name: string) => name.replaceAll('"', "'");
+  const data = (given: FileMesh) =>
+    [...given.nodeData].map(([name, { components, values }]) => [plain(name), components, [...values]]);
+  const negative = (value: unknown) =>
+    JSON.stringify(value, (_, held: unknown) => (Object.is(held, -0) ? 0 : held));
+  expect(negative(data(read.value))).toEqual(negative(data(mesh)));
+  expect(read.value.patches.length).toBe(block.patches.length);
+});
+
+const others = FILE_FORMATS.filter(({ id, writes }) => writes.length > 0 && !/^(vtu|vtk|gmsh2?)$/.test(id));
+test.each(others.map(({ extensions }) => extensions[0]))(
+  "%s tells that they are left out",
+  async (extension) => {
+    const [file] = await writeMesh(mesh, `a${extension}`);
+    const told = file?.notes.map(({ message }) => message).join("\n");
+    expect(told).toMatch(/Numbers at the nodes are left out: "size", /);
+  },
+);
+
+test("Gmsh's sections have one, three or nine numbers: others are told", async () => {
+  const values = new Float64Array(2 * count);
+  const odd = { ...block, nodeData: new Map([["pair", { components: 2, values }]]) };
+  const [file] = await writeMesh(odd, "a.msh");
+  expect(file?.notes.map(({ message }) => message)).toContain('Numbers at the nodes are left out: "pair"');
+});
+
+test("numbers that are not so many, and nodes without a place, are refused", async () => {
+  const short = { ...block, nodeData: new Map([["size", { components: 1, values: new Float64Array(1) }]]) };
+  await expect(writeMesh(short, "a.vtu")).rejects.toThrow(/numbers "size"/);
+  const points = block.points.slice();
+  points[3 * 5 + 1] = NaN;
+  await expect(writeMesh({ ...block, points }, "a.vtu")).rejects.toThrow(/node 5 has no finite place/);
+});
+
+test("regions between the triangles of a surface are told to be left out", async () => {
+  const surface: FileMesh = {
+    ...block,
+    tetrahedra: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(),
+    regions: [],
+    surfaceRegions: {
+      regions: [{ name: "steel", tag: 1 }],
+      triangleRegions: new Uint32Array((2 * block.triangles.length) / 3),
+    },
+  };
+  const [file] = await writeMesh(surface, "a.stl");
+  expect(file?.notes.map(({ message }) => message).join()).toMatch(/left out: "steel"/);
+});
+
+test("Nastran: points that its characters make one are counted", async () => {
+  const moved = (shift: number) => ({
+    ...block,
+    points: block.points.map((value, i) => value + (i % 3 ? 0 : shift)),
+  });
+  const told = async (shift: number) => {
+    const [file] = await writeMesh(moved(shift), "a.bdf");
+    return file?.notes.map(({ message }) => message).join() ?? "";
+  };
+  expect(await told(0)).not.toMatch(/fall on others/);
+  expect(await told(1e15)).toMatch(/^\d+ of the points fall on others, for the format has 16 characters/);
+});
