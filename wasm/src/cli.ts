@@ -22,14 +22,22 @@ import {
   type CoverCommandOptions,
   type ProposeCommandOptions,
 } from "./cli-grids.js";
+import {
+  checkHelp,
+  convertHelp,
+  COVER_HELP,
+  INFO_HELP,
+  meshHelp,
+  PROGRAM_HELP,
+  PROPOSE_HELP,
+  STATS_HELP,
+} from "./cli-help.js";
 import { infoOnFile, statsOfFile, type InfoCommandOptions } from "./cli-info.js";
 import { numberIn } from "./cli-input.js";
 import { meshFile, type MeshCommandOptions } from "./cli-mesh.js";
 import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
 import { checkApart, inputFiles, outputFiles } from "./cli-places.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
-import type { Contents } from "./formats/file-format.js";
-import { FILE_FORMATS } from "./formats/file-formats.js";
 import {
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
@@ -43,101 +51,6 @@ import {
   FRONT_ORDERS,
   OPTIMIZATIONS,
 } from "./options.js";
-
-/** One line per format that can be read, or written, as such contents. */
-function formatLines(can: "reads" | "writes", contents: Contents): string {
-  return FILE_FORMATS.filter((format) => format[can].includes(contents))
-    .map(({ name, extensions }) => `  ${extensions.join(", ").padEnd(18)} ${name}`)
-    .join("\n");
-}
-
-const EXIT_CODES_HELP = `
-Exit code
-  0  done    1  not completed: stalled, cancelled, out of memory, not written    2  bad input
-  Of many inputs, the highest.`;
-
-const meshHelp = () => `
-Input
-  .json              a Tetrafront project: points, lines, patches, background grid
-${formatLines("reads", "surface")}
-  -                  standard input, with --format to tell its format
-
-Output
-${formatLines("writes", "volume")}
-  -                  standard output, with --format to tell its format
-
-Sizes of elements
-  Of a project as it says; of a surface from its own edges, growing inwards by --grading up to --size.
-  --background takes them from a mesh with sizes at its nodes (named "size"; "stretching" and
-  "direction" too, else from its own edges) or from a project. --source makes them smaller around a place.
-
-  A surface is kept triangle for triangle: beside triangles larger than wanted elements are as large, and
-  sizes fall inwards by --grading (at most 0.5 per unit of distance), as they grow from triangles that are
-  smaller than a background's sizes. You are told of triangles that are too large;
-  --refine-surface divides them first, and leaves the shape as it is.
-
-Surfaces that cannot be filled
-  \`tetrafront check\` tells why. Nothing is repaired unless you ask: --repair joins nodes at the same
-  place, removes triangles without area and duplicates, and turns triangles outward; --weld joins nodes
-  within a distance, --fill-holes closes small holes. Every change is listed, and in the report.
-${EXIT_CODES_HELP}
-
-Examples
-  tetrafront mesh part.stl -o part.vtu
-  tetrafront mesh part.stl -o part.msh --size 0.05 --report report.json
-  tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --refine-surface
-  tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
-  tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
-  tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu' --jobs 4 --report all.json
-  cat part.stl | tetrafront mesh - --format stl -o part.vtu
-  tetrafront mesh part.stl -o - --format vtu > part.vtu
-`;
-
-const checkHelp = () => `
-Tells of a surface whether it is closed, manifold and free of crossings, its bodies and cavities, area,
-volume, edges and worst triangles; of a project what would keep it from being meshed; of a mesh whether
-its elements fit together. Each problem has its ids, counted from 0, and its place.
-${EXIT_CODES_HELP}
-
-Examples
-  tetrafront check part.stl
-  tetrafront check part.stl --json | jq .inspection.openEdges
-  tetrafront check part.stl --repair --fill-holes 10     # what would be changed, and what then remains
-  tetrafront check parts.stl --enclosed regions          # bodies within others are bodies too
-  tetrafront check duct.json --size 0.1
-  tetrafront check 'parts/*.stl' --jobs 4
-`;
-
-const convertHelp = () => `
-Input
-${formatLines("reads", "surface")}
-${formatLines("reads", "volume")}
-
-Output
-${formatLines("writes", "surface")}
-${formatLines("writes", "volume")}
-
-A volume mesh in a format of surfaces is its boundary. Triangles are joined at the same places.
-${EXIT_CODES_HELP}
-
-Examples
-  tetrafront convert part.vtu -o part.msh
-  tetrafront convert part.vtu -o boundary.stl
-  tetrafront convert scan.obj -o scan.stl --repair
-  tetrafront convert 'meshes/*.vtu' -o 'meshes/{name}.su2'
-`;
-
-const INFO_HELP = `
-Examples
-  tetrafront info part.msh
-  tetrafront info part.msh --json | jq '.patches[].name'
-`;
-
-const STATS_HELP = `
-Examples
-  tetrafront stats part.vtu
-  tetrafront stats part.vtu --json | jq .dihedral.min
-`;
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
 export async function main(args: readonly string[]): Promise<number> {
@@ -176,14 +89,6 @@ function commandLine(args: readonly string[], setExitCode: SetExitCode): Command
   program.addHelpText("after", PROGRAM_HELP);
   return program;
 }
-
-const PROGRAM_HELP = `
-Begin with
-  tetrafront check part.stl              what is there, and what is wrong
-  tetrafront mesh part.stl -o part.vtu   tetrahedra in it
-  tetrafront stats part.vtu              how good they are
-
-Each command explains itself: tetrafront mesh --help`;
 
 type SetExitCode = (code: number) => void;
 
@@ -450,6 +355,7 @@ function addCover(program: Command, setExitCode: SetExitCode): void {
     )
     .addOption(shapeOption())
     .option("-q, --quiet", "print errors only")
+    .addHelpText("after", COVER_HELP)
     .action(async (input: string, options: CoverCommandOptions) =>
       setExitCode(await coverFile(input, options)),
     );
@@ -474,6 +380,7 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
     .option("-g, --growth <rate>", `growth of the size away from sources (default ${growth})`)
     .addOption(shapeOption())
     .option("-q, --quiet", "print errors only")
+    .addHelpText("after", PROPOSE_HELP)
     .action(async (input: string, options: ProposeCommandOptions) =>
       setExitCode(await proposeForFile(input, options)),
     );

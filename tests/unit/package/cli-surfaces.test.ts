@@ -421,9 +421,9 @@ test("a reader that goes away ends the command quietly, as shells know it", asyn
 });
 
 test("each command teaches by examples", async () => {
-  for (const command of ["mesh", "check", "convert", "info", "stats"]) {
+  for (const command of ["mesh", "check", "convert", "info", "stats", "cover", "propose"]) {
     const { code, stdout } = await tetrafront(folder, [command, "--help"]);
     expect(code).toBe(0);
-    expect(stdout).toMatch(new RegExp(`Examples\n  tetrafront ${command} `));
+    expect(stdout).toMatch(new RegExp(`Exit code\n[^]*Examples\n  tetrafront ${command} `));
   }
 });
