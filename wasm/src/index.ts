@@ -9,7 +9,7 @@ export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagn
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
   Contents,
-  FileBytes,
+  FileParts,
   FileFormat,
   FormatCode,
   MeshReader,
@@ -19,6 +19,7 @@ export type {
   ReadContext,
   WrittenFile,
 } from "./formats/file-format.js";
+export type { Part } from "./formats/bytes.js";
 export { extensionsThat, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
 export {
   fileMeshOf,
@@ -28,7 +29,14 @@ export {
   type NameSource,
   type NodeData,
 } from "./formats/file-mesh.js";
-export { readMesh, readSurface, readVolume, writeMesh, type ReadFileOptions } from "./formats/mesh-files.js";
+export {
+  readMesh,
+  readSurface,
+  readVolume,
+  writeMesh,
+  type ReadFileOptions,
+  type WriteFileOptions,
+} from "./formats/mesh-files.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export type { SurfaceRegions } from "./formats/region-names.js";
 export { volumeBackground } from "./formats/volume-background.js";

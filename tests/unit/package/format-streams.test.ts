@@ -258,6 +258,52 @@ test("TetGen's facets keep their markers, and points beside the file are found",
   });
 });
 
+describe("a large mesh is written", () => {
+  const random = randomSource(7);
+  /** A fan of needles: as many rows as there are pieces of text for. */
+  const count = 40_000;
+  const large: FileMesh = {
+    ...mesh,
+    points: Float64Array.from({ length: 3 * count }, () => random() - 0.5),
+    triangles: Uint32Array.from({ length: 3 * (count - 2) }, (_, h) =>
+      h % 3 === 0 ? 0 : Math.floor(h / 3) + (h % 3),
+    ),
+    trianglePatch: new Uint32Array(count - 2),
+    tetrahedra: new Uint32Array(),
+    tetrahedronRegion: new Uint32Array(),
+  };
+
+  test.each([".vtk", ".vtu", ".mesh"])(
+    "as %s with others in between, and can be given up",
+    async (extension) => {
+      const told: number[] = [];
+      let others = 0;
+      const timer = setInterval(() => others++);
+      const [file] = await writeMesh(large, `a${extension}`, { onProgress: (bytes) => told.push(bytes) });
+      clearInterval(timer);
+      expect(others).toBeGreaterThan(0);
+      expect(told).toEqual(told.toSorted((a, b) => a - b));
+      expect(told.at(-1)).toBe(file?.bytes.length);
+      const read = valueOf(await readMesh(file?.bytes ?? new Uint8Array(), { fileName: `a${extension}` }));
+      expect(read.points).toEqual(large.points);
+      expect(read.triangles).toEqual(large.triangles);
+
+      const stop = new AbortController();
+      const reason = new Error("enough");
+      let calls = 0;
+      const onProgress = () => {
+        calls++;
+        stop.abort(reason);
+      };
+      await expect(writeMesh(large, `a${extension}`, { signal: stop.signal, onProgress })).rejects.toBe(
+        reason,
+      );
+      expect(calls).toBe(1);
+      await expect(writeMesh(mesh, `a${extension}`, { signal: stop.signal })).rejects.toBe(reason);
+    },
+  );
+});
+
 test("every format is told of in docs/FORMAT.md", () => {
   const readme = readFileSync(fileURLToPath(new URL("../../../docs/FORMAT.md", import.meta.url)), "utf8");
   for (const { extensions } of FILE_FORMATS) {

@@ -4,7 +4,7 @@
  * and loads refer to these by name. Walls between regions have a surface for either side. What a material is made of is
  * left to the user.
  */
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
@@ -19,18 +19,18 @@ const PER_LINE = 16;
 const NAMING: Naming = { plain: plainName, longest: 72, isCaseless: true };
 
 /** The bytes of an Abaqus input file. Triangles of no tetrahedron are in the node sets only. */
-export function writeAbaqus(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeAbaqus(mesh: FileMesh, note: Note): Part[] {
   const regions = regionGroups(mesh, { ...NAMING, note });
   const patches = patchGroups(mesh, { ...NAMING, note });
-  return joinBytes([
+  return [
     "*HEADING\nTetrafront\n*NODE\n",
-    ...numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${coordinates(row, ", ")}`),
+    numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${coordinates(row, ", ")}`),
     ...elementSets(regions),
     ...nodeSets(patches),
     ...surfaces(mesh, patches),
     ...regions.map(({ name }) => `*SOLID SECTION, ELSET=${name}, MATERIAL=${name}\n`),
     ...regions.map(({ name }) => `*MATERIAL, NAME=${name}\n`),
-  ]);
+  ];
 }
 
 /** A letter, then letters, digits and underscores: what every reader of the format takes. */
@@ -40,11 +40,11 @@ function plainName(name: string): string {
 }
 
 /** Elements are numbered from 1 through the regions, as `elementNumbers` says. */
-function elementSets(regions: readonly Group[]): string[] {
+function elementSets(regions: readonly Group[]): Part[] {
   let number = 1;
   return regions.flatMap(({ name, nodes }) => [
     `*ELEMENT, TYPE=C3D4, ELSET=${name}\n`,
-    ...numberRows(
+    numberRows(
       nodes.map((node) => node + 1),
       4,
       (row) => `${number++}, ${row.join(", ")}`,

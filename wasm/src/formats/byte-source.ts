@@ -14,7 +14,7 @@ export type ByteSource =
 /** What is in memory already is handed on in pieces of this size, between which others may run. */
 const PIECE_BYTES = 1 << 20;
 /** Longest time without letting others run, in milliseconds. */
-const BREATH_MS = 12;
+export const BREATH_MS = 12;
 
 /** The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. */
 export async function* piecesOf(source: ByteSource): AsyncGenerator<Uint8Array, void> {

@@ -1,22 +1,32 @@
-/** Joins text and typed arrays into the bytes of a file. Numbers stand in the machine's byte order. */
-export function joinBytes(parts: readonly (string | ArrayBufferView)[]): Uint8Array<ArrayBuffer> {
+/** What files are made of, in order; rows of numbers are made while they are written. Numbers stand in the machine's byte order. */
+export type Part = string | ArrayBufferView | Iterable<Part>;
+
+/** Of no bytes: between two pieces of work others may run. */
+export const BREATH: Part = "";
+
+/** The bytes of the parts, piece by piece. */
+export function* piecesIn(parts: Iterable<Part>): Generator<Uint8Array, void> {
   const encoder = new TextEncoder();
-  const joined = new Uint8Array(parts.reduce((sum, part) => sum + lengthOf(part), 0));
-  let position = 0;
   for (const part of parts) {
-    if (typeof part === "string") position += encoder.encodeInto(part, joined.subarray(position)).written;
-    else {
-      joined.set(new Uint8Array(part.buffer, part.byteOffset, part.byteLength), position);
-      position += part.byteLength;
-    }
+    if (typeof part === "string") yield encoder.encode(part);
+    else if (ArrayBuffer.isView(part)) yield new Uint8Array(part.buffer, part.byteOffset, part.byteLength);
+    else yield* piecesIn(part);
   }
-  return joined;
 }
 
-/** In bytes, of text without a second copy of it: nearly all is ASCII. */
-function lengthOf(part: string | ArrayBufferView): number {
-  if (typeof part !== "string") return part.byteLength;
-  return /[\u0080-\uffff]/.test(part) ? new TextEncoder().encode(part).length : part.length;
+/** All of them in one array. */
+export function joinBytes(parts: Iterable<Part>): Uint8Array<ArrayBuffer> {
+  return joined([...piecesIn(parts)]);
+}
+
+export function joined(pieces: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
+  const all = new Uint8Array(pieces.reduce((sum, { length }) => sum + length, 0));
+  let position = 0;
+  for (const piece of pieces) {
+    all.set(piece, position);
+    position += piece.length;
+  }
+  return all;
 }
 
 /** Whether the machine writes the low byte first; file headers say so. */

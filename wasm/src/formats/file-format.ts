@@ -1,19 +1,22 @@
 /** What a file format is to the rest of the package. Each has one file, named after it, and one row in file-formats.ts. */
 import type { Diagnostic } from "../types.js";
+import type { Part } from "./bytes.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 
 /** Triangles, or tetrahedra with their boundary. */
 export type Contents = "surface" | "volume";
 
-/** A name and what is in it. */
-export interface FileBytes {
+/** A name and what is to be in it, made while it is written. */
+export interface FileParts {
   readonly fileName: string;
-  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly parts: Iterable<Part>;
 }
 
 /** One of the files that a mesh becomes: most formats have one, some several. */
-export interface WrittenFile extends FileBytes {
+export interface WrittenFile {
+  readonly fileName: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
   /** What the format has no place for and is not in the file, in sentences; with the first of several files. */
   readonly notes: readonly Diagnostic[];
 }
@@ -33,7 +36,7 @@ export interface ReadContext {
 /** Throws a ReadFailure. */
 export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<FileMesh>;
 /** Gives the files of a mesh; the first has the name given. Throws a MesherError where the format cannot hold it. */
-export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => readonly FileBytes[];
+export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => readonly FileParts[];
 
 /** What reads and writes a format, once it is fetched. */
 export interface FormatCode {

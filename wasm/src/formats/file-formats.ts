@@ -3,6 +3,7 @@
  * documents take names and extensions from here; the code of a format is fetched when it is first needed.
  */
 import { aString, checkArgument, oneOf } from "../argument-checks.js";
+import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, MeshWriter, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { heldOf, type Held } from "./held.js";
@@ -193,7 +194,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".tetgen.zip"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: holding({ lowestTag: 0 }, (await import("./tetgen.js")).writeTetgenZip) }),
+    load: async () => ({ write: one((await import("./tetgen.js")).writeTetgenZip, { lowestTag: 0 }) }),
   },
   {
     id: "tetgen-surface",
@@ -248,8 +249,11 @@ function isGmshData(components: number): boolean {
 }
 
 /** For formats of one file. */
-function one(write: (mesh: FileMesh, note: Note) => Uint8Array<ArrayBuffer>, held: Held = {}): MeshWriter {
-  return holding(held, (mesh, fileName, note) => [{ fileName, bytes: write(mesh, note) }]);
+function one(
+  write: (mesh: FileMesh, note: Note, fileName: string) => Iterable<Part>,
+  held: Held = {},
+): MeshWriter {
+  return holding(held, (mesh, fileName, note) => [{ fileName, parts: write(mesh, note, fileName) }]);
 }
 
 function holding(held: Held, write: MeshWriter): MeshWriter {

@@ -3,7 +3,7 @@
  * Coordinates are float32, as the format has it, and the axes are those of the mesh.
  */
 import { boundaryOf, colorsOf } from "./boundary.js";
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, type Group } from "./groups.js";
@@ -20,7 +20,7 @@ const FLOAT = 5126;
 const UNSIGNED_INT = 5125;
 
 /** The bytes of a GLB file. A surface without triangles is a scene without a mesh. */
-export function writeGlb(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeGlb(mesh: FileMesh, note: Note): Part[] {
   const surface = boundaryOf(mesh);
   noteMerged(surface.points, note);
   const groups = patchGroups(surface, { note });
@@ -31,12 +31,12 @@ export function writeGlb(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
   const json = padded(JSON.stringify(description(surface, groups)));
   const length = [places, ...indices].reduce((sum, part) => sum + part.byteLength, 0);
   const hasBinary = length > 0;
-  return joinBytes([
+  return [
     words(MAGIC, VERSION, 12 + 8 + json.length + (hasBinary ? 8 + length : 0)),
     words(json.length, JSON_CHUNK),
     json,
     ...(hasBinary ? [words(length, BINARY_CHUNK), places, ...indices] : []),
-  ]);
+  ];
 }
 
 function description(surface: FileMesh, groups: readonly Group[]): object {

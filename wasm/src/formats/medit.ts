@@ -2,24 +2,24 @@
  * Medit `.mesh` files, as text: the tetrahedra with their region as reference, and the triangles of the
  * boundary with their patch as reference; comments tell the names.
  */
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of a Medit file. */
-export function writeMedit(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeMedit(mesh: FileMesh, note: Note): Part[] {
   const { points } = mesh;
-  return joinBytes([
+  return [
     "MeshVersionFormatted 2\n\nDimension 3\n\n",
     ...allNameLines(mesh, note).map((line) => `# ${line}\n`),
     `Vertices\n${points.length / 3}\n`,
-    ...numberRows(points, 3, (row) => `${coordinates(row)} 0`),
+    numberRows(points, 3, (row) => `${coordinates(row)} 0`),
     ...elements("Triangles", mesh.triangles, 3, mesh.trianglePatch, mesh.patches),
     ...elements("Tetrahedra", mesh.tetrahedra, 4, mesh.tetrahedronRegion, mesh.regions),
     "\nEnd\n",
-  ]);
+  ];
 }
 
 /** Corners from 1, then the reference. */
@@ -29,10 +29,10 @@ function elements(
   width: number,
   owners: Uint32Array,
   groups: readonly FileGroup[],
-): string[] {
+): Part[] {
   const counted = nodes.map((node) => node + 1);
   return [
     `\n${name}\n${nodes.length / width}\n`,
-    ...numberRows(counted, width, (row, e) => `${row.join(" ")} ${groups[owners[e] ?? 0]?.tag ?? 0}`),
+    numberRows(counted, width, (row, e) => `${row.join(" ")} ${groups[owners[e] ?? 0]?.tag ?? 0}`),
   ];
 }

@@ -1,10 +1,11 @@
 /** Reading and writing mesh files of any format: the file's name tells which. */
-import { aFunction, objectOf, orNothing, shown } from "../argument-checks.js";
+import { aFunction, checkArgument, objectOf, orNothing, shown } from "../argument-checks.js";
 import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import type { Diagnostic } from "../types.js";
-import { checkSource, watched, type ByteSource } from "./byte-source.js";
+import { joined, piecesIn, type Part } from "./bytes.js";
+import { BREATH_MS, checkSource, watched, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
 import { extensionsThat, formatOf } from "./file-formats.js";
 import type { FileMesh } from "./file-mesh.js";
@@ -19,6 +20,14 @@ export interface ReadFileOptions {
   /** Gives the other files of formats that have several, such as TetGen's `.node` beside its `.face`. */
   readonly openOther?: OpenOther | undefined;
   /** Called with the number of bytes read so far, once per piece. */
+  readonly onProgress?: ((bytes: number) => void) | undefined;
+  /** Aborting rejects with the signal's reason. */
+  readonly signal?: AbortSignal | undefined;
+}
+
+/** How a file is written. */
+export interface WriteFileOptions {
+  /** Called with the number of bytes made so far, in all files together, every few milliseconds and at the end of each. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
   /** Aborting rejects with the signal's reason. */
   readonly signal?: AbortSignal | undefined;
@@ -48,12 +57,18 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
 
 /**
  * The files that a mesh becomes in the format of this name: one, or several beside each other, with notes of what the
- * format has no place for. Formats that hold surfaces only get the triangles. Rejects with a `MesherError` of the code
+ * format has no place for. Formats that hold surfaces only get the triangles. Others may run meanwhile, but
+ * not while a mesh is laid out for its format, nor while a zip is compressed. Rejects with a `MesherError` of the code
  * `invalid-input`, whose diagnostics are `unknown-format` where the name tells no format that can be written
  * (`formatOf` tells beforehand), `invalid-arrays` where the arrays do not fit together, and `unsound-mesh` where the
  * elements do not and the format is for solvers that need it.
  */
-export async function writeMesh(mesh: FileMesh, fileName: string): Promise<readonly WrittenFile[]> {
+export async function writeMesh(
+  mesh: FileMesh,
+  fileName: string,
+  options: WriteFileOptions = {},
+): Promise<readonly WrittenFile[]> {
+  checkArgument("options", options, aWriting);
   const format = typeof fileName === "string" ? formatOf(fileName) : undefined;
   const { write } = (await format?.load()) ?? {};
   if (write === undefined) {
@@ -68,7 +83,37 @@ export async function writeMesh(mesh: FileMesh, fileName: string): Promise<reado
   const files = write(mesh, fileName, (message) =>
     notes.push(packageDiagnostic("left-out", message, "", "information")),
   );
-  return files.map((file, i) => ({ ...file, notes: i === 0 ? notes : [] }));
+  const written: WrittenFile[] = [];
+  let before = 0;
+  for (const { fileName: name, parts } of files) {
+    const bytes = await gathered(parts, options, before);
+    before += bytes.length;
+    written.push({ fileName: name, bytes, notes: written.length === 0 ? notes : [] });
+  }
+  return written;
+}
+
+/** Lets timers and messages in between the pieces. `before`: bytes of earlier files. */
+async function gathered(
+  parts: Iterable<Part>,
+  { signal, onProgress }: WriteFileOptions,
+  before: number,
+): Promise<Uint8Array<ArrayBuffer>> {
+  signal?.throwIfAborted();
+  const pieces: Uint8Array[] = [];
+  let length = 0;
+  let breathed = performance.now();
+  for (const piece of piecesIn(parts)) {
+    pieces.push(piece);
+    length += piece.length;
+    if (performance.now() - breathed < BREATH_MS) continue;
+    onProgress?.(before + length);
+    await new Promise((resolve) => setTimeout(resolve));
+    signal?.throwIfAborted();
+    breathed = performance.now();
+  }
+  onProgress?.(before + length);
+  return joined(pieces);
 }
 
 async function readAny(
@@ -96,11 +141,12 @@ const OPTIONS: readonly string[] = [
   "signal",
 ] satisfies (keyof ReadFileOptions)[];
 
-const aReading = objectOf({
-  openOther: orNothing(aFunction),
+const aWatch = {
   onProgress: orNothing(aFunction),
   signal: orNothing(objectOf({ throwIfAborted: aFunction })),
-});
+};
+const aReading = objectOf({ openOther: orNothing(aFunction), ...aWatch });
+const aWriting = objectOf(aWatch);
 
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};

@@ -3,7 +3,7 @@
  * patch, with its triangles, and one volume entity and physical group per region, with its tetrahedra;
  * the groups carry the user's names, for boundary conditions.
  */
-import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
+import { IS_LITTLE_ENDIAN, widened, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
@@ -12,12 +12,12 @@ import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js"
 export const GMSH_NAMING: Naming = { longest: 127 };
 
 /** The bytes of an MSH file. */
-export function writeMsh(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeMsh(mesh: FileMesh, note: Note): Part[] {
   const { points } = mesh;
   const patches = patchGroups(mesh, { ...GMSH_NAMING, note });
   const regions = regionGroups(mesh, { ...GMSH_NAMING, note });
   const groups = [...patches, ...regions];
-  return joinBytes([
+  return [
     // 1: binary, 8: bytes of a size_t; the number 1 that follows tells the byte order.
     "$MeshFormat\n4.1 1 8\n",
     Int32Array.of(1),
@@ -31,7 +31,7 @@ export function writeMsh(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     ...elements(groups),
     "\n$EndElements\n",
     ...nodeDataSections(mesh),
-  ]);
+  ];
 }
 
 /** One section per name, with the nodes that have numbers; in both versions of the format. */

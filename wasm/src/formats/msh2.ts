@@ -2,7 +2,7 @@
  * Gmsh MSH 2.2, binary, which older programs read: every element has its patch or region as physical group
  * and as entity; the groups carry the names.
  */
-import { IS_LITTLE_ENDIAN, joinBytes } from "./bytes.js";
+import { IS_LITTLE_ENDIAN, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
@@ -12,13 +12,13 @@ import { GMSH_NAMING, nodeDataSections, physicalNames } from "./msh.js";
 const NODE_BYTES = 4 + 3 * 8;
 
 /** The bytes of an MSH file. */
-export function writeMsh2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeMsh2(mesh: FileMesh, note: Note): Part[] {
   const groups = [
     ...patchGroups(mesh, { ...GMSH_NAMING, note }),
     ...regionGroups(mesh, { ...GMSH_NAMING, note }),
   ];
   const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
-  return joinBytes([
+  return [
     // 1: binary, 8: bytes of a coordinate; the number 1 that follows tells the byte order.
     "$MeshFormat\n2.2 1 8\n",
     Int32Array.of(1),
@@ -30,7 +30,7 @@ export function writeMsh2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     ...elements(groups),
     "\n$EndElements\n",
     ...nodeDataSections(mesh),
-  ]);
+  ];
 }
 
 function nodes(points: Float64Array): DataView {

@@ -4,7 +4,7 @@
  * of no stiffness per patch. Names are comments, as the format has none. What a material is made of is left to
  * the user.
  */
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
@@ -12,20 +12,20 @@ import { noteMerged } from "./merged-points.js";
 import { numberRows } from "./number-rows.js";
 
 /** The bytes of a bulk data file. Properties are numbered from 1 through regions and patches. */
-export function writeNastran(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeNastran(mesh: FileMesh, note: Note): Part[] {
   const written = mesh.points.map((value) => Number(wide(value)));
   noteMerged(mesh.points, note, written, `the format has ${WIDE} characters for a coordinate`);
   const regions = regionGroups(mesh, { note });
   const patches = patchGroups(mesh, { note });
-  return joinBytes([
+  return [
     "$ Tetrafront\nCEND\nBEGIN BULK\n",
-    ...numberRows(mesh.points, 3, (row, i) => gridCard(i + 1, row)),
+    numberRows(mesh.points, 3, (row, i) => gridCard(i + 1, row)),
     ...cards([...regions, ...patches]),
     "ENDDATA\n",
-  ]);
+  ];
 }
 
-function cards(groups: readonly Group[]): string[] {
+function cards(groups: readonly Group[]): Part[] {
   let element = 1;
   return groups.flatMap(({ kind, name, nodes }, g) => {
     const property = g + 1;
@@ -34,7 +34,7 @@ function cards(groups: readonly Group[]): string[] {
     const material = isSolid ? `PSOLID  ${field(property)}${field(property)}` : `PSHELL  ${field(property)}`;
     return [
       `$ ${isSolid ? "region" : "patch"} ${property}: ${name}\n${material}\n`,
-      ...numberRows(
+      numberRows(
         nodes.map((node) => node + 1),
         kind.nodes,
         (row) => {

@@ -1,24 +1,23 @@
-/** Lines are joined in pieces of so many: one text for all would exceed the longest string. */
-const ROWS_PER_PIECE = 1 << 16;
+/** Lines are joined in pieces of so many, each a few milliseconds of work. */
+const ROWS_PER_PIECE = 1 << 13;
 
 type Numbers = Float64Array | Uint32Array | Int32Array | Uint8Array;
 
-/** One line per `width` values, as `line` puts it; doubles as the shortest decimals that give them back. */
-export function numberRows(
+/** One line per `width` values, as `line` puts it, made while they are asked for. */
+export function* numberRows(
   values: Numbers,
   width: number,
   line: (row: Numbers, index: number) => string,
-): string[] {
+): Generator<string, void> {
   const count = values.length / width;
-  const pieces: string[] = [];
   for (let begin = 0; begin < count; begin += ROWS_PER_PIECE) {
-    const rows = Array.from({ length: Math.min(ROWS_PER_PIECE, count - begin) }, (_, i) => {
-      const row = begin + i;
-      return `${line(values.subarray(width * row, width * (row + 1)), row)}\n`;
-    });
-    pieces.push(rows.join(""));
+    let piece = "";
+    const end = Math.min(begin + ROWS_PER_PIECE, count);
+    for (let row = begin; row < end; row++) {
+      piece += `${line(values.subarray(width * row, width * (row + 1)), row)}\n`;
+    }
+    yield piece;
   }
-  return pieces;
 }
 
 /** The doubles of a row as decimals that give them back bit for bit, the sign of zero too. */

@@ -4,19 +4,19 @@
  * comments at the end, where nobody else looks.
  */
 import { boundaryOf } from "./boundary.js";
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { faceLines, nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of an OFF file. */
-export function writeOff(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeOff(mesh: FileMesh, note: Note): Part[] {
   const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
-  return joinBytes([
+  return [
     `OFF\n${points.length / 3} ${triangles.length / 3} 0\n`,
-    ...numberRows(points, 3, (row) => coordinates(row)),
-    ...numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
+    numberRows(points, 3, (row) => coordinates(row)),
+    numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
     ...[...nameLines("patch", mesh, note), ...faceLines(trianglePatch, patches)].map((line) => `# ${line}\n`),
-  ]);
+  ];
 }

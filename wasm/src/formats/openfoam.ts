@@ -6,7 +6,7 @@
  */
 import { zipSync, type Zippable } from "fflate";
 
-import { joinBytes } from "./bytes.js";
+import { BREATH, joinBytes, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups } from "./groups.js";
@@ -36,13 +36,13 @@ interface PolyMesh {
 }
 
 /** The bytes of the zip. */
-export function writeOpenFoam(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void> {
   const poly = polyMesh(mesh, note);
   const owners = poly.faces.map((face) => face >>> 2);
   const counts =
     `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
     `nFaces:${poly.faces.length} nInternalFaces:${poly.neighbours.length}";\n`;
-  const files: Record<string, Uint8Array> = {
+  const files: Record<string, Part> = {
     points: list(
       "vectorField",
       "points",
@@ -62,8 +62,11 @@ export function writeOpenFoam(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffe
     faceZones: list("regIOobject", "faceZones", poly.zones.length, poly.zones.map(zoneEntry)),
   };
   const named: Zippable = {};
-  for (const [name, bytes] of Object.entries(files)) named[`constant/polyMesh/${name}`] = bytes;
-  return zipSync(named, { level: LEVEL, mtime: MADE }).slice();
+  for (const [name, parts] of Object.entries(files)) {
+    named[`constant/polyMesh/${name}`] = joinBytes([parts]);
+    yield BREATH;
+  }
+  yield zipSync(named, { level: LEVEL, mtime: MADE });
 }
 
 function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
@@ -168,21 +171,15 @@ function header(kind: string, object: string, note = ""): string {
   );
 }
 
-function list(
-  kind: string,
-  object: string,
-  count: number,
-  entries: readonly string[],
-  note = "",
-): Uint8Array {
-  return joinBytes([header(kind, object, note), `${count}\n(\n`, ...entries, ")\n"]);
+function list(kind: string, object: string, count: number, entries: Iterable<string>, note = ""): Part {
+  return [header(kind, object, note), `${count}\n(\n`, entries, ")\n"];
 }
 
 function inBrackets(row: readonly number[]): string {
   return `(${row.join(" ")})`;
 }
 
-function labels(values: Uint32Array): string[] {
+function labels(values: Uint32Array): Iterable<string> {
   return numberRows(values, 1, (row) => String(row[0] ?? 0));
 }
 
@@ -193,18 +190,18 @@ function patchEntry({ name, begin, count }: FaceRange): string {
 function zoneEntry({ name, faces }: { readonly name: string; readonly faces: Uint32Array }): string {
   const flips = `List<bool> ${faces.length}{0}`;
   return (
-    `${name}\n{\ntype faceZone;\nfaceLabels List<label> ${faces.length}\n(\n${labels(faces).join("")});\n` +
+    `${name}\n{\ntype faceZone;\nfaceLabels List<label> ${faces.length}\n(\n${[...labels(faces)].join("")});\n` +
     `flipMap ${flips};\n}\n`
   );
 }
 
-function cellZones(mesh: FileMesh, note: Note): Uint8Array {
+function cellZones(mesh: FileMesh, note: Note): Part {
   const cells: number[][] = mesh.regions.map(() => []);
   mesh.tetrahedronRegion.forEach((region, cell) => cells[region]?.push(cell));
   const filled = cells.filter((own) => own.length > 0);
   const entries = regionGroups(mesh, { plain: word, note }).map(({ name }, r) => {
     const own = Uint32Array.from(filled[r] ?? []);
-    return `${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n${labels(own).join("")});\n}\n`;
+    return `${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n${[...labels(own)].join("")});\n}\n`;
   });
   return list("regIOobject", "cellZones", entries.length, entries);
 }

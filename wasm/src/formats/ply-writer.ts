@@ -3,14 +3,14 @@
  * the colour of its patch. Text, because Gmsh reads no other, and meshio no numbers of faces in binary files.
  */
 import { boundaryOf, colorsOf } from "./boundary.js";
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of a PLY file. */
-export function writePly(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writePly(mesh: FileMesh, note: Note): Part[] {
   const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
   const hasPatches = patches.length > 1;
   const lineEnds = colorsOf(mesh).map(
@@ -25,13 +25,13 @@ export function writePly(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     ...(hasPatches ? ["red", "green", "blue"].map((part) => `property uchar ${part}`) : []),
     "end_header\n",
   ];
-  return joinBytes([
+  return [
     header.join("\n"),
-    ...numberRows(points, 3, (row) => coordinates(row)),
-    ...numberRows(
+    numberRows(points, 3, (row) => coordinates(row)),
+    numberRows(
       triangles,
       3,
       (row, t) => `3 ${row.join(" ")}${hasPatches ? lineEnds[trianglePatch[t] ?? 0] : ""}`,
     ),
-  ]);
+  ];
 }

@@ -3,6 +3,7 @@
  * header, where all of them fit into its 80 bytes.
  */
 import { boundaryOf } from "./boundary.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { isPlain, noteNames } from "./groups.js";
@@ -16,7 +17,7 @@ const TRIANGLE_BYTES = 50;
 const MOST_ATTRIBUTES = 0x7fff;
 
 /** The bytes of an STL file. Patches beyond 32767 lose their number, and points their later digits. */
-export function writeStl(given: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeStl(given: FileMesh, note: Note): Part[] {
   const mesh = boundaryOf(given);
   const { points, triangles, trianglePatch, patches } = mesh;
   noteMerged(points, note);
@@ -42,7 +43,7 @@ export function writeStl(given: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     }
     view.setUint16(at, attributeOf(trianglePatch[t] ?? 0), true);
   }
-  return bytes;
+  return [bytes];
 }
 
 function attributeOf(patch: number): number {

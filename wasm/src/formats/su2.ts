@@ -2,7 +2,7 @@
  * SU2 meshes, as text: the tetrahedra, and one marker per patch with its triangles on the boundary. A marker's
  * name has underscores for all that ends or splits names in SU2's configurations. Regions and walls between them have no place in the format.
  */
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, type Naming } from "./groups.js";
@@ -16,21 +16,21 @@ const VTK_TETRA = 10;
 const NAMING: Naming = { plain: plainName, longest: 199 };
 
 /** The bytes of an SU2 file. */
-export function writeSu2(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeSu2(mesh: FileMesh, note: Note): Part[] {
   const { points, tetrahedra } = mesh;
   const markers = patchGroups(withOuterFaces(mesh, note), { ...NAMING, note });
   noteRegions(mesh, note);
-  return joinBytes([
+  return [
     `NDIME= 3\nNELEM= ${tetrahedra.length / 4}\n`,
-    ...numberRows(tetrahedra, 4, (row, t) => `${VTK_TETRA} ${row.join(" ")} ${t}`),
+    numberRows(tetrahedra, 4, (row, t) => `${VTK_TETRA} ${row.join(" ")} ${t}`),
     `NPOIN= ${points.length / 3}\n`,
-    ...numberRows(points, 3, (row, i) => `${coordinates(row)} ${i}`),
+    numberRows(points, 3, (row, i) => `${coordinates(row)} ${i}`),
     `NMARK= ${markers.length}\n`,
     ...markers.flatMap(({ name, nodes }) => [
       `MARKER_TAG= ${name}\nMARKER_ELEMS= ${nodes.length / 3}\n`,
-      ...numberRows(nodes, 3, (row) => `${VTK_TRIANGLE} ${row.join(" ")}`),
+      numberRows(nodes, 3, (row) => `${VTK_TRIANGLE} ${row.join(" ")}`),
     ]),
-  ]);
+  ];
 }
 
 /** Letters and digits of any script; a list of markers may say NONE for no marker at all. */

@@ -2,10 +2,10 @@
  * TetGen's three files, as text: `.node` with the points, `.ele` with the tetrahedra and their region as
  * attribute, `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments tell names.
  */
-import { zipSync } from "fflate";
+import { zipSync, type Zippable } from "fflate";
 
-import { joinBytes } from "./bytes.js";
-import type { FileBytes, Note } from "./file-format.js";
+import { BREATH, joinBytes, type Part } from "./bytes.js";
+import type { FileParts, Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
@@ -14,48 +14,50 @@ import { coordinates, numberRows } from "./number-rows.js";
 const MADE = new Date(1980, 0, 1);
 
 /** Three files of one stem. */
-export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): readonly FileBytes[] {
+export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): readonly FileParts[] {
   const stem = fileName.replace(/\.[^.]*$/, "");
   return [
-    { fileName: `${stem}.node`, bytes: nodes(mesh) },
-    { fileName: `${stem}.ele`, bytes: elements(mesh, note) },
-    { fileName: `${stem}.face`, bytes: faces(mesh, note) },
+    { fileName: `${stem}.node`, parts: nodes(mesh) },
+    { fileName: `${stem}.ele`, parts: elements(mesh, note) },
+    { fileName: `${stem}.face`, parts: faces(mesh, note) },
   ];
 }
 
 /** The three files in one zip. */
-export function writeTetgenZip(mesh: FileMesh, fileName: string, note: Note): readonly FileBytes[] {
+export function* writeTetgenZip(mesh: FileMesh, note: Note, fileName: string): Generator<Part, void> {
   const [base = ""] = /[^/\\]*$/.exec(fileName) ?? [];
   const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`, note);
-  const zipped = zipSync(Object.fromEntries(files.map((file) => [file.fileName, file.bytes])), {
-    mtime: MADE,
-  });
-  return [{ fileName, bytes: zipped.slice() }];
+  const held: Zippable = {};
+  for (const file of files) {
+    held[file.fileName] = joinBytes(file.parts);
+    yield BREATH;
+  }
+  yield zipSync(held, { mtime: MADE });
 }
 
-function nodes({ points }: FileMesh): Uint8Array<ArrayBuffer> {
-  return joinBytes([
+function nodes({ points }: FileMesh): Part[] {
+  return [
     `# points\n${points.length / 3} 3 0 0\n`,
-    ...numberRows(points, 3, (row, i) => `${i + 1} ${coordinates(row)}`),
-  ]);
+    numberRows(points, 3, (row, i) => `${i + 1} ${coordinates(row)}`),
+  ];
 }
 
-function elements(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+function elements(mesh: FileMesh, note: Note): Part[] {
   const { tetrahedra, tetrahedronRegion, regions } = mesh;
-  return joinBytes([
+  return [
     ...comments("tetrahedra with their region", nameLines("region", mesh, note)),
     `${tetrahedra.length / 4} 4 1\n`,
-    ...rows(tetrahedra, 4, tetrahedronRegion, regions),
-  ]);
+    rows(tetrahedra, 4, tetrahedronRegion, regions),
+  ];
 }
 
-function faces(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+function faces(mesh: FileMesh, note: Note): Part[] {
   const { triangles, trianglePatch, patches } = mesh;
-  return joinBytes([
+  return [
     ...comments("triangles with their patch", nameLines("patch", mesh, note)),
     `${triangles.length / 3} 1\n`,
-    ...rows(triangles, 3, trianglePatch, patches),
-  ]);
+    rows(triangles, 3, trianglePatch, patches),
+  ];
 }
 
 function comments(...lines: readonly (string | readonly string[])[]): string[] {
@@ -63,12 +65,7 @@ function comments(...lines: readonly (string | readonly string[])[]): string[] {
 }
 
 /** Number, corners from 1, tag. */
-function rows(
-  nodes: Uint32Array,
-  width: number,
-  owners: Uint32Array,
-  groups: readonly FileGroup[],
-): string[] {
+function rows(nodes: Uint32Array, width: number, owners: Uint32Array, groups: readonly FileGroup[]): Part {
   const counted = nodes.map((node) => node + 1);
   return numberRows(
     counted,

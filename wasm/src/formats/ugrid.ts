@@ -3,7 +3,7 @@
  * of their patch, and the tetrahedra. As text (`.ugrid`) or as high-byte-first numbers (`.b8.ugrid`). The
  * format has no names and no regions; patches are numbered as everywhere else.
  */
-import { bigEndianDoubles, bigEndianInts, joinBytes } from "./bytes.js";
+import { bigEndianDoubles, bigEndianInts, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { noteNames } from "./groups.js";
@@ -11,27 +11,27 @@ import { coordinates, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
 /** The bytes of a UGRID file as text. */
-export function writeUgrid(given: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeUgrid(given: FileMesh, note: Note): Part[] {
   const mesh = boundedMesh(given, note);
-  return joinBytes([
+  return [
     `${countsOf(mesh).join(" ")}\n`,
-    ...numberRows(mesh.points, 3, (row) => coordinates(row)),
-    ...numberRows(fromOne(mesh.triangles), 3, (row) => row.join(" ")),
-    ...numberRows(tagsOfTriangles(mesh), 1, (row) => row.join(" ")),
-    ...numberRows(fromOne(mesh.tetrahedra), 4, (row) => row.join(" ")),
-  ]);
+    numberRows(mesh.points, 3, (row) => coordinates(row)),
+    numberRows(fromOne(mesh.triangles), 3, (row) => row.join(" ")),
+    numberRows(tagsOfTriangles(mesh), 1, (row) => row.join(" ")),
+    numberRows(fromOne(mesh.tetrahedra), 4, (row) => row.join(" ")),
+  ];
 }
 
 /** The bytes of a UGRID file as numbers, high byte first. */
-export function writeUgridBinary(given: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeUgridBinary(given: FileMesh, note: Note): Part[] {
   const mesh = boundedMesh(given, note);
-  return joinBytes([
+  return [
     bigEndianInts(countsOf(mesh)),
     bigEndianDoubles(mesh.points),
     bigEndianInts(fromOne(mesh.triangles)),
     bigEndianInts(tagsOfTriangles(mesh)),
     bigEndianInts(fromOne(mesh.tetrahedra)),
-  ]);
+  ];
 }
 
 function boundedMesh(mesh: FileMesh, note: Note): FileMesh {

@@ -3,7 +3,7 @@
  * tetrahedra and the boundary's triangles with `region` and `patch` as cell data. As text, with each cell behind the
  * number of its nodes: Gmsh reads no other form. Names are in the title, where all of them fit.
  */
-import { joinBytes } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { noteNames } from "./groups.js";
@@ -15,17 +15,17 @@ const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
 
 /** The bytes of a legacy VTK file. */
-export function writeVtk(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function writeVtk(mesh: FileMesh, note: Note): Part[] {
   const { points, tetrahedra, triangles } = mesh;
   const { types, regions, patches } = vtkCellData(mesh);
   const perCell = (values: Int32Array | Uint8Array) => numberRows(values, 1, ([value]) => String(value));
-  return joinBytes([
+  return [
     `# vtk DataFile Version 3.0\n${title(mesh, note)}\nASCII\nDATASET UNSTRUCTURED_GRID\n`,
     `POINTS ${points.length / 3} double\n`,
-    ...numberRows(points, 3, (row) => coordinates(row)),
+    numberRows(points, 3, (row) => coordinates(row)),
     `CELLS ${types.length} ${types.length + tetrahedra.length + triangles.length}\n`,
-    ...numberRows(tetrahedra, 4, (row) => `4 ${row.join(" ")}`),
-    ...numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
+    numberRows(tetrahedra, 4, (row) => `4 ${row.join(" ")}`),
+    numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
     `CELL_TYPES ${types.length}\n`,
     ...perCell(types),
     `CELL_DATA ${types.length}\nSCALARS region int 1\nLOOKUP_TABLE default\n`,
@@ -33,16 +33,16 @@ export function writeVtk(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     "SCALARS patch int 1\nLOOKUP_TABLE default\n",
     ...perCell(patches),
     ...pointData(mesh),
-  ]);
+  ];
 }
 
 /** Numbers at the nodes, under names in which what ends or splits words stands as %20. */
-function pointData({ points, nodeData }: FileMesh): string[] {
+function pointData({ points, nodeData }: FileMesh): Part[] {
   if (nodeData.size === 0) return [];
   const count = points.length / 3;
-  const arrays = [...nodeData].flatMap(([name, { components, values }]) => [
+  const arrays = [...nodeData].flatMap(([name, { components, values }]): Part[] => [
     `${nameWord(name)} ${components} ${count} double\n`,
-    ...numberRows(values, components, (row) => coordinates(row).replace("NaN", "nan")),
+    numberRows(values, components, (row) => coordinates(row).replace("NaN", "nan")),
   ]);
   return [`POINT_DATA ${count}\nFIELD numbers ${nodeData.size}\n`, ...arrays];
 }

@@ -6,7 +6,7 @@
  */
 import { zlibSync } from "fflate";
 
-import { IS_LITTLE_ENDIAN, joinBytes, widened } from "./bytes.js";
+import { BREATH, IS_LITTLE_ENDIAN, joinBytes, widened, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
@@ -23,7 +23,7 @@ interface DataArray {
 }
 
 /** The bytes of a VTU file. */
-export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
+export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
   const { connectivity, offsets } = cellNodes(mesh);
   const { types, regions, patches } = vtkCellData(mesh);
@@ -39,7 +39,8 @@ export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
       values,
     })),
   ];
-  const packed = arrays.map(({ values }) => compressed(values));
+  const packed: Uint8Array[] = [];
+  for (const { values } of arrays) packed.push(yield* compressed(values));
   const [pointTag, connectivityTag, offsetTag, typeTag, regionTag, patchTag, ...dataTags] = arrayTags(
     arrays,
     packed,
@@ -60,7 +61,7 @@ export function writeVtu(mesh: FileMesh, note: Note): Uint8Array<ArrayBuffer> {
     '<AppendedData encoding="raw">',
     "_",
   ].join("\n");
-  return joinBytes([head, ...packed, "\n</AppendedData>\n</VTKFile>\n"]);
+  yield* [head, ...packed, "\n</AppendedData>\n</VTKFile>\n"];
 }
 
 /** The nodes of the cells one after the other, and where those of each end. */
@@ -87,11 +88,12 @@ function escaped(line: string): string {
 }
 
 /** Numbers of blocks, bytes of a block, bytes of a shorter last one, bytes of each when packed; the blocks. */
-function compressed(values: ArrayBufferView): Uint8Array {
+function* compressed(values: ArrayBufferView): Generator<Part, Uint8Array> {
   const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
   const blocks: Uint8Array[] = [];
   for (let at = 0; at < bytes.length; at += BLOCK_BYTES) {
     blocks.push(zlibSync(bytes.subarray(at, at + BLOCK_BYTES), { level: LEVEL }));
+    yield BREATH;
   }
   const header = [
     blocks.length,
