@@ -220,6 +220,35 @@ INSTANTIATE_TEST_SUITE_P(
                                                             oneOf(size, {12, 24, 48})),
                                     seed);
                }},
+        Family{"needlePlates", 3,
+               [](int size, std::uint64_t seed) {
+                 return transformed(testing::needlePlate(oneOf(size, {1, 2, 3}),
+                                                         oneOf(size, {32, 24, 16}), 0.05),
+                                    seed);
+               }},
+        Family{"needleGears", 3,
+               [](int size, std::uint64_t seed) {
+                 return transformed(
+                     testing::needleGear(oneOf(size, {6, 12, 24}), between(seed, 0.01, 0.3)), seed);
+               }},
+        Family{"threads", 2,
+               [](int size, std::uint64_t seed) {
+                 return transformed(testing::screwThread(oneOf(size, {1, 2, 3}),
+                                                         oneOf(size, {8, 12, 16})),
+                                    seed);
+               }},
+        Family{"blades", 3,
+               [](int size, std::uint64_t seed) {
+                 return transformed(
+                     testing::twistedBlade(oneOf(size, {4, 12, 20}), oneOf(size, {4, 6, 10}),
+                                           between(seed, 0.002, 0.03)),
+                     seed);
+               }},
+        Family{"bentSheets", 3,
+               [](int size, std::uint64_t seed) {
+                 return transformed(
+                     testing::bentSheet(oneOf(size, {8, 24, 60}), between(seed, 1e-3, 0.03)), seed);
+               }},
         Family{"stars", 10,
                [](int size, std::uint64_t seed) {
                  // Jagged prisms: a star of needles, drawn up.

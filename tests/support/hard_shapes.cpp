@@ -1,5 +1,6 @@
 #include "support/hard_shapes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -512,6 +513,218 @@ SurfaceMesh flatPocket() {
                     3, 11, 10, 5,  13, 6,  5, 6,  10, 5, 10, 11, 3, 10, 8,  4, 11, 12,
                     0, 9,  14, 10, 1,  2,  2, 14, 10, 1, 9,  0,  7, 13, 8,  0, 14, 2};
   return mesh;
+}
+
+namespace {
+
+/// Cuts a polygon into triangles by the first ear there is. Places may be repeated where slits lead to
+/// holes.
+std::vector<std::array<std::uint32_t, 3>> firstEarsOf(const std::vector<Vec2>& places,
+                                                      std::vector<std::uint32_t> polygon) {
+  std::vector<std::array<std::uint32_t, 3>> ears;
+  const auto isEar = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    const Vec2& p = places[a];
+    const Vec2& q = places[b];
+    const Vec2& r = places[c];
+    if (turn(p, q, r) <= 1e-12) return false;
+    return std::none_of(polygon.begin(), polygon.end(), [&](std::uint32_t other) {
+      const Vec2& o = places[other];
+      if (other == a || other == b || other == c) return false;
+      return turn(p, q, o) >= 0.0 && turn(q, r, o) >= 0.0 && turn(r, p, o) >= 0.0;
+    });
+  };
+  std::size_t at = 0;
+  std::size_t missed = 0;
+  while (polygon.size() > 3 && missed <= polygon.size()) {
+    const std::size_t n = polygon.size();
+    const std::array<std::uint32_t, 3> ear{polygon[(at + n - 1) % n], polygon[at],
+                                           polygon[(at + 1) % n]};
+    if (isEar(ear[0], ear[1], ear[2])) {
+      ears.push_back(ear);
+      polygon.erase(polygon.begin() + static_cast<std::ptrdiff_t>(at));
+      missed = 0;
+      at %= polygon.size();
+    } else {
+      at = (at + 1) % n;
+      ++missed;
+    }
+  }
+  ears.push_back({polygon[0], polygon[1], polygon[2]});
+  return ears;
+}
+
+/// Loops in the plane, holes clockwise, drawn up; `polygon` passes through them all.
+SurfaceMesh needlePrism(const std::vector<Vec2>& places,
+                        const std::vector<std::vector<std::uint32_t>>& loops,
+                        const std::vector<std::uint32_t>& polygon, double height) {
+  SurfaceMesh mesh;
+  for (const double z : {0.0, height}) {
+    for (const Vec2& p : places) addPoint(mesh, {p.x, p.y, z});
+  }
+  const auto top = static_cast<std::uint32_t>(places.size());
+  for (const auto& ear : firstEarsOf(places, polygon)) {
+    addTriangle(mesh, ear[0], ear[2], ear[1]);
+    addTriangle(mesh, top + ear[0], top + ear[1], top + ear[2]);
+  }
+  for (const std::vector<std::uint32_t>& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t a = loop[i];
+      const std::uint32_t b = loop[(i + 1) % loop.size()];
+      addSquare(mesh, {a, b, top + b, top + a}, false);
+    }
+  }
+  return mesh;
+}
+
+/// Rings of nodes joined by squares, each cut in two, without ends.
+void addRings(SurfaceMesh& mesh, std::uint32_t rings, std::uint32_t around) {
+  for (std::uint32_t i = 0; i + 1 < rings; ++i) {
+    for (std::uint32_t j = 0; j < around; ++j) {
+      const std::uint32_t a = i * around + j;
+      const std::uint32_t b = i * around + (j + 1) % around;
+      addSquare(mesh, {a, b, b + around, a + around}, true);
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceMesh needlePlate(int n, int sides, double thickness) {
+  std::vector<Vec2> places;
+  const auto add = [&](double x, double y) {
+    places.emplace_back(x, y);
+    return static_cast<std::uint32_t>(places.size() - 1);
+  };
+  // Down the left side, with a slit along each row of holes: above them to the right, below them back.
+  std::vector<std::uint32_t> outer{add(0.0, n)};
+  std::vector<std::uint32_t> polygon = outer;
+  std::vector<std::vector<std::uint32_t>> loops(1);
+  for (int row = n - 1; row >= 0; --row) {
+    outer.push_back(add(0.0, row + 0.5));
+    polygon.push_back(outer.back());
+    std::vector<std::uint32_t> back;
+    for (int column = 0; column < n; ++column) {
+      std::vector<std::uint32_t> hole;
+      for (int k = 0; k < sides; ++k) {
+        const double angle = std::numbers::pi * (1.0 - 2.0 * k / sides);
+        hole.push_back(add(column + 0.5 + 0.02 * row + 0.3 * std::cos(angle),
+                           row + 0.5 + 0.015 * column + 0.3 * std::sin(angle)));
+      }
+      const auto half = static_cast<std::ptrdiff_t>(sides / 2);
+      polygon.insert(polygon.end(), hole.begin(), hole.begin() + half + 1);
+      std::vector<std::uint32_t> below(hole.begin() + half, hole.end());
+      below.push_back(hole.front());
+      back.insert(back.begin(), below.begin(), below.end());
+      loops.push_back(std::move(hole));
+    }
+    // The last hole's far end is passed once.
+    polygon.insert(polygon.end(), back.begin() + 1, back.end());
+    polygon.push_back(outer.back());
+  }
+  for (const Vec2& corner : {Vec2(0.0, 0.0), Vec2(n + 0.1, 0.0), Vec2(n + 0.1, n)}) {
+    outer.push_back(add(corner.x, corner.y));
+    polygon.push_back(outer.back());
+  }
+  loops.front() = outer;
+  return needlePrism(places, loops, polygon, thickness);
+}
+
+SurfaceMesh needleGear(int teeth, double thickness) {
+  constexpr std::array<std::array<double, 2>, 6> kTooth{
+      {{0.0, 0.8}, {0.2, 0.8}, {0.35, 0.95}, {0.45, 1.0}, {0.65, 1.0}, {0.8, 0.9}}};
+  std::vector<Vec2> places;
+  std::vector<std::uint32_t> loop;
+  for (int tooth = 0; tooth < teeth; ++tooth) {
+    for (const auto& [share, radius] : kTooth) {
+      const double angle = 2.0 * std::numbers::pi * (tooth + share) / teeth;
+      loop.push_back(static_cast<std::uint32_t>(places.size()));
+      places.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    }
+  }
+  return needlePrism(places, {loop}, loop, thickness);
+}
+
+SurfaceMesh screwThread(int turns, int around) {
+  constexpr int kRingsPerTurn = 8;
+  constexpr double kPitch = 0.2;
+  const auto depth = [](double turn) {
+    turn -= std::floor(turn);
+    if (turn < 0.2) return 0.0;
+    if (turn < 0.4) return (turn - 0.2) / 0.2;
+    return turn < 0.8 ? 1.0 : (1.0 - turn) / 0.2;
+  };
+  SurfaceMesh mesh;
+  const int rings = turns * kRingsPerTurn + 1;
+  for (int i = 0; i < rings; ++i) {
+    const double turn = static_cast<double>(i) / kRingsPerTurn;
+    for (int j = 0; j < around; ++j) {
+      const double angle = 2.0 * std::numbers::pi * j / around;
+      const double radius = 0.5 + 0.15 * depth(turn - static_cast<double>(j) / around);
+      addPoint(mesh, {radius * std::cos(angle), radius * std::sin(angle), kPitch * turn});
+    }
+  }
+  const auto n = static_cast<std::uint32_t>(around);
+  const std::uint32_t last = n * static_cast<std::uint32_t>(rings - 1);
+  addRings(mesh, static_cast<std::uint32_t>(rings), n);
+  const std::uint32_t below = addPoint(mesh, {0.0, 0.0, 0.0});
+  const std::uint32_t above = addPoint(mesh, {0.0, 0.0, kPitch * turns});
+  for (std::uint32_t j = 0; j < n; ++j) {
+    const std::uint32_t k = (j + 1) % n;
+    addTriangle(mesh, below, k, j);
+    addTriangle(mesh, above, last + j, last + k);
+  }
+  return mesh;
+}
+
+SurfaceMesh twistedBlade(int along, int across, double thickness) {
+  SurfaceMesh mesh;
+  const auto addSection = [&](double share) {
+    const auto addAt = [&](double x, double y) {
+      const double chord = 1.0 - 0.5 * share;
+      const double u = (x - 0.5) * chord;
+      const double v = y * chord + 0.1 * u * u;
+      const double angle = 1.2 * share;
+      addPoint(mesh, {u * std::cos(angle) - v * std::sin(angle),
+                      u * std::sin(angle) + v * std::cos(angle), 6.0 * share});
+    };
+    for (int k = 0; k < 2 * across; ++k) {
+      const double x = 0.5 * (1.0 - std::cos(std::numbers::pi * k / across));
+      addAt(x, (k < across ? -0.3 : 1.0) * 4.0 * thickness * x * (1.0 - x));
+    }
+  };
+  for (int i = 0; i <= along; ++i) addSection(static_cast<double>(i) / along);
+  const auto n = static_cast<std::uint32_t>(2 * across);
+  const std::uint32_t last = n * static_cast<std::uint32_t>(along);
+  addRings(mesh, static_cast<std::uint32_t>(along + 1), n);
+  // From edge to edge: a triangle, strips of two, a triangle.
+  for (std::uint32_t k = 0; k + 1 < n / 2; ++k) {
+    const std::uint32_t below = k + 1;
+    const std::uint32_t above = n - 1 - k;
+    const std::uint32_t before = k == 0 ? 0 : above + 1;
+    addTriangle(mesh, before, above, below);
+    addTriangle(mesh, last + before, last + below, last + above);
+    if (k > 0) {
+      addTriangle(mesh, k, before, below);
+      addTriangle(mesh, last + k, last + below, last + before);
+    }
+  }
+  const std::uint32_t tip = n / 2;
+  addTriangle(mesh, tip - 1, tip + 1, tip);
+  addTriangle(mesh, last + tip - 1, last + tip, last + tip + 1);
+  return mesh;
+}
+
+SurfaceMesh bentSheet(int strips, double thickness) {
+  std::vector<Vec2> places;
+  std::vector<std::uint32_t> loop;
+  const auto add = [&](double radius, int i) {
+    const double angle = std::numbers::pi * i / strips;
+    loop.push_back(static_cast<std::uint32_t>(places.size()));
+    places.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  };
+  for (int i = 0; i <= strips; ++i) add(1.0, i);
+  for (int i = strips; i >= 0; --i) add(1.0 - thickness, i);
+  return needlePrism(places, {loop}, loop, 3.0);
 }
 
 SurfaceMesh blockWithIsland(int n) {

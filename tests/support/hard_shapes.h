@@ -73,6 +73,22 @@ SurfaceMesh distantBlocks(int n, int step, std::uint64_t seed);
 /// plane but for rounding, so that a point within may find no place in doubles.
 SurfaceMesh flatPocket();
 
+/// A plate with n x n round holes of so many sides each (even), drawn up; its flat faces are cut into needles
+/// by taking the first ear there is, again and again.
+SurfaceMesh needlePlate(int n, int sides, double thickness);
+
+/// A gear of so many teeth, its flat faces cut likewise.
+SurfaceMesh needleGear(int teeth, double thickness);
+
+/// A screw thread of so many turns with so many nodes around; long triangles along the flanks.
+SurfaceMesh screwThread(int turns, int around);
+
+/// A thin twisted blade with two sharp edges: 2 * `across` nodes around each of `along` + 1 sections.
+SurfaceMesh twistedBlade(int along, int across, double thickness);
+
+/// A sheet bent round about half a turn, in so many strips as long as it is wide.
+SurfaceMesh bentSheet(int strips, double thickness);
+
 /// A block with a cavity, and a block in that.
 SurfaceMesh blockWithIsland(int n);
 

@@ -69,6 +69,74 @@ export function torusSurface(n: number, m: number, radius = 1, thickness = 0.4):
   return builder.surface();
 }
 
+/**
+ * A gear whose flat faces are cut into needles, by taking the first ear there is again and again, turned in
+ * space.
+ */
+export function needleGearSurface(teeth: number, thickness = 0.05): SurfaceInput {
+  const builder = new SurfaceBuilder();
+  const outline = Array.from({ length: teeth * 6 }, (_, i): readonly [number, number] => {
+    const radius = [0.8, 0.8, 0.95, 1, 1, 0.9][i % 6] ?? 1;
+    const angle = (Math.PI * i) / (3 * teeth);
+    return [radius * Math.cos(angle), radius * Math.sin(angle)];
+  });
+  const corner = (i: number): readonly [number, number] => outline[i % outline.length] ?? [0, 0];
+  const place = (i: number, z: number): Triple => {
+    const [x, y] = corner(i);
+    return [0.36 * x + 0.48 * y - 0.8 * z, -0.8 * x + 0.6 * y, 0.48 * x + 0.64 * y + 0.6 * z];
+  };
+  const turn = (a: number, b: number, c: number): number => {
+    const [ax, ay] = corner(a);
+    const [bx, by] = corner(b);
+    const [cx, cy] = corner(c);
+    return (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  };
+  const rest = outline.map((_, i) => i);
+  while (rest.length > 2) {
+    const n = rest.length;
+    const ear = (i: number): [number, number, number] => [
+      rest[(i + n - 1) % n] ?? 0,
+      rest[i] ?? 0,
+      rest[(i + 1) % n] ?? 0,
+    ];
+    const first = rest.findIndex((_, i) => {
+      const [a, b, c] = ear(i);
+      const inside = (p: number): boolean => turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+      return turn(a, b, c) > 1e-12 && !rest.some((p) => p !== a && p !== b && p !== c && inside(p));
+    });
+    const [a, b, c] = ear(first);
+    builder.triangle([place(a, thickness), place(b, thickness), place(c, thickness)]);
+    builder.triangle([place(a, 0), place(c, 0), place(b, 0)]);
+    rest.splice(first, 1);
+  }
+  for (let i = 0; i < outline.length; i++) {
+    builder.quad([place(i, 0), place(i + 1, 0), place(i + 1, thickness), place(i, thickness)], false);
+  }
+  return builder.surface();
+}
+
+/** A screw thread of so many turns, with so many nodes around and long triangles along its flanks. */
+export function screwThreadSurface(turns: number, around: number): SurfaceInput {
+  const builder = new SurfaceBuilder();
+  const depth = (turn: number): number => {
+    const part = turn - Math.floor(turn);
+    return Math.max(0, Math.min((part - 0.2) / 0.2, 1, (1 - part) / 0.2));
+  };
+  const at = (i: number, j: number): Triple => {
+    const angle = (2 * Math.PI * (j % around)) / around;
+    const radius = 0.5 + 0.15 * depth(i / 8 - (j % around) / around);
+    return [radius * Math.cos(angle), radius * Math.sin(angle), 0.025 * i];
+  };
+  const rings = 8 * turns;
+  for (let j = 0; j < around; j++) {
+    for (let i = 0; i < rings; i++)
+      builder.quad([at(i, j), at(i, j + 1), at(i + 1, j + 1), at(i + 1, j)], false);
+    builder.triangle([[0, 0, 0], at(0, j + 1), at(0, j)]);
+    builder.triangle([[0, 0, 0.025 * rings], at(rings, j), at(rings, j + 1)]);
+  }
+  return builder.surface();
+}
+
 /** A cube of edge 2 about the origin with a spherical cavity. */
 export function cavitySurface(n: number, cavityRadius = 0.5): SurfaceInput {
   const inside = sphereSurface(Math.max(2, Math.round((n * cavityRadius) / 1.2)), cavityRadius);
@@ -91,11 +159,15 @@ export function joined(a: SurfaceInput, b: SurfaceInput): SurfaceInput {
   };
 }
 
-/** Collects quads by the coordinates of their corners. */
+/** Collects triangles and quads by the coordinates of their corners. */
 class SurfaceBuilder {
   readonly #nodes = new Map<string, number>();
   readonly #points: number[] = [];
   readonly #triangles: number[] = [];
+
+  triangle(corners: readonly [Triple, Triple, Triple]): void {
+    this.#triangles.push(...corners.map((corner) => this.#node(corner)));
+  }
 
   quad(corners: readonly [Triple, Triple, Triple, Triple], reversed: boolean): void {
     const [a, b, c, d] = corners.map((corner) => this.#node(corner)) as [number, number, number, number];

@@ -10,7 +10,7 @@ namespace tetrafront {
 namespace {
 
 /// Tetrahedra around a star may give way to an existing point, up to so many in all.
-constexpr std::size_t kLargestGrowth = 30;
+constexpr std::size_t kLargestGrowth = 200;
 /// Halvings of the step inwards, in doubles and then exactly.
 constexpr int kMaxHalvings = 50;
 constexpr int kMaxExactHalvings = 400;
@@ -40,7 +40,7 @@ Dyadic truncated(const Dyadic& value, int steps) {
 BoundaryClearing::BoundaryClearing(FillMesh& mesh,
                                    const std::vector<std::array<NodeId, 3>>& triangles,
                                    std::span<const NodeId> boundaryPoints)
-    : mesh_(mesh), triangles_(triangles), cone_(mesh, none_) {
+    : mesh_(mesh), triangles_(triangles), cone_(mesh, none_), thickening_(mesh) {
   separateSectors(boundaryPoints);
 }
 
@@ -349,15 +349,33 @@ std::optional<DyadicVec3> BoundaryClearing::exactInwards() const {
   return {};
 }
 
+/// How far the farthest node around is.
+double BoundaryClearing::reach(NodeId node) const {
+  double farthest = 0.0;
+  for (const TetId id : star_) {
+    for (const NodeId other : mesh_.tet(id).nodes) {
+      const Vec3 way = mesh_.points.place(other) - mesh_.points.place(node);
+      farthest = std::max(farthest, glm::length(way));
+    }
+  }
+  return farthest;
+}
+
 bool BoundaryClearing::replaceByNew(NodeId node) {
+  if (replaceByDouble(node)) return true;
+  if (thickening_.makeRoomAt(node, interiorPoints_) > 0) {
+    mesh_.star(node, star_);
+    if (!describe(node)) return false;
+    if (replaceByDouble(node)) return true;
+  }
+  return replaceByExact(node);
+}
+
+bool BoundaryClearing::replaceByDouble(NodeId node) {
   StarKernel kernel;
-  double reach = 0.0;
   const Vec3 place = mesh_.points.place(node);
   for (const TetId id : star_) {
     kernel.add(mesh_.points, mesh_.innerFace(id, mesh_.cornerOf(id, node)));
-    for (const NodeId other : mesh_.tet(id).nodes) {
-      reach = std::max(reach, glm::length(mesh_.points.place(other) - place));
-    }
   }
   for (const Fan& fan : fans_) {
     for (const BoundaryFace& face : fan.triangles) kernel.add(mesh_.points, face.nodes);
@@ -366,7 +384,7 @@ bool BoundaryClearing::replaceByNew(NodeId node) {
   const Vec3 direction = inwards();
   for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
     if (tryPlace(node, kernel.deepest(middle), growth)) return true;
-    double step = 0.5 * reach;
+    double step = 0.5 * reach(node);
     for (int i = 0; i < kMaxHalvings; ++i, step *= 0.5) {
       const Vec3 there = place + direction * step;
       if (tryPlace(node, kernel.deepest(there), growth) || tryPlace(node, there, growth)) {
@@ -374,12 +392,17 @@ bool BoundaryClearing::replaceByNew(NodeId node) {
       }
     }
   }
+  return false;
+}
+
+/// A little way inwards, however little. Such a way exists, but for doubles it may be too little.
+bool BoundaryClearing::replaceByExact(NodeId node) {
   const std::optional<DyadicVec3> exact = exactInwards();
   if (!exact) return false;
   const double length = std::fabs((*exact)[0].toDouble()) + std::fabs((*exact)[1].toDouble()) +
                         std::fabs((*exact)[2].toDouble());
   int exponent = 0;
-  std::frexp(reach / length, &exponent);
+  std::frexp(reach(node) / length, &exponent);
   const DyadicVec3 start = mesh_.points.exact(node);
   for (int i = 0; i < kMaxExactHalvings; ++i) {
     const Dyadic factor(std::ldexp(1.0, exponent - i));

@@ -14,6 +14,7 @@
 
 #include "fill/cone.h"
 #include "fill/fill_mesh.h"
+#include "fill/flat_thickening.h"
 
 namespace tetrafront {
 
@@ -54,6 +55,9 @@ class BoundaryClearing {
   bool replaceByExisting(NodeId node);
   bool replaceByExistingInRoom(NodeId node);
   bool replaceByNew(NodeId node);
+  bool replaceByDouble(NodeId node);
+  bool replaceByExact(NodeId node);
+  [[nodiscard]] double reach(NodeId node) const;
   bool tryPlace(NodeId node, const Vec3& place, std::size_t growth);
   bool tryPlace(NodeId node, const DyadicVec3& place);
   bool tryLast(NodeId node, std::size_t growth);
@@ -65,6 +69,7 @@ class BoundaryClearing {
   const std::vector<std::array<NodeId, 3>>& triangles_;
   ConstraintEdges none_;
   Cone cone_;
+  FlatThickening thickening_;
   /// What is to be done with a node next.
   enum class Turn : std::uint8_t { kNone, kWaiting, kPostponed };
   std::vector<Turn> turns_;        ///< per node

@@ -25,11 +25,16 @@ constexpr std::array<EdgeOrder, 3> kEdgeOrders{EdgeOrder::kLongestFirst, EdgeOrd
 
 class ExactFill::Impl {
  public:
-  Impl(FillTask task, unsigned order) : task_(std::move(task)), order_(order) {}
+  Impl(FillTask task, unsigned order, std::uint64_t limit)
+      : task_(std::move(task)), order_(order), limit_(limit) {}
 
   State advance(std::uint32_t budget) {
     const std::uint64_t end = work() + kWorkPerUnit * std::max(budget, 1U);
-    while (stage_ != Stage::kDone && stage_ != Stage::kFailed && work() < end) step();
+    while (stage_ != Stage::kDone && stage_ != Stage::kFailed && work() < end) {
+      step();
+      // Looked at after each step, so that it does not depend on the slices.
+      if (stage_ != Stage::kDone && work() / kWorkPerUnit > limit_) stage_ = Stage::kFailed;
+    }
     if (stage_ == Stage::kFailed) return State::kFailed;
     if (stage_ != Stage::kDone) return State::kRunning;
     return result_.openFaces.empty() && result_.openTriangles.empty() ? State::kDone
@@ -227,6 +232,7 @@ class ExactFill::Impl {
 
   FillTask task_;
   unsigned order_;
+  std::uint64_t limit_;
   FillMesh mesh_;
   FillResult result_;
   Stage stage_ = Stage::kBegin;
@@ -237,8 +243,8 @@ class ExactFill::Impl {
   std::optional<InteriorClearing> interior_;
 };
 
-ExactFill::ExactFill(FillTask task, unsigned order)
-    : impl_(std::make_unique<Impl>(std::move(task), order)) {}
+ExactFill::ExactFill(FillTask task, unsigned order, std::uint64_t limit)
+    : impl_(std::make_unique<Impl>(std::move(task), order, limit)) {}
 ExactFill::ExactFill(ExactFill&&) noexcept = default;
 ExactFill& ExactFill::operator=(ExactFill&&) noexcept = default;
 ExactFill::~ExactFill() = default;

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -44,13 +45,17 @@ class ExactFill {
   /// place in doubles after one of them, it mostly has after another.
   static constexpr unsigned kOrders = 6;
 
-  explicit ExactFill(FillTask task, unsigned order = 0);
+  static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
+
+  /// `limit`: gives up after so many units of the budget of advance().
+  explicit ExactFill(FillTask task, unsigned order = 0, std::uint64_t limit = kNoLimit);
   ExactFill(ExactFill&&) noexcept;
   ExactFill& operator=(ExactFill&&) noexcept;
   ~ExactFill();
 
   /// kPartial: points inside had no place in doubles; the result leaves open what is around them.
-  /// kFailed: the triangles are not the closed boundary of something; there is no result.
+  /// kFailed: the triangles are not the closed boundary of something, or the limit is reached; there is
+  /// no result.
   enum class State : std::uint8_t { kRunning, kDone, kPartial, kFailed };
   /// Works on for about `budget` times 2 microseconds, then returns; the outcome does not depend on it.
   State advance(std::uint32_t budget);

@@ -14,7 +14,7 @@ constexpr int kMaxSweeps = 12;
 }  // namespace
 
 InteriorClearing::InteriorClearing(FillMesh& mesh, std::span<const NodeId> interiorPoints)
-    : mesh_(mesh), cone_(mesh, none_) {
+    : mesh_(mesh), cone_(mesh, none_), thickening_(mesh) {
   for (const NodeId node : interiorPoints) {
     if (!mesh.at(node).isNone()) points_.push_back(node);
   }
@@ -44,6 +44,7 @@ InteriorClearing::State InteriorClearing::step() {
   }
   const NodeId moved = movePoint(node);
   if (moved != node) changed_ = true;
+  if (!mesh_.points.isDouble(moved) && thickening_.makeRoomAt(moved, points_) > 0) changed_ = true;
   points_[next_++] = moved;
   return State::kRunning;
 }

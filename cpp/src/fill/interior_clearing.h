@@ -8,6 +8,7 @@
 
 #include "fill/cone.h"
 #include "fill/fill_mesh.h"
+#include "fill/flat_thickening.h"
 
 namespace tetrafront {
 
@@ -32,6 +33,7 @@ class InteriorClearing {
   FillMesh& mesh_;
   ConstraintEdges none_;
   Cone cone_;
+  FlatThickening thickening_;
   std::vector<NodeId> points_;
   std::size_t next_ = 0;
   int sweep_ = 0;

@@ -2,6 +2,7 @@
 
 /// @file The elements made so far, in the order they were made.
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -9,6 +10,12 @@
 #include "volume/front.h"
 
 namespace tetrafront {
+
+/// Elements or nodes made by one piece of recovery: from `first` up to before `last`.
+struct MadeRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
 
 struct Elements {
   std::vector<NodeQuad> nodes;

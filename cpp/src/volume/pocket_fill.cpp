@@ -7,8 +7,8 @@
 
 namespace tetrafront {
 
-PocketFill::PocketFill(const Front& front, Pocket pocket, unsigned order)
-    : pocket_(std::move(pocket)), fill_(taskFor(front, pocket_, nodes_), order) {}
+PocketFill::PocketFill(const Front& front, Pocket pocket, unsigned order, std::uint64_t limit)
+    : pocket_(std::move(pocket)), fill_(taskFor(front, pocket_, nodes_), order, limit) {}
 
 FillTask PocketFill::taskFor(const Front& front, const Pocket& pocket, std::vector<NodeId>& nodes) {
   for (const FaceId face : pocket.faces) {

@@ -15,7 +15,8 @@ namespace tetrafront {
 
 class PocketFill {
  public:
-  PocketFill(const Front& front, Pocket pocket, unsigned order);
+  /// `limit`: see ExactFill.
+  PocketFill(const Front& front, Pocket pocket, unsigned order, std::uint64_t limit);
 
   ExactFill::State advance(std::uint32_t budget) { return fill_.advance(budget); }
 

@@ -48,8 +48,7 @@ Component describe(const Front& front, std::vector<FaceId> faces) {
   return component;
 }
 
-std::vector<Component> findComponents(const Front& front) {
-  const std::vector<FaceId> active = front.activeFaces();
+std::vector<Component> findComponents(const Front& front, std::span<const FaceId> active) {
   std::map<NodeId, std::uint32_t> compactNode;
   for (const FaceId face : active) {
     for (const NodeId node : front.face(face).nodes) compactNode.emplace(node, 0);
@@ -159,7 +158,11 @@ bool foreignFaceWithin(const Front& front, const Pocket& pocket, const Vec3& ape
 }  // namespace
 
 std::vector<Pocket> findPockets(const Front& front) {
-  std::vector<Component> components = findComponents(front);
+  return findPockets(front, front.activeFaces());
+}
+
+std::vector<Pocket> findPockets(const Front& front, std::span<const FaceId> faces) {
+  std::vector<Component> components = findComponents(front, faces);
   DisjointSets sets(components.size());
   for (std::uint32_t i = 0; i < components.size(); ++i) {
     if (!components[i].island) continue;
@@ -189,6 +192,23 @@ std::optional<Vec3> findStarPoint(const Front& front, const Pocket& pocket) {
   }
   if (foreignFaceWithin(front, pocket, place)) return {};
   return place;
+}
+
+bool fillFromStarPoint(Front& front, Elements& elements, const Pocket& pocket) {
+  if (!pocket.single) return false;
+  const std::optional<Vec3> place = findStarPoint(front, pocket);
+  if (!place) return false;
+  std::uint16_t layer = 0;
+  for (const FaceId face : pocket.faces) {
+    for (const NodeId node : front.face(face).nodes) layer = std::max(layer, front.layer(node));
+  }
+  const NodeId apex = front.addNode(*place, layer, front.face(pocket.faces.front()).hint);
+  for (const FaceId face : pocket.faces) {
+    const FrontFace& f = front.face(face);
+    elements.add({f.nodes[0], f.nodes[1], f.nodes[2], apex}, f.region);
+    front.removeFace(face);
+  }
+  return true;
 }
 
 }  // namespace tetrafront

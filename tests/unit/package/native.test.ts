@@ -12,6 +12,8 @@ import {
   boxSurface,
   cavitySurface,
   dividedSurface,
+  needleGearSurface,
+  screwThreadSurface,
   sphereSurface,
   torusSurface,
 } from "../../support/surfaces.js";
@@ -73,6 +75,9 @@ test.each<[string, SurfaceInput]>([
   ["a torus", torusSurface(48, 20)],
   ["a cube with a cavity", cavitySurface(10)],
   ["a cube with a wall", dividedSurface(8)],
+  ["a gear of needles", needleGearSurface(8)],
+  ["a screw thread", screwThreadSurface(2, 12)],
+  ["a torus of needles", torusSurface(120, 4)],
 ])("%s has the same mesh bit for bit natively and as WebAssembly", async (_, surface) => {
   const mesher = await createMesher();
   const { report } = await mesher.fillSurface(surface);

@@ -1,0 +1,85 @@
+#include "fill/flat_thickening.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tetrafront {
+namespace {
+
+/// Less shape than this is due to rounding: a height of 1e-10 edge lengths.
+constexpr double kFlatShape = 1e-20;
+/// How far off the new point is tried, in lengths of the shorter edge.
+constexpr double kHighest = 0.1;
+constexpr double kLowest = 1e-11;
+constexpr double kLower = 0.125;
+constexpr std::size_t kLargestGrowth = 200;
+
+}  // namespace
+
+std::size_t FlatThickening::makeRoomAt(NodeId node, std::vector<NodeId>& made) {
+  mesh_.star(node, star_);
+  std::vector<std::array<NodeId, 4>> flat;
+  for (const TetId id : star_) {
+    const std::array<NodeId, 4>& n = mesh_.tet(id).nodes;
+    if (std::fabs(shapeOf(mesh_.points, n)) < kFlatShape) flat.push_back(n);
+  }
+  std::size_t count = 0;
+  for (const std::array<NodeId, 4>& n : flat) {
+    const NodeId point = replaceOneOf(n);
+    if (point.isNone()) continue;
+    made.push_back(point);
+    ++count;
+  }
+  return count;
+}
+
+/// One of the two edges that cross in the plane.
+NodeId FlatThickening::replaceOneOf(const std::array<NodeId, 4>& n) {
+  for (const auto& [one, two] : {std::pair<Edge, Edge>{{n[0], n[1]}, {n[2], n[3]}},
+                                 {{n[0], n[2]}, {n[1], n[3]}},
+                                 {{n[0], n[3]}, {n[1], n[2]}}}) {
+    NodeId point = replace(one, two);
+    if (point.isNone()) point = replace(two, one);
+    if (!point.isNone()) return point;
+  }
+  return {};
+}
+
+bool FlatThickening::collectRing(const Edge& edge) {
+  mesh_.star(edge.u, ring_);
+  const auto seed =
+      std::find_if(ring_.begin(), ring_.end(), [&](TetId tet) { return mesh_.has(tet, edge.v); });
+  if (seed == ring_.end()) return false;
+  const TetId first = *seed;
+  mesh_.ring(first, edge.u, edge.v, ring_);
+  return true;
+}
+
+NodeId FlatThickening::replace(const Edge& edge, const Edge& other) {
+  const ExactPoints& points = mesh_.points;
+  const Vec3 start = points.place(edge.u);
+  const Vec3 along = points.place(edge.v) - start;
+  const Vec3 across = points.place(other.v) - points.place(other.u);
+  const Vec3 between = points.place(other.u) - start;
+  const Vec3 normal = glm::cross(along, across);
+  const double square = glm::dot(normal, normal);
+  if (!(square > 0.0)) return {};
+  const double t = glm::dot(glm::cross(between, across), normal) / square;
+  const double r = glm::dot(glm::cross(between, along), normal) / square;
+  const bool cross = t > 0.0 && t < 1.0 && r > 0.0 && r < 1.0;
+  if (!cross || !collectRing(edge)) return {};
+  const Vec3 unit = normal * (1.0 / std::sqrt(square));
+  const double length = std::min(glm::length(along), glm::length(across));
+  ConeRules rules;
+  rules.largestCavity = ring_.size() + kLargestGrowth;
+  for (double height = kHighest; height > kLowest; height *= kLower) {
+    for (const double off : {height * length, -height * length}) {
+      const NodeId made = mesh_.points.add(start + along * t + unit * off);
+      if (cone_.make(made, ring_, rules)) return made;
+      mesh_.points.dropLast();
+    }
+  }
+  return {};
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,103 @@
+#include "volume/element_index.h"
+
+#include <algorithm>
+
+#include "base/sort.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr std::size_t kElementsPerStep = 100;
+
+}  // namespace
+
+void ElementIndex::begin(std::size_t nodeCount) {
+  listed_ = elements_.size();
+  lists_ = Incidence(nodeCount);
+  firstLink_.clear();
+  links_.clear();
+  next_ = 0;
+  stage_ = Stage::kCount;
+}
+
+std::size_t ElementIndex::build(std::size_t budget) {
+  const std::size_t left = listed_ - next_;
+  // Compared before it is multiplied: the product can exceed 32 bits.
+  const std::size_t done = left / kElementsPerStep < budget ? left : kElementsPerStep * budget;
+  const std::size_t last = next_ + done;
+  for (; next_ < last; ++next_) {
+    for (const NodeId node : elements_.nodes[next_]) {
+      if (stage_ == Stage::kCount) {
+        lists_.count(node.value);
+      } else {
+        lists_.add(node.value, static_cast<std::uint32_t>(next_));
+      }
+    }
+  }
+  if (next_ == listed_) {
+    if (stage_ == Stage::kCount) lists_.endCounting();
+    stage_ = stage_ == Stage::kCount ? Stage::kAdd : Stage::kBuilt;
+    next_ = 0;
+  }
+  return 1 + done / kElementsPerStep;
+}
+
+void ElementIndex::chainNew() {
+  for (std::size_t e = listed_ + links_.size() / 4; e < elements_.size(); ++e) {
+    for (const NodeId node : elements_.nodes[e]) {
+      if (node.index() >= firstLink_.size()) firstLink_.resize(node.index() + 1, kEnd);
+      links_.push_back(firstLink_[node.index()]);
+      firstLink_[node.index()] = static_cast<std::uint32_t>(links_.size() - 1);
+    }
+  }
+}
+
+void ElementIndex::forgetFrom(std::size_t count) {
+  while (listed_ + links_.size() / 4 > count) {
+    const std::size_t element = listed_ + links_.size() / 4 - 1;
+    for (std::size_t k = 4; k-- > 0;) {
+      firstLink_[elements_.nodes[element][k].index()] = links_.back();
+      links_.pop_back();
+    }
+  }
+}
+
+template <class Take>
+void ElementIndex::forEachAt(NodeId node, const Take& take) const {
+  for (const std::uint32_t element : lists_.at(node.value)) take(TetId(element));
+  if (node.index() >= firstLink_.size()) return;
+  for (std::uint32_t link = firstLink_[node.index()]; link != kEnd; link = links_[link]) {
+    take(TetId(listed_ + link / 4));
+  }
+}
+
+std::vector<TetId> ElementIndex::around(std::vector<NodeId> nodes, std::uint32_t rings,
+                                        std::size_t enough) {
+  chainNew();
+  std::vector<NodeId> rim = nodes;
+  std::vector<TetId> elements;
+  std::vector<TetId> found;
+  for (std::uint32_t ring = 0; ring < rings && !rim.empty() && elements.size() < enough; ++ring) {
+    found.clear();
+    for (const NodeId node : rim) {
+      forEachAt(node, [&](TetId element) {
+        if (elements_.removed[element.index()] == 0) found.push_back(element);
+      });
+    }
+    elements.insert(elements.end(), found.begin(), found.end());
+    sortUnique(elements);
+    rim.clear();
+    for (const TetId element : found) {
+      const NodeQuad& quad = elements_.nodes[element.index()];
+      rim.insert(rim.end(), quad.begin(), quad.end());
+    }
+    sortUnique(rim);
+    std::erase_if(
+        rim, [&](NodeId node) { return std::binary_search(nodes.begin(), nodes.end(), node); });
+    nodes.insert(nodes.end(), rim.begin(), rim.end());
+    stableSort(nodes);
+  }
+  return elements;
+}
+
+}  // namespace tetrafront

@@ -1,0 +1,143 @@
+#include "volume/pocket_filler.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+#include "base/sort.h"
+
+namespace tetrafront {
+namespace {
+
+struct FirstTry {
+  std::uint32_t rings;
+  unsigned order;
+};
+/// What is tried first. A part is taken too; what is open then goes on with the next try.
+constexpr std::array<FirstTry, 9> kFirstTries{
+    {{0, 0}, {1, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}, {4, 0}, {6, 1}}};
+/// Then all orders are tried without a ring, with one, twice as many and so on; with more than so many places are
+/// taken as wholes only.
+constexpr std::uint32_t kMaxRingsInPart = 6;
+/// So many fills in part may there be, and so many more for each pocket.
+constexpr std::uint32_t kParts = 100;
+constexpr std::uint32_t kPartsPerPocket = 4;
+/// What such a try may cost, in units of ExactFill: most take a tenth. With other elements around the
+/// place what takes longer mostly takes much less.
+constexpr std::uint64_t kCostPerFace = 1000;
+constexpr std::uint64_t kExtraCost = 20'000;
+/// Touching this many faces or elements costs about as much as one step of the front.
+constexpr std::size_t kTouchedPerStep = 4;
+
+}  // namespace
+
+PocketFiller::PocketFiller(Front& front, Elements& elements, ElementIndex& index,
+                           PocketSet& pockets)
+    : front_(front), elements_(elements), index_(index), pockets_(pockets) {
+  for (auto i = static_cast<PocketSet::Number>(pockets_.size()); i-- > 0;) stack_.push_back(i);
+  tries_.assign(pockets_.size(), {0, kFirstTries[0].rings, kFirstTries[0].order, kNoElements});
+  partsLeft_ = kParts + kPartsPerPocket * static_cast<std::uint32_t>(pockets_.size());
+}
+
+std::size_t PocketFiller::work(std::uint32_t budget) {
+  if (isDone()) return 1;
+  if (!fill_) return begin();
+  const ExactFill::State state = fill_->advance(budget);
+  if (state != ExactFill::State::kRunning) finish(state);
+  return budget;
+}
+
+/// Gives the next pocket to the exact fill, with the elements around it.
+std::size_t PocketFiller::begin() {
+  const PocketSet::Number number = stack_.back();
+  Try& now = tries_[number];
+  Pocket pocket{pockets_.faces(number), false};
+  // Filled as part of another.
+  if (pocket.faces.empty()) {
+    stack_.pop_back();
+    return 1;
+  }
+  std::size_t touched = pocket.faces.size();
+  if (now.rings > 0) {
+    std::vector<TetId> around =
+        index_.around(pockets_.nodes(number), now.rings, std::numeric_limits<std::size_t>::max());
+    touched += around.size();
+    now.wasLargest = around.size() == now.removed;
+    now.removed = around.size();
+    if (now.wasLargest) {
+      if (!prepareNext(now)) stack_.pop_back();
+      return 1 + touched / kTouchedPerStep;
+    }
+    place_.emplace(front_, elements_, pockets_, number, std::move(around));
+    pocket.faces = place_->faces();
+  }
+  const std::uint64_t limit =
+      mayFillInPart(now) ? kCostPerFace * pocket.faces.size() + kExtraCost : ExactFill::kNoLimit;
+  fill_.emplace(front_, std::move(pocket), now.order, limit);
+  return 1 + touched / kTouchedPerStep;
+}
+
+bool PocketFiller::mayFillInPart(const Try& now) const {
+  return now.rings <= kMaxRingsInPart && partsLeft_ > 0;
+}
+
+/// False if all has been tried.
+bool PocketFiller::prepareNext(Try& now) const {
+  const bool wasLater = now.step >= kFirstTries.size();
+  if (!wasLater && now.step + 1 < kFirstTries.size() && partsLeft_ > 0) {
+    const FirstTry& first = kFirstTries[now.step + 1];
+    now = {now.step + 1, first.rings, first.order, kNoElements};
+  } else if (!wasLater) {
+    now = {kFirstTries.size(), 0, 0, kNoElements};
+  } else if (!now.wasLargest) {
+    now.rings = std::max(1U, 2 * now.rings);
+  } else {
+    now = {now.step, 0, now.order + 1, kNoElements};
+  }
+  return now.order < ExactFill::kOrders;
+}
+
+void PocketFiller::finish(ExactFill::State state) {
+  const PocketSet::Number number = stack_.back();
+  Try& now = tries_[number];
+  if (state == ExactFill::State::kDone) {
+    apply();
+    stack_.pop_back();
+  } else if (state == ExactFill::State::kPartial && mayFillInPart(now)) {
+    --partsLeft_;
+    std::vector<FaceId> open = apply();
+    stack_.pop_back();
+    queueOpen(std::move(open), now);
+  } else {
+    if (place_) place_->close(front_, elements_, pockets_);
+    if (!prepareNext(now)) stack_.pop_back();
+  }
+  place_.reset();
+  fill_.reset();
+}
+
+/// Returns the faces around what is left open.
+std::vector<FaceId> PocketFiller::apply() {
+  if (!place_) pockets_.remove(stack_.back());
+  const std::size_t elements = elements_.size();
+  const std::size_t nodes = front_.nodes().size();
+  std::vector<FaceId> open = fill_->apply(front_, elements_);
+  made_.push_back({{elements, elements_.size()}, {nodes, front_.nodes().size()}});
+  return open;
+}
+
+/// What is around points without a place in doubles: mostly little, so a ring of elements with it is
+/// little too.
+void PocketFiller::queueOpen(std::vector<FaceId> open, Try tried) {
+  if (!prepareNext(tried)) return;
+  stableSort(open);
+  std::vector<Pocket> pockets = findPockets(front_, open);
+  std::reverse(pockets.begin(), pockets.end());
+  for (Pocket& pocket : pockets) {
+    stack_.push_back(pockets_.add(std::move(pocket.faces)));
+    tries_.push_back(tried);
+  }
+}
+
+}  // namespace tetrafront

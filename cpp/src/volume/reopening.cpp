@@ -1,0 +1,143 @@
+#include "volume/reopening.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace tetrafront {
+namespace {
+
+constexpr std::uint32_t kMaxRings = 3;
+/// What is tried, in this order, for each number of rings. The first two close nearly all.
+constexpr std::array<RuleVariant, 6> kVariants{{
+    {1.0, kNewNodeWeight, true, false},
+    {0.8, kNewNodeWeight, true, true},
+    {1.25, kNewNodeWeight, true, false},
+    {0.65, 0.6, true, false},
+    {1.0, 0.6, true, true},
+    {1.1, 0.6, false, false},
+}};
+constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
+
+/// Bounds of one attempt; costs are as FrontAdvance::step() counts them.
+constexpr std::size_t kMaxRemovedElements = 4000;
+constexpr std::uint64_t kCostPerRemovedElement = 30;
+constexpr std::uint64_t kExtraCost = 2000;
+/// And of all attempts together, per element of the mesh: where pockets are many, or triangles are
+/// needles, the sizes asked for contradict the boundary, and trying everything everywhere would only
+/// take its time. The exact fill comes after, and the optimizer makes as much of its elements.
+constexpr std::uint64_t kTotalCostPerElement = 2;
+constexpr std::uint64_t kExtraTotalCost = 40'000;
+
+/// Touching this many faces or elements costs about as much as one step of the front.
+constexpr std::size_t kTouchedPerStep = 4;
+
+}  // namespace
+
+template <class Trace>
+std::size_t Reopening<Trace>::work(std::uint32_t budget, PocketSet& pockets) {
+  switch (stage_) {
+    case Stage::kBeginPass:
+      beginPass();
+      return 1;
+    case Stage::kIndex: {
+      const std::size_t cost = index_.build(budget);
+      if (index_.isBuilt()) stage_ = Stage::kReopen;
+      return cost;
+    }
+    case Stage::kReopen:
+      return reopenNext(pockets);
+    case Stage::kRefront:
+      return refront(budget, pockets);
+    case Stage::kDone:
+      break;
+  }
+  return 1;
+}
+
+template <class Trace>
+void Reopening<Trace>::beginPass() {
+  next_ = 0;
+  if (pass_ == kPasses || front_.activeCount() == 0) {
+    stage_ = Stage::kDone;
+  } else if (pass_ % kVariants.size() != 0) {
+    stage_ = Stage::kReopen;
+  } else {
+    index_.begin(front_.nodes().size());
+    stage_ = Stage::kIndex;
+  }
+}
+
+template <class Trace>
+std::size_t Reopening<Trace>::reopenNext(PocketSet& pockets) {
+  while (next_ < pockets.size() && pockets.faces(next_).empty()) ++next_;
+  if (cost_ > kTotalCostPerElement * elements_.size() + kExtraTotalCost) {
+    stage_ = Stage::kDone;
+    return 1;
+  }
+  if (next_ == pockets.size()) {
+    ++pass_;
+    stage_ = Stage::kBeginPass;
+    return 1;
+  }
+  const PocketSet::Number pocket = next_++;
+  const auto rings = static_cast<std::uint32_t>(pass_ / kVariants.size() + 1);
+  std::vector<TetId> around = index_.around(pockets.nodes(pocket), rings, kMaxRemovedElements);
+  const std::size_t touched = around.size() + pockets.faces(pocket).size();
+  if (around.size() <= kMaxRemovedElements) {
+    costLeft_ = kCostPerRemovedElement * around.size() + kExtraCost;
+    elementsBefore_ = elements_.size();
+    nodesBefore_ = front_.nodes().size();
+    place_.emplace(front_, elements_, pockets, pocket, std::move(around));
+    const RuleVariant& variant = kVariants[pass_ % kVariants.size()];
+    advance_.setVariant(variant);
+    front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
+    for (const FaceId face : place_->faces()) front_.requeue(face, 0);
+    stage_ = Stage::kRefront;
+  }
+  const std::size_t cost = 1 + touched / kTouchedPerStep;
+  cost_ += cost;
+  return cost;
+}
+
+template <class Trace>
+std::size_t Reopening<Trace>::refront(std::uint32_t budget, PocketSet& pockets) {
+  std::uint64_t cost = 0;
+  while (cost < budget && cost < costLeft_ && !front_.nothingQueued()) {
+    cost += advance_.step();
+  }
+  costLeft_ -= std::min(cost, costLeft_);
+  cost_ += cost;
+  if (!front_.nothingQueued() && costLeft_ > 0) return cost;
+  return cost + finish(pockets);
+}
+
+template <class Trace>
+std::size_t Reopening<Trace>::finish(PocketSet& pockets) {
+  front_.unqueueAll();
+  advance_.setVariant(RuleVariant{});
+  front_.setOrder(order_);
+  stage_ = Stage::kReopen;
+  const std::vector<FaceId> left = place_->facesNow(front_, pockets);
+  bool closed = true;
+  for (const Pocket& pocket : findPockets(front_, left)) {
+    if (!fillFromStarPoint(front_, elements_, pocket)) closed = false;
+  }
+  if (closed) {
+    made_.push_back({elementsBefore_, elements_.size()});
+  } else {
+    index_.forgetFrom(elementsBefore_);
+    elements_.dropFrom(elementsBefore_);
+    place_->close(front_, elements_, pockets);
+    front_.dropNodesFrom(nodesBefore_);
+  }
+  const std::size_t touched = place_->faces().size() + place_->removedElements() + left.size();
+  place_.reset();
+  return 1 + touched / kTouchedPerStep;
+}
+
+template class Reopening<NullTrace>;
+template class Reopening<ClockTrace>;
+template class Reopening<StepTrace>;
+
+}  // namespace tetrafront
