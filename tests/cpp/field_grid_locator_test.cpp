@@ -180,7 +180,8 @@ TEST(BackgroundGridCheckTest, RefusesBadStretching) {
   grid.nodes[3].stretching = 2.0;
   grid.nodes[3].direction = Vec3(0.0);
   grid.nodes[4].direction = Vec3(0.0);  // not stretched, so its direction does not matter
-  EXPECT_EQ(codesOf(grid), std::vector(3, DiagnosticCode::kBadStretching));
+  grid.nodes[5].stretching = 1e200;
+  EXPECT_EQ(codesOf(grid), std::vector(4, DiagnosticCode::kBadStretching));
 }
 
 TEST(BackgroundGridCheckTest, ReportsEverythingAtOnce) {

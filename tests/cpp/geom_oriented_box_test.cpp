@@ -55,6 +55,26 @@ TEST(OrientedBoxTest, NeverTellsApartWhatMeets) {
   EXPECT_GT(met, 500);
 }
 
+/// Where the width is rounding, so is the direction across: the box holds the corners all the same.
+TEST(OrientedBoxTest, HoldsNeedlesAsThinAsRounding) {
+  Random random(52);
+  for (int i = 0; i < 4000; ++i) {
+    const Vec3 from = random.inBox();
+    const Vec3 to = i % 2 == 0 ? -from : random.inBox();
+    const double height = std::pow(10.0, -random.integer(11, 17));
+    const Vec3 tip = from + random.unit() * (to - from) + height * random.inBox();
+    const OrientedBox box = OrientedBox::of(from, to, tip);
+    for (const Vec3& corner : {from, to, tip, 0.5 * (from + to)}) {
+      ASSERT_FALSE(box.isApartFrom(OrientedBox::of(corner, corner, corner))) << height;
+    }
+    // Still thin: what is a little aside is told apart.
+    const Vec3 aside = 1e-3 * glm::cross(to - from, direction(random));
+    ASSERT_TRUE(box.isApartFrom(OrientedBox::of(from + aside, to + aside, tip + aside)) ||
+                glm::length(aside) < 1e-6)
+        << height;
+  }
+}
+
 TEST(OrientedBoxTest, SlantedNeedlesSideBySideAreApart) {
   const Vec3 along(1.0, 2.0, 3.0);
   const Vec3 aside = 1e-4 * glm::cross(along, Vec3(0.0, 0.0, 1.0));

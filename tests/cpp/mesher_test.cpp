@@ -24,7 +24,7 @@ TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
   const SurfaceMesh surface = testing::gridCube(2);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
-  for (const double bad : {-1.0, kInfinity, kNotANumber}) {
+  for (const double bad : {-1.0, 1e200, kInfinity, kNotANumber}) {
     for (int which = 0; which < 3; ++which) {
       MeshOptions options;
       (which == 0 ? options.size : which == 1 ? options.growth : options.gradation) = bad;

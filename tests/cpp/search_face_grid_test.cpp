@@ -68,6 +68,11 @@ TEST(FaceGrid, AgreesWithLinearSearchOverFiveDecadesOfSize) {
 }
 TEST(FaceGrid, AgreesWithLinearSearchFarFromTheOrigin) { compareWithLinearSearch(3, 1e6, 10.0, 2); }
 
+/// Beyond the coarsest cells, in which a face is filed by its centre alone, and below the finest.
+TEST(FaceGrid, AgreesWithLinearSearchBeyondItsLevels) {
+  compareWithLinearSearch(4, 1.0, 1e-13, 13);
+}
+
 TEST(FaceGrid, TakesQueriesFarLargerThanAnyCellCountFits) {
   FaceGrid grid(1e-6, Vec3(0.0));
   const Vec3 place{0.5, 0.5, 0.5};

@@ -627,6 +627,19 @@ TEST(BoundaryDiagnosticsTest, OneSidedSurface) {
   EXPECT_EQ(std::set(shells.begin(), shells.end()), std::set{0U});
 }
 
+/// A slanted fibre, far thinner than long: its volume is small, but no rounding error.
+TEST(BoundaryTest, ThinBodiesHaveAVolume) {
+  constexpr double kWidth = 1e-7;
+  SurfaceMesh mesh = gridBox(Vec3(0.0), Vec3(kWidth, kWidth, 1.0), {1, 1, 2000});
+  for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
+    mesh.points[i] += 0.3 * mesh.points[i + 2];
+    mesh.points[i + 1] += 0.7 * mesh.points[i + 2];
+  }
+  const Outcome outcome = close(mesh);
+  ASSERT_TRUE(outcome.result.valid);
+  EXPECT_NEAR(outcome.result.shells.at(0).volume, kWidth * kWidth, 1e-6 * kWidth * kWidth);
+}
+
 TEST(BoundaryDiagnosticsTest, NothingIsTurnedWhenThereAreErrors) {
   SurfaceMesh mesh = geodesicSphere(3);
   mesh.triangles.resize(mesh.triangles.size() - 3);

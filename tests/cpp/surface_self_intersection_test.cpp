@@ -58,6 +58,7 @@ std::vector<Pair> pairsFound(const SurfaceMesh& mesh, const std::vector<std::uin
     fraction = check.fraction();
   }
   EXPECT_LE(fraction, 1.0);
+  EXPECT_GE(fraction, 0.9);
   std::vector<Pair> pairs;
   for (const Diagnostic& d : report.take()) {
     pairs.emplace_back(d.entities.at(0).index, d.entities.at(1).index);

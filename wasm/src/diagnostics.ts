@@ -145,7 +145,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "bad-option": {
     message: ({ value }) => `The ${OPTION_NAMES[Number(value(0))] ?? "option"} is ${value(1)}`,
-    remedy: "Give a size above 0, a growth of 0 or more, and a gradation of 0 or above 1.",
+    remedy:
+      "Give a size above 0 and up to 1e30, a growth from 0 to 10, and a gradation of 0, or above 1 and up to 10.",
   },
   "line-crosses-itself": {
     message: ({ the, at }) => `${the("line")} crosses or runs over itself${at}`,
@@ -182,11 +183,11 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "bad-size": {
     message: ({ main, value }) => `${main} has the element size ${value(0)}`,
-    remedy: "Give a finite size above 0, and not below 1e-12 of the extent of the background grid.",
+    remedy: "Give a size above 0, not below 1e-12 of the extent of the background grid, and up to 1e30.",
   },
   "bad-stretching": {
     message: ({ main, value }) => `${main} has the stretching ${value(0)}`,
-    remedy: "Give a stretching of 1 (none) or more, and a direction that is not zero.",
+    remedy: "Give a stretching from 1 (none) to 1e6, and a direction that is not zero.",
   },
   "flat-background-tetrahedron": {
     message: ({ the, at }) => `${the("background-tetrahedron")} has no volume${at}`,

@@ -6,6 +6,12 @@
 
 namespace tetrafront {
 
+/// The most by which sizes may grow per unit of distance: no element could follow more.
+inline constexpr double kMostGrowth = 10.0;
+
+/// The most by which sizes may grow from one element to the next.
+inline constexpr double kMostGradation = 10.0;
+
 /// In which order faces leave the front (step F4).
 enum class FrontOrder : std::uint8_t {
   kLayered = 0,        ///< buckets of like size, smallest first; inside one, layer by layer, and
@@ -36,9 +42,9 @@ struct MeshOptions {
   /// distance, at most 0.5. refineSurface() divides such triangles first.
   double size = 0.0;
   /// Growth of the element size per unit of distance from a given surface's edges, up to `size` or what a
-  /// background grid asks for, >= 0.
+  /// background grid asks for, 0 to kMostGrowth.
   double growth = 0.3;
-  /// The most by which sizes may grow from one element to the next, > 1: nodes of the background
+  /// The most by which sizes may grow from one element to the next, above 1 and up to kMostGradation: nodes of the background
   /// grid that ask for more than their neighbours' size + (gradation - 1) times the distance are
   /// given that. Grids that change more gently are used as they are. 0: so are all. Sources have
   /// a growth of their own.

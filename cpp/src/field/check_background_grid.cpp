@@ -20,6 +20,9 @@ constexpr double kFlatVolume = 1e-12;
 /// told from rounding, and no line would hold the sides.
 constexpr double kSmallestSize = 1e-12;
 
+/// Far beyond any layer of air along a wing; squares and products of such lengths stay in doubles.
+constexpr double kMostStretching = 1e6;
+
 Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
   Diagnostic diagnostic;
   diagnostic.code = code;
@@ -52,9 +55,9 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
   };
   if (!isFinite(node.position))
     report(DiagnosticCode::kNotFinite, {refusedCoordinate(node.position)});
-  if (!(node.size > 0.0 && node.size >= smallest) || !std::isfinite(node.size))
+  if (!(node.size > 0.0 && node.size >= smallest && node.size <= kLargestCoordinate))
     report(DiagnosticCode::kBadSize, {node.size});
-  if (!(node.stretching >= 1.0) || !std::isfinite(node.stretching)) {
+  if (!(node.stretching >= 1.0 && node.stretching <= kMostStretching)) {
     report(DiagnosticCode::kBadStretching, {node.stretching});
   } else if (node.stretching > 1.0 && (!isFinite(node.direction) || node.direction == Vec3(0.0))) {
     report(DiagnosticCode::kBadStretching, {node.stretching});

@@ -7,12 +7,10 @@
 #include "geom/coordinates.h"
 #include "geom/measure.h"
 #include "search/morton.h"
+#include "tetrafront/options.h"
 
 namespace tetrafront {
 namespace {
-
-/// Where sizes grow faster with the distance no element can follow.
-constexpr double kMostGrowth = 10.0;
 
 /// More sources than this stand in a tree.
 constexpr std::size_t kHandful = 8;

@@ -9,7 +9,7 @@ namespace {
 
 using Axes = std::array<Vec3, 3>;
 
-/// Far above what some dozens of roundings make of a sum, relative to its terms.
+/// Above what some dozens of roundings make of a sum, relative to its terms.
 constexpr double kRounding = 1e-14;
 
 /// Below this products may have lost digits to underflow.
@@ -19,23 +19,37 @@ constexpr Axes kCoordinateAxes{Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.
 
 Vec3 unit(const Vec3& v) { return v * (1.0 / glm::length(v)); }
 
-/// Three unit vectors at right angles: along the first direction, and across to the second. Where
-/// numbers are too large, too small or too alike for that, those of the coordinates.
-Axes axesAlong(const Vec3& along, const Vec3& across) {
+/// At right angles but for rounding, which the boxes below allow for. Not a number is not.
+bool areUpright(const Axes& axes) {
+  constexpr double kMost = kRounding / 8.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(std::fabs(glm::dot(axes[i], axes[i]) - 1.0) < kMost)) return false;
+    if (!(std::fabs(glm::dot(axes[i], axes[(i + 1) % 3])) < kMost)) return false;
+  }
+  return true;
+}
+
+/// Three unit vectors, the second turned from `across` until it is upright to the first.
+Axes axesOf(const Vec3& along, const Vec3& across) {
   const Vec3 u = unit(along);
   // What is left of two directions nearly alike is mostly rounding, which the second round takes out.
   Vec3 v = unit(across - u * glm::dot(across, u));
   v = unit(v - u * glm::dot(v, u));
-  const Axes axes{u, v, glm::cross(u, v)};
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double square = glm::dot(axes[i], axes[i]);
-    const double cosine = glm::dot(axes[i], axes[(i + 1) % 3]);
-    // Not a number fails too.
-    if (!(std::fabs(square - 1.0) < kRounding && std::fabs(cosine) < kRounding)) {
-      return kCoordinateAxes;
-    }
+  return {u, v, glm::cross(u, v)};
+}
+
+/// Where the directions are alike, any one across; where the numbers are too large or too small for
+/// that too, the axes of the coordinates.
+Axes axesAlong(const Vec3& along, const Vec3& across) {
+  const Axes axes = axesOf(along, across);
+  if (areUpright(axes)) return axes;
+  std::size_t least = 0;
+  for (const int k : {1, 2}) {
+    const bool isLess = std::fabs(along[k]) < std::fabs(along[static_cast<int>(least)]);
+    if (isLess) least = static_cast<std::size_t>(k);
   }
-  return axes;
+  const Axes anyAcross = axesOf(along, kCoordinateAxes[least]);
+  return areUpright(anyAcross) ? anyAcross : kCoordinateAxes;
 }
 
 double absoluteDot(const Vec3& a, const Vec3& b) {
@@ -54,14 +68,18 @@ double largestCoordinate(const Vec3& v) {
 }
 
 /// From low to high along each of the axes, counted from `origin`; `size`: of the largest number that
-/// was rounded to find them.
+/// was rounded to find them. A place that is measured along axes an eighth of kRounding off their
+/// right angles is off by so much of each length, and its rounding is less: four times kRounding holds
+/// both, and what isApartAlong() leaves out.
 OrientedBox boxOf(const Axes& axes, const Vec3& origin, const Vec3& low, const Vec3& high,
                   double size) {
+  const double lengths = largestCoordinate(low) + largestCoordinate(high);
+  const double padding = 4.0 * kRounding * (size + lengths) + kLeast;
   OrientedBox box{.centre = origin};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<int>(i);
     box.centre += axes[i] * (0.5 * (low[k] + high[k]));
-    box.halves[i] = axes[i] * (0.5 * (high[k] - low[k]) + kRounding * size + kLeast);
+    box.halves[i] = axes[i] * (0.5 * (high[k] - low[k]) + padding);
   }
   return box;
 }
@@ -126,8 +144,7 @@ OrientedBox OrientedBox::hull(const OrientedBox& a, const OrientedBox& b) {
     low[k] = std::min(-reachA, place - reachB);
     high[k] = std::max(reachA, place + reachB);
   }
-  const double size = largestCoordinate(a.centre) + largestCoordinate(way) +
-                      largestCoordinate(high) + largestCoordinate(low);
+  const double size = largestCoordinate(a.centre) + largestCoordinate(way);
   return boxOf(axes, a.centre, low, high, size);
 }
 

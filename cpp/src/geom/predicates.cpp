@@ -13,7 +13,7 @@ constexpr double kRoundoff = 1.1102230246251565e-16;  // 2^-53
 constexpr double kOrient2dBound = (3.0 + 16.0 * kRoundoff) * kRoundoff;
 constexpr double kOrient3dBound = (7.0 + 56.0 * kRoundoff) * kRoundoff;
 
-std::uint64_t exactCount = 0;
+thread_local std::uint64_t exactCount = 0;
 
 int signOf(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
 

@@ -64,6 +64,15 @@ SortedFace sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return face;
 }
 
+/// From `origin` to the triangle, and two of its edges: of small triangles, which are many, the volume
+/// with a far origin is a small product then, and so is its rounding.
+std::array<Vec3, 3> spannedBy(const SurfaceMesh& surface, const Vec3& origin,
+                              std::size_t firstCorner) {
+  const Vec3 a = pointOf(surface.points, surface.triangles[firstCorner]);
+  return {a - origin, pointOf(surface.points, surface.triangles[firstCorner + 1]) - a,
+          pointOf(surface.points, surface.triangles[firstCorner + 2]) - a};
+}
+
 }  // namespace
 
 std::uint64_t MeshDefects::count() const {
@@ -85,7 +94,7 @@ bool MeshVerifier::advance(std::uint32_t budget) {
   const std::size_t nodes = mesh_.points.size() / 3;
   const auto slice = [&](std::size_t end, Stage following, auto work) {
     const std::size_t first = next_;
-    next_ = std::min(end, next_ + budget);
+    next_ += std::min<std::size_t>(end - next_, budget);
     work(first, next_);
     if (next_ < end) return;
     next_ = 0;
@@ -333,11 +342,8 @@ void MeshVerifier::finish() {
     const Vec3 origin = pointOf(surface_.points, surface_.triangles[0]);
     for (std::size_t h = 0; h < surface_.triangles.size(); h += 3) {
       if (surface_.isWall(h / 3)) continue;
-      defects_.surfaceVolume +=
-          sixVolumes(pointOf(surface_.points, surface_.triangles[h]) - origin,
-                     pointOf(surface_.points, surface_.triangles[h + 1]) - origin,
-                     pointOf(surface_.points, surface_.triangles[h + 2]) - origin) /
-          6.0;
+      const std::array<Vec3, 3> spanned = spannedBy(surface_, origin, h);
+      defects_.surfaceVolume += sixVolumes(spanned[0], spanned[1], spanned[2]) / 6.0;
     }
   }
   const double difference = std::fabs(defects_.meshVolume - defects_.surfaceVolume);
@@ -359,10 +365,9 @@ double MeshVerifier::volumeRounding() const {
         pointOf(mesh_.points, mesh_.tetrahedra[i + 3]) - origin);
   }
   for (std::size_t i = 0; i < surface_.triangles.size(); i += 3) {
-    const Vec3 origin = pointOf(surface_.points, surface_.triangles[0]);
-    add(pointOf(surface_.points, surface_.triangles[i]) - origin,
-        pointOf(surface_.points, surface_.triangles[i + 1]) - origin,
-        pointOf(surface_.points, surface_.triangles[i + 2]) - origin);
+    const std::array<Vec3, 3> spanned =
+        spannedBy(surface_, pointOf(surface_.points, surface_.triangles[0]), i);
+    add(spanned[0], spanned[1], spanned[2]);
   }
   return kRoundingPerTerm * products / 6.0;
 }

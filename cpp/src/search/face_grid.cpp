@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace tetrafront {
 namespace {
@@ -204,7 +205,9 @@ std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) c
 
 std::uint32_t* FaceGrid::queryLevel(int level, const Box& box, std::uint32_t* end) const {
   const BoxOverlap overlap(box);
-  const double margin = 0.5 * cellSize_[level];
+  // The last level holds whatever is larger, too.
+  const double margin =
+      level + 1 < kLevels ? 0.5 * cellSize_[level] : std::numeric_limits<double>::infinity();
   CellRange cells{};
   double blocksInRange = 1.0;
   for (int axis = 0; axis < 3; ++axis) {

@@ -43,6 +43,7 @@ class BoundaryCheck::Impl {
         break;
       case Stage::kIntersections:
         if (!intersections_->advance(budget)) break;
+        intersections_.reset();
         stage_ = report_.hasErrors() ? Stage::kReport : Stage::kCells;
         break;
       case Stage::kCells:

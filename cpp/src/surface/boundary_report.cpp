@@ -166,6 +166,11 @@ std::size_t BoundaryReport::countOf(DiagnosticCode code) const {
   return at == kinds_.end() ? 0 : static_cast<std::size_t>(at->second.total);
 }
 
+bool BoundaryReport::keepsMore(DiagnosticCode code) const {
+  const auto at = kinds_.find(code);
+  return at == kinds_.end() || at->second.kept < kMaxOfAKind;
+}
+
 std::vector<Diagnostic> BoundaryReport::take() {
   std::vector<Diagnostic> diagnostics;
   for (Finding& finding : findings_) {

@@ -47,6 +47,8 @@ class BoundaryReport {
 
   [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
   [[nodiscard]] std::size_t countOf(DiagnosticCode code) const;
+  /// False if no further finding of that code will be kept: its place need not be found.
+  [[nodiscard]] bool keepsMore(DiagnosticCode code) const;
 
   /// Everything, with the counts filled in.
   [[nodiscard]] std::vector<Diagnostic> take();

@@ -9,6 +9,7 @@
 
 #include "field/grid_locator.h"
 #include "field/size_sources.h"
+#include "geom/coordinates.h"
 #include "model/check_closure.h"
 #include "model/check_model.h"
 #include "surface/boundary.h"
@@ -215,11 +216,11 @@ bool anyError(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
-  const auto finite = [](double value) { return value - value == 0.0; };
   const std::array<double, 3> given{options.size, options.growth, options.gradation};
   const std::array<bool, 3> sound{
-      finite(options.size) && options.size >= 0.0, finite(options.growth) && options.growth >= 0.0,
-      finite(options.gradation) && (options.gradation == 0.0 || options.gradation > 1.0)};
+      options.size >= 0.0 && options.size <= kLargestCoordinate,
+      options.growth >= 0.0 && options.growth <= kMostGrowth,
+      options.gradation == 0.0 || (options.gradation > 1.0 && options.gradation <= kMostGradation)};
   std::vector<Diagnostic> found;
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (sound[i]) continue;

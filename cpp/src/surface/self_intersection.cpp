@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/budget.h"
 #include "base/sort.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
@@ -13,8 +14,8 @@
 namespace tetrafront {
 namespace {
 
-/// Up to so many triangles at a node are tested each against each.
-constexpr std::size_t kFew = 16;
+/// A look at a pair of branches costs this part of what is done for a triangle.
+constexpr std::size_t kPairsPerTriangle = 16;
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 
@@ -96,15 +97,17 @@ bool SelfIntersectionCheck::advance(std::uint32_t budget) {
       if (testNodes(budget)) stage_ = Stage::kPairs;
       break;
     case Stage::kPairs: {
-      const bool isFinished = pairs_.advance(budget, [this](std::uint32_t a, std::uint32_t b) {
-        if (ignored_[a] == 0 && ignored_[b] == 0 && !hasEnough()) testPair(a, b);
-      });
-      if (isFinished || hasEnough()) stage_ = Stage::kReport;
+      const bool isFinished = pairs_.advance(
+          scaledBudget(budget, kPairsPerTriangle), [this](std::uint32_t a, std::uint32_t b) {
+            if (ignored_[a] == 0 && ignored_[b] == 0 && !hasEnough()) testPair(a, b);
+          });
+      if (!isFinished && !hasEnough()) break;
+      next_ = 0;
+      stage_ = Stage::kReport;
       break;
     }
     case Stage::kReport:
-      report();
-      return true;
+      return report(budget);
   }
   return false;
 }
@@ -125,34 +128,50 @@ bool SelfIntersectionCheck::listTriangles(std::uint32_t budget) {
 
 bool SelfIntersectionCheck::testNodes(std::uint32_t budget) {
   const auto nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
-  for (std::size_t done = 0; done < budget && next_ < nodes && !hasEnough(); ++next_) {
-    testAt(next_);
-    done += 1 + atNode_.at(next_).size();
+  while (budget > 0 && next_ < nodes && !hasEnough()) {
+    const bool isFew = atNode_.at(next_).size() <= kFew;
+    const std::uint32_t done = isFew ? testFew() : testMany(budget);
+    budget -= std::min(done, budget);
+    if (!directions_) ++next_;
   }
   return next_ == nodes || hasEnough();
 }
 
-void SelfIntersectionCheck::testAt(std::uint32_t node) {
-  const std::span<const std::uint32_t> all = atNode_.at(node);
-  const auto testOnce = [&](std::uint32_t a, std::uint32_t b) {
-    // Triangles with several common nodes are met at each of them.
-    if (lowestCommonNode(triangleOf(mesh_, a), triangleOf(mesh_, b)) == node) testPair(a, b);
-  };
-  if (all.size() <= kFew) {
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      for (std::size_t j = i + 1; j < all.size(); ++j) testOnce(all[i], all[j]);
-    }
-    return;
+std::uint32_t SelfIntersectionCheck::testFew() {
+  const std::span<const std::uint32_t> all = atNode_.at(next_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t j = i + 1; j < all.size(); ++j) testOnce(all[i], all[j]);
   }
-  std::vector<Box> boxes;
-  boxes.reserve(all.size());
-  for (const std::uint32_t t : all) boxes.push_back(boxOfDirections(triangleOf(mesh_, t), node));
-  const BoxTree directions(boxes);
-  for (std::uint32_t i = 0; i < all.size() && !hasEnough(); ++i) {
-    directions.visitOverlaps(boxes[i], [&](std::uint32_t j) {
+  return 1 + static_cast<std::uint32_t>(all.size());
+}
+
+/// Leaves directions_ for the next slice if the budget does not do.
+std::uint32_t SelfIntersectionCheck::testMany(std::uint32_t budget) {
+  const std::span<const std::uint32_t> all = atNode_.at(next_);
+  if (!directions_) {
+    Directions& directions = directions_.emplace();
+    directions.boxes.reserve(all.size());
+    for (const std::uint32_t t : all) {
+      directions.boxes.push_back(boxOfDirections(triangleOf(mesh_, t), next_));
+    }
+    directions.tree = BoxTree(directions.boxes);
+  }
+  const std::uint32_t first = directions_->next;
+  const auto count = static_cast<std::uint32_t>(all.size());
+  const std::uint32_t end = first + std::min(count - first, budget);
+  for (std::uint32_t i = first; i < end && !hasEnough(); ++i) {
+    directions_->tree.visitOverlaps(directions_->boxes[i], [&](std::uint32_t j) {
       if (j > i) testOnce(all[i], all[j]);
     });
   }
+  directions_->next = end;
+  if (end == count) directions_.reset();
+  return end - first;
+}
+
+/// Triangles with several common nodes are met at each of them.
+void SelfIntersectionCheck::testOnce(std::uint32_t a, std::uint32_t b) {
+  if (lowestCommonNode(triangleOf(mesh_, a), triangleOf(mesh_, b)) == next_) testPair(a, b);
 }
 
 void SelfIntersectionCheck::testPair(std::uint32_t a, std::uint32_t b) {
@@ -161,12 +180,18 @@ void SelfIntersectionCheck::testPair(std::uint32_t a, std::uint32_t b) {
   }
 }
 
-void SelfIntersectionCheck::report() {
-  stableSort(found_);
-  for (const auto& [a, b] : found_) {
-    report_.addTrianglePair(DiagnosticCode::kSelfIntersection, a, b,
-                            meetingPlace(cornersOf(mesh_, a), cornersOf(mesh_, b)));
+bool SelfIntersectionCheck::report(std::uint32_t budget) {
+  if (next_ == 0) stableSort(found_);
+  const auto count = static_cast<std::uint32_t>(found_.size());
+  const std::uint32_t end = next_ + std::min(count - next_, budget);
+  for (; next_ < end; ++next_) {
+    const auto& [a, b] = found_[next_];
+    const Vec3 place = report_.keepsMore(DiagnosticCode::kSelfIntersection)
+                           ? meetingPlace(cornersOf(mesh_, a), cornersOf(mesh_, b))
+                           : Vec3(0.0);
+    report_.addTrianglePair(DiagnosticCode::kSelfIntersection, a, b, place);
   }
+  return next_ == count;
 }
 
 double SelfIntersectionCheck::fraction() const {

@@ -6,6 +6,7 @@
 /// every two have boxes that meet, but few look into the same direction.
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -17,7 +18,8 @@
 
 namespace tetrafront {
 
-/// In slices. O(n log n) for surfaces whose triangles have few others near them.
+/// In slices. O(n log n) for surfaces whose triangles have few others near them. Of surfaces that meet
+/// themselves in more than kEnough places so many are found, and counted.
 class SelfIntersectionCheck {
  public:
   /// Triangles flagged in `ignored` take no part. `tree`: of triangleBoxes(). Everything must outlive
@@ -25,7 +27,8 @@ class SelfIntersectionCheck {
   SelfIntersectionCheck(const SurfaceMesh& mesh, std::span<const std::uint8_t> ignored,
                         const BoxTree& tree, BoundaryReport& report);
 
-  /// Goes on for about `budget` triangles; true when finished and reported, in the triangles' order.
+  /// Goes on for what costs about as much as `budget` triangles; true when finished and reported, in the
+  /// triangles' order.
   bool advance(std::uint32_t budget);
 
   [[nodiscard]] double fraction() const;
@@ -34,6 +37,8 @@ class SelfIntersectionCheck {
   /// After so many findings the rest would only cost time: some surfaces meet themselves in as
   /// many places as there are pairs.
   static constexpr std::size_t kEnough = 100000;
+  /// Up to so many triangles at a node are tested each against each.
+  static constexpr std::size_t kFew = 16;
 
   enum class Stage : std::uint8_t { kCount, kList, kNodes, kPairs, kReport };
 
@@ -41,16 +46,26 @@ class SelfIntersectionCheck {
   /// Finds who stands at each node; true when finished.
   bool listTriangles(std::uint32_t budget);
   bool testNodes(std::uint32_t budget);
-  void testAt(std::uint32_t node);
+  /// Of the triangles at the node; returns how many it took.
+  std::uint32_t testFew();
+  std::uint32_t testMany(std::uint32_t budget);
+  void testOnce(std::uint32_t a, std::uint32_t b);
   void testPair(std::uint32_t a, std::uint32_t b);
-  void report();
+  bool report(std::uint32_t budget);
 
   const SurfaceMesh& mesh_;
   std::span<const std::uint8_t> ignored_;
   BoundaryReport& report_;
   Stage stage_ = Stage::kCount;
-  std::uint32_t next_ = 0;  ///< corner or node of the stage
+  std::uint32_t next_ = 0;  ///< corner, node or finding of the stage
   Incidence atNode_;
+  /// The triangles at a node with many by the directions in which they are seen from it.
+  struct Directions {
+    std::vector<Box> boxes;
+    BoxTree tree;
+    std::uint32_t next = 0;
+  };
+  std::optional<Directions> directions_;
   TrianglePairs pairs_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> found_;  ///< lower triangle first
 };

@@ -58,9 +58,10 @@ std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const std::u
     const std::uint32_t t = triangleOf(side);
     const Vec3 origin = cornersOf(mesh, triangleOf(shells[s].firstSide))[0];
     const std::array<Vec3, 3> p = cornersOf(mesh, t);
+    // With edges in place of the corners, so that small triangles far from the origin round little.
     const Vec3 a = p[0] - origin;
-    const Vec3 b = p[1] - origin;
-    const Vec3 c = p[2] - origin;
+    const Vec3 b = p[1] - p[0];
+    const Vec3 c = p[2] - p[0];
     const double sixVolumes = glm::dot(a, glm::cross(b, c));
     volumes[s].add(side == backOf(t) ? sixVolumes : -sixVolumes);
     magnitude[s] += glm::dot(magnitudes(a), crossMagnitudes(magnitudes(b), magnitudes(c)));

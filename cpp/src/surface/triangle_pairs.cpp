@@ -19,6 +19,12 @@ double TrianglePairs::fraction() const {
   return std::min(static_cast<double>(leavesPassed_) / leaves, 1.0);
 }
 
+std::uint32_t TrianglePairs::leavesBelow(std::uint32_t branch) const {
+  std::uint32_t leaves = 1;
+  for (; !tree_.isLeaf(branch); branch = 2 * branch + 1) leaves *= 2;
+  return leaves;
+}
+
 TrianglePairs::CommonNodes TrianglePairs::nodesOf(std::uint32_t triangle) const {
   const std::size_t i = 3 * std::size_t{triangle};
   return {mesh_.triangles[i], mesh_.triangles[i + 1], mesh_.triangles[i + 2]};

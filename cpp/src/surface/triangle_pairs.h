@@ -6,7 +6,7 @@
 
 #include <array>
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "geom/oriented_box.h"
@@ -15,7 +15,8 @@
 
 namespace tetrafront {
 
-/// In slices. O(n log n) for surfaces whose triangles have few others near them, needles included.
+/// In slices. O(n log n) for surfaces whose triangles have few others near them, needles included; where
+/// the tips of two fans nearly touch, which are nowhere thin, up to the product of their triangles.
 class TrianglePairs {
  public:
   /// `tree`: of the triangles' boxes. Both must outlive this.
@@ -25,7 +26,7 @@ class TrianglePairs {
   /// that it cannot tell apart, each once, in an order that depends on the surface only. True when
   /// finished.
   template <class Visit>
-  bool advance(std::uint32_t budget, Visit visit);
+  bool advance(std::size_t budget, Visit visit);
 
   [[nodiscard]] double fraction() const;
 
@@ -45,6 +46,7 @@ class TrianglePairs {
   static CommonNodes commonOf(const CommonNodes& a, const CommonNodes& b);
   static bool shareOne(const CommonNodes& a, const CommonNodes& b);
 
+  [[nodiscard]] std::uint32_t leavesBelow(std::uint32_t branch) const;
   void describeLeaf(std::uint32_t leaf);
   void describeBranch(std::uint32_t branch);
   /// False if no triangle of the one meets one of the other but where both have a node.
@@ -64,7 +66,7 @@ class TrianglePairs {
 };
 
 template <class Visit>
-bool TrianglePairs::advance(std::uint32_t budget, Visit visit) {
+bool TrianglePairs::advance(std::size_t budget, Visit visit) {
   for (; budget > 0 && undescribed_ > 0; --budget) {
     const std::uint32_t branch = --undescribed_;
     if (isEmpty(branch)) continue;
@@ -77,8 +79,9 @@ bool TrianglePairs::advance(std::uint32_t budget, Visit visit) {
   for (; budget > 0 && !waiting_.empty(); --budget) {
     const Branches pair = waiting_.back();
     waiting_.pop_back();
-    if (!mayMeet(pair)) continue;
-    if (tree_.isLeaf(pair.a)) {
+    if (!mayMeet(pair)) {
+      if (pair.a == pair.b) leavesPassed_ += leavesBelow(pair.a);
+    } else if (tree_.isLeaf(pair.a)) {
       visitLeaves(pair, visit);
       if (pair.a == pair.b) ++leavesPassed_;
     } else {
