@@ -109,6 +109,11 @@ SurfaceMesh sphericalGap(double radius, int rows, double gap, int innerRows, dou
   return surface;
 }
 
+/// Elements that miss their angles, whether or not the boundary excuses them.
+std::uint32_t beyond(const QualityStatistics& statistics) {
+  return statistics.missed + statistics.limitedByBoundary;
+}
+
 class QualityFloor : public ::testing::TestWithParam<Body> {};
 
 TEST_P(QualityFloor, HoldsForTheDefaultMesh) {
@@ -137,7 +142,7 @@ TEST_P(BesideCoarseTriangles, TheFrontsMeshEndsAsWellAsTheExactFills) {
   const MeshRun filled = finished(GetParam(), options);
   ASSERT_EQ(usual.status(), MeshStatus::kDone);
   EXPECT_EQ(testing::complaintAbout(usual.volume(), usual.surface()), "");
-  EXPECT_LT(usual.statistics().missed, 1.15 * filled.statistics().missed);
+  EXPECT_LT(beyond(usual.statistics()), 1.15 * beyond(filled.statistics()));
   EXPECT_GT(usual.quality().meanRadiusRatio, 0.97 * filled.quality().meanRadiusRatio);
 }
 
@@ -173,9 +178,6 @@ TEST_P(StrivingFloor, IsNotBelowTheDefault) {
   EXPECT_GE(quality.minDihedral, std::min(byDefault.minDihedral, 30.0) - kRounding);
   EXPECT_LE(quality.maxDihedral, std::max(byDefault.maxDihedral, 135.0) + kRounding);
   EXPECT_GE(quality.meanRadiusRatio, byDefault.meanRadiusRatio - kRounding);
-  const auto beyond = [](const QualityStatistics& statistics) {
-    return statistics.missed + statistics.limitedByBoundary;
-  };
   EXPECT_LE(beyond(striving.statistics()), beyond(usual.statistics()));
 }
 
@@ -202,7 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& each) { return each.param.name; });
 
 INSTANTIATE_TEST_SUITE_P(Optimize, RescuedFloor,
-                         ::testing::Values(Body{"a", sphere(1.0, 6, 0.25, 14), 0.0, 0.855},
+                         ::testing::Values(Body{"a", sphere(1.0, 6, 0.25, 2), 0.0, 0.845},
                                            Body{"b", sphere(1.0, 6, 0.27, 7), 0.0, 0.845},
                                            Body{"c", sphere(1.0, 7, 0.25, 2), 0.0, 0.86}),
                          [](const auto& each) { return each.param.name; });

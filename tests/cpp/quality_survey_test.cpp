@@ -163,8 +163,8 @@ TEST(QualitySurvey, ExcusesAnElementInASharpEdgeOfTheBoundary) {
   EXPECT_EQ(inner.missed, 1U);
 }
 
-/// An element whose base, a triangle of the boundary, is a needle.
-TEST(QualitySurvey, ExcusesAnElementOnANeedleOfTheBoundary) {
+/// An element whose base, a triangle of the boundary, is a needle, or that shares an edge with one.
+TEST(QualitySurvey, ExcusesAnElementAtANeedleOfTheBoundary) {
   VolumeMesh mesh;
   mesh.points = {0, 0, 0, 1, 0, 0, 0.5, 0.05, 0, 0.5, 0.3, 0.8};
   mesh.tetrahedra = {0, 1, 2, 3};
@@ -174,7 +174,17 @@ TEST(QualitySurvey, ExcusesAnElementOnANeedleOfTheBoundary) {
   base.triangles = {0, 2, 1};
   EXPECT_EQ(survey(mesh, base).limitedByBoundary, 1U);
   EXPECT_EQ(survey(mesh, base).limitedByNeedles, 1U);
+  // Only an edge of the needle.
+  mesh.points = {0, 0, 0, 1, 0, 0, 0.5, 0.05, 0, 0.5, 0.3, 0.8, 0.5, 0.3, 0.3};
+  mesh.tetrahedra = {0, 1, 4, 3};
+  EXPECT_EQ(survey(mesh, base).limitedByNeedles, 1U);
+  // Only a node of it.
+  mesh.points.insert(mesh.points.end(), {0.52, 0.32, 0.5});
+  mesh.tetrahedra = {0, 3, 4, 5};
+  EXPECT_EQ(survey(mesh, base).missed, 1U);
+  EXPECT_EQ(survey(mesh, base).limitedByNeedles, 0U);
   // Not a needle, and only one triangle; the fourth node is free.
+  mesh.points = base.points;
   std::swap_ranges(mesh.points.begin() + 6, mesh.points.begin() + 9, mesh.points.begin() + 9);
   mesh.tetrahedra = {0, 1, 3, 2};
   base.points.assign(mesh.points.begin(), mesh.points.begin() + 9);

@@ -328,7 +328,7 @@ export interface LimitedByBoundary {
    * one tetrahedron only can fill, and that one has other angles beyond.
    */
   readonly edges: number;
-  /** On a needle or cap among the boundary's triangles: experience, not proof. */
+  /** With an edge of a needle or cap among the boundary's triangles: experience, not proof. */
   readonly needles: number;
   /**
    * Between two parts of the boundary nearer to each other than 0.6 wanted lengths, without a node

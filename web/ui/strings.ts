@@ -218,7 +218,7 @@ export const strings = {
     missedHint: "Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse",
     limited: "Limited by the boundary",
     limitedHint:
-      "Tetrahedra that miss their angles because they lie in a sharper edge of the boundary, on one of its needle triangles, or between two parts of it that are nearer than an element is wide.",
+      "Tetrahedra that miss their angles because they lie in a sharper edge of the boundary, at one of its needle triangles, or between two parts of it that are nearer than an element is wide.",
     limitedTitle: (count: string) => `Limited by the boundary: ${count}`,
     worst: (count: number) => `Worst ${count}`,
     columns: ["Place", "Min", "Max", "Ratio"],

@@ -24,7 +24,7 @@ enum class Optimization : std::uint8_t {
   kNone = 0,     ///< the mesh as the front leaves it
   kFast = 1,     ///< swaps and moves, then repair of the worst elements
   kDefault = 2,  ///< with splits and collapses too, until they come to rest
-  kStrive = 3,   ///< and repair towards higher angles: 35 to 130 degrees
+  kStrive = 3,   ///< with more rounds, and repair towards higher angles: 35 to 130 degrees
 };
 
 /// What a closed part of the boundary bounds that lies within a body and shares no line with it.

@@ -53,9 +53,9 @@ struct QualityStatistics {
   /// degrees, which all elements there share; or less than 60, so that only the tetrahedron of its
   /// two triangles could do without less than 30, and that tetrahedron misses its angles. Proved.
   std::uint32_t limitedByEdges = 0;
-  /// They own a boundary triangle that is a needle or a cap (radius ratio below 0.3). Experience,
-  /// not proof: good elements exist over such triangles, but hardly ever beside those of their
-  /// neighbours.
+  /// They have an edge of a boundary triangle that is a needle or a cap (radius ratio below 0.3).
+  /// Experience, not proof: good elements exist at such triangles, but hardly ever beside those of
+  /// their neighbours.
   std::uint32_t limitedByNeedles = 0;
   /// All their nodes are the boundary's, and they join two parts of it, without a common boundary
   /// edge, that are nearer to each other than 0.6 wanted lengths. No proof either: the triangles of

@@ -34,13 +34,14 @@ Vec3 gradientOf(const Hollow<Space>& hollow, std::size_t i, const Vec3& apex,
   return gradient;
 }
 
-/// Of the eighth powers of the costs of all elements; kInvalidCost as soon as `bound` is reached.
+/// Of the eighth powers of the costs of all elements, in units of `scale`; kInvalidCost as soon as
+/// `bound` is reached.
 template <class Space>
 double sumOfPowers(const Hollow<Space>& hollow, const ElementCost<Space>& cost, const Vec3& apex,
-                   double bound) {
+                   double scale, double bound) {
   double sum = 0.0;
   for (std::size_t i = 0; i < hollow.size(); ++i) {
-    const double one = hollow.costOf(i, apex, cost);
+    const double one = hollow.costOf(i, apex, cost) / scale;
     const double fourth = one * one * one * one;
     sum += fourth * fourth;
     if (!(sum < bound)) return kInvalidCost;
@@ -243,18 +244,23 @@ bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int step
   const auto back = Space::backFrom(frame);
   const double radius = hollow.meanRadius(apex, frame);
   double reach = kFirstStep * radius;
-  double here = sumOfPowers(hollow, cost, apex, kInvalidCost);
+  // In units of the worst, so that no power of a cost passes for an invalid one.
+  const double worst = hollow.costAt(apex, cost, kInvalidCost);
+  if (!(worst > 0.0) || worst >= kInvalidCost) return false;
+  double here = sumOfPowers(hollow, cost, apex, worst, kInvalidCost);
   bool fell = false;
   for (int step = 0; step < steps && here < kInvalidCost; ++step) {
     Vec3 up(0.0);
     for (std::size_t i = 0; i < hollow.size(); ++i) {
-      const double one = hollow.costOf(i, apex, cost);
+      const double one = hollow.costOf(i, apex, cost) / worst;
       const double third = one * one * one;
       up += gradientOf(hollow, i, apex, cost, radius, back) * (third * third * one);
     }
     const double slope = lengthOf(up);
     if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
-    const auto sumAt = [&](const Vec3& place) { return sumOfPowers(hollow, cost, place, here); };
+    const auto sumAt = [&](const Vec3& place) {
+      return sumOfPowers(hollow, cost, place, worst, here);
+    };
     if (!descend(hollow, up * (-1.0 / slope), kFirstStep * radius, sumAt, {apex, here, reach})) {
       return fell;
     }

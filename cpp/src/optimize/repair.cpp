@@ -26,7 +26,7 @@ template <class Space>
 template <class Change>
 bool ElementRepair<Space>::attempt(double gain, Change change) {
   const auto badness = [&](double cost) {
-    if (cost <= 1.0) return 0.0;
+    if (cost <= counted_) return 0.0;
     return aim_ == RepairAim::kFewer ? cost : cost * cost * cost * cost;
   };
   complex_.beginTrial();

@@ -41,6 +41,9 @@ class ElementRepair {
 
   void aimAt(RepairAim aim) { aim_ = aim; }
 
+  /// Elements of a higher cost count when a change is weighed; 1 or less.
+  void countAbove(double cost) { counted_ = cost; }
+
   /// Moves the nodes, then mends the few worst elements that the trial under way has touched, a few
   /// times; each step lowers the worst of what it touches.
   void settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost);
@@ -84,6 +87,7 @@ class ElementRepair {
   std::vector<NewElement> fresh_;
   std::size_t compounds_ = 0;
   RepairAim aim_ = RepairAim::kFewer;
+  double counted_ = 1.0;  ///< a cost
 };
 
 }  // namespace tetrafront

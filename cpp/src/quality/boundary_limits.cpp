@@ -15,7 +15,9 @@ constexpr double kLeastCosine = 0.8660254037844387;      // of 30 degrees
 constexpr double kTwiceLeastCosine = 0.5;                // of 60 degrees
 constexpr double kGreatestCosine = -0.7071067811865476;  // of 135 degrees
 /// Of a triangle's radius ratio. No triangle forbids a single element good angles, but below this
-/// those around it leave none to be found.
+/// those around it leave few to be found. On five graded bodies with a few of them, 26 of the 101
+/// elements with an edge of such a triangle missed their angles after all repairs, and 5 of 48 846
+/// others.
 constexpr double kNeedle = 0.3;
 /// Of wanted lengths: in a gap narrower than this, every node put between its sheets would be too
 /// near to one of them.
@@ -92,10 +94,6 @@ std::span<const BoundaryLimits::Edge> BoundaryLimits::edgesBetween(std::uint32_t
   return {first, last};
 }
 
-bool BoundaryLimits::isTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-  return std::ranges::any_of(edgesBetween(a, b), [&](const Edge& edge) { return edge.third == c; });
-}
-
 Vec3 BoundaryLimits::seen(std::uint32_t node, const ElementView& view) const {
   const double* at = &points_[3 * std::size_t{node}];
   return view(Vec3(at[0], at[1], at[2]));
@@ -141,15 +139,13 @@ bool BoundaryLimits::isForcedByEdge(std::uint32_t a, std::uint32_t b, std::uint3
          misses(Vec3(0.0), along, directionOf(beyondC.third), directionOf(beyondD.third));
 }
 
-bool BoundaryLimits::hasNeedle(std::span<const std::uint32_t, 4> nodes,
-                               const ElementView& view) const {
-  for (std::size_t k = 0; k < 4; ++k) {
-    const std::uint32_t a = nodes[(k + 1) % 4];
-    const std::uint32_t b = nodes[(k + 2) % 4];
-    const std::uint32_t c = nodes[(k + 3) % 4];
-    if (isTriangle(a, b, c) &&
-        triangleRadiusRatio(seen(a, view), seen(b, view), seen(c, view)) < kNeedle) {
-      return true;
+bool BoundaryLimits::hasEdgeOfNeedle(std::span<const std::uint32_t, 4> nodes,
+                                     const ElementView& view) const {
+  for (const auto& [a, b, c, d] : kElementEdges) {
+    const Vec3 from = seen(nodes[a], view);
+    const Vec3 to = seen(nodes[b], view);
+    for (const Edge& edge : edgesBetween(nodes[a], nodes[b])) {
+      if (triangleRadiusRatio(from, to, seen(edge.third, view)) < kNeedle) return true;
     }
   }
   return false;
@@ -176,7 +172,7 @@ BoundaryLimit BoundaryLimits::limitOf(std::span<const std::uint32_t, 4> nodes,
       return BoundaryLimit::kSharpEdge;
     }
   }
-  if (hasNeedle(nodes, view)) return BoundaryLimit::kNeedle;
+  if (hasEdgeOfNeedle(nodes, view)) return BoundaryLimit::kNeedle;
   return liesBetweenNearSheets(nodes, view) ? BoundaryLimit::kNearSheets : BoundaryLimit::kNone;
 }
 

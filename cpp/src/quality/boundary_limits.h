@@ -56,12 +56,11 @@ class BoundaryLimits {
     std::uint32_t third;
   };
   [[nodiscard]] std::span<const Edge> edgesBetween(std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] bool isTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
   [[nodiscard]] Vec3 seen(std::uint32_t node, const ElementView& view) const;
   [[nodiscard]] bool isForcedByEdge(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                     std::uint32_t d, const ElementView& view) const;
-  [[nodiscard]] bool hasNeedle(std::span<const std::uint32_t, 4> nodes,
-                               const ElementView& view) const;
+  [[nodiscard]] bool hasEdgeOfNeedle(std::span<const std::uint32_t, 4> nodes,
+                                     const ElementView& view) const;
   [[nodiscard]] bool liesBetweenNearSheets(std::span<const std::uint32_t, 4> nodes,
                                            const ElementView& view) const;
 

@@ -1,0 +1,132 @@
+#include "optimize/schedule.h"
+
+#include <array>
+
+namespace tetrafront {
+namespace {
+
+/// Splits and collapses need a settled mesh between them: back to back they undo each other.
+constexpr std::array kFirst{Sweep::kSwap, Sweep::kMove, Sweep::kMove};
+constexpr std::array kRound{
+    Sweep::kCollectSplits,    Sweep::kSplit,    Sweep::kSwap, Sweep::kMove, Sweep::kMove,
+    Sweep::kCollectCollapses, Sweep::kCollapse, Sweep::kSwap, Sweep::kMove, Sweep::kMove};
+constexpr std::array kFinish{Sweep::kSwap, Sweep::kNewton, Sweep::kNewton, Sweep::kSwap};
+constexpr std::array kFast{Sweep::kSwap, Sweep::kNewton, Sweep::kSwap, Sweep::kNewton,
+                           Sweep::kSwap};
+constexpr std::array kRepair{Sweep::kCollectBad, Sweep::kRepair};
+constexpr std::array kRescue{Sweep::kCollectBad, Sweep::kRescue};
+/// Repairs insert nodes, of which some are in the way once their surroundings have settled.
+constexpr std::array kEase{Sweep::kSwap, Sweep::kMove, Sweep::kNewton, Sweep::kCollectCollapses,
+                           Sweep::kCollapse};
+constexpr std::array kPolish{Sweep::kSwap, Sweep::kMove, Sweep::kNewton};
+constexpr std::array kJudge{Sweep::kJudge};
+
+constexpr int kMaxRounds = 10;
+constexpr int kMaxStrivingRounds = 8;
+/// Rounds end when splits and collapses together are fewer than this part of the free nodes.
+constexpr double kQuietRound = 0.1;
+/// Or when a round lowers the mean cost by less than this part: where two sheets of the boundary
+/// are near each other, splits and collapses can undo each other for ever.
+constexpr double kLeastRoundGain = 0.01;
+constexpr double kLeastStrivingGain = 0.001;
+constexpr int kRepairPasses = 8;
+constexpr int kPolishPasses = 4;
+
+/// Repairs of one element in fifty that miss 18 degrees cost a surface of needles a tenth of its mean
+/// radius ratio, and leave more elements below 30 than they found: then the targets below will do.
+constexpr double kManyLow = 0.02;
+constexpr double kManyHigh = 0.04;
+/// Small meshes are mended in no time.
+constexpr double kManyOfFew = 0.1;
+constexpr double kManyStriving = 0.01;
+
+constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
+  return {.sweeps = kRepair,
+          .judging = Judging::kTargets,
+          .targets = targets,
+          .entry = entry,
+          .many = kManyLow,
+          .mendsBetweenSheets = true,
+          .again = Again::kWhileItMends,
+          .most = kRepairPasses};
+}
+
+constexpr Step kRescueStep{.sweeps = kRescue,
+                           .judging = Judging::kTargets,
+                           .entry = Entry::kIfFewMiss,
+                           .again = Again::kWhileItSaves,
+                           .most = kRepairPasses};
+
+constexpr Step ease(Entry entry) {
+  return {.sweeps = kEase,
+          .judging = Judging::kWithinAngles,
+          .entry = entry,
+          .visitsMendedOnly = true,
+          .again = Again::kIfMuchMended,
+          .most = kPolishPasses};
+}
+
+constexpr std::array kShapeSteps{
+    Step{.sweeps = kFirst, .judging = Judging::kBulk, .purpose = Purpose::kSeeIfSparse},
+    Step{.sweeps = kRound,
+         .again = Again::kWhileItGains,
+         .most = kMaxRounds,
+         .leastChanges = kQuietRound,
+         .leastGain = kLeastRoundGain},
+    Step{.sweeps = kFinish, .judging = Judging::kBulk},
+};
+
+constexpr std::array kFastSteps{Step{.sweeps = kFast, .judging = Judging::kFinish}};
+
+constexpr std::array kMendSteps{
+    repairLow(kTargets18And150, Entry::kAlways),
+    repairLow(kTargets8And165),
+    repairLow(kTargets2And175),
+    Step{.sweeps = kRepair,
+         .judging = Judging::kTargets,
+         .many = kManyHigh,
+         .manyOfFew = kManyOfFew,
+         .again = Again::kWhileItMends,
+         .most = kRepairPasses},
+    kRescueStep,
+    Step{.sweeps = kJudge},
+    ease(Entry::kAlways),
+    // Easing has changed what is around the last few: another rescue may save them.
+    kRescueStep,
+    Step{.sweeps = kJudge, .entry = Entry::kIfBefore},
+    ease(Entry::kIfBefore),
+};
+
+constexpr std::array kStriveSteps{
+    Step{.sweeps = kJudge, .purpose = Purpose::kKeep},
+    Step{.sweeps = kRound,
+         .judging = Judging::kWithinAngles,
+         .again = Again::kWhileItGains,
+         .most = kMaxStrivingRounds,
+         .leastGain = kLeastStrivingGain},
+    Step{.sweeps = kRepair,
+         .judging = Judging::kTargets,
+         .targets = kTargets35And130,
+         .many = kManyStriving,
+         .again = Again::kWhileItMends,
+         .most = kRepairPasses},
+    Step{.sweeps = kJudge},
+    Step{.sweeps = kPolish, .judging = Judging::kWithinAngles, .most = kPolishPasses},
+    Step{.sweeps = kJudge, .purpose = Purpose::kCompare},
+};
+
+}  // namespace
+
+std::vector<Step> scheduleOf(Optimization level) {
+  std::vector<Step> steps;
+  const auto add = [&](std::span<const Step> part) {
+    for (const Step& step : part) steps.push_back(step);
+  };
+  if (level == Optimization::kNone) return steps;
+  add(level == Optimization::kFast ? std::span<const Step>(kFastSteps) : kShapeSteps);
+  add(kMendSteps);
+  if (level == Optimization::kStrive) add(kStriveSteps);
+  return steps;
+}
+
+}  // namespace tetrafront

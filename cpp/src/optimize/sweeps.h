@@ -1,0 +1,79 @@
+#pragma once
+
+/// @file One sweep after the other, each in slices: who is visited, what is done to them, and how
+/// much of that had an effect.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "optimize/density.h"
+#include "optimize/edge_removal.h"
+#include "optimize/element_cost.h"
+#include "optimize/judgement.h"
+#include "optimize/mending.h"
+#include "optimize/node_moves.h"
+#include "optimize/schedule.h"
+#include "optimize/tet_complex.h"
+
+namespace tetrafront {
+
+template <class Space = PlainSpace>
+class Sweeps {
+ public:
+  explicit Sweeps(TetComplex& complex)
+      : complex_(complex),
+        removal_(complex),
+        mover_(complex),
+        splitter_(complex),
+        collapser_(complex),
+        mending_(complex, removal_, splitter_, collapser_, mover_) {}
+
+  /// From the next sweep on, elements are judged by this cost, which theirs must be by, and the first
+  /// sweep of each kind visits what has changed since that pass.
+  void judgeBy(const ElementCost<Space>& cost, std::uint32_t since);
+
+  /// Elements that the sweep adds at the end are for the next one: looked up anew in each slice, the
+  /// end would depend on where slices end.
+  void begin(Sweep sweep);
+  /// Works on for about `budget` elements or nodes, and returns how many it was.
+  std::size_t advance(std::uint32_t budget);
+  [[nodiscard]] bool isDone() const { return next_ == end_; }
+
+  /// Changes made since they were last taken.
+  std::size_t takeChanges();
+
+  [[nodiscard]] const ElementCost<Space>& cost() const { return cost_; }
+  [[nodiscard]] EdgeSplitter<Space>& splitter() { return splitter_; }
+  [[nodiscard]] Mending<Space>& mending() { return mending_; }
+  [[nodiscard]] const Mending<Space>& mending() const { return mending_; }
+  /// By the last sweep of that kind.
+  [[nodiscard]] const Judgement& judgement() const { return judgement_; }
+
+ private:
+  [[nodiscard]] std::size_t size() const;
+  void work(std::size_t first, std::size_t last);
+  void end();
+  void swap(std::size_t first, std::size_t last);
+  bool swapOneEdgeOf(TetId tet);
+  void move(std::size_t first, std::size_t last, MoveKind kind);
+  void judge(std::size_t first, std::size_t last);
+  std::size_t rescue();
+
+  TetComplex& complex_;
+  EdgeRemoval<Space> removal_;
+  NodeMover<Space> mover_;
+  EdgeSplitter<Space> splitter_;
+  NodeCollapser<Space> collapser_;
+  Mending<Space> mending_;
+  Judgement judgement_;
+  ElementCost<Space> cost_{Measure::kBulk};
+  Sweep sweep_ = Sweep::kSwap;
+  std::size_t next_ = 0;
+  std::size_t end_ = 0;
+  std::uint32_t since_ = 0;  ///< the pass; what has not changed since is not visited
+  std::array<std::uint32_t, kSweepKinds> lastRun_{};
+  std::size_t changes_ = 0;
+};
+
+}  // namespace tetrafront
