@@ -174,6 +174,35 @@ TEST(ExactFill, ClearsTheBoundaryOfBulgingSidesInFewSteps) {
   EXPECT_LT(steps, 700);
 }
 
+/// Needles of the flat faces cross there in one plane but for rounding.
+TEST(ExactFill, LeavesNothingOpenInTurnedPlatesOfNeedles) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SurfaceMesh surface = testing::needlePlate(3, 24, 0.05);
+    testing::rotateRandomly(surface, seed);
+    FillResult result;
+    ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kDone) << "seed " << seed;
+    EXPECT_EQ(testing::complaintAbout(meshOf(surface, result), surface), "") << "seed " << seed;
+  }
+}
+
+/// The outcome of a limit is that of its count, whatever the slices.
+TEST(ExactFill, GivesUpAtItsLimit) {
+  const FillTask task = taskOf(testing::needleGear(12, 0.05));
+  std::uint64_t enough = 1;
+  const auto stateWith = [&](std::uint64_t limit, std::uint32_t budget) {
+    ExactFill exactFill(task, 0, limit);
+    ExactFill::State state = ExactFill::State::kRunning;
+    while (state == ExactFill::State::kRunning) state = exactFill.advance(budget);
+    return state;
+  };
+  while (stateWith(enough, 1) == ExactFill::State::kFailed && enough < 1'000'000) enough *= 2;
+  EXPECT_GT(enough, 100U);
+  for (const std::uint32_t budget : {1U, 7U, 100'000U}) {
+    EXPECT_EQ(stateWith(enough, budget), ExactFill::State::kDone) << "slices of " << budget;
+    EXPECT_EQ(stateWith(enough / 2, budget), ExactFill::State::kFailed) << "slices of " << budget;
+  }
+}
+
 /// Where a point has no place in doubles, all but what is around it is filled.
 TEST(ExactFill, LeavesOpenOnlyWhatIsAroundPointsWithoutAPlace) {
   const SurfaceMesh surface = testing::flatPocket();

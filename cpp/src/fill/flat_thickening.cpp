@@ -34,10 +34,10 @@ std::size_t FlatThickening::makeRoomAt(NodeId node, std::vector<NodeId>& made) {
 }
 
 /// One of the two edges that cross in the plane.
-NodeId FlatThickening::replaceOneOf(const std::array<NodeId, 4>& n) {
-  for (const auto& [one, two] : {std::pair<Edge, Edge>{{n[0], n[1]}, {n[2], n[3]}},
-                                 {{n[0], n[2]}, {n[1], n[3]}},
-                                 {{n[0], n[3]}, {n[1], n[2]}}}) {
+NodeId FlatThickening::replaceOneOf(const std::array<NodeId, 4>& flat) {
+  for (const auto& [one, two] : {std::pair<Edge, Edge>{{flat[0], flat[1]}, {flat[2], flat[3]}},
+                                 {{flat[0], flat[2]}, {flat[1], flat[3]}},
+                                 {{flat[0], flat[3]}, {flat[1], flat[2]}}}) {
     NodeId point = replace(one, two);
     if (point.isNone()) point = replace(two, one);
     if (!point.isNone()) return point;

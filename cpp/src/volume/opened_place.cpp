@@ -28,13 +28,13 @@ PocketSet::Number PocketSet::add(std::vector<FaceId> faces) {
   return number;
 }
 
-void PocketSet::put(Number number, std::vector<FaceId> faces) {
+void PocketSet::put(Number pocket, std::vector<FaceId> faces) {
   pocketOf_.resize(front_.slotCount(), kNone);
   for (const FaceId face : faces) {
-    pocketOf_[face.index()] = number;
+    pocketOf_[face.index()] = pocket;
     byNodes_.emplace(leastFirst(front_.face(face).nodes), face);
   }
-  faces_[number] = std::move(faces);
+  faces_[pocket] = std::move(faces);
 }
 
 void PocketSet::remove(Number pocket) {
