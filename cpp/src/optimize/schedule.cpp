@@ -33,19 +33,22 @@ constexpr int kRepairPasses = 8;
 constexpr int kPolishPasses = 4;
 
 /// Repairs of one element in fifty that miss 18 degrees cost a surface of needles a tenth of its mean
-/// radius ratio, and leave more elements below 30 than they found: then the targets below will do.
+/// radius ratio, and leave more elements below 30 than they found: then the targets below will do. The
+/// lowest is for all: flat elements are of no use to anyone, and next to none of them need be.
 constexpr double kManyLow = 0.02;
+constexpr double kAnyNumber = 1.0;
 constexpr double kManyHigh = 0.04;
 /// Small meshes are mended in no time.
 constexpr double kManyOfFew = 0.1;
 constexpr double kManyStriving = 0.01;
 
-constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
+constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp,
+                         double many = kManyLow) {
   return {.sweeps = kRepair,
           .judging = Judging::kTargets,
           .targets = targets,
           .entry = entry,
-          .many = kManyLow,
+          .many = many,
           .mendsBetweenSheets = true,
           .again = Again::kWhileItMends,
           .most = kRepairPasses};
@@ -81,7 +84,7 @@ constexpr std::array kFastSteps{Step{.sweeps = kFast, .judging = Judging::kFinis
 constexpr std::array kMendSteps{
     repairLow(kTargets18And150, Entry::kAlways),
     repairLow(kTargets8And165),
-    repairLow(kTargets2And175),
+    repairLow(kTargets2And175, Entry::kIfGivenUp, kAnyNumber),
     Step{.sweeps = kRepair,
          .judging = Judging::kTargets,
          .many = kManyHigh,
