@@ -199,7 +199,7 @@ SurfaceMesh chazellePolyhedron(int n, double gap) {
     previous = {notch.near[2], notch.far[2]};
   }
   square(previous[0], previous[1], high[2], high[3]);
-  const auto side = [&](std::vector<std::uint32_t> nodes, int axis, double sign) {
+  const auto side = [&](const std::vector<std::uint32_t>& nodes, int axis, double sign) {
     std::vector<Vec2> flat;
     for (const std::uint32_t node : nodes) {
       const Vec3 p = pointOf(mesh, node);
