@@ -15,7 +15,7 @@ constexpr double kMaxLeft = 0.8;
 constexpr double kFewBad = 0.005;
 /// Compound changes in one repair: so many, and one for so many elements.
 constexpr std::size_t kLeastCompounds = 100;
-constexpr std::size_t kElementsPerCompound = 50;
+constexpr std::size_t kElementsPerCompound = 200;
 /// Changes tried in one rescue: so many, and one for so many elements.
 constexpr std::size_t kLeastRescueTries = 60;
 constexpr std::size_t kElementsPerRescueTry = 200;
