@@ -14,17 +14,20 @@ interface RunOptions {
   readonly started?: (process: ChildProcess) => void;
   /** On standard input. */
   readonly input?: string | Uint8Array;
+  /** Beside the environment that there is. */
+  readonly env?: Readonly<Record<string, string>>;
 }
 
 /** Runs `tetrafront` in a folder. */
 export function tetrafront(
   folder: string,
   args: readonly string[],
-  { started, input }: RunOptions = {},
+  { started, input, env }: RunOptions = {},
 ): Promise<CommandResult> {
   return new Promise((resolve, reject) => {
     const child = spawn(process.execPath, [program, ...args], {
       cwd: folder,
+      env: { ...process.env, ...env },
       stdio: ["pipe", "pipe", "pipe"],
     });
     let stdout = "";

@@ -1,5 +1,5 @@
 /** Many files by one command: each in a process of its own, so that one failure is one failure. */
-import { spawn } from "node:child_process";
+import { spawn, type ChildProcess } from "node:child_process";
 import { stat } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -69,7 +69,7 @@ export function checkPlaceholders(output: string, known: readonly string[] = [NA
 
 /** Where the output of one of many inputs goes. Throws a FileProblem where the name cannot tell them apart. */
 export function outputFor(input: string, output: string): string {
-  if (output.includes(NAME)) return output.replaceAll(NAME, nameOf(input));
+  if (output.includes(NAME)) return output.replaceAll(NAME, () => nameOf(input));
   throw new FileProblem(
     output,
     "several inputs would go into one output",
@@ -115,11 +115,20 @@ export async function runTasks(
       else bar.say(said);
     }
   };
+  const children = new Set<ChildProcess>();
+  let isStopped = false;
+  // Of a terminal all hear the first: told by the other signal, none hears one twice, which would end it at once.
+  const stopBy = (other: NodeJS.Signals) => () => {
+    isStopped = true;
+    for (const child of children) child.kill(other);
+  };
+  const [onInterrupt, onEnd] = [stopBy("SIGTERM"), stopBy("SIGINT")];
+  process.once("SIGINT", onInterrupt).once("SIGTERM", onEnd);
   const work = async () => {
-    for (let at = next++; at < tasks.length; at = next++) {
+    for (let at = next++; at < tasks.length && !isStopped; at = next++) {
       const task = tasks[at];
       if (task === undefined) return;
-      const { stderr, ...result } = await runTask(task);
+      const { stderr, ...result } = await runTask(task, children);
       results[at] = result;
       messages[at] = stderr;
       bar?.advance();
@@ -127,9 +136,14 @@ export async function runTasks(
     }
   };
   await Promise.all(Array.from({ length: Math.min(jobs, tasks.length) }, work));
+  process.off("SIGINT", onInterrupt).off("SIGTERM", onEnd);
   bar?.stop();
-  if (!isQuiet) say(summaryOf(results));
-  return results;
+  // What was not begun was not completed.
+  const all = tasks.map(
+    ({ input }, at) => results[at] ?? { input, exitCode: ExitCode.notCompleted, stdout: "" },
+  );
+  if (!isQuiet) say(summaryOf(all));
+  return all;
 }
 
 /** As the worst of them. */
@@ -145,9 +159,14 @@ function summaryOf(results: readonly TaskResult[]): string {
 
 const PROGRAM = fileURLToPath(new URL("../bin/tetrafront.mjs", import.meta.url));
 
-function runTask({ input, args }: Task): Promise<TaskResult & { readonly stderr: string }> {
+function runTask(
+  { input, args }: Task,
+  children: Set<ChildProcess>,
+): Promise<TaskResult & { readonly stderr: string }> {
   return new Promise((resolve) => {
     const child = spawn(process.execPath, [PROGRAM, ...args], { stdio: ["ignore", "pipe", "pipe"] });
+    children.add(child);
+    child.on("close", () => children.delete(child));
     const stdout: Buffer[] = [];
     const stderr: Buffer[] = [];
     child.stdout.on("data", (piece: Buffer) => stdout.push(piece));

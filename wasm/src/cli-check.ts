@@ -2,7 +2,7 @@
 import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./cli-input.js";
-import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { asBadInput, asEngineFailure, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import {
   refuseRepair,
   repaired,
@@ -39,7 +39,12 @@ type Findings =
       readonly inspection: Omit<MeshInspection, "boundary" | "quality">;
     }
   /** It could not even be read. */
-  | { readonly kind: "none"; readonly diagnostics: readonly Diagnostic[]; readonly subject: string };
+  | {
+      readonly kind: "none";
+      readonly diagnostics: readonly Diagnostic[];
+      readonly subject: string;
+      /** Not the input failed, but the engine. */ readonly isEngine?: true;
+    };
 
 /** Who checks wants to see them all; beyond this, `--json` has the rest. */
 const TOLD_PER_CODE = 50;
@@ -51,7 +56,7 @@ export async function checkFile(input: string, options: CheckCommandOptions): Pr
   const errors = diagnostics.filter(({ severity }) => severity === "error").length;
   const isQuiet = options.quiet === true;
   if (options.json === true) {
-    const { subject: _, ...told } = { subject: "", ...findings };
+    const { subject: _, isEngine: __, ...told } = { subject: "", isEngine: false, ...findings };
     await writeToStandardOutput(`${JSON.stringify({ input, errors, ...told }, null, 2)}\n`);
   } else {
     if (!isQuiet) tellFigures(input, findings);
@@ -59,6 +64,7 @@ export async function checkFile(input: string, options: CheckCommandOptions): Pr
     tell(subject, diagnostics, { isQuiet, perCode: TOLD_PER_CODE });
     if (!isQuiet) say(`${input}: ${counted(diagnostics)}`);
   }
+  if (findings.kind === "none" && findings.isEngine === true) return ExitCode.notCompleted;
   return errors > 0 ? ExitCode.badInput : ExitCode.meshed;
 }
 
@@ -85,6 +91,8 @@ async function findingsIn(input: string, options: CheckCommandOptions): Promise<
     }
     return await withMesher((mesher) => inspected(mesher, input, options));
   } catch (failure) {
+    const engine = asEngineFailure(failure);
+    if (engine !== undefined) return { kind: "none", diagnostics: [engine], subject: input, isEngine: true };
     const bad = asBadInput(failure, input);
     if (bad === undefined) throw failure;
     return { kind: "none", diagnostics: bad.diagnostics, subject: bad.subject };
@@ -94,8 +102,10 @@ async function findingsIn(input: string, options: CheckCommandOptions): Promise<
 async function inspected(mesher: Mesher, input: string, options: CheckCommandOptions): Promise<Findings> {
   const wanted = repairOptions(options);
   const mesh = await readMeshFile(input, options.from);
+  refuseOption("--size", options.size, "projects", mesh.tetrahedra.length > 0 ? "a mesh" : "a surface");
   if (mesh.tetrahedra.length > 0) {
     refuseRepair(wanted, "a mesh of tetrahedra");
+    refuseOption("--enclosed", options.enclosed, "surfaces and projects", "a mesh of tetrahedra");
     const {
       boundary: _,
       quality: __,
@@ -113,6 +123,13 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
   const { surface, changes } = await repaired(mesher, surfaceOf(mesh), wanted);
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, { enclosed: options.enclosed });
   return { kind: "surface", diagnostics, changes, inspection };
+}
+
+/** Throws a BadInput where an option is given that says nothing of such input. */
+function refuseOption(option: string, value: string | undefined, meantFor: string, what: string): void {
+  if (value === undefined) return;
+  const message = `${option} is for ${meantFor}, and this is ${what}`;
+  refuseOptions([packageDiagnostic("invalid-option", message, "Leave it out.")]);
 }
 
 /** What is unsound in a mesh, in sentences. */

@@ -2,9 +2,15 @@
 import { FileProblem, refuseFolder, writeOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, readMeshFile } from "./cli-input.js";
-import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { ExitCode, say, tell, toldFailure } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
-import { repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./cli-repair.js";
+import {
+  refuseRepair,
+  repaired,
+  repairOptions,
+  tellChanges,
+  type RepairCommandOptions,
+} from "./cli-repair.js";
 import { mixedTurns, plural, unplacedLines } from "./cli-tables.js";
 import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
@@ -47,10 +53,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     }
     return ExitCode.meshed;
   } catch (failure) {
-    const bad = asBadInput(failure, input);
-    if (bad === undefined) throw failure;
-    tell(bad.subject, bad.diagnostics, { isQuiet: true });
-    return ExitCode.badInput;
+    return toldFailure(failure, input);
   }
 }
 
@@ -92,17 +95,22 @@ interface Conversion extends Destination {
 }
 
 async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMesh> {
-  const { input, output, name, repair, isQuiet } = conversion;
+  const { output, name, repair } = conversion;
   const writes = formatOf(name)?.writes ?? [];
   if (mesh.tetrahedra.length > 0) {
+    if (writes.includes("volume")) refuseRepair(repair, "a mesh of tetrahedra");
     const whole = mesh.triangles.length > 0 ? mesh : await withBoundary(mesh);
-    return writes.includes("volume") ? whole : welded(boundaryOf(whole));
+    return writes.includes("volume") ? whole : surfaceFrom(boundaryOf(whole), conversion);
   }
   if (!writes.includes("surface")) {
     const known = extensionsThat("writes", "surface").join(", ");
     const remedy = known === "" ? "Mesh it." : `Mesh it, or give a name that ends in one of ${known}.`;
     throw new FileProblem(output, "a surface cannot be written in a format of volume meshes", remedy);
   }
+  return surfaceFrom(mesh, conversion);
+}
+
+async function surfaceFrom(mesh: FileMesh, { input, repair, isQuiet }: Conversion): Promise<FileMesh> {
   if (repair === undefined) return welded(mesh);
   const { surface, changes } = await withMesher((mesher) => repaired(mesher, surfaceOf(mesh), repair));
   if (!isQuiet && changes !== undefined) tellChanges(input, changes);

@@ -1,7 +1,7 @@
 /** `tetrafront cover` and `tetrafront propose`: project files with a background grid put into them. */
-import { checkOutput, FileProblem, refuseFolder, writeOutput } from "./cli-files.js";
+import { checkOutput, FileProblem, refuseFolder, STANDARD_STREAM, writeOutput } from "./cli-files.js";
 import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./cli-input.js";
-import { asBadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { ExitCode, say, toldFailure } from "./cli-messages.js";
 import { extensionOf } from "./formats/file-formats.js";
 import { createMesher } from "./mesher.js";
 import { checkCoverOptions, checkProposalOptions, type CoverShape } from "./options.js";
@@ -72,10 +72,18 @@ function withGrid(project: Project, background: ProjectBackground): Project {
   return { ...project, background, meshing: Object.keys(meshing).length > 0 ? meshing : undefined };
 }
 
-/** The sources there were, then the proposed ones with ids after theirs. */
+/** The sources there were, then those proposed that are not among them, with ids after theirs. */
 function withNewIds(old: readonly ProjectSource[], proposed: readonly ProjectSource[]): ProjectSource[] {
   const last = old.reduce((most, { id }) => Math.max(most, id), 0);
-  return [...old, ...proposed.map((source) => ({ ...source, id: last + source.id }))];
+  const asText = ({ id: _, ...source }: ProjectSource) =>
+    JSON.stringify(
+      Object.entries(source)
+        .filter(([, value]) => value !== undefined)
+        .sort(),
+    );
+  const known = new Set(old.map(asText));
+  const added = proposed.filter((source) => !known.has(asText(source)));
+  return [...old, ...added.map((source, i) => ({ ...source, id: last + 1 + i }))];
 }
 
 interface Rewriting {
@@ -91,16 +99,13 @@ async function rewritten(
   try {
     refuseOptions(check());
     await checkProjectPlace(options.output);
-    const project = await readProjectFile(input);
+    const project = await readProjectFile(input, input === STANDARD_STREAM ? "json" : undefined);
     const changed = await withMesher((mesher) => change(mesher, project));
     await writeOutput(options.output, writeProject(changed));
     if (options.quiet !== true) say(summary(input, changed, options.output));
     return ExitCode.meshed;
   } catch (failure) {
-    const bad = asBadInput(failure, input);
-    if (bad === undefined) throw failure;
-    tell(bad.subject, bad.diagnostics, { isQuiet: true });
-    return ExitCode.badInput;
+    return toldFailure(failure, input);
   }
 }
 
@@ -115,7 +120,7 @@ export async function withMesher<T>(use: (mesher: Mesher) => Promise<T>): Promis
 
 async function checkProjectPlace(output: string): Promise<void> {
   await refuseFolder(output);
-  if (extensionOf(output) !== PROJECT_EXTENSION) {
+  if (output !== STANDARD_STREAM && extensionOf(output) !== PROJECT_EXTENSION) {
     throw new FileProblem(
       output,
       "this is no name for a project",

@@ -2,7 +2,7 @@
 import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
-import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
+import { BadInput, ExitCode, toldFailure } from "./cli-messages.js";
 import { meshLines, mixedTurns, placeText, plural, qualityLines, unplacedLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { formatOf } from "./formats/file-formats.js";
@@ -67,10 +67,7 @@ async function answered(
     await writeToStandardOutput(`${text}\n`);
     return ExitCode.meshed;
   } catch (failure) {
-    const bad = asBadInput(failure, input);
-    if (bad === undefined) throw failure;
-    tell(bad.subject, bad.diagnostics, { isQuiet: true });
-    return ExitCode.badInput;
+    return toldFailure(failure, input);
   }
 }
 

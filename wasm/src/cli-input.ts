@@ -74,10 +74,8 @@ export function formatName(file: string, format: string | undefined): string {
 
 export async function readModel(input: string, from?: string): Promise<Input> {
   const name = formatName(input, from);
-  const extension = await checkedExtension(input, name, [
-    PROJECT_EXTENSION,
-    ...extensionsThat("reads", "surface"),
-  ]);
+  const known = [PROJECT_EXTENSION, ...extensionsThat("reads", "surface")];
+  const extension = await checkedExtension(input, name, known, OR_FROM);
   if (extension === PROJECT_EXTENSION) {
     return { kind: "project", project: await readProjectFile(input, from) };
   }
@@ -88,9 +86,8 @@ export async function readModel(input: string, from?: string): Promise<Input> {
 /** All that a mesh file holds, nothing welded. */
 export async function readMeshFile(input: string, from?: string): Promise<FileMesh> {
   const name = formatName(input, from);
-  await checkedExtension(input, name, [
-    ...new Set([...extensionsThat("reads", "surface"), ...extensionsThat("reads", "volume")]),
-  ]);
+  const known = new Set([...extensionsThat("reads", "surface"), ...extensionsThat("reads", "volume")]);
+  await checkedExtension(input, name, [...known], OR_FROM);
   return valueOf(input, await readMesh(piecesOfInput(input), openedAs(input, name)), name);
 }
 
@@ -133,15 +130,22 @@ function openedAs(file: string, fileName: string): ReadFileOptions {
   return { fileName, openOther: (name) => openBeside(file, name) };
 }
 
+const OR_FROM = ", or tell the format by --from";
+
 /** Of the name that tells the format of `file`. Throws a FileProblem, first where there is no such file. */
-async function checkedExtension(file: string, name: string, known: readonly string[]): Promise<string> {
+async function checkedExtension(
+  file: string,
+  name: string,
+  known: readonly string[],
+  otherwise = "",
+): Promise<string> {
   const extension = extensionOf(name);
   if (known.includes(extension)) return extension;
   await checkInput(file);
   throw new FileProblem(
     file,
     extension === "" ? "the name has no extension to tell the format" : `"${extension}" cannot be read`,
-    `Give a file that ends in ${known.length > 1 ? "one of " : ""}${known.join(", ")}.`,
+    `Give a file that ends in ${known.length > 1 ? "one of " : ""}${known.join(", ")}${otherwise}.`,
   );
 }
 

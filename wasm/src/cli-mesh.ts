@@ -10,7 +10,7 @@ import {
   type GridInput,
   type Input,
 } from "./cli-input.js";
-import { asBadInput, BadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { asBadInput, asEngineFailure, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
 import { unplacedLines } from "./cli-tables.js";
 import { ProgressBar } from "./cli-progress-bar.js";
@@ -112,6 +112,12 @@ const refinedProject = packageDiagnostic(
   "Leave it out: patches are meshed to the sizes wanted.",
 );
 
+const gradedProject = packageDiagnostic(
+  "invalid-option",
+  "--grading is for surfaces, and this is a project",
+  "Leave it out: sizes grow as the project's grid, or its sources, say.",
+);
+
 async function meshAndWrite(input: string, options: MeshCommandOptions): Promise<Outcome> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
@@ -120,6 +126,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const given = await readModel(input, options.from);
   if (given.kind === "project") {
     if (options.refineSurface === true) refuseOptions([refinedProject]);
+    if ((options.grading ?? options.growth) !== undefined) refuseOptions([gradedProject]);
     refuseRepair(repair, "a project");
   }
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
@@ -169,15 +176,10 @@ function failed(failure: unknown, input: string): Outcome {
     tell(bad.subject, bad.diagnostics, { isQuiet: true });
     return badInput(bad.diagnostics);
   }
-  if (
-    failure instanceof MesherError &&
-    (failure.code === "out-of-memory" || failure.code === "engine-failed")
-  ) {
-    const diagnostics = [packageDiagnostic(failure.code, failure.message, "")];
-    tell(input, diagnostics, { isQuiet: true });
-    return { report: emptyReport("stalled", diagnostics), exitCode: ExitCode.notCompleted, written: null };
-  }
-  throw failure;
+  const engine = asEngineFailure(failure);
+  if (engine === undefined) throw failure;
+  tell(input, [engine], { isQuiet: true });
+  return { report: emptyReport("stalled", [engine]), exitCode: ExitCode.notCompleted, written: null };
 }
 
 function badInput(diagnostics: readonly Diagnostic[]): Outcome {
@@ -275,8 +277,12 @@ async function mesh(
   // Once: who asks again while the mesher stops wants to be out at once, and gets the default.
   const onSignal = () => stop.abort();
   process.once("SIGINT", onSignal).once("SIGTERM", onSignal);
+  // A failure to load leaves neither a bar nor a hidden cursor behind.
+  const mesher = await createMesher().catch((failure: unknown) => {
+    process.off("SIGINT", onSignal).off("SIGTERM", onSignal);
+    throw failure;
+  });
   const bar = process.stderr.isTTY && !isQuiet ? new ProgressBar() : undefined;
-  const mesher = await createMesher();
   const control: RunControl = { signal: stop.signal, onProgress: (progress) => bar?.update(progress) };
   try {
     const all = given === undefined ? options : await withGrid(mesher, options, given);

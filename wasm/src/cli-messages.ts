@@ -32,6 +32,23 @@ export function asBadInput(failure: unknown, input: string): BadInput | undefine
   return undefined;
 }
 
+/** What the engine could not do, as a diagnostic; undefined for other failures. */
+export function asEngineFailure(failure: unknown): Diagnostic | undefined {
+  if (!(failure instanceof MesherError)) return undefined;
+  const { code, message } = failure;
+  const isEngine = code === "out-of-memory" || code === "engine-not-loaded" || code === "engine-failed";
+  return isEngine ? packageDiagnostic(code, message.replace(/\.$/, ""), "") : undefined;
+}
+
+/** Tells of bad input, or of what the engine could not do; the exit code. Our own mistakes pass through. */
+export function toldFailure(failure: unknown, input: string): number {
+  const engine = asEngineFailure(failure);
+  const bad = engine === undefined ? asBadInput(failure, input) : new BadInput(input, [engine]);
+  if (bad === undefined) throw failure;
+  tell(bad.subject, bad.diagnostics, { isQuiet: true });
+  return engine === undefined ? ExitCode.badInput : ExitCode.notCompleted;
+}
+
 /** `readAs`: the name of the file that was given; a problem of another beside it names that. */
 export function unreadable(
   { code, message, remedy, line, fileName }: ReadProblem,

@@ -15,7 +15,7 @@ import {
 } from "./cli-batch.js";
 import { checkFile, type CheckCommandOptions } from "./cli-check.js";
 import { convertFile, type ConvertCommandOptions } from "./cli-convert.js";
-import { ClosedPipe, STANDARD_STREAM, writeOutput } from "./cli-files.js";
+import { ClosedPipe, FileProblem, STANDARD_STREAM, writeOutput } from "./cli-files.js";
 import {
   coverFile,
   proposeForFile,
@@ -35,7 +35,7 @@ import {
 import { infoOnFile, statsOfFile, type InfoCommandOptions } from "./cli-info.js";
 import { numberIn } from "./cli-input.js";
 import { meshFile, type MeshCommandOptions } from "./cli-mesh.js";
-import { asBadInput, BadInput, ExitCode, tell } from "./cli-messages.js";
+import { BadInput, ExitCode, toldFailure } from "./cli-messages.js";
 import { checkApart, inputFiles, outputFiles } from "./cli-places.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import {
@@ -133,6 +133,9 @@ async function forEach<Options extends BatchOptions>(
     if (options.report !== undefined) checkPlaceholders(options.report, []);
     const files = await expandInputs(inputs);
     const [only] = files;
+    if (files.length > 1 && files.includes(STANDARD_STREAM)) {
+      throw new FileProblem("-", "standard input is given among other inputs", "Give it alone.");
+    }
     if (files.length === 1 && only !== undefined) {
       const { output } = options;
       return await one(
@@ -142,10 +145,7 @@ async function forEach<Options extends BatchOptions>(
     }
     return await batch(files, command, options, jobs);
   } catch (failure) {
-    const bad = asBadInput(failure, inputs[0] ?? "");
-    if (bad === undefined) throw failure;
-    tell(bad.subject, bad.diagnostics, { isQuiet: true });
-    return ExitCode.badInput;
+    return toldFailure(failure, inputs[0] ?? "");
   }
 }
 

@@ -66,6 +66,8 @@ export type PackageCode =
   | "unreadable-input"
   /** The memory did not suffice. */
   | "out-of-memory"
+  /** The worker or the engine cannot be had. */
+  | "engine-not-loaded"
   /** Our own mistake. */
   | "engine-failed";
 

@@ -1,5 +1,5 @@
 /** A worker with an engine in it, or why there is none: told once, and nothing more of a worker that is ended. */
-import { startWorker } from "#worker-host";
+import { loadRemedies, startWorker } from "#worker-host";
 
 import { crashError, notLoadedError, type MesherError } from "./mesher-error.js";
 import type { Reply, Request } from "./protocol.js";
@@ -33,10 +33,12 @@ export class EngineWorker {
       this.#handle = startWorker({
         onReply: (reply) => this.#receive(reply),
         onCrash: (message) =>
-          this.#end(() => (this.#isReady ? crashError(message) : notLoadedError("worker", message))),
+          this.#end(() =>
+            this.#isReady ? crashError(message) : notLoadedError("worker", message, loadRemedies.worker),
+          ),
       });
     } catch (failure) {
-      queueMicrotask(() => this.#end(() => notLoadedError("worker", String(failure))));
+      queueMicrotask(() => this.#end(() => notLoadedError("worker", String(failure), loadRemedies.worker)));
       return;
     }
     requestEngine(this.#loader);
@@ -66,7 +68,7 @@ export class EngineWorker {
         settleEngine(this.#loader, reply.module);
         return this.#events.onReady();
       case "unusable":
-        return this.#end(() => notLoadedError("engine", reply.message));
+        return this.#end(() => notLoadedError("engine", reply.message, loadRemedies.engine));
       default:
         return this.#events.onReply(reply);
     }

@@ -63,18 +63,11 @@ export function disposedError(): MesherError {
   return new MesherError("disposed", "The mesher was disposed of");
 }
 
-const LOAD_REMEDIES = {
-  worker:
-    "Serve worker.js of the package from the page's own origin, and let its Content-Security-Policy allow workers without trusted types.",
-  engine:
-    "Serve engine.wasm of the package, and let the Content-Security-Policy allow 'wasm-unsafe-eval' and to connect to it.",
-} as const;
-
 /** `reason`: where it was looked for and why it is not there. */
-export function notLoadedError(what: keyof typeof LOAD_REMEDIES, reason: string): MesherError {
+export function notLoadedError(what: "worker" | "engine", reason: string, remedy: string): MesherError {
   return new MesherError(
     "engine-not-loaded",
-    `The engine${what === "worker" ? "'s worker" : ""} cannot be loaded: ${reason}. ${LOAD_REMEDIES[what]}`,
+    `The engine${what === "worker" ? "'s worker" : ""} cannot be loaded: ${reason}. ${remedy}`,
   );
 }
 

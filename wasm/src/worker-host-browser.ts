@@ -1,5 +1,12 @@
 import type { Reply } from "./protocol.js";
-import type { StartWorker } from "./worker-host.js";
+import type { LoadRemedies, StartWorker } from "./worker-host.js";
+
+export const loadRemedies: LoadRemedies = {
+  worker:
+    "Serve worker.js of the package from the page's own origin, and let its Content-Security-Policy allow workers without trusted types.",
+  engine:
+    "Serve engine.wasm of the package, and let the Content-Security-Policy allow 'wasm-unsafe-eval' and to connect to it.",
+};
 
 export const startWorker: StartWorker = (events) => {
   // Bundlers find the worker by this literal form and no other.

@@ -1,7 +1,12 @@
 import { Worker } from "node:worker_threads";
 
 import type { Reply } from "./protocol.js";
-import type { StartWorker } from "./worker-host.js";
+import type { LoadRemedies, StartWorker } from "./worker-host.js";
+
+export const loadRemedies: LoadRemedies = {
+  worker: "Install the package again; a bundle of it for Node needs worker.js beside it.",
+  engine: "Install the package again; a bundle of it for Node needs engine.wasm beside worker.js.",
+};
 
 export const startWorker: StartWorker = (events) => {
   const worker = new Worker(new URL("./worker.js", import.meta.url), {

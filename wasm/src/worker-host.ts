@@ -14,4 +14,10 @@ export interface WorkerEvents {
   onCrash(message: string): void;
 }
 
+/** What to do where the one or the other cannot be had. */
+export interface LoadRemedies {
+  readonly worker: string;
+  readonly engine: string;
+}
+
 export type StartWorker = (events: WorkerEvents) => WorkerHandle;

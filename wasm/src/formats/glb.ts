@@ -46,7 +46,8 @@ function description(surface: FileMesh, groups: readonly Group[]): object {
   const colors = colorsOf(surface).filter((_, patch) => used.has(patch));
   const placeBytes = 4 * surface.points.length;
   const counts = groups.map(({ nodes }) => nodes.length);
-  const begins = counts.map((_, g) => placeBytes + 4 * counts.slice(0, g).reduce((sum, n) => sum + n, 0));
+  let end = placeBytes;
+  const begins = counts.map((count) => (end += 4 * count) - 4 * count);
   return {
     asset,
     scene: 0,
@@ -90,7 +91,7 @@ function description(surface: FileMesh, groups: readonly Group[]): object {
         target: ELEMENT_ARRAY_BUFFER,
       })),
     ],
-    buffers: [{ byteLength: placeBytes + 4 * counts.reduce((sum, n) => sum + n, 0) }],
+    buffers: [{ byteLength: end }],
   };
 }
 

@@ -1,0 +1,114 @@
+/** The command line: options that would do nothing are refused, failures of the engine are one line, batches can be stopped. */
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+
+import { writeMesh, writeProject, type FileMesh } from "tetrafront";
+import { afterEach, beforeEach, describe, expect, test } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { tetrafront } from "../../support/command-line.js";
+import { cubeProject } from "../../support/projects.js";
+import { stlBinary } from "../../support/surface-files.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+let folder: string;
+beforeEach(() => {
+  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+});
+afterEach(() => rmSync(folder, { recursive: true, force: true }));
+
+const inFolder = (name: string) => path.join(folder, name);
+const save = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
+const run = (...args: readonly string[]) => tetrafront(folder, args);
+
+async function saveMesh(name: string, mesh: FileMesh): Promise<void> {
+  for (const { fileName, bytes } of await writeMesh(mesh, name)) save(fileName, bytes);
+}
+
+describe("options that would be passed over", () => {
+  beforeEach(async () => {
+    await saveMesh("block.vtu", blockMesh());
+    save("box.stl", stlBinary(boxSurface(1)));
+    save("cube.json", writeProject(cubeProject()));
+  });
+
+  test.each([
+    [["convert", "block.vtu", "-o", "again.msh", "--repair"], /repairs are for surfaces/i],
+    [["check", "box.stl", "--size", "0.1"], /--size is for projects/],
+    [["check", "block.vtu", "--enclosed", "regions"], /--enclosed is for/],
+    [["mesh", "cube.json", "-o", "cube.vtu", "--grading", "0.1"], /--grading is for surfaces/],
+    [["check", "-", "box.stl"], /standard input is given among other inputs/i],
+  ])("%j", async (args, words) => {
+    const { code, stderr } = await run(...args);
+    expect(stderr).toMatch(words);
+    expect(code).toBe(2);
+  });
+
+  test("the boundary of a mesh is repaired where that is written", async () => {
+    const { code, stderr } = await run("convert", "block.vtu", "-o", "skin.stl", "--repair");
+    expect(stderr).toMatch(/^tetrafront: repair: block.vtu: /m);
+    expect(code).toBe(0);
+  });
+});
+
+test("what the engine cannot do is one line and a finding, not a trace", async () => {
+  const count = 1_000_000;
+  await saveMesh("many.vtu", {
+    ...blockMesh(),
+    ...{ triangles: new Uint32Array(), trianglePatch: new Uint32Array(), patches: [] },
+    tetrahedra: Uint32Array.from({ length: 4 * count }, (_, i) => i % 4),
+    tetrahedronRegion: new Uint32Array(count),
+  });
+  const limit = new URL("../../support/little-memory.mjs", import.meta.url).href;
+  const env = { TETRAFRONT_TEST_MEMORY: String(80 * 2 ** 20), NODE_OPTIONS: `--import "${limit}"` };
+  for (const args of [
+    ["stats", "many.vtu"],
+    ["check", "many.vtu", "--json"],
+  ]) {
+    const { code, stderr, stdout } = await tetrafront(folder, args, { env });
+    expect(stderr).not.toMatch(/^ +at /m);
+    expect(code).toBe(1);
+    if (args[0] === "stats") expect(stderr).toMatch(/^tetrafront: error: many.vtu: The engine's memory.*\n$/);
+    else expect(JSON.parse(stdout)).toMatchObject({ kind: "none", diagnostics: [{ code: "out-of-memory" }] });
+  }
+});
+
+test("a batch that is stopped ends its processes and still reports", async () => {
+  for (const name of ["a.stl", "b.stl", "c.stl"]) save(name, stlBinary(boxSurface(1)));
+  const args = ["mesh", "a.stl", "b.stl", "c.stl", "-o", "{name}.vtu", "-j", "2", "--report", "all.json"];
+  const { code, stderr } = await tetrafront(folder, [...args, "--size", "0.008", "--refine-surface"], {
+    started: (child) => setTimeout(() => child.kill("SIGTERM"), 3000),
+  });
+  expect(code).toBe(1);
+  expect(stderr).toMatch(/3 files: 0 done, 3 not completed, 0 bad/);
+  const reports = JSON.parse(readFileSync(inFolder("all.json"), "utf8")) as { status: string }[];
+  // Those that had begun; the third never did.
+  expect(reports.length).toBeLessThan(3);
+  for (const { status } of reports) expect(status).toBe("cancelled");
+});
+
+test("names of inputs go into those of outputs as they are", async () => {
+  save("a$$b.stl", stlBinary(boxSurface(1)));
+  await run("convert", "a$$b.stl", "-o", "{name}.off", "-q");
+  expect(existsSync(inFolder("a$$b.off"))).toBe(true);
+});
+
+test("sizes that are proposed again are not added again", async () => {
+  save("duct.json", readFileSync(new URL("../../../public/models/pipe-and-flow.json", import.meta.url)));
+  const propose = () => run("propose", "duct.json", "-o", "duct.json", "--uniform", "0.5");
+  await propose();
+  const first = readFileSync(inFolder("duct.json"), "utf8");
+  const { background } = JSON.parse(first) as { background: { sources: readonly unknown[] } };
+  expect(background.sources.length).toBeGreaterThan(0);
+  await propose();
+  expect(readFileSync(inFolder("duct.json"), "utf8")).toBe(first);
+});
+
+test("a project may come by a stream, and an unknown name is told of --from", async () => {
+  const covered = await tetrafront(folder, ["cover", "-", "-o", "-"], { input: writeProject(cubeProject()) });
+  expect(covered.code).toBe(0);
+  expect(JSON.parse(covered.stdout)).toMatchObject({ format: "tetrafront-project" });
+  save("part.dat", "solid");
+  expect((await run("check", "part.dat")).stderr).toMatch(/--from/);
+});
