@@ -14,19 +14,26 @@ else work();
 async function main(folder, target) {
   const parts = (await readdir(folder)).filter((name) => name.endsWith(".stl")).sort();
   const reports = new Map();
-  await Promise.all(
-    Array.from({ length: Math.min(availableParallelism(), parts.length) }, () => {
+  /** Resolves when there is nothing left to hand out; where a process dies another takes its place. */
+  const handOut = () =>
+    new Promise((resolve) => {
       const child = fork(import.meta.filename);
+      let current;
       child.on("message", ({ part, ...report }) => {
         if (part !== undefined) reports.set(part, report);
-        const next = parts.find((name) => !reports.has(name));
-        if (next === undefined) return child.disconnect();
-        reports.set(next, { status: "under way" });
-        child.send({ part: next, input: path.join(folder, next), output: target });
+        current = parts.find((name) => !reports.has(name));
+        if (current === undefined) return child.disconnect();
+        reports.set(current, { status: "under way" });
+        child.send({ part: current, input: path.join(folder, current), output: target });
       });
-      return new Promise((resolve) => child.on("exit", resolve));
-    }),
-  );
+      child.on("exit", (code, signal) => {
+        if (current === undefined) return resolve();
+        process.exitCode = 1;
+        reports.set(current, { status: "crashed", message: `its process ended with ${signal ?? code}` });
+        resolve(handOut());
+      });
+    });
+  await Promise.all(Array.from({ length: Math.min(availableParallelism(), parts.length) }, handOut));
   for (const part of parts) console.log(part, JSON.stringify(reports.get(part)));
 }
 
@@ -47,6 +54,7 @@ async function meshed(mesher, input, output) {
   const { status, tetrahedra } = mesh.report;
   if (status !== "done") return { status, message: mesh.report.diagnostics[0]?.message };
   const name = path.join(output, `${path.basename(input, ".stl")}.vtu`);
-  for (const { fileName, bytes } of await writeMesh(fileMeshOf(mesh), name)) await writeFile(fileName, bytes);
+  for (const { fileName, bytes } of await writeMesh(fileMeshOf(mesh, { surface: read.value }), name))
+    await writeFile(fileName, bytes);
   return { status, tetrahedra };
 }

@@ -42,6 +42,7 @@ export function createScene(canvas) {
       const geometry = new THREE.BufferGeometry();
       geometry.setAttribute("position", new THREE.Float32BufferAttribute(corners, 3));
       if (shown !== undefined) scene.remove(shown);
+      shown?.geometry.dispose();
       shown = new THREE.Mesh(geometry, material);
       scene.add(shown);
       canvas.dataset.faces = String(corners.length / 9);

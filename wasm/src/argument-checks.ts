@@ -27,7 +27,7 @@ export const aPosition = is(
   "a whole number from 0 on",
 );
 export const aFunction = is((value) => typeof value === "function", "a function");
-export const aMap = is((value) => value instanceof Map, "a Map");
+export const aMap = is((value) => isA("Map", value), "a Map");
 
 export function oneOf(known: readonly string[]): Check {
   return is((value) => known.includes(value as string), `one of ${known.join(", ")}`);
@@ -64,12 +64,26 @@ export function listOf(check: Check): Check {
 /** Numbers in a typed array, so many for each thing. */
 export function arrayOf(type: typeof Float64Array | typeof Uint32Array, stride = 1): Check {
   return (value) => {
-    if (!(value instanceof type)) return ` is ${shown(value)}, and should be a ${type.name}`;
+    if (!isArrayOf<Float64Array | Uint32Array>(type, value))
+      return ` is ${shown(value)}, and should be a ${type.name}`;
     if (isDetached(value)) return " was transferred, and its numbers are gone";
     if (value.length % stride !== 0)
       return ` has ${value.length} numbers, and should have ${stride} for each`;
     return undefined;
   };
+}
+
+/** Whether it is such an array, also one of another realm, as frames and tests have them. */
+export function isArrayOf<T extends Float64Array | Uint32Array | Uint8Array>(
+  type: { readonly name: string; readonly prototype: T },
+  value: unknown,
+): value is T {
+  return ArrayBuffer.isView(value) && isA(type.name, value);
+}
+
+/** By the name that the language gives to the values of a class, whatever realm they are of. */
+export function isA(name: string, value: unknown): boolean {
+  return Object.prototype.toString.call(value) === `[object ${name}]`;
 }
 
 /** Whether a buffer, or that of a view, was transferred to somewhere else. */

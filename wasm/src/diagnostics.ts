@@ -357,7 +357,9 @@ function withCounting(message: string, entities: readonly EntityRef[]): string {
   const places = entities
     .filter(({ id }) => id === undefined)
     .flatMap(({ label }) => {
-      const at = message.search(new RegExp(`${label}(?!\\d)`));
+      let at = message.indexOf(label);
+      // "triangle 1" is not named by "triangle 12".
+      while (at >= 0 && /\d/.test(message.charAt(at + label.length))) at = message.indexOf(label, at + 1);
       return at < 0 ? [] : [at + label.length];
     });
   if (places.length === 0) return message;

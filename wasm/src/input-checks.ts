@@ -1,5 +1,5 @@
 /** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
-import { isDetached, shown } from "./argument-checks.js";
+import { isArrayOf, isDetached, shown } from "./argument-checks.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { parseProject } from "./project.js";
 import { sourceProblem } from "./project-schema.js";
@@ -79,10 +79,10 @@ export function checkWeld({ points }: SurfaceInput, weld: number | false | undef
 
 /** Views of buffers that were transferred are as good as none. */
 function isUsable<T extends Float64Array | Uint32Array>(
-  type: new (length: number) => T,
+  type: { readonly name: string; readonly prototype: T },
   array: unknown,
 ): array is T {
-  return array instanceof type && !isDetached(array);
+  return isArrayOf(type, array) && !isDetached(array);
 }
 
 const GONE = " with their numbers in them";
@@ -116,7 +116,7 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
   }
   const count = sizes.length;
   const hasLength = (array: unknown, length: number) =>
-    !(array instanceof Float64Array) || array.length === length;
+    !isArrayOf(Float64Array, array) || array.length === length;
   if (
     !hasLength(points, 3 * count) ||
     !hasLength(stretchings, count) ||

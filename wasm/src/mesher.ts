@@ -46,6 +46,7 @@ import {
   gridByPosition,
   projectArrays,
   projectNamer,
+  withMissingId,
   type EntityNamer,
   type ModelArrays,
 } from "./project-arrays.js";
@@ -194,7 +195,8 @@ class WorkerMesher implements Mesher {
     const name = projectNamer(project);
     const answer = await this.#ask(question, control);
     const preview = describedPreview(answer, hasGrid ? gridByPosition(name) : name);
-    return { ...preview, diagnostics: [...wrong, ...preview.diagnostics] };
+    const told = preview.diagnostics.map((found) => withMissingId(found, project));
+    return { ...preview, diagnostics: [...wrong, ...told] };
   }
 
   async coverProject(
@@ -239,9 +241,9 @@ class WorkerMesher implements Mesher {
     const question = {
       kind: "mesh-as-grid",
       id,
-      points,
-      tetrahedra,
-      sizes: sizes ?? new Float64Array(),
+      points: points.slice(),
+      tetrahedra: tetrahedra.slice(),
+      sizes: sizes?.slice() ?? new Float64Array(),
     } as const;
     return this.#ask(question, control);
   }
@@ -252,7 +254,7 @@ class WorkerMesher implements Mesher {
     control: RunControl = {},
   ): Promise<SurfaceInspection> {
     refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
-    const { points, triangles } = surface;
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
     const id = this.#nextId();
     const { enclosed } = engineOptions(options);
     const question = { kind: "inspect-surface", id, points, triangles, enclosed } as const;
@@ -266,7 +268,7 @@ class WorkerMesher implements Mesher {
   ): Promise<SurfaceRepair> {
     refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
     refuse(checkWeld(surface, options.weld));
-    const { points, triangles } = surface;
+    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
     const id = this.#nextId();
     const wanted = engineRepairOptions(options);
     const question = { kind: "repair-surface", id, points, triangles, options: wanted } as const;
@@ -285,8 +287,8 @@ class WorkerMesher implements Mesher {
     const question = {
       kind: "refine-surface",
       id: this.#nextId(),
-      points: surface.points,
-      triangles: surface.triangles,
+      points: surface.points.slice(),
+      triangles: surface.triangles.slice(),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(options),
     } as const;
@@ -298,7 +300,13 @@ class WorkerMesher implements Mesher {
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
     refuse(checkMesh(mesh));
     const { points, tetrahedra, regions = new Uint32Array() } = mesh;
-    const question = { kind: "inspect-mesh", id: this.#nextId(), points, tetrahedra, regions } as const;
+    const question = {
+      kind: "inspect-mesh",
+      id: this.#nextId(),
+      points: points.slice(),
+      tetrahedra: tetrahedra.slice(),
+      regions: regions.slice(),
+    } as const;
     const found = await this.#ask(question, control);
     if (!found.isReadable) refuse([unreadableMesh()]);
     return describedMesh(found);
@@ -319,7 +327,7 @@ class WorkerMesher implements Mesher {
     for (const job of this.#waiting.splice(0)) job.reject(failure());
   }
 
-  /** Nothing is transferred: the arrays are the caller's, and a new worker may have to be asked again. */
+  /** The arrays are copies of the caller's, and are not transferred: a new worker may have to be asked again. */
   async #ask<Kind extends keyof Answers>(
     question: Question & { readonly kind: Kind },
     control: RunControl,
@@ -413,9 +421,12 @@ class WorkerMesher implements Mesher {
   #cancelByForce(job: Job): void {
     this.#worker.terminate();
     this.#worker = this.#startWorker();
-    for (const { question } of this.#questions.values()) this.#worker.post(question, []);
     const now = performance.now();
-    this.#finish(() => job.resolve({ cancelledAfterSeconds: (now - (job.began ?? now)) / 1000 }));
+    try {
+      for (const { question } of this.#questions.values()) this.#worker.post(question, []);
+    } finally {
+      this.#finish(() => job.resolve({ cancelledAfterSeconds: (now - (job.began ?? now)) / 1000 }));
+    }
   }
 
   /** The active job is over, in whatever way `settle` says; the next one begins. */

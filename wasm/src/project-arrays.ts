@@ -2,7 +2,7 @@
 import { aPosition, checkArgument, listOf, objectOf, oneOf } from "./argument-checks.js";
 import { backgroundOf, NOWHERE, projectGrid, type GridArrays } from "./grid-arrays.js";
 import type { LineType, PatchType, Project } from "./project-schema.js";
-import type { EntityKind, EntityRef } from "./types.js";
+import type { Diagnostic, EntityKind, EntityRef } from "./types.js";
 
 /** A model and its background grid as they cross into the engine. All references are positions. */
 export interface ModelArrays {
@@ -51,6 +51,32 @@ export function projectArrays(project: Project): ModelArrays {
     loopLines: loopLines.values,
     grid: projectGrid(backgroundOf(project)),
   };
+}
+
+/** The message of a reference that leads nowhere, with the id that the project has for it. */
+export function withMissingId(diagnostic: Diagnostic, project: Project): Diagnostic {
+  const [entity] = diagnostic.entities;
+  if (diagnostic.code !== "index-out-of-range" || entity?.id === undefined) return diagnostic;
+  const missing = missingBelow(entity.kind, entity.id, project);
+  if (missing === undefined) return diagnostic;
+  return { ...diagnostic, message: diagnostic.message.replace(/number \d+/, missing) };
+}
+
+function missingBelow(kind: EntityKind, id: number, { points, lines, patches }: Project): string | undefined {
+  const among = (entities: readonly { readonly id: number }[], wanted: readonly number[]) => {
+    const known = new Set(entities.map((entity) => entity.id));
+    // Of drawings that are not finished, nor checked, it may be anything.
+    const missing: unknown = Array.from(wanted).find((one) => !known.has(one));
+    return typeof missing === "number" ? missing : undefined;
+  };
+  if (kind === "line") {
+    const missing = among(points, lines.find((line) => line.id === id)?.points ?? []);
+    return missing === undefined ? undefined : `point ${missing}`;
+  }
+  if (kind !== "patch") return undefined;
+  const loops = patches.find((patch) => patch.id === id)?.loops ?? [];
+  const missing = among(lines, Array.from(loops).flat().map(Math.abs));
+  return missing === undefined ? undefined : `line ${missing}`;
 }
 
 function orientedLine(signed: number, lineAt: ReadonlyMap<number, number>): number {

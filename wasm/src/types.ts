@@ -173,8 +173,9 @@ export interface RunControl {
    */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
   /**
-   * Aborting ends the run within 100 ms with status `cancelled`. What exists is returned, unless the
-   * engine could not answer in that time; then the mesh is empty.
+   * Aborting ends `meshProject` and `fillSurface` within 100 ms with status `cancelled`. What exists is returned, unless
+   * the engine could not answer in that time; then the mesh is empty. All other calls have no result of that kind, and
+   * are rejected with a `MesherError` of code `cancelled`.
    */
   readonly signal?: AbortSignal | undefined;
 }

@@ -1,5 +1,5 @@
 /** Where the bytes of a file come from: all at once, or piece by piece while it is read. */
-import { isDetached } from "../argument-checks.js";
+import { isA, isArrayOf, isDetached } from "../argument-checks.js";
 import { ReadFailure } from "../read-result.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */
@@ -16,13 +16,17 @@ const PIECE_BYTES = 1 << 20;
 /** Longest time without letting others run, in milliseconds. */
 export const BREATH_MS = 12;
 
-/** The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. */
-export async function* piecesOf(source: ByteSource): AsyncGenerator<Uint8Array, void> {
+/**
+ * The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. The signal ends them
+ * with its reason, also while one is waited for.
+ */
+export async function* piecesOf(source: ByteSource, signal?: AbortSignal): AsyncGenerator<Uint8Array, void> {
   let breathed = performance.now();
-  for await (const piece of rawPiecesOf(source)) {
-    if (!(ArrayBuffer.isView(piece) && isBytes(piece))) throw noBytes("what it gives is no Uint8Array");
+  const pieces = rawPiecesOf(source);
+  for await (const piece of signal === undefined ? pieces : heeding(pieces, signal)) {
+    if (!isArrayOf(Uint8Array, piece)) throw noBytes("what it gives is no Uint8Array");
     // Decoders of text take nothing that others may change meanwhile.
-    yield piece.buffer instanceof ArrayBuffer ? piece : piece.slice();
+    yield isA("ArrayBuffer", piece.buffer) ? piece : piece.slice();
     if (performance.now() - breathed > BREATH_MS) {
       await new Promise((resolve) => setTimeout(resolve));
       breathed = performance.now();
@@ -30,9 +34,54 @@ export async function* piecesOf(source: ByteSource): AsyncGenerator<Uint8Array, 
   }
 }
 
-function rawPiecesOf(source: ByteSource): AsyncIterable<Uint8Array> | Iterable<Uint8Array> {
-  if (source instanceof Uint8Array) return cut(source);
-  if (source instanceof ArrayBuffer) {
+type Pieces = AsyncIterable<Uint8Array> | Iterable<Uint8Array>;
+
+async function* heeding(pieces: Pieces, signal: AbortSignal): AsyncGenerator<Uint8Array, void> {
+  const iterator =
+    Symbol.asyncIterator in pieces ? pieces[Symbol.asyncIterator]() : pieces[Symbol.iterator]();
+  let isOver = false;
+  try {
+    for (;;) {
+      const next = await untilAborted(() => iterator.next(), signal);
+      isOver = next.done === true;
+      if (next.done === true) return;
+      yield next.value;
+    }
+  } finally {
+    if (!isOver && !signal.aborted) await iterator.return?.();
+    // What was asked for may never come, and a generator ends no sooner.
+    else if (!isOver) letGo(pieces, iterator);
+  }
+}
+
+/** What a promise gives, or the signal's reason where that comes first. */
+export async function untilAborted<T>(
+  ask: () => T | PromiseLike<T>,
+  signal: AbortSignal | undefined,
+): Promise<T> {
+  if (signal === undefined) return ask();
+  signal.throwIfAborted();
+  let onAbort = () => undefined as void;
+  try {
+    return await new Promise<T>((resolve, reject) => {
+      onAbort = () => reject(signal.reason as Error);
+      signal.addEventListener("abort", onAbort, { once: true });
+      Promise.resolve(ask()).then(resolve, reject);
+    });
+  } finally {
+    signal.removeEventListener("abort", onAbort);
+  }
+}
+
+/** Without waiting for it. A stream of Node is destroyed: its iterator would end only with its next piece. */
+function letGo(pieces: Pieces, iterator: AsyncIterator<unknown> | Iterator<unknown>): void {
+  if ("destroy" in pieces && typeof pieces.destroy === "function") (pieces.destroy as () => void)();
+  Promise.resolve(iterator.return?.()).catch(() => undefined);
+}
+
+function rawPiecesOf(source: ByteSource): Pieces {
+  if (isArrayOf(Uint8Array, source)) return cut(source);
+  if (isBuffer(source)) {
     if (isDetached(source)) throw noBytes("it was transferred");
     return cut(new Uint8Array(source));
   }
@@ -45,19 +94,18 @@ export function checkSource(source: unknown): asserts source is ByteSource {
   const isObject = typeof source === "object" && source !== null;
   const isSource =
     isObject &&
-    !(ArrayBuffer.isView(source) && (!isBytes(source) || isDetached(source))) &&
-    (source instanceof ArrayBuffer ||
+    !(ArrayBuffer.isView(source) && (!isArrayOf(Uint8Array, source) || isDetached(source))) &&
+    (isBuffer(source) ||
       source instanceof Blob ||
-      source instanceof Uint8Array ||
+      ArrayBuffer.isView(source) ||
       "getReader" in source ||
       Symbol.asyncIterator in source ||
       Symbol.iterator in source);
   if (!isSource) throw noBytes(`it is ${isObject ? "an object without bytes" : typeof source}`);
 }
 
-/** Also of another realm, as tests have them. */
-function isBytes(view: ArrayBufferView): view is Uint8Array {
-  return Object.prototype.toString.call(view) === "[object Uint8Array]";
+function isBuffer(source: object): source is ArrayBuffer {
+  return isA("ArrayBuffer", source);
 }
 
 function noBytes(why: string): ReadFailure {
@@ -75,18 +123,24 @@ function* cut(bytes: Uint8Array): Generator<Uint8Array, void> {
 }
 
 /** Streams are not iterable in every browser. Whoever stops early cancels the stream. */
-async function* fromStream(stream: ReadableStream<Uint8Array>): AsyncGenerator<Uint8Array, void> {
-  const reader = stream.getReader();
-  try {
-    for (let next = await reader.read(); !next.done; next = await reader.read()) yield next.value;
-  } finally {
-    await reader.cancel();
-  }
+function fromStream(stream: ReadableStream<Uint8Array>): AsyncIterable<Uint8Array> {
+  return {
+    [Symbol.asyncIterator]: () => {
+      const reader = stream.getReader();
+      return {
+        next: () => reader.read() as Promise<IteratorResult<Uint8Array, undefined>>,
+        return: async () => {
+          await reader.cancel();
+          return { done: true, value: undefined };
+        },
+      };
+    },
+  };
 }
 
 /** All bytes together, for formats whose parts refer to places further on. */
 export async function allBytes(source: ByteSource): Promise<Uint8Array> {
-  if (source instanceof Uint8Array && source.buffer instanceof ArrayBuffer) return source;
+  if (isArrayOf(Uint8Array, source) && isA("ArrayBuffer", source.buffer)) return source;
   const pieces: Uint8Array[] = [];
   let length = 0;
   for await (const piece of piecesOf(source)) {
@@ -109,15 +163,16 @@ export interface Watch {
   readonly signal?: AbortSignal | undefined;
 }
 
-/** The same bytes, with someone who watches them go by. */
-export function watched(source: ByteSource, { onProgress, signal }: Watch): ByteSource {
-  if (onProgress === undefined && signal === undefined) return source;
-  return (async function* () {
-    let bytes = 0;
-    for await (const piece of piecesOf(source)) {
-      signal?.throwIfAborted();
-      onProgress?.((bytes += piece.length));
-      yield piece;
-    }
-  })();
+/** The same bytes of one file or several, with someone who watches them all go by. */
+export function watcher({ onProgress, signal }: Watch): (source: ByteSource) => ByteSource {
+  if (onProgress === undefined && signal === undefined) return (source) => source;
+  let bytes = 0;
+  return (source) =>
+    (async function* () {
+      for await (const piece of piecesOf(source, signal)) {
+        signal?.throwIfAborted();
+        onProgress?.((bytes += piece.length));
+        yield piece;
+      }
+    })();
 }

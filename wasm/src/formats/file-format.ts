@@ -33,7 +33,7 @@ export interface ReadContext {
   readonly openOther: OpenOther;
 }
 
-/** Throws a ReadFailure. */
+/** Rejects with an Error where the file cannot be read; `readMesh` gives code, place and remedy as a result. */
 export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<FileMesh>;
 /** Gives the files of a mesh; the first has the name given. Throws a MesherError where the format cannot hold it. */
 export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => readonly FileParts[];

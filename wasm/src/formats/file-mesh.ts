@@ -9,6 +9,8 @@ import {
   orNothing,
   type Check,
 } from "../argument-checks.js";
+import { refuse } from "../mesher-error.js";
+import { packageDiagnostic } from "../package-diagnostic.js";
 import type { Project } from "../project-schema.js";
 import type { MeshResult } from "../types.js";
 import { hasPatches } from "./mesh-checks.js";
@@ -73,7 +75,8 @@ export interface NameSource {
 /**
  * A generated mesh, ready to be written. Its patches are those of the project by name (else "patch 12", by
  * id), those of the given surface, or its shells; its regions those that the surface's file tells of, else numbered.
- * A partial mesh goes as far as it goes. Throws a `MesherError` where something is no result, project or surface.
+ * A partial mesh goes as far as it goes. Throws a `MesherError` where something is no result, project or surface, or
+ * the surface has names for other triangles than were filled.
  */
 export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: NameSource = {}): FileMesh {
   checkArgument("mesh", mesh, aMeshResult);
@@ -85,6 +88,7 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
   // A partial mesh may have elements of the last of many regions alone.
   const regionLimit = Math.max(volume.regions.length, surface.trianglePatch.length);
   checkArgument("mesh.volume.regions", volume.regions, positionsBelow(regionLimit));
+  checkSameSurface(surface.trianglePatch.length, given);
   const isSame = given !== undefined && given.trianglePatch.length === surface.trianglePatch.length;
   const isKept = isSame && (given.patches.length > 1 || !given.patches.every(isPlain));
   const regionCount = countOf(volume.regions);
@@ -104,6 +108,16 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
     regions: carried?.regions ?? numbered("region", regionCount),
     nodeData: new Map(),
   };
+}
+
+/** Patches of other triangles would be lost, or be on the wrong ones. */
+function checkSameSurface(triangles: number, given: NameSource["surface"]): void {
+  if (given === undefined || triangles === 0 || given.trianglePatch.length === triangles) return;
+  if (given.patches.length <= 1 && given.patches.every(isPlain) && given.surfaceRegions === undefined) return;
+  const message = `the surface has ${given.trianglePatch.length} triangles, and that of the mesh ${triangles}`;
+  const remedy =
+    "Give the surface that was filled: of a repaired or refined one, what repairedSurface makes of it.";
+  refuse([packageDiagnostic("invalid-arrays", message, remedy)]);
 }
 
 const aProject = objectOf({ patches: listOf(objectOf({ id: aNumber, name: orNothing(aString) })) });

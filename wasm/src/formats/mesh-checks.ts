@@ -3,6 +3,8 @@ import {
   aNumber,
   arrayOf,
   aString,
+  isA,
+  isArrayOf,
   isDetached,
   listOf,
   objectOf,
@@ -42,10 +44,10 @@ export function checkFileMesh(mesh: FileMesh): Diagnostic[] {
 }
 
 function faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): string | undefined {
-  if (!(points instanceof Float64Array) || points.length % 3 !== 0 || isDetached(points)) {
+  if (!isArrayOf(Float64Array, points) || points.length % 3 !== 0 || isDetached(points)) {
     return "its points are no Float64Array of x y z each";
   }
-  if (!(nodeData instanceof Map)) return "it has no map of numbers at the nodes";
+  if (!isA("Map", nodeData)) return "it has no map of numbers at the nodes";
   const count = points.length / 3;
   const wild = points.findIndex((value) => !Number.isFinite(value));
   if (wild >= 0) return `node ${Math.floor(wild / 3)} has no finite place`;
@@ -77,7 +79,7 @@ function faultOf(
   groups: unknown,
 ): string | undefined {
   if (
-    !(nodes instanceof Uint32Array && owners instanceof Uint32Array && Array.isArray(groups)) ||
+    !(isArrayOf(Uint32Array, nodes) && isArrayOf(Uint32Array, owners) && Array.isArray(groups)) ||
     isDetached(nodes)
   ) {
     return `a ${word}'s nodes or groups are no Uint32Array, or the groups have no list`;

@@ -5,7 +5,7 @@ import { packageDiagnostic } from "../package-diagnostic.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import type { Diagnostic } from "../types.js";
 import { joined, piecesIn, type Part } from "./bytes.js";
-import { BREATH_MS, checkSource, watched, type ByteSource } from "./byte-source.js";
+import { BREATH_MS, checkSource, untilAborted, watcher, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
 import { extensionsThat, formatOf } from "./file-formats.js";
 import type { FileMesh } from "./file-mesh.js";
@@ -19,9 +19,9 @@ export interface ReadFileOptions {
   readonly fileName: string;
   /** Gives the other files of formats that have several, such as TetGen's `.node` beside its `.face`. */
   readonly openOther?: OpenOther | undefined;
-  /** Called with the number of bytes read so far, once per piece. */
+  /** Called with the number of bytes read so far, of all files together, once per piece. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting rejects with the signal's reason. */
+  /** Aborting rejects with the signal's reason, also while bytes are waited for; the source is let go of. */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -29,7 +29,7 @@ export interface ReadFileOptions {
 export interface WriteFileOptions {
   /** Called with the number of bytes made so far, in all files together, every few milliseconds and at the end of each. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting rejects with the signal's reason. */
+  /** Aborting rejects with the signal's reason, also while bytes are waited for; the source is let go of. */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -128,7 +128,12 @@ async function readAny(
   const { read } = await format.load();
   if (read === undefined) throw unknownFormat(fileName, format, contents);
   try {
-    return await read(watched(source, options), { fileName, openOther: checkedOpening(openOther) });
+    const watch = watcher(options);
+    const opened: OpenOther = async (name) => {
+      const other = await untilAborted(() => checkedOpening(openOther)(name), options.signal);
+      return other && watch(other);
+    };
+    return await read(watch(source), { fileName, openOther: opened });
   } catch (failure) {
     throw failureIn(fileName, asTooLarge(failure));
   }
@@ -143,7 +148,7 @@ const OPTIONS: readonly string[] = [
 
 const aWatch = {
   onProgress: orNothing(aFunction),
-  signal: orNothing(objectOf({ throwIfAborted: aFunction })),
+  signal: orNothing(objectOf({ throwIfAborted: aFunction, addEventListener: aFunction })),
 };
 const aReading = objectOf({ openOther: orNothing(aFunction), ...aWatch });
 const aWriting = objectOf(aWatch);

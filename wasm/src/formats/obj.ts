@@ -1,12 +1,13 @@
 /**
  * OBJ (Wavefront), as text: `v` and `f` count, a corner being the first number of its group. The material in
- * use is the patch of a face, else its group or object. Normals, texture coordinates, lines and points are
+ * use is the patch of a face; where groups (or objects) divide what is of one material, they are the patches, and a group
+ * of several materials is one patch for each. Normals, texture coordinates, lines and points are
  * read over; polygons are cut into triangles; curves and surfaces that need more than corners are refused.
  */
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FileMesh } from "./file-mesh.js";
-import { MeshBuilder } from "./mesh-builder.js";
+import type { FileGroup, FileMesh } from "./file-mesh.js";
+import { MeshBuilder, type GroupList } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OBJ file of triangles.";
@@ -16,6 +17,7 @@ const FREE_FORM = new Set(["curv", "curv2", "surf", "cstype", "deg", "bmat"]);
 export function readObj(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
     const builder = new MeshBuilder();
+    const kinds = new Kinds(builder.patches);
     const group = { material: "", name: "" };
     for (;;) {
       if (reader.isLow) await reader.fill();
@@ -23,7 +25,7 @@ export function readObj(source: ByteSource): Promise<FileMesh> {
       if (word === "") break;
       if (word === "v") readPoint(reader, builder);
       else if (word === "f") {
-        readFace(reader, builder, builder.patches.named(group.material || group.name || "surface"));
+        readFace(reader, builder, kinds.patchOf(group));
       } else if (word === "usemtl") group.material = nameIn(reader);
       else if (word === "g" || word === "o") group.name = nameIn(reader);
       else if (FREE_FORM.has(word)) reader.fail(`"${word}" begins a curve or surface that is no polygon`);
@@ -31,8 +33,47 @@ export function readObj(source: ByteSource): Promise<FileMesh> {
       reader.skipLine();
     }
     if (builder.triangleCount === 0) reader.fail("the file has no face");
-    return builder.mesh();
+    const mesh = builder.mesh();
+    return { ...mesh, patches: kinds.named(mesh.patches) };
   });
+}
+
+/** What is told of a face. */
+interface Kind {
+  readonly material: string;
+  readonly name: string;
+}
+
+/** The pairs of group and material that the faces have. */
+class Kinds {
+  readonly #patches: GroupList;
+  readonly #kinds: Kind[] = [];
+
+  constructor(patches: GroupList) {
+    this.#patches = patches;
+  }
+
+  patchOf({ material, name }: Kind): number {
+    return this.#patches.of(`${material}\n${name}`, () => {
+      this.#kinds.push({ material, name });
+      return { name, tag: this.#kinds.length };
+    });
+  }
+
+  named(patches: readonly FileGroup[]): readonly FileGroup[] {
+    const [materials, names] = [new Map<string, number>(), new Map<string, number>()];
+    for (const { material, name } of this.#kinds) {
+      materials.set(material, (materials.get(material) ?? 0) + 1);
+      names.set(name, (names.get(name) ?? 0) + 1);
+    }
+    // A group divides a material that stands beside several.
+    const isByGroup = [...materials].some(([material, count]) => material !== "" && count > 1);
+    return patches.map((patch, p) => {
+      const { material, name } = this.#kinds[p] ?? { material: "", name: "" };
+      const both = (names.get(name) ?? 0) > 1 ? `${name} ${material}`.trim() : name;
+      return { ...patch, name: (isByGroup ? both : material) || material || name || "surface" };
+    });
+  }
 }
 
 function nameIn(reader: ByteReader): string {

@@ -109,15 +109,21 @@ function attributePatch(attribute: number, header: string): FileGroup {
 async function readText(reader: ByteReader): Promise<FileMesh> {
   const builder = new MeshBuilder(true);
   let patch = 0;
+  let isOpen = false;
   for (;;) {
     if (reader.isLow) await reader.fill();
     if (reader.accepts("facet")) readFacet(reader, builder, patch);
     else if (reader.accepts("solid")) {
       // What follows is a name, which may hold any words.
+      isOpen = true;
       patch = builder.patches.named(reader.line() || `solid ${builder.patches.length + 1}`);
-    } else if (reader.accepts("endsolid")) reader.skipLine();
-    else {
+    } else if (reader.accepts("endsolid")) {
+      isOpen = false;
+      reader.skipLine();
+    } else {
       const word = reader.word();
+      if (word === "" && isOpen)
+        reader.fail('the file ends where "facet" or "endsolid" should be: it was cut off');
       if (word === "") return builder.mesh();
       reader.fail(`"${word.slice(0, 24)}" where "facet" or "endsolid" should be`);
     }

@@ -3,7 +3,7 @@ import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "..
 import { checkVolume } from "../input-checks.js";
 import { MesherError, refuse } from "../mesher-error.js";
 import type { ReadResult } from "../read-result.js";
-import type { BackgroundArrays, Mesher } from "../types.js";
+import type { AbortControl, BackgroundArrays, Mesher } from "../types.js";
 import type { VolumeFile } from "./volume-file.js";
 
 /**
@@ -14,6 +14,7 @@ import type { VolumeFile } from "./volume-file.js";
 export async function volumeBackground(
   mesher: Pick<Mesher, "meshAsBackground">,
   volume: VolumeFile,
+  control: AbortControl = {},
 ): Promise<ReadResult<BackgroundArrays>> {
   checkArgument("mesher", mesher, objectOf({ meshAsBackground: aFunction }));
   refuse(checkVolume(volume, undefined));
@@ -35,7 +36,7 @@ export async function volumeBackground(
     if (directions?.length !== 3 * count) return problem("the nodes have a stretching, but no direction");
   }
   try {
-    const grid = await mesher.meshAsBackground(volume, { sizes });
+    const grid = await mesher.meshAsBackground(volume, { sizes }, control);
     return { success: true, value: stretchings === undefined ? grid : { ...grid, stretchings, directions } };
   } catch (failure) {
     const [first] = failure instanceof MesherError ? failure.diagnostics : [];

@@ -1,0 +1,54 @@
+/** Patches on their way from files through meshes to files: none is lost without a word. */
+import { createMesher, fileMeshOf, readSurface, repairedSurface } from "tetrafront";
+import { expect, test } from "vitest";
+
+import { boxSurface } from "../../support/surfaces.js";
+
+const CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+
+async function patchesOf(obj: string): Promise<(string | undefined)[]> {
+  const read = await readSurface(new TextEncoder().encode(obj), { fileName: "a.obj" });
+  if (!read.success) throw new Error(read.problems[0].message);
+  const { trianglePatch, patches } = read.value;
+  return Array.from(trianglePatch, (patch) => patches[patch]?.name);
+}
+
+const faces = (...heads: readonly string[]) =>
+  CORNERS + heads.map((head, f) => `${head}\nf ${["1 3 2", "1 2 4", "2 3 4", "1 4 3"][f]}\n`).join("");
+
+test.each([
+  ["one material", ["g inlet\nusemtl grey", "", "g outlet\nusemtl grey", ""], "inlet inlet outlet outlet"],
+  ["materials alone", ["usemtl red", "", "usemtl blue", ""], "red red blue blue"],
+  ["materials in one group", ["g all\nusemtl red", "", "usemtl blue", ""], "red red blue blue"],
+  ["a material per group", ["g a\nusemtl red", "", "g b\nusemtl blue", ""], "red red blue blue"],
+  ["groups alone", ["g a", "g b", "g a", ""], "a b a a"],
+])("OBJ: %s", async (_, heads, names) => {
+  expect(await patchesOf(faces(...heads))).toEqual(names.split(" "));
+});
+
+test("OBJ: a group of several materials that others have too is one patch for each", async () => {
+  const names = await patchesOf(faces("g a\nusemtl red", "usemtl blue", "g b\nusemtl red", ""));
+  expect(names).toEqual(["a red", "a blue", "b", "b"]);
+});
+
+test("a mesh is not given the patches of other triangles", async () => {
+  const mesher = await createMesher();
+  const box = boxSurface(1);
+  const given = {
+    ...box,
+    trianglePatch: Uint32Array.from({ length: box.triangles.length / 3 }, (_, t) => t % 2),
+    patches: [
+      { name: "inlet", tag: 1 },
+      { name: "wall", tag: 2 },
+    ],
+  };
+  try {
+    const refinement = await mesher.refineSurface(given, { size: 0.4 });
+    const mesh = await mesher.fillSurface(refinement.surface, { size: 0.4 });
+    expect(() => fileMeshOf(mesh, { surface: given })).toThrow(/repairedSurface/);
+    const carried = fileMeshOf(mesh, { surface: repairedSurface(given, refinement) });
+    expect(carried.patches.map(({ name }) => name)).toEqual(["inlet", "wall"]);
+  } finally {
+    mesher.dispose();
+  }
+});

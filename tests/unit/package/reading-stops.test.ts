@@ -1,0 +1,128 @@
+/** Reading that is to stop, stops: also where bytes are waited for; and files that stop too soon are told. */
+import vm from "node:vm";
+
+import { createMesher, describeDiagnostic, readSurface, readVolume, volumeBackground } from "tetrafront";
+import { describe, expect, test } from "vitest";
+
+import { stlBinary } from "../../support/surface-files.js";
+import { boxSurface } from "../../support/surfaces.js";
+
+const bytesOf = (text: string) => new TextEncoder().encode(text);
+const NODES = bytesOf("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
+const FACES = bytesOf("1 0\n1 1 2 3\n");
+const never = () => new Promise<never>(() => undefined);
+
+/** Gives some bytes and then waits; tells whether it was let go of. */
+function hanging(begin: Uint8Array): { stream: ReadableStream<Uint8Array>; isCancelled: () => boolean } {
+  let isCancelled = false;
+  const stream = new ReadableStream<Uint8Array>({
+    start: (controller) => controller.enqueue(begin),
+    pull: never,
+    cancel: () => {
+      isCancelled = true;
+    },
+  });
+  return { stream, isCancelled: () => isCancelled };
+}
+
+describe("a signal is heard while bytes are waited for", () => {
+  const reason = new Error("enough");
+  const stopping = () => {
+    const stop = new AbortController();
+    setTimeout(() => stop.abort(reason), 20);
+    return stop.signal;
+  };
+
+  test("of a stream, which is cancelled", async () => {
+    const { stream, isCancelled } = hanging(bytesOf("solid a\n"));
+    await expect(readSurface(stream, { fileName: "a.stl", signal: stopping() })).rejects.toBe(reason);
+    expect(isCancelled()).toBe(true);
+  });
+
+  test("of an iterable", async () => {
+    async function* pieces() {
+      yield bytesOf("solid a\n");
+      yield await never();
+    }
+    await expect(readSurface(pieces(), { fileName: "a.stl", signal: stopping() })).rejects.toBe(reason);
+  });
+
+  test("of a file beside it, while it is opened and while it is read", async () => {
+    const { stream, isCancelled } = hanging(NODES.subarray(0, 12));
+    for (const openOther of [never, () => Promise.resolve(stream)]) {
+      const options = { fileName: "a.face", openOther, signal: stopping() };
+      await expect(readSurface(FACES, options)).rejects.toBe(reason);
+    }
+    expect(isCancelled()).toBe(true);
+  });
+});
+
+test("progress counts the bytes of all files", async () => {
+  const seen: number[] = [];
+  const openOther = () => Promise.resolve(NODES);
+  await readSurface(FACES, { fileName: "a.face", openOther, onProgress: (bytes) => seen.push(bytes) });
+  expect(seen.at(-1)).toBe(NODES.length + FACES.length);
+});
+
+test("arrays of another realm are arrays", async () => {
+  const box = boxSurface(1);
+  const other = (type: string, values: ArrayLike<number>) =>
+    vm.runInNewContext(`new ${type}(values)`, { values: [...Array.from(values)] }) as never;
+  for (const source of [
+    other("Uint8Array", stlBinary(box)),
+    (other("Uint8Array", stlBinary(box)) as Uint8Array<ArrayBuffer>).buffer,
+  ]) {
+    expect((await readSurface(source, { fileName: "a.stl" })).success).toBe(true);
+  }
+  const mesher = await createMesher();
+  const points = other("Float64Array", box.points);
+  const triangles = other("Uint32Array", box.triangles);
+  expect((await mesher.fillSurface({ points, triangles }, { size: 1 })).report.status).toBe("done");
+  mesher.dispose();
+});
+
+test("text of STL that ends within its solid was cut off", async () => {
+  const facet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+  const whole = await readSurface(bytesOf(`solid a\n${facet}endsolid a\n`), { fileName: "a.stl" });
+  expect(whole.success).toBe(true);
+  const cut = await readSurface(bytesOf(`solid a\n${facet}`), { fileName: "a.stl" });
+  expect(!cut.success && cut.problems[0].message).toMatch(/cut off/);
+});
+
+test("labels of callers are words, whatever signs are in them", () => {
+  const raw = {
+    code: 40,
+    severity: 2,
+    entities: Uint32Array.of(5, 0),
+    place: new Float64Array(),
+    values: new Float64Array(),
+  };
+  expect(() => describeDiagnostic(raw, (kind) => ({ kind, index: 0, label: "part (1" }))).not.toThrow();
+});
+
+test("volumeBackground hears a signal", async () => {
+  const elements = bytesOf("1 4 0\n1 1 2 3 4\n");
+  const openOther = (name: string) => Promise.resolve(name.endsWith(".node") ? NODES : undefined);
+  const volume = await readVolume(elements, { fileName: "a.ele", openOther });
+  if (!volume.success) throw new Error(volume.problems[0].message);
+  const mesher = await createMesher();
+  const control = { signal: AbortSignal.abort() };
+  await expect(volumeBackground(mesher, volume.value, control)).rejects.toMatchObject({ code: "cancelled" });
+  mesher.dispose();
+});
+
+test("a preview names the point that is missing by its id", async () => {
+  const mesher = await createMesher();
+  const { diagnostics } = await mesher.previewProject({
+    format: "tetrafront-project",
+    version: 1,
+    name: "",
+    points: [{ id: 1, at: [0, 0, 0] }],
+    lines: [{ id: 3, type: "straight", points: [1, 99] }],
+    patches: [],
+    background: { nodes: [], tetrahedra: [] },
+  });
+  expect(diagnostics.map(({ message }) => message).join()).toMatch(/refers to point 99, which/);
+  mesher.dispose();
+});
