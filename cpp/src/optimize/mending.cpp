@@ -31,12 +31,13 @@ double costOfMissing(const DihedralTargets& targets) {
 }  // namespace
 
 template <class Space>
-void Mending<Space>::begin(const DihedralTargets& targets, bool betweenSheets) {
-  betweenSheets_ = betweenSheets;
+void Mending<Space>::begin(const Step& step) {
+  betweenSheets_ = step.mendsBetweenSheets;
+  isPatient_ = step.isPatient;
   isHopeless_ = false;
   isRescuing_ = false;
   const std::size_t elements = complex_.elementCount();
-  costOfMissing_ = costOfMissing(targets);
+  costOfMissing_ = costOfMissing(step.targets);
   repair_.allowCompounds(kLeastCompounds + elements / kElementsPerCompound);
   rescue_.allow(kLeastRescueTries + elements / kElementsPerRescueTry);
   aimAt(RepairAim::kFewer);
@@ -85,7 +86,7 @@ void Mending<Space>::rank() {
   isFirstPass_ = false;
   badBefore_ = bad_.size();
   const bool areFew = count <= kFewBad * static_cast<double>(complex_.elementCount());
-  isHopeless_ = !helped && !areFew;
+  isHopeless_ = !helped && !areFew && !isPatient_;
   repair_.countAbove(areFew && aim_ == RepairAim::kLessBad ? 1.0 : costOfMissing_);
   if (isHopeless_) bad_.clear();
   stableSort(bad_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });

@@ -9,6 +9,7 @@
 
 #include "optimize/repair.h"
 #include "optimize/rescue.h"
+#include "optimize/schedule.h"
 
 namespace tetrafront {
 
@@ -24,10 +25,10 @@ class Mending {
         repair_(complex, removal, splitter, collapser, mover),
         rescue_(complex, removal, splitter, collapser, mover, repair_) {}
 
-  /// Turns to other targets, which the elements' costs are by from now on. Without `betweenSheets`,
-  /// elements between two sheets of the boundary that leave no room for a node are left alone: nodes
-  /// put there would only make more elements that miss.
-  void begin(const DihedralTargets& targets, bool betweenSheets);
+  /// Turns to the step's targets, which the elements' costs are by from now on. If it does not mend
+  /// between sheets, elements between two of the boundary that leave no room for a node are left
+  /// alone: nodes put there would only make more elements that miss.
+  void begin(const Step& step);
 
   /// Goes on with an eye on how bad the worst are. False where that is so already, or nothing is left.
   bool turnToTheWorst();
@@ -64,6 +65,7 @@ class Mending {
   bool isFirstPass_ = true;     ///< for this aim
   bool isHopeless_ = false;
   bool betweenSheets_ = false;
+  bool isPatient_ = false;
   bool isRescuing_ = false;
   RepairAim aim_ = RepairAim::kFewer;
 };

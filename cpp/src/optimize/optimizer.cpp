@@ -129,7 +129,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     if (isDone()) return;
     if (step().judging == Judging::kTargets) {
       if (mendingBegan_ == 0) mendingBegan_ = complex_.pass() + 1;
-      sweeps_.mending().begin(step().targets, step().mendsBetweenSheets);
+      sweeps_.mending().begin(step());
     }
     const bool isNewMeasure = step().judging != Judging::kAsBefore;
     if (isNewMeasure) sweeps_.judgeBy(costOfStep(), step().visitsMendedOnly ? mendingBegan_ : 0);

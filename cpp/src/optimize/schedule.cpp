@@ -30,6 +30,8 @@ constexpr double kQuietRound = 0.1;
 constexpr double kLeastRoundGain = 0.01;
 constexpr double kLeastStrivingGain = 0.001;
 constexpr int kRepairPasses = 8;
+/// Where each may mend little, and meet many.
+constexpr int kPatientPasses = 4;
 constexpr int kPolishPasses = 4;
 
 /// Repairs of one element in fifty that miss 18 degrees cost a surface of needles a tenth of its mean
@@ -50,8 +52,9 @@ constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kI
           .entry = entry,
           .many = many,
           .mendsBetweenSheets = true,
+          .isPatient = many == kAnyNumber,
           .again = Again::kWhileItMends,
-          .most = kRepairPasses};
+          .most = many == kAnyNumber ? kPatientPasses : kRepairPasses};
 }
 
 constexpr Step kRescueStep{.sweeps = kRescue,

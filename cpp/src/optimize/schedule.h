@@ -83,6 +83,7 @@ struct Step {
   double many = 1.0;
   double manyOfFew = 0.0;
   bool mendsBetweenSheets = false;  ///< of the boundary, even where they leave no room for a node
+  bool isPatient = false;           ///< goes on though a pass of repairs has hardly helped
   bool visitsMendedOnly = false;    ///< what has changed since repairs began
   Again again = Again::kAlways;
   int most = 1;
