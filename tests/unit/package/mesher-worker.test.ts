@@ -27,6 +27,7 @@ const workers: PlayedWorker[] = [];
 let refusal: Error | undefined;
 
 vi.mock("../../../wasm/dist/worker-host-node.js", () => ({
+  loadRemedies: { worker: "Serve worker.js.", engine: "Serve engine.wasm." },
   startWorker: (events: WorkerEvents) => {
     if (refusal !== undefined) throw refusal;
     const worker: PlayedWorker = {
@@ -321,5 +322,28 @@ describe("a worker that is asked to cancel", () => {
     };
     fresh.reply({ kind: "answer", id: idOf(fresh), answer: { ...arrays, diagnostics: [] } });
     expect((await preview).diagnostics).toEqual([]);
+  });
+
+  test("and does not answer: questions are asked again with their arrays, whatever became of the caller's", async () => {
+    const mesher = await readyMesher();
+    const stop = new AbortController();
+    const run = mesher.fillSurface(boxSurface(1), {}, { signal: stop.signal });
+    const surface = boxSurface(1);
+    const [points, corners] = [surface.points.length, surface.triangles.length];
+    const questions = [
+      mesher.inspectSurface(surface),
+      mesher.repairSurface(surface),
+      mesher.refineSurface(surface, { size: 1 }),
+    ];
+    for (const question of questions) question.catch(() => undefined);
+    structuredClone(surface, { transfer: [surface.points.buffer, surface.triangles.buffer] });
+    stop.abort();
+    expect((await run).report.status).toBe("cancelled");
+    const asked = workerNumber(1).requests.filter((request) => "triangles" in request);
+    expect(asked.map(({ kind }) => kind)).toEqual(["inspect-surface", "repair-surface", "refine-surface"]);
+    for (const request of asked) {
+      expect([request.points.length, request.triangles.length]).toEqual([points, corners]);
+    }
+    mesher.dispose();
   });
 });

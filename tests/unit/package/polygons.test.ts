@@ -1,7 +1,7 @@
 /** Polygons cut into triangles: area, turn, every corner and every edge stay, and no two triangles overlap. */
 import { describe, expect, test } from "vitest";
 
-import { addPolygon } from "../../../wasm/src/formats/polygons.js";
+import { addPolygon, ClippingBudget } from "../../../wasm/src/formats/polygons.js";
 import { randomSource } from "../../support/random.js";
 
 type Place = readonly [number, number];
@@ -205,4 +205,23 @@ describe("a polygon is cut into triangles", () => {
     const round = star.map(([x, y]): Place => [x / Math.hypot(x, y), y / Math.hypot(x, y)]);
     expect(trianglesOf(round)).toHaveLength(3 * (star.length - 2));
   });
+});
+
+test("what a file asks of clipping is bounded; polygons of usual sizes are not", () => {
+  const star = (count: number) =>
+    Float64Array.from({ length: 3 * count }, (_, i) => {
+      const [corner, axis] = [Math.floor(i / 3), i % 3];
+      const [angle, radius] = [(2 * Math.PI * corner) / count, corner % 2 === 0 ? 0.5 : 1];
+      return axis === 2 ? 0 : radius * (axis === 0 ? Math.cos(angle) : Math.sin(angle));
+    });
+  const clipped = (count: number, times: number) => {
+    const budget = new ClippingBudget();
+    const points = star(count);
+    const corners = Array.from({ length: count }, (_, i) => i);
+    return Array.from({ length: times }, () => addPolygon(corners, points, [], budget));
+  };
+  expect(clipped(60, 500)).not.toContain(false);
+  const many = Array.from({ length: 30 }, () => 5000);
+  const budget = new ClippingBudget();
+  expect(many.map((count) => budget.covers(count))).toEqual(many.map((_, i) => i < 20));
 });

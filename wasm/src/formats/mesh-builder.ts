@@ -1,7 +1,7 @@
 /** Collects what a reader finds. */
 import { Column } from "./column.js";
 import type { FileGroup, FileMesh, NodeData } from "./file-mesh.js";
-import { addPolygon } from "./polygons.js";
+import { addPolygon, ClippingBudget } from "./polygons.js";
 import { PointWelder } from "./weld.js";
 
 /** Groups in order of first appearance, by whatever the format tells them apart by. */
@@ -76,6 +76,7 @@ export class MeshBuilder {
   readonly #tetrahedra = new Column(Uint32Array);
   readonly #tetrahedronRegion = new Column(Uint32Array);
   readonly #welder: PointWelder | undefined;
+  readonly #clipping = new ClippingBudget();
   #turned = 0;
 
   /** `isSoup`: the file repeats its points, which are welded as they come (`addCorner`). */
@@ -117,7 +118,7 @@ export class MeshBuilder {
       return true;
     }
     const triangles: number[] = [];
-    if (!addPolygon(corners, this.#points, triangles)) return false;
+    if (!addPolygon(corners, this.#points, triangles, this.#clipping)) return false;
     for (let i = 0; i < triangles.length; i += 3) {
       this.addTriangle(triangles[i] ?? 0, triangles[i + 1] ?? 0, triangles[i + 2] ?? 0, patch);
     }

@@ -25,14 +25,19 @@ const ROUNDING = 1e-14;
  * Adds the triangles of a polygon of three or more corners. False, and nothing added, where that cannot be done
  * safely: it crosses itself, has no area, or is not convex and has more than 5000 corners. O(n²), O(n) for convex ones.
  */
-export function addPolygon(corners: readonly number[], points: Coordinates, triangles: number[]): boolean {
+export function addPolygon(
+  corners: readonly number[],
+  points: Coordinates,
+  triangles: number[],
+  budget = new ClippingBudget(),
+): boolean {
   if (corners.length === 3 || isFan(corners, points)) {
     for (let i = 2; i < corners.length; i++) {
       triangles.push(corners[0] ?? 0, corners[i - 1] ?? 0, corners[i] ?? 0);
     }
     return true;
   }
-  if (corners.length > MOST_CORNERS) return false;
+  if (corners.length > MOST_CORNERS || !budget.covers(corners.length)) return false;
   const places = flattened(corners, points);
   if (crossesItself(places)) return false;
   const ears = clippedEars(places);
@@ -40,6 +45,19 @@ export function addPolygon(corners: readonly number[], points: Coordinates, tria
   for (const corner of ears) triangles.push(corners[corner] ?? 0);
   return true;
 }
+
+/** How much clipping a file may ask for: a few polygons of thousands of corners, any number of those of a hundred. */
+export class ClippingBudget {
+  #left = 20 * MOST_CORNERS ** 2;
+
+  covers(corners: number): boolean {
+    this.#left -= corners * Math.max(0, corners - FREE_CORNERS);
+    return this.#left >= 0;
+  }
+}
+
+/** Polygons of so many corners are clipped as fast as their text is read. */
+const FREE_CORNERS = 100;
 
 /** Whether all triangles from the first corner turn as the whole polygon does, less than once around it together. */
 function isFan(corners: readonly number[], points: Coordinates): boolean {
@@ -76,12 +94,24 @@ function flattened(corners: readonly number[], points: Coordinates): readonly Pl
   });
 }
 
-/** Whether two edges cross within both; ears would be found all the same, one over another. */
+/**
+ * Whether two edges cross within both; ears would be found all the same, one over another. Only edges whose ranges along
+ * the first axis meet are tried.
+ */
 function crossesItself(places: readonly Place[]): boolean {
-  const edges = places.map((place, i): readonly [Place, Place] => [places.at(i - 1) ?? place, place]);
-  return edges.some(([a, b], i) =>
-    edges.some(([c, d], j) => j < i && isBetween(a, b, c, d) && isBetween(c, d, a, b)),
-  );
+  const edges = places.map((place, i): readonly [Place, Place] => {
+    const before = places.at(i - 1) ?? place;
+    return before[0] <= place[0] ? [before, place] : [place, before];
+  });
+  edges.sort(([a], [b]) => a[0] - b[0]);
+  for (const [i, [a, b]] of edges.entries()) {
+    for (let j = i + 1; j < edges.length; j++) {
+      const [c, d] = edges[j] ?? [b, b];
+      if (c[0] > b[0]) break;
+      if (isBetween(a, b, c, d) && isBetween(c, d, a, b)) return true;
+    }
+  }
+  return false;
 }
 
 /** Whether the line through a and b has c on one side and d on the other. */
@@ -124,8 +154,11 @@ function clippedEars(places: readonly Place[]): number[] | undefined {
     const [p, q, r] = [at(a), at(corner), at(b)];
     const area = turn(p, q, r);
     if (!(area > 0)) return 0;
+    const [low, high] = [Math.min(p[0], q[0], r[0]), Math.max(p[0], q[0], r[0])];
+    const [bottom, top] = [Math.min(p[1], q[1], r[1]), Math.max(p[1], q[1], r[1])];
     for (let i = next[b] ?? 0; i !== a; i = next[i] ?? 0) {
       const place = at(i);
+      if (place[0] < low || place[0] > high || place[1] < bottom || place[1] > top) continue;
       const isCorner = isSame(place, p) || isSame(place, q) || isSame(place, r);
       if (!isCorner && turn(p, q, place) >= 0 && turn(q, r, place) >= 0 && turn(r, p, place) >= 0) return 0;
     }
