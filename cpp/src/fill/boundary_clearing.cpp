@@ -103,7 +103,12 @@ BoundaryClearing::State BoundaryClearing::step() {
   if (!describe(node)) return State::kFailed;
   if (lifting ? replaceByExistingInRoom(node) || replaceByNew(node) : replaceByExisting(node)) {
     turns_[node.index()] = Turn::kNone;
-    queueTouched();
+    queueTouched(mesh_.lastMade());
+    for (const NodeId point : madeRoom_) {
+      mesh_.star(point, star_);
+      queueTouched(star_);
+    }
+    madeRoom_.clear();
     return State::kRunning;
   }
   if (lifting) return State::kFailed;
@@ -112,12 +117,12 @@ BoundaryClearing::State BoundaryClearing::step() {
 }
 
 /// What did not go with the same tetrahedra around does not go now; what has others now may.
-void BoundaryClearing::queueTouched() {
+void BoundaryClearing::queueTouched(std::span<const TetId> changed) {
   turns_.resize(mesh_.points.size(), Turn::kNone);
   const auto touch = [&](NodeId node) {
     if (turns_[node.index()] == Turn::kPostponed) wait(node);
   };
-  for (const TetId id : mesh_.lastMade()) {
+  for (const TetId id : changed) {
     const FillTet& t = mesh_.tet(id);
     for (std::uint32_t k = 0; k < 4; ++k) {
       touch(t.nodes[k]);
@@ -363,7 +368,9 @@ double BoundaryClearing::reach(NodeId node) const {
 
 bool BoundaryClearing::replaceByNew(NodeId node) {
   if (replaceByDouble(node)) return true;
-  if (thickening_.makeRoomAt(node, interiorPoints_) > 0) {
+  madeRoom_.clear();
+  if (thickening_.makeRoomAt(node, madeRoom_) > 0) {
+    interiorPoints_.insert(interiorPoints_.end(), madeRoom_.begin(), madeRoom_.end());
     mesh_.star(node, star_);
     if (!describe(node)) return false;
     if (replaceByDouble(node)) return true;

@@ -45,7 +45,7 @@ class BoundaryClearing {
   void wait(NodeId node);
   void postpone(NodeId node);
   NodeId nextToLift();
-  void queueTouched();
+  void queueTouched(std::span<const TetId> changed);
   bool describe(NodeId node);
   bool chainFans(std::vector<std::array<NodeId, 2>>& links, Fan& fan) const;
   bool triangulate(Fan& fan) const;
@@ -78,6 +78,7 @@ class BoundaryClearing {
   std::size_t nextWaiting_ = 0;
   std::size_t nextPostponed_ = 0;
   std::vector<NodeId> interiorPoints_;
+  std::vector<NodeId> madeRoom_;  ///< points beside flat tetrahedra around the one that is lifted
   std::vector<TetId> star_;
   std::vector<Fan> fans_;
 };

@@ -25,6 +25,10 @@ std::size_t FlatThickening::makeRoomAt(NodeId node, std::vector<NodeId>& made) {
   }
   std::size_t count = 0;
   for (const std::array<NodeId, 4>& n : flat) {
+    // The point before may have taken this one along.
+    mesh_.star(node, star_);
+    const auto isStill = [&](TetId id) { return mesh_.tet(id).nodes == n; };
+    if (std::none_of(star_.begin(), star_.end(), isStill)) continue;
     const NodeId point = replaceOneOf(n);
     if (point.isNone()) continue;
     made.push_back(point);

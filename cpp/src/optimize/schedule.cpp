@@ -35,26 +35,32 @@ constexpr int kPatientPasses = 4;
 constexpr int kPolishPasses = 4;
 
 /// Repairs of one element in fifty that miss 18 degrees cost a surface of needles a tenth of its mean
-/// radius ratio, and leave more elements below 30 than they found: then the targets below will do. The
-/// lowest is for all: flat elements are of no use to anyone, and next to none of them need be.
+/// radius ratio, and leave more elements below 30 than they found: then the targets below will do.
 constexpr double kManyLow = 0.02;
-constexpr double kAnyNumber = 1.0;
+/// Of those that miss 30: where so few do, they are mended even if 18 had to be given up.
 constexpr double kManyHigh = 0.04;
 /// Small meshes are mended in no time.
 constexpr double kManyOfFew = 0.1;
 constexpr double kManyStriving = 0.01;
 
-constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp,
-                         double many = kManyLow) {
+constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
   return {.sweeps = kRepair,
           .judging = Judging::kTargets,
           .targets = targets,
           .entry = entry,
-          .many = many,
+          .many = kManyLow,
           .mendsBetweenSheets = true,
-          .isPatient = many == kAnyNumber,
           .again = Again::kWhileItMends,
-          .most = many == kAnyNumber ? kPatientPasses : kRepairPasses};
+          .most = kRepairPasses};
+}
+
+/// Flat elements are of no use to anyone, and next to none of them need be, however many they are.
+constexpr Step repairFlat() {
+  Step step = repairLow(kTargets2And175);
+  step.many = 1.0;
+  step.isPatient = true;
+  step.most = kPatientPasses;
+  return step;
 }
 
 constexpr Step kRescueStep{.sweeps = kRescue,
@@ -87,7 +93,7 @@ constexpr std::array kFastSteps{Step{.sweeps = kFast, .judging = Judging::kFinis
 constexpr std::array kMendSteps{
     repairLow(kTargets18And150, Entry::kAlways),
     repairLow(kTargets8And165),
-    repairLow(kTargets2And175, Entry::kIfGivenUp, kAnyNumber),
+    repairFlat(),
     Step{.sweeps = kRepair,
          .judging = Judging::kTargets,
          .many = kManyHigh,

@@ -46,7 +46,6 @@ class Sweeps {
   [[nodiscard]] const ElementCost<Space>& cost() const { return cost_; }
   [[nodiscard]] EdgeSplitter<Space>& splitter() { return splitter_; }
   [[nodiscard]] Mending<Space>& mending() { return mending_; }
-  [[nodiscard]] const Mending<Space>& mending() const { return mending_; }
   /// By the last sweep of that kind.
   [[nodiscard]] const Judgement& judgement() const { return judgement_; }
 

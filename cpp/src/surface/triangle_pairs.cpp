@@ -9,6 +9,8 @@ namespace tetrafront {
 
 TrianglePairs::TrianglePairs(const SurfaceMesh& mesh, const BoxTree& tree)
     : mesh_(mesh), tree_(tree), undescribed_(tree.nodeCount()) {
+  // The last leaves of the tree are empty, up to half of it.
+  while (undescribed_ > 0 && isEmpty(undescribed_ - 1)) --undescribed_;
   boxes_.resize(undescribed_);
   common_.resize(undescribed_);
   if (undescribed_ > 0) waiting_.push_back({0, 0});

@@ -27,7 +27,7 @@ class ElementIndex {
   void forgetFrom(std::size_t count);
 
   /// The elements within so many rings of elements around the nodes, in rising order, without removed
-  /// ones; no ring is begun once there are `enough`. `nodes` without repeats.
+  /// ones; no ring is begun once there are `enough`. `nodes` ascending, without repeats.
   [[nodiscard]] std::vector<TetId> around(std::vector<NodeId> nodes, std::uint32_t rings,
                                           std::size_t enough);
 

@@ -18,7 +18,7 @@ struct FirstTry {
 constexpr std::array<FirstTry, 9> kFirstTries{
     {{0, 0}, {1, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}, {4, 0}, {6, 1}}};
 /// Then all orders are tried without a ring, with one, twice as many and so on; with more than so many places are
-/// taken as wholes only.
+/// taken as wholes only. Where that does not do, they are tried once more, however long it takes.
 constexpr std::uint32_t kMaxRingsInPart = 6;
 /// So many fills in part may there be, and so many more for each pocket.
 constexpr std::uint32_t kParts = 100;
@@ -63,7 +63,7 @@ std::size_t PocketFiller::begin() {
     std::vector<TetId> around =
         index_.around(pockets_.nodes(number), now.rings, std::numeric_limits<std::size_t>::max());
     touched += around.size();
-    now.wasLargest = around.size() == now.removed;
+    now.wasLargest = around.empty() || around.size() == now.removed;
     now.removed = around.size();
     if (now.wasLargest) {
       if (!prepareNext(now)) stack_.pop_back();
@@ -72,8 +72,9 @@ std::size_t PocketFiller::begin() {
     place_.emplace(front_, elements_, pockets_, number, std::move(around));
     pocket.faces = place_->faces();
   }
-  const std::uint64_t limit =
-      mayFillInPart(now) ? kCostPerFace * pocket.faces.size() + kExtraCost : ExactFill::kNoLimit;
+  const std::uint64_t limit = mayFillInPart(now) && !now.isLastRound
+                                  ? kCostPerFace * pocket.faces.size() + kExtraCost
+                                  : ExactFill::kNoLimit;
   fill_.emplace(front_, std::move(pocket), now.order, limit);
   return 1 + touched / kTouchedPerStep;
 }
@@ -93,7 +94,10 @@ bool PocketFiller::prepareNext(Try& now) const {
   } else if (!now.wasLargest) {
     now.rings = std::max(1U, 2 * now.rings);
   } else {
-    now = {now.step, 0, now.order + 1, kNoElements};
+    now = {now.step, 0, now.order + 1, kNoElements, false, now.isLastRound};
+    if (now.order == ExactFill::kOrders && !now.isLastRound) {
+      now = {now.step, 0, 0, kNoElements, false, true};
+    }
   }
   return now.order < ExactFill::kOrders;
 }

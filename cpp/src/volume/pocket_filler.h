@@ -38,11 +38,12 @@ class PocketFiller {
   static constexpr std::size_t kNoElements = std::numeric_limits<std::size_t>::max();
   /// What is tried with a pocket.
   struct Try {
-    std::uint32_t step;       ///< how many of the first tries have been
-    std::uint32_t rings;      ///< of elements taken away with it
-    unsigned order;           ///< see ExactFill::kOrders
-    std::size_t removed;      ///< how many elements that were with half as many rings
-    bool wasLargest = false;  ///< more rings have no more elements
+    std::uint32_t step;        ///< how many of the first tries have been
+    std::uint32_t rings;       ///< of elements taken away with it
+    unsigned order;            ///< see ExactFill::kOrders
+    std::size_t removed;       ///< how many elements that were with half as many rings
+    bool wasLargest = false;   ///< more rings have no more elements
+    bool isLastRound = false;  ///< of all orders, whatever it costs
   };
 
   std::size_t begin();
