@@ -11,7 +11,7 @@ import {
   tellChanges,
   type RepairCommandOptions,
 } from "./cli-repair.js";
-import { mixedTurns, plural, unplacedLines } from "./cli-tables.js";
+import { mixedTurns, plural, repeatedLines, unplacedLines } from "./cli-tables.js";
 import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
 import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
@@ -48,7 +48,8 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
       tell(input, misfits(mesh, tetFaces(mesh)).map(asWarning), { isQuiet });
       const left = [...given.nodeData.keys()].filter((key) => !mesh.nodeData.has(key));
       if (left.length > 0) say(`note: ${input}: ${leftData(left)}`);
-      for (const line of [...mixedTurns(given), ...unplacedLines(given)]) say(`note: ${input}: ${line}`);
+      const notes = [...mixedTurns(given), ...repeatedLines(given), ...unplacedLines(given)];
+      for (const line of notes) say(`note: ${input}: ${line}`);
       say(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }
     return ExitCode.meshed;

@@ -3,7 +3,15 @@ import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { BadInput, ExitCode, toldFailure } from "./cli-messages.js";
-import { meshLines, mixedTurns, placeText, plural, qualityLines, unplacedLines } from "./cli-tables.js";
+import {
+  meshLines,
+  mixedTurns,
+  placeText,
+  plural,
+  qualityLines,
+  repeatedLines,
+  unplacedLines,
+} from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { formatOf } from "./formats/file-formats.js";
 import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
@@ -45,7 +53,13 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
     const turnedInFile = mesh.turnedTetrahedra ?? 0;
     const json = { ...figures, turnedInFile, boundaryTriangles: boundary.triangles.length / 3 };
     const faults = found.isSound ? [] : ["the mesh is not sound: `tetrafront check` tells why"];
-    const lines = [...meshLines(found), ...qualityLines(found.quality), ...mixedTurns(mesh), ...faults];
+    const lines = [
+      ...meshLines(found),
+      ...qualityLines(found.quality),
+      ...mixedTurns(mesh),
+      ...repeatedLines(mesh),
+      ...faults,
+    ];
     return { json, lines };
   });
 }

@@ -25,6 +25,14 @@ export function mixedTurns({ tetrahedra, turnedTetrahedra = 0 }: FileMesh): stri
   return [`${turnedTetrahedra} of ${count} tetrahedra were inverted against the others, and were turned`];
 }
 
+/** That tetrahedra lose all groups but their first. */
+export function repeatedLines({ repeatedTetrahedra = 0 }: Pick<FileMesh, "repeatedTetrahedra">): string[] {
+  if (repeatedTetrahedra === 0) return [];
+  return [
+    `${plural(repeatedTetrahedra, "further entry")} of tetrahedra in other physical groups: the first counts`,
+  ];
+}
+
 /** That names of regions come to nothing. */
 export function unplacedLines({ unplacedRegions = [] }: Pick<FileMesh, "unplacedRegions">): string[] {
   if (unplacedRegions.length === 0) return [];

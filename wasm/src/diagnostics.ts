@@ -166,8 +166,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Let all lines use one of them, and delete the other.",
   },
   "size-too-large": {
-    message: ({ value }) =>
-      `The smallest element size, ${value(0)}, is larger than the whole model, ${value(1)}`,
+    message: ({ value }) => `An element size, ${value(0)}, is larger than the whole model, ${value(1)}`,
     remedy:
       "Give a smaller size: lines and patches are followed only roughly, and a given surface's own edges tell the sizes in it.",
   },

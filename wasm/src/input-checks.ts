@@ -72,7 +72,8 @@ export function checkWeld({ points }: SurfaceInput, weld: number | false | undef
     if (coordinate > (high[i % 3] ?? 0)) high[i % 3] = coordinate;
   }
   const extent = Math.max(...high.map((most, axis) => most - (low[axis] ?? 0)));
-  if (!(Number(weld) > 0 && Number(weld) >= extent)) return [];
+  // Without a place there is nothing to be across.
+  if (!(extent >= 0 && Number(weld) > 0 && Number(weld) >= extent)) return [];
   const message = `the weld distance is ${weld}, and the whole surface is ${extent} across`;
   return [packageDiagnostic("invalid-option", message, "Give less than its shortest edges.")];
 }

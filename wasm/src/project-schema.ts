@@ -65,8 +65,8 @@ const backgroundNodeSchema = z.readonly(
   z.strictObject({
     id,
     at: triple,
-    size: described("Wanted edge length, in model units, above 0", z.number()),
-    stretching: described("Length along `direction` divided by `size`, >= 1", z.optional(z.number())),
+    size: described("Wanted edge length, in model units, above 0, up to 1e30", z.number()),
+    stretching: described("Length along `direction` divided by `size`, 1 to 1e6", z.optional(z.number())),
     direction: described(
       "Stretching direction; any length but 0",
       z.optional(z.readonly(z.tuple([z.number(), z.number(), z.number()]))),
@@ -83,13 +83,13 @@ const sourceSchema = z.readonly(
       "Corners: one of a point, two of a segment, three of a triangle",
       z.readonly(z.array(triple).check(z.minLength(1), z.maxLength(3))),
     ),
-    size: described("Wanted edge length there, in model units, above 0", z.number()),
+    size: described("Wanted edge length there, in model units, above 0, up to 1e30", z.number()),
     distance: described(
-      "Up to this far away `size` holds too; 0 or more, 0 if not given",
+      "Up to this far away `size` holds too; 0 to 1e30, 0 if not given",
       z.optional(z.number()),
     ),
     growth: described(
-      "Of the size per unit of distance beyond; 0 or more, 0.3 if not given",
+      "Of the size per unit of distance beyond; 0 to 10, 0.3 if not given",
       z.optional(z.number()),
     ),
   }),
@@ -116,11 +116,11 @@ const backgroundSchema = z.readonly(
 const meshingSchema = z.readonly(
   z.strictObject({
     size: described(
-      "One wanted edge length everywhere, in model units, above 0: in place of the background grid's; sources still hold",
+      "One wanted edge length everywhere, in model units, above 0, up to 1e30: in place of the background grid's; sources still hold",
       z.optional(z.number()),
     ),
     gradation: described(
-      "Most by which sizes grow from one element to the next, above 1; 0 takes them as they are; 1.3 if not given",
+      "Most by which sizes grow from one element to the next, above 1, up to 10; 0 takes them as they are; 1.3 if not given",
       z.optional(z.number()),
     ),
     enclosed: described(

@@ -77,7 +77,7 @@ enum class DiagnosticCode : std::uint16_t {
   kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
   kBadSource = 26,              ///< source; values: size, distance, growth
   kDuplicatePoints = 27,        ///< two points at one place; a warning unless patches use both
-  kSizeTooLarge = 28,           ///< warning; values: smallest size in the model, the model's extent
+  kSizeTooLarge = 28,           ///< warning; values: the size, smallest in a model, and the extent
   // Closed boundary
   kOpenEdge = 40,       ///< line (and its patch) or triangle with one side missing; values: number
                         ///< of such edges

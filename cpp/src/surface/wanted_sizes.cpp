@@ -21,9 +21,9 @@ std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid, const MeshO
 
 std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
   std::vector<Diagnostic> found;
-  Vec3 low = pointOf(surface, 0);
+  Vec3 low = pointOf(surface, surface.triangles[0]);
   Vec3 high = low;
-  for (std::uint32_t node = 1; node < surface.points.size() / 3; ++node) {
+  for (const std::uint32_t node : surface.triangles) {
     low = glm::min(low, pointOf(surface, node));
     high = glm::max(high, pointOf(surface, node));
   }

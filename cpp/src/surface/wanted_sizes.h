@@ -27,7 +27,8 @@ namespace tetrafront {
 [[nodiscard]] std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid,
                                                        const MeshOptions& options);
 
-/// kSizeTooLarge where the surface, which has a node, is smaller than the one size. O(nodes).
+/// kSizeTooLarge where the triangles of the surface, at least one, span less than the one size.
+/// O(triangles).
 [[nodiscard]] std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size);
 
 /// What is asked for beside the surface's own edges: a size, or none, and sources. Not for grids.

@@ -59,12 +59,15 @@ describe("a size larger than a given surface", () => {
     const mesher = await createMesher();
     const surface = boxSurface(2);
     try {
-      const codes = async (size: number) => {
-        const { report } = await mesher.fillSurface(surface, { size });
+      const codes = async (size: number, given = surface) => {
+        const { report } = await mesher.fillSurface(given, { size });
         return report.diagnostics.map(({ code, severity }) => `${severity} ${code}`);
       };
       expect(await codes(1.5)).toEqual(["warning size-too-large"]);
       expect(await codes(0.9)).toEqual([]);
+      // A node that no triangle uses makes the model no larger.
+      const points = Float64Array.of(...surface.points, 100, 0, 0);
+      expect(await codes(1.5, { ...surface, points })).toContain("warning size-too-large");
     } finally {
       mesher.dispose();
     }

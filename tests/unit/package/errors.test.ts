@@ -196,6 +196,24 @@ test("an option of a reader that does not exist is refused by name", async () =>
   }
 });
 
+test("an option of the writer that does not exist is refused by name", async () => {
+  const options = { signal: undefined, onProgres: () => undefined };
+  const refused = await writeMesh(block, "a.su2", options).catch((failure: unknown) => failure);
+  expect(refused).toMatchObject({
+    diagnostics: [{ code: "invalid-argument", message: 'There is no option "onProgres"' }],
+  });
+});
+
+test("a surface without points is not too small to be welded", async () => {
+  const nothing = { points: new Float64Array(), triangles: new Uint32Array() };
+  const told = await mesher.repairSurface(nothing, { weld: 0.1 }).then(
+    (repair) => JSON.stringify(repair),
+    (failure: unknown) => JSON.stringify((failure as MesherError).diagnostics),
+  );
+  expect(told).toMatch(/empty-model/);
+  expect(told).not.toMatch(/Infinity/);
+});
+
 test("a surface whose points all lie at the origin is told so", async () => {
   const { report } = await mesher.fillSurface({ ...surface, points: surface.points.map(() => 0) });
   expect(report.diagnostics[0]).toMatchObject({

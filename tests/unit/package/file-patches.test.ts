@@ -31,6 +31,16 @@ test("OBJ: a group of several materials that others have too is one patch for ea
   expect(names).toEqual(["a red", "a blue", "b", "b"]);
 });
 
+test("OBJ: a group and a material of one name are one patch", async () => {
+  const obj = faces("g m", "g a\nusemtl m", "usemtl n", "usemtl m");
+  expect(await patchesOf(obj)).toEqual(["m", "m", "n", "m"]);
+  const read = await readSurface(new TextEncoder().encode(obj), { fileName: "a.obj" });
+  expect(read.success && read.value.patches.map(({ name, tag }) => [name, tag])).toEqual([
+    ["m", 1],
+    ["n", 2],
+  ]);
+});
+
 test("a mesh is not given the patches of other triangles", async () => {
   const mesher = await createMesher();
   const box = boxSurface(1);

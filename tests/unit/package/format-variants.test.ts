@@ -57,6 +57,22 @@ $Elements\n2\n1 2 2 5 1 1 2 3\n2 4 2 7 1 1 2 3 4\n$EndElements\n`;
   });
 });
 
+test("Gmsh 2.2: a tetrahedron of several physical groups is held once", async () => {
+  const nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n$EndNodes";
+  const elements = ["4 2 7 1 1 2 3 4", "4 2 8 1 1 2 3 4", "4 2 9 1 1 2 3 4"];
+  const file = (rows: readonly string[]) =>
+    `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n${nodes}\n$Elements\n${rows.length}\n${rows
+      .map((row, e) => `${e + 1} ${row}\n`)
+      .join("")}$EndElements\n`;
+  const mesh = await read(file(elements), "a.msh");
+  expect([...mesh.tetrahedra]).toEqual([0, 1, 2, 3]);
+  expect(mesh.regions.map(({ tag }) => tag)).toEqual([7]);
+  expect(mesh.repeatedTetrahedra).toBe(2);
+  // Twice in one group is a fault of the mesh, which its checks tell.
+  const twice = await read(file([elements[0] ?? "", elements[0] ?? ""]), "a.msh");
+  expect(twice.tetrahedra).toHaveLength(8);
+});
+
 test("Medit: sections about geometry are passed over, and other volumes only matter where there are some", async () => {
   const head =
     'MeshVersionFormatted 2\nDimension 3\nIdentifier "a part"\nGeometry\n"a.geo"\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n';

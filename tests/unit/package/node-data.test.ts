@@ -2,6 +2,7 @@
 import { FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { expect, test } from "vitest";
 
+import { writeVtk } from "../../../wasm/src/formats/vtk.js";
 import { blockMesh } from "../../support/block-mesh.js";
 
 const block = blockMesh();
@@ -27,6 +28,22 @@ test.each([".vtu", ".vtk", ".msh", ".msh2"])("%s gives them back", async (extens
     JSON.stringify(value, (_, held: unknown) => (Object.is(held, -0) ? 0 : held));
   expect(negative(data(read.value))).toEqual(negative(data(mesh)));
   expect(read.value.patches.length).toBe(block.patches.length);
+});
+
+test("VTK: all numbers of a node may be missing", async () => {
+  const values = new Float64Array(3 * count).fill(NaN);
+  const [file] = await writeMesh(
+    { ...block, nodeData: new Map([["v", { components: 3, values }]]) },
+    "a.vtk",
+  );
+  const written = new TextDecoder().decode(file?.bytes);
+  expect(written).toContain(`v 3 ${count} double\n${"nan nan nan\n".repeat(count)}`);
+});
+
+test("VTK: rows of numbers are made while they are asked for", () => {
+  const texts = writeVtk(mesh, () => undefined).filter((part) => typeof part === "string");
+  expect(texts.filter((text) => text.split("\n").length > 6)).toEqual([]);
+  expect(texts.filter((text) => /^\d+\n/.test(text))).toEqual([]);
 });
 
 const others = FILE_FORMATS.filter(({ id, writes }) => writes.length > 0 && !/^(vtu|vtk|gmsh2?)$/.test(id));

@@ -268,6 +268,12 @@ end_header\n`;
       /the file ends where a property should be/,
     ],
     ["points that break off", `${head("ascii", 1)}0 0 0 1`, /./],
+    ["another surface", `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`, /another surface/],
+    [
+      "another surface with CRLF",
+      `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`.replaceAll("\n", "\r\n"),
+      /another surface/,
+    ],
   ])("of %s is refused", async (_, file, message) => {
     expect((await problemIn(readPly(bytes(file)))).message).toMatch(message);
   });

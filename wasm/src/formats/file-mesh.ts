@@ -55,6 +55,8 @@ export interface FileMesh {
    * other way round; some of them: it mixes both ways, as no sound mesh does.
    */
   readonly turnedTetrahedra?: number | undefined;
+  /** So many times the file lists a tetrahedron again, for another group; it is held once, in the first. */
+  readonly repeatedTetrahedra?: number | undefined;
   readonly regions: readonly FileGroup[];
   /** Where the file tells of spaces between its triangles without tetrahedra in them. */
   readonly surfaceRegions?: SurfaceRegions | undefined;

@@ -29,7 +29,7 @@ export interface ReadFileOptions {
 export interface WriteFileOptions {
   /** Called with the number of bytes made so far, in all files together, every few milliseconds and at the end of each. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting rejects with the signal's reason, also while bytes are waited for; the source is let go of. */
+  /** Aborting rejects with the signal's reason; it is heard before each file and every few milliseconds between its pieces. */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -69,6 +69,10 @@ export async function writeMesh(
   options: WriteFileOptions = {},
 ): Promise<readonly WrittenFile[]> {
   checkArgument("options", options, aWriting);
+  const unknown = unknownOption(options, WRITE_OPTIONS);
+  if (unknown !== undefined) {
+    refuse([packageDiagnostic("invalid-argument", unknown.message, unknown.remedy)]);
+  }
   const format = typeof fileName === "string" ? formatOf(fileName) : undefined;
   const { write } = (await format?.load()) ?? {};
   if (write === undefined) {
@@ -139,12 +143,22 @@ async function readAny(
   }
 }
 
-const OPTIONS: readonly string[] = [
-  "fileName",
-  "openOther",
-  "onProgress",
-  "signal",
-] satisfies (keyof ReadFileOptions)[];
+const WRITE_OPTIONS = ["onProgress", "signal"] satisfies (keyof WriteFileOptions)[];
+const READ_OPTIONS = ["fileName", "openOther", ...WRITE_OPTIONS] satisfies (keyof ReadFileOptions)[];
+
+/** An option that there is none of would do nothing without a word. */
+function unknownOption(
+  options: object,
+  known: readonly string[],
+): { readonly message: string; readonly remedy: string } | undefined {
+  const unknown = Object.keys(options).find((name) => !known.includes(name));
+  if (unknown === undefined) return undefined;
+  return { message: `there is no option "${unknown}"`, remedy: remedyOf(known) };
+}
+
+function remedyOf(known: readonly string[]): string {
+  return `Correct it: the options are ${known.join(", ")}.`;
+}
 
 const aWatch = {
   onProgress: orNothing(aFunction),
@@ -156,12 +170,12 @@ const aWriting = objectOf(aWatch);
 function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   const { fileName } = (options as ReadFileOptions | null | undefined) ?? {};
   if (typeof fileName === "string") {
-    const unknown = Object.keys(options).find((name) => !OPTIONS.includes(name));
+    const unknown = unknownOption(options, READ_OPTIONS);
+    if (unknown !== undefined) throw new ReadFailure({ code: "invalid-argument", ...unknown });
     const fault = aReading(options);
-    const wrong = unknown === undefined ? fault && `options${fault}` : `there is no option "${unknown}"`;
-    if (wrong === undefined) return options;
-    const remedy = `Correct it: the options are ${OPTIONS.join(", ")}.`;
-    throw new ReadFailure({ code: "invalid-argument", message: wrong, remedy });
+    if (fault === undefined) return options;
+    const remedy = remedyOf(READ_OPTIONS);
+    throw new ReadFailure({ code: "invalid-argument", message: `options${fault}`, remedy });
   }
   throw new ReadFailure({
     code: "invalid-argument",

@@ -33,6 +33,9 @@ export function readMsh(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => new MshReader(reader).read());
 }
 
+/** Of an element in version 2.2: its physical group and its entity, 0 for none. */
+type Tags = readonly [number, number];
+
 class MshReader {
   readonly #reader: ByteReader;
   readonly #builder = new MeshBuilder();
@@ -47,6 +50,8 @@ class MshReader {
   #nodesBefore = 0;
   #isBinary = false;
   #hasBlocks = true;
+  #lastTetrahedron: { readonly tags: Tags; readonly nodes: readonly number[] } | undefined;
+  #repeatedTetrahedra = 0;
 
   constructor(reader: ByteReader) {
     this.#reader = reader;
@@ -68,6 +73,7 @@ class MshReader {
           ...mesh,
           surfaceRegions,
           unplacedRegions,
+          repeatedTetrahedra: this.#repeatedTetrahedra,
         };
       }
       await this.#readSection(section);
@@ -259,7 +265,7 @@ class MshReader {
   }
 
   /** The next numbers are tags of the nodes of an element. */
-  #readElement(type: number, group: (groups: GroupList) => number): void {
+  #readElement(type: number, group: (groups: GroupList) => number, tags?: Tags): void {
     const corners = Array.from({ length: this.#width(type) }, () => this.#size());
     if (type !== TRIANGLE && type !== QUADRILATERAL && type !== TETRAHEDRON) return;
     const nodes = corners.map(
@@ -267,11 +273,28 @@ class MshReader {
         this.#nodes.positionOf(tag) ?? this.#reader.fail(`an element has a corner that is no node: ${tag}`),
     );
     if (type === TETRAHEDRON) {
+      if (tags !== undefined && this.#isRepeated(tags, nodes)) return;
       const [a = 0, b = 0, c = 0, d = 0] = nodes;
       this.#builder.addTetrahedron(a, b, c, d, group(this.#builder.regions));
     } else if (!this.#builder.addPolygon(nodes, group(this.#builder.patches))) {
       this.#reader.fail(`a quadrilateral ${UNCUT}`);
     }
+  }
+
+  #readListed(type: number, tags: Tags): void {
+    this.#readElement(type, this.#groupOf(...tags), tags);
+  }
+
+  /** Version 2.2 lists an element once for each of its physical groups, in a row: the first counts. */
+  #isRepeated(tags: Tags, nodes: readonly number[]): boolean {
+    const last = this.#lastTetrahedron;
+    const isRepeated =
+      last?.tags[1] === tags[1] &&
+      last.tags[0] !== tags[0] &&
+      last.nodes.every((node, i) => node === nodes[i]);
+    if (isRepeated) this.#repeatedTetrahedra++;
+    else this.#lastTetrahedron = { tags, nodes };
+    return isRepeated;
   }
 
   #width(type: number): number {
@@ -318,7 +341,7 @@ class MshReader {
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();
         this.#int();
-        this.#readElement(type, await this.#readTags(tagCount));
+        this.#readListed(type, await this.#readTags(tagCount));
       }
       read += Math.max(count, 1);
       if (this.#reader.isLow) await this.#reader.fill();
@@ -331,19 +354,20 @@ class MshReader {
       if (this.#reader.isLow) await this.#reader.fill();
       this.#int();
       const type = this.#int();
-      this.#readElement(type, await this.#readTags(this.#count(this.#int(), "tags")));
+      this.#readListed(type, await this.#readTags(this.#count(this.#int(), "tags")));
     }
   }
 
   /** Physical group, entity, and whatever else. */
-  async #readTags(count: number): Promise<(groups: GroupList) => number> {
-    const tags = [0, 0];
+  async #readTags(count: number): Promise<Tags> {
+    let [physical, entity] = [0, 0];
     for (let i = 0; i < count; i++) {
       if (this.#reader.isLow) await this.#reader.fill();
       const tag = this.#int();
-      if (i < 2) tags[i] = tag;
+      if (i === 0) physical = Math.abs(tag);
+      if (i === 1) entity = tag;
     }
-    return this.#groupOf(Math.abs(tags[0] ?? 0), tags[1] ?? 0);
+    return [physical, entity];
   }
 
   async #readNodeData(): Promise<void> {

@@ -6,8 +6,8 @@
  */
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { MeshBuilder, type GroupList } from "./mesh-builder.js";
+import type { FileMesh } from "./file-mesh.js";
+import { GroupList, MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OBJ file of triangles.";
@@ -34,7 +34,7 @@ export function readObj(source: ByteSource): Promise<FileMesh> {
     }
     if (builder.triangleCount === 0) reader.fail("the file has no face");
     const mesh = builder.mesh();
-    return { ...mesh, patches: kinds.named(mesh.patches) };
+    return { ...mesh, ...kinds.named(mesh) };
   });
 }
 
@@ -60,7 +60,8 @@ class Kinds {
     });
   }
 
-  named(patches: readonly FileGroup[]): readonly FileGroup[] {
+  /** Kinds that end with the same name, as a group and a material may, are one patch. */
+  named({ trianglePatch }: FileMesh): Pick<FileMesh, "trianglePatch" | "patches"> {
     const [materials, names] = [new Map<string, number>(), new Map<string, number>()];
     for (const { material, name } of this.#kinds) {
       materials.set(material, (materials.get(material) ?? 0) + 1);
@@ -68,11 +69,15 @@ class Kinds {
     }
     // A group divides a material that stands beside several.
     const isByGroup = [...materials].some(([material, count]) => material !== "" && count > 1);
-    return patches.map((patch, p) => {
-      const { material, name } = this.#kinds[p] ?? { material: "", name: "" };
+    const patches = new GroupList("patch");
+    const positions = this.#kinds.map(({ material, name }) => {
       const both = (names.get(name) ?? 0) > 1 ? `${name} ${material}`.trim() : name;
-      return { ...patch, name: (isByGroup ? both : material) || material || name || "surface" };
+      return patches.named((isByGroup ? both : material) || material || name || "surface");
     });
+    return {
+      trianglePatch: trianglePatch.map((kind) => positions[kind] ?? 0),
+      patches: patches.groups(),
+    };
   }
 }
 

@@ -94,11 +94,7 @@ export function readPly(source: ByteSource): Promise<FileMesh> {
     early.addTo(builder, reader);
     if (reading.faces === 0) reader.fail("the file has no face");
     await reader.fill();
-    if (
-      String.fromCharCode(...reader.peek(6))
-        .trimStart()
-        .startsWith("ply\n")
-    ) {
+    if (/^\s*ply\r?\n/.test(String.fromCharCode(...reader.peek(8)))) {
       reader.fail("another surface begins behind this one");
     }
     return names.given(builder.mesh());

@@ -27,11 +27,11 @@ export function writeVtk(mesh: FileMesh, note: Note): Part[] {
     numberRows(tetrahedra, 4, (row) => `4 ${row.join(" ")}`),
     numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),
     `CELL_TYPES ${types.length}\n`,
-    ...perCell(types),
+    perCell(types),
     `CELL_DATA ${types.length}\nSCALARS region int 1\nLOOKUP_TABLE default\n`,
-    ...perCell(regions),
+    perCell(regions),
     "SCALARS patch int 1\nLOOKUP_TABLE default\n",
-    ...perCell(patches),
+    perCell(patches),
     ...pointData(mesh),
   ];
 }
@@ -42,7 +42,7 @@ function pointData({ points, nodeData }: FileMesh): Part[] {
   const count = points.length / 3;
   const arrays = [...nodeData].flatMap(([name, { components, values }]): Part[] => [
     `${nameWord(name)} ${components} ${count} double\n`,
-    numberRows(values, components, (row) => coordinates(row).replace("NaN", "nan")),
+    numberRows(values, components, (row) => coordinates(row).replaceAll("NaN", "nan")),
   ]);
   return [`POINT_DATA ${count}\nFIELD numbers ${nodeData.size}\n`, ...arrays];
 }
