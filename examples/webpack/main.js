@@ -11,7 +11,9 @@ const status = document.querySelector("#status");
 const button = document.querySelector("#mesh");
 button.addEventListener("click", async () => {
   const size = Number(document.querySelector("#size").value);
-  const { report } = await mesher.fillSurface({ points, triangles }, { size });
+  // Triangles stay as they are: those larger than the size are divided first.
+  const surface = await mesher.refineSurface({ points, triangles }, { size });
+  const { report } = await mesher.fillSurface(surface, { size });
   status.textContent = `${report.status}: ${report.tetrahedra} tetrahedra of volume ${report.volume.toFixed(6)}`;
 });
 button.disabled = false;

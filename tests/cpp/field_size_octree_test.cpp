@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "field/size_octree_builder.h"
@@ -136,12 +137,26 @@ TEST(SizeOctreeTest, FindsASmallFeatureAmongLargeTriangles) {
 }
 
 TEST(SizeOctreeTest, DefaultCapIsTheNinetiethPercentile) {
-  const SurfaceMesh mesh = gradedSphere();
+  SurfaceMesh mesh = geodesicSphere(8);
+  Random random(310);
+  for (double& coordinate : mesh.points) coordinate += random.between(-0.02, 0.02);
   std::vector<double> sizes = averagedEdgeLengths(pointsOf(mesh), mesh.triangles);
   const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 0.0);
   const auto below =
       std::count_if(sizes.begin(), sizes.end(), [&](double size) { return size <= octree.cap(); });
   EXPECT_NEAR(static_cast<double>(below) / static_cast<double>(sizes.size()), 0.9, 0.01);
+}
+
+/// A small body of many nodes does not tell what is wanted in a large one of few.
+TEST(SizeOctreeTest, DefaultCapIsAtLeastTheMeanOverTheArea) {
+  SurfaceMesh mesh = gridBox(Vec3(-5.0), Vec3(5.0), {4, 4, 4});
+  SurfaceMesh small = geodesicSphere(20);
+  scale(small, 0.1);
+  append(mesh, small);
+  const SizeOctree octree(pointsOf(mesh), mesh.triangles, 0.3, 0.0);
+  EXPECT_GT(octree.cap(), 2.5);
+  EXPECT_LT(octree.cap(), 2.5 * std::numbers::sqrt2);
+  EXPECT_LT(octree.sizeAt(Vec3(0.1, 0.0, 0.0)), 0.02);
 }
 
 TEST(SizeOctreeTest, FollowsScaleAndOffset) {

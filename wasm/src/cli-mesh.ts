@@ -12,7 +12,7 @@ import {
 } from "./cli-input.js";
 import { asBadInput, asEngineFailure, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
-import { unplacedLines } from "./cli-tables.js";
+import { leftOutLines, unplacedLines } from "./cli-tables.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import {
   refuseRepair,
@@ -343,7 +343,11 @@ async function writeResult(
   model: Input,
 ): Promise<boolean> {
   const name = writableName(output, to, ["volume"]);
-  const files = await writeMesh(fileMeshOf(result, model), name);
+  const mesh = fileMeshOf(result, model);
+  if (!isQuiet && model.kind === "surface") {
+    for (const line of leftOutLines(model.surface, mesh)) say(`note: ${input}: ${line}`);
+  }
+  const files = await writeMesh(mesh, name);
   return succeeds(() => writeAll(files, { input, output, name, isQuiet }));
 }
 

@@ -40,6 +40,19 @@ export function unplacedLines({ unplacedRegions = [] }: Pick<FileMesh, "unplaced
   return [`the file names ${names} and does not tell which space is which: regions are numbered`];
 }
 
+/** That spaces to which the file gives names are not filled. */
+export function leftOutLines(
+  { surfaceRegions }: Pick<FileMesh, "surfaceRegions">,
+  { regions }: Pick<FileMesh, "regions">,
+): string[] {
+  const leftOut = (surfaceRegions?.regions ?? []).filter(({ tag }) =>
+    regions.every((one) => one.tag !== tag),
+  );
+  if (leftOut.length === 0) return [];
+  const names = leftOut.map(({ name }) => `"${name}"`).join(", ");
+  return [`not filled of the file's regions: ${names}. --enclosed regions fills bodies within a body, too`];
+}
+
 export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): string[] {
   if (found.box === null) return [];
   const isKnown = found.isFillable;

@@ -16,7 +16,7 @@ namespace tetrafront {
 class SizeOctree {
  public:
   /// h(x) = min(cap, min_i h_i + growth |x - x_i|), h_i the twice averaged mean edge at node i.
-  /// `cap` 0: the 90th percentile of the h_i. Triangles are three positions in `points` each;
+  /// `cap` 0: the 90th percentile of the h_i, or their mean over the surface's area if that is more. Triangles are three positions in `points` each;
   /// nodes of no triangle are ignored. 1 to 3 µs per triangle; SizeOctreeBuilder does it in
   /// slices.
   SizeOctree(std::span<const Vec3> points, std::span<const std::uint32_t> triangles, double growth,

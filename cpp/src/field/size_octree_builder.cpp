@@ -28,7 +28,9 @@ constexpr float kDescentSlack = 0.01F;
 constexpr double kDeepShare = 0.25;
 /// Of the unit cube.
 constexpr double kHalfDiagonal = 0.8660254037844386;
-/// Where no cap is given: this share of the node sizes lies below it.
+/// Where no cap is given: this share of the node sizes lies below it, unless the mean over the surface's
+/// area is larger. A small body of small triangles in a large box has nearly all of the nodes, but does
+/// not tell what is wanted in the rest of the box.
 constexpr double kCapQuantile = 0.9;
 /// To come to so many sites in the order of a list costs as much as one cell.
 constexpr std::size_t kSitesPerCell = 32;
@@ -92,6 +94,22 @@ double quantile(std::span<const double> sizes, double share) {
   return used[rank];
 }
 
+/// The mean of the sizes over the surface.
+double meanOverArea(std::span<const Vec3> points, std::span<const std::uint32_t> triangles,
+                    std::span<const double> sizes) {
+  double sum = 0.0;
+  double areas = 0.0;
+  for (std::size_t t = 0; t < triangles.size(); t += 3) {
+    const std::uint32_t a = triangles[t];
+    const std::uint32_t b = triangles[t + 1];
+    const std::uint32_t c = triangles[t + 2];
+    const double area = glm::length(glm::cross(points[b] - points[a], points[c] - points[a]));
+    sum += area * (sizes[a] + sizes[b] + sizes[c]) / 3.0;
+    areas += area;
+  }
+  return areas > 0.0 ? sum / areas : 0.0;
+}
+
 /// An edge of the root at least as long as `extent` whose halves hit upon the widest cells that
 /// `size` allows: up to eight times fewer than with an unlucky edge.
 double rootEdge(double extent, double size) {
@@ -114,7 +132,11 @@ std::vector<double> averagedEdgeLengths(std::span<const Vec3> points,
 SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points,
                                      std::span<const std::uint32_t> triangles, double growth,
                                      double cap) {
-  growFrom(points, averagedEdgeLengths(points, triangles), growth, cap);
+  const std::vector<double> sizes = averagedEdgeLengths(points, triangles);
+  growFrom(points, sizes, growth,
+           cap > 0.0
+               ? cap
+               : std::max(quantile(sizes, kCapQuantile), meanOverArea(points, triangles, sizes)));
 }
 
 SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points, std::span<const double> lengths,
@@ -124,7 +146,7 @@ SizeOctreeBuilder::SizeOctreeBuilder(std::span<const Vec3> points, std::span<con
 
 void SizeOctreeBuilder::growFrom(std::span<const Vec3> points, std::span<const double> sizes,
                                  double growth, double cap) {
-  tree_.cap_ = cap > 0.0 ? cap : quantile(sizes, kCapQuantile);
+  tree_.cap_ = cap;
   placeRoot(points, sizes);
   sites_.emplace(points, sizes, growth);
 }

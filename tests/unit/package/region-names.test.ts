@@ -11,6 +11,7 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
+import { leftOutLines } from "../../../wasm/src/cli-tables.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { cavitySurface } from "../../support/surfaces.js";
 
@@ -199,4 +200,17 @@ test("regions that a caller puts beside triangles must be among those that are l
   const result = await mesher.fillSurface(surface);
   const wild = { ...surface, surfaceRegions: { regions, triangleRegions: triangleRegions.with(5, 7) } };
   expect(() => fileMeshOf(result, { surface: wild })).toThrow(/triangleRegions\[5\] is 7 of 2/);
+});
+
+test("regions of the file that are not filled are told", () => {
+  const [steel, water] = [
+    { name: "steel", tag: 4 },
+    { name: "water", tag: 9 },
+  ];
+  const surfaceRegions = { regions: [steel, water], triangleRegions: new Uint32Array() };
+  expect(leftOutLines({ surfaceRegions }, { regions: [water] })).toEqual([
+    expect.stringMatching(/"steel"\. --enclosed regions/),
+  ]);
+  expect(leftOutLines({ surfaceRegions }, { regions: [water, steel] })).toEqual([]);
+  expect(leftOutLines({}, { regions: [water] })).toEqual([]);
 });
