@@ -149,12 +149,12 @@ std::uint32_t SelfIntersectionCheck::testFew() {
 std::uint32_t SelfIntersectionCheck::testMany(std::uint32_t budget) {
   const std::span<const std::uint32_t> all = atNode_.at(next_);
   if (!directions_) {
-    Directions& directions = directions_.emplace();
-    directions.boxes.reserve(all.size());
+    std::vector<Box> boxes;
+    boxes.reserve(all.size());
     for (const std::uint32_t t : all) {
-      directions.boxes.push_back(boxOfDirections(triangleOf(mesh_, t), next_));
+      boxes.push_back(boxOfDirections(triangleOf(mesh_, t), next_));
     }
-    directions.tree = BoxTree(directions.boxes);
+    directions_.emplace(std::move(boxes));
   }
   const std::uint32_t first = directions_->next;
   const auto count = static_cast<std::uint32_t>(all.size());

@@ -61,6 +61,8 @@ class SelfIntersectionCheck {
   Incidence atNode_;
   /// The triangles at a node with many by the directions in which they are seen from it.
   struct Directions {
+    explicit Directions(std::vector<Box> seen) : boxes(std::move(seen)), tree(boxes) {}
+
     std::vector<Box> boxes;
     BoxTree tree;
     std::uint32_t next = 0;
