@@ -12,7 +12,7 @@ const button = document.querySelector("#mesh");
 button.addEventListener("click", async () => {
   const size = Number(document.querySelector("#size").value);
   // Triangles stay as they are: those larger than the size are divided first.
-  const surface = await mesher.refineSurface({ points, triangles }, { size });
+  const { surface } = await mesher.refineSurface({ points, triangles }, { size });
   const { report } = await mesher.fillSurface(surface, { size });
   status.textContent = `${report.status}: ${report.tetrahedra} tetrahedra of volume ${report.volume.toFixed(6)}`;
 });
