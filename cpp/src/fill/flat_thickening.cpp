@@ -6,12 +6,16 @@
 namespace tetrafront {
 namespace {
 
-/// Less shape than this is due to rounding: a height of 1e-10 edge lengths.
+/// Less shape, which goes with the square of the height, than this is due to rounding: a height of 1e-10
+/// edge lengths, far above what one bit makes of a coordinate and far below any height that was drawn.
 constexpr double kFlatShape = 1e-20;
-/// How far off the new point is tried, in lengths of the shorter edge.
+/// How far off the new point is tried, in lengths of the shorter edge: from where it still makes a fair
+/// shape down to where it would itself be as flat as what it replaces.
 constexpr double kHighest = 0.1;
 constexpr double kLowest = 1e-11;
+/// From one try to the next.
 constexpr double kLower = 0.125;
+/// Elements that may be taken along: more would be another place's trouble.
 constexpr std::size_t kLargestGrowth = 200;
 
 }  // namespace

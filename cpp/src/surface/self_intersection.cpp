@@ -36,7 +36,7 @@ std::uint32_t lowestCommonNode(const NumberedTriangle& a, const NumberedTriangle
 
 /// Of the directions in which the triangle is seen from its node: an arc of the unit sphere.
 Box boxOfDirections(const NumberedTriangle& triangle, std::uint32_t node) {
-  /// Far above the rounding of a direction.
+  /// Of unit vectors, whose length is the scale: thousands of times the rounding of a difference and a root.
   constexpr double kRounding = 1e-12;
   std::size_t k = 0;
   while (triangle.nodes[k] != node) ++k;
