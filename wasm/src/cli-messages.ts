@@ -27,7 +27,7 @@ export function asBadInput(failure: unknown, input: string): BadInput | undefine
     return new BadInput(file, [packageDiagnostic("unreadable-input", message, remedy)]);
   }
   if (failure instanceof MesherError && failure.code === "invalid-input") {
-    return new BadInput(input, failure.diagnostics);
+    return new BadInput(input, failure.data.diagnostics);
   }
   return undefined;
 }

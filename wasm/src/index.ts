@@ -55,7 +55,13 @@ export {
   type TriangleFigures,
 } from "./inspection.js";
 export { createMesher } from "./mesher.js";
-export { MesherError, type MesherErrorCode, type OutOfMemory } from "./mesher-error.js";
+export {
+  MesherError,
+  type MesherErrorCode,
+  type MesherErrorData,
+  type MesherErrorOf,
+  type OutOfMemory,
+} from "./mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project.js";
 export { nameByPosition, projectNamer, type EntityNamer } from "./project-arrays.js";
 export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project-schema.js";

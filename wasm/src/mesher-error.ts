@@ -1,21 +1,37 @@
-/** Why a call of the mesher is rejected. */
+/** Why a call of the package is rejected. */
 import type { Reply } from "./protocol.js";
 import type { Diagnostic, Phase, Progress } from "./types.js";
 
-/**
- * - `invalid-input`: what was given makes no sense; `diagnostics` say what and what to do.
- * - `cancelled`: the signal was aborted before the answer came. Runs do not reject so; they return a
- *   result of that status with what exists.
- * - `disposed`: the mesher was disposed of, before the call or during it.
- * - `out-of-memory`: the memory of the engine did not suffice; `memory` has the figures. The mesher has
- *   replaced it and goes on.
- * - `engine-not-loaded`: the worker or the engine could not be had; the message tells from where and why, as far as
- *   that is known, and what to do. Where a worker had to be replaced it is every call that was under way, waited or is
- *   made afterwards that rejects so. The mesher is disposed of; another try begins with `createMesher`.
- * - `engine-failed`: our own mistake. The mesher has replaced its engine and goes on.
- */
-export type MesherErrorCode =
-  "invalid-input" | "cancelled" | "disposed" | "out-of-memory" | "engine-not-loaded" | "engine-failed";
+/** What comes with each code of a `MesherError`. */
+export interface MesherErrorData {
+  /** What was given makes no sense; `diagnostics` say what and what to do. At least one. */
+  readonly "invalid-input": { readonly diagnostics: readonly Diagnostic[] };
+  /**
+   * The signal was aborted before the answer came, or before the call; `reason` is the signal's, as is the error's
+   * `cause`. Whatever asynchronous function is given a signal rejects so. Runs alone do not: `meshProject` and
+   * `fillSurface` give a result of the status `cancelled`, with what exists.
+   */
+  readonly cancelled: { readonly reason: unknown };
+  /** The mesher was disposed of, before the call or, where it `wasUnderWay`, during it. */
+  readonly disposed: { readonly wasUnderWay: boolean };
+  /** The memory of the engine did not suffice. The mesher has replaced it and goes on. */
+  readonly "out-of-memory": OutOfMemory;
+  /**
+   * The worker or the engine could not be had: from where and why, as far as that is known, and what to do. Where a
+   * worker had to be replaced it is every call that was under way, waited or is made afterwards that rejects so. The
+   * mesher is disposed of; another try begins with `createMesher`.
+   */
+  readonly "engine-not-loaded": {
+    readonly what: "worker" | "engine";
+    readonly reason: string;
+    readonly remedy: string;
+  };
+  /** Our own mistake, in the engine's words. The mesher has replaced its engine and goes on. */
+  readonly "engine-failed": { readonly reason: string };
+}
+
+/** The codes of calls that are rejected; `MesherErrorData` has what each means, and what comes with it. */
+export type MesherErrorCode = keyof MesherErrorData;
 
 /** Where memory ran out, and what would fit. */
 export interface OutOfMemory {
@@ -31,48 +47,69 @@ export interface OutOfMemory {
   readonly sizeFactor: number | undefined;
 }
 
+/** A `MesherError` of one code. */
+export interface MesherErrorOf<Code extends MesherErrorCode> extends Error {
+  readonly name: "MesherError";
+  readonly code: Code;
+  readonly data: MesherErrorData[Code];
+}
+
 /**
- * Why a call was rejected. Runs never are because of bad input, which is a result; calls whose result
- * has no place for diagnostics are, with code `invalid-input` and the diagnostics here.
+ * Why a call was rejected: its `code` tells of what type its `data` are. Runs never are because of bad input, which is
+ * a result; calls whose result has no place for diagnostics are, with code `invalid-input`.
+ *
+ *     if (failure instanceof MesherError && failure.code === "out-of-memory") retry(failure.data.sizeFactor);
  */
-export class MesherError extends Error {
+export type MesherError = { [Code in MesherErrorCode]: MesherErrorOf<Code> }[MesherErrorCode];
+
+/** The class of all of them. */
+export const MesherError: {
+  /** `options`: with the cause, if there is one. */
+  new <Code extends MesherErrorCode>(
+    code: Code,
+    message: string,
+    data: MesherErrorData[Code],
+    options?: ErrorOptions,
+  ): MesherErrorOf<Code>;
+  readonly prototype: MesherError;
+} = class<Code extends MesherErrorCode> extends Error {
   override readonly name = "MesherError";
   constructor(
-    readonly code: MesherErrorCode,
+    readonly code: Code,
     message: string,
-    readonly diagnostics: readonly Diagnostic[] = [],
-    /** With code `out-of-memory`. */
-    readonly memory: OutOfMemory | undefined = undefined,
+    readonly data: MesherErrorData[Code],
+    options?: ErrorOptions,
   ) {
-    super(message);
+    super(message, options);
   }
-}
+};
 
 /** Throws where there is anything in the list; the message is that of the first. */
-export function refuse(wrong: readonly Diagnostic[]): void {
-  const [first] = wrong;
+export function refuse(diagnostics: readonly Diagnostic[]): void {
+  const [first] = diagnostics;
   if (first === undefined) return;
-  throw new MesherError("invalid-input", `${first.message}. ${first.remedy}`, wrong);
+  throw new MesherError("invalid-input", `${first.message}. ${first.remedy}`, { diagnostics });
 }
 
-export function cancelledError(): MesherError {
-  return new MesherError("cancelled", "The signal was aborted before the answer came");
+/** Of a signal that is aborted. */
+export function cancelledError({ reason }: { readonly reason: unknown }): MesherError {
+  const message = "The signal was aborted before the answer came";
+  return new MesherError("cancelled", message, { reason }, { cause: reason });
 }
 
-export function disposedError(): MesherError {
-  return new MesherError("disposed", "The mesher was disposed of");
+export function disposedError(wasUnderWay: boolean): MesherError {
+  return new MesherError("disposed", "The mesher was disposed of", { wasUnderWay });
 }
 
 /** `reason`: where it was looked for and why it is not there. */
 export function notLoadedError(what: "worker" | "engine", reason: string, remedy: string): MesherError {
-  return new MesherError(
-    "engine-not-loaded",
-    `The engine${what === "worker" ? "'s worker" : ""} cannot be loaded: ${reason}. ${remedy}`,
-  );
+  const thing = what === "worker" ? "The engine's worker" : "The engine";
+  const data = { what, reason, remedy };
+  return new MesherError("engine-not-loaded", `${thing} cannot be loaded: ${reason}. ${remedy}`, data);
 }
 
-export function crashError(message: string): MesherError {
-  return new MesherError("engine-failed", `The engine's worker ended: ${message}`);
+export function crashError(reason: string): MesherError {
+  return new MesherError("engine-failed", `The engine's worker ended: ${reason}`, { reason });
 }
 
 /** `progress`: of the run that is rejected, which need not be what failed. */
@@ -81,12 +118,13 @@ export function failureError(
   progress: Progress | undefined,
 ): MesherError {
   if (reason === "engine-failed") {
-    return new MesherError(reason, `The engine failed (${message}): please report it with the model`);
+    const text = `The engine failed (${message}): please report it with the model`;
+    return new MesherError(reason, text, { reason: message });
   }
   const { phase, tetrahedra = 0, expectedTetrahedra = 0 } = progress ?? {};
   const sizeFactor = sizeFactorFor(tetrahedra, expectedTetrahedra);
   const figures = { bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor };
-  return new MesherError(reason, outOfMemoryText(figures), [], figures);
+  return new MesherError(reason, outOfMemoryText(figures), figures);
 }
 
 /** The number of elements falls with the cube of their size. Room is left for what follows the front. */

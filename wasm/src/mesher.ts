@@ -2,6 +2,7 @@
  * The client of the worker: one run at a time, the others wait; progress, cancelling, and a worker
  * that is replaced when it has failed or does not listen.
  */
+import { throwIfCancelled, untilCancelled } from "./cancelling.js";
 import { EngineWorker, type WorkReply } from "./engine-worker.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { backgroundOf, emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
@@ -82,15 +83,24 @@ const LAST_HEARING_MS = 5;
 
 /**
  * Starts a worker with an engine in it; resolves when it is loaded. Call `dispose` when done; a Node
- * process that waits for nothing else ends without it.
+ * process that waits for nothing else ends without it. Rejects with a `MesherError` of the code `engine-not-loaded`,
+ * or `cancelled` where the signal is aborted before; then no worker is left.
  *
  *     const mesher = await createMesher();
  *     const { volume, report } = await mesher.fillSurface({ points, triangles }, { size: 0.1 });
  */
-export async function createMesher(): Promise<Mesher> {
+export async function createMesher(control: AbortControl = {}): Promise<Mesher> {
+  refuse(checkControl(control));
+  const { signal } = control;
+  throwIfCancelled(signal);
   const mesher = new WorkerMesher();
-  await mesher.ready;
-  return mesher;
+  try {
+    await untilCancelled(() => mesher.ready, signal);
+    return mesher;
+  } catch (failure) {
+    mesher.dispose();
+    throw failure;
+  }
 }
 
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
@@ -313,12 +323,16 @@ class WorkerMesher implements Mesher {
   }
 
   dispose(): void {
-    this.#close(disposedError);
+    this.#close(
+      () => disposedError(true),
+      () => disposedError(false),
+    );
   }
 
-  #close(failure: () => MesherError): void {
+  /** `failure` is of the calls under way, `afterwards` of those still to come. */
+  #close(failure: () => MesherError, afterwards = failure): void {
     if (this.#closed !== undefined) return;
-    this.#closed = failure;
+    this.#closed = afterwards;
     clearTimeout(this.#forceTimer);
     this.#worker.terminate();
     this.#settleReady?.reject(failure());
@@ -334,11 +348,11 @@ class WorkerMesher implements Mesher {
   ): Promise<Answers[Kind]> {
     refuse(checkControl(control));
     const { signal, onProgress } = control;
-    const onAbort = () => this.#abandon(question.id, cancelledError());
+    const onAbort = () => signal && this.#abandon(question.id, cancelledError(signal));
     try {
       return await new Promise((resolve, reject) => {
         if (this.#closed !== undefined) return reject(this.#closed());
-        if (signal?.aborted === true) return reject(cancelledError());
+        if (signal?.aborted === true) return reject(cancelledError(signal));
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#questions.set(question.id, {
           question,

@@ -190,10 +190,9 @@ async function complaintOf(call: () => unknown): Promise<readonly Told[] | undef
     const found = made?.problems ?? diagnostics?.filter(({ severity }) => severity === "error");
     return found?.length === 0 ? undefined : found;
   } catch (failure) {
-    if (!(failure instanceof api.MesherError)) throw failure;
-    expect(failure.code).toBe("invalid-input");
-    expect(failure.diagnostics.length).toBeGreaterThan(0);
-    return failure.diagnostics;
+    if (!(failure instanceof api.MesherError) || failure.code !== "invalid-input") throw failure;
+    expect(failure.data.diagnostics.length).toBeGreaterThan(0);
+    return failure.data.diagnostics;
   }
 }
 

@@ -45,7 +45,7 @@ async function codesOf(call: () => unknown): Promise<readonly (string | undefine
     return (told.problems ?? told.report?.diagnostics ?? [{ code: undefined }]).map(({ code }) => code);
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "invalid-input") return [undefined];
-    return failure.diagnostics.map(({ code }) => code);
+    return failure.data.diagnostics.map(({ code }) => code);
   }
 }
 
@@ -200,7 +200,7 @@ test("an option of the writer that does not exist is refused by name", async () 
   const options = { signal: undefined, onProgres: () => undefined };
   const refused = await writeMesh(block, "a.su2", options).catch((failure: unknown) => failure);
   expect(refused).toMatchObject({
-    diagnostics: [{ code: "invalid-argument", message: 'There is no option "onProgres"' }],
+    data: { diagnostics: [{ code: "invalid-argument", message: 'There is no option "onProgres"' }] },
   });
 });
 
@@ -208,7 +208,7 @@ test("a surface without points is not too small to be welded", async () => {
   const nothing = { points: new Float64Array(), triangles: new Uint32Array() };
   const told = await mesher.repairSurface(nothing, { weld: 0.1 }).then(
     (repair) => JSON.stringify(repair),
-    (failure: unknown) => JSON.stringify((failure as MesherError).diagnostics),
+    (failure: unknown) => JSON.stringify((failure as MesherError).data),
   );
   expect(told).toMatch(/empty-model/);
   expect(told).not.toMatch(/Infinity/);

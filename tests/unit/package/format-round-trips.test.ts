@@ -478,7 +478,10 @@ test("a name that tells no format is refused", async () => {
   for (const name of ["part.doc", "part.vtp", "part", ""]) {
     const failure: unknown = await writeMesh(mesh, name).catch((reason: unknown) => reason);
     expect(failure).toBeInstanceOf(MesherError);
-    expect(failure).toMatchObject({ code: "invalid-input", diagnostics: [{ code: "unknown-format" }] });
+    expect(failure).toMatchObject({
+      code: "invalid-input",
+      data: { diagnostics: [{ code: "unknown-format" }] },
+    });
     expect(String(failure)).toContain(`"${name}"`);
   }
 });

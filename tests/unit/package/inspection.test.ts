@@ -222,7 +222,7 @@ describe("a repair", () => {
   ])("refuses %j", async (options) => {
     await expect(mesher.repairSurface(box, options)).rejects.toMatchObject({
       code: "invalid-input",
-      diagnostics: [{ code: "invalid-option" }],
+      data: { diagnostics: [{ code: "invalid-option" }] },
     });
   });
 });
@@ -264,7 +264,7 @@ describe("the refinement of a surface", () => {
     ] as const) {
       await expect(mesher.refineSurface(plain, options)).rejects.toMatchObject({
         code: "invalid-input",
-        diagnostics: [{ code }],
+        data: { diagnostics: [{ code }] },
       });
     }
   });

@@ -276,9 +276,9 @@ test("a run beside a question that runs out of memory is rejected with where the
   worker.reply({ kind: "progress", id: idOf(worker), progress: { ...stood, ...figures } });
   const failure = { kind: "failure", reason: "out-of-memory", message: "out of memory" } as const;
   worker.reply({ ...failure, id: idOf(worker, 1), bytes: 2 ** 32 });
-  await expect(run).rejects.toMatchObject({ memory: { ...stood, bytes: 2 ** 32, sizeFactor: 2.2 } });
+  await expect(run).rejects.toMatchObject({ data: { ...stood, bytes: 2 ** 32, sizeFactor: 2.2 } });
   await expect(preview).rejects.toMatchObject({
-    memory: { bytes: 2 ** 32, phase: undefined, tetrahedra: 0 },
+    data: { bytes: 2 ** 32, phase: undefined, tetrahedra: 0 },
   });
 });
 

@@ -14,14 +14,14 @@ const MEMORY = 80 * 2 ** 20;
 interface Told {
   readonly code: string;
   readonly message: string;
-  readonly memory: Record<string, unknown>;
+  readonly data: Record<string, unknown>;
 }
 
 /** Runs the body in a process whose engines get little memory; what it returns. */
 async function withLittleMemory<T>(body: string): Promise<T> {
   const program = `import { createMesher } from ${JSON.stringify(entry)};
     const cube = ${JSON.stringify(cubeProject())};
-    const told = ({ code, message, memory }) => ({ code, message, memory });
+    const told = ({ code, message, data }) => ({ code, message, data });
     const mesher = await createMesher();
     const answer = await (async () => { ${body} })();
     console.log(JSON.stringify(answer));
@@ -37,16 +37,16 @@ test("a mesh too large for the memory is refused with figures, and a size that f
     const size = 0.022;
     const options = { optimization: "none" };
     const failure = await mesher.meshProject(cube, { ...options, size }).catch(told);
-    const factor = failure.memory?.sizeFactor;
+    const factor = failure.data?.sizeFactor;
     const { report } = await mesher.meshProject(cube, { ...options, size: factor * size });
-    return [failure, factor, report.status, failure.memory?.expectedTetrahedra];`);
+    return [failure, factor, report.status, failure.data?.expectedTetrahedra];`);
   expect(failure.code).toBe("out-of-memory");
   expect(failure.message).toMatch(
     /^The engine's memory of \d+ MB did not suffice: it ran out in the phase "\w+", with \d+ tetrahedra made of about \d+ asked for\. Ask for elements \d\.\d times as large, or more\.$/,
   );
-  expect(failure.memory["bytes"]).toBeGreaterThan(MEMORY / 2);
-  expect(failure.memory["bytes"]).toBeLessThanOrEqual(MEMORY);
-  expect(failure.memory["tetrahedra"]).toBeLessThan(expected);
+  expect(failure.data["bytes"]).toBeGreaterThan(MEMORY / 2);
+  expect(failure.data["bytes"]).toBeLessThanOrEqual(MEMORY);
+  expect(failure.data["tetrahedra"]).toBeLessThan(expected);
   expect(factor).toBeGreaterThan(1);
   expect(factor).toBeLessThan(4);
   expect(status).toBe("done");
@@ -66,14 +66,14 @@ test("a run beside a question too large for the memory is rejected with where it
     const run = await mesher.meshProject(cube, { size: 0.03 }, { onProgress }).catch(told);
     return [run, await question];`);
   expect(run.code).toBe("out-of-memory");
-  expect(run.memory).toMatchObject({
+  expect(run.data).toMatchObject({
     bytes: expect.any(Number) as number,
     phase: expect.any(String) as string,
     tetrahedra: expect.any(Number) as number,
     sizeFactor: expect.any(Number) as number,
   });
-  expect(run.memory["tetrahedra"]).toBeGreaterThan(0);
-  expect(question).toMatchObject({ code: "out-of-memory", memory: { tetrahedra: 0 } });
+  expect(run.data["tetrahedra"]).toBeGreaterThan(0);
+  expect(question).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
 });
 
 test("a question too large for the memory is refused, and the next one is answered", async () => {
@@ -86,7 +86,7 @@ test("a question too large for the memory is refused, and the next one is answer
     const failure = await mesher.inspectMesh(mesh).catch(told);
     const one = { ...mesh, tetrahedra: mesh.tetrahedra.slice(0, 4) };
     return [failure, (await mesher.inspectMesh(one)).isSound];`);
-  expect(failure).toMatchObject({ code: "out-of-memory", memory: { tetrahedra: 0 } });
+  expect(failure).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
   expect(failure.message).toMatch(
     /^The engine's memory of \d+ MB did not suffice: it ran out\. Give a smaller/,
   );

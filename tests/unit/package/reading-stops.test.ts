@@ -27,6 +27,7 @@ function hanging(begin: Uint8Array): { stream: ReadableStream<Uint8Array>; isCan
 
 describe("a signal is heard while bytes are waited for", () => {
   const reason = new Error("enough");
+  const cancelled = { code: "cancelled", cause: reason };
   const stopping = () => {
     const stop = new AbortController();
     setTimeout(() => stop.abort(reason), 20);
@@ -35,7 +36,9 @@ describe("a signal is heard while bytes are waited for", () => {
 
   test("of a stream, which is cancelled", async () => {
     const { stream, isCancelled } = hanging(bytesOf("solid a\n"));
-    await expect(readSurface(stream, { fileName: "a.stl", signal: stopping() })).rejects.toBe(reason);
+    await expect(readSurface(stream, { fileName: "a.stl", signal: stopping() })).rejects.toMatchObject(
+      cancelled,
+    );
     expect(isCancelled()).toBe(true);
   });
 
@@ -44,14 +47,16 @@ describe("a signal is heard while bytes are waited for", () => {
       yield bytesOf("solid a\n");
       yield await never();
     }
-    await expect(readSurface(pieces(), { fileName: "a.stl", signal: stopping() })).rejects.toBe(reason);
+    await expect(readSurface(pieces(), { fileName: "a.stl", signal: stopping() })).rejects.toMatchObject(
+      cancelled,
+    );
   });
 
   test("of a file beside it, while it is opened and while it is read", async () => {
     const { stream, isCancelled } = hanging(NODES.subarray(0, 12));
     for (const openOther of [never, () => Promise.resolve(stream)]) {
       const options = { fileName: "a.face", openOther, signal: stopping() };
-      await expect(readSurface(FACES, options)).rejects.toBe(reason);
+      await expect(readSurface(FACES, options)).rejects.toMatchObject(cancelled);
     }
     expect(isCancelled()).toBe(true);
   });

@@ -224,9 +224,12 @@ test.each(FLAWS)(
     };
     for (const name of ["a.su2", "a.ugrid", "a.b8.ugrid", "a.foam.zip"]) {
       const failure: unknown = await writeMesh(flawed, name).catch((reason: unknown) => reason);
-      if (!(failure instanceof MesherError)) throw new Error(`${name} was written`);
-      expect(failure.diagnostics.every(({ code }) => code === "unsound-mesh")).toBe(true);
-      expect(failure.diagnostics.map((found) => found.message).join("\n")).toMatch(message);
+      if (!(failure instanceof MesherError) || failure.code !== "invalid-input") {
+        throw new Error(`${name} was written`);
+      }
+      const { diagnostics } = failure.data;
+      expect(diagnostics.every(({ code }) => code === "unsound-mesh")).toBe(true);
+      expect(diagnostics.map((found) => found.message).join("\n")).toMatch(message);
     }
     expect((await writeMesh(flawed, "a.vtu")).length).toBe(1);
   },

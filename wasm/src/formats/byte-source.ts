@@ -1,5 +1,6 @@
 /** Where the bytes of a file come from: all at once, or piece by piece while it is read. */
 import { isA, isArrayOf, isDetached } from "../argument-checks.js";
+import { throwIfCancelled, untilCancelled } from "../cancelling.js";
 import { ReadFailure } from "../read-result.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */
@@ -17,8 +18,8 @@ const PIECE_BYTES = 1 << 20;
 export const BREATH_MS = 12;
 
 /**
- * The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. The signal ends them
- * with its reason, also while one is waited for.
+ * The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. The signal cancels
+ * them, also while one is waited for.
  */
 export async function* piecesOf(source: ByteSource, signal?: AbortSignal): AsyncGenerator<Uint8Array, void> {
   let breathed = performance.now();
@@ -42,7 +43,7 @@ async function* heeding(pieces: Pieces, signal: AbortSignal): AsyncGenerator<Uin
   let isOver = false;
   try {
     for (;;) {
-      const next = await untilAborted(() => iterator.next(), signal);
+      const next = await untilCancelled(() => iterator.next(), signal);
       isOver = next.done === true;
       if (next.done === true) return;
       yield next.value;
@@ -51,25 +52,6 @@ async function* heeding(pieces: Pieces, signal: AbortSignal): AsyncGenerator<Uin
     if (!isOver && !signal.aborted) await iterator.return?.();
     // What was asked for may never come, and a generator ends no sooner.
     else if (!isOver) letGo(pieces, iterator);
-  }
-}
-
-/** What a promise gives, or the signal's reason where that comes first. */
-export async function untilAborted<T>(
-  ask: () => T | PromiseLike<T>,
-  signal: AbortSignal | undefined,
-): Promise<T> {
-  if (signal === undefined) return ask();
-  signal.throwIfAborted();
-  let onAbort = () => undefined as void;
-  try {
-    return await new Promise<T>((resolve, reject) => {
-      onAbort = () => reject(signal.reason as Error);
-      signal.addEventListener("abort", onAbort, { once: true });
-      Promise.resolve(ask()).then(resolve, reject);
-    });
-  } finally {
-    signal.removeEventListener("abort", onAbort);
   }
 }
 
@@ -159,7 +141,7 @@ export async function allBytes(source: ByteSource): Promise<Uint8Array> {
 export interface Watch {
   /** Called with the number of bytes so far, once per piece. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting ends the reading with the signal's reason. */
+  /** Aborting cancels the reading. */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -170,7 +152,7 @@ export function watcher({ onProgress, signal }: Watch): (source: ByteSource) => 
   return (source) =>
     (async function* () {
       for await (const piece of piecesOf(source, signal)) {
-        signal?.throwIfAborted();
+        throwIfCancelled(signal);
         onProgress?.((bytes += piece.length));
         yield piece;
       }

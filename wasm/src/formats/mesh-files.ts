@@ -1,11 +1,12 @@
 /** Reading and writing mesh files of any format: the file's name tells which. */
 import { aFunction, checkArgument, objectOf, orNothing, shown } from "../argument-checks.js";
+import { throwIfCancelled, untilCancelled } from "../cancelling.js";
 import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import type { Diagnostic } from "../types.js";
 import { joined, piecesIn, type Part } from "./bytes.js";
-import { BREATH_MS, checkSource, untilAborted, watcher, type ByteSource } from "./byte-source.js";
+import { BREATH_MS, checkSource, watcher, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
 import { extensionsThat, formatOf } from "./file-formats.js";
 import type { FileMesh } from "./file-mesh.js";
@@ -21,7 +22,7 @@ export interface ReadFileOptions {
   readonly openOther?: OpenOther | undefined;
   /** Called with the number of bytes read so far, of all files together, once per piece. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting rejects with the signal's reason, also while bytes are waited for; the source is let go of. */
+  /** Aborting rejects with a `MesherError` of the code `cancelled`, also while bytes are waited for; the source is let go of. */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -29,7 +30,7 @@ export interface ReadFileOptions {
 export interface WriteFileOptions {
   /** Called with the number of bytes made so far, in all files together, every few milliseconds and at the end of each. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting rejects with the signal's reason; it is heard before each file and every few milliseconds between its pieces. */
+  /** Aborting rejects with a `MesherError` of the code `cancelled`; it is heard every few milliseconds. */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -103,7 +104,7 @@ async function gathered(
   { signal, onProgress }: WriteFileOptions,
   before: number,
 ): Promise<Uint8Array<ArrayBuffer>> {
-  signal?.throwIfAborted();
+  throwIfCancelled(signal);
   const pieces: Uint8Array[] = [];
   let length = 0;
   let breathed = performance.now();
@@ -113,7 +114,7 @@ async function gathered(
     if (performance.now() - breathed < BREATH_MS) continue;
     onProgress?.(before + length);
     await new Promise((resolve) => setTimeout(resolve));
-    signal?.throwIfAborted();
+    throwIfCancelled(signal);
     breathed = performance.now();
   }
   onProgress?.(before + length);
@@ -134,7 +135,7 @@ async function readAny(
   try {
     const watch = watcher(options);
     const opened: OpenOther = async (name) => {
-      const other = await untilAborted(() => checkedOpening(openOther)(name), options.signal);
+      const other = await untilCancelled(() => checkedOpening(openOther)(name), options.signal);
       return other && watch(other);
     };
     return await read(watch(source), { fileName, openOther: opened });
@@ -162,7 +163,7 @@ function remedyOf(known: readonly string[]): string {
 
 const aWatch = {
   onProgress: orNothing(aFunction),
-  signal: orNothing(objectOf({ throwIfAborted: aFunction, addEventListener: aFunction })),
+  signal: orNothing(objectOf({ addEventListener: aFunction, removeEventListener: aFunction })),
 };
 const aReading = objectOf({ openOther: orNothing(aFunction), ...aWatch });
 const aWriting = objectOf(aWatch);

@@ -39,7 +39,8 @@ export async function volumeBackground(
     const grid = await mesher.meshAsBackground(volume, { sizes }, control);
     return { success: true, value: stretchings === undefined ? grid : { ...grid, stretchings, directions } };
   } catch (failure) {
-    const [first] = failure instanceof MesherError ? failure.diagnostics : [];
+    if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;
+    const [first] = failure.data.diagnostics;
     if (first === undefined) throw failure;
     const { message, remedy } = first;
     return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] };

@@ -1,0 +1,146 @@
+/** One rule of cancelling: whatever is given a signal rejects with a `MesherError` of the code `cancelled`. */
+import {
+  createMesher,
+  MesherError,
+  readMesh,
+  readSurface,
+  readVolume,
+  volumeBackground,
+  writeMesh,
+  type Mesher,
+  type MesherErrorCode,
+} from "tetrafront";
+import { afterAll, beforeAll, describe, expect, expectTypeOf, test, vi } from "vitest";
+
+import { blockMesh } from "../../support/block-mesh.js";
+import { cubeProject } from "../../support/projects.js";
+import { stlBinary } from "../../support/surface-files.js";
+import { boxSurface, sphereSurface } from "../../support/surfaces.js";
+
+const surface = sphereSurface(40);
+const block = blockMesh(4);
+const { points, tetrahedra } = block;
+const volume = { ...block, nodeData: new Map() };
+const project = cubeProject();
+
+let mesher: Mesher;
+let vtu: Uint8Array;
+beforeAll(async () => {
+  mesher = await createMesher();
+  vtu = (await writeMesh(block, "a.vtu"))[0]?.bytes ?? new Uint8Array();
+});
+afterAll(() => mesher.dispose());
+
+type Call = (signal: AbortSignal) => Promise<unknown>;
+
+/** Methods by name, but for runs. */
+const methods: Readonly<Record<string, Call>> = {
+  previewProject: (signal) => mesher.previewProject(project, {}, { signal }),
+  coverProject: (signal) => mesher.coverProject(project, {}, { signal }),
+  proposeSizes: (signal) => mesher.proposeSizes(project, {}, { signal }),
+  meshAsBackground: (signal) => mesher.meshAsBackground(block, {}, { signal }),
+  inspectSurface: (signal) => mesher.inspectSurface(surface, {}, { signal }),
+  repairSurface: (signal) => mesher.repairSurface(surface, {}, { signal }),
+  refineSurface: (signal) => mesher.refineSurface(surface, { size: 0.01 }, { signal }),
+  inspectMesh: (signal) => mesher.inspectMesh({ points, tetrahedra }, { signal }),
+};
+const functions: Readonly<Record<string, Call>> = {
+  createMesher: (signal) => createMesher({ signal }),
+  volumeBackground: (signal) => volumeBackground(mesher, volume, { signal }),
+  readSurface: (signal) => readSurface(stlBinary(surface), { fileName: "a.stl", signal }),
+  readVolume: (signal) => readVolume(vtu, { fileName: "a.vtu", signal }),
+  readMesh: (signal) => readMesh(vtu, { fileName: "a.vtu", signal }),
+  writeMesh: (signal) => writeMesh(block, "a.foam.zip", { signal }),
+};
+
+const RUNS = ["meshProject", "fillSurface"];
+
+test("every method of a mesher is here, and the runs", () => {
+  const own = Object.getOwnPropertyNames(Object.getPrototypeOf(mesher) as object);
+  const known = [...Object.keys(methods), ...RUNS, "constructor", "dispose"];
+  expect(own.sort()).toEqual(known.sort());
+});
+
+describe.each(Object.entries({ ...methods, ...functions }))("%s", (_, call) => {
+  const reason = { word: "enough" };
+  const expected = { name: "MesherError", code: "cancelled", data: { reason }, cause: reason };
+  const failureOf = (answer: Promise<unknown>) => answer.catch((failure: unknown) => failure);
+
+  test("rejects where the signal is aborted before", async () => {
+    const failure = await failureOf(call(AbortSignal.abort(reason)));
+    expect(failure).toBeInstanceOf(MesherError);
+    expect(failure).toMatchObject(expected);
+    expect((failure as Error).cause).toBe(reason);
+  });
+
+  test("rejects so where it is aborted meanwhile, and leaves nobody who listens", async () => {
+    const stop = new AbortController();
+    const listeners = watched(stop.signal);
+    const answer = failureOf(call(stop.signal));
+    stop.abort(reason);
+    expect(await answer).toMatchObject(expected);
+    expect(listeners()).toBe(0);
+  });
+});
+
+/** Tells how many listeners were added to a signal and not removed again. */
+function watched(signal: AbortSignal): () => number {
+  const added = vi.spyOn(signal, "addEventListener");
+  const removed = vi.spyOn(signal, "removeEventListener");
+  return () => {
+    const gone = new Set(removed.mock.calls.map(([, listener]) => listener));
+    return added.mock.calls.filter(([, listener]) => !gone.has(listener)).length;
+  };
+}
+
+test("runs alone have a result, with what exists", async () => {
+  const signal = AbortSignal.abort();
+  const box = boxSurface(1);
+  for (const { report } of [
+    await mesher.fillSurface(box, {}, { signal }),
+    await mesher.meshProject(project, {}, { signal }),
+  ]) {
+    expect(report.status).toBe("cancelled");
+  }
+});
+
+test("a control of createMesher that is none is refused", async () => {
+  const failure: unknown = await createMesher({ signal: 5 as never }).catch((reason: unknown) => reason);
+  expect(failure).toMatchObject({ data: { diagnostics: [{ code: "invalid-option" }] } });
+});
+
+test("a mesher that is disposed of tells whether the call was under way", async () => {
+  const short = await createMesher();
+  const underWay = short.inspectSurface(surface).catch((failure: unknown) => failure);
+  short.dispose();
+  expect(await underWay).toMatchObject({ code: "disposed", data: { wasUnderWay: true } });
+  const after = short.inspectSurface(surface).catch((failure: unknown) => failure);
+  expect(await after).toMatchObject({ code: "disposed", data: { wasUnderWay: false } });
+});
+
+/** Compiles as long as every code has its own data, and no code is left out. */
+function dataOf(error: MesherError): readonly unknown[] {
+  switch (error.code) {
+    case "invalid-input":
+      return error.data.diagnostics;
+    case "cancelled":
+      return [error.data.reason];
+    case "disposed":
+      return [error.data.wasUnderWay];
+    case "out-of-memory":
+      return [error.data.bytes, error.data.phase, error.data.sizeFactor];
+    case "engine-not-loaded":
+      return [error.data.what, error.data.reason, error.data.remedy];
+    case "engine-failed":
+      return [error.data.reason];
+    default:
+      return error satisfies never;
+  }
+}
+
+test("errors are a closed union told apart by their code", () => {
+  expectTypeOf<MesherError["code"]>().toEqualTypeOf<MesherErrorCode>();
+  const error: MesherError = new MesherError("cancelled", "enough", { reason: 5 });
+  expect(dataOf(error)).toEqual([5]);
+  expect(error).toBeInstanceOf(Error);
+});
