@@ -8,10 +8,10 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "fill/boundary_fans.h"
 #include "fill/cone.h"
 #include "fill/fill_mesh.h"
 #include "fill/flat_thickening.h"
@@ -32,25 +32,10 @@ class BoundaryClearing {
   [[nodiscard]] std::span<const NodeId> interiorPoints() const { return interiorPoints_; }
 
  private:
-  /// The faces of one given triangle around a boundary point: the nodes around it, counter-clockwise
-  /// seen from inside, and one node off the plane, inside.
-  struct Fan {
-    std::uint32_t facet = 0;
-    std::vector<NodeId> polygon;
-    NodeId above;
-    std::vector<BoundaryFace> triangles;  ///< without the point
-  };
-
-  void separateSectors(std::span<const NodeId> boundaryPoints);
   void wait(NodeId node);
   void postpone(NodeId node);
   NodeId nextToLift();
   void queueTouched(std::span<const TetId> changed);
-  bool describe(NodeId node);
-  bool chainFans(std::vector<std::array<NodeId, 2>>& links, Fan& fan) const;
-  bool triangulate(Fan& fan) const;
-  [[nodiscard]] bool seesBoundary(NodeId apex) const;
-  [[nodiscard]] std::vector<BoundaryFace> boundaryFor(NodeId apex) const;
   [[nodiscard]] std::vector<NodeId> candidates(NodeId node) const;
   bool replaceByExisting(NodeId node);
   bool replaceByExistingInRoom(NodeId node);
@@ -61,15 +46,12 @@ class BoundaryClearing {
   bool tryPlace(NodeId node, const Vec3& place, std::size_t growth);
   bool tryPlace(NodeId node, const DyadicVec3& place);
   bool tryLast(NodeId node, std::size_t growth);
-  [[nodiscard]] Vec3 inwards() const;
-  [[nodiscard]] std::optional<DyadicVec3> exactInwards() const;
-  [[nodiscard]] DyadicVec3 exactNormal(const Fan& fan) const;
 
   FillMesh& mesh_;
-  const std::vector<std::array<NodeId, 3>>& triangles_;
   ConstraintEdges none_;
   Cone cone_;
   FlatThickening thickening_;
+  BoundaryFans fans_;  ///< around the point that is dealt with
   /// What is to be done with a node next.
   enum class Turn : std::uint8_t { kNone, kWaiting, kPostponed };
   std::vector<Turn> turns_;        ///< per node
@@ -80,7 +62,6 @@ class BoundaryClearing {
   std::vector<NodeId> interiorPoints_;
   std::vector<NodeId> madeRoom_;  ///< points beside flat tetrahedra around the one that is lifted
   std::vector<TetId> star_;
-  std::vector<Fan> fans_;
 };
 
 }  // namespace tetrafront
