@@ -75,12 +75,15 @@ double BoundaryFans::shapeOfEar(const std::array<NodeId, 3>& ear) const {
 
 /// By exact signs: is the corner convex, and is no other in it?
 bool BoundaryFans::isEar(const std::vector<NodeId>& rest, std::size_t i, NodeId above) const {
-  const auto [a, b, c] = cornerAt(rest, i);
   const auto turn = [&](NodeId p, NodeId q, NodeId r) {
     return mesh_.points.orient(p, q, r, above);
   };
+  const std::array<NodeId, 3> ear = cornerAt(rest, i);
+  const NodeId a = ear[0];
+  const NodeId b = ear[1];
+  const NodeId c = ear[2];
   if (turn(a, b, c) <= 0) return false;
-  return std::none_of(rest.begin(), rest.end(), [&, a = a, b = b, c = c](NodeId p) {
+  return std::none_of(rest.begin(), rest.end(), [&](NodeId p) {
     return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
            turn(c, a, p) >= 0;
   });

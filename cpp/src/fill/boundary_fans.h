@@ -36,8 +36,8 @@ class BoundaryFans {
   /// The faces of one given triangle.
   struct Fan {
     std::uint32_t facet = 0;
-    std::vector<NodeId> polygon;  ///< around the point, counter-clockwise seen from inside
-    NodeId above;                 ///< off the plane, inside
+    std::vector<NodeId> polygon;          ///< around the point, counter-clockwise seen from inside
+    NodeId above;                         ///< off the plane, inside
     std::vector<BoundaryFace> triangles;  ///< without the point
   };
   using Link = std::array<NodeId, 2>;  ///< two nodes of a polygon, one after the other
