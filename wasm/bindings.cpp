@@ -280,10 +280,11 @@ Repair* repairSurface(const Float64Array& points, const Uint32Array& triangles,
 }
 
 Refinement* refineSurface(const Float64Array& points, const Uint32Array& triangles,
-                          const GridArrays& grid, const Options& options) {
+                          const GridArrays& grid, const Options& options, double volume) {
   return std::make_unique<Refinement>(
              copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
-             [&grid] { return toGrid(grid); }, [&options] { return toOptions(options); })
+             [&grid] { return toGrid(grid); }, [&options] { return toOptions(options); },
+             [volume] { return volume; })
       .release();
 }
 

@@ -2,6 +2,7 @@
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { withLock } from "./lock.mjs";
 import { inRoot, toolchain } from "./paths.mjs";
 import { output, run, say } from "./run.mjs";
 import { which } from "./tools.mjs";
@@ -34,16 +35,26 @@ export function pythonProgram() {
 }
 
 /**
- * Makes a Python environment with the packages below .toolchain, unless it is there or TETRAFRONT_PYTHON names one.
- * What cannot be had is said here, and again where the tests end; nothing fails for it.
+ * Makes a Python environment with the packages below .toolchain, unless it is there or TETRAFRONT_PYTHON names one. Of
+ * several setups at once one makes it, and the others wait. What cannot be had is said here, and again where the tests
+ * end; nothing fails for it.
  */
 export async function ensurePython() {
-  if (process.env.TETRAFRONT_PYTHON !== undefined) return;
-  const works = output(own, ["--version"]) !== undefined;
-  const missing = PARTS.filter(({ name }) => !works || !isInstalled(name));
-  if (missing.length === 0) return;
-  say("setup: making a Python environment with meshio, scikit-fem and Gmsh");
+  if (process.env.TETRAFRONT_PYTHON !== undefined || whatIsMissing().missing.length === 0) return;
   mkdirSync(toolchain, { recursive: true });
+  await withLock(path.join(toolchain, "python.lock"), async () => {
+    const { works, missing } = whatIsMissing();
+    if (missing.length > 0) await addParts(works, missing);
+  });
+}
+
+function whatIsMissing() {
+  const works = output(own, ["--version"]) !== undefined;
+  return { works, missing: PARTS.filter(({ name }) => !works || !isInstalled(name)) };
+}
+
+async function addParts(works, missing) {
+  say("setup: making a Python environment with meshio, scikit-fem and Gmsh");
   if (!works) rmSync(folder, { recursive: true, force: true });
   if (!(await makeEnvironment())) {
     rmSync(folder, { recursive: true, force: true });

@@ -259,6 +259,29 @@ TEST(SurfaceRefiner, RefusesWhatNobodyCouldFill) {
   EXPECT_EQ(refined.diagnostics[0].code, DiagnosticCode::kTooManyElements);
 }
 
+TEST(SurfaceRefiner, RefusesWhatNobodyCouldFillInsideBeforeItDivides) {
+  const SurfaceMesh cube = gridCube(1);
+  MeshOptions options = sized(0.02);
+  const double expected = 8.485281374238571 / (0.02 * 0.02 * 0.02);
+  options.maxTetrahedra = static_cast<std::uint32_t>(0.9 * expected);
+  EXPECT_TRUE(refine(cube, {}, options).diagnostics.empty()) << "the triangles alone are not too many";
+  std::uint32_t steps = 0;
+  SurfaceRefiner refiner(cube.points, cube.triangles, {}, options, 1.0);
+  while (!refiner.advance(1U)) ++steps;
+  EXPECT_LT(steps, 100U) << "as many edges would have been halved";
+  const SurfaceRefinement& refused = refiner.result();
+  ASSERT_EQ(refused.diagnostics.size(), 1U);
+  EXPECT_EQ(refused.diagnostics[0].code, DiagnosticCode::kTooManyElements);
+  EXPECT_TRUE(refused.diagnostics[0].entities.empty());
+  EXPECT_NEAR(refused.diagnostics[0].values[0] / expected, 1.0, 1e-9);
+  EXPECT_EQ(refused.diagnostics[0].values[1], options.maxTetrahedra);
+  options.maxTetrahedra = static_cast<std::uint32_t>(1.1 * expected);
+  SurfaceRefiner fitting(cube.points, cube.triangles, {}, options, 1.0);
+  while (!fitting.advance(1U << 20U)) {
+  }
+  EXPECT_TRUE(fitting.result().diagnostics.empty());
+}
+
 TEST(SurfaceRefiner, RefusesNoSurfaceThatIsFineEnough) {
   const SurfaceMesh sphere = geodesicSphere(8);
   const auto triangles = static_cast<std::uint32_t>(sphere.triangles.size() / 3);

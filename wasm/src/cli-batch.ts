@@ -8,6 +8,7 @@ import { FileProblem, nameless, STANDARD_STREAM } from "./cli-files.js";
 import { ExitCode, say } from "./cli-messages.js";
 import { BatchBar } from "./cli-progress-bar.js";
 import { extensionOf } from "./formats/file-formats.js";
+import { plural } from "./plural.js";
 
 const GLOB = /[*?[\]{}]/;
 
@@ -154,7 +155,7 @@ export function exitCodeOf(results: readonly TaskResult[]): number {
 function summaryOf(results: readonly TaskResult[]): string {
   const count = (code: number) => results.filter(({ exitCode }) => exitCode === code).length;
   const bad = results.length - count(ExitCode.meshed) - count(ExitCode.notCompleted);
-  return `${results.length} files: ${count(ExitCode.meshed)} done, ${count(ExitCode.notCompleted)} not completed, ${bad} bad`;
+  return `${plural(results.length, "file")}: ${count(ExitCode.meshed)} done, ${count(ExitCode.notCompleted)} not completed, ${bad} bad`;
 }
 
 const PROGRAM = fileURLToPath(new URL("../bin/tetrafront.mjs", import.meta.url));

@@ -15,6 +15,7 @@ import { packageDiagnostic } from "./package-diagnostic.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
 import { checkPreviewOptions } from "./options.js";
+import { plural } from "./plural.js";
 import type { Diagnostic, Mesher } from "./types.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions {
@@ -134,24 +135,26 @@ function refuseOption(option: string, value: string | undefined, meantFor: strin
 
 /** What is unsound in a mesh, in sentences. */
 function faultsOf(found: Omit<MeshInspection, "boundary" | "quality">): Diagnostic[] {
-  const faults: readonly (readonly [number, string, string])[] = [
-    [found.turnedTetrahedra, "tetrahedra are turned inside out", "Exchange two nodes of each."],
-    [found.flatTetrahedra, "tetrahedra have no volume", "Mesh the body again."],
-    [found.repeatedTetrahedra, "tetrahedra have the nodes of another", "Remove them."],
-    [found.crowdedFaces, "faces belong to more than two tetrahedra", "Mesh the body again."],
-    [found.overlaps, "faces have both their tetrahedra on one side", "Mesh the body again."],
-    [found.coincidentNodes, "nodes lie at the place of another", "Weld them."],
+  const faults: readonly (readonly [number, string, string, string])[] = [
+    [found.turnedTetrahedra, "tetrahedron", "turned inside out", "Exchange two nodes of each."],
+    [found.flatTetrahedra, "tetrahedron", "without volume", "Mesh the body again."],
+    [found.repeatedTetrahedra, "tetrahedron", "with the nodes of another", "Remove all but one."],
+    [found.crowdedFaces, "face", "of more than two tetrahedra", "Mesh the body again."],
+    [found.overlaps, "face", "with both tetrahedra on one side", "Mesh the body again."],
+    [found.coincidentNodes, "node", "at the place of another", "Weld what lies at one place."],
   ];
   return faults
     .filter(([count]) => count > 0)
-    .map(([count, words, remedy]) => packageDiagnostic("unsound-mesh", `${count} ${words}`, remedy));
+    .map(([count, noun, words, remedy]) =>
+      packageDiagnostic("unsound-mesh", `${plural(count, noun)} ${words}`, remedy),
+    );
 }
 
 /** "2 errors, 1 warning", or "no problems". */
 function counted(diagnostics: readonly Diagnostic[]): string {
   const parts = (["error", "warning"] as const).flatMap((severity) => {
     const count = diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
-    return count === 0 ? [] : [`${count} ${severity}${count === 1 ? "" : "s"}`];
+    return count === 0 ? [] : [plural(count, severity)];
   });
   return parts.length === 0 ? "no problems" : parts.join(", ");
 }

@@ -11,7 +11,7 @@ import {
   tellChanges,
   type RepairCommandOptions,
 } from "./cli-repair.js";
-import { mixedTurns, plural, repeatedLines, unplacedLines } from "./cli-tables.js";
+import { mixedTurns, repeatedLines, unplacedLines } from "./cli-tables.js";
 import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
 import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
@@ -21,6 +21,7 @@ import { writeMesh } from "./formats/mesh-files.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import { misfits, tetFaces } from "./formats/tet-faces.js";
 import type { RepairOptions } from "./inspection.js";
+import { plural } from "./plural.js";
 import type { Diagnostic } from "./types.js";
 
 /** As commander hands them over. */
@@ -144,5 +145,7 @@ async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
 
 function contentsOf({ points, triangles, tetrahedra }: FileMesh): string {
   const parts = [plural(points.length / 3, "point"), plural(triangles.length / 3, "triangle")];
-  return [...parts, ...(tetrahedra.length > 0 ? [`${tetrahedra.length / 4} tetrahedra`] : [])].join(", ");
+  return [...parts, ...(tetrahedra.length > 0 ? [plural(tetrahedra.length / 4, "tetrahedron")] : [])].join(
+    ", ",
+  );
 }

@@ -5,6 +5,7 @@ import { ExitCode, say, toldFailure } from "./cli-messages.js";
 import { extensionOf } from "./formats/file-formats.js";
 import { createMesher } from "./mesher.js";
 import { checkCoverOptions, checkProposalOptions, type CoverShape } from "./options.js";
+import { plural } from "./plural.js";
 import { writeProject } from "./project.js";
 import type { Project, ProjectBackground, ProjectSource } from "./project-schema.js";
 import type { CoverOptions, Mesher, ProposalOptions } from "./types.js";
@@ -134,8 +135,8 @@ function summary(input: string, { background }: Project, output: string): string
   const { nodes, tetrahedra, sources = [] } = background;
   const size = nodes[0] === undefined ? "" : ` of size ${Number(nodes[0].size.toPrecision(6))}`;
   const figures = [
-    `a grid of ${tetrahedra.length} ${tetrahedra.length === 1 ? "tetrahedron" : "tetrahedra"}${size}`,
-    `${sources.length} ${sources.length === 1 ? "source" : "sources"}`,
+    `a grid of ${plural(tetrahedra.length, "tetrahedron")}${size}`,
+    plural(sources.length, "source"),
   ];
   return `${input}: ${figures.join(", ")} -> ${output}`;
 }

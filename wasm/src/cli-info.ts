@@ -3,18 +3,11 @@ import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { BadInput, ExitCode, toldFailure } from "./cli-messages.js";
-import {
-  meshLines,
-  mixedTurns,
-  placeText,
-  plural,
-  qualityLines,
-  repeatedLines,
-  unplacedLines,
-} from "./cli-tables.js";
+import { boxText, meshLines, mixedTurns, qualityLines, repeatedLines, unplacedLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { formatOf } from "./formats/file-formats.js";
 import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
+import { plural } from "./plural.js";
 import type { Project } from "./project-schema.js";
 
 /** As commander hands them over. */
@@ -101,12 +94,8 @@ function projectContents({ name, units, points, lines, patches, background }: Pr
 function projectLines(held: ReturnType<typeof projectContents>): string[] {
   return [
     `${held.format} "${held.name}"${held.units === null ? "" : `, in ${held.units}`}`,
-    [
-      plural(held.points, "point"),
-      plural(held.lines, "line"),
-      plural(held.patches, "patch").replace(/patchs$/, "patches"),
-    ].join(", "),
-    `a background grid of ${held.backgroundTetrahedra} tetrahedra, ${plural(held.sources, "source")}`,
+    [plural(held.points, "point"), plural(held.lines, "line"), plural(held.patches, "patch")].join(", "),
+    `a background grid of ${plural(held.backgroundTetrahedra, "tetrahedron")}, ${plural(held.sources, "source")}`,
   ];
 }
 
@@ -151,10 +140,10 @@ function contentLines(held: { readonly format: string } & ReturnType<typeof mesh
   return [
     held.format,
     plural(held.points, "point"),
-    ...(held.box === null ? [] : [`box ${placeText(held.box.low)} to ${placeText(held.box.high)}`]),
+    ...(held.box === null ? [] : [boxText(held.box)]),
     plural(held.triangles, "triangle"),
     ...groups("patch", held.patches),
-    `${held.tetrahedra} tetrahedra`,
+    plural(held.tetrahedra, "tetrahedron"),
     ...groups("region", held.regions),
     ...held.nodeData.map(
       ({ name, components }) => `at the nodes "${name}", ${plural(components, "number")} each`,

@@ -27,10 +27,12 @@ import { writeMesh } from "./formats/mesh-files.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
 import { withMesher } from "./cli-grids.js";
 import type { RepairChange, RepairOptions } from "./inspection.js";
+import { checkBackground } from "./input-checks.js";
 import { MesherError } from "./mesher-error.js";
 import { createMesher } from "./mesher.js";
 import type { ProjectSource } from "./project-schema.js";
 import { checkOptions } from "./options.js";
+import { plural } from "./plural.js";
 import { repairedSurface } from "./repaired-surface.js";
 import { emptyReport, emptyResult } from "./report.js";
 import type {
@@ -42,6 +44,7 @@ import type {
   MeshResult,
   MeshStatus,
   Optimization,
+  RefineOptions,
   RunControl,
 } from "./types.js";
 
@@ -95,10 +98,11 @@ interface RefinementFigures {
 
 /** Runs the command; resolves with the exit code. */
 export async function meshFile(input: string, options: MeshCommandOptions): Promise<number> {
-  const place = await checkReportPlace(input, options).catch((failure: unknown) => failed(failure, input));
+  const whereFailed = (failure: unknown) => failed(failure, input, options.background);
+  const place = await checkReportPlace(input, options).catch(whereFailed);
   // Without a place for it there will be no report, not even about that.
   if (place !== undefined) return place.exitCode;
-  const outcome = await meshAndWrite(input, options).catch((failure: unknown) => failed(failure, input));
+  const outcome = await meshAndWrite(input, options).catch(whereFailed);
   const { changes, refinement, written } = outcome;
   const done = { ...(changes && { repair: changes }), ...(refinement && { refinement }) };
   const report = { ...outcome.report, ...done, input, output: written };
@@ -147,7 +151,7 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   });
   if (refinement !== undefined && !isQuiet) tellRefinement(input, refinement);
   const { report } = result;
-  tell(input, report.diagnostics, { isQuiet });
+  tellOf({ input, background: options.background }, report.diagnostics, isQuiet);
   const isWanted = mayWrite(result, options);
   const written = isWanted && (await writeResult(input, options, result, meshed)) ? options.output : null;
   if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written, options));
@@ -156,8 +160,27 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   return { report, written, exitCode, changes, refinement };
 }
 
+/** What is wrong with the background grid is told of its own file. */
+function tellOf(
+  { input, background }: { readonly input: string; readonly background: string | undefined },
+  diagnostics: readonly Diagnostic[],
+  isQuiet: boolean,
+): void {
+  const isOfGrid = ({ code, entities: [first] }: Diagnostic) =>
+    background !== undefined &&
+    (code === "empty-background-grid" || first?.kind.startsWith("background-") === true);
+  tell(background ?? input, diagnostics.filter(isOfGrid), { isQuiet });
+  tell(
+    input,
+    diagnostics.filter((found) => !isOfGrid(found)),
+    { isQuiet },
+  );
+}
+
 function tellRefinement(input: string, { given, triangles, splitEdges }: RefinementFigures): void {
-  say(`${input}: refined: ${given} triangles are ${triangles}, ${splitEdges} edges were halved.`);
+  say(
+    `${input}: refined: ${plural(given, "triangle")} before, ${triangles} after; halved ${plural(splitEdges, "edge")}.`,
+  );
 }
 
 async function withRepair(
@@ -170,10 +193,10 @@ async function withRepair(
 }
 
 /** What to report of a run that threw; the messages are out by then. Our own mistakes pass through. */
-function failed(failure: unknown, input: string): Outcome {
+function failed(failure: unknown, input: string, background: string | undefined): Outcome {
   const bad = asBadInput(failure, input);
   if (bad !== undefined) {
-    tell(bad.subject, bad.diagnostics, { isQuiet: true });
+    tellOf({ input: bad.subject, background }, bad.diagnostics, true);
     return badInput(bad.diagnostics);
   }
   const engine = asEngineFailure(failure);
@@ -293,11 +316,11 @@ async function mesh(
     if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
     // Told in the numbers of what was given.
     const { enclosed } = options;
-    const { isFillable, diagnostics } = await mesher.inspectSurface(model.surface, { enclosed }, control);
-    if (!isFillable) {
-      return { result: emptyResult("invalid-input", diagnostics), model };
-    }
-    const { surface, figures } = await refined(mesher, model.surface, all, control);
+    const found = await mesher.inspectSurface(model.surface, { enclosed }, control);
+    if (!found.isFillable) return { result: emptyResult("invalid-input", found.diagnostics), model };
+    // Samples tell the inside by how triangles are turned.
+    const volume = found.turnedTriangles > 0 ? undefined : found.volume;
+    const { surface, figures } = await refined(mesher, model.surface, { ...all, volume }, control);
     const result = await mesher.fillSurface(surface, all, control);
     return { result, model: { kind: "surface", surface }, refinement: figures };
   } catch (failure) {
@@ -313,7 +336,7 @@ async function mesh(
 async function refined(
   mesher: Mesher,
   given: SurfaceFile,
-  options: MeshOptions,
+  options: RefineOptions,
   control: RunControl,
 ): Promise<{ readonly surface: SurfaceFile; readonly figures: RefinementFigures }> {
   const refinement = await mesher.refineSurface(given, options, control);
@@ -328,6 +351,8 @@ async function refined(
 
 async function withGrid(mesher: Mesher, options: MeshOptions, given: GivenGrid): Promise<MeshOptions> {
   const grid = await gridArrays(mesher, given.file, given.grid);
+  const wrong = checkBackground(grid);
+  if (wrong.length > 0) throw new BadInput(given.file, wrong);
   const sources = [...(grid.sources ?? []), ...(options.background?.sources ?? [])];
   return { ...options, background: { ...grid, sources } };
 }
@@ -383,8 +408,8 @@ function summary(
     `mean radius ratio ${radiusRatio.mean.toFixed(3)}`,
   ];
   const figures = [
-    `${tetrahedra} tetrahedra`,
-    `${points} points`,
+    plural(tetrahedra, "tetrahedron"),
+    plural(points, "point"),
     ...(tetrahedra > 0 ? shapes : []),
     ...(status === "done" ? [`mean edge ${quality.edges.mean.toFixed(2)} of the wanted`] : []),
     ...(missed > 0 ? [`${missed} beyond 30° to 135°`] : []),

@@ -1,11 +1,12 @@
 /** Repairs that the command line was asked for, and the list of what they changed. */
 import { numberIn, refuseOptions } from "./cli-input.js";
 import { say } from "./cli-messages.js";
-import { placeText, plural } from "./cli-tables.js";
+import { placeText } from "./cli-tables.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
 import type { RepairChange, RepairOptions } from "./inspection.js";
 import { checkRepairOptions } from "./options.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
+import { plural } from "./plural.js";
 import { repairedSurface } from "./repaired-surface.js";
 import type { EnclosedBodies, Mesher } from "./types.js";
 

@@ -1,28 +1,43 @@
 /** Figures in lines of text, for people. */
 import type { FileMesh } from "./formats/file-mesh.js";
 import type { EdgeLengths, MeshInspection, SurfaceInspection } from "./inspection.js";
+import { plural } from "./plural.js";
 import type { QualityReport } from "./types.js";
 
-/** Six digits are enough to read. */
-export function short(value: number): string {
-  return String(Number(value.toPrecision(6)));
+/** Enough to read. */
+const DIGITS = 6;
+/** That tell any two doubles apart. */
+const MOST_DIGITS = 17;
+
+export function short(value: number, digits = DIGITS): string {
+  return String(Number(value.toPrecision(digits)));
 }
 
 export function placeText(place: readonly number[]): string {
-  return `(${place.map(short).join(", ")})`;
+  return `(${place.map((value) => short(value)).join(", ")})`;
 }
 
-/** "1 body", "2 bodies". */
-export function plural(count: number, noun: string): string {
-  if (count === 1) return `1 ${noun}`;
-  return `${count} ${noun.endsWith("y") ? `${noun.slice(0, -1)}ies` : `${noun}s`}`;
+/** "box (0, 0, 0) to (1, 1, 1)", with as many digits as show six of each side, however far from the origin it is. */
+export function boxText({ low, high }: Box): string {
+  const digits = low.map((from, axis) => {
+    const to = high[axis] ?? from;
+    const beyond = Math.floor(Math.log10(Math.max(Math.abs(from), Math.abs(to)) / (to - from)));
+    return to > from ? Math.min(MOST_DIGITS, DIGITS + Math.max(0, beyond)) : DIGITS;
+  });
+  const [from, to] = [low, high].map((corner) => corner.map((value, axis) => short(value, digits[axis])));
+  return `box (${from?.join(", ")}) to (${to?.join(", ")})`;
+}
+
+interface Box {
+  readonly low: readonly number[];
+  readonly high: readonly number[];
 }
 
 /** A line where a file counts the nodes of some tetrahedra one way round and of others the other. */
 export function mixedTurns({ tetrahedra, turnedTetrahedra = 0 }: FileMesh): string[] {
   const count = tetrahedra.length / 4;
   if (turnedTetrahedra === 0 || turnedTetrahedra === count) return [];
-  return [`${turnedTetrahedra} of ${count} tetrahedra were inverted against the others, and were turned`];
+  return [`turned, as inverted against the others: ${turnedTetrahedra} of ${plural(count, "tetrahedron")}`];
 }
 
 /** That tetrahedra lose all groups but their first. */
@@ -65,7 +80,7 @@ export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): str
     ].join(", "),
     ...(isKnown ? [`${plural(found.bodies, "body")}, ${plural(found.cavities, "cavity")}`] : []),
     `area ${short(found.area)}${isKnown ? `, volume ${short(found.volume)}` : ""}`,
-    `box ${placeText(found.box.low)} to ${placeText(found.box.high)}`,
+    boxText(found.box),
     edgesLine(found.edgeLengths),
     ...(found.turnedTriangles > 0
       ? [
@@ -92,7 +107,7 @@ function notManifold({ crowdedEdges, pinchedNodes }: Omit<SurfaceInspection, "di
 export function meshLines(found: Omit<MeshInspection, "boundary" | "quality">): string[] {
   const { dihedral, radiusRatio } = found;
   return [
-    `${found.tetrahedra} tetrahedra, ${plural(found.nodes, "node")}`,
+    `${plural(found.tetrahedra, "tetrahedron")}, ${plural(found.nodes, "node")}`,
     `volume ${short(found.volume)}`,
     edgesLine(found.edgeLengths),
     `dihedral angles ${dihedral.min.toFixed(2)}° to ${dihedral.max.toFixed(2)}°`,

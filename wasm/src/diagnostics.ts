@@ -5,6 +5,7 @@
 import { aFunction, aNumber, arrayOf, checkArgument, objectOf } from "./argument-checks.js";
 import { engineCodeName, type EngineCode } from "./diagnostic-codes.js";
 import { capitalised } from "./package-diagnostic.js";
+import { plural } from "./plural.js";
 import type { EntityNamer } from "./project-arrays.js";
 import type { Diagnostic, EntityKind, EntityRef, Severity } from "./types.js";
 
@@ -83,7 +84,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Refer to something that exists, or remove the reference.",
   },
   "wrong-point-count": {
-    message: ({ the, value }) => `${the("line")} has ${value(0)} points, which does not fit its type`,
+    message: ({ the, value }) =>
+      `${the("line")} has ${plural(value(0), "point")}, which does not fit its type`,
     remedy: "Give a straight line two points, a parabolic line three, a spline four or more.",
   },
   "coincident-points": {
@@ -97,7 +99,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "wrong-line-count": {
     message: ({ the, value }) =>
-      `${the("patch")} has ${value(0)} lines in its outer loop, its type takes ${value(1)}`,
+      `${the("patch")} has ${plural(value(0), "line")} in its outer loop, its type takes ${value(1)}`,
     remedy: "Change the patch's type, or join or split lines until the number fits.",
   },
   "wrong-line-type": {
@@ -172,7 +174,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "nested-bodies": {
     message: ({ value }) =>
-      `The model has ${counted(value(0), "region")}${value(1) === "0" ? "" : ` and ${counted(value(1), "cavity")}`}`,
+      `The model has ${plural(value(0), "region")}${value(1) === "0" ? "" : ` and ${plural(value(1), "cavity")}`}`,
     remedy: "",
   },
   "empty-background-grid": {
@@ -201,13 +203,13 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     message: ({ main, kind, value }) => {
       switch (kind) {
         case "line":
-          return `${main} asks for more than ${value(1)} sides`;
+          return `${main} asks for more than ${plural(value(1), "side")}`;
         case "patch":
-          return `${main} asks for more than ${value(1)} triangles`;
+          return `${main} asks for more than ${plural(value(1), "triangle")}`;
         case "triangle":
-          return `Refined, the surface would have ${isBeyondCounting(value(0)) ? "more than" : "about"} ${value(0)} triangles, the most of them in ${main}; the limit is ${value(1)}`;
+          return `Refined, the surface would have ${estimated(value(0), "triangle")}, the most of them in ${main}; the limit is ${value(1)}`;
         default:
-          return `The sizes ask for ${isBeyondCounting(value(0)) ? "more than" : "about"} ${value(0)} tetrahedra, the limit is ${value(1)}`;
+          return `The sizes ask for ${estimated(value(0), "tetrahedron")}, the limit is ${value(1)}`;
       }
     },
     remedy: ({ kind, value }) => {
@@ -256,7 +258,10 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "duplicate-triangle": {
     message: ({ all, at }) => `${all(SHELL_KINDS, "Two triangles")} lie on one another${at}`,
-    remedy: "Remove one of them.",
+    remedy: ({ drawn }) =>
+      drawn
+        ? "Remove one of them."
+        : "Remove one of them, also where two bodies meet: one wall is enough. A repair does so and lists each: --repair, or repairSurface.",
   },
   "degenerate-triangle": {
     message: ({ all, at }) => `${all(["triangle", "patch"], "A triangle")} has corners on one line${at}`,
@@ -269,7 +274,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   "reoriented-patch": {
     message: ({ all, count, value, main, drawn }) => {
       if (!drawn) {
-        return `The part of the surface with ${main} is inside out: the mesh has all of its ${value(1)} triangles turned outward`;
+        return `The part of the surface with ${main} is inside out: the mesh has all of its ${plural(value(1), "triangle")} turned outward`;
       }
       const [were, have] = count(["patch"]) > 1 ? ["were", "have"] : ["was", "has"];
       return `${all(["patch"], "A patch")} ${were} drawn inside out and ${have} been turned round`;
@@ -278,7 +283,12 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "turned-triangle": {
     message: ({ main, at }) => `${main} faces inward, but others of its part of the surface outward${at}`,
-    remedy: "Turn it round; a repair does so and lists each: --repair, or repairSurface.",
+    remedy: ({ value }) =>
+      `Turn it round; a repair does so and lists each: --repair, or repairSurface.${
+        value(0) === "1"
+          ? " Where spaces on both of its sides are to be meshed, fill regions: --enclosed regions, or enclosed."
+          : ""
+      }`,
   },
   "coincident-nodes": {
     message: ({ all, at }) =>
@@ -294,12 +304,12 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   stalled: {
     message: ({ value, at }) =>
-      `The front stalled with ${value(0)} faces that no tetrahedron completes${at}; the mesh is partial`,
+      `The front stalled with ${plural(value(0), "face")} that no tetrahedron completes${at}; the mesh is partial`,
     remedy:
       "Use sizes that change more gently there; in a given surface, a size nearer to that of its own edges.",
   },
   "verification-failed": {
-    message: ({ value, at }) => `The finished mesh failed its own check in ${value(0)} places${at}`,
+    message: ({ value, at }) => `The finished mesh failed its own check in ${plural(value(0), "place")}${at}`,
     remedy: "This is a mistake in Tetrafront: please report it with the model.",
   },
 };
@@ -309,18 +319,18 @@ function isBeyondCounting(estimate: string): boolean {
   return Number(estimate) >= 1e15;
 }
 
+/** "about 30000000 tetrahedra". */
+function estimated(count: string, noun: string): string {
+  return `${isBeyondCounting(count) ? "more than" : "about"} ${plural(count, noun)}`;
+}
+
 function along(all: Subject["all"]): string {
   const lines = all(["line"], "");
   return lines === "" ? "" : ` at ${lines}`;
 }
 
-function counted(count: string, noun: string): string {
-  if (count === "1") return `1 ${noun}`;
-  return `${count} ${noun.endsWith("y") ? `${noun.slice(0, -1)}ies` : `${noun}s`}`;
-}
-
 function total(count: string, noun: string): string {
-  return count === "?" || count === "1" ? "" : ` (${count} ${noun}s in all)`;
+  return count === "?" || count === "1" ? "" : ` (${plural(count, noun)} in all)`;
 }
 
 const anEngineDiagnostic = objectOf({

@@ -112,6 +112,7 @@ export type {
   ProjectPreview,
   ProposalOptions,
   QualityReport,
+  RefineOptions,
   RegionQuality,
   RunControl,
   Seconds,

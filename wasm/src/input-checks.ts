@@ -1,6 +1,7 @@
 /** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
 import { isArrayOf, isDetached, shown } from "./argument-checks.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
+import { plural } from "./plural.js";
 import { parseProject } from "./project.js";
 import { sourceProblem } from "./project-schema.js";
 import type {
@@ -124,7 +125,7 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
     !hasLength(directions, 3 * count) ||
     tetrahedra.length % 4 !== 0
   ) {
-    return [gridProblem(`the arrays of the background grid do not fit its ${count} sizes`)];
+    return [gridProblem(`the arrays of the background grid do not fit its ${plural(count, "size")}`)];
   }
   if (!isFiniteFrom(0, overhang)) {
     return [arraysProblem(`the overhang is ${shown(overhang)}`, "Give a finite overhang of 0 or more.")];
@@ -186,7 +187,7 @@ function checkNodeSizes(sizes: unknown, count: number): Diagnostic[] {
   if (!isUsable(Float64Array, sizes) || sizes.length !== count) {
     return [
       arraysProblem(
-        `the sizes are no Float64Array of ${count} numbers`,
+        `the sizes are no Float64Array of ${plural(count, "number")}`,
         "Give one size per node of the mesh, or none at all.",
       ),
     ];

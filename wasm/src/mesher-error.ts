@@ -1,4 +1,5 @@
 /** Why a call of the package is rejected. */
+import { plural } from "./plural.js";
 import type { Reply } from "./protocol.js";
 import type { Diagnostic, Phase, Progress } from "./types.js";
 
@@ -140,7 +141,7 @@ const ROOM = 1.1;
 function outOfMemoryText({ bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor }: OutOfMemory): string {
   const had = bytes === 0 ? "" : ` of ${Math.round(bytes / 2 ** 20)} MB`;
   const where = phase === undefined ? "" : ` in the phase "${phase}"`;
-  const made = tetrahedra === 0 ? "" : `, with ${tetrahedra} tetrahedra made`;
+  const made = tetrahedra === 0 ? "" : `, with ${plural(tetrahedra, "tetrahedron")} made`;
   const expected = made === "" || expectedTetrahedra === 0 ? "" : ` of about ${expectedTetrahedra} asked for`;
   const remedy = remedyFor(phase, sizeFactor);
   return `The engine's memory${had} did not suffice: it ran out${where}${made}${expected}. ${remedy}`;

@@ -70,6 +70,7 @@ import type {
   Progress,
   ProjectPreview,
   ProposalOptions,
+  RefineOptions,
   RunControl,
   SizeProposal,
   SurfaceInput,
@@ -205,7 +206,8 @@ class WorkerMesher implements Mesher {
     const name = projectNamer(project);
     const answer = await this.#ask(question, control);
     const preview = describedPreview(answer, hasGrid ? gridByPosition(name) : name);
-    const told = preview.diagnostics.map((found) => withMissingId(found, project));
+    const named = hasGrid ? { ...project, background: undefined } : project;
+    const told = preview.diagnostics.map((found) => withMissingId(found, named));
     return { ...preview, diagnostics: [...wrong, ...told] };
   }
 
@@ -289,7 +291,7 @@ class WorkerMesher implements Mesher {
 
   async refineSurface(
     surface: SurfaceInput,
-    options: MeshOptions,
+    options: RefineOptions,
     control: RunControl = {},
   ): Promise<SurfaceRefinement> {
     refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
@@ -301,6 +303,7 @@ class WorkerMesher implements Mesher {
       triangles: surface.triangles.slice(),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
       options: engineOptions(options),
+      volume: options.volume ?? 0,
     } as const;
     const refinement = await this.#ask(question, control);
     refuse(changeDiagnostics(refinement));

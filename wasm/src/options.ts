@@ -16,6 +16,7 @@ import type {
   Optimization,
   PreviewOptions,
   ProposalOptions,
+  RefineOptions,
 } from "./types.js";
 
 /** Growth of the element size per unit of distance from a given surface's edges. */
@@ -99,6 +100,15 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
   exactFillOnly: ["choice of the exact fill alone", trueOrFalse],
 };
 
+const REFINE_RULES: Rules<Omit<RefineOptions, "background">> = {
+  ...MESH_RULES,
+  volume: [
+    "volume",
+    (value) =>
+      isFiniteNumber(value) && value >= 0 ? undefined : "the enclosed volume, as inspectSurface tells it",
+  ],
+};
+
 const PREVIEW_RULES: Rules<Omit<PreviewOptions, "background">> = {
   size: MESH_RULES.size,
   enclosed: MESH_RULES.enclosed,
@@ -163,8 +173,8 @@ function checkWithBackground<Options extends PreviewOptions>(
 }
 
 /** Of `refineSurface`, which needs something to go by. */
-export function checkRefineOptions(options: MeshOptions): Diagnostic[] {
-  const wrong = checkOptions(options);
+export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
+  const wrong = checkWithBackground(options, REFINE_RULES);
   if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
   const message = "no sizes are given to refine the surface by";
   return [invalidOption(message, "Give an element size, sources of size or a background grid.")];

@@ -1,7 +1,7 @@
 /** From a project, with ids and names, to the flat arrays the engine takes; and back from positions to names. */
 import { aPosition, checkArgument, listOf, objectOf, oneOf } from "./argument-checks.js";
 import { backgroundOf, NOWHERE, projectGrid, type GridArrays } from "./grid-arrays.js";
-import type { LineType, PatchType, Project } from "./project-schema.js";
+import type { LineType, PatchType, Project, ProjectBackground } from "./project-schema.js";
 import type { Diagnostic, EntityKind, EntityRef } from "./types.js";
 
 /** A model and its background grid as they cross into the engine. All references are positions. */
@@ -53,16 +53,22 @@ export function projectArrays(project: Project): ModelArrays {
   };
 }
 
+/** What may refer to ids; a background grid that came as arrays has none. */
+type Referring = Pick<Project, "points" | "lines" | "patches"> & {
+  readonly background?: ProjectBackground | undefined;
+};
+
 /** The message of a reference that leads nowhere, with the id that the project has for it. */
-export function withMissingId(diagnostic: Diagnostic, project: Project): Diagnostic {
+export function withMissingId(diagnostic: Diagnostic, project: Referring): Diagnostic {
   const [entity] = diagnostic.entities;
-  if (diagnostic.code !== "index-out-of-range" || entity?.id === undefined) return diagnostic;
-  const missing = missingBelow(entity.kind, entity.id, project);
+  if (diagnostic.code !== "index-out-of-range" || entity === undefined) return diagnostic;
+  const missing = missingBelow(entity, project);
   if (missing === undefined) return diagnostic;
   return { ...diagnostic, message: diagnostic.message.replace(/number \d+/, missing) };
 }
 
-function missingBelow(kind: EntityKind, id: number, { points, lines, patches }: Project): string | undefined {
+function missingBelow({ kind, index, id }: EntityRef, project: Referring): string | undefined {
+  const { points, lines, patches } = project;
   const among = (entities: readonly { readonly id: number }[], wanted: readonly number[]) => {
     const known = new Set(entities.map((entity) => entity.id));
     // Of drawings that are not finished, nor checked, it may be anything.
@@ -72,6 +78,11 @@ function missingBelow(kind: EntityKind, id: number, { points, lines, patches }: 
   if (kind === "line") {
     const missing = among(points, lines.find((line) => line.id === id)?.points ?? []);
     return missing === undefined ? undefined : `point ${missing}`;
+  }
+  if (kind === "background-tetrahedron") {
+    const { nodes, tetrahedra } = backgroundOf(project);
+    const missing = among(nodes, tetrahedra[index] ?? []);
+    return missing === undefined ? undefined : `background node ${missing}`;
   }
   if (kind !== "patch") return undefined;
   const loops = patches.find((patch) => patch.id === id)?.loops ?? [];

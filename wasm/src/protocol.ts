@@ -98,7 +98,7 @@ export type Question =
       readonly triangles: Uint32Array;
       readonly options: EngineRepairOptions;
     }
-  /** Grid and options as for `fill-surface`. */
+  /** Grid and options as for `fill-surface`; `volume` is 0 where it is not known. */
   | {
       readonly kind: "refine-surface";
       readonly id: number;
@@ -106,6 +106,7 @@ export type Question =
       readonly triangles: Uint32Array;
       readonly grid: GridArrays;
       readonly options: EngineOptions;
+      readonly volume: number;
     }
   /** No regions: all elements in one. */
   | {

@@ -47,6 +47,15 @@ export interface BackgroundArrays {
   readonly sources?: readonly ProjectSource[] | undefined;
 }
 
+/** How a surface is refined: by the sizes that it will be filled with. */
+export interface RefineOptions extends MeshOptions {
+  /**
+   * What the surface encloses, as `inspectSurface` tells it, in cubed model units: then sizes by which the inside would
+   * have more tetrahedra than a run makes are refused before anything is divided. Without it only the triangles count.
+   */
+  readonly volume?: number | undefined;
+}
+
 /** How a project is previewed. */
 export interface PreviewOptions {
   /** The uniform size that the project will be meshed with: then its grid is not checked. */
@@ -503,12 +512,13 @@ export interface Mesher {
    * wanted lengths are halved in all their triangles, the longest of a triangle first: no angle falls below
    * half of what it was, and the shape stays the same up to the rounding of middles. Patches follow by
    * `repairedSurface(file, refinement)`. Rejects with `invalid-input` where numbers are broken, no sizes are
-   * given, or the triangles would be too many. O(n log n) for n triangles of the result; about 2 µs for each.
+   * given, or the triangles would be too many; with the enclosed `volume`, also where the inside would have more
+   * tetrahedra than a run makes, before anything is divided. O(n log n) for n triangles of the result; about 2 µs for each.
    * Works in slices beside a run.
    */
   refineSurface(
     surface: SurfaceInput,
-    options: MeshOptions,
+    options: RefineOptions,
     control?: RunControl,
   ): Promise<SurfaceRefinement>;
   /**

@@ -72,7 +72,13 @@ async function handle(engine: Engine, request: WorkRequest): Promise<void> {
     case "refine-surface":
       return work(
         request.id,
-        engine.refineSurface(request.points, request.triangles, request.grid, request.options),
+        engine.refineSurface(
+          request.points,
+          request.triangles,
+          request.grid,
+          request.options,
+          request.volume,
+        ),
       );
     case "inspect-mesh":
       return work(request.id, engine.inspectMesh(request.points, request.tetrahedra, request.regions));

@@ -92,7 +92,8 @@ enum class DiagnosticCode : std::uint16_t {
   kCoincidentNodes = 48,  ///< two nodes at one place that are not joined
   kNestedBodies = 49,     ///< information; values: number of regions, of cavities
   kTurnedTriangle = 50,  ///< triangle of a given surface that faces inward where others of its part
-                         ///< face outward; values: number of such triangles
+                         ///< face outward; values: 1 where it would be a wall if
+                         ///< EnclosedBodies were kRegions, else 0; number of such triangles
   kCoarseSurface = 51,   ///< warning; triangle of a given surface with the longest edges in wanted
                          ///< lengths, place; values: number of triangles with edges more than twice
                          ///< as long as wanted, wanted lengths of the longest

@@ -41,7 +41,7 @@ struct TriangleFigures {
 /// Triangles with a node twice make no edges, and of those with the same nodes only the first does.
 struct SurfaceInspection {
   bool isFillable = false;  ///< no error among the diagnostics: a run would accept the surface
-  bool isClosed = false;    ///< no edge with one triangle
+  bool isClosed = false;    ///< it has edges, and none of them has one triangle
   bool isManifold = false;  ///< no edge with more than two triangles, and one fan at every node
   bool isEmbedded = false;  ///< no two triangles meet but in shared corners and edges
   std::uint32_t nodes = 0;  ///< that triangles use
@@ -177,7 +177,8 @@ struct SurfaceRefinement {
   std::vector<std::uint32_t> origin;  ///< per triangle: the given one that it is a part of
   std::uint32_t splitEdges = 0;       ///< as many as there are new points
   /// Not empty where nothing was done: numbers, sizes or the grid are broken, or kTooManyElements, with
-  /// the triangle that asks for the most, as values the triangles expected and the most there may be.
+  /// the triangle that asks for the most, as values the triangles expected and the most there may be;
+  /// without a triangle, as values the tetrahedra expected inside and the most there may be.
   std::vector<Diagnostic> diagnostics;
 };
 
@@ -188,9 +189,11 @@ struct SurfaceRefinement {
 /// the shape is the same. Triangles keep their turning. O(n log n) for n triangles of the result.
 class SurfaceRefiner {
  public:
-  /// Arrays as for MeshRun; they are copied.
+  /// Arrays as for MeshRun; they are copied. `volume`: what the surface encloses, as inspection tells
+  /// it; then sizes by which a run could not fill it are refused before anything is divided. 0: not
+  /// known.
   SurfaceRefiner(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                 BackgroundGrid grid, const MeshOptions& options);
+                 BackgroundGrid grid, const MeshOptions& options, double volume = 0.0);
   SurfaceRefiner(SurfaceRefiner&&) noexcept;
   SurfaceRefiner& operator=(SurfaceRefiner&&) noexcept;
   ~SurfaceRefiner();

@@ -99,6 +99,11 @@ class BoundaryCheck::Impl {
   [[nodiscard]] bool isWall(std::uint32_t triangle) const {
     return cells_.isFilledAt(frontOf(triangle)) && cells_.isFilledAt(backOf(triangle));
   }
+  /// Whether the triangle would be a wall if every space were filled.
+  [[nodiscard]] bool isBetweenSpaces(std::uint32_t triangle) const {
+    return cells_.cellAt(frontOf(triangle)) != SurfaceCells::kEndless &&
+           cells_.cellAt(backOf(triangle)) != SurfaceCells::kEndless;
+  }
   void numberRegions();
 
   SurfaceMesh& mesh_;
@@ -169,7 +174,7 @@ void BoundaryCheck::Impl::reportTurnedParts(const std::vector<std::uint8_t>& isT
   };
   for (std::uint32_t t = 0; t < isTurned.size(); ++t) {
     if (isTurned[t] != 0 && isRefused(counts[cells_.partOf[t]])) {
-      report_.addTriangle(DiagnosticCode::kTurnedTriangle, t);
+      report_.addTriangle(DiagnosticCode::kTurnedTriangle, t, {isBetweenSpaces(t) ? 1.0 : 0.0});
     }
   }
   for (const Count& count : counts) {

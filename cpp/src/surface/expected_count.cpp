@@ -54,9 +54,12 @@ double enclosedVolume(const SurfaceMesh& surface) {
 double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field) {
   const auto corners = static_cast<double>(surface.triangles.size());
   const double atTriangles = kTetrahedraPerTriangle * corners / 3.0;
-  const double density = ColumnSamples(surface, field).meanDensity();
-  const double within = kTetrahedraPerUnitVolume * enclosedVolume(surface) * density;
+  const double within = tetrahedraWithin(enclosedVolume(surface), surface, field);
   return within > atTriangles || std::isnan(within) ? within : atTriangles;
+}
+
+double tetrahedraWithin(double volume, const SurfaceMesh& surface, const SizeField& field) {
+  return kTetrahedraPerUnitVolume * volume * ColumnSamples(surface, field).meanDensity();
 }
 
 double tetrahedraPerVolume(const Vec3& low, const Vec3& high, const SizeField& field) {

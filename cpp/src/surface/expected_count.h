@@ -16,6 +16,11 @@ inline constexpr double kTetrahedraPerUnitVolume = 8.485281374238571;
 /// oriented and not empty. O(triangles).
 [[nodiscard]] double expectedTetrahedra(const SurfaceMesh& surface, const SizeField& field);
 
+/// As many as the field asks for in so much volume, with the mean over samples of what the surface
+/// encloses, which must be closed and is best oriented, or that is the mean over its triangles.
+[[nodiscard]] double tetrahedraWithin(double volume, const SurfaceMesh& surface,
+                                      const SizeField& field);
+
 /// An estimate as it is told to the user: above 10^15, or where it overflowed, that.
 [[nodiscard]] inline double counted(double expected) {
   constexpr double kBeyondCounting = 1e15;

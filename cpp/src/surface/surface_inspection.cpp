@@ -99,7 +99,7 @@ void SurfaceInspector::Impl::measure() {
   const EdgeTable edges(mesh_.triangles, mesh_.points.size() / 3, check_->withoutEdges());
   measureEdges(edges);
   countPinchedNodes(edges);
-  result_.isClosed = result_.openEdges == 0;
+  result_.isClosed = result_.edges > 0 && result_.openEdges == 0;
   result_.isManifold = result_.crowdedEdges == 0 && result_.pinchedNodes == 0;
   measureTriangles();
   countTurnedTriangles();

@@ -10,6 +10,7 @@
 #include "surface/boundary_soundness.h"
 #include "surface/edge_table.h"
 #include "surface/examine_input.h"
+#include "surface/expected_count.h"
 #include "surface/surface_access.h"
 #include "surface/wanted_sizes.h"
 #include "tetrafront/surface_tools.h"
@@ -34,8 +35,8 @@ constexpr std::uint32_t kNone = 0xffffffffU;
 class SurfaceRefiner::Impl {
  public:
   Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
-       BackgroundGrid grid, const MeshOptions& options)
-      : grid_(std::move(grid)), options_(options) {
+       BackgroundGrid grid, const MeshOptions& options, double volume)
+      : grid_(std::move(grid)), options_(options), volume_(volume) {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.triangles.assign(triangles.begin(), triangles.end());
     given_ = static_cast<std::uint32_t>(triangles.size() / 3);
@@ -53,16 +54,27 @@ class SurfaceRefiner::Impl {
   [[nodiscard]] const SurfaceRefinement& result() const { return result_; }
 
  private:
-  enum class Stage : std::uint8_t { kCheck, kSizes, kEstimate, kEdges, kMeasure, kSplit, kDone };
+  enum class Stage : std::uint8_t {
+    kCheck,
+    kSizes,
+    kEstimate,
+    kInside,
+    kEdges,
+    kMeasure,
+    kSplit,
+    kDone
+  };
 
   [[nodiscard]] Stage step(std::uint32_t budget);
   [[nodiscard]] Stage check();
   [[nodiscard]] Stage askSizes(std::uint32_t budget);
   [[nodiscard]] Stage estimate(std::uint32_t budget);
+  [[nodiscard]] Stage estimateInside();
   [[nodiscard]] Stage linkEdges();
   [[nodiscard]] Stage measure(std::uint32_t budget);
   [[nodiscard]] Stage split(std::uint32_t budget);
   [[nodiscard]] Stage refuse(double triangles);
+  [[nodiscard]] Stage refuseAs(std::vector<Entity> entities, double expected, double most);
   [[nodiscard]] Stage finish();
 
   [[nodiscard]] std::uint32_t triangleCount() const {
@@ -91,6 +103,7 @@ class SurfaceRefiner::Impl {
 
   BackgroundGrid grid_;
   MeshOptions options_;
+  double volume_;
   Stage stage_ = Stage::kCheck;
   SurfaceMesh mesh_;
   std::uint32_t given_ = 0;  ///< triangles
@@ -129,6 +142,8 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::step(std::uint32_t budget) {
       return askSizes(budget);
     case Stage::kEstimate:
       return estimate(budget);
+    case Stage::kInside:
+      return estimateInside();
     case Stage::kEdges:
       return linkEdges();
     case Stage::kMeasure:
@@ -186,7 +201,15 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::estimate(std::uint32_t budget)
     }
   }
   if (next_ < triangleCount()) return stage_;
-  return expected_ <= mostTriangles() ? Stage::kEdges : refuse(expected_);
+  return expected_ <= mostTriangles() ? Stage::kInside : refuse(expected_);
+}
+
+/// As a run estimates what it will make, of which the triangles here can only ask for more.
+SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::estimateInside() {
+  if (!(volume_ > 0.0)) return Stage::kEdges;
+  const double expected = tetrahedraWithin(volume_, mesh_, *field_);
+  const auto most = static_cast<double>(options_.maxTetrahedra);
+  return expected <= most ? Stage::kEdges : refuseAs({}, expected, most);
 }
 
 SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::linkEdges() {
@@ -235,10 +258,15 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::split(std::uint32_t budget) {
 }
 
 SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::refuse(double triangles) {
+  return refuseAs({{EntityKind::kTriangle, largest_}}, triangles, mostTriangles());
+}
+
+SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::refuseAs(std::vector<Entity> entities,
+                                                           double expected, double most) {
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
-  tooMany.entities = {{EntityKind::kTriangle, largest_}};
-  tooMany.values = {std::min(triangles, 1e15), mostTriangles()};
+  tooMany.entities = std::move(entities);
+  tooMany.values = {counted(expected), most};
   result_.diagnostics = {tooMany};
   return finish();
 }
@@ -394,8 +422,8 @@ void SurfaceRefiner::Impl::halve(std::uint32_t edge) {
 
 SurfaceRefiner::SurfaceRefiner(std::span<const double> points,
                                std::span<const std::uint32_t> triangles, BackgroundGrid grid,
-                               const MeshOptions& options)
-    : impl_(std::make_unique<Impl>(points, triangles, std::move(grid), options)) {}
+                               const MeshOptions& options, double volume)
+    : impl_(std::make_unique<Impl>(points, triangles, std::move(grid), options, volume)) {}
 SurfaceRefiner::SurfaceRefiner(SurfaceRefiner&&) noexcept = default;
 SurfaceRefiner& SurfaceRefiner::operator=(SurfaceRefiner&&) noexcept = default;
 SurfaceRefiner::~SurfaceRefiner() = default;

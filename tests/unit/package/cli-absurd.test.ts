@@ -1,24 +1,22 @@
 /** Absurd values of every option, and places that are none: refused in one line that names what would be sensible. */
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync, writeFileSync } from "node:fs";
 import path from "node:path";
 
 import { createMesher, writeProject } from "tetrafront";
-import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { beforeAll, describe, expect, test } from "vitest";
 
 import { tetrafront } from "../../support/command-line.js";
 import { cubeProject } from "../../support/projects.js";
 import { offFile } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
 
-let folder: string;
+const folder = temporaryFolder("all tests");
 beforeAll(() => {
-  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-  writeFileSync(path.join(folder, "part.off"), offFile(boxSurface(1)));
-  writeFileSync(path.join(folder, "cube.json"), writeProject(cubeProject()));
-  mkdirSync(path.join(folder, "parts"));
+  writeFileSync(path.join(folder.path, "part.off"), offFile(boxSurface(1)));
+  writeFileSync(path.join(folder.path, "cube.json"), writeProject(cubeProject()));
+  mkdirSync(path.join(folder.path, "parts"));
 });
-afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
 const MESH = ["mesh", "part.off", "-o", "x.vtu"];
 const PROPOSE = ["propose", "cube.json", "-o", "x.json"];
@@ -49,7 +47,7 @@ test.each<[readonly string[], RegExp]>([
   [["mesh", "part.off", "-o", ""], /"": This is no name of a file/],
   [["mesh", "part.off", "-o", "x.vtu", "--from", ""], /"": There is no such format/],
 ])("%j", async (args, message) => {
-  const { code, stderr } = await tetrafront(folder, args);
+  const { code, stderr } = await tetrafront(folder.path, args);
   expect(stderr).toMatch(message);
   expect(code).toBe(2);
 });

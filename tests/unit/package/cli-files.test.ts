@@ -1,22 +1,18 @@
 /** Files are written beside their place first, whatever other runs have left there and however long their names are. */
-import { mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 
-import { afterEach, beforeEach, expect, test } from "vitest";
+import { expect, test } from "vitest";
 
 import { checkOutput, writeOutput } from "../../../wasm/src/cli-files.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
 
-let folder = "";
-beforeEach(() => {
-  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-});
-afterEach(() => rmSync(folder, { recursive: true, force: true }));
+const folder = temporaryFolder();
 
 test("what a run that was killed has left does not stop another of its number", async () => {
   // In a container every run has the same one.
-  writeFileSync(path.join(folder, `.a.vtu.${process.pid}.part`), "half");
-  const file = path.join(folder, "a.vtu");
+  writeFileSync(path.join(folder.path, `.a.vtu.${process.pid}.part`), "half");
+  const file = path.join(folder.path, "a.vtu");
   await checkOutput(file);
   await writeOutput(file, "whole");
   expect(readFileSync(file, "utf8")).toBe("whole");
@@ -24,7 +20,7 @@ test("what a run that was killed has left does not stop another of its number", 
 
 test("a name as long as file systems have them can be written", async () => {
   const name = `${"n".repeat(251)}.vtu`;
-  await checkOutput(path.join(folder, name));
-  await writeOutput(path.join(folder, name), "whole");
-  expect(readdirSync(folder)).toEqual([name]);
+  await checkOutput(path.join(folder.path, name));
+  await writeOutput(path.join(folder.path, name), "whole");
+  expect(readdirSync(folder.path)).toEqual([name]);
 });

@@ -1,25 +1,18 @@
 /** `cover`, `propose`, `check` and `mesh --background` from end to end, and what is said on the way. */
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync, readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 
 import { readProject, writeProject, type Diagnostic, type MeshReport, type Project } from "tetrafront";
-import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
 
-import { tetrafront } from "../../support/command-line.js";
 import { cubeProject } from "../../support/projects.js";
 import { offFile } from "../../support/surface-files.js";
 import { boxSurface, sphereSurface, turned } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
 
-let folder: string;
-beforeEach(() => {
-  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-});
-afterEach(() => rmSync(folder, { recursive: true, force: true }));
+const folder = temporaryFolder();
+const { inFolder, save, run } = folder;
 
-const inFolder = (name: string) => path.join(folder, name);
-const save = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
-const run = (...args: string[]) => tetrafront(folder, args);
 const bare: Project = { ...cubeProject(), background: { nodes: [], tetrahedra: [] } };
 
 function projectIn(name: string): Project {
@@ -43,7 +36,7 @@ describe("cover", () => {
       0,
       "tetrafront: bare.json: a grid of 5 tetrahedra of size 0.3, 0 sources -> out.json\n",
     ]);
-    expect(readdirSync(folder).sort()).toEqual(["bare.json", "out.json"]);
+    expect(readdirSync(folder.path).sort()).toEqual(["bare.json", "out.json"]);
     expect({ ...projectIn("out.json"), background: bare.background }).toEqual(bare);
     const bySize = await meshed("bare.json", "-o", "a.vtu", "--size", "0.3");
     const byGrid = await meshed("out.json", "-o", "b.vtu");
@@ -84,7 +77,7 @@ describe("cover", () => {
     expect([code, stdout]).toEqual([2, ""]);
     expect(stderr).toMatch(message);
     expect(stderr.trimEnd().split("\n")).toHaveLength(1);
-    expect(readdirSync(folder)).not.toContain("out.json");
+    expect(readdirSync(folder.path)).not.toContain("out.json");
   });
 });
 
@@ -169,6 +162,28 @@ describe("check", () => {
 });
 
 describe("mesh --background", () => {
+  test.each(["--quiet", "--refine-surface"])("names the grid's own file (%s)", async (option) => {
+    const { background } = cubeProject();
+    const nodes = background.nodes.map((node) => ({ ...node, size: 0 }));
+    save("box.off", offFile(boxSurface(1)));
+    save("wrong.json", writeProject({ ...bare, background: { ...background, nodes } }));
+    const args = [
+      "mesh",
+      "box.off",
+      "-o",
+      "a.vtu",
+      "--background",
+      "wrong.json",
+      "--report",
+      "r.json",
+      option,
+    ];
+    const { code, stderr } = await run(...args);
+    expect(code).toBe(2);
+    expect(stderr).toMatch(/error: wrong\.json: Background node 0 \(counted from 0\) has the element size 0/);
+    expect(stderr).not.toMatch(/error: box\.off/);
+  });
+
   test.each(["vtu", "msh"])("takes a mesh in .%s with sizes from its own edges", async (extension) => {
     save("cube.json", writeProject(cubeProject(0.2)));
     save("bare.json", writeProject(bare));

@@ -1,26 +1,18 @@
 /** The command line: options that would do nothing are refused, failures of the engine are one line, batches can be stopped. */
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import path from "node:path";
+import { existsSync, readFileSync } from "node:fs";
 
 import { writeMesh, writeProject, type FileMesh } from "tetrafront";
-import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { beforeEach, describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
 import { tetrafront } from "../../support/command-line.js";
 import { cubeProject } from "../../support/projects.js";
 import { stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
 
-let folder: string;
-beforeEach(() => {
-  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-});
-afterEach(() => rmSync(folder, { recursive: true, force: true }));
-
-const inFolder = (name: string) => path.join(folder, name);
-const save = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
-const run = (...args: readonly string[]) => tetrafront(folder, args);
+const folder = temporaryFolder();
+const { inFolder, save, run } = folder;
 
 async function saveMesh(name: string, mesh: FileMesh): Promise<void> {
   for (const { fileName, bytes } of await writeMesh(mesh, name)) save(fileName, bytes);
@@ -66,7 +58,7 @@ test("what the engine cannot do is one line and a finding, not a trace", async (
     ["stats", "many.vtu"],
     ["check", "many.vtu", "--json"],
   ]) {
-    const { code, stderr, stdout } = await tetrafront(folder, args, { env });
+    const { code, stderr, stdout } = await tetrafront(folder.path, args, { env });
     expect(stderr).not.toMatch(/^ +at /m);
     expect(code).toBe(1);
     if (args[0] === "stats") expect(stderr).toMatch(/^tetrafront: error: many.vtu: The engine's memory.*\n$/);
@@ -77,7 +69,7 @@ test("what the engine cannot do is one line and a finding, not a trace", async (
 test("a batch that is stopped ends its processes and still reports", async () => {
   for (const name of ["a.stl", "b.stl", "c.stl"]) save(name, stlBinary(boxSurface(1)));
   const args = ["mesh", "a.stl", "b.stl", "c.stl", "-o", "{name}.vtu", "-j", "2", "--report", "all.json"];
-  const { code, stderr } = await tetrafront(folder, [...args, "--size", "0.008", "--refine-surface"], {
+  const { code, stderr } = await tetrafront(folder.path, [...args, "--size", "0.008", "--refine-surface"], {
     started: (child) => setTimeout(() => child.kill("SIGTERM"), 3000),
   });
   expect(code).toBe(1);
@@ -106,7 +98,9 @@ test("sizes that are proposed again are not added again", async () => {
 });
 
 test("a project may come by a stream, and an unknown name is told of --from", async () => {
-  const covered = await tetrafront(folder, ["cover", "-", "-o", "-"], { input: writeProject(cubeProject()) });
+  const covered = await tetrafront(folder.path, ["cover", "-", "-o", "-"], {
+    input: writeProject(cubeProject()),
+  });
   expect(covered.code).toBe(0);
   expect(JSON.parse(covered.stdout)).toMatchObject({ format: "tetrafront-project" });
   save("part.dat", "solid");

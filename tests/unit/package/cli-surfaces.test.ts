@@ -1,15 +1,5 @@
 /** The command line and files from anywhere: check, repair, convert, info, stats, streams and batches. */
-import {
-  mkdirSync,
-  mkdtempSync,
-  readdirSync,
-  readFileSync,
-  renameSync,
-  rmSync,
-  symlinkSync,
-  writeFileSync,
-} from "node:fs";
-import { tmpdir } from "node:os";
+import { mkdirSync, readdirSync, readFileSync, renameSync, symlinkSync, writeFileSync } from "node:fs";
 import path from "node:path";
 
 import {
@@ -20,7 +10,7 @@ import {
   type MeshReport,
   type SurfaceInput,
 } from "tetrafront";
-import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
 
 import { expandInputs, splitPattern } from "../../../wasm/src/cli-batch.js";
 import { blockMesh } from "../../support/block-mesh.js";
@@ -28,15 +18,11 @@ import { tetrafront } from "../../support/command-line.js";
 import { cubeProject } from "../../support/projects.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
 import { boxSurface, cavitySurface, joined, sphereSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
 
-let folder: string;
-beforeEach(() => {
-  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-});
-afterEach(() => rmSync(folder, { recursive: true, force: true }));
+const folder = temporaryFolder();
+const { inFolder, save, run } = folder;
 
-const inFolder = (name: string) => path.join(folder, name);
-const save = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
 const jsonIn = (name: string): unknown => JSON.parse(readFileSync(inFolder(name), "utf8"));
 
 async function meshIn(name: string): Promise<FileMesh> {
@@ -57,10 +43,10 @@ describe("--refine-surface", () => {
     const patched = offFile({ points, triangles });
     save("box.off", patched);
     const args = ["mesh", "box.off", "-o", "box.msh", "--size", "0.2", "--report", "box.json"];
-    const coarse = await tetrafront(folder, args);
+    const coarse = await tetrafront(folder.path, args);
     expect(coarse.code).toBe(0);
     expect(coarse.stderr).toContain("--refine-surface");
-    const { code, stderr } = await tetrafront(folder, [...args, "--refine-surface"]);
+    const { code, stderr } = await tetrafront(folder.path, [...args, "--refine-surface"]);
     expect(code).toBe(0);
     expect(stderr).not.toContain("warning");
     const { refinement, triangles: count } = jsonIn("box.json") as MeshReport & {
@@ -69,12 +55,40 @@ describe("--refine-surface", () => {
     expect(refinement.given).toBe(12);
     expect(refinement.triangles).toBe(count);
     expect(refinement.splitEdges).toBe(count / 2 - 6);
-    expect(stderr).toContain(`refined: 12 triangles are ${count}`);
+    expect(stderr).toContain(`refined: 12 triangles before, ${count} after`);
+  });
+
+  test("refuses sizes of which a run could not make so many before it divides anything", async () => {
+    save("box.off", offFile(box));
+    const args = [
+      "mesh",
+      "box.off",
+      "-o",
+      "b.vtu",
+      "--refine-surface",
+      "--size",
+      "0.01",
+      "--report",
+      "r.json",
+    ];
+    const began = performance.now();
+    const { code, stderr } = await tetrafront(folder.path, args);
+    expect(code).toBe(2);
+    // The surface alone, of half a million triangles, would not be too large; dividing it takes many seconds.
+    expect(stderr).toMatch(/about 509\d{5} tetrahedra, the limit is 20000000.*1\.4 times as large/);
+    expect(stderr).not.toMatch(/refined:/);
+    expect(performance.now() - began).toBeLessThan(10_000);
   });
 
   test("without sizes is refused", async () => {
     save("box.off", offFile(box));
-    const { code, stderr } = await tetrafront(folder, ["mesh", "box.off", "-o", "b.vtu", "--refine-surface"]);
+    const { code, stderr } = await tetrafront(folder.path, [
+      "mesh",
+      "box.off",
+      "-o",
+      "b.vtu",
+      "--refine-surface",
+    ]);
     expect(code).toBe(2);
     expect(stderr).toContain("No sizes are given");
   });
@@ -89,18 +103,47 @@ describe("a repair", () => {
     save("cube.json", writeProject(cubeProject()));
     save("block.vtu", (await writeMesh(blockMesh(), "block.vtu"))[0]?.bytes ?? "");
     const args = argsFor({ mesh: "block.vtu", project: "cube.json" });
-    const { code, stderr } = await tetrafront(folder, args);
+    const { code, stderr } = await tetrafront(folder.path, args);
     expect(code).toBe(2);
     expect(stderr).toMatch(/repairs are for surfaces/i);
     expect(stderr).toMatch(told);
   });
 });
 
+test("of one thing every command speaks in the singular, of several in the plural", async () => {
+  const one = "MeshVersionFormatted 2\nDimension 3\nVertices 4\n0 0 0 1\n1 0 0 1\n0 1 0 1\n0 0 1 1\n";
+  save("one.mesh", `${one}Triangles 1\n1 3 2 1\nTetrahedra 1\n1 2 3 4 1\nEnd\n`);
+  save("cube.json", writeProject(cubeProject()));
+  save("box.off", offFile(box));
+  const told = [
+    await run("info", "one.mesh"),
+    await run("info", "cube.json"),
+    await run("stats", "one.mesh"),
+    await run("check", "one.mesh"),
+    await run("convert", "one.mesh", "-o", "one.su2"),
+    await run("convert", "one.mesh", "-o", "one.foam.zip"),
+    await run("cover", "cube.json", "-o", "covered.json", "--shape", "tetrahedron"),
+    await run("check", "one.mesh", "box.off"),
+  ];
+  const said = told.map(({ stdout, stderr }) => stdout + stderr).join("");
+  expect(said).toMatch(/\b1 tetrahedron\b/);
+  expect(said).toMatch(/\b1 triangle\b/);
+  expect(said).toMatch(/\b6 patches\b/);
+  expect(said).not.toMatch(/\b1 (tetrahedra|[a-z]+s)\b/);
+});
+
+test("a box far from the origin shows its sides", async () => {
+  save("far.off", offFile({ points: box.points.map((x) => 3e7 + 0.25 * x), triangles: box.triangles }));
+  const inFull = "box (30000000, 30000000, 30000000) to (30000000.25, 30000000.5, 30000000.75)";
+  expect((await run("check", "far.off")).stderr).toContain(inFull);
+  expect((await run("info", "far.off")).stdout).toContain(inFull);
+});
+
 describe("check", () => {
   test("tells what reads the same once, with how often", async () => {
     const { points, triangles } = boxSurface(3);
     save("tiny.off", offFile({ points: points.map((x) => 1e-90 * x), triangles }));
-    const { code, stderr } = await tetrafront(folder, ["check", "tiny.off"]);
+    const { code, stderr } = await tetrafront(folder.path, ["check", "tiny.off"]);
     expect(code).toBe(2);
     // As often as there are nodes with such coordinates; where problems have places of their own each is told.
     expect(stderr.match(/has the coordinate/g)).toHaveLength(1);
@@ -112,13 +155,13 @@ describe("check", () => {
 
   test("says what enclosed parts are taken for", async () => {
     const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.75, 0.75, 0.75]);
-    writeFileSync(path.join(folder, "core.off"), offFile(joined(boxSurface(2), inside)));
+    writeFileSync(path.join(folder.path, "core.off"), offFile(joined(boxSurface(2), inside)));
     for (const [meaning, bodies] of [
       ["regions", 2],
       ["cavities", 1],
     ] as const) {
       const args = ["check", "core.off", "--enclosed", meaning, "--json"];
-      const { code, stdout } = await tetrafront(folder, args);
+      const { code, stdout } = await tetrafront(folder.path, args);
       expect(code).toBe(0);
       expect(JSON.parse(stdout)).toMatchObject({ inspection: { bodies, cavities: 2 - bodies } });
     }
@@ -126,7 +169,7 @@ describe("check", () => {
 
   test("tells the figures of a sound surface and ends with 0", async () => {
     save("part.off", offFile(cavitySurface(10)));
-    const { code, stderr } = await tetrafront(folder, ["check", "part.off"]);
+    const { code, stderr } = await tetrafront(folder.path, ["check", "part.off"]);
     expect(code).toBe(0);
     expect(stderr).toContain("part.off: closed, manifold, free of crossings\n");
     expect(stderr).toContain("part.off: 1 body, 1 cavity\n");
@@ -135,10 +178,10 @@ describe("check", () => {
 
   test("lists every problem with ids and place, as text and as JSON, and ends with 2", async () => {
     save("open.off", offFile(without(box, 1)));
-    const text = await tetrafront(folder, ["check", "open.off"]);
+    const text = await tetrafront(folder.path, ["check", "open.off"]);
     expect(text.code).toBe(2);
     expect(text.stderr.match(/error: open\.off: .* at \(/g)).toHaveLength(3);
-    const { code, stdout } = await tetrafront(folder, ["check", "open.off", "--json"]);
+    const { code, stdout } = await tetrafront(folder.path, ["check", "open.off", "--json"]);
     expect(code).toBe(2);
     expect(JSON.parse(stdout)).toMatchObject({
       input: "open.off",
@@ -151,7 +194,7 @@ describe("check", () => {
   test("says what a repair would change, and what then remains; the file stays", async () => {
     const file = offFile(without(box, 1));
     save("open.off", file);
-    const { code, stderr } = await tetrafront(folder, ["check", "open.off", "--fill-holes", "3"]);
+    const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", "3"]);
     expect(code).toBe(0);
     expect(stderr).toContain("repair: open.off: filled a hole with 1 triangle from ");
     expect(stderr).toContain("no problems");
@@ -162,9 +205,9 @@ describe("check", () => {
 describe("mesh", () => {
   test("never repairs unasked, and lists the repairs in its report", async () => {
     save("open.off", offFile(without(box, 1)));
-    const asIs = await tetrafront(folder, ["mesh", "open.off", "-o", "a.vtu"]);
+    const asIs = await tetrafront(folder.path, ["mesh", "open.off", "-o", "a.vtu"]);
     expect(asIs.code).toBe(2);
-    const { code } = await tetrafront(folder, [
+    const { code } = await tetrafront(folder.path, [
       ...["mesh", "open.off", "-o", "a.vtu", "--fill-holes", "3", "--report", "a.json", "-q"],
     ]);
     expect(code).toBe(0);
@@ -173,17 +216,17 @@ describe("mesh", () => {
 
   test("reads standard input and writes standard output", async () => {
     save("part.off", offFile(box));
-    const named = await tetrafront(folder, ["mesh", "part.off", "-o", "part.vtk"]);
+    const named = await tetrafront(folder.path, ["mesh", "part.off", "-o", "part.vtk"]);
     const streamed = await tetrafront(
-      folder,
+      folder.path,
       ["mesh", "-", "--from", "off", "-o", "-", "--to", "vtk", "-q"],
       { input: offFile(box) },
     );
     expect([named.code, streamed.code, streamed.stderr]).toEqual([0, 0, ""]);
     expect(streamed.stdout).toBe(readFileSync(inFolder("part.vtk"), "utf8"));
-    const short = await tetrafront(folder, ["check", "-", "--format", "off"], { input: offFile(box) });
+    const short = await tetrafront(folder.path, ["check", "-", "--format", "off"], { input: offFile(box) });
     expect(short.code).toBe(0);
-    const nameless = await tetrafront(folder, ["mesh", "-", "-o", "a.vtu"]);
+    const nameless = await tetrafront(folder.path, ["mesh", "-", "-o", "a.vtu"]);
     expect(nameless.code).toBe(2);
     expect(nameless.stderr).toMatch(/a stream has no name.*--format/i);
   });
@@ -193,7 +236,7 @@ describe("mesh", () => {
     const counts = await Promise.all(
       [[], ["--source", "0.5,0.5,0.5,0.05,0.1"], ["--size", "0.4", "--source", "0.5,0.5,0.5,0.05,0.1"]].map(
         async (more, i) => {
-          const { code } = await tetrafront(folder, [
+          const { code } = await tetrafront(folder.path, [
             ...["mesh", "part.off", "-o", `${i}.vtu`, "--report", `${i}.json`, "-q", ...more],
             ...(more.length > 0 ? ["--refine-surface"] : []),
           ]);
@@ -205,7 +248,14 @@ describe("mesh", () => {
     const [plain = 0, source = 0, both = 0] = counts;
     expect(source).toBeGreaterThan(2 * plain);
     expect(both).toBeGreaterThan(2 * plain);
-    const { code, stderr } = await tetrafront(folder, ["mesh", "part.off", "-o", "a.vtu", "--source", "1,2"]);
+    const { code, stderr } = await tetrafront(folder.path, [
+      "mesh",
+      "part.off",
+      "-o",
+      "a.vtu",
+      "--source",
+      "1,2",
+    ]);
     expect([code, /the source is "1,2"/i.test(stderr)]).toEqual([2, true]);
   });
 });
@@ -214,7 +264,7 @@ describe("a batch", () => {
   test("does what is named twice once", async () => {
     save("twice.off", offFile(box));
     const file = inFolder("twice.off");
-    expect(await expandInputs([file, `${folder}/./twice.off`, "-"])).toEqual([file, "-"]);
+    expect(await expandInputs([file, `${folder.path}/./twice.off`, "-"])).toEqual([file, "-"]);
   });
 
   test("meshes what a pattern finds, one process each, one report for all", async () => {
@@ -223,7 +273,7 @@ describe("a batch", () => {
     save("parts/a.off", offFile(box));
     save("parts/b.stl", stlBinary(box));
     save("parts/c.off", offFile(without(box, 1)));
-    const { code, stderr } = await tetrafront(folder, [
+    const { code, stderr } = await tetrafront(folder.path, [
       ...["mesh", "parts/*.*", "-o", "out/{name}.vtu", "--jobs", "2", "--report", "all.json"],
     ]);
     expect(code).toBe(2);
@@ -251,7 +301,7 @@ describe("a batch", () => {
     mkdirSync(inFolder("parts (1)"));
     save("parts (1)/a.off", offFile(box));
     for (const pattern of ["parts (1)/*.off", inFolder("parts (1)/?.off"), "*/a.{off,stl}"]) {
-      const { code, stderr } = await tetrafront(folder, ["check", pattern]);
+      const { code, stderr } = await tetrafront(folder.path, ["check", pattern]);
       expect([code, stderr.includes("a.off: closed, manifold")]).toEqual([0, true]);
     }
   });
@@ -259,7 +309,7 @@ describe("a batch", () => {
   test("tells of its files in their order, however long each takes", async () => {
     save("slow.off", offFile(sphereSurface(16)));
     for (const name of ["b.off", "c.off"]) save(name, offFile(box));
-    const { code, stderr } = await tetrafront(folder, [
+    const { code, stderr } = await tetrafront(folder.path, [
       ...["mesh", "slow.off", "b.off", "c.off", "-o", "{name}.vtu", "-j", "3"],
     ]);
     expect(code).toBe(0);
@@ -277,7 +327,7 @@ describe("a batch", () => {
   ])("with %s is refused", async (_, args, message) => {
     save("a.off", offFile(box));
     save("b.off", offFile(box));
-    const { code, stderr } = await tetrafront(folder, args);
+    const { code, stderr } = await tetrafront(folder.path, args);
     expect(stderr).toMatch(message);
     expect(code).toBe(2);
   });
@@ -286,32 +336,32 @@ describe("a batch", () => {
 describe("convert, info and stats", () => {
   test("of a volume mesh keep its elements", async () => {
     save("part.off", offFile(box));
-    await tetrafront(folder, ["mesh", "part.off", "-o", "part.vtu", "--report", "r.json", "-q"]);
+    await tetrafront(folder.path, ["mesh", "part.off", "-o", "part.vtu", "--report", "r.json", "-q"]);
     const { tetrahedra, dihedral } = jsonIn("r.json") as MeshReport;
-    expect((await tetrafront(folder, ["convert", "part.vtu", "-o", "part.msh"])).code).toBe(0);
+    expect((await tetrafront(folder.path, ["convert", "part.vtu", "-o", "part.msh"])).code).toBe(0);
     const mesh = await meshIn("part.msh");
     expect(mesh.tetrahedra).toHaveLength(4 * tetrahedra);
-    const info = await tetrafront(folder, ["info", "part.msh", "--json"]);
+    const info = await tetrafront(folder.path, ["info", "part.msh", "--json"]);
     expect(JSON.parse(info.stdout)).toMatchObject({ tetrahedra, box: { low: [0, 0, 0], high: [1, 2, 3] } });
-    const stats = await tetrafront(folder, ["stats", "part.msh", "--json"]);
+    const stats = await tetrafront(folder.path, ["stats", "part.msh", "--json"]);
     const found = JSON.parse(stats.stdout) as MeshReport & { boundaryTriangles: number; isSound: boolean };
     expect(found).toMatchObject({ isSound: true, tetrahedra, boundaryTriangles: box.triangles.length / 3 });
     expect(found.dihedral.min).toBeCloseTo(dihedral.min, 9);
     expect(found.volume).toBeCloseTo(6, 12);
-    const text = await tetrafront(folder, ["stats", "part.vtu"]);
+    const text = await tetrafront(folder.path, ["stats", "part.vtu"]);
     expect(text.stdout).toMatch(/ 60° to 65° +#+ \d+/);
   });
 
   test("tell the version that a file has, whatever its name", async () => {
     save("part.off", offFile(box));
-    await tetrafront(folder, ["mesh", "part.off", "-o", "old.msh2", "-q"]);
-    await tetrafront(folder, ["mesh", "part.off", "-o", "new.msh", "-q"]);
+    await tetrafront(folder.path, ["mesh", "part.off", "-o", "old.msh2", "-q"]);
+    await tetrafront(folder.path, ["mesh", "part.off", "-o", "new.msh", "-q"]);
     renameSync(inFolder("old.msh2"), inFolder("old.msh"));
     for (const [name, format] of [
       ["old.msh", "Gmsh 2.2"],
       ["new.msh", "Gmsh 4.1"],
     ] as const) {
-      const { stdout } = await tetrafront(folder, ["info", name, "--json"]);
+      const { stdout } = await tetrafront(folder.path, ["info", name, "--json"]);
       expect(JSON.parse(stdout)).toMatchObject({ format });
     }
   });
@@ -321,21 +371,23 @@ describe("convert, info and stats", () => {
     const vertices = "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n";
     const mesh = (...tetrahedra: string[]) =>
       `${head}${vertices}Tetrahedra\n${tetrahedra.length}\n${tetrahedra.map((line) => `${line} 1\n`).join("")}End\n`;
-    const note = /note: mixed\.mesh: 1 of 2 tetrahedra were inverted against the others, and were turned/;
+    const note = /note: mixed\.mesh: turned, as inverted against the others: 1 of 2 tetrahedra/;
     save("mixed.mesh", mesh("1 2 3 4", "1 2 3 5"));
     save("alike.mesh", mesh("2 1 3 4", "1 2 3 5"));
-    expect((await tetrafront(folder, ["convert", "mixed.mesh", "-o", "a.vtu"])).stderr).toMatch(note);
-    expect((await tetrafront(folder, ["convert", "alike.mesh", "-o", "b.vtu"])).stderr).not.toMatch(/note/);
-    const stats = await tetrafront(folder, ["stats", "mixed.mesh", "--json"]);
+    expect((await tetrafront(folder.path, ["convert", "mixed.mesh", "-o", "a.vtu"])).stderr).toMatch(note);
+    expect((await tetrafront(folder.path, ["convert", "alike.mesh", "-o", "b.vtu"])).stderr).not.toMatch(
+      /note/,
+    );
+    const stats = await tetrafront(folder.path, ["stats", "mixed.mesh", "--json"]);
     expect(JSON.parse(stats.stdout)).toMatchObject({ isSound: true, turnedInFile: 1 });
     expect((await meshIn("a.vtu")).turnedTetrahedra).toBe(0);
   });
 
   test("refuse what they cannot do in one line", async () => {
     save("part.off", offFile(box));
-    const surface = await tetrafront(folder, ["stats", "part.off"]);
+    const surface = await tetrafront(folder.path, ["stats", "part.off"]);
     expect([surface.code, surface.stderr.trim().split("\n").length]).toEqual([2, 1]);
-    const same = await tetrafront(folder, ["convert", "part.off", "-o", "part.off"]);
+    const same = await tetrafront(folder.path, ["convert", "part.off", "-o", "part.off"]);
     expect(same.code).toBe(2);
   });
 });
@@ -394,11 +446,11 @@ describe("what would be written over is refused before any work:", () => {
       save(name, "old");
     symlinkSync("b.stl", inFolder("c.stl"));
     symlinkSync("part.mesh", inFolder("link.mesh"));
-    const before = contentsOf(folder);
-    const { code, stderr, stdout } = await tetrafront(folder, args);
+    const before = contentsOf(folder.path);
+    const { code, stderr, stdout } = await tetrafront(folder.path, args);
     expect(stderr).toMatch(message);
     expect([code, stdout]).toEqual([2, ""]);
-    expect(contentsOf(folder)).toEqual(before);
+    expect(contentsOf(folder.path)).toEqual(before);
   });
 
   const contentsOf = (where: string) =>
@@ -415,14 +467,16 @@ test("a reader that goes away ends the command quietly, as shells know it", asyn
     ["check", "part.off", "--json"],
     ["mesh", "part.off", "-o", "-", "--to", "vtu", "-q"],
   ]) {
-    const { code, stderr } = await tetrafront(folder, args, { started: (child) => child.stdout?.destroy() });
+    const { code, stderr } = await tetrafront(folder.path, args, {
+      started: (child) => child.stdout?.destroy(),
+    });
     expect([code, stderr]).toEqual([141, ""]);
   }
 });
 
 test("each command teaches by examples", async () => {
   for (const command of ["mesh", "check", "convert", "info", "stats", "cover", "propose"]) {
-    const { code, stdout } = await tetrafront(folder, [command, "--help"]);
+    const { code, stdout } = await tetrafront(folder.path, [command, "--help"]);
     expect(code).toBe(0);
     expect(stdout).toMatch(new RegExp(`Exit code\n[^]*Examples\n  tetrafront ${command} `));
   }

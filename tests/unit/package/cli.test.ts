@@ -1,9 +1,7 @@
-import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
-import path from "node:path";
+import { mkdirSync, readdirSync, readFileSync } from "node:fs";
 
 import { writeProject, type MeshReport, type SurfaceInput, type VolumeMesh } from "tetrafront";
-import { afterEach, beforeEach, describe, expect, test } from "vitest";
+import { beforeEach, describe, expect, test } from "vitest";
 
 import { enclosedVolume, faultsOf, meshVolume, NO_FAULTS } from "../../support/check-mesh.js";
 import { tetrafront, type CommandResult } from "../../support/command-line.js";
@@ -11,15 +9,11 @@ import { parseMsh, parseVtu } from "../../support/mesh-files.js";
 import { cubeProject } from "../../support/projects.js";
 import { offFile, stlBinary, stlText } from "../../support/surface-files.js";
 import { boxSurface, joined, sphereSurface } from "../../support/surfaces.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
 
-let folder: string;
-beforeEach(() => {
-  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-});
-afterEach(() => rmSync(folder, { recursive: true, force: true }));
+const folder = temporaryFolder();
+const { inFolder, save } = folder;
 
-const inFolder = (name: string) => path.join(folder, name);
-const save = (name: string, content: string | Uint8Array) => writeFileSync(inFolder(name), content);
 const bytesOf = (name: string) => new Uint8Array(readFileSync(inFolder(name)));
 const reportIn = (name: string) => JSON.parse(readFileSync(inFolder(name), "utf8")) as MeshReport;
 
@@ -53,7 +47,7 @@ describe("meshing", () => {
     ["PART.STL", stlText(sphere), sphere],
   ])("a surface in %s gives a valid mesh and a report", async (name, file, surface) => {
     save(name, file);
-    const { code, stdout, stderr } = await tetrafront(folder, [
+    const { code, stdout, stderr } = await tetrafront(folder.path, [
       "mesh",
       name,
       "-o",
@@ -75,12 +69,12 @@ describe("meshing", () => {
       input: name,
       output: "out.vtu",
     });
-    expect(readdirSync(folder).sort()).toEqual([name, "out.vtu", "r.json"].sort());
+    expect(readdirSync(folder.path).sort()).toEqual([name, "out.vtu", "r.json"].sort());
   });
 
   test("a project gives a Gmsh file with its patches by name", async () => {
     save("cube.json", writeProject(cubeProject()));
-    const { code } = await tetrafront(folder, ["mesh", "cube.json", "-o", "cube.msh", "--quiet"]);
+    const { code } = await tetrafront(folder.path, ["mesh", "cube.json", "-o", "cube.msh", "--quiet"]);
     expect(code).toBe(0);
     const read = parseMsh(bytesOf("cube.msh"));
     expect(read.triangles.map(({ name }) => name)).toEqual([
@@ -96,7 +90,7 @@ describe("meshing", () => {
 
   test("a surface gives a Gmsh file with its shells by number", async () => {
     save("two.off", offFile(joined(boxSurface(2), boxSurface(2, [3, 0, 0], [4, 1, 1]))));
-    expect((await tetrafront(folder, ["mesh", "two.off", "-o", "two.msh", "-q"])).code).toBe(0);
+    expect((await tetrafront(folder.path, ["mesh", "two.off", "-o", "two.msh", "-q"])).code).toBe(0);
     const read = parseMsh(bytesOf("two.msh"));
     expect(read.triangles.map(({ name }) => name)).toEqual(["shell 1", "shell 2"]);
     expect(read.tetrahedra.map(({ name }) => name)).toEqual(["region 1", "region 2"]);
@@ -105,7 +99,7 @@ describe("meshing", () => {
   test("the report on standard output is all there is on it, and has every figure", async () => {
     save("cube.json", writeProject(cubeProject()));
     const args = ["mesh", "cube.json", "-o", "cube.vtu", "--size", "0.5", "--report", "-"];
-    const { code, stdout } = await tetrafront(folder, args);
+    const { code, stdout } = await tetrafront(folder.path, args);
     expect(code).toBe(0);
     const report = JSON.parse(stdout) as MeshReport;
     expect(Object.keys(report.seconds).sort()).toEqual([
@@ -125,8 +119,8 @@ describe("meshing", () => {
 
   test("--size replaces the background grid", async () => {
     save("cube.json", writeProject(cubeProject(0.5)));
-    await tetrafront(folder, ["mesh", "cube.json", "-o", "a.vtu", "--report", "a.json"]);
-    await tetrafront(folder, ["mesh", "cube.json", "-o", "b.vtu", "--report", "b.json", "-s", "0.2"]);
+    await tetrafront(folder.path, ["mesh", "cube.json", "-o", "a.vtu", "--report", "a.json"]);
+    await tetrafront(folder.path, ["mesh", "cube.json", "-o", "b.vtu", "--report", "b.json", "-s", "0.2"]);
     expect(reportIn("b.json").tetrahedra).toBeGreaterThan(4 * reportIn("a.json").tetrahedra);
   });
 
@@ -135,15 +129,15 @@ describe("meshing", () => {
     save("out.vtu", "old");
     const open = { ...boxSurface(2), triangles: boxSurface(2).triangles.subarray(3) };
     save("open.off", offFile(open));
-    expect((await tetrafront(folder, ["mesh", "open.off", "-o", "out.vtu"])).code).toBe(2);
+    expect((await tetrafront(folder.path, ["mesh", "open.off", "-o", "out.vtu"])).code).toBe(2);
     expect(readFileSync(inFolder("out.vtu"), "utf8")).toBe("old");
-    expect((await tetrafront(folder, ["mesh", "cube.off", "-o", "out.vtu"])).code).toBe(0);
+    expect((await tetrafront(folder.path, ["mesh", "cube.off", "-o", "out.vtu"])).code).toBe(0);
     expect(bytesOf("out.vtu").length).toBeGreaterThan(1000);
   });
 
   test("--quiet says nothing where nothing is wrong", async () => {
     save("cube.off", offFile(boxSurface(1)));
-    expect(await tetrafront(folder, ["mesh", "cube.off", "-o", "out.vtu", "--quiet"])).toEqual({
+    expect(await tetrafront(folder.path, ["mesh", "cube.off", "-o", "out.vtu", "--quiet"])).toEqual({
       code: 0,
       stdout: "",
       stderr: "",
@@ -157,7 +151,7 @@ describe("an interrupt", () => {
     save("large.off", offFile(sphereSurface(80)));
     const command = ["mesh", "large.off", "-o", "out.vtu", "--report", "r.json", ...args];
     const run = (wait: number) =>
-      tetrafront(folder, command, { started: (child) => setTimeout(() => child.kill("SIGINT"), wait) });
+      tetrafront(folder.path, command, { started: (child) => setTimeout(() => child.kill("SIGINT"), wait) });
     let wait = milliseconds;
     let result = await run(wait);
     // No code: the signal ended a program that did not listen to it yet.
@@ -172,7 +166,7 @@ describe("an interrupt", () => {
     expect(reportIn("r.json").seconds.total).toBeGreaterThan(0);
     // Of no elements there are no angles.
     expect(/dihedral/.test(stderr)).toBe(reportIn("r.json").tetrahedra > 0);
-    expect(readdirSync(folder).sort()).toEqual(["large.off", "r.json"]);
+    expect(readdirSync(folder.path).sort()).toEqual(["large.off", "r.json"]);
   });
 
   test("with --keep-partial leaves what exists", async () => {
@@ -216,7 +210,7 @@ describe("bad input ends with code 2 and one line:", () => {
     const cube = cubeProject();
     const lines = cube.lines.map((line) => (line.id === 1 ? { ...line, points: [1, 99] } : line));
     save("wrong.json", writeProject({ ...cube, lines }));
-    expectComplaint(await tetrafront(folder, args(name, "--report", "r.json")), name, message);
+    expectComplaint(await tetrafront(folder.path, args(name, "--report", "r.json")), name, message);
     expect(reportIn("r.json")).toMatchObject({ status: "invalid-input", tetrahedra: 0, output: null });
     expect(reportIn("r.json").diagnostics.length).toBeGreaterThan(0);
   });
@@ -224,7 +218,7 @@ describe("bad input ends with code 2 and one line:", () => {
   test("an open surface, with the triangle and the place", async () => {
     const { points, triangles } = boxSurface(1);
     save("open.off", offFile({ points, triangles: triangles.subarray(0, triangles.length - 3) }));
-    const result = await tetrafront(folder, args("open.off", "--quiet", "--report", "r.json"));
+    const result = await tetrafront(folder.path, args("open.off", "--quiet", "--report", "r.json"));
     expect(result.code).toBe(2);
     expect(result.stderr).toMatch(/^tetrafront: error: open\.off: .*triangle \d+.* at \(.*\)/);
     expect(reportIn("r.json").diagnostics[0]).toMatchObject({ code: "open-edge", severity: "error" });
@@ -232,12 +226,16 @@ describe("bad input ends with code 2 and one line:", () => {
 
   test("a project without a grid and without --size", async () => {
     save("bare.json", writeProject({ ...cubeProject(), background: { nodes: [], tetrahedra: [] } }));
-    expectComplaint(await tetrafront(folder, args("bare.json")), "bare.json", /no background grid.*--size/);
-    expect((await tetrafront(folder, args("bare.json", "--size", "0.5"))).code).toBe(0);
+    expectComplaint(
+      await tetrafront(folder.path, args("bare.json")),
+      "bare.json",
+      /no background grid.*--size/,
+    );
+    expect((await tetrafront(folder.path, args("bare.json", "--size", "0.5"))).code).toBe(0);
   });
 
   test.each(["NaN", "0", "-1", "Infinity", "", "large", "1e", "0x"])("--size %j", async (size) => {
-    const result = await tetrafront(folder, args("cube.off", `--size=${size}`, "--report", "r.json"));
+    const result = await tetrafront(folder.path, args("cube.off", `--size=${size}`, "--report", "r.json"));
     expect(result.code).toBe(2);
     expect(result.stderr).toMatch(/^tetrafront: error: [^\n]*\. Give [^\n]*\.\n$/);
     expect(reportIn("r.json").status).toBe("invalid-input");
@@ -256,11 +254,11 @@ describe("bad input ends with code 2 and one line:", () => {
     ],
   ])("%s", async (_, more, message) => {
     mkdirSync(inFolder("taken.vtu"));
-    const result = await tetrafront(folder, ["mesh", ...more]);
+    const result = await tetrafront(folder.path, ["mesh", ...more]);
     expect(result).toMatchObject({ code: 2, stdout: "" });
     expect(result.stderr).toMatch(message);
     expect(result.stderr.split("\n")).toHaveLength(2);
-    expect(readdirSync(folder).sort()).toEqual(["cube.off", "taken.vtu"]);
+    expect(readdirSync(folder.path).sort()).toEqual(["cube.off", "taken.vtu"]);
   });
 
   test.each<[string, string[]]>([
@@ -272,14 +270,14 @@ describe("bad input ends with code 2 and one line:", () => {
     ["an unknown optimization", ["mesh", "cube.off", "-o", "out.vtu", "--optimize", "much"]],
     ["an unknown command", ["refine", "cube.off"]],
   ])("%s", async (_, words) => {
-    const result = await tetrafront(folder, words);
+    const result = await tetrafront(folder.path, words);
     expect(result).toMatchObject({ code: 2, stdout: "" });
     expect(result.stderr).toMatch(/^tetrafront: error: [^\n]*--help\n$/);
   });
 });
 
 test("--help teaches, --version tells, both with code 0", async () => {
-  const help = await tetrafront(folder, ["mesh", "--help"]);
+  const help = await tetrafront(folder.path, ["mesh", "--help"]);
   expect(help).toMatchObject({ code: 0, stderr: "" });
   for (const word of [
     "--output",
@@ -294,6 +292,6 @@ test("--help teaches, --version tells, both with code 0", async () => {
   ]) {
     expect(help.stdout).toContain(word);
   }
-  expect((await tetrafront(folder, ["--help"])).stdout).toContain("mesh");
-  expect((await tetrafront(folder, ["--version"])).stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
+  expect((await tetrafront(folder.path, ["--help"])).stdout).toContain("mesh");
+  expect((await tetrafront(folder.path, ["--version"])).stdout).toMatch(/^\d+\.\d+\.\d+\n$/);
 });

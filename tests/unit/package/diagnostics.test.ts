@@ -39,6 +39,30 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
   });
 });
 
+describe("of one thing it is said in the singular:", () => {
+  test.each(Object.entries(ENGINE_CODES))("code %s, %s", (code) => {
+    const values = Float64Array.of(1, 1, 1);
+    for (const entities of [new Uint32Array(), rich.entities.slice(0, 2), Uint32Array.of(5, 1)]) {
+      const said = describeDiagnostic({ ...bare, code: Number(code), entities, values }, nameByPosition);
+      const singular =
+        /\b1 (points|lines|sides|triangles|faces|tetrahedra|places|regions|cavities|nodes|edges)\b/;
+      expect(said.message).not.toMatch(singular);
+      expect(said.remedy).not.toMatch(singular);
+    }
+  });
+});
+
+test("the remedy of turned triangles tells of regions where these would take them", () => {
+  const remedy = (isBetweenSpaces: number) =>
+    describeDiagnostic(
+      { ...bare, code: 50, entities: Uint32Array.of(5, 1), values: Float64Array.of(isBetweenSpaces, 3) },
+      nameByPosition,
+    ).remedy;
+  expect(remedy(1)).toMatch(/--repair.*--enclosed regions/);
+  expect(remedy(0)).toMatch(/--repair/);
+  expect(remedy(0)).not.toMatch(/regions/);
+});
+
 test("a coordinate too large to compute with is not said to be no number", () => {
   const said = (value: number) =>
     describeDiagnostic(

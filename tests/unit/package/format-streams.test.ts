@@ -56,6 +56,14 @@ describe("a source of bytes", () => {
   const file = stlText(sphereSurface(4));
   const whole = async () => valueOf(await readSurface(file, { fileName: "a.stl" }));
 
+  test("may be a Blob of another realm, which is no instance of this one's", async () => {
+    const blob = new Blob([file.slice()]);
+    const foreign = { size: blob.size, type: "", stream: () => blob.stream() };
+    expect(valueOf(await readSurface(foreign as unknown as Blob, { fileName: "a.stl" }))).toEqual(
+      await whole(),
+    );
+  });
+
   test("may be an ArrayBuffer, a Blob, a stream of the web, or an iterator that waits", async () => {
     const blob = new Blob([file.slice()]);
     async function* slow(): AsyncGenerator<Uint8Array> {

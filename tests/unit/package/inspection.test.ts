@@ -11,6 +11,7 @@ import {
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { enclosedVolume } from "../../support/check-mesh.js";
+import { randomSource } from "../../support/random.js";
 import { boxSurface, cavitySurface, joined, sphereSurface, turned } from "../../support/surfaces.js";
 
 let mesher: Mesher;
@@ -125,6 +126,43 @@ describe("the inspection of a surface", () => {
     expect(report.status).toBe("done");
     expect(fractions.at(-1)).toBe(1);
   });
+});
+
+test("what is closed has edges, and no problem says that it is not", async () => {
+  const random = randomSource(5);
+  const below = (limit: number) => random() % limit;
+  const found = { closed: 0, open: 0 };
+  for (let i = 0; i < 300; i++) {
+    const triangles = Array.from({ length: 12 }, (_, t) => [
+      ...boxSurface(1).triangles.slice(3 * t, 3 * t + 3),
+    ]);
+    for (let k = below(3); k >= 0; k--) {
+      const t = below(triangles.length);
+      const [a = 0, b = 0, c = 0] = triangles[t] ?? [];
+      if (k === 0 && i % 3 === 0) triangles.splice(t, 1);
+      else if (i % 3 === 1) triangles.push(below(2) === 0 ? [a, b, c] : [c, b, a]);
+      else triangles[t] = below(2) === 0 ? [b, a, c] : [a, a, below(8)];
+    }
+    const given = i === 0 ? triangles.map(([a = 0]) => [a, a, a]) : triangles;
+    const surface = { points: boxSurface(1).points, triangles: Uint32Array.from(given.flat()) };
+    const { isClosed, edges, diagnostics } = await mesher.inspectSurface(surface);
+    expect(isClosed).toBe(edges > 0 && diagnostics.every(({ code }) => code !== "open-edge"));
+    if (isClosed) expect(diagnostics.map(({ message }) => message).join("\n")).not.toMatch(/not closed/i);
+    found[isClosed ? "closed" : "open"]++;
+  }
+  expect(found.closed).toBeGreaterThan(20);
+  expect(found.open).toBeGreaterThan(20);
+});
+
+test("triangles between two spaces that are turned are told of regions, which take them", async () => {
+  const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.5, 0.5, 0.5]);
+  const triangles = inside.triangles.slice();
+  triangles.set([inside.triangles[1] ?? 0, inside.triangles[0] ?? 0], 0);
+  const nested = joined(box, { points: inside.points, triangles });
+  const { diagnostics } = await mesher.inspectSurface(nested);
+  expect(new Set(diagnostics.map(({ code }) => code))).toEqual(new Set(["turned-triangle"]));
+  for (const { remedy } of diagnostics) expect(remedy).toMatch(/--enclosed regions/);
+  expect((await mesher.inspectSurface(nested, { enclosed: "regions" })).isFillable).toBe(true);
 });
 
 describe("a repair", () => {

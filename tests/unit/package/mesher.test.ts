@@ -360,6 +360,18 @@ describe("a preview", () => {
     expect(preview.diagnostics.map(({ entities }) => entities[0]?.label)).toContain('patch "bottom"');
   });
 
+  test("names the background node that is not there", async () => {
+    const cube = cubeProject();
+    const [first = [1, 2, 3, 4], ...rest] = cube.background.tetrahedra;
+    const tetrahedra = [[first[0], first[1], 4711, first[3]] as const, ...rest];
+    const { diagnostics } = await mesher.previewProject({
+      ...cube,
+      background: { ...cube.background, tetrahedra },
+    });
+    const missing = diagnostics.find(({ code }) => code === "index-out-of-range");
+    expect(missing?.message).toMatch(/tetrahedron 0.* refers to background node 4711, which does not exist/);
+  });
+
   test("is answered while a run is under way", async () => {
     let running = true;
     const run = mesher.fillSurface(sphereSurface(40)).finally(() => (running = false));

@@ -95,6 +95,6 @@ test("Nastran: points that its characters make one are counted", async () => {
     const [file] = await writeMesh(moved(shift), "a.bdf");
     return file?.notes.map(({ message }) => message).join() ?? "";
   };
-  expect(await told(0)).not.toMatch(/fall on others/);
-  expect(await told(1e15)).toMatch(/^\d+ of the points fall on others, for the format has 16 characters/);
+  expect(await told(0)).not.toMatch(/came to lie on others/);
+  expect(await told(1e15)).toMatch(/^\d+ points? came to lie on others, for the format has 16 characters/);
 });

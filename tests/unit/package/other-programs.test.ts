@@ -1,15 +1,15 @@
 /** What is written is read by meshio and by Gmsh, and what meshio writes is read, where Python has them. */
 import { spawnSync } from "node:child_process";
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
 import { readMesh, writeMesh, type FileMesh } from "tetrafront";
-import { afterAll, beforeAll, describe, expect, test } from "vitest";
+import { describe, expect, test } from "vitest";
 
 import { boundaryOf } from "../../../wasm/src/formats/boundary.js";
 import { blockMesh, taggedElements } from "../../support/block-mesh.js";
+import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const python = process.env["TETRAFRONT_PYTHON"] ?? "python3";
 const script = fileURLToPath(new URL("../../support/read_mesh.py", import.meta.url));
@@ -32,16 +32,12 @@ interface ReadMesh {
 }
 
 const mesh = blockMesh();
-let folder: string;
-beforeAll(() => {
-  folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
-});
-afterAll(() => rmSync(folder, { recursive: true, force: true }));
+const folder = temporaryFolder("all tests");
 
 async function save(fileName: string, given: FileMesh = mesh): Promise<string> {
-  for (const file of await writeMesh(given, path.join(folder, fileName)))
+  for (const file of await writeMesh(given, path.join(folder.path, fileName)))
     writeFileSync(file.fileName, file.bytes);
-  return path.join(folder, fileName);
+  return path.join(folder.path, fileName);
 }
 
 async function readByMeshio(fileName: string, format: string, given: FileMesh = mesh): Promise<ReadMesh> {
@@ -184,7 +180,7 @@ if (programs.includes("meshio")) {
         : fileName.endsWith("msh")
           ? "from.msh"
           : "from.vtu";
-      const target = path.join(folder, fileName);
+      const target = path.join(folder.path, fileName);
       const answer = run(["-c", convert, await save(source), target, options]);
       expect(answer).not.toMatch(/^failed/);
       const read = await readMesh(readFileSync(target), { fileName });

@@ -87,14 +87,14 @@ test("SU2: a wall is no marker, and that is said", async () => {
   const markers = markersOf(file);
   expect([...markers.values()].flat().sort()).toEqual(outer);
   expect([...markers.keys()]).not.toContain("baffle");
-  expect(notesOf(file)).toMatch(/8 triangles with a tetrahedron on either side, of "baffle", are left out/);
+  expect(notesOf(file)).toMatch(/Left out: 8 triangles with a tetrahedron on either side, of "baffle"/);
   expect(notesOf(file)).toMatch(/2 regions/);
   expect(file.notes[0]).toMatchObject({ code: "left-out", severity: "information" });
 });
 
 test("UGRID: the triangles are the boundary, outward, and the wall is left out", async () => {
   for (const name of ["a.ugrid", "a.b8.ugrid"]) {
-    expect(notesOf(await written(walled, name))).toMatch(/of "baffle", are left out/);
+    expect(notesOf(await written(walled, name))).toMatch(/Left out: .* of "baffle"/);
   }
   const turned = (face: readonly number[]) => {
     const at = face.indexOf(Math.min(...face));
@@ -157,8 +157,8 @@ test("faces of no patch have one of their own, and triangles of no element are l
   const tags = ugridFaces(await written(odd, "a.ugrid")).map(({ tag }) => tag);
   expect(tags.filter((tag) => !block.patches.some((patch) => patch.tag === tag))).toEqual([51]);
   for (const file of [su2, await written(odd, "a.foam.zip")]) {
-    expect(notesOf(file)).toMatch(/1 triangles that are no face of a tetrahedron are left out/);
-    expect(notesOf(file)).toMatch(/1 faces of one tetrahedron each are of no patch/);
+    expect(notesOf(file)).toMatch(/Left out: 1 triangle on no tetrahedron/);
+    expect(notesOf(file)).toMatch(/Put into ".*": 1 face of one tetrahedron and no patch/);
   }
 });
 
@@ -175,7 +175,7 @@ test("a triangle that is there twice is a face once, with a word", async () => {
   expect(polyMeshFaults(poly)).toEqual([]);
   expect(poly.faces.length - poly.neighbour.length).toBe(outer.length);
   for (const file of [su2, foam])
-    expect(notesOf(file)).toMatch(/2 triangles that repeat another are left out/);
+    expect(notesOf(file)).toMatch(/Left out: 2 triangles in the place of another/);
 });
 
 test("an element so thin that rounding decides how it is turned is accused of nothing", async () => {

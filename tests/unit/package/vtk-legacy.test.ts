@@ -114,7 +114,7 @@ test("cell data are those of lines, polygons and strips, in whatever order these
 });
 
 test.each([
-  ["too few numbers at nodes", "POINT_DATA 3\n", /line \d+: there are 4 points, and data of 3/],
+  ["too few numbers at nodes", "POINT_DATA 3\n", /line \d+: the file has 4 points, and data of 3/],
   [
     "an array of other length",
     "POINT_DATA 4\nFIELD a 1\nsize 1 3 int\n1 2 3\n",

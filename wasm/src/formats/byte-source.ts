@@ -67,7 +67,7 @@ function rawPiecesOf(source: ByteSource): Pieces {
     if (isDetached(source)) throw noBytes("it was transferred");
     return cut(new Uint8Array(source));
   }
-  if (source instanceof Blob) return fromStream(source.stream());
+  if (isBlob(source)) return fromStream(source.stream());
   return "getReader" in source ? fromStream(source) : source;
 }
 
@@ -78,7 +78,7 @@ export function checkSource(source: unknown): asserts source is ByteSource {
     isObject &&
     !(ArrayBuffer.isView(source) && (!isArrayOf(Uint8Array, source) || isDetached(source))) &&
     (isBuffer(source) ||
-      source instanceof Blob ||
+      isBlob(source) ||
       ArrayBuffer.isView(source) ||
       "getReader" in source ||
       Symbol.asyncIterator in source ||
@@ -88,6 +88,11 @@ export function checkSource(source: unknown): asserts source is ByteSource {
 
 function isBuffer(source: object): source is ArrayBuffer {
   return isA("ArrayBuffer", source);
+}
+
+/** By what it does: one of another realm, such as a frame's or a test environment's, has another constructor. */
+function isBlob(source: object): source is Blob {
+  return "stream" in source && typeof source.stream === "function";
 }
 
 function noBytes(why: string): ReadFailure {

@@ -11,6 +11,7 @@ import {
 } from "../argument-checks.js";
 import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
+import { plural } from "../plural.js";
 import type { Project } from "../project-schema.js";
 import type { MeshResult } from "../types.js";
 import { hasPatches } from "./mesh-checks.js";
@@ -116,7 +117,7 @@ export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: 
 function checkSameSurface(triangles: number, given: NameSource["surface"]): void {
   if (given === undefined || triangles === 0 || given.trianglePatch.length === triangles) return;
   if (given.patches.length <= 1 && given.patches.every(isPlain) && given.surfaceRegions === undefined) return;
-  const message = `the surface has ${given.trianglePatch.length} triangles, and that of the mesh ${triangles}`;
+  const message = `the surface has ${plural(given.trianglePatch.length, "triangle")}, and that of the mesh ${triangles}`;
   const remedy =
     "Give the surface that was filled: of a repaired or refined one, what repairedSurface makes of it.";
   refuse([packageDiagnostic("invalid-arrays", message, remedy)]);

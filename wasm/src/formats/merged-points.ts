@@ -1,4 +1,5 @@
 /** What formats lose of coordinates. */
+import { plural } from "../plural.js";
 import type { Note } from "./file-format.js";
 import { PointWelder } from "./weld.js";
 
@@ -10,7 +11,7 @@ export function noteMerged(
   why = "the format has single precision",
 ): void {
   const lost = differentOf(points) - differentOf(written);
-  if (lost > 0) note(`${lost} of the points fall on others, for ${why}`);
+  if (lost > 0) note(`${plural(lost, "point")} came to lie on others, for ${why}`);
 }
 
 function differentOf(points: Float64Array | Float32Array): number {

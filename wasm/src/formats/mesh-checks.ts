@@ -13,6 +13,7 @@ import {
   type Check,
 } from "../argument-checks.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
+import { plural } from "../plural.js";
 import type { Diagnostic } from "../types.js";
 import { NO_REGION } from "../walls.js";
 import type { FileMesh, NodeData } from "./file-mesh.js";
@@ -54,7 +55,8 @@ function faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): string | und
   const data = [...(nodeData as ReadonlyMap<unknown, unknown>)].find(
     ([name, given]) => !isData(name, given, count),
   );
-  if (data !== undefined) return `its numbers ${shown(data[0])} are not so many for each of ${count} nodes`;
+  if (data !== undefined)
+    return `its numbers ${shown(data[0])} are not so many for each of ${plural(count, "node")}`;
   return (
     faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches) ??
     faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions)

@@ -4,6 +4,7 @@
  * of several materials is one patch for each. Normals, texture coordinates, lines and points are
  * read over; polygons are cut into triangles; curves and surfaces that need more than corners are refused.
  */
+import { plural } from "../plural.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
@@ -101,11 +102,11 @@ function readFace(reader: ByteReader, builder: MeshBuilder, patch: number): void
     // From 1; below 0 they count backwards from the last point so far.
     const corner = given < 0 ? count + given : given - 1;
     if (word.startsWith("/") || !Number.isInteger(corner) || corner < 0 || corner >= count) {
-      reader.fail(`"${word.slice(0, 24)}" is no corner among the ${count} points so far`);
+      reader.fail(`"${word.slice(0, 24)}" is no corner among the ${plural(count, "point")} so far`);
     }
     corners.push(corner);
   }
-  if (corners.length < 3) reader.fail(`a face has ${corners.length} corners`);
+  if (corners.length < 3) reader.fail(`a face has ${plural(corners.length, "corner")}`);
   if (!builder.addPolygon(corners, patch)) {
     reader.fail(`a face ${UNCUT}`);
   }

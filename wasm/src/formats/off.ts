@@ -2,6 +2,7 @@
  * OFF (Geomview's object file format), as text or binary: corners by number, `#` begins a comment. Normals and texture
  * coordinates of the variants are read over; faces of one colour are a patch; polygons are cut into triangles.
  */
+import { plural } from "../plural.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";
@@ -94,12 +95,12 @@ async function readBinary(reader: ByteReader, builder: MeshBuilder, extras: numb
   for (let f = 0; f < faceCount; f++) {
     if (reader.isLow) await reader.fill();
     const size = integer("corners");
-    if (size < 3) reader.fail(`face ${f} has ${size} corners`);
+    if (size < 3) reader.fail(`face ${f} has ${plural(size, "corner")}`);
     const corners: number[] = [];
     for (let i = 0; i < size; i++) {
       const corner = reader.integer(4, true);
       if (!(corner >= 0 && corner < pointCount)) {
-        reader.fail(`face ${f} has the corner ${corner}, there are ${pointCount} points`);
+        reader.fail(`face ${f} has the corner ${corner} of ${plural(pointCount, "point")}, counted from 0`);
       }
       corners.push(corner);
     }
@@ -115,7 +116,7 @@ async function readBinary(reader: ByteReader, builder: MeshBuilder, extras: numb
 
 function readFace(reader: ByteReader, builder: MeshBuilder, f: number): void {
   const size = reader.index(`the number of corners of face ${f}`, MAX_COUNT);
-  if (size < 3) reader.fail(`face ${f} has ${size} corners`);
+  if (size < 3) reader.fail(`face ${f} has ${plural(size, "corner")}`);
   const corners: number[] = [];
   for (let i = 0; i < size; i++) corners.push(reader.index(`a corner of face ${f}`, builder.pointCount));
   // A colour may follow: one number of a table, or three or four, from 0 to 1 or from 0 to 255.

@@ -2,6 +2,7 @@
  * The boundary as solvers take it: each face of one tetrahedron once, outward, in a patch. Walls between regions, which
  * have an element on either side, are no boundary; nor are triangles without any.
  */
+import { plural } from "../plural.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { listed } from "./groups.js";
@@ -51,21 +52,21 @@ function noteWalls({ trianglePatch, patches }: FileMesh, walls: readonly number[
   if (walls.length === 0) return;
   const names = new Set(walls.map((t) => `"${patches[trianglePatch[t] ?? 0]?.name ?? ""}"`));
   note(
-    `${walls.length} triangles with a tetrahedron on either side, of ${listed([...names])}, are left out: ` +
-      "the format has faces on the boundary alone",
+    `left out: ${plural(walls.length, "triangle")} with a tetrahedron on either side, of ${listed([...names])}, ` +
+      "for the format has faces on the boundary alone",
   );
 }
 
 export function noteLoose(count: number, note: Note): void {
-  if (count > 0) note(`${count} triangles that are no face of a tetrahedron are left out`);
+  if (count > 0) note(`left out: ${plural(count, "triangle")} on no tetrahedron`);
 }
 
 export function noteRepeated(count: number, note: Note): void {
-  if (count > 0) note(`${count} triangles that repeat another are left out`);
+  if (count > 0) note(`left out: ${plural(count, "triangle")} in the place of another`);
 }
 
 export function noteNameless(count: number, patch: string, note: Note): void {
-  note(`${count} faces of one tetrahedron each are of no patch, and are put into "${patch}"`);
+  note(`put into "${patch}": ${plural(count, "face")} of one tetrahedron and no patch`);
 }
 
 export function noteRegions({ regions }: FileMesh, note: Note): void {

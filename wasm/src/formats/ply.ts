@@ -3,6 +3,7 @@
  * `face` count. Faces are put into patches by their number `patch`, whose names comments may tell, else by their
  * colour; all other properties and elements are read over. Polygons and strips are cut into triangles.
  */
+import { plural } from "../plural.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch } from "./colors.js";
@@ -220,13 +221,13 @@ async function readStrips(reading: PlyReading, { type, countType }: Property): P
 
 function checkCorner({ reader, faces, points }: PlyReading, corner: number): void {
   if (Number.isInteger(corner) && corner >= 0 && corner < points) return;
-  reader.fail(`face ${faces} has the corner ${corner}, there are ${points} points`);
+  reader.fail(`face ${faces} has the corner ${corner} of ${plural(points, "point")}, counted from 0`);
 }
 
 function readCorners(reading: PlyReading, { type, countType }: Property): number[] {
   const { reader, read, faces } = reading;
   const items = reader.count(read(countType ?? ""), "corners");
-  if (items < 3) reader.fail(`face ${faces} has ${items} corners`);
+  if (items < 3) reader.fail(`face ${faces} has ${plural(items, "corner")}`);
   const corners: number[] = [];
   for (let i = 0; i < items; i++) {
     const corner = read(type);

@@ -4,6 +4,7 @@
  * word too, but all of them have zeros in the number of triangles. Solids, and the attributes of binary
  * triangles, become patches; normals are not used.
  */
+import { plural } from "../plural.js";
 import { failureAt, ReadFailure } from "../read-result.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
@@ -57,14 +58,14 @@ async function readBinary(reader: ByteReader): Promise<FileMesh> {
   await reader.fill();
   // Zeros fill up blocks; anything else is what a wrong number would leave out.
   if (reader.ahead >= TRIANGLE_BYTES && reader.peek(TRIANGLE_BYTES).some((byte) => byte !== 0)) {
-    reader.fail(`the file goes on behind the ${count} triangles it announces`);
+    reader.fail(`the file goes on behind the ${plural(count, "triangle")} it announces`);
   }
   return names.given(builder.mesh());
 }
 
 function tooShort(length: number, count: number): ReadFailure {
   const needed = HEADER_BYTES + COUNT_BYTES + TRIANGLE_BYTES * count;
-  const message = `the file ends at byte ${length}, but the ${count} triangles it announces need ${needed} bytes`;
+  const message = `the file ends at byte ${length}, of ${needed} for the ${plural(count, "triangle")} it announces`;
   return new ReadFailure({ message, remedy: REMEDY, offset: length });
 }
 

@@ -1,4 +1,5 @@
 /** Surfaces from files: the triangles of a mesh file, welded. */
+import { plural } from "../plural.js";
 import { ReadFailure } from "../read-result.js";
 import type { SurfaceInput } from "../types.js";
 import { boundaryOf } from "./boundary.js";
@@ -46,7 +47,7 @@ function noTriangles(tetrahedra: number): ReadFailure {
       })
     : new ReadFailure({
         code: "no-triangles",
-        message: `the file holds ${tetrahedra} tetrahedra and no triangle; their outside is not taken for a surface`,
+        message: `the file holds ${plural(tetrahedra, "tetrahedron")} and no triangle; an outside is not taken for a surface`,
         remedy: "Write the boundary's triangles into the file too, or give it as background grid.",
       });
 }

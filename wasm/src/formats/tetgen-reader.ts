@@ -3,6 +3,7 @@
  * or leave them to the `.node` file beside; `.face` and `.ele`, which always need it. Facets are polygons with
  * a boundary marker as patch; tetrahedra have a region attribute. Facets of a `.poly` with holes are refused.
  */
+import { plural } from "../plural.js";
 import { failureIn, ReadFailure } from "../read-result.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
@@ -172,7 +173,7 @@ function readPolygon(reader: ByteReader, points: Points, f: number, marker: numb
   const size = reader.index("the number of corners", MAX_COUNT);
   if (size < 3) {
     // Segments and single points within a facet: no surface.
-    if (marker === undefined) reader.fail(`facet ${f} (counted from 0) has ${size} corners`);
+    if (marker === undefined) reader.fail(`facet ${f} (counted from 0) has ${plural(size, "corner")}`);
     reader.skipLine();
     return;
   }

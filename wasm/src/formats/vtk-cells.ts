@@ -1,4 +1,5 @@
 /** VTK's cells: triangles, polygons and tetrahedra become ours, vertices and lines are passed over. */
+import { plural } from "../plural.js";
 import type { MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 
@@ -59,7 +60,7 @@ export function addCell(cells: Cells, type: number, nodes: readonly number[], ce
   switch (type) {
     case VTK_TETRA:
       if (nodes.length !== 4)
-        fail(`cell ${cell} (counted from 0) is a tetrahedron of ${nodes.length} corners`);
+        fail(`cell ${cell} (counted from 0) is a tetrahedron of ${plural(nodes.length, "corner")}`);
       builder.addTetrahedron(a, b, c, d, cells.regionOf(cell));
       break;
     case VTK_STRIP:
@@ -79,7 +80,7 @@ export function addCell(cells: Cells, type: number, nodes: readonly number[], ce
 }
 
 function addPolygonCell({ builder, fail, patchOf }: Cells, nodes: readonly number[], cell: number): void {
-  if (nodes.length < 3) fail(`cell ${cell} (counted from 0) has ${nodes.length} corners`);
+  if (nodes.length < 3) fail(`cell ${cell} (counted from 0) has ${plural(nodes.length, "corner")}`);
   if (!builder.addPolygon(nodes, patchOf(cell))) {
     fail(`cell ${cell} (counted from 0) ${UNCUT}`);
   }

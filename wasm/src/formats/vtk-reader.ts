@@ -2,6 +2,7 @@
  * Reads legacy VTK files, binary and ASCII, versions 1 to 5.1: polygons and unstructured grids, as this
  * package, meshio, VTK and ParaView write them. The numbers `patch` and `region` of cells tell their groups.
  */
+import { plural } from "../plural.js";
 import type { FilePlace } from "../read-result.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
@@ -162,7 +163,7 @@ class VtkReader {
     this.#rows = this.#size();
     const { pointCount } = this.#builder;
     if (section === "POINT_DATA" && this.#rows !== pointCount) {
-      this.#reader.fail(`there are ${pointCount} points, and data of ${this.#rows}`);
+      this.#reader.fail(`the file has ${plural(pointCount, "point")}, and data of ${this.#rows}`);
     }
   }
 
@@ -328,7 +329,7 @@ class VtkReader {
       const cells = cellsOf(this.#builder, (name) => this.#cellData.get(name), fail);
       const count = Math.max(0, offsets.length - 1);
       if (type === undefined && this.#types.length !== count) {
-        fail(`there are ${count} cells and ${this.#types.length} types of cells`);
+        fail(`the file has ${plural(count, "cell")}, and ${plural(this.#types.length, "type")} of cells`);
       }
       for (let cell = 0; cell < count; cell++) {
         const [begin = 0, end = 0] = offsets.subarray(cell, cell + 2);

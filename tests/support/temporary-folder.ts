@@ -1,0 +1,40 @@
+/** Folders of their own for tests that read and write files; nothing of them stays. */
+import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import path from "node:path";
+
+import { afterAll, afterEach, beforeAll, beforeEach } from "vitest";
+
+import { tetrafront, type CommandResult } from "./command-line.js";
+
+export interface TemporaryFolder {
+  /** Where it is; another for each test, or one for all of the file. */
+  readonly path: string;
+  /** The path of a file in it. */
+  readonly inFolder: (name: string) => string;
+  /** Writes a file in it. */
+  readonly save: (name: string, content: string | Uint8Array) => void;
+  /** Runs `tetrafront` in it. */
+  readonly run: (...args: readonly string[]) => Promise<CommandResult>;
+}
+
+const MADE_FOR = { "each test": [beforeEach, afterEach], "all tests": [beforeAll, afterAll] } as const;
+
+/** An empty folder, made before each test of this file, or before all of them, and removed afterwards. */
+export function temporaryFolder(madeFor: keyof typeof MADE_FOR = "each test"): TemporaryFolder {
+  let folder = "";
+  const [before, after] = MADE_FOR[madeFor];
+  before(() => {
+    folder = mkdtempSync(path.join(tmpdir(), "tetrafront-"));
+  });
+  after(() => rmSync(folder, { recursive: true, force: true }));
+  const inFolder = (name: string) => path.join(folder, name);
+  return {
+    get path() {
+      return folder;
+    },
+    inFolder,
+    save: (name, content) => writeFileSync(inFolder(name), content),
+    run: (...args) => tetrafront(folder, args),
+  };
+}
