@@ -12,7 +12,7 @@ import {
 } from "./cli-input.js";
 import { asBadInput, asEngineFailure, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
-import { leftOutLines, unplacedLines } from "./cli-tables.js";
+import { leftOutLines, repeatedLines, unplacedLines } from "./cli-tables.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import {
   refuseRepair,
@@ -137,7 +137,8 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
   const { model, changes } = await withRepair(given, repair);
   if (changes !== undefined && !isQuiet) tellChanges(input, changes);
   if (given.kind === "surface" && !isQuiet) {
-    for (const line of unplacedLines(given.surface)) say(`note: ${input}: ${line}`);
+    const lines = [...repeatedLines(given.surface), ...unplacedLines(given.surface)];
+    for (const line of lines) say(`note: ${input}: ${line}`);
   }
   const isRefined = options.refineSurface === true;
   const {

@@ -40,12 +40,16 @@ export function mixedTurns({ tetrahedra, turnedTetrahedra = 0 }: FileMesh): stri
   return [`turned, as inverted against the others: ${turnedTetrahedra} of ${plural(count, "tetrahedron")}`];
 }
 
-/** That tetrahedra lose all groups but their first. */
-export function repeatedLines({ repeatedTetrahedra = 0 }: Pick<FileMesh, "repeatedTetrahedra">): string[] {
-  if (repeatedTetrahedra === 0) return [];
-  return [
-    `${plural(repeatedTetrahedra, "further entry")} of tetrahedra in other physical groups: the first counts`,
-  ];
+/** That elements lose all groups but their first. */
+export function repeatedLines({
+  repeatedTetrahedra = 0,
+  repeatedTriangles = 0,
+}: Pick<FileMesh, "repeatedTetrahedra" | "repeatedTriangles">): string[] {
+  const lines = (count: number, noun: string) =>
+    count === 0
+      ? []
+      : [`${plural(count, "further entry")} of ${noun} that are there before: the first counts`];
+  return [...lines(repeatedTetrahedra, "tetrahedra"), ...lines(repeatedTriangles, "triangles")];
 }
 
 /** That names of regions come to nothing. */

@@ -31,6 +31,12 @@ test("OBJ: a group of several materials that others have too is one patch for ea
   expect(names).toEqual(["a red", "a blue", "b", "b"]);
 });
 
+test("OBJ: pairs of group and material whose words read the same are kept apart", async () => {
+  const names = await patchesOf(faces("g a b\nusemtl c", "usemtl d", "g a\nusemtl b c", "usemtl c"));
+  expect(new Set(names).size).toBe(4);
+  expect(names.slice(0, 3)).toEqual(["a b c", "a b d", "a b c (2)"]);
+});
+
 test("OBJ: a group and a material of one name are one patch", async () => {
   const obj = faces("g m", "g a\nusemtl m", "usemtl n", "usemtl m");
   expect(await patchesOf(obj)).toEqual(["m", "m", "n", "m"]);

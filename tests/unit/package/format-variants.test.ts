@@ -68,6 +68,16 @@ test("Gmsh 2.2: a tetrahedron of several physical groups is held once", async ()
   expect([...mesh.tetrahedra]).toEqual([0, 1, 2, 3]);
   expect(mesh.regions.map(({ tag }) => tag)).toEqual([7]);
   expect(mesh.repeatedTetrahedra).toBe(2);
+  // Wherever the others stand, and whichever way round their nodes are counted.
+  const triangles = ["2 2 3 1 1 3 2", "2 2 4 2 2 1 3", "2 2 3 1 1 2 4", "2 2 3 9 3 2 1"];
+  const apart = [elements[0] ?? "", ...triangles, "4 2 8 1 2 1 3 4"];
+  const both = await read(file(apart), "a.msh");
+  expect([...both.tetrahedra]).toEqual([0, 1, 2, 3]);
+  expect([...both.triangles]).toEqual([0, 2, 1, 0, 1, 3]);
+  expect(both.patches.map(({ tag }) => tag)).toEqual([3]);
+  expect([both.repeatedTetrahedra, both.repeatedTriangles]).toEqual([1, 2]);
+  const quadrilaterals = await read(file(["3 2 1 1 1 2 3 4", "3 2 2 1 1 2 3 4"]), "a.msh");
+  expect([quadrilaterals.triangles.length, quadrilaterals.repeatedTriangles]).toEqual([6, 1]);
   // Twice in one group is a fault of the mesh, which its checks tell.
   const twice = await read(file([elements[0] ?? "", elements[0] ?? ""]), "a.msh");
   expect(twice.tetrahedra).toHaveLength(8);

@@ -64,6 +64,22 @@ describe("numbers are written as they were", () => {
     expect(files[0]?.notes.map(({ message }) => message).join()).not.toMatch(/numbers of/i);
   });
 
+  test("Nastran: one set of numbers, in which patches come first", async () => {
+    const [file] = await writeMesh(withTags(7, 5, 12, 100_000_000), "a.bdf");
+    const numbersOf = (card: string) =>
+      [...new TextDecoder().decode(file?.bytes).matchAll(new RegExp(`^${card} *(\\d+)`, "gm"))].map(([, n]) =>
+        Number(n),
+      );
+    // Numbers have eight digits; region 5 finds patch 5 before it.
+    expect(numbersOf("PSHELL")).toEqual([7, 5, 12, 1, 104, 105]);
+    expect(numbersOf("PSOLID")).toEqual([2, 3]);
+    const notes = file?.notes.map(({ message }) => message).join("\n");
+    expect(notes).toMatch(/numbers of patches are written otherwise.*: 100000000 as 1/i);
+    expect(notes).toMatch(
+      /numbers of regions are written otherwise.*among patches and regions: 0 as 2, 5 as 3/i,
+    );
+  });
+
   test.each([".msh", ".msh2"])(
     "%s: all but those that cannot be, and each change is told",
     async (extension) => {

@@ -77,8 +77,6 @@ function renumbered(region: number, patch: number, step: 0 | 1 = 1): typeof want
     triangle: taggedElements(mesh.triangles, 3, mesh.trianglePatch, mesh.patches.map(from(patch))),
   };
 }
-/** Nastran's properties are numbered through regions and patches. */
-const asProperties = renumbered(1, 1 + mesh.regions.length);
 /** meshio counts markers, which have names alone. */
 const asMarkers = { ...renumbered(0, 1), tetra: renumbered(0, 0, 0).tetra };
 
@@ -97,7 +95,7 @@ if (programs.includes("meshio")) {
       ["part.msh2", "gmsh", "gmsh:physical", "gmsh:physical", wanted],
       ["part.mesh", "medit", "medit:ref", "medit:ref", wanted],
       ["part.su2", "su2", "su2:tag", "su2:tag", asMarkers],
-      ["part.bdf", "nastran", "nastran:ref", "nastran:ref", asProperties],
+      ["part.bdf", "nastran", "nastran:ref", "nastran:ref", wanted],
       ["part.ugrid", "ugrid", undefined, "ugrid:ref", wanted],
       ["part.b8.ugrid", "ugrid", undefined, "ugrid:ref", wanted],
     ])("%s", async (fileName, format, regions, patches, wanted) => {
@@ -235,7 +233,7 @@ if (programs.includes("gmsh")) {
     // Gmsh passes over the numbers of cells in VTK.
     ["part.vtk", renumbered(1, 1, 0)],
     ["part.mesh", wanted],
-    ["part.bdf", asProperties],
+    ["part.bdf", wanted],
   ])("Gmsh reads the same points and tagged elements from %s", async (fileName, wanted) => {
     const read = JSON.parse(run([script, `gmsh::${await save(fileName)}`])) as {
       points: number[][];

@@ -150,7 +150,10 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".bdf", ".nas"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./nastran.js")).writeNastran) }),
+    load: async () => {
+      const { NASTRAN_NUMBERS, writeNastran } = await import("./nastran.js");
+      return { write: one(writeNastran, NASTRAN_NUMBERS) };
+    },
   },
   {
     id: "ugrid",

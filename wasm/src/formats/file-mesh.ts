@@ -58,6 +58,8 @@ export interface FileMesh {
   readonly turnedTetrahedra?: number | undefined;
   /** So many times the file lists a tetrahedron again, for another group; it is held once, in the first. */
   readonly repeatedTetrahedra?: number | undefined;
+  /** So many times it lists a triangle again; it is held once, in its first group. */
+  readonly repeatedTriangles?: number | undefined;
   readonly regions: readonly FileGroup[];
   /** Where the file tells of spaces between its triangles without tetrahedra in them. */
   readonly surfaceRegions?: SurfaceRegions | undefined;

@@ -6,6 +6,10 @@ import { isPlain, listed } from "./groups.js";
 export interface Held {
   /** The lowest number that it has for a group; undefined where it tells groups apart by names or its own order. */
   readonly lowestTag?: 0 | 1;
+  /** The highest; that of 32 bits with a sign, if not given. */
+  readonly highestTag?: number;
+  /** Whether patches and regions have their numbers from one set. Those of patches come first. */
+  readonly sharesTags?: boolean;
   /** Whether it takes so many numbers per node; undefined where it takes none. */
   readonly takesData?: (components: number) => boolean;
 }
@@ -17,16 +21,20 @@ const MAX_TAG = 0x7fffffff;
  * The mesh as the format takes it: every group with a number of its own that can stand in the file, and the numbers at
  * nodes that it has a place for. O(n).
  */
-export function heldOf(mesh: FileMesh, { lowestTag, takesData }: Held, note: Note): FileMesh {
+export function heldOf(mesh: FileMesh, held: Held, note: Note): FileMesh {
+  const { lowestTag, highestTag = MAX_TAG, sharesTags = false, takesData } = held;
+  const takenByPatches = new Set<number>();
   const settled = (word: string, groups: readonly FileGroup[], owners: Uint32Array) => {
     const used = new Set(owners);
-    const tags = usableTags(groups, used, lowestTag ?? 1);
+    const taken = sharesTags ? takenByPatches : new Set<number>();
+    const tags = usableTags(groups, used, { lowest: lowestTag ?? 1, highest: highestTag, taken });
     const changed = groups.flatMap(({ tag }, g) =>
       used.has(g) && tags[g] !== tag ? [`${tag} as ${tags[g]}`] : [],
     );
     if (lowestTag !== undefined && changed.length > 0) {
       note(
-        `numbers of ${word} are written otherwise, for the format takes whole ones from ${lowestTag} on, each once: ` +
+        `numbers of ${word} are written otherwise, for the format takes whole ones from ${lowestTag} on, each once` +
+          `${sharesTags ? " among patches and regions" : ""}: ` +
           listed(changed),
       );
     }
@@ -45,16 +53,23 @@ export function heldOf(mesh: FileMesh, { lowestTag, takesData }: Held, note: Not
   };
 }
 
+/** Numbers that a format takes. */
+interface Numbers {
+  readonly lowest: number;
+  readonly highest: number;
+  /** Those of others; the ones given are added. */
+  readonly taken: Set<number>;
+}
+
 /** The groups' own numbers where they can stand in the file; for others the lowest that are free. */
 function usableTags(
   groups: readonly FileGroup[],
   used: ReadonlySet<number>,
-  lowest: number,
+  { lowest, highest, taken }: Numbers,
 ): readonly number[] {
-  const taken = new Set<number>();
   const tags = new Map<number, number>();
   const isUsable = (tag: number) =>
-    Number.isInteger(tag) && tag >= lowest && tag <= MAX_TAG && !taken.has(tag);
+    Number.isInteger(tag) && tag >= lowest && tag <= highest && !taken.has(tag);
   // Groups without elements come last: none of the others gives way to them.
   const order = groups.map((_, g) => g).sort((a, b) => Number(used.has(b)) - Number(used.has(a)) || a - b);
   for (const g of order) {

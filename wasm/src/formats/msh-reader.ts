@@ -10,6 +10,7 @@ import { MeshBuilder, type GroupList } from "./mesh-builder.js";
 import { MshVolumes } from "./msh-volumes.js";
 import { NodeTags } from "./node-tags.js";
 import { UNCUT } from "./polygons.js";
+import { RepeatedElements } from "./repeated-elements.js";
 
 const REMEDY = "Save the mesh again as MSH 4.1 or 2.2 with linear triangles and tetrahedra, or as .vtu.";
 const TRIANGLE = 2;
@@ -50,8 +51,9 @@ class MshReader {
   #nodesBefore = 0;
   #isBinary = false;
   #hasBlocks = true;
-  #lastTetrahedron: { readonly tags: Tags; readonly nodes: readonly number[] } | undefined;
+  readonly #listed = new Map<number, RepeatedElements>();
   #repeatedTetrahedra = 0;
+  #repeatedTriangles = 0;
 
   constructor(reader: ByteReader) {
     this.#reader = reader;
@@ -74,6 +76,7 @@ class MshReader {
           surfaceRegions,
           unplacedRegions,
           repeatedTetrahedra: this.#repeatedTetrahedra,
+          repeatedTriangles: this.#repeatedTriangles,
         };
       }
       await this.#readSection(section);
@@ -272,8 +275,8 @@ class MshReader {
       (tag) =>
         this.#nodes.positionOf(tag) ?? this.#reader.fail(`an element has a corner that is no node: ${tag}`),
     );
+    if (tags !== undefined && this.#isRepeated(type, tags, nodes)) return;
     if (type === TETRAHEDRON) {
-      if (tags !== undefined && this.#isRepeated(tags, nodes)) return;
       const [a = 0, b = 0, c = 0, d = 0] = nodes;
       this.#builder.addTetrahedron(a, b, c, d, group(this.#builder.regions));
     } else if (!this.#builder.addPolygon(nodes, group(this.#builder.patches))) {
@@ -285,15 +288,17 @@ class MshReader {
     this.#readElement(type, this.#groupOf(...tags), tags);
   }
 
-  /** Version 2.2 lists an element once for each of its physical groups, in a row: the first counts. */
-  #isRepeated(tags: Tags, nodes: readonly number[]): boolean {
-    const last = this.#lastTetrahedron;
-    const isRepeated =
-      last?.tags[1] === tags[1] &&
-      last.tags[0] !== tags[0] &&
-      last.nodes.every((node, i) => node === nodes[i]);
-    if (isRepeated) this.#repeatedTetrahedra++;
-    else this.#lastTetrahedron = { tags, nodes };
+  /**
+   * Version 2.2 lists an element once for each of its physical groups, and walls for each of their volumes: the first
+   * counts. A tetrahedron that is there twice in one group is a fault, which the checks of meshes tell.
+   */
+  #isRepeated(type: number, [physical]: Tags, nodes: readonly number[]): boolean {
+    const listed = this.#listed.get(type) ?? new RepeatedElements();
+    this.#listed.set(type, listed);
+    const first = listed.firstGroup(nodes, physical);
+    const isRepeated = first !== undefined && (type !== TETRAHEDRON || first !== physical);
+    if (isRepeated && type === TETRAHEDRON) this.#repeatedTetrahedra++;
+    else if (isRepeated) this.#repeatedTriangles++;
     return isRepeated;
   }
 

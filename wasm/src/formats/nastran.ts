@@ -8,10 +8,14 @@ import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
+import type { Held } from "./held.js";
 import { noteMerged } from "./merged-points.js";
 import { numberRows } from "./number-rows.js";
 
-/** The bytes of a bulk data file. Properties are numbered from 1 through regions and patches. */
+/** Properties of shells and solids have their numbers from one set, of eight digits each. */
+export const NASTRAN_NUMBERS: Held = { lowestTag: 1, highestTag: 99_999_999, sharesTags: true };
+
+/** The bytes of a bulk data file. Properties have the numbers of their patches and regions. */
 export function writeNastran(mesh: FileMesh, note: Note): Part[] {
   const written = mesh.points.map((value) => Number(wide(value)));
   noteMerged(mesh.points, note, written, `the format has ${WIDE} characters for a coordinate`);
@@ -27,8 +31,7 @@ export function writeNastran(mesh: FileMesh, note: Note): Part[] {
 
 function cards(groups: readonly Group[]): Part[] {
   let element = 1;
-  return groups.flatMap(({ kind, name, nodes }, g) => {
-    const property = g + 1;
+  return groups.flatMap(({ kind, name, nodes, tag: property }) => {
     const isSolid = kind.dimension === 3;
     const card = isSolid ? "CTETRA" : "CTRIA3";
     const material = isSolid ? `PSOLID  ${field(property)}${field(property)}` : `PSHELL  ${field(property)}`;

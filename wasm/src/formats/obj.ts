@@ -71,15 +71,30 @@ class Kinds {
     // A group divides a material that stands beside several.
     const isByGroup = [...materials].some(([material, count]) => material !== "" && count > 1);
     const patches = new GroupList("patch");
+    const taken = new Set<string>();
     const positions = this.#kinds.map(({ material, name }) => {
-      const both = (names.get(name) ?? 0) > 1 ? `${name} ${material}`.trim() : name;
-      return patches.named((isByGroup ? both : material) || material || name || "surface");
+      const isPair = isByGroup && material !== "" && name !== "" && (names.get(name) ?? 0) > 1;
+      const single = (isByGroup && name) || material || name || "surface";
+      // Words of a group and of a material beside each other may read the same for two pairs.
+      const key = isPair ? `${name}\n${material}` : single;
+      return patches.of(key, () => {
+        const own = unused(isPair ? `${name} ${material}` : single, taken);
+        return { name: own, tag: patches.length + 1 };
+      });
     });
     return {
       trianglePatch: trianglePatch.map((kind) => positions[kind] ?? 0),
       patches: patches.groups(),
     };
   }
+}
+
+/** The name, or with a number behind it where another has it. */
+function unused(name: string, taken: Set<string>): string {
+  let own = name;
+  for (let copy = 2; taken.has(own); copy++) own = `${name} (${copy})`;
+  taken.add(own);
+  return own;
 }
 
 function nameIn(reader: ByteReader): string {

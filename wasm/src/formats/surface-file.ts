@@ -16,12 +16,14 @@ export interface SurfaceFile extends SurfaceInput {
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /** Names of regions of which the file does not tell where they are, and which are lost therefore. */
   readonly unplacedRegions?: readonly string[] | undefined;
+  /** So many times the file lists a triangle again; it is held once, in its first group. */
+  readonly repeatedTriangles?: number | undefined;
 }
 
 /** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
 export function surfaceOf(mesh: FileMesh): SurfaceFile {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const { trianglePatch, patches, unplacedRegions } = mesh;
+  const { trianglePatch, patches, unplacedRegions, repeatedTriangles = 0 } = mesh;
   const surfaceRegions = surfaceRegionsOf(mesh);
   return {
     ...exactlyWelded(boundaryOf(mesh)),
@@ -29,6 +31,7 @@ export function surfaceOf(mesh: FileMesh): SurfaceFile {
     patches,
     ...(surfaceRegions && { surfaceRegions }),
     ...(unplacedRegions && { unplacedRegions }),
+    ...(repeatedTriangles > 0 && { repeatedTriangles }),
   };
 }
 
