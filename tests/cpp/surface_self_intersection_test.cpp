@@ -168,5 +168,52 @@ TEST(TrianglePairsTest, LooksAtFewPairsOfNeedles) {
   }
 }
 
+/// So many walls along x, and so many along y: each of the ones meets each of the others.
+SurfaceMesh crossedWalls(std::uint32_t count) {
+  SurfaceMesh mesh;
+  const auto far = static_cast<double>(count);
+  for (const bool alongX : {true, false}) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (const Vec2& p : {Vec2(-1.0, -1.0), Vec2(far, -1.0), Vec2(far, 1.0)}) {
+        mesh.triangles.push_back(static_cast<std::uint32_t>(mesh.points.size() / 3));
+        const auto at = static_cast<double>(i);
+        mesh.points.insert(mesh.points.end(), {alongX ? p.x : at, alongX ? at : p.x, p.y});
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Of what is reported: how many are listed, and the values of each.
+std::pair<std::size_t, std::set<std::vector<double>>> reportOf(const SurfaceMesh& mesh,
+                                                               std::uint32_t budget) {
+  const std::vector<std::uint8_t> ignored(countOf(mesh), 0);
+  BoundaryReport report(mesh, BoundarySource::kGivenSurface);
+  const BoxTree tree(triangleBoxes(mesh));
+  SelfIntersectionCheck check(mesh, ignored, tree, report);
+  while (!check.advance(budget)) {
+  }
+  const std::vector<Diagnostic> diagnostics = report.take();
+  std::set<std::vector<double>> values;
+  for (const Diagnostic& diagnostic : diagnostics) values.insert(diagnostic.values);
+  return {diagnostics.size(), values};
+}
+
+TEST(SelfIntersectionTest, SaysWhetherAllHaveBeenCounted) {
+  const auto [fewListed, few] = reportOf(crossedWalls(40), 1000);
+  EXPECT_EQ(fewListed, 1000U);
+  EXPECT_EQ(few, (std::set<std::vector<double>>{{1600.0}}));
+  const SurfaceMesh many = crossedWalls(330);
+  const auto [manyListed, atLeast] = reportOf(many, 1000);
+  EXPECT_EQ(manyListed, 1000U);
+  ASSERT_EQ(atLeast.size(), 1U);
+  const std::vector<double>& values = *atLeast.begin();
+  ASSERT_EQ(values.size(), 2U);
+  EXPECT_GE(values[0], 100'000.0);
+  EXPECT_LT(values[0], 330.0 * 330.0);
+  EXPECT_EQ(values[1], 1.0);
+  EXPECT_EQ(reportOf(many, 7).second, atLeast);
+}
+
 }  // namespace
 }  // namespace tetrafront::testing

@@ -247,10 +247,13 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "A closed surface has an inside and an outside: remove the twist, as of a Möbius band.",
   },
   "self-intersection": {
-    message: ({ all, count, at }) =>
-      count(SHELL_KINDS) === 1
-        ? `The surface cuts itself: ${all(SHELL_KINDS, "")} crosses itself${at}`
-        : `The surface cuts itself: ${all(SHELL_KINDS, "two triangles")} meet${at}`,
+    message: ({ all, count, at, value }) => {
+      const meet =
+        count(SHELL_KINDS) === 1
+          ? `${all(SHELL_KINDS, "")} crosses itself`
+          : `${all(SHELL_KINDS, "two triangles")} meet`;
+      return `The surface cuts itself: ${meet}${at}${totalOfPairs(value(0), value(1) === "1")}`;
+    },
     remedy: ({ drawn }) =>
       drawn
         ? "Move the patches apart, or use smaller elements where they bend close to each other."
@@ -331,6 +334,12 @@ function along(all: Subject["all"]): string {
 
 function total(count: string, noun: string): string {
   return count === "?" || count === "1" ? "" : ` (${plural(count, noun)} in all)`;
+}
+
+/** `isLeast`: the search was ended before all were found. */
+function totalOfPairs(count: string, isLeast: boolean): string {
+  if (count === "?" || count === "1") return "";
+  return ` (${isLeast ? "at least " : ""}${count} pairs of triangles in all)`;
 }
 
 const anEngineDiagnostic = objectOf({

@@ -240,6 +240,10 @@ export interface Diagnostic {
   readonly remedy: string;
   readonly entities: readonly EntityRef[];
   readonly place?: readonly [number, number, number] | undefined;
+  /**
+   * The numbers of the sentence. For what is wrong with a surface, how many findings of the code there are in
+   * all comes last; for `self-intersection` a 1 follows where the search was ended early: there may be more.
+   */
   readonly values: readonly number[];
 }
 

@@ -161,11 +161,6 @@ void BoundaryReport::addCutOff(EntityKind kind, std::size_t length) {
       Vec3(std::nan("")), {static_cast<double>(length)});
 }
 
-std::size_t BoundaryReport::countOf(DiagnosticCode code) const {
-  const auto at = kinds_.find(code);
-  return at == kinds_.end() ? 0 : static_cast<std::size_t>(at->second.total);
-}
-
 bool BoundaryReport::keepsMore(DiagnosticCode code) const {
   const auto at = kinds_.find(code);
   return at == kinds_.end() || at->second.kept < kMaxOfAKind;
@@ -175,8 +170,10 @@ std::vector<Diagnostic> BoundaryReport::take() {
   std::vector<Diagnostic> diagnostics;
   for (Finding& finding : findings_) {
     if (finding.isCounted) {
-      const std::uint64_t count = isDrawn() ? finding.count : kinds_[finding.diagnostic.code].total;
+      const Kind& kind = kinds_[finding.diagnostic.code];
+      const std::uint64_t count = isDrawn() ? finding.count : kind.total;
       finding.diagnostic.values.push_back(static_cast<double>(count));
+      if (kind.endedEarly) finding.diagnostic.values.push_back(1.0);
     }
     for (const std::uint32_t triangle : finding.triangles) {
       finding.diagnostic.entities.push_back({EntityKind::kTriangle, triangle});

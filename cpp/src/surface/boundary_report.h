@@ -22,8 +22,8 @@ enum class BoundarySource : std::uint8_t {
 };
 
 /// Collects findings. Of each code the first kMaxOfAKind are kept; the last of their `values` is
-/// the number of findings of that code in all (for a drawn model: with the same entities). A
-/// finding in a drawn model names lines and patches first, then its triangles, up to
+/// the number of findings of that code in all (for a drawn model: with the same entities), and after it
+/// comes a 1 where the search was ended early, so that it is at least so many. A finding in a drawn model names lines and patches first, then its triangles, up to
 /// kMaxTriangles of all findings with the same lines and patches.
 class BoundaryReport {
  public:
@@ -46,7 +46,8 @@ class BoundaryReport {
   void addCutOff(EntityKind kind, std::size_t length);
 
   [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
-  [[nodiscard]] std::size_t countOf(DiagnosticCode code) const;
+  /// There may be more findings of that code than were looked for.
+  void endedEarly(DiagnosticCode code) { kinds_[code].endedEarly = true; }
   /// False if no further finding of that code will be kept: its place need not be found.
   [[nodiscard]] bool keepsMore(DiagnosticCode code) const;
 
@@ -64,6 +65,7 @@ class BoundaryReport {
   struct Kind {
     std::uint64_t total = 0;
     std::size_t kept = 0;
+    bool endedEarly = false;
   };
   struct Finding {
     Diagnostic diagnostic;

@@ -181,7 +181,10 @@ void SelfIntersectionCheck::testPair(std::uint32_t a, std::uint32_t b) {
 }
 
 bool SelfIntersectionCheck::report(std::uint32_t budget) {
-  if (next_ == 0) stableSort(found_);
+  if (next_ == 0) {
+    stableSort(found_);
+    if (hasEnough()) report_.endedEarly(DiagnosticCode::kSelfIntersection);
+  }
   const auto count = static_cast<std::uint32_t>(found_.size());
   const std::uint32_t end = next_ + std::min(count - next_, budget);
   for (; next_ < end; ++next_) {

@@ -19,7 +19,8 @@
 namespace tetrafront {
 
 /// In slices. O(n log n) for surfaces whose triangles have few others near them. Of surfaces that meet
-/// themselves in more than kEnough places so many are found, and counted.
+/// themselves in more places than kEnough about so many are found, and the report says that there may be
+/// more.
 class SelfIntersectionCheck {
  public:
   /// Triangles flagged in `ignored` take no part. `tree`: of triangleBoxes(). Everything must outlive

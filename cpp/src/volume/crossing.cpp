@@ -120,8 +120,8 @@ void CrossingTest::maskNodes() {
 
 std::size_t CrossingTest::firstCrossedFace() {
   const std::size_t count = around_.faceCount();
-  counters_.facesTested += count;
   for (std::size_t i = 0; i < count; ++i) {
+    ++counters_.facesTested;
     const LocalTriple& face = around_.face(i);
     if (filters_ && (mask_[face[0]] & mask_[face[1]] & mask_[face[2]]) != 0) continue;
     ++counters_.facesAnalysed;

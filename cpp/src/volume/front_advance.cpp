@@ -132,6 +132,7 @@ template <class Trace>
 std::size_t FrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
   [[maybe_unused]] const CrossingScope scope(trace_);
   crossing_.setApex(apex);
+  facesMasked_ += around_.faceCount();
   return crossing_.firstCrossedFace();
 }
 

@@ -60,7 +60,7 @@ class FrontAdvance {
   bool tryCandidate(FaceId face, const Candidate& candidate, const UnitSpace& space,
                     double minFaceDistance);
   [[nodiscard]] std::uint64_t facesLookedAt() const {
-    return counters_.gatheredFaces + crossing_.counters().facesTested;
+    return counters_.gatheredFaces + facesMasked_;
   }
   [[nodiscard]] std::size_t firstCrossedFace(LocalNode apex);
   [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, FaceId& culprit);
@@ -76,6 +76,8 @@ class FrontAdvance {
   SideNeighbours neighbours_;
   CandidateList candidates_;
   Counters counters_;
+  std::uint64_t facesMasked_ =
+      0;  ///< in sight of each candidate tried, whether or not it came to them
   [[no_unique_address]] Trace trace_;
 };
 

@@ -73,6 +73,17 @@ test("a coordinate too large to compute with is not said to be no number", () =>
   expect(said(NaN)).toMatch(/not a finite number$/);
 });
 
+test("pairs of triangles that meet are counted, and said to be more where the count was ended", () => {
+  const told = (...values: number[]) =>
+    describeDiagnostic(
+      { ...bare, code: 43, entities: Uint32Array.of(5, 3, 5, 8), values: Float64Array.from(values) },
+      nameByPosition,
+    ).message;
+  expect(told(1)).toMatch(/triangle 3 .*and triangle 8 meet$/);
+  expect(told(1600)).toMatch(/meet \(1600 pairs of triangles in all\)$/);
+  expect(told(100000, 1)).toMatch(/meet \(at least 100000 pairs of triangles in all\)$/);
+});
+
 test("an estimate beyond counting is told as such, and gives no factor", () => {
   const told = (estimate: number) =>
     describeDiagnostic({ ...bare, code: 25, values: Float64Array.of(estimate, 2e7) }, nameByPosition);
