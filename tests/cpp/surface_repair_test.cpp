@@ -284,6 +284,32 @@ TEST(SurfaceRepair, ClosesALargeHoleWithTheLeastArea) {
   EXPECT_NEAR(found.volume, 1.0, 1e-13);
 }
 
+/// A box without a lid, one corner of its rim lifted by a fifth, and a spike on its floor. Of the two lids that
+/// the rim has, the one of less area is at height 1 over the spike, the other at 1.1.
+SurfaceMesh boxWithSpike(double height) {
+  SurfaceMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 1,   1, 0, 0, 1,   0,   0,     0,
+                 1, 1, 0, 1, 1, 1, 1.2, 0, 1, 1, 0.5, 0.5, height};
+  mesh.triangles = {0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6,
+                    3, 0, 4, 3, 4, 7, 1, 0, 8, 2, 1, 8, 3, 2, 8, 0, 3, 8};
+  return mesh;
+}
+
+TEST(SurfaceRepair, ClosesAHoleWhereTheSurfaceIsNotInTheWay) {
+  const SurfaceInspection low = inspect(repair(boxWithSpike(0.9), {.fillsUpTo = 4}));
+  EXPECT_TRUE(low.isFillable);
+  EXPECT_NEAR(low.volume, 1.0 + 0.2 / 6.0 - 0.3, 1e-14);
+  const SurfaceInspection high = inspect(repair(boxWithSpike(1.05), {.fillsUpTo = 4}));
+  EXPECT_TRUE(high.isFillable);
+  EXPECT_NEAR(high.volume, 1.0 + 0.2 / 3.0 - 0.35, 1e-14);
+}
+
+TEST(SurfaceRepair, LeavesAHoleThatNoTrianglesCloseWithoutCuttingTheSurface) {
+  const SurfaceRepair result = repair(boxWithSpike(1.15), {.fillsUpTo = 4});
+  EXPECT_EQ(inspect(result).openEdges, 4U);
+  EXPECT_TRUE(result.changes.empty());
+}
+
 TEST(SurfaceRepair, DropsNodesOfNoTriangle) {
   SurfaceMesh mesh = gridCube(1);
   mesh.points.insert(mesh.points.begin(), {9.0, 9.0, 9.0});

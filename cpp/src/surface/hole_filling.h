@@ -15,10 +15,13 @@ struct FilledHole {
   std::uint32_t triangles = 0;
 };
 
-/// Closes the holes of at most `mostEdges` edges, in slices: of all triangulations of a hole without
-/// new nodes, without triangles of no area and without edges that exist elsewhere, by the one of least
-/// area (Barequet & Sharir 1995); where there is none the hole stays. New triangles are turned as one
-/// at the hole's edge is. O(n log n), and O(edges^3) for each hole.
+/// Closes the holes of at most `mostEdges` edges, in slices: of all triangulations of a hole without new
+/// nodes, without triangles of no area, without edges that exist elsewhere and without triangles that
+/// meet others or the given surface but where they should, by one of least area (Barequet & Sharir 1995;
+/// triangles that meet others are barred, and the least of what is left is looked for again). Where there is
+/// none, or none is found soon, the hole stays. That two holes' triangles meet each other is left to the check of
+/// the whole. New triangles are turned as one at the hole's edge is. O(n log n), and O(edges^3) for each
+/// try.
 class HoleFiller {
  public:
   /// Finds the holes. Triangles are appended to `mesh`, which must outlive this. Those with a repeated
@@ -28,7 +31,7 @@ class HoleFiller {
   HoleFiller& operator=(HoleFiller&&) noexcept;
   ~HoleFiller();
 
-  /// Works on holes of about `budget` edges together; true when finished.
+  /// Tries triangulations of about `budget` edges together; true when finished.
   bool advance(std::uint32_t budget);
 
   [[nodiscard]] const std::vector<FilledHole>& filled() const;
