@@ -17,6 +17,7 @@
 #include "optimize/node_moves.h"
 #include "optimize/optimizer.h"
 #include "optimize/repair.h"
+#include "optimize/rescue.h"
 #include "optimize/tet_complex.h"
 #include "quality/metrics.h"
 #include "support/mesh_validator.h"
@@ -259,6 +260,44 @@ TEST(ElementRepair, NeverLeavesAWorseMesh) {
   }
   EXPECT_LT(before, 0.2 * atFirst);
   EXPECT_EQ(testing::complaintAbout(complex.toMesh(), filled.surface), "");
+}
+
+/// Targets that no element can meet: every change is tried, until one around is kept.
+TEST(ElementRescue, TriesAgainOnlyWhatHasChanged) {
+  constexpr DihedralTargets kBeyondTheRegular{0.6, 0.6};
+  const Filled filled = fill(testing::geodesicSphere(2));
+  const ElementCost cost(Measure::kDihedral, kBeyondTheRegular);
+  TetComplex complex = complexOf(filled, cost);
+  EdgeRemoval removal(complex);
+  EdgeSplitter splitter(complex);
+  NodeCollapser collapser(complex);
+  NodeMover mover(complex);
+  ElementRepair repair(complex, removal, splitter, collapser, mover);
+  ElementRescue rescue(complex, removal, splitter, collapser, mover, repair);
+  const TetId tet(std::size_t{0});
+  const auto triesOfATurn = [&] {
+    constexpr std::size_t kMany = 100000;
+    complex.beginPass();
+    rescue.allow(kMany);
+    rescue.begin(tet);
+    int tries = 0;
+    while (rescue.tryOne(cost)) ++tries;
+    return tries;
+  };
+  // The element stays as long as its nodes do; what is around it settles.
+  int turns = 0;
+  std::uint64_t before = 0;
+  for (std::uint64_t now = 1; now != before && turns < 50; ++turns) {
+    ASSERT_TRUE(complex.isLive(tet));
+    before = fingerprintOf(complex.toMesh());
+    EXPECT_GT(triesOfATurn(), 0);
+    now = fingerprintOf(complex.toMesh());
+  }
+  ASSERT_LT(turns, 50);
+  EXPECT_EQ(triesOfATurn(), 0);
+  complex.beginPass();
+  complex.markChanged(tet);
+  EXPECT_GT(triesOfATurn(), 0);
 }
 
 /// A hollow of 20 faces around the origin, shaken.

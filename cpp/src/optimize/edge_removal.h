@@ -53,8 +53,9 @@ struct EdgeRing {
 [[nodiscard]] bool isBoundaryEdge(const TetComplex& complex, TetId tet, std::size_t edge);
 
 struct EdgeRemovalOptions {
-  bool fans = false;      ///< also try keeping the edge with fewer sectors, at boundary edges too
-  double minGain = 1e-4;  ///< relative
+  bool fans = false;  ///< also try keeping the edge with fewer sectors, at boundary edges too
+  /// A share of the ring's cost: swaps that gain less would only take turns with moves.
+  double minGain = 1e-4;
 };
 
 template <class Space = PlainSpace>

@@ -18,7 +18,7 @@ constexpr std::size_t kLeastCompounds = 100;
 constexpr std::size_t kElementsPerCompound = 200;
 /// Changes tried in one rescue: so many, and one for so many elements.
 constexpr std::size_t kLeastRescueTries = 60;
-constexpr std::size_t kElementsPerRescueTry = 200;
+constexpr std::size_t kElementsPerRescueTry = 1000;
 
 /// The cost, by these targets, of an element that just misses 30 or 135 degrees. Where many are to be
 /// mended, or as few as possible are to be left, all that miss those count when a repair is weighed, or
@@ -47,6 +47,7 @@ template <class Space>
 void Mending<Space>::aimAt(RepairAim aim) {
   aim_ = aim;
   isFirstPass_ = true;
+  failedIn_.clear();
   repair_.aimAt(aim);
 }
 
@@ -92,6 +93,20 @@ void Mending<Space>::rank() {
   stableSort(bad_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
 }
 
+/// Whether its repair has failed and no element that shares a node with it has changed since: it would
+/// fail again. O(elements around), where a repair that fails takes milliseconds.
+template <class Space>
+bool Mending<Space>::hasFailedAsItIs(TetId tet) {
+  const std::uint32_t failed = failedIn_[tet.index()];
+  if (failed == 0) return false;
+  return std::ranges::all_of(complex_.element(tet).nodes, [&](NodeId node) {
+    if (!complex_.findStar(node, star_)) return false;
+    return std::all_of(star_.elements.begin(),
+                       star_.elements.begin() + static_cast<std::ptrdiff_t>(star_.size),
+                       [&](TetId near) { return complex_.changedIn(near) < failed; });
+  });
+}
+
 template <class Space>
 std::size_t Mending<Space>::repairSome(std::size_t first, std::size_t last,
                                        const ElementCost<Space>& cost) {
@@ -100,7 +115,11 @@ std::size_t Mending<Space>::repairSome(std::size_t first, std::size_t last,
     const TetId tet = bad_[i];
     if (!complex_.isLive(tet) || complex_.cost(tet) <= 1.0) continue;
     if (complex_.changedIn(tet) == complex_.pass()) continue;  // made in this pass: in the next
-    done += repair_.repair(tet, cost) ? 1 : 0;
+    failedIn_.resize(complex_.slotCount(), 0);
+    if (hasFailedAsItIs(tet)) continue;
+    const bool isMended = repair_.repair(tet, cost);
+    failedIn_[tet.index()] = isMended ? 0 : complex_.pass();
+    done += isMended ? 1 : 0;
   }
   return done;
 }

@@ -54,12 +54,16 @@ class Mending {
 
  private:
   [[nodiscard]] bool isToBeMended(TetId tet) const;
+  [[nodiscard]] bool hasFailedAsItIs(TetId tet);
   void aimAt(RepairAim aim);
 
   TetComplex& complex_;
   ElementRepair<Space> repair_;
   ElementRescue<Space> rescue_;
   std::vector<TetId> bad_;
+  Star star_;
+  /// Per element's slot: the pass in which its repair has failed, for this aim; 0: none.
+  std::vector<std::uint32_t> failedIn_;
   std::size_t badBefore_ = 0;   ///< when the last pass began
   double costOfMissing_ = 1.0;  ///< 30 or 135 degrees, by the targets
   bool isFirstPass_ = true;     ///< for this aim

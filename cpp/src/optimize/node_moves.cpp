@@ -75,13 +75,19 @@ Vec3 shortestInHull(const std::array<Vec3, kMaxGradients>& gradients, std::size_
 
 template <class Space>
 double Hollow<Space>::costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound) {
+  // Where the worst decides, the element that was too bad last time is likeliest to be so again.
+  if (cost.measure() == Measure::kDihedral && costOf(suspect_, apex, cost) >= bound) {
+    return kInvalidCost;
+  }
   double sum = 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
     const double one = costOf(i, apex, cost);
     costs_[i] = one;
-    if (one >= kInvalidCost) return kInvalidCost;
     sum = cost.combined(sum, one);
-    if (sum >= bound) return kInvalidCost;
+    if (one >= kInvalidCost || sum >= bound) {
+      suspect_ = i;
+      return kInvalidCost;
+    }
   }
   return sum;
 }
@@ -221,7 +227,7 @@ bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps
     std::array<Vec3, kMaxGradients> gradients;
     std::size_t count = 0;
     for (std::size_t i = 0; i < hollow.size() && count < kMaxGradients; ++i) {
-      if (hollow.costOf(i, apex, cost) < kBand * before) continue;
+      if (hollow.lastCostOf(i) < kBand * before) continue;
       gradients[count++] = gradientOf(hollow, i, apex, cost, radius, back);
     }
     const Vec3 up = shortestInHull(gradients, count);

@@ -17,7 +17,10 @@ class Hollow {
  public:
   using Frame = typename Space::Frame;
 
-  void clear() { size_ = 0; }
+  void clear() {
+    size_ = 0;
+    suspect_ = 0;
+  }
   void add(const Vec3& a, const Vec3& b, const Vec3& c, const Frame& frame = {}) {
     frames_[size_] = frame;
     faces_[size_++] = {a, b, c};
@@ -43,6 +46,7 @@ class Hollow {
   std::array<Frame, kMaxCavity> frames_;
   std::array<double, kMaxCavity> costs_;
   std::size_t size_ = 0;
+  std::size_t suspect_ = 0;  ///< the element at which costAt() has reached its bound last
 };
 
 /// The mean of the circumcentres of the elements, weighted by volume: what minimizes the error of

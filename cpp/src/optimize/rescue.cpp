@@ -32,8 +32,19 @@ template <class Space>
 void ElementRescue<Space>::begin(TetId tet) {
   tet_ = tet;
   nodes_ = complex_.element(tet).nodes;
-  next_ = 0;
   gather();
+  next_ = triedBefore();
+}
+
+/// How many changes have been tried in vain on the element as it is, with what is around it.
+template <class Space>
+std::size_t ElementRescue<Space>::triedBefore() const {
+  const auto last = std::find_if(tried_.rbegin(), tried_.rend(),
+                                 [&](const Tried& tried) { return tried.nodes == nodes_; });
+  if (last == tried_.rend()) return 0;
+  const bool isUnchanged =
+      std::ranges::all_of(near_, [&](TetId tet) { return complex_.changedIn(tet) < last->pass; });
+  return isUnchanged ? last->next : 0;
 }
 
 template <class Space>
@@ -138,7 +149,11 @@ template <class Space>
 bool ElementRescue<Space>::tryOne(const ElementCost<Space>& cost) {
   constexpr double kMaxLength = 2.0;  // wanted sizes
   const std::size_t collapses = 1 + 2 * edges_.size();
-  if (tries_ == 0 || isSaved() || next_ == collapses + freeNodes_.size()) return false;
+  if (isSaved()) return false;
+  if (tries_ == 0 || next_ == collapses + freeNodes_.size()) {
+    tried_.push_back({nodes_, complex_.pass(), next_});
+    return false;
+  }
   const std::size_t at = next_++;
   if (at == 0) {
     attempt(cost, [&] {

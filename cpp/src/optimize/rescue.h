@@ -32,6 +32,7 @@ class ElementRescue {
 
   /// Turns to an element: removals and splits, at whatever cost, of each inner edge among the elements
   /// that share a node with it, and collapses of each of their free nodes are what there is to try.
+  /// What has been tried before is not tried again while none of those elements has changed.
   void begin(TetId tet);
 
   /// Tries one change, which is kept only if it leaves no more bad elements than it found, and the
@@ -51,7 +52,14 @@ class ElementRescue {
     NodeId a;
     NodeId b;
   };
+  /// How far an element's turn had come when it ended without success.
+  struct Tried {
+    Corners nodes;
+    std::uint32_t pass;
+    std::size_t next;
+  };
   void gather();
+  [[nodiscard]] std::size_t triedBefore() const;
   [[nodiscard]] TetId elementAt(const NearEdge& edge) const;
   bool changeEdge(const NearEdge& edge, bool split, const ElementCost<Space>& cost);
   void settle(const ElementCost<Space>& cost);
@@ -72,6 +80,7 @@ class ElementRescue {
   std::vector<TetId> near_;
   std::vector<NodeId> freeNodes_;  ///< of near_
   std::vector<NearEdge> edges_;    ///< of near_, nearest first
+  std::vector<Tried> tried_;       ///< the last turn of an element last
   std::size_t tries_ = 0;
 };
 

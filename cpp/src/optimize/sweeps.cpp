@@ -134,13 +134,11 @@ void Sweeps<Space>::swap(std::size_t first, std::size_t last) {
 template <class Space>
 bool Sweeps<Space>::swapOneEdgeOf(TetId tet) {
   constexpr std::size_t kBulkRing = 7;
-  // A share of the ring's cost: swaps that gain less would only take turns with moves.
-  constexpr double kSwapGain = 1e-4;
   if (!complex_.isLive(tet) || complex_.changedIn(tet) < since_) return false;
   EdgeRing ring;
   for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
     if (!findClosedRing(complex_, tet, e, kBulkRing, since_, ring)) continue;
-    if (removal_.improve(ring, cost_, {false, kSwapGain})) return true;
+    if (removal_.improve(ring, cost_, {})) return true;
   }
   return false;
 }
