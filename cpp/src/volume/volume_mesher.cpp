@@ -11,7 +11,8 @@ namespace {
 /// What the front may cost in all, and what of it its relaxed rules, as FrontAdvance::step() counts
 /// it: per element, per triangle of the boundary, and more for small bodies. Well shaped boundaries
 /// take 1 to 2 per element. Among needles each face has hundreds of others near it, and what the rules
-/// leave there the exact fill closes for less.
+/// leave there the exact fill closes for less. On a plate of a hundred ear-clipped holes a fifth, a tenth and
+/// a fortieth of kFrontCost moved the time from the front to the exact fill and gained nothing.
 struct CostLimit {
   std::uint64_t perElement;
   std::uint64_t perTriangle;

@@ -1,0 +1,225 @@
+/// The places of recovery without a front that advances: what is opened can be put back, and what is open is
+/// filled to the exact volume, with the boundary it had.
+
+#include "volume/pocket_filler.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "geom/dyadic.h"
+#include "geom/predicates.h"
+#include "support/hard_shapes.h"
+#include "support/shapes.h"
+#include "volume/opened_place.h"
+
+namespace tetrafront {
+namespace {
+
+using Faces = std::set<std::pair<NodeTriple, std::uint32_t>>;
+
+constexpr std::uint32_t kRegion = 3;
+
+/// A front that has not yet moved, and what recovery works with.
+struct Place {
+  explicit Place(const SurfaceMesh& surface)
+      : front(1.0, Vec3(-100.0), FrontOrder::kLayered), index(elements) {
+    for (std::uint32_t i = 0; i < testing::nodeCount(surface); ++i) {
+      front.addNode(testing::pointOf(surface, i), 0);
+    }
+    for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
+      const std::uint32_t* n = surface.triangles.data() + t;
+      front.addFace({NodeId(n[0]), NodeId(n[2]), NodeId(n[1])}, kRegion, FieldHint{}, false);
+    }
+  }
+
+  void fill(std::uint32_t budget) {
+    PocketSet pockets(front, findPockets(front));
+    PocketFiller filler(front, elements, index, pockets);
+    while (!filler.isDone()) filler.work(budget);
+  }
+
+  /// Takes one element away; returns its number as a pocket.
+  PocketSet::Number emptied(TetId element, PocketSet& pockets) {
+    elements.remove(element);
+    std::vector<FaceId> faces;
+    for (const NodeTriple& side : innerSides(elements.nodes[element.index()])) {
+      faces.push_back(front.addFace(side, kRegion, FieldHint{}, false));
+    }
+    std::sort(faces.begin(), faces.end());
+    return pockets.add(std::move(faces));
+  }
+
+  [[nodiscard]] Faces activeFaces() const {
+    Faces faces;
+    for (const FaceId id : front.activeFaces()) {
+      faces.emplace(leastFirst(front.face(id).nodes), front.face(id).region);
+    }
+    return faces;
+  }
+
+  Front front;
+  Elements elements;
+  ElementIndex index;
+};
+
+/// Six times the volume a closed set of faces encloses, exactly; they are counter-clockwise seen from inside.
+Dyadic enclosedBy(const Front& front, const Faces& faces) {
+  const DyadicVec3 origin = toDyadic(Vec3(0.0));
+  Dyadic sum;
+  for (const auto& [n, region] : faces) {
+    sum = sum - determinant(origin, toDyadic(front.node(n[0])), toDyadic(front.node(n[1])),
+                            toDyadic(front.node(n[2])));
+  }
+  return sum;
+}
+
+Dyadic volumeOf(const Front& front, const NodeQuad& n) {
+  return determinant(toDyadic(front.node(n[0])), toDyadic(front.node(n[1])),
+                     toDyadic(front.node(n[2])), toDyadic(front.node(n[3])));
+}
+
+/// The sides of elements that no other has, seen from inside. Fails where a side is there twice.
+Faces boundaryOf(const Elements& elements) {
+  Faces sides;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    if (elements.removed[e] != 0) continue;
+    for (const NodeTriple& side : innerSides(elements.nodes[e])) {
+      if (sides.erase({leastFirst(reversed(side)), elements.region[e]}) > 0) continue;
+      EXPECT_TRUE(sides.emplace(leastFirst(side), elements.region[e]).second);
+    }
+  }
+  return sides;
+}
+
+/// Every edge of the faces is passed as often in the one direction as in the other.
+bool isClosed(const Faces& faces) {
+  std::map<std::pair<NodeId, NodeId>, int> passed;
+  for (const auto& [n, region] : faces) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const NodeId from = n[k];
+      const NodeId to = n[(k + 1) % 3];
+      passed[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+  }
+  return std::ranges::all_of(passed, [](const auto& edge) { return edge.second == 0; });
+}
+
+std::vector<std::pair<const char*, SurfaceMesh>> bodies() {
+  return {{"cube", testing::gridCube(3)},
+          {"Schoenhardt's prism", testing::schoenhardtPrism(50.0)},
+          {"tower", testing::schoenhardtTower(4, 45.0)},
+          {"cavity", testing::cubeWithCubicCavity(3, 2)},
+          {"needles", testing::needlePlate(1, 16, 0.05)}};
+}
+
+TEST(PocketFiller, FillsTheExactVolumeAndKeepsTheBoundary) {
+  for (const auto& [name, body] : bodies()) {
+    SCOPED_TRACE(name);
+    Place place(body);
+    const Faces given = place.activeFaces();
+    const Dyadic enclosed = enclosedBy(place.front, given);
+    place.fill(1000);
+    EXPECT_EQ(place.front.activeCount(), 0U);
+    EXPECT_EQ(boundaryOf(place.elements), given);
+    Dyadic filled;
+    for (std::size_t e = 0; e < place.elements.size(); ++e) {
+      if (place.elements.removed[e] != 0) continue;
+      const Dyadic volume = volumeOf(place.front, place.elements.nodes[e]);
+      EXPECT_EQ(volume.sign(), 1) << "element " << e;
+      filled = filled + volume;
+    }
+    EXPECT_TRUE(filled == enclosed) << filled.toDouble() << " of " << enclosed.toDouble();
+  }
+}
+
+TEST(PocketFiller, MakesTheSameInSlicesOfAnyLength) {
+  const SurfaceMesh body = testing::schoenhardtTower(4, 45.0);
+  Place once(body);
+  once.fill(1'000'000);
+  Place often(body);
+  often.fill(1);
+  EXPECT_EQ(once.elements.nodes, often.elements.nodes);
+  EXPECT_EQ(once.elements.removed, often.elements.removed);
+  ASSERT_EQ(once.front.nodes().size(), often.front.nodes().size());
+  for (std::size_t i = 0; i < once.front.nodes().size(); ++i) {
+    EXPECT_EQ(once.front.node(NodeId(i)), often.front.node(NodeId(i))) << "node " << i;
+  }
+}
+
+TEST(PocketFiller, ClosesAPocketAmongElements) {
+  Place place(testing::gridCube(3));
+  const Faces given = place.activeFaces();
+  place.fill(1000);
+  const std::size_t before = place.elements.liveCount();
+  PocketSet pockets(place.front, {});
+  place.emptied(TetId(place.elements.size() / 2), pockets);
+  PocketFiller filler(place.front, place.elements, place.index, pockets);
+  while (!filler.isDone()) filler.work(100);
+  EXPECT_EQ(place.front.activeCount(), 0U);
+  EXPECT_EQ(place.elements.liveCount(), before);
+  EXPECT_EQ(boundaryOf(place.elements), given);
+  ASSERT_EQ(filler.made().size(), 1U);
+  EXPECT_EQ(filler.made().front().elements.last, place.elements.size());
+}
+
+/// Opens a place of so many rings around each tenth element in turn.
+void expectPlacesOpenAndClose(const SurfaceMesh& body, std::uint32_t rings) {
+  Place place(body);
+  place.fill(1000);
+  for (std::size_t e = 0; e < place.elements.size(); e += 10) {
+    if (place.elements.removed[e] != 0) continue;
+    PocketSet pockets(place.front, {});
+    const PocketSet::Number pocket = place.emptied(TetId(e), pockets);
+    const PocketSet::Number other =
+        place.emptied(TetId(e + 1 < place.elements.size() ? e + 1 : 0), pockets);
+    const Faces facesBefore = place.activeFaces();
+    const std::vector<std::uint8_t> removedBefore = place.elements.removed;
+    const std::vector<NodeId> nodes = pockets.nodes(pocket);
+    std::vector<TetId> around = place.index.around(nodes, rings, place.elements.size());
+    const std::size_t removed = around.size();
+    const OpenedPlace opened(place.front, place.elements, pockets, pocket, std::move(around));
+    EXPECT_EQ(opened.removedElements(), removed);
+    EXPECT_TRUE(pockets.faces(pocket).empty());
+
+    // All that is open is enclosed by what is active, and nothing else is.
+    const Faces facesNow = place.activeFaces();
+    EXPECT_TRUE(isClosed(facesNow)) << "around element " << e;
+    Dyadic open;
+    for (std::size_t i = 0; i < place.elements.size(); ++i) {
+      if (place.elements.removed[i] == 0) continue;
+      open = open + volumeOf(place.front, place.elements.nodes[i]);
+    }
+    EXPECT_TRUE(enclosedBy(place.front, facesNow) == open) << "around element " << e;
+    EXPECT_EQ(opened.facesNow(place.front, pockets), opened.faces());
+    EXPECT_EQ(opened.faces().size() + pockets.faces(other).size(), facesNow.size());
+
+    opened.close(place.front, place.elements, pockets);
+    EXPECT_EQ(place.activeFaces(), facesBefore) << "around element " << e;
+    EXPECT_EQ(place.elements.removed, removedBefore);
+    EXPECT_EQ(pockets.nodes(pocket), nodes);
+    EXPECT_EQ(pockets.faces(pocket).size() + pockets.faces(other).size(), facesBefore.size());
+
+    // For the next one.
+    for (const FaceId face : place.front.activeFaces()) place.front.removeFace(face);
+    for (std::size_t i = e; i < place.elements.size(); ++i) {
+      if (place.elements.removed[i] != 0) place.elements.restore(TetId(i));
+    }
+    if (place.elements.removed[0] != 0) place.elements.restore(TetId(0U));
+  }
+}
+
+TEST(OpenedPlace, IsBoundedByWhatItOpenedAndPutsItBack) {
+  for (const std::uint32_t rings : {1U, 2U, 100U}) {
+    SCOPED_TRACE(rings);
+    expectPlacesOpenAndClose(testing::gridCube(3), rings);
+    expectPlacesOpenAndClose(testing::schoenhardtTower(4, 45.0), rings);
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront
