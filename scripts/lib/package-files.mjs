@@ -1,4 +1,4 @@
-import { existsSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
@@ -78,8 +78,8 @@ export async function bundlePages() {
   const { build } = await import("esbuild");
   const dist = inRoot("wasm", "dist");
   const outdir = inRoot("wasm", "dist", "page");
-  rmSync(outdir, { recursive: true, force: true });
-  await build({
+  const { outputFiles } = await build({
+    write: false,
     entryPoints: { tetrafront: `${dist}/index.js`, worker: `${dist}/worker.js` },
     outdir,
     bundle: true,
@@ -101,4 +101,30 @@ export async function bundlePages() {
       },
     ],
   });
+  rmSync(outdir, { recursive: true, force: true });
+  mkdirSync(outdir, { recursive: true });
+  const named = plainChunkNames(outputFiles.map((file) => path.basename(file.path)));
+  for (const file of outputFiles) {
+    writeFileSync(path.join(outdir, named(path.basename(file.path))), named(file.text));
+  }
 }
+
+/**
+ * Replaces the hashes in the names of chunks: there are hundreds of them in the files, and nothing compresses them. By words
+ * of their length, or the source maps would be wrong. Files of a package need no hashes, for its entries have none.
+ */
+function plainChunkNames(files) {
+  const chunks = files.filter((name) => CHUNK.test(name) && !name.endsWith(".map")).sort();
+  const shared = chunks.filter((name) => name.startsWith("chunk-"));
+  const words = new Map(
+    chunks.map((name) => {
+      const hash = CHUNK.exec(name)[1];
+      const place = shared.indexOf(name);
+      return [hash, place < 0 ? "deferred" : `shared${String(place).padStart(2, "0")}`];
+    }),
+  );
+  return (text) =>
+    text.replace(/-([A-Z0-9]{8})(?=\.js)/g, (all, hash) => (words.has(hash) ? `-${words.get(hash)}` : all));
+}
+
+const CHUNK = /-([A-Z0-9]{8})\.js/;

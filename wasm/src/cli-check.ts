@@ -12,6 +12,7 @@ import {
 } from "./cli-repair.js";
 import { meshLines, surfaceLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
+import { inSteps } from "./formats/steps.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
 import { checkPreviewOptions } from "./options.js";
@@ -121,7 +122,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     const nothing = packageDiagnostic("no-triangles", "the file holds no triangle and no tetrahedron", "");
     throw new BadInput(input, [nothing]);
   }
-  const { surface, changes } = await repaired(mesher, surfaceOf(mesh), wanted);
+  const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), wanted);
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, { enclosed: options.enclosed });
   return { kind: "surface", diagnostics, changes, inspection };
 }

@@ -18,7 +18,8 @@ import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js
 import { numbered, type FileMesh } from "./formats/file-mesh.js";
 import { leftData } from "./formats/held.js";
 import { writeMesh } from "./formats/mesh-files.js";
-import { surfaceOf } from "./formats/surface-file.js";
+import { inSteps } from "./formats/steps.js";
+import { surfaceOf, type SurfaceFile } from "./formats/surface-file.js";
 import { misfits, tetFaces } from "./formats/tet-faces.js";
 import type { RepairOptions } from "./inspection.js";
 import { plural } from "./plural.js";
@@ -46,7 +47,8 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     const mesh = await prepared(given, { input, output, name, repair, isQuiet });
     await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
     if (!isQuiet) {
-      tell(input, misfits(mesh, tetFaces(mesh)).map(asWarning), { isQuiet });
+      const faces = await inSteps(tetFaces(mesh));
+      tell(input, (await inSteps(misfits(mesh, faces))).map(asWarning), { isQuiet });
       const left = [...given.nodeData.keys()].filter((key) => !mesh.nodeData.has(key));
       if (left.length > 0) say(`note: ${input}: ${leftData(left)}`);
       const notes = [...mixedTurns(given), ...repeatedLines(given), ...unplacedLines(given)];
@@ -102,7 +104,7 @@ async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMes
   if (mesh.tetrahedra.length > 0) {
     if (writes.includes("volume")) refuseRepair(repair, "a mesh of tetrahedra");
     const whole = mesh.triangles.length > 0 ? mesh : await withBoundary(mesh);
-    return writes.includes("volume") ? whole : surfaceFrom(boundaryOf(whole), conversion);
+    return writes.includes("volume") ? whole : surfaceFrom(await inSteps(boundaryOf(whole)), conversion);
   }
   if (!writes.includes("surface")) {
     const known = extensionsThat("writes", "surface").join(", ");
@@ -113,8 +115,9 @@ async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMes
 }
 
 async function surfaceFrom(mesh: FileMesh, { input, repair, isQuiet }: Conversion): Promise<FileMesh> {
-  if (repair === undefined) return welded(mesh);
-  const { surface, changes } = await withMesher((mesher) => repaired(mesher, surfaceOf(mesh), repair));
+  const given = await inSteps(surfaceOf(mesh));
+  if (repair === undefined) return welded(mesh, given);
+  const { surface, changes } = await withMesher((mesher) => repaired(mesher, given, repair));
   if (!isQuiet && changes !== undefined) tellChanges(input, changes);
   return { ...mesh, ...surface, nodeData: new Map() };
 }
@@ -125,8 +128,8 @@ function asWarning(fault: Diagnostic): Diagnostic {
 }
 
 /** Triangles that share places share nodes; that is what formats with nodes are for. */
-function welded(mesh: FileMesh): FileMesh {
-  const { points, triangles, trianglePatch, patches } = surfaceOf(mesh);
+function welded(mesh: FileMesh, surface: SurfaceFile): FileMesh {
+  const { points, triangles, trianglePatch, patches } = surface;
   const isSame = points.length === mesh.points.length;
   return { ...mesh, points, triangles, trianglePatch, patches, nodeData: isSame ? mesh.nodeData : new Map() };
 }

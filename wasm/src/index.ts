@@ -36,6 +36,7 @@ export {
   writeMesh,
   type ReadFileOptions,
   type WriteFileOptions,
+  type WriteProgress,
 } from "./formats/mesh-files.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export type { SurfaceRegions } from "./formats/region-names.js";

@@ -4,15 +4,34 @@
  * sense (a size above zero, a loop that closes, a planar patch that is plane) is the engine's to say,
  * for a drawing that is still unfinished must be loadable.
  */
-import en from "zod/v4/locales/en.js";
 import * as z from "zod/mini";
+
+import { shown } from "./argument-checks.js";
 
 /** In the field `format` of every project file. */
 export const PROJECT_FORMAT = "tetrafront-project";
 /** Of the project file; readers take older ones too. */
 export const PROJECT_VERSION = 1;
 
-z.config(en());
+/** What is wrong with a value, of all that these schemas can find. For each check by itself: zod's settings are the page's. */
+export function wordsFor(issue: z.core.$ZodRawIssue): string {
+  switch (issue.code) {
+    case "invalid_type":
+      return `expected ${String(issue.expected)}, received ${shown(issue.input)}`;
+    case "invalid_value":
+      return `expected ${issue.values.length > 1 ? "one of " : ""}${issue.values.map(shown).join(", ")}`;
+    case "too_small":
+      return `expected ${issue.inclusive === true ? "at least" : "more than"} ${issue.minimum}${ITEMS[issue.origin] ?? ""}`;
+    case "too_big":
+      return `expected at most ${issue.maximum}${ITEMS[issue.origin] ?? ""}`;
+    case "unrecognized_keys":
+      return `there is no key ${issue.keys.map(shown).join(", ")}`;
+    default:
+      return "expected something else";
+  }
+}
+
+const ITEMS: Readonly<Record<string, string>> = { array: " items" };
 
 /** Says in the JSON Schema what a field means. */
 function described<Schema extends z.ZodMiniType>(description: string, schema: Schema): Schema {
@@ -209,7 +228,7 @@ export const HOLDS_ARRAYS = "it holds typed arrays, as no project does";
 
 /** What is wrong with a value that should be a list of sources, in a sentence; undefined if nothing. */
 export function sourceProblem(sources: unknown): string | undefined {
-  const parsed = parsedSafely(() => z.array(sourceSchema).safeParse(sources));
+  const parsed = parsedSafely(() => z.array(sourceSchema).safeParse(sources, { error: wordsFor }));
   if (parsed === undefined) return HOLDS_ARRAYS;
   const problems =
     parsed.error?.issues.map(({ path, message }) => `sources[${path.join("].")}: ${message}`) ?? [];

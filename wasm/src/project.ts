@@ -8,6 +8,7 @@ import {
   PROJECT_FORMAT,
   PROJECT_VERSION,
   projectSchema,
+  wordsFor,
   type Project,
   type ProjectBackground,
 } from "./project-schema.js";
@@ -25,7 +26,7 @@ const MAX_PROBLEMS = 20;
 export function parseProject(value: unknown): ReadResult<Project> {
   const headProblem = checkHead(value);
   if (headProblem !== undefined) return { success: false, problems: [headProblem] };
-  const parsed = parsedSafely(() => projectSchema.safeParse(value));
+  const parsed = parsedSafely(() => projectSchema.safeParse(value, { error: wordsFor }));
   if (parsed === undefined) {
     const remedy = "Give lists of numbers, as JSON has them.";
     return { success: false, problems: [{ code: "invalid-project", message: HOLDS_ARRAYS, remedy }] };
@@ -147,10 +148,9 @@ function describeSyntaxError(text: string, failure: unknown): ReadProblem {
 
 function describeIssue(issue: z.core.$ZodIssue): ReadProblem {
   const path = pathText(issue.path);
-  const reason = issue.message.replace(/^Invalid (input|option|key|element): /, "");
   return {
     code: "invalid-project",
-    message: path === "" ? reason : `${path}: ${reason}`,
+    message: path === "" ? issue.message : `${path}: ${issue.message}`,
     remedy: "Correct the value there; docs/FORMAT.md describes every field.",
     path,
   };

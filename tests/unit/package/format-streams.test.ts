@@ -287,7 +287,7 @@ describe("a large mesh is written", () => {
       const told: number[] = [];
       let others = 0;
       const timer = setInterval(() => others++);
-      const [file] = await writeMesh(large, `a${extension}`, { onProgress: (bytes) => told.push(bytes) });
+      const [file] = await writeMesh(large, `a${extension}`, { onProgress: ({ bytes }) => told.push(bytes) });
       clearInterval(timer);
       expect(others).toBeGreaterThan(0);
       expect(told).toEqual(told.toSorted((a, b) => a - b));

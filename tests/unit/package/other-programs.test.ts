@@ -8,6 +8,7 @@ import { readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { boundaryOf } from "../../../wasm/src/formats/boundary.js";
+import { inSteps } from "../../../wasm/src/formats/steps.js";
 import { blockMesh, taggedElements } from "../../support/block-mesh.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
@@ -148,7 +149,7 @@ if (programs.includes("meshio")) {
 
     test("the patches in part.ply", async () => {
       const read = await readByMeshio("part.ply", "ply");
-      const boundary = boundaryOf(mesh);
+      const boundary = await inSteps(boundaryOf(mesh));
       const triangles = taggedElements(boundary.triangles, 3, boundary.trianglePatch, boundary.patches);
       expect(elements(read, "triangle", "patch")).toEqual(triangles);
       expect(plus(read.points.flat())).toEqual(plus(boundary.points));
@@ -203,7 +204,7 @@ if (programs.includes("gmsh")) {
     // STL has floats; what Gmsh makes of the decimals in OBJ may differ in the last digit.
     const rounded = (x: number) => (format === "stl" ? Math.fround(x) : Number(x.toPrecision(14))) + 0;
     const places = (all: readonly number[][]) => all.map((place) => place.map(rounded).join(" ")).sort();
-    const { points: given } = boundaryOf(mesh);
+    const { points: given } = await inSteps(boundaryOf(mesh));
     const rows = Array.from({ length: given.length / 3 }, (_, i) => [...given.subarray(3 * i, 3 * i + 3)]);
     expect(places(points)).toEqual(places(rows));
     expect(triangles).toBe(mesh.triangles.length / 3);

@@ -8,7 +8,8 @@ import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
-import { coordinates, numberRows } from "./number-rows.js";
+import { coordinates, fromOne, numberRows } from "./number-rows.js";
+import { stepwise } from "./steps.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
 /** By the corner opposite; Abaqus numbers faces by their corners: S1 is 1 2 3, S2 1 2 4, S3 2 3 4, S4 1 3 4. */
@@ -19,15 +20,15 @@ const PER_LINE = 16;
 const NAMING: Naming = { plain: plainName, longest: 72, isCaseless: true };
 
 /** The bytes of an Abaqus input file. Triangles of no tetrahedron are in the node sets only. */
-export function writeAbaqus(mesh: FileMesh, note: Note): Part[] {
-  const regions = regionGroups(mesh, { ...NAMING, note });
-  const patches = patchGroups(mesh, { ...NAMING, note });
-  return [
+export function* writeAbaqus(mesh: FileMesh, note: Note): Generator<Part, void> {
+  const regions = yield* regionGroups(mesh, { ...NAMING, note });
+  const patches = yield* patchGroups(mesh, { ...NAMING, note });
+  yield [
     "*HEADING\nTetrafront\n*NODE\n",
     numberRows(mesh.points, 3, (row, i) => `${i + 1}, ${coordinates(row, ", ")}`),
     ...elementSets(regions),
     ...nodeSets(patches),
-    ...surfaces(mesh, patches),
+    surfaces(mesh, patches),
     ...regions.map(({ name }) => `*SOLID SECTION, ELSET=${name}, MATERIAL=${name}\n`),
     ...regions.map(({ name }) => `*MATERIAL, NAME=${name}\n`),
   ];
@@ -44,11 +45,7 @@ function elementSets(regions: readonly Group[]): Part[] {
   let number = 1;
   return regions.flatMap(({ name, nodes }) => [
     `*ELEMENT, TYPE=C3D4, ELSET=${name}\n`,
-    numberRows(
-      nodes.map((node) => node + 1),
-      4,
-      (row) => `${number++}, ${row.join(", ")}`,
-    ),
+    numberRows(nodes, 4, (row) => `${number++}, ${fromOne(row, ", ")}`),
   ]);
 }
 
@@ -61,13 +58,14 @@ function nodeSets(patches: readonly Group[]): string[] {
   });
 }
 
-function surfaces(mesh: FileMesh, patches: readonly Group[]): string[] {
-  const { faceOfTriangle, twin } = tetFaces(mesh);
+function* surfaces(mesh: FileMesh, patches: readonly Group[]): Generator<Part, void> {
+  const { faceOfTriangle, twin } = yield* tetFaces(mesh);
   const numbers = elementNumbers(mesh);
   /** By patch: the faces that its triangles look out of, and those on the other side of walls. */
   const sides = mesh.patches.map(() => ({ FACES: [] as string[], BACK: [] as string[] }));
   const line = (face: number) => `${numbers[face >>> 2]}, ${SIDE_OPPOSITE[face & 3] ?? "S1"}\n`;
-  faceOfTriangle.forEach((face, t) => {
+  yield* stepwise(faceOfTriangle.length, (t) => {
+    const face = faceOfTriangle[t] ?? NONE;
     if (face === NONE) return;
     const own = sides[mesh.trianglePatch[t] ?? 0];
     const other = twin[face] ?? NONE;
@@ -77,9 +75,9 @@ function surfaces(mesh: FileMesh, patches: readonly Group[]): string[] {
   // Patches without triangles have no group, and no lines here.
   const used = new Set(mesh.trianglePatch);
   const filled = sides.filter((_, patch) => used.has(patch));
-  return patches.flatMap(({ name }, p) =>
+  yield patches.flatMap(({ name }, p) =>
     Object.entries(filled[p] ?? {}).flatMap(([side, lines]) =>
-      lines.length === 0 ? [] : [`*SURFACE, NAME=${name}_${side}, TYPE=ELEMENT\n`, ...lines],
+      lines.length === 0 ? [] : [`*SURFACE, NAME=${name}_${side}, TYPE=ELEMENT\n${lines.join("")}`],
     ),
   );
 }

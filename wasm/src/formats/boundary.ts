@@ -1,24 +1,31 @@
 /** The triangles of a mesh with only the points they use, for formats that hold surfaces. */
 import type { FileMesh } from "./file-mesh.js";
+import { stepwise, type Steps } from "./steps.js";
 
 /** The same mesh without tetrahedra; nodes keep their order. */
-export function boundaryOf(mesh: FileMesh): FileMesh {
+export function* boundaryOf(mesh: FileMesh): Steps<FileMesh> {
   const { points, triangles } = mesh;
   const numbers = new Uint32Array(points.length / 3);
-  for (const node of triangles) numbers[node] = 1;
-  const total = numbers.reduce((sum, used) => sum + used, 0);
+  let total = 0;
+  yield* stepwise(triangles.length, (i) => {
+    const node = triangles[i] ?? 0;
+    total += 1 - (numbers[node] ?? 0);
+    numbers[node] = 1;
+  });
   if (total === numbers.length) return { ...mesh, ...NO_VOLUME };
   let count = 0;
   const kept = new Float64Array(3 * total);
-  numbers.forEach((used, node) => {
-    if (used === 0) return;
-    kept.set(points.subarray(3 * node, 3 * node + 3), 3 * count);
+  yield* stepwise(numbers.length, (node) => {
+    if (numbers[node] === 0) return;
+    for (let axis = 0; axis < 3; axis++) kept[3 * count + axis] = points[3 * node + axis] ?? 0;
     numbers[node] = count++;
   });
+  const renumbered = new Uint32Array(triangles.length);
+  yield* stepwise(triangles.length, (i) => (renumbered[i] = numbers[triangles[i] ?? 0] ?? 0));
   return {
     ...mesh,
     points: kept,
-    triangles: triangles.map((node) => numbers[node] ?? 0),
+    triangles: renumbered,
     ...NO_VOLUME,
   };
 }

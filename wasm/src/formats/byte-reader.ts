@@ -18,7 +18,7 @@ const MARK = [0xef, 0xbb, 0xbf] as const;
 /** An entry of a file may be as long as this; a face of ten thousand corners is. */
 const LOOKAHEAD = 1 << 18;
 /** As much is asked for at once, so that what is left of the window is seldom moved. */
-const WINDOW = 1 << 20;
+const WINDOW = 1 << 19;
 /** Digits, signs, the point. */
 const NUMBER_BEGINS = new TextEncoder().encode("0123456789+-.");
 /** From here on a byte is part of a character of several, in UTF-8. */

@@ -2,6 +2,7 @@
 import { isA, isArrayOf, isDetached } from "../argument-checks.js";
 import { throwIfCancelled, untilCancelled } from "../cancelling.js";
 import { ReadFailure } from "../read-result.js";
+import { Breather } from "./steps.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */
 export type ByteSource =
@@ -13,25 +14,20 @@ export type ByteSource =
   | Iterable<Uint8Array>;
 
 /** What is in memory already is handed on in pieces of this size, between which others may run. */
-const PIECE_BYTES = 1 << 20;
-/** Longest time without letting others run, in milliseconds. */
-export const BREATH_MS = 12;
+const PIECE_BYTES = 1 << 18;
 
 /**
  * The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. The signal cancels
  * them, also while one is waited for.
  */
 export async function* piecesOf(source: ByteSource, signal?: AbortSignal): AsyncGenerator<Uint8Array, void> {
-  let breathed = performance.now();
+  const breather = new Breather(signal);
   const pieces = rawPiecesOf(source);
   for await (const piece of signal === undefined ? pieces : heeding(pieces, signal)) {
     if (!isArrayOf(Uint8Array, piece)) throw noBytes("what it gives is no Uint8Array");
     // Decoders of text take nothing that others may change meanwhile.
     yield isA("ArrayBuffer", piece.buffer) ? piece : piece.slice();
-    if (performance.now() - breathed > BREATH_MS) {
-      await new Promise((resolve) => setTimeout(resolve));
-      breathed = performance.now();
-    }
+    if (breather.isDue) await breather.breathe();
   }
 }
 

@@ -1,8 +1,7 @@
+import { inPieces } from "./steps.js";
+
 /** What files are made of, in order; rows of numbers are made while they are written. Numbers stand in the machine's byte order. */
 export type Part = string | ArrayBufferView | Iterable<Part>;
-
-/** Of no bytes: between two pieces of work others may run. */
-export const BREATH: Part = "";
 
 /** The bytes of the parts, piece by piece. */
 export function* piecesIn(parts: Iterable<Part>): Generator<Uint8Array, void> {
@@ -40,14 +39,19 @@ export function widened(values: ArrayLike<number>): Uint32Array {
   return wide;
 }
 
-export function bigEndianDoubles(values: Float64Array): DataView {
-  const view = new DataView(new ArrayBuffer(8 * values.length));
-  values.forEach((value, i) => view.setFloat64(8 * i, value));
-  return view;
+export function bigEndianDoubles(values: Float64Array): Part {
+  return inPieces(values.length, (begin, end) => {
+    const view = new DataView(new ArrayBuffer(8 * (end - begin)));
+    for (let i = begin; i < end; i++) view.setFloat64(8 * (i - begin), values[i] ?? 0);
+    return view;
+  });
 }
 
-export function bigEndianInts(values: ArrayLike<number>): DataView {
-  const view = new DataView(new ArrayBuffer(4 * values.length));
-  for (let i = 0; i < values.length; i++) view.setInt32(4 * i, values[i] ?? 0);
-  return view;
+/** `first`: is added to each, for nodes that count from 1. */
+export function bigEndianInts(values: ArrayLike<number>, first = 0): Part {
+  return inPieces(values.length, (begin, end) => {
+    const view = new DataView(new ArrayBuffer(4 * (end - begin)));
+    for (let i = begin; i < end; i++) view.setInt32(4 * (i - begin), (values[i] ?? 0) + first);
+    return view;
+  });
 }

@@ -31,6 +31,8 @@ export type OpenOther = (fileName: string) => Promise<ByteSource | undefined>;
 export interface ReadContext {
   readonly fileName: string;
   readonly openOther: OpenOther;
+  /** Heard between the steps of work on bytes that were read; readers of pieces hear it by their source. */
+  readonly signal?: AbortSignal | undefined;
 }
 
 /** Rejects with an Error where the file cannot be read; `readMesh` gives code, place and remedy as a result. */
@@ -42,6 +44,8 @@ export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => reado
 export interface FormatCode {
   readonly read?: MeshReader;
   readonly write?: MeshWriter;
+  /** How often the writer goes through the nodes and elements, roughly, where that is not about four times: its progress is estimated by that. */
+  readonly passes?: number;
 }
 
 /** One format of files, as `FILE_FORMATS` lists it. */

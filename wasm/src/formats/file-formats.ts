@@ -90,6 +90,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
       write: one((await import("./msh.js")).writeMsh, { lowestTag: 1, takesData: isGmshData }),
+      passes: 11,
     }),
   },
   {
@@ -126,6 +127,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     load: async () => ({
       read: (await import("./medit-reader.js")).readMedit,
       write: one((await import("./medit.js")).writeMedit, { lowestTag: 0 }),
+      passes: 2,
     }),
   },
   {
@@ -134,7 +136,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".su2"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./su2.js")).writeSu2) }),
+    load: async () => ({ write: one((await import("./su2.js")).writeSu2), passes: 12 }),
   },
   {
     id: "abaqus",
@@ -142,7 +144,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".inp"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./abaqus.js")).writeAbaqus) }),
+    load: async () => ({ write: one((await import("./abaqus.js")).writeAbaqus), passes: 9 }),
   },
   {
     id: "nastran",
@@ -161,7 +163,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".ugrid"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./ugrid.js")).writeUgrid, { lowestTag: 1 }) }),
+    load: async () => ({ write: one((await import("./ugrid.js")).writeUgrid, { lowestTag: 1 }), passes: 12 }),
   },
   {
     id: "ugrid-binary",
@@ -169,7 +171,10 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".b8.ugrid"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./ugrid.js")).writeUgridBinary, { lowestTag: 1 }) }),
+    load: async () => ({
+      write: one((await import("./ugrid.js")).writeUgridBinary, { lowestTag: 1 }),
+      passes: 14,
+    }),
   },
   {
     id: "openfoam",
@@ -177,7 +182,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".foam.zip"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./openfoam.js")).writeOpenFoam) }),
+    load: async () => ({ write: one((await import("./openfoam.js")).writeOpenFoam), passes: 32 }),
   },
   {
     id: "tetgen",
@@ -189,6 +194,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     load: async () => ({
       read: (await import("./tetgen-reader.js")).readTetgen,
       write: holding({ lowestTag: 0 }, (await import("./tetgen.js")).writeTetgen),
+      passes: 2,
     }),
   },
   {
@@ -197,7 +203,10 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".tetgen.zip"],
     reads: [],
     writes: ["volume"],
-    load: async () => ({ write: one((await import("./tetgen.js")).writeTetgenZip, { lowestTag: 0 }) }),
+    load: async () => ({
+      write: one((await import("./tetgen.js")).writeTetgenZip, { lowestTag: 0 }),
+      passes: 6,
+    }),
   },
   {
     id: "tetgen-surface",

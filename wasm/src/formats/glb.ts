@@ -20,10 +20,10 @@ const FLOAT = 5126;
 const UNSIGNED_INT = 5125;
 
 /** The bytes of a GLB file. A surface without triangles is a scene without a mesh. */
-export function writeGlb(mesh: FileMesh, note: Note): Part[] {
-  const surface = boundaryOf(mesh);
-  noteMerged(surface.points, note);
-  const groups = patchGroups(surface, { note });
+export function* writeGlb(mesh: FileMesh, note: Note): Generator<Part, void> {
+  const surface = yield* boundaryOf(mesh);
+  yield* noteMerged(surface.points, note);
+  const groups = yield* patchGroups(surface, { note });
   const places = littleEndian(surface.points, (view, at, value) => view.setFloat32(at, value, true));
   const indices = groups.map(({ nodes }) =>
     littleEndian(nodes, (view, at, value) => view.setUint32(at, value, true)),
@@ -31,7 +31,7 @@ export function writeGlb(mesh: FileMesh, note: Note): Part[] {
   const json = padded(JSON.stringify(description(surface, groups)));
   const length = [places, ...indices].reduce((sum, part) => sum + part.byteLength, 0);
   const hasBinary = length > 0;
-  return [
+  yield [
     words(MAGIC, VERSION, 12 + 8 + json.length + (hasBinary ? 8 + length : 0)),
     words(json.length, JSON_CHUNK),
     json,

@@ -1,6 +1,7 @@
 /** Triangles by patch and tetrahedra by region, with names: what other programs put conditions on. */
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
+import { stepwise, type Steps } from "./steps.js";
 
 /** With Gmsh's numbers of element types; its node order is ours. */
 export const TRIANGLE = { type: 2, dimension: 2, nodes: 3 } as const;
@@ -30,33 +31,35 @@ export interface Naming {
   readonly note?: Note;
 }
 
-/** The triangles by patch; patches without triangles get no group. */
-export function patchGroups(mesh: FileMesh, naming?: Naming): Group[] {
+/** The triangles by patch; patches without triangles get no group. O(n). */
+export function patchGroups(mesh: FileMesh, naming?: Naming): Steps<Group[]> {
   return groupsOf(TRIANGLE, mesh.triangles, mesh.trianglePatch, mesh.patches, "patch", naming);
 }
 
 /** The tetrahedra by region, as `patchGroups`. */
-export function regionGroups(mesh: FileMesh, naming?: Naming): Group[] {
+export function regionGroups(mesh: FileMesh, naming?: Naming): Steps<Group[]> {
   return groupsOf(TETRAHEDRON, mesh.tetrahedra, mesh.tetrahedronRegion, mesh.regions, "region", naming);
 }
 
 /** Splits elements by owner, keeping their order. */
-function groupsOf(
+function* groupsOf(
   kind: ElementKind,
   nodes: Uint32Array,
   owners: Uint32Array,
   groups: readonly FileGroup[],
   word: string,
   naming: Naming = {},
-): Group[] {
+): Steps<Group[]> {
   const counts = new Uint32Array(groups.length);
-  for (const owner of owners) counts[owner] = (counts[owner] ?? 0) + 1;
+  const ownerOf = (e: number) => owners[e] ?? 0;
+  yield* stepwise(owners.length, (e) => (counts[ownerOf(e)] = (counts[ownerOf(e)] ?? 0) + 1));
   const split = Array.from(counts, (count) => new Uint32Array(kind.nodes * count));
   const filled = new Uint32Array(groups.length);
-  owners.forEach((owner, e) => {
-    const begin = filled[owner] ?? 0;
-    split[owner]?.set(nodes.subarray(kind.nodes * e, kind.nodes * (e + 1)), begin);
-    filled[owner] = begin + kind.nodes;
+  yield* stepwise(owners.length, (e) => {
+    const own = split[ownerOf(e)];
+    let at = filled[ownerOf(e)] ?? 0;
+    if (own) for (let i = 0; i < kind.nodes; i++) own[at++] = nodes[kind.nodes * e + i] ?? 0;
+    filled[ownerOf(e)] = at;
   });
   const taken = new Set<string>();
   const changed: string[] = [];

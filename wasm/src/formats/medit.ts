@@ -6,7 +6,7 @@ import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
-import { coordinates, numberRows } from "./number-rows.js";
+import { coordinates, fromOne, numberRows } from "./number-rows.js";
 
 /** The bytes of a Medit file. */
 export function writeMedit(mesh: FileMesh, note: Note): Part[] {
@@ -30,9 +30,8 @@ function elements(
   owners: Uint32Array,
   groups: readonly FileGroup[],
 ): Part[] {
-  const counted = nodes.map((node) => node + 1);
   return [
     `\n${name}\n${nodes.length / width}\n`,
-    numberRows(counted, width, (row, e) => `${row.join(" ")} ${groups[owners[e] ?? 0]?.tag ?? 0}`),
+    numberRows(nodes, width, (row, e) => `${fromOne(row)} ${groups[owners[e] ?? 0]?.tag ?? 0}`),
   ];
 }

@@ -18,6 +18,7 @@ import type { Diagnostic } from "../types.js";
 import { NO_REGION } from "../walls.js";
 import type { FileMesh, NodeData } from "./file-mesh.js";
 import type { SurfaceRegions } from "./region-names.js";
+import { firstOf, type Steps } from "./steps.js";
 
 const checkGroup = objectOf({ name: aString, tag: aNumber, color: orNothing(listOf(aNumber)) });
 
@@ -36,21 +37,21 @@ function wildRegion({ regions, triangleRegions }: SurfaceRegions): string | unde
 }
 
 /** The form alone; callers without type checks may give anything. Empty where all is well. */
-export function checkFileMesh(mesh: FileMesh): Diagnostic[] {
+export function* checkFileMesh(mesh: FileMesh): Steps<Diagnostic[]> {
   const given: unknown = mesh;
-  const what = faultIn(typeof given === "object" && given !== null ? given : {});
+  const what = yield* faultIn(typeof given === "object" && given !== null ? given : {});
   if (what === undefined) return [];
   const remedy = "Give a mesh as readMesh and fileMeshOf make it.";
   return [packageDiagnostic("invalid-arrays", `the mesh cannot be written: ${what}`, remedy)];
 }
 
-function faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): string | undefined {
+function* faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): Steps<string | undefined> {
   if (!isArrayOf(Float64Array, points) || points.length % 3 !== 0 || isDetached(points)) {
     return "its points are no Float64Array of x y z each";
   }
   if (!isA("Map", nodeData)) return "it has no map of numbers at the nodes";
   const count = points.length / 3;
-  const wild = points.findIndex((value) => !Number.isFinite(value));
+  const wild = yield* firstOf(points, (value) => !Number.isFinite(value));
   if (wild >= 0) return `node ${Math.floor(wild / 3)} has no finite place`;
   const data = [...(nodeData as ReadonlyMap<unknown, unknown>)].find(
     ([name, given]) => !isData(name, given, count),
@@ -58,8 +59,8 @@ function faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): string | und
   if (data !== undefined)
     return `its numbers ${shown(data[0])} are not so many for each of ${plural(count, "node")}`;
   return (
-    faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches) ??
-    faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions)
+    (yield* faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches)) ??
+    (yield* faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions))
   );
 }
 
@@ -72,14 +73,14 @@ function isData(name: unknown, given: unknown, count: number): boolean {
 
 const aNodeData = objectOf({ components: aNumber, values: arrayOf(Float64Array) });
 
-function faultOf(
+function* faultOf(
   word: string,
   width: number,
   count: number,
   nodes: unknown,
   owners: unknown,
   groups: unknown,
-): string | undefined {
+): Steps<string | undefined> {
   if (
     !(isArrayOf(Uint32Array, nodes) && isArrayOf(Uint32Array, owners) && Array.isArray(groups)) ||
     isDetached(nodes)
@@ -87,10 +88,10 @@ function faultOf(
     return `a ${word}'s nodes or groups are no Uint32Array, or the groups have no list`;
   }
   if (nodes.length !== width * owners.length) return `there is not one group per ${word}`;
-  const wild = nodes.findIndex((node) => node >= count);
+  const wild = yield* firstOf(nodes, (node) => node >= count);
   if (wild >= 0) return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]} of ${count}`;
   const named = groups.findIndex((group) => checkGroup(group) !== undefined);
   if (named >= 0) return `group ${named} of its ${word}s has no name or no number`;
-  const lost = owners.findIndex((owner) => owner >= groups.length);
+  const lost = yield* firstOf(owners, (owner) => owner >= groups.length);
   return lost < 0 ? undefined : `${word} ${lost} is of group ${owners[lost]} of ${groups.length}`;
 }

@@ -5,12 +5,13 @@ import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
 import type { Diagnostic } from "../types.js";
-import { joined, piecesIn, type Part } from "./bytes.js";
-import { BREATH_MS, checkSource, watcher, type ByteSource } from "./byte-source.js";
-import type { Contents, FileFormat, OpenOther, WrittenFile } from "./file-format.js";
+import { joined, piecesIn } from "./bytes.js";
+import { checkSource, watcher, type ByteSource } from "./byte-source.js";
+import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "./file-format.js";
 import { extensionsThat, formatOf } from "./file-formats.js";
 import type { FileMesh } from "./file-mesh.js";
 import { checkFileMesh } from "./mesh-checks.js";
+import { Breather, inSteps, STEP } from "./steps.js";
 import { surfaceOf, type SurfaceFile } from "./surface-file.js";
 import { volumeOf, type VolumeFile } from "./volume-file.js";
 
@@ -26,10 +27,18 @@ export interface ReadFileOptions {
   readonly signal?: AbortSignal | undefined;
 }
 
+/** How far the writing of a mesh is. */
+export interface WriteProgress {
+  /** Of the whole, 0 to 1, estimated, never decreasing. */
+  readonly fraction: number;
+  /** Made so far, in all files together. */
+  readonly bytes: number;
+}
+
 /** How a file is written. */
 export interface WriteFileOptions {
-  /** Called with the number of bytes made so far, in all files together, every few milliseconds and at the end of each. */
-  readonly onProgress?: ((bytes: number) => void) | undefined;
+  /** Called every few milliseconds, and at the end. */
+  readonly onProgress?: ((progress: WriteProgress) => void) | undefined;
   /** Aborting rejects with a `MesherError` of the code `cancelled`; it is heard every few milliseconds. */
   readonly signal?: AbortSignal | undefined;
 }
@@ -43,12 +52,14 @@ export interface WriteFileOptions {
  *     if (read.success) await mesher.fillSurface(read.value);
  */
 export function readSurface(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<SurfaceFile>> {
-  return asResult(async () => surfaceOf(await readAny(source, options, ["surface"])));
+  return asResult(async () =>
+    inSteps(surfaceOf(await readAny(source, options, ["surface"])), options.signal),
+  );
 }
 
 /** The tetrahedra of a file with the nodes they use and the numbers at these. */
 export function readVolume(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<VolumeFile>> {
-  return asResult(async () => volumeOf(await readAny(source, options, ["volume"])));
+  return asResult(async () => inSteps(volumeOf(await readAny(source, options, ["volume"])), options.signal));
 }
 
 /** All triangles and tetrahedra of a file as they are in it, nothing welded. */
@@ -58,8 +69,8 @@ export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<
 
 /**
  * The files that a mesh becomes in the format of this name: one, or several beside each other, with notes of what the
- * format has no place for. Formats that hold surfaces only get the triangles. Others may run meanwhile, but
- * not while a mesh is laid out for its format, nor while a zip is compressed. Rejects with a `MesherError` of the code
+ * format has no place for. Formats that hold surfaces only get the triangles. Works in steps of a few milliseconds, between
+ * which others run. Rejects with a `MesherError` of the code
  * `invalid-input`, whose diagnostics are `unknown-format` where the name tells no format that can be written
  * (`formatOf` tells beforehand), `invalid-arrays` where the arrays do not fit together, and `unsound-mesh` where the
  * elements do not and the format is for solvers that need it.
@@ -74,8 +85,10 @@ export async function writeMesh(
   if (unknown !== undefined) {
     refuse([packageDiagnostic("invalid-argument", unknown.message, unknown.remedy)]);
   }
+  const { signal } = options;
+  throwIfCancelled(signal);
   const format = typeof fileName === "string" ? formatOf(fileName) : undefined;
-  const { write } = (await format?.load()) ?? {};
+  const { write, passes = USUAL_PASSES } = (await format?.load()) ?? {};
   if (write === undefined) {
     const message = `the name ${shown(fileName)} tells no format that can be written`;
     const known = [...extensionsThat("writes", "volume"), ...extensionsThat("writes", "surface")];
@@ -83,42 +96,44 @@ export async function writeMesh(
     refuse([packageDiagnostic("unknown-format", message, remedy)]);
     return [];
   }
-  refuse(checkFileMesh(mesh));
+  refuse(await inSteps(checkFileMesh(mesh), signal));
   const notes: Diagnostic[] = [];
   const files = write(mesh, fileName, (message) =>
     notes.push(packageDiagnostic("left-out", message, "", "information")),
   );
-  const written: WrittenFile[] = [];
-  let before = 0;
-  for (const { fileName: name, parts } of files) {
-    const bytes = await gathered(parts, options, before);
-    before += bytes.length;
-    written.push({ fileName: name, bytes, notes: written.length === 0 ? notes : [] });
-  }
-  return written;
+  const rows = (mesh.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
+  const contents = await gathered(files, options, (passes * rows) / STEP);
+  return contents.map((content, f) => ({ ...content, notes: f === 0 ? notes : [] }));
 }
 
-/** Lets timers and messages in between the pieces. `before`: bytes of earlier files. */
+/** Of writers that say nothing else. */
+const USUAL_PASSES = 4;
+/** What is told before the end: more than was expected may still come. */
+const NEARLY_ALL = 0.99;
+
+/** The bytes of the files. Lets others in between their pieces, of which so many are `expected`. */
 async function gathered(
-  parts: Iterable<Part>,
+  files: readonly FileParts[],
   { signal, onProgress }: WriteFileOptions,
-  before: number,
-): Promise<Uint8Array<ArrayBuffer>> {
-  throwIfCancelled(signal);
-  const pieces: Uint8Array[] = [];
-  let length = 0;
-  let breathed = performance.now();
-  for (const piece of piecesIn(parts)) {
-    pieces.push(piece);
-    length += piece.length;
-    if (performance.now() - breathed < BREATH_MS) continue;
-    onProgress?.(before + length);
-    await new Promise((resolve) => setTimeout(resolve));
-    throwIfCancelled(signal);
-    breathed = performance.now();
+  expected: number,
+): Promise<Omit<WrittenFile, "notes">[]> {
+  const breather = new Breather(signal);
+  const contents: Omit<WrittenFile, "notes">[] = [];
+  let [steps, bytes] = [0, 0];
+  for (const { fileName, parts } of files) {
+    const pieces: Uint8Array[] = [];
+    for (const piece of piecesIn(parts)) {
+      steps++;
+      bytes += piece.length;
+      if (piece.length > 0) pieces.push(piece);
+      if (!breather.isDue) continue;
+      onProgress?.({ fraction: Math.min(NEARLY_ALL, steps / expected), bytes });
+      await breather.breathe();
+    }
+    contents.push({ fileName, bytes: joined(pieces) });
   }
-  onProgress?.(before + length);
-  return joined(pieces);
+  onProgress?.({ fraction: 1, bytes });
+  return contents;
 }
 
 async function readAny(
@@ -127,7 +142,8 @@ async function readAny(
   contents: readonly Contents[],
 ): Promise<FileMesh> {
   checkSource(source);
-  const { fileName, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
+  const { fileName, signal, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
+  throwIfCancelled(signal);
   const format = formatOf(fileName);
   if (!format?.reads.some((held) => contents.includes(held))) throw unknownFormat(fileName, format, contents);
   const { read } = await format.load();
@@ -135,10 +151,10 @@ async function readAny(
   try {
     const watch = watcher(options);
     const opened: OpenOther = async (name) => {
-      const other = await untilCancelled(() => checkedOpening(openOther)(name), options.signal);
+      const other = await untilCancelled(() => checkedOpening(openOther)(name), signal);
       return other && watch(other);
     };
-    return await read(watch(source), { fileName, openOther: opened });
+    return await read(watch(source), { fileName, openOther: opened, signal });
   } catch (failure) {
     throw failureIn(fileName, asTooLarge(failure));
   }

@@ -7,44 +7,46 @@ import { IS_LITTLE_ENDIAN, widened, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
+import { inPieces, stepwise, type Steps } from "./steps.js";
 
 /** Gmsh reads no file in which a name is longer. */
 export const GMSH_NAMING: Naming = { longest: 127 };
 
 /** The bytes of an MSH file. */
-export function writeMsh(mesh: FileMesh, note: Note): Part[] {
+export function* writeMsh(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
-  const patches = patchGroups(mesh, { ...GMSH_NAMING, note });
-  const regions = regionGroups(mesh, { ...GMSH_NAMING, note });
+  const patches = yield* patchGroups(mesh, { ...GMSH_NAMING, note });
+  const regions = yield* regionGroups(mesh, { ...GMSH_NAMING, note });
   const groups = [...patches, ...regions];
-  return [
+  yield [
     // 1: binary, 8: bytes of a size_t; the number 1 that follows tells the byte order.
     "$MeshFormat\n4.1 1 8\n",
     Int32Array.of(1),
     "\n$EndMeshFormat\n",
     physicalNames(groups),
     "$Entities\n",
-    ...entities(patches, regions, points),
+    entities(patches, regions, points),
     "\n$EndEntities\n$Nodes\n",
-    ...nodes(points, groups),
+    nodes(points, groups),
     "\n$EndNodes\n$Elements\n",
-    ...elements(groups),
+    elements(groups),
     "\n$EndElements\n",
-    ...nodeDataSections(mesh),
+    nodeDataSections(mesh),
   ];
 }
 
 /** One section per name, with the nodes that have numbers; in both versions of the format. */
-export function nodeDataSections({ nodeData }: FileMesh): (string | ArrayBufferView)[] {
-  return [...nodeData].flatMap(([name, { components, values }]) => {
+export function* nodeDataSections({ nodeData }: FileMesh): Generator<Part, void> {
+  for (const [name, { components, values }] of nodeData) {
     const rows: number[] = [];
-    for (let node = 0; components * node < values.length; node++) {
+    yield* stepwise(values.length / components, (node) => {
       const own = values.subarray(components * node, components * (node + 1));
       if (!own.every(Number.isNaN)) rows.push(node);
-    }
+    });
     const width = 4 + 8 * components;
     const view = new DataView(new ArrayBuffer(width * rows.length));
-    rows.forEach((node, r) => {
+    yield* stepwise(rows.length, (r) => {
+      const node = rows[r] ?? 0;
       view.setInt32(width * r, node + 1, IS_LITTLE_ENDIAN);
       for (let i = 0; i < components; i++) {
         view.setFloat64(width * r + 4 + 8 * i, values[components * node + i] ?? NaN, IS_LITTLE_ENDIAN);
@@ -52,8 +54,8 @@ export function nodeDataSections({ nodeData }: FileMesh): (string | ArrayBufferV
     });
     // A name, a time, and three numbers: the step of time, numbers per node, nodes.
     const title = `"${name.replace(/["\r\n]/g, "'")}"`;
-    return [`$NodeData\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows.length}\n`, view, "\n$EndNodeData\n"];
-  });
+    yield [`$NodeData\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows.length}\n`, view, "\n$EndNodeData\n"];
+  }
 }
 
 /** The section that tells the names of patches and regions. */
@@ -62,33 +64,29 @@ export function physicalNames(groups: readonly Group[]): string {
   return `$PhysicalNames\n${groups.length}\n${lines.join("")}$EndPhysicalNames\n`;
 }
 
-function entities(
+function* entities(
   patches: readonly Group[],
   regions: readonly Group[],
   points: Float64Array,
-): ArrayBufferView[] {
-  const counts = widened([0, 0, patches.length, regions.length]);
-  const records = [...patches, ...regions].flatMap((group) => [
-    Int32Array.of(group.tag),
-    boundingBox(group.nodes, points),
-    widened([1]),
-    Int32Array.of(group.tag),
+): Generator<Part, void> {
+  yield widened([0, 0, patches.length, regions.length]);
+  for (const { tag, nodes } of [...patches, ...regions]) {
+    const box = yield* boundingBox(nodes, points);
     // No bounding entities are told: solvers do not need them, and a free surface has none.
-    widened([0]),
-  ]);
-  return [counts, ...records];
+    yield [Int32Array.of(tag), box, widened([1]), Int32Array.of(tag), widened([0])];
+  }
 }
 
 /** Lowest x y z, highest x y z. */
-function boundingBox(nodes: Uint32Array, points: Float64Array): Float64Array {
+function* boundingBox(nodes: Uint32Array, points: Float64Array): Steps<Float64Array> {
   const box = Float64Array.of(Infinity, Infinity, Infinity, -Infinity, -Infinity, -Infinity);
-  for (const node of nodes) {
+  yield* stepwise(nodes.length, (i) => {
     for (let axis = 0; axis < 3; axis++) {
-      const value = points[3 * node + axis] ?? 0;
+      const value = points[3 * (nodes[i] ?? 0) + axis] ?? 0;
       box[axis] = Math.min(box[axis] ?? 0, value);
       box[axis + 3] = Math.max(box[axis + 3] ?? 0, value);
     }
-  }
+  });
   return box;
 }
 
@@ -107,18 +105,20 @@ function nodes(points: Float64Array, groups: readonly Group[]): ArrayBufferView[
   ];
 }
 
-function elements(groups: readonly Group[]): ArrayBufferView[] {
+function* elements(groups: readonly Group[]): Generator<Part, void> {
   const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
-  const parts: ArrayBufferView[] = [widened([groups.length, total, Math.min(1, total), total])];
+  yield widened([groups.length, total, Math.min(1, total), total]);
   let tag = 1;
   for (const { kind, tag: entity, nodes } of groups) {
     const count = nodes.length / kind.nodes;
-    const rows = new Uint32Array((kind.nodes + 1) * count);
-    for (let e = 0, out = 0; e < count; e++) {
-      rows[out++] = tag++;
-      for (let i = 0; i < kind.nodes; i++) rows[out++] = (nodes[kind.nodes * e + i] ?? 0) + 1;
-    }
-    parts.push(Int32Array.of(kind.dimension, entity, kind.type), widened([count]), widened(rows));
+    yield [Int32Array.of(kind.dimension, entity, kind.type), widened([count])];
+    yield* inPieces(count, (begin, end) => {
+      const rows = new Uint32Array((kind.nodes + 1) * (end - begin));
+      for (let e = begin, out = 0; e < end; e++) {
+        rows[out++] = tag++;
+        for (let i = 0; i < kind.nodes; i++) rows[out++] = (nodes[kind.nodes * e + i] ?? 0) + 1;
+      }
+      return widened(rows);
+    });
   }
-  return parts;
 }

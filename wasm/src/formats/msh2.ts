@@ -7,18 +7,19 @@ import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
 import { GMSH_NAMING, nodeDataSections, physicalNames } from "./msh.js";
+import { inPieces } from "./steps.js";
 
 /** A number, then x y z. */
 const NODE_BYTES = 4 + 3 * 8;
 
 /** The bytes of an MSH file. */
-export function writeMsh2(mesh: FileMesh, note: Note): Part[] {
+export function* writeMsh2(mesh: FileMesh, note: Note): Generator<Part, void> {
   const groups = [
-    ...patchGroups(mesh, { ...GMSH_NAMING, note }),
-    ...regionGroups(mesh, { ...GMSH_NAMING, note }),
+    ...(yield* patchGroups(mesh, { ...GMSH_NAMING, note })),
+    ...(yield* regionGroups(mesh, { ...GMSH_NAMING, note })),
   ];
   const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
-  return [
+  yield [
     // 1: binary, 8: bytes of a coordinate; the number 1 that follows tells the byte order.
     "$MeshFormat\n2.2 1 8\n",
     Int32Array.of(1),
@@ -27,37 +28,40 @@ export function writeMsh2(mesh: FileMesh, note: Note): Part[] {
     `$Nodes\n${mesh.points.length / 3}\n`,
     nodes(mesh.points),
     `\n$EndNodes\n$Elements\n${total}\n`,
-    ...elements(groups),
+    elements(groups),
     "\n$EndElements\n",
-    ...nodeDataSections(mesh),
+    nodeDataSections(mesh),
   ];
 }
 
-function nodes(points: Float64Array): DataView {
-  const count = points.length / 3;
-  const view = new DataView(new ArrayBuffer(NODE_BYTES * count));
-  for (let i = 0; i < count; i++) {
-    view.setInt32(NODE_BYTES * i, i + 1, IS_LITTLE_ENDIAN);
-    for (let axis = 0; axis < 3; axis++) {
-      view.setFloat64(NODE_BYTES * i + 4 + 8 * axis, points[3 * i + axis] ?? 0, IS_LITTLE_ENDIAN);
+function nodes(points: Float64Array): Part {
+  return inPieces(points.length / 3, (begin, end) => {
+    const view = new DataView(new ArrayBuffer(NODE_BYTES * (end - begin)));
+    for (let i = begin, at = 0; i < end; i++, at += NODE_BYTES) {
+      view.setInt32(at, i + 1, IS_LITTLE_ENDIAN);
+      for (let axis = 0; axis < 3; axis++) {
+        view.setFloat64(at + 4 + 8 * axis, points[3 * i + axis] ?? 0, IS_LITTLE_ENDIAN);
+      }
     }
-  }
-  return view;
+    return view;
+  });
 }
 
 /** One run per group: type, number of elements and of tags, then number, tags and nodes of each. */
-function elements(groups: readonly Group[]): Int32Array[] {
+function* elements(groups: readonly Group[]): Generator<Part, void> {
   let number = 1;
-  return groups.map(({ kind, tag, nodes: corners }) => {
+  for (const { kind, tag, nodes: corners } of groups) {
     const count = corners.length / kind.nodes;
-    const run = new Int32Array(3 + (3 + kind.nodes) * count);
-    run.set([kind.type, count, 2]);
-    for (let e = 0, out = 3; e < count; e++) {
-      run[out++] = number++;
-      run[out++] = tag;
-      run[out++] = tag;
-      for (let i = 0; i < kind.nodes; i++) run[out++] = (corners[kind.nodes * e + i] ?? 0) + 1;
-    }
-    return run;
-  });
+    yield Int32Array.of(kind.type, count, 2);
+    yield* inPieces(count, (begin, end) => {
+      const run = new Int32Array((3 + kind.nodes) * (end - begin));
+      for (let e = begin, out = 0; e < end; e++) {
+        run[out++] = number++;
+        run[out++] = tag;
+        run[out++] = tag;
+        for (let i = 0; i < kind.nodes; i++) run[out++] = (corners[kind.nodes * e + i] ?? 0) + 1;
+      }
+      return run;
+    });
+  }
 }

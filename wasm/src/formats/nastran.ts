@@ -11,17 +11,19 @@ import { patchGroups, regionGroups, type Group } from "./groups.js";
 import type { Held } from "./held.js";
 import { noteMerged } from "./merged-points.js";
 import { numberRows } from "./number-rows.js";
+import { stepwise } from "./steps.js";
 
 /** Properties of shells and solids have their numbers from one set, of eight digits each. */
 export const NASTRAN_NUMBERS: Held = { lowestTag: 1, highestTag: 99_999_999, sharesTags: true };
 
 /** The bytes of a bulk data file. Properties have the numbers of their patches and regions. */
-export function writeNastran(mesh: FileMesh, note: Note): Part[] {
-  const written = mesh.points.map((value) => Number(wide(value)));
-  noteMerged(mesh.points, note, written, `the format has ${WIDE} characters for a coordinate`);
-  const regions = regionGroups(mesh, { note });
-  const patches = patchGroups(mesh, { note });
-  return [
+export function* writeNastran(mesh: FileMesh, note: Note): Generator<Part, void> {
+  const written = new Float64Array(mesh.points.length);
+  yield* stepwise(written.length, (i) => (written[i] = Number(wide(mesh.points[i] ?? 0))));
+  yield* noteMerged(mesh.points, note, written, `the format has ${WIDE} characters for a coordinate`);
+  const regions = yield* regionGroups(mesh, { note });
+  const patches = yield* patchGroups(mesh, { note });
+  yield [
     "$ Tetrafront\nCEND\nBEGIN BULK\n",
     numberRows(mesh.points, 3, (row, i) => gridCard(i + 1, row)),
     ...cards([...regions, ...patches]),
@@ -37,14 +39,10 @@ function cards(groups: readonly Group[]): Part[] {
     const material = isSolid ? `PSOLID  ${field(property)}${field(property)}` : `PSHELL  ${field(property)}`;
     return [
       `$ ${isSolid ? "region" : "patch"} ${property}: ${name}\n${material}\n`,
-      numberRows(
-        nodes.map((node) => node + 1),
-        kind.nodes,
-        (row) => {
-          const numbers = [element++, property, ...row].map((value) => field(value));
-          return `${card.padEnd(8)}${numbers.join("")}`;
-        },
-      ),
+      numberRows(nodes, kind.nodes, (row) => {
+        const corners = Array.from(row, (node) => field(node + 1)).join("");
+        return `${card.padEnd(8)}${field(element++)}${field(property)}${corners}`;
+      }),
     ];
   });
 }

@@ -11,9 +11,9 @@ import { faceLines, nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of an OFF file. */
-export function writeOff(mesh: FileMesh, note: Note): Part[] {
-  const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
-  return [
+export function* writeOff(mesh: FileMesh, note: Note): Generator<Part, void> {
+  const { points, triangles, trianglePatch, patches } = yield* boundaryOf(mesh);
+  yield [
     `OFF\n${points.length / 3} ${triangles.length / 3} 0\n`,
     numberRows(points, 3, (row) => coordinates(row)),
     numberRows(triangles, 3, (row) => `3 ${row.join(" ")}`),

@@ -4,20 +4,15 @@
  * from the lower cell to the higher; then the faces of each patch, pointing outward. Regions are cell zones;
  * patches between two regions are face zones; faces of no patch, as a partial mesh has, are in `defaultFaces`.
  */
-import { zipSync, type Zippable } from "fflate";
-
-import { BREATH, joinBytes, type Part } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups } from "./groups.js";
 import { coordinates, numberRows } from "./number-rows.js";
 import { noteLoose, noteNameless, noteRepeated } from "./outer-faces.js";
+import { stepwise, type Steps } from "./steps.js";
 import { cornersOf, NONE, soundFaces, type TetFaces } from "./tet-faces.js";
-
-/** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
-const MADE = new Date(1980, 0, 1);
-/** Fast; the text of a mesh shrinks to a fourth even so. */
-const LEVEL = 1;
+import { zipped } from "./zip.js";
 
 /** A patch or a face zone: `positions` among all faces. */
 interface FaceRange {
@@ -37,7 +32,7 @@ interface PolyMesh {
 
 /** The bytes of the zip. */
 export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void> {
-  const poly = polyMesh(mesh, note);
+  const poly = yield* polyMesh(mesh, note);
   const owners = poly.faces.map((face) => face >>> 2);
   const counts =
     `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
@@ -58,28 +53,25 @@ export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void
     owner: list("labelList", "owner", owners.length, labels(owners), counts),
     neighbour: list("labelList", "neighbour", poly.neighbours.length, labels(poly.neighbours), counts),
     boundary: list("polyBoundaryMesh", "boundary", poly.patches.length, poly.patches.map(patchEntry)),
-    cellZones: cellZones(mesh, note),
+    cellZones: yield* cellZones(mesh, note),
     faceZones: list("regIOobject", "faceZones", poly.zones.length, poly.zones.map(zoneEntry)),
   };
-  const named: Zippable = {};
-  for (const [name, parts] of Object.entries(files)) {
-    named[`constant/polyMesh/${name}`] = joinBytes([parts]);
-    yield BREATH;
-  }
-  yield zipSync(named, { level: LEVEL, mtime: MADE });
+  yield* zipped(
+    Object.entries(files).map(([name, part]) => ({ fileName: `constant/polyMesh/${name}`, parts: [part] })),
+  );
 }
 
-function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
-  const found = soundFaces(mesh);
+function* polyMesh(mesh: FileMesh, note: Note): Steps<PolyMesh> {
+  const found = yield* soundFaces(mesh);
   noteLoose(found.faceOfTriangle.filter((face) => face === NONE).length, note);
   const isRepeated = (t: number, face: number) => face !== NONE && found.triangle[face] !== t;
   noteRepeated(found.faceOfTriangle.filter((face, t) => isRepeated(t, face)).length, note);
-  const inner = innerFaces(found.twin);
+  const inner = yield* innerFaces(found.twin);
   const outside: number[] = [];
   let positions: Uint32Array | undefined;
   const patches: FaceRange[] = [];
   const zones: { name: string; faces: Uint32Array }[] = [];
-  const names = namesOf(mesh, note);
+  const names = yield* namesOf(mesh, note);
   const byPatch = trianglesByPatch(mesh);
   byPatch.forEach((own, patch) => {
     const kept = own.filter((t) => !isRepeated(t, found.faceOfTriangle[t] ?? NONE));
@@ -96,7 +88,7 @@ function polyMesh(mesh: FileMesh, note: Note): PolyMesh {
     const zone = Uint32Array.from(between, (face) => known[lowerSide(face, found.twin)] ?? 0);
     zones.push({ name, faces: zone.sort() });
   });
-  const nameless = namelessFaces(found);
+  const nameless = yield* namelessFaces(found);
   if (nameless.length > 0) {
     const name = "defaultFaces";
     patches.push({ name, begin: inner.length + outside.length, count: nameless.length });
@@ -116,17 +108,18 @@ function lowerSide(face: number, twin: Uint32Array): number {
 }
 
 /** Cell by cell, towards the higher neighbours in their order. */
-function innerFaces(twin: Uint32Array): Uint32Array {
+function* innerFaces(twin: Uint32Array): Steps<Uint32Array> {
   const inner = new Uint32Array(twin.length / 2);
   let count = 0;
-  for (let begin = 0; begin < twin.length; begin += 4) {
+  yield* stepwise(twin.length / 4, (t) => {
+    const begin = 4 * t;
     const own = [begin, begin + 1, begin + 2, begin + 3].filter((face) => {
       const other = twin[face] ?? NONE;
       return other !== NONE && other > face;
     });
     own.sort((a, b) => (twin[a] ?? 0) - (twin[b] ?? 0));
     for (const face of own) inner[count++] = face;
-  }
+  });
   return inner.subarray(0, count);
 }
 
@@ -138,10 +131,10 @@ function positionsOf(faces: Uint32Array, faceCount: number): Uint32Array {
 }
 
 /** Faces of one tetrahedron on which no triangle lies. */
-function namelessFaces({ twin, triangle }: TetFaces): number[] {
+function* namelessFaces({ twin, triangle }: TetFaces): Steps<number[]> {
   const nameless: number[] = [];
-  twin.forEach((other, face) => {
-    if (other === NONE && triangle[face] === NONE) nameless.push(face);
+  yield* stepwise(twin.length, (face) => {
+    if (twin[face] === NONE && triangle[face] === NONE) nameless.push(face);
   });
   return nameless;
 }
@@ -153,9 +146,9 @@ function trianglesByPatch({ trianglePatch, patches }: FileMesh): number[][] {
 }
 
 /** Words as OpenFOAM takes them, by position of the patch; patches without triangles have none. */
-function namesOf(mesh: FileMesh, note: Note): (string | undefined)[] {
+function* namesOf(mesh: FileMesh, note: Note): Steps<(string | undefined)[]> {
   const used = new Set(mesh.trianglePatch);
-  const names = patchGroups(mesh, { plain: word, note }).map(({ name }) => name);
+  const names = (yield* patchGroups(mesh, { plain: word, note })).map(({ name }) => name);
   return mesh.patches.map((_, patch) => (used.has(patch) ? names.shift() : undefined));
 }
 
@@ -171,7 +164,7 @@ function header(kind: string, object: string, note = ""): string {
   );
 }
 
-function list(kind: string, object: string, count: number, entries: Iterable<string>, note = ""): Part {
+function list(kind: string, object: string, count: number, entries: Iterable<Part>, note = ""): Part {
   return [header(kind, object, note), `${count}\n(\n`, entries, ")\n"];
 }
 
@@ -195,13 +188,14 @@ function zoneEntry({ name, faces }: { readonly name: string; readonly faces: Uin
   );
 }
 
-function cellZones(mesh: FileMesh, note: Note): Part {
+function* cellZones(mesh: FileMesh, note: Note): Steps<Part> {
   const cells: number[][] = mesh.regions.map(() => []);
   mesh.tetrahedronRegion.forEach((region, cell) => cells[region]?.push(cell));
   const filled = cells.filter((own) => own.length > 0);
-  const entries = regionGroups(mesh, { plain: word, note }).map(({ name }, r) => {
+  const groups = yield* regionGroups(mesh, { plain: word, note });
+  const entries = groups.map(({ name }, r): Part => {
     const own = Uint32Array.from(filled[r] ?? []);
-    return `${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n${[...labels(own)].join("")});\n}\n`;
+    return [`${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n`, labels(own), ");\n}\n"];
   });
   return list("regIOobject", "cellZones", entries.length, entries);
 }

@@ -6,21 +6,23 @@ import { plural } from "../plural.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { listed } from "./groups.js";
+import { stepwise, type Steps } from "./steps.js";
 import { cornersOf, NONE, soundFaces } from "./tet-faces.js";
 
 /** For faces that no patch has, as in a partial mesh. */
 export const NAMELESS = "unnamed faces";
 
 /** The mesh with these triangles alone. Throws a MesherError where its elements do not fit together. */
-export function withOuterFaces(mesh: FileMesh, note: Note): FileMesh {
+export function* withOuterFaces(mesh: FileMesh, note: Note): Steps<FileMesh> {
   const { tetrahedra, trianglePatch, patches } = mesh;
-  const { twin, triangle, faceOfTriangle } = soundFaces(mesh);
+  const { twin, triangle, faceOfTriangle } = yield* soundFaces(mesh);
   const faces: number[] = [];
   const owners: number[] = [];
   const walls: number[] = [];
   let lost = 0;
   let repeated = 0;
-  faceOfTriangle.forEach((face, t) => {
+  yield* stepwise(faceOfTriangle.length, (t) => {
+    const face = faceOfTriangle[t] ?? NONE;
     if (face === NONE) lost++;
     else if (triangle[face] !== t) repeated++;
     else if (twin[face] !== NONE) walls.push(t);
@@ -30,8 +32,8 @@ export function withOuterFaces(mesh: FileMesh, note: Note): FileMesh {
     }
   });
   const named = faces.length;
-  twin.forEach((other, face) => {
-    if (other !== NONE || triangle[face] !== NONE) return;
+  yield* stepwise(twin.length, (face) => {
+    if (twin[face] !== NONE || triangle[face] !== NONE) return;
     faces.push(face);
     owners.push(patches.length);
   });
@@ -39,10 +41,12 @@ export function withOuterFaces(mesh: FileMesh, note: Note): FileMesh {
   noteLoose(lost, note);
   noteRepeated(repeated, note);
   if (faces.length > named) noteNameless(faces.length - named, NAMELESS, note);
+  const triangles = new Uint32Array(3 * faces.length);
+  yield* stepwise(faces.length, (t) => triangles.set(cornersOf(tetrahedra, faces[t] ?? 0), 3 * t));
   const lastTag = patches.reduce((most, { tag }) => Math.max(most, tag), 0);
   return {
     ...mesh,
-    triangles: Uint32Array.from(faces.flatMap((face) => [...cornersOf(tetrahedra, face)])),
+    triangles,
     trianglePatch: Uint32Array.from(owners),
     patches: [...patches, { name: NAMELESS, tag: lastTag + 1 }],
   };

@@ -10,8 +10,8 @@ import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
 /** The bytes of a PLY file. */
-export function writePly(mesh: FileMesh, note: Note): Part[] {
-  const { points, triangles, trianglePatch, patches } = boundaryOf(mesh);
+export function* writePly(mesh: FileMesh, note: Note): Generator<Part, void> {
+  const { points, triangles, trianglePatch, patches } = yield* boundaryOf(mesh);
   const hasPatches = patches.length > 1;
   const lineEnds = colorsOf(mesh).map(
     (color, p) => ` ${patches[p]?.tag ?? 0} ${color.map((value) => Math.round(255 * value)).join(" ")}`,
@@ -25,7 +25,7 @@ export function writePly(mesh: FileMesh, note: Note): Part[] {
     ...(hasPatches ? ["red", "green", "blue"].map((part) => `property uchar ${part}`) : []),
     "end_header\n",
   ];
-  return [
+  yield [
     header.join("\n"),
     numberRows(points, 3, (row) => coordinates(row)),
     numberRows(

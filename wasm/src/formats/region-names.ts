@@ -6,6 +6,7 @@ import { NO_REGION } from "../walls.js";
 import type { MeshResult } from "../types.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { isPlain } from "./groups.js";
+import { stepwise, type Steps } from "./steps.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
 /** What a file says of the spaces on the sides of its triangles. */
@@ -16,15 +17,16 @@ export interface SurfaceRegions {
 }
 
 /** Of the file's own volumes, else of its tetrahedra; undefined where they are told by nothing. O(n) expected. */
-export function surfaceRegionsOf(mesh: FileMesh): SurfaceRegions | undefined {
+export function* surfaceRegionsOf(mesh: FileMesh): Steps<SurfaceRegions | undefined> {
   const { regions, tetrahedronRegion, surfaceRegions } = mesh;
   if (mesh.tetrahedra.length === 0) return surfaceRegions;
   if (regions.length === 1 && regions.every(isPlain)) return undefined;
-  const { faceOfTriangle, twin } = tetFaces(mesh);
+  const { faceOfTriangle, twin } = yield* tetFaces(mesh);
   const regionAt = (face: number) =>
     face === NONE ? NO_REGION : (tetrahedronRegion[face >>> 2] ?? NO_REGION);
   const triangleRegions = new Uint32Array(2 * faceOfTriangle.length);
-  faceOfTriangle.forEach((face, t) => {
+  yield* stepwise(faceOfTriangle.length, (t) => {
+    const face = faceOfTriangle[t] ?? NONE;
     triangleRegions[2 * t] = regionAt(face);
     triangleRegions[2 * t + 1] = regionAt(face === NONE ? NONE : (twin[face] ?? NONE));
   });

@@ -9,6 +9,7 @@ import type { FileMesh } from "./file-mesh.js";
 import { isPlain, noteNames } from "./groups.js";
 import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
 import { noteMerged } from "./merged-points.js";
+import { stepwise } from "./steps.js";
 
 const HEADER_TEXT = 80;
 const HEADER_BYTES = 84;
@@ -17,10 +18,10 @@ const TRIANGLE_BYTES = 50;
 const MOST_ATTRIBUTES = 0x7fff;
 
 /** The bytes of an STL file. Patches beyond 32767 lose their number, and points their later digits. */
-export function writeStl(given: FileMesh, note: Note): Part[] {
-  const mesh = boundaryOf(given);
+export function* writeStl(given: FileMesh, note: Note): Generator<Part, void> {
+  const mesh = yield* boundaryOf(given);
   const { points, triangles, trianglePatch, patches } = mesh;
-  noteMerged(points, note);
+  yield* noteMerged(points, note);
   const numberless = patches.length - 1 - MOST_ATTRIBUTES;
   if (numberless > 0) {
     note(
@@ -32,7 +33,7 @@ export function writeStl(given: FileMesh, note: Note): Part[] {
   bytes.set(header(mesh, note));
   const view = new DataView(bytes.buffer);
   view.setUint32(HEADER_BYTES - 4, count, true);
-  for (let t = 0; t < count; t++) {
+  yield* stepwise(count, (t) => {
     const corners = [0, 1, 2].map((i) => {
       const node = triangles[3 * t + i] ?? 0;
       return points.subarray(3 * node, 3 * node + 3);
@@ -42,8 +43,8 @@ export function writeStl(given: FileMesh, note: Note): Part[] {
       for (let axis = 0; axis < 3; axis++, at += 4) view.setFloat32(at, row[axis] ?? 0, true);
     }
     view.setUint16(at, attributeOf(trianglePatch[t] ?? 0), true);
-  }
-  return [bytes];
+  });
+  yield bytes;
 }
 
 function attributeOf(patch: number): number {

@@ -16,11 +16,11 @@ const VTK_TETRA = 10;
 const NAMING: Naming = { plain: plainName, longest: 199 };
 
 /** The bytes of an SU2 file. */
-export function writeSu2(mesh: FileMesh, note: Note): Part[] {
+export function* writeSu2(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points, tetrahedra } = mesh;
-  const markers = patchGroups(withOuterFaces(mesh, note), { ...NAMING, note });
+  const markers = yield* patchGroups(yield* withOuterFaces(mesh, note), { ...NAMING, note });
   noteRegions(mesh, note);
-  return [
+  yield [
     `NDIME= 3\nNELEM= ${tetrahedra.length / 4}\n`,
     numberRows(tetrahedra, 4, (row, t) => `${VTK_TETRA} ${row.join(" ")} ${t}`),
     `NPOIN= ${points.length / 3}\n`,

@@ -5,6 +5,7 @@ import type { SurfaceInput } from "../types.js";
 import { boundaryOf } from "./boundary.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { surfaceRegionsOf, type SurfaceRegions } from "./region-names.js";
+import { stepwise, type Steps } from "./steps.js";
 import { weldPoints } from "./weld.js";
 
 export interface SurfaceFile extends SurfaceInput {
@@ -21,12 +22,12 @@ export interface SurfaceFile extends SurfaceInput {
 }
 
 /** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
-export function surfaceOf(mesh: FileMesh): SurfaceFile {
+export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
   const { trianglePatch, patches, unplacedRegions, repeatedTriangles = 0 } = mesh;
-  const surfaceRegions = surfaceRegionsOf(mesh);
+  const surfaceRegions = yield* surfaceRegionsOf(mesh);
   return {
-    ...exactlyWelded(boundaryOf(mesh)),
+    ...(yield* exactlyWelded(yield* boundaryOf(mesh))),
     trianglePatch,
     patches,
     ...(surfaceRegions && { surfaceRegions }),
@@ -35,10 +36,12 @@ export function surfaceOf(mesh: FileMesh): SurfaceFile {
   };
 }
 
-function exactlyWelded({ points: given, triangles, isWelded }: FileMesh): SurfaceInput {
+function* exactlyWelded({ points: given, triangles, isWelded }: FileMesh): Steps<SurfaceInput> {
   if (isWelded === true) return { points: given, triangles };
-  const { points, positions } = weldPoints(given);
-  return { points, triangles: triangles.map((node) => positions[node] ?? 0) };
+  const { points, positions } = yield* weldPoints(given);
+  const welded = new Uint32Array(triangles.length);
+  yield* stepwise(welded.length, (i) => (welded[i] = positions[triangles[i] ?? 0] ?? 0));
+  return { points, triangles: welded };
 }
 
 function noTriangles(tetrahedra: number): ReadFailure {

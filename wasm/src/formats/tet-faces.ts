@@ -3,6 +3,7 @@ import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import type { Diagnostic } from "../types.js";
 import type { FileMesh } from "./file-mesh.js";
+import { stepwise, type Steps } from "./steps.js";
 
 export const NONE = 0xffffffff;
 
@@ -26,7 +27,7 @@ export interface TetFaces {
 }
 
 /** O(n) expected: faces are sorted into buckets by all their nodes, as many may share one or two. */
-export function tetFaces({ triangles, tetrahedra }: FileMesh): TetFaces {
+export function* tetFaces({ triangles, tetrahedra }: FileMesh): Steps<TetFaces> {
   const faceCount = tetrahedra.length;
   let buckets = 16;
   while (buckets < faceCount) buckets *= 2;
@@ -34,7 +35,7 @@ export function tetFaces({ triangles, tetrahedra }: FileMesh): TetFaces {
   const next = new Uint32Array(faceCount);
   const twin = new Uint32Array(faceCount).fill(NONE);
   const crowded: number[] = [];
-  for (let face = 0; face < faceCount; face++) {
+  yield* stepwise(faceCount, (face) => {
     const corners = sorted(cornersOf(tetrahedra, face));
     const bucket = bucketOf(corners);
     const known = firstIn(bucket, corners);
@@ -46,10 +47,10 @@ export function tetFaces({ triangles, tetrahedra }: FileMesh): TetFaces {
       next[face] = heads[bucket] ?? NONE;
       heads[bucket] = face;
     }
-  }
+  });
   const triangle = new Uint32Array(faceCount).fill(NONE);
   const faceOfTriangle = new Uint32Array(triangles.length / 3).fill(NONE);
-  faceOfTriangle.forEach((_, t) => {
+  yield* stepwise(faceOfTriangle.length, (t) => {
     const corners = [triangles[3 * t] ?? 0, triangles[3 * t + 1] ?? 0, triangles[3 * t + 2] ?? 0] as const;
     const wanted = sorted(corners);
     const found = firstIn(bucketOf(wanted), wanted);
@@ -109,17 +110,18 @@ function isTurnedAs([a, b, c]: Triple, [x, y, z]: Triple): boolean {
 }
 
 /** The tetrahedra that keep a mesh from fitting together, by what is wrong with them. */
-export function misfits(mesh: FileMesh, { twin, crowded }: TetFaces): Diagnostic[] {
+export function* misfits(mesh: FileMesh, { twin, crowded }: TetFaces): Steps<Diagnostic[]> {
   const { points, tetrahedra } = mesh;
   const inverted: number[] = [];
   const flat: number[] = [];
-  for (let t = 0; t < tetrahedra.length / 4; t++) {
+  yield* stepwise(tetrahedra.length / 4, (t) => {
     const volume = sixfoldVolume(points, tetrahedra, t);
     if (volume < 0) inverted.push(t);
     if (volume === 0) flat.push(t);
-  }
+  });
   const overlapping = new Set<number>();
-  twin.forEach((other, face) => {
+  yield* stepwise(twin.length, (face) => {
+    const other = twin[face] ?? NONE;
     if (other !== NONE && !isMirrored(tetrahedra, face, other)) overlapping.add(face >>> 2);
   });
   const third = new Set(crowded.map((face) => face >>> 2));
@@ -147,13 +149,12 @@ const ROUNDING = 8e-16;
 
 /** NaN where doubles do not tell its sign: such an element is accused of nothing. */
 function sixfoldVolume(points: Float64Array, tetrahedra: Uint32Array, t: number): number {
-  const at = (corner: number, axis: number) => points[3 * (tetrahedra[4 * t + corner] ?? 0) + axis] ?? 0;
-  const [u, v, w] = [1, 2, 3].map((corner) => [0, 1, 2].map((axis) => at(corner, axis) - at(0, axis)));
-  const [[ux = 0, uy = 0, uz = 0] = [], [vx = 0, vy = 0, vz = 0] = [], [wx = 0, wy = 0, wz = 0] = []] = [
-    u,
-    v,
-    w,
-  ];
+  const from = (corner: number, axis: number) =>
+    (points[3 * (tetrahedra[4 * t + corner] ?? 0) + axis] ?? 0) -
+    (points[3 * (tetrahedra[4 * t] ?? 0) + axis] ?? 0);
+  const [ux, uy, uz] = [from(1, 0), from(1, 1), from(1, 2)];
+  const [vx, vy, vz] = [from(2, 0), from(2, 1), from(2, 2)];
+  const [wx, wy, wz] = [from(3, 0), from(3, 1), from(3, 2)];
   const volume = (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
   const size =
     (Math.abs(uy * vz) + Math.abs(uz * vy)) * Math.abs(wx) +
@@ -163,8 +164,8 @@ function sixfoldVolume(points: Float64Array, tetrahedra: Uint32Array, t: number)
 }
 
 /** As `tetFaces`, for formats whose faces must fit together. Throws a MesherError where they do not. */
-export function soundFaces(mesh: FileMesh): TetFaces {
-  const faces = tetFaces(mesh);
-  refuse(misfits(mesh, faces));
+export function* soundFaces(mesh: FileMesh): Steps<TetFaces> {
+  const faces = yield* tetFaces(mesh);
+  refuse(yield* misfits(mesh, faces));
   return faces;
 }

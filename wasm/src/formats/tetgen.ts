@@ -2,16 +2,12 @@
  * TetGen's three files, as text: `.node` with the points, `.ele` with the tetrahedra and their region as
  * attribute, `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments tell names.
  */
-import { zipSync, type Zippable } from "fflate";
-
-import { BREATH, joinBytes, type Part } from "./bytes.js";
+import type { Part } from "./bytes.js";
 import type { FileParts, Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { nameLines } from "./name-lines.js";
-import { coordinates, numberRows } from "./number-rows.js";
-
-/** So that the zip has the same bytes whenever it is made; the first day that a zip can name. */
-const MADE = new Date(1980, 0, 1);
+import { coordinates, fromOne, numberRows } from "./number-rows.js";
+import { zipped } from "./zip.js";
 
 /** Three files of one stem. */
 export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): readonly FileParts[] {
@@ -27,12 +23,7 @@ export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): reado
 export function* writeTetgenZip(mesh: FileMesh, note: Note, fileName: string): Generator<Part, void> {
   const [base = ""] = /[^/\\]*$/.exec(fileName) ?? [];
   const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`, note);
-  const held: Zippable = {};
-  for (const file of files) {
-    held[file.fileName] = joinBytes(file.parts);
-    yield BREATH;
-  }
-  yield zipSync(held, { mtime: MADE });
+  yield* zipped(files);
 }
 
 function nodes({ points }: FileMesh): Part[] {
@@ -66,10 +57,5 @@ function comments(...lines: readonly (string | readonly string[])[]): string[] {
 
 /** Number, corners from 1, tag. */
 function rows(nodes: Uint32Array, width: number, owners: Uint32Array, groups: readonly FileGroup[]): Part {
-  const counted = nodes.map((node) => node + 1);
-  return numberRows(
-    counted,
-    width,
-    (row, e) => `${e + 1} ${row.join(" ")} ${groups[owners[e] ?? 0]?.tag ?? 0}`,
-  );
+  return numberRows(nodes, width, (row, e) => `${e + 1} ${fromOne(row)} ${groups[owners[e] ?? 0]?.tag ?? 0}`);
 }

@@ -7,34 +7,35 @@ import { bigEndianDoubles, bigEndianInts, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { noteNames } from "./groups.js";
-import { coordinates, numberRows } from "./number-rows.js";
+import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
+import type { Steps } from "./steps.js";
 
 /** The bytes of a UGRID file as text. */
-export function writeUgrid(given: FileMesh, note: Note): Part[] {
-  const mesh = boundedMesh(given, note);
-  return [
+export function* writeUgrid(given: FileMesh, note: Note): Generator<Part, void> {
+  const mesh = yield* boundedMesh(given, note);
+  yield [
     `${countsOf(mesh).join(" ")}\n`,
     numberRows(mesh.points, 3, (row) => coordinates(row)),
-    numberRows(fromOne(mesh.triangles), 3, (row) => row.join(" ")),
+    numberRows(mesh.triangles, 3, (row) => fromOne(row)),
     numberRows(tagsOfTriangles(mesh), 1, (row) => row.join(" ")),
-    numberRows(fromOne(mesh.tetrahedra), 4, (row) => row.join(" ")),
+    numberRows(mesh.tetrahedra, 4, (row) => fromOne(row)),
   ];
 }
 
 /** The bytes of a UGRID file as numbers, high byte first. */
-export function writeUgridBinary(given: FileMesh, note: Note): Part[] {
-  const mesh = boundedMesh(given, note);
-  return [
+export function* writeUgridBinary(given: FileMesh, note: Note): Generator<Part, void> {
+  const mesh = yield* boundedMesh(given, note);
+  yield [
     bigEndianInts(countsOf(mesh)),
     bigEndianDoubles(mesh.points),
-    bigEndianInts(fromOne(mesh.triangles)),
+    bigEndianInts(mesh.triangles, 1),
     bigEndianInts(tagsOfTriangles(mesh)),
-    bigEndianInts(fromOne(mesh.tetrahedra)),
+    bigEndianInts(mesh.tetrahedra, 1),
   ];
 }
 
-function boundedMesh(mesh: FileMesh, note: Note): FileMesh {
+function boundedMesh(mesh: FileMesh, note: Note): Steps<FileMesh> {
   noteRegions(mesh, note);
   noteNames(mesh.patches, note);
   return withOuterFaces(mesh, note);
@@ -43,10 +44,6 @@ function boundedMesh(mesh: FileMesh, note: Note): FileMesh {
 /** Nodes, triangles, quadrilaterals, tetrahedra, pyramids, prisms, hexahedra. */
 function countsOf({ points, triangles, tetrahedra }: FileMesh): number[] {
   return [points.length / 3, triangles.length / 3, 0, tetrahedra.length / 4, 0, 0, 0];
-}
-
-function fromOne(nodes: Uint32Array): Uint32Array {
-  return nodes.map((node) => node + 1);
 }
 
 function tagsOfTriangles({ trianglePatch, patches }: FileMesh): Uint32Array {

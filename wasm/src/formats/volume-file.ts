@@ -1,6 +1,7 @@
 /** Volumes from files, to be background grids: tetrahedra, and whatever numbers their nodes carry. */
 import { ReadFailure } from "../read-result.js";
 import type { FileMesh, NodeData } from "./file-mesh.js";
+import { stepwise, type Steps } from "./steps.js";
 
 /** Every node belongs to a tetrahedron. */
 export interface VolumeFile {
@@ -13,53 +14,51 @@ export interface VolumeFile {
 }
 
 /**
- * The tetrahedra of a file with the nodes they use, in the order of the file. Throws a ReadFailure
- * where a corner is no node, or there is no tetrahedron.
+ * The tetrahedra of a file with the nodes they use, in the order of the file. Throws a ReadFailure where there are none,
+ * or where a corner is no node. O(n).
  */
-export function volumeFile(
-  points: Float64Array,
-  corners: ArrayLike<number>,
-  nodeData: ReadonlyMap<string, NodeData>,
-  remedy: string,
-): VolumeFile {
-  const count = points.length / 3;
-  if (corners.length === 0) {
+export function* volumeOf({ points, tetrahedra, nodeData }: FileMesh): Steps<VolumeFile> {
+  const remedy = "Give a file with linear tetrahedra.";
+  if (tetrahedra.length === 0) {
     throw new ReadFailure({ code: "no-tetrahedra", message: "the file holds no tetrahedron", remedy });
   }
-  const isUsed = new Uint8Array(count);
-  for (let i = 0; i < corners.length; i++) {
-    const node = corners[i] ?? NaN;
-    if (!(Number.isInteger(node) && node >= 0 && node < count)) {
+  const numbers = new Uint32Array(points.length / 3).fill(UNUSED);
+  yield* stepwise(tetrahedra.length, (i) => {
+    const node = tetrahedra[i] ?? 0;
+    if (node >= numbers.length) {
       const message = `tetrahedron ${Math.floor(i / 4)} (counted from 0) has a corner that is no node`;
       throw new ReadFailure({ message, remedy });
     }
-    isUsed[node] = 1;
-  }
-  const kept: number[] = [];
-  isUsed.forEach((used, node) => {
-    if (used === 1) kept.push(node);
+    numbers[node] = 0;
   });
-  const numbers = new Uint32Array(count);
-  kept.forEach((node, number) => (numbers[node] = number));
-  return {
-    points: pick(points, 3, kept),
-    tetrahedra: Uint32Array.from(corners, (node) => numbers[node] ?? 0),
-    nodeData: new Map(
-      [...nodeData].map(([name, { components, values }]) => [
-        name,
-        { components, values: pick(values, components, kept) },
-      ]),
-    ),
-  };
+  let count = 0;
+  yield* stepwise(numbers.length, (node) => {
+    if (numbers[node] !== UNUSED) numbers[node] = count++;
+  });
+  const renumbered = new Uint32Array(tetrahedra.length);
+  yield* stepwise(renumbered.length, (i) => (renumbered[i] = numbers[tetrahedra[i] ?? 0] ?? 0));
+  const kept = new Map<string, NodeData>();
+  for (const [name, { components, values }] of nodeData) {
+    kept.set(name, { components, values: yield* rowsKept(values, components, numbers, count) });
+  }
+  return { points: yield* rowsKept(points, 3, numbers, count), tetrahedra: renumbered, nodeData: kept };
 }
 
-function pick(values: Float64Array, stride: number, kept: readonly number[]): Float64Array {
-  const picked = new Float64Array(stride * kept.length);
-  kept.forEach((node, i) => picked.set(values.subarray(stride * node, stride * (node + 1)), stride * i));
-  return picked;
-}
+/** In place of the number of a node. */
+const UNUSED = 0xffffffff;
 
-/** The tetrahedra of a file with the nodes they use. Throws a ReadFailure where there are none. */
-export function volumeOf({ points, tetrahedra, nodeData }: FileMesh): VolumeFile {
-  return volumeFile(points, tetrahedra, nodeData, "Give a file with linear tetrahedra.");
+/** The rows of `count` nodes that have a number, which are in order. */
+function* rowsKept(
+  values: Float64Array,
+  stride: number,
+  numbers: Uint32Array,
+  count: number,
+): Steps<Float64Array> {
+  const kept = new Float64Array(stride * count);
+  let end = 0;
+  yield* stepwise(numbers.length, (node) => {
+    if (numbers[node] === UNUSED) return;
+    for (let i = 0; i < stride; i++) kept[end++] = values[stride * node + i] ?? NaN;
+  });
+  return kept;
 }

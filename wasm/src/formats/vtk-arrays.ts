@@ -1,7 +1,8 @@
 /** The arrays of VTK's XML files: text, base64 or raw bytes, whole or in blocks compressed with zlib. */
-import { unzlibSync } from "fflate";
+import { Unzlib } from "fflate";
 
 import { decimalIn, otherNumber } from "./decimal.js";
+import { inRanges, stepwise, type Steps } from "./steps.js";
 
 export interface ArrayCoding {
   readonly isLittleEndian: boolean;
@@ -79,24 +80,25 @@ export function isReadable(type: string): boolean {
 }
 
 /** The numbers of an array. Calls `coding.fail` where they cannot be read. */
-export function decodeArray(coding: ArrayCoding, array: CodedArray): Float64Array {
-  if (array.format === "ascii") return textNumbers(coding, array);
+export function* decodeArray(coding: ArrayCoding, array: CodedArray): Steps<Float64Array> {
+  if (array.format === "ascii") return yield* textNumbers(coding, array);
   const number = Object.hasOwn(NUMBERS, array.type) ? NUMBERS[array.type] : undefined;
   if (number === undefined) return coding.fail(`numbers of type "${array.type}" cannot be read`);
-  const encoded = encodedBytes(coding, array);
-  const bytes = contentOf(coding, encoded);
+  const encoded = yield* encodedBytes(coding, array);
+  const bytes = yield* contentOf(coding, encoded);
   coding.budget.spend((8 * bytes.length) / number.bytes, coding.fail);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const values = new Float64Array(Math.floor(bytes.length / number.bytes));
-  for (let i = 0; i < values.length; i++)
+  yield* stepwise(values.length, (i) => {
     values[i] = number.get(view, number.bytes * i, coding.isLittleEndian);
+  });
   return values;
 }
 
-function textNumbers({ fail }: ArrayCoding, { content, mayBeNone }: CodedArray): Float64Array {
-  const values = new Float64Array(wordCount(content));
+function* textNumbers({ fail }: ArrayCoding, { content, mayBeNone }: CodedArray): Steps<Float64Array> {
+  const values = new Float64Array(yield* wordCount(content));
   let at = 0;
-  for (let i = 0; i < values.length; i++) {
+  yield* stepwise(values.length, (i) => {
     while (isBlank(content, at)) at++;
     const begin = at;
     while (at < content.length && !isBlank(content, at)) at++;
@@ -108,19 +110,25 @@ function textNumbers({ fail }: ArrayCoding, { content, mayBeNone }: CodedArray):
       fail(`"${word}" is not a finite number`, begin);
     }
     values[i] = other ?? value;
-  }
+  });
   return values;
 }
 
 const SHOWN = 24;
 
-function wordCount(content: Uint8Array): number {
+function* wordCount(content: Uint8Array): Steps<number> {
   let count = 0;
-  for (let at = 0; at < content.length; at++) {
-    if (!isBlank(content, at) && (at === 0 || isBlank(content, at - 1))) count++;
-  }
+  const countIn = (begin: number, end: number) => {
+    for (let at = begin; at < end; at++) {
+      if (!isBlank(content, at) && (at === 0 || isBlank(content, at - 1))) count++;
+    }
+  };
+  yield* inRanges(content.length, countIn, STEP_BYTES);
   return count;
 }
+
+/** As many bytes are a step. */
+const STEP_BYTES = 1 << 16;
 
 function isBlank(content: Uint8Array, at: number): boolean {
   return (content[at] ?? SPACE + 1) <= SPACE;
@@ -129,9 +137,9 @@ function isBlank(content: Uint8Array, at: number): boolean {
 const SPACE = 32;
 
 /** The bytes from the array's length on; what follows the array may be among them. */
-function encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArray): Uint8Array {
+function* encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArray): Steps<Uint8Array> {
   const { appended, isBase64, nextOffsets, budget, fail } = coding;
-  if (format === "binary") return fromBase64(content, fail);
+  if (format === "binary") return yield* fromBase64(content, fail);
   if (format !== "appended" || appended === undefined) {
     return fail(`the format "${format}" of an array cannot be read`);
   }
@@ -142,11 +150,11 @@ function encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArr
   if (!isBase64) return appended.subarray(offset);
   const text = appended.subarray(offset, nextOffsets.get(offset));
   budget.spend(COST_OF_BASE64 * text.length, fail);
-  return fromBase64(text, fail);
+  return yield* fromBase64(text, fail);
 }
 
 /** Base64 in one or more padded pieces, up to the first character that is none of it. */
-function fromBase64(text: Uint8Array, fail: ArrayFail): Uint8Array {
+function* fromBase64(text: Uint8Array, fail: ArrayFail): Steps<Uint8Array> {
   const bytes = new Uint8Array(Math.ceil((3 * text.length) / 4));
   let length = 0;
   /** The last bits, and how many characters this piece has. */
@@ -156,16 +164,20 @@ function fromBase64(text: Uint8Array, fail: ArrayFail): Uint8Array {
     if (characters % 4 === 1) fail("an array is not in base64");
     characters = 0;
   };
-  for (let at = 0; at < text.length; at++) {
-    const byte = text[at] ?? 0;
-    const value = BASE64[byte] ?? NONE;
-    if (value < NONE) {
-      bits = (bits << 6) | value;
-      // Three bytes of four characters; the first one gives none.
-      if (characters++ % 4 > 0) bytes[length++] = bits >> (2 * (3 - ((characters - 1) % 4)));
-    } else if (byte === EQUALS) endPiece();
-    else if (!isBlank(text, at)) break;
-  }
+  let isOver = false;
+  const decode = (begin: number, end: number) => {
+    for (let at = begin; at < end && !isOver; at++) {
+      const byte = text[at] ?? 0;
+      const value = BASE64[byte] ?? NONE;
+      if (value < NONE) {
+        bits = (bits << 6) | value;
+        // Three bytes of four characters; the first one gives none.
+        if (characters++ % 4 > 0) bytes[length++] = bits >> (2 * (3 - ((characters - 1) % 4)));
+      } else if (byte === EQUALS) endPiece();
+      else isOver = !isBlank(text, at);
+    }
+  };
+  yield* inRanges(text.length, decode, STEP_BYTES);
   endPiece();
   return bytes.subarray(0, length);
 }
@@ -178,7 +190,7 @@ const BASE64 = new Uint8Array(256).fill(NONE);
   BASE64[character.charCodeAt(0)] = value;
 });
 
-function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
+function* contentOf(coding: ArrayCoding, bytes: Uint8Array): Steps<Uint8Array> {
   const { headerBytes, isCompressed, isLittleEndian, budget, fail } = coding;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const header = (index: number): number => {
@@ -211,37 +223,57 @@ function contentOf(coding: ArrayCoding, bytes: Uint8Array): Uint8Array {
   let end = 0;
   for (let b = 0; b < blocks; b++) {
     const packed = piece(begin, header(3 + b));
-    content.set(inflated(packed, lengthOf(b), fail), end);
-    end += lengthOf(b);
+    const block = content.subarray(end, (end += lengthOf(b)));
+    yield* inflate(packed, block, fail);
     begin += packed.length;
   }
   return content;
 }
 
 /** Undoes zlib. The length is known beforehand; a block of any other length or sum is damaged. */
-function inflated(packed: Uint8Array, length: number, fail: ArrayFail): Uint8Array {
-  let block: Uint8Array;
+function* inflate(packed: Uint8Array, block: Uint8Array, fail: ArrayFail): Steps<void> {
+  if (packed.length < 4) return fail("a compressed block is damaged");
+  let end = 0;
+  const sum = new Adler32();
+  const stream = new Unzlib((piece) => {
+    if (end + piece.length <= block.length) block.set(piece, end);
+    end += piece.length;
+    sum.add(piece);
+  });
   try {
-    // One byte more, by which a longer block betrays itself.
-    block = unzlibSync(packed, { out: new Uint8Array(length + 1) });
+    const push = (begin: number, behind: number) =>
+      stream.push(packed.subarray(begin, behind), behind === packed.length);
+    yield* inRanges(packed.length, push, PACKED_STEP);
   } catch {
     return fail("a compressed block is damaged");
   }
-  if (block.length !== length) return fail(`a block holds other than the ${length} bytes it announces`);
+  if (end !== block.length) return fail(`a block holds other than the ${block.length} bytes it announces`);
   const view = new DataView(packed.buffer, packed.byteOffset + packed.length - 4);
-  return view.getUint32(0) === adler32(block) ? block : fail("a compressed block is damaged");
+  if (view.getUint32(0) !== sum.value) fail("a compressed block is damaged");
 }
 
+/** As many bytes are a step of inflating: at most a thousandfold comes out of them. */
+const PACKED_STEP = 1 << 13;
+
 /** zlib's sum of bytes (RFC 1950), which fflate does not compare. */
-function adler32(bytes: Uint8Array): number {
-  let [low, high] = [1, 0];
-  for (let i = 0; i < bytes.length; i++) {
-    low += bytes[i] ?? 0;
-    high += low;
-    // So often that both stay whole numbers of 32 bits.
-    if ((i & 2047) === 2047) [low, high] = [low % ADLER, high % ADLER];
+class Adler32 {
+  #low = 1;
+  #high = 0;
+
+  add(bytes: Uint8Array): void {
+    let [low, high] = [this.#low, this.#high];
+    for (let i = 0; i < bytes.length; i++) {
+      low += bytes[i] ?? 0;
+      high += low;
+      // So often that both stay whole numbers of 32 bits.
+      if ((i & 2047) === 2047) [low, high] = [low % ADLER, high % ADLER];
+    }
+    [this.#low, this.#high] = [low % ADLER, high % ADLER];
   }
-  return (high % ADLER) * 2 ** 16 + (low % ADLER);
+
+  get value(): number {
+    return this.#high * 2 ** 16 + this.#low;
+  }
 }
 
 const ADLER = 65521;

@@ -13,8 +13,8 @@ const VTK_TETRA = 10;
 const THIN_CELLS = new Set([0, 1, 2, 3, 4, 21, 35]);
 
 /** Names under which programs keep what cells belong to: this one, Gmsh and Medit by way of meshio, VMTK. */
-const PATCH_ARRAYS = ["patch", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags", "region"];
-const REGION_ARRAYS = ["region", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags"];
+export const PATCH_ARRAYS = ["patch", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags", "region"];
+export const REGION_ARRAYS = ["region", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags"];
 
 /** One number per cell, by name; undefined where there are none. */
 export type CellNumbers = (name: string) => Float64Array | undefined;

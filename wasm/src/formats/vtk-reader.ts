@@ -7,9 +7,11 @@ import type { FilePlace } from "../read-result.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
+import type { ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, NameLines } from "./name-lines.js";
+import { inSteps, stepwise, type Steps } from "./steps.js";
 import { addCell, cellsOf } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetrahedra, or as .vtu.";
@@ -55,8 +57,8 @@ interface CellList {
   readonly nodes: Float64Array;
 }
 
-export function readVtk(source: ByteSource): Promise<FileMesh> {
-  return ByteReader.over(source, { remedy: REMEDY }, (reader) => new VtkReader(reader).read());
+export function readVtk(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
+  return ByteReader.over(source, { remedy: REMEDY }, (reader) => new VtkReader(reader, signal).read());
 }
 
 class VtkReader {
@@ -77,8 +79,11 @@ class VtkReader {
   #rows = 0;
   #attributesOf: "dataset" | "cells" | "points" = "dataset";
 
-  constructor(reader: ByteReader) {
+  readonly #signal: AbortSignal | undefined;
+
+  constructor(reader: ByteReader, signal: AbortSignal | undefined) {
     this.#reader = reader;
+    this.#signal = signal;
   }
 
   async read(): Promise<FileMesh> {
@@ -89,7 +94,7 @@ class VtkReader {
       if (word === "") break;
       await this.#readSection(word);
     }
-    this.#addCells();
+    await inSteps(this.#addCells(), this.#signal);
     return this.#names.given(this.#builder.mesh());
   }
 
@@ -237,7 +242,10 @@ class VtkReader {
     const { place } = this.#reader;
     const count = this.#size();
     const total = this.#size();
-    if (!this.#hasOffsets) return this.#splitList(place, count, await this.#numbers("int", total));
+    if (!this.#hasOffsets) {
+      const split = this.#splitList(place, count, await this.#numbers("int", total));
+      return inSteps(split, this.#signal);
+    }
     if (count === 0) return { place, offsets: new Float64Array(), nodes: new Float64Array() };
     this.#reader.expect("offsets");
     const offsets = await this.#numbers(this.#reader.word(), count);
@@ -246,11 +254,11 @@ class VtkReader {
   }
 
   /** Cells with their number of nodes before each. */
-  #splitList(place: FilePlace, count: number, values: Float64Array): CellList {
+  *#splitList(place: FilePlace, count: number, values: Float64Array): Steps<CellList> {
     const offsets: number[] = [0];
     const nodes = new Float64Array(Math.max(0, values.length - count));
     let at = 0;
-    for (let cell = 0; cell < count; cell++) {
+    yield* stepwise(count, (cell) => {
       const size = values[at] ?? NaN;
       const isListed = Number.isInteger(size) && size >= 0 && at - cell + size <= nodes.length;
       if (!isListed || at + 1 + size > values.length) {
@@ -259,7 +267,7 @@ class VtkReader {
       nodes.set(values.subarray(at + 1, at + 1 + size), at - cell);
       at += 1 + size;
       offsets.push(at - cell - 1);
-    }
+    });
     return { place, offsets: Float64Array.from(offsets), nodes };
   }
 
@@ -319,7 +327,7 @@ class VtkReader {
     while (!this.#reader.isAtEnd && this.#reader.line() !== "");
   }
 
-  #addCells(): void {
+  *#addCells(): Steps<void> {
     let first = 0;
     const order = [...POLYGON_SECTIONS.keys()];
     this.#lists.sort((a, b) => order.indexOf(a.section) - order.indexOf(b.section));
@@ -331,12 +339,12 @@ class VtkReader {
       if (type === undefined && this.#types.length !== count) {
         fail(`the file has ${plural(count, "cell")}, and ${plural(this.#types.length, "type")} of cells`);
       }
-      for (let cell = 0; cell < count; cell++) {
+      yield* stepwise(count, (cell) => {
         const [begin = 0, end = 0] = offsets.subarray(cell, cell + 2);
         if (!(begin >= 0 && begin <= end && end <= nodes.length))
           fail(`cell ${cell} (counted from 0) has no corners`);
         addCell(cells, type ?? this.#types[cell] ?? 0, [...nodes.subarray(begin, end)], first + cell);
-      }
+      });
       first += count;
     }
   }

@@ -4,11 +4,13 @@
  * The numbers `patch` and `region` of cells tell their groups; vertices and lines are passed over.
  */
 import { allBytes, type ByteSource } from "./byte-source.js";
+import type { ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
+import { firstOf, inSteps, stepwise, type Steps } from "./steps.js";
 import { decodeArray, isReadable, UnpackingBudget, type ArrayCoding, type ArrayFail } from "./vtk-arrays.js";
-import { addCell, cellsOf, type CellNumbers, type Fail } from "./vtk-cells.js";
+import { addCell, cellsOf, PATCH_ARRAYS, REGION_ARRAYS, type CellNumbers, type Fail } from "./vtk-cells.js";
 import { failIn, readHead, unescaped, type FoundArray, type Head, type Piece } from "./vtk-xml-head.js";
 
 const VTK_POLYGON = 7;
@@ -27,7 +29,7 @@ class XmlFile {
   }
 
   /** The numbers of an array. */
-  numbers(found: FoundArray): Float64Array {
+  numbers(found: FoundArray): Steps<Float64Array> {
     const { section, attributes, content } = found;
     const fail: ArrayFail = (message, within = 0) => this.fail(message, this.placeOf(found) + within);
     return decodeArray(
@@ -79,21 +81,25 @@ class XmlFile {
   }
 }
 
-export async function readVtkXml(source: ByteSource): Promise<FileMesh> {
-  const file = new XmlFile(await allBytes(source));
+export async function readVtkXml(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
+  return inSteps(meshIn(await allBytes(source)), signal);
+}
+
+function* meshIn(bytes: Uint8Array): Steps<FileMesh> {
+  const file = new XmlFile(bytes);
   const builder = new MeshBuilder();
   const held: PieceReading[] = [];
   for (const piece of file.head.pieces) {
     const firstNode = builder.pointCount;
-    addPoints(piece, file, builder);
+    yield* addPoints(piece, file, builder);
     // A piece may be empty where others are not.
     if (builder.pointCount === firstNode) continue;
     const reading = { piece, file, builder, firstNode, pointCount: builder.pointCount - firstNode };
     held.push(reading);
-    if (file.head.file.get("type") === "PolyData") addPolygons(reading);
-    else addCells(reading);
+    if (file.head.file.get("type") === "PolyData") yield* addPolygons(reading);
+    else yield* addCells(reading);
   }
-  addPointData(held, file, builder);
+  yield* addPointData(held, file, builder);
   return file.names().given(builder.mesh());
 }
 
@@ -107,7 +113,7 @@ interface PieceReading {
   readonly pointCount: number;
 }
 
-function addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): void {
+function* addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): Steps<void> {
   for (const [name, value] of piece.attributes)
     if (name.startsWith("NumberOf")) checkCount(piece, file, name, value);
   const announced = piece.attributes.get("NumberOfPoints");
@@ -115,15 +121,15 @@ function addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): void {
   const count = Number(announced);
   if (count === 0) return;
   const array = file.arrayOf(piece, "Points", "");
-  const points = file.numbers(array);
+  const points = yield* file.numbers(array);
   const at = file.placeOf(array);
   if (points.length !== 3 * count)
     file.fail(`there are ${points.length / 3} points, ${count} are announced`, at);
-  const wild = points.findIndex((value) => !Number.isFinite(value));
+  const wild = yield* firstOf(points, (value) => !Number.isFinite(value));
   if (wild >= 0) file.fail(`point ${Math.floor(wild / 3)} (counted from 0) has no finite place`, at);
-  for (let i = 0; i < points.length; i += 3) {
-    builder.addPoint(points[i] ?? 0, points[i + 1] ?? 0, points[i + 2] ?? 0);
-  }
+  yield* stepwise(count, (p) =>
+    builder.addPoint(points[3 * p] ?? 0, points[3 * p + 1] ?? 0, points[3 * p + 2] ?? 0),
+  );
 }
 
 function checkCount(piece: Piece, file: XmlFile, name: string, value: string): void {
@@ -133,17 +139,21 @@ function checkCount(piece: Piece, file: XmlFile, name: string, value: string): v
 }
 
 /** The numbers at nodes by name, piece after piece; NaN at those of a piece that has none where others do. */
-function addPointData(held: readonly PieceReading[], file: XmlFile, builder: MeshBuilder): void {
+function* addPointData(held: readonly PieceReading[], file: XmlFile, builder: MeshBuilder): Steps<void> {
   const told = held.map(({ piece }) => pointArrays(piece));
   for (const [name, first] of told.flatMap((arrays) => [...arrays])) {
     if (builder.nodeData.has(name)) continue;
     const components = componentsOf(first, file);
-    const parts = held.map(({ pointCount }, p) => {
+    const parts: Float64Array[] = [];
+    for (const [p, { pointCount }] of held.entries()) {
       const found = told[p]?.get(name);
-      if (found !== undefined) return pointNumbers(found, { file, components, pointCount });
-      file.spend(8 * components * pointCount, first);
-      return new Float64Array(components * pointCount).fill(NaN);
-    });
+      if (found === undefined) file.spend(8 * components * pointCount, first);
+      parts.push(
+        found === undefined
+          ? new Float64Array(components * pointCount).fill(NaN)
+          : yield* pointNumbers(found, { file, components, pointCount }),
+      );
+    }
     builder.nodeData.set(name, { components, values: joinedNumbers(parts) });
   }
 }
@@ -161,8 +171,11 @@ interface PointNumbers {
   readonly pointCount: number;
 }
 
-function pointNumbers(found: FoundArray, { file, components, pointCount }: PointNumbers): Float64Array {
-  const values = file.numbers(found);
+function* pointNumbers(
+  found: FoundArray,
+  { file, components, pointCount }: PointNumbers,
+): Steps<Float64Array> {
+  const values = yield* file.numbers(found);
   if (values.length === components * pointCount) return values;
   const name = found.attributes.get("Name") ?? "";
   return file.fail(
@@ -191,41 +204,46 @@ function joinedNumbers(parts: readonly Float64Array[]): Float64Array {
   return joined;
 }
 
-/** Arrays of one number per cell; only those are read that are asked for. */
-function cellData({ piece, file }: PieceReading): CellNumbers {
-  return (name) => {
-    const found = piece.arrays.find(
-      ({ section, attributes }) => section === "CellData" && attributes.get("Name") === name,
-    );
-    if (found === undefined || componentsOf(found, file) > 1) return undefined;
-    return isReadable(found.attributes.get("type") ?? "") ? file.numbers(found) : undefined;
-  };
+/** Arrays of one number per cell; only those are read that tell patches or regions. */
+function* cellData({ piece, file }: PieceReading): Steps<CellNumbers> {
+  const isTaken = (found: FoundArray, name: string) =>
+    found.section === "CellData" &&
+    found.attributes.get("Name") === name &&
+    componentsOf(found, file) === 1 &&
+    isReadable(found.attributes.get("type") ?? "");
+  const read = new Map<string, Float64Array>();
+  for (const names of [PATCH_ARRAYS, REGION_ARRAYS]) {
+    const [found] = names.flatMap((name) => piece.arrays.find((array) => isTaken(array, name)) ?? []);
+    const name = found?.attributes.get("Name") ?? "";
+    if (found !== undefined && !read.has(name)) read.set(name, yield* file.numbers(found));
+  }
+  return (name) => read.get(name);
 }
 
-function addCells(reading: PieceReading): void {
+function* addCells(reading: PieceReading): Steps<void> {
   const { piece, file, builder } = reading;
   const types = file.arrayOf(piece, "Cells", "types");
-  const typeOf = file.numbers(types);
-  const section = sectionOf(reading, "Cells");
+  const typeOf = yield* file.numbers(types);
+  const section = yield* sectionOf(reading, "Cells");
   if (section.offsets.length !== typeOf.length) {
     file.fail("the cells have more or fewer types than offsets", file.placeOf(types));
   }
-  const cells = cellsOf(builder, cellData(reading), section.fail);
-  eachCell(reading, section, (nodes, cell) => addCell(cells, typeOf[cell] ?? 0, nodes, cell));
+  const cells = cellsOf(builder, yield* cellData(reading), section.fail);
+  yield* eachCell(reading, section, (nodes, cell) => addCell(cells, typeOf[cell] ?? 0, nodes, cell));
 }
 
 /** The cells of a polygon file are numbered through vertices, lines, strips, polygons in VTK's order. */
-function addPolygons(reading: PieceReading): void {
+function* addPolygons(reading: PieceReading): Steps<void> {
   const { piece, builder } = reading;
-  const data = cellData(reading);
+  const data = yield* cellData(reading);
   let first = 0;
   for (const name of ["Verts", "Lines", "Polys", "Strips"]) {
     if (!piece.arrays.some((array) => array.section === name)) continue;
-    const section = sectionOf(reading, name);
+    const section = yield* sectionOf(reading, name);
     if (name === "Polys" || name === "Strips") {
       const type = name === "Polys" ? VTK_POLYGON : VTK_STRIP;
       const cells = cellsOf(builder, data, section.fail);
-      eachCell(reading, section, (nodes, cell) => addCell(cells, type, nodes, first + cell));
+      yield* eachCell(reading, section, (nodes, cell) => addCell(cells, type, nodes, first + cell));
     }
     first += section.offsets.length;
   }
@@ -239,34 +257,35 @@ interface CellSection {
   readonly fail: Fail;
 }
 
-function sectionOf({ piece, file }: PieceReading, name: string): CellSection {
+function* sectionOf({ piece, file }: PieceReading, name: string): Steps<CellSection> {
   const nodes = file.arrayOf(piece, name, "connectivity");
   const fail: Fail = (message) => file.fail(message, file.placeOf(nodes));
   return {
-    offsets: file.numbers(file.arrayOf(piece, name, "offsets")),
-    connectivity: file.numbers(nodes),
+    offsets: yield* file.numbers(file.arrayOf(piece, name, "offsets")),
+    connectivity: yield* file.numbers(nodes),
     fail,
   };
 }
 
 /** The cells of a section by their nodes in the whole mesh; cells count from 0 in the section. */
-function eachCell(
+function* eachCell(
   { builder, firstNode }: PieceReading,
   { offsets, connectivity, fail }: CellSection,
   use: (nodes: readonly number[], cell: number) => void,
-): void {
+): Steps<void> {
   const count = builder.pointCount - firstNode;
-  const wild = connectivity.find((node) => !(Number.isInteger(node) && node >= 0 && node < count));
-  if (wild !== undefined) fail(`a cell has a corner that is no node of its piece: ${wild}`);
+  const wild = yield* firstOf(connectivity, (node) => !(Number.isInteger(node) && node >= 0 && node < count));
+  if (wild >= 0) fail(`a cell has a corner that is no node of its piece: ${connectivity[wild]}`);
   let begin = 0;
-  for (const [cell, end] of offsets.entries()) {
+  yield* stepwise(offsets.length, (cell) => {
+    const end = offsets[cell] ?? NaN;
     if (!(end >= begin && end <= connectivity.length)) fail(`cell ${cell} (counted from 0) has no corners`);
     use(
       Array.from(connectivity.subarray(begin, end), (node) => firstNode + node),
       cell,
     );
     begin = end;
-  }
+  });
 }
 
 function codingOf({ file, pieces, appended }: Head, bytes: Uint8Array): Omit<ArrayCoding, "fail"> {

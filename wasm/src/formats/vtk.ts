@@ -9,17 +9,18 @@ import type { FileMesh } from "./file-mesh.js";
 import { noteNames } from "./groups.js";
 import { allNameLines, NAME_BREAK } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
+import { stepwise, type Steps } from "./steps.js";
 
 /** VTK's numbers of linear cells; their node orders are ours. */
 const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
 
 /** The bytes of a legacy VTK file. */
-export function writeVtk(mesh: FileMesh, note: Note): Part[] {
+export function* writeVtk(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points, tetrahedra, triangles } = mesh;
-  const { types, regions, patches } = vtkCellData(mesh);
+  const { types, regions, patches } = yield* vtkCellData(mesh);
   const perCell = (values: Int32Array | Uint8Array) => numberRows(values, 1, ([value]) => String(value));
-  return [
+  yield [
     `# vtk DataFile Version 3.0\n${title(mesh, note)}\nASCII\nDATASET UNSTRUCTURED_GRID\n`,
     `POINTS ${points.length / 3} double\n`,
     numberRows(points, 3, (row) => coordinates(row)),
@@ -73,13 +74,13 @@ export interface VtkCellData {
   readonly patches: Int32Array;
 }
 
-export function vtkCellData(mesh: FileMesh): VtkCellData {
+export function* vtkCellData(mesh: FileMesh): Steps<VtkCellData> {
   const { tetrahedronRegion, trianglePatch } = mesh;
   const [tets, faces] = [tetrahedronRegion.length, trianglePatch.length];
   const regions = new Int32Array(tets + faces);
-  tetrahedronRegion.forEach((region, t) => (regions[t] = mesh.regions[region]?.tag ?? 0));
+  yield* stepwise(tets, (t) => (regions[t] = mesh.regions[tetrahedronRegion[t] ?? 0]?.tag ?? 0));
   const patches = new Int32Array(tets + faces);
-  trianglePatch.forEach((patch, t) => (patches[tets + t] = mesh.patches[patch]?.tag ?? 0));
+  yield* stepwise(faces, (t) => (patches[tets + t] = mesh.patches[trianglePatch[t] ?? 0]?.tag ?? 0));
   return {
     types: new Uint8Array(tets + faces).fill(VTK_TETRA, 0, tets).fill(VTK_TRIANGLE, tets),
     regions,

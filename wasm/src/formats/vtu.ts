@@ -6,10 +6,11 @@
  */
 import { zlibSync } from "fflate";
 
-import { BREATH, IS_LITTLE_ENDIAN, joinBytes, widened, type Part } from "./bytes.js";
+import { IS_LITTLE_ENDIAN, joinBytes, widened, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
+import { BREATH, stepwise, type Steps } from "./steps.js";
 import { vtkCellData } from "./vtk.js";
 
 /** Blocks are compressed one by one; readers hold one of them at a time. */
@@ -25,8 +26,8 @@ interface DataArray {
 /** The bytes of a VTU file. */
 export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
-  const { connectivity, offsets } = cellNodes(mesh);
-  const { types, regions, patches } = vtkCellData(mesh);
+  const { connectivity, offsets } = yield* cellNodes(mesh);
+  const { types, regions, patches } = yield* vtkCellData(mesh);
   const arrays: readonly DataArray[] = [
     { attributes: 'type="Float64" Name="Points" NumberOfComponents="3"', values: points },
     { attributes: 'type="Int32" Name="connectivity"', values: connectivity },
@@ -65,14 +66,18 @@ export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
 }
 
 /** The nodes of the cells one after the other, and where those of each end. */
-function cellNodes({ tetrahedra, triangles }: FileMesh): { connectivity: Int32Array; offsets: Int32Array } {
+function* cellNodes({
+  tetrahedra,
+  triangles,
+}: FileMesh): Steps<{ readonly connectivity: Int32Array; readonly offsets: Int32Array }> {
   const connectivity = new Int32Array(tetrahedra.length + triangles.length);
   connectivity.set(tetrahedra);
   connectivity.set(triangles, tetrahedra.length);
   const [tets, faces] = [tetrahedra.length / 4, triangles.length / 3];
-  const offsets = Int32Array.from({ length: tets + faces }, (_, c) =>
-    c < tets ? 4 * (c + 1) : tetrahedra.length + 3 * (c + 1 - tets),
-  );
+  const offsets = new Int32Array(tets + faces);
+  yield* stepwise(offsets.length, (c) => {
+    offsets[c] = c < tets ? 4 * (c + 1) : tetrahedra.length + 3 * (c + 1 - tets);
+  });
   return { connectivity, offsets };
 }
 

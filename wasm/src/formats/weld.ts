@@ -1,5 +1,6 @@
 /** Exact welding: points with the same three coordinates become one. No tolerance; -0 equals 0. */
 import { tooManyNumbers } from "../read-result.js";
+import { stepwise, type Steps } from "./steps.js";
 
 /** Positions are 32-bit numbers, of which this is none. */
 const EMPTY = 0xffffffff;
@@ -117,11 +118,11 @@ export interface WeldedPoints {
 }
 
 /** Welds x y z triples. O(n) expected. */
-export function weldPoints(given: Float64Array): WeldedPoints {
+export function* weldPoints(given: Float64Array): Steps<WeldedPoints> {
   const welder = new PointWelder();
   const positions = new Uint32Array(given.length / 3);
-  for (let i = 0; i < positions.length; i++) {
+  yield* stepwise(positions.length, (i) => {
     positions[i] = welder.add(given[3 * i] ?? 0, given[3 * i + 1] ?? 0, given[3 * i + 2] ?? 0);
-  }
+  });
   return { points: welder.taken(), positions };
 }
