@@ -95,7 +95,9 @@ export async function bundlePages() {
     plugins: [
       {
         name: "engine-beside",
-        setup({ onResolve }) {
+        setup({ onResolve, onLoad }) {
+          // They are for the JSON Schema, which is made already.
+          onLoad({ filter: /\/project-words\.js$/ }, () => ({ contents: "export const WORDS = {};" }));
           onResolve({ filter: /\/engine\.js$/ }, () => ({ path: "../engine.js", external: true }));
         },
       },

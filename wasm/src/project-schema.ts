@@ -7,6 +7,7 @@
 import * as z from "zod/mini";
 
 import { shown } from "./argument-checks.js";
+import { WORDS } from "./project-words.js";
 
 /** In the field `format` of every project file. */
 export const PROJECT_FORMAT = "tetrafront-project";
@@ -41,10 +42,10 @@ function described<Schema extends z.ZodMiniType>(description: string, schema: Sc
 
 const listOf = <Item extends z.ZodMiniType>(item: Item) => z.readonly(z.array(item));
 
-const id = described("Unique among its kind; a whole number above 0", z.int().check(z.positive()));
+const id = described(WORDS.id, z.int().check(z.positive()));
 const reference = z.int().check(z.positive());
-const name = described("What the user calls it", z.optional(z.string()));
-const triple = described("x y z, in model units", z.readonly(z.tuple([z.number(), z.number(), z.number()])));
+const name = described(WORDS.name, z.optional(z.string()));
+const triple = described(WORDS.place, z.readonly(z.tuple([z.number(), z.number(), z.number()])));
 
 const pointSchema = z.readonly(z.strictObject({ id, name, at: triple }));
 
@@ -53,30 +54,21 @@ const lineSchema = z.readonly(
     id,
     name,
     type: z.enum(["straight", "parabolic", "spline"]),
-    points: described(
-      "Point ids along the line: two; start, middle, end; or four and more, closed if it ends where it begins",
-      z.readonly(z.array(reference).check(z.minLength(2))),
-    ),
+    points: described(WORDS.linePoints, z.readonly(z.array(reference).check(z.minLength(2)))),
   }),
 );
 
-const loopSchema = described(
-  "Line ids in walking order; a negative id walks that line backwards",
-  z.readonly(z.array(z.int()).check(z.minLength(1))),
-);
+const loopSchema = described(WORDS.loop, z.readonly(z.array(z.int()).check(z.minLength(1))));
 
 const patchSchema = z.readonly(
   z.strictObject({
     id,
     name,
     type: described(
-      "Of barnhill-gregory-nielson, the loop's second line plays another role than the rest",
+      WORDS.patchType,
       z.enum(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"]),
     ),
-    loops: described(
-      "The outer loop first, then holes",
-      z.readonly(z.array(loopSchema).check(z.minLength(1))),
-    ),
+    loops: described(WORDS.loops, z.readonly(z.array(loopSchema).check(z.minLength(1)))),
   }),
 );
 
@@ -84,10 +76,10 @@ const backgroundNodeSchema = z.readonly(
   z.strictObject({
     id,
     at: triple,
-    size: described("Wanted edge length, in model units, above 0, up to 1e30", z.number()),
-    stretching: described("Length along `direction` divided by `size`, 1 to 1e6", z.optional(z.number())),
+    size: described(WORDS.nodeSize, z.number()),
+    stretching: described(WORDS.stretching, z.optional(z.number())),
     direction: described(
-      "Stretching direction; any length but 0",
+      WORDS.direction,
       z.optional(z.readonly(z.tuple([z.number(), z.number(), z.number()]))),
     ),
   }),
@@ -98,19 +90,10 @@ const sourceSchema = z.readonly(
     id,
     name,
     type: z.enum(["point", "segment", "triangle"]),
-    places: described(
-      "Corners: one of a point, two of a segment, three of a triangle",
-      z.readonly(z.array(triple).check(z.minLength(1), z.maxLength(3))),
-    ),
-    size: described("Wanted edge length there, in model units, above 0, up to 1e30", z.number()),
-    distance: described(
-      "Up to this far away `size` holds too; 0 to 1e30, 0 if not given",
-      z.optional(z.number()),
-    ),
-    growth: described(
-      "Of the size per unit of distance beyond; 0 to 10, 0.3 if not given",
-      z.optional(z.number()),
-    ),
+    places: described(WORDS.places, z.readonly(z.array(triple).check(z.minLength(1), z.maxLength(3)))),
+    size: described(WORDS.sourceSize, z.number()),
+    distance: described(WORDS.distance, z.optional(z.number())),
+    growth: described(WORDS.growth, z.optional(z.number())),
   }),
 );
 
@@ -118,64 +101,37 @@ const backgroundSchema = z.readonly(
   z.strictObject({
     nodes: listOf(backgroundNodeSchema),
     tetrahedra: described(
-      "Four node ids each, in any orientation",
+      WORDS.tetrahedra,
       listOf(z.readonly(z.tuple([z.int(), z.int(), z.int(), z.int()]))),
     ),
-    sources: described(
-      "Places around which elements are wanted no larger than a size",
-      z.optional(listOf(sourceSchema)),
-    ),
-    overhang: described(
-      "What this far outside still counts as covered, as a share of the nearest tetrahedron's longest edge",
-      z.optional(z.number().check(z.minimum(0))),
-    ),
+    sources: described(WORDS.sources, z.optional(listOf(sourceSchema))),
+    overhang: described(WORDS.overhang, z.optional(z.number().check(z.minimum(0)))),
   }),
 );
 
 const meshingSchema = z.readonly(
   z.strictObject({
-    size: described(
-      "One wanted edge length everywhere, in model units, above 0, up to 1e30: in place of the background grid's; sources still hold",
-      z.optional(z.number()),
-    ),
-    gradation: described(
-      "Most by which sizes grow from one element to the next, above 1, up to 10; 0 takes them as they are; 1.3 if not given",
-      z.optional(z.number()),
-    ),
-    enclosed: described(
-      "What closed patches within a body bound: cavities, if not given, or regions that are meshed too",
-      z.optional(z.enum(["cavities", "regions"])),
-    ),
-    order: described(
-      "Which face of the front comes next: of the lowest layer, if not given, or the smallest",
-      z.optional(z.enum(["layered", "smallest-first"])),
-    ),
-    optimization: described(
-      "Effort on the elements after the front; default, if not given",
-      z.optional(z.enum(["none", "fast", "default", "strive"])),
-    ),
+    size: described(WORDS.size, z.optional(z.number())),
+    gradation: described(WORDS.gradation, z.optional(z.number())),
+    enclosed: described(WORDS.enclosed, z.optional(z.enum(["cavities", "regions"]))),
+    order: described(WORDS.order, z.optional(z.enum(["layered", "smallest-first"]))),
+    optimization: described(WORDS.optimization, z.optional(z.enum(["none", "fast", "default", "strive"]))),
   }),
 );
 
 const documentSchema = z.readonly(
   z.strictObject({
-    $schema: described("For editors; not interpreted", z.optional(z.string())),
+    $schema: described(WORDS.schema, z.optional(z.string())),
     format: z.literal(PROJECT_FORMAT),
     version: z.literal(PROJECT_VERSION),
     name: z.string(),
     description: z.optional(z.string()),
-    units: described('A label such as "mm"; nothing is converted', z.optional(z.string())),
-    meshing: described(
-      "How it is to be meshed, where whoever meshes it does not say",
-      z.optional(meshingSchema),
-    ),
+    units: described(WORDS.units, z.optional(z.string())),
+    meshing: described(WORDS.meshing, z.optional(meshingSchema)),
     points: listOf(pointSchema),
     lines: listOf(lineSchema),
     patches: listOf(patchSchema),
-    background: described(
-      "Coarse tetrahedra covering the model, with the wanted size at their nodes",
-      z._default(backgroundSchema, { nodes: [], tetrahedra: [] }),
-    ),
+    background: described(WORDS.background, z._default(backgroundSchema, { nodes: [], tetrahedra: [] })),
   }),
 );
 
