@@ -4,12 +4,16 @@ import { pathToFileURL } from "node:url";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { inRoot } from "./paths.mjs";
 
+/** In dist, but compiled of no TypeScript. */
+const EMSCRIPTENS = new Set(["engine.js", "engine.d.ts"]);
+
 /** Removes what earlier sources were compiled to: the compiler leaves it, and npm would pack it. */
 export function dropOrphans() {
   const dist = inRoot("wasm", "dist");
   for (const file of filesUnder([dist], { skip: [] })) {
     const name = path.relative(dist, file);
-    const stem = /^(?!page)(.*?)\.(d\.ts|js)(\.map)?$/.exec(name)?.[1];
+    if (EMSCRIPTENS.has(name)) continue;
+    const stem = /^(?!page)(.*?)\.(d\.m?ts|m?js)(\.map)?$/.exec(name)?.[1];
     const isOfNothing = /\.d\.ts\.map$/.test(name);
     if (stem !== undefined && (isOfNothing || !existsSync(inRoot("wasm", "src", `${stem}.ts`)))) rmSync(file);
   }
@@ -25,7 +29,7 @@ export async function writeProjectSchema() {
 
 /** Minifies the engine's loader where Emscripten has left it, unless it is minified already. */
 export async function minifyLoader() {
-  const loader = inRoot("wasm", "dist", "engine.mjs");
+  const loader = inRoot("wasm", "dist", "engine.js");
   const stamp = inRoot("wasm", "dist", ".minified");
   if (isFresh(stamp, hashOf([loader]))) return;
   const { transform } = await import("esbuild");
@@ -98,7 +102,10 @@ export async function bundlePages() {
         setup({ onResolve, onLoad }) {
           // They are for the JSON Schema, which is made already.
           onLoad({ filter: /\/project-words\.js$/ }, () => ({ contents: "export const WORDS = {};" }));
-          onResolve({ filter: /\/engine\.js$/ }, () => ({ path: "../engine.js", external: true }));
+          onResolve({ filter: /\/engine-loader\.js$/ }, () => ({
+            path: "../engine-loader.js",
+            external: true,
+          }));
         },
       },
     ],

@@ -111,6 +111,12 @@ createMesher().catch(({ name, code, message }) => { document.title = [name, code
       STRICT,
       /worker cannot be loaded: the browser got no script .* http:\S+\.js asks for\. Serve/,
     ],
+    [
+      "a script that the worker imports is missing",
+      "engine.js",
+      STRICT,
+      /worker cannot be loaded: the browser got no script for it, or for what it imports, .*Serve worker\.js .*and the scripts/,
+    ],
     ["the engine is missing", "engine.wasm", STRICT, /loaded: http:\S+engine\.wasm is .* status 404\. Serve/],
     [
       "trusted types are required",

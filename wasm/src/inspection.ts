@@ -3,7 +3,7 @@
  * was repaired on request. The engine's answers, put into names.
  */
 import { describeDiagnostic } from "./diagnostics.js";
-import type { Engine } from "./engine.js";
+import type { Engine } from "./engine-loader.js";
 import { nameByPosition, type EntityNamer } from "./project-arrays.js";
 import { qualityReport } from "./quality-report.js";
 import { originsOf } from "./surface-numbers.js";

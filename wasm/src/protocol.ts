@@ -18,6 +18,9 @@ import type {
   VolumeMesh,
 } from "./types.js";
 
+/** A WebAssembly.Module, by a name that programs without the types of browsers know too. */
+export type CompiledEngine = object;
+
 /** Options as the engine takes them; 0 for a size that is not given. */
 export interface EngineOptions {
   readonly size: number;
@@ -123,7 +126,7 @@ export type SlicedKind = "preview" | "inspect-surface" | "repair-surface" | "ref
 /** Every request about work carries an id of its own; replies repeat it, late ones are dropped by it. */
 export type Request =
   /** The first of all, and sent once: load the engine, of this code or of what the worker fetches and compiles. */
-  | { readonly kind: "load"; readonly module: WebAssembly.Module | undefined }
+  | { readonly kind: "load"; readonly module: CompiledEngine | undefined }
   /** Answered by any number of `progress`, then one `result` or `failure`. */
   | {
       readonly kind: "mesh-model";
@@ -181,7 +184,7 @@ export type FailureReason = "out-of-memory" | "engine-failed";
 
 export type Reply =
   /** Once, when the engine is loaded, with its code for other workers. Requests sent earlier wait for it. */
-  | { readonly kind: "ready"; readonly module: WebAssembly.Module }
+  | { readonly kind: "ready"; readonly module: CompiledEngine }
   | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }

@@ -1,5 +1,5 @@
 /** Takes apart the flat arrays in which the engine tells of its elements' quality. */
-import type { EngineRun } from "./engine.js";
+import type { EngineRun } from "./engine-loader.js";
 import type { ElementFigures, QualityReport, RegionQuality } from "./types.js";
 
 type StatisticsRecord = ReturnType<EngineRun["statistics"]>;

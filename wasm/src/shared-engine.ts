@@ -3,14 +3,15 @@
  * compiles it and hands it back, those that come meanwhile wait for that, all later ones are given it. What
  * failed is not kept: the next in line tries for itself.
  */
+import type { CompiledEngine } from "./protocol.js";
 
 /** A worker that needs the code. */
 export interface EngineLoader {
   /** Called once: with the code, or without where this worker is to compile it. */
-  load(module: WebAssembly.Module | undefined): void;
+  load(module: CompiledEngine | undefined): void;
 }
 
-let compiled: WebAssembly.Module | undefined;
+let compiled: CompiledEngine | undefined;
 /** The first of them compiles. */
 const inLine: EngineLoader[] = [];
 
@@ -25,7 +26,7 @@ export function requestEngine(loader: EngineLoader): void {
  * `loader` has compiled `module`, or, where that is undefined, has failed or is no more. Nothing happens where it
  * did not stand in line.
  */
-export function settleEngine(loader: EngineLoader, module: WebAssembly.Module | undefined): void {
+export function settleEngine(loader: EngineLoader, module: CompiledEngine | undefined): void {
   const place = inLine.indexOf(loader);
   if (place < 0) return;
   inLine.splice(place, 1);

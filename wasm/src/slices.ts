@@ -3,7 +3,7 @@
  * without shared memory, and V8 never replaces a WebAssembly frame that is running, so that one
  * long call would stay in slow baseline code.
  */
-import type { EngineRun, EngineTool } from "./engine.js";
+import type { EngineRun, EngineTool } from "./engine-loader.js";
 import { PHASES, type RunClock } from "./run-clock.js";
 import type { MeshStatus, Phase, Progress } from "./types.js";
 

@@ -3,7 +3,7 @@ import type { LoadRemedies, StartWorker } from "./worker-host.js";
 
 export const loadRemedies: LoadRemedies = {
   worker:
-    "Serve worker.js of the package from the page's own origin, and let its Content-Security-Policy allow workers without trusted types.",
+    "Serve worker.js of the package, and the scripts that it imports, from the page's own origin, and let its Content-Security-Policy allow workers without trusted types.",
   engine:
     "Serve engine.wasm of the package, and let the Content-Security-Policy allow 'wasm-unsafe-eval' and to connect to it.",
 };
@@ -20,7 +20,9 @@ export const startWorker: StartWorker = (events) => {
     event.preventDefault();
     // Of a script that could not be had there is an event without words. Its address is known to the bundler alone.
     const spoken = event instanceof ErrorEvent ? event.message : "";
-    events.onCrash(spoken || `the browser got no script for it, which ${import.meta.url} asks for`);
+    events.onCrash(
+      spoken || `the browser got no script for it, or for what it imports, which ${import.meta.url} asks for`,
+    );
   };
   return {
     post: (request, transfer) => worker.postMessage(request, [...transfer]),

@@ -1,5 +1,5 @@
 /** The maker as the worker sees it, the same in browsers and Node. */
-import type { CompileEngine } from "./engine.js";
+import type { CompileEngine } from "./engine-loader.js";
 import type { Reply, Request } from "./protocol.js";
 
 export interface WorkerPort {

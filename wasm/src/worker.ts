@@ -1,8 +1,16 @@
 /** The worker: takes requests, runs the engine in slices, replies (src/protocol.ts). */
 import { workerPort } from "#worker-port";
 
-import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./engine.js";
-import type { Answers, EngineResult, FailureReason, Question, Request, SlicedKind } from "./protocol.js";
+import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./engine-loader.js";
+import type {
+  Answers,
+  CompiledEngine,
+  EngineResult,
+  FailureReason,
+  Question,
+  Request,
+  SlicedKind,
+} from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { runInSlices, workInSlices, type SliceControl } from "./slices.js";
@@ -29,7 +37,7 @@ const loaded = new Promise<Engine | undefined>((resolve) => {
 });
 
 /** The engine; undefined, and told, where it cannot be had. */
-async function load(given: WebAssembly.Module | undefined): Promise<Engine | undefined> {
+async function load(given: CompiledEngine | undefined): Promise<Engine | undefined> {
   try {
     const { engine, module } = await loadEngine(given, workerPort.compile);
     workerPort.post({ kind: "ready", module });

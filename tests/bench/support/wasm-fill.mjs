@@ -7,7 +7,7 @@
 // run that took the processor least, but for `firstSeconds`, and the size of the engine's memory after all
 // of them. LEVEL: of optimization.
 import { readFileSync } from "node:fs";
-import createEngine from "../../../wasm/dist/engine.mjs";
+import createEngine from "../../../wasm/dist/engine.js";
 
 const OPTIMIZATIONS = ["none", "fast", "default", "strive"];
 const PHASES = ["check", "sides", "surface", "volume", "optimize", "verify"];

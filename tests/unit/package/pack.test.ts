@@ -33,14 +33,16 @@ function filesIn(folder: string): string[] {
 describe("the packed files", () => {
   test("are those that are needed, each script with its types and its source map", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
-    const scripts = files.filter((name) => /^dist\/.*\.js$/.test(name));
+    // Servers and bundlers that know no .mjs must find all they need.
+    expect(files.filter((name) => /\.m[jt]s$/.test(name))).toEqual(["bin/tetrafront.mjs"]);
+    const engine = ["dist/project.schema.json", "dist/engine.js", "dist/engine.d.ts", "dist/engine.wasm"];
+    const scripts = files.filter((name) => /^dist\/.*\.js$/.test(name) && !engine.includes(name));
     const wanted = scripts.flatMap((name) =>
       name.startsWith("dist/page/")
         ? [name, `${name}.map`]
         : [name, `${name}.map`, name.replace(/\.js$/, ".d.ts")],
     );
     const others = ["LICENSE", "README.md", "package.json", "bin/tetrafront.mjs"];
-    const engine = ["dist/project.schema.json", "dist/engine.mjs", "dist/engine.d.mts", "dist/engine.wasm"];
     expect(files.sort()).toEqual([...wanted, ...others, ...engine].sort());
   });
 
@@ -56,7 +58,7 @@ describe("the packed files", () => {
     // What pages load is the same API and formats as Node loads, bundled.
     const page = files.filter((name) => /^dist\/page\/.*\.js$/.test(name));
     const commandLine = files.filter((name) => /^dist\/cli.*\.js$|^bin\//.test(name));
-    const all = ["dist/engine.wasm", "dist/engine.mjs", "dist/engine.js", ...page, ...commandLine];
+    const all = ["dist/engine.wasm", "dist/engine.js", "dist/engine-loader.js", ...page, ...commandLine];
     const bytes = all.map((name) => gzipSync(readFileSync(installed(name))).length);
     expect(bytes.reduce((sum, size) => sum + size)).toBeLessThan(400_000);
   });
@@ -87,6 +89,23 @@ describe("installed into an empty folder", () => {
     expect(globals.filter((name) => !name.startsWith("__zod"))).toEqual([]);
     expect(resources).toEqual([]);
   });
+
+  test("its types are complete without those of browsers, libraries checked as strictly as programs", async () => {
+    const program = `import { createMesher, readSurface, type Mesher } from "tetrafront";
+      import type { MesherError } from "tetrafront/page";
+      export const filled = async (mesher: Mesher, bytes: Uint8Array): Promise<number> => {
+        const read = await readSurface(bytes, { fileName: "part.stl" });
+        return read.success ? (await mesher.fillSurface(read.value)).volume.regions.length : read.problems.length;
+      };
+      export const own = createMesher().catch((failure: MesherError) => failure.code);`;
+    writeFileSync(path.join(fresh.folder, "program.ts"), program);
+    const settings = ["--strict", "--noEmit", "--skipLibCheck", "false", "--module", "nodenext"];
+    const known = ["--target", "es2022", "--lib", "es2022", "--types", "node"];
+    const types = ["--typeRoots", path.join(root, "node_modules", "@types")];
+    const args = [bin("tsc"), "program.ts", "--ignoreConfig", ...settings, ...known, ...types];
+    const { stdout } = await run(process.execPath, args, { cwd: fresh.folder });
+    expect(stdout).toBe("");
+  }, 120_000);
 
   test("the command line runs", async () => {
     writeFileSync(path.join(fresh.folder, "part.stl"), stlBinary(boxSurface(2)));

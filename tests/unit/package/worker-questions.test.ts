@@ -16,7 +16,7 @@ vi.mock("../../../wasm/dist/worker-port-node.js", () => ({
     letRequestsIn: () => new Promise((resolve) => setImmediate(resolve)),
   },
 }));
-vi.mock("../../../wasm/dist/engine.js", () => ({
+vi.mock("../../../wasm/dist/engine-loader.js", () => ({
   loadEngine: () =>
     Promise.resolve({
       module: undefined,

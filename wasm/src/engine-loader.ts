@@ -7,7 +7,8 @@ import createEngine, {
   type Repair,
   type Run,
   type VolumeInspection,
-} from "./engine.mjs";
+} from "./engine.js";
+import type { CompiledEngine } from "./protocol.js";
 
 export type Engine = MainModule;
 export type EngineRun = Run;
@@ -15,20 +16,21 @@ export type EngineRun = Run;
 export type EngineTool = Inspection | Preview | Refinement | Repair | VolumeInspection;
 
 /** Fetches the file and compiles it; rejects with words that name the file and why it is not to be had. */
-export type CompileEngine = (address: URL) => Promise<WebAssembly.Module>;
+export type CompileEngine = (address: URL) => Promise<CompiledEngine>;
 
 /** An engine, and its code for those who load another one. */
 export interface LoadedEngine {
   readonly engine: Engine;
-  readonly module: WebAssembly.Module;
+  readonly module: CompiledEngine;
 }
 
 /** The engine, of `given` code or of that beside this module. Rejects where WebAssembly or the file is missing. */
 export async function loadEngine(
-  given: WebAssembly.Module | undefined,
+  given: CompiledEngine | undefined,
   compile: CompileEngine,
 ): Promise<LoadedEngine> {
-  const module = given ?? (await compile(new URL("./engine.wasm", import.meta.url)));
+  const found = given ?? (await compile(new URL("./engine.wasm", import.meta.url)));
+  const module = found as WebAssembly.Module;
   const engine = await new Promise<Engine>((resolve, reject) => {
     // Of what goes wrong in here Emscripten's own promise would never hear.
     const instantiateWasm = (imports: WebAssembly.Imports, receive: ReceiveInstance) => {
