@@ -25,6 +25,7 @@ void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
   if (mesh.triangles.empty()) report.addEmpty();
   const std::size_t nodes = mesh.points.size() / 3;
   double largest = 0.0;
+  bool isKnown = nodes > 0;
   for (std::uint32_t i = 0; i < nodes; ++i) {
     for (std::size_t a = 0; a < 3; ++a) {
       const double x = mesh.points[3 * std::size_t{i} + a];
@@ -33,12 +34,14 @@ void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
           magnitude == 0.0 || (magnitude >= kSmallestCoordinate && magnitude <= kLargestCoordinate);
       if (!isExact) {
         report.addNode(DiagnosticCode::kNotFinite, i, {x});
+        isKnown = false;
         break;
       }
       largest = std::max(largest, magnitude);
     }
   }
-  if (nodes > 0 && largest < kSmallestExtent)
+  // How large a surface with coordinates out of all bounds is nobody can say.
+  if (isKnown && largest < kSmallestExtent)
     report.addNode(DiagnosticCode::kNotFinite, 0, {largest});
   for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
     if (mesh.triangles[h] < nodes) continue;

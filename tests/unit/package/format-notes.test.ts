@@ -42,9 +42,11 @@ function distinct(points: Float64Array): number {
 }
 
 test("STL: patches beyond its numbers are told", async () => {
-  expect(await notesOf(surfaceMesh(1 << 15), "a.stl")).toBe("");
-  const mesh = surfaceMesh((1 << 15) + 1);
-  expect(await notesOf(mesh, "a.stl")).toMatch(/^1 patches are written as the first one/);
+  expect(await notesOf(surfaceMesh((1 << 15) - 1), "a.stl")).toBe("");
+  const mesh = surfaceMesh(1 << 15);
+  expect(await notesOf(mesh, "a.stl")).toMatch(
+    /^Numbers of patches .* from 1 to 32767.*: 32767 as 1, 32768 as 2$/,
+  );
   const [file] = await writeMesh(mesh, "a.stl");
   const read = await readMesh(file?.bytes ?? new Uint8Array(), { fileName: "a.stl" });
   expect(read.success && read.value.patches).toHaveLength(2);

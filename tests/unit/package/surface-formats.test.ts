@@ -1,4 +1,11 @@
-import { readSurface, type ReadResult, type SurfaceFile, type SurfaceInput } from "tetrafront";
+import {
+  readMesh,
+  readSurface,
+  writeMesh,
+  type ReadResult,
+  type SurfaceFile,
+  type SurfaceInput,
+} from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { objFile, offFile, plyBinary, plyText, stlBinary, stlText } from "../../support/surface-files.js";
@@ -200,6 +207,48 @@ describe("OFF", () => {
 /** A square pyramid, its base a polygon of four. */
 const pyramid = { points: ["0 0 0", "1 0 0", "1 1 0", "0 1 0", "0.5 0.5 1"], base: [0, 3, 2, 1] };
 
+describe("what binary STL says of its triangles", () => {
+  /** A cube whose triangles have these two bytes in turn. */
+  function stlOf(attributes: readonly number[], header?: string): Uint8Array {
+    const file = stlBinary(boxSurface(1), header);
+    const view = new DataView(file.buffer);
+    for (let t = 0; 84 + 50 * t < file.length; t++) {
+      view.setUint16(84 + 50 * t + 48, attributes[t % attributes.length] ?? 0, true);
+    }
+    return file;
+  }
+  const patchesOf = async (attributes: readonly number[], header?: string) =>
+    (await surfaceIn(readStl(stlOf(attributes, header)))).patches;
+
+  test("is the number of a patch, and none where it is 0", async () => {
+    const patches = await patchesOf([11, 0, 1]);
+    expect(patches.map(({ name, tag }) => [name, tag])).toEqual([
+      ["attribute 11", 11],
+      ["surface", 2],
+      ["attribute 1", 1],
+    ]);
+    // Written again they are what they were.
+    const read = await readMesh(stlOf([11, 7]), { fileName: "a.stl" });
+    if (!read.success) throw new Error();
+    const [file] = await writeMesh(read.value, "a.stl");
+    const again = await surfaceIn(readStl(file?.bytes ?? new Uint8Array()));
+    expect(again.patches.map(({ tag }) => tag)).toEqual([11, 7]);
+  });
+
+  test("is a colour, blue lowest, where bit 15 is set", async () => {
+    const [red, , ...others] = await patchesOf([0x8000 | (31 << 10), 3]);
+    expect(red).toMatchObject({ name: "#ff0000", color: [1, 0, 0] });
+    expect(others).toEqual([]);
+  });
+
+  test("is a colour, red lowest, in files of Magics, and that of the object where bit 15 is set", async () => {
+    const header = "COLOR=\x00\x7f\x00\x7f,MATERIAL=";
+    const patches = await patchesOf([31, 0x8000 | 11, 0x8000], header);
+    expect(patches.map(({ name }) => name)).toEqual(["#ff0000", "#007f00"]);
+    expect(patches[1]?.color).toEqual([0, 127 / 255, 0]);
+  });
+});
+
 describe("OBJ", () => {
   test("comes back bit for bit", async () => {
     expect(soup(await surfaceIn(readObj(objFile(sphere))))).toEqual(soup(sphere));
@@ -210,6 +259,37 @@ describe("OBJ", () => {
     const file = `${rows}\nf 1 4 3 2\nf -5/1/1 -4/2/2 -1/3/3\nf 2 3 \\\n 5\nf 3 4 5 # side\nf 4 1 5\n`;
     const { triangles } = await surfaceIn(readObj(bytes(file)));
     expect([...triangles]).toEqual([0, 3, 2, 0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
+  });
+
+  test.each(["\n", "\r\n", "\r"])("continues any line by a backslash, lines ending with %j", async (end) => {
+    const rows = pyramid.points.map((point) => `v ${point.replace(" ", "\\\n\\\n ")} \\\n 1.0`);
+    const head = [
+      "# a folder: C:\\parts\\",
+      "mtllib a.mtl \\",
+      "v.mtl",
+      ...rows,
+      "usemtl red \\",
+      "and blue",
+    ];
+    const faces = [
+      "f 1 4\\",
+      " 3 2",
+      "f -5/1/1 -4/2/2 -1/3/3",
+      "f 2 3 \\",
+      "\\",
+      "5",
+      "f 3 4 5",
+      "f 4 1 5\\",
+      "",
+    ];
+    const file = [...head, ...faces].join("\n").replaceAll("\n", end);
+    const surface = await surfaceIn(readObj(bytes(file)));
+    expect([...surface.triangles]).toEqual([0, 3, 2, 0, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4]);
+    expect(surface.patches.map(({ name }) => name)).toEqual(["red and blue"]);
+    expect(surface.points).toHaveLength(15);
+    // Lines are counted all the same.
+    const wrong = readObj(bytes(["v 0 0 \\", "0", "v 1 zero 0"].join(end)));
+    expect(await problemIn(wrong)).toMatchObject({ line: 3 });
   });
 
   test.each<[string, string, RegExp]>([
@@ -260,7 +340,7 @@ end_header\n`;
     [
       "a corner too many",
       `${head("ascii", 1)}${rows.replace("4 0 3 2 1", "3 0 3 9")}7\n`,
-      /corner 9, there are 5/,
+      /corner 9 of 5 points/,
     ],
     [
       "faces that are not there",

@@ -33,6 +33,8 @@ export interface ByteReaderOptions {
   readonly remedy: string;
   /** A character that hides the rest of its line. */
   readonly comment?: string;
+  /** A character that, as the last of a line, continues it on the next; not in comments. */
+  readonly continuation?: string;
   /** Is told what stands behind it, where that is short. */
   readonly heard?: (comment: string) => void;
 }
@@ -54,12 +56,14 @@ export class ByteReader {
   #isWhole = false;
   readonly #pieces: AsyncIterator<Uint8Array>;
   readonly #comment: number;
+  readonly #continuation: number;
   readonly #remedy: string;
   readonly #heard: ByteReaderOptions["heard"];
 
-  private constructor(source: ByteSource, { remedy, comment, heard }: ByteReaderOptions) {
+  private constructor(source: ByteSource, { remedy, comment, continuation, heard }: ByteReaderOptions) {
     this.#pieces = piecesOf(source);
     this.#comment = comment?.charCodeAt(0) ?? NaN;
+    this.#continuation = continuation?.charCodeAt(0) ?? NaN;
     this.#remedy = remedy;
     this.#heard = heard;
   }
@@ -223,9 +227,17 @@ export class ByteReader {
     this.#skipBlanks(true, true);
   }
 
-  /** Skips what is left of this line. */
+  /** Skips what is left of this line, and the lines that continue it. */
   skipLine(): void {
-    this.#at = this.#lineEnd();
+    for (;;) {
+      const begin = this.#at;
+      const end = this.#lineEnd();
+      this.#at = end;
+      const last = this.#bytes[end - 1] === CARRIAGE_RETURN ? end - 2 : end - 1;
+      if (last < begin || !this.#isContinued(last)) return;
+      this.#passLineEnd();
+      this.#line++;
+    }
   }
 
   /** The rest of this line without blanks (for `trim` a byte-order mark is one) around it; the place is then the begin of the next. */
@@ -317,6 +329,12 @@ export class ByteReader {
     return byte === LINE_FEED || (byte === CARRIAGE_RETURN && this.#bytes[at + 1] !== LINE_FEED);
   }
 
+  /** Whether the byte here continues its line on the next. */
+  #isContinued(at: number): boolean {
+    const after = this.#bytes[at + 1];
+    return this.#bytes[at] === this.#continuation && (after === LINE_FEED || after === CARRIAGE_RETURN);
+  }
+
   #passLineEnd(): void {
     if (this.#bytes[this.#at++] === CARRIAGE_RETURN) this.#hasLoneReturns = true;
   }
@@ -350,9 +368,15 @@ export class ByteReader {
           this.#at += MARK.length - 1;
           continue;
         }
+        if (byte === this.#continuation && this.#isContinued(this.#at)) {
+          const isPair = bytes[this.#at + 1] === CARRIAGE_RETURN && bytes[this.#at + 2] === LINE_FEED;
+          this.#at += isPair ? 2 : 1;
+          this.#line++;
+          continue;
+        }
         if (byte !== this.#comment) break;
         const begin = this.#at + 1;
-        this.skipLine();
+        this.#at = this.#lineEnd();
         if (this.#at - begin < HEARD) this.#heard?.(textOf(bytes.subarray(begin, this.#at)));
         if (mayPause && this.isLow) break;
         this.#at--;
@@ -372,6 +396,7 @@ export class ByteReader {
     for (; end < bytes.length; end++) {
       const byte = bytes[end] ?? 0;
       if (byte <= SPACE || byte === this.#comment) return end;
+      if (byte === this.#continuation && this.#isContinued(end)) return end;
     }
     this.#checkEdge();
     return end;

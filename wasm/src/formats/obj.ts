@@ -2,7 +2,7 @@
  * OBJ (Wavefront), as text: `v` and `f` count, a corner being the first number of its group. The material in
  * use is the patch of a face; where groups (or objects) divide what is of one material, they are the patches, and a group
  * of several materials is one patch for each. Normals, texture coordinates, lines and points are
- * read over; polygons are cut into triangles; curves and surfaces that need more than corners are refused.
+ * read over; a backslash at the end of a line continues it; polygons are cut into triangles; curves and surfaces that need more than corners are refused.
  */
 import { plural } from "../plural.js";
 import { ByteReader } from "./byte-reader.js";
@@ -16,7 +16,7 @@ const REMEDY = "Export the surface again as an OBJ file of triangles.";
 const FREE_FORM = new Set(["curv", "curv2", "surf", "cstype", "deg", "bmat"]);
 
 export function readObj(source: ByteSource): Promise<FileMesh> {
-  return ByteReader.over(source, { remedy: REMEDY, comment: "#" }, async (reader) => {
+  return ByteReader.over(source, { remedy: REMEDY, comment: "#", continuation: "\\" }, async (reader) => {
     const builder = new MeshBuilder();
     const kinds = new Kinds(builder.patches);
     const group = { material: "", name: "" };
@@ -112,7 +112,7 @@ function readPoint(reader: ByteReader, builder: MeshBuilder): void {
 function readFace(reader: ByteReader, builder: MeshBuilder, patch: number): void {
   const count = builder.pointCount;
   const corners: number[] = [];
-  for (let word = nextCorner(reader); word !== ""; word = nextCorner(reader)) {
+  for (let word = reader.wordInLine(); word !== ""; word = reader.wordInLine()) {
     const given = Number(word.split("/")[0]);
     // From 1; below 0 they count backwards from the last point so far.
     const corner = given < 0 ? count + given : given - 1;
@@ -125,12 +125,4 @@ function readFace(reader: ByteReader, builder: MeshBuilder, patch: number): void
   if (!builder.addPolygon(corners, patch)) {
     reader.fail(`a face ${UNCUT}`);
   }
-}
-
-/** The next word of the face; a backslash at the end of a line continues it on the next. */
-function nextCorner(reader: ByteReader): string {
-  const word = reader.wordInLine();
-  if (word !== "\\") return word;
-  reader.endLine();
-  return nextCorner(reader);
 }

@@ -1,12 +1,12 @@
 /**
- * Binary STL: the triangles with their normals, as float32, and the number of their patch as attribute. Names are in the
- * header, where all of them fit into its 80 bytes.
+ * Binary STL: the triangles with their normals, as float32, and the number of their patch as attribute, 0 where it is the
+ * only one and says nothing. Names are in the header, in the order of the numbers, where all fit into its 80 bytes.
  */
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { isPlain, noteNames } from "./groups.js";
+import { isPlain, listed, noteNames } from "./groups.js";
 import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
 import { noteMerged } from "./merged-points.js";
 import { stepwise } from "./steps.js";
@@ -14,23 +14,18 @@ import { stepwise } from "./steps.js";
 const HEADER_TEXT = 80;
 const HEADER_BYTES = 84;
 const TRIANGLE_BYTES = 50;
-/** Those that readers take for a colour have the highest bit set. */
+/** Those that readers take for a colour have the highest bit set; 0 is none. */
 const MOST_ATTRIBUTES = 0x7fff;
 
-/** The bytes of an STL file. Patches beyond 32767 lose their number, and points their later digits. */
+/** The bytes of an STL file. Patches beyond 32767 are one, and points lose their later digits. */
 export function* writeStl(given: FileMesh, note: Note): Generator<Part, void> {
   const mesh = yield* boundaryOf(given);
-  const { points, triangles, trianglePatch, patches } = mesh;
+  const { points, triangles, trianglePatch } = mesh;
   yield* noteMerged(points, note);
-  const numberless = patches.length - 1 - MOST_ATTRIBUTES;
-  if (numberless > 0) {
-    note(
-      `${numberless} patches are written as the first one: the format has numbers up to ${MOST_ATTRIBUTES}`,
-    );
-  }
+  const attributes = attributesOf(mesh, note);
   const count = triangles.length / 3;
   const bytes = new Uint8Array(HEADER_BYTES + TRIANGLE_BYTES * count);
-  bytes.set(header(mesh, note));
+  bytes.set(header(mesh, attributes, note));
   const view = new DataView(bytes.buffer);
   view.setUint32(HEADER_BYTES - 4, count, true);
   yield* stepwise(count, (t) => {
@@ -42,27 +37,47 @@ export function* writeStl(given: FileMesh, note: Note): Generator<Part, void> {
     for (const row of [normalOf(corners), ...corners]) {
       for (let axis = 0; axis < 3; axis++, at += 4) view.setFloat32(at, row[axis] ?? 0, true);
     }
-    view.setUint16(at, attributeOf(trianglePatch[t] ?? 0), true);
+    view.setUint16(at, attributes[trianglePatch[t] ?? 0] ?? 0, true);
   });
   yield bytes;
 }
 
-function attributeOf(patch: number): number {
-  return patch <= MOST_ATTRIBUTES ? patch : 0;
+/**
+ * Per patch: its number, where the format can hold those of all that have triangles, else from 1 on in their order, and 0
+ * beyond the last.
+ */
+function attributesOf({ patches, trianglePatch }: FileMesh, note: Note): Uint16Array {
+  const attributes = new Uint16Array(patches.length);
+  const [first] = patches;
+  if (patches.length === 1 && first?.tag === 1 && isPlain(first)) return attributes;
+  const used = [...new Set(trianglePatch)].sort((a, b) => a - b);
+  const tags = used.map((patch) => patches[patch]?.tag ?? NaN);
+  const isHeld = tags.every((tag) => Number.isInteger(tag) && tag >= 1 && tag <= MOST_ATTRIBUTES);
+  const isKept = isHeld && new Set(tags).size === tags.length;
+  const changed = used.flatMap((patch, u) => {
+    const tag = tags[u] ?? 0;
+    const attribute = isKept ? tag : u < MOST_ATTRIBUTES ? u + 1 : 0;
+    attributes[patch] = attribute;
+    return attribute === tag ? [] : [`${tag} as ${attribute}`];
+  });
+  if (changed.length > 0) {
+    note(
+      `numbers of patches are written otherwise, for the format takes whole ones from 1 to ${MOST_ATTRIBUTES}, each once: ` +
+        listed(changed),
+    );
+  }
+  return attributes;
 }
 
 /** Never the word "solid" at its begin, which begins text, and no zero, nor "COLOR=", which has a meaning. */
-function header({ patches }: FileMesh, note: Note): Uint8Array {
-  const names = patches.map(({ name }) => name);
+function header({ patches, trianglePatch }: FileMesh, attributes: Uint16Array, note: Note): Uint8Array {
+  const used = [...new Set(trianglePatch)].sort((a, b) => (attributes[a] ?? 0) - (attributes[b] ?? 0));
+  const names = used.map((patch) => patches[patch]?.name ?? "");
   const text = `${STL_NAMES}${names.join(NAME_BREAK)}`;
   const bytes = new TextEncoder().encode(text);
   const isTold = names.every((name) => name !== "" && !/;|\s$|[\r\n]/.test(name)) && !text.includes("COLOR=");
   if (isTold && bytes.length <= HEADER_TEXT && !patches.every(isPlain)) return bytes;
-  noteNames(
-    patches,
-    note,
-    patches.map((_, patch) => attributeOf(patch)),
-  );
+  noteNames(patches, note, [...attributes]);
   return new TextEncoder().encode(STL_TITLE);
 }
 

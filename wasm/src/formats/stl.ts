@@ -1,16 +1,17 @@
 /**
  * STL, binary and ASCII: triangle soup, whose equal corners are welded exactly while they arrive. A file is
  * text if it begins with "solid" and has no zero byte near its begin: some binary files begin with that
- * word too, but all of them have zeros in the number of triangles. Solids, and the attributes of binary
- * triangles, become patches; normals are not used.
+ * word too, but all of them have zeros in the number of triangles. Solids become patches, and so do the attributes of
+ * binary triangles, as numbers or, where file or triangle say so, as colours; normals are not used.
  */
 import { plural } from "../plural.js";
 import { failureAt, ReadFailure } from "../read-result.js";
-import { ByteReader, FIRST_LINE } from "./byte-reader.js";
+import { ByteReader, FIRST_LINE, indexOf } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { MeshBuilder } from "./mesh-builder.js";
-import { NAME_BREAK, NameLines, STL_NAMES } from "./name-lines.js";
+import { hexOf } from "./colors.js";
+import type { FileMesh } from "./file-mesh.js";
+import { MeshBuilder, type GroupList } from "./mesh-builder.js";
+import { NAME_BREAK, STL_NAMES } from "./name-lines.js";
 
 const HEADER_BYTES = 80;
 const COUNT_BYTES = 4;
@@ -41,26 +42,20 @@ export function readStl(source: ByteSource): Promise<FileMesh> {
 
 async function readBinary(reader: ByteReader): Promise<FileMesh> {
   const head = await reader.bytes(HEADER_BYTES);
-  const header = String.fromCharCode(...head);
-  const names = new NameLines();
-  const title = new TextDecoder().decode(head).replace(/\0+$/, "");
-  if (title.startsWith(STL_NAMES)) {
-    const told = title.slice(STL_NAMES.length).split(NAME_BREAK);
-    for (const [p, name] of told.entries()) names.hear(`patch ${p + 1} ${name}`);
-  }
   const count = reader.integer(COUNT_BYTES, false);
   const builder = new MeshBuilder(true);
+  const attributes = new Attributes(builder.patches, objectColor(head));
   for (let t = 0; t < count; t++) {
     if (t % BATCH === 0) await reader.fill();
     if (reader.ahead < TRIANGLE_BYTES) throw tooShort(reader.offset + reader.ahead, count);
-    readTriangle(reader, builder, header);
+    readTriangle(reader, builder, attributes);
   }
   await reader.fill();
   // Zeros fill up blocks; anything else is what a wrong number would leave out.
   if (reader.ahead >= TRIANGLE_BYTES && reader.peek(TRIANGLE_BYTES).some((byte) => byte !== 0)) {
     reader.fail(`the file goes on behind the ${plural(count, "triangle")} it announces`);
   }
-  return names.given(builder.mesh());
+  return attributes.named(builder.mesh(), head);
 }
 
 function tooShort(length: number, count: number): ReadFailure {
@@ -69,15 +64,12 @@ function tooShort(length: number, count: number): ReadFailure {
   return new ReadFailure({ message, remedy: REMEDY, offset: length });
 }
 
-function readTriangle(reader: ByteReader, builder: MeshBuilder, header: string): void {
+function readTriangle(reader: ByteReader, builder: MeshBuilder, attributes: Attributes): void {
   reader.skip(NORMAL_BYTES);
   const a = readCorner(reader, builder);
   const b = readCorner(reader, builder);
   const c = readCorner(reader, builder);
-  const attribute = reader.integer(2, false);
-  const known = builder.patches.known(attribute);
-  const patch = known ?? builder.patches.of(attribute, () => attributePatch(attribute, header));
-  builder.addTriangle(a, b, c, patch);
+  builder.addTriangle(a, b, c, attributes.patchOf(reader.integer(2, false)));
 }
 
 function readCorner(reader: ByteReader, builder: MeshBuilder): number {
@@ -90,21 +82,74 @@ function readCorner(reader: ByteReader, builder: MeshBuilder): number {
   return builder.addCorner(x, y, z);
 }
 
-/**
- * What the two bytes of a triangle say: a colour of 5 bits each where bit 15 is set, blue lowest, or, in
- * files whose header says "COLOR=", where it is clear, red lowest; else just a number.
- */
-function attributePatch(attribute: number, header: string): FileGroup {
-  const tag = attribute + 1;
-  const hasDefault = header.includes("COLOR=");
-  const isColor = attribute !== 0 && ((attribute & 0x8000) === 0) === hasDefault;
-  if (!isColor) return { name: attribute === 0 ? "surface" : `attribute ${attribute}`, tag };
-  const [low, middle, high] = [0, 5, 10].map((shift) => ((attribute >> shift) & 31) / 31) as [
-    number,
-    number,
-    number,
-  ];
-  return { name: `color ${attribute}`, tag, color: hasDefault ? [low, middle, high] : [high, middle, low] };
+type Color = readonly [number, number, number];
+
+/** What Magics writes into the header before the colour of all triangles that have none of their own. */
+const OBJECT_COLOR = "COLOR=";
+
+/** As three bytes behind those words; undefined in files of other programs. */
+function objectColor(head: Uint8Array): Color | undefined {
+  const at = indexOf(head, new TextEncoder().encode(OBJECT_COLOR), 0);
+  if (at < 0) return undefined;
+  const [red, green, blue] = [0, 1, 2].map((i) => (head[at + OBJECT_COLOR.length + i] ?? 0) / 255);
+  return [red ?? 0, green ?? 0, blue ?? 0];
+}
+
+const COLOR_BIT = 0x8000;
+
+/** What the two bytes of a triangle say. */
+class Attributes {
+  readonly #patches: GroupList;
+  readonly #objectColor: Color | undefined;
+  readonly #known = new Map<number, number>();
+
+  constructor(patches: GroupList, color: Color | undefined) {
+    this.#patches = patches;
+    this.#objectColor = color;
+  }
+
+  patchOf(attribute: number): number {
+    const known = this.#known.get(attribute);
+    if (known !== undefined) return known;
+    const color = this.#colorOf(attribute);
+    const patch =
+      color !== undefined
+        ? this.#patches.named(hexOf(color), color)
+        : attribute === 0
+          ? this.#patches.of("surface", () => ({ name: "surface", tag: 1 }))
+          : this.#patches.tagged(attribute, `attribute ${attribute}`);
+    this.#known.set(attribute, patch);
+    return patch;
+  }
+
+  /**
+   * Where bit 15 is set, as VisCAM does: blue in the lowest five bits, green, red. In files of Magics a set bit means
+   * the object's colour, and other bits than 0 without it red in the lowest five, green, blue.
+   */
+  #colorOf(attribute: number): Color | undefined {
+    const isSet = attribute >= COLOR_BIT;
+    const [low, middle, high] = [0, 5, 10].map((shift) => ((attribute >> shift) & 31) / 31) as [
+      number,
+      number,
+      number,
+    ];
+    if (this.#objectColor === undefined) return isSet ? [high, middle, low] : undefined;
+    if (isSet) return this.#objectColor;
+    return attribute === 0 ? undefined : [low, middle, high];
+  }
+
+  /** With the names that our own files have in their header, in the order of the attributes. */
+  named(mesh: FileMesh, head: Uint8Array): FileMesh {
+    const title = new TextDecoder().decode(head).replace(/\0+$/, "");
+    if (!title.startsWith(STL_NAMES)) return mesh;
+    const names = title.slice(STL_NAMES.length).split(NAME_BREAK);
+    const order = [...this.#known].sort(([a], [b]) => a - b).map(([, patch]) => patch);
+    if (order.length !== names.length) return mesh;
+    return {
+      ...mesh,
+      patches: mesh.patches.map((patch, p) => ({ ...patch, name: names[order.indexOf(p)] ?? patch.name })),
+    };
+  }
 }
 
 async function readText(reader: ByteReader): Promise<FileMesh> {
