@@ -25,6 +25,29 @@ function hanging(begin: Uint8Array): { stream: ReadableStream<Uint8Array>; isCan
   return { stream, isCancelled: () => isCancelled };
 }
 
+test("a signal is heard, and others run, between polygons that take long", async () => {
+  const count = 2000;
+  const polygon = Array.from({ length: count }, (_, i) => {
+    const [angle, radius] = [(2 * Math.PI * i) / count, i % 2 === 0 ? 1 : 0.9];
+    return `v ${radius * Math.cos(angle)} ${radius * Math.sin(angle)} 0\n`;
+  });
+  const face = `f ${polygon.map((_, i) => i + 1).join(" ")}\n`;
+  const file = bytesOf(polygon.join("") + face.repeat(80));
+  let ran = 0;
+  const timer = setInterval(() => ran++, 1);
+  const read = await readSurface(file, { fileName: "a.obj" });
+  clearInterval(timer);
+  expect(read.success && read.value.triangles.length).toBe(3 * 80 * (count - 2));
+  expect(ran).toBeGreaterThan(5);
+  const stop = new AbortController();
+  setTimeout(() => stop.abort(), 1);
+  const began = performance.now();
+  await expect(readSurface(file, { fileName: "a.obj", signal: stop.signal })).rejects.toMatchObject({
+    code: "cancelled",
+  });
+  expect(performance.now() - began).toBeLessThan(5000);
+});
+
 describe("a signal is heard while bytes are waited for", () => {
   const reason = new Error("enough");
   const cancelled = { code: "cancelled", cause: reason };

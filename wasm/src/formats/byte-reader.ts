@@ -9,6 +9,7 @@
 import { failureAt, ReadFailure, type FilePlace } from "../read-result.js";
 import { piecesOf, type ByteSource } from "./byte-source.js";
 import { decimalIn, otherNumber } from "./decimal.js";
+import { Breather } from "./steps.js";
 
 const LINE_FEED = 10;
 const CARRIAGE_RETURN = 13;
@@ -37,6 +38,8 @@ export interface ByteReaderOptions {
   readonly continuation?: string;
   /** Is told what stands behind it, where that is short. */
   readonly heard?: (comment: string) => void;
+  /** Ends the reading behind entries that took long (`rest`). */
+  readonly signal?: AbortSignal | undefined;
 }
 
 export class ByteReader {
@@ -54,13 +57,18 @@ export class ByteReader {
   /** Whether a line that was read ended with a carriage return alone. */
   #hasLoneReturns = false;
   #isWhole = false;
+  /** Whether others are to run before the next entry. */
+  #isTired = false;
+  readonly #breather: Breather;
   readonly #pieces: AsyncIterator<Uint8Array>;
   readonly #comment: number;
   readonly #continuation: number;
   readonly #remedy: string;
   readonly #heard: ByteReaderOptions["heard"];
 
-  private constructor(source: ByteSource, { remedy, comment, continuation, heard }: ByteReaderOptions) {
+  private constructor(source: ByteSource, options: ByteReaderOptions) {
+    const { remedy, comment, continuation, heard, signal } = options;
+    this.#breather = new Breather(signal);
     this.#pieces = piecesOf(source);
     this.#comment = comment?.charCodeAt(0) ?? NaN;
     this.#continuation = continuation?.charCodeAt(0) ?? NaN;
@@ -88,8 +96,17 @@ export class ByteReader {
   }
 
   get isLow(): boolean {
+    return this.#isTired || this.#isShort;
+  }
+
+  get #isShort(): boolean {
     return !this.#isWhole && this.#bytes.length - this.#at < LOOKAHEAD;
   }
+
+  /** Says that an entry took long: the next `fill` lets others run, and ends the reading where it is cancelled. */
+  readonly rest = (): void => {
+    this.#isTired = true;
+  };
 
   /** No byte is left. */
   get isAtEnd(): boolean {
@@ -113,7 +130,11 @@ export class ByteReader {
 
   /** Makes the window reach far enough for the next entry. */
   async fill(): Promise<void> {
-    if (!this.isLow) return;
+    if (this.#isTired) {
+      this.#isTired = false;
+      await this.#breather.breathe();
+    }
+    if (!this.#isShort) return;
     const parts: Uint8Array[] = [this.#bytes.subarray(this.#at)];
     let length = this.#bytes.length - this.#at;
     while (length < WINDOW) {

@@ -76,7 +76,9 @@ export class MeshBuilder {
   readonly #tetrahedra = new Column(Uint32Array);
   readonly #tetrahedronRegion = new Column(Uint32Array);
   readonly #welder: PointWelder | undefined;
-  readonly #clipping = new ClippingBudget();
+  /** Called where cutting polygons has taken a while, for others to run. */
+  onLongWork: () => void = () => undefined;
+  readonly #clipping = new ClippingBudget(() => this.onLongWork());
   #turned = 0;
 
   /** `isSoup`: the file repeats its points, which are welded as they come (`addCorner`). */

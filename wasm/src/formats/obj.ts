@@ -7,6 +7,7 @@
 import { plural } from "../plural.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
+import type { ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { GroupList, MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
@@ -15,9 +16,11 @@ const REMEDY = "Export the surface again as an OBJ file of triangles.";
 /** Words that begin free-form geometry, which a mesh would be missing. */
 const FREE_FORM = new Set(["curv", "curv2", "surf", "cstype", "deg", "bmat"]);
 
-export function readObj(source: ByteSource): Promise<FileMesh> {
-  return ByteReader.over(source, { remedy: REMEDY, comment: "#", continuation: "\\" }, async (reader) => {
+export function readObj(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
+  const options = { remedy: REMEDY, comment: "#", continuation: "\\", signal };
+  return ByteReader.over(source, options, async (reader) => {
     const builder = new MeshBuilder();
+    builder.onLongWork = reader.rest;
     const kinds = new Kinds(builder.patches);
     const group = { material: "", name: "" };
     for (;;) {

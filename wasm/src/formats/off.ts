@@ -6,6 +6,7 @@ import { plural } from "../plural.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";
+import type { ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { FaceLines } from "./name-lines.js";
@@ -19,12 +20,13 @@ const COUNTS_BYTES = 64;
 /** More than these would be written as a triangle soup of a different format, or are garbage. */
 const MAX_COUNT = 0x7fffffff;
 
-export function readOff(source: ByteSource): Promise<FileMesh> {
+export function readOff(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
   const lines = new FaceLines();
-  const options = { remedy: REMEDY, comment: "#", heard: lines.hear };
+  const options = { remedy: REMEDY, comment: "#", heard: lines.hear, signal };
   return ByteReader.over(source, options, async (reader) => {
     const { extras, isBinary } = readHeader(reader);
     const builder = new MeshBuilder();
+    builder.onLongWork = reader.rest;
     if (isBinary) {
       await readBinary(reader, builder, extras);
       return builder.mesh();

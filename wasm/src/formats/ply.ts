@@ -8,6 +8,7 @@ import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch } from "./colors.js";
 import { Column } from "./column.js";
+import type { ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
@@ -78,12 +79,13 @@ interface PlyReading {
   faces: number;
 }
 
-export function readPly(source: ByteSource): Promise<FileMesh> {
-  return ByteReader.over(source, { remedy: REMEDY }, async (reader) => {
+export function readPly(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
+  return ByteReader.over(source, { remedy: REMEDY, signal }, async (reader) => {
     if (reader.line() !== "ply") reader.fail('the file does not begin with "ply"', FIRST_LINE);
     const names = new NameLines();
     const { elements, read } = readHeader(reader, names);
     const builder = new MeshBuilder();
+    builder.onLongWork = reader.rest;
     const early = new EarlyFaces();
     const isOfPoints = ({ name }: Element) => name === "vertex";
     const points = elements.filter(isOfPoints).reduce((sum, { count }) => sum + count, 0);

@@ -1,12 +1,15 @@
 /**
  * Polygons of files cut into triangles: those that lie around their first corner, as convex ones do, from there,
- * which changes nothing about a plane one; others by clipping ears (Meisters 1975), in the plane of the two axes that shows them largest. Every
- * corner stays one, also on a straight edge, where the faces beside may have theirs; that is why no library
- * for the drawing of polygons does this, for those leave such corners out.
+ * which changes nothing about a plane one; others by clipping ears (Meisters 1975), the best first, in the plane of the
+ * two axes that shows them largest. Every corner stays one, also on a straight edge, where the faces beside may have
+ * theirs; that is why no library for the drawing of polygons does this, for those leave such corners out.
  */
+import { ChainTree, EMPTY_BOX, type Work } from "./chain-tree.js";
+import { EarQueue } from "./ear-queue.js";
 
 type Triple = readonly [number, number, number];
-type Place = readonly [number, number];
+/** In a plane. */
+export type Place = readonly [number, number];
 
 /** x y z per node, to be looked up by position. */
 interface Coordinates {
@@ -16,14 +19,13 @@ interface Coordinates {
 /** What the readers say where there are no such triangles. */
 export const UNCUT = "cannot be cut into triangles: it crosses itself, has no area, or has too many corners";
 
-/** Clipping takes quadratic time; hostile files have larger ones. */
-const MOST_CORNERS = 5000;
 /** Twice the area of a triangle, relative to products of its coordinates, below which rounding has its sign. */
 const ROUNDING = 1e-14;
 
 /**
  * Adds the triangles of a polygon of three or more corners. False, and nothing added, where that cannot be done
- * safely: it crosses itself, has no area, or is not convex and has more than 5000 corners. O(n²), O(n) for convex ones.
+ * safely: it crosses itself, has no area, or takes more work than is allowed. O(n) around the first corner, else
+ * O(n log n) for n corners as they come, and never more than the budget has.
  */
 export function addPolygon(
   corners: readonly number[],
@@ -37,27 +39,50 @@ export function addPolygon(
     }
     return true;
   }
-  if (corners.length > MOST_CORNERS || !budget.covers(corners.length)) return false;
   const places = flattened(corners, points);
-  if (crossesItself(places)) return false;
-  const ears = clippedEars(places);
+  const ears = budget.spend(corners.length, (work) =>
+    crossesItself(places, work) ? undefined : clippedEars(places, work),
+  );
   if (ears === undefined) return false;
   for (const corner of ears) triangles.push(corners[corner] ?? 0);
   return true;
 }
 
-/** How much clipping a file may ask for: a few polygons of thousands of corners, any number of those of a hundred. */
+/**
+ * How much clipping a file may ask for. Usual polygons take some dozens of steps for each corner, which are as free as the
+ * reading of their text; hostile ones take as many as there are pairs of corners, up to a second or some for the file.
+ */
 export class ClippingBudget {
-  #left = 20 * MOST_CORNERS ** 2;
+  #left = 4 * MOST_FOR_POLYGON;
+  #sinceRest = 0;
+  readonly #onLongWork: () => void;
 
-  covers(corners: number): boolean {
-    this.#left -= corners * Math.max(0, corners - FREE_CORNERS);
-    return this.#left >= 0;
+  /** `onLongWork` is called behind polygons that took some milliseconds together. */
+  constructor(onLongWork: () => void = () => undefined) {
+    this.#onLongWork = onLongWork;
+  }
+
+  /** What `use` gives, which takes its steps from the budget. */
+  spend<T>(corners: number, use: (work: Work) => T): T {
+    const free = FREE_PER_CORNER * corners;
+    const work = { left: free + Math.min(this.#left, MOST_FOR_POLYGON) };
+    const given = work.left;
+    const result = use(work);
+    const used = given - work.left;
+    this.#left -= Math.max(0, used - free);
+    this.#sinceRest += used;
+    if (this.#sinceRest > LONG_WORK) {
+      this.#sinceRest = 0;
+      this.#onLongWork();
+    }
+    return result;
   }
 }
 
-/** Polygons of so many corners are clipped as fast as their text is read. */
-const FREE_CORNERS = 100;
+const FREE_PER_CORNER = 200;
+const MOST_FOR_POLYGON = 2e7;
+/** Some milliseconds. */
+const LONG_WORK = 1e5;
 
 /** Whether all triangles from the first corner turn as the whole polygon does, less than once around it together. */
 function isFan(corners: readonly number[], points: Coordinates): boolean {
@@ -94,24 +119,25 @@ function flattened(corners: readonly number[], points: Coordinates): readonly Pl
   });
 }
 
-/**
- * Whether two edges cross within both; ears would be found all the same, one over another. Only edges whose ranges along
- * the first axis meet are tried.
- */
-function crossesItself(places: readonly Place[]): boolean {
-  const edges = places.map((place, i): readonly [Place, Place] => {
-    const before = places.at(i - 1) ?? place;
-    return before[0] <= place[0] ? [before, place] : [place, before];
+/** Whether two edges cross within both; ears would be found all the same, one over another. So where work runs out. */
+function crossesItself(places: readonly Place[], work: Work): boolean {
+  const begin = (i: number): Place => places[i] ?? [0, 0];
+  const end = (i: number): Place => begin(i + 1 === places.length ? 0 : i + 1);
+  const boxes = new Float64Array(4 * places.length);
+  places.forEach((_, i) => setBox(boxes, 4 * i, begin(i), end(i)));
+  return new ChainTree(boxes).somePair(work, (i, j) => {
+    const [a, b, c, d] = [begin(i), end(i), begin(j), end(j)];
+    return isBetween(a, b, c, d) && isBetween(c, d, a, b);
   });
-  edges.sort(([a], [b]) => a[0] - b[0]);
-  for (const [i, [a, b]] of edges.entries()) {
-    for (let j = i + 1; j < edges.length; j++) {
-      const [c, d] = edges[j] ?? [b, b];
-      if (c[0] > b[0]) break;
-      if (isBetween(a, b, c, d) && isBetween(c, d, a, b)) return true;
-    }
-  }
-  return false;
+}
+
+/** Lowest x y, highest x y of up to three places, from position `at` on. */
+function setBox(boxes: Float64Array, at: number, p: Place, q: Place = p, r: Place = q): Float64Array {
+  boxes[at] = Math.min(p[0], q[0], r[0]);
+  boxes[at + 1] = Math.min(p[1], q[1], r[1]);
+  boxes[at + 2] = Math.max(p[0], q[0], r[0]);
+  boxes[at + 3] = Math.max(p[1], q[1], r[1]);
+  return boxes;
 }
 
 /** Whether the line through a and b has c on one side and d on the other. */
@@ -120,49 +146,55 @@ function isBetween(a: Place, b: Place, c: Place, d: Place): boolean {
   return (left > 0 && right < 0) || (left < 0 && right > 0);
 }
 
-/** Positions of corners, three for each triangle, counter-clockwise; undefined where no ear is left. */
-function clippedEars(places: readonly Place[]): number[] | undefined {
+/**
+ * Positions of corners, three for each triangle, counter-clockwise; undefined where no ear is left. A triangle is an ear
+ * where no corner at which the polygon is not convex lies in it; corners only ever become convex while others go.
+ */
+function clippedEars(places: readonly Place[], work: Work): number[] | undefined {
   const count = places.length;
   const next = places.map((_, i) => (i + 1) % count);
   const before = places.map((_, i) => (i + count - 1) % count);
   const at = (corner: number): Place => places[corner] ?? [0, 0];
-  /** Of the ear at each corner: how good its triangle is, above 0; 0 where there is none. */
-  const worth = places.map((_, i) => worthAt(i));
+  const turnAt = (i: number): number => turn(at(before[i] ?? 0), at(i), at(next[i] ?? 0));
+  const boxes = new Float64Array(4 * count);
+  places.forEach((place, i) => {
+    if (turnAt(i) > 0) boxes.set(EMPTY_BOX, 4 * i);
+    else setBox(boxes, 4 * i, place);
+  });
+  const blocking = new ChainTree(boxes);
+  const around = new Float64Array(4);
+  const queue = new EarQueue(count);
+  places.forEach((_, i) => queue.put(i, worthAt(i)));
   const ears: number[] = [];
-  let start = 0;
-  for (let left = count; left > 3; left--) {
-    let best = start;
-    for (let i = next[start] ?? 0; i !== start; i = next[i] ?? 0) {
-      if ((worth[i] ?? 0) > (worth[best] ?? 0)) best = i;
-    }
-    if (worth[best] === 0) return undefined;
+  for (let left = count; left > 2;) {
+    const best = queue.take();
+    if (best === undefined || work.left < 0) return undefined;
     const [a, b] = [before[best] ?? 0, next[best] ?? 0];
+    // What is in the way stays so until a neighbour goes, with which the corner comes back.
+    if (left > 3 && isBlocked(at(a), at(best), at(b))) continue;
     ears.push(a, best, b);
     next[a] = b;
     before[b] = a;
-    start = a;
-    worth[a] = worthAt(a);
-    worth[b] = worthAt(b);
+    left--;
+    for (const corner of [a, b]) {
+      if (turnAt(corner) > 0) blocking.drop(corner);
+      queue.put(corner, worthAt(corner));
+    }
   }
-  const [a, b] = [before[start] ?? 0, next[start] ?? 0];
-  if (!(turn(at(a), at(start), at(b)) > 0)) return undefined;
-  ears.push(a, start, b);
   return ears;
 
+  /** How good the triangle at a corner is; not above 0 where it turns the other way or is none. */
   function worthAt(corner: number): number {
-    const [a, b] = [before[corner] ?? 0, next[corner] ?? 0];
-    const [p, q, r] = [at(a), at(corner), at(b)];
-    const area = turn(p, q, r);
-    if (!(area > 0)) return 0;
-    const [low, high] = [Math.min(p[0], q[0], r[0]), Math.max(p[0], q[0], r[0])];
-    const [bottom, top] = [Math.min(p[1], q[1], r[1]), Math.max(p[1], q[1], r[1])];
-    for (let i = next[b] ?? 0; i !== a; i = next[i] ?? 0) {
+    const [p, q, r] = [at(before[corner] ?? 0), at(corner), at(next[corner] ?? 0)];
+    return turn(p, q, r) / Math.max(squared(p, q), squared(q, r), squared(r, p));
+  }
+
+  function isBlocked(p: Place, q: Place, r: Place): boolean {
+    return blocking.someMeeting(setBox(around, 0, p, q, r), work, (i) => {
       const place = at(i);
-      if (place[0] < low || place[0] > high || place[1] < bottom || place[1] > top) continue;
       const isCorner = isSame(place, p) || isSame(place, q) || isSame(place, r);
-      if (!isCorner && turn(p, q, place) >= 0 && turn(q, r, place) >= 0 && turn(r, p, place) >= 0) return 0;
-    }
-    return area / Math.max(squared(p, q), squared(q, r), squared(r, p));
+      return !isCorner && turn(p, q, place) >= 0 && turn(q, r, place) >= 0 && turn(r, p, place) >= 0;
+    });
   }
 }
 

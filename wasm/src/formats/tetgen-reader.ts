@@ -22,14 +22,15 @@ interface Points {
   first: number;
   /** What comments tell. */
   readonly names: NameLines;
+  readonly signal: AbortSignal | undefined;
 }
 
 export async function readTetgen(
   source: ByteSource,
-  { fileName, openOther }: ReadContext,
+  { fileName, openOther, signal }: ReadContext,
 ): Promise<FileMesh> {
   const [, stem = "", extension = ""] = /^(.*)\.([^.]*)$/.exec(fileName) ?? [];
-  const points: Points = { builder: new MeshBuilder(), first: 0, names: new NameLines() };
+  const points: Points = { builder: new MeshBuilder(), first: 0, names: new NameLines(), signal };
   switch (extension.toLowerCase()) {
     case "face":
       await readNodeFile(stem, openOther, points);
@@ -57,10 +58,13 @@ export async function readTetgen(
 
 function overFile<T>(
   source: ByteSource,
-  { names }: Points,
+  { names, builder, signal }: Points,
   read: (reader: ByteReader) => Promise<T>,
 ): Promise<T> {
-  return ByteReader.over(source, { remedy: REMEDY, comment: "#", heard: names.hear }, read);
+  return ByteReader.over(source, { remedy: REMEDY, comment: "#", heard: names.hear, signal }, (reader) => {
+    builder.onLongWork = reader.rest;
+    return read(reader);
+  });
 }
 
 async function readNodeFile(stem: string, openOther: OpenOther, points: Points): Promise<void> {

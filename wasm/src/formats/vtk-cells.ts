@@ -2,6 +2,7 @@
 import { plural } from "../plural.js";
 import type { MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
+import { BREATH, STEP, type Steps } from "./steps.js";
 
 const VTK_TRIANGLE = 5;
 const VTK_STRIP = 6;
@@ -48,6 +49,18 @@ export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Ce
         : builder.patches.tagged(tagOf(patch, cell)),
     regionOf: (cell) => builder.regions.tagged(region === undefined ? 1 : tagOf(region, cell)),
   };
+}
+
+/** Calls `each` with the numbers of cells in order; also behind polygons that took long others may run. */
+export function* cellwise(builder: MeshBuilder, count: number, each: (cell: number) => void): Steps<void> {
+  const work = { isLong: false };
+  builder.onLongWork = () => (work.isLong = true);
+  for (let cell = 0; cell < count; cell++) {
+    each(cell);
+    if (!work.isLong && (cell + 1) % STEP !== 0) continue;
+    work.isLong = false;
+    yield BREATH;
+  }
 }
 
 /** Adds cell number `cell` of the file with these nodes. */

@@ -12,7 +12,7 @@ import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NAME_BREAK, NameLines } from "./name-lines.js";
 import { inSteps, stepwise, type Steps } from "./steps.js";
-import { addCell, cellsOf } from "./vtk-cells.js";
+import { addCell, cellsOf, cellwise } from "./vtk-cells.js";
 
 const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetrahedra, or as .vtu.";
 const VTK_VERTEX = 1;
@@ -339,7 +339,7 @@ class VtkReader {
       if (type === undefined && this.#types.length !== count) {
         fail(`the file has ${plural(count, "cell")}, and ${plural(this.#types.length, "type")} of cells`);
       }
-      yield* stepwise(count, (cell) => {
+      yield* cellwise(this.#builder, count, (cell) => {
         const [begin = 0, end = 0] = offsets.subarray(cell, cell + 2);
         if (!(begin >= 0 && begin <= end && end <= nodes.length))
           fail(`cell ${cell} (counted from 0) has no corners`);

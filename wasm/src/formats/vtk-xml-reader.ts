@@ -10,7 +10,15 @@ import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
 import { firstOf, inSteps, stepwise, type Steps } from "./steps.js";
 import { decodeArray, isReadable, UnpackingBudget, type ArrayCoding, type ArrayFail } from "./vtk-arrays.js";
-import { addCell, cellsOf, PATCH_ARRAYS, REGION_ARRAYS, type CellNumbers, type Fail } from "./vtk-cells.js";
+import {
+  addCell,
+  cellsOf,
+  cellwise,
+  PATCH_ARRAYS,
+  REGION_ARRAYS,
+  type CellNumbers,
+  type Fail,
+} from "./vtk-cells.js";
 import { failIn, readHead, unescaped, type FoundArray, type Head, type Piece } from "./vtk-xml-head.js";
 
 const VTK_POLYGON = 7;
@@ -277,7 +285,7 @@ function* eachCell(
   const wild = yield* firstOf(connectivity, (node) => !(Number.isInteger(node) && node >= 0 && node < count));
   if (wild >= 0) fail(`a cell has a corner that is no node of its piece: ${connectivity[wild]}`);
   let begin = 0;
-  yield* stepwise(offsets.length, (cell) => {
+  yield* cellwise(builder, offsets.length, (cell) => {
     const end = offsets[cell] ?? NaN;
     if (!(end >= begin && end <= connectivity.length)) fail(`cell ${cell} (counted from 0) has no corners`);
     use(
