@@ -10,8 +10,10 @@ import {
   tellChanges,
   type RepairCommandOptions,
 } from "./cli-repair.js";
-import { meshLines, surfaceLines } from "./cli-tables.js";
+import { meshLines, otherWay, readingLines, surfaceLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
+import type { FileMesh } from "./formats/file-mesh.js";
+import { listed } from "./formats/groups.js";
 import { inSteps } from "./formats/steps.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
@@ -116,7 +118,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
       ...mesh,
       regions: mesh.tetrahedronRegion,
     });
-    return { kind: "mesh", diagnostics: faultsOf(inspection), inspection };
+    return { kind: "mesh", diagnostics: [...faultsOf(inspection, mesh), ...notes(mesh)], inspection };
   }
   if (mesh.triangles.length === 0) {
     const nothing = packageDiagnostic("no-triangles", "the file holds no triangle and no tetrahedron", "");
@@ -124,7 +126,14 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
   }
   const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), wanted);
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, { enclosed: options.enclosed });
-  return { kind: "surface", diagnostics, changes, inspection };
+  return { kind: "surface", diagnostics: [...diagnostics, ...notes(mesh)], changes, inspection };
+}
+
+/** What is no fault of the file, but should be known. */
+function notes(mesh: FileMesh): Diagnostic[] {
+  return [...otherWay(mesh), ...readingLines(mesh)].map((line) =>
+    packageDiagnostic("left-out", line, "", "information"),
+  );
 }
 
 /** Throws a BadInput where an option is given that says nothing of such input. */
@@ -134,10 +143,19 @@ function refuseOption(option: string, value: string | undefined, meantFor: strin
   refuseOptions([packageDiagnostic("invalid-option", message, "Leave it out.")]);
 }
 
+const NONE = new Uint32Array();
+
 /** What is unsound in a mesh, in sentences. */
-function faultsOf(found: Omit<MeshInspection, "boundary" | "quality">): Diagnostic[] {
+function faultsOf(
+  found: Omit<MeshInspection, "boundary" | "quality">,
+  { invertedTetrahedra = NONE }: FileMesh,
+): Diagnostic[] {
+  // The reader, which has turned them, knows which; of others only their number is known.
+  const isKnown = invertedTetrahedra.length === found.turnedTetrahedra;
+  const which = isKnown ? `: ${listed(Array.from(invertedTetrahedra, String))} (counted from 0)` : "";
+
   const faults: readonly (readonly [number, string, string, string])[] = [
-    [found.turnedTetrahedra, "tetrahedron", "turned inside out", "Exchange two nodes of each."],
+    [found.turnedTetrahedra, "tetrahedron", `turned inside out${which}`, "Exchange two nodes of each."],
     [found.flatTetrahedra, "tetrahedron", "without volume", "Mesh the body again."],
     [found.repeatedTetrahedra, "tetrahedron", "with the nodes of another", "Remove all but one."],
     [found.crowdedFaces, "face", "of more than two tetrahedra", "Mesh the body again."],

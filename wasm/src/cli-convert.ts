@@ -11,7 +11,7 @@ import {
   tellChanges,
   type RepairCommandOptions,
 } from "./cli-repair.js";
-import { mixedTurns, repeatedLines, unplacedLines } from "./cli-tables.js";
+import { mixedTurns, readingLines } from "./cli-tables.js";
 import { boundaryOf } from "./formats/boundary.js";
 import type { Contents, WrittenFile } from "./formats/file-format.js";
 import { extensionOf, extensionsThat, formatOf } from "./formats/file-formats.js";
@@ -51,7 +51,7 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
       tell(input, (await inSteps(misfits(mesh, faces))).map(asWarning), { isQuiet });
       const left = [...given.nodeData.keys()].filter((key) => !mesh.nodeData.has(key));
       if (left.length > 0) say(`note: ${input}: ${leftData(left)}`);
-      const notes = [...mixedTurns(given), ...repeatedLines(given), ...unplacedLines(given)];
+      const notes = [...mixedTurns(given), ...readingLines(given)];
       for (const line of notes) say(`note: ${input}: ${line}`);
       say(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }

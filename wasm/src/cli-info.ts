@@ -3,7 +3,7 @@ import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { BadInput, ExitCode, toldFailure } from "./cli-messages.js";
-import { boxText, meshLines, mixedTurns, qualityLines, repeatedLines, unplacedLines } from "./cli-tables.js";
+import { boxText, meshLines, mixedTurns, otherWay, qualityLines, readingLines } from "./cli-tables.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { formatOf } from "./formats/file-formats.js";
 import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
@@ -26,7 +26,10 @@ export function infoOnFile(input: string, options: InfoCommandOptions): Promise<
     const mesh = await readMeshFile(input, options.from);
     const format = mesh.format ?? formatOf(formatName(input, options.from))?.name ?? "";
     const held = { format, ...meshContents(mesh) };
-    return { json: held, lines: [...contentLines(held), ...unplacedLines(mesh)] };
+    return {
+      json: held,
+      lines: [...contentLines(held), ...otherWay(mesh), ...mixedTurns(mesh), ...readingLines(mesh)],
+    };
   });
 }
 
@@ -49,8 +52,9 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
     const lines = [
       ...meshLines(found),
       ...qualityLines(found.quality),
+      ...otherWay(mesh),
       ...mixedTurns(mesh),
-      ...repeatedLines(mesh),
+      ...readingLines(mesh),
       ...faults,
     ];
     return { json, lines };
@@ -112,6 +116,8 @@ function meshContents(mesh: FileMesh) {
     triangles: mesh.triangles.length / 3,
     patches: heldGroups(mesh.patches, mesh.trianglePatch),
     tetrahedra: mesh.tetrahedra.length / 4,
+    turnedInFile: mesh.turnedTetrahedra ?? 0,
+    inverted: mesh.invertedTetrahedra?.length ?? 0,
     regions: heldGroups(mesh.regions, mesh.tetrahedronRegion),
     nodeData: [...mesh.nodeData].map(([name, { components }]) => ({ name, components })),
   };

@@ -12,7 +12,7 @@ import {
 } from "./cli-input.js";
 import { asBadInput, asEngineFailure, BadInput, ExitCode, say, tell } from "./cli-messages.js";
 import { checkApart, checkWritable, inputFiles, outputFiles } from "./cli-places.js";
-import { leftOutLines, repeatedLines, unplacedLines } from "./cli-tables.js";
+import { leftOutLines, readingLines, unusedLines } from "./cli-tables.js";
 import { ProgressBar } from "./cli-progress-bar.js";
 import {
   refuseRepair,
@@ -134,11 +134,13 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     refuseRepair(repair, "a project");
   }
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
+  if (grid?.kind === "volume" && !isQuiet) {
+    for (const line of unusedLines(grid.volume)) say(`note: ${options.background}: ${line}`);
+  }
   const { model, changes } = await withRepair(given, repair);
   if (changes !== undefined && !isQuiet) tellChanges(input, changes);
   if (given.kind === "surface" && !isQuiet) {
-    const lines = [...repeatedLines(given.surface), ...unplacedLines(given.surface)];
-    for (const line of lines) say(`note: ${input}: ${line}`);
+    for (const line of readingLines(given.surface)) say(`note: ${input}: ${line}`);
   }
   const isRefined = options.refineSurface === true;
   const {

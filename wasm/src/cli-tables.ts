@@ -1,6 +1,8 @@
 /** Figures in lines of text, for people. */
 import type { FileMesh } from "./formats/file-mesh.js";
 import type { EdgeLengths, MeshInspection, SurfaceInspection } from "./inspection.js";
+import { listed } from "./formats/groups.js";
+import { unusedData } from "./formats/volume-background.js";
 import { plural } from "./plural.js";
 import type { QualityReport } from "./types.js";
 
@@ -33,15 +35,34 @@ interface Box {
   readonly high: readonly number[];
 }
 
-/** A line where a file counts the nodes of some tetrahedra one way round and of others the other. */
-export function mixedTurns({ tetrahedra, turnedTetrahedra = 0 }: FileMesh): string[] {
-  const count = tetrahedra.length / 4;
-  if (turnedTetrahedra === 0 || turnedTetrahedra === count) return [];
-  return [`turned, as inverted against the others: ${turnedTetrahedra} of ${plural(count, "tetrahedron")}`];
+/** A line where a file counts the nodes of some tetrahedra the other way round than of the others. */
+export function mixedTurns({ points, tetrahedra, invertedTetrahedra }: FileMesh): string[] {
+  const count = invertedTetrahedra?.length ?? 0;
+  if (invertedTetrahedra === undefined || count === 0) return [];
+  const all = plural(tetrahedra.length / 4, "tetrahedron");
+  const numbers = listed(Array.from(invertedTetrahedra, String));
+  const node = 3 * (tetrahedra[4 * (invertedTetrahedra[0] ?? 0)] ?? 0);
+  const place = placeText([...points.subarray(node, node + 3)]);
+  return [
+    `turned, as inverted against the others: ${count} of ${all}, ${numbers} (counted from 0), the first at ${place}`,
+  ];
+}
+
+/** That a file counts all nodes the other way round than is usual, which is no fault. */
+export function otherWay({ tetrahedra, turnedTetrahedra }: FileMesh): string[] {
+  const isOtherWay = tetrahedra.length > 0 && turnedTetrahedra === tetrahedra.length / 4;
+  return isOtherWay ? ["all tetrahedra have negative volumes in the file, and were turned"] : [];
+}
+
+/** What of a file is passed over. */
+export function readingLines(
+  mesh: Pick<FileMesh, "notes" | "repeatedTetrahedra" | "repeatedTriangles" | "unplacedRegions">,
+): string[] {
+  return [...repeatedLines(mesh), ...unplacedLines(mesh), ...(mesh.notes ?? [])];
 }
 
 /** That elements lose all groups but their first. */
-export function repeatedLines({
+function repeatedLines({
   repeatedTetrahedra = 0,
   repeatedTriangles = 0,
 }: Pick<FileMesh, "repeatedTetrahedra" | "repeatedTriangles">): string[] {
@@ -52,8 +73,16 @@ export function repeatedLines({
   return [...lines(repeatedTetrahedra, "tetrahedra"), ...lines(repeatedTriangles, "triangles")];
 }
 
+/** That numbers at the nodes of a background grid come to nothing. */
+export function unusedLines(volume: Pick<FileMesh, "nodeData">): string[] {
+  const unused = unusedData(volume);
+  if (unused.length === 0) return [];
+  const names = listed(unused.map((name) => `"${name}"`));
+  return [`numbers at the nodes are not used: ${names}; "size" counts, and "stretching" with "direction"`];
+}
+
 /** That names of regions come to nothing. */
-export function unplacedLines({ unplacedRegions = [] }: Pick<FileMesh, "unplacedRegions">): string[] {
+function unplacedLines({ unplacedRegions = [] }: Pick<FileMesh, "unplacedRegions">): string[] {
   if (unplacedRegions.length === 0) return [];
   const names = unplacedRegions.map((name) => `"${name}"`).join(", ");
   return [`the file names ${names} and does not tell which space is which: regions are numbered`];

@@ -40,7 +40,7 @@ export {
 } from "./formats/mesh-files.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
 export type { SurfaceRegions } from "./formats/region-names.js";
-export { volumeBackground } from "./formats/volume-background.js";
+export { unusedData, volumeBackground } from "./formats/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
 export { backgroundArrays, projectBackground } from "./grid-arrays.js";
 export {

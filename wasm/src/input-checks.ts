@@ -175,9 +175,10 @@ export function checkVolume(
 
 /** As `checkVolume`, with a region per element or none. */
 export function checkMesh(mesh: MeshInput): Diagnostic[] {
-  const { regions } = asObject(mesh);
-  if (regions !== undefined && !isUsable(Uint32Array, regions)) {
-    return [volumeProblem(`the mesh's regions are no Uint32Array${GONE}`)];
+  const { regions, invertedTetrahedra } = asObject(mesh);
+  for (const [name, given] of Object.entries({ regions, invertedTetrahedra })) {
+    if (given === undefined || isUsable(Uint32Array, given)) continue;
+    return [volumeProblem(`the mesh's ${name} are no Uint32Array${GONE}`)];
   }
   return checkVolume(mesh, undefined);
 }

@@ -153,7 +153,7 @@ export interface MeshInspection {
   readonly nodes: number;
   readonly unusedNodes: number;
   readonly tetrahedra: number;
-  /** With a negative volume; measured as if two of their nodes were exchanged. */
+  /** With a negative volume, or inverted in their file; measured as if two of their nodes were exchanged. */
   readonly turnedTetrahedra: number;
   /** Without volume, exactly. */
   readonly flatTetrahedra: number;
@@ -252,9 +252,11 @@ const CHANGES: readonly ((first: number, second: number) => Without<RepairChange
   (triangle) => ({ kind: "turned-triangle", triangle }),
 ];
 
-export function describedMesh(found: EngineVolumeInspection): MeshInspection {
+/** `inverted`: so many that were turned before. */
+export function describedMesh(found: EngineVolumeInspection, inverted = 0): MeshInspection {
   const { quality, statistics, edgeLengths, boundary, boundaryRegion, ...rest } = found;
-  const { isReadable: _, nodes, unusedNodes, tetrahedra, ...faults } = rest;
+  const { isReadable: _, nodes, unusedNodes, tetrahedra, ...counts } = rest;
+  const faults = { ...counts, turnedTetrahedra: counts.turnedTetrahedra + inverted };
   return {
     isSound: Object.values(faults).every((count) => count === 0),
     nodes,

@@ -322,7 +322,7 @@ class WorkerMesher implements Mesher {
     } as const;
     const found = await this.#ask(question, control);
     if (!found.isReadable) refuse([unreadableMesh()]);
-    return describedMesh(found);
+    return describedMesh(found, mesh.invertedTetrahedra?.length);
   }
 
   dispose(): void {

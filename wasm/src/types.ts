@@ -203,6 +203,8 @@ export interface MeshInput {
   readonly tetrahedra: Uint32Array;
   /** One per element; without, all are in region 0. */
   readonly regions?: Uint32Array | undefined;
+  /** Elements that were inverted in the file they are from, as `FileMesh` tells; they count as turned. */
+  readonly invertedTetrahedra?: Uint32Array | undefined;
 }
 
 /** What a diagnostic can be about. */

@@ -78,6 +78,7 @@ const functions: Readonly<Record<string, Arguments>> = {
     },
   },
   writeMesh: { mesh: block, fileName: "a.vtu" },
+  unusedData: { volume: { nodeData: new Map([["size", { components: 1, values: new Float64Array(8) }]]) } },
   volumeBackground: {
     mesher: { meshAsBackground: () => Promise.resolve(background) },
     volume: {
@@ -213,7 +214,7 @@ const SAID_AS: Readonly<Record<string, RegExp>> = {
   fileName: /name/i,
   value: /project/,
   text: /project/,
-  volume: /mesh/,
+  volume: /mesh|volume/,
 };
 
 describe.each([

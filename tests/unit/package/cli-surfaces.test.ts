@@ -366,7 +366,7 @@ describe("convert, info and stats", () => {
     }
   });
 
-  test("turn inverted elements, and say so where a file mixes both", async () => {
+  test("turn inverted elements, and say so: of some it is a fault, of all none", async () => {
     const head = "MeshVersionFormatted 2\nDimension 3\nVertices\n5\n";
     const vertices = "0 0 0 0\n1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 -1 0\n";
     const mesh = (...tetrahedra: string[]) =>
@@ -379,7 +379,15 @@ describe("convert, info and stats", () => {
       /note/,
     );
     const stats = await tetrafront(folder.path, ["stats", "mixed.mesh", "--json"]);
-    expect(JSON.parse(stats.stdout)).toMatchObject({ isSound: true, turnedInFile: 1 });
+    expect(JSON.parse(stats.stdout)).toMatchObject({ isSound: false, turnedTetrahedra: 1, turnedInFile: 1 });
+    const check = await tetrafront(folder.path, ["check", "mixed.mesh"]);
+    expect(check.stderr).toMatch(/error: mixed\.mesh: 1 tetrahedron turned inside out: 1 \(counted from 0\)/);
+    expect(check.code).toBe(2);
+    const info = await tetrafront(folder.path, ["info", "mixed.mesh"]);
+    expect(info.stdout).toMatch(/inverted against the others: 1 of 2 tetrahedra, 1 .*the first at \(/);
+    const alike = await tetrafront(folder.path, ["check", "alike.mesh"]);
+    expect(alike.stderr).toMatch(/note: alike\.mesh: all tetrahedra have negative volumes/i);
+    expect(alike.code).toBe(0);
     expect((await meshIn("a.vtu")).turnedTetrahedra).toBe(0);
   });
 

@@ -83,6 +83,31 @@ test("Gmsh 2.2: a tetrahedron of several physical groups is held once", async ()
   expect(twice.tetrahedra).toHaveLength(8);
 });
 
+test("Gmsh: groups that elements of several are lost to are named, in both versions", async () => {
+  const names = '$PhysicalNames\n3\n2 3 "inlet"\n2 4 "wetted"\n3 7 "fluid"\n$EndPhysicalNames';
+  const lost = [
+    'elements in several physical groups are in their first alone, and lost to others: 2 triangles of "wetted"',
+    "elements in several physical groups are in their first alone, and lost to others: 1 tetrahedron of group 8",
+  ];
+  const rows = [
+    ...["2 2 3 1 1 3 2", "2 2 4 1 1 3 2", "2 2 3 1 1 2 4", "2 2 4 1 1 2 4"],
+    ...["4 2 7 1 1 2 3 4", "4 2 8 1 1 2 3 4"],
+  ].map((row, e) => `${e + 1} ${row}`);
+  const places = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+  const listed = `$Nodes\n4\n${places.map((place, n) => `${n + 1} ${place}`).join("\n")}\n$EndNodes`;
+  const old = `$MeshFormat\n2.2 0 8\n$EndMeshFormat\n${names}\n${listed}\n$Elements\n6\n${rows.join("\n")}\n$EndElements\n`;
+  const entities = "$Entities\n0 0 1 1\n1 0 0 0 1 1 1 2 3 -4 0\n1 0 0 0 1 1 1 2 7 8 1 1\n$EndEntities";
+  const nodes = `$Nodes\n1 4 1 4\n3 1 0 4\n1\n2\n3\n4\n${places.join("\n")}\n$EndNodes`;
+  const elements = "$Elements\n2 3 1 3\n2 1 2 2\n1 1 3 2\n2 1 2 4\n3 1 4 1\n3 1 2 3 4\n$EndElements";
+  const blocks = `$MeshFormat\n4.1 0 8\n$EndMeshFormat\n${names}\n${entities}\n${nodes}\n${elements}\n`;
+  for (const file of [old, blocks]) {
+    const mesh = await read(file, "a.msh");
+    expect(mesh.patches.map(({ name }) => name)).toEqual(["inlet"]);
+    expect(mesh.regions.map(({ name }) => name)).toEqual(["fluid"]);
+    expect(mesh.notes).toEqual(lost);
+  }
+});
+
 test("Medit: sections about geometry are passed over, and other volumes only matter where there are some", async () => {
   const head =
     'MeshVersionFormatted 2\nDimension 3\nIdentifier "a part"\nGeometry\n"a.geo"\nVertices 3\n0 0 0 0\n1 0 0 0\n0 1 0 0\n';

@@ -3,6 +3,7 @@ import {
   createMesher,
   MesherError,
   NO_ORIGIN,
+  readMesh,
   repairedSurface,
   type Diagnostic,
   type Mesher,
@@ -387,4 +388,45 @@ test("a repair and the inspection of a mesh tell their progress, and let a run b
   expect(reports).toBeGreaterThan(0);
   stop.abort();
   expect((await run).report.status).toBe("cancelled");
+});
+
+test("elements that a file has inverted are turned where they are read, and told by the inspection", async () => {
+  const { points, tetrahedra } = (await mesher.fillSurface(boxSurface(2), { size: 0.4 })).volume;
+  const count = tetrahedra.length / 4;
+  const inverted = [3, 7, count - 1];
+  const file = (isTurned: (t: number) => boolean) => {
+    const rows = Array.from({ length: count }, (_, t) => {
+      const [a = 0, b = 0, c = 0, d = 0] = tetrahedra.subarray(4 * t, 4 * t + 4);
+      return `${(isTurned(t) ? [b, a, c, d] : [a, b, c, d]).map((node) => node + 1).join(" ")} 1`;
+    });
+    const places = Array.from(
+      { length: points.length / 3 },
+      (_, n) => `${points.subarray(3 * n, 3 * n + 3).join(" ")} 0`,
+    );
+    const sections = [`Vertices ${places.length}`, ...places, `Tetrahedra ${count}`, ...rows, "End"];
+    return new TextEncoder().encode(`MeshVersionFormatted 2\nDimension 3\n${sections.join("\n")}\n`);
+  };
+  // Whichever way round most of them are.
+  for (const most of [false, true]) {
+    const read = await readMesh(
+      file((t) => inverted.includes(t) !== most),
+      { fileName: "a.mesh" },
+    );
+    if (!read.success) throw new Error(read.problems[0].message);
+    expect([...(read.value.invertedTetrahedra ?? [])]).toEqual(inverted);
+    expect([...read.value.tetrahedra.subarray(12, 16)].sort()).toEqual(
+      [...tetrahedra.subarray(12, 16)].sort(),
+    );
+    const found = await mesher.inspectMesh({ ...read.value, regions: undefined });
+    expect(found).toMatchObject({ isSound: false, turnedTetrahedra: 3, flatTetrahedra: 0, overlaps: 0 });
+  }
+  const all = await readMesh(
+    file(() => true),
+    { fileName: "a.mesh" },
+  );
+  if (!all.success) throw new Error(all.problems[0].message);
+  expect(await mesher.inspectMesh({ ...all.value, regions: undefined })).toMatchObject({
+    isSound: true,
+    turnedTetrahedra: 0,
+  });
 });

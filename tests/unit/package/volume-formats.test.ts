@@ -6,6 +6,7 @@ import {
   readMesh,
   readSurface,
   readVolume,
+  unusedData,
   volumeBackground,
   writeMesh,
   type MeshResult,
@@ -317,6 +318,21 @@ describe("as background grid", () => {
       success: true,
       value: { stretchings: new Float64Array(5).fill(2), directions: new Float64Array(15).fill(2) },
     });
+  });
+
+  test("capitals count for nothing where one name alone reads so", async () => {
+    const capitals = volume({ Size: 1, STRETCHING: 1, Direction: 3, pressure: 1 });
+    expect(await volumeBackground(mesher, capitals)).toMatchObject({
+      success: true,
+      value: { stretchings: {} },
+    });
+    expect(asked.at(-1)).toEqual(new Float64Array(5).fill(2));
+    expect(unusedData(capitals)).toEqual(["pressure"]);
+    const both = volume({ Size: 1, SIZE: 1 });
+    await volumeBackground(mesher, both);
+    expect(asked.at(-1)).toBeUndefined();
+    expect(unusedData(both)).toEqual(["Size", "SIZE"]);
+    expect(unusedData(volume({ Size: 1, size: 1, direction: 3 }))).toEqual(["Size", "direction"]);
   });
 
   test("without them its own edges speak", async () => {

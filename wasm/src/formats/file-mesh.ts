@@ -53,9 +53,14 @@ export interface FileMesh {
   readonly tetrahedronRegion: Uint32Array;
   /**
    * So many tetrahedra a reader has turned to make their volumes positive. All of them: the file counts nodes the
-   * other way round; some of them: it mixes both ways, as no sound mesh does.
+   * other way round.
    */
   readonly turnedTetrahedra?: number | undefined;
+  /**
+   * Those of which the file counts the nodes the other way round than of most: inverted elements, as no sound mesh has
+   * them. Here they are turned; `inspectMesh`, given them, counts them as the file has them.
+   */
+  readonly invertedTetrahedra?: Uint32Array | undefined;
   /** So many times the file lists a tetrahedron again, for another group; it is held once, in the first. */
   readonly repeatedTetrahedra?: number | undefined;
   /** So many times it lists a triangle again; it is held once, in its first group. */
@@ -65,6 +70,8 @@ export interface FileMesh {
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /** Names of regions of which the file does not tell where they are, and which are lost therefore. */
   readonly unplacedRegions?: readonly string[] | undefined;
+  /** What else of the file is passed over, and counts for something, in sentences. */
+  readonly notes?: readonly string[] | undefined;
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
 }

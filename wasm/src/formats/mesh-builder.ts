@@ -2,6 +2,7 @@
 import { Column } from "./column.js";
 import type { FileGroup, FileMesh, NodeData } from "./file-mesh.js";
 import { addPolygon, ClippingBudget } from "./polygons.js";
+import { sixfoldVolume } from "./sixfold-volume.js";
 import { PointWelder } from "./weld.js";
 
 /** Groups in order of first appearance, by whatever the format tells them apart by. */
@@ -66,6 +67,27 @@ export class GroupList {
   }
 }
 
+/** Which way round a file counts the nodes of its tetrahedra. */
+class Turns {
+  turned = 0;
+  /** Of each of two ways: the tetrahedra that are so beyond doubt. */
+  readonly #upright = new Column(Uint32Array);
+  readonly #upsideDown = new Column(Uint32Array);
+  #count = 0;
+
+  add(isTurned: boolean, isSure: boolean): void {
+    if (isTurned) this.turned++;
+    if (isSure) (isTurned ? this.#upsideDown : this.#upright).push(this.#count);
+    this.#count++;
+  }
+
+  /** Those that are turned against most; of as many each way, those with negative volumes. */
+  inverted(): Uint32Array {
+    const isUpright = this.#upright.length >= this.#upsideDown.length;
+    return (isUpright ? this.#upsideDown : this.#upright).taken();
+  }
+}
+
 export class MeshBuilder {
   readonly patches = new GroupList("patch");
   readonly regions = new GroupList("region");
@@ -79,7 +101,7 @@ export class MeshBuilder {
   /** Called where cutting polygons has taken a while, for others to run. */
   onLongWork: () => void = () => undefined;
   readonly #clipping = new ClippingBudget(() => this.onLongWork());
-  #turned = 0;
+  readonly #turns = new Turns();
 
   /** `isSoup`: the file repeats its points, which are welded as they come (`addCorner`). */
   constructor(isSoup = false) {
@@ -129,21 +151,14 @@ export class MeshBuilder {
 
   /** Turned so that (b-a)×(c-a)·(d-a) is not below 0; formats differ in that. All nodes must be there. */
   addTetrahedron(a: number, b: number, c: number, d: number, region: number): void {
-    const isTurned = this.#sixfoldVolume(a, b, c, d) < 0;
-    if (isTurned) this.#turned++;
+    const { volume, isSure } = sixfoldVolume(this.#points, a, b, c, d);
+    const isTurned = volume < 0;
+    this.#turns.add(isTurned, isSure && volume !== 0);
     this.#tetrahedra.push(isTurned ? b : a);
     this.#tetrahedra.push(isTurned ? a : b);
     this.#tetrahedra.push(c);
     this.#tetrahedra.push(d);
     this.#tetrahedronRegion.push(region);
-  }
-
-  #sixfoldVolume(a: number, b: number, c: number, d: number): number {
-    const points = this.#points;
-    const [ux, uy, uz] = differenceOf(points, a, b);
-    const [vx, vy, vz] = differenceOf(points, a, c);
-    const [wx, wy, wz] = differenceOf(points, a, d);
-    return (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
   }
 
   /** Everything collected; the builder is empty afterwards. Names by tag where the file has them. */
@@ -161,14 +176,10 @@ export class MeshBuilder {
       patches: this.patches.groups(names.patches),
       tetrahedra: this.#tetrahedra.taken(),
       tetrahedronRegion: this.#tetrahedronRegion.taken(),
-      turnedTetrahedra: this.#turned,
+      turnedTetrahedra: this.#turns.turned,
+      invertedTetrahedra: this.#turns.inverted(),
       regions: this.regions.groups(names.regions),
       nodeData: this.nodeData,
     };
   }
-}
-
-function differenceOf(points: Column<Float64Array>, from: number, to: number): [number, number, number] {
-  const at = (node: number, axis: number) => points.at(3 * node + axis);
-  return [at(to, 0) - at(from, 0), at(to, 1) - at(from, 1), at(to, 2) - at(from, 2)];
 }

@@ -6,6 +6,7 @@
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
+import { LostGroups } from "./lost-groups.js";
 import { MeshBuilder, type GroupList } from "./mesh-builder.js";
 import { MshVolumes } from "./msh-volumes.js";
 import { NodeTags } from "./node-tags.js";
@@ -44,8 +45,9 @@ class MshReader {
   /** Names of physical groups by tag, of surfaces and of volumes. */
   readonly #names = { patches: new Map<number, string>(), regions: new Map<number, string>() };
   readonly #volumes = new MshVolumes();
-  /** Physical tag of an entity, by "dimension tag". */
-  readonly #physical = new Map<string, number>();
+  /** Physical tags of an entity, by "dimension tag". The first counts. */
+  readonly #physical = new Map<string, readonly number[]>();
+  readonly #lost = new LostGroups();
   #sectionsOfData = 0;
   /** Nodes of the sections before this one. */
   #nodesBefore = 0;
@@ -70,6 +72,7 @@ class MshReader {
         const isLost =
           surfaceRegions === undefined && mesh.regions.length === 0 && this.#names.regions.size > 0;
         const unplacedRegions = isLost ? [...this.#names.regions.values()] : undefined;
+        const notes = this.#lost.notes({ 2: this.#names.patches, 3: this.#names.regions });
         return {
           format: `Gmsh ${this.#hasBlocks ? "4.1" : "2.2"}`,
           ...mesh,
@@ -77,6 +80,7 @@ class MshReader {
           unplacedRegions,
           repeatedTetrahedra: this.#repeatedTetrahedra,
           repeatedTriangles: this.#repeatedTriangles,
+          ...(notes.length > 0 && { notes }),
         };
       }
       await this.#readSection(section);
@@ -185,8 +189,8 @@ class MshReader {
     }
   }
 
-  /** `readParent`: what stands behind the tag; gives the physical group for entities that have none of their own. */
-  async #eachEntity(readParent: () => Promise<number | undefined> | undefined): Promise<void> {
+  /** `readParent`: what stands behind the tag; gives the physical groups for entities that have none of their own. */
+  async #eachEntity(readParent: () => Promise<readonly number[] | undefined> | undefined): Promise<void> {
     const counts = [0, 1, 2, 3].map(() => this.#count(this.#size(), "entities"));
     for (const [dimension, count] of counts.entries()) {
       for (let i = 0; i < count; i++) {
@@ -195,15 +199,15 @@ class MshReader {
         const inherited = await readParent();
         if (inherited !== undefined) this.#physical.set(`${dimension} ${tag}`, inherited);
         for (let c = 0; c < (dimension === 0 ? 3 : 6); c++) this.#double();
-        const groups = this.#count(this.#size(), "physical groups");
-        for (let g = 0; g < groups; g++) {
+        const groups: number[] = [];
+        for (let left = this.#count(this.#size(), "physical groups"); left > 0; left--) {
           if (this.#reader.isLow) await this.#reader.fill();
-          const group = this.#int();
           // Below 0 where the entity is turned in its group.
-          if (g === 0) this.#physical.set(`${dimension} ${tag}`, Math.abs(group));
+          groups.push(Math.abs(this.#int()));
         }
+        if (groups.length > 0) this.#physical.set(`${dimension} ${tag}`, groups);
         const around = dimension === 0 ? 0 : this.#count(this.#size(), "bounding entities");
-        const group = this.#physical.get(`${dimension} ${tag}`);
+        const [group] = this.#physical.get(`${dimension} ${tag}`) ?? [];
         for (let b = 0; b < around; b++) {
           if (this.#reader.isLow) await this.#reader.fill();
           const bounding = this.#int();
@@ -297,6 +301,9 @@ class MshReader {
     this.#listed.set(type, listed);
     const first = listed.firstGroup(nodes, physical);
     const isRepeated = first !== undefined && (type !== TETRAHEDRON || first !== physical);
+    if (isRepeated && physical > 0 && first !== physical) {
+      this.#lost.add(type === TETRAHEDRON ? 3 : 2, physical, 1);
+    }
     if (isRepeated && type === TETRAHEDRON) this.#repeatedTetrahedra++;
     else if (isRepeated) this.#repeatedTriangles++;
     return isRepeated;
@@ -326,7 +333,9 @@ class MshReader {
       const entity = this.#int();
       const type = this.#int();
       const count = this.#count(this.#size(), "elements");
-      const group = this.#groupOf(this.#physical.get(`${dimension} ${entity}`) ?? 0, entity);
+      const [first = 0, ...others] = this.#physical.get(`${dimension} ${entity}`) ?? [];
+      const group = this.#groupOf(first, entity);
+      for (const other of others) if (count > 0) this.#lost.add(dimension, other, count);
       if (dimension === 2) this.#volumes.trianglesFollow(this.#builder.triangleCount, entity);
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();

@@ -17,6 +17,8 @@ export interface SurfaceFile extends SurfaceInput {
   readonly surfaceRegions?: SurfaceRegions | undefined;
   /** Names of regions of which the file does not tell where they are, and which are lost therefore. */
   readonly unplacedRegions?: readonly string[] | undefined;
+  /** What else of the file is passed over, in sentences. */
+  readonly notes?: readonly string[] | undefined;
   /** So many times the file lists a triangle again; it is held once, in its first group. */
   readonly repeatedTriangles?: number | undefined;
 }
@@ -24,7 +26,7 @@ export interface SurfaceFile extends SurfaceInput {
 /** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
 export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const { trianglePatch, patches, unplacedRegions, repeatedTriangles = 0 } = mesh;
+  const { trianglePatch, patches, notes, unplacedRegions, repeatedTriangles = 0 } = mesh;
   const surfaceRegions = yield* surfaceRegionsOf(mesh);
   return {
     ...(yield* exactlyWelded(yield* boundaryOf(mesh))),
@@ -32,6 +34,7 @@ export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
     patches,
     ...(surfaceRegions && { surfaceRegions }),
     ...(unplacedRegions && { unplacedRegions }),
+    ...(notes && { notes }),
     ...(repeatedTriangles > 0 && { repeatedTriangles }),
   };
 }

@@ -3,6 +3,7 @@ import { refuse } from "../mesher-error.js";
 import { packageDiagnostic } from "../package-diagnostic.js";
 import type { Diagnostic } from "../types.js";
 import type { FileMesh } from "./file-mesh.js";
+import { sixfoldVolume } from "./sixfold-volume.js";
 import { stepwise, type Steps } from "./steps.js";
 
 export const NONE = 0xffffffff;
@@ -115,7 +116,10 @@ export function* misfits(mesh: FileMesh, { twin, crowded }: TetFaces): Steps<Dia
   const inverted: number[] = [];
   const flat: number[] = [];
   yield* stepwise(tetrahedra.length / 4, (t) => {
-    const volume = sixfoldVolume(points, tetrahedra, t);
+    const [a = 0, b = 0, c = 0, d = 0] = tetrahedra.subarray(4 * t, 4 * t + 4);
+    const { volume, isSure } = sixfoldVolume(points, a, b, c, d);
+    // Where doubles do not tell, an element is accused of nothing.
+    if (!isSure) return;
     if (volume < 0) inverted.push(t);
     if (volume === 0) flat.push(t);
   });
@@ -142,25 +146,6 @@ function fault(ids: readonly number[], words: string, remedy: string): Diagnosti
   const more = ids.length > MOST_IDS ? ` and ${ids.length - MOST_IDS} more` : "";
   const message = `${ids.length === 1 ? "tetrahedron" : `${ids.length} tetrahedra:`} ${named}${more} (counted from 0): ${words}`;
   return [packageDiagnostic("unsound-mesh", message, remedy)];
-}
-
-/** Shewchuk's bound for the sign of a determinant of differences, rounded up. */
-const ROUNDING = 8e-16;
-
-/** NaN where doubles do not tell its sign: such an element is accused of nothing. */
-function sixfoldVolume(points: Float64Array, tetrahedra: Uint32Array, t: number): number {
-  const from = (corner: number, axis: number) =>
-    (points[3 * (tetrahedra[4 * t + corner] ?? 0) + axis] ?? 0) -
-    (points[3 * (tetrahedra[4 * t] ?? 0) + axis] ?? 0);
-  const [ux, uy, uz] = [from(1, 0), from(1, 1), from(1, 2)];
-  const [vx, vy, vz] = [from(2, 0), from(2, 1), from(2, 2)];
-  const [wx, wy, wz] = [from(3, 0), from(3, 1), from(3, 2)];
-  const volume = (uy * vz - uz * vy) * wx + (uz * vx - ux * vz) * wy + (ux * vy - uy * vx) * wz;
-  const size =
-    (Math.abs(uy * vz) + Math.abs(uz * vy)) * Math.abs(wx) +
-    (Math.abs(uz * vx) + Math.abs(ux * vz)) * Math.abs(wy) +
-    (Math.abs(ux * vy) + Math.abs(uy * vx)) * Math.abs(wz);
-  return size > 0 && Math.abs(volume) <= ROUNDING * size ? NaN : volume;
 }
 
 /** As `tetFaces`, for formats whose faces must fit together. Throws a MesherError where they do not. */

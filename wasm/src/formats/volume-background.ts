@@ -4,12 +4,13 @@ import { checkVolume } from "../input-checks.js";
 import { MesherError, refuse } from "../mesher-error.js";
 import type { ReadResult } from "../read-result.js";
 import type { AbortControl, BackgroundArrays, Mesher } from "../types.js";
+import type { NodeData } from "./file-mesh.js";
 import type { VolumeFile } from "./volume-file.js";
 
 /**
  * The sizes at the nodes if the file has them under the name `size`, else sizes from the mesh's own
- * edges; `stretching` and `direction` if it has both. Rejects as `meshAsBackground` does, but for sizes
- * that make no sense.
+ * edges; `stretching` and `direction` if it has both. Capitals count for nothing where one name alone reads so. Rejects as
+ * `meshAsBackground` does, but for sizes that make no sense. `unusedData` tells what else is at the nodes.
  */
 export async function volumeBackground(
   mesher: Pick<Mesher, "meshAsBackground">,
@@ -25,7 +26,7 @@ export async function volumeBackground(
     return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] } as const;
   };
   const of = (name: string) => {
-    const values = volume.nodeData.get(name)?.values;
+    const values = dataOf(volume, name)?.values;
     checkArgument(`volume.nodeData "${name}"`, values, orNothing(arrayOf(Float64Array)));
     return values;
   };
@@ -45,4 +46,26 @@ export async function volumeBackground(
     const { message, remedy } = first;
     return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] };
   }
+}
+
+/** The key of numbers at nodes by this name, in capitals or not where that leaves one. */
+function keyOf({ nodeData }: Pick<VolumeFile, "nodeData">, name: string): string | undefined {
+  if (nodeData.has(name)) return name;
+  const alike = [...nodeData.keys()].filter((key) => key.toLowerCase() === name);
+  return alike.length === 1 ? alike[0] : undefined;
+}
+
+function dataOf(volume: VolumeFile, name: string): NodeData | undefined {
+  return volume.nodeData.get(keyOf(volume, name) ?? name);
+}
+
+/**
+ * Names of the numbers at the nodes that `volumeBackground` has no use for, in the order of the file. Throws a
+ * `MesherError` where it is no volume.
+ */
+export function unusedData(volume: Pick<VolumeFile, "nodeData">): string[] {
+  checkArgument("volume", volume, objectOf({ nodeData: aMap }));
+  const stretching = keyOf(volume, "stretching");
+  const used = [keyOf(volume, "size"), stretching, stretching && keyOf(volume, "direction")];
+  return [...volume.nodeData.keys()].filter((name) => !used.includes(name));
 }
