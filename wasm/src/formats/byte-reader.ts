@@ -331,8 +331,8 @@ export class ByteReader {
     return this.#isText ? { line: this.#lastLine } : { offset: this.offset };
   }
 
-  fail(message: string, place = this.place): never {
-    throw failureAt(place, message, this.#remedy);
+  fail(message: string, place = this.place, remedy = this.#remedy): never {
+    throw failureAt(place, message, remedy);
   }
 
   /** Moves on within the window over lines that are not looked at. */

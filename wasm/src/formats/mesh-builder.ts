@@ -1,7 +1,8 @@
 /** Collects what a reader finds. */
 import { Column } from "./column.js";
+import { facetPolygons } from "./facets.js";
 import type { FileGroup, FileMesh, NodeData } from "./file-mesh.js";
-import { addPolygon, ClippingBudget } from "./polygons.js";
+import { addPolygon, ClippingBudget, type Triple } from "./polygons.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
 import { PointWelder } from "./weld.js";
 
@@ -132,6 +133,12 @@ export class MeshBuilder {
     this.#triangles.push(b);
     this.#triangles.push(c);
     this.#trianglePatch.push(patch);
+  }
+
+  /** Several polygons of one plane, around each other or not; else as `addPolygon`. */
+  addFacet(rings: readonly (readonly number[])[], holes: readonly Triple[], patch: number): boolean {
+    const polygons = facetPolygons(rings, holes, this.#points, this.#clipping);
+    return polygons?.every((corners) => this.addPolygon(corners, patch)) === true;
   }
 
   /** Cut into triangles; false, and nothing added, if that cannot be done safely. All nodes must be there. */

@@ -6,15 +6,11 @@
  */
 import { ChainTree, EMPTY_BOX, type Work } from "./chain-tree.js";
 import { EarQueue } from "./ear-queue.js";
+import type { Coordinates } from "./sixfold-volume.js";
 
-type Triple = readonly [number, number, number];
+export type Triple = readonly [number, number, number];
 /** In a plane. */
 export type Place = readonly [number, number];
-
-/** x y z per node, to be looked up by position. */
-interface Coordinates {
-  at(index: number): number | undefined;
-}
 
 /** What the readers say where there are no such triangles. */
 export const UNCUT = "cannot be cut into triangles: it crosses itself, has no area, or has too many corners";
@@ -107,16 +103,21 @@ const ORIGIN: Triple = [0, 0, 0];
 
 /** Seen along the axis nearest to the polygon's normal, so that it runs counter-clockwise. */
 function flattened(corners: readonly number[], points: Coordinates): readonly Place[] {
+  const view = flatView(corners, points);
+  return corners.map((corner) => view(placeOf(points, corner)));
+}
+
+/** How places in the polygon's plane are seen so. */
+export function flatView(corners: readonly number[], points: Coordinates): (place: Triple) => Place {
   const whole = wholeNormal(corners, points);
   const [x, y, z] = whole.map(Math.abs) as [number, number, number];
   const axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
   const isSeenFromBehind = whole[axis] < 0;
-  return corners.map((corner) => {
-    const place = placeOf(points, corner);
+  return (place) => {
     const [first, second] = [place[u] ?? 0, place[v] ?? 0];
     return isSeenFromBehind ? [second, first] : [first, second];
-  });
+  };
 }
 
 /** Whether two edges cross within both; ears would be found all the same, one over another. So where work runs out. */
@@ -199,7 +200,7 @@ function clippedEars(places: readonly Place[], work: Work): number[] | undefined
 }
 
 /** Twice the area of a triangle, above 0 where it runs counter-clockwise; 0 where rounding has the sign. */
-function turn(a: Place, b: Place, c: Place): number {
+export function turn(a: Place, b: Place, c: Place): number {
   const left = (b[0] - a[0]) * (c[1] - a[1]);
   const right = (b[1] - a[1]) * (c[0] - a[0]);
   return Math.abs(left - right) > ROUNDING * (Math.abs(left) + Math.abs(right)) ? left - right : 0;

@@ -1,7 +1,8 @@
 /**
  * Reads TetGen's files, text of numbers with `#` comments: `.smesh` and `.poly`, which may hold their points
  * or leave them to the `.node` file beside; `.face` and `.ele`, which always need it. Facets are polygons with
- * a boundary marker as patch; tetrahedra have a region attribute. Facets of a `.poly` with holes are refused.
+ * a boundary marker as patch, in a `.poly` several that may leave holes; tetrahedra have a region attribute. Points that
+ * mark holes and regions of the whole are passed over.
  */
 import { plural } from "../plural.js";
 import { failureIn, ReadFailure } from "../read-result.js";
@@ -11,7 +12,7 @@ import type { OpenOther, ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
-import { UNCUT } from "./polygons.js";
+import { UNCUT, type Triple } from "./polygons.js";
 
 const REMEDY = "Give TetGen's .node file beside the file, or save the surface again as .smesh.";
 const MAX_COUNT = 0x7fffffff;
@@ -31,6 +32,7 @@ export async function readTetgen(
 ): Promise<FileMesh> {
   const [, stem = "", extension = ""] = /^(.*)\.([^.]*)$/.exec(fileName) ?? [];
   const points: Points = { builder: new MeshBuilder(), first: 0, names: new NameLines(), signal };
+  let notes: string[] = [];
   switch (extension.toLowerCase()) {
     case "face":
       await readNodeFile(stem, openOther, points);
@@ -51,9 +53,11 @@ export async function readTetgen(
         const count = await readNodes(reader, points);
         if (count === 0) await readNodeFile(stem, openOther, points);
         await readFacets(reader, points, extension.toLowerCase() === "poly");
+        notes = await noteMarks(reader);
       });
   }
-  return points.names.given(points.builder.mesh());
+  const mesh = points.names.given(points.builder.mesh());
+  return notes.length > 0 ? { ...mesh, notes } : mesh;
 }
 
 function overFile<T>(
@@ -148,44 +152,99 @@ async function readElements(reader: ByteReader, points: Points): Promise<void> {
   }
 }
 
-/** In a `.smesh` one polygon per facet; in a `.poly` the numbers of polygons and holes come before. */
+/** In a `.smesh` one polygon per facet; in a `.poly` several, and points in those that are left out. */
 async function readFacets(reader: ByteReader, points: Points, isPoly: boolean): Promise<void> {
   const count = reader.index("the number of facets", MAX_COUNT);
   const hasMarkers = markerIn(reader) > 0;
   reader.skipLine();
   for (let f = 0; f < count; f++) {
     if (reader.isLow) await reader.fill();
-    const head = isPoly ? facetHead(reader, f, hasMarkers) : { polygons: 1, marker: 0 };
-    for (let p = 0; p < head.polygons; p++) {
-      if (reader.isLow) await reader.fill();
-      readPolygon(reader, points, f, isPoly ? head.marker : undefined);
-    }
+    await (isPoly ? readFacet(reader, points, f, hasMarkers) : readPolygon(reader, points, f));
   }
 }
 
-function facetHead(reader: ByteReader, f: number, hasMarkers: boolean): { polygons: number; marker: number } {
+async function readFacet(reader: ByteReader, points: Points, f: number, hasMarkers: boolean): Promise<void> {
   const polygons = reader.index("the number of polygons", MAX_COUNT);
-  const holes = markerIn(reader);
+  const holes = reader.count(markerIn(reader), "holes");
   const marker = hasMarkers ? markerIn(reader) : 0;
-  if (holes > 0)
-    reader.fail(`facet ${f} (counted from 0) has a hole and cannot be cut into triangles safely`);
   reader.skipLine();
-  return { polygons, marker };
+  const rings: number[][] = [];
+  for (let p = 0; p < polygons; p++) {
+    if (reader.isLow) await reader.fill();
+    const corners = cornersIn(reader, points);
+    // Segments and single points within a facet are no surface.
+    if (corners.length > 2) rings.push(corners);
+    reader.skipLine();
+  }
+  const marks: Triple[] = [];
+  for (let h = 0; h < holes; h++) {
+    if (reader.isLow) await reader.fill();
+    marks.push(markIn(reader));
+  }
+  if (rings.length === 0) return;
+  if (points.builder.addFacet(rings, marks, points.builder.patches.tagged(marker))) return;
+  reader.fail(
+    rings.length === 1 && holes === 0
+      ? `facet ${f} (counted from 0) ${UNCUT}`
+      : `facet ${f} (counted from 0) cannot be cut into triangles: its polygons cross or have no area`,
+    reader.place,
+    "Save it as polygons that do not cross, or as triangles.",
+  );
 }
 
-function readPolygon(reader: ByteReader, points: Points, f: number, marker: number | undefined): void {
+function readPolygon(reader: ByteReader, points: Points, f: number): void {
+  const corners = cornersIn(reader, points);
+  if (corners.length < 3) reader.fail(`facet ${f} (counted from 0) has ${plural(corners.length, "corner")}`);
+  const patch = points.builder.patches.tagged(markerIn(reader));
+  if (!points.builder.addPolygon(corners, patch)) reader.fail(`facet ${f} (counted from 0) ${UNCUT}`);
+  reader.skipLine();
+}
+
+function cornersIn(reader: ByteReader, points: Points): number[] {
   const size = reader.index("the number of corners", MAX_COUNT);
-  if (size < 3) {
-    // Segments and single points within a facet: no surface.
-    if (marker === undefined) reader.fail(`facet ${f} (counted from 0) has ${plural(size, "corner")}`);
-    reader.skipLine();
-    return;
-  }
   const corners: number[] = [];
   for (let i = 0; i < size; i++) corners.push(cornerIn(reader, points));
-  const patch = points.builder.patches.tagged(marker ?? markerIn(reader));
-  if (!points.builder.addPolygon(corners, patch)) {
-    reader.fail(`facet ${f} (counted from 0) ${UNCUT}`);
-  }
+  return corners;
+}
+
+/** The place of a point that marks something, behind its number. */
+function markIn(reader: ByteReader): Triple {
+  reader.number("the number of a hole");
+  const mark: Triple = [
+    reader.number("a coordinate"),
+    reader.number("a coordinate"),
+    reader.number("a coordinate"),
+  ];
   reader.skipLine();
+  return mark;
+}
+
+/** What the points behind the facets mark is not known here. */
+async function noteMarks(reader: ByteReader): Promise<string[]> {
+  const holes = await passMarks(reader);
+  const regions = await passMarks(reader);
+  return [
+    ...(holes === 0
+      ? []
+      : [
+          `${plural(holes, "hole point")} passed over: closed parts within a body stay empty, all other spaces are filled; leave out the facets around a space that is to stay empty`,
+        ]),
+    ...(regions === 0 ? [] : [`${plural(regions, "region point")} passed over: regions are numbered`]),
+  ];
+}
+
+/** How many points such a section has; 0 where the file ends before it. */
+async function passMarks(reader: ByteReader): Promise<number> {
+  await reader.fill();
+  if (!reader.startsNumber()) return 0;
+  const count = reader.index("a number of points", MAX_COUNT);
+  reader.skipLine();
+  let passed = 0;
+  for (; passed < count; passed++) {
+    if (reader.isLow) await reader.fill();
+    if (!reader.startsNumber()) break;
+    reader.number("the number of a point");
+    reader.skipLine();
+  }
+  return passed;
 }
