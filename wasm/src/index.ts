@@ -65,6 +65,7 @@ export {
 } from "./mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project.js";
 export { nameByPosition, projectNamer, type EntityNamer } from "./project-arrays.js";
+export { LIMITS } from "./limits.js";
 export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project-schema.js";
 export type {
   LineId,

@@ -1,5 +1,6 @@
 /** The options as the engine takes them, or what is wrong with them. */
 import { shown } from "./argument-checks.js";
+import { LIMITS } from "./limits.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
 import { checkBackground } from "./input-checks.js";
 import type { RepairOptions } from "./inspection.js";
@@ -64,7 +65,7 @@ const isFiniteNumber = (value: unknown): value is number =>
   typeof value === "number" && Number.isFinite(value);
 /** What coordinates may be (cpp/src/geom/coordinates.h); sizes beyond are no sizes of anything. */
 const SMALLEST = 1e-30;
-const LARGEST = 1e30;
+const LARGEST = LIMITS.length;
 const within =
   (least: number, most: number, what: string): Rule =>
   (value) =>
@@ -77,11 +78,7 @@ const oneOf =
       ? undefined
       : `one of ${Object.keys(table).join(", ")}`;
 const trueOrFalse: Rule = (value) => (typeof value === "boolean" ? undefined : "true or false");
-/** Per unit of distance; where sizes grow faster than so no element can follow. */
-const MOST_GROWTH = 10;
-const growth = within(0, MOST_GROWTH, `a growth from 0 to ${MOST_GROWTH}, for example ${DEFAULT_GROWTH}`);
-/** From one element to the next. */
-const MOST_GRADATION = 10;
+const growth = within(0, LIMITS.growth, `a growth from 0 to ${LIMITS.growth}, for example ${DEFAULT_GROWTH}`);
 
 const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
   size: ["element size", length],
@@ -89,9 +86,9 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
   gradation: [
     "gradation",
     (value) =>
-      isFiniteNumber(value) && (value === 0 || (value > 1 && value <= MOST_GRADATION))
+      isFiniteNumber(value) && (value === 0 || (value > 1 && value <= LIMITS.gradation))
         ? undefined
-        : `0, or a gradation above 1 and up to ${MOST_GRADATION}, such as ${DEFAULT_GRADATION}`,
+        : `0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${DEFAULT_GRADATION}`,
   ],
   enclosed: ["meaning of enclosed bodies", oneOf(ENCLOSED_BODIES)],
   order: ["order of the front", oneOf(FRONT_ORDERS)],

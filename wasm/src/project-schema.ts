@@ -1,12 +1,13 @@
 /**
  * The project file (docs/FORMAT.md): one zod schema, and the types inferred from it. It settles the
- * structure: which keys, finite numbers, unique ids, references that exist. Whether the geometry makes
- * sense (a size above zero, a loop that closes, a planar patch that is plane) is the engine's to say,
+ * structure: which keys, finite numbers no larger than the engine takes, unique ids, references that exist. Whether the
+ * geometry makes sense (a size above zero, a loop that closes, a planar patch that is plane) is the engine's to say,
  * for a drawing that is still unfinished must be loadable.
  */
 import * as z from "zod/mini";
 
 import { shown } from "./argument-checks.js";
+import { LIMITS } from "./limits.js";
 import { WORDS } from "./project-words.js";
 
 /** In the field `format` of every project file. */
@@ -42,6 +43,9 @@ function described<Schema extends z.ZodMiniType>(description: string, schema: Sc
 
 const listOf = <Item extends z.ZodMiniType>(item: Item) => z.readonly(z.array(item));
 
+/** What the engine would refuse without a word of the field. */
+const upTo = (most: number) => z.number().check(z.maximum(most));
+
 const id = described(WORDS.id, z.int().check(z.positive()));
 const reference = z.int().check(z.positive());
 const name = described(WORDS.name, z.optional(z.string()));
@@ -76,8 +80,8 @@ const backgroundNodeSchema = z.readonly(
   z.strictObject({
     id,
     at: triple,
-    size: described(WORDS.nodeSize, z.number()),
-    stretching: described(WORDS.stretching, z.optional(z.number())),
+    size: described(WORDS.nodeSize, upTo(LIMITS.length)),
+    stretching: described(WORDS.stretching, z.optional(upTo(LIMITS.stretching))),
     direction: described(
       WORDS.direction,
       z.optional(z.readonly(z.tuple([z.number(), z.number(), z.number()]))),
@@ -91,9 +95,9 @@ const sourceSchema = z.readonly(
     name,
     type: z.enum(["point", "segment", "triangle"]),
     places: described(WORDS.places, z.readonly(z.array(triple).check(z.minLength(1), z.maxLength(3)))),
-    size: described(WORDS.sourceSize, z.number()),
-    distance: described(WORDS.distance, z.optional(z.number())),
-    growth: described(WORDS.growth, z.optional(z.number())),
+    size: described(WORDS.sourceSize, upTo(LIMITS.length)),
+    distance: described(WORDS.distance, z.optional(upTo(LIMITS.length))),
+    growth: described(WORDS.growth, z.optional(upTo(LIMITS.growth))),
   }),
 );
 
@@ -111,8 +115,8 @@ const backgroundSchema = z.readonly(
 
 const meshingSchema = z.readonly(
   z.strictObject({
-    size: described(WORDS.size, z.optional(z.number())),
-    gradation: described(WORDS.gradation, z.optional(z.number())),
+    size: described(WORDS.size, z.optional(upTo(LIMITS.length))),
+    gradation: described(WORDS.gradation, z.optional(upTo(LIMITS.gradation))),
     enclosed: described(WORDS.enclosed, z.optional(z.enum(["cavities", "regions"]))),
     order: described(WORDS.order, z.optional(z.enum(["layered", "smallest-first"]))),
     optimization: described(WORDS.optimization, z.optional(z.enum(["none", "fast", "default", "strive"]))),

@@ -1,3 +1,4 @@
+import { LIMITS } from "tetrafront";
 import { Button, Group, SegmentedControl, Text } from "@mantine/core";
 import { likelySize } from "../background-actions";
 import { commandNamed, runCommand } from "../commands";
@@ -7,7 +8,7 @@ import { formatCount } from "../ui/format";
 import { NumberField } from "../ui/number-field";
 import { strings } from "../ui/strings";
 import { useApp, useProject } from "./app-context";
-import { aboveZero, sizeStep, unitsOf } from "./size-fields";
+import { aboveZero, sizeStep, unitsOf, upTo } from "./size-fields";
 
 const texts = strings.background;
 
@@ -47,7 +48,7 @@ export function ElementSize() {
               label={texts.uniformSize}
               value={uniformSize}
               step={sizeStep(uniformSize)}
-              refuse={aboveZero}
+              refuse={upTo(LIMITS.length, aboveZero)}
               testId="uniform-size"
               {...unitsOf(project)}
               onCommit={(value) => app.documents.edit(setMeshing("size", value))}

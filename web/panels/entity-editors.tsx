@@ -1,5 +1,12 @@
 import { Select, Switch, Text } from "@mantine/core";
-import type { Project, ProjectBackgroundNode, ProjectLine, ProjectPoint, ProjectSource } from "tetrafront";
+import {
+  LIMITS,
+  type Project,
+  type ProjectBackgroundNode,
+  type ProjectLine,
+  type ProjectPoint,
+  type ProjectSource,
+} from "tetrafront";
 import {
   moveEntity,
   moveSource,
@@ -14,7 +21,7 @@ import { FieldRow } from "../ui/field-row";
 import { ListField } from "../ui/list-field";
 import { NumberField } from "../ui/number-field";
 import { PlaceFields } from "../ui/place-fields";
-import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf } from "./size-fields";
+import { aboveZero, atLeastOne, notNegative, sizeStep, stepFor, unitsOf, upTo } from "./size-fields";
 import { lineTypeNames, strings } from "../ui/strings";
 import { useApp } from "./app-context";
 
@@ -109,7 +116,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           label={strings.inspector.size}
           value={node.size}
           step={sizeStep(node.size)}
-          refuse={aboveZero}
+          refuse={upTo(LIMITS.length, aboveZero)}
           testId="bg-size"
           {...unitsOf(project)}
           onCommit={(value) => app.documents.edit(setNodeSize(node.id, value))}
@@ -121,7 +128,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
           label={strings.inspector.stretching}
           value={stretching}
           step={0.1}
-          refuse={atLeastOne}
+          refuse={upTo(LIMITS.stretching, atLeastOne)}
           testId="bg-stretch"
           rightSection={<span className="tf-unit">×</span>}
           onCommit={(value) => app.documents.edit(setNodeStretching(node.id, value))}
@@ -175,7 +182,7 @@ export function SourceEditor({ source, project }: SourceEditorProps) {
           label={strings.inspector.size}
           value={size}
           step={sizeStep(size)}
-          refuse={aboveZero}
+          refuse={upTo(LIMITS.length, aboveZero)}
           testId="source-size"
           {...unitsOf(project)}
           onCommit={set("size")}
@@ -187,7 +194,7 @@ export function SourceEditor({ source, project }: SourceEditorProps) {
           label={strings.inspector.distance}
           value={distance}
           step={sizeStep(size)}
-          refuse={notNegative}
+          refuse={upTo(LIMITS.length, notNegative)}
           testId="source-distance"
           {...unitsOf(project)}
           onCommit={set("distance")}
@@ -199,7 +206,7 @@ export function SourceEditor({ source, project }: SourceEditorProps) {
           label={strings.inspector.growth}
           value={growth}
           step={0.05}
-          refuse={notNegative}
+          refuse={upTo(LIMITS.growth, notNegative)}
           testId="source-growth"
           onCommit={set("growth")}
         />

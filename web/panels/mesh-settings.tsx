@@ -1,5 +1,5 @@
 import { SegmentedControl, Text } from "@mantine/core";
-import type { ProjectMeshing } from "tetrafront";
+import { LIMITS, type ProjectMeshing } from "tetrafront";
 import { setMeshing } from "../document/edits";
 import { FieldRow } from "../ui/field-row";
 import { NumberField } from "../ui/number-field";
@@ -21,7 +21,7 @@ const orders: readonly Order[] = ["layered", "smallest-first"];
 const optimizations: readonly Optimization[] = ["none", "fast", "default", "strive"];
 
 const refuseGradation = (value: number): string | null =>
-  value === 0 || value > 1 ? null : texts.badGradation;
+  value === 0 || (value > 1 && value <= LIMITS.gradation) ? null : texts.badGradation;
 
 /** How the mesh is made, apart from its sizes. Kept in the project file. */
 export function MeshSettings() {

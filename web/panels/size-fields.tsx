@@ -12,6 +12,11 @@ export function stepFor(project: Project): number {
 
 export const aboveZero = (value: number): string | null => (value > 0 ? null : strings.fields.aboveZero);
 export const notNegative = (value: number): string | null => (value >= 0 ? null : strings.fields.notNegative);
+/** As `refuse`, and up to what the engine takes, for a file with more could not be opened again. */
+export const upTo =
+  (most: number, refuse: (value: number) => string | null) =>
+  (value: number): string | null =>
+    refuse(value) ?? (value > most ? strings.fields.atMost(most) : null);
 export const atLeastOne = (value: number): string | null => (value >= 1 ? null : strings.fields.atLeastOne);
 
 /** A round step for a size: between a fiftieth and a fifth of it. */

@@ -164,6 +164,7 @@ export const strings = {
     aboveZero: "Must be above 0",
     atLeastOne: "Must be at least 1",
     notNegative: "Must not be below 0",
+    atMost: (most: number) => `Must be at most ${most}`,
     unknownPoint: (id: string) => `There is no point ${id}`,
     unknownLine: (id: string) => `There is no line ${id}`,
     twoPoints: "A line needs at least two points",
@@ -336,7 +337,7 @@ export const strings = {
     },
     gradation: "Gradation",
     gradationHint: "Most by which sizes grow from one element to the next; 0 takes them as they are.",
-    badGradation: "Must be 0, or above 1",
+    badGradation: "Must be 0, or above 1 and up to 10",
     enclosed: "Enclosed",
     enclosedBodies: { cavities: "Cavities", regions: "Regions" },
     enclosedHints: {

@@ -12,6 +12,10 @@ inline constexpr double kMostGrowth = 10.0;
 /// The most by which sizes may grow from one element to the next.
 inline constexpr double kMostGradation = 10.0;
 
+/// The most by which elements may be stretched: far beyond any layer of air along a wing; squares and products of
+/// such lengths stay in doubles.
+inline constexpr double kMostStretching = 1e6;
+
 /// In which order faces leave the front (step F4).
 enum class FrontOrder : std::uint8_t {
   kLayered = 0,        ///< buckets of like size, smallest first; inside one, layer by layer, and

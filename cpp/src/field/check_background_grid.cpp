@@ -8,6 +8,7 @@
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
+#include "tetrafront/options.h"
 
 namespace tetrafront {
 namespace {
@@ -19,9 +20,6 @@ constexpr double kFlatVolume = 1e-12;
 /// Sizes below this share of the grid's extent are a slip: places that near each other could not be
 /// told from rounding, and no line would hold the sides.
 constexpr double kSmallestSize = 1e-12;
-
-/// Far beyond any layer of air along a wing; squares and products of such lengths stay in doubles.
-constexpr double kMostStretching = 1e6;
 
 Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
   Diagnostic diagnostic;

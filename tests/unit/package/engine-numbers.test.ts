@@ -1,5 +1,5 @@
 /** Both sides of the border number things alike: the package's tables against the engine's headers. */
-import { ENGINE_CODES, ENTITY_KINDS } from "tetrafront";
+import { ENGINE_CODES, ENTITY_KINDS, LIMITS } from "tetrafront";
 import { expect, test } from "vitest";
 
 import { SEVERITIES } from "../../../wasm/src/diagnostics.js";
@@ -8,11 +8,21 @@ import { COVER_SHAPES, FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/opt
 import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project-arrays.js";
 import { PHASES } from "../../../wasm/src/run-clock.js";
 import { STATUSES } from "../../../wasm/src/slices.js";
-import { engineEnum } from "../../support/engine-enums.js";
+import { engineConstant, engineEnum } from "../../support/engine-enums.js";
 
 const listed = (names: readonly (string | undefined)[]) => names.map((name, value) => [value, name]);
 const swapped = (numbers: Readonly<Record<string, number>>) =>
   Object.entries(numbers).map(([name, value]) => [value, name]);
+
+test("bounds of numbers", () => {
+  const options = "include/tetrafront/options.h";
+  expect(LIMITS.growth).toBe(engineConstant(options, "kMostGrowth"));
+  expect(LIMITS.gradation).toBe(engineConstant(options, "kMostGradation"));
+  expect(LIMITS.stretching).toBe(engineConstant(options, "kMostStretching"));
+  // What can be computed with ends at a power of 2; what is told, at the power of 10 before it.
+  const largest = engineConstant("src/geom/coordinates.h", "kLargestCoordinate");
+  expect(LIMITS.length).toBe(10 ** Math.floor(Math.log10(largest)));
+});
 
 test("diagnostic codes", () => {
   const ours = Object.entries(ENGINE_CODES).map(([value, name]) => [Number(value), name]);

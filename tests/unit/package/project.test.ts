@@ -1,6 +1,6 @@
 import { readFileSync } from "node:fs";
 
-import { parseProject, readProject, writeProject, type ProjectSource } from "tetrafront";
+import { LIMITS, parseProject, readProject, writeProject, type ProjectSource } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";
@@ -30,7 +30,7 @@ interface PlainProject {
   points: { id: unknown; at: unknown }[];
   lines: { points: unknown[] }[];
   patches: { loops: unknown[][] }[];
-  background?: { tetrahedra: unknown[]; sources?: unknown[]; overhang?: unknown };
+  background?: { nodes?: object[]; tetrahedra: unknown[]; sources?: unknown[]; overhang?: unknown };
 }
 
 function plainCube(): PlainProject {
@@ -105,6 +105,37 @@ describe("a project that is whole", () => {
     }));
     const read = readProject(writeProject({ ...cube, points }));
     expect(read).toEqual({ success: true, value: { ...cube, points } });
+  });
+});
+
+describe("numbers that the engine would refuse are refused with their field, and up to its bounds taken:", () => {
+  const source = { id: 1, type: "point", places: [[0, 0, 0]], size: 1 };
+  test.each<[string, number, (cube: PlainProject, value: number) => void]>([
+    [
+      "background.nodes[0].size",
+      LIMITS.length,
+      (c, size) => Object.assign(c.background?.nodes?.[0] ?? {}, { size }),
+    ],
+    [
+      "background.nodes[0].stretching",
+      LIMITS.stretching,
+      (c, stretching) => Object.assign(c.background?.nodes?.[0] ?? {}, { stretching }),
+    ],
+    ["background.sources[0].size", LIMITS.length, (c, size) => addSource(c, { ...source, size })],
+    ["background.sources[0].distance", LIMITS.length, (c, distance) => addSource(c, { ...source, distance })],
+    ["background.sources[0].growth", LIMITS.growth, (c, growth) => addSource(c, { ...source, growth })],
+    ["meshing.size", LIMITS.length, (c, size) => (c["meshing"] = { size })],
+    ["meshing.gradation", LIMITS.gradation, (c, gradation) => (c["meshing"] = { gradation })],
+  ])("%s", (path, most, set) => {
+    for (const [value, isTaken] of [
+      [most, true],
+      [1.001 * most, false],
+    ] as const) {
+      const read = parseProject(damaged((cube) => set(cube, value)));
+      expect(read.success).toBe(isTaken);
+      if (read.success) continue;
+      expect(read.problems[0].message).toBe(`${path}: expected at most ${most}`);
+    }
   });
 });
 
