@@ -1,6 +1,6 @@
 /** Files as the command line meets them: every way to fail gets one line with a remedy. */
 import { randomUUID } from "node:crypto";
-import { constants, createReadStream } from "node:fs";
+import { constants, createReadStream, rmSync } from "node:fs";
 import { access, lstat, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
 import path from "node:path";
 
@@ -162,16 +162,40 @@ export async function writeOutput(file: string, content: string | Uint8Array): P
     if (found !== undefined && !found.isFile()) return await writeTo(file, content, "w");
     // Through a link to the file itself, or the link would be replaced.
     const target = found === undefined ? file : await realpath(file);
-    const temporary = temporaryFor(target);
-    try {
+    await unlessInterrupted(temporaryFor(target), async (temporary) => {
       await writeTo(temporary, content, "wx");
       await rename(temporary, target);
-    } finally {
-      await rm(temporary, { force: true });
-    }
+    });
   } catch (failure) {
     throw new FileProblem(file, `the file cannot be written (${reasonOf(failure)})`, "Choose another place.");
   }
+}
+
+/** Those that are being written now. */
+const temporaries = new Set<string>();
+
+/** Leaves no temporary file behind, whether the work is done, has failed or is ended by a signal. */
+async function unlessInterrupted(
+  temporary: string,
+  work: (temporary: string) => Promise<void>,
+): Promise<void> {
+  if (temporaries.size === 0) process.on("SIGINT", endWithout).on("SIGTERM", endWithout);
+  temporaries.add(temporary);
+  try {
+    await work(temporary);
+  } finally {
+    await rm(temporary, { force: true });
+    temporaries.delete(temporary);
+    if (temporaries.size === 0) process.off("SIGINT", endWithout).off("SIGTERM", endWithout);
+  }
+}
+
+/** The signal ends the process as it would have; where somebody else hears it, it is for that one to say when. */
+function endWithout(signal: NodeJS.Signals): void {
+  if (process.listenerCount(signal) > 1) return;
+  for (const temporary of temporaries) rmSync(temporary, { force: true });
+  process.off(signal, endWithout);
+  process.kill(process.pid, signal);
 }
 
 /** Raised where the reader of standard output has gone: nobody is left to be told anything. */

@@ -12,7 +12,8 @@ function formatLines(can: "reads" | "writes", ...contents: readonly Contents[]):
 const EXIT_CODES_HELP = `
 Exit code
   0  done    1  not completed: stalled, cancelled, out of memory, not written    2  bad input
-  Of many inputs, the highest.`;
+  Of many inputs, the highest. Ctrl C cancels a mesh being made, with its report (1); it ends all else, and leaves no
+  half-written file (130; 143 where the process is told to end).`;
 
 const READING_HELP = `
 Formats: those that \`tetrafront convert --help\` lists as input; - is standard input.`;

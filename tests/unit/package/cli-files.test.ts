@@ -1,8 +1,9 @@
 /** Files are written beside their place first, whatever other runs have left there and however long their names are. */
 import { readdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
+import { setTimeout as sleep } from "node:timers/promises";
 
-import { expect, test } from "vitest";
+import { expect, test, vi } from "vitest";
 
 import { checkOutput, writeOutput } from "../../../wasm/src/cli-files.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
@@ -23,4 +24,18 @@ test("a name as long as file systems have them can be written", async () => {
   await checkOutput(path.join(folder.path, name));
   await writeOutput(path.join(folder.path, name), "whole");
   expect(readdirSync(folder.path)).toEqual([name]);
+});
+
+test("a signal while a file is written ends the program as it would, and leaves nothing of the file", async () => {
+  const kill = vi.spyOn(process, "kill").mockReturnValue(true);
+  const writing = writeOutput(path.join(folder.path, "large.bin"), new Uint8Array(1 << 27));
+  const isLeft = () => readdirSync(folder.path).some((name) => name.endsWith(".part"));
+  while (!isLeft()) await sleep(1);
+  process.emit("SIGINT", "SIGINT");
+  expect(isLeft()).toBe(false);
+  expect(kill).toHaveBeenCalledExactlyOnceWith(process.pid, "SIGINT");
+  await expect(writing).rejects.toThrow("cannot be written");
+  expect(readdirSync(folder.path)).toEqual([]);
+  expect(process.listenerCount("SIGTERM")).toBe(0);
+  kill.mockRestore();
 });
