@@ -439,7 +439,8 @@ TEST(BoundaryDiagnosticsTest, NumbersThatCannotBe) {
   // Nothing is said of the extent where no coordinate can be computed with.
   SurfaceMesh huge = geodesicSphere(2);
   scale(huge, 1e150);
-  for (const Diagnostic& told : close(huge).diagnostics) EXPECT_GT(std::fabs(told.values.at(0)), 1e30);
+  for (const Diagnostic& told : close(huge).diagnostics)
+    EXPECT_GT(std::fabs(told.values.at(0)), 1e30);
   SurfaceMesh tiny = geodesicSphere(2);
   scale(tiny, 1e-60);
   EXPECT_EQ(close(tiny).codes(), std::set{DiagnosticCode::kNotFinite});

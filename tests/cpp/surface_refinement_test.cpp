@@ -264,7 +264,8 @@ TEST(SurfaceRefiner, RefusesWhatNobodyCouldFillInsideBeforeItDivides) {
   MeshOptions options = sized(0.02);
   const double expected = 8.485281374238571 / (0.02 * 0.02 * 0.02);
   options.maxTetrahedra = static_cast<std::uint32_t>(0.9 * expected);
-  EXPECT_TRUE(refine(cube, {}, options).diagnostics.empty()) << "the triangles alone are not too many";
+  EXPECT_TRUE(refine(cube, {}, options).diagnostics.empty())
+      << "the triangles alone are not too many";
   std::uint32_t steps = 0;
   SurfaceRefiner refiner(cube.points, cube.triangles, {}, options, 1.0);
   while (!refiner.advance(1U)) ++steps;
