@@ -46,6 +46,8 @@ export interface OutOfMemory {
   readonly expectedTetrahedra: number;
   /** Elements so many times as large are likely to fit; undefined where nothing tells. */
   readonly sizeFactor: number | undefined;
+  /** About so many triangles of a given surface would fit; undefined where it has no more, or none is given. */
+  readonly fittingTriangles: number | undefined;
 }
 
 /** A `MesherError` of one code. */
@@ -113,10 +115,14 @@ export function crashError(reason: string): MesherError {
   return new MesherError("engine-failed", `The engine's worker ended: ${reason}`, { reason });
 }
 
-/** `progress`: of the run that is rejected, which need not be what failed. */
+/**
+ * `progress`: of the run that is rejected, which need not be what failed. `triangles`: of the surface that was given to
+ * what failed, 0 if none was.
+ */
 export function failureError(
   { reason, message, bytes }: Extract<Reply, { kind: "failure" }>,
   progress: Progress | undefined,
+  triangles: number,
 ): MesherError {
   if (reason === "engine-failed") {
     const text = `The engine failed (${message}): please report it with the model`;
@@ -124,9 +130,14 @@ export function failureError(
   }
   const { phase, tetrahedra = 0, expectedTetrahedra = 0 } = progress ?? {};
   const sizeFactor = sizeFactorFor(tetrahedra, expectedTetrahedra);
-  const figures = { bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor };
+  const fitting = Math.floor(bytes / BYTES_PER_TRIANGLE);
+  const fittingTriangles = sizeFactor === undefined && triangles > fitting ? fitting : undefined;
+  const figures = { bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor, fittingTriangles };
   return new MesherError(reason, outOfMemoryText(figures), figures);
 }
+
+/** What the engine takes for each triangle of a surface until the first tetrahedron is made, as measured, at most. */
+const BYTES_PER_TRIANGLE = 300;
 
 /** The number of elements falls with the cube of their size. Room is left for what follows the front. */
 function sizeFactorFor(made: number, expected: number): number | undefined {
@@ -138,16 +149,21 @@ function sizeFactorFor(made: number, expected: number): number | undefined {
 /** As a factor of the size: the memory of a third more elements. */
 const ROOM = 1.1;
 
-function outOfMemoryText({ bytes, phase, tetrahedra, expectedTetrahedra, sizeFactor }: OutOfMemory): string {
+function outOfMemoryText(figures: OutOfMemory): string {
+  const { bytes, phase, tetrahedra, expectedTetrahedra } = figures;
   const had = bytes === 0 ? "" : ` of ${Math.round(bytes / 2 ** 20)} MB`;
   const where = phase === undefined ? "" : ` in the phase "${phase}"`;
   const made = tetrahedra === 0 ? "" : `, with ${plural(tetrahedra, "tetrahedron")} made`;
   const expected = made === "" || expectedTetrahedra === 0 ? "" : ` of about ${expectedTetrahedra} asked for`;
-  const remedy = remedyFor(phase, sizeFactor);
+  const remedy = remedyFor(figures);
   return `The engine's memory${had} did not suffice: it ran out${where}${made}${expected}. ${remedy}`;
 }
 
-function remedyFor(phase: Phase | undefined, sizeFactor: number | undefined): string {
+function remedyFor({ phase, sizeFactor, fittingTriangles }: OutOfMemory): string {
+  if (fittingTriangles !== undefined) {
+    const count = Number(fittingTriangles.toPrecision(2));
+    return `Give a coarser surface: about ${count} triangles fit, fewer with many tetrahedra between them.`;
+  }
   if (phase === undefined) return "Give a smaller surface or mesh.";
   if (sizeFactor === undefined) return "Ask for larger elements, or give a coarser surface.";
   return `Ask for elements ${sizeFactor.toFixed(1)} times as large, or more.`;

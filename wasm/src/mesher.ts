@@ -114,6 +114,8 @@ interface Waiting {
 
 interface Job extends Waiting {
   readonly request: RunRequest;
+  /** Of the given surface; the request itself is handed to the worker. */
+  readonly triangles: number;
   /** When it was sent to the worker, in milliseconds. */
   began: number | undefined;
   /** The latest heard of. */
@@ -395,7 +397,9 @@ class WorkerMesher implements Mesher {
       const result = await new Promise<EngineResult | Cancelled>((resolve, reject) => {
         if (this.#closed !== undefined) return reject(this.#closed());
         if (signal?.aborted === true) return resolve({ cancelledAfterSeconds: 0 });
-        const job: Job = { request, onProgress, began: undefined, progress: undefined, resolve, reject };
+        const triangles = trianglesIn(request);
+        const told = { began: undefined, progress: undefined };
+        const job: Job = { request, triangles, onProgress, ...told, resolve, reject };
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#waiting.push(job);
@@ -470,7 +474,7 @@ class WorkerMesher implements Mesher {
   #receive(reply: WorkReply): void {
     switch (reply.kind) {
       case "failure":
-        return this.#replaceWorker((progress) => failureError(reply, progress));
+        return this.#failAll(reply);
       case "answer":
         this.#questions.get(reply.id)?.resolve(reply.answer);
         this.#questions.delete(reply.id);
@@ -480,6 +484,12 @@ class WorkerMesher implements Mesher {
       case "result":
         return this.#receiveForRun(reply);
     }
+  }
+
+  #failAll(reply: Extract<WorkReply, { kind: "failure" }>): void {
+    const question = this.#questions.get(reply.id)?.question;
+    const triangles = question === undefined ? (this.#active?.triangles ?? 0) : trianglesIn(question);
+    this.#replaceWorker((progress) => failureError(reply, progress, triangles));
   }
 
   #receiveForRun(reply: Extract<WorkReply, { kind: "progress" | "stopping" | "result" }>): void {
@@ -527,6 +537,11 @@ class WorkerMesher implements Mesher {
   #nextId(): number {
     return ++this.#lastId;
   }
+}
+
+/** Of the surface that a request brings; 0 without one. */
+function trianglesIn(request: Request): number {
+  return "triangles" in request ? request.triangles.length / 3 : 0;
 }
 
 /** A callback that throws, or whose promise is rejected, fails once and is not called again. */

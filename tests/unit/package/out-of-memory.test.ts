@@ -92,3 +92,32 @@ test("a question too large for the memory is refused, and the next one is answer
   );
   expect(isSound).toBe(true);
 });
+
+test("a surface too large for the memory is refused with how many triangles fit, and so many are taken", async () => {
+  const [given, failures, isFillable] = await withLittleMemory<[number, Told[], boolean]>(`
+    const torus = (n) => {
+      const points = Float64Array.from({ length: 3 * n * n }, (_, i) => {
+        const [u, v] = [Math.floor(i / 3 / n), Math.floor(i / 3) % n].map((k) => (2 * Math.PI * k) / n);
+        return [(2 + Math.cos(v)) * Math.cos(u), (2 + Math.cos(v)) * Math.sin(u), Math.sin(v)][i % 3];
+      });
+      const at = (i, j) => (i % n) * n + (j % n);
+      const triangles = Uint32Array.from({ length: n * n }, (_, k) => k).reduce((all, k) => {
+        const [i, j] = [Math.floor(k / n), k % n];
+        all.set([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j), at(i + 1, j + 1), at(i, j + 1)], 6 * k);
+        return all;
+      }, new Uint32Array(6 * n * n));
+      return { points, triangles };
+    };
+    const large = torus(600);
+    const failures = [await mesher.fillSurface(large).catch(told), await mesher.inspectSurface(large).catch(told)];
+    const fitting = Math.min(...failures.map(({ data }) => data.fittingTriangles));
+    const { isFillable } = await mesher.inspectSurface(torus(Math.floor(Math.sqrt(fitting / 2))));
+    return [large.triangles.length / 3, failures, isFillable];`);
+  for (const { code, data, message } of failures) {
+    expect(code).toBe("out-of-memory");
+    expect(data["fittingTriangles"]).toBeGreaterThan(given / 10);
+    expect(data["fittingTriangles"]).toBeLessThan(given);
+    expect(message).toMatch(/Give a coarser surface: about \d+ triangles fit, fewer with/);
+  }
+  expect(isFillable).toBe(true);
+});
