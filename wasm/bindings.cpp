@@ -209,35 +209,9 @@ using VolumeInspection = Stepwise<MeshInspector, MeshInspectionRecord>;
 using Repair = Stepwise<SurfaceRepairer, RepairRecord>;
 using Refinement = Stepwise<SurfaceRefiner, RefinementRecord>;
 using Preview = Stepwise<ModelPreviewer, PreviewRecord>;
-
-/// The answer of `work`, in which `failure` tells what it threw.
-template <class Answer, class Work>
-Answer answered(const Work& work) {
-  std::string failure;
-  Answer answer = guarded(failure, Answer{}, work);
-  answer.failure = Text{emscripten::val(failure)};
-  return answer;
-}
-
-GridRecord cover(const ModelArrays& arrays, double size, std::uint32_t shape) {
-  return answered<GridRecord>([&] {
-    return toRecord(coveringGrid(toModel(arrays), size, static_cast<CoverShape>(shape)));
-  });
-}
-
-ProposalRecord propose(const ModelArrays& arrays, const ProposalOptions& options) {
-  return answered<ProposalRecord>([&] { return toRecord(proposeSizes(toModel(arrays), options)); });
-}
-
-GridRecord meshAsGrid(const Float64Array& points, const Uint32Array& tetrahedra,
-                      const Float64Array& sizes) {
-  return answered<GridRecord>([&] {
-    VolumeMesh mesh;
-    mesh.points = copyIn<double>(points);
-    mesh.tetrahedra = copyIn<std::uint32_t>(tetrahedra);
-    return toRecord(gridFromMesh(mesh, copyIn<double>(sizes)));
-  });
-}
+using Cover = Stepwise<ModelCoverer, GridRecord>;
+using Proposal = Stepwise<SizeProposer, ProposalRecord>;
+using MeshGrid = Stepwise<MeshGridder, GridRecord>;
 
 /// What the engine holds of the machine's memory; it never gives any back.
 double memoryBytes() { return static_cast<double>(emscripten_get_heap_size()); }
@@ -295,6 +269,29 @@ Preview* previewModel(const ModelArrays& arrays, const Options& options) {
       .release();
 }
 
+Cover* cover(const ModelArrays& arrays, double size, std::uint32_t shape) {
+  return std::make_unique<Cover>([&arrays] { return toModel(arrays); }, [size] { return size; },
+                                 [shape] { return static_cast<CoverShape>(shape); })
+      .release();
+}
+
+Proposal* propose(const ModelArrays& arrays, const ProposalOptions& options) {
+  return std::make_unique<Proposal>([&arrays] { return toModel(arrays); },
+                                    [&options] { return options; })
+      .release();
+}
+
+MeshGrid* meshAsGrid(const Float64Array& points, const Uint32Array& tetrahedra,
+                     const Float64Array& sizes) {
+  const auto mesh = [&] {
+    VolumeMesh copy;
+    copy.points = copyIn<double>(points);
+    copy.tetrahedra = copyIn<std::uint32_t>(tetrahedra);
+    return copy;
+  };
+  return std::make_unique<MeshGrid>(mesh, copiedIn<double>(sizes)).release();
+}
+
 template <class Tool>
 void registerStepwise(const char* name) {
   emscripten::class_<Tool>(name)
@@ -317,7 +314,6 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   register_type<Uint8Array>("Uint8Array");
   register_type<DiagnosticRecords>("DiagnosticRecord[]");
   register_type<PatchSummaries>("PatchSummary[]");
-  register_type<Text>("string");
 
   value_object<GridArrays>("GridArrays")
       .field("nodes", &GridArrays::nodes)
@@ -381,8 +377,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("points", &GridRecord::points)
       .field("sizes", &GridRecord::sizes)
       .field("tetrahedra", &GridRecord::tetrahedra)
-      .field("overhang", &GridRecord::overhang)
-      .field("failure", &GridRecord::failure);
+      .field("overhang", &GridRecord::overhang);
   value_object<ProposalOptions>("ProposalOptions")
       .field("uniform", &ProposalOptions::uniform)
       .field("smallest", &ProposalOptions::smallest)
@@ -392,8 +387,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<ProposalRecord>("ProposalRecord")
       .field("size", &ProposalRecord::size)
       .field("sourceTypes", &ProposalRecord::sourceTypes)
-      .field("sourceValues", &ProposalRecord::sourceValues)
-      .field("failure", &ProposalRecord::failure);
+      .field("sourceValues", &ProposalRecord::sourceValues);
   value_object<StatisticsRecord>("StatisticsRecord")
       .field("regions", &StatisticsRecord::regions)
       .field("bins", &StatisticsRecord::bins)
@@ -518,6 +512,9 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   registerStepwise<Repair>("Repair");
   registerStepwise<Refinement>("Refinement");
   registerStepwise<Preview>("Preview");
+  registerStepwise<Cover>("Cover");
+  registerStepwise<Proposal>("Proposal");
+  registerStepwise<MeshGrid>("MeshGrid");
 
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
@@ -526,8 +523,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   function("repairSurface", &border::repairSurface, allow_raw_pointers());
   function("refineSurface", &refineSurface, allow_raw_pointers());
   function("previewModel", &border::previewModel, allow_raw_pointers());
-  function("cover", &cover);
-  function("propose", &propose);
-  function("meshAsGrid", &meshAsGrid);
+  function("cover", &cover, allow_raw_pointers());
+  function("propose", &propose, allow_raw_pointers());
+  function("meshAsGrid", &meshAsGrid, allow_raw_pointers());
   function("memoryBytes", &memoryBytes);
 }

@@ -39,8 +39,6 @@ struct DiagnosticRecord {
 /// A JavaScript array of DiagnosticRecord, and one of PatchSummary.
 EMSCRIPTEN_DECLARE_VAL_TYPE(DiagnosticRecords)
 EMSCRIPTEN_DECLARE_VAL_TYPE(PatchSummaries)
-/// A JavaScript string; std::string as a field would be declared as anything string-like.
-EMSCRIPTEN_DECLARE_VAL_TYPE(Text)
 
 struct SurfaceArrays {
   Float64Array points = copyOut(std::vector<double>{});
@@ -93,14 +91,12 @@ struct GridRecord {
   Float64Array sizes = points;
   Uint32Array tetrahedra = copyOut(std::vector<std::uint32_t>{});
   double overhang = 0.0;
-  Text failure{emscripten::val("")};
 };
 
 struct ProposalRecord {
   double size = 0.0;
   Uint8Array sourceTypes = copyOut(std::vector<std::uint8_t>{});
   Float64Array sourceValues = copyOut(std::vector<double>{});
-  Text failure{emscripten::val("")};
 };
 
 inline DiagnosticRecord toRecord(const Diagnostic& diagnostic) {

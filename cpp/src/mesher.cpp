@@ -125,6 +125,7 @@ class MeshRun::Impl {
  private:
   struct InputCheck {
     std::optional<InputExaminer> ofModel;
+    std::optional<BackgroundGridCheck> ofGrid;  ///< with a given surface
   };
   // Done in one step each.
   struct Estimate {};
@@ -178,9 +179,13 @@ class MeshRun::Impl {
       field_ = std::move(found.field);
       worker_.emplace<SurfaceMesher>(*model_, *field_);
     } else {
-      report(checkOptions(options_));
-      if (anyError(diagnostics_)) return fail();
-      report(checkWantedSizes(grid_, options_));
+      if (!check.ofGrid) {
+        report(checkOptions(options_));
+        if (anyError(diagnostics_)) return fail();
+        check.ofGrid = checkOfWantedSizes(grid_, options_);
+      }
+      if (!check.ofGrid->advance(budget)) return;
+      report(check.ofGrid->take());
       worker_.emplace<BoundaryCheck>(surface_, BoundarySource::kGivenSurface, options_.enclosed,
                                      MixedTurns::kRefuse);
     }

@@ -21,9 +21,14 @@ export function dropOrphans() {
 
 /** The schema of project files as JSON Schema (draft 2020-12), for editors and other programs. */
 export async function writeProjectSchema() {
-  const z = await import("zod/mini");
+  const { toJsonSchema } = await import("@valibot/to-json-schema");
   const { projectSchema } = await import(pathToFileURL(inRoot("wasm", "dist", "project-schema.js")).href);
-  const schema = z.toJSONSchema(projectSchema, { io: "input" });
+  const schema = toJsonSchema(projectSchema, {
+    target: "draft-2020-12",
+    typeMode: "input",
+    // JSON has no other numbers, and knows nothing of references.
+    ignoreActions: ["finite", "raw_check", "readonly"],
+  });
   writeFileSync(inRoot("wasm", "dist", "project.schema.json"), `${JSON.stringify(schema, undefined, 2)}\n`);
 }
 

@@ -57,6 +57,33 @@ TEST(Sort, IsStableForRecordsOfAllSizes) {
   expectAsTheLibrarySorts<sorting::kLargestRecord / 4>(sort);
 }
 
+TEST(Sort, SlicesDoTheirShareAndNoMore) {
+  for (const std::uint32_t keys : {1U, 5U, 1U << 30U}) {
+    for (const std::size_t budget : {1U, 50U, 100'000U}) {
+      auto sorted = records<3>(5000, keys, 3);
+      auto expected = sorted;
+      std::size_t comparisons = 0;
+      const auto byKey = [&comparisons](const Record<3>& a, const Record<3>& b) {
+        ++comparisons;
+        return a.words[0] < b.words[0];
+      };
+      SlicedSort sort(std::span<Record<3>>{sorted}, byKey);
+      std::size_t slices = 1;
+      for (bool isDone = false; !isDone; ++slices) {
+        comparisons = 0;
+        isDone = sort.advance(budget);
+        ASSERT_LE(comparisons, 8 * budget + 64);
+      }
+      std::stable_sort(expected.begin(), expected.end(), byKey);
+      for (std::size_t i = 0; i < sorted.size(); ++i)
+        ASSERT_EQ(sorted[i].words, expected[i].words) << "slices of " << budget;
+      if (keys > 5) {
+        EXPECT_GT(slices * budget, 5 * sorted.size());
+      }
+    }
+  }
+}
+
 TEST(Sort, FewAreSortedAsMany) {
   const auto sort = [](auto& range, const auto& less) { sortFew(range, less); };
   expectAsTheLibrarySorts<2>(sort);

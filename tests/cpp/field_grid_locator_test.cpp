@@ -108,6 +108,34 @@ TEST(GridLocatorTest, SizeFieldCoversWhatTheGridCovers) {
   EXPECT_FALSE(field.covers(Vec3(0.2, 0.7, 1.1), hint));
 }
 
+/// In many calls, each of which comes to few tetrahedra; then it is the locator that is built at once.
+TEST(GridLocatorTest, IsBuiltInSlices) {
+  for (const double stretching : {1.0, 4.0}) {
+    BackgroundGrid grid = cubeGrid(6);
+    for (std::size_t i = 0; i < grid.nodes.size(); ++i) {
+      grid.nodes[i].stretching = stretching;
+      if (i % 5 == 0) grid.nodes[i].size *= 0.1;
+    }
+    constexpr double kGrowth = 0.3;
+    const GridLocator whole(grid, kGrowth);
+    GridLocatorBuilder builder(grid, kGrowth);
+    std::size_t slices = 1;
+    while (!builder.advance(1)) ++slices;
+    EXPECT_GT(slices, 2 * grid.tetrahedra.size());
+    const GridLocator sliced = builder.take();
+    Random random(407);
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 place = Vec3(0.5) + random.inBox(0.7);
+      const GridLocator::Location here = sliced.locate(place, 0);
+      const GridLocator::Location there = whole.locate(place, 0);
+      ASSERT_EQ(here.tetrahedron, there.tetrahedron);
+      ASSERT_EQ(here.weights, there.weights);
+      ASSERT_EQ(sliced.sizeAt(here), whole.sizeAt(there));
+      ASSERT_EQ(sliced.tensorAt(here).xx, whole.tensorAt(there).xx);
+    }
+  }
+}
+
 // ---- checkBackgroundGrid ---------------------------------------------------------------------
 
 std::vector<DiagnosticCode> codesOf(const BackgroundGrid& grid) {
@@ -127,6 +155,30 @@ TEST(BackgroundGridCheckTest, RefusesAnEmptyGrid) {
   BackgroundGrid nodesOnly = cubeGrid(1);
   nodesOnly.tetrahedra.clear();
   EXPECT_EQ(codesOf(nodesOnly), std::vector{DiagnosticCode::kEmptyBackgroundGrid});
+}
+
+TEST(BackgroundGridCheckTest, FindsTheSameInSlices) {
+  BackgroundGrid grid = cubeGrid(5);
+  grid.nodes[9].size = -1.0;
+  grid.tetrahedra[70] = {7000, 7001, 7002, 7003};
+  grid.tetrahedra[200] = grid.tetrahedra[3];
+  grid.tetrahedra[300] = grid.tetrahedra[70];
+  BackgroundGridCheck check(grid);
+  std::size_t slices = 1;
+  while (!check.advance(1)) ++slices;
+  EXPECT_GT(slices, grid.tetrahedra.size() / 4);
+  const std::vector<Diagnostic> sliced = check.take();
+  const std::vector<Diagnostic> whole = checkBackgroundGrid(grid);
+  ASSERT_EQ(codesOf(grid),
+            (std::vector{DiagnosticCode::kBadSize, DiagnosticCode::kIndexOutOfRange,
+                         DiagnosticCode::kIndexOutOfRange, DiagnosticCode::kDuplicateTriangle,
+                         DiagnosticCode::kDuplicateTriangle}));
+  ASSERT_EQ(sliced.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    EXPECT_EQ(sliced[i].code, whole[i].code);
+    EXPECT_EQ(sliced[i].entities.at(0).index, whole[i].entities.at(0).index);
+    EXPECT_EQ(sliced[i].values, whole[i].values);
+  }
 }
 
 TEST(BackgroundGridCheckTest, NamesTheNodeAndItsValue) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
+#include "support/slices.h"
 #include "support/tet_grids.h"
 #include "surface/boundary.h"
 #include "tetrafront/mesher.h"
@@ -85,6 +87,26 @@ TEST(CoveringGridTest, GoesAroundWhatBulges) {
   EXPECT_TRUE(coveringGrid(Model{}, 0.0, CoverShape::kBox).tetrahedra.empty());
 }
 
+bool operator==(const BackgroundGrid& a, const BackgroundGrid& b) {
+  const auto alike = [](const BackgroundNode& left, const BackgroundNode& right) {
+    return left.position == right.position && left.size == right.size;
+  };
+  return std::ranges::equal(a.nodes, b.nodes, alike) && a.tetrahedra == b.tetrahedra &&
+         a.overhang == b.overhang;
+}
+
+TEST(CoveringGridTest, InSlicesOfOnePatchIsTheSame) {
+  const Model tube = seamedTube(1.0, 2.0);
+  ModelCoverer coverer(tube, 0.0, CoverShape::kBox);
+  const std::size_t slices = slicesOf(coverer, 1);
+  // Each patch is looked at twice, by itself and for its samples.
+  EXPECT_GE(slices, 2 * tube.patches.size());
+  EXPECT_TRUE(coverer.result() == coveringGrid(tube, 0.0, CoverShape::kBox));
+  ModelCoverer nothing(Model{}, 0.0, CoverShape::kBox);
+  slicesOf(nothing, 1);
+  EXPECT_TRUE(nothing.result().tetrahedra.empty());
+}
+
 TEST(CoveringGridTest, MeshesLikeAUniformSize) {
   const Model box = boxModel(Vec3(0.0), Vec3(1.0));
   MeshOptions uniform;
@@ -121,6 +143,17 @@ TEST(GridFromMeshTest, TakesGivenSizesAndDropsUnusedNodes) {
     EXPECT_EQ(grid.nodes[i].position.x, mesh.points[3 * i + 3]);
   }
   EXPECT_TRUE(checkBackgroundGrid(grid).empty());
+}
+
+TEST(GridFromMeshTest, InSlicesIsTheSame) {
+  const VolumeMesh mesh = cubeOfTetrahedra(3);
+  const std::size_t elements = mesh.tetrahedra.size() / 4;
+  const std::size_t nodes = mesh.points.size() / 3;
+  for (const std::vector<double>& sizes : {std::vector<double>{}, std::vector(nodes, 0.5)}) {
+    MeshGridder gridder(mesh, sizes);
+    EXPECT_EQ(slicesOf(gridder, 10), (2 * elements + nodes + 9) / 10);
+    EXPECT_TRUE(gridder.result() == gridFromMesh(mesh, sizes));
+  }
 }
 
 TEST(GridFromMeshTest, ARefillOfTheSameModelHasAboutTheSameCount) {

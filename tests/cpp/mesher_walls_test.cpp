@@ -332,7 +332,7 @@ TEST(MeshWalls, ACancelledRunHasTheRestInItsFront) {
   const SurfaceMesh surface = testing::dividedBox({2, 2, 2}, 3);
   MeshRun run(surface.points, surface.triangles, MeshOptions{});
   bool wasPartial = false;
-  for (int slice = 0; slice < 400 && run.advance(20) == MeshStatus::kRunning; ++slice) {
+  for (int slice = 0; slice < 600 && run.advance(20) == MeshStatus::kRunning; ++slice) {
     if (run.progress().phase != Phase::kVolume) continue;
     const VolumeMesh mesh = run.volume();
     if (mesh.points.empty()) continue;

@@ -11,6 +11,7 @@
 
 #include "field/size_sources.h"
 #include "support/models.h"
+#include "support/slices.h"
 #include "tetrafront/grid_tools.h"
 
 namespace tetrafront::testing {
@@ -176,6 +177,26 @@ TEST(SizeProposalTest, KeepsToTheLimitsGiven) {
     EXPECT_LT(source.size, 0.1);
     EXPECT_EQ(source.growth, 0.7);
   }
+}
+
+TEST(SizeProposalTest, InSlicesIsTheSame) {
+  const auto equal = [](const SizeSource& a, const SizeSource& b) {
+    return a.type == b.type && a.points == b.points && a.size == b.size && a.growth == b.growth;
+  };
+  for (const bool looksAround : {true, false}) {
+    ProposalOptions options;
+    if (!looksAround) options.elementsPerCircle = options.elementsPerGap = 0.0;
+    const Model tube = seamedTube(0.25, 4.0);
+    SizeProposer proposer(tube, options);
+    EXPECT_GT(slicesOf(proposer, 8), 2 * tube.patches.size() + 4);
+    const SizeProposal whole = proposeSizes(tube, options);
+    EXPECT_EQ(whole.sources.empty(), !looksAround);
+    EXPECT_EQ(proposer.result().size, whole.size);
+    EXPECT_TRUE(std::ranges::equal(proposer.result().sources, whole.sources, equal));
+  }
+  SizeProposer nothing(Model{}, {});
+  slicesOf(nothing, 8);
+  EXPECT_EQ(nothing.result().size, 0.0);
 }
 
 TEST(SizeProposalTest, AModelMeshesWithItsProposal) {

@@ -8,6 +8,7 @@
 
 #include "support/random.h"
 #include "support/shapes.h"
+#include "surface/weld.h"
 #include "tetrafront/surface_tools.h"
 
 namespace tetrafront::testing {
@@ -49,6 +50,22 @@ void removeTriangles(SurfaceMesh& mesh, std::vector<std::size_t> which) {
   for (const std::size_t t : which) {
     const auto first = mesh.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(t);
     mesh.triangles.erase(first, first + 3);
+  }
+}
+
+/// Sorting included; and the slices do not matter.
+TEST(NodeWelder, WorksInSlices) {
+  const SurfaceMesh soup = soupOf(geodesicSphere(5), 1e-7);
+  const std::size_t nodes = soup.points.size() / 3;
+  for (const double distance : {0.0, 1e-6, 0.2}) {
+    NodeWelder whole(soup.points, distance);
+    while (!whole.advance(1U << 20U)) {
+    }
+    NodeWelder sliced(soup.points, distance);
+    std::size_t slices = 1;
+    while (!sliced.advance(1)) ++slices;
+    EXPECT_GT(slices, 2 * nodes);
+    EXPECT_EQ(sliced.targets(), whole.targets());
   }
 }
 

@@ -52,7 +52,7 @@ function unpack(tarball: string, folder: string): void {
   rmSync(path.join(folder, "node_modules"), { recursive: true, force: true });
   mkdirSync(target, { recursive: true });
   execFileSync("tar", ["xzf", tarball, "--strip-components=1", "-C", target]);
-  for (const name of ["cli-progress", "commander", "fflate", "tinyglobby", "zod"]) link(name, folder);
+  for (const name of ["cli-progress", "commander", "fflate", "tinyglobby", "valibot"]) link(name, folder);
 }
 
 function link(name: string, folder: string): void {

@@ -2,7 +2,7 @@
 import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./cli-input.js";
-import { asBadInput, asEngineFailure, BadInput, ExitCode, say, tell } from "./cli-messages.js";
+import { asBadInput, asEngineFailure, BadInput, countOf, ExitCode, say, tell } from "./cli-messages.js";
 import {
   refuseRepair,
   repaired,
@@ -11,7 +11,7 @@ import {
   type RepairCommandOptions,
 } from "./cli-repair.js";
 import { meshLines, otherWay, readingLines, surfaceLines } from "./cli-tables.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { invalidOption, packageDiagnostic } from "./package-diagnostic.js";
 import type { FileMesh } from "./formats/file-mesh.js";
 import { listed } from "./formats/groups.js";
 import { inSteps } from "./formats/steps.js";
@@ -57,7 +57,7 @@ const TOLD_PER_CODE = 50;
 export async function checkFile(input: string, options: CheckCommandOptions): Promise<number> {
   const findings = await findingsIn(input, options);
   const { diagnostics } = findings;
-  const errors = diagnostics.filter(({ severity }) => severity === "error").length;
+  const errors = countOf(diagnostics, "error");
   const isQuiet = options.quiet === true;
   if (options.json === true) {
     const { subject: _, isEngine: __, ...told } = { subject: "", isEngine: false, ...findings };
@@ -140,7 +140,7 @@ function notes(mesh: FileMesh): Diagnostic[] {
 function refuseOption(option: string, value: string | undefined, meantFor: string, what: string): void {
   if (value === undefined) return;
   const message = `${option} is for ${meantFor}, and this is ${what}`;
-  refuseOptions([packageDiagnostic("invalid-option", message, "Leave it out.")]);
+  refuseOptions([invalidOption(option, message, "Leave it out.")]);
 }
 
 const NONE = new Uint32Array();
@@ -172,7 +172,7 @@ function faultsOf(
 /** "2 errors, 1 warning", or "no problems". */
 function counted(diagnostics: readonly Diagnostic[]): string {
   const parts = (["error", "warning"] as const).flatMap((severity) => {
-    const count = diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
+    const count = countOf(diagnostics, severity);
     return count === 0 ? [] : [plural(count, severity)];
   });
   return parts.length === 0 ? "no problems" : parts.join(", ");

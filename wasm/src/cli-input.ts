@@ -14,6 +14,7 @@ import { readMesh, readSurface, readVolume, type ReadFileOptions } from "./forma
 import type { SurfaceFile } from "./formats/surface-file.js";
 import type { VolumeFile } from "./formats/volume-file.js";
 import { backgroundArrays } from "./grid-arrays.js";
+import { packageDiagnostic } from "./package-diagnostic.js";
 import { volumeBackground } from "./formats/volume-background.js";
 import { readProject } from "./project.js";
 import type { Project } from "./project-schema.js";
@@ -101,11 +102,20 @@ export async function readProjectFile(input: string, from?: string): Promise<Pro
   return valueOf(input, readProject(new TextDecoder().decode(await readInput(input))));
 }
 
+const withoutSizes = packageDiagnostic(
+  "unreadable-input",
+  "the project tells no sizes: it has neither a background grid nor sources",
+  "Give one that has, or a volume mesh; `tetrafront cover` and `tetrafront propose` make sizes for a project.",
+);
+
 export async function readGrid(file: string): Promise<GridInput> {
   const known = [PROJECT_EXTENSION, ...extensionsThat("reads", "volume")];
   const extension = await checkedExtension(file, file, known);
   if (extension === PROJECT_EXTENSION) {
     const { background } = await readProjectFile(file);
+    if (background.tetrahedra.length === 0 && (background.sources ?? []).length === 0) {
+      throw new BadInput(file, [withoutSizes]);
+    }
     return { kind: "project", background: backgroundArrays(background) };
   }
   return {

@@ -21,7 +21,7 @@ import {
   tellChanges,
   type RepairCommandOptions,
 } from "./cli-repair.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { invalidOption } from "./package-diagnostic.js";
 import { fileMeshOf } from "./formats/file-mesh.js";
 import { writeMesh } from "./formats/mesh-files.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
@@ -110,14 +110,14 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
 
-const refinedProject = packageDiagnostic(
-  "invalid-option",
+const refinedProject = invalidOption(
+  "--refine-surface",
   "--refine-surface is for surfaces, and this is a project",
   "Leave it out: patches are meshed to the sizes wanted.",
 );
 
-const gradedProject = packageDiagnostic(
-  "invalid-option",
+const gradedProject = invalidOption(
+  "--grading",
   "--grading is for surfaces, and this is a project",
   "Leave it out: sizes grow as the project's grid, or its sources, say.",
 );
@@ -226,7 +226,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
   const wrong = checkOptions(meshOptions);
   if (options.size !== undefined && options.background !== undefined) {
     const message = "both --size and --background are given";
-    wrong.push(packageDiagnostic("invalid-option", message, "Give one of them."));
+    wrong.push(invalidOption("--background", message, "Give one of them."));
   }
   refuseOptions(wrong);
   return meshOptions;
@@ -246,9 +246,7 @@ function sourceIn(text: string, index: number): ProjectSource {
   const [x, y, z, size, distance, growth] = numbers;
   if (numbers.length > 6 || x === undefined || y === undefined || z === undefined || size === undefined) {
     const remedy = "Give x,y,z,size, then a distance and a growth if need be: --source 0,0,1,0.05,0.2";
-    throw new BadInput("command line", [
-      packageDiagnostic("invalid-option", `the source is "${text}"`, remedy),
-    ]);
+    throw new BadInput("command line", [invalidOption("--source", `the source is "${text}"`, remedy)]);
   }
   return { id: index + 1, type: "point", places: [[x, y, z]], size, distance, growth };
 }

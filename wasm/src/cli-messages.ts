@@ -1,6 +1,6 @@
 /** What the command line says, and how its commands end. */
 import { FileProblem } from "./cli-files.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { packageDiagnostic, readDiagnostic } from "./package-diagnostic.js";
 import { MesherError } from "./mesher-error.js";
 import type { ReadProblem } from "./read-result.js";
 import type { Diagnostic } from "./types.js";
@@ -50,13 +50,11 @@ export function toldFailure(failure: unknown, input: string): number {
 }
 
 /** `readAs`: the name of the file that was given; a problem of another beside it names that. */
-export function unreadable(
-  { code, message, remedy, line, fileName }: ReadProblem,
-  readAs?: string,
-): Diagnostic {
+export function unreadable(problem: ReadProblem, readAs?: string): Diagnostic {
+  const { message, line, fileName } = problem;
   const other = fileName === undefined || readAs === undefined || fileName === readAs ? "" : `${fileName}: `;
   const place = line === undefined || message.startsWith("line ") ? "" : `line ${line}: `;
-  return packageDiagnostic(code, `${other}${place}${message}`, remedy);
+  return readDiagnostic({ ...problem, message: `${other}${place}${message}` });
 }
 
 /** Of one code no more than these are told: more of the same teach nothing and hide the others. */
@@ -71,14 +69,36 @@ interface TellOptions {
 /** One line per diagnostic, those of one code together, in the order in which codes first appear. */
 export function tell(subject: string, diagnostics: readonly Diagnostic[], options: TellOptions): void {
   const { isQuiet, perCode = TOLD_PER_CODE } = options;
+  const told = diagnostics.filter(({ severity }) => !isQuiet || severity === "error");
+  for (const group of byKind(told)) tellGroup(subject, group, perCode);
+}
+
+/** Those of one severity and code together, in the order in which these first appear. */
+function byKind(diagnostics: readonly Diagnostic[]): Iterable<readonly Diagnostic[]> {
   const groups = new Map<string, Diagnostic[]>();
   for (const diagnostic of diagnostics) {
-    const { severity, code } = diagnostic;
-    if (isQuiet && severity !== "error") continue;
-    const key = `${severity} ${code}`;
-    groups.set(key, [...(groups.get(key) ?? []), diagnostic]);
+    const key = `${diagnostic.severity} ${diagnostic.code}`;
+    const group = groups.get(key);
+    if (group === undefined) groups.set(key, [diagnostic]);
+    else group.push(diagnostic);
   }
-  for (const group of groups.values()) tellGroup(subject, group, perCode);
+  return groups.values();
+}
+
+/** Of one kind no more are told one by one, and the first of them says how many there are. */
+const LISTED_OF_A_KIND = 1000;
+
+/** How many findings of this severity there are, with those that are not told one by one. */
+export function countOf(diagnostics: readonly Diagnostic[], wanted: Diagnostic["severity"]): number {
+  const found = diagnostics.filter(({ severity }) => severity === wanted);
+  return [...byKind(found)].reduce((sum, group) => sum + allOfAKind(group), 0);
+}
+
+/** How many findings of one kind there are in all, of which these are told one by one. */
+function allOfAKind(group: readonly Diagnostic[]): number {
+  const [first] = group;
+  const isAll = first === undefined || group.length < LISTED_OF_A_KIND || !("count" in first.data);
+  return isAll ? group.length : Math.max(group.length, first.data.count ?? 0);
 }
 
 /** What has neither name nor place and reads the same but for its numbers is one line with a count. */
@@ -94,7 +114,7 @@ function tellGroup(subject: string, group: readonly Diagnostic[], perCode: numbe
     if (known === undefined) lines.set(key, { line, count: 1 });
     else known.count++;
   }
-  let rest = group.length;
+  let rest = allOfAKind(group);
   for (const { line, count } of [...lines.values()].slice(0, perCode)) {
     say(count === 1 ? line : `${line} (and ${count - 1} more like it)`);
     rest -= count;

@@ -5,7 +5,7 @@ import { placeText } from "./cli-tables.js";
 import type { SurfaceFile } from "./formats/surface-file.js";
 import type { RepairChange, RepairOptions } from "./inspection.js";
 import { checkRepairOptions } from "./options.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { invalidOption } from "./package-diagnostic.js";
 import { plural } from "./plural.js";
 import { repairedSurface } from "./repaired-surface.js";
 import type { EnclosedBodies, Mesher } from "./types.js";
@@ -42,7 +42,7 @@ export function refuseRepair(options: RepairOptions | undefined, what: string): 
   if (options === undefined) return;
   const message = `repairs are for surfaces, and this is ${what}`;
   const remedy = "Leave --repair, --weld and --fill-holes out.";
-  refuseOptions([packageDiagnostic("invalid-option", message, remedy)]);
+  refuseOptions([invalidOption("--repair", message, remedy)]);
 }
 
 export async function repaired(

@@ -37,7 +37,7 @@ import { numberIn } from "./cli-input.js";
 import { meshFile, type MeshCommandOptions } from "./cli-mesh.js";
 import { BadInput, ExitCode, toldFailure } from "./cli-messages.js";
 import { checkApart, inputFiles, outputFiles } from "./cli-places.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { invalidOption } from "./package-diagnostic.js";
 import {
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
@@ -208,11 +208,7 @@ function jsonOf({ stdout }: TaskResult): string[] {
 function jobsOf(text: string | undefined): number {
   const jobs = text === undefined ? availableParallelism() : numberIn(text);
   if (Number.isInteger(jobs) && Number(jobs) >= 1) return Number(jobs);
-  const wrong = packageDiagnostic(
-    "invalid-option",
-    `the number of jobs is "${text}"`,
-    "Give a whole number from 1.",
-  );
+  const wrong = invalidOption("--jobs", `the number of jobs is "${text}"`, "Give a whole number from 1.");
   throw new BadInput("command line", [wrong]);
 }
 

@@ -49,6 +49,9 @@ export const ENGINE_CODES = {
   61: "verification-failed",
 } as const;
 
+/** The options that `bad-option` is about, by the engine's numbers. */
+export const ENGINE_OPTIONS = ["size", "growth", "gradation"] as const;
+
 /** What the engine finds. */
 export type EngineCode = (typeof ENGINE_CODES)[keyof typeof ENGINE_CODES];
 

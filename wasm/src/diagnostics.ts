@@ -3,7 +3,8 @@
  * the numbers, and what to do about it.
  */
 import { aFunction, aNumber, arrayOf, checkArgument, objectOf } from "./argument-checks.js";
-import { engineCodeName, type EngineCode } from "./diagnostic-codes.js";
+import { ENGINE_OPTIONS, engineCodeName, type EngineCode } from "./diagnostic-codes.js";
+import { ENGINE_DATA } from "./diagnostic-data.js";
 import { capitalised } from "./package-diagnostic.js";
 import { plural } from "./plural.js";
 import type { EntityNamer } from "./project-arrays.js";
@@ -60,9 +61,6 @@ interface Sentence {
   readonly message: (subject: Subject) => string;
   readonly remedy: string | ((subject: Subject) => string);
 }
-
-/** The engine's numbers of options in `bad-option`. */
-const OPTION_NAMES = ["size", "growth", "gradation"] as const;
 
 const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"];
 
@@ -146,7 +144,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Draw the line through points on the patch, the more the stronger it is curved.",
   },
   "bad-option": {
-    message: ({ value }) => `The ${OPTION_NAMES[Number(value(0))] ?? "option"} is ${value(1)}`,
+    message: ({ value }) => `The ${ENGINE_OPTIONS[Number(value(0))] ?? "option"} is ${value(1)}`,
     remedy:
       "Give a size above 0 and up to 1e30, a growth from 0 to 10, and a gradation of 0, or above 1 and up to 10.",
   },
@@ -231,7 +229,7 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: ({ drawn }) =>
       drawn
         ? "Add the patch that is missing there, or let its neighbour use the same line. A wall must end at lines of other patches all round."
-        : "Close the gap in the surface; at least two triangles must meet at every edge.",
+        : "Close the gap in the surface; at least two triangles must meet at every edge. A repair joins points that are nearly in one place (--weld, or repairSurface), and fills holes (--fill-holes).",
   },
   "dangling-sheet": {
     message: ({ all, at }) =>
@@ -359,15 +357,29 @@ export function describeDiagnostic(raw: EngineDiagnostic, name: EntityNamer): Di
   const subject = subjectOf(raw, entities);
   const { message, remedy } = SENTENCES[code];
   const [x, y, z] = raw.place;
-  return {
+  const diagnostic = {
     code,
     severity: SEVERITIES[raw.severity] ?? "error",
     message: capitalised(withCounting(message(subject), entities)),
     remedy: typeof remedy === "string" ? remedy : remedy(subject),
     entities,
     ...(x !== undefined && y !== undefined && z !== undefined ? { place: [x, y, z] as const } : {}),
-    values: [...raw.values],
+    data: dataOf(code, raw.values),
   };
+  // That the names are those of the type is what their table is checked for.
+  return diagnostic as Diagnostic;
+}
+
+/** The engine's numbers by their names. */
+function dataOf(code: EngineCode, values: Float64Array): object {
+  const data: Record<string, unknown> = {};
+  ENGINE_DATA[code]?.forEach((name, i) => {
+    const value = values[i];
+    if (value === undefined) return;
+    if (name === "option") data[name] = ENGINE_OPTIONS[value];
+    else data[name] = name.startsWith("is") ? value === 1 : value;
+  });
+  return data;
 }
 
 /** Where something is named by its position, the first such name tells how positions are counted. */

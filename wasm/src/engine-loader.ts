@@ -1,8 +1,11 @@
 /** Loads the compiled engine, once per worker. The only file that names the compiled module. */
 import createEngine, {
+  type Cover,
   type Inspection,
   type MainModule,
+  type MeshGrid,
   type Preview,
+  type Proposal,
   type Refinement,
   type Repair,
   type Run,
@@ -13,7 +16,8 @@ import type { CompiledEngine } from "./protocol.js";
 export type Engine = MainModule;
 export type EngineRun = Run;
 /** What works in slices and has one result. */
-export type EngineTool = Inspection | Preview | Refinement | Repair | VolumeInspection;
+export type EngineTool =
+  Cover | Inspection | MeshGrid | Preview | Proposal | Refinement | Repair | VolumeInspection;
 
 /** Fetches the file and compiles it; rejects with words that name the file and why it is not to be had. */
 export type CompileEngine = (address: URL) => Promise<CompiledEngine>;

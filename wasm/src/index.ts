@@ -4,6 +4,7 @@
  *     import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
  */
 export { ENGINE_CODES } from "./diagnostic-codes.js";
+export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadPlace } from "./diagnostic-data.js";
 export type { DiagnosticCode, EngineCode, ErrorCode, PackageCode } from "./diagnostic-codes.js";
 export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagnostics.js";
 export type { ByteSource } from "./formats/byte-source.js";
@@ -92,6 +93,7 @@ export type {
   BackgroundArrays,
   CoverOptions,
   Diagnostic,
+  DiagnosticOf,
   EdgeFigures,
   ElementFigures,
   EntityKind,

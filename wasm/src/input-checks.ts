@@ -1,6 +1,6 @@
 /** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
 import { isArrayOf, isDetached, shown } from "./argument-checks.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { invalidOption, packageDiagnostic, readDiagnostic } from "./package-diagnostic.js";
 import { plural } from "./plural.js";
 import { parseProject } from "./project.js";
 import { sourceProblem } from "./project-schema.js";
@@ -25,7 +25,7 @@ const SOURCES_WANTED = "Give sources as a project has them: id, type, places and
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = parseProject(project);
   if (parsed.success) return [];
-  return parsed.problems.map(({ message, remedy }) => packageDiagnostic("invalid-project", message, remedy));
+  return parsed.problems.map((problem) => readDiagnostic({ ...problem, code: "invalid-project" }));
 }
 
 export function checkControl(control: RunControl): Diagnostic[] {
@@ -38,7 +38,7 @@ export function checkControl(control: RunControl): Diagnostic[] {
     (typeof addEventListener === "function" && typeof removeEventListener === "function");
   if (typeof given === "object" && given !== null && isWatched && isSignal) return [];
   const remedy = "Give an object with a function onProgress, an AbortSignal signal, both or neither.";
-  return [packageDiagnostic("invalid-option", "the control of the call is not what it should be", remedy)];
+  return [invalidOption("control", "the control of the call is not what it should be", remedy)];
 }
 
 export function checkSurface(surface: SurfaceInput): Diagnostic[] {
@@ -76,7 +76,7 @@ export function checkWeld({ points }: SurfaceInput, weld: number | false | undef
   // Without a place there is nothing to be across.
   if (!(extent >= 0 && Number(weld) > 0 && Number(weld) >= extent)) return [];
   const message = `the weld distance is ${weld}, and the whole surface is ${extent} across`;
-  return [packageDiagnostic("invalid-option", message, "Give less than its shortest edges.")];
+  return [invalidOption("weld", message, "Give less than its shortest edges.")];
 }
 
 /** Views of buffers that were transferred are as good as none. */

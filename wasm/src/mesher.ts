@@ -52,7 +52,7 @@ import {
   type ModelArrays,
 } from "./project-arrays.js";
 import type { Project, ProjectBackground } from "./project-schema.js";
-import type { Answers, EngineResult, Question, Request, SlicedKind } from "./protocol.js";
+import type { Answers, EngineResult, Question, Request } from "./protocol.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { surfaceNamer } from "./surface-numbers.js";
 import { buffersOf } from "./transfer.js";
@@ -77,8 +77,8 @@ import type {
   VolumeMesh,
 } from "./types.js";
 
-/** Time for the worker to say that it stops; then it is ended by force, within the promised 100 ms. */
-const CANCEL_GRACE_MS = 75;
+/** Time for the worker to say that it stops; then it is ended by force, within the promised half second. */
+const CANCEL_GRACE_MS = 450;
 /** Where this thread was busy itself, what the worker said in time is still to be heard. */
 const LAST_HEARING_MS = 5;
 
@@ -192,7 +192,7 @@ class WorkerMesher implements Mesher {
   async previewProject(
     project: Project,
     options: PreviewOptions = {},
-    control: AbortControl = {},
+    control: RunControl = {},
   ): Promise<ProjectPreview> {
     const unusable = checkPreviewOptions(options);
     const drawn = drawnArrays(project);
@@ -216,7 +216,7 @@ class WorkerMesher implements Mesher {
   async coverProject(
     project: Project,
     options: CoverOptions = {},
-    control: AbortControl = {},
+    control: RunControl = {},
   ): Promise<ProjectBackground> {
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
     const { size = 0, shape = DEFAULT_COVER_SHAPE } = options;
@@ -232,7 +232,7 @@ class WorkerMesher implements Mesher {
   async proposeSizes(
     project: Project,
     options: ProposalOptions = {},
-    control: AbortControl = {},
+    control: RunControl = {},
   ): Promise<SizeProposal> {
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
     const model = projectArrays(project);
@@ -245,7 +245,7 @@ class WorkerMesher implements Mesher {
   async meshAsBackground(
     mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
     options: { readonly sizes?: Float64Array | undefined } = {},
-    control: AbortControl = {},
+    control: RunControl = {},
   ): Promise<BackgroundArrays> {
     refuse(checkGridOptions(options));
     const { sizes } = options;
@@ -373,18 +373,13 @@ class WorkerMesher implements Mesher {
     }
   }
 
-  /** Nobody waits for the answer any more. A worker that works on nothing else is freed from it. */
+  /** Nobody waits for the answer any more. */
   #abandon(id: number, reason: unknown): void {
     const open = this.#questions.get(id);
     if (open === undefined) return;
     this.#questions.delete(id);
     open.reject(reason);
     this.#worker.post({ kind: "cancel", id }, []);
-    const isIdle = this.#active === undefined && this.#questions.size === 0;
-    if (isIdle && !isSliced(open.question) && this.#settleReady === undefined) {
-      this.#worker.terminate();
-      this.#worker = this.#startWorker();
-    }
     this.#updateKeepAlive();
   }
 
@@ -557,19 +552,6 @@ function tellProgress(waiting: Waiting, progress: Progress, onFailure: (failure:
   } catch (failure) {
     fail(failure);
   }
-}
-
-const SLICED: Readonly<Record<SlicedKind, true>> = {
-  preview: true,
-  "inspect-surface": true,
-  "repair-surface": true,
-  "refine-surface": true,
-  "inspect-mesh": true,
-};
-
-/** Hears a cancel while it is answered. */
-function isSliced({ kind }: Question): boolean {
-  return kind in SLICED;
 }
 
 /** A preview shows drawings that are not finished: only what is no project at all is refused. */

@@ -1,7 +1,7 @@
 /** The options as the engine takes them, or what is wrong with them. */
 import { shown } from "./argument-checks.js";
 import { LIMITS } from "./limits.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { invalidOption } from "./package-diagnostic.js";
 import { checkBackground } from "./input-checks.js";
 import type { RepairOptions } from "./inspection.js";
 import type { Project } from "./project-schema.js";
@@ -164,7 +164,7 @@ function checkWithBackground<Options extends PreviewOptions>(
   if (background === undefined) return wrong;
   if (rest.size !== undefined && !hasSourcesOnly(background)) {
     const message = "both an element size and a background grid are given";
-    wrong.push(invalidOption(message, "Give one of them: one size, or the grid's."));
+    wrong.push(invalidOption("background", message, "Give one of them: one size, or the grid's."));
   }
   return [...wrong, ...checkBackground(background)];
 }
@@ -174,7 +174,7 @@ export function checkRefineOptions(options: RefineOptions): Diagnostic[] {
   const wrong = checkWithBackground(options, REFINE_RULES);
   if (wrong.length > 0 || options.size !== undefined || options.background !== undefined) return wrong;
   const message = "no sizes are given to refine the surface by";
-  return [invalidOption(message, "Give an element size, sources of size or a background grid.")];
+  return [invalidOption("size", message, "Give an element size, sources of size or a background grid.")];
 }
 
 export function checkPreviewOptions(options: PreviewOptions): Diagnostic[] {
@@ -222,20 +222,22 @@ function checkAgainst<Options>(
   alsoKnown: readonly string[] = [],
 ): Diagnostic[] {
   if (typeof given !== "object" || given === null) {
-    return [invalidOption(`the options are ${shown(given)}`, "Give an object, or leave them out.")];
+    return [
+      invalidOption("options", `the options are ${shown(given)}`, "Give an object, or leave them out."),
+    ];
   }
   const wrong: Diagnostic[] = [];
   for (const [name, value] of Object.entries(values as object)) {
     if (!Object.hasOwn(rules, name)) {
       const known = [...Object.keys(rules), ...alsoKnown].join(", ");
       wrong.push(
-        invalidOption(`there is no option "${name}"`, `Correct its name: the options are ${known}.`),
+        invalidOption(name, `there is no option "${name}"`, `Correct its name: the options are ${known}.`),
       );
     } else if (value !== undefined) {
       const [words, rule] = rules[name as keyof Options];
       const wanted = rule(value);
       if (wanted !== undefined)
-        wrong.push(invalidOption(`the ${words} is ${shown(value)}`, `Give ${wanted}.`));
+        wrong.push(invalidOption(name, `the ${words} is ${shown(value)}`, `Give ${wanted}.`));
     }
   }
   return wrong;
@@ -249,10 +251,6 @@ export function hasSourcesOnly(background: BackgroundArrays): boolean {
 
 function asRecord(value: unknown): object {
   return typeof value === "object" && value !== null ? value : {};
-}
-
-function invalidOption(message: string, remedy: string): Diagnostic {
-  return packageDiagnostic("invalid-option", message, remedy);
 }
 
 /** Options that passed the check; a size of 0 stands for none. */

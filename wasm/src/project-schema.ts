@@ -1,10 +1,10 @@
 /**
- * The project file (docs/FORMAT.md): one zod schema, and the types inferred from it. It settles the
+ * The project file (docs/FORMAT.md): one schema, and the types inferred from it. It settles the
  * structure: which keys, finite numbers no larger than the engine takes, unique ids, references that exist. Whether the
  * geometry makes sense (a size above zero, a loop that closes, a planar patch that is plane) is the engine's to say,
  * for a drawing that is still unfinished must be loadable.
  */
-import * as z from "zod/mini";
+import * as v from "valibot";
 
 import { shown } from "./argument-checks.js";
 import { LIMITS } from "./limits.js";
@@ -15,136 +15,197 @@ export const PROJECT_FORMAT = "tetrafront-project";
 /** Of the project file; readers take older ones too. */
 export const PROJECT_VERSION = 1;
 
-/** What is wrong with a value, of all that these schemas can find. For each check by itself: zod's settings are the page's. */
-export function wordsFor(issue: z.core.$ZodRawIssue): string {
-  switch (issue.code) {
-    case "invalid_type":
-      return `expected ${String(issue.expected)}, received ${shown(issue.input)}`;
-    case "invalid_value":
-      return `expected ${issue.values.length > 1 ? "one of " : ""}${issue.values.map(shown).join(", ")}`;
-    case "too_small":
-      return `expected ${issue.inclusive === true ? "at least" : "more than"} ${issue.minimum}${ITEMS[issue.origin] ?? ""}`;
-    case "too_big":
-      return `expected at most ${issue.maximum}${ITEMS[issue.origin] ?? ""}`;
-    case "unrecognized_keys":
-      return `there is no key ${issue.keys.map(shown).join(", ")}`;
+/** Something wrong in a value, and where: `points[0].at[2]`. */
+export interface SchemaProblem {
+  readonly path: string;
+  readonly message: string;
+}
+
+/**
+ * What a value is by a schema, or what is wrong with it (of keys that an object has no place for, the first), whatever
+ * the page has set up for its own schemas.
+ */
+function parsedBy<const Schema extends v.GenericSchema>(
+  schema: Schema,
+  value: unknown,
+): { readonly value: v.InferOutput<Schema> } | { readonly problems: readonly SchemaProblem[] } {
+  const parsed = v.safeParse(schema, value, { abortEarly: false, abortPipeEarly: true });
+  return parsed.success ? { value: parsed.output } : { problems: parsed.issues.map(problemOf) };
+}
+
+function problemOf(issue: v.BaseIssue<unknown>): SchemaProblem {
+  const keys = issue.path?.map(({ key }) => key) ?? [];
+  // What is too much is told of that which has it.
+  const surplus = issue.expected === "never" ? keys.pop() : undefined;
+  return {
+    path: pathText(keys),
+    message: surplus === undefined ? wordsFor(issue) : wordsForSurplus(surplus),
+  };
+}
+
+function wordsForSurplus(key: unknown): string {
+  return typeof key === "number" ? `expected at most ${key}${ITEMS}` : `there is no key ${shown(key)}`;
+}
+
+function wordsFor({ kind, type, input, expected, requirement, message }: v.BaseIssue<unknown>): string {
+  if (kind === "schema" && input === undefined) return "it is missing";
+  switch (type) {
+    case "raw_check":
+      return message;
+    case "safe_integer":
+      return `expected a whole number, received ${shown(input)}`;
+    case "gt_value":
+      return `expected more than ${shown(requirement)}`;
+    case "min_value":
+      return `expected at least ${shown(requirement)}`;
+    case "max_value":
+      return `expected at most ${shown(requirement)}`;
+    case "min_length":
+      return `expected at least ${shown(requirement)}${ITEMS}`;
+    case "max_length":
+      return `expected at most ${shown(requirement)}${ITEMS}`;
+    case "picklist":
+      return `expected one of ${expected?.slice(1, -1).replaceAll(" | ", ", ")}`;
     default:
-      return "expected something else";
+      return `expected ${NAMES[type] ?? expected}, received ${shown(input)}`;
   }
 }
 
-const ITEMS: Readonly<Record<string, string>> = { array: " items" };
+const ITEMS = " items";
+const NAMES: Readonly<Record<string, string>> = {
+  array: "a list",
+  finite: "a finite number",
+  number: "a number",
+  strict_object: "an object",
+  strict_tuple: "a list",
+  string: "a string",
+};
 
-/** Says in the JSON Schema what a field means. */
-function described<Schema extends z.ZodMiniType>(description: string, schema: Schema): Schema {
-  z.globalRegistry.add(schema, { description });
-  return schema;
+/** `["points", 0, "at", 2]` as `points[0].at[2]`. */
+function pathText(path: readonly unknown[]): string {
+  return path
+    .map((step) => (typeof step === "number" ? `[${step}]` : `.${String(step)}`))
+    .join("")
+    .replace(/^\./, "");
 }
 
-const listOf = <Item extends z.ZodMiniType>(item: Item) => z.readonly(z.array(item));
+/** Says in the JSON Schema what a field means. */
+const described = <Schema extends v.GenericSchema>(description: string, schema: Schema) =>
+  v.pipe(schema, v.description(description));
 
+const listOf = <Item extends v.GenericSchema>(item: Item) => v.pipe(v.array(item), v.readonly());
+
+const number = v.pipe(v.number(), v.finite());
 /** What the engine would refuse without a word of the field. */
-const upTo = (most: number) => z.number().check(z.maximum(most));
+const upTo = (most: number) => v.pipe(number, v.maxValue(most));
+const integer = v.pipe(v.number(), v.safeInteger());
 
-const id = described(WORDS.id, z.int().check(z.positive()));
-const reference = z.int().check(z.positive());
-const name = described(WORDS.name, z.optional(z.string()));
-const triple = described(WORDS.place, z.readonly(z.tuple([z.number(), z.number(), z.number()])));
+const reference = v.pipe(integer, v.gtValue(0));
+const id = described(WORDS.id, reference);
+const name = v.optional(described(WORDS.name, v.string()));
+const threeNumbers = v.pipe(v.strictTuple([number, number, number]), v.readonly());
+const triple = described(WORDS.place, threeNumbers);
 
-const pointSchema = z.readonly(z.strictObject({ id, name, at: triple }));
+const pointSchema = v.pipe(v.strictObject({ id, name, at: triple }), v.readonly());
 
-const lineSchema = z.readonly(
-  z.strictObject({
+const lineSchema = v.pipe(
+  v.strictObject({
     id,
     name,
-    type: z.enum(["straight", "parabolic", "spline"]),
-    points: described(WORDS.linePoints, z.readonly(z.array(reference).check(z.minLength(2)))),
+    type: v.picklist(["straight", "parabolic", "spline"]),
+    points: described(WORDS.linePoints, v.pipe(v.array(reference), v.minLength(2), v.readonly())),
   }),
+  v.readonly(),
 );
 
-const loopSchema = described(WORDS.loop, z.readonly(z.array(z.int()).check(z.minLength(1))));
+const loopSchema = described(WORDS.loop, v.pipe(v.array(integer), v.minLength(1), v.readonly()));
 
-const patchSchema = z.readonly(
-  z.strictObject({
+const patchSchema = v.pipe(
+  v.strictObject({
     id,
     name,
     type: described(
       WORDS.patchType,
-      z.enum(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"]),
+      v.picklist(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"]),
     ),
-    loops: described(WORDS.loops, z.readonly(z.array(loopSchema).check(z.minLength(1)))),
+    loops: described(WORDS.loops, v.pipe(v.array(loopSchema), v.minLength(1), v.readonly())),
   }),
+  v.readonly(),
 );
 
-const backgroundNodeSchema = z.readonly(
-  z.strictObject({
+const backgroundNodeSchema = v.pipe(
+  v.strictObject({
     id,
     at: triple,
     size: described(WORDS.nodeSize, upTo(LIMITS.length)),
-    stretching: described(WORDS.stretching, z.optional(upTo(LIMITS.stretching))),
-    direction: described(
-      WORDS.direction,
-      z.optional(z.readonly(z.tuple([z.number(), z.number(), z.number()]))),
-    ),
+    stretching: v.optional(described(WORDS.stretching, upTo(LIMITS.stretching))),
+    direction: v.optional(described(WORDS.direction, threeNumbers)),
   }),
+  v.readonly(),
 );
 
-const sourceSchema = z.readonly(
-  z.strictObject({
+const sourceSchema = v.pipe(
+  v.strictObject({
     id,
     name,
-    type: z.enum(["point", "segment", "triangle"]),
-    places: described(WORDS.places, z.readonly(z.array(triple).check(z.minLength(1), z.maxLength(3)))),
+    type: v.picklist(["point", "segment", "triangle"]),
+    places: described(WORDS.places, v.pipe(v.array(triple), v.minLength(1), v.maxLength(3), v.readonly())),
     size: described(WORDS.sourceSize, upTo(LIMITS.length)),
-    distance: described(WORDS.distance, z.optional(upTo(LIMITS.length))),
-    growth: described(WORDS.growth, z.optional(upTo(LIMITS.growth))),
+    distance: v.optional(described(WORDS.distance, upTo(LIMITS.length))),
+    growth: v.optional(described(WORDS.growth, upTo(LIMITS.growth))),
   }),
+  v.readonly(),
 );
 
-const backgroundSchema = z.readonly(
-  z.strictObject({
+const backgroundSchema = v.pipe(
+  v.strictObject({
     nodes: listOf(backgroundNodeSchema),
     tetrahedra: described(
       WORDS.tetrahedra,
-      listOf(z.readonly(z.tuple([z.int(), z.int(), z.int(), z.int()]))),
+      listOf(v.pipe(v.strictTuple([integer, integer, integer, integer]), v.readonly())),
     ),
-    sources: described(WORDS.sources, z.optional(listOf(sourceSchema))),
-    overhang: described(WORDS.overhang, z.optional(z.number().check(z.minimum(0)))),
+    sources: v.optional(described(WORDS.sources, listOf(sourceSchema))),
+    overhang: v.optional(described(WORDS.overhang, v.pipe(number, v.minValue(0)))),
   }),
+  v.readonly(),
 );
 
-const meshingSchema = z.readonly(
-  z.strictObject({
-    size: described(WORDS.size, z.optional(upTo(LIMITS.length))),
-    gradation: described(WORDS.gradation, z.optional(upTo(LIMITS.gradation))),
-    enclosed: described(WORDS.enclosed, z.optional(z.enum(["cavities", "regions"]))),
-    order: described(WORDS.order, z.optional(z.enum(["layered", "smallest-first"]))),
-    optimization: described(WORDS.optimization, z.optional(z.enum(["none", "fast", "default", "strive"]))),
+const meshingSchema = v.pipe(
+  v.strictObject({
+    size: v.optional(described(WORDS.size, upTo(LIMITS.length))),
+    gradation: v.optional(described(WORDS.gradation, upTo(LIMITS.gradation))),
+    enclosed: v.optional(described(WORDS.enclosed, v.picklist(["cavities", "regions"]))),
+    order: v.optional(described(WORDS.order, v.picklist(["layered", "smallest-first"]))),
+    optimization: v.optional(
+      described(WORDS.optimization, v.picklist(["none", "fast", "default", "strive"])),
+    ),
   }),
+  v.readonly(),
 );
 
-const documentSchema = z.readonly(
-  z.strictObject({
-    $schema: described(WORDS.schema, z.optional(z.string())),
-    format: z.literal(PROJECT_FORMAT),
-    version: z.literal(PROJECT_VERSION),
-    name: z.string(),
-    description: z.optional(z.string()),
-    units: described(WORDS.units, z.optional(z.string())),
-    meshing: described(WORDS.meshing, z.optional(meshingSchema)),
+const documentSchema = v.pipe(
+  v.strictObject({
+    $schema: v.optional(described(WORDS.schema, v.string())),
+    format: v.literal(PROJECT_FORMAT),
+    version: v.literal(PROJECT_VERSION),
+    name: v.string(),
+    description: v.optional(v.string()),
+    units: v.optional(described(WORDS.units, v.string())),
+    meshing: v.optional(described(WORDS.meshing, meshingSchema)),
     points: listOf(pointSchema),
     lines: listOf(lineSchema),
     patches: listOf(patchSchema),
-    background: described(WORDS.background, z._default(backgroundSchema, { nodes: [], tetrahedra: [] })),
+    background: v.optional(described(WORDS.background, backgroundSchema), { nodes: [], tetrahedra: [] }),
   }),
+  v.readonly(),
 );
 
-type Document = z.infer<typeof documentSchema>;
+type Document = v.InferOutput<typeof documentSchema>;
 type Path = (string | number)[];
 type Report = (path: Path, message: string) => void;
 
 /** Corners of a source of each type. */
-const PLACES: Readonly<Record<z.infer<typeof sourceSchema>["type"], number>> = {
+const PLACES: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], number>> = {
   point: 1,
   segment: 2,
   triangle: 3,
@@ -175,28 +236,17 @@ export function checkReferences(project: Document, report: Report): void {
   checkSources(project.background.sources ?? [], report);
 }
 
-/** The library freezes even what it refuses, and typed arrays cannot be frozen: undefined, then. */
-export function parsedSafely<T>(parse: () => T): T | undefined {
-  try {
-    return parse();
-  } catch (failure) {
-    if (failure instanceof TypeError) return undefined;
-    throw failure;
-  }
-}
-export const HOLDS_ARRAYS = "it holds typed arrays, as no project does";
-
 /** What is wrong with a value that should be a list of sources, in a sentence; undefined if nothing. */
 export function sourceProblem(sources: unknown): string | undefined {
-  const parsed = parsedSafely(() => z.array(sourceSchema).safeParse(sources, { error: wordsFor }));
-  if (parsed === undefined) return HOLDS_ARRAYS;
-  const problems =
-    parsed.error?.issues.map(({ path, message }) => `sources[${path.join("].")}: ${message}`) ?? [];
-  if (parsed.success) checkSources(parsed.data, (_, message) => problems.push(message));
+  const parsed = parsedBy(v.array(sourceSchema), sources);
+  if ("problems" in parsed)
+    return parsed.problems.map(({ path, message }) => `sources${path}: ${message}`)[0];
+  const problems: string[] = [];
+  checkSources(parsed.value, (_, message) => problems.push(message));
   return problems[0];
 }
 
-function checkSources(sources: readonly z.infer<typeof sourceSchema>[], report: Report): void {
+function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], report: Report): void {
   uniqueIds(sources, ["background", "sources"], "source", report);
   sources.forEach(({ type, places }, s) => {
     const wanted = PLACES[type];
@@ -223,19 +273,34 @@ function uniqueIds(
   return seen;
 }
 
-/** The schema by which project files are checked, for those who check them themselves. */
-export const projectSchema = documentSchema.check(
-  z.superRefine<Document>((project, context) => {
-    checkReferences(project, (path, message) => context.addIssue({ code: "custom", path, message }));
+/** The schema (of the library Valibot) by which project files are checked, for those who check them themselves. */
+export const projectSchema = v.pipe(
+  documentSchema,
+  v.rawCheck(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const { value } = dataset;
+    checkReferences(value, (path, message) => addIssue({ message, path: pathItems(value, path) }));
   }),
+  v.title("Tetrafront project"),
+  v.description("Points, lines, patches and a background grid"),
 );
-z.globalRegistry.add(projectSchema, {
-  title: "Tetrafront project",
-  description: "Points, lines, patches and a background grid",
-});
+
+/** Keys from `input` on, with what is there. */
+function pathItems(input: unknown, keys: Path): [v.IssuePathItem, ...v.IssuePathItem[]] | undefined {
+  let at = input as Readonly<Record<PropertyKey, unknown>>;
+  const [first, ...rest] = keys.map((key): v.IssuePathItem => {
+    const item = { type: "unknown", origin: "value", input: at, key, value: at[key] } as const;
+    at = item.value as typeof at;
+    return item;
+  });
+  return first && [first, ...rest];
+}
+
+/** What a value is as a project, or what is wrong with it. */
+export const parsedProject = (value: unknown) => parsedBy(projectSchema, value);
 
 /** What the app draws and saves: points, lines, patches, sizes. */
-export type Project = z.infer<typeof projectSchema>;
+export type Project = v.InferOutput<typeof projectSchema>;
 /** A point and its place in model units. */
 export type ProjectPoint = Project["points"][number];
 /** A line and its points. */

@@ -1,16 +1,12 @@
 /** Reading and writing project files (docs/FORMAT.md). */
-import type * as z from "zod/mini";
-
 import { checkArgument, listOf, objectOf, orNothing } from "./argument-checks.js";
 import {
-  HOLDS_ARRAYS,
-  parsedSafely,
+  parsedProject,
   PROJECT_FORMAT,
   PROJECT_VERSION,
-  projectSchema,
-  wordsFor,
   type Project,
   type ProjectBackground,
+  type SchemaProblem,
 } from "./project-schema.js";
 import { refuse } from "./mesher-error.js";
 import { packageDiagnostic } from "./package-diagnostic.js";
@@ -26,13 +22,9 @@ const MAX_PROBLEMS = 20;
 export function parseProject(value: unknown): ReadResult<Project> {
   const headProblem = checkHead(value);
   if (headProblem !== undefined) return { success: false, problems: [headProblem] };
-  const parsed = parsedSafely(() => projectSchema.safeParse(value, { error: wordsFor }));
-  if (parsed === undefined) {
-    const remedy = "Give lists of numbers, as JSON has them.";
-    return { success: false, problems: [{ code: "invalid-project", message: HOLDS_ARRAYS, remedy }] };
-  }
-  if (parsed.success) return { success: true, value: parsed.data };
-  const [first, ...rest] = parsed.error.issues.slice(0, MAX_PROBLEMS).map(describeIssue);
+  const parsed = parsedProject(value);
+  if ("value" in parsed) return { success: true, value: parsed.value };
+  const [first, ...rest] = parsed.problems.slice(0, MAX_PROBLEMS).map(invalidProject);
   return { success: false, problems: [first ?? notAProject("it does not follow the schema"), ...rest] };
 }
 
@@ -146,20 +138,11 @@ function describeSyntaxError(text: string, failure: unknown): ReadProblem {
   };
 }
 
-function describeIssue(issue: z.core.$ZodIssue): ReadProblem {
-  const path = pathText(issue.path);
+function invalidProject({ path, message }: SchemaProblem): ReadProblem {
   return {
     code: "invalid-project",
-    message: path === "" ? issue.message : `${path}: ${issue.message}`,
-    remedy: "Correct the value there; docs/FORMAT.md describes every field.",
+    message: path === "" ? message : `${path}: ${message}`,
+    remedy: "Correct the value there; project.schema.json in the package describes every field.",
     path,
   };
-}
-
-/** `["points", 0, "at", 2]` as `points[0].at[2]`. */
-function pathText(path: readonly PropertyKey[]): string {
-  return path
-    .map((step) => (typeof step === "number" ? `[${step}]` : `.${String(step)}`))
-    .join("")
-    .replace(/^\./, "");
 }

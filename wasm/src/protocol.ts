@@ -55,7 +55,10 @@ export interface EngineRepairOptions {
   readonly enclosed: number;
 }
 
-/** Asked for at once and answered by one `answer` or `failure`, also while a run is under way. */
+/**
+ * Asked for at once and worked on in slices, also while a run is under way: any number of `progress`, then one `answer`
+ * or `failure`; a `cancel` ends it without one.
+ */
 export type Question =
   /** `options`: those to mesh with. */
   | {
@@ -120,9 +123,6 @@ export type Question =
       readonly regions: Uint32Array;
     };
 
-/** Worked on in slices: `progress` may come before the answer, and a `cancel` ends them without one. */
-export type SlicedKind = "preview" | "inspect-surface" | "repair-surface" | "refine-surface" | "inspect-mesh";
-
 /** Every request about work carries an id of its own; replies repeat it, late ones are dropped by it. */
 export type Request =
   /** The first of all, and sent once: load the engine, of this code or of what the worker fetches and compiles. */
@@ -145,7 +145,7 @@ export type Request =
       readonly options: EngineOptions;
     }
   | Question
-  /** About the run or the inspection of that id: a run answers by `stopping` and then its `result`, all else by nothing. */
+  /** About the run or the question of that id: a run answers by `stopping` and then its `result`, all else by nothing. */
   | { readonly kind: "cancel"; readonly id: number };
 
 /** A result before its diagnostics are put into words, which only the sender of the request can do. */

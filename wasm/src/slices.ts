@@ -58,14 +58,15 @@ export async function runInSlices(
   }
 }
 
-/** Inspects or repairs to the end; false where it was cancelled before. */
+/** Works on a question to the end; false where it was cancelled before. */
 export async function workInSlices(tool: EngineTool, control: SliceControl): Promise<boolean> {
   const began = performance.now();
   let reportedAt = began;
   for (;;) {
     const deadline = performance.now() + SLICE_MS;
-    let isFinished = false;
-    while (!isFinished && performance.now() < deadline) isFinished = tool.advance(BUDGET);
+    let isFinished: boolean;
+    do isFinished = tool.advance(BUDGET);
+    while (!isFinished && performance.now() < deadline);
     const now = performance.now();
     if (isFinished || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;

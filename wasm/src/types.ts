@@ -4,6 +4,7 @@
  */
 
 import type { DiagnosticCode } from "./diagnostic-codes.js";
+import type { DiagnosticData } from "./diagnostic-data.js";
 import type {
   MeshInspection,
   RepairOptions,
@@ -160,10 +161,10 @@ export type MeshStatus = "done" | "stalled" | "cancelled" | "invalid-input";
 /** The stages of a run in their order. */
 export type Phase = "check" | "sides" | "surface" | "volume" | "optimize" | "verify";
 
-/** Where a run or an inspection stands. */
+/** Where a run stands, or any other call; in all but runs the phase is `check`, and there are no counts. */
 export interface Progress {
   readonly phase: Phase;
-  /** Of the whole run, 0 to 1, estimated, never decreasing. */
+  /** Of the whole call, 0 to 1, estimated, never decreasing. */
   readonly fraction: number;
   readonly points: number;
   readonly triangles: number;
@@ -182,14 +183,14 @@ export interface RunControl {
    */
   readonly onProgress?: ((progress: Progress) => void) | undefined;
   /**
-   * Aborting ends `meshProject` and `fillSurface` within 100 ms with status `cancelled`. What exists is returned, unless
-   * the engine could not answer in that time; then the mesh is empty. All other calls have no result of that kind, and
+   * Aborting ends `meshProject` and `fillSurface` with status `cancelled`, as a rule within 100 ms, and what exists is
+   * returned. Where the engine does not answer within half a second it is ended by force, and the mesh is empty. All other calls have no result of that kind, and
    * are rejected with a `MesherError` of code `cancelled`.
    */
   readonly signal?: AbortSignal | undefined;
 }
 
-/** For calls that are answered at once. */
+/** How `createMesher` is stopped. */
 export interface AbortControl {
   /** Aborting rejects the call with a `MesherError` of code `cancelled`. */
   readonly signal?: AbortSignal | undefined;
@@ -231,10 +232,10 @@ export interface EntityRef {
 /** Only errors keep a model from being meshed. */
 export type Severity = "information" | "warning" | "error";
 
-/** One thing that is wrong, or worth knowing: what, where, and what to do. */
-export interface Diagnostic {
+/** A diagnostic of one code. */
+export interface DiagnosticOf<Code extends DiagnosticCode> {
   /** Stable machine name, e.g. `open-edge`. */
-  readonly code: DiagnosticCode;
+  readonly code: Code;
   readonly severity: Severity;
   /** One sentence: what is wrong, naming the entities and the place. */
   readonly message: string;
@@ -242,12 +243,16 @@ export interface Diagnostic {
   readonly remedy: string;
   readonly entities: readonly EntityRef[];
   readonly place?: readonly [number, number, number] | undefined;
-  /**
-   * The numbers of the sentence. For what is wrong with a surface, how many findings of the code there are in
-   * all comes last; for `self-intersection` a 1 follows where the search was ended early: there may be more.
-   */
-  readonly values: readonly number[];
+  /** The numbers of the sentence, by their names. */
+  readonly data: DiagnosticData[Code];
 }
+
+/**
+ * One thing that is wrong, or worth knowing: what, where, and what to do. Its `code` tells of what type its `data` are.
+ *
+ *     if (found.code === "too-many-elements") retry(Math.cbrt(found.data.expected / found.data.most));
+ */
+export type Diagnostic = { [Code in DiagnosticCode]: DiagnosticOf<Code> }[DiagnosticCode];
 
 /**
  * The boundary. Node i is at points[3i..3i+2] of the mesh; triangle t has the nodes
@@ -474,17 +479,17 @@ export interface Mesher {
    * between the slices of a run, so that editing goes on while a mesh is made. Options that make no
    * sense are among the diagnostics.
    */
-  previewProject(project: Project, options?: PreviewOptions, control?: AbortControl): Promise<ProjectPreview>;
+  previewProject(project: Project, options?: PreviewOptions, control?: RunControl): Promise<ProjectPreview>;
   /**
    * A background grid of one size around the points, lines and patches, which keeps the project's
    * sources. Answered as `previewProject`. Rejects with `invalid-input` where there is nothing to cover.
    */
-  coverProject(project: Project, options?: CoverOptions, control?: AbortControl): Promise<ProjectBackground>;
+  coverProject(project: Project, options?: CoverOptions, control?: RunControl): Promise<ProjectBackground>;
   /**
    * Sizes from the model's shape: a uniform one, and sources where lines and patches bend or come near
    * each other. A proposal, not a promise. Answered as `previewProject`.
    */
-  proposeSizes(project: Project, options?: ProposalOptions, control?: AbortControl): Promise<SizeProposal>;
+  proposeSizes(project: Project, options?: ProposalOptions, control?: RunControl): Promise<SizeProposal>;
   /**
    * A generated mesh as background grid: with one size per node, else with sizes from its own edges,
    * which ask for about as many elements as it has. Nodes of no tetrahedron are left out. Rejects with
@@ -493,7 +498,7 @@ export interface Mesher {
   meshAsBackground(
     mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
     options?: { readonly sizes?: Float64Array | undefined },
-    control?: AbortControl,
+    control?: RunControl,
   ): Promise<BackgroundArrays>;
   /**
    * Everything about a given surface, by the checks that filling begins with: whether it is closed,

@@ -2,15 +2,7 @@
 import { workerPort } from "#worker-port";
 
 import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./engine-loader.js";
-import type {
-  Answers,
-  CompiledEngine,
-  EngineResult,
-  FailureReason,
-  Question,
-  Request,
-  SlicedKind,
-} from "./protocol.js";
+import type { CompiledEngine, EngineResult, FailureReason, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { runInSlices, workInSlices, type SliceControl } from "./slices.js";
@@ -71,66 +63,53 @@ async function handle(engine: Engine, request: WorkRequest): Promise<void> {
         request.id,
         engine.fillSurface(request.points, request.triangles, request.grid, request.options),
       );
-    case "preview":
-      return work(request.id, engine.previewModel(request.model, request.options));
-    case "inspect-surface":
-      return work(request.id, engine.inspectSurface(request.points, request.triangles, request.enclosed));
-    case "repair-surface":
-      return work(request.id, engine.repairSurface(request.points, request.triangles, request.options));
-    case "refine-surface":
-      return work(
-        request.id,
-        engine.refineSurface(
-          request.points,
-          request.triangles,
-          request.grid,
-          request.options,
-          request.volume,
-        ),
-      );
-    case "inspect-mesh":
-      return work(request.id, engine.inspectMesh(request.points, request.tetrahedra, request.regions));
     default:
       return answer(engine, request);
   }
 }
 
-/** Of one call each, which hears nothing; those given up while they waited are not begun. */
-type QuickQuestion = Exclude<Question, { kind: SlicedKind }>;
-
-async function answer(engine: Engine, question: QuickQuestion): Promise<void> {
+/** A question given up while it waited is not begun. */
+async function answer(engine: Engine, question: Question): Promise<void> {
   const { id } = question;
   running.add(id);
   try {
     await workerPort.letRequestsIn();
-    if (!cancelled.has(id)) reply(id, answerTo(engine, question));
+    if (!cancelled.has(id)) await work(id, toolFor(engine, question));
   } finally {
     running.delete(id);
     cancelled.delete(id);
   }
 }
 
-type Answer = Answers[QuickQuestion["kind"]] & { readonly failure: string };
-
-function answerTo(engine: Engine, question: QuickQuestion): Answer {
+function toolFor(engine: Engine, question: Question): EngineTool | null {
   switch (question.kind) {
+    case "preview":
+      return engine.previewModel(question.model, question.options);
     case "cover":
       return engine.cover(question.model, question.size, question.shape);
     case "propose":
       return engine.propose(question.model, question.options);
     case "mesh-as-grid":
       return engine.meshAsGrid(question.points, question.tetrahedra, question.sizes);
+    case "inspect-surface":
+      return engine.inspectSurface(question.points, question.triangles, question.enclosed);
+    case "repair-surface":
+      return engine.repairSurface(question.points, question.triangles, question.options);
+    case "refine-surface":
+      return engine.refineSurface(
+        question.points,
+        question.triangles,
+        question.grid,
+        question.options,
+        question.volume,
+      );
+    case "inspect-mesh":
+      return engine.inspectMesh(question.points, question.tetrahedra, question.regions);
   }
-}
-
-function reply(id: number, { failure, ...answer }: Answer): void {
-  if (failure !== "") throw new EngineFailure(failure);
-  workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
 }
 
 async function work(id: number, tool: EngineTool | null): Promise<void> {
   if (tool === null) throw new EngineFailure("the engine gave no tool");
-  running.add(id);
   try {
     assertHealthy(tool);
     const isComplete = await workInSlices(tool, controlOf(id));
@@ -139,8 +118,6 @@ async function work(id: number, tool: EngineTool | null): Promise<void> {
     assertHealthy(tool);
     workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
   } finally {
-    running.delete(id);
-    cancelled.delete(id);
     tool.delete();
   }
 }

@@ -4,6 +4,7 @@
 /// from a model's shape. All of them give plain data, to be edited or used at once.
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -29,11 +30,55 @@ enum class CoverShape : std::uint8_t {
 /// `size` 0: a twentieth of the model's diagonal. Cost as of previewModel().
 [[nodiscard]] BackgroundGrid coveringGrid(const Model& model, double size, CoverShape shape);
 
+/// coveringGrid() in slices.
+class ModelCoverer {
+ public:
+  ModelCoverer(Model model, double size, CoverShape shape);
+  ModelCoverer(ModelCoverer&&) noexcept;
+  ModelCoverer& operator=(ModelCoverer&&) noexcept;
+  ~ModelCoverer();
+
+  /// Works on for about `budget` steps, to look at a patch being many; true when finished.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Complete once advance() has returned true.
+  [[nodiscard]] const BackgroundGrid& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
 /// A generated mesh as background grid (section 3). `sizes` holds one wanted size per node of the
 /// mesh; empty: sizes with which the mesh asks for about as many elements as it has, from the
-/// volumes of the elements at each node, averaged. Nodes without an element are left out. A mesh
+/// lengths of the edges at each node, averaged. Nodes without an element are left out. A mesh
 /// whose front was not closed covers only what it fills. O(mesh).
 [[nodiscard]] BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes);
+
+/// gridFromMesh() in slices.
+class MeshGridder {
+ public:
+  MeshGridder(VolumeMesh mesh, std::vector<double> sizes);
+  MeshGridder(MeshGridder&&) noexcept;
+  MeshGridder& operator=(MeshGridder&&) noexcept;
+  ~MeshGridder();
+
+  /// Works on for `budget` elements or nodes; true when finished.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Complete once advance() has returned true.
+  [[nodiscard]] const BackgroundGrid& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 /// What proposeSizes() looks at. Each of the last two is left out where 0.
 struct ProposalOptions {
@@ -54,5 +99,28 @@ struct SizeProposal {
 /// promise: finer detail than that is missed. Sources that smaller ones nearby make needless are
 /// left out. Milliseconds for the models people draw.
 [[nodiscard]] SizeProposal proposeSizes(const Model& model, const ProposalOptions& options);
+
+/// proposeSizes() in slices.
+class SizeProposer {
+ public:
+  SizeProposer(Model model, const ProposalOptions& options);
+  SizeProposer(SizeProposer&&) noexcept;
+  SizeProposer& operator=(SizeProposer&&) noexcept;
+  ~SizeProposer();
+
+  /// Works on for about `budget` steps, to look at a patch being many; true when finished. The tree of
+  /// all sampled triangles is built, and the proposals are sorted, in one step each.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Complete once advance() has returned true.
+  [[nodiscard]] const SizeProposal& result() const;
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace tetrafront

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 namespace tetrafront::sorting {
 namespace {
@@ -32,46 +33,98 @@ void insertEach(std::byte* first, std::byte* last, std::size_t size, const Befor
   }
 }
 
-/// Two runs, [first, middle) and [middle, last), into one at `to`.
-void mergeRuns(const std::byte* first, const std::byte* middle, const std::byte* last,
-               std::byte* to, std::size_t size, const Before& before) {
-  const std::byte* a = first;
-  const std::byte* b = middle;
-  if (b != last && before(b, b - size)) {
-    while (a != middle && b != last) {
-      const std::byte*& least = before(b, a) ? b : a;
-      copyRecord(to, least, size);
-      least += size;
-      to += size;
-    }
-  }
-  to = std::copy(a, middle, to);
-  std::copy(b, last, to);
-}
-
 }  // namespace
 
-void sortRecords(const Records& records, const Before& before) {
-  const std::size_t size = records.size;
-  const std::size_t bytes = records.count * size;
-  auto* const first = static_cast<std::byte*>(records.first);
-  for (std::size_t run = 0; run < bytes; run += kRun * size) {
-    insertEach(first + run, first + run + std::min(kRun * size, bytes - run), size, before);
+RecordSort::RecordSort(const Records& records)
+    : first_(static_cast<std::byte*>(records.first)),
+      size_(records.size),
+      bytes_(records.count * records.size) {}
+
+bool RecordSort::advance(std::size_t budget, const Before& before) {
+  if (isSorted_) return true;
+  const std::size_t run = kRun * size_;
+  while (inRuns_ < bytes_) {
+    if (budget == 0) return false;
+    const std::size_t end = inRuns_ + std::min(run, bytes_ - inRuns_);
+    insertEach(first_ + inRuns_, first_ + end, size_, before);
+    budget -= std::min(budget, kRun);
+    inRuns_ = end;
   }
-  if (records.count <= kRun) return;
-  const auto room = std::make_unique_for_overwrite<std::byte[]>(bytes);  // NOLINT(*-avoid-c-arrays)
-  std::byte* from = first;
-  std::byte* to = room.get();
-  for (std::size_t length = kRun * size; length < bytes; length *= 2) {
-    for (std::size_t at = 0; at < bytes;) {
-      const std::size_t middle = at + std::min(length, bytes - at);
-      const std::size_t last = middle + std::min(length, bytes - middle);
-      mergeRuns(from + at, from + middle, from + last, to + at, size, before);
-      at = last;
+  if (bytes_ > run && !mergeRuns(budget, before)) return false;
+  isSorted_ = true;
+  return true;
+}
+
+bool RecordSort::mergeRuns(std::size_t budget, const Before& before) {
+  if (!room_) {
+    room_ = std::make_unique_for_overwrite<std::byte[]>(bytes_);  // NOLINT(*-avoid-c-arrays)
+    from_ = first_;
+    to_ = room_.get();
+    length_ = kRun * size_;
+    beginMerge(0);
+  }
+  while (length_ < bytes_) {
+    if (budget == 0) return false;
+    merge(budget, before);
+  }
+  if (from_ != first_) std::copy(from_, from_ + bytes_, first_);
+  room_.reset();
+  return true;
+}
+
+/// Of the two runs there.
+void RecordSort::beginMerge(std::size_t at) {
+  const std::size_t middle = at + std::min(length_, bytes_ - at);
+  a_ = from_ + at;
+  middle_ = from_ + middle;
+  b_ = middle_;
+  last_ = middle_ + std::min(length_, bytes_ - middle);
+  out_ = to_ + at;
+}
+
+void RecordSort::merge(std::size_t& budget, const Before& before) {
+  // In order already where it is so at the seam.
+  if (b_ != last_ && (b_ != middle_ || before(b_, b_ - size_))) {
+    // Kept apart from the members, which bytes that are written might be.
+    const std::byte* a = a_;
+    const std::byte* b = b_;
+    std::byte* out = out_;
+    const std::size_t size = size_;
+    std::size_t left = budget;
+    for (; left > 0 && a != middle_ && b != last_; --left) {
+      const std::byte*& least = before(b, a) ? b : a;
+      copyRecord(out, least, size);
+      least += size;
+      out += size;
     }
-    std::swap(from, to);
+    a_ = a;
+    b_ = b;
+    out_ = out;
+    budget = left;
+    if (a_ != middle_ && b_ != last_) return;
   }
-  if (from != first) std::copy(from, from + bytes, first);
+  // What is only copied costs little, yet something.
+  constexpr std::size_t kCopiesPerStep = 8;
+  const auto copied = static_cast<std::size_t>((middle_ - a_) + (last_ - b_)) / size_;
+  budget -= std::min(budget, copied / kCopiesPerStep + 1);
+  out_ = std::copy(a_, middle_, out_);
+  out_ = std::copy(b_, last_, out_);
+  endMerge();
+}
+
+/// Goes on to the next two runs, or to runs twice as long.
+void RecordSort::endMerge() {
+  const auto at = static_cast<std::size_t>(out_ - to_);
+  if (at < bytes_) return beginMerge(at);
+  std::swap(from_, to_);
+  length_ *= 2;
+  beginMerge(0);
+}
+
+void sortRecords(const Records& records, const Before& before) {
+  RecordSort sort(records);
+  while (!sort.advance(records.count, before)) {
+  }
 }
 
 }  // namespace tetrafront::sorting

@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <functional>
 #include <iterator>
+#include <memory>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -34,6 +36,38 @@ struct Before {
 };
 
 /// Merges runs that grow from a few records on. O(n log n), and O(n) where they are in order already.
+class RecordSort {
+ public:
+  /// The records must stay where they are, and as they are, until they are sorted.
+  explicit RecordSort(const Records& records);
+
+  /// Goes on for about `budget` records, each of which is come to log n times; true when finished. Runs
+  /// in order are copied at once.
+  bool advance(std::size_t budget, const Before& before);
+
+ private:
+  bool mergeRuns(std::size_t budget, const Before& before);
+  void beginMerge(std::size_t at);
+  void merge(std::size_t& budget, const Before& before);
+  void endMerge();
+
+  std::byte* first_;
+  std::size_t size_;
+  std::size_t bytes_;
+  bool isSorted_ = false;
+  std::size_t inRuns_ = 0;             ///< bytes in sorted runs of a few records
+  std::unique_ptr<std::byte[]> room_;  // NOLINT(*-avoid-c-arrays)
+  std::byte* from_ = nullptr;
+  std::byte* to_ = nullptr;
+  std::size_t length_ = 0;        ///< of the runs that are merged
+  const std::byte* a_ = nullptr;  ///< the rest of one run, up to middle_
+  const std::byte* b_ = nullptr;  ///< the rest of the next one, up to last_
+  const std::byte* middle_ = nullptr;
+  const std::byte* last_ = nullptr;
+  std::byte* out_ = nullptr;
+};
+
+/// All at once.
 void sortRecords(const Records& records, const Before& before);
 
 /// May be moved as bytes. Pairs may, although their assignment is no trivial one.
@@ -55,6 +89,30 @@ void stableSort(Range&& range, const Less& less = {}) {
   };
   sorting::sortRecords({std::data(range), std::size(range), sizeof(T)}, {call, &less});
 }
+
+/// stableSort in slices.
+template <class T, class Less = std::less<>>
+class SlicedSort {
+ public:
+  /// The elements must stay where they are until they are sorted, and not change meanwhile.
+  explicit SlicedSort(std::span<T> elements, Less less = {})
+      : less_(std::move(less)), sort_({elements.data(), elements.size(), sizeof(T)}) {
+    static_assert(sorting::kIsPlain<T>);
+  }
+
+  /// Goes on for about `budget` elements, each of which is come to log n times; true when finished.
+  bool advance(std::size_t budget) {
+    const auto call = [](const void* order, const void* a, const void* b) -> bool {
+      return (*static_cast<const Less*>(order))(*static_cast<const T*>(a),
+                                                *static_cast<const T*>(b));
+    };
+    return sort_.advance(budget, {call, &less_});
+  }
+
+ private:
+  Less less_;
+  sorting::RecordSort sort_;
+};
 
 /// As stableSort, for ranges in hot loops that nearly always have a few elements only.
 template <class Range, class Less = std::less<>>

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
+#include <span>
+#include <utility>
 
-#include "field/grid_locator.h"
+#include "base/budget.h"
 #include "base/sort.h"
+#include "field/grid_locator.h"
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
@@ -21,23 +24,14 @@ constexpr double kFlatVolume = 1e-12;
 /// told from rounding, and no line would hold the sides.
 constexpr double kSmallestSize = 1e-12;
 
+/// To come to a tetrahedron costs far less than a step of the front.
+constexpr std::size_t kPerBudget = 8;
+
 Diagnostic about(DiagnosticCode code, EntityKind kind, std::uint32_t index) {
   Diagnostic diagnostic;
   diagnostic.code = code;
   diagnostic.entities = {{kind, index}};
   return diagnostic;
-}
-
-/// The smallest size that the grid may ask for.
-double smallestSize(const BackgroundGrid& grid) {
-  std::optional<Vec3> low;
-  Vec3 high(0.0);
-  for (const BackgroundNode& node : grid.nodes) {
-    if (!isFinite(node.position)) continue;
-    high = low ? glm::max(high, node.position) : node.position;
-    low = low ? glm::min(*low, node.position) : node.position;
-  }
-  return low ? kSmallestSize * glm::length(high - *low) : 0.0;
 }
 
 void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
@@ -102,18 +96,91 @@ void checkTetrahedron(const BackgroundGrid& grid, std::uint32_t t, std::vector<D
   found.back().place = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }
 
-/// Tetrahedra with the same four nodes overlap.
-void checkRepeated(const BackgroundGrid& grid, std::vector<Diagnostic>& found) {
-  struct Entry {
-    std::array<std::uint32_t, 4> nodes;
-    std::uint32_t tetrahedron;
-  };
-  std::vector<Entry> entries;
-  entries.reserve(grid.tetrahedra.size());
-  for (std::uint32_t t = 0; t < grid.tetrahedra.size(); ++t) {
-    entries.push_back({sorted(grid.tetrahedra[t]), t});
+}  // namespace
+
+bool BackgroundGridCheck::advance(std::uint32_t budget) {
+  if (stage_ == Stage::kDone) return true;
+  if (stage_ == Stage::kSources) checkSources();
+  const std::size_t last = next_ + std::min(scaledBudget(budget, kPerBudget), end_ - next_);
+  for (; next_ < last; ++next_) workOn(static_cast<std::uint32_t>(next_));
+  if (next_ == end_) endStage();
+  return stage_ == Stage::kDone;
+}
+
+void BackgroundGridCheck::checkSources() {
+  found_ = checkSizeSources(grid_->sources);
+  if (part_ == GridPart::kSources) {
+    stage_ = Stage::kRepeated;
+    return;
   }
-  stableSort(entries, [](const Entry& a, const Entry& b) {
+  if (!grid_->nodes.empty() && !grid_->tetrahedra.empty()) return;
+  found_.emplace_back();
+  found_.back().code = DiagnosticCode::kEmptyBackgroundGrid;
+  stage_ = Stage::kRepeated;
+}
+
+void BackgroundGridCheck::workOn(std::uint32_t i) {
+  switch (stage_) {
+    case Stage::kExtent:
+      return extend(grid_->nodes[i].position);
+    case Stage::kNodes:
+      return checkNode(grid_->nodes[i], i, smallest_, found_);
+    case Stage::kTetrahedra:
+      checkTetrahedron(*grid_, i, found_);
+      return entries_.count(listOf(sorted(grid_->tetrahedra[i])[0]));
+    case Stage::kPlace: {
+      const std::array nodes = sorted(grid_->tetrahedra[i]);
+      return entries_.add(listOf(nodes[0]), {nodes, i});
+    }
+    case Stage::kRepeated:
+      return checkRepeatedAt(i);
+    case Stage::kSources:
+    case Stage::kDone:
+      return;
+  }
+}
+
+void BackgroundGridCheck::endStage() {
+  next_ = 0;
+  end_ = grid_->nodes.size();
+  switch (stage_) {
+    case Stage::kExtent:
+      if (low_) smallest_ = kSmallestSize * glm::length(high_ - *low_);
+      break;
+    case Stage::kNodes:
+      for (std::uint32_t i = 0; i < grid_->sources.size(); ++i) {
+        checkSourceSize(grid_->sources[i], i, smallest_, found_);
+      }
+      entries_ = NodeLists<Entry>(grid_->nodes.size() + 1);
+      end_ = grid_->tetrahedra.size();
+      break;
+    case Stage::kTetrahedra:
+      entries_.endCounting();
+      end_ = grid_->tetrahedra.size();
+      break;
+    case Stage::kPlace:
+      end_ = grid_->nodes.size() + 1;
+      break;
+    case Stage::kRepeated:
+      entries_ = {};
+      break;
+    case Stage::kSources:
+    case Stage::kDone:
+      break;
+  }
+  stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
+}
+
+void BackgroundGridCheck::extend(const Vec3& place) {
+  if (!isFinite(place)) return;
+  high_ = low_ ? glm::max(high_, place) : place;
+  low_ = low_ ? glm::min(*low_, place) : place;
+}
+
+/// Tetrahedra with the same four nodes overlap.
+void BackgroundGridCheck::checkRepeatedAt(std::uint32_t node) {
+  const std::span<Entry> entries = entries_.at(node);
+  sortFew(entries, [](const Entry& a, const Entry& b) {
     return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
   });
   for (std::size_t i = 1; i < entries.size(); ++i) {
@@ -121,29 +188,15 @@ void checkRepeated(const BackgroundGrid& grid, std::vector<Diagnostic>& found) {
     Diagnostic repeated = about(DiagnosticCode::kDuplicateTriangle,
                                 EntityKind::kBackgroundTetrahedron, entries[i].tetrahedron);
     repeated.entities.push_back({EntityKind::kBackgroundTetrahedron, entries[i - 1].tetrahedron});
-    found.push_back(std::move(repeated));
+    found_.push_back(std::move(repeated));
   }
 }
 
-}  // namespace
-
 std::vector<Diagnostic> checkBackgroundGrid(const BackgroundGrid& grid) {
-  std::vector<Diagnostic> found = checkSizeSources(grid.sources);
-  if (grid.nodes.empty() || grid.tetrahedra.empty()) {
-    found.emplace_back();
-    found.back().code = DiagnosticCode::kEmptyBackgroundGrid;
-    return found;
+  BackgroundGridCheck check(grid);
+  while (!check.advance(std::numeric_limits<std::uint32_t>::max())) {
   }
-  const double smallest = smallestSize(grid);
-  for (std::uint32_t i = 0; i < grid.nodes.size(); ++i) {
-    checkNode(grid.nodes[i], i, smallest, found);
-  }
-  for (std::uint32_t i = 0; i < grid.sources.size(); ++i) {
-    checkSourceSize(grid.sources[i], i, smallest, found);
-  }
-  for (std::uint32_t t = 0; t < grid.tetrahedra.size(); ++t) checkTetrahedron(grid, t, found);
-  checkRepeated(grid, found);
-  return found;
+  return check.take();
 }
 
 }  // namespace tetrafront

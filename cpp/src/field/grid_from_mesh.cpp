@@ -1,6 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -25,50 +28,104 @@ Vec3 placeOf(const VolumeMesh& mesh, std::uint32_t node) {
   return {mesh.points[i], mesh.points[i + 1], mesh.points[i + 2]};
 }
 
-/// Per node, the mean length of the edges there, each counted once per element: those inside, with
-/// more elements around them, count more.
-std::vector<double> meanEdges(const VolumeMesh& mesh) {
-  std::vector<double> sums(mesh.points.size() / 3, 0.0);
-  std::vector<std::uint32_t> counts(sums.size(), 0);
-  for (std::size_t t = 0; t + 3 < mesh.tetrahedra.size(); t += 4) {
-    for (const auto& [i, j] : kEdges) {
-      const std::uint32_t a = mesh.tetrahedra[t + i];
-      const std::uint32_t b = mesh.tetrahedra[t + j];
-      const double length = glm::length(placeOf(mesh, a) - placeOf(mesh, b));
-      sums[a] += length;
-      sums[b] += length;
-      ++counts[a];
-      ++counts[b];
-    }
-  }
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    if (counts[i] > 0) sums[i] /= counts[i];
-  }
-  return sums;
-}
-
 }  // namespace
 
-BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes) {
-  const std::vector<double> edges = sizes.empty() ? meanEdges(mesh) : std::vector<double>{};
-  std::vector<std::uint32_t> numbers(mesh.points.size() / 3, kUnused);
-  for (const std::uint32_t node : mesh.tetrahedra) numbers[node] = 0;
-  BackgroundGrid grid;
-  grid.overhang = kOverhang;
-  for (std::uint32_t i = 0; i < numbers.size(); ++i) {
-    if (numbers[i] == kUnused) continue;
-    numbers[i] = static_cast<std::uint32_t>(grid.nodes.size());
+/// First the elements, for what their edges tell of the nodes; then the nodes that have any; then the
+/// elements again, which become the grid's.
+class MeshGridder::Impl {
+ public:
+  Impl(VolumeMesh mesh, std::vector<double> sizes)
+      : mesh_(std::move(mesh)),
+        sizes_(std::move(sizes)),
+        numbers_(mesh_.points.size() / 3, kUnused),
+        elements_(mesh_.tetrahedra.size() / 4) {
+    if (sizes_.empty()) {
+      edges_.assign(numbers_.size(), 0.0);
+      counts_.assign(numbers_.size(), 0);
+    }
+    grid_.overhang = kOverhang;
+    grid_.nodes.reserve(numbers_.size());
+    grid_.tetrahedra.reserve(elements_);
+  }
+
+  bool advance(std::uint32_t budget) {
+    const std::size_t last = next_ + std::min<std::size_t>(budget, steps() - next_);
+    for (; next_ < last; ++next_) step(next_);
+    return next_ == steps();
+  }
+  [[nodiscard]] double fraction() const {
+    return steps() == 0 ? 1.0 : static_cast<double>(next_) / static_cast<double>(steps());
+  }
+  [[nodiscard]] const BackgroundGrid& result() const { return grid_; }
+
+ private:
+  [[nodiscard]] std::size_t steps() const { return 2 * elements_ + numbers_.size(); }
+
+  void step(std::size_t number) {
+    if (number < elements_) return readElement(number);
+    const std::size_t after = number - elements_;
+    if (after < numbers_.size()) return addNode(static_cast<std::uint32_t>(after));
+    addElement(after - numbers_.size());
+  }
+
+  [[nodiscard]] std::uint32_t nodeOf(std::size_t element, std::size_t corner) const {
+    return mesh_.tetrahedra[4 * element + corner];
+  }
+
+  /// Edges count once per element: those inside, with more elements around them, count more.
+  void readElement(std::size_t element) {
+    for (std::size_t k = 0; k < 4; ++k) numbers_[nodeOf(element, k)] = 0;
+    if (!sizes_.empty()) return;
+    for (const auto& [i, j] : kEdges) {
+      const std::uint32_t a = nodeOf(element, i);
+      const std::uint32_t b = nodeOf(element, j);
+      const double length = glm::length(placeOf(mesh_, a) - placeOf(mesh_, b));
+      edges_[a] += length;
+      edges_[b] += length;
+      ++counts_[a];
+      ++counts_[b];
+    }
+  }
+
+  void addNode(std::uint32_t i) {
+    if (numbers_[i] == kUnused) return;
+    numbers_[i] = static_cast<std::uint32_t>(grid_.nodes.size());
     BackgroundNode node;
-    node.position = placeOf(mesh, i);
-    node.size = sizes.empty() ? kSizePerEdge * edges[i] : sizes[i];
-    grid.nodes.push_back(node);
+    node.position = placeOf(mesh_, i);
+    node.size = sizes_.empty() ? kSizePerEdge * (edges_[i] / counts_[i]) : sizes_[i];
+    grid_.nodes.push_back(node);
   }
-  grid.tetrahedra.reserve(mesh.tetrahedra.size() / 4);
-  for (std::size_t t = 0; t + 3 < mesh.tetrahedra.size(); t += 4) {
-    const auto n = [&](std::size_t i) { return numbers[mesh.tetrahedra[t + i]]; };
-    grid.tetrahedra.push_back({n(0), n(1), n(2), n(3)});
+
+  void addElement(std::size_t element) {
+    const auto n = [&](std::size_t corner) { return numbers_[nodeOf(element, corner)]; };
+    grid_.tetrahedra.push_back({n(0), n(1), n(2), n(3)});
   }
-  return grid;
+
+  VolumeMesh mesh_;
+  std::vector<double> sizes_;
+  std::vector<std::uint32_t> numbers_;  ///< per node of the mesh, that in the grid
+  std::vector<double> edges_;           ///< per node, the sum of the edges' lengths there
+  std::vector<std::uint32_t> counts_;   ///< per node, of those edges
+  std::size_t elements_;
+  std::size_t next_ = 0;
+  BackgroundGrid grid_;
+};
+
+MeshGridder::MeshGridder(VolumeMesh mesh, std::vector<double> sizes)
+    : impl_(std::make_unique<Impl>(std::move(mesh), std::move(sizes))) {}
+MeshGridder::MeshGridder(MeshGridder&&) noexcept = default;
+MeshGridder& MeshGridder::operator=(MeshGridder&&) noexcept = default;
+MeshGridder::~MeshGridder() = default;
+
+bool MeshGridder::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
+double MeshGridder::fraction() const { return impl_->fraction(); }
+const BackgroundGrid& MeshGridder::result() const { return impl_->result(); }
+
+BackgroundGrid gridFromMesh(const VolumeMesh& mesh, std::span<const double> sizes) {
+  MeshGridder gridder(mesh, {sizes.begin(), sizes.end()});
+  while (!gridder.advance(std::numeric_limits<std::uint32_t>::max())) {
+  }
+  return gridder.result();
 }
 
 }  // namespace tetrafront

@@ -1,124 +1,173 @@
 #include "field/grid_gradation.h"
 
-#include <algorithm>
 #include <array>
 #include <bit>
-#include <cstdint>
-#include <utility>
+#include <limits>
 
-#include "base/sort.h"
 #include "field/tensor_limits.h"
-#include "search/indexed_heap.h"
 
 namespace tetrafront {
 namespace {
 
 constexpr int kSweeps = 3;
 
-struct Edge {
-  std::uint32_t a;
-  std::uint32_t b;
-  double length;
-};
-
 constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kTetrahedronEdges{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
-
-/// Each edge once, by its nodes.
-std::vector<Edge> edgesOf(const BackgroundGrid& grid) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
-  pairs.reserve(6 * grid.tetrahedra.size());
-  for (const auto& tet : grid.tetrahedra) {
-    for (const auto& [i, j] : kTetrahedronEdges) pairs.push_back(std::minmax({tet[i], tet[j]}));
-  }
-  sortUnique(pairs);
-  std::vector<Edge> edges;
-  edges.reserve(pairs.size());
-  for (const auto& [a, b] : pairs) {
-    edges.push_back({a, b, glm::length(grid.nodes[a].position - grid.nodes[b].position)});
-  }
-  return edges;
-}
-
-bool complies(const BackgroundGrid& grid, const std::vector<Edge>& edges, double growth) {
-  return std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
-    const double a = grid.nodes[edge.a].size;
-    const double b = grid.nodes[edge.b].size;
-    return std::max(a, b) <= std::min(a, b) + growth * edge.length;
-  });
-}
-
-/// The edges at each node.
-struct Spokes {
-  struct Spoke {
-    std::uint32_t node;
-    double length;
-  };
-  std::vector<std::uint32_t> first;
-  std::vector<Spoke> spokes;
-
-  Spokes(std::size_t nodes, const std::vector<Edge>& edges)
-      : first(nodes + 1, 0), spokes(2 * edges.size()) {
-    for (const Edge& edge : edges) {
-      ++first[edge.a + 1];
-      ++first[edge.b + 1];
-    }
-    for (std::size_t i = 0; i < nodes; ++i) first[i + 1] += first[i];
-    std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-    for (const Edge& edge : edges) {
-      spokes[next[edge.a]++] = {edge.b, edge.length};
-      spokes[next[edge.b]++] = {edge.a, edge.length};
-    }
-  }
-};
 
 /// Positive doubles are ordered as their bits are.
 std::uint64_t keyOf(double size) { return std::bit_cast<std::uint64_t>(size); }
 
-}  // namespace
-
-void limitSizes(BackgroundGrid& grid, double growth) {
-  const std::vector<Edge> edges = edgesOf(grid);
-  if (complies(grid, edges, growth)) return;
-  const Spokes at(grid.nodes.size(), edges);
-  IndexedHeap waiting;
-  waiting.reserveIds(grid.nodes.size());
-  for (std::uint32_t i = 0; i < grid.nodes.size(); ++i) waiting.push(i, keyOf(grid.nodes[i].size));
-  while (!waiting.empty()) {
-    // The least of all that wait: nobody can lower it any more.
-    const std::uint32_t node = waiting.pop();
-    for (std::uint32_t s = at.first[node]; s < at.first[node + 1]; ++s) {
-      const auto& [other, length] = at.spokes[s];
-      const double limit = grid.nodes[node].size + growth * length;
-      if (grid.nodes[other].size <= limit) continue;
-      grid.nodes[other].size = limit;
-      waiting.remove(other);
-      waiting.push(other, keyOf(limit));
-    }
+template <class Limiter>
+void finish(Limiter limiter) {
+  while (!limiter.advance(std::numeric_limits<std::size_t>::max())) {
   }
 }
 
+}  // namespace
+
+bool GridEdges::advance(std::size_t budget) {
+  if (stage_ == Stage::kDone) return true;
+  const std::size_t end =
+      stage_ == Stage::kCollect ? grid_->nodes.size() : grid_->tetrahedra.size();
+  const std::size_t last = next_ + std::min(budget, end - next_);
+  for (; next_ < last; ++next_) {
+    if (stage_ == Stage::kCollect) {
+      collectAt(static_cast<std::uint32_t>(next_));
+      continue;
+    }
+    const auto& tet = grid_->tetrahedra[next_];
+    for (const auto& [i, j] : kTetrahedronEdges) {
+      const auto [low, high] = std::minmax(tet[i], tet[j]);
+      if (stage_ == Stage::kCount) {
+        others_.count(low);
+      } else {
+        others_.add(low, high);
+      }
+    }
+  }
+  if (next_ < end) return false;
+  next_ = 0;
+  if (stage_ == Stage::kCount) others_.endCounting();
+  stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
+  if (stage_ == Stage::kDone) others_ = {};
+  return stage_ == Stage::kDone;
+}
+
+void GridEdges::collectAt(std::uint32_t node) {
+  const std::span<std::uint32_t> others = others_.at(node);
+  sortFew(others);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (i > 0 && others[i] == others[i - 1]) continue;
+    const Vec3 along = grid_->nodes[node].position - grid_->nodes[others[i]].position;
+    edges_.push_back({node, others[i], glm::length(along)});
+  }
+}
+
+bool SizeLimiter::advance(std::size_t budget) {
+  if (stage_ == Stage::kDone) return true;
+  if (stage_ == Stage::kEdges) {
+    if (finder_.advance(budget)) endStage();
+    return false;
+  }
+  if (stage_ == Stage::kLower) {
+    for (; budget > 0 && !waiting_.empty(); --budget) lowerAround(waiting_.pop());
+    if (waiting_.empty()) stage_ = Stage::kDone;
+    return stage_ == Stage::kDone;
+  }
+  const std::size_t last = next_ + std::min(budget, end_ - next_);
+  for (; next_ < last; ++next_) workOn(next_);
+  if (next_ == end_) endStage();
+  return stage_ == Stage::kDone;
+}
+
+void SizeLimiter::workOn(std::size_t position) {
+  if (stage_ == Stage::kQueue) {
+    const auto node = static_cast<std::uint32_t>(position);
+    waiting_.push(node, keyOf(grid_->nodes[node].size));
+    return;
+  }
+  const GridEdges::Edge& edge = edges_[position];
+  if (stage_ == Stage::kComply) {
+    const auto [least, most] = std::minmax(grid_->nodes[edge.a].size, grid_->nodes[edge.b].size);
+    complies_ = complies_ && most <= least + growth_ * edge.length;
+  } else if (stage_ == Stage::kCount) {
+    spokes_.count(edge.a);
+    spokes_.count(edge.b);
+  } else if (stage_ == Stage::kPlace) {
+    spokes_.add(edge.a, {edge.b, edge.length});
+    spokes_.add(edge.b, {edge.a, edge.length});
+  }
+}
+
+void SizeLimiter::endStage() {
+  next_ = 0;
+  if (stage_ == Stage::kEdges) {
+    edges_ = finder_.take();
+    end_ = edges_.size();
+  } else if (stage_ == Stage::kComply) {
+    if (complies_) {
+      stage_ = Stage::kDone;
+      return;
+    }
+    spokes_ = NodeLists<Spoke>(grid_->nodes.size());
+  } else if (stage_ == Stage::kCount) {
+    spokes_.endCounting();
+  } else if (stage_ == Stage::kPlace) {
+    edges_ = {};
+    waiting_.reserveIds(grid_->nodes.size());
+    end_ = grid_->nodes.size();
+  }
+  stage_ = static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
+}
+
+/// The node is the least of all that wait: nobody can lower it any more.
+void SizeLimiter::lowerAround(std::uint32_t node) {
+  for (const auto& [other, length] : std::as_const(spokes_).at(node)) {
+    const double limit = grid_->nodes[node].size + growth_ * length;
+    if (grid_->nodes[other].size <= limit) continue;
+    grid_->nodes[other].size = limit;
+    waiting_.remove(other);
+    waiting_.push(other, keyOf(limit));
+  }
+}
+
+bool TensorLimiter::advance(std::size_t budget) {
+  if (!sort_) {
+    if (!finder_.advance(budget)) return false;
+    edges_ = finder_.take();
+    sort_.emplace(std::span(edges_), Smaller{grid_});
+  } else if (!isSorted_) {
+    isSorted_ = sort_->advance(budget);
+  } else if (sweep_ < kSweeps) {
+    const std::size_t last = next_ + std::min(budget, edges_.size() - next_);
+    for (; next_ < last; ++next_) {
+      limit(edges_[sweep_ % 2 == 0 ? next_ : edges_.size() - 1 - next_]);
+    }
+    if (next_ == edges_.size()) {
+      next_ = 0;
+      ++sweep_;
+    }
+  }
+  return sweep_ == kSweeps;
+}
+
+void TensorLimiter::limit(const GridEdges::Edge& edge) {
+  const SymmetricTensor grown = SymmetricTensor::isotropic(growth_ * edge.length);
+  std::vector<SymmetricTensor>& tensors = *tensors_;
+  const auto lower = [&](std::uint32_t node, std::uint32_t by) {
+    SymmetricTensor most = tensors[by];
+    most.accumulate(grown, 1.0);
+    tensors[node] = limitedBy(tensors[node], most);
+  };
+  lower(edge.a, edge.b);
+  lower(edge.b, edge.a);
+}
+
+void limitSizes(BackgroundGrid& grid, double growth) { finish(SizeLimiter(grid, growth)); }
+
 void limitTensors(const BackgroundGrid& grid, double growth,
                   std::vector<SymmetricTensor>& tensors) {
-  std::vector<Edge> edges = edgesOf(grid);
-  const auto smaller = [&grid](const Edge& edge) {
-    return std::min(grid.nodes[edge.a].size, grid.nodes[edge.b].size);
-  };
-  stableSort(edges, [&](const Edge& x, const Edge& y) { return smaller(x) < smaller(y); });
-  const auto limit = [&](const Edge& edge) {
-    const SymmetricTensor grown = SymmetricTensor::isotropic(growth * edge.length);
-    const auto lower = [&](std::uint32_t node, std::uint32_t by) {
-      SymmetricTensor most = tensors[by];
-      most.accumulate(grown, 1.0);
-      tensors[node] = limitedBy(tensors[node], most);
-    };
-    lower(edge.a, edge.b);
-    lower(edge.b, edge.a);
-  };
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    std::for_each(edges.begin(), edges.end(), limit);
-    std::reverse(edges.begin(), edges.end());
-  }
+  finish(TensorLimiter(grid, growth, tensors));
 }
 
 }  // namespace tetrafront

@@ -3,12 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
-
-#include "base/sort.h"
-#include "field/grid_gradation.h"
-#include "field/tensor_limits.h"
 
 namespace tetrafront {
 namespace {
@@ -16,23 +11,9 @@ namespace {
 /// Weights this little below zero are zero.
 constexpr double kWeightRounding = 1e-13;
 
-/// A place this far outside the grid, relative to the grid's extent, is on its border: input files
-/// carry decimals, and lines and patches are evaluated with a few roundings.
-constexpr double kBorderRounding = 1e-10;
-
-/// Steps of a walk before it is given up: a straight path crosses about n^(1/3) tetrahedra.
-constexpr std::uint32_t kFreeSteps = 64;
-constexpr std::uint32_t kStepsPerLayer = 4;
-
 /// Nodes of the face opposite to node i.
 constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
     {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
-
-std::uint32_t cubeRootUp(std::size_t n) {
-  std::uint32_t root = 1;
-  while (std::size_t{root} * root * root < n) ++root;
-  return root;
-}
 
 /// Weights of a, b, c at the point of the triangle nearest to `p` (Voronoi regions of its corners
 /// and sides in turn).
@@ -77,96 +58,11 @@ std::array<double, 4> clampedWeights(std::array<double, 4> weights) {
 
 }  // namespace
 
-GridLocator::GridLocator(BackgroundGrid grid, double growth) : grid_(std::move(grid)) {
-  maxSteps_ = kFreeSteps + kStepsPerLayer * cubeRootUp(grid_.tetrahedra.size());
-  Vec3 lower(std::numeric_limits<double>::max());
-  Vec3 upper(-std::numeric_limits<double>::max());
-  for (const BackgroundNode& node : grid_.nodes) {
-    lower = Vec3(std::min(lower.x, node.position.x), std::min(lower.y, node.position.y),
-                 std::min(lower.z, node.position.z));
-    upper = Vec3(std::max(upper.x, node.position.x), std::max(upper.y, node.position.y),
-                 std::max(upper.z, node.position.z));
+GridLocator::GridLocator(BackgroundGrid grid, double growth) {
+  GridLocatorBuilder builder(std::move(grid), growth);
+  while (!builder.advance(std::numeric_limits<std::uint32_t>::max())) {
   }
-  const Vec3 extent = upper - lower;
-  slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
-  buildTensors(growth);
-  for (const BackgroundNode& node : grid_.nodes) sizes_.push_back(node.size);
-  buildFrames();
-  buildNeighbours();
-  buildTree();
-}
-
-void GridLocator::buildTensors(double growth) {
-  const bool stretched = std::any_of(grid_.nodes.begin(), grid_.nodes.end(),
-                                     [](const BackgroundNode& n) { return n.stretching != 1.0; });
-  if (!stretched) {
-    if (growth > 0.0) limitSizes(grid_, growth);
-    return;
-  }
-  tensors_.reserve(grid_.nodes.size());
-  for (const BackgroundNode& node : grid_.nodes) tensors_.push_back(sizeTensor(node));
-  if (!(growth > 0.0)) return;
-  limitTensors(grid_, growth, tensors_);
-  for (std::size_t i = 0; i < tensors_.size(); ++i) {
-    const std::array<double, 3> sizes = principalAxes(tensors_[i]).values;
-    const double least = std::min({sizes[0], sizes[1], sizes[2]});
-    grid_.nodes[i].size = std::min(grid_.nodes[i].size, least);
-  }
-}
-
-void GridLocator::buildFrames() {
-  frames_.reserve(grid_.tetrahedra.size());
-  for (const auto& tet : grid_.tetrahedra) {
-    const Vec3 origin = grid_.nodes[tet[0]].position;
-    const Vec3 u = grid_.nodes[tet[1]].position - origin;
-    const Vec3 v = grid_.nodes[tet[2]].position - origin;
-    const Vec3 w = grid_.nodes[tet[3]].position - origin;
-    const double volume = glm::dot(u, glm::cross(v, w));  // of either sign: it cancels
-    frames_.push_back(
-        {origin,
-         {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume},
-         {kNone, kNone, kNone, kNone}});
-  }
-}
-
-void GridLocator::buildNeighbours() {
-  struct Face {
-    std::array<std::uint32_t, 3> nodes;
-    std::uint32_t tetrahedron;
-    std::uint32_t opposite;
-  };
-  std::vector<Face> faces;
-  faces.reserve(4 * grid_.tetrahedra.size());
-  for (std::uint32_t t = 0; t < grid_.tetrahedra.size(); ++t) {
-    const auto& tet = grid_.tetrahedra[t];
-    for (std::uint32_t i = 0; i < 4; ++i) {
-      const std::array nodes{tet[kFaces[i][0]], tet[kFaces[i][1]], tet[kFaces[i][2]]};
-      faces.push_back({sorted(nodes), t, i});
-    }
-  }
-  stableSort(faces, [](const Face& a, const Face& b) {
-    return a.nodes != b.nodes ? a.nodes < b.nodes : a.tetrahedron < b.tetrahedron;
-  });
-  for (std::size_t i = 1; i < faces.size(); ++i) {
-    const Face& a = faces[i - 1];
-    const Face& b = faces[i];
-    if (a.nodes != b.nodes) continue;
-    frames_[a.tetrahedron].neighbours[a.opposite] = b.tetrahedron;
-    frames_[b.tetrahedron].neighbours[b.opposite] = a.tetrahedron;
-    ++i;
-  }
-}
-
-void GridLocator::buildTree() {
-  std::vector<Box> boxes;
-  boxes.reserve(grid_.tetrahedra.size());
-  for (const auto& tet : grid_.tetrahedra) {
-    Box box = Box::of(grid_.nodes[tet[0]].position, grid_.nodes[tet[1]].position,
-                      grid_.nodes[tet[2]].position);
-    box.include(grid_.nodes[tet[3]].position);
-    boxes.push_back(box);
-  }
-  tree_ = BoxTree(boxes);
+  *this = builder.take();
 }
 
 std::array<double, 4> GridLocator::weightsAt(std::uint32_t tetrahedron, const Vec3& place) const {

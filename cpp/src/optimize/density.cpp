@@ -13,8 +13,6 @@ constexpr double kMaxEdge = 1.3;
 /// the bulk measure: a mean ratio of 0.4). The sweeps that follow see to their shape; without this,
 /// interiors that begin without nodes stay half empty, and the others lose mean radius ratio.
 constexpr double kBearable = 3.0;
-/// No collapse makes an edge longer than this, or than the node's edges are.
-constexpr double kMaxEdgeAfterCollapse = 1.8;
 /// Any length will do where the elements of a node cost more than this in the mean (by the bulk measure:
 /// a mean ratio of 0.2). The front may leave nodes against boundary triangles that are much larger than
 /// the elements wanted: all edges there are long, and only without those nodes can it get better.
@@ -175,7 +173,7 @@ std::size_t NodeCollapser<Space>::collapseSome(std::size_t next, std::size_t cou
                                                const ElementCost<Space>& cost) {
   std::size_t done = 0;
   for (std::size_t i = next; i < std::min(next + count, nodes_.size()); ++i) {
-    done += collapse(nodes_[i].node, cost, kMaxEdgeAfterCollapse, 0.0) ? 1 : 0;
+    done += collapse(nodes_[i].node, cost, maxEdge_, 0.0) ? 1 : 0;
   }
   return done;
 }

@@ -79,6 +79,9 @@ class NodeCollapser {
   [[nodiscard]] std::size_t collected() const { return nodes_.size(); }
   void clear() { nodes_.clear(); }
 
+  /// In wanted lengths, what collapseSome() makes no edge longer than; 1.8 unless told otherwise.
+  void allowEdgesUpTo(double length) { maxEdge_ = length; }
+
   /// Collapses a free node onto its best neighbour if the combined cost of its elements falls by
   /// `minGain` (relative) and no new edge is longer than `maxLength` wanted sizes, or the node's
   /// longest; in hopeless places new edges may be of any length.
@@ -98,6 +101,7 @@ class NodeCollapser {
                   double bound);
 
   TetComplex& complex_;
+  double maxEdge_ = 1.8;
   std::vector<Crowded> nodes_;
   Star star_;
   std::vector<NodeId> neighbours_;

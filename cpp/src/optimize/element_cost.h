@@ -107,15 +107,39 @@ class ElementCost {
         return shape - 1.0;
       case Measure::kWithin: {
         constexpr double kPrice = 1e4;
-        const ExtremeCosines extremes = extremeCosines(edges);
+        const Extremes extremes = extremesOf(sidesOf(edges));
         if (dihedral(extremes, targets_) > 1.0) return kInvalidCost;
         const double missed = dihedral(extremes, kTargets30And135);
         return std::sqrt(shape) - 1.0 + (missed > 1.0 ? kPrice * missed : 0.0);
       }
       case Measure::kDihedral:
-        return dihedral(extremeCosines(edges), targets_);
+        return dihedral(extremesOf(sidesOf(edges)), targets_);
     }
     return kInvalidCost;
+  }
+
+  /// What an element costs, and how that grows as its first corner moves, in plain space.
+  struct Slope {
+    double cost;
+    Vec3 gradient;
+  };
+
+  /// Of a valid element by the dihedral measure: the slope of the angle that costs most.
+  [[nodiscard]] Slope slopeOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                              const Frame& frame = {}) const {
+    const Edges edges{Space::toUnit(frame, b - a), Space::toUnit(frame, c - a),
+                      Space::toUnit(frame, d - a)};
+    const Sides sides = sidesOf(edges);
+    const Extremes extremes = extremesOf(sides);
+    const auto& [greatest, least] = extremes;
+    const bool isSmallest =
+        priceOfSmallest(greatest.cosine, targets_) >= priceOfLargest(least.cosine, targets_);
+    const Angle& angle = isSmallest ? greatest : least;
+    const double rest = isSmallest ? 1.0 - greatest.cosine : 1.0 + least.cosine;
+    const double rise = 2.0 * (isSmallest ? targets_.least : -targets_.greatest) / (rest * rest);
+    // T is symmetric: it takes gradients back from unit space too.
+    return {dihedral(extremes, targets_),
+            Space::toUnit(frame, cosineGradient(edges, sides, angle) * rise)};
   }
 
   /// Of two sets of elements together.
@@ -124,36 +148,68 @@ class ElementCost {
   }
 
  private:
-  struct ExtremeCosines {
-    double greatest = -1.0;
-    double least = 1.0;
+  /// The normals of the sides, each opposite to a corner, inward; and one over their lengths.
+  struct Sides {
+    std::array<Vec3, 4> normals;
+    std::array<double, 4> inverse;
   };
-  [[nodiscard]] static ExtremeCosines extremeCosines(const Edges& edges) {
+  [[nodiscard]] static Sides sidesOf(const Edges& edges) {
     const auto& [u, v, w] = edges;
     const Vec3 vw = glm::cross(v, w);
     const Vec3 wu = glm::cross(w, u);
     const Vec3 uv = glm::cross(u, v);
-    const std::array<Vec3, 4> normals{-vw - wu - uv, vw, wu, uv};
-    std::array<double, 4> inverse{};
+    Sides sides{{-vw - wu - uv, vw, wu, uv}, {}};
     for (std::size_t i = 0; i < 4; ++i) {
-      inverse[i] = 1.0 / std::sqrt(glm::dot(normals[i], normals[i]));
+      sides.inverse[i] = 1.0 / std::sqrt(glm::dot(sides.normals[i], sides.normals[i]));
     }
-    ExtremeCosines extremes;
+    return sides;
+  }
+
+  /// A dihedral angle, between two sides.
+  struct Angle {
+    double cosine;
+    std::size_t one = 0;
+    std::size_t other = 0;
+  };
+  struct Extremes {
+    Angle greatest{-1.0};
+    Angle least{1.0};
+  };
+  [[nodiscard]] static Extremes extremesOf(const Sides& sides) {
+    const auto& [normals, inverse] = sides;
+    Extremes extremes;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
         const double cosine = -glm::dot(normals[i], normals[j]) * inverse[i] * inverse[j];
-        extremes.greatest = std::max(extremes.greatest, cosine);
-        extremes.least = std::min(extremes.least, cosine);
+        if (cosine > extremes.greatest.cosine) extremes.greatest = {cosine, i, j};
+        if (cosine < extremes.least.cosine) extremes.least = {cosine, i, j};
       }
     }
     return extremes;
   }
-  [[nodiscard]] static double dihedral(const ExtremeCosines& extremes,
-                                       const DihedralTargets& targets) {
-    const auto& [greatest, least] = extremes;
+
+  /// As the first corner moves, which turns the three sides that meet there.
+  [[nodiscard]] static Vec3 cosineGradient(const Edges& edges, const Sides& sides,
+                                           const Angle& angle) {
+    const auto& [u, v, w] = edges;
+    const std::array<Vec3, 4> across{Vec3(0.0), w - v, u - w, v - u};
+    const Vec3 one = sides.normals[angle.one] * sides.inverse[angle.one];
+    const Vec3 other = sides.normals[angle.other] * sides.inverse[angle.other];
+    return glm::cross(across[angle.one], other + one * angle.cosine) * sides.inverse[angle.one] +
+           glm::cross(across[angle.other], one + other * angle.cosine) * sides.inverse[angle.other];
+  }
+
+  [[nodiscard]] static double priceOfSmallest(double cosine, const DihedralTargets& targets) {
+    return targets.least * (1.0 + cosine) / (1.0 - cosine);
+  }
+  [[nodiscard]] static double priceOfLargest(double cosine, const DihedralTargets& targets) {
+    return targets.greatest * (1.0 - cosine) / (1.0 + cosine);
+  }
+  [[nodiscard]] static double dihedral(const Extremes& extremes, const DihedralTargets& targets) {
+    const double greatest = extremes.greatest.cosine;
+    const double least = extremes.least.cosine;
     if (greatest >= 1.0 || least <= -1.0) return kInvalidCost;
-    return std::max(targets.least * (1.0 + greatest) / (1.0 - greatest),
-                    targets.greatest * (1.0 - least) / (1.0 + least));
+    return std::max(priceOfSmallest(greatest, targets), priceOfLargest(least, targets));
   }
 
   Measure measure_;

@@ -17,23 +17,6 @@ constexpr double kChangingMove = 0.01;
 constexpr double kLeastGain = 1e-6;  // relative
 constexpr int kHalvings = 4;
 
-/// Gradient of one element's cost at its apex by central differences, in a unit space.
-template <class Space>
-Vec3 gradientOf(const Hollow<Space>& hollow, std::size_t i, const Vec3& apex,
-                const ElementCost<Space>& cost, double radius, const typename Space::Back& back) {
-  const double step = 1e-5 * radius;  // the cube root of the rounding error
-  Vec3 gradient(0.0);
-  for (int k = 0; k < 3; ++k) {
-    Vec3 along(0.0);
-    along[k] = step;
-    along = Space::toSpace(back, along);
-    const double forth = hollow.costOf(i, apex + along, cost);
-    const double before = hollow.costOf(i, apex - along, cost);
-    gradient[k] = (forth - before) / (2.0 * step);
-  }
-  return gradient;
-}
-
 /// Of the eighth powers of the costs of all elements, in units of `scale`; kInvalidCost as soon as
 /// `bound` is reached.
 template <class Space>
@@ -228,7 +211,7 @@ bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps
     std::size_t count = 0;
     for (std::size_t i = 0; i < hollow.size() && count < kMaxGradients; ++i) {
       if (hollow.lastCostOf(i) < kBand * before) continue;
-      gradients[count++] = gradientOf(hollow, i, apex, cost, radius, back);
+      gradients[count++] = Space::toSpace(back, hollow.slopeOf(i, apex, cost).gradient);
     }
     const Vec3 up = shortestInHull(gradients, count);
     const double slope = lengthOf(up);
@@ -258,10 +241,12 @@ bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int step
   for (int step = 0; step < steps && here < kInvalidCost; ++step) {
     Vec3 up(0.0);
     for (std::size_t i = 0; i < hollow.size(); ++i) {
-      const double one = hollow.costOf(i, apex, cost) / worst;
+      const auto [own, gradient] = hollow.slopeOf(i, apex, cost);
+      const double one = own / worst;
       const double third = one * one * one;
-      up += gradientOf(hollow, i, apex, cost, radius, back) * (third * third * one);
+      up += gradient * (third * third * one);
     }
+    up = Space::toSpace(back, up);
     const double slope = lengthOf(up);
     if (!(slope > 0.0) || !std::isfinite(slope)) return fell;
     const auto sumAt = [&](const Vec3& place) {

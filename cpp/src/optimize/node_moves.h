@@ -33,6 +33,11 @@ class Hollow {
                               const ElementCost<Space>& cost) const {
     return cost(apex, faces_[i][0], faces_[i][1], faces_[i][2], frames_[i]);
   }
+  /// The slope at the apex of one element's dihedral cost.
+  [[nodiscard]] typename ElementCost<Space>::Slope slopeOf(std::size_t i, const Vec3& apex,
+                                                           const ElementCost<Space>& cost) const {
+    return cost.slopeOf(apex, faces_[i][0], faces_[i][1], faces_[i][2], frames_[i]);
+  }
   /// Of all elements together; kInvalidCost as soon as `bound` is reached.
   [[nodiscard]] double costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound);
   /// Of one element at the apex that costAt() was last asked for, if it did not reach its bound.
@@ -60,14 +65,15 @@ template <class Space>
                               Vec3& step);
 
 /// Moves `apex` against the gradients of the worst elements until their cost does not fall any
-/// more (at most `steps` times). `worst` is the cost there. Returns whether it fell.
+/// more (at most `steps` times). `worst` is the cost there. Returns whether it fell. `cost` is of the
+/// dihedral measure, the only one whose slope is known.
 template <class Space>
 bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst);
 
 /// The same against the gradient of the sum of the costs' eighth powers. It is smooth where the
 /// worst is not, and sees what comes after the worst: where nodes stop each other from lowering the
-/// worst one by one, it leads on.
+/// worst one by one, it leads on. `cost` as of lowerWorst().
 template <class Space>
 bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex);
 

@@ -14,10 +14,15 @@
 namespace tetrafront {
 namespace {
 
-/// An interior with longer edges than this in the mean, by wanted lengths, began without nodes. The
-/// sum of costs is content with fewer than wanted, so that those edges are split from less on.
-constexpr double kSparse = 1.3;
+/// In the mean over all edges, by wanted lengths: with longer ones, the body has walls of about one and
+/// a half elements, or its interior began without nodes. The sum of costs is content with fewer nodes
+/// than wanted, so that edges are split from less on.
+constexpr double kSparse = 1.13;
 constexpr double kSplitAllOfSparse = 1.4;
+/// In walls, collapses would take the new nodes away again; interiors longer than this in the mean are
+/// not walls, and have room for them.
+constexpr double kEmpty = 1.3;
+constexpr double kMaxEdgeInWalls = 1.65;
 /// Above this many elements that miss a target, small meshes are no longer small.
 constexpr double kFewMissing = 500.0;
 /// Part of the mesh. Where repairs have changed more, as in gaps of an edge, easing goes over that
@@ -276,9 +281,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
       case Purpose::kSweeps:
         return;
       case Purpose::kSeeIfSparse:
-        if (meanEdgeOf<Space>(complex_) > kSparse) {
-          sweeps_.splitter().splitAllAbove(kSplitAllOfSparse);
-        }
+        seeIfSparse();
         return;
       case Purpose::kKeep:
         keptJudgement_ = sweeps_.judgement();
@@ -288,6 +291,13 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
         if (sweeps_.judgement().isNoWorseThan(keptJudgement_)) kept_.reset();
         return;
     }
+  }
+
+  void seeIfSparse() {
+    const double mean = meanEdgeOf<Space>(complex_);
+    if (mean <= kSparse) return;
+    sweeps_.splitter().splitAllAbove(kSplitAllOfSparse);
+    if (mean <= kEmpty) sweeps_.collapser().allowEdgesUpTo(kMaxEdgeInWalls);
   }
 
   std::vector<Step> schedule_;

@@ -166,6 +166,7 @@ bool ElementRepair<Space>::insertAt(std::span<const TetId> seeds, const Vec3& st
   constexpr int kSteps = 6;
   constexpr double kAbsorb = 0.7;  // cone elements worse than this part of the worst go
   constexpr double kTighten = 0.95;
+  constexpr double kNear = 1.05;  // as bad as what was there; a few steps more may do
   inCavity_.resize(std::max(inCavity_.size(), complex_.slotCount()), 0);
   ++cavityStamp_;
   cavity_.assign(seeds.begin(), seeds.end());
@@ -176,14 +177,18 @@ bool ElementRepair<Space>::insertAt(std::span<const TetId> seeds, const Vec3& st
   }
   Vec3 place = start;
   double limit = worst * kAbsorb;
+  bool isNear = true;
   for (int round = 0; round < kRounds; ++round) {
+    const std::size_t before = cavity_.size();
     if (!growCavity(place, wanted, cost, limit)) return false;
+    if (!isNear && cavity_.size() == before) return false;
     for (const TetId tet : cavity_) worst = std::max(worst, complex_.cost(tet));
     hollowOut(wanted);
     double best = hollow_.costAt(place, cost, kInvalidCost);
     if (best >= kInvalidCost) return false;
     lowerWorst(hollow_, cost, kSteps, place, best);
     if (best < worst * (1.0 - kRepairGain)) return fillCavity(place, wanted, cost);
+    isNear = best < worst * kNear;
     limit = best * kTighten;
   }
   return false;

@@ -67,7 +67,7 @@ enum class Again : std::uint8_t {
 /// What a step is for besides the sweeps.
 enum class Purpose : std::uint8_t {
   kSweeps,
-  kSeeIfSparse,  ///< whether the mesh began without nodes inside
+  kSeeIfSparse,  ///< whether the mesh has too few nodes inside
   kKeep,         ///< this mesh and its judgement, to be compared with
   kCompare,      ///< and go back to the mesh kept unless this one is no worse
 };

@@ -45,6 +45,7 @@ class Sweeps {
 
   [[nodiscard]] const ElementCost<Space>& cost() const { return cost_; }
   [[nodiscard]] EdgeSplitter<Space>& splitter() { return splitter_; }
+  [[nodiscard]] NodeCollapser<Space>& collapser() { return collapser_; }
   [[nodiscard]] Mending<Space>& mending() { return mending_; }
   /// By the last sweep of that kind.
   [[nodiscard]] const Judgement& judgement() const { return judgement_; }

@@ -8,9 +8,11 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geom/box.h"
+#include "search/morton.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -19,7 +21,7 @@ class BoxTree {
  public:
   BoxTree() = default;
 
-  /// O(n log n). The boxes' positions are the names of the items below.
+  /// O(n). The boxes' positions are the names of the items below.
   explicit BoxTree(std::span<const Box> boxes);
 
   /// Calls visit(item) for every item whose box meets `box`, touching included. The order depends
@@ -54,6 +56,7 @@ class BoxTree {
   }
 
  private:
+  friend class BoxTreeBuilder;
   static constexpr std::uint32_t kItemsPerLeaf = 4;
   /// One entry per level waits at most; 2^32 items make 32 levels.
   static constexpr std::size_t kStack = 40;
@@ -68,6 +71,37 @@ class BoxTree {
   std::uint32_t firstLeaf_ = 0;
   std::vector<std::uint32_t> items_;  ///< in the order of the leaves
   std::vector<Box> boxes_;            ///< of items_, in the same order
+};
+
+/// Builds a tree in slices.
+class BoxTreeBuilder {
+ public:
+  explicit BoxTreeBuilder(std::vector<Box> boxes);
+  /// Its parts look at one another.
+  BoxTreeBuilder(const BoxTreeBuilder&) = delete;
+  BoxTreeBuilder& operator=(const BoxTreeBuilder&) = delete;
+
+  /// Goes on for `budget` of the boxes, each of which is come to about thirteen times; true when finished.
+  bool advance(std::size_t budget);
+
+  /// Once, when finished.
+  [[nodiscard]] BoxTree take() { return std::move(tree_); }
+
+ private:
+  enum class Stage : std::uint8_t { kCentres, kOrder, kLeaves, kBranches, kDone };
+
+  void placeCentres(std::size_t first, std::size_t last);
+  void fillLeaves(std::size_t first, std::size_t last);
+  void growBranches(std::size_t first, std::size_t last);
+  void endStage();
+
+  BoxTree tree_;
+  Stage stage_ = Stage::kCentres;
+  std::size_t next_ = 0;
+  std::size_t end_;
+  std::vector<Box> boxes_;
+  std::vector<Vec3> centres_;
+  MortonSort order_;
 };
 
 template <class Visit>

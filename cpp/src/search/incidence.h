@@ -2,7 +2,7 @@
 
 /// @file Which elements stand at a node? A flat list of lists (Löhner & Parikh 1988, second
 /// section 6, structure (3)), built in two rounds over all corners, each of which may be taken in
-/// slices: O(corners) in all.
+/// slices: O(corners) in all. What has its nodes in common is found in the list of the lowest.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,10 +11,12 @@
 
 namespace tetrafront {
 
-class Incidence {
+/// `Entry`: what stands in the lists.
+template <class Entry>
+class NodeLists {
  public:
-  Incidence() = default;
-  explicit Incidence(std::size_t nodeCount) : starts_(nodeCount + 2, 0) {}
+  NodeLists() = default;
+  explicit NodeLists(std::size_t nodeCount) : starts_(nodeCount + 2, 0) {}
 
   /// First round: once per corner.
   void count(std::uint32_t node) {
@@ -25,20 +27,27 @@ class Incidence {
     for (std::size_t i = 2; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
     elements_.resize(starts_.back());
   }
-  /// Second round: the same corners again, elements in rising order.
-  void add(std::uint32_t node, std::uint32_t element) {
+  /// Second round: the same corners again.
+  void add(std::uint32_t node, const Entry& element) {
     elements_[starts_[node + std::size_t{1}]++] = element;
   }
 
-  /// Elements at `node`, in rising order; none for nodes added later.
-  [[nodiscard]] std::span<const std::uint32_t> at(std::uint32_t node) const {
+  /// What stands at `node`, in the order of the second round; nothing for nodes added later.
+  [[nodiscard]] std::span<const Entry> at(std::uint32_t node) const {
+    if (node + std::size_t{2} >= starts_.size()) return {};
+    return std::span(elements_).subspan(starts_[node], starts_[node + 1] - starts_[node]);
+  }
+  [[nodiscard]] std::span<Entry> at(std::uint32_t node) {
     if (node + std::size_t{2} >= starts_.size()) return {};
     return std::span(elements_).subspan(starts_[node], starts_[node + 1] - starts_[node]);
   }
 
  private:
   std::vector<std::uint32_t> starts_;
-  std::vector<std::uint32_t> elements_;
+  std::vector<Entry> elements_;
 };
+
+/// Elements by number, in rising order.
+using Incidence = NodeLists<std::uint32_t>;
 
 }  // namespace tetrafront

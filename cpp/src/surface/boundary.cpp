@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/budget.h"
 #include "search/box_tree.h"
 #include "surface/boundary_soundness.h"
 #include "surface/edge_table.h"
@@ -14,6 +15,12 @@
 #include "surface/surface_sides.h"
 
 namespace tetrafront {
+namespace {
+
+/// To come to a box costs far less than to test a triangle.
+constexpr std::size_t kBoxesPerBudget = 16;
+
+}  // namespace
 
 class BoundaryCheck::Impl {
  public:
@@ -28,16 +35,25 @@ class BoundaryCheck::Impl {
         break;
       case Stage::kTriangles:
         unsound_ = checkTriangles(mesh_, report_);
+        stage_ = Stage::kNodes;
+        break;
+      case Stage::kNodes:
         checkCoincidentNodes(mesh_, report_);
         stage_ = Stage::kEdges;
         break;
       case Stage::kEdges:
         edges_.emplace(mesh_.triangles, mesh_.points.size() / 3, unsound_.inTopology);
         checkEdges(mesh_, *edges_, report_);
+        stage_ = Stage::kBoxes;
+        break;
+      case Stage::kBoxes:
+        builder_.emplace(triangleBoxes(mesh_));
         stage_ = Stage::kTree;
         break;
       case Stage::kTree:
-        tree_ = BoxTree(triangleBoxes(mesh_));
+        if (!builder_->advance(scaledBudget(budget, kBoxesPerBudget))) break;
+        tree_ = builder_->take();
+        builder_.reset();
         intersections_.emplace(mesh_, unsound_.inGeometry, tree_, report_);
         stage_ = Stage::kIntersections;
         break;
@@ -84,7 +100,9 @@ class BoundaryCheck::Impl {
   enum class Stage : std::uint8_t {
     kNumbers,
     kTriangles,
+    kNodes,
     kEdges,
+    kBoxes,
     kTree,
     kIntersections,
     kCells,
@@ -114,6 +132,7 @@ class BoundaryCheck::Impl {
   Stage stage_ = Stage::kNumbers;
   UnsoundTriangles unsound_;
   std::optional<EdgeTable> edges_;
+  std::optional<BoxTreeBuilder> builder_;
   BoxTree tree_;
   std::optional<SelfIntersectionCheck> intersections_;
   SurfaceCells cells_;

@@ -24,9 +24,6 @@ namespace {
 /// A model whose volume is not known fills some part of its box.
 constexpr double kLeastPart = 0.05;
 
-/// To look at a patch costs as much as so many steps of the front.
-constexpr std::uint32_t kBudgetPerPatch = 64;
-
 }  // namespace
 
 class InputExaminer::Impl {
@@ -35,7 +32,7 @@ class InputExaminer::Impl {
       : model_(&model), grid_(&grid), options_(&options), examiner_(model) {}
 
   bool advance(std::uint32_t budget) {
-    const std::uint32_t patches = std::max(budget / kBudgetPerPatch, 1U);
+    const std::uint32_t patches = patchesWithin(budget);
     switch (stage_) {
       case Stage::kModel:
         if (!examiner_.advance(patches)) break;
@@ -57,10 +54,24 @@ class InputExaminer::Impl {
         break;
       case Stage::kClose:
         if (!anyError(diagnostics_)) closeSurface(closure_);
+        stage_ = Stage::kGrid;
+        break;
+      case Stage::kGrid:
+        if (!ofGrid_) {
+          std::vector<Diagnostic> ofOptions = checkOptions(*options_);
+          areSoundOptions_ = ofOptions.empty();
+          report(std::move(ofOptions));
+          ofGrid_.emplace(*grid_, usesGrid() ? GridPart::kWhole : GridPart::kSources);
+        }
+        if (ofGrid_->advance(budget)) takeGrid();
+        break;
+      case Stage::kLocate:
+        if (!locator_->advance(budget)) break;
+        field_ = SizeField::fromGrid(locator_->take());
+        locator_.reset();
         stage_ = Stage::kSizes;
         break;
       case Stage::kSizes:
-        report(checkOptions(*options_));
         checkSizes();
         sampled_.preview.diagnostics = std::move(diagnostics_);
         stage_ = Stage::kFinished;
@@ -78,7 +89,16 @@ class InputExaminer::Impl {
   [[nodiscard]] InputExamination take() { return {std::move(sampled_.preview), std::move(field_)}; }
 
  private:
-  enum class Stage : std::uint8_t { kModel, kSample, kMeet, kClose, kSizes, kFinished };
+  enum class Stage : std::uint8_t {
+    kModel,
+    kSample,
+    kMeet,
+    kClose,
+    kGrid,
+    kLocate,
+    kSizes,
+    kFinished
+  };
 
   void report(std::vector<Diagnostic> found) {
     for (Diagnostic& diagnostic : found) diagnostics_.push_back(std::move(diagnostic));
@@ -149,17 +169,27 @@ class InputExaminer::Impl {
 
   // ---- sizes -----------------------------------------------------------------------------------
 
-  void checkSizes() {
-    const bool usesGrid = options_->size == 0.0;
-    std::vector<Diagnostic> found =
-        usesGrid ? checkBackgroundGrid(*grid_) : checkSizeSources(grid_->sources);
-    const bool known = found.empty() && checkOptions(*options_).empty();
+  [[nodiscard]] bool usesGrid() const { return options_->size == 0.0; }
+
+  /// Sizes are known where nothing is wrong with them.
+  void takeGrid() {
+    std::vector<Diagnostic> found = ofGrid_->take();
+    const bool known = found.empty() && areSoundOptions_;
     report(std::move(found));
+    stage_ = Stage::kSizes;
     if (!known) return;
-    field_ = usesGrid ? SizeField::fromGrid(GridLocator(*grid_, options_->gradation - 1.0))
-                      : SizeField::uniform(options_->size);
+    if (!usesGrid()) {
+      field_ = SizeField::uniform(options_->size);
+      return;
+    }
+    locator_.emplace(*grid_, options_->gradation - 1.0);
+    stage_ = Stage::kLocate;
+  }
+
+  void checkSizes() {
+    if (!field_) return;
     field_->addSources(grid_->sources);
-    if (usesGrid) report(checkCoverage(*model_, sampled_.preview, *field_));
+    if (usesGrid()) report(checkCoverage(*model_, sampled_.preview, *field_));
     const std::optional<Extent> extent = extentOf(sampled_.preview);
     if (!extent) return;
     checkLargest(*extent);
@@ -206,6 +236,9 @@ class InputExaminer::Impl {
   std::vector<Diagnostic> diagnostics_;
   SampledModel sampled_;
   std::optional<double> volume_;  ///< enclosed, where the surface closes
+  bool areSoundOptions_ = false;
+  std::optional<BackgroundGridCheck> ofGrid_;
+  std::optional<GridLocatorBuilder> locator_;
   std::optional<SizeField> field_;
 };
 
@@ -284,7 +317,7 @@ ModelPreviewer::ModelPreviewer(ModelPreviewer&&) noexcept = default;
 ModelPreviewer& ModelPreviewer::operator=(ModelPreviewer&&) noexcept = default;
 ModelPreviewer::~ModelPreviewer() = default;
 
-bool ModelPreviewer::advance(std::uint32_t budget) { return impl_->advance(budget); }
+bool ModelPreviewer::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
 double ModelPreviewer::fraction() const { return impl_->fraction(); }
 const ModelPreview& ModelPreviewer::result() const { return impl_->result(); }
 

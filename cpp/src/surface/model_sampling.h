@@ -2,6 +2,8 @@
 
 /// @file A model as the preview samples it, for questions about its extent and shape.
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -53,6 +55,35 @@ class SurfaceSampler {
 
 /// previewModel() with nothing but examineModel()'s diagnostics.
 [[nodiscard]] ModelPreview sampleModel(const Model& model);
+
+/// How many patches to look at for `budget` steps of the front, one of them at least.
+[[nodiscard]] constexpr std::uint32_t patchesWithin(std::uint32_t budget) {
+  constexpr std::uint32_t kBudgetPerPatch = 64;
+  return std::max(budget / kBudgetPerPatch, 1U);
+}
+
+/// sampleModel() in slices.
+class ModelSampler {
+ public:
+  /// The model must outlive this.
+  explicit ModelSampler(const Model& model) : model_(&model), examiner_(model) {}
+
+  /// Works on for about `budget` steps of the front; true when finished.
+  bool advance(std::uint32_t budget);
+
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const;
+
+  /// Once, when finished.
+  [[nodiscard]] ModelPreview take();
+
+ private:
+  const Model* model_;
+  ModelExaminer examiner_;
+  ModelExamination found_;
+  std::optional<SurfaceSampler> sampler_;  ///< once the examination is over
+  std::size_t looks_ = 0;                  ///< at patches, of which each gets two
+};
 
 struct Extent {
   Vec3 low{0.0};

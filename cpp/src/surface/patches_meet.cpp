@@ -24,6 +24,11 @@ constexpr std::array<std::uint32_t, 2> kRefinements{3, 9};
 constexpr std::array<int, 2> kMostLooks{16, 2};
 /// So many findings are told: patches drawn many times over all meet one another.
 constexpr std::size_t kMostReported = 1000;
+/// So many pairs of triangles are compared in all, and so many more for each triangle: more than any
+/// sensible model has. Beyond, all triangles are long and near all others, as of a curve with a point
+/// flung far away.
+constexpr std::size_t kMostCompared = 2'000'000;
+constexpr std::size_t kMostComparedEach = 100;
 
 Box boxOf(const std::array<Vec3, 3>& corners) {
   return Box::of(corners[0], corners[1], corners[2]);
@@ -36,11 +41,18 @@ bool overlap(const Box& a, const Box& b) {
   return true;
 }
 
+/// Pairs of triangles that may still be compared.
+struct Allowance {
+  std::size_t left = kMostCompared;
+
+  void take(std::size_t pairs) { left -= std::min(left, pairs); }
+};
+
 /// The triangles of a sampled model, by patches.
 class SampledPatches {
  public:
-  explicit SampledPatches(const SampledModel& sampled)
-      : sampled_(&sampled), trees_(sampled.isJoined.size()) {
+  SampledPatches(const SampledModel& sampled, Allowance& allowance)
+      : sampled_(&sampled), allowance_(&allowance), trees_(sampled.isJoined.size()) {
     const std::vector<std::uint32_t>& corners = sampled.preview.patchTriangles;
     boxes_.reserve(corners.size() / 3);
     for (std::uint32_t t = 0; t < corners.size() / 3; ++t) boxes_.push_back(boxOf(cornersOf(t)));
@@ -74,13 +86,14 @@ class SampledPatches {
   }
 
   /// Where the triangles of two patches, or of one, meet as they should not. In the corner of two
-  /// common lines bent patches have one triangle, however much they part beyond it.
+  /// common lines bent patches have one triangle, however much they part beyond it. Nothing more is
+  /// found once the allowance is used up.
   [[nodiscard]] std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b, bool areBent) {
     const Box& regionA = boxOfPatch(a);
     const Box& regionB = boxOfPatch(b);
     const BoxTree& tree = treeOf(b);
     std::vector<std::uint32_t> near;
-    for (std::uint32_t t = begin(a); t < end(a); ++t) {
+    for (std::uint32_t t = begin(a); t < end(a) && allowance_->left > 0; ++t) {
       if (!overlap(boxes_[t], regionB) || isFlat(t)) continue;
       near.clear();
       tree.visitOverlaps(boxes_[t], [&](std::uint32_t i) {
@@ -88,6 +101,7 @@ class SampledPatches {
         if ((a != b || other > t) && overlap(boxes_[other], regionA)) near.push_back(other);
       });
       stableSort(near);
+      allowance_->take(near.size());
       for (const std::uint32_t other : near) {
         if (isFlat(other) || !meetImproperly(numbered(t), numbered(other))) continue;
         if (areBent && haveSameNodes(t, other)) continue;
@@ -155,6 +169,7 @@ class SampledPatches {
   }
 
   const SampledModel* sampled_;
+  Allowance* allowance_;
   std::vector<Box> boxes_;
   std::vector<std::uint32_t> patches_;  ///< that take part, ascending
   std::vector<Box> patchBoxes_;         ///< of those
@@ -165,7 +180,8 @@ class SampledPatches {
 class MeetingSearch {
  public:
   MeetingSearch(const Model& model, const ModelExamination& found, const SampledModel& sampled)
-      : model_(&model), found_(&found), coarse_(sampled) {
+      : model_(&model), found_(&found), coarse_(sampled, allowance_) {
+    allowance_.left += kMostComparedEach * (sampled.preview.patchTriangles.size() / 3);
     const ResolvedModel resolved(model, found.soundLines);
     for (std::size_t patch = 0; patch < model.patches.size(); ++patch) {
       bool flat = found.soundPatches[patch] != 0 && isPlanar(patch);
@@ -182,7 +198,7 @@ class MeetingSearch {
     const std::span<const std::uint32_t> patches = coarse_.patches();
     for (std::size_t i = 0; i < patches.size(); ++i) {
       for (const std::uint32_t other : coarse_.nearPatches(i)) {
-        if (diagnostics_.size() == kMostReported) return std::move(diagnostics_);
+        if (isEnough()) return std::move(diagnostics_);
         if (const std::optional<Vec3> place = meetingPlace(patches[i], other))
           report(patches[i], other, *place);
       }
@@ -191,6 +207,10 @@ class MeetingSearch {
   }
 
  private:
+  [[nodiscard]] bool isEnough() const {
+    return diagnostics_.size() == kMostReported || allowance_.left == 0;
+  }
+
   std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b) {
     if (a == b && (isPlanar(a) || !coarse_.mayMeetItself(a))) return std::nullopt;
     const bool areBent = isFlat_[a] == 0 || isFlat_[b] == 0;
@@ -217,22 +237,26 @@ class MeetingSearch {
     std::optional<Vec3> place = before;
     const std::array<std::uint32_t, 2> both{a, b};
     for (std::size_t step = 0; step < kRefinements.size(); ++step) {
-      if (++looks_[step] > kMostLooks[step]) {
-        if (!anyGuilty_) place.reset();
-        return place;
-      }
+      if (++looks_[step] > kMostLooks[step]) return asThoseBefore(place);
       const SampledModel finer = sampleFinely(*model_, *found_, kRefinements[step], both);
       // A patch whose finer samples cannot be made is given the benefit of the doubt.
       if (finer.isJoined[a] == 0 || finer.isJoined[b] == 0) return std::nullopt;
-      place = SampledPatches(finer).meetingPlace(a, b, true);
-      if (!place) return place;
+      const std::optional<Vec3> closer = SampledPatches(finer, allowance_).meetingPlace(a, b, true);
+      if (!closer) return allowance_.left == 0 ? asThoseBefore(place) : std::nullopt;
+      place = closer;
     }
     anyGuilty_ = true;
     return place;
   }
 
+  /// For suspects that are not looked at any more closely.
+  [[nodiscard]] std::optional<Vec3> asThoseBefore(const std::optional<Vec3>& place) const {
+    return anyGuilty_ ? place : std::nullopt;
+  }
+
   const Model* model_;
   const ModelExamination* found_;
+  Allowance allowance_;
   SampledPatches coarse_;
   std::vector<std::uint8_t> isFlat_;  ///< planar within straight lines: the samples are the patch
   std::array<int, kRefinements.size()> looks_{};

@@ -14,8 +14,9 @@ namespace tetrafront {
 /// by their nodes what they share; where bent patches are concerned, a finding must persist as they
 /// are sampled more and more finely, so that patches that only come near each other are not
 /// accused. What is finer than the samples is left to the check of the mesh. Patches that are not
-/// joined to their lines are passed over, and after a thousand findings no more is looked for.
-/// Near-linear in the triangles, unless many patches are near many others.
+/// joined to their lines are passed over, and no more is looked for after a thousand findings, or
+/// once as many pairs of triangles have been compared as no sensible model has. Near-linear in the
+/// triangles, unless many patches are near many others.
 [[nodiscard]] std::vector<Diagnostic> findMeetingPatches(const Model& model,
                                                          const ModelExamination& found,
                                                          const SampledModel& sampled);

@@ -281,11 +281,4 @@ SampledModel sampleFinely(const Model& model, const ModelExamination& found,
   return sampler.take();
 }
 
-ModelPreview sampleModel(const Model& model) {
-  ModelExamination found = examineModel(model);
-  ModelPreview preview = sampleSurface(model, found).preview;
-  preview.diagnostics = std::move(found.diagnostics);
-  return preview;
-}
-
 }  // namespace tetrafront

@@ -22,9 +22,9 @@ auto secondsOf(const std::vector<Pair>& pairs, std::uint32_t first) {
 }
 
 /// Which patch has which node on its lines, looked up by either.
-class Incidence {
+class JointTable {
  public:
-  Incidence(const Model& model, const DividedLines& lines) {
+  JointTable(const Model& model, const DividedLines& lines) {
     for (std::uint32_t patch = 0; patch < model.patches.size(); ++patch)
       for (const Loop& loop : model.patches[patch].loops)
         for (const OrientedLine& line : loop)
@@ -82,7 +82,7 @@ std::vector<std::vector<std::uint32_t>> findNodesToPart(const Model& model,
                                                         const std::vector<Joint>& joints) {
   std::vector<std::vector<std::uint32_t>> parted(model.patches.size());
   if (joints.empty()) return parted;
-  const Incidence incidence(model, lines);
+  const JointTable incidence(model, lines);
   std::vector<Pair> meetings;  // the first joins nodes that both have
   for (const Joint& joint : joints)
     for (const std::uint32_t other : incidence.othersAt(joint))

@@ -13,13 +13,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <map>
+#include <memory>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "field/size_sources.h"
 #include "base/sort.h"
+#include "field/size_sources.h"
 #include "search/box_tree.h"
 #include "surface/model_sampling.h"
 #include "tetrafront/grid_tools.h"
@@ -43,6 +46,9 @@ constexpr double kOpposite = 0.5;
 
 /// So many sources are kept in a list before they all go into a tree.
 constexpr std::size_t kBatch = 64;
+
+/// To search around a triangle or a source costs as much as so many steps of other kinds.
+constexpr std::uint32_t kBudgetPerSearch = 16;
 
 /// Parts of a ray's length at which it starts, so as not to meet its own triangle.
 constexpr double kRayStart = 1e-6;
@@ -79,42 +85,150 @@ struct Facet {
   }
 };
 
-class Proposer {
+}  // namespace
+
+class SizeProposer::Impl {
  public:
-  Proposer(const Model& model, const ProposalOptions& options)
-      : options_(options), preview_(sampleModel(model)) {
-    if (const std::optional<Extent> extent = extentOf(preview_))
-      diagonal_ = glm::length(extent->high - extent->low);
-    largest_ = options.uniform > 0.0 ? options.uniform : kUniformPerDiagonal * diagonal_;
-    smallest_ = options.smallest > 0.0 ? options.smallest : kSmallestPerUniform * largest_;
+  Impl(Model model, const ProposalOptions& options)
+      : options_(options), model_(std::move(model)), sampler_(model_) {}
+
+  bool advance(std::uint32_t budget) {
+    if (stage_ == Stage::kDone || !step(budget)) return stage_ == Stage::kDone;
+    stage_ = nextStage();
+    next_ = 0;
+    return stage_ == Stage::kDone;
   }
 
-  SizeProposal propose() {
-    SizeProposal proposal;
-    if (!(largest_ > 0.0) || !std::isfinite(largest_)) return proposal;
-    proposal.size = largest_;
-    gatherFacets();
-    if (options_.elementsPerCircle > 0.0) {
-      proposeAlongLines();
-      proposeOnBends();
-    }
-    if (options_.elementsPerGap > 0.0) proposeInGaps();
-    thinOut();
-    proposal.sources = std::move(kept_);
-    return proposal;
+  [[nodiscard]] double fraction() const {
+    if (stage_ == Stage::kDone) return 1.0;
+    const std::size_t steps = std::max<std::size_t>(stepsOf(stage_), 1);
+    const double within = stage_ == Stage::kSample
+                              ? sampler_.fraction()
+                              : static_cast<double>(next_) / static_cast<double>(steps);
+    return (static_cast<double>(stage_) + within) / static_cast<double>(Stage::kDone);
   }
+
+  [[nodiscard]] const SizeProposal& result() const { return proposal_; }
 
  private:
-  void gatherFacets() {
-    std::vector<Box> boxes;
-    for (std::size_t t = 0; t < preview_.patchTriangles.size(); t += 3) {
-      std::array<Vec3, 3> corners;
-      for (std::size_t k = 0; k < 3; ++k)
-        corners[k] = sampleAt(preview_.patchPoints, preview_.patchTriangles[t + k]);
-      facets_.emplace_back(corners);
-      boxes.push_back(Box::of(corners[0], corners[1], corners[2]));
+  enum class Stage : std::uint8_t {
+    kSample,
+    kFacets,
+    kTree,
+    kLines,
+    kBends,
+    kGaps,
+    kSort,
+    kThin,
+    kDone
+  };
+
+  /// Lines, facets or offers that a stage goes through; 0 for those of one step and for the sampling.
+  [[nodiscard]] std::size_t stepsOf(Stage stage) const {
+    switch (stage) {
+      case Stage::kFacets:
+        return preview_.patchTriangles.size() / 3;
+      case Stage::kLines:
+        return std::max<std::size_t>(preview_.lineOffsets.size(), 1) - 1;
+      case Stage::kBends:
+      case Stage::kGaps:
+        return facets_.size();
+      case Stage::kThin:
+        return offers_.size();
+      default:
+        return 0;
     }
+  }
+
+  /// Some of the present stage; whether that is over.
+  bool step(std::uint32_t budget) {
+    switch (stage_) {
+      case Stage::kSample:
+        return sample(budget);
+      case Stage::kTree:
+        buildTree();
+        return true;
+      case Stage::kSort:
+        sortOffers();
+        return true;
+      default:
+        break;
+    }
+    const std::size_t steps = stepsOf(stage_);
+    const bool isSearch = stage_ == Stage::kGaps || stage_ == Stage::kThin;
+    const std::uint32_t affordable = isSearch ? std::max(budget / kBudgetPerSearch, 1U) : budget;
+    const std::size_t last = next_ + std::min<std::size_t>(affordable, steps - next_);
+    for (; next_ < last; ++next_) workOn(next_);
+    return next_ == steps;
+  }
+
+  void workOn(std::size_t i) {
+    switch (stage_) {
+      case Stage::kFacets:
+        return addFacet(i);
+      case Stage::kLines:
+        return proposeAlong(i);
+      case Stage::kBends:
+        return proposeOnBendsOf(i);
+      case Stage::kGaps:
+        return proposeInGapsAt(facets_[i]);
+      default:
+        if (!isServed(offers_[order_[i]])) keep(offers_[order_[i]]);
+    }
+  }
+
+  /// The one after the present that the model and the options ask for.
+  Stage nextStage() {
+    const bool looksAtBends = options_.elementsPerCircle > 0.0;
+    switch (stage_) {
+      case Stage::kSample:
+        return proposal_.size > 0.0 ? Stage::kFacets : Stage::kDone;
+      case Stage::kTree:
+        if (looksAtBends) return Stage::kLines;
+        [[fallthrough]];
+      case Stage::kBends:
+        facetAt_.clear();
+        return options_.elementsPerGap > 0.0 ? Stage::kGaps : Stage::kSort;
+      case Stage::kThin:
+        proposal_.sources = std::move(kept_);
+        return Stage::kDone;
+      default:
+        return static_cast<Stage>(static_cast<std::uint8_t>(stage_) + 1);
+    }
+  }
+
+  bool sample(std::uint32_t budget) {
+    if (!sampler_.advance(budget)) return false;
+    preview_ = sampler_.take();
+    if (const std::optional<Extent> extent = extentOf(preview_))
+      diagonal_ = glm::length(extent->high - extent->low);
+    largest_ = options_.uniform > 0.0 ? options_.uniform : kUniformPerDiagonal * diagonal_;
+    smallest_ = options_.smallest > 0.0 ? options_.smallest : kSmallestPerUniform * largest_;
+    proposal_.size = largest_ > 0.0 && std::isfinite(largest_) ? largest_ : 0.0;
+    return true;
+  }
+
+  void addFacet(std::size_t triangle) {
+    std::array<Vec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = sampleAt(preview_.patchPoints, preview_.patchTriangles[3 * triangle + k]);
+    facets_.emplace_back(corners);
+  }
+
+  void buildTree() {
+    std::vector<Box> boxes;
+    boxes.reserve(facets_.size());
+    for (const Facet& facet : facets_)
+      boxes.push_back(Box::of(facet.corners[0], facet.corners[1], facet.corners[2]));
     tree_ = BoxTree(boxes);
+  }
+
+  void sortOffers() {
+    order_.resize(offers_.size());
+    std::iota(order_.begin(), order_.end(), 0U);
+    stableSort(order_, [this](std::uint32_t a, std::uint32_t b) {
+      return offers_[a].size < offers_[b].size;
+    });
   }
 
   void offer(SourceType type, const std::array<Vec3, 3>& points, double size) {
@@ -135,34 +249,30 @@ class Proposer {
     offer(type, points, 2.0 * std::numbers::pi * radius / options_.elementsPerCircle);
   }
 
-  void proposeAlongLines() {
-    for (std::size_t line = 0; line + 1 < preview_.lineOffsets.size(); ++line) {
-      const std::size_t last = preview_.lineOffsets[line + 1];
-      for (std::size_t i = preview_.lineOffsets[line] + 1; i + 1 < last; ++i) {
-        const Vec3 before = sampleAt(preview_.linePoints, i - 1);
-        const Vec3 at = sampleAt(preview_.linePoints, i);
-        const Vec3 after = sampleAt(preview_.linePoints, i + 1);
-        const double turn = glm::length(unitOf(after - at) - unitOf(at - before));
-        const double distance = 0.5 * (glm::length(at - before) + glm::length(after - at));
-        offerBend(SourceType::kSegment, {before, at, at}, turn, distance);
-        offerBend(SourceType::kSegment, {at, after, after}, turn, distance);
-      }
+  void proposeAlong(std::size_t line) {
+    const std::size_t last = preview_.lineOffsets[line + 1];
+    for (std::size_t i = preview_.lineOffsets[line] + 1; i + 1 < last; ++i) {
+      const Vec3 before = sampleAt(preview_.linePoints, i - 1);
+      const Vec3 at = sampleAt(preview_.linePoints, i);
+      const Vec3 after = sampleAt(preview_.linePoints, i + 1);
+      const double turn = glm::length(unitOf(after - at) - unitOf(at - before));
+      const double distance = 0.5 * (glm::length(at - before) + glm::length(after - at));
+      offerBend(SourceType::kSegment, {before, at, at}, turn, distance);
+      offerBend(SourceType::kSegment, {at, after, after}, turn, distance);
     }
   }
 
-  /// Across each inner edge of a patch: the distance is that of the two corners opposite to it
-  /// from the edge, halved, as normals belong to the middle of their facets.
-  void proposeOnBends() {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> open;
-    for (std::size_t f = 0; f < facets_.size(); ++f) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = preview_.patchTriangles[3 * f + k];
-        const std::uint32_t b = preview_.patchTriangles[3 * f + (k + 1) % 3];
-        const auto [at, isNew] = open.try_emplace(std::minmax(a, b), f);
-        if (!isNew)
-          offerAcross(sampleAt(preview_.patchPoints, a), sampleAt(preview_.patchPoints, b),
-                      facets_[at->second], facets_[f]);
-      }
+  /// Across those of its edges that earlier facets have too, the inner ones of a patch: the distance is
+  /// that of the two corners opposite to the edge from it, halved, as normals belong to the middle of
+  /// their facets.
+  void proposeOnBendsOf(std::size_t facet) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = preview_.patchTriangles[3 * facet + k];
+      const std::uint32_t b = preview_.patchTriangles[3 * facet + (k + 1) % 3];
+      const auto [at, isNew] = facetAt_.try_emplace(std::minmax(a, b), facet);
+      if (!isNew)
+        offerAcross(sampleAt(preview_.patchPoints, a), sampleAt(preview_.patchPoints, b),
+                    facets_[at->second], facets_[facet]);
     }
   }
 
@@ -178,13 +288,11 @@ class Proposer {
     offerBend(SourceType::kTriangle, right.corners, turn, distance);
   }
 
-  void proposeInGaps() {
-    for (const Facet& facet : facets_) {
-      if (facet.normal == Vec3(0.0)) continue;
-      for (const double side : {1.0, -1.0}) {
-        const std::optional<double> gap = gapAlong(facet, side * facet.normal);
-        if (gap) offer(SourceType::kTriangle, facet.corners, *gap / options_.elementsPerGap);
-      }
+  void proposeInGapsAt(const Facet& facet) {
+    if (facet.normal == Vec3(0.0)) return;
+    for (const double side : {1.0, -1.0}) {
+      const std::optional<double> gap = gapAlong(facet, side * facet.normal);
+      if (gap) offer(SourceType::kTriangle, facet.corners, *gap / options_.elementsPerGap);
     }
   }
 
@@ -248,30 +356,41 @@ class Proposer {
     enlistedCount_ = kept_.size();
   }
 
-  void thinOut() {
-    stableSort(offers_, [](const SizeSource& a, const SizeSource& b) { return a.size < b.size; });
-    for (const SizeSource& source : offers_) {
-      if (!isServed(source)) keep(source);
-    }
-  }
-
   ProposalOptions options_;
+  Model model_;
+  ModelSampler sampler_;
+  Stage stage_ = Stage::kSample;
+  std::size_t next_ = 0;  ///< line, facet or offer of the present stage
   ModelPreview preview_;
   double diagonal_ = 0.0;
   double largest_ = 0.0;
   double smallest_ = 0.0;
   std::vector<Facet> facets_;
   BoxTree tree_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> facetAt_;  ///< an edge's first
   std::vector<SizeSource> offers_;
+  std::vector<std::uint32_t> order_;  ///< of the offers, by size
   std::vector<SizeSource> kept_;
   SizeSources enlisted_;  ///< the first `enlistedCount_` of kept_
   std::size_t enlistedCount_ = 0;
+  SizeProposal proposal_;
 };
 
-}  // namespace
+SizeProposer::SizeProposer(Model model, const ProposalOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(model), options)) {}
+SizeProposer::SizeProposer(SizeProposer&&) noexcept = default;
+SizeProposer& SizeProposer::operator=(SizeProposer&&) noexcept = default;
+SizeProposer::~SizeProposer() = default;
+
+bool SizeProposer::advance(std::uint32_t budget) { return impl_->advance(std::max(budget, 1U)); }
+double SizeProposer::fraction() const { return impl_->fraction(); }
+const SizeProposal& SizeProposer::result() const { return impl_->result(); }
 
 SizeProposal proposeSizes(const Model& model, const ProposalOptions& options) {
-  return Proposer(model, options).propose();
+  SizeProposer proposer(model, options);
+  while (!proposer.advance(std::numeric_limits<std::uint32_t>::max())) {
+  }
+  return proposer.result();
 }
 
 }  // namespace tetrafront

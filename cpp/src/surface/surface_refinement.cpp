@@ -56,6 +56,7 @@ class SurfaceRefiner::Impl {
  private:
   enum class Stage : std::uint8_t {
     kCheck,
+    kCheckGrid,
     kSizes,
     kEstimate,
     kInside,
@@ -67,6 +68,7 @@ class SurfaceRefiner::Impl {
 
   [[nodiscard]] Stage step(std::uint32_t budget);
   [[nodiscard]] Stage check();
+  [[nodiscard]] Stage checkGrid(std::uint32_t budget);
   [[nodiscard]] Stage askSizes(std::uint32_t budget);
   [[nodiscard]] Stage estimate(std::uint32_t budget);
   [[nodiscard]] Stage estimateInside();
@@ -76,6 +78,9 @@ class SurfaceRefiner::Impl {
   [[nodiscard]] Stage refuse(double triangles);
   [[nodiscard]] Stage refuseAs(std::vector<Entity> entities, double expected, double most);
   [[nodiscard]] Stage finish();
+  void add(const std::vector<Diagnostic>& found) {
+    result_.diagnostics.insert(result_.diagnostics.end(), found.begin(), found.end());
+  }
 
   [[nodiscard]] std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(origin_.size());
@@ -108,6 +113,7 @@ class SurfaceRefiner::Impl {
   SurfaceMesh mesh_;
   std::uint32_t given_ = 0;  ///< triangles
   std::vector<std::uint32_t> origin_;
+  std::optional<BackgroundGridCheck> ofGrid_;
   std::optional<WantedSizes> wanted_;
   std::optional<SizeField> field_;
   FieldHint hint_;
@@ -138,6 +144,8 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::step(std::uint32_t budget) {
   switch (stage_) {
     case Stage::kCheck:
       return check();
+    case Stage::kCheckGrid:
+      return checkGrid(budget);
     case Stage::kSizes:
       return askSizes(budget);
     case Stage::kEstimate:
@@ -166,10 +174,15 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::check() {
     }
   }
   result_.diagnostics = report.take();
-  for (const std::vector<Diagnostic>& found :
-       {checkOptions(options_), checkWantedSizes(grid_, options_)}) {
-    result_.diagnostics.insert(result_.diagnostics.end(), found.begin(), found.end());
-  }
+  add(checkOptions(options_));
+  ofGrid_.emplace(checkOfWantedSizes(grid_, options_));
+  return Stage::kCheckGrid;
+}
+
+SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::checkGrid(std::uint32_t budget) {
+  if (!ofGrid_->advance(budget)) return stage_;
+  add(ofGrid_->take());
+  ofGrid_.reset();
   if (anyError(result_.diagnostics) || !asksForSizes(grid_, options_)) return finish();
   wanted_.emplace(mesh_, grid_, options_, OwnEdges::kIgnored);
   return Stage::kSizes;

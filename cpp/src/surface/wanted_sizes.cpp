@@ -15,8 +15,8 @@ bool asksForSizes(const BackgroundGrid& grid, const MeshOptions& options) {
   return options.size > 0.0 || usesGrid(grid, options) || !grid.sources.empty();
 }
 
-std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid, const MeshOptions& options) {
-  return usesGrid(grid, options) ? checkBackgroundGrid(grid) : checkSizeSources(grid.sources);
+BackgroundGridCheck checkOfWantedSizes(const BackgroundGrid& grid, const MeshOptions& options) {
+  return BackgroundGridCheck(grid, usesGrid(grid, options) ? GridPart::kWhole : GridPart::kSources);
 }
 
 std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
@@ -50,11 +50,9 @@ SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& option
 
 WantedSizes::WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
                          const MeshOptions& options, OwnEdges own)
-    : grid_(grid) {
+    : grid_(grid), surface_(surface) {
   if (usesGrid(grid, options)) {
-    field_ = SizeField::fromGrid(GridLocator(grid, options.gradation - 1.0));
-    field_->addSources(grid.sources);
-    coverage_.emplace(surface, *field_);
+    locator_.emplace(grid, options.gradation - 1.0);
   } else if (own == OwnEdges::kIgnored) {
     field_ = askedBesideEdges(grid, options);
   } else {
@@ -63,6 +61,14 @@ WantedSizes::WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
 }
 
 bool WantedSizes::advance(std::uint32_t budget) {
+  if (locator_) {
+    if (!locator_->advance(budget)) return false;
+    field_ = SizeField::fromGrid(locator_->take());
+    field_->addSources(grid_.sources);
+    locator_.reset();
+    coverage_.emplace(surface_, *field_);
+    return false;
+  }
   if (coverage_) return coverage_->advance(budget);
   if (!builder_) return true;
   if (!builder_->advance(budget)) return false;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "field/grid_locator.h"
 #include "field/size_field.h"
 #include "field/size_octree_builder.h"
 #include "surface/surface_coverage.h"
@@ -23,9 +24,9 @@ namespace tetrafront {
 /// Whether anything is asked for beyond the surface's own edges.
 [[nodiscard]] bool asksForSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
-/// What is wrong with the part of the grid that is used.
-[[nodiscard]] std::vector<Diagnostic> checkWantedSizes(const BackgroundGrid& grid,
-                                                       const MeshOptions& options);
+/// Finds what is wrong with the part of the grid that is used.
+[[nodiscard]] BackgroundGridCheck checkOfWantedSizes(const BackgroundGrid& grid,
+                                                     const MeshOptions& options);
 
 /// kSizeTooLarge where the triangles of the surface, at least one, span less than the one size.
 /// O(triangles).
@@ -40,7 +41,7 @@ enum class OwnEdges : std::uint8_t { kCount, kIgnored };
 /// Makes the field in slices.
 class WantedSizes {
  public:
-  /// The grid must have passed checkWantedSizes(). All must outlive this.
+  /// The grid must have passed checkOfWantedSizes(). All must outlive this.
   WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
               OwnEdges own);
 
@@ -55,6 +56,8 @@ class WantedSizes {
 
  private:
   const BackgroundGrid& grid_;
+  const SurfaceMesh& surface_;
+  std::optional<GridLocatorBuilder> locator_;
   std::optional<SizeField> field_;
   std::optional<SizeOctreeBuilder> builder_;
   std::optional<SurfaceCoverage> coverage_;

@@ -4,13 +4,18 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
+#include "base/budget.h"
 #include "base/sort.h"
 
 namespace tetrafront {
 namespace {
 
 using Cell = std::array<double, 3>;
+
+/// To sort a node in costs less than to look around it.
+constexpr std::size_t kPreparedPerBudget = 8;
 
 /// The edge of the cells, no smaller than `distance`, such that all cells can be counted.
 double cellEdge(std::span<const double> points, double distance) {
@@ -26,22 +31,37 @@ double cellEdge(std::span<const double> points, double distance) {
 /// their place. To be added in ascending order.
 class NodeWelder::Lattice {
  public:
-  Lattice(std::span<const double> points, double edge) : points_(points), edge_(edge) {
-    const std::size_t count = points.size() / 3;
-    std::vector<Cell> cellOf(count);
-    for (std::uint32_t i = 0; i < count; ++i) cellOf[i] = cellAt(i);
-    nodes_.resize(count);
+  Lattice(std::span<const double> points, double edge)
+      : points_(points), edge_(edge), cellOf_(points.size() / 3), nodes_(points.size() / 3) {
     std::iota(nodes_.begin(), nodes_.end(), 0U);
-    stableSort(nodes_, [&](std::uint32_t a, std::uint32_t b) {
-      return cellOf[a] != cellOf[b] ? cellOf[a] < cellOf[b] : a < b;
-    });
-    for (std::uint32_t i = 0; i < count; ++i) {
-      const Cell& cell = cellOf[nodes_[i]];
-      if (cells_.empty() || cells_.back() != cell) {
-        cells_.push_back(cell);
-        rooms_.push_back({i, i});
+  }
+
+  /// Makes room for all nodes, about `budget` at a time; true when finished, and before add().
+  bool prepare(std::size_t budget) {
+    if (stage_ == Stage::kReady) return true;
+    if (stage_ == Stage::kSort) {
+      if (sort_->advance(budget)) stage_ = Stage::kRooms;
+      return false;
+    }
+    const std::size_t last = next_ + std::min(budget, nodes_.size() - next_);
+    for (; next_ < last; ++next_) {
+      if (stage_ == Stage::kCells) {
+        cellOf_[next_] = cellAt(static_cast<std::uint32_t>(next_));
+      } else {
+        makeRoom(static_cast<std::uint32_t>(next_));
       }
     }
+    if (next_ < nodes_.size()) return false;
+    next_ = 0;
+    if (stage_ == Stage::kCells) {
+      sort_.emplace(std::span(nodes_), ByCell{cellOf_.data()});
+      stage_ = Stage::kSort;
+      return false;
+    }
+    sort_.reset();
+    cellOf_ = {};
+    stage_ = Stage::kReady;
+    return true;
   }
 
   void add(std::uint32_t node) { nodes_[rooms_[roomOf(cellAt(node))].end++] = node; }
@@ -69,6 +89,23 @@ class NodeWelder::Lattice {
   }
 
  private:
+  enum class Stage : std::uint8_t { kCells, kSort, kRooms, kReady };
+
+  struct ByCell {
+    const Cell* cellOf;
+    bool operator()(std::uint32_t a, std::uint32_t b) const {
+      return cellOf[a] != cellOf[b] ? cellOf[a] < cellOf[b] : a < b;
+    }
+  };
+
+  /// For the node at `position` of those sorted, in the room of its cell.
+  void makeRoom(std::uint32_t position) {
+    const Cell& cell = cellOf_[nodes_[position]];
+    if (!cells_.empty() && cells_.back() == cell) return;
+    cells_.push_back(cell);
+    rooms_.push_back({position, position});
+  }
+
   /// Of the nodes added in one cell: positions in nodes_, which has a place for all that lie there.
   struct Room {
     std::uint32_t begin;
@@ -94,6 +131,10 @@ class NodeWelder::Lattice {
 
   std::span<const double> points_;
   double edge_;
+  Stage stage_ = Stage::kCells;
+  std::size_t next_ = 0;
+  std::vector<Cell> cellOf_;  ///< per node, until there is room
+  std::optional<SlicedSort<std::uint32_t, ByCell>> sort_;
   std::vector<Cell> cells_;  ///< ascending
   std::vector<Room> rooms_;  ///< per cell
   std::vector<std::uint32_t> nodes_;
@@ -110,8 +151,8 @@ bool NodeWelder::advance(std::uint32_t budget) {
   if (!lattice_) {
     lattice_ = std::make_unique<Lattice>(points_, cellEdge(points_, distance_));
     targets_.reserve(count);
-    return count == 0;
   }
+  if (!lattice_->prepare(scaledBudget(budget, kPreparedPerBudget))) return false;
   const std::size_t last = targets_.size() + std::min<std::size_t>(count - targets_.size(), budget);
   while (targets_.size() < last) {
     const auto node = static_cast<std::uint32_t>(targets_.size());

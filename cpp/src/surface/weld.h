@@ -18,8 +18,8 @@ class NodeWelder {
   NodeWelder& operator=(NodeWelder&&) noexcept;
   ~NodeWelder();
 
-  /// Works on for about `budget` nodes, after a first call that sorts all; true when finished.
-  /// O(n log n) in all: few nodes that stay are near each other.
+  /// Works on for about `budget` nodes; true when finished. O(n log n) in all: few nodes that stay
+  /// are near each other.
   bool advance(std::uint32_t budget);
 
   /// Per node: the one it becomes, itself or one of a lower number no further than the distance away

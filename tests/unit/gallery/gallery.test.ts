@@ -38,6 +38,16 @@ async function meshOf(id: string): Promise<MeshResult> {
   return result;
 }
 
+/** The same model with all its sizes so many times as large. */
+function coarser({ background, ...rest }: Project, factor: number): Project {
+  const scaled = <T extends { size: number }>(at: T): T => ({ ...at, size: at.size * factor });
+  const { nodes, sources } = background;
+  return {
+    ...rest,
+    background: { ...background, nodes: nodes.map(scaled), ...(sources && { sources: sources.map(scaled) }) },
+  };
+}
+
 const isStretched = ({ background }: Project): boolean =>
   background.nodes.some(({ stretching = 1 }) => stretching > 1);
 
@@ -89,6 +99,16 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
     expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
     expect(quality.edges.nearWanted).toBeGreaterThan(0.95);
   });
+
+  // Walls are then about one and a half elements thick.
+  test.each([1.5, 2])(
+    "has elements of the wanted size, too, where that is %d times as large",
+    async (factor) => {
+      const { quality } = (await mesher.meshProject(coarser(projectOf(id), factor))).report;
+      expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
+      expect(quality.edges.nearWanted).toBeGreaterThan(0.95);
+    },
+  );
 });
 
 /**

@@ -215,6 +215,7 @@ describe("mesh --background", () => {
     ["of another kind", ["--background", "cube.off"], /"\.off" cannot be read.*\.json, \.vtu, \.msh/],
     ["that is broken", ["--background", "broken.msh"], /broken\.msh: Line 1: the file does not begin with/],
     ["that does not cover", ["--background", "far.json"], /outside the background grid/],
+    ["that tells no sizes", ["--background", "bare.json"], /bare\.json: The project tells no sizes/],
   ])("%s is refused", async (_, args, message) => {
     save("bare.json", writeProject(bare));
     save("grid.json", writeProject(cubeProject()));

@@ -153,6 +153,19 @@ describe("check", () => {
     expect(stderr).toMatch(`(and ${tiny - 1} more like it)`);
   });
 
+  test("counts what is not listed any more, too", async () => {
+    const corners = Array.from({ length: 400 }, (_, i) => [i, 0, 0, i + 0.5, 0, 0, i, 1, 0]).flat();
+    const apart = {
+      points: Float64Array.from(corners),
+      triangles: Uint32Array.from({ length: 1200 }, (_, i) => i),
+    };
+    save("apart.off", offFile(apart));
+    const { code, stderr } = await tetrafront(folder.path, ["check", "apart.off"]);
+    expect(code).toBe(2);
+    expect(stderr).toMatch(/: and 1150 more of the kind "open-edge"\.\n/);
+    expect(stderr).toMatch(/: 1200 errors\n$/);
+  });
+
   test("says what enclosed parts are taken for", async () => {
     const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.75, 0.75, 0.75]);
     writeFileSync(path.join(folder.path, "core.off"), offFile(joined(boxSurface(2), inside)));

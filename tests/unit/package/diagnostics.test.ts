@@ -1,5 +1,18 @@
-import { describeDiagnostic, ENGINE_CODES, ENTITY_KINDS, nameByPosition, projectNamer } from "tetrafront";
-import { describe, expect, test } from "vitest";
+import { readFileSync } from "node:fs";
+
+import {
+  describeDiagnostic,
+  ENGINE_CODES,
+  ENTITY_KINDS,
+  nameByPosition,
+  projectNamer,
+  type Diagnostic,
+  type DiagnosticCode,
+  type DiagnosticOf,
+} from "tetrafront";
+import { describe, expect, expectTypeOf, test } from "vitest";
+
+import { ENGINE_DATA } from "../../../wasm/dist/diagnostic-data.js";
 
 import { cubeProject } from "../../support/projects.js";
 
@@ -30,12 +43,58 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
     }
   });
 
-  test("carries entities, place and values along", () => {
+  test("carries entities, place and numbers along", () => {
     const said = describeDiagnostic({ code: Number(code), ...rich }, nameByPosition);
     expect(said.entities).toHaveLength(2 * ENTITY_KINDS.length);
     expect(said.place).toEqual([0.125, 1 / 3, -2]);
-    expect(said.values).toEqual([7.123456789, 3, 2]);
+    expect(Object.keys(said.data)).toEqual(ENGINE_DATA[said.code as keyof typeof ENGINE_DATA] ?? []);
     expect(describeDiagnostic({ code: Number(code), ...bare }, nameByPosition).place).toBeUndefined();
+  });
+});
+
+test("what the engine has numbers for has names for all of them", () => {
+  const header = new URL("../../../cpp/include/tetrafront/status.h", import.meta.url);
+  const text = readFileSync(header, "utf8").replace(/\n\s*\/\/\//g, "");
+  const withNumbers = [...text.matchAll(/= (\d+),\s*\/\/\/<[^\n]*values:([^\n]*)/g)];
+  expect(withNumbers.length).toBeGreaterThan(15);
+  const named = (code: string | undefined) =>
+    Object.entries(ENGINE_DATA).find(
+      ([name]) => ENGINE_CODES[Number(code) as keyof typeof ENGINE_CODES] === name,
+    );
+  expect(withNumbers.filter(([, code]) => named(code) === undefined).map(([line]) => line)).toEqual([]);
+});
+
+describe("the data of a diagnostic", () => {
+  const told = (code: number, ...values: number[]) =>
+    describeDiagnostic({ ...bare, code, values: Float64Array.from(values) }, nameByPosition).data;
+
+  test("are the engine's numbers by their names, as far as it gave them", () => {
+    expect(told(25, 3e7, 2e7)).toEqual({ expected: 3e7, most: 2e7 });
+    expect(told(43, 12)).toEqual({ count: 12 });
+    expect(told(43, 12, 1)).toEqual({ count: 12, isLeast: true });
+    expect(told(50, 0, 3)).toEqual({ isBetweenSpaces: false, count: 3 });
+    expect(told(15, 1, -2)).toEqual({ option: "growth", given: -2 });
+    expect(told(12)).toEqual({});
+  });
+
+  test("are told apart by the code", () => {
+    expectTypeOf<Diagnostic["code"]>().toEqualTypeOf<DiagnosticCode>();
+    expectTypeOf<DiagnosticOf<"invalid-option">["data"]["option"]>().toBeString();
+    const optionOf = (found: Diagnostic) => {
+      switch (found.code) {
+        case "bad-option":
+          return found.data.option;
+        case "invalid-option":
+          return found.data.option;
+        case "too-many-elements":
+          return found.data.expected / found.data.most;
+        case "malformed-file":
+          return found.data.line;
+        default:
+          return undefined;
+      }
+    };
+    expectTypeOf(optionOf).returns.toEqualTypeOf<string | number | undefined>();
   });
 });
 

@@ -306,9 +306,9 @@ describe("a worker that is asked to cancel", () => {
     stop.abort();
     const { report } = await run;
     expect(report).toMatchObject({ status: "cancelled", tetrahedra: 0 });
-    expect(performance.now() - aborted).toBeLessThan(300);
+    expect(performance.now() - aborted).toBeLessThan(1000);
     // It was let go on for a moment, to say that it stops.
-    expect(report.seconds.total).toBeGreaterThan(0.05);
+    expect(report.seconds.total).toBeGreaterThan(0.3);
     expect(workerNumber(0).terminated).toBe(true);
     const fresh = workerNumber(1);
     fresh.reply(READY);

@@ -426,10 +426,10 @@ describe("progress", () => {
 describe("cancelling", () => {
   /** Large enough to be under way for long on any machine. */
   const large = sphereSurface(90);
-  /** The promise is 100 ms; a loaded machine delays timers and messages. */
+  /** The rule is 100 ms; a loaded machine delays timers and messages. */
   const LENIENT_MS = 400;
 
-  // A machine so loaded that the worker misses its 80 ms loses what exists, as promised: try again.
+  // A machine so loaded that the worker misses its half second loses what exists, as promised: try again.
   test("ends a run and returns what exists", { retry: 3 }, async () => {
     const stop = new AbortController();
     let abortedAt = NaN;

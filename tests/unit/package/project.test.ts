@@ -149,14 +149,26 @@ describe("a project that is damaged is refused with the path of the damage:", ()
       "points[1].at[1]",
       /number/,
     ],
+    ["a coordinate missing", (c) => (c.points[1] = { id: 2, at: [0, 1] }), "points[1].at[2]", /missing/],
     [
-      "a coordinate missing",
-      (c) => (c.points[1] = { id: 2, at: [0, 1] }),
+      "a coordinate too much",
+      (c) => (c.points[1] = { id: 2, at: [0, 1, 2, 3] }),
       "points[1].at",
-      /at least 3 items/,
+      /at most 3 items/,
+    ],
+    [
+      "coordinates in a typed array",
+      (c) => (c.points[1] = { id: 2, at: new Float64Array(3) }),
+      "points[1].at",
+      /list, received Float64Array/,
     ],
     ["an id of 0", (c) => (c.points[0] = { id: 0, at: [0, 0, 0] }), "points[0].id", /more than 0/],
-    ["an id with a fraction", (c) => (c.points[0] = { id: 1.5, at: [0, 0, 0] }), "points[0].id", /int/],
+    [
+      "an id with a fraction",
+      (c) => (c.points[0] = { id: 1.5, at: [0, 0, 0] }),
+      "points[0].id",
+      /whole number/,
+    ],
     ["an id used twice", (c) => (c.points[3] = { id: 2, at: [0, 0, 0] }), "points[3].id", /the id 2/],
     [
       "a point that is not there",
@@ -186,13 +198,13 @@ describe("a project that is damaged is refused with the path of the damage:", ()
       "a source with four places",
       (c) => addSource(c, { ...SOURCES[2], places: [0, 1, 2, 3].map((x) => [x, 0, 0]) }),
       "background.sources[0].places",
-      /3|big/i,
+      /at most 3 items/,
     ],
     [
       "a source without a size",
       (c) => addSource(c, { id: 1, type: "point", places: [[0, 0, 0]] }),
       "background.sources[0].size",
-      /number/,
+      /missing/,
     ],
     [
       "a source id used twice",
@@ -207,7 +219,7 @@ describe("a project that is damaged is refused with the path of the damage:", ()
       /at least 0/,
     ],
     ["an unknown field", (c) => (c["pionts"] = []), "", /pionts/],
-    ["no lines", (c) => delete (c as Partial<PlainProject>).lines, "lines", /array/],
+    ["no lines", (c) => delete (c as Partial<PlainProject>).lines, "lines", /missing/],
   ])("%s", (_, damage, path, message) => {
     const found = problem(damaged(damage));
     expect(found.path).toBe(path);
@@ -240,7 +252,7 @@ describe("a project that is damaged is refused with the path of the damage:", ()
   test("every problem is told, not the first alone", () => {
     const read = parseProject(damaged((c) => c.points.forEach((point) => (point.at = [1, 2]))));
     expect(read.success ? [] : read.problems.map(({ path }) => path)).toEqual(
-      [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `points[${i}].at`),
+      [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `points[${i}].at[2]`),
     );
   });
 });

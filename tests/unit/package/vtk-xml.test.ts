@@ -1,6 +1,6 @@
 /** VTU files as their specification allows them: read from their bytes, no number lost or made up. */
 import { zlibSync } from "fflate";
-import { readMesh, readVolume, type ReadResult } from "tetrafront";
+import { readMesh, readVolume, writeMesh, type ReadResult } from "tetrafront";
 import { expect, test, vi } from "vitest";
 
 const encoder = new TextEncoder();
@@ -128,4 +128,23 @@ test("a compressed block whose sum is another is damaged", async () => {
   expect(await problemOf(file((bytes) => (bytes[last] = (bytes[last] ?? 0) ^ 1)))).toMatch(
     /line 4: a compressed block is damaged/,
   );
+});
+
+/**
+ * meshio (5.3) goes through the values of a file from the first byte on, asks which array is at that place, the first in
+ * the file of several, and gives it a place among the values in base64 and not compressed, which may be that of another.
+ */
+test("no array is taken for another by readers that give them new places as they go", async () => {
+  const [file] = await writeMesh(
+    valueOf(await readMesh(encoder.encode(vtu(piece({}))), { fileName: "a.vtu" })),
+    "b.vtu",
+  );
+  const text = Buffer.from(file?.bytes ?? []).toString("latin1");
+  const places = [...text.matchAll(/ offset="(\d+)"/g)].map(([, place]) => Number(place));
+  expect(places).toHaveLength(6);
+  const order = places.map((_, array) => array).sort((a, b) => (places[a] ?? 0) - (places[b] ?? 0));
+  // Whatever new places those before have got, none of these arrays stands in front of the one looked for.
+  order.forEach((array, at) => {
+    for (const renamed of order.slice(0, at)) expect(renamed).toBeGreaterThan(array);
+  });
 });

@@ -23,7 +23,13 @@ vi.mock("../../../wasm/dist/engine-loader.js", () => ({
       engine: {
         propose: (model: unknown) => {
           port.asked.push(model);
-          return { failure: "" };
+          return {
+            advance: () => true,
+            fraction: () => 1,
+            result: () => ({}),
+            failure: () => "",
+            delete: () => undefined,
+          };
         },
       },
     }),
@@ -38,10 +44,9 @@ test("questions given up while they waited are not begun, others are answered in
   port.handle({ kind: "load", module: undefined });
   for (const id of [1, 2, 3, 4]) port.handle(proposal(id));
   for (const id of [2, 3]) port.handle({ kind: "cancel", id });
-  await vi.waitFor(() => expect(port.asked).toHaveLength(2));
+  const answered = () => port.replies.flatMap((reply) => (reply.kind === "answer" ? [reply.id] : []));
+  await vi.waitFor(() => expect(answered()).toEqual([1, 4]));
   expect(port.asked).toEqual(["model 1", "model 4"]);
-  expect(port.replies.map(({ kind }) => kind)).toEqual(["ready", "answer", "answer"]);
-  expect(port.replies.slice(1).map((reply) => "id" in reply && reply.id)).toEqual([1, 4]);
   // The number of a question that was given up is nothing that would keep the next from its answer.
   port.handle(proposal(2));
   await vi.waitFor(() => expect(port.asked).toHaveLength(3));

@@ -83,7 +83,7 @@ describe("toProblems", () => {
   it("ties diagnostics to ids, errors first, without notes and repetition", () => {
     const project = cubeProject();
     const about = (index: number) => [{ kind: "patch", index, label: "" } as const];
-    const diagnostic = { code: "not-planar", remedy: "Mend it.", values: [] } as const;
+    const diagnostic = { code: "not-planar", remedy: "Mend it.", data: { distance: 1 } } as const;
     const problems = toProblems(project, [
       { ...diagnostic, severity: "information", message: "note", entities: [] },
       { ...diagnostic, severity: "warning", message: "warned", entities: about(1), place: [1, 2, 3] },

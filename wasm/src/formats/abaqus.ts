@@ -7,7 +7,7 @@
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
+import { patchGroups, regionGroups, usedGroups, type Group, type Naming } from "./groups.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { stepwise } from "./steps.js";
 import { NONE, tetFaces } from "./tet-faces.js";
@@ -73,7 +73,7 @@ function* surfaces(mesh: FileMesh, patches: readonly Group[]): Generator<Part, v
     if (other !== NONE) own?.BACK.push(line(other));
   });
   // Patches without triangles have no group, and no lines here.
-  const used = new Set(mesh.trianglePatch);
+  const used = usedGroups(mesh.trianglePatch, mesh.patches);
   const filled = sides.filter((_, patch) => used.has(patch));
   yield patches.flatMap(({ name }, p) =>
     Object.entries(filled[p] ?? {}).flatMap(([side, lines]) =>

@@ -14,7 +14,7 @@ export type ByteSource =
   | Iterable<Uint8Array>;
 
 /** What is in memory already is handed on in pieces of this size, between which others may run. */
-const PIECE_BYTES = 1 << 18;
+const PIECE_BYTES = 1 << 16;
 
 /**
  * The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. The signal cancels

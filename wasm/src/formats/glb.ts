@@ -6,7 +6,7 @@ import { boundaryOf, colorsOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, type Group } from "./groups.js";
+import { patchGroups, usedGroups, type Group } from "./groups.js";
 import { noteMerged } from "./merged-points.js";
 
 const MAGIC = 0x46546c67;
@@ -42,7 +42,7 @@ export function* writeGlb(mesh: FileMesh, note: Note): Generator<Part, void> {
 function description(surface: FileMesh, groups: readonly Group[]): object {
   const asset = { version: "2.0", generator: "Tetrafront" };
   if (groups.length === 0) return { asset, scene: 0, scenes: [{}] };
-  const used = new Set(surface.trianglePatch);
+  const used = usedGroups(surface.trianglePatch, surface.patches);
   const colors = colorsOf(surface).filter((_, patch) => used.has(patch));
   const placeBytes = 4 * surface.points.length;
   const counts = groups.map(({ nodes }) => nodes.length);

@@ -1,7 +1,7 @@
 /** What a format takes of a mesh beside points, elements and names; the rest is told, not lost in silence. */
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { isPlain, listed } from "./groups.js";
+import { isPlain, listed, usedGroups } from "./groups.js";
 
 export interface Held {
   /** The lowest number that it has for a group; undefined where it tells groups apart by names or its own order. */
@@ -25,7 +25,7 @@ export function heldOf(mesh: FileMesh, held: Held, note: Note): FileMesh {
   const { lowestTag, highestTag = MAX_TAG, sharesTags = false, takesData } = held;
   const takenByPatches = new Set<number>();
   const settled = (word: string, groups: readonly FileGroup[], owners: Uint32Array) => {
-    const used = new Set(owners);
+    const used = usedGroups(owners, groups);
     const taken = sharesTags ? takenByPatches : new Set<number>();
     const tags = usableTags(groups, used, { lowest: lowestTag ?? 1, highest: highestTag, taken });
     const changed = groups.flatMap(({ tag }, g) =>

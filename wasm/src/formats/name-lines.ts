@@ -4,7 +4,7 @@
  */
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { isPlain, listed, shortened } from "./groups.js";
+import { isPlain, listed, shortened, usedGroups } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
 
 /** In bytes: no line is longer than readers of comments look at. */
@@ -15,8 +15,9 @@ const LONGEST = 500;
  * reader would take the name for that of another.
  */
 export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note): string[] {
-  const groups = word === "patch" ? mesh.patches : mesh.regions;
-  const used = new Set(word === "patch" ? mesh.trianglePatch : mesh.tetrahedronRegion);
+  const [groups, owners] =
+    word === "patch" ? [mesh.patches, mesh.trianglePatch] : [mesh.regions, mesh.tetrahedronRegion];
+  const used = usedGroups(owners, groups);
   const cut: string[] = [];
   const lines = groups.flatMap((group, g) => {
     if (isPlain(group) || !used.has(g)) return [];

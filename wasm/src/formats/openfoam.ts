@@ -7,10 +7,10 @@
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { patchGroups, regionGroups } from "./groups.js";
+import { patchGroups, regionGroups, usedGroups } from "./groups.js";
 import { coordinates, numberRows } from "./number-rows.js";
 import { noteLoose, noteNameless, noteRepeated } from "./outer-faces.js";
-import { stepwise, type Steps } from "./steps.js";
+import { BREATH, stepwise, type Steps } from "./steps.js";
 import { cornersOf, NONE, soundFaces, type TetFaces } from "./tet-faces.js";
 import { zipped } from "./zip.js";
 
@@ -33,6 +33,7 @@ interface PolyMesh {
 /** The bytes of the zip. */
 export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void> {
   const poly = yield* polyMesh(mesh, note);
+  yield BREATH;
   const owners = poly.faces.map((face) => face >>> 2);
   const counts =
     `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
@@ -72,7 +73,7 @@ function* polyMesh(mesh: FileMesh, note: Note): Steps<PolyMesh> {
   const patches: FaceRange[] = [];
   const zones: { name: string; faces: Uint32Array }[] = [];
   const names = yield* namesOf(mesh, note);
-  const byPatch = trianglesByPatch(mesh);
+  const byPatch = yield* membersOf(mesh.trianglePatch, mesh.patches.length);
   byPatch.forEach((own, patch) => {
     const kept = own.filter((t) => !isRepeated(t, found.faceOfTriangle[t] ?? NONE));
     const sides = kept.map((t) => found.faceOfTriangle[t] ?? NONE).filter((face) => face !== NONE);
@@ -94,10 +95,12 @@ function* polyMesh(mesh: FileMesh, note: Note): Steps<PolyMesh> {
     patches.push({ name, begin: inner.length + outside.length, count: nameless.length });
     noteNameless(nameless.length, name, note);
   }
+  yield BREATH;
   const faces = new Uint32Array(inner.length + outside.length + nameless.length);
   faces.set(inner);
   faces.set(outside, inner.length);
   faces.set(nameless, inner.length + outside.length);
+  yield BREATH;
   const neighbours = inner.map((face) => (found.twin[face] ?? 0) >>> 2);
   return { faces, neighbours, patches, zones };
 }
@@ -139,15 +142,16 @@ function* namelessFaces({ twin, triangle }: TetFaces): Steps<number[]> {
   return nameless;
 }
 
-function trianglesByPatch({ trianglePatch, patches }: FileMesh): number[][] {
-  const lists: number[][] = patches.map(() => []);
-  trianglePatch.forEach((patch, t) => lists[patch]?.push(t));
-  return lists;
+/** The elements of each of so many groups, in their order. */
+function* membersOf(owners: Uint32Array, groups: number): Steps<number[][]> {
+  const members = Array.from({ length: groups }, (): number[] => []);
+  yield* stepwise(owners.length, (element) => members[owners[element] ?? 0]?.push(element));
+  return members;
 }
 
 /** Words as OpenFOAM takes them, by position of the patch; patches without triangles have none. */
 function* namesOf(mesh: FileMesh, note: Note): Steps<(string | undefined)[]> {
-  const used = new Set(mesh.trianglePatch);
+  const used = usedGroups(mesh.trianglePatch, mesh.patches);
   const names = (yield* patchGroups(mesh, { plain: word, note })).map(({ name }) => name);
   return mesh.patches.map((_, patch) => (used.has(patch) ? names.shift() : undefined));
 }
@@ -189,8 +193,7 @@ function zoneEntry({ name, faces }: { readonly name: string; readonly faces: Uin
 }
 
 function* cellZones(mesh: FileMesh, note: Note): Steps<Part> {
-  const cells: number[][] = mesh.regions.map(() => []);
-  mesh.tetrahedronRegion.forEach((region, cell) => cells[region]?.push(cell));
+  const cells = yield* membersOf(mesh.tetrahedronRegion, mesh.regions.length);
   const filled = cells.filter((own) => own.length > 0);
   const groups = yield* regionGroups(mesh, { plain: word, note });
   const entries = groups.map(({ name }, r): Part => {

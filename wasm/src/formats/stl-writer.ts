@@ -6,7 +6,7 @@ import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { isPlain, listed, noteNames } from "./groups.js";
+import { isPlain, listed, noteNames, usedGroups } from "./groups.js";
 import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
 import { noteMerged } from "./merged-points.js";
 import { stepwise } from "./steps.js";
@@ -50,7 +50,7 @@ function attributesOf({ patches, trianglePatch }: FileMesh, note: Note): Uint16A
   const attributes = new Uint16Array(patches.length);
   const [first] = patches;
   if (patches.length === 1 && first?.tag === 1 && isPlain(first)) return attributes;
-  const used = [...new Set(trianglePatch)].sort((a, b) => a - b);
+  const used = [...usedGroups(trianglePatch, patches)];
   const tags = used.map((patch) => patches[patch]?.tag ?? NaN);
   const isHeld = tags.every((tag) => Number.isInteger(tag) && tag >= 1 && tag <= MOST_ATTRIBUTES);
   const isKept = isHeld && new Set(tags).size === tags.length;
@@ -71,7 +71,9 @@ function attributesOf({ patches, trianglePatch }: FileMesh, note: Note): Uint16A
 
 /** Never the word "solid" at its begin, which begins text, and no zero, nor "COLOR=", which has a meaning. */
 function header({ patches, trianglePatch }: FileMesh, attributes: Uint16Array, note: Note): Uint8Array {
-  const used = [...new Set(trianglePatch)].sort((a, b) => (attributes[a] ?? 0) - (attributes[b] ?? 0));
+  const used = [...usedGroups(trianglePatch, patches)].sort(
+    (a, b) => (attributes[a] ?? 0) - (attributes[b] ?? 0),
+  );
   const names = used.map((patch) => patches[patch]?.name ?? "");
   const text = `${STL_NAMES}${names.join(NAME_BREAK)}`;
   const bytes = new TextEncoder().encode(text);

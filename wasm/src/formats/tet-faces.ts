@@ -4,7 +4,7 @@ import { packageDiagnostic } from "../package-diagnostic.js";
 import type { Diagnostic } from "../types.js";
 import type { FileMesh } from "./file-mesh.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
-import { stepwise, type Steps } from "./steps.js";
+import { BREATH, stepwise, type Steps } from "./steps.js";
 
 export const NONE = 0xffffffff;
 
@@ -33,8 +33,10 @@ export function* tetFaces({ triangles, tetrahedra }: FileMesh): Steps<TetFaces> 
   let buckets = 16;
   while (buckets < faceCount) buckets *= 2;
   const heads = new Uint32Array(buckets).fill(NONE);
+  yield BREATH;
   const next = new Uint32Array(faceCount);
   const twin = new Uint32Array(faceCount).fill(NONE);
+  yield BREATH;
   const crowded: number[] = [];
   yield* stepwise(faceCount, (face) => {
     const corners = sorted(cornersOf(tetrahedra, face));

@@ -3,7 +3,7 @@ import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "..
 import { checkVolume } from "../input-checks.js";
 import { MesherError, refuse } from "../mesher-error.js";
 import type { ReadResult } from "../read-result.js";
-import type { AbortControl, BackgroundArrays, Mesher } from "../types.js";
+import type { BackgroundArrays, Mesher, RunControl } from "../types.js";
 import type { NodeData } from "./file-mesh.js";
 import type { VolumeFile } from "./volume-file.js";
 
@@ -15,7 +15,7 @@ import type { VolumeFile } from "./volume-file.js";
 export async function volumeBackground(
   mesher: Pick<Mesher, "meshAsBackground">,
   volume: VolumeFile,
-  control: AbortControl = {},
+  control: RunControl = {},
 ): Promise<ReadResult<BackgroundArrays>> {
   checkArgument("mesher", mesher, objectOf({ meshAsBackground: aFunction }));
   refuse(checkVolume(volume, undefined));

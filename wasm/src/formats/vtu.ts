@@ -62,7 +62,7 @@ export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
     '<AppendedData encoding="raw">',
     "_",
   ].join("\n");
-  yield* [head, ...packed, "\n</AppendedData>\n</VTKFile>\n"];
+  yield* [head, ...packed.reverse(), "\n</AppendedData>\n</VTKFile>\n"];
 }
 
 /** The nodes of the cells one after the other, and where those of each end. */
@@ -109,12 +109,15 @@ function* compressed(values: ArrayBufferView): Generator<Part, Uint8Array> {
   return joinBytes([widened(header), ...blocks]);
 }
 
-/** One element per array, with the place of its values after the underscore. */
+/**
+ * One element per array, with the place of its values after the underscore: those of the last array come first. meshio
+ * (5.3) takes arrays by their places while it gives them new ones, from the first values on, and of two with one place the
+ * first array: as it has none of the new places in front of those it looks for, it never takes another's.
+ */
 function arrayTags(arrays: readonly DataArray[], packed: readonly Uint8Array[]): readonly string[] {
-  let offset = 0;
+  let offset = packed.reduce((sum, { length }) => sum + length, 0);
   return arrays.map(({ attributes }, a) => {
-    const tag = `<DataArray ${attributes} format="appended" offset="${offset}"/>`;
-    offset += packed[a]?.length ?? 0;
-    return tag;
+    offset -= packed[a]?.length ?? 0;
+    return `<DataArray ${attributes} format="appended" offset="${offset}"/>`;
   });
 }

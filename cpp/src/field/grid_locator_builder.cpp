@@ -1,0 +1,265 @@
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "base/budget.h"
+#include "base/sort.h"
+#include "field/grid_gradation.h"
+#include "field/grid_locator.h"
+#include "field/tensor_limits.h"
+
+namespace tetrafront {
+namespace {
+
+/// A place this far outside the grid, relative to the grid's extent, is on its border: input files
+/// carry decimals, and lines and patches are evaluated with a few roundings.
+constexpr double kBorderRounding = 1e-10;
+
+/// Steps of a walk before it is given up: a straight path crosses about n^(1/3) tetrahedra.
+constexpr std::uint32_t kFreeSteps = 64;
+constexpr std::uint32_t kStepsPerLayer = 4;
+
+/// To come to a tetrahedron costs far less than a step of the front.
+constexpr std::size_t kPerBudget = 8;
+
+/// Nodes of the face opposite to node i.
+constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
+    {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
+
+std::uint32_t cubeRootUp(std::size_t n) {
+  std::uint32_t root = 1;
+  while (std::size_t{root} * root * root < n) ++root;
+  return root;
+}
+
+}  // namespace
+
+class GridLocatorBuilder::Impl {
+ public:
+  Impl(BackgroundGrid grid, double growth) : growth_(growth) {
+    made_.grid_ = std::move(grid);
+    made_.maxSteps_ = kFreeSteps + kStepsPerLayer * cubeRootUp(tetrahedra().size());
+    begin(Stage::kExtent, nodes().size());
+  }
+
+  bool advance(std::uint32_t budget) {
+    if (stage_ == Stage::kDone) return true;
+    const std::size_t share = scaledBudget(budget, kPerBudget);
+    if (stage_ == Stage::kLimits) {
+      if (!limitSome(share)) return false;
+    } else if (stage_ == Stage::kTree) {
+      if (!tree_->advance(share)) return false;
+    } else {
+      const std::size_t last = next_ + std::min(share, end_ - next_);
+      for (; next_ < last; ++next_) workOn(static_cast<std::uint32_t>(next_));
+      if (next_ < end_) return false;
+    }
+    endStage();
+    return stage_ == Stage::kDone;
+  }
+
+  GridLocator take() { return std::move(made_); }
+
+ private:
+  enum class Stage : std::uint8_t {
+    kExtent,
+    kTensors,
+    kLimits,
+    kSizes,
+    kFrames,
+    kFaces,
+    kNeighbours,
+    kBoxes,
+    kTree,
+    kDone
+  };
+  /// Of a tetrahedron, at its lowest node.
+  struct Face {
+    std::uint32_t middle;
+    std::uint32_t highest;
+    std::uint32_t owner;  ///< 4 x tetrahedron + node opposite
+  };
+
+  [[nodiscard]] std::vector<BackgroundNode>& nodes() { return made_.grid_.nodes; }
+  [[nodiscard]] std::vector<std::array<std::uint32_t, 4>>& tetrahedra() {
+    return made_.grid_.tetrahedra;
+  }
+  [[nodiscard]] const Vec3& place(std::uint32_t t, std::size_t corner) {
+    return nodes()[tetrahedra()[t][corner]].position;
+  }
+
+  void begin(Stage stage, std::size_t end) {
+    stage_ = stage;
+    next_ = 0;
+    end_ = end;
+  }
+
+  void workOn(std::uint32_t i) {
+    switch (stage_) {
+      case Stage::kExtent:
+        lower_ = glm::min(lower_, nodes()[i].position);
+        upper_ = glm::max(upper_, nodes()[i].position);
+        isStretched_ = isStretched_ || nodes()[i].stretching != 1.0;
+        break;
+      case Stage::kTensors:
+        made_.tensors_.push_back(sizeTensor(nodes()[i]));
+        break;
+      case Stage::kSizes:
+        setSize(i);
+        break;
+      case Stage::kFrames:
+        setFrame(i);
+        break;
+      case Stage::kFaces:
+        placeFaces(i);
+        break;
+      case Stage::kNeighbours:
+        joinFacesAt(i);
+        break;
+      case Stage::kBoxes:
+        setBox(i);
+        break;
+      case Stage::kLimits:
+      case Stage::kTree:
+      case Stage::kDone:
+        break;
+    }
+  }
+
+  void endStage() {
+    switch (stage_) {
+      case Stage::kExtent: {
+        const Vec3 extent = upper_ - lower_;
+        made_.slack_ = kBorderRounding * std::max({extent.x, extent.y, extent.z});
+        if (isStretched_) made_.tensors_.reserve(nodes().size());
+        return begin(Stage::kTensors, isStretched_ ? nodes().size() : 0);
+      }
+      case Stage::kTensors:
+        if (growth_ > 0.0) {
+          if (isStretched_) {
+            ofTensors_.emplace(made_.grid_, growth_, made_.tensors_);
+          } else {
+            ofSizes_.emplace(made_.grid_, growth_);
+          }
+        }
+        return begin(Stage::kLimits, 0);
+      case Stage::kLimits:
+        ofSizes_.reset();
+        ofTensors_.reset();
+        made_.sizes_.reserve(nodes().size());
+        return begin(Stage::kSizes, nodes().size());
+      case Stage::kSizes:
+        made_.frames_.reserve(tetrahedra().size());
+        faces_ = NodeLists<Face>(nodes().size());
+        return begin(Stage::kFrames, tetrahedra().size());
+      case Stage::kFrames:
+        faces_.endCounting();
+        return begin(Stage::kFaces, tetrahedra().size());
+      case Stage::kFaces:
+        return begin(Stage::kNeighbours, nodes().size());
+      case Stage::kNeighbours:
+        faces_ = {};
+        boxes_.reserve(tetrahedra().size());
+        return begin(Stage::kBoxes, tetrahedra().size());
+      case Stage::kBoxes:
+        tree_.emplace(std::move(boxes_));
+        return begin(Stage::kTree, 0);
+      case Stage::kTree:
+        made_.tree_ = tree_->take();
+        tree_.reset();
+        return begin(Stage::kDone, 0);
+      case Stage::kDone:
+        break;
+    }
+  }
+
+  bool limitSome(std::size_t budget) {
+    if (ofSizes_) return ofSizes_->advance(budget);
+    return !ofTensors_ || ofTensors_->advance(budget);
+  }
+
+  void setSize(std::uint32_t node) {
+    double& size = nodes()[node].size;
+    if (isStretched_ && growth_ > 0.0) {
+      const std::array<double, 3> sizes = principalAxes(made_.tensors_[node]).values;
+      size = std::min(size, std::min({sizes[0], sizes[1], sizes[2]}));
+    }
+    made_.sizes_.push_back(size);
+  }
+
+  /// Also counts its faces.
+  void setFrame(std::uint32_t t) {
+    const Vec3 origin = place(t, 0);
+    const Vec3 u = place(t, 1) - origin;
+    const Vec3 v = place(t, 2) - origin;
+    const Vec3 w = place(t, 3) - origin;
+    const double volume = glm::dot(u, glm::cross(v, w));  // of either sign: it cancels
+    constexpr std::uint32_t kNone = GridLocator::kNone;
+    made_.frames_.push_back(
+        {origin,
+         {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume},
+         {kNone, kNone, kNone, kNone}});
+    for (std::size_t i = 0; i < 4; ++i) faces_.count(sortedFace(t, i)[0]);
+  }
+
+  [[nodiscard]] std::array<std::uint32_t, 3> sortedFace(std::uint32_t t, std::size_t i) {
+    const auto& tet = tetrahedra()[t];
+    return sorted(std::array{tet[kFaces[i][0]], tet[kFaces[i][1]], tet[kFaces[i][2]]});
+  }
+
+  void placeFaces(std::uint32_t t) {
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      const auto [lowest, middle, highest] = sortedFace(t, i);
+      faces_.add(lowest, {middle, highest, 4 * t + i});
+    }
+  }
+
+  void joinFacesAt(std::uint32_t node) {
+    const std::span<Face> faces = faces_.at(node);
+    sortFew(faces, [](const Face& a, const Face& b) {
+      return std::tie(a.middle, a.highest, a.owner) < std::tie(b.middle, b.highest, b.owner);
+    });
+    for (std::size_t i = 1; i < faces.size(); ++i) {
+      const Face& a = faces[i - 1];
+      const Face& b = faces[i];
+      if (a.middle != b.middle || a.highest != b.highest) continue;
+      made_.frames_[a.owner / 4].neighbours[a.owner % 4] = b.owner / 4;
+      made_.frames_[b.owner / 4].neighbours[b.owner % 4] = a.owner / 4;
+      ++i;
+    }
+  }
+
+  void setBox(std::uint32_t t) {
+    Box& box = boxes_.emplace_back(Box::of(place(t, 0), place(t, 1), place(t, 2)));
+    box.include(place(t, 3));
+  }
+
+  double growth_;
+  GridLocator made_;
+  Stage stage_ = Stage::kExtent;
+  std::size_t next_ = 0;
+  std::size_t end_ = 0;
+  bool isStretched_ = false;
+  Vec3 lower_{std::numeric_limits<double>::max()};
+  Vec3 upper_{-std::numeric_limits<double>::max()};
+  std::optional<SizeLimiter> ofSizes_;
+  std::optional<TensorLimiter> ofTensors_;
+  NodeLists<Face> faces_;
+  std::vector<Box> boxes_;
+  std::optional<BoxTreeBuilder> tree_;
+};
+
+GridLocatorBuilder::GridLocatorBuilder(BackgroundGrid grid, double growth)
+    : impl_(std::make_unique<Impl>(std::move(grid), growth)) {}
+GridLocatorBuilder::GridLocatorBuilder(GridLocatorBuilder&&) noexcept = default;
+GridLocatorBuilder& GridLocatorBuilder::operator=(GridLocatorBuilder&&) noexcept = default;
+GridLocatorBuilder::~GridLocatorBuilder() = default;
+
+bool GridLocatorBuilder::advance(std::uint32_t budget) { return impl_->advance(budget); }
+GridLocator GridLocatorBuilder::take() { return impl_->take(); }
+
+}  // namespace tetrafront

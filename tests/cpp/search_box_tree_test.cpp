@@ -1,0 +1,61 @@
+#include "search/box_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "support/random.h"
+
+namespace tetrafront::testing {
+namespace {
+
+std::vector<Box> randomBoxes(std::size_t count) {
+  Random random(31);
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 place = random.inBox();
+    boxes.push_back(Box::of(place, place + random.inBox(0.05), place + random.inBox(0.05)));
+  }
+  return boxes;
+}
+
+std::vector<std::uint32_t> meeting(const BoxTree& tree, const Box& box) {
+  std::vector<std::uint32_t> items;
+  tree.visitOverlaps(box, [&](std::uint32_t item) { items.push_back(item); });
+  return items;
+}
+
+/// Each call comes to as many boxes as it was asked to, and the tree is the one that is built at once.
+TEST(BoxTree, IsBuiltInSlices) {
+  for (const std::size_t count : {0U, 1U, 4U, 5U, 700U}) {
+    const std::vector<Box> boxes = randomBoxes(count);
+    const BoxTree whole(boxes);
+    BoxTreeBuilder builder(boxes);
+    std::size_t slices = 1;
+    while (!builder.advance(1)) ++slices;
+    EXPECT_GE(slices, 13 * count);
+    const BoxTree sliced = builder.take();
+    EXPECT_EQ(sliced.nodeCount(), whole.nodeCount());
+    for (const Box& box : boxes) EXPECT_EQ(meeting(sliced, box), meeting(whole, box));
+  }
+}
+
+TEST(BoxTree, FindsAllThatMeetABox) {
+  const std::vector<Box> boxes = randomBoxes(400);
+  const BoxTree tree(boxes);
+  for (const Box& box : boxes) {
+    std::vector<std::uint32_t> found = meeting(tree, box);
+    std::sort(found.begin(), found.end());
+    std::vector<std::uint32_t> expected;
+    for (std::uint32_t i = 0; i < boxes.size(); ++i) {
+      if (BoxTree::meets(boxes[i], box)) expected.push_back(i);
+    }
+    EXPECT_EQ(found, expected);
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
