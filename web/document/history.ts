@@ -4,7 +4,7 @@ import { applyPatches } from "./patches";
 interface Named {
   /** Verb and object, e.g. "Move point 12". */
   readonly label: string;
-  /** Edits of equal key within the merge window become one entry (arrow keys, held sliders). */
+  /** Edits of equal key, one held key's or within the merge window, become one entry. */
   readonly mergeKey?: string;
 }
 
@@ -46,11 +46,15 @@ export function startHistory<State>(present: State): History<State> {
   return { present, past: [], future: [] };
 }
 
-/** The history after an edit. Returns the same object if the edit changes nothing. */
+/**
+ * The history after an edit at `now`, which is `held` if a key that is held down makes it again: however slowly the
+ * page follows, that is one act. Returns the same object if the edit changes nothing.
+ */
 export function commit<State extends object>(
   history: History<State>,
   edit: Edit<State>,
   now: number,
+  held = false,
 ): History<State> {
   const [present, forward, backward] =
     "change" in edit
@@ -62,7 +66,7 @@ export function commit<State extends object>(
     last !== undefined &&
     edit.mergeKey !== undefined &&
     last.mergeKey === edit.mergeKey &&
-    now - last.at <= mergeWindowMs &&
+    (held || now - last.at <= mergeWindowMs) &&
     history.future.length === 0;
   const entry: HistoryEntry = {
     label: edit.label,

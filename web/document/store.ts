@@ -19,6 +19,8 @@ export interface DocumentState {
 /** The undoable document: the project, its history, and whether a file holds it. */
 export class DocumentStore {
   readonly state: StoreApi<DocumentState>;
+  /** True while a key is held down, so that what it does again and again is one step of undo. */
+  held = false;
   readonly #now: () => number;
 
   constructor(project: Project, now: () => number = () => performance.now()) {
@@ -34,7 +36,7 @@ export class DocumentStore {
   }
 
   edit(edit: ProjectEdit): void {
-    this.#set(commit(this.state.getState().history, edit, this.#now()));
+    this.#set(commit(this.state.getState().history, edit, this.#now(), this.held));
   }
 
   undo(): void {

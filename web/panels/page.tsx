@@ -14,6 +14,7 @@ const Overlays = lazy(() => import("./overlays"));
 /** The app with its dialogs, hotkeys and drop target. */
 export function Page({ app }: { readonly app: App }) {
   useCommandHotkeys(app);
+  useHeldKeys(app);
   useLeaveGuard(app);
   useEffect(fetchAhead, []);
   const dropping = useFileDrop(app);
@@ -26,6 +27,19 @@ export function Page({ app }: { readonly app: App }) {
       {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}
     </AppContext>
   );
+}
+
+/** Tells the document while a key is held down. */
+function useHeldKeys({ documents }: App): void {
+  useEffect(() => {
+    const life = new AbortController();
+    const options = { capture: true, signal: life.signal };
+    const note = ({ repeat }: KeyboardEvent): void => void (documents.held = repeat);
+    const release = (): void => void (documents.held = false);
+    window.addEventListener("keydown", note, options);
+    for (const end of ["keyup", "pointerdown", "blur"]) window.addEventListener(end, release, options);
+    return () => life.abort();
+  }, [documents]);
 }
 
 /** Writes the document away when the page is left, and warns only while that is not done. */

@@ -60,6 +60,16 @@ describe("history", () => {
     expect(redo(history).present.a).toBe(3);
   });
 
+  it("merges what one held key does, however slowly", () => {
+    let history = commit(startHistory<State>({ a: 0, list: [] }), set(1, "a"), 0);
+    history = commit(history, set(2, "a"), 5_000, true);
+    history = commit(history, set(3, "a"), 10_000, true);
+    expect(history.past).toHaveLength(1);
+    history = commit(history, set(4, "b"), 15_000, true);
+    expect(history.past).toHaveLength(2);
+    expect(undo(undo(history)).present.a).toBe(0);
+  });
+
   it("forgets what was undone once something else is done", () => {
     let history = commit(startHistory<State>({ a: 0, list: [] }), set(1), 0);
     history = commit(undo(history), set(2), 10);
