@@ -12,8 +12,9 @@ export default defineConfig({
   workers: Math.min(jobs, 2),
   fullyParallel: false,
   forbidOnly: true,
-  timeout: 120_000,
-  expect: { timeout: 30_000 },
+  // Far more than any test takes: a machine under load must not fail one.
+  timeout: 240_000,
+  expect: { timeout: 60_000 },
   reporter: [["list"]],
   use: {
     baseURL: `http://127.0.0.1:${port}/`,
