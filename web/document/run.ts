@@ -90,17 +90,21 @@ export class MeshRun {
     this.#abort = abort;
     const { project } = this.#documents;
     this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
-    const started = performance.now();
-    const log = (level: LogLevel, text: string): void =>
-      this.#log((performance.now() - started) / 1000, level, text);
+    // Of the run, not of the page: what the page hears late did not happen late.
+    let elapsedSeconds = 0;
+    const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
     log("information", `Meshing “${project.name}”`);
     try {
       const result = await (
         await this.#mesher
       ).meshProject(...engineInput(project), {
         signal: abort.signal,
-        onProgress: (progress) => this.#report(progress, log),
+        onProgress: (progress) => {
+          elapsedSeconds = progress.elapsedSeconds;
+          this.#report(progress, log);
+        },
       });
+      elapsedSeconds = result.report.seconds.total;
       this.#finish(contentKey(project), result, log);
     } catch (error) {
       const failure = error instanceof Error ? error.message : String(error);

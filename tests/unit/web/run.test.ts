@@ -1,7 +1,7 @@
 import { describe, expect, it } from "vitest";
 import { createMesher, type Mesher, type Phase, type Progress } from "tetrafront";
 import { emptyProject } from "../../../web/document/edits";
-import { MeshRun } from "../../../web/document/run";
+import { MeshRun, type LogLine } from "../../../web/document/run";
 import { DocumentStore } from "../../../web/document/store";
 
 const report = (phase: Phase, elapsedSeconds: number): Progress => ({
@@ -15,8 +15,8 @@ const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   elapsedSeconds,
 });
 
-/** Which of these reports the page shows, if a run makes them. */
-async function shown(reports: readonly Progress[]): Promise<Progress[]> {
+/** Runs that make these reports and end with nothing: which of them the page shows, and its log. */
+async function shownAndLogged(reports: readonly Progress[]): Promise<[Progress[], readonly LogLine[]]> {
   const real = await createMesher();
   const mesher: Mesher = Object.assign(Object.create(real) as Mesher, {
     meshProject: (_project: unknown, _options: unknown, control: { onProgress: (p: Progress) => void }) => {
@@ -31,8 +31,10 @@ async function shown(reports: readonly Progress[]): Promise<Progress[]> {
   });
   await run.generate();
   real.dispose();
-  return states;
+  return [states, run.state.getState().log];
 }
+
+const shown = async (reports: readonly Progress[]): Promise<Progress[]> => (await shownAndLogged(reports))[0];
 
 describe("the progress of a run", () => {
   it("is shown rarely enough in a long run, and never a second late", async () => {
@@ -53,5 +55,12 @@ describe("the progress of a run", () => {
       report(phase, 50.001 + i / 100),
     ]);
     expect((await shown(reports)).map(({ phase }) => phase)).toEqual(phases);
+  });
+
+  it("is logged with the times of the run, however late the page hears of it", async () => {
+    const [, log] = await shownAndLogged([report("check", 1), report("sides", 20), report("optimize", 300)]);
+    expect(log.slice(0, 4).map(({ seconds }) => seconds)).toEqual([0, 1, 20, 300]);
+    // What the run came to is told at its end, which the report tells too.
+    expect(log.at(-1)?.seconds).toBeLessThan(1);
   });
 });
