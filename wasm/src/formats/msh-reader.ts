@@ -8,6 +8,8 @@ import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
 import { LostGroups } from "./lost-groups.js";
 import { MeshBuilder, type GroupList } from "./mesh-builder.js";
+import { MshEntities } from "./msh-entities.js";
+import { MshNumbers } from "./msh-numbers.js";
 import { MshVolumes } from "./msh-volumes.js";
 import { NodeTags } from "./node-tags.js";
 import { UNCUT } from "./polygons.js";
@@ -32,7 +34,26 @@ const MAX_COMPONENTS = 9;
 const MAX_DATA = 16;
 
 export function readMsh(source: ByteSource): Promise<FileMesh> {
-  return ByteReader.over(source, { remedy: REMEDY }, (reader) => new MshReader(reader).read());
+  return ByteReader.over(source, { remedy: REMEDY }, async (reader) =>
+    new MshReader(reader, await readFormat(reader)).read(),
+  );
+}
+
+/** The first section, which tells how numbers are written. */
+async function readFormat(reader: ByteReader): Promise<MshNumbers> {
+  if (reader.line() !== "$MeshFormat") {
+    reader.fail('the file does not begin with "$MeshFormat"', FIRST_LINE);
+  }
+  const format = reader.line();
+  const [version, kind, size] = format.split(/\s+/);
+  if ((version !== "4.1" && version !== "2.2") || size !== "8") {
+    reader.fail(`the format is "${format.slice(0, 24)}", versions 4.1 and 2.2 of size 8 can be read`);
+  }
+  const isBinary = kind === "1";
+  // The number 1, in the byte order of all that follow.
+  if (isBinary) reader.isLittleEndian = reader.integer(4, true) === 1;
+  await reader.skipPast("$EndMeshFormat");
+  return new MshNumbers(reader, isBinary, version === "4.1");
 }
 
 /** Of an element in version 2.2: its physical group and its entity, 0 for none. */
@@ -40,69 +61,53 @@ type Tags = readonly [number, number];
 
 class MshReader {
   readonly #reader: ByteReader;
+  readonly #numbers: MshNumbers;
+  readonly #entities: MshEntities;
   readonly #builder = new MeshBuilder();
   readonly #nodes = new NodeTags();
   /** Names of physical groups by tag, of surfaces and of volumes. */
   readonly #names = { patches: new Map<number, string>(), regions: new Map<number, string>() };
   readonly #volumes = new MshVolumes();
-  /** Physical tags of an entity, by "dimension tag". The first counts. */
-  readonly #physical = new Map<string, readonly number[]>();
   readonly #lost = new LostGroups();
   #sectionsOfData = 0;
   /** Nodes of the sections before this one. */
   #nodesBefore = 0;
-  #isBinary = false;
-  #hasBlocks = true;
   readonly #listed = new Map<number, RepeatedElements>();
   #repeatedTetrahedra = 0;
   #repeatedTriangles = 0;
 
-  constructor(reader: ByteReader) {
+  constructor(reader: ByteReader, numbers: MshNumbers) {
     this.#reader = reader;
+    this.#numbers = numbers;
+    this.#entities = new MshEntities(reader, numbers, this.#volumes);
   }
 
+  /** The sections behind that of the format. */
   async read(): Promise<FileMesh> {
-    await this.#readFormat();
     for (;;) {
       await this.#reader.fill();
       const section = this.#reader.word();
-      if (section === "") {
-        const mesh = this.#builder.mesh(this.#names);
-        const surfaceRegions = this.#volumes.regions(mesh, this.#names.regions);
-        const isLost =
-          surfaceRegions === undefined && mesh.regions.length === 0 && this.#names.regions.size > 0;
-        const unplacedRegions = isLost ? [...this.#names.regions.values()] : undefined;
-        const notes = this.#lost.notes({ 2: this.#names.patches, 3: this.#names.regions });
-        return {
-          format: `Gmsh ${this.#hasBlocks ? "4.1" : "2.2"}`,
-          ...mesh,
-          surfaceRegions,
-          unplacedRegions,
-          repeatedTetrahedra: this.#repeatedTetrahedra,
-          repeatedTriangles: this.#repeatedTriangles,
-          ...(notes.length > 0 && { notes }),
-        };
-      }
+      if (section === "") return this.#mesh();
       await this.#readSection(section);
       await this.#reader.skipPast(`$End${section.slice(1)}`);
     }
   }
 
-  async #readFormat(): Promise<void> {
-    const reader = this.#reader;
-    if (reader.line() !== "$MeshFormat") {
-      reader.fail('the file does not begin with "$MeshFormat"', FIRST_LINE);
-    }
-    const format = reader.line();
-    const [version, kind, size] = format.split(/\s+/);
-    if ((version !== "4.1" && version !== "2.2") || size !== "8") {
-      reader.fail(`the format is "${format.slice(0, 24)}", versions 4.1 and 2.2 of size 8 can be read`);
-    }
-    this.#hasBlocks = version === "4.1";
-    this.#isBinary = kind === "1";
-    // The number 1, in the byte order of all that follow.
-    if (this.#isBinary) reader.isLittleEndian = reader.integer(4, true) === 1;
-    await reader.skipPast("$EndMeshFormat");
+  #mesh(): FileMesh {
+    const mesh = this.#builder.mesh(this.#names);
+    const surfaceRegions = this.#volumes.regions(mesh, this.#names.regions);
+    const isLost = surfaceRegions === undefined && mesh.regions.length === 0 && this.#names.regions.size > 0;
+    const unplacedRegions = isLost ? [...this.#names.regions.values()] : undefined;
+    const notes = this.#lost.notes({ 2: this.#names.patches, 3: this.#names.regions });
+    return {
+      format: `Gmsh ${this.#numbers.hasBlocks ? "4.1" : "2.2"}`,
+      ...mesh,
+      surfaceRegions,
+      unplacedRegions,
+      repeatedTetrahedra: this.#repeatedTetrahedra,
+      repeatedTriangles: this.#repeatedTriangles,
+      ...(notes.length > 0 && { notes }),
+    };
   }
 
   async #readSection(section: string): Promise<void> {
@@ -110,23 +115,23 @@ class MshReader {
       case "$PhysicalNames":
         return this.#readNames();
       case "$Entities":
-        if (this.#hasBlocks) await this.#readEntities();
+        if (this.#numbers.hasBlocks) await this.#entities.read();
         return;
       case "$PartitionedEntities":
-        if (this.#hasBlocks) await this.#readPartitionedEntities();
+        if (this.#numbers.hasBlocks) await this.#entities.readPartitioned();
         return;
       case "$Nodes":
         this.#beginNodes();
         this.#reader.endLine();
-        return this.#hasBlocks ? this.#readNodeBlocks() : this.#readNodeList(false);
+        return this.#numbers.hasBlocks ? this.#readNodeBlocks() : this.#readNodeList(false);
       case "$ParametricNodes":
         this.#beginNodes();
         this.#reader.endLine();
         return this.#readNodeList(true);
       case "$Elements":
         this.#reader.endLine();
-        if (this.#hasBlocks) return this.#readElementBlocks();
-        return this.#isBinary ? this.#readElementRuns() : this.#readElementList();
+        if (this.#numbers.hasBlocks) return this.#readElementBlocks();
+        return this.#numbers.isBinary ? this.#readElementRuns() : this.#readElementList();
       case "$NodeData":
         return this.#readNodeData();
       default:
@@ -134,27 +139,9 @@ class MshReader {
     }
   }
 
-  #int(): number {
-    return this.#isBinary ? this.#reader.integer(4, true) : this.#reader.number("a number");
-  }
-
-  /** Of 8 bytes in version 4.1. */
-  #size(): number {
-    if (!this.#isBinary) return this.#reader.number("a number");
-    return this.#hasBlocks ? this.#reader.integer(8, false) : this.#reader.integer(4, true);
-  }
-
-  #double(): number {
-    return this.#isBinary ? this.#reader.float(8) : this.#reader.number("a coordinate");
-  }
-
-  #count(value: number, what: string): number {
-    return this.#reader.count(value, what);
-  }
-
   async #readNames(): Promise<void> {
     const reader = this.#reader;
-    const count = this.#count(reader.number("the number of names"), "names");
+    const count = this.#reader.count(reader.number("the number of names"), "names");
     reader.endLine();
     for (let i = 0; i < count; i++) {
       await reader.fill();
@@ -162,58 +149,6 @@ class MshReader {
       if (name === undefined) reader.fail("a physical name is not written as dimension, tag and name");
       if (dimension === "2") this.#names.patches.set(Number(tag), name ?? "");
       if (dimension === "3") this.#names.regions.set(Number(tag), name ?? "");
-    }
-  }
-
-  async #readEntities(): Promise<void> {
-    this.#reader.endLine();
-    await this.#eachEntity(() => undefined);
-  }
-
-  /** What a mesh was cut into: entities of their own, with the physical groups of what they are part of. */
-  async #readPartitionedEntities(): Promise<void> {
-    this.#reader.endLine();
-    this.#size();
-    await this.#skipInts(2 * this.#count(this.#size(), "ghosts"));
-    await this.#eachEntity(async () => {
-      const parent = `${this.#int()} ${this.#int()}`;
-      await this.#skipInts(this.#count(this.#size(), "partitions"));
-      return this.#physical.get(parent);
-    });
-  }
-
-  async #skipInts(count: number): Promise<void> {
-    for (let i = 0; i < count; i++) {
-      if (this.#reader.isLow) await this.#reader.fill();
-      this.#int();
-    }
-  }
-
-  /** `readParent`: what stands behind the tag; gives the physical groups for entities that have none of their own. */
-  async #eachEntity(readParent: () => Promise<readonly number[] | undefined> | undefined): Promise<void> {
-    const counts = [0, 1, 2, 3].map(() => this.#count(this.#size(), "entities"));
-    for (const [dimension, count] of counts.entries()) {
-      for (let i = 0; i < count; i++) {
-        await this.#reader.fill();
-        const tag = this.#int();
-        const inherited = await readParent();
-        if (inherited !== undefined) this.#physical.set(`${dimension} ${tag}`, inherited);
-        for (let c = 0; c < (dimension === 0 ? 3 : 6); c++) this.#double();
-        const groups: number[] = [];
-        for (let left = this.#count(this.#size(), "physical groups"); left > 0; left--) {
-          if (this.#reader.isLow) await this.#reader.fill();
-          // Below 0 where the entity is turned in its group.
-          groups.push(Math.abs(this.#int()));
-        }
-        if (groups.length > 0) this.#physical.set(`${dimension} ${tag}`, groups);
-        const around = dimension === 0 ? 0 : this.#count(this.#size(), "bounding entities");
-        const [group] = this.#physical.get(`${dimension} ${tag}`) ?? [];
-        for (let b = 0; b < around; b++) {
-          if (this.#reader.isLow) await this.#reader.fill();
-          const bounding = this.#int();
-          if (dimension === 3 && group !== undefined) this.#volumes.bound(bounding, group);
-        }
-      }
     }
   }
 
@@ -229,7 +164,7 @@ class MshReader {
       this.#reader.fail(`node ${tag} is in two sections $Nodes: the file holds several meshes`);
     }
     this.#nodes.add(tag);
-    const [x, y, z] = [this.#double(), this.#double(), this.#double()];
+    const [x, y, z] = [this.#numbers.double(), this.#numbers.double(), this.#numbers.double()];
     if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
       this.#reader.fail(`node ${tag} has no finite place`);
     }
@@ -237,43 +172,43 @@ class MshReader {
   }
 
   async #readNodeBlocks(): Promise<void> {
-    const blocks = this.#count(this.#size(), "blocks of nodes");
-    for (let i = 0; i < 3; i++) this.#size();
+    const blocks = this.#numbers.count("blocks of nodes");
+    for (let i = 0; i < 3; i++) this.#numbers.size();
     for (let b = 0; b < blocks; b++) {
       await this.#reader.fill();
-      const dimension = this.#int();
-      this.#int();
-      const extra = this.#int() === 0 ? 0 : Math.min(dimension, 3);
-      const count = this.#count(this.#size(), "nodes");
+      const dimension = this.#numbers.int();
+      this.#numbers.int();
+      const extra = this.#numbers.int() === 0 ? 0 : Math.min(dimension, 3);
+      const count = this.#numbers.count("nodes");
       const tags: number[] = [];
       for (let i = 0; i < count; i++) {
         if (this.#reader.isLow) await this.#reader.fill();
-        tags.push(this.#size());
+        tags.push(this.#numbers.size());
       }
       for (const tag of tags) {
         if (this.#reader.isLow) await this.#reader.fill();
         this.#addNode(tag);
-        for (let i = 0; i < extra; i++) this.#double();
+        for (let i = 0; i < extra; i++) this.#numbers.double();
       }
     }
   }
 
   /** `isParametric`: behind the place stand a dimension and an entity, and where the node is on its line or face. */
   async #readNodeList(isParametric: boolean): Promise<void> {
-    const count = this.#count(Number(this.#reader.line()), "nodes");
+    const count = this.#reader.count(Number(this.#reader.line()), "nodes");
     for (let i = 0; i < count; i++) {
       if (this.#reader.isLow) await this.#reader.fill();
-      this.#addNode(this.#int());
+      this.#addNode(this.#numbers.int());
       if (!isParametric) continue;
-      const dimension = this.#int();
-      this.#int();
-      for (let p = 0; p < dimension && dimension < 3; p++) this.#double();
+      const dimension = this.#numbers.int();
+      this.#numbers.int();
+      for (let p = 0; p < dimension && dimension < 3; p++) this.#numbers.double();
     }
   }
 
   /** The next numbers are tags of the nodes of an element. */
   #readElement(type: number, group: (groups: GroupList) => number, tags?: Tags): void {
-    const corners = Array.from({ length: this.#width(type) }, () => this.#size());
+    const corners = Array.from({ length: this.#width(type) }, () => this.#numbers.size());
     if (type !== TRIANGLE && type !== QUADRILATERAL && type !== TETRAHEDRON) return;
     const nodes = corners.map(
       (tag) =>
@@ -325,21 +260,21 @@ class MshReader {
   }
 
   async #readElementBlocks(): Promise<void> {
-    const blocks = this.#count(this.#size(), "blocks of elements");
-    for (let i = 0; i < 3; i++) this.#size();
+    const blocks = this.#numbers.count("blocks of elements");
+    for (let i = 0; i < 3; i++) this.#numbers.size();
     for (let b = 0; b < blocks; b++) {
       await this.#reader.fill();
-      const dimension = this.#int();
-      const entity = this.#int();
-      const type = this.#int();
-      const count = this.#count(this.#size(), "elements");
-      const [first = 0, ...others] = this.#physical.get(`${dimension} ${entity}`) ?? [];
+      const dimension = this.#numbers.int();
+      const entity = this.#numbers.int();
+      const type = this.#numbers.int();
+      const count = this.#numbers.count("elements");
+      const [first = 0, ...others] = this.#entities.groupsOf(dimension, entity);
       const group = this.#groupOf(first, entity);
       for (const other of others) if (count > 0) this.#lost.add(dimension, other, count);
       if (dimension === 2) this.#volumes.trianglesFollow(this.#builder.triangleCount, entity);
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();
-        this.#size();
+        this.#numbers.size();
         this.#readElement(type, group);
       }
     }
@@ -347,14 +282,14 @@ class MshReader {
 
   /** Version 2.2, binary: runs of elements of one type. */
   async #readElementRuns(): Promise<void> {
-    const total = this.#count(Number(this.#reader.line()), "elements");
+    const total = this.#reader.count(Number(this.#reader.line()), "elements");
     for (let read = 0; read < total;) {
-      const type = this.#int();
-      const count = this.#count(this.#int(), "elements");
-      const tagCount = this.#count(this.#int(), "tags");
+      const type = this.#numbers.int();
+      const count = this.#reader.count(this.#numbers.int(), "elements");
+      const tagCount = this.#reader.count(this.#numbers.int(), "tags");
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();
-        this.#int();
+        this.#numbers.int();
         this.#readListed(type, await this.#readTags(tagCount));
       }
       read += Math.max(count, 1);
@@ -363,12 +298,12 @@ class MshReader {
   }
 
   async #readElementList(): Promise<void> {
-    const total = this.#count(Number(this.#reader.line()), "elements");
+    const total = this.#reader.count(Number(this.#reader.line()), "elements");
     for (let e = 0; e < total; e++) {
       if (this.#reader.isLow) await this.#reader.fill();
-      this.#int();
-      const type = this.#int();
-      this.#readListed(type, await this.#readTags(this.#count(this.#int(), "tags")));
+      this.#numbers.int();
+      const type = this.#numbers.int();
+      this.#readListed(type, await this.#readTags(this.#reader.count(this.#numbers.int(), "tags")));
     }
   }
 
@@ -377,7 +312,7 @@ class MshReader {
     let [physical, entity] = [0, 0];
     for (let i = 0; i < count; i++) {
       if (this.#reader.isLow) await this.#reader.fill();
-      const tag = this.#int();
+      const tag = this.#numbers.int();
       if (i === 0) physical = Math.abs(tag);
       if (i === 1) entity = tag;
     }
@@ -390,18 +325,18 @@ class MshReader {
     const strings = await this.#readLines("names");
     await this.#readLines("times");
     const [, width, rows] = (await this.#readLines("numbers")).map(Number);
-    const components = this.#count(width ?? NaN, "numbers per node");
+    const components = this.#reader.count(width ?? NaN, "numbers per node");
     if (components === 0 || components > MAX_COMPONENTS) {
       reader.fail(`${components} numbers per node cannot be read`);
     }
-    const count = this.#count(rows ?? NaN, "values");
+    const count = this.#reader.count(rows ?? NaN, "values");
     if (++this.#sectionsOfData > MAX_DATA) reader.fail(`more than ${MAX_DATA} sections of numbers at nodes`);
     const values = new Float64Array(components * this.#builder.pointCount).fill(NaN);
     for (let r = 0; r < count; r++) {
       if (reader.isLow) await reader.fill();
-      const node = this.#nodes.positionOf(this.#int()) ?? reader.fail("a value belongs to no node");
+      const node = this.#nodes.positionOf(this.#numbers.int()) ?? reader.fail("a value belongs to no node");
       for (let i = 0; i < components; i++) {
-        values[components * node + i] = this.#isBinary ? reader.float(8) : reader.number("a value", true);
+        values[components * node + i] = this.#numbers.value();
       }
     }
     const name = (strings[0] ?? "").replace(/^"|"$/g, "");
@@ -410,7 +345,7 @@ class MshReader {
 
   /** Their number in one line, then each in its own. */
   async #readLines(what: string): Promise<string[]> {
-    const count = this.#count(Number(this.#reader.line()), what);
+    const count = this.#reader.count(Number(this.#reader.line()), what);
     const lines: string[] = [];
     for (let i = 0; i < count; i++) {
       await this.#reader.fill();
