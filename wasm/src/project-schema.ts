@@ -93,6 +93,21 @@ function pathText(path: readonly unknown[]): string {
 const described = <Schema extends v.GenericSchema>(description: string, schema: Schema) =>
   v.pipe(schema, v.description(description));
 
+/** As v.strictObject, which would take a list for an object with none of its fields. */
+function objectWith<const Entries extends v.ObjectEntries>(
+  entries: Entries,
+): v.StrictObjectSchema<Entries, undefined> {
+  const schema = v.strictObject(entries);
+  return {
+    ...schema,
+    "~run"(dataset, config) {
+      if (!Array.isArray(dataset.value)) return schema["~run"](dataset, config);
+      v._addIssue(schema, "type", dataset, config);
+      return dataset as unknown as v.FailureDataset<v.StrictObjectIssue>;
+    },
+  };
+}
+
 const listOf = <Item extends v.GenericSchema>(item: Item) => v.pipe(v.array(item), v.readonly());
 
 const number = v.pipe(v.number(), v.finite());
@@ -106,10 +121,10 @@ const name = v.optional(described(WORDS.name, v.string()));
 const threeNumbers = v.pipe(v.strictTuple([number, number, number]), v.readonly());
 const triple = described(WORDS.place, threeNumbers);
 
-const pointSchema = v.pipe(v.strictObject({ id, name, at: triple }), v.readonly());
+const pointSchema = v.pipe(objectWith({ id, name, at: triple }), v.readonly());
 
 const lineSchema = v.pipe(
-  v.strictObject({
+  objectWith({
     id,
     name,
     type: v.picklist(["straight", "parabolic", "spline"]),
@@ -121,7 +136,7 @@ const lineSchema = v.pipe(
 const loopSchema = described(WORDS.loop, v.pipe(v.array(integer), v.minLength(1), v.readonly()));
 
 const patchSchema = v.pipe(
-  v.strictObject({
+  objectWith({
     id,
     name,
     type: described(
@@ -134,7 +149,7 @@ const patchSchema = v.pipe(
 );
 
 const backgroundNodeSchema = v.pipe(
-  v.strictObject({
+  objectWith({
     id,
     at: triple,
     size: described(WORDS.nodeSize, upTo(LIMITS.length)),
@@ -145,7 +160,7 @@ const backgroundNodeSchema = v.pipe(
 );
 
 const sourceSchema = v.pipe(
-  v.strictObject({
+  objectWith({
     id,
     name,
     type: v.picklist(["point", "segment", "triangle"]),
@@ -158,7 +173,7 @@ const sourceSchema = v.pipe(
 );
 
 const backgroundSchema = v.pipe(
-  v.strictObject({
+  objectWith({
     nodes: listOf(backgroundNodeSchema),
     tetrahedra: described(
       WORDS.tetrahedra,
@@ -171,7 +186,7 @@ const backgroundSchema = v.pipe(
 );
 
 const meshingSchema = v.pipe(
-  v.strictObject({
+  objectWith({
     size: v.optional(described(WORDS.size, upTo(LIMITS.length))),
     gradation: v.optional(described(WORDS.gradation, upTo(LIMITS.gradation))),
     enclosed: v.optional(described(WORDS.enclosed, v.picklist(["cavities", "regions"]))),
@@ -184,7 +199,7 @@ const meshingSchema = v.pipe(
 );
 
 const documentSchema = v.pipe(
-  v.strictObject({
+  objectWith({
     $schema: v.optional(described(WORDS.schema, v.string())),
     format: v.literal(PROJECT_FORMAT),
     version: v.literal(PROJECT_VERSION),

@@ -142,6 +142,14 @@ describe("numbers that the engine would refuse are refused with their field, and
 describe("a project that is damaged is refused with the path of the damage:", () => {
   test.each<[string, (cube: PlainProject) => void, string, RegExp]>([
     ["an unknown order", (c) => (c["meshing"] = { order: "largest" }), "meshing.order", /smallest-first/],
+    ["settings that are a list", (c) => (c["meshing"] = []), "meshing", /an object, received a list/],
+    [
+      "a background that is a list",
+      (c) => Object.assign(c, { background: [] }),
+      "background",
+      /an object, re/,
+    ],
+    ["a point that is a list", (c) => (c.points[1] = [] as never), "points[1]", /an object, received a list/],
     ["an unknown setting", (c) => (c["meshing"] = { sise: 1 }), "meshing", /sise/],
     [
       "a coordinate that is text",
