@@ -148,3 +148,24 @@ test("no array is taken for another by readers that give them new places as they
     for (const renamed of order.slice(0, at)) expect(renamed).toBeGreaterThan(array);
   });
 });
+
+test("progress goes on while arrays are decoded and cells are made, and is whole at the end alone", async () => {
+  const count = 50_000;
+  const corners = Array.from({ length: count }, () => "0 1 2 3").join(" ");
+  const offsets = Array.from({ length: count }, (_, i) => 4 * (i + 1)).join(" ");
+  const many = `<Piece NumberOfPoints="4" NumberOfCells="${count}">
+<Points><DataArray type="Float64" NumberOfComponents="3" format="ascii">${POINTS}</DataArray></Points>
+<Cells><DataArray type="Int32" Name="connectivity" format="ascii">${corners}</DataArray>
+<DataArray type="Int32" Name="offsets" format="ascii">${offsets}</DataArray>
+<DataArray type="UInt8" Name="types" format="ascii">${"10 ".repeat(count)}</DataArray></Cells></Piece>`;
+  const file = encoder.encode(vtu(many));
+  const told: number[] = [];
+  const onProgress = (bytes: number) => told.push(bytes);
+  const read = await readMesh(file.slice(), { fileName: "a.vtu", onProgress });
+  expect(valueOf(read).tetrahedra).toHaveLength(4 * count);
+  expect(told).toEqual(told.toSorted((a, b) => a - b));
+  expect(told.indexOf(file.length)).toBe(told.length - 1);
+  // Three arrays of cells and a dozen steps of making them, when all bytes have long arrived.
+  const behind = told.filter((bytes) => bytes > 0.3 * file.length);
+  expect(new Set(behind).size).toBeGreaterThan(10);
+});

@@ -33,6 +33,8 @@ export interface ReadContext {
   readonly openOther: OpenOther;
   /** Heard between the steps of work on bytes that were read; readers of pieces hear it by their source. */
   readonly signal?: AbortSignal | undefined;
+  /** For readers with an `arrival`: told the share that is done, 0 to 1, of the work that comes behind it. */
+  readonly onWork?: ((fraction: number) => void) | undefined;
 }
 
 /** Rejects with an Error where the file cannot be read; `readMesh` gives code, place and remedy as a result. */
@@ -44,6 +46,11 @@ export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => reado
 export interface FormatCode {
   readonly read?: MeshReader;
   readonly write?: MeshWriter;
+  /**
+   * Of readers that gather all bytes first: the share of the whole work that is done then, for the progress. They tell
+   * of the rest by `onWork`.
+   */
+  readonly arrival?: number;
   /** How often the writer goes through the nodes and elements, roughly, where that is not about four times: its progress is estimated by that. */
   readonly passes?: number;
 }

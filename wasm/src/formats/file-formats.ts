@@ -4,7 +4,7 @@
  */
 import { aString, checkArgument, oneOf } from "../argument-checks.js";
 import type { Part } from "./bytes.js";
-import type { Contents, FileFormat, MeshWriter, Note } from "./file-format.js";
+import type { Contents, FileFormat, FormatCode, MeshWriter, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { heldOf, type Held } from "./held.js";
 
@@ -69,7 +69,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     reads: ["surface", "volume"],
     writes: ["volume"],
     load: async () => ({
-      read: (await import("./vtk-xml-reader.js")).readVtkXml,
+      ...(await vtkXml()),
       write: one((await import("./vtu.js")).writeVtu, { lowestTag: 0, takesData: () => true }),
     }),
   },
@@ -79,7 +79,7 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     extensions: [".vtp"],
     reads: ["surface"],
     writes: [],
-    load: async () => ({ read: (await import("./vtk-xml-reader.js")).readVtkXml }),
+    load: vtkXml,
   },
   {
     id: "gmsh",
@@ -253,6 +253,11 @@ export function extensionsThat(can: "reads" | "writes", contents: Contents): rea
   return FILE_FORMATS.filter((format) => format[can].includes(contents)).flatMap(
     ({ extensions }) => extensions,
   );
+}
+
+async function vtkXml(): Promise<FormatCode> {
+  const { ARRIVAL, readVtkXml } = await import("./vtk-xml-reader.js");
+  return { read: readVtkXml, arrival: ARRIVAL };
 }
 
 /** Scalars, vectors and tensors. */

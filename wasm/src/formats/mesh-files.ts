@@ -21,7 +21,10 @@ export interface ReadFileOptions {
   readonly fileName: string;
   /** Gives the other files of formats that have several, such as TetGen's `.node` beside its `.face`. */
   readonly openOther?: OpenOther | undefined;
-  /** Called with the number of bytes read so far, of all files together, once per piece. */
+  /**
+   * Called with the number of bytes read so far, of all files together, once per piece. Of formats that can only be
+   * decoded as a whole (VTU, VTP) bytes count in part when they arrive, and in full when they are decoded.
+   */
   readonly onProgress?: ((bytes: number) => void) | undefined;
   /** Aborting rejects with a `MesherError` of the code `cancelled`, also while bytes are waited for; the source is let go of. */
   readonly signal?: AbortSignal | undefined;
@@ -146,15 +149,23 @@ async function readAny(
   throwIfCancelled(signal);
   const format = formatOf(fileName);
   if (!format?.reads.some((held) => contents.includes(held))) throw unknownFormat(fileName, format, contents);
-  const { read } = await format.load();
+  const { read, arrival = 1 } = await format.load();
   if (read === undefined) throw unknownFormat(fileName, format, contents);
   try {
-    const watch = watcher(options);
+    const { onProgress } = options;
+    let arrived = 0;
+    const tell = onProgress && ((share: number) => onProgress(Math.floor(share * arrived)));
+    const onArrival = (bytes: number) => {
+      arrived = bytes;
+      tell?.(arrival);
+    };
+    const onWork = (fraction: number) => tell?.(arrival + (1 - arrival) * fraction);
+    const watch = watcher({ signal, onProgress: onProgress && onArrival });
     const opened: OpenOther = async (name) => {
       const other = await untilCancelled(() => checkedOpening(openOther)(name), signal);
       return other && watch(other);
     };
-    return await read(watch(source), { fileName, openOther: opened, signal });
+    return await read(watch(source), { fileName, openOther: opened, signal, onWork });
   } catch (failure) {
     throw failureIn(fileName, asTooLarge(failure));
   }

@@ -8,7 +8,7 @@ import type { ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
-import { firstOf, inSteps, stepwise, type Steps } from "./steps.js";
+import { firstOf, inSteps, STEP, stepwise, type Steps } from "./steps.js";
 import { decodeArray, isReadable, UnpackingBudget, type ArrayCoding, type ArrayFail } from "./vtk-arrays.js";
 import {
   addCell,
@@ -24,23 +24,37 @@ import { failIn, readHead, unescaped, type FoundArray, type Head, type Piece } f
 const VTK_POLYGON = 7;
 const VTK_STRIP = 6;
 
+/** Of the whole work, roughly, what is done when the bytes are there. */
+export const ARRIVAL = 0.25;
+
 /** A file whose tags are known. */
 class XmlFile {
   readonly head: Head;
   readonly #bytes: Uint8Array;
   readonly #coding: Omit<ArrayCoding, "fail">;
+  readonly #onWork: ReadContext["onWork"];
+  readonly #work: number;
+  #done = 0;
 
-  constructor(bytes: Uint8Array) {
+  constructor(bytes: Uint8Array, onWork: ReadContext["onWork"]) {
     this.#bytes = bytes;
     this.head = readHead(bytes);
     this.#coding = codingOf(this.head, bytes);
+    this.#onWork = onWork;
+    this.#work = this.head.pieces.reduce((sum, { arrays }) => sum + arrays.length + 1, 0);
+  }
+
+  /** Tells that so much of the work is done, of which an array is 1, as are the cells of a piece. Not all, before the end. */
+  did(work: number): void {
+    this.#done += work;
+    this.#onWork?.(Math.min(NEARLY_ALL, this.#done / this.#work));
   }
 
   /** The numbers of an array. */
-  numbers(found: FoundArray): Steps<Float64Array> {
+  *numbers(found: FoundArray): Steps<Float64Array> {
     const { section, attributes, content } = found;
     const fail: ArrayFail = (message, within = 0) => this.fail(message, this.placeOf(found) + within);
-    return decodeArray(
+    const values = yield* decodeArray(
       { ...this.#coding, fail },
       {
         type: attributes.get("type") ?? "",
@@ -50,6 +64,8 @@ class XmlFile {
         mayBeNone: section === "PointData",
       },
     );
+    this.did(1);
+    return values;
   }
 
   /** Where its values begin; of appended ones that is at their offset. */
@@ -89,12 +105,16 @@ class XmlFile {
   }
 }
 
-export async function readVtkXml(source: ByteSource, { signal }: ReadContext): Promise<FileMesh> {
-  return inSteps(meshIn(await allBytes(source)), signal);
+const NEARLY_ALL = 0.99;
+
+export async function readVtkXml(source: ByteSource, { signal, onWork }: ReadContext): Promise<FileMesh> {
+  const mesh = await inSteps(meshIn(await allBytes(source), onWork), signal);
+  onWork?.(1);
+  return mesh;
 }
 
-function* meshIn(bytes: Uint8Array): Steps<FileMesh> {
-  const file = new XmlFile(bytes);
+function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<FileMesh> {
+  const file = new XmlFile(bytes, onWork);
   const builder = new MeshBuilder();
   const held: PieceReading[] = [];
   for (const piece of file.head.pieces) {
@@ -277,7 +297,7 @@ function* sectionOf({ piece, file }: PieceReading, name: string): Steps<CellSect
 
 /** The cells of a section by their nodes in the whole mesh; cells count from 0 in the section. */
 function* eachCell(
-  { builder, firstNode }: PieceReading,
+  { file, builder, firstNode }: PieceReading,
   { offsets, connectivity, fail }: CellSection,
   use: (nodes: readonly number[], cell: number) => void,
 ): Steps<void> {
@@ -293,6 +313,7 @@ function* eachCell(
       cell,
     );
     begin = end;
+    if ((cell + 1) % STEP === 0) file.did(STEP / offsets.length);
   });
 }
 
