@@ -92,9 +92,8 @@ class Run {
     });
   }
 
-  DiagnosticRecords diagnostics() {
-    return read(DiagnosticRecords{emscripten::val::array()},
-                [](MeshRun& run) { return toRecords(run.diagnostics()); });
+  DiagnosticArrays diagnostics() {
+    return read(DiagnosticArrays{}, [](MeshRun& run) { return toArrays(run.diagnostics()); });
   }
 
   SurfaceArrays surface() {
@@ -232,9 +231,12 @@ auto copiedIn(const Array& array) {
   return [&array] { return copyIn<Value>(array); };
 }
 
-Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles, int enclosed) {
+Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles, int enclosed,
+                           std::uint32_t findings) {
+  const InspectionOptions options{.enclosed = static_cast<EnclosedBodies>(enclosed),
+                                  .findings = findings};
   return std::make_unique<Inspection>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
-                                      [enclosed] { return static_cast<EnclosedBodies>(enclosed); })
+                                      [&options] { return options; })
       .release();
 }
 
@@ -312,7 +314,6 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   register_type<Float64Array>("Float64Array");
   register_type<Uint32Array>("Uint32Array");
   register_type<Uint8Array>("Uint8Array");
-  register_type<DiagnosticRecords>("DiagnosticRecord[]");
   register_type<PatchSummaries>("PatchSummary[]");
 
   value_object<GridArrays>("GridArrays")
@@ -340,12 +341,11 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("filters", &Options::filters)
       .field("optimization", &Options::optimization)
       .field("exactFillOnly", &Options::exactFillOnly);
-  value_object<DiagnosticRecord>("DiagnosticRecord")
-      .field("code", &DiagnosticRecord::code)
-      .field("severity", &DiagnosticRecord::severity)
-      .field("entities", &DiagnosticRecord::entities)
-      .field("place", &DiagnosticRecord::place)
-      .field("values", &DiagnosticRecord::values);
+  value_object<DiagnosticArrays>("DiagnosticArrays")
+      .field("heads", &DiagnosticArrays::heads)
+      .field("entities", &DiagnosticArrays::entities)
+      .field("places", &DiagnosticArrays::places)
+      .field("values", &DiagnosticArrays::values);
   value_object<SurfaceArrays>("SurfaceArrays")
       .field("points", &SurfaceArrays::points)
       .field("triangles", &SurfaceArrays::triangles)

@@ -37,7 +37,7 @@ struct SurfaceInspectionRecord {
   Float64Array shells = box;
   /// Per triangle: its position, place, area, smallest angle, radius ratio.
   Float64Array worst = box;
-  DiagnosticRecords diagnostics{emscripten::val::array()};
+  DiagnosticArrays diagnostics;
 };
 
 struct RepairRecord {
@@ -48,7 +48,7 @@ struct RepairRecord {
   /// Two per change, and x y z.
   Uint32Array subjects = triangles;
   Float64Array places = points;
-  DiagnosticRecords diagnostics{emscripten::val::array()};
+  DiagnosticArrays diagnostics;
 };
 
 struct RefinementRecord {
@@ -56,7 +56,7 @@ struct RefinementRecord {
   Uint32Array triangles = copyOut(std::vector<std::uint32_t>{});
   Uint32Array origin = triangles;
   std::uint32_t splitEdges = 0;
-  DiagnosticRecords diagnostics{emscripten::val::array()};
+  DiagnosticArrays diagnostics;
 };
 
 struct MeshInspectionRecord {
@@ -120,7 +120,7 @@ struct MeshInspectionRecord {
           .edgeLengths = copyOut(lengths),
           .shells = flatShells(found.shells),
           .worst = flatTriangles(found.worst),
-          .diagnostics = toRecords(found.diagnostics)};
+          .diagnostics = toArrays(found.diagnostics)};
 }
 
 [[nodiscard]] inline RepairRecord toRecord(const SurfaceRepair& repair) {
@@ -138,7 +138,7 @@ struct MeshInspectionRecord {
           .kinds = copyOut(kinds),
           .subjects = copyOut(subjects),
           .places = copyOut(places),
-          .diagnostics = toRecords(repair.diagnostics)};
+          .diagnostics = toArrays(repair.diagnostics)};
 }
 
 [[nodiscard]] inline RefinementRecord toRecord(const SurfaceRefinement& refinement) {
@@ -146,7 +146,7 @@ struct MeshInspectionRecord {
           .triangles = copyOut(refinement.triangles),
           .origin = copyOut(refinement.origin),
           .splitEdges = refinement.splitEdges,
-          .diagnostics = toRecords(refinement.diagnostics)};
+          .diagnostics = toArrays(refinement.diagnostics)};
 }
 
 [[nodiscard]] inline MeshInspectionRecord toRecord(const MeshInspection& found) {

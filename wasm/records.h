@@ -28,16 +28,18 @@ struct Options {
   bool exactFillOnly = false;
 };
 
-struct DiagnosticRecord {
-  std::uint32_t code = 0;
-  std::uint32_t severity = 0;
-  Uint32Array entities{emscripten::val::undefined()};
-  Float64Array place{emscripten::val::undefined()};
-  Float64Array values{emscripten::val::undefined()};
+/// All diagnostics in a few arrays, for there may be a million.
+struct DiagnosticArrays {
+  /// Per diagnostic: code, severity, number of entities, 1 with a place, number of values.
+  Uint32Array heads = copyOut(std::vector<std::uint32_t>{});
+  /// Kind and position per entity, one diagnostic after the other.
+  Uint32Array entities = heads;
+  /// x y z of those with a place.
+  Float64Array places = copyOut(std::vector<double>{});
+  Float64Array values = places;
 };
 
-/// A JavaScript array of DiagnosticRecord, and one of PatchSummary.
-EMSCRIPTEN_DECLARE_VAL_TYPE(DiagnosticRecords)
+/// A JavaScript array of PatchSummary.
 EMSCRIPTEN_DECLARE_VAL_TYPE(PatchSummaries)
 
 struct SurfaceArrays {
@@ -72,7 +74,7 @@ struct PreviewRecord {
   Float64Array patchPoints = linePoints;
   Uint32Array patchTriangles = lineOffsets;
   Uint32Array patchOffsets = lineOffsets;
-  DiagnosticRecords diagnostics{emscripten::val::array()};
+  DiagnosticArrays diagnostics;
 };
 
 /// FrontCounters as JavaScript numbers, exact up to 2^53.
@@ -99,29 +101,26 @@ struct ProposalRecord {
   Float64Array sourceValues = copyOut(std::vector<double>{});
 };
 
-inline DiagnosticRecord toRecord(const Diagnostic& diagnostic) {
+inline DiagnosticArrays toArrays(const std::vector<Diagnostic>& diagnostics) {
+  std::vector<std::uint32_t> heads;
   std::vector<std::uint32_t> entities;
-  for (const Entity& entity : diagnostic.entities) {
-    entities.push_back(static_cast<std::uint32_t>(entity.kind));
-    entities.push_back(entity.index);
+  std::vector<double> places;
+  std::vector<double> values;
+  for (const Diagnostic& d : diagnostics) {
+    heads.insert(heads.end(),
+                 {static_cast<std::uint32_t>(d.code), static_cast<std::uint32_t>(d.severity),
+                  static_cast<std::uint32_t>(d.entities.size()), d.hasPlace ? 1U : 0U,
+                  static_cast<std::uint32_t>(d.values.size())});
+    for (const Entity& entity : d.entities) {
+      entities.insert(entities.end(), {static_cast<std::uint32_t>(entity.kind), entity.index});
+    }
+    if (d.hasPlace) places.insert(places.end(), {d.place.x, d.place.y, d.place.z});
+    values.insert(values.end(), d.values.begin(), d.values.end());
   }
-  std::vector<double> place;
-  if (diagnostic.hasPlace) {
-    place = {diagnostic.place.x, diagnostic.place.y, diagnostic.place.z};
-  }
-  return {.code = static_cast<std::uint32_t>(diagnostic.code),
-          .severity = static_cast<std::uint32_t>(diagnostic.severity),
+  return {.heads = copyOut(heads),
           .entities = copyOut(entities),
-          .place = copyOut(place),
-          .values = copyOut(diagnostic.values)};
-}
-
-inline DiagnosticRecords toRecords(const std::vector<Diagnostic>& diagnostics) {
-  auto records = emscripten::val::array();
-  for (const Diagnostic& diagnostic : diagnostics) {
-    records.call<void>("push", toRecord(diagnostic));
-  }
-  return DiagnosticRecords{records};
+          .places = copyOut(places),
+          .values = copyOut(values)};
 }
 
 inline PreviewRecord toRecord(const ModelPreview& drawn) {
@@ -130,7 +129,7 @@ inline PreviewRecord toRecord(const ModelPreview& drawn) {
           .patchPoints = copyOut(drawn.patchPoints),
           .patchTriangles = copyOut(drawn.patchTriangles),
           .patchOffsets = copyOut(drawn.patchOffsets),
-          .diagnostics = toRecords(drawn.diagnostics)};
+          .diagnostics = toArrays(drawn.diagnostics)};
 }
 
 /// Sixteen hexadecimal digits: a 64-bit number does not fit a JavaScript number.

@@ -10,8 +10,9 @@
 namespace tetrafront::testing {
 namespace {
 
-SurfaceInspection inspect(const SurfaceMesh& mesh, std::uint32_t budget = 1U << 20U) {
-  SurfaceInspector inspector(mesh.points, mesh.triangles);
+SurfaceInspection inspect(const SurfaceMesh& mesh, std::uint32_t budget = 1U << 20U,
+                          const InspectionOptions& options = {}) {
+  SurfaceInspector inspector(mesh.points, mesh.triangles, options);
   double reached = 0.0;
   while (!inspector.advance(budget)) {
     EXPECT_GE(inspector.fraction(), reached);
@@ -69,7 +70,8 @@ TEST(SurfaceInspection, TakesFacesBetweenRegionsEitherWayRound) {
   const std::size_t last = spheres.triangles.size() - 3;
   std::swap(spheres.triangles[last], spheres.triangles[last + 1]);
   EXPECT_FALSE(inspect(spheres).isFillable);
-  SurfaceInspector asRegions(spheres.points, spheres.triangles, EnclosedBodies::kRegions);
+  SurfaceInspector asRegions(spheres.points, spheres.triangles,
+                             {.enclosed = EnclosedBodies::kRegions});
   while (!asRegions.advance(1000)) {
   }
   EXPECT_TRUE(asRegions.result().isFillable);
@@ -156,6 +158,64 @@ TEST(SurfaceInspection, KeepsAwayFromBrokenNumbers) {
   mesh = gridCube(1);
   mesh.points[3] = std::nan("");
   EXPECT_EQ(inspect(mesh).triangles, 0U);
+}
+
+TEST(SurfaceInspection, NamesANodeOrTriangleThatIsCutOffByItsPlace) {
+  SurfaceMesh mesh = gridCube(1);
+  const auto nodes = static_cast<std::uint32_t>(mesh.points.size() / 3);
+  const std::uint32_t triangles = triangleCount(mesh);
+  mesh.points.insert(mesh.points.end(), {1.0, 2.0});
+  mesh.triangles.push_back(0);
+  const SurfaceInspection found = inspect(mesh);
+  ASSERT_EQ(found.diagnostics.size(), 2U);
+  const std::array wanted{Entity{EntityKind::kSurfaceNode, nodes},
+                          Entity{EntityKind::kTriangle, triangles}};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Diagnostic& cut = found.diagnostics[i];
+    EXPECT_EQ(cut.code, DiagnosticCode::kIndexOutOfRange);
+    EXPECT_EQ(cut.entities.at(0).kind, wanted[i].kind);
+    EXPECT_EQ(cut.entities.at(0).index, wanted[i].index);
+    EXPECT_EQ(cut.values.at(0), static_cast<double>(wanted[i].index));
+  }
+}
+
+/// So many pairs of needles far from each other, triangles 2i and 2i + 1, that go through one another.
+SurfaceMesh crossingNeedles(std::uint32_t pairs) {
+  SurfaceMesh mesh;
+  for (std::uint32_t i = 0; i < pairs; ++i) {
+    const double x = 10.0 * i;
+    for (const Vec3& p :
+         {Vec3(x, -1.0, 0.0), Vec3(x, 1.0, -1e-3), Vec3(x, 1.0, 1e-3), Vec3(x - 1.0, 0.0, 0.0),
+          Vec3(x + 1.0, -1e-3, 0.0), Vec3(x + 1.0, 1e-3, 0.0)}) {
+      mesh.triangles.push_back(static_cast<std::uint32_t>(mesh.points.size() / 3));
+      mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+    }
+  }
+  return mesh;
+}
+
+TEST(SurfaceInspection, ListsAsManyFindingsAsAreAskedForAndCountsAll) {
+  constexpr std::uint32_t kPairs = 3000;
+  const SurfaceMesh mesh = crossingNeedles(kPairs);
+  for (const std::uint32_t wanted : {1U, 1000U, kPairs, 2 * kPairs}) {
+    const SurfaceInspection found = inspect(mesh, 256, {.findings = wanted});
+    std::uint32_t pairs = 0;
+    std::uint32_t edges = 0;
+    for (const Diagnostic& d : found.diagnostics) {
+      if (d.code == DiagnosticCode::kOpenEdge) {
+        ++edges;
+        EXPECT_EQ(d.values, std::vector<double>{6.0 * kPairs});
+      }
+      if (d.code != DiagnosticCode::kSelfIntersection) continue;
+      EXPECT_EQ(d.entities.at(0).index, 2 * pairs);
+      EXPECT_EQ(d.entities.at(1).index, 2 * pairs + 1);
+      EXPECT_NEAR(d.place.x, 10.0 * pairs, 0.01);
+      EXPECT_EQ(d.values, std::vector<double>{kPairs});
+      ++pairs;
+    }
+    EXPECT_EQ(pairs, std::min(wanted, kPairs));
+    EXPECT_EQ(edges, std::min(wanted, 6 * kPairs));
+  }
 }
 
 TEST(SurfaceInspection, DoesNotDependOnItsSlices) {

@@ -186,9 +186,10 @@ SurfaceMesh crossedWalls(std::uint32_t count) {
 
 /// Of what is reported: how many are listed, and the values of each.
 std::pair<std::size_t, std::set<std::vector<double>>> reportOf(const SurfaceMesh& mesh,
-                                                               std::uint32_t budget) {
+                                                               std::uint32_t budget,
+                                                               std::size_t listed) {
   const std::vector<std::uint8_t> ignored(countOf(mesh), 0);
-  BoundaryReport report(mesh, BoundarySource::kGivenSurface);
+  BoundaryReport report(mesh, BoundarySource::kGivenSurface, listed);
   const BoxTree tree(triangleBoxes(mesh));
   SelfIntersectionCheck check(mesh, ignored, tree, report);
   while (!check.advance(budget)) {
@@ -200,11 +201,11 @@ std::pair<std::size_t, std::set<std::vector<double>>> reportOf(const SurfaceMesh
 }
 
 TEST(SelfIntersectionTest, SaysWhetherAllHaveBeenCounted) {
-  const auto [fewListed, few] = reportOf(crossedWalls(40), 1000);
+  const auto [fewListed, few] = reportOf(crossedWalls(40), 1000, 1000);
   EXPECT_EQ(fewListed, 1000U);
   EXPECT_EQ(few, (std::set<std::vector<double>>{{1600.0}}));
   const SurfaceMesh many = crossedWalls(330);
-  const auto [manyListed, atLeast] = reportOf(many, 1000);
+  const auto [manyListed, atLeast] = reportOf(many, 1000, 1000);
   EXPECT_EQ(manyListed, 1000U);
   ASSERT_EQ(atLeast.size(), 1U);
   const std::vector<double>& values = *atLeast.begin();
@@ -212,7 +213,13 @@ TEST(SelfIntersectionTest, SaysWhetherAllHaveBeenCounted) {
   EXPECT_GE(values[0], 100'000.0);
   EXPECT_LT(values[0], 330.0 * 330.0);
   EXPECT_EQ(values[1], 1.0);
-  EXPECT_EQ(reportOf(many, 7).second, atLeast);
+  EXPECT_EQ(reportOf(many, 7, 1000).second, atLeast);
+}
+
+TEST(SelfIntersectionTest, FindsAllWhereMoreAreToBeListedThanTheSearchWouldGoOnFor) {
+  const auto [listed, values] = reportOf(crossedWalls(330), 1000, 200'000);
+  EXPECT_EQ(listed, 330U * 330U);
+  EXPECT_EQ(values, (std::set<std::vector<double>>{{330.0 * 330.0}}));
 }
 
 }  // namespace

@@ -15,7 +15,9 @@ export function engineEnum(header: string, name: string): [number, string][] {
 /** A constant in a header of the engine: 10 for `inline constexpr double kMostGrowth = 10.0;`. */
 export function engineConstant(header: string, name: string): number {
   const file = new URL(`../../cpp/${header}`, import.meta.url);
-  const word = new RegExp(`constexpr double ${name} = ([^;]*);`).exec(readFileSync(file, "utf8"))?.[1];
+  const word = new RegExp(`constexpr (?:double|std::uint32_t) ${name} = ([^;]*);`).exec(
+    readFileSync(file, "utf8"),
+  )?.[1];
   if (word === undefined) throw new Error(`no constant ${name} in ${header}`);
   const power = /^0x1p(-?\d+)$/.exec(word)?.[1];
   return power === undefined ? Number(word) : 2 ** Number(power);

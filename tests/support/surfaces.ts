@@ -143,6 +143,20 @@ export function cavitySurface(n: number, cavityRadius = 0.5): SurfaceInput {
   return joined(boxSurface(n, [-1, -1, -1], [1, 1, 1]), turned(inside));
 }
 
+/**
+ * So many pairs of needles far from each other: triangles 2i and 2i + 1 go through one another at (10 i, 0, 0), and
+ * meet no others.
+ */
+export function crossingNeedles(pairs: number): SurfaceInput {
+  const pair = [0, -1, 0, 0, 1, -1e-3, 0, 1, 1e-3, -1, 0, 0, 1, -1e-3, 0, 1, 1e-3, 0];
+  const points = new Float64Array(pair.length * pairs);
+  for (let i = 0; i < points.length; i++) {
+    const inPair = i % pair.length;
+    points[i] = (pair[inPair] ?? 0) + (i % 3 === 0 ? 10 * Math.floor(i / pair.length) : 0);
+  }
+  return { points, triangles: Uint32Array.from({ length: points.length / 3 }, (_, node) => node) };
+}
+
 /** The same surface seen from the other side. */
 export function turned({ points, triangles }: SurfaceInput): SurfaceInput {
   const other = triangles.slice();

@@ -2,7 +2,17 @@
 import { writeToStandardOutput } from "./cli-files.js";
 import { withMesher } from "./cli-grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./cli-input.js";
-import { asBadInput, asEngineFailure, BadInput, countOf, ExitCode, say, tell } from "./cli-messages.js";
+import { LIMITS } from "./limits.js";
+import {
+  asBadInput,
+  asEngineFailure,
+  BadInput,
+  countOf,
+  ExitCode,
+  jsonPieces,
+  say,
+  tell,
+} from "./cli-messages.js";
 import {
   refuseRepair,
   repaired,
@@ -17,12 +27,14 @@ import { listed } from "./formats/groups.js";
 import { inSteps } from "./formats/steps.js";
 import { surfaceOf } from "./formats/surface-file.js";
 import type { MeshInspection, RepairChange, SurfaceInspection } from "./inspection.js";
-import { checkPreviewOptions } from "./options.js";
+import { checkInspectionOptions, checkPreviewOptions } from "./options.js";
 import { plural } from "./plural.js";
 import type { Diagnostic, Mesher } from "./types.js";
 
 export interface CheckCommandOptions extends RepairCommandOptions {
   readonly size?: string;
+  /** A number, or `all`. */
+  readonly findings?: string;
   readonly from?: string;
   readonly json?: boolean;
   readonly quiet?: boolean;
@@ -50,22 +62,23 @@ type Findings =
       /** Not the input failed, but the engine. */ readonly isEngine?: true;
     };
 
-/** Who checks wants to see them all; beyond this, `--json` has the rest. */
+/** In lines of text, unless `--findings` asks for more or fewer. */
 const TOLD_PER_CODE = 50;
 
 /** Runs the command; resolves with the exit code. */
 export async function checkFile(input: string, options: CheckCommandOptions): Promise<number> {
-  const findings = await findingsIn(input, options);
+  const findings = await found(input, options);
   const { diagnostics } = findings;
   const errors = countOf(diagnostics, "error");
   const isQuiet = options.quiet === true;
   if (options.json === true) {
     const { subject: _, isEngine: __, ...told } = { subject: "", isEngine: false, ...findings };
-    await writeToStandardOutput(`${JSON.stringify({ input, errors, ...told }, null, 2)}\n`);
+    for (const piece of jsonPieces({ input, errors, ...told })) await writeToStandardOutput(piece);
   } else {
     if (!isQuiet) tellFigures(input, findings);
     const subject = findings.kind === "none" ? findings.subject : input;
-    tell(subject, diagnostics, { isQuiet, perCode: TOLD_PER_CODE });
+    const asked = findings.kind === "surface" ? findingsAsked(options) : undefined;
+    tell(subject, diagnostics, { isQuiet, perCode: asked ?? TOLD_PER_CODE });
     if (!isQuiet) say(`${input}: ${counted(diagnostics)}`);
   }
   if (findings.kind === "none" && findings.isEngine === true) return ExitCode.notCompleted;
@@ -80,12 +93,21 @@ function tellFigures(input: string, findings: Findings): void {
   if (findings.kind === "mesh") for (const line of meshLines(findings.inspection)) say(`${input}: ${line}`);
 }
 
-async function findingsIn(input: string, options: CheckCommandOptions): Promise<Findings> {
+/** Of each code so many; undefined where nothing is said of it. What is no number is left for the check of options. */
+function findingsAsked({ findings }: CheckCommandOptions): number | undefined {
+  return findings === "all" ? LIMITS.findings : numberIn(findings);
+}
+
+async function found(input: string, options: CheckCommandOptions): Promise<Findings> {
   try {
     const size = numberIn(options.size);
     const { enclosed } = options;
-    refuseOptions(checkPreviewOptions({ size, enclosed }));
+    refuseOptions([
+      ...checkPreviewOptions({ size, enclosed }),
+      ...checkInspectionOptions({ findings: findingsAsked(options) }),
+    ]);
     if (isProject(input, options.from)) {
+      refuseOption("--findings", options.findings, "surfaces", "a project");
       refuseRepair(repairOptions(options), "a project");
       const project = await readProjectFile(input, options.from);
       const { diagnostics } = await withMesher((mesher) =>
@@ -110,6 +132,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
   if (mesh.tetrahedra.length > 0) {
     refuseRepair(wanted, "a mesh of tetrahedra");
     refuseOption("--enclosed", options.enclosed, "surfaces and projects", "a mesh of tetrahedra");
+    refuseOption("--findings", options.findings, "surfaces", "a mesh of tetrahedra");
     const {
       boundary: _,
       quality: __,
@@ -125,7 +148,9 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new BadInput(input, [nothing]);
   }
   const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), wanted);
-  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, { enclosed: options.enclosed });
+  const { enclosed } = options;
+  const judged = { enclosed, findings: findingsAsked(options) };
+  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, judged);
   return { kind: "surface", diagnostics: [...diagnostics, ...notes(mesh)], changes, inspection };
 }
 

@@ -80,6 +80,7 @@ Exit code
 Examples
   tetrafront check part.stl
   tetrafront check part.stl --json | jq .inspection.openEdges
+  tetrafront check scan.stl --findings all --json        # every one, not the first thousand of each kind
   tetrafront check part.stl --repair --fill-holes 10     # what would be changed, and what then remains
   tetrafront check parts.stl --enclosed regions          # bodies within others are bodies too
   tetrafront check duct.json --size 0.1

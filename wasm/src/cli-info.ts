@@ -4,7 +4,7 @@ import { withMesher } from "./cli-grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./cli-input.js";
 import { BadInput, ExitCode, toldFailure } from "./cli-messages.js";
 import { boxText, meshLines, mixedTurns, otherWay, qualityLines, readingLines } from "./cli-tables.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { packageDiagnostic, printable } from "./package-diagnostic.js";
 import { formatOf } from "./formats/file-formats.js";
 import type { FileGroup, FileMesh } from "./formats/file-mesh.js";
 import { plural } from "./plural.js";
@@ -74,7 +74,9 @@ async function answered(
   try {
     const { json, lines } = await ask();
     const text =
-      isJson === true ? JSON.stringify({ input, ...json }, null, 2) : [input, ...lines].join("\n  ");
+      isJson === true
+        ? JSON.stringify({ input, ...json }, null, 2)
+        : [input, ...lines].map(printable).join("\n  ");
     await writeToStandardOutput(`${text}\n`);
     return ExitCode.meshed;
   } catch (failure) {

@@ -1,6 +1,6 @@
 /** What the command line says, and how its commands end. */
 import { FileProblem } from "./cli-files.js";
-import { packageDiagnostic, readDiagnostic } from "./package-diagnostic.js";
+import { packageDiagnostic, printable, readDiagnostic } from "./package-diagnostic.js";
 import { MesherError } from "./mesher-error.js";
 import type { ReadProblem } from "./read-result.js";
 import type { Diagnostic } from "./types.js";
@@ -85,30 +85,35 @@ function byKind(diagnostics: readonly Diagnostic[]): Iterable<readonly Diagnosti
   return groups.values();
 }
 
-/** Of one kind no more are told one by one, and the first of them says how many there are. */
-const LISTED_OF_A_KIND = 1000;
-
 /** How many findings of this severity there are, with those that are not told one by one. */
 export function countOf(diagnostics: readonly Diagnostic[], wanted: Diagnostic["severity"]): number {
   const found = diagnostics.filter(({ severity }) => severity === wanted);
   return [...byKind(found)].reduce((sum, group) => sum + allOfAKind(group), 0);
 }
 
-/** How many findings of one kind there are in all, of which these are told one by one. */
+/**
+ * How many findings of one kind there are in all, of which these are told one by one: of a given surface each says so,
+ * of a drawing it counts those at its own lines and patches.
+ */
 function allOfAKind(group: readonly Diagnostic[]): number {
   const [first] = group;
-  const isAll = first === undefined || group.length < LISTED_OF_A_KIND || !("count" in first.data);
-  return isAll ? group.length : Math.max(group.length, first.data.count ?? 0);
+  if (first === undefined || !isOfSurface(first) || !("count" in first.data)) return group.length;
+  return Math.max(group.length, first.data.count ?? 0);
+}
+
+/** Whether it is about a given surface, whose triangles and nodes have no names. */
+function isOfSurface({ entities }: Diagnostic): boolean {
+  return entities.every(({ kind }) => kind === "triangle" || kind === "surface-node");
 }
 
 /** What has neither name nor place and reads the same but for its numbers is one line with a count. */
 function tellGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
   const lines = new Map<string, { readonly line: string; count: number }>();
-  for (const { severity, code, message, remedy, place, entities } of group) {
+  for (const diagnostic of group) {
+    const { severity, code, message, remedy, place } = diagnostic;
     const line = `${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd();
-    const isNameless = entities.every(({ kind }) => kind === "triangle" || kind === "surface-node");
     // Coordinates that cannot be computed with are no place either.
-    const isAlike = isNameless && (place === undefined || code === "not-finite");
+    const isAlike = isOfSurface(diagnostic) && (place === undefined || code === "not-finite");
     const key = isAlike ? message.replace(/[-+\d.e]*\d/g, "#") : line;
     const known = lines.get(key);
     if (known === undefined) lines.set(key, { line, count: 1 });
@@ -125,6 +130,27 @@ function tellGroup(subject: string, group: readonly Diagnostic[], perCode: numbe
   }
 }
 
+/** So many diagnostics are one piece of JSON: a million of them would be too long for one string. */
+const PIECE = 1000;
+
+/** As JSON.stringify has it, in lines, the diagnostics last. */
+export function* jsonPieces<Told extends { readonly diagnostics: readonly Diagnostic[] }>({
+  diagnostics,
+  ...rest
+}: Told): Generator<string, void> {
+  const empty = JSON.stringify({ ...rest, diagnostics: [] }, null, 2);
+  if (diagnostics.length === 0) {
+    yield `${empty}\n`;
+    return;
+  }
+  yield empty.slice(0, -"]\n}".length);
+  for (let begin = 0; begin < diagnostics.length; begin += PIECE) {
+    const list = JSON.stringify(diagnostics.slice(begin, begin + PIECE), null, 2);
+    yield `${begin === 0 ? "" : ","}${list.slice(1, -"\n]".length).replaceAll("\n", "\n  ")}`;
+  }
+  yield "\n  ]\n}\n";
+}
+
 const WORDS: Readonly<Record<Diagnostic["severity"], string>> = {
   error: "error",
   warning: "warning",
@@ -132,5 +158,5 @@ const WORDS: Readonly<Record<Diagnostic["severity"], string>> = {
 };
 
 export function say(line: string): void {
-  process.stderr.write(`tetrafront: ${line}\n`);
+  process.stderr.write(`tetrafront: ${printable(line)}\n`);
 }

@@ -41,6 +41,7 @@ import { invalidOption } from "./package-diagnostic.js";
 import {
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
+  DEFAULT_FINDINGS,
   DEFAULT_GRADATION,
   DEFAULT_GROWTH,
   DEFAULT_OPTIMIZATION,
@@ -396,6 +397,10 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     .argument("<input...>", "projects, surfaces or meshes")
     .option("-s, --size <length>", "the size a project will be meshed with; its grid is not checked")
     .addOption(enclosedOption())
+    .option(
+      "--findings <count>",
+      `list so many problems of each kind of a surface, or all (default ${DEFAULT_FINDINGS}; as text the first 50)`,
+    )
     .addOption(formatOption())
     .addOption(fromOption());
   withJobs(withRepair(command))

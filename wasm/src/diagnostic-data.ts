@@ -4,7 +4,7 @@ import type { ReadCode, ReadProblem } from "./read-result.js";
 /** Nothing but what the sentence says. */
 export type NoData = Readonly<Record<string, never>>;
 
-/** How many findings there are in all, of which no more than a thousand are told one by one; of a drawing, how many at these entities. */
+/** How many findings there are in all, of which a thousand are told one by one unless more are asked for; of a drawing, how many at these entities. */
 export interface Counted {
   readonly count: number;
 }
@@ -83,17 +83,25 @@ export type DiagnosticData = {
       : NoData;
 };
 
-/** The names of the engine's numbers, in its order; those of `is…` are 1 or 0. Later ones may be missing. */
+/** The names of numbers, with a `?` behind those that may be missing. */
+type NameIn<Data> = {
+  [Name in keyof Data & string]-?: object extends Pick<Data, Name> ? `${Name}?` : Name;
+}[keyof Data & string];
+
+/**
+ * The names of the engine's numbers, in its order; those of `is…` are 1 or 0, and those with a `?`, which come last,
+ * may be missing.
+ */
 export const ENGINE_DATA: Readonly<Partial<Record<EngineCode, readonly string[]>>> = {
-  "not-finite": ["coordinate", "count"],
-  "index-out-of-range": ["index", "count"],
+  "not-finite": ["coordinate", "count?"],
+  "index-out-of-range": ["index", "count?"],
   "wrong-point-count": ["points"],
   "wrong-line-count": ["lines", "wanted"],
   "not-planar": ["distance"],
   "hole-off-patch": ["distance"],
   "bad-option": ["option", "given"],
   "patches-meet": ["count"],
-  "outside-background-grid": ["count"],
+  "outside-background-grid": ["count?"],
   "too-many-elements": ["expected", "most"],
   "bad-size": ["size"],
   "bad-stretching": ["stretching"],
@@ -102,17 +110,17 @@ export const ENGINE_DATA: Readonly<Partial<Record<EngineCode, readonly string[]>
   "open-edge": ["count"],
   "dangling-sheet": ["count"],
   "inconsistent-orientation": ["count"],
-  "self-intersection": ["count", "isLeast"],
-  "duplicate-triangle": ["count"],
+  "self-intersection": ["count", "isLeast?"],
+  "duplicate-triangle": ["count?"],
   "degenerate-triangle": ["count"],
   "zero-volume": ["count"],
   "coincident-nodes": ["count"],
-  "reoriented-patch": ["turned", "triangles"],
+  "reoriented-patch": ["turned?", "triangles?"],
   "nested-bodies": ["regions", "cavities"],
   "turned-triangle": ["isBetweenSpaces", "count"],
   "coarse-surface": ["triangles", "longest"],
   stalled: ["faces"],
   "verification-failed": ["count"],
 } satisfies {
-  readonly [Code in Extract<keyof DiagnosticNumbers, EngineCode>]: readonly (keyof DiagnosticNumbers[Code])[];
+  readonly [Code in Extract<keyof DiagnosticNumbers, EngineCode>]: readonly NameIn<DiagnosticNumbers[Code]>[];
 };

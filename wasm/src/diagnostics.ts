@@ -2,13 +2,14 @@
  * What the engine found, said in sentences: the entities by the names the user gave them, the place,
  * the numbers, and what to do about it.
  */
-import { aFunction, aNumber, arrayOf, checkArgument, objectOf } from "./argument-checks.js";
 import { ENGINE_OPTIONS, engineCodeName, type EngineCode } from "./diagnostic-codes.js";
-import { ENGINE_DATA } from "./diagnostic-data.js";
-import { capitalised } from "./package-diagnostic.js";
+import { ENGINE_DATA, type DiagnosticData } from "./diagnostic-data.js";
+import type { DiagnosticArrays } from "./engine-loader.js";
+import { BREATH, type Steps } from "./formats/steps.js";
+import { sentence } from "./package-diagnostic.js";
 import { plural } from "./plural.js";
 import type { EntityNamer } from "./project-arrays.js";
-import type { Diagnostic, EntityKind, EntityRef, Severity } from "./types.js";
+import type { Diagnostic, DiagnosticOf, EntityKind, EntityRef, Severity } from "./types.js";
 
 /** A diagnostic as it leaves the engine. */
 export interface EngineDiagnostic {
@@ -38,7 +39,8 @@ export const ENTITY_KINDS: readonly EntityKind[] = [
 ];
 
 /** What a sentence is made from. */
-interface Subject {
+interface Subject<Code extends EngineCode> {
+  readonly data: DiagnosticData[Code];
   /** The first entity of that kind by name, else e.g. "a line". */
   readonly the: (kind: EntityKind) => string;
   /** All entities of these kinds, "patch 1 and patch 2"; else `otherwise`. */
@@ -47,8 +49,6 @@ interface Subject {
   readonly count: (kinds: readonly EntityKind[]) => number;
   /** " at (1, 2, 3)", or nothing. */
   readonly at: string;
-  /** The value of that number, written short; "?" if the engine gave none. */
-  readonly value: (index: number) => string;
   /** The entity the diagnostic names first, else "the model". */
   readonly main: string;
   /** Its kind, if there is one. */
@@ -57,33 +57,32 @@ interface Subject {
   readonly drawn: boolean;
 }
 
-interface Sentence {
-  readonly message: (subject: Subject) => string;
-  readonly remedy: string | ((subject: Subject) => string);
+interface Sentence<Code extends EngineCode> {
+  readonly message: (subject: Subject<Code>) => string;
+  readonly remedy: string | ((subject: Subject<Code>) => string);
 }
 
 const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"];
 
 /** One entry per engine code: the compiler refuses a table with a gap. */
-const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
+const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   "not-finite": {
-    message: ({ main, value }) => {
-      const coordinate = Number(value(0));
+    message: ({ main, data: { coordinate } }) => {
       if (coordinate === 0) return "All points lie at the origin";
       return Number.isFinite(coordinate)
-        ? `${main} has the coordinate ${value(0)}, too large or too small to compute with`
+        ? `${main} has the coordinate ${short(coordinate)}, too large or too small to compute with`
         : `${main} has a coordinate that is not a finite number`;
     },
     remedy:
       "Give finite coordinates, not beyond 1e30, and 0 for those below 1e-75; scale a model that is all below 1e-30.",
   },
   "index-out-of-range": {
-    message: ({ main, value }) => `${main} refers to number ${value(0)}, which does not exist`,
+    message: ({ main, data }) => `${main} refers to number ${data.index}, which does not exist`,
     remedy: "Refer to something that exists, or remove the reference.",
   },
   "wrong-point-count": {
-    message: ({ the, value }) =>
-      `${the("line")} has ${plural(value(0), "point")}, which does not fit its type`,
+    message: ({ the, data }) =>
+      `${the("line")} has ${plural(data.points, "point")}, which does not fit its type`,
     remedy: "Give a straight line two points, a parabolic line three, a spline four or more.",
   },
   "coincident-points": {
@@ -96,8 +95,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Move its points apart, or delete the line.",
   },
   "wrong-line-count": {
-    message: ({ the, value }) =>
-      `${the("patch")} has ${plural(value(0), "line")} in its outer loop, its type takes ${value(1)}`,
+    message: ({ the, data }) =>
+      `${the("patch")} has ${plural(data.lines, "line")} in its outer loop, its type takes ${data.wanted}`,
     remedy: "Change the patch's type, or join or split lines until the number fits.",
   },
   "wrong-line-type": {
@@ -114,8 +113,8 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Move the lines apart, or split the patch where they meet.",
   },
   "not-planar": {
-    message: ({ the, all, value, at }) =>
-      `${the("patch")} is planar, but its plane misses ${all(["point"], the("line"))} by ${value(0)}${at}`,
+    message: ({ the, all, data, at }) =>
+      `${the("patch")} is planar, but its plane misses ${all(["point"], the("line"))} by ${short(data.distance)}${at}`,
     remedy: "Move the points into the plane, or give the patch a type that is curved.",
   },
   "empty-model": {
@@ -139,12 +138,12 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Move the hole into the patch, or list the outermost loop first.",
   },
   "hole-off-patch": {
-    message: ({ the, value, at }) =>
-      `${the("line")} bounds a hole of ${the("patch")}, but leaves the patch by ${value(0)}${at}`,
+    message: ({ the, data, at }) =>
+      `${the("line")} bounds a hole of ${the("patch")}, but leaves the patch by ${short(data.distance)}${at}`,
     remedy: "Draw the line through points on the patch, the more the stronger it is curved.",
   },
   "bad-option": {
-    message: ({ value }) => `The ${ENGINE_OPTIONS[Number(value(0))] ?? "option"} is ${value(1)}`,
+    message: ({ data }) => `The ${data.option} is ${short(data.given)}`,
     remedy:
       "Give a size above 0 and up to 1e30, a growth from 0 to 10, and a gradation of 0, or above 1 and up to 10.",
   },
@@ -166,13 +165,14 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Let all lines use one of them, and delete the other.",
   },
   "size-too-large": {
-    message: ({ value }) => `An element size, ${value(0)}, is larger than the whole model, ${value(1)}`,
+    message: ({ data }) =>
+      `An element size, ${short(data.size)}, is larger than the whole model, ${short(data.extent)}`,
     remedy:
       "Give a smaller size: lines and patches are followed only roughly, and a given surface's own edges tell the sizes in it.",
   },
   "nested-bodies": {
-    message: ({ value }) =>
-      `The model has ${plural(value(0), "region")}${value(1) === "0" ? "" : ` and ${plural(value(1), "cavity")}`}`,
+    message: ({ data: { regions, cavities } }) =>
+      `The model has ${plural(regions, "region")}${cavities === 0 ? "" : ` and ${plural(cavities, "cavity")}`}`,
     remedy: "",
   },
   "empty-background-grid": {
@@ -181,11 +181,11 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       "Give a uniform element size (--size on the command line), or make a background grid that covers the model.",
   },
   "bad-size": {
-    message: ({ main, value }) => `${main} has the element size ${value(0)}`,
+    message: ({ main, data }) => `${main} has the element size ${short(data.size)}`,
     remedy: "Give a size above 0, not below 1e-12 of the extent of the background grid, and up to 1e30.",
   },
   "bad-stretching": {
-    message: ({ main, value }) => `${main} has the stretching ${value(0)}`,
+    message: ({ main, data }) => `${main} has the stretching ${short(data.stretching)}`,
     remedy: "Give a stretching from 1 (none) to 1e6, and a direction that is not zero.",
   },
   "flat-background-tetrahedron": {
@@ -198,34 +198,34 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       "Extend the background grid until it covers the whole model, or make a covering grid in its place.",
   },
   "too-many-elements": {
-    message: ({ main, kind, value }) => {
+    message: ({ main, kind, data: { expected, most } }) => {
       switch (kind) {
         case "line":
-          return `${main} asks for more than ${plural(value(1), "side")}`;
+          return `${main} asks for more than ${plural(most, "side")}`;
         case "patch":
-          return `${main} asks for more than ${plural(value(1), "triangle")}`;
+          return `${main} asks for more than ${plural(most, "triangle")}`;
         case "triangle":
-          return `Refined, the surface would have ${estimated(value(0), "triangle")}, the most of them in ${main}; the limit is ${value(1)}`;
+          return `Refined, the surface would have ${estimated(expected, "triangle")}, the most of them in ${main}; the limit is ${most}`;
         default:
-          return `The sizes ask for ${estimated(value(0), "tetrahedron")}, the limit is ${value(1)}`;
+          return `The sizes ask for ${estimated(expected, "tetrahedron")}, the limit is ${most}`;
       }
     },
-    remedy: ({ kind, value }) => {
+    remedy: ({ kind, data: { expected, most } }) => {
       // Where lines or patches alone are too many, the estimate is of those, not of the tetrahedra.
-      const factor = kind === undefined ? Math.cbrt(Number(value(0)) / Number(value(1))) : NaN;
+      const factor = kind === undefined ? Math.cbrt(expected / most) : NaN;
       if (!(factor > 1)) return "Ask for larger elements.";
-      if (isBeyondCounting(value(0))) return "Ask for far larger elements.";
+      if (isBeyondCounting(expected)) return "Ask for far larger elements.";
       return `Ask for elements at least ${(Math.ceil(10 * factor) / 10).toFixed(1)} times as large.`;
     },
   },
   "bad-source": {
-    message: ({ main, value }) =>
-      `${main} has the size ${value(0)}, the distance ${value(1)} and the growth ${value(2)}`,
+    message: ({ main, data }) =>
+      `${main} has the size ${short(data.size)}, the distance ${short(data.distance)} and the growth ${short(data.growth)}`,
     remedy: "Give a size from 1e-30 to 1e30, a distance of 0 or more, and a growth from 0 to 10.",
   },
   "open-edge": {
-    message: ({ all, at, value }) =>
-      `The surface is not closed: one side is missing at ${all(["line", "patch", "triangle"], "an edge")}${at}${total(value(0), "open edge")}`,
+    message: ({ all, at, data }) =>
+      `The surface is not closed: one side is missing at ${all(["line", "patch", "triangle"], "an edge")}${at}${total(data.count, "open edge")}`,
     remedy: ({ drawn }) =>
       drawn
         ? "Add the patch that is missing there, or let its neighbour use the same line. A wall must end at lines of other patches all round."
@@ -245,12 +245,12 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "A closed surface has an inside and an outside: remove the twist, as of a Möbius band.",
   },
   "self-intersection": {
-    message: ({ all, count, at, value }) => {
+    message: ({ all, count, at, data }) => {
       const meet =
         count(SHELL_KINDS) === 1
           ? `${all(SHELL_KINDS, "")} crosses itself`
           : `${all(SHELL_KINDS, "two triangles")} meet`;
-      return `The surface cuts itself: ${meet}${at}${totalOfPairs(value(0), value(1) === "1")}`;
+      return `The surface cuts itself: ${meet}${at}${totalOfPairs(data.count, data.isLeast === true)}`;
     },
     remedy: ({ drawn }) =>
       drawn
@@ -273,9 +273,9 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
     remedy: "Remove the flat shell, or move its corners apart.",
   },
   "reoriented-patch": {
-    message: ({ all, count, value, main, drawn }) => {
-      if (!drawn) {
-        return `The part of the surface with ${main} is inside out: the mesh has all of its ${plural(value(1), "triangle")} turned outward`;
+    message: ({ all, count, data: { triangles }, main }) => {
+      if (triangles !== undefined) {
+        return `The part of the surface with ${main} is inside out: the mesh has all of its ${plural(triangles, "triangle")} turned outward`;
       }
       const [were, have] = count(["patch"]) > 1 ? ["were", "have"] : ["was", "has"];
       return `${all(["patch"], "A patch")} ${were} drawn inside out and ${have} been turned round`;
@@ -284,9 +284,9 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
   },
   "turned-triangle": {
     message: ({ main, at }) => `${main} faces inward, but others of its part of the surface outward${at}`,
-    remedy: ({ value }) =>
+    remedy: ({ data }) =>
       `Turn it round; a repair does so and lists each: --repair, or repairSurface.${
-        value(0) === "1"
+        data.isBetweenSpaces
           ? " Where spaces on both of its sides are to be meshed, fill regions: --enclosed regions, or enclosed."
           : ""
       }`,
@@ -298,88 +298,138 @@ const SENTENCES: Readonly<Record<EngineCode, Sentence>> = {
       drawn ? "Use one point in both lines, or move them apart." : "Weld the corners, or move them apart.",
   },
   "coarse-surface": {
-    message: ({ the, at, value }) =>
-      `${the("triangle")}${at} has an edge ${value(1)} times as long as wanted there, ${value(0) === "1" ? "alone" : `one of ${value(0)} triangles`} with edges more than twice as long: beside them elements are as large`,
+    message: ({ the, at, data: { triangles, longest } }) =>
+      `${the("triangle")}${at} has an edge ${short(longest)} times as long as wanted there, ${triangles === 1 ? "alone" : `one of ${triangles} triangles`} with edges more than twice as long: beside them elements are as large`,
     remedy:
       "Refine the surface (refineSurface(), --refine-surface on the command line), or ask for larger elements.",
   },
   stalled: {
-    message: ({ value, at }) =>
-      `The front stalled with ${plural(value(0), "face")} that no tetrahedron completes${at}; the mesh is partial`,
+    message: ({ data, at }) =>
+      `The front stalled with ${plural(data.faces, "face")} that no tetrahedron completes${at}; the mesh is partial`,
     remedy:
       "Use sizes that change more gently there; in a given surface, a size nearer to that of its own edges.",
   },
   "verification-failed": {
-    message: ({ value, at }) => `The finished mesh failed its own check in ${plural(value(0), "place")}${at}`,
+    message: ({ data, at }) =>
+      `The finished mesh failed its own check in ${plural(data.count, "place")}${at}`,
     remedy: "This is a mistake in Tetrafront: please report it with the model.",
   },
 };
 
 /** Whether an estimate is the engine's largest, which stands for all above it (`counted` there). */
-function isBeyondCounting(estimate: string): boolean {
-  return Number(estimate) >= 1e15;
+function isBeyondCounting(estimate: number): boolean {
+  return estimate >= 1e15;
 }
 
 /** "about 30000000 tetrahedra". */
-function estimated(count: string, noun: string): string {
-  return `${isBeyondCounting(count) ? "more than" : "about"} ${plural(count, noun)}`;
+function estimated(count: number, noun: string): string {
+  return `${isBeyondCounting(count) ? "more than" : "about"} ${plural(short(count), noun)}`;
 }
 
-function along(all: Subject["all"]): string {
+function along(all: Subject<EngineCode>["all"]): string {
   const lines = all(["line"], "");
   return lines === "" ? "" : ` at ${lines}`;
 }
 
-function total(count: string, noun: string): string {
-  return count === "?" || count === "1" ? "" : ` (${plural(count, noun)} in all)`;
+function total(count: number, noun: string): string {
+  return count === 1 ? "" : ` (${plural(count, noun)} in all)`;
 }
 
 /** `isLeast`: the search was ended before all were found. */
-function totalOfPairs(count: string, isLeast: boolean): string {
-  if (count === "?" || count === "1") return "";
+function totalOfPairs(count: number, isLeast: boolean): string {
+  if (count === 1) return "";
   return ` (${isLeast ? "at least " : ""}${count} pairs of triangles in all)`;
 }
 
-const anEngineDiagnostic = objectOf({
-  code: aNumber,
-  severity: aNumber,
-  entities: arrayOf(Uint32Array, 2),
-  place: arrayOf(Float64Array, 3),
-  values: arrayOf(Float64Array),
-});
+/** Per diagnostic in `heads`: code, severity, number of entities, 1 with a place, number of values. */
+const HEAD_STRIDE = 5;
 
-/** Composes the sentences for one diagnostic of the engine. Throws a `MesherError` where it is none. */
+/** The engine's diagnostics one by one. */
+export function* unpacked({
+  heads,
+  entities,
+  places,
+  values,
+}: DiagnosticArrays): Generator<EngineDiagnostic> {
+  let [entity, place, value] = [0, 0, 0];
+  for (let head = 0; head < heads.length; head += HEAD_STRIDE) {
+    const [code = 0, severity = 0, entityCount = 0, placeCount = 0, valueCount = 0] = heads.subarray(
+      head,
+      head + HEAD_STRIDE,
+    );
+    yield {
+      code,
+      severity,
+      entities: entities.subarray(entity, (entity += 2 * entityCount)),
+      place: places.subarray(place, (place += 3 * placeCount)),
+      values: values.subarray(value, (value += valueCount)),
+    };
+  }
+}
+
+/** All that the engine has to say, in sentences. */
+export function describeAll(arrays: DiagnosticArrays, name: EntityNamer): Diagnostic[] {
+  return Array.from(unpacked(arrays), (raw) => describeDiagnostic(raw, name));
+}
+
+/** Sentences per step, of some ten microseconds each. */
+const SENTENCES_PER_STEP = 256;
+
+/** As `describeAll`, in steps: of a ruined surface there may be a million. */
+export function* describeInSteps(arrays: DiagnosticArrays, name: EntityNamer): Steps<Diagnostic[]> {
+  const described: Diagnostic[] = [];
+  for (const raw of unpacked(arrays)) {
+    described.push(describeDiagnostic(raw, name));
+    if (described.length % SENTENCES_PER_STEP === 0) yield BREATH;
+  }
+  return described;
+}
+
+/** Composes the sentences for one diagnostic of the engine. */
 export function describeDiagnostic(raw: EngineDiagnostic, name: EntityNamer): Diagnostic {
-  checkArgument("diagnostic", raw, anEngineDiagnostic);
-  checkArgument("name", name, aFunction);
+  const code = engineCodeName(raw.code);
+  if (code === undefined) throw new Error(`the engine has a diagnostic ${raw.code} that nobody knows`);
+  // Of the union that the codes make up, which cannot be told from one type for all codes.
+  return describedAs(code, raw, name) as Diagnostic;
+}
+
+function describedAs<Code extends EngineCode>(
+  code: Code,
+  raw: EngineDiagnostic,
+  name: EntityNamer,
+): DiagnosticOf<Code> {
   const entities = namedEntities(raw.entities, name);
-  const code = engineCodeName(raw.code) ?? "verification-failed";
-  const subject = subjectOf(raw, entities);
+  const data = dataOf(code, raw.values);
+  const subject = subjectOf<Code>(raw, entities, data);
   const { message, remedy } = SENTENCES[code];
   const [x, y, z] = raw.place;
-  const diagnostic = {
+  return {
     code,
     severity: SEVERITIES[raw.severity] ?? "error",
-    message: capitalised(withCounting(message(subject), entities)),
+    message: sentence(withCounting(message(subject), entities)),
     remedy: typeof remedy === "string" ? remedy : remedy(subject),
     entities,
     ...(x !== undefined && y !== undefined && z !== undefined ? { place: [x, y, z] as const } : {}),
-    data: dataOf(code, raw.values),
+    data,
   };
-  // That the names are those of the type is what their table is checked for.
-  return diagnostic as Diagnostic;
 }
 
-/** The engine's numbers by their names. */
-function dataOf(code: EngineCode, values: Float64Array): object {
+/** The engine's numbers by their names. Throws where it gave too few. */
+function dataOf<Code extends EngineCode>(code: Code, values: Float64Array): DiagnosticData[Code] {
   const data: Record<string, unknown> = {};
-  ENGINE_DATA[code]?.forEach((name, i) => {
+  ENGINE_DATA[code]?.forEach((entry, i) => {
+    const name = entry.replace(/\?$/, "");
     const value = values[i];
-    if (value === undefined) return;
-    if (name === "option") data[name] = ENGINE_OPTIONS[value];
-    else data[name] = name.startsWith("is") ? value === 1 : value;
+    if (value === undefined) {
+      if (name === entry) throw new Error(`the engine gave no ${name} with ${code}`);
+    } else if (name === "option") {
+      data[name] = ENGINE_OPTIONS[value];
+    } else {
+      data[name] = name.startsWith("is") ? value === 1 : value;
+    }
   });
-  return data;
+  // That the names are those of the type is what their table is checked for.
+  return data as DiagnosticData[Code];
 }
 
 /** Where something is named by its position, the first such name tells how positions are counted. */
@@ -406,18 +456,22 @@ function namedEntities(pairs: Uint32Array, name: EntityNamer): EntityRef[] {
   return named;
 }
 
-function subjectOf(raw: EngineDiagnostic, entities: readonly EntityRef[]): Subject {
+function subjectOf<Code extends EngineCode>(
+  raw: EngineDiagnostic,
+  entities: readonly EntityRef[],
+  data: DiagnosticData[Code],
+): Subject<Code> {
   const drawn = entities.some(({ kind }) => kind === "line" || kind === "patch" || kind === "point");
   // Of a drawing its lines and patches are told; which triangles these have is left to the entities.
   const isTold = (kind: EntityKind) => !drawn || kind !== "triangle";
   const labels = (kinds: readonly EntityKind[]) =>
     entities.filter(({ kind }) => kinds.includes(kind) && isTold(kind)).map(({ label }) => label);
   return {
+    data,
     the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
     count: (kinds) => new Set(labels(kinds)).size,
     all: (kinds, otherwise) => joined([...new Set(labels(kinds))]) ?? otherwise,
-    at: raw.place.length === 3 ? ` at (${[...raw.place].map(shortNumber).join(", ")})` : "",
-    value: (index) => shortNumber(raw.values[index]),
+    at: raw.place.length === 3 ? ` at (${[...raw.place].map(short).join(", ")})` : "",
     main: entities[0]?.label ?? "the model",
     kind: entities[0]?.kind,
     drawn,
@@ -435,7 +489,6 @@ function joined(labels: readonly string[]): string | undefined {
 }
 
 /** Counts in full, else six significant digits: enough to find the place, short enough to read. */
-function shortNumber(value: number | undefined): string {
-  if (value === undefined) return "?";
+function short(value: number): string {
   return Number.isSafeInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
 }

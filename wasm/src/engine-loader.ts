@@ -13,6 +13,7 @@ import createEngine, {
 } from "./engine.js";
 import type { CompiledEngine } from "./protocol.js";
 
+export type { DiagnosticArrays } from "./engine.js";
 export type Engine = MainModule;
 export type EngineRun = Run;
 /** What works in slices and has one result. */

@@ -6,7 +6,6 @@
 export { ENGINE_CODES } from "./diagnostic-codes.js";
 export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadPlace } from "./diagnostic-data.js";
 export type { DiagnosticCode, EngineCode, ErrorCode, PackageCode } from "./diagnostic-codes.js";
-export { describeDiagnostic, ENTITY_KINDS, type EngineDiagnostic } from "./diagnostics.js";
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
   Contents,
@@ -65,7 +64,6 @@ export {
   type OutOfMemory,
 } from "./mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project.js";
-export { nameByPosition, projectNamer, type EntityNamer } from "./project-arrays.js";
 export { LIMITS } from "./limits.js";
 export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project-schema.js";
 export type {

@@ -210,3 +210,15 @@ function arraysProblem(message: string, remedy: string): Diagnostic {
 export function isFiniteFrom(least: number, value: unknown): boolean {
   return typeof value === "number" && Number.isFinite(value) && value >= least;
 }
+
+/** Of a project without anything that a grid could cover. */
+export function nothingToCover(): Diagnostic {
+  const message = "there is nothing to cover: no point, line or patch can be evaluated";
+  return packageDiagnostic("invalid-project", message, "Draw points and lines first.");
+}
+
+/** Of a mesh whose numbers the engine refuses. */
+export function unreadableMesh(): Diagnostic {
+  const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
+  return arraysProblem(message, "Give finite coordinates, and one region per element or none.");
+}

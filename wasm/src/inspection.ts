@@ -2,10 +2,11 @@
  * Given surfaces and meshes before anything is done with them: what is there, what is wrong, and what
  * was repaired on request. The engine's answers, put into names.
  */
-import { describeDiagnostic } from "./diagnostics.js";
+import { describeAll, describeInSteps } from "./diagnostics.js";
 import type { Engine } from "./engine-loader.js";
+import type { Steps } from "./formats/steps.js";
 import { nameByPosition, type EntityNamer } from "./project-arrays.js";
-import { qualityReport } from "./quality-report.js";
+import { qualityReport, rowsOf } from "./quality-report.js";
 import { originsOf } from "./surface-numbers.js";
 import type { Diagnostic, EnclosedBodies, QualityReport, SurfaceInput } from "./types.js";
 
@@ -90,8 +91,8 @@ export interface SurfaceInspection {
   /** Up to ten triangles, by radius ratio, the worst first. */
   readonly worst: readonly TriangleFigures[];
   /**
-   * Everything that is wrong, as a run would tell it: of each code the first thousand; the last of an
-   * error's values counts them all.
+   * Everything that is wrong, as a run would tell it: of each code the first thousand, or as many as
+   * `InspectionOptions.findings` asks for; the `count` of an error's data is of them all.
    */
   readonly diagnostics: readonly Diagnostic[];
 }
@@ -193,7 +194,7 @@ export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 const SHELL_STRIDE = 6;
 const TRIANGLE_STRIDE = 7;
 
-export function describedInspection(found: EngineInspection, name: EntityNamer): SurfaceInspection {
+export function* describedInspection(found: EngineInspection, name: EntityNamer): Steps<SurfaceInspection> {
   const { regions: bodies, box, diagnostics, shells, worst, edgeLengths, ...rest } = found;
   const described = rowsOf(shells, SHELL_STRIDE).map(shellFigures);
   return {
@@ -204,14 +205,14 @@ export function describedInspection(found: EngineInspection, name: EntityNamer):
     edgeLengths: lengthsOf(edgeLengths),
     shells: described,
     worst: rowsOf(worst, TRIANGLE_STRIDE).map(triangleFigures),
-    diagnostics: diagnostics.map((raw) => describeDiagnostic(raw, name)),
+    diagnostics: yield* describeInSteps(diagnostics, name),
   };
 }
 
 export function changeDiagnostics({
   diagnostics,
 }: Pick<EngineRepair | EngineRefinement, "diagnostics">): Diagnostic[] {
-  return diagnostics.map((raw) => describeDiagnostic(raw, nameByPosition));
+  return describeAll(diagnostics, nameByPosition);
 }
 
 /** `given`: how many nodes the surface had that was repaired. */
@@ -288,10 +289,4 @@ function lengthsOf([shortest = 0, mean = 0, longest = 0]: Float64Array): EdgeLen
 
 function placeAt(flat: Float64Array, index: number): Place {
   return [flat[3 * index] ?? 0, flat[3 * index + 1] ?? 0, flat[3 * index + 2] ?? 0];
-}
-
-function rowsOf(flat: Float64Array, stride: number): number[][] {
-  return Array.from({ length: flat.length / stride }, (_, i) =>
-    Array.from(flat.subarray(stride * i, stride * (i + 1))),
-  );
 }

@@ -8,4 +8,6 @@ export const LIMITS = {
   gradation: 10,
   /** Length along the direction of stretching divided by the size. */
   stretching: 1e6,
+  /** Findings of one code that an inspection lists: at 0.8 kB each, a JavaScript heap holds a few million. */
+  findings: 1_000_000,
 } as const;

@@ -4,7 +4,7 @@
  */
 import { throwIfCancelled, untilCancelled } from "./cancelling.js";
 import { EngineWorker, type WorkReply } from "./engine-worker.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { inSteps } from "./formats/steps.js";
 import { backgroundOf, emptyGrid, projectBackground, projectSources, withNodes } from "./grid-arrays.js";
 import {
   checkControl,
@@ -13,6 +13,8 @@ import {
   checkSurface,
   checkVolume,
   checkWeld,
+  nothingToCover,
+  unreadableMesh,
 } from "./input-checks.js";
 import {
   describedInspection,
@@ -37,6 +39,7 @@ import {
   checkRepairOptions,
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
+  engineInspectionOptions,
   engineOptions,
   engineProposalOptions,
   engineRepairOptions,
@@ -60,7 +63,6 @@ import type {
   AbortControl,
   BackgroundArrays,
   CoverOptions,
-  Diagnostic,
   InspectionOptions,
   Mesher,
   MeshInput,
@@ -156,6 +158,8 @@ class WorkerMesher implements Mesher {
   }
 
   async meshProject(project: Project, options: MeshOptions = {}, control: RunControl = {}) {
+    const early = this.#endedEarly(control);
+    if (early !== undefined) return early;
     const unusable = [...checkProject(project), ...checkOptions(options)];
     if (unusable.length > 0) return emptyResult("invalid-input", unusable);
     const settled = withSettings(options, project);
@@ -174,6 +178,8 @@ class WorkerMesher implements Mesher {
   }
 
   async fillSurface(surface: SurfaceInput, options: MeshOptions = {}, control: RunControl = {}) {
+    const early = this.#endedEarly(control);
+    if (early !== undefined) return early;
     const wrong = [...checkSurface(surface), ...checkOptions(options)];
     if (wrong.length > 0) return emptyResult("invalid-input", wrong);
     const { background } = options;
@@ -194,6 +200,7 @@ class WorkerMesher implements Mesher {
     options: PreviewOptions = {},
     control: RunControl = {},
   ): Promise<ProjectPreview> {
+    this.#begin(control);
     const unusable = checkPreviewOptions(options);
     const drawn = drawnArrays(project);
     const { size, enclosed, background } = withSettings(unusable.length > 0 ? {} : options, project);
@@ -218,6 +225,7 @@ class WorkerMesher implements Mesher {
     options: CoverOptions = {},
     control: RunControl = {},
   ): Promise<ProjectBackground> {
+    this.#begin(control);
     refuse([...checkProject(project), ...checkCoverOptions(options)]);
     const { size = 0, shape = DEFAULT_COVER_SHAPE } = options;
     const model = projectArrays(project);
@@ -234,6 +242,7 @@ class WorkerMesher implements Mesher {
     options: ProposalOptions = {},
     control: RunControl = {},
   ): Promise<SizeProposal> {
+    this.#begin(control);
     refuse([...checkProject(project), ...checkProposalOptions(options)]);
     const model = projectArrays(project);
     const id = this.#nextId();
@@ -247,6 +256,7 @@ class WorkerMesher implements Mesher {
     options: { readonly sizes?: Float64Array | undefined } = {},
     control: RunControl = {},
   ): Promise<BackgroundArrays> {
+    this.#begin(control);
     refuse(checkGridOptions(options));
     const { sizes } = options;
     refuse(checkVolume(mesh, sizes));
@@ -267,12 +277,17 @@ class WorkerMesher implements Mesher {
     options: InspectionOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceInspection> {
+    this.#begin(control);
     refuse([...checkSurface(surface), ...checkInspectionOptions(options)]);
-    const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
-    const id = this.#nextId();
-    const { enclosed } = engineOptions(options);
-    const question = { kind: "inspect-surface", id, points, triangles, enclosed } as const;
-    return describedInspection(await this.#ask(question, control), surfaceNamer(surface));
+    const question = {
+      kind: "inspect-surface",
+      id: this.#nextId(),
+      points: surface.points.slice(),
+      triangles: surface.triangles.slice(),
+      ...engineInspectionOptions(options),
+    } as const;
+    const found = await this.#ask(question, control);
+    return inSteps(describedInspection(found, surfaceNamer(surface)), control.signal);
   }
 
   async repairSurface(
@@ -280,6 +295,7 @@ class WorkerMesher implements Mesher {
     options: RepairOptions = {},
     control: RunControl = {},
   ): Promise<SurfaceRepair> {
+    this.#begin(control);
     refuse([...checkSurface(surface), ...checkRepairOptions(options)]);
     refuse(checkWeld(surface, options.weld));
     const [points, triangles] = [surface.points.slice(), surface.triangles.slice()];
@@ -296,6 +312,7 @@ class WorkerMesher implements Mesher {
     options: RefineOptions,
     control: RunControl = {},
   ): Promise<SurfaceRefinement> {
+    this.#begin(control);
     refuse([...checkSurface(surface), ...checkRefineOptions(options)]);
     const { background } = options;
     const question = {
@@ -313,6 +330,7 @@ class WorkerMesher implements Mesher {
   }
 
   async inspectMesh(mesh: MeshInput, control: RunControl = {}): Promise<MeshInspection> {
+    this.#begin(control);
     refuse(checkMesh(mesh));
     const { points, tetrahedra, regions = new Uint32Array() } = mesh;
     const question = {
@@ -346,18 +364,29 @@ class WorkerMesher implements Mesher {
     for (const job of this.#waiting.splice(0)) job.reject(failure());
   }
 
+  /** Before anything is looked at and copied, which takes its time where it is large: throws where that would be in vain. */
+  #begin(control: RunControl): void {
+    refuse(checkControl(control));
+    if (this.#closed !== undefined) throw this.#closed();
+    throwIfCancelled(control.signal);
+  }
+
+  /** As `#begin` for runs: the result of one that would be in vain. */
+  #endedEarly(control: RunControl): MeshResult | undefined {
+    const wrong = checkControl(control);
+    if (wrong.length > 0) return emptyResult("invalid-input", wrong);
+    if (this.#closed !== undefined) throw this.#closed();
+    return control.signal?.aborted === true ? emptyResult("cancelled") : undefined;
+  }
+
   /** The arrays are copies of the caller's, and are not transferred: a new worker may have to be asked again. */
   async #ask<Kind extends keyof Answers>(
     question: Question & { readonly kind: Kind },
-    control: RunControl,
+    { signal, onProgress }: RunControl,
   ): Promise<Answers[Kind]> {
-    refuse(checkControl(control));
-    const { signal, onProgress } = control;
     const onAbort = () => signal && this.#abandon(question.id, cancelledError(signal));
     try {
       return await new Promise((resolve, reject) => {
-        if (this.#closed !== undefined) return reject(this.#closed());
-        if (signal?.aborted === true) return reject(cancelledError(signal));
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#questions.set(question.id, {
           question,
@@ -383,15 +412,14 @@ class WorkerMesher implements Mesher {
     this.#updateKeepAlive();
   }
 
-  async #run(request: RunRequest, control: RunControl, name: EntityNamer): Promise<MeshResult> {
-    const wrong = checkControl(control);
-    if (wrong.length > 0) return emptyResult("invalid-input", wrong);
-    const { signal, onProgress } = control;
+  async #run(
+    request: RunRequest,
+    { signal, onProgress }: RunControl,
+    name: EntityNamer,
+  ): Promise<MeshResult> {
     let onAbort: (() => void) | undefined;
     try {
       const result = await new Promise<EngineResult | Cancelled>((resolve, reject) => {
-        if (this.#closed !== undefined) return reject(this.#closed());
-        if (signal?.aborted === true) return resolve({ cancelledAfterSeconds: 0 });
         const triangles = trianglesIn(request);
         const told = { began: undefined, progress: undefined };
         const job: Job = { request, triangles, onProgress, ...told, resolve, reject };
@@ -562,18 +590,4 @@ function drawnArrays(project: Project): ModelArrays {
     refuse(checkProject(project));
     throw failure;
   }
-}
-
-function nothingToCover(): Diagnostic {
-  const message = "there is nothing to cover: no point, line or patch can be evaluated";
-  return packageDiagnostic("invalid-project", message, "Draw points and lines first.");
-}
-
-function unreadableMesh(): Diagnostic {
-  const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
-  return packageDiagnostic(
-    "invalid-arrays",
-    message,
-    "Give finite coordinates, and one region per element or none.",
-  );
 }

@@ -5,7 +5,12 @@ import { invalidOption } from "./package-diagnostic.js";
 import { checkBackground } from "./input-checks.js";
 import type { RepairOptions } from "./inspection.js";
 import type { Project } from "./project-schema.js";
-import type { EngineOptions, EngineProposalOptions, EngineRepairOptions } from "./protocol.js";
+import type {
+  EngineInspectionOptions,
+  EngineOptions,
+  EngineProposalOptions,
+  EngineRepairOptions,
+} from "./protocol.js";
 import type {
   BackgroundArrays,
   CoverOptions,
@@ -27,6 +32,9 @@ export const DEFAULT_GRADATION = 1.3;
 export const DEFAULT_ENCLOSED: EnclosedBodies = "cavities";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
 export const ENCLOSED_BODIES: Readonly<Record<EnclosedBodies, number>> = { cavities: 0, regions: 1 };
+
+/** Of each code (cpp/include/tetrafront/surface_tools.h). */
+export const DEFAULT_FINDINGS = 1000;
 
 export const DEFAULT_ORDER: FrontOrder = "layered";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
@@ -63,6 +71,8 @@ type Rules<Options> = { readonly [Name in keyof Options]-?: readonly [words: str
 
 const isFiniteNumber = (value: unknown): value is number =>
   typeof value === "number" && Number.isFinite(value);
+const isWholeNumber = (value: unknown, least: number, most: number): boolean =>
+  Number.isInteger(value) && Number(value) >= least && Number(value) <= most;
 /** What coordinates may be (cpp/src/geom/coordinates.h); sizes beyond are no sizes of anything. */
 const SMALLEST = 1e-30;
 const LARGEST = LIMITS.length;
@@ -111,7 +121,14 @@ const PREVIEW_RULES: Rules<Omit<PreviewOptions, "background">> = {
   enclosed: MESH_RULES.enclosed,
 };
 
-const INSPECTION_RULES: Rules<InspectionOptions> = { enclosed: MESH_RULES.enclosed };
+const INSPECTION_RULES: Rules<InspectionOptions> = {
+  enclosed: MESH_RULES.enclosed,
+  findings: [
+    "number of findings to list",
+    (value) =>
+      isWholeNumber(value, 1, LIMITS.findings) ? undefined : `a whole number from 1 to ${LIMITS.findings}`,
+  ],
+};
 
 const COVER_RULES: Rules<CoverOptions> = {
   size: MESH_RULES.size,
@@ -143,9 +160,7 @@ const REPAIR_RULES: Rules<RepairOptions> = {
   fillHoles: [
     "number of edges of holes to fill",
     (value) =>
-      Number.isInteger(value) && Number(value) >= 0 && Number(value) <= MOST_HOLE_EDGES
-        ? undefined
-        : `a whole number from 0 to ${MOST_HOLE_EDGES}`,
+      isWholeNumber(value, 0, MOST_HOLE_EDGES) ? undefined : `a whole number from 0 to ${MOST_HOLE_EDGES}`,
   ],
   orient: ["choice of orienting triangles", trueOrFalse],
 };
@@ -275,6 +290,12 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     optimization: OPTIMIZATIONS[optimization],
     exactFillOnly,
   };
+}
+
+/** Options that passed the check. */
+export function engineInspectionOptions(options: InspectionOptions): EngineInspectionOptions {
+  const { enclosed = DEFAULT_ENCLOSED, findings = DEFAULT_FINDINGS } = options;
+  return { enclosed: ENCLOSED_BODIES[enclosed], findings };
 }
 
 /** Options that passed the check. */

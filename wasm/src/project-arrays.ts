@@ -1,5 +1,4 @@
 /** From a project, with ids and names, to the flat arrays the engine takes; and back from positions to names. */
-import { aPosition, checkArgument, listOf, objectOf, oneOf } from "./argument-checks.js";
 import { backgroundOf, NOWHERE, projectGrid, type GridArrays } from "./grid-arrays.js";
 import type { LineType, PatchType, Project, ProjectBackground } from "./project-schema.js";
 import type { Diagnostic, EntityKind, EntityRef } from "./types.js";
@@ -122,11 +121,8 @@ const KIND_WORDS: Readonly<Record<EntityKind, string>> = {
 
 /** Names by number, for a given surface, whose entities nobody named. */
 export const nameByPosition: EntityNamer = (kind, index) => {
-  checkArgument("kind", kind, aKind);
-  checkArgument("index", index, aPosition);
   return { kind, index, label: `${KIND_WORDS[kind]} ${index}` };
 };
-const aKind = oneOf(Object.keys(KIND_WORDS));
 
 /** As `name`, but for a background grid that came as arrays, whose nodes nobody named. */
 export function gridByPosition(name: EntityNamer): EntityNamer {
@@ -138,7 +134,6 @@ export function gridByPosition(name: EntityNamer): EntityNamer {
 
 /** Names as the project has them: `line "lip"`, else by id: `line 12`. */
 export function projectNamer(project: Project): EntityNamer {
-  checkArgument("project", project, aDrawing);
   return (kind, index) => {
     const entity = entityAt(project, kind, index);
     if (entity === undefined) return nameByPosition(kind, index);
@@ -148,9 +143,6 @@ export function projectNamer(project: Project): EntityNamer {
     return { kind, index, id: entity.id, label };
   };
 }
-
-const entities = listOf(objectOf({}));
-const aDrawing = objectOf({ points: entities, lines: entities, patches: entities });
 
 function entityAt(
   project: Project,

@@ -9,7 +9,7 @@ import {
   type SchemaProblem,
 } from "./project-schema.js";
 import { refuse } from "./mesher-error.js";
-import { packageDiagnostic } from "./package-diagnostic.js";
+import { packageDiagnostic, printable } from "./package-diagnostic.js";
 import type { ReadProblem, ReadResult } from "./read-result.js";
 
 /** More problems than this help nobody; the first ones usually cause the rest. */
@@ -21,26 +21,32 @@ const MAX_PROBLEMS = 20;
  */
 export function parseProject(value: unknown): ReadResult<Project> {
   const headProblem = checkHead(value);
-  if (headProblem !== undefined) return { success: false, problems: [headProblem] };
+  if (headProblem !== undefined) return refused(headProblem);
   const parsed = parsedProject(value);
   if ("value" in parsed) return { success: true, value: parsed.value };
   const [first, ...rest] = parsed.problems.slice(0, MAX_PROBLEMS).map(invalidProject);
-  return { success: false, problems: [first ?? notAProject("it does not follow the schema"), ...rest] };
+  return refused(first ?? notAProject("it does not follow the schema"), ...rest);
 }
 
 /** Reads the text of a project file. Never throws. */
 export function readProject(text: string): ReadResult<Project> {
-  if (typeof text !== "string") return { success: false, problems: [notAProject("it is no text")] };
+  if (typeof text !== "string") return refused(notAProject("it is no text"));
   if (text.trim() === "") {
-    return { success: false, problems: [{ ...notAProject("the file is empty"), code: "empty-file" }] };
+    return refused({ ...notAProject("the file is empty"), code: "empty-file" });
   }
   let value: unknown;
   try {
     value = JSON.parse(text.startsWith("\uFEFF") ? text.slice(1) : text);
   } catch (failure) {
-    return { success: false, problems: [describeSyntaxError(text, failure)] };
+    return refused(describeSyntaxError(text, failure));
   }
   return parseProject(value);
+}
+
+function refused(...problems: [ReadProblem, ...ReadProblem[]]): ReadResult<never> {
+  const [first, ...rest] = problems;
+  const shown = (problem: ReadProblem) => ({ ...problem, message: printable(problem.message) });
+  return { success: false, problems: [shown(first), ...rest.map(shown)] };
 }
 
 /**

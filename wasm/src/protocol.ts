@@ -1,5 +1,5 @@
 /** What the page (or a Node program) and the worker say to each other. Types only. */
-import type { EngineDiagnostic } from "./diagnostics.js";
+import type { DiagnosticArrays } from "./engine-loader.js";
 import type { GridArrays } from "./grid-arrays.js";
 import type {
   EngineInspection,
@@ -35,6 +35,14 @@ export interface EngineOptions {
   readonly optimization: number;
   /** For tests: skips the front. */
   readonly exactFillOnly: boolean;
+}
+
+/** The engine's InspectionOptions. */
+export interface EngineInspectionOptions {
+  /** As among EngineOptions. */
+  readonly enclosed: number;
+  /** Of each code so many are listed. */
+  readonly findings: number;
 }
 
 /** The engine's ProposalOptions; 0 for sizes that are not given. */
@@ -89,14 +97,12 @@ export type Question =
       readonly tetrahedra: Uint32Array;
       readonly sizes: Float64Array;
     }
-  | {
+  | ({
       readonly kind: "inspect-surface";
       readonly id: number;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
-      /** As among EngineOptions. */
-      readonly enclosed: number;
-    }
+    } & EngineInspectionOptions)
   | {
       readonly kind: "repair-surface";
       readonly id: number;
@@ -154,11 +160,11 @@ export interface EngineResult {
   readonly surface: SurfaceMesh;
   readonly volume: VolumeMesh;
   readonly figures: Omit<MeshReport, "diagnostics" | "status">;
-  readonly diagnostics: readonly EngineDiagnostic[];
+  readonly diagnostics: DiagnosticArrays;
 }
 
 export type EnginePreview = Omit<ProjectPreview, "diagnostics"> & {
-  readonly diagnostics: readonly EngineDiagnostic[];
+  readonly diagnostics: DiagnosticArrays;
 };
 
 /** Sources as in GridArrays. */

@@ -50,7 +50,7 @@ export function qualityReport(record: StatisticsRecord): QualityReport {
 function regionsOf({ regions, bins }: StatisticsRecord): RegionQuality[] {
   let next = 0;
   const take = (count: number) => Array.from(bins.subarray(next, (next += count)));
-  return rows(regions, REGION_STRIDE).map(([region = 0, tetrahedra = 0, volume = 0]) => ({
+  return rowsOf(regions, REGION_STRIDE).map(([region = 0, tetrahedra = 0, volume = 0]) => ({
     region,
     tetrahedra,
     volume,
@@ -62,7 +62,7 @@ function regionsOf({ regions, bins }: StatisticsRecord): RegionQuality[] {
 }
 
 function elementsOf(flat: Float64Array): ElementFigures[] {
-  return rows(flat, ELEMENT_STRIDE).map(
+  return rowsOf(flat, ELEMENT_STRIDE).map(
     ([tetrahedron = 0, x = 0, y = 0, z = 0, volume = 0, min = 0, max = 0, radiusRatio = 0]) => ({
       tetrahedron,
       place: [x, y, z],
@@ -73,7 +73,8 @@ function elementsOf(flat: Float64Array): ElementFigures[] {
   );
 }
 
-function rows(flat: Float64Array, stride: number): number[][] {
+/** The numbers of a flat array, so many at a time. */
+export function rowsOf(flat: Float64Array, stride: number): number[][] {
   return Array.from({ length: flat.length / stride }, (_, i) =>
     Array.from(flat.subarray(stride * i, stride * (i + 1))),
   );

@@ -1,4 +1,5 @@
 /** Why a file, or a value said to be a project, could not be read. */
+import { printable } from "./package-diagnostic.js";
 
 /**
  * - `invalid-argument`: an argument is not what it should be, such as a source of bytes, or a file name is missing.
@@ -56,7 +57,7 @@ export class ReadFailure extends Error {
 
   constructor(problem: Omit<ReadProblem, "code"> & { readonly code?: ReadCode }) {
     super(problem.message);
-    this.problem = { code: "malformed-file", ...problem };
+    this.problem = { code: "malformed-file", ...problem, message: printable(problem.message) };
   }
 }
 

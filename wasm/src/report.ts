@@ -1,5 +1,5 @@
 /** Puts results together: figures from the engine, diagnostics in words; and results without a mesh. */
-import { describeDiagnostic } from "./diagnostics.js";
+import { describeAll } from "./diagnostics.js";
 import type { EntityNamer } from "./project-arrays.js";
 import type { EnginePreview, EngineResult } from "./protocol.js";
 import { NO_QUALITY } from "./quality-report.js";
@@ -8,12 +8,15 @@ import type { Diagnostic, MeshReport, MeshResult, MeshStatus, ProjectPreview } f
 /** The result of the engine with its diagnostics told in the user's names. */
 export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
   const { status, surface, volume, figures } = result;
-  const diagnostics = result.diagnostics.map((raw) => describeDiagnostic(raw, name));
-  return { surface, volume, report: { status, ...figures, diagnostics } };
+  return {
+    surface,
+    volume,
+    report: { status, ...figures, diagnostics: describeAll(result.diagnostics, name) },
+  };
 }
 
 export function describedPreview(preview: EnginePreview, name: EntityNamer): ProjectPreview {
-  return { ...preview, diagnostics: preview.diagnostics.map((raw) => describeDiagnostic(raw, name)) };
+  return { ...preview, diagnostics: describeAll(preview.diagnostics, name) };
 }
 
 /** A result without a mesh: the input was refused, or the run was cancelled before it had one. */

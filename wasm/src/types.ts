@@ -74,6 +74,11 @@ export interface InspectionOptions {
    * or regions, which either way will do. Default `cavities`.
    */
   readonly enclosed?: EnclosedBodies | undefined;
+  /**
+   * Of each code so many findings are listed, and the others counted: a whole number from 1 to a million. Default
+   * 1000. Each takes about 0.8 kB of memory and 10 µs.
+   */
+  readonly findings?: number | undefined;
 }
 
 /** How a covering grid is built. */

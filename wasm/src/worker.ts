@@ -92,7 +92,7 @@ function toolFor(engine: Engine, question: Question): EngineTool | null {
     case "mesh-as-grid":
       return engine.meshAsGrid(question.points, question.tetrahedra, question.sizes);
     case "inspect-surface":
-      return engine.inspectSurface(question.points, question.triangles, question.enclosed);
+      return engine.inspectSurface(question.points, question.triangles, question.enclosed, question.findings);
     case "repair-surface":
       return engine.repairSurface(question.points, question.triangles, question.options);
     case "refine-surface":
@@ -116,7 +116,8 @@ async function work(id: number, tool: EngineTool | null): Promise<void> {
     if (!isComplete) return;
     const answer = tool.result();
     assertHealthy(tool);
-    workerPort.post({ kind: "answer", id, answer }, buffersOf(answer));
+    const parts = "diagnostics" in answer ? [answer, answer.diagnostics] : [answer];
+    workerPort.post({ kind: "answer", id, answer }, buffersOf(...parts));
   } finally {
     tool.delete();
   }

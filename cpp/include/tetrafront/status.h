@@ -51,7 +51,8 @@ struct Entity {
 enum class DiagnosticCode : std::uint16_t {
   // Model
   kNotFinite = 0,          ///< entity: point, node or surface node with a NaN or infinity
-  kIndexOutOfRange = 1,    ///< entity refers to something that does not exist; values: index
+  kIndexOutOfRange = 1,    ///< entity refers to something that does not exist, or is cut off
+                           ///< itself; values: the index of what does not exist
   kWrongPointCount = 2,    ///< line; values: points given
   kCoincidentPoints = 3,   ///< two points of one line at the same place
   kZeroLengthLine = 4,     ///< line

@@ -63,18 +63,27 @@ struct SurfaceInspection {
   double longestEdge = 0.0;
   std::vector<ShellFigures> shells;    ///< by their first triangles; known where isFillable
   std::vector<TriangleFigures> worst;  ///< up to ten, by radius ratio, the worst first
-  /// As a run would have them: of each kind the first thousand, the last of an error's values
-  /// counting all.
+  /// As a run would have them: of each code the first InspectionOptions::findings, the last of an
+  /// error's values counting all.
   std::vector<Diagnostic> diagnostics;
+};
+
+/// So many findings of each code teach what is wrong with a surface; a ruined one has millions.
+inline constexpr std::uint32_t kListedFindings = 1000;
+
+struct InspectionOptions {
+  /// What enclosed parts bound decides how they may be turned: between two regions either way will do.
+  EnclosedBodies enclosed = EnclosedBodies::kCavities;
+  /// So many findings of each code are listed, at some 200 bytes each; the others are counted.
+  std::uint32_t findings = kListedFindings;
 };
 
 /// Inspects a surface in slices. O(n log n) where triangles have few others near them.
 class SurfaceInspector {
  public:
-  /// Arrays as for MeshRun; they are copied. What enclosed parts bound decides how they may be turned:
-  /// between two regions either way will do.
+  /// Arrays as for MeshRun; they are copied.
   SurfaceInspector(std::span<const double> points, std::span<const std::uint32_t> triangles,
-                   EnclosedBodies enclosed = EnclosedBodies::kCavities);
+                   const InspectionOptions& options = {});
   SurfaceInspector(SurfaceInspector&&) noexcept;
   SurfaceInspector& operator=(SurfaceInspector&&) noexcept;
   ~SurfaceInspector();

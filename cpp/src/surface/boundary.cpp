@@ -24,8 +24,13 @@ constexpr std::size_t kBoxesPerBudget = 16;
 
 class BoundaryCheck::Impl {
  public:
-  Impl(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed, MixedTurns mixed)
-      : mesh_(mesh), source_(source), enclosed_(enclosed), mixed_(mixed), report_(mesh, source) {}
+  Impl(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed, MixedTurns mixed,
+       std::size_t listed)
+      : mesh_(mesh),
+        source_(source),
+        enclosed_(enclosed),
+        mixed_(mixed),
+        report_(mesh, source, listed) {}
 
   bool advance(std::uint32_t budget) {
     switch (stage_) {
@@ -92,6 +97,7 @@ class BoundaryCheck::Impl {
 
   [[nodiscard]] const BoundaryResult& result() const { return result_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  [[nodiscard]] std::vector<Diagnostic> takeDiagnostics() { return std::move(diagnostics_); }
   [[nodiscard]] const std::vector<std::uint8_t>& withoutEdges() const {
     return unsound_.inTopology;
   }
@@ -246,8 +252,8 @@ void BoundaryCheck::Impl::numberRegions() {
 }
 
 BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed,
-                             MixedTurns mixed)
-    : impl_(std::make_unique<Impl>(mesh, source, enclosed, mixed)) {}
+                             MixedTurns mixed, std::size_t listed)
+    : impl_(std::make_unique<Impl>(mesh, source, enclosed, mixed, listed)) {}
 BoundaryCheck::BoundaryCheck(BoundaryCheck&&) noexcept = default;
 BoundaryCheck& BoundaryCheck::operator=(BoundaryCheck&&) noexcept = default;
 BoundaryCheck::~BoundaryCheck() = default;
@@ -256,6 +262,7 @@ bool BoundaryCheck::advance(std::uint32_t budget) { return impl_->advance(budget
 double BoundaryCheck::fraction() const { return impl_->fraction(); }
 const BoundaryResult& BoundaryCheck::result() const { return impl_->result(); }
 const std::vector<Diagnostic>& BoundaryCheck::diagnostics() const { return impl_->diagnostics(); }
+std::vector<Diagnostic> BoundaryCheck::takeDiagnostics() { return impl_->takeDiagnostics(); }
 const std::vector<std::uint8_t>& BoundaryCheck::withoutEdges() const {
   return impl_->withoutEdges();
 }

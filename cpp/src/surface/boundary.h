@@ -5,6 +5,7 @@
 /// whatever way they were drawn, and tells which region lies inside each. Topology is decided by
 /// exact signs; the one tolerance is the rounding of a shell's volume against zero.
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -50,10 +51,10 @@ enum class MixedTurns : std::uint8_t {
 /// Any number of triangles above one may meet at an edge: bodies touch along it, or walls end there.
 class BoundaryCheck {
  public:
-  /// `mesh` must outlive this, and not change meanwhile.
+  /// `mesh` must outlive this, and not change meanwhile. `listed`: findings of each code.
   BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
                 EnclosedBodies enclosed = EnclosedBodies::kCavities,
-                MixedTurns mixed = MixedTurns::kSetRight);
+                MixedTurns mixed = MixedTurns::kSetRight, std::size_t listed = kListedFindings);
   BoundaryCheck(BoundaryCheck&&) noexcept;
   BoundaryCheck& operator=(BoundaryCheck&&) noexcept;
   ~BoundaryCheck();
@@ -69,6 +70,8 @@ class BoundaryCheck {
   /// diagnostics; the last of an error's values counts the findings of its kind.
   [[nodiscard]] const BoundaryResult& result() const;
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
+  /// The same, and none are left here: there may be a million.
+  [[nodiscard]] std::vector<Diagnostic> takeDiagnostics();
 
   /// One flag per triangle: those that make no edges, having a node twice or the nodes of an earlier
   /// triangle. Empty where numbers are broken.

@@ -43,7 +43,7 @@ void BoundaryReport::addTriangles(Finding& finding, std::span<const std::uint32_
 void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
                          std::vector<double> values, std::span<const std::uint32_t> triangles) {
   ++errors_;
-  Kind& kind = kinds_[code];
+  Kind& kind = kindOf(code);
   ++kind.total;
   if (isDrawn()) {
     std::vector<std::uint64_t> key;
@@ -57,9 +57,9 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
       addTriangles(findings_[at->second], triangles);
       return;
     }
-    if (kind.kept == kMaxOfAKind) at->second = kNotKept;
+    if (kind.kept == listed_) at->second = kNotKept;
   }
-  if (kind.kept == kMaxOfAKind) return;
+  if (kind.kept == listed_) return;
   ++kind.kept;
   Finding finding;
   finding.diagnostic.code = code;
@@ -133,10 +133,10 @@ void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> ent
   finding.diagnostic = {code,  Severity::kInformation, std::move(entities), true,
                         place, std::move(values)};
   finding.isCounted = false;
-  Kind& kind = kinds_[code];
+  Kind& kind = kindOf(code);
   ++kind.total;
   // A given surface may have a million inverted shells.
-  if (kind.kept == kMaxOfAKind) return;
+  if (kind.kept == listed_) return;
   ++kind.kept;
   findings_.push_back(std::move(finding));
 }
@@ -156,21 +156,16 @@ void BoundaryReport::addEmpty() {
   findings_.push_back(std::move(finding));
 }
 
-void BoundaryReport::addCutOff(EntityKind kind, std::size_t length) {
-  add(DiagnosticCode::kIndexOutOfRange, {{kind, static_cast<std::uint32_t>(length / 3)}},
-      Vec3(std::nan("")), {static_cast<double>(length)});
-}
-
-bool BoundaryReport::keepsMore(DiagnosticCode code) const {
-  const auto at = kinds_.find(code);
-  return at == kinds_.end() || at->second.kept < kMaxOfAKind;
+void BoundaryReport::addCutOff(EntityKind kind, std::size_t index) {
+  add(DiagnosticCode::kIndexOutOfRange, {{kind, static_cast<std::uint32_t>(index)}},
+      Vec3(std::nan("")), {static_cast<double>(index)});
 }
 
 std::vector<Diagnostic> BoundaryReport::take() {
   std::vector<Diagnostic> diagnostics;
   for (Finding& finding : findings_) {
     if (finding.isCounted) {
-      const Kind& kind = kinds_[finding.diagnostic.code];
+      const Kind& kind = kindOf(finding.diagnostic.code);
       const std::uint64_t count = isDrawn() ? finding.count : kind.total;
       finding.diagnostic.values.push_back(static_cast<double>(count));
       if (kind.endedEarly) finding.diagnostic.values.push_back(1.0);

@@ -1,7 +1,8 @@
 #pragma once
 
 /// @file What the boundary check has to say: names lines and patches for a drawn model, triangles
-/// for a given surface, and keeps a million findings of one kind from becoming a million messages.
+/// for a given surface, and keeps a million findings of one kind from becoming a million messages
+/// unless they are asked for.
 
 #include <array>
 #include <cstdint>
@@ -12,6 +13,7 @@
 
 #include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
+#include "tetrafront/surface_tools.h"
 
 namespace tetrafront {
 
@@ -21,13 +23,16 @@ enum class BoundarySource : std::uint8_t {
   kGivenSurface,  ///< points and triangles only
 };
 
-/// Collects findings. Of each code the first kMaxOfAKind are kept; the last of their `values` is
-/// the number of findings of that code in all (for a drawn model: with the same entities), and after it
-/// comes a 1 where the search was ended early, so that it is at least so many. A finding in a drawn model names lines and patches first, then its triangles, up to
-/// kMaxTriangles of all findings with the same lines and patches.
+/// Collects findings. Of each code the first `listed` are kept; the last of their `values` is the
+/// number of findings of that code in all (for a drawn model: with the same entities), and after it
+/// comes a 1 where the search was ended early, so that it is at least so many. A finding in a drawn
+/// model names lines and patches first, then its triangles, up to kMaxTriangles of all findings with
+/// the same lines and patches.
 class BoundaryReport {
  public:
-  BoundaryReport(const SurfaceMesh& mesh, BoundarySource source) : mesh_(mesh), source_(source) {}
+  BoundaryReport(const SurfaceMesh& mesh, BoundarySource source,
+                 std::size_t listed = kListedFindings)
+      : mesh_(mesh), source_(source), listed_(listed) {}
 
   void addNode(DiagnosticCode code, std::uint32_t node, std::vector<double> values);
   void addNodePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b);
@@ -42,14 +47,16 @@ class BoundaryReport {
   /// Information: so many regions and cavities; `triangle` is one of the second of these.
   void addNesting(std::uint32_t triangle, std::uint32_t regions, std::uint32_t cavities);
   void addEmpty();
-  /// The last node or triangle is incomplete: its array has `length` numbers.
-  void addCutOff(EntityKind kind, std::size_t length);
+  /// The last node or triangle is incomplete; `index` is its place.
+  void addCutOff(EntityKind kind, std::size_t index);
 
   [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
+  /// Of each code.
+  [[nodiscard]] std::size_t listed() const { return listed_; }
   /// There may be more findings of that code than were looked for.
-  void endedEarly(DiagnosticCode code) { kinds_[code].endedEarly = true; }
+  void endedEarly(DiagnosticCode code) { kindOf(code).endedEarly = true; }
   /// False if no further finding of that code will be kept: its place need not be found.
-  [[nodiscard]] bool keepsMore(DiagnosticCode code) const;
+  [[nodiscard]] bool keepsMore(DiagnosticCode code) { return kindOf(code).kept < listed_; }
 
   /// Everything, with the counts filled in.
   [[nodiscard]] std::vector<Diagnostic> take();
@@ -57,9 +64,8 @@ class BoundaryReport {
   [[nodiscard]] Vec3 centreOf(std::uint32_t triangle) const;
 
  private:
-  /// All of them for whoever repairs a surface, but not the millions of a ruined one.
-  static constexpr std::size_t kMaxOfAKind = 1000;
   static constexpr std::size_t kMaxTriangles = 200;
+  static constexpr std::size_t kCodes = 64;  ///< all are below this
   static constexpr std::size_t kNotKept = static_cast<std::size_t>(-1);
 
   struct Kind {
@@ -78,15 +84,17 @@ class BoundaryReport {
   void add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
            std::vector<double> values, std::span<const std::uint32_t> triangles = {});
   static void addTriangles(Finding& finding, std::span<const std::uint32_t> triangles);
+  [[nodiscard]] Kind& kindOf(DiagnosticCode code) { return kinds_[static_cast<std::size_t>(code)]; }
   [[nodiscard]] bool isDrawn() const { return source_ == BoundarySource::kDrawnPatches; }
   [[nodiscard]] Entity patchOf(std::uint32_t triangle) const;
   [[nodiscard]] bool lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& line);
 
   const SurfaceMesh& mesh_;
   BoundarySource source_;
+  std::size_t listed_;
   std::size_t errors_ = 0;
   std::vector<Finding> findings_;
-  std::map<DiagnosticCode, Kind> kinds_;
+  std::array<Kind, kCodes> kinds_;  ///< by code
   /// Findings of a drawn model by code and entities.
   std::map<std::pair<DiagnosticCode, std::vector<std::uint64_t>>, std::size_t> known_;
   /// Sides as {lower node, higher node, line}, sorted when first asked for.

@@ -18,12 +18,12 @@ constexpr double kSmallestCoordinate = 0x1p-250;
 }  // namespace
 
 void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
-  if (mesh.points.size() % 3 != 0) report.addCutOff(EntityKind::kSurfaceNode, mesh.points.size());
-  if (mesh.triangles.size() % 3 != 0)
-    report.addCutOff(EntityKind::kTriangle, mesh.triangles.size());
+  const std::size_t nodes = mesh.points.size() / 3;
+  const std::size_t triangles = mesh.triangles.size() / 3;
+  if (mesh.points.size() % 3 != 0) report.addCutOff(EntityKind::kSurfaceNode, nodes);
+  if (mesh.triangles.size() % 3 != 0) report.addCutOff(EntityKind::kTriangle, triangles);
   if (report.hasErrors()) return;
   if (mesh.triangles.empty()) report.addEmpty();
-  const std::size_t nodes = mesh.points.size() / 3;
   double largest = 0.0;
   bool isKnown = nodes > 0;
   for (std::uint32_t i = 0; i < nodes; ++i) {

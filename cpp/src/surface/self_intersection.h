@@ -5,6 +5,7 @@
 /// with one among the triangles at that node: of the thousands of needles around the tip of a cone
 /// every two have boxes that meet, but few look into the same direction.
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,8 +20,8 @@
 namespace tetrafront {
 
 /// In slices. O(n log n) for surfaces whose triangles have few others near them. Of surfaces that meet
-/// themselves in more places than kEnough about so many are found, and the report says that there may be
-/// more.
+/// themselves in more places than kEnough, and than the report lists, about so many are found, and the
+/// report says that there may be more.
 class SelfIntersectionCheck {
  public:
   /// Triangles flagged in `ignored` take no part. `tree`: of triangleBoxes(). Everything must outlive
@@ -43,7 +44,9 @@ class SelfIntersectionCheck {
 
   enum class Stage : std::uint8_t { kCount, kList, kNodes, kPairs, kReport };
 
-  [[nodiscard]] bool hasEnough() const { return found_.size() >= kEnough; }
+  [[nodiscard]] bool hasEnough() const {
+    return found_.size() >= std::max(kEnough, report_.listed());
+  }
   /// Finds who stands at each node; true when finished.
   bool listTriangles(std::uint32_t budget);
   bool testNodes(std::uint32_t budget);

@@ -54,11 +54,12 @@ TriangleFigures figuresOf(const SurfaceMesh& mesh, std::uint32_t triangle, doubl
 class SurfaceInspector::Impl {
  public:
   Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
-       EnclosedBodies enclosed) {
+       const InspectionOptions& options) {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.triangles.assign(triangles.begin(), triangles.end());
     given_ = mesh_.triangles;
-    check_.emplace(mesh_, BoundarySource::kGivenSurface, enclosed, MixedTurns::kRefuse);
+    check_.emplace(mesh_, BoundarySource::kGivenSurface, options.enclosed, MixedTurns::kRefuse,
+                   options.findings);
   }
 
   bool advance(std::uint32_t budget) {
@@ -89,7 +90,7 @@ class SurfaceInspector::Impl {
 };
 
 void SurfaceInspector::Impl::measure() {
-  result_.diagnostics = check_->diagnostics();
+  result_.diagnostics = check_->takeDiagnostics();
   result_.isFillable = check_->result().valid;
   if (hasBrokenNumbers(result_.diagnostics)) return;
   result_.isEmbedded = !isNamed(result_.diagnostics, DiagnosticCode::kSelfIntersection) &&
@@ -199,8 +200,8 @@ void SurfaceInspector::Impl::measureShellsAndRegions() {
 
 SurfaceInspector::SurfaceInspector(std::span<const double> points,
                                    std::span<const std::uint32_t> triangles,
-                                   EnclosedBodies enclosed)
-    : impl_(std::make_unique<Impl>(points, triangles, enclosed)) {}
+                                   const InspectionOptions& options)
+    : impl_(std::make_unique<Impl>(points, triangles, options)) {}
 SurfaceInspector::SurfaceInspector(SurfaceInspector&&) noexcept = default;
 SurfaceInspector& SurfaceInspector::operator=(SurfaceInspector&&) noexcept = default;
 SurfaceInspector::~SurfaceInspector() = default;

@@ -53,17 +53,9 @@ const meshed = {
 const text = new TextEncoder().encode("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
 const nodes = new TextEncoder().encode("4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n");
 const elements = new TextEncoder().encode("1 4 0\n1 1 2 3 4\n");
-const raw = {
-  code: 40,
-  severity: 2,
-  entities: Uint32Array.of(5, 0),
-  place: Float64Array.of(1, 2, 3),
-  values: Float64Array.of(1),
-};
 const readOptions = { fileName: "a.off", openOther: () => Promise.resolve(undefined), ...control };
 
 const functions: Readonly<Record<string, Arguments>> = {
-  describeDiagnostic: { diagnostic: raw, name: api.nameByPosition },
   extensionsThat: { can: "reads", contents: "surface" },
   formatOf: { fileName: "a.off" },
   fileMeshOf: { mesh: meshed, names: { project, surface: { ...surfaceFile, surfaceRegions } } },
@@ -91,8 +83,6 @@ const functions: Readonly<Record<string, Arguments>> = {
   parseProject: { value: project },
   readProject: { text: api.writeProject(project) },
   writeProject: { project: { ...project, name: "a", meshing: { size: 1 } } },
-  nameByPosition: { kind: "triangle", index: 3 },
-  projectNamer: { project },
   repairedSurface: {
     given: { ...surfaceFile, surfaceRegions },
     repair: { surface: box, origin: Uint32Array.from({ length: 12 }, (_, t) => t) },

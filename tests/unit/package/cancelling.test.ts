@@ -83,6 +83,29 @@ describe.each(Object.entries({ ...methods, ...functions }))("%s", (_, call) => {
   });
 });
 
+test("where the signal is aborted before, what is given is not even looked at", async () => {
+  const untouched = new Proxy({}, { get: () => expect.unreachable("it was looked at") }) as never;
+  const aborted = { signal: AbortSignal.abort() };
+  const calls: Readonly<Record<string, Promise<unknown>>> = {
+    previewProject: mesher.previewProject(untouched, untouched, aborted),
+    coverProject: mesher.coverProject(untouched, untouched, aborted),
+    proposeSizes: mesher.proposeSizes(untouched, untouched, aborted),
+    meshAsBackground: mesher.meshAsBackground(untouched, untouched, aborted),
+    inspectSurface: mesher.inspectSurface(untouched, untouched, aborted),
+    repairSurface: mesher.repairSurface(untouched, untouched, aborted),
+    refineSurface: mesher.refineSurface(untouched, untouched, aborted),
+    inspectMesh: mesher.inspectMesh(untouched, aborted),
+  };
+  expect(Object.keys(calls)).toEqual(Object.keys(methods));
+  for (const call of Object.values(calls)) await expect(call).rejects.toMatchObject({ code: "cancelled" });
+  for (const run of [
+    mesher.meshProject(untouched, untouched, aborted),
+    mesher.fillSurface(untouched, untouched, aborted),
+  ]) {
+    expect((await run).report.status).toBe("cancelled");
+  }
+});
+
 /** Tells how many listeners were added to a signal and not removed again. */
 function watched(signal: AbortSignal): () => number {
   const added = vi.spyOn(signal, "addEventListener");

@@ -29,6 +29,13 @@ describe("options that would be passed over", () => {
     [["convert", "block.vtu", "-o", "again.msh", "--repair"], /repairs are for surfaces/i],
     [["check", "box.stl", "--size", "0.1"], /--size is for projects/],
     [["check", "block.vtu", "--enclosed", "regions"], /--enclosed is for/],
+    [["check", "block.vtu", "--findings", "9"], /--findings is for surfaces/],
+    [["check", "cube.json", "--findings", "all"], /--findings is for surfaces/],
+    [
+      ["check", "box.stl", "--findings", "0"],
+      /number of findings to list is 0\. Give a whole number from 1 to 1000000/,
+    ],
+    [["check", "box.stl", "--findings", "some"], /number of findings to list is "some"/],
     [["mesh", "cube.json", "-o", "cube.vtu", "--grading", "0.1"], /--grading is for surfaces/],
     [["check", "-", "box.stl"], /standard input is given among other inputs/i],
   ])("%j", async (args, words) => {

@@ -6,6 +6,7 @@ import {
   readMesh,
   writeMesh,
   writeProject,
+  type Diagnostic,
   type FileMesh,
   type MeshReport,
   type SurfaceInput,
@@ -17,7 +18,7 @@ import { blockMesh } from "../../support/block-mesh.js";
 import { tetrafront } from "../../support/command-line.js";
 import { cubeProject } from "../../support/projects.js";
 import { offFile, stlBinary } from "../../support/surface-files.js";
-import { boxSurface, cavitySurface, joined, sphereSurface } from "../../support/surfaces.js";
+import { boxSurface, cavitySurface, crossingNeedles, joined, sphereSurface } from "../../support/surfaces.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const folder = temporaryFolder();
@@ -164,6 +165,30 @@ describe("check", () => {
     expect(code).toBe(2);
     expect(stderr).toMatch(/: and 1150 more of the kind "open-edge"\.\n/);
     expect(stderr).toMatch(/: 1200 errors\n$/);
+  });
+
+  test("lists every finding where all are asked for, as text and as JSON", async () => {
+    const pairs = 1200;
+    save("soup.off", offFile(crossingNeedles(pairs)));
+    const listedIn = (text: string) => text.match(/error: soup\.off: The surface cuts itself/g)?.length;
+    expect(listedIn((await run("check", "soup.off")).stderr)).toBe(50);
+    const some = await run("check", "soup.off", "--findings", "70");
+    expect(listedIn(some.stderr)).toBe(70);
+    expect(some.stderr).toMatch(/: and 1130 more of the kind "self-intersection"\.\n/);
+    const all = await run("check", "soup.off", "--findings", "all");
+    expect(listedIn(all.stderr)).toBe(pairs);
+    expect(all.stderr).not.toMatch(/ more of the kind/);
+    expect(all.stderr).toMatch(/: 8400 errors\n$/);
+    const { code, stdout } = await run("check", "soup.off", "--findings", "all", "--json");
+    expect(code).toBe(2);
+    const told = JSON.parse(stdout) as { errors: number; diagnostics: Diagnostic[] };
+    expect(told.errors).toBe(7 * pairs);
+    const crossings = told.diagnostics.filter((found) => found.code === "self-intersection");
+    expect(crossings.map(({ entities }) => entities.map(({ index }) => index))).toEqual(
+      Array.from({ length: pairs }, (_, i) => [2 * i, 2 * i + 1]),
+    );
+    // As one piece would be.
+    expect(stdout).toBe(`${JSON.stringify(told, null, 2)}\n`);
   });
 
   test("says what enclosed parts are taken for", async () => {

@@ -1,19 +1,17 @@
 import { readFileSync } from "node:fs";
 
-import {
-  describeDiagnostic,
-  ENGINE_CODES,
-  ENTITY_KINDS,
-  nameByPosition,
-  projectNamer,
-  type Diagnostic,
-  type DiagnosticCode,
-  type DiagnosticOf,
-} from "tetrafront";
+import { ENGINE_CODES, type Diagnostic, type DiagnosticCode, type DiagnosticOf } from "tetrafront";
 import { describe, expect, expectTypeOf, test } from "vitest";
 
-import { ENGINE_DATA } from "../../../wasm/dist/diagnostic-data.js";
-
+import { ENGINE_DATA } from "../../../wasm/src/diagnostic-data.js";
+import {
+  describeAll,
+  describeDiagnostic,
+  describeInSteps,
+  ENTITY_KINDS,
+} from "../../../wasm/src/diagnostics.js";
+import type { DiagnosticArrays } from "../../../wasm/src/engine-loader.js";
+import { nameByPosition, projectNamer } from "../../../wasm/src/project-arrays.js";
 import { cubeProject } from "../../support/projects.js";
 
 /** About everything at once: two of each kind, a place, and three values. */
@@ -30,9 +28,22 @@ const bare = {
   values: new Float64Array(),
 };
 
+/** The names of a code's numbers; those with a `?` may be missing. */
+const numbersOf = (name: string): readonly string[] => ENGINE_DATA[name as keyof typeof ENGINE_DATA] ?? [];
+
+/** About everything, with an option that there is where the first number names one. */
+const richOf = (name: string) =>
+  numbersOf(name)[0] === "option" ? { ...rich, values: Float64Array.of(1, 3, 2) } : rich;
+
+/** As little as the engine may say. */
+const leastOf = (name: string) => ({
+  ...bare,
+  values: new Float64Array(numbersOf(name).filter((entry) => !entry.endsWith("?")).length).fill(2),
+});
+
 describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
   test("is told in whole sentences", () => {
-    for (const raw of [rich, bare]) {
+    for (const raw of [richOf(name), leastOf(name)]) {
       const said = describeDiagnostic({ code: Number(code), ...raw }, nameByPosition);
       expect(said.code).toBe(name);
       expect(said.message).toMatch(/^[A-Z][^\n]*[^.\s]$/);
@@ -44,11 +55,20 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
   });
 
   test("carries entities, place and numbers along", () => {
-    const said = describeDiagnostic({ code: Number(code), ...rich }, nameByPosition);
+    const said = describeDiagnostic({ code: Number(code), ...richOf(name) }, nameByPosition);
     expect(said.entities).toHaveLength(2 * ENTITY_KINDS.length);
     expect(said.place).toEqual([0.125, 1 / 3, -2]);
-    expect(Object.keys(said.data)).toEqual(ENGINE_DATA[said.code as keyof typeof ENGINE_DATA] ?? []);
-    expect(describeDiagnostic({ code: Number(code), ...bare }, nameByPosition).place).toBeUndefined();
+    expect(Object.keys(said.data)).toEqual(numbersOf(name).map((entry) => entry.replace("?", "")));
+    const least = describeDiagnostic({ code: Number(code), ...leastOf(name) }, nameByPosition);
+    expect(least.place).toBeUndefined();
+    expect(Object.keys(least.data)).toEqual(numbersOf(name).filter((entry) => !entry.endsWith("?")));
+  });
+
+  test("is not told with fewer numbers than it has", () => {
+    const { values, ...rest } = leastOf(name);
+    if (values.length === 0) return;
+    const raw = { code: Number(code), ...rest, values: values.subarray(1) };
+    expect(() => describeDiagnostic(raw, nameByPosition)).toThrow(`with ${name}`);
   });
 });
 
@@ -96,6 +116,53 @@ describe("the data of a diagnostic", () => {
     };
     expectTypeOf(optionOf).returns.toEqualTypeOf<string | number | undefined>();
   });
+});
+
+test("diagnostics come out of the engine's arrays as they were put in, at once or in steps", () => {
+  const arrays = {
+    heads: Uint32Array.of(40, 2, 1, 1, 1, 12, 2, 0, 0, 0, 43, 2, 2, 1, 2, 44, 1, 2, 0, 0),
+    entities: Uint32Array.of(5, 7, 5, 1, 5, 2, 5, 3, 5, 4),
+    places: Float64Array.of(1, 2, 3, 4, 5, 6),
+    values: Float64Array.of(9, 100, 1),
+  };
+  const told = describeAll(arrays, nameByPosition);
+  const indices = told.map(({ entities }) => entities.map(({ index }) => index));
+  expect(told.map(({ code }) => code)).toEqual([
+    "open-edge",
+    "empty-model",
+    "self-intersection",
+    "duplicate-triangle",
+  ]);
+  expect(indices).toEqual([[7], [], [1, 2], [3, 4]]);
+  expect(told.map(({ place }) => place)).toEqual([[1, 2, 3], undefined, [4, 5, 6], undefined]);
+  expect(told.map(({ data }) => data)).toEqual([{ count: 9 }, {}, { count: 100, isLeast: true }, {}]);
+  expect(told.map(({ severity }) => severity)).toEqual(["error", "error", "error", "warning"]);
+  expect(stepsOf(arrays)).toEqual([1, told]);
+});
+
+test("of many diagnostics none takes long between two steps", () => {
+  const count = 20_000;
+  const heads = Uint32Array.from({ length: 5 * count }, (_, i) => [12, 2, 0, 0, 0][i % 5] ?? 0);
+  const [steps, told] = stepsOf({ ...NO_ENTITIES, heads });
+  expect(told).toHaveLength(count);
+  expect(steps).toBeGreaterThan(40);
+});
+
+const NO_ENTITIES = { entities: new Uint32Array(), places: new Float64Array(), values: new Float64Array() };
+
+/** In how many steps they are described, and as what. */
+function stepsOf(arrays: DiagnosticArrays): [number, Diagnostic[]] {
+  const work = describeInSteps(arrays, nameByPosition);
+  for (let steps = 1; ; steps++) {
+    const step = work.next();
+    if (step.done === true) return [steps, step.value];
+  }
+}
+
+test("labels of callers are words, whatever signs are in them", () => {
+  const raw = { ...leastOf("open-edge"), code: 40, entities: Uint32Array.of(5, 0) };
+  const name = () => ({ kind: "triangle", index: 0, label: "part (1" }) as const;
+  expect(describeDiagnostic(raw, name).message).toContain("part (1 (counted from 0)");
 });
 
 describe("of one thing it is said in the singular:", () => {
@@ -171,7 +238,10 @@ test("entities have the names the user gave them, else their ids", () => {
 
 test("an edge of a given surface asks for other repairs than one of a drawing", () => {
   const about = (kind: number) =>
-    describeDiagnostic({ ...bare, code: 40, entities: Uint32Array.of(kind, 0) }, nameByPosition).remedy;
+    describeDiagnostic(
+      { ...leastOf("open-edge"), code: 40, entities: Uint32Array.of(kind, 0) },
+      nameByPosition,
+    ).remedy;
   expect(about(ENTITY_KINDS.indexOf("triangle"))).toMatch(/triangles/);
   expect(about(ENTITY_KINDS.indexOf("line"))).toMatch(/patch/);
 });

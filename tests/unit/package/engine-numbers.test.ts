@@ -1,10 +1,10 @@
 /** Both sides of the border number things alike: the package's tables against the engine's headers. */
-import { ENGINE_CODES, ENTITY_KINDS, LIMITS } from "tetrafront";
+import { ENGINE_CODES, LIMITS } from "tetrafront";
 import { expect, test } from "vitest";
 
-import { SEVERITIES } from "../../../wasm/src/diagnostics.js";
+import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics.js";
 import { SOURCE_TYPES } from "../../../wasm/src/grid-arrays.js";
-import { COVER_SHAPES, FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/options.js";
+import { COVER_SHAPES, DEFAULT_FINDINGS, FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/options.js";
 import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project-arrays.js";
 import { PHASES } from "../../../wasm/src/run-clock.js";
 import { STATUSES } from "../../../wasm/src/slices.js";
@@ -22,6 +22,10 @@ test("bounds of numbers", () => {
   // What can be computed with ends at a power of 2; what is told, at the power of 10 before it.
   const largest = engineConstant("src/geom/coordinates.h", "kLargestCoordinate");
   expect(LIMITS.length).toBe(10 ** Math.floor(Math.log10(largest)));
+});
+
+test("findings that are listed", () => {
+  expect(DEFAULT_FINDINGS).toBe(engineConstant("include/tetrafront/surface_tools.h", "kListedFindings"));
 });
 
 test("diagnostic codes", () => {

@@ -1,6 +1,7 @@
 /** Surfaces and meshes as they come: inspected, repaired on request, every finding and change listed. */
 import {
   createMesher,
+  LIMITS,
   MesherError,
   NO_ORIGIN,
   readMesh,
@@ -13,7 +14,14 @@ import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import { enclosedVolume } from "../../support/check-mesh.js";
 import { randomSource } from "../../support/random.js";
-import { boxSurface, cavitySurface, joined, sphereSurface, turned } from "../../support/surfaces.js";
+import {
+  boxSurface,
+  cavitySurface,
+  crossingNeedles,
+  joined,
+  sphereSurface,
+  turned,
+} from "../../support/surfaces.js";
 
 let mesher: Mesher;
 beforeAll(async () => {
@@ -46,6 +54,52 @@ describe("the inspection of a surface", () => {
     // Euler's formula for a body without handles.
     expect(found.nodes - found.edges + found.triangles).toBe(2);
     expect(found.worst).toHaveLength(10);
+  });
+
+  test("lists as many findings as are asked for, and counts them all", async () => {
+    const pairs = 6000;
+    const soup = crossingNeedles(pairs);
+    for (const [findings, listed] of [
+      [undefined, 1000],
+      [1, 1],
+      [pairs - 1, pairs - 1],
+      [LIMITS.findings, pairs],
+    ]) {
+      const { diagnostics, isEmbedded } = await mesher.inspectSurface(soup, { findings });
+      const crossings = diagnostics.filter(({ code }) => code === "self-intersection");
+      expect(isEmbedded).toBe(false);
+      expect(crossings.map(({ entities }) => entities.map(({ index }) => index))).toEqual(
+        Array.from({ length: listed ?? 0 }, (_, i) => [2 * i, 2 * i + 1]),
+      );
+      expect(new Set(crossings.map(({ data }) => JSON.stringify(data)))).toEqual(
+        new Set([JSON.stringify({ count: pairs })]),
+      );
+      for (const [i, { place }] of crossings.entries()) expect(place?.[0]).toBeCloseTo(10 * i, 2);
+      const edges = diagnostics.filter(({ code }) => code === "open-edge").length;
+      expect(edges).toBe(Math.min(findings ?? 1000, 6 * pairs));
+    }
+  });
+
+  test("lists no other numbers of findings", async () => {
+    for (const findings of [0, -1, 1.5, NaN, LIMITS.findings + 1, "all" as unknown as number]) {
+      await expect(mesher.inspectSurface(box, { findings })).rejects.toMatchObject({
+        data: { diagnostics: [{ code: "invalid-option", data: { option: "findings" } }] },
+      });
+    }
+  });
+
+  test("hears a signal while findings are put into words", async () => {
+    const stop = new AbortController();
+    const onProgress = ({ fraction }: { fraction: number }) => fraction === 1 && stop.abort();
+    const asked = mesher.inspectSurface(
+      crossingNeedles(20_000),
+      { findings: LIMITS.findings },
+      {
+        signal: stop.signal,
+        onProgress,
+      },
+    );
+    await expect(asked).rejects.toMatchObject({ code: "cancelled" });
   });
 
   test("tells bodies from cavities", async () => {

@@ -66,6 +66,7 @@ const idOf = (worker: PlayedWorker, index = 0) => worker.requests[index]?.id ?? 
 
 const none = new Uint32Array();
 const noPoints = new Float64Array();
+const nothingToSay = { heads: none, entities: none, places: noPoints, values: noPoints };
 
 function resultWith(fingerprint: string): EngineResult {
   return {
@@ -79,7 +80,7 @@ function resultWith(fingerprint: string): EngineResult {
       sideLine: none,
     },
     volume: { points: noPoints, tetrahedra: none, regions: none, front: none },
-    diagnostics: [],
+    diagnostics: nothingToSay,
     figures: {
       points: 0,
       tetrahedra: 0,
@@ -320,7 +321,7 @@ describe("a worker that is asked to cancel", () => {
       patchTriangles: none,
       patchOffsets: none,
     };
-    fresh.reply({ kind: "answer", id: idOf(fresh), answer: { ...arrays, diagnostics: [] } });
+    fresh.reply({ kind: "answer", id: idOf(fresh), answer: { ...arrays, diagnostics: nothingToSay } });
     expect((await preview).diagnostics).toEqual([]);
   });
 

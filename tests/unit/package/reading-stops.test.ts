@@ -1,7 +1,7 @@
 /** Reading that is to stop, stops: also where bytes are waited for; and files that stop too soon are told. */
 import vm from "node:vm";
 
-import { createMesher, describeDiagnostic, readSurface, readVolume, volumeBackground } from "tetrafront";
+import { createMesher, readSurface, readVolume, volumeBackground } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { stlBinary } from "../../support/surface-files.js";
@@ -116,17 +116,6 @@ test("text of STL that ends within its solid was cut off", async () => {
   expect(whole.success).toBe(true);
   const cut = await readSurface(bytesOf(`solid a\n${facet}`), { fileName: "a.stl" });
   expect(!cut.success && cut.problems[0].message).toMatch(/cut off/);
-});
-
-test("labels of callers are words, whatever signs are in them", () => {
-  const raw = {
-    code: 40,
-    severity: 2,
-    entities: Uint32Array.of(5, 0),
-    place: new Float64Array(),
-    values: new Float64Array(),
-  };
-  expect(() => describeDiagnostic(raw, (kind) => ({ kind, index: 0, label: "part (1" }))).not.toThrow();
 });
 
 test("volumeBackground hears a signal", async () => {

@@ -1,6 +1,7 @@
 /** A volume mesh from a file as background grid. */
 import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../argument-checks.js";
-import { checkVolume } from "../input-checks.js";
+import { throwIfCancelled } from "../cancelling.js";
+import { checkControl, checkVolume } from "../input-checks.js";
 import { MesherError, refuse } from "../mesher-error.js";
 import type { ReadResult } from "../read-result.js";
 import type { BackgroundArrays, Mesher, RunControl } from "../types.js";
@@ -17,6 +18,8 @@ export async function volumeBackground(
   volume: VolumeFile,
   control: RunControl = {},
 ): Promise<ReadResult<BackgroundArrays>> {
+  refuse(checkControl(control));
+  throwIfCancelled(control.signal);
   checkArgument("mesher", mesher, objectOf({ meshAsBackground: aFunction }));
   refuse(checkVolume(volume, undefined));
   checkArgument("volume", volume, objectOf({ nodeData: aMap }));
