@@ -88,7 +88,8 @@ class Run {
                             .triangles = p.triangles,
                             .tetrahedra = p.tetrahedra,
                             .frontFaces = p.frontFaces,
-                            .expectedTetrahedra = p.expectedTetrahedra};
+                            .expectedTetrahedra = p.expectedTetrahedra,
+                            .exactFill = p.exactFill};
     });
   }
 
@@ -365,7 +366,8 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("triangles", &ProgressRecord::triangles)
       .field("tetrahedra", &ProgressRecord::tetrahedra)
       .field("frontFaces", &ProgressRecord::frontFaces)
-      .field("expectedTetrahedra", &ProgressRecord::expectedTetrahedra);
+      .field("expectedTetrahedra", &ProgressRecord::expectedTetrahedra)
+      .field("exactFill", &ProgressRecord::exactFill);
   value_object<PreviewRecord>("PreviewRecord")
       .field("linePoints", &PreviewRecord::linePoints)
       .field("lineOffsets", &PreviewRecord::lineOffsets)

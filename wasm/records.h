@@ -66,6 +66,7 @@ struct ProgressRecord {
   std::uint32_t tetrahedra = 0;
   std::uint32_t frontFaces = 0;
   std::uint32_t expectedTetrahedra = 0;
+  double exactFill = 0.0;
 };
 
 struct PreviewRecord {

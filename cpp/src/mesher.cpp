@@ -30,6 +30,8 @@ constexpr double kCheckEnd = 0.02;
 constexpr double kModelSurfaceEnd = 0.15;
 constexpr double kVolumeEnd = 0.4;
 constexpr double kOptimizeEnd = 0.97;
+/// How much later the volume ends where the front has left everything to recovery.
+constexpr double kRecovery = 0.35;
 
 /// To come to so many elements in the order of a list costs as much as one step of the front.
 constexpr std::size_t kReorderedPerBudget = 32;
@@ -111,6 +113,7 @@ class MeshRun::Impl {
       progress.points = mesher->pointCount();
       progress.tetrahedra = mesher->tetrahedronCount();
       progress.frontFaces = mesher->frontFaceCount();
+      progress.exactFill = exactFill_;
     } else if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) {
       progress.points = optimizer->pointCount();
       progress.tetrahedra = optimizer->tetrahedronCount();
@@ -297,59 +300,71 @@ class MeshRun::Impl {
 
   void work(Nobody& /*worker*/, std::uint32_t /*budget*/) {}
 
-  /// Where a run is: `part`, 0 to 1, of the way between two marks of the progress bar.
+  /// Where a run is: `part`, 0 to 1, of a section of its way, which ends there on the progress bar.
   struct Position {
     Phase phase;
-    double from;
-    double to;
+    double end;
     double part = 0.0;
+    std::uint32_t section = 0;  ///< of the worker's own
   };
 
   [[nodiscard]] double surfaceEnd() const { return isModel() ? kModelSurfaceEnd : kCheckEnd; }
 
   [[nodiscard]] Position positionOf(const InputCheck& check) const {
-    return {Phase::kCheck, 0.0, kCheckEnd, check.ofModel ? check.ofModel->fraction() : 0.0};
+    return {Phase::kCheck, kCheckEnd, check.ofModel ? check.ofModel->fraction() : 0.0};
   }
   [[nodiscard]] Position positionOf(const SurfaceMesher& mesher) const {
-    return {mesher.phase(), kCheckEnd, surfaceEnd(), mesher.fraction()};
+    return {mesher.phase(), surfaceEnd(), mesher.fraction()};
   }
   [[nodiscard]] Position positionOf(const BoundaryCheck& check) const {
-    if (isModel()) return {Phase::kSurface, surfaceEnd(), surfaceEnd()};
-    return {Phase::kCheck, 0.0, kCheckEnd, check.fraction()};
+    if (isModel()) return {Phase::kSurface, surfaceEnd()};
+    return {Phase::kCheck, kCheckEnd, check.fraction()};
   }
   [[nodiscard]] Position positionOf(const WantedSizes& /*sizes*/) const {
-    return {Phase::kCheck, kCheckEnd, kCheckEnd};
+    return {Phase::kCheck, kCheckEnd};
   }
   [[nodiscard]] Position positionOf(const PossibleSizes& /*sizes*/) const {
-    return {Phase::kCheck, kCheckEnd, kCheckEnd};
+    return {Phase::kCheck, kCheckEnd};
   }
   [[nodiscard]] Position positionOf(const Estimate& /*worker*/) const {
-    return {Phase::kVolume, surfaceEnd(), kVolumeEnd};
+    return {Phase::kVolume, kVolumeEnd};
   }
   [[nodiscard]] Position positionOf(const CellMesher& mesher) const {
-    return {Phase::kVolume, surfaceEnd(), kVolumeEnd, mesher.filledFraction()};
+    const double end = surfaceEnd() + (kVolumeEnd - surfaceEnd()) * mesher.turnsAtItsEnd() +
+                       kRecovery * mesher.leftToRecovery();
+    return {Phase::kVolume, end, mesher.sectionFraction(), mesher.section()};
   }
   [[nodiscard]] Position positionOf(const MortonReordering& /*reordering*/) const {
-    return {Phase::kOptimize, kVolumeEnd, kVolumeEnd};
+    return {Phase::kOptimize, kVolumeEnd};
   }
   [[nodiscard]] Position positionOf(const MeshOptimizer& optimizer) const {
-    return {Phase::kOptimize, kVolumeEnd, kOptimizeEnd, optimizer.fraction()};
+    return {Phase::kOptimize, kOptimizeEnd, optimizer.fraction()};
   }
   [[nodiscard]] Position positionOf(const QualitySurvey& /*survey*/) const {
-    return {Phase::kVerify, kOptimizeEnd, kOptimizeEnd};
+    return {Phase::kVerify, kOptimizeEnd};
   }
   [[nodiscard]] Position positionOf(const MeshVerifier& verifier) const {
-    return {Phase::kVerify, kOptimizeEnd, 1.0, verifier.fraction()};
+    return {Phase::kVerify, 1.0, verifier.fraction()};
   }
   [[nodiscard]] Position positionOf(const Nobody& /*worker*/) const {
-    return {phase_, fraction_, fraction_};
+    return {phase_, fraction_};
   }
 
-  /// Sweeps that repeat take their estimate back; the bar must not.
+  /// Sweeps that repeat take their estimate back, as do tries that fail; the bar must not.
   void look() {
     const Position at = std::visit([&](const auto& worker) { return positionOf(worker); }, worker_);
     phase_ = at.phase;
-    fraction_ = std::max(fraction_, at.from + (at.to - at.from) * at.part);
+    const std::pair section(worker_.index(), at.section);
+    if (section != section_) {
+      section_ = section;
+      sectionBegan_ = fraction_;
+      exactFill_ = 0.0;
+    }
+    const double end = std::max(at.end, sectionBegan_);
+    fraction_ = std::max(fraction_, sectionBegan_ + (end - sectionBegan_) * at.part);
+    if (const auto* mesher = std::get_if<CellMesher>(&worker_)) {
+      exactFill_ = std::max(exactFill_, mesher->exactFillFraction());
+    }
   }
 
   MeshOptions options_;
@@ -358,6 +373,9 @@ class MeshRun::Impl {
   MeshStatus status_ = MeshStatus::kRunning;
   Phase phase_ = Phase::kCheck;
   double fraction_ = 0.0;
+  std::pair<std::size_t, std::uint32_t> section_;  ///< worker's number, and its own
+  double sectionBegan_ = 0.0;                      ///< where fraction_ was then
+  double exactFill_ = 0.0;
   SurfaceMesh surface_;
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;

@@ -177,6 +177,8 @@ export interface Progress {
   readonly frontFaces: number;
   /** As many as the sizes ask for, estimated before the front starts; 0 until then. */
   readonly expectedTetrahedra: number;
+  /** How far the exact fill is with what the front has left open, 0 to 1, estimated; 0 while it is not at work. */
+  readonly exactFill: number;
   readonly elapsedSeconds: number;
 }
 

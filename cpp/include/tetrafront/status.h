@@ -145,6 +145,8 @@ struct Progress {
   std::uint32_t frontFaces = 0;
   /// As many as the sizes ask for, estimated before the front starts; 0 until then.
   std::uint32_t expectedTetrahedra = 0;
+  /// How far the exact fill is with what the front has left open, 0 to 1, estimated; 0 while it is not at work.
+  double exactFill = 0.0;
 };
 
 /// How the front was brought to an end, for those who want to know.

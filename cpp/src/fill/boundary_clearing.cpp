@@ -23,6 +23,11 @@ BoundaryClearing::BoundaryClearing(FillMesh& mesh,
                                    std::span<const NodeId> boundaryPoints)
     : mesh_(mesh), cone_(mesh, none_), thickening_(mesh), fans_(mesh, triangles) {
   for (const NodeId node : separateSectors(mesh, boundaryPoints)) wait(node);
+  count_ = left_ = waiting_.size();
+}
+
+double BoundaryClearing::fraction() const {
+  return count_ == 0 ? 1.0 : 1.0 - static_cast<double>(left_) / static_cast<double>(count_);
 }
 
 void BoundaryClearing::wait(NodeId node) {
@@ -55,6 +60,7 @@ BoundaryClearing::State BoundaryClearing::step() {
   if (!fans_.describe(node, star_)) return State::kFailed;
   if (lifting ? replaceByExistingInRoom(node) || replaceByNew(node) : replaceByExisting(node)) {
     turns_[node.index()] = Turn::kNone;
+    --left_;
     queueTouched(mesh_.lastMade());
     for (const NodeId point : madeRoom_) {
       mesh_.star(point, star_);

@@ -28,6 +28,9 @@ class BoundaryClearing {
   /// Deals with one point.
   State step();
 
+  /// Which part of the points is no longer on the boundary.
+  [[nodiscard]] double fraction() const;
+
   /// New points inside, in the order they were made; some may have been removed again.
   [[nodiscard]] std::span<const NodeId> interiorPoints() const { return interiorPoints_; }
 
@@ -57,6 +60,8 @@ class BoundaryClearing {
   std::vector<Turn> turns_;        ///< per node
   std::vector<NodeId> waiting_;    ///< to be tried, from nextWaiting_ on
   std::vector<NodeId> postponed_;  ///< from nextPostponed_ on; some may have been tried again since
+  std::size_t count_;  ///< of the points on the boundary at first
+  std::size_t left_;   ///< of them
   std::size_t nextWaiting_ = 0;
   std::size_t nextPostponed_ = 0;
   std::vector<NodeId> interiorPoints_;

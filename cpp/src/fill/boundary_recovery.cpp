@@ -15,6 +15,9 @@ constexpr int kMaxRefinements = 10;
 constexpr std::int8_t kUnknown = 2;
 /// A pass of swaps is worth another if it leaves at most so many of its edges, in tenths.
 constexpr std::size_t kWorthAnotherPass = 9;
+/// How far the passes of swaps come on the way of the edges, 0 to 1, each half of what is left to there; the
+/// rest is for the last one, which may split.
+constexpr double kSwapsEnd = 0.4;
 /// A walk around a node may go in circles; then all around the node is looked at.
 constexpr int kLongestWalk = 200;
 
@@ -80,7 +83,15 @@ BoundaryRecovery::State BoundaryRecovery::recoverNextEdge() {
   return State::kRunning;
 }
 
+double BoundaryRecovery::edgesFraction() const {
+  if (waiting_.empty()) return 1.0;
+  const double part = static_cast<double>(nextWaiting_) / static_cast<double>(waiting_.size());
+  const double passEnd = maySplit_ ? 1.0 : 0.5 * (passBegan_ + kSwapsEnd);
+  return passBegan_ + (passEnd - passBegan_) * part;
+}
+
 void BoundaryRecovery::beginPass() {
+  passBegan_ = edgesFraction();
   maySplit_ = 10 * postponed_.size() > kWorthAnotherPass * waiting_.size();
   waiting_.swap(postponed_);
   postponed_.clear();

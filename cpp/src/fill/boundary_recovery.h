@@ -35,6 +35,9 @@ class BoundaryRecovery {
   /// Works on one edge.
   State recoverNextEdge();
 
+  /// How far the edges are, 0 to 1, estimated.
+  [[nodiscard]] double edgesFraction() const;
+
   [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
   /// To be called for all triangles once the edges are done. False if it cannot be.
   bool recoverTriangle(std::size_t triangle);
@@ -89,6 +92,7 @@ class BoundaryRecovery {
   std::vector<std::uint32_t> postponed_;                                     ///< to the next
   std::size_t nextWaiting_ = 0;
   bool maySplit_ = false;
+  double passBegan_ = 0.0;  ///< on the way of the edges, 0 to 1
   std::vector<NodeId> boundaryPoints_;
   std::vector<TetId> tets_;
   std::vector<TetId> star_;

@@ -9,6 +9,7 @@
 #include "fill/boundary_recovery.h"
 #include "fill/fill_mesh.h"
 #include "fill/interior_clearing.h"
+#include "fill/outside_removal.h"
 #include "fill/point_insertion.h"
 
 namespace tetrafront {
@@ -16,8 +17,23 @@ namespace {
 
 /// Signs per unit of the budget.
 constexpr std::uint64_t kWorkPerUnit = 20;
+/// What touching this many tetrahedra in a row costs, in signs.
+constexpr std::uint64_t kTouchedPerSign = 4;
 
 using EdgeOrder = BoundaryRecovery::EdgeOrder;
+/// Where each stage ends on the way, 0 to 1. Bodies that take long are those of needles, where most of the time
+/// goes to the edges and to the points that had to be put on them.
+constexpr double kInsertEnd = 0.1;
+constexpr double kEdgesEnd = 0.4;
+constexpr double kTrianglesEnd = 0.5;
+constexpr double kClearBoundaryEnd = 0.75;
+
+double between(double from, double to, double part) { return from + (to - from) * part; }
+
+double share(std::size_t done, std::size_t all) {
+  return all == 0 ? 1.0 : static_cast<double>(done) / static_cast<double>(all);
+}
+
 constexpr std::array<EdgeOrder, 3> kEdgeOrders{EdgeOrder::kLongestFirst, EdgeOrder::kAsNumbered,
                                                EdgeOrder::kShortestFirst};
 
@@ -29,8 +45,11 @@ class ExactFill::Impl {
       : task_(std::move(task)), order_(order), limit_(limit) {}
 
   State advance(std::uint32_t budget) {
-    const std::uint64_t end = work() + kWorkPerUnit * std::max(budget, 1U);
-    while (stage_ != Stage::kDone && stage_ != Stage::kFailed && work() < end) {
+    const std::uint64_t all = kWorkPerUnit * std::max(budget, 1U);
+    const std::uint64_t before = work();
+    touched_ = 0;
+    while (stage_ != Stage::kDone && stage_ != Stage::kFailed &&
+           work() - before + touched_ / kTouchedPerSign < all) {
       step();
       // Looked at after each step, so that it does not depend on the slices.
       if (stage_ != Stage::kDone && work() / kWorkPerUnit > limit_) stage_ = Stage::kFailed;
@@ -43,6 +62,30 @@ class ExactFill::Impl {
 
   [[nodiscard]] const FillResult& result() const { return result_; }
 
+  [[nodiscard]] double fraction() const {
+    switch (stage_) {
+      case Stage::kBegin:
+        return 0.0;
+      case Stage::kInsert:
+        return between(0.0, kInsertEnd, share(next_, insertion_->count()));
+      case Stage::kEdges:
+        return between(kInsertEnd, kEdgesEnd, recovery_->edgesFraction());
+      case Stage::kTriangles:
+        return between(kEdgesEnd, kTrianglesEnd, share(next_, recovery_->triangleCount()));
+      case Stage::kDropOutside:
+      case Stage::kBeginClearing:
+        return kTrianglesEnd;
+      case Stage::kClearBoundary:
+        return between(kTrianglesEnd, kClearBoundaryEnd, clearing_->fraction());
+      case Stage::kClearInterior:
+        return between(kClearBoundaryEnd, 1.0, interior_->fraction());
+      case Stage::kDone:
+      case Stage::kFailed:
+        break;
+    }
+    return 1.0;
+  }
+
  private:
   enum class Stage : std::uint8_t {
     kBegin,
@@ -50,6 +93,7 @@ class ExactFill::Impl {
     kEdges,
     kTriangles,
     kDropOutside,
+    kBeginClearing,
     kClearBoundary,
     kClearInterior,
     kDone,
@@ -68,10 +112,12 @@ class ExactFill::Impl {
       case Stage::kEdges:
         return recoverEdges();
       case Stage::kTriangles:
-        if (next_ == recovery_->triangleCount()) return beginStage(Stage::kDropOutside);
+        if (next_ == recovery_->triangleCount()) return beginDropping();
         return failUnless(recovery_->recoverTriangle(next_++));
       case Stage::kDropOutside:
         return dropOutside();
+      case Stage::kBeginClearing:
+        return beginClearing();
       case Stage::kClearBoundary:
         return clearBoundary();
       case Stage::kClearInterior:
@@ -109,44 +155,25 @@ class ExactFill::Impl {
     failUnless(state == BoundaryRecovery::State::kRunning);
   }
 
-  /// Floods from the tetrahedra above the triangles. Sides contradict each other only where the
-  /// triangles are not the closed boundary of something.
+  void beginDropping() {
+    outside_.emplace(mesh_, task_.triangles);
+    beginStage(Stage::kDropOutside);
+  }
+
   void dropOutside() {
-    const std::size_t count = mesh_.slotCount();
-    std::vector<std::uint8_t> inside(count, 0);
-    std::vector<TetId> queue;
-    std::vector<TetId> outside;
-    for (std::size_t i = 0; i < count; ++i) {
-      if (!mesh_.isLive(TetId(i))) continue;
-      const FillTet& t = mesh_.tet(TetId(i));
-      for (std::uint32_t k = 0; k < 4; ++k) {
-        if (t.facet[k] == kNoFacet) continue;
-        const auto& f = task_.triangles[t.facet[k]];
-        if (mesh_.points.orient(f[0], f[1], f[2], t.nodes[k]) < 0) {
-          outside.emplace_back(i);
-        } else if (inside[i] == 0) {
-          inside[i] = 1;
-          queue.emplace_back(i);
-        }
-      }
-    }
-    for (std::size_t i = 0; i < queue.size(); ++i) {
-      const FillTet& t = mesh_.tet(queue[i]);
-      for (std::uint32_t k = 0; k < 4; ++k) {
-        if (t.facet[k] != kNoFacet) continue;
-        const TetFace beyond = t.across[k];
-        if (beyond.isNone()) return failUnless(false);
-        if (inside[beyond.tet.index()] != 0) continue;
-        inside[beyond.tet.index()] = 1;
-        queue.push_back(beyond.tet);
-      }
-    }
-    for (const TetId tet : outside) {
-      if (inside[tet.index()] != 0) return failUnless(false);
-    }
-    mesh_.keep(inside);
+    ++touched_;
+    const OutsideRemoval::State state = outside_->step();
+    if (state == OutsideRemoval::State::kRunning) return;
+    if (state == OutsideRemoval::State::kFailed) return failUnless(false);
+    outside_.reset();
+    touched_ += mesh_.slotCount();
+    beginStage(Stage::kBeginClearing);
+  }
+
+  void beginClearing() {
     clearing_.emplace(mesh_, task_.triangles, recovery_->boundaryPoints());
     recovery_.reset();
+    touched_ += mesh_.slotCount();
     beginStage(Stage::kClearBoundary);
   }
 
@@ -237,8 +264,10 @@ class ExactFill::Impl {
   FillResult result_;
   Stage stage_ = Stage::kBegin;
   std::size_t next_ = 0;
+  std::uint64_t touched_ = 0;  ///< tetrahedra, in this slice, without a sign
   std::optional<PointInsertion> insertion_;
   std::optional<BoundaryRecovery> recovery_;
+  std::optional<OutsideRemoval> outside_;
   std::optional<BoundaryClearing> clearing_;
   std::optional<InteriorClearing> interior_;
 };
@@ -250,6 +279,7 @@ ExactFill& ExactFill::operator=(ExactFill&&) noexcept = default;
 ExactFill::~ExactFill() = default;
 
 ExactFill::State ExactFill::advance(std::uint32_t budget) { return impl_->advance(budget); }
+double ExactFill::fraction() const { return impl_->fraction(); }
 const FillResult& ExactFill::result() const { return impl_->result(); }
 
 }  // namespace tetrafront

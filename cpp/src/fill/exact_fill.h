@@ -60,6 +60,9 @@ class ExactFill {
   /// Works on for about `budget` times 2 microseconds, then returns; the outcome does not depend on it.
   State advance(std::uint32_t budget);
 
+  /// How far it is, 0 to 1, estimated.
+  [[nodiscard]] double fraction() const;
+
   /// Once done, in part or all.
   [[nodiscard]] const FillResult& result() const;
 

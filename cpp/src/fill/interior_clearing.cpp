@@ -49,6 +49,12 @@ InteriorClearing::State InteriorClearing::step() {
   return State::kRunning;
 }
 
+double InteriorClearing::fraction() const {
+  if (points_.empty()) return 1.0;
+  const double part = static_cast<double>(next_) / static_cast<double>(points_.size());
+  return (std::max(sweep_ - 1, 0) + part) / kMaxSweeps;
+}
+
 double InteriorClearing::leastShapeAround() const {
   double least = 1.0;
   for (const TetId id : star_) {

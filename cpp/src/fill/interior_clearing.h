@@ -20,6 +20,9 @@ class InteriorClearing {
   /// Deals with one point.
   State step();
 
+  /// How far it is, 0 to 1, estimated: as if all sweeps were needed.
+  [[nodiscard]] double fraction() const;
+
   /// Those left, all at doubles once done.
   [[nodiscard]] const std::vector<NodeId>& points() const { return points_; }
 

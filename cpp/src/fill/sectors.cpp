@@ -1,22 +1,31 @@
 #include "fill/sectors.h"
 
-#include <map>
+#include "base/sort.h"
+#include "search/incidence.h"
 
 namespace tetrafront {
 
 std::vector<NodeId> separateSectors(FillMesh& mesh, std::span<const NodeId> boundaryPoints) {
-  std::map<NodeId, std::vector<TetId>> tetsAt;
-  for (const NodeId node : boundaryPoints) tetsAt[node];
-  for (std::size_t i = 0; i < mesh.slotCount(); ++i) {
-    if (!mesh.isLive(TetId(i))) continue;
-    for (const NodeId node : mesh.tet(TetId(i)).nodes) {
-      const auto found = tetsAt.find(node);
-      if (found != tetsAt.end()) found->second.emplace_back(i);
+  std::vector<NodeId> nodes(boundaryPoints.begin(), boundaryPoints.end());
+  stableSort(nodes);
+  std::vector<std::uint8_t> isAsked(mesh.points.size(), 0);
+  for (const NodeId node : nodes) isAsked[node.index()] = 1;
+  NodeLists<TetId> tetsAt(mesh.points.size());
+  const auto forEachCorner = [&](const auto& act) {
+    for (std::size_t i = 0; i < mesh.slotCount(); ++i) {
+      if (!mesh.isLive(TetId(i))) continue;
+      for (const NodeId node : mesh.tet(TetId(i)).nodes) {
+        if (isAsked[node.index()] != 0) act(node, TetId(i));
+      }
     }
-  }
+  };
+  forEachCorner([&](NodeId node, TetId /*tet*/) { tetsAt.count(node.value); });
+  tetsAt.endCounting();
+  forEachCorner([&](NodeId node, TetId tet) { tetsAt.add(node.value, tet); });
   std::vector<NodeId> points;
   std::vector<TetId> sector;
-  for (const auto& [node, tets] : tetsAt) {
+  for (const NodeId node : nodes) {
+    const std::span<const TetId> tets = tetsAt.at(node.value);
     bool first = true;
     for (const TetId tet : tets) {
       // Already given away.

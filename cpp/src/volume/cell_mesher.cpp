@@ -125,6 +125,7 @@ MeshStatus CellMesher::advance(std::uint32_t budget) {
   append(filled_, current_->mesh(), boundary_.points.size() / 3);
   recovery_ = sum(recovery_, current_->recovery());
   counters_ = sum(counters_, current_->counters());
+  openedBefore_ += std::min(current_->openedShare(), 1.0);
   begin(turn_ + 1);
   return MeshStatus::kRunning;
 }
@@ -149,7 +150,13 @@ std::uint32_t CellMesher::tetrahedronCount() const {
   return current_->tetrahedronCount() + static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4);
 }
 
-double CellMesher::filledFraction() const { return (current_->filledFraction() + turn_) / turns_; }
+double CellMesher::sectionFraction() const {
+  return current_->isRecovering() ? current_->recoveryFraction() : current_->frontFraction();
+}
+
+double CellMesher::leftToRecovery() const {
+  return (openedBefore_ + std::min(current_->openedShare(), 1.0)) / turns_;
+}
 
 /// Of the regions whose turn comes later: their triangles as a front sees them.
 std::vector<std::uint32_t> CellMesher::waitingFaces() const {

@@ -35,8 +35,18 @@ class CellMesher {
   [[nodiscard]] std::uint32_t frontFaceCount() const {
     return current_->frontFaceCount() + waiting_;
   }
-  /// Estimated filled part of the enclosed volume, 0 to 1.
-  [[nodiscard]] double filledFraction() const;
+  /// Sections of the way are the front of each turn and its recovery.
+  [[nodiscard]] std::uint32_t section() const {
+    return 2 * turn_ + (current_->isRecovering() ? 1 : 0);
+  }
+  /// How far the present section is, 0 to 1, estimated.
+  [[nodiscard]] double sectionFraction() const;
+  /// How many of the turns will be done at its end, 0 to 1.
+  [[nodiscard]] double turnsAtItsEnd() const { return (turn_ + 1.0) / turns_; }
+  /// How much the fronts have left for recovery so far, in faces per triangle of the boundary, at most 1.
+  [[nodiscard]] double leftToRecovery() const;
+  /// How far the exact fill of this turn is, 0 to 1, estimated; 0 until there is one.
+  [[nodiscard]] double exactFillFraction() const { return current_->exactFillFraction(); }
 
   /// The mesh as it stands; regions that were not begun are in its front.
   [[nodiscard]] VolumeMesh mesh() const;
@@ -57,6 +67,7 @@ class CellMesher {
   std::vector<std::uint32_t> turnOf_;  ///< per region: when it is filled
   std::uint32_t turns_ = 1;
   std::uint32_t turn_ = 0;
+  double openedBefore_ = 0.0;  ///< by the fronts of earlier turns, per turn at most 1
   std::uint32_t waiting_ = 0;  ///< faces of regions whose turn comes later
   SurfaceMesh cells_;  ///< the boundary of this turn's regions, where there are several turns
   std::optional<VolumeMesher> current_;

@@ -20,6 +20,9 @@ class PocketFill {
 
   ExactFill::State advance(std::uint32_t budget) { return fill_.advance(budget); }
 
+  /// How far it is, 0 to 1, estimated.
+  [[nodiscard]] double fraction() const { return fill_.fraction(); }
+
   /// Once done, in part or all: puts the elements in, takes the pocket's faces out of the front. Returns
   /// the faces that bound what is left open.
   std::vector<FaceId> apply(Front& front, Elements& elements) const;

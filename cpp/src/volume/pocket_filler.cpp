@@ -27,6 +27,8 @@ constexpr std::uint32_t kPartsPerPocket = 4;
 /// place what takes longer mostly takes much less.
 constexpr std::uint64_t kCostPerFace = 1000;
 constexpr std::uint64_t kExtraCost = 20'000;
+/// As progress sees it, a try that fails leaves so much of its pocket.
+constexpr double kLeftByFailure = 0.2;
 /// Touching this many faces or elements costs about as much as one step of the front.
 constexpr std::size_t kTouchedPerStep = 4;
 
@@ -35,16 +37,42 @@ constexpr std::size_t kTouchedPerStep = 4;
 PocketFiller::PocketFiller(Front& front, Elements& elements, ElementIndex& index,
                            PocketSet& pockets)
     : front_(front), elements_(elements), index_(index), pockets_(pockets) {
-  for (auto i = static_cast<PocketSet::Number>(pockets_.size()); i-- > 0;) stack_.push_back(i);
+  for (auto i = static_cast<PocketSet::Number>(pockets_.size()); i-- > 0;) push(i);
   tries_.assign(pockets_.size(), {0, kFirstTries[0].rings, kFirstTries[0].order, kNoElements});
   partsLeft_ = kParts + kPartsPerPocket * static_cast<std::uint32_t>(pockets_.size());
+}
+
+void PocketFiller::push(PocketSet::Number number) {
+  stack_.push_back(number);
+  if (weights_.size() <= number) weights_.resize(number + 1);
+  Weight& weight = weights_[number];
+  weight.faces = static_cast<double>(pockets_.faces(number).size());
+  facesInAll_ += weight.faces;
+  facesWaiting_ += weight.faces;
+}
+
+void PocketFiller::pop() {
+  facesWaiting_ -= weights_[stack_.back()].faces;
+  stack_.pop_back();
+}
+
+double PocketFiller::fraction() const {
+  if (stack_.empty() || facesInAll_ == 0.0) return 1.0;
+  const Weight& now = weights_[stack_.back()];
+  const double tried = fill_ ? (1.0 - kLeftByFailure) * fill_->fraction() : 0.0;
+  const double done = now.faces * (1.0 - now.left * (1.0 - tried));
+  return 1.0 - (facesWaiting_ - done) / facesInAll_;
 }
 
 std::size_t PocketFiller::work(std::uint32_t budget) {
   if (isDone()) return 1;
   if (!fill_) return begin();
-  const ExactFill::State state = fill_->advance(budget);
-  if (state != ExactFill::State::kRunning) finish(state);
+  // What comes out is as large as the pocket, and waits for a slice of its own.
+  if (fillState_ == ExactFill::State::kRunning) {
+    fillState_ = fill_->advance(budget);
+  } else {
+    finish();
+  }
   return budget;
 }
 
@@ -55,7 +83,7 @@ std::size_t PocketFiller::begin() {
   Pocket pocket{pockets_.faces(number), false};
   // Filled as part of another.
   if (pocket.faces.empty()) {
-    stack_.pop_back();
+    pop();
     return 1;
   }
   std::size_t touched = pocket.faces.size();
@@ -66,7 +94,7 @@ std::size_t PocketFiller::begin() {
     now.wasLargest = around.empty() || around.size() == now.removed;
     now.removed = around.size();
     if (now.wasLargest) {
-      if (!prepareNext(now)) stack_.pop_back();
+      if (!prepareNext(now)) pop();
       return 1 + touched / kTouchedPerStep;
     }
     place_.emplace(front_, elements_, pockets_, number, std::move(around));
@@ -102,23 +130,25 @@ bool PocketFiller::prepareNext(Try& now) const {
   return now.order < ExactFill::kOrders;
 }
 
-void PocketFiller::finish(ExactFill::State state) {
+void PocketFiller::finish() {
   const PocketSet::Number number = stack_.back();
   Try& now = tries_[number];
-  if (state == ExactFill::State::kDone) {
+  if (fillState_ == ExactFill::State::kDone) {
     apply();
-    stack_.pop_back();
-  } else if (state == ExactFill::State::kPartial && mayFillInPart(now)) {
+    pop();
+  } else if (fillState_ == ExactFill::State::kPartial && mayFillInPart(now)) {
     --partsLeft_;
     std::vector<FaceId> open = apply();
-    stack_.pop_back();
+    pop();
     queueOpen(std::move(open), now);
   } else {
     if (place_) place_->close(front_, elements_, pockets_);
-    if (!prepareNext(now)) stack_.pop_back();
+    weights_[number].left *= kLeftByFailure;
+    if (!prepareNext(now)) pop();
   }
   place_.reset();
   fill_.reset();
+  fillState_ = ExactFill::State::kRunning;
 }
 
 /// Returns the faces around what is left open.
@@ -139,7 +169,7 @@ void PocketFiller::queueOpen(std::vector<FaceId> open, Try tried) {
   std::vector<Pocket> pockets = findPockets(front_, open);
   std::reverse(pockets.begin(), pockets.end());
   for (Pocket& pocket : pockets) {
-    stack_.push_back(pockets_.add(std::move(pocket.faces)));
+    push(pockets_.add(std::move(pocket.faces)));
     tries_.push_back(tried);
   }
 }

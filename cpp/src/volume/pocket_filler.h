@@ -25,7 +25,10 @@ class PocketFiller {
 
   /// Works on for about `budget` steps of the front; returns what it took.
   std::size_t work(std::uint32_t budget);
-  [[nodiscard]] bool isDone() const { return stack_.empty() && !fill_; }
+  [[nodiscard]] bool isDone() const { return stack_.empty(); }
+  /// How far it is, 0 to 1, estimated by the faces of the pockets; falls where a pocket turns out to take more
+  /// tries.
+  [[nodiscard]] double fraction() const;
 
   struct Made {
     MadeRange elements;
@@ -45,9 +48,16 @@ class PocketFiller {
     bool wasLargest = false;   ///< more rings have no more elements
     bool isLastRound = false;  ///< of all orders, whatever it costs
   };
+  /// By which progress is measured.
+  struct Weight {
+    double faces = 0.0;
+    double left = 1.0;  ///< what tries that failed have left of it
+  };
 
   std::size_t begin();
-  void finish(ExactFill::State state);
+  void push(PocketSet::Number number);
+  void pop();
+  void finish();
   std::vector<FaceId> apply();
   void queueOpen(std::vector<FaceId> open, Try tried);
   bool prepareNext(Try& now) const;
@@ -59,8 +69,12 @@ class PocketFiller {
   PocketSet& pockets_;
   std::vector<PocketSet::Number> stack_;  ///< the next one last
   std::vector<Try> tries_;                ///< per pocket
+  std::vector<Weight> weights_;           ///< per pocket
+  double facesInAll_ = 0.0;               ///< of all pockets there have been
+  double facesWaiting_ = 0.0;             ///< of those in stack_
   std::optional<OpenedPlace> place_;
   std::optional<PocketFill> fill_;
+  ExactFill::State fillState_ = ExactFill::State::kRunning;
   std::uint32_t partsLeft_;
   std::vector<Made> made_;
 };

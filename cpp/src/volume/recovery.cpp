@@ -10,6 +10,10 @@ namespace {
 constexpr std::size_t kFacesPerStep = 4;
 constexpr std::size_t kSlotsPerStep = 1000;
 
+/// Where reopening begins and ends on the way, 0 to 1.
+constexpr double kStarEnd = 0.05;
+constexpr double kReopenEnd = 0.2;
+
 }  // namespace
 
 template <class Trace>
@@ -61,6 +65,26 @@ std::size_t Recovery<Trace>::work(std::uint32_t budget) {
       break;
   }
   return 1;
+}
+
+template <class Trace>
+double Recovery<Trace>::fraction() const {
+  switch (stage_) {
+    case Stage::kFindPockets:
+      return 0.0;
+    case Stage::kStar:
+      if (pockets_.empty()) return kStarEnd;
+      return kStarEnd * static_cast<double>(nextPocket_) / static_cast<double>(pockets_.size());
+    case Stage::kFindStarless:
+      return kStarEnd;
+    case Stage::kReopen:
+      return kStarEnd + (kReopenEnd - kStarEnd) * reopening_.fraction();
+    case Stage::kFill:
+      return kReopenEnd + (1.0 - kReopenEnd) * exactFillFraction();
+    case Stage::kFinished:
+      break;
+  }
+  return 1.0;
 }
 
 template <class Trace>

@@ -33,6 +33,10 @@ class Recovery {
   /// Works on for about `budget` steps of the front. To be called when nothing is queued.
   State advance(std::uint32_t budget);
 
+  /// How far it is, and how far the exact fill is, both 0 to 1 and estimated.
+  [[nodiscard]] double fraction() const;
+  [[nodiscard]] double exactFillFraction() const { return filler_ ? filler_->fraction() : 0.0; }
+
   /// What the mesh as it is now has of each rung, without what a larger place has taken away again.
   /// O(elements).
   [[nodiscard]] RecoverySummary summary() const;

@@ -56,6 +56,18 @@ std::size_t Reopening<Trace>::work(std::uint32_t budget, PocketSet& pockets) {
 }
 
 template <class Trace>
+std::uint64_t Reopening<Trace>::costLimit() const {
+  return kTotalCostPerElement * elements_.size() + kExtraTotalCost;
+}
+
+template <class Trace>
+double Reopening<Trace>::fraction() const {
+  const double passes = static_cast<double>(pass_) / kPasses;
+  const double cost = static_cast<double>(cost_) / static_cast<double>(costLimit());
+  return std::min(std::max(passes, cost), 1.0);
+}
+
+template <class Trace>
 void Reopening<Trace>::beginPass() {
   next_ = 0;
   if (pass_ == kPasses || front_.activeCount() == 0) {
@@ -71,7 +83,7 @@ void Reopening<Trace>::beginPass() {
 template <class Trace>
 std::size_t Reopening<Trace>::reopenNext(PocketSet& pockets) {
   while (next_ < pockets.size() && pockets.faces(next_).empty()) ++next_;
-  if (cost_ > kTotalCostPerElement * elements_.size() + kExtraTotalCost) {
+  if (cost_ > costLimit()) {
     stage_ = Stage::kDone;
     return 1;
   }

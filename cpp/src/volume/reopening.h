@@ -27,6 +27,8 @@ class Reopening {
   std::size_t work(std::uint32_t budget, PocketSet& pockets);
   /// All has been tried, or trying has cost too much.
   [[nodiscard]] bool isDone() const { return stage_ == Stage::kDone; }
+  /// How far it is, 0 to 1: in tries, or in what they may cost.
+  [[nodiscard]] double fraction() const;
   /// The elements of each place that has closed.
   [[nodiscard]] std::span<const MadeRange> made() const { return made_; }
 
@@ -39,6 +41,7 @@ class Reopening {
     kDone
   };
 
+  [[nodiscard]] std::uint64_t costLimit() const;
   void beginPass();
   std::size_t reopenNext(PocketSet& pockets);
   std::size_t refront(std::uint32_t budget, PocketSet& pockets);

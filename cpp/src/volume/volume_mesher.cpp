@@ -17,9 +17,8 @@ struct CostLimit {
   std::uint64_t perElement;
   std::uint64_t perTriangle;
   std::uint64_t extra;
-  [[nodiscard]] bool isReached(std::uint64_t cost, std::size_t elements,
-                               std::size_t triangles) const {
-    return cost > perElement * elements + perTriangle * triangles + extra;
+  [[nodiscard]] std::uint64_t of(std::size_t elements, std::size_t triangles) const {
+    return perElement * elements + perTriangle * triangles + extra;
   }
 };
 constexpr CostLimit kRelaxedCost{16, 0, 200'000};
@@ -139,15 +138,23 @@ void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
   while (budget > 0 && stage_ == Stage::kAdvance && !front_.nothingQueued()) {
     const std::uint64_t relaxed = advance_.counters().relaxedCost;
     const std::uint32_t cost =
-        advance_.step(!kRelaxedCost.isReached(relaxed, elements_.size(), triangles));
+        advance_.step(relaxed <= kRelaxedCost.of(elements_.size(), triangles));
     budget -= std::min(cost, budget);
     frontCost_ += cost;
-    if (kFrontCost.isReached(frontCost_, elements_.size(), triangles)) front_.unqueueAll();
+    if (frontCost_ > kFrontCost.of(elements_.size(), triangles)) front_.unqueueAll();
     inspectNewNodes();
     if (elements_.size() > maxTetrahedra_) stopAtLimit();
   }
   inspectNewElements();
-  if (stage_ == Stage::kAdvance && front_.nothingQueued()) stage_ = Stage::kRecover;
+  if (stage_ == Stage::kAdvance && front_.nothingQueued()) beginRecovery();
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::beginRecovery() {
+  stage_ = Stage::kRecover;
+  const std::size_t triangles = boundary_.triangles.size() / 3;
+  if (triangles == 0) return;
+  openedShare_ = static_cast<double>(front_.activeCount()) / static_cast<double>(triangles);
 }
 
 template <class Trace>
@@ -208,6 +215,14 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::finish(MeshStatus status) {
   status_ = status;
   stage_ = Stage::kFinished;
+}
+
+/// Among needles little is filled by the time the front has cost too much.
+template <class Trace>
+double BasicVolumeMesher<Trace>::frontFraction() const {
+  const std::uint64_t limit = kFrontCost.of(elements_.size(), boundary_.triangles.size() / 3);
+  const double spent = static_cast<double>(frontCost_) / static_cast<double>(limit);
+  return std::max(filledFraction(), std::min(spent, 1.0));
 }
 
 template <class Trace>

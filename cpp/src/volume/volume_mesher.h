@@ -42,8 +42,15 @@ class BasicVolumeMesher {
     return front_.activeCount() +
            static_cast<std::uint32_t>(boundary_.triangles.size() / 3 - nextTriangle_);
   }
-  /// Filled part of the enclosed volume, 0 to 1.
-  [[nodiscard]] double filledFraction() const;
+  /// How far the front is on its way to where it closes or gives up, 0 to 1, estimated.
+  [[nodiscard]] double frontFraction() const;
+  /// What the front has left is being recovered; or all is done.
+  [[nodiscard]] bool isRecovering() const { return stage_ >= Stage::kRecover; }
+  /// How many faces the front has left open, in triangles of the boundary; 0 until it has.
+  [[nodiscard]] double openedShare() const { return openedShare_; }
+  /// How far recovery is, and of it the exact fill, 0 to 1, estimated.
+  [[nodiscard]] double recoveryFraction() const { return recovery_.fraction(); }
+  [[nodiscard]] double exactFillFraction() const { return recovery_.exactFillFraction(); }
 
   /// The mesh as it stands. Nodes that no element and no boundary triangle uses are left out.
   [[nodiscard]] VolumeMesh mesh() const;
@@ -57,11 +64,14 @@ class BasicVolumeMesher {
   void setUp(std::uint32_t budget);
   [[nodiscard]] NodeTriple faceOfTriangle(std::size_t triangle) const;
   void advanceFront(std::uint32_t budget);
+  void beginRecovery();
   void recover(std::uint32_t budget);
   void inspectNewElements();
   void inspectNewNodes();
   void stopAtLimit();
   void finish(MeshStatus status);
+  /// Filled part of the enclosed volume, 0 to 1.
+  [[nodiscard]] double filledFraction() const;
 
   const SurfaceMesh& boundary_;
   const SizeField& field_;
@@ -77,6 +87,7 @@ class BasicVolumeMesher {
   std::size_t boundaryNodes_;
   std::size_t inspectedNodes_ = 0;
   std::uint64_t frontCost_ = 0;
+  double openedShare_ = 0.0;
   std::size_t inspectedElements_ = 0;
   double enclosedVolume_ = 0.0;        ///< six times
   double filledVolume_ = 0.0;          ///< six times

@@ -1,0 +1,53 @@
+#include "fill/outside_removal.h"
+
+#include <algorithm>
+
+namespace tetrafront {
+
+OutsideRemoval::OutsideRemoval(FillMesh& mesh, const std::vector<std::array<NodeId, 3>>& triangles)
+    : mesh_(mesh), triangles_(triangles), inside_(mesh.slotCount(), 0) {}
+
+OutsideRemoval::State OutsideRemoval::step() {
+  if (nextToFind_ < inside_.size()) {
+    findSide(TetId(nextToFind_++));
+    return State::kRunning;
+  }
+  if (nextToFlood_ < queue_.size()) {
+    return flood(queue_[nextToFlood_++]) ? State::kRunning : State::kFailed;
+  }
+  const auto isInside = [&](TetId tet) { return inside_[tet.index()] != 0; };
+  if (std::ranges::any_of(outside_, isInside)) return State::kFailed;
+  mesh_.keep(inside_);
+  return State::kDone;
+}
+
+void OutsideRemoval::findSide(TetId tet) {
+  if (!mesh_.isLive(tet)) return;
+  const FillTet& t = mesh_.tet(tet);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    if (t.facet[k] == kNoFacet) continue;
+    const auto& f = triangles_[t.facet[k]];
+    if (mesh_.points.orient(f[0], f[1], f[2], t.nodes[k]) < 0) {
+      outside_.push_back(tet);
+    } else if (inside_[tet.index()] == 0) {
+      inside_[tet.index()] = 1;
+      queue_.push_back(tet);
+    }
+  }
+}
+
+/// False where it goes beyond all that there is.
+bool OutsideRemoval::flood(TetId tet) {
+  const FillTet& t = mesh_.tet(tet);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    if (t.facet[k] != kNoFacet) continue;
+    const TetId beyond = t.across[k].tet;
+    if (beyond.isNone()) return false;
+    if (inside_[beyond.index()] != 0) continue;
+    inside_[beyond.index()] = 1;
+    queue_.push_back(beyond);
+  }
+  return true;
+}
+
+}  // namespace tetrafront

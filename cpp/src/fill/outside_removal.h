@@ -1,0 +1,37 @@
+#pragma once
+
+/// @file What is outside the given triangles is dropped, once all of them are faces of the mesh: floods from
+/// the tetrahedra above the triangles. Sides contradict each other only where the triangles are not the
+/// closed boundary of something.
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "fill/fill_mesh.h"
+
+namespace tetrafront {
+
+class OutsideRemoval {
+ public:
+  /// Both must outlive this.
+  OutsideRemoval(FillMesh& mesh, const std::vector<std::array<NodeId, 3>>& triangles);
+
+  enum class State : std::uint8_t { kRunning, kDone, kFailed };
+  /// Looks at one tetrahedron; the last step drops all that are outside.
+  State step();
+
+ private:
+  void findSide(TetId tet);
+  [[nodiscard]] bool flood(TetId tet);
+
+  FillMesh& mesh_;
+  const std::vector<std::array<NodeId, 3>>& triangles_;
+  std::vector<std::uint8_t> inside_;  ///< per tetrahedron
+  std::vector<TetId> queue_;          ///< those inside
+  std::vector<TetId> outside_;        ///< below a triangle
+  std::size_t nextToFind_ = 0;
+  std::size_t nextToFlood_ = 0;
+};
+
+}  // namespace tetrafront
