@@ -346,9 +346,7 @@ class MeshRun::Impl {
   [[nodiscard]] Position positionOf(const MeshVerifier& verifier) const {
     return {Phase::kVerify, 1.0, verifier.fraction()};
   }
-  [[nodiscard]] Position positionOf(const Nobody& /*worker*/) const {
-    return {phase_, fraction_};
-  }
+  [[nodiscard]] Position positionOf(const Nobody& /*worker*/) const { return {phase_, fraction_}; }
 
   /// Sweeps that repeat take their estimate back, as do tries that fail; the bar must not.
   void look() {

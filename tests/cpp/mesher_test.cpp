@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "support/hard_shapes.h"
@@ -91,6 +92,117 @@ TEST(MeshRun, ReportsPhasesInTheirOrderAndAFractionThatNeverFalls) {
   }
   EXPECT_EQ(run.status(), MeshStatus::kDone);
   EXPECT_EQ(run.progress().fraction, 1.0);
+}
+
+/// Bodies that the exact fill takes long with.
+std::vector<std::pair<const char*, SurfaceMesh>> needleBodies() {
+  std::vector<std::pair<const char*, SurfaceMesh>> bodies{
+      {"plate", testing::needlePlate(6, 24, 0.05)},
+      {"gear", testing::needleGear(100, 0.05)},
+      {"thread", testing::screwThread(8, 64)}};
+  for (auto& [name, body] : bodies) testing::rotateRandomly(body, 2);
+  return bodies;
+}
+
+TEST(MeshRun, TellsHowFarTheExactFillIs) {
+  for (const auto& [name, body] : needleBodies()) {
+    SCOPED_TRACE(name);
+    MeshOptions options;
+    options.exactFillOnly = true;
+    options.optimization = Optimization::kNone;
+    MeshRun run(body.points, body.triangles, options);
+    Progress before = run.progress();
+    int filling = 0;
+    int steps = 0;
+    int still = 0;
+    int longestStill = 0;
+    while (run.advance(20) == MeshStatus::kRunning) {
+      const Progress now = run.progress();
+      ASSERT_GE(now.fraction, before.fraction);
+      ASSERT_LE(now.exactFill, 1.0);
+      if (now.exactFill > 0.0) {
+        ASSERT_EQ(now.phase, Phase::kVolume);
+        ASSERT_GE(now.exactFill, before.exactFill);
+        ++filling;
+        const bool moves = now.fraction > before.fraction && now.exactFill > before.exactFill;
+        steps += moves ? 1 : 0;
+        still = moves ? 0 : still + 1;
+        longestStill = std::max(longestStill, still);
+      }
+      before = now;
+    }
+    ASSERT_EQ(run.status(), MeshStatus::kDone);
+    EXPECT_EQ(run.progress().fraction, 1.0);
+    EXPECT_EQ(run.progress().exactFill, 0.0);
+    EXPECT_GT(steps, 50);
+    EXPECT_LT(longestStill, 0.25 * filling) << "of " << filling << " slices";
+  }
+}
+
+TEST(MeshRun, TakesNothingBackWhereTheExactFillTriesAgain) {
+  const SurfaceMesh body = testing::flatPocket();
+  MeshOptions options;
+  options.exactFillOnly = true;
+  options.optimization = Optimization::kNone;
+  MeshRun run(body.points, body.triangles, options);
+  Progress before = run.progress();
+  int steps = 0;
+  while (run.advance(20) == MeshStatus::kRunning) {
+    const Progress now = run.progress();
+    ASSERT_GE(now.fraction, before.fraction);
+    ASSERT_TRUE(now.exactFill >= before.exactFill || now.exactFill == 0.0);
+    steps += now.exactFill > before.exactFill ? 1 : 0;
+    before = now;
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_GT(run.recovery().filled, 1U);
+  EXPECT_GT(steps, 10);
+}
+
+/// Whatever the front leaves, the bar moves until it is filled.
+TEST(MeshRun, MovesWhileTheFrontAndRecoveryAreAtNeedles) {
+  const SurfaceMesh body = testing::coarseTube(128, 0.95, 100.0);
+  MeshOptions options;
+  options.optimization = Optimization::kNone;
+  MeshRun run(body.points, body.triangles, options);
+  double before = 0.0;
+  int inVolume = 0;
+  int still = 0;
+  int longestStill = 0;
+  while (run.advance(20) == MeshStatus::kRunning) {
+    const Progress now = run.progress();
+    ASSERT_GE(now.fraction, before);
+    if (now.phase == Phase::kVolume) {
+      ++inVolume;
+      still = now.fraction > before ? 0 : still + 1;
+      longestStill = std::max(longestStill, still);
+    }
+    before = now.fraction;
+  }
+  ASSERT_EQ(run.status(), MeshStatus::kDone);
+  ASSERT_GT(run.recovery().filled, 0U);
+  EXPECT_LT(longestStill, 0.1 * inVolume) << "of " << inVolume << " slices";
+}
+
+TEST(MeshRun, IsCancelledAmidTheExactFillAndKeepsTheWholeFront) {
+  SurfaceMesh body = testing::needlePlate(6, 24, 0.05);
+  testing::rotateRandomly(body, 2);
+  MeshOptions options;
+  options.exactFillOnly = true;
+  for (const double stop : {0.05, 0.3, 0.6, 0.8}) {
+    MeshRun run(body.points, body.triangles, options);
+    while (run.progress().exactFill < stop && run.advance(20) == MeshStatus::kRunning) {
+    }
+    ASSERT_EQ(run.status(), MeshStatus::kRunning) << stop;
+    const double reached = run.progress().fraction;
+    run.cancel();
+    EXPECT_EQ(run.status(), MeshStatus::kCancelled);
+    EXPECT_EQ(run.advance(1000), MeshStatus::kCancelled);
+    EXPECT_EQ(run.progress().fraction, reached);
+    EXPECT_LT(reached, 1.0);
+    EXPECT_EQ(run.volume().tetrahedra.size(), 0U);
+    EXPECT_EQ(run.volume().front.size(), body.triangles.size());
+  }
 }
 
 TEST(MeshRun, CanBeCancelledAtAnyTimeAndKeepsWhatIsThere) {

@@ -6,7 +6,7 @@ import type { Progress } from "./types.js";
 export class ProgressBar {
   readonly #bar = new SingleBar(
     {
-      format: "{phase} {bar} {percentage} % | {tetrahedra} tetrahedra | {frontFaces} faces in the front",
+      format: "{phase} {bar} {percentage} % | {tetrahedra} tetrahedra | {left}",
       stream: process.stderr,
       clearOnComplete: true,
       hideCursor: true,
@@ -17,11 +17,15 @@ export class ProgressBar {
   );
 
   constructor() {
-    this.#bar.start(1, 0, { phase: "check", tetrahedra: 0, frontFaces: 0 });
+    this.#bar.start(1, 0, { phase: "check", tetrahedra: 0, left: "" });
   }
 
-  update({ fraction, phase, tetrahedra, frontFaces }: Progress): void {
-    this.#bar.update(fraction, { phase: phase.padEnd("surface".length), tetrahedra, frontFaces });
+  update({ fraction, phase, tetrahedra, frontFaces, exactFill }: Progress): void {
+    const left =
+      exactFill > 0
+        ? `exact fill of what the front left: ${(100 * exactFill).toFixed(1)} %`
+        : `${String(frontFaces)} faces in the front`;
+    this.#bar.update(fraction, { phase: phase.padEnd("surface".length), tetrahedra, left });
   }
 
   stop(): void {

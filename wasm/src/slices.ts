@@ -70,7 +70,14 @@ export async function workInSlices(tool: EngineTool, control: SliceControl): Pro
     const now = performance.now();
     if (isFinished || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;
-      const counts = { points: 0, triangles: 0, tetrahedra: 0, frontFaces: 0, expectedTetrahedra: 0, exactFill: 0 };
+      const counts = {
+        points: 0,
+        triangles: 0,
+        tetrahedra: 0,
+        frontFaces: 0,
+        expectedTetrahedra: 0,
+        exactFill: 0,
+      };
       const elapsedSeconds = (now - began) / 1000;
       control.onProgress({ phase: "check", fraction: tool.fraction(), ...counts, elapsedSeconds });
     }

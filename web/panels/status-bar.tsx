@@ -1,7 +1,8 @@
 import { ActionIcon, Progress, Tooltip } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
+import type { Progress as RunProgressReport } from "tetrafront";
 import type { RunState } from "../document/run";
-import { formatAngle, formatCount, formatSeconds } from "../ui/format";
+import { formatAngle, formatCount, formatSeconds, formatShare } from "../ui/format";
 import { phaseNames, strings } from "../ui/strings";
 import { useApp, useRun, useStale, useUnsaved } from "./app-context";
 import { useThrottled } from "./use-throttled";
@@ -30,6 +31,10 @@ function outcomeText(run: RunState, stale: boolean): string {
   }
 }
 
+function sectionName({ phase, exactFill }: RunProgressReport): string {
+  return exactFill > 0 ? strings.status.filling : phaseNames[phase];
+}
+
 /** Progress while meshing, else how things stand; and the numbers of the mesh on show. */
 export function StatusBar() {
   const busy = useRun((state) => state.busy);
@@ -52,7 +57,7 @@ function RunProgress() {
   const progress = useRun((state) => state.progress);
   const cancelling = useRun((state) => state.cancelling);
   const percent = Math.round((progress?.fraction ?? 0) * 100);
-  const phase = progress ? phaseNames[progress.phase] : strings.header.meshing;
+  const phase = progress ? sectionName(progress) : strings.header.meshing;
   const text = cancelling ? strings.status.cancelling : `${phase} ${percent} %`;
   const announced = useThrottled(text, announceEveryMs);
   return (
@@ -70,7 +75,9 @@ function RunProgress() {
       </span>
       {progress && progress.frontFaces > 0 && (
         <span className="tf-wide" aria-hidden>
-          {strings.status.front(formatCount(progress.frontFaces))}
+          {progress.exactFill > 0
+            ? strings.status.exactFill(formatShare(progress.exactFill))
+            : strings.status.front(formatCount(progress.frontFaces))}
         </span>
       )}
       <span role="status" className="tf-hidden">

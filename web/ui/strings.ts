@@ -406,6 +406,8 @@ export const strings = {
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `front ${count} faces`,
+    filling: "Filling what the front left",
+    exactFill: (share: string) => `exact fill ${share}`,
     cancel: "Cancel meshing",
     cancelling: "Cancelling…",
     progress: "Meshing progress",

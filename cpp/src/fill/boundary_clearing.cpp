@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fill/inward_direction.h"
-#include "fill/sectors.h"
 #include "fill/star_kernel.h"
 
 namespace tetrafront {
@@ -20,9 +19,9 @@ constexpr int kMaxExactHalvings = 400;
 
 BoundaryClearing::BoundaryClearing(FillMesh& mesh,
                                    const std::vector<std::array<NodeId, 3>>& triangles,
-                                   std::span<const NodeId> boundaryPoints)
+                                   std::span<const NodeId> points)
     : mesh_(mesh), cone_(mesh, none_), thickening_(mesh), fans_(mesh, triangles) {
-  for (const NodeId node : separateSectors(mesh, boundaryPoints)) wait(node);
+  for (const NodeId node : points) wait(node);
   count_ = left_ = waiting_.size();
 }
 

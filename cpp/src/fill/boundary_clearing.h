@@ -20,9 +20,10 @@ namespace tetrafront {
 
 class BoundaryClearing {
  public:
-  /// `triangles` gives the planes of facets; it must outlive this. The mesh must hold the inside only.
+  /// `triangles` gives the planes of facets; it must outlive this. The mesh must hold the inside only, and
+  /// each of `points`, those to be replaced, one piece of it.
   BoundaryClearing(FillMesh& mesh, const std::vector<std::array<NodeId, 3>>& triangles,
-                   std::span<const NodeId> boundaryPoints);
+                   std::span<const NodeId> points);
 
   enum class State : std::uint8_t { kRunning, kDone, kFailed };
   /// Deals with one point.
@@ -60,8 +61,8 @@ class BoundaryClearing {
   std::vector<Turn> turns_;        ///< per node
   std::vector<NodeId> waiting_;    ///< to be tried, from nextWaiting_ on
   std::vector<NodeId> postponed_;  ///< from nextPostponed_ on; some may have been tried again since
-  std::size_t count_;  ///< of the points on the boundary at first
-  std::size_t left_;   ///< of them
+  std::size_t count_;              ///< of the points on the boundary at first
+  std::size_t left_;               ///< of them
   std::size_t nextWaiting_ = 0;
   std::size_t nextPostponed_ = 0;
   std::vector<NodeId> interiorPoints_;

@@ -11,6 +11,7 @@
 #include "fill/interior_clearing.h"
 #include "fill/outside_removal.h"
 #include "fill/point_insertion.h"
+#include "fill/sectors.h"
 
 namespace tetrafront {
 namespace {
@@ -73,7 +74,7 @@ class ExactFill::Impl {
       case Stage::kTriangles:
         return between(kEdgesEnd, kTrianglesEnd, share(next_, recovery_->triangleCount()));
       case Stage::kDropOutside:
-      case Stage::kBeginClearing:
+      case Stage::kSeparate:
         return kTrianglesEnd;
       case Stage::kClearBoundary:
         return between(kTrianglesEnd, kClearBoundaryEnd, clearing_->fraction());
@@ -93,7 +94,7 @@ class ExactFill::Impl {
     kEdges,
     kTriangles,
     kDropOutside,
-    kBeginClearing,
+    kSeparate,
     kClearBoundary,
     kClearInterior,
     kDone,
@@ -116,8 +117,8 @@ class ExactFill::Impl {
         return failUnless(recovery_->recoverTriangle(next_++));
       case Stage::kDropOutside:
         return dropOutside();
-      case Stage::kBeginClearing:
-        return beginClearing();
+      case Stage::kSeparate:
+        return separate();
       case Stage::kClearBoundary:
         return clearBoundary();
       case Stage::kClearInterior:
@@ -166,14 +167,19 @@ class ExactFill::Impl {
     if (state == OutsideRemoval::State::kRunning) return;
     if (state == OutsideRemoval::State::kFailed) return failUnless(false);
     outside_.reset();
-    touched_ += mesh_.slotCount();
-    beginStage(Stage::kBeginClearing);
-  }
-
-  void beginClearing() {
-    clearing_.emplace(mesh_, task_.triangles, recovery_->boundaryPoints());
+    separation_.emplace(mesh_, recovery_->boundaryPoints());
     recovery_.reset();
     touched_ += mesh_.slotCount();
+    beginStage(Stage::kSeparate);
+  }
+
+  void separate() {
+    if (!separation_->isDone()) {
+      touched_ += separation_->step();
+      return;
+    }
+    clearing_.emplace(mesh_, task_.triangles, separation_->points());
+    separation_.reset();
     beginStage(Stage::kClearBoundary);
   }
 
@@ -268,6 +274,7 @@ class ExactFill::Impl {
   std::optional<PointInsertion> insertion_;
   std::optional<BoundaryRecovery> recovery_;
   std::optional<OutsideRemoval> outside_;
+  std::optional<SectorSeparation> separation_;
   std::optional<BoundaryClearing> clearing_;
   std::optional<InteriorClearing> interior_;
 };

@@ -1,16 +1,18 @@
 #include "fill/sectors.h"
 
+#include <cstdint>
+
 #include "base/sort.h"
-#include "search/incidence.h"
 
 namespace tetrafront {
 
-std::vector<NodeId> separateSectors(FillMesh& mesh, std::span<const NodeId> boundaryPoints) {
-  std::vector<NodeId> nodes(boundaryPoints.begin(), boundaryPoints.end());
-  stableSort(nodes);
+SectorSeparation::SectorSeparation(FillMesh& mesh, std::span<const NodeId> boundaryPoints)
+    : mesh_(mesh),
+      nodes_(boundaryPoints.begin(), boundaryPoints.end()),
+      tetsAt_(mesh.points.size()) {
+  stableSort(nodes_);
   std::vector<std::uint8_t> isAsked(mesh.points.size(), 0);
-  for (const NodeId node : nodes) isAsked[node.index()] = 1;
-  NodeLists<TetId> tetsAt(mesh.points.size());
+  for (const NodeId node : nodes_) isAsked[node.index()] = 1;
   const auto forEachCorner = [&](const auto& act) {
     for (std::size_t i = 0; i < mesh.slotCount(); ++i) {
       if (!mesh.isLive(TetId(i))) continue;
@@ -19,29 +21,29 @@ std::vector<NodeId> separateSectors(FillMesh& mesh, std::span<const NodeId> boun
       }
     }
   };
-  forEachCorner([&](NodeId node, TetId /*tet*/) { tetsAt.count(node.value); });
-  tetsAt.endCounting();
-  forEachCorner([&](NodeId node, TetId tet) { tetsAt.add(node.value, tet); });
-  std::vector<NodeId> points;
-  std::vector<TetId> sector;
-  for (const NodeId node : nodes) {
-    const std::span<const TetId> tets = tetsAt.at(node.value);
-    bool first = true;
-    for (const TetId tet : tets) {
-      // Already given away.
-      if (!mesh.has(tet, node)) continue;
-      mesh.starFrom(tet, node, sector);
-      if (first && sector.size() == tets.size()) {
-        points.push_back(node);
-        break;
-      }
-      first = false;
-      const NodeId own = mesh.points.copy(node);
-      mesh.separate(sector, node, own);
-      points.push_back(own);
+  forEachCorner([&](NodeId node, TetId /*tet*/) { tetsAt_.count(node.value); });
+  tetsAt_.endCounting();
+  forEachCorner([&](NodeId node, TetId tet) { tetsAt_.add(node.value, tet); });
+}
+
+std::size_t SectorSeparation::step() {
+  const NodeId node = nodes_[next_++];
+  const std::span<const TetId> tets = tetsAt_.at(node.value);
+  bool first = true;
+  for (const TetId tet : tets) {
+    // Already given away.
+    if (!mesh_.has(tet, node)) continue;
+    mesh_.starFrom(tet, node, sector_);
+    if (first && sector_.size() == tets.size()) {
+      points_.push_back(node);
+      break;
     }
+    first = false;
+    const NodeId own = mesh_.points.copy(node);
+    mesh_.separate(sector_, node, own);
+    points_.push_back(own);
   }
-  return points;
+  return tets.size();
 }
 
 }  // namespace tetrafront

@@ -28,7 +28,7 @@ constexpr std::uint32_t kPartsPerPocket = 4;
 constexpr std::uint64_t kCostPerFace = 1000;
 constexpr std::uint64_t kExtraCost = 20'000;
 /// As progress sees it, a try that fails leaves so much of its pocket.
-constexpr double kLeftByFailure = 0.2;
+constexpr double kLeftByFailure = 0.1;
 /// Touching this many faces or elements costs about as much as one step of the front.
 constexpr std::size_t kTouchedPerStep = 4;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 #include "base/sort.h"
 #include "geom/predicates.h"
@@ -49,15 +50,17 @@ Component describe(const Front& front, std::vector<FaceId> faces) {
 }
 
 std::vector<Component> findComponents(const Front& front, std::span<const FaceId> active) {
-  std::map<NodeId, std::uint32_t> compactNode;
+  std::vector<NodeId> nodes;
+  nodes.reserve(3 * active.size());
   for (const FaceId face : active) {
-    for (const NodeId node : front.face(face).nodes) compactNode.emplace(node, 0);
+    const NodeTriple& n = front.face(face).nodes;
+    nodes.insert(nodes.end(), n.begin(), n.end());
   }
-  std::uint32_t next = 0;
-  for (auto& entry : compactNode) entry.second = next++;
-  DisjointSets sets(compactNode.size());
+  sortUnique(nodes);
+  DisjointSets sets(nodes.size());
   const auto compact = [&](FaceId face, int corner) {
-    return compactNode.at(front.face(face).nodes[corner]);
+    const auto at = std::lower_bound(nodes.begin(), nodes.end(), front.face(face).nodes[corner]);
+    return static_cast<std::uint32_t>(at - nodes.begin());
   };
   for (const FaceId face : active) {
     sets.join(compact(face, 0), compact(face, 1));

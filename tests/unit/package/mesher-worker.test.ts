@@ -168,6 +168,7 @@ describe("runs", () => {
       tetrahedra: 0,
       frontFaces: 0,
       expectedTetrahedra: 0,
+      exactFill: 0,
     } as const;
     worker.reply({ kind: "progress", id: id - 1, progress: { ...figures, elapsedSeconds: 0 } });
     worker.reply({ kind: "result", id: id - 1, result: resultWith("late") });
@@ -273,7 +274,7 @@ test("a run beside a question that runs out of memory is rejected with where the
   const run = mesher.fillSurface(boxSurface(1));
   const preview = mesher.previewProject(cubeProject());
   const stood = { phase: "volume", tetrahedra: 1000, expectedTetrahedra: 8000 } as const;
-  const figures = { fraction: 0.5, points: 9, triangles: 9, frontFaces: 9, elapsedSeconds: 1 };
+  const figures = { fraction: 0.5, points: 9, triangles: 9, frontFaces: 9, exactFill: 0, elapsedSeconds: 1 };
   worker.reply({ kind: "progress", id: idOf(worker), progress: { ...stood, ...figures } });
   const failure = { kind: "failure", reason: "out-of-memory", message: "out of memory" } as const;
   worker.reply({ ...failure, id: idOf(worker, 1), bytes: 2 ** 32 });

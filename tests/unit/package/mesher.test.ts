@@ -21,6 +21,7 @@ import {
   boxSurface,
   cavitySurface,
   joined,
+  needleGearSurface,
   sphereSurface,
   torusSurface,
   turned,
@@ -449,6 +450,31 @@ describe("cancelling", () => {
     expect(result.report.status).toBe("cancelled");
     expect(result.report.tetrahedra).toBeGreaterThan(0);
     expect(result.volume.front.length).toBeGreaterThan(0);
+  });
+
+  test("ends the exact fill, which tells how far it is", { retry: 3 }, async () => {
+    const stop = new AbortController();
+    const seen: number[] = [];
+    let abortedAt = NaN;
+    const result = await mesher.fillSurface(
+      needleGearSurface(600),
+      { exactFillOnly: true },
+      {
+        signal: stop.signal,
+        onProgress: ({ exactFill }) => {
+          if (exactFill === 0 || stop.signal.aborted) return;
+          seen.push(exactFill);
+          if (exactFill < 0.3) return;
+          abortedAt = performance.now();
+          stop.abort();
+        },
+      },
+    );
+    expect(performance.now() - abortedAt).toBeLessThan(LENIENT_MS);
+    expect(result.report.status).toBe("cancelled");
+    expect(seen.length).toBeGreaterThan(1);
+    expect(new Set(seen).size).toBe(seen.length);
+    expect(seen).toEqual(seen.toSorted((a, b) => a - b));
   });
 
   test("at the very start, before the engine is asked, or while waiting ends at once", async () => {

@@ -12,6 +12,7 @@ const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   tetrahedra: 0,
   frontFaces: 0,
   expectedTetrahedra: 0,
+  exactFill: 0,
   elapsedSeconds,
 });
 
