@@ -25,8 +25,10 @@ BoundaryClearing::BoundaryClearing(FillMesh& mesh,
   count_ = left_ = waiting_.size();
 }
 
+/// Most points soon find one that replaces them, and the few that must be lifted take as long: hence the root.
 double BoundaryClearing::fraction() const {
-  return count_ == 0 ? 1.0 : 1.0 - static_cast<double>(left_) / static_cast<double>(count_);
+  if (count_ == 0) return 1.0;
+  return 1.0 - std::sqrt(static_cast<double>(left_) / static_cast<double>(count_));
 }
 
 void BoundaryClearing::wait(NodeId node) {

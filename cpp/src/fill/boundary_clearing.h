@@ -29,7 +29,7 @@ class BoundaryClearing {
   /// Deals with one point.
   State step();
 
-  /// Which part of the points is no longer on the boundary.
+  /// How far it is, 0 to 1, estimated by the points left on the boundary.
   [[nodiscard]] double fraction() const;
 
   /// New points inside, in the order they were made; some may have been removed again.
