@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/fingerprint.h"
 #include "fill/exact_points.h"
@@ -298,6 +300,44 @@ TEST(ExactPoints, SignsOfConstructedPointsAreExact) {
     EXPECT_EQ(points.orient(a, b, c, e), 1);
     EXPECT_EQ(points.orient(a, c, b, e), -1);
     EXPECT_EQ(points.place(e), points.place(d));
+  }
+}
+
+/// Filters may leave a sign open, but not take a wrong one: about all the sizes at which one after the other
+/// decides, far from the origin and among points that are one but for rounding.
+TEST(ExactPoints, SignsNearAPlaneAreThoseOfTheVolume) {
+  testing::Random random(11);
+  for (const double offset : {0.0, 1e6}) {
+    for (int power = 20; power < 140; ++power) {
+      ExactPoints points;
+      const Vec3 far(offset, -2.0 * offset, 0.5 * offset);
+      const NodeId a = points.add(far + random.inBox());
+      const NodeId b = points.add(far + random.inBox());
+      const NodeId c = points.add(far + random.inBox());
+      const DyadicVec3 origin = points.exact(a);
+      const DyadicVec3 ab = points.exact(b) - origin;
+      const DyadicVec3 ac = points.exact(c) - origin;
+      const DyadicVec3 up = cross(ab, ac) * Dyadic(std::ldexp(1.0, -power));
+      const auto pointAt = [&](double s, double r, double height) {
+        return points.add(origin + ab * Dyadic(s) + ac * Dyadic(r) + up * Dyadic(height));
+      };
+      const double s = random.between(-1.0, 1.0);
+      std::vector<NodeId> near;
+      for (const double height : {-1.0, 0.0, 1.0}) {
+        near.push_back(pointAt(s, s, height));
+        near.push_back(pointAt(random.between(-1.0, 1.0), random.between(-1.0, 1.0), height));
+      }
+      for (std::size_t i = 0; i < near.size(); ++i) {
+        const int side = static_cast<int>(i / 2) - 1;
+        ASSERT_EQ(points.orient(a, b, c, near[i]), side) << "height 2^-" << power;
+        for (std::size_t j = 0; j < near.size(); ++j) {
+          for (const NodeId third : {a, near[(j + 1) % near.size()]}) {
+            ASSERT_EQ(points.orient(near[i], near[j], third, b),
+                      points.exactVolume(near[i], near[j], third, b).sign());
+          }
+        }
+      }
+    }
   }
 }
 

@@ -193,17 +193,19 @@ bool BoundaryClearing::replaceByDouble(NodeId node) {
   for (const BoundaryFace& face : fans_.faces()) kernel.add(mesh_.points, face.nodes);
   const Vec3 middle = kernel.middle();
   const Vec3 direction = inwards(mesh_.points, fans_.planes());
-  for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
-    if (tryPlace(node, kernel.deepest(middle), growth)) return true;
-    double step = 0.5 * reach(node);
-    for (int i = 0; i < kMaxHalvings; ++i, step *= 0.5) {
-      const Vec3 there = place + direction * step;
-      if (tryPlace(node, kernel.deepest(there), growth) || tryPlace(node, there, growth)) {
-        return true;
-      }
-    }
+  std::vector<Vec3> tried;
+  const auto tryNext = [&](const Vec3& there) {
+    tried.push_back(there);
+    return tryPlace(node, there, 0);
+  };
+  if (tryNext(kernel.deepest(middle))) return true;
+  double step = 0.5 * reach(node);
+  for (int i = 0; i < kMaxHalvings; ++i, step *= 0.5) {
+    const Vec3 there = place + direction * step;
+    if (tryNext(kernel.deepest(there)) || tryNext(there)) return true;
   }
-  return false;
+  return std::ranges::any_of(
+      tried, [&](const Vec3& there) { return tryPlace(node, there, kLargestGrowth); });
 }
 
 /// A little way inwards, however little. Such a way exists, but for doubles it may be too little.

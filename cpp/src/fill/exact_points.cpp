@@ -1,34 +1,45 @@
 #include "fill/exact_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "geom/predicates.h"
+#include "geom/twofold.h"
 
 namespace tetrafront {
 namespace {
 
 constexpr double kRoundoff = 0x1p-53;
-/// What a sign by long numbers costs, in signs by doubles; measured.
+/// What a sign that doubles leave open counts, in signs by doubles: what it costs by long numbers, measured,
+/// although one in twenty needs them.
 constexpr std::uint64_t kExactCost = 20;
 
 double sumOfSizes(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
+Vec3 roundedOf(const DyadicVec3& v) { return {v[0].toDouble(), v[1].toDouble(), v[2].toDouble()}; }
+
+/// The sign of a determinant of differences u, v, w, computed with a relative error of `roundoff` of the sum of its
+/// terms' sizes, if it is certain: each coordinate of the differences may be off by `error`, which can change the
+/// determinant by half of what is allowed for. 0 if it is not.
+int certainSign(double determinant, const Vec3& u, const Vec3& v, const Vec3& w, double roundoff,
+                double error) {
+  const double sizeU = sumOfSizes(u) + error;
+  const double sizeV = sumOfSizes(v) + error;
+  const double sizeW = sumOfSizes(w) + error;
+  const double bound = roundoff * sizeU * sizeV * sizeW +
+                       4.0 * error * (sizeU * sizeV + sizeV * sizeW + sizeW * sizeU);
+  return determinant > bound ? 1 : (determinant < -bound ? -1 : 0);
+}
+
 /// Does plain double decide the sign, for places that may be off by `error` in each coordinate?
-/// The bound is generous: the plain evaluation's own (Shewchuk 1997, section 4), doubled, and twice
-/// what moving each difference by the error can change.
+/// The bound is generous: the plain evaluation's own (Shewchuk 1997, section 4), doubled.
 int signByDoubles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double error) {
   constexpr double kBound = 16.0 * kRoundoff;
   const Vec3 u = b - a;
   const Vec3 v = c - a;
   const Vec3 w = d - a;
-  const double det = glm::dot(glm::cross(u, v), w);
-  const double sizeU = sumOfSizes(u) + error;
-  const double sizeV = sumOfSizes(v) + error;
-  const double sizeW = sumOfSizes(w) + error;
-  const double bound = kBound * sizeU * sizeV * sizeW +
-                       4.0 * error * (sizeU * sizeV + sizeV * sizeW + sizeW * sizeU);
-  return det > bound ? 1 : (det < -bound ? -1 : 0);
+  return certainSign(glm::dot(glm::cross(u, v), w), u, v, w, kBound, error);
 }
 
 }  // namespace
@@ -39,13 +50,14 @@ NodeId ExactPoints::add(const Vec3& place) {
 }
 
 NodeId ExactPoints::add(const DyadicVec3& place) {
-  const Vec3 rounded(place[0].toDouble(), place[1].toDouble(), place[2].toDouble());
-  if (toDyadic(rounded) == place) return add(rounded);
+  const Vec3 rounded = roundedOf(place);
+  const DyadicVec3 rest = place - toDyadic(rounded);
+  if (rest[0].sign() == 0 && rest[1].sign() == 0 && rest[2].sign() == 0) return add(rounded);
   constexpr double kRoundingOfDyadics = 4.0 * kRoundoff;
   const double error = kRoundingOfDyadics *
                        std::max({std::fabs(rounded.x), std::fabs(rounded.y), std::fabs(rounded.z)});
   points_.push_back({rounded, error, static_cast<std::uint32_t>(exact_.size())});
-  exact_.push_back(place);
+  exact_.push_back({place, roundedOf(rest)});
   return NodeId(points_.size() - 1);
 }
 
@@ -61,7 +73,7 @@ void ExactPoints::move(NodeId node, const Vec3& place) {
 
 DyadicVec3 ExactPoints::exact(NodeId node) const {
   const Point& point = points_[node.index()];
-  return point.exact == kPlaceIsExact ? toDyadic(point.place) : exact_[point.exact];
+  return point.exact == kPlaceIsExact ? toDyadic(point.place) : exact_[point.exact].place;
 }
 
 int ExactPoints::orient(NodeId a, NodeId b, NodeId c, NodeId d) const {
@@ -75,7 +87,44 @@ int ExactPoints::orient(NodeId a, NodeId b, NodeId c, NodeId d) const {
   const int sign = signByDoubles(pa.place, pb.place, pc.place, pd.place, error);
   if (sign != 0) return sign;
   work_ += kExactCost;
-  return exactVolume(a, b, c, d).sign();
+  const int closer = signByTwofolds(pa, pb, pc, pd, error);
+  return closer != 0 ? closer : exactVolume(a, b, c, d).sign();
+}
+
+Vec3 ExactPoints::restOf(const Point& point) const {
+  return point.exact == kPlaceIsExact ? Vec3(0.0) : exact_[point.exact].rest;
+}
+
+/// As signByDoubles(), in twice the digits; `error` is that of the places without their rests.
+int ExactPoints::signByTwofolds(const Point& a, const Point& b, const Point& c, const Point& d,
+                                double error) const {
+  // A dozen roundings, each of a few 2^-106.
+  constexpr double kBound = 0x1p-97;
+  // Rests are rounded themselves, by two units in their last place.
+  constexpr double kRoundingOfRests = 0x1p-50;
+  // Of numbers so small parts may have been lost by underflow.
+  constexpr double kLeastSize = 0x1p-250;
+  const Vec3 restA = restOf(a);
+  std::array<std::array<Twofold, 3>, 3> rows;
+  std::array<Vec3, 3> sizes;
+  const std::array<const Point*, 3> others{&b, &c, &d};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Point& p = *others[i];
+    const Vec3 rest = restOf(p);
+    auto& row = rows[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<int>(k);
+      row[k] = renormalized(p.place[axis], rest[axis]) - renormalized(a.place[axis], restA[axis]);
+    }
+    sizes[i] = {row[0].high, row[1].high, row[2].high};
+    if (sumOfSizes(sizes[i]) < kLeastSize) return 0;
+  }
+  const auto& [u, v, w] = rows;
+  const Twofold determinant = u[0] * (v[1] * w[2] - v[2] * w[1]) +
+                              u[1] * (v[2] * w[0] - v[0] * w[2]) +
+                              u[2] * (v[0] * w[1] - v[1] * w[0]);
+  return certainSign(determinant.high, sizes[0], sizes[1], sizes[2], kBound,
+                     kRoundingOfRests * error);
 }
 
 Dyadic ExactPoints::exactVolume(NodeId a, NodeId b, NodeId c, NodeId d) const {

@@ -41,14 +41,22 @@ class ExactPoints {
 
  private:
   static constexpr std::uint32_t kPlaceIsExact = 0xffffffffU;
+  struct Exact {
+    DyadicVec3 place;
+    Vec3 rest;  ///< of it beyond what doubles hold, in doubles
+  };
   struct Point {
     Vec3 place;
     double error;         ///< no coordinate of the exact place is farther from place's
     std::uint32_t exact;  ///< position in exact_, or kPlaceIsExact
   };
 
+  [[nodiscard]] Vec3 restOf(const Point& point) const;
+  [[nodiscard]] int signByTwofolds(const Point& a, const Point& b, const Point& c, const Point& d,
+                                   double error) const;
+
   std::vector<Point> points_;
-  std::vector<DyadicVec3> exact_;
+  std::vector<Exact> exact_;
   mutable std::uint64_t work_ = 0;
 };
 

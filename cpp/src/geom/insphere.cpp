@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geom/expansion.h"
+#include "geom/twofold.h"
 
 namespace tetrafront {
 namespace {
@@ -12,36 +12,6 @@ namespace {
 // sum, here doubled. The same in twice the digits, whose sums and products are off by a few 2^-104.
 constexpr double kPlainBound = 34.0 * 0x1p-53;
 constexpr double kTwofoldBound = 0x1p-97;
-
-/// A number of twice a double's digits: high + low, |low| at most half a last bit of high.
-struct Twofold {
-  double high;
-  double low;
-};
-
-Twofold renormalized(double high, double low) {
-  const TwoTerms t = fastTwoSum(high, low);
-  return {t.high, t.low};
-}
-
-Twofold difference(double a, double b) {
-  const TwoTerms t = twoSum(a, -b);
-  return {t.high, t.low};
-}
-
-Twofold operator+(const Twofold& a, const Twofold& b) {
-  const TwoTerms high = twoSum(a.high, b.high);
-  const TwoTerms low = twoSum(a.low, b.low);
-  const Twofold sum = renormalized(high.high, high.low + low.high);
-  return renormalized(sum.high, sum.low + low.low);
-}
-
-Twofold operator-(const Twofold& a, const Twofold& b) { return a + Twofold{-b.high, -b.low}; }
-
-Twofold operator*(const Twofold& a, const Twofold& b) {
-  const TwoTerms product = twoProduct(a.high, splitBits(b.high), b.high);
-  return renormalized(product.high, product.low + (a.high * b.low + a.low * b.high));
-}
 
 template <class Number>
 using Rows = std::array<std::array<Number, 3>, 4>;
