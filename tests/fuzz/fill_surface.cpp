@@ -132,7 +132,7 @@ void demand(bool holds, const std::string& what) {
 }
 
 bool isFillable(const SurfaceMesh& surface, EnclosedBodies enclosed) {
-  SurfaceInspector inspector(surface.points, surface.triangles, enclosed);
+  SurfaceInspector inspector(surface.points, surface.triangles, {.enclosed = enclosed});
   while (!inspector.advance(1000)) {
   }
   return inspector.result().isFillable;
