@@ -25,7 +25,7 @@
 #include "field/grid_locator.h"
 #include "field/size_field.h"
 #include "field/size_octree.h"
-#include "surface/boundary.h"
+#include "boundary/boundary.h"
 #include "volume/volume_mesher.h"
 
 namespace {

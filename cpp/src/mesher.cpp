@@ -14,12 +14,12 @@
 #include "quality/check_mesh.h"
 #include "quality/metrics.h"
 #include "quality/survey.h"
-#include "surface/boundary.h"
-#include "surface/examine_input.h"
-#include "surface/expected_count.h"
-#include "surface/possible_sizes.h"
+#include "boundary/boundary.h"
+#include "preview/examine_input.h"
+#include "sizing/expected_count.h"
+#include "sizing/possible_sizes.h"
 #include "surface/surface_mesher.h"
-#include "surface/wanted_sizes.h"
+#include "sizing/wanted_sizes.h"
 #include "volume/cell_mesher.h"
 
 namespace tetrafront {

@@ -10,7 +10,11 @@ const floors = [
   ["search"],
   ["field", "model", "fill"],
   ["quality"],
+  ["boundary"],
+  ["sizing"],
   ["surface", "volume", "optimize"],
+  ["preview"],
+  ["repair"],
 ];
 const floorOf = new Map(floors.flatMap((rooms, floor) => rooms.map((room) => [room, floor])));
 

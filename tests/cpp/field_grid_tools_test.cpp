@@ -14,7 +14,7 @@
 #include "support/shapes.h"
 #include "support/slices.h"
 #include "support/tet_grids.h"
-#include "surface/boundary.h"
+#include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
 #include "volume/volume_mesher.h"
 

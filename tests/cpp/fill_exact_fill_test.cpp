@@ -16,7 +16,7 @@
 #include "support/mesh_validator.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "surface/boundary.h"
+#include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront {

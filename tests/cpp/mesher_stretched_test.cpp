@@ -15,7 +15,7 @@
 #include "quality/metrics.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
-#include "surface/boundary.h"
+#include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
 #include "volume/volume_mesher.h"
 

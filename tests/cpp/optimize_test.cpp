@@ -24,7 +24,7 @@
 #include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "surface/boundary.h"
+#include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront {

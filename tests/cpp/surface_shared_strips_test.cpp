@@ -15,8 +15,8 @@
 #include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "surface/boundary.h"
-#include "surface/expected_count.h"
+#include "boundary/boundary.h"
+#include "sizing/expected_count.h"
 #include "surface/surface_mesher.h"
 
 namespace tetrafront::testing {

@@ -15,7 +15,7 @@
 #include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/shapes.h"
-#include "surface/boundary.h"
+#include "boundary/boundary.h"
 
 namespace tetrafront {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "surface/expected_count.h"
+#include "sizing/expected_count.h"
 #include "surface/patch_summary.h"
 #include "surface/shared_strips.h"
 #include "surface/short_lines.h"

@@ -1,0 +1,44 @@
+#pragma once
+
+/// @file The spaces that a closed surface divides, and which of them are filled.
+///
+/// A part of the surface that is connected over edges, all of which have an even number of triangles,
+/// is a skin: it divides what is filled from what is not, so that within a body it bounds a cavity,
+/// and within that an island. Where an odd number of triangles meet at some edge of a part, it has
+/// walls, and every space that the part encloses is filled. On wish that holds for every part.
+
+#include <cstdint>
+#include <vector>
+
+#include "search/box_tree.h"
+#include "boundary/boundary_report.h"
+#include "boundary/edge_table.h"
+#include "boundary/shell_nesting.h"
+#include "tetrafront/mesh.h"
+#include "tetrafront/options.h"
+
+namespace tetrafront {
+
+struct SurfaceCells {
+  std::vector<std::uint32_t> partOf;   ///< per triangle: what it is connected with over edges
+  std::vector<std::uint32_t> shellOf;  ///< per side (surface_sides.h)
+  std::vector<Shell> shells;
+  /// Per shell: the shell that bounds the same space from outside, itself if its volume is positive;
+  /// or kEndless.
+  std::vector<std::uint32_t> cellOf;
+  std::vector<std::uint8_t> isFilled;  ///< per shell: whether the space it looks into is
+
+  static constexpr std::uint32_t kEndless = 0xffffffffU;
+
+  [[nodiscard]] bool isFilledAt(std::uint32_t side) const { return isFilled[shellOf[side]] != 0; }
+  [[nodiscard]] std::uint32_t cellAt(std::uint32_t side) const { return cellOf[shellOf[side]]; }
+};
+
+/// The surface must have no open edge and not meet itself. Reports kZeroVolume, and kDanglingSheet for
+/// triangles with one space on both sides; then the rest is not complete. Exact but for the signs of
+/// volumes. O(n log n).
+[[nodiscard]] SurfaceCells findCells(const SurfaceMesh& mesh, const EdgeTable& edges,
+                                     const BoxTree& tree, EnclosedBodies enclosed,
+                                     BoundaryReport& report);
+
+}  // namespace tetrafront

@@ -1,0 +1,130 @@
+#include "preview/check_coverage.h"
+
+#include <cstdint>
+#include <utility>
+
+#include "preview/model_sampling.h"
+
+namespace tetrafront {
+namespace {
+
+/// Samples on a straight line: a grid of a few tetrahedra has no finer notches.
+constexpr int kStraightPieces = 48;
+
+class CoverageCheck {
+ public:
+  CoverageCheck(const Model& model, const ModelPreview& preview, const SizeField& field)
+      : model_(&model),
+        preview_(&preview),
+        field_(&field),
+        pointFaulty_(model.points.size(), 0),
+        lineFaulty_(model.lines.size(), 0) {}
+
+  std::vector<Diagnostic> run() {
+    for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
+      if (isSampled(line)) checkLine(line);
+    }
+    for (std::uint32_t patch = 0; patch < model_->patches.size(); ++patch) checkPatch(patch);
+    return std::move(found_);
+  }
+
+ private:
+  /// Places seen so far that are not covered.
+  struct Outside {
+    std::size_t count = 0;
+    Vec3 first{0.0};
+  };
+
+  void look(const Vec3& place, Outside& outside) {
+    if (field_->covers(place, hint_)) return;
+    if (outside.count++ == 0) outside.first = place;
+  }
+
+  void report(EntityKind kind, std::uint32_t index, const Outside& outside) {
+    Diagnostic diagnostic;
+    diagnostic.code = DiagnosticCode::kOutsideBackgroundGrid;
+    diagnostic.entities = {{kind, index}};
+    diagnostic.hasPlace = true;
+    diagnostic.place = outside.first;
+    diagnostic.values = {static_cast<double>(outside.count)};
+    found_.push_back(std::move(diagnostic));
+  }
+
+  [[nodiscard]] bool isSampled(std::uint32_t line) const {
+    return preview_->lineOffsets[line + 1] > preview_->lineOffsets[line];
+  }
+
+  void checkLine(std::uint32_t line) {
+    for (const std::uint32_t point : model_->lines[line].points) {
+      if (pointFaulty_[point] == 0) checkPoint(point);
+      lineFaulty_[line] |= pointFaulty_[point];
+    }
+    if (lineFaulty_[line] != 0) return;
+    Outside outside;
+    const std::size_t first = preview_->lineOffsets[line];
+    const std::size_t last = preview_->lineOffsets[line + 1];
+    for (std::size_t i = first; i < last; ++i) look(sampleAt(preview_->linePoints, i), outside);
+    if (last - first == 2) {  // straight, of two samples
+      const Vec3 from = sampleAt(preview_->linePoints, first);
+      const Vec3 to = sampleAt(preview_->linePoints, first + 1);
+      for (int k = 1; k < kStraightPieces; ++k)
+        look(from + (static_cast<double>(k) / kStraightPieces) * (to - from), outside);
+    }
+    if (outside.count == 0) return;
+    lineFaulty_[line] = 1;
+    report(EntityKind::kLine, line, outside);
+  }
+
+  void checkPoint(std::uint32_t point) {
+    Outside outside;
+    look(model_->points[point], outside);
+    if (outside.count == 0) return;
+    pointFaulty_[point] = 1;
+    report(EntityKind::kPoint, point, outside);
+  }
+
+  void checkPatch(std::uint32_t patch) {
+    const std::size_t first = preview_->patchOffsets[patch];
+    const std::size_t last = preview_->patchOffsets[patch + 1];
+    if (first == last) return;
+    for (const Loop& loop : model_->patches[patch].loops) {
+      for (const OrientedLine& walked : loop) {
+        if (lineFaulty_[walked.line] != 0) return;
+      }
+    }
+    Outside outside;
+    for (std::size_t t = first; t < last; ++t) {
+      Vec3 centre(0.0);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 corner = sampleAt(preview_->patchPoints, preview_->patchTriangles[3 * t + k]);
+        look(corner, outside);
+        centre += corner;
+      }
+      // Within a plane, triangles may span a patch from border to border. A curved patch has a
+      // fine lattice, and a chord's middle need not be on it.
+      if (model_->patches[patch].type == PatchType::kPlanar) look(centre * (1.0 / 3.0), outside);
+    }
+    if (outside.count > 0) report(EntityKind::kPatch, patch, outside);
+  }
+
+  const Model* model_;
+  const ModelPreview* preview_;
+  const SizeField* field_;
+  FieldHint hint_;
+  std::vector<std::uint8_t> pointFaulty_;
+  std::vector<std::uint8_t> lineFaulty_;
+  std::vector<Diagnostic> found_;
+};
+
+}  // namespace
+
+std::vector<Diagnostic> checkCoverage(const Model& model, const ModelPreview& preview,
+                                      const SizeField& field) {
+  return CoverageCheck(model, preview, field).run();
+}
+
+std::vector<Diagnostic> checkCoverage(const Model& model, const SizeField& field) {
+  return checkCoverage(model, sampleModel(model), field);
+}
+
+}  // namespace tetrafront

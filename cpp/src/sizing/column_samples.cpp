@@ -1,0 +1,187 @@
+#include "sizing/column_samples.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "boundary/surface_access.h"
+
+namespace tetrafront {
+namespace {
+
+constexpr std::uint32_t kColumns = 16;
+constexpr std::uint32_t kSteps = 64;
+constexpr std::uint32_t kDivisions = 5;
+/// No more of either: whoever asks for so much is refused anyway.
+constexpr std::size_t kMostColumns = 4096;
+constexpr double kMostParts = 256.0;
+/// A column is divided that met sizes below this share of the distance to the next one: as sizes
+/// grow by about 0.3 per unit of distance, far smaller ones may lie between.
+constexpr double kHiddenShare = 0.3;
+/// Not where all sizes on it are so much alike.
+constexpr double kAlike = 1.5;
+/// Of a column in its square: columns do not run through edges and diagonals of regular surfaces.
+constexpr std::array<double, 2> kOffset{0.4871, 0.5347};
+constexpr std::uint32_t kNoSlot = 0xffffffffU;
+
+}  // namespace
+
+ColumnSamples::ColumnSamples(const SurfaceMesh& surface, const SizeField& field)
+    : surface_(surface), field_(field) {
+  low_ = high_ = pointOf(surface, surface.triangles.front());
+  for (const std::uint32_t node : surface.triangles) {
+    low_ = glm::min(low_, pointOf(surface, node));
+    high_ = glm::max(high_, pointOf(surface, node));
+  }
+  const Vec3 extent = high_ - low_;
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (extent[static_cast<int>(axes_[k])] < extent[static_cast<int>(axes_[2])]) {
+      std::swap(axes_[k], axes_[2]);
+    }
+  }
+}
+
+double ColumnSamples::across(std::size_t axis, double column) const {
+  const auto k = static_cast<int>(axes_[axis]);
+  return low_[k] + (high_[k] - low_[k]) * (column + kOffset[axis]) / perAxis_;
+}
+
+double ColumnSamples::meanDensity() {
+  double length = 0.0;
+  double integral = 0.0;
+  double area = 1.0;
+  std::vector<std::uint32_t> active(kColumns * kColumns);
+  for (std::uint32_t i = 0; i < active.size(); ++i) active[i] = i;
+  const auto along = static_cast<int>(axes_[2]);
+  double step = (high_[along] - low_[along]) / kSteps;
+  double reach = 0.0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto axis = static_cast<int>(axes_[k]);
+    reach = std::max(reach, kHiddenShare * (high_[axis] - low_[axis]) / kColumns);
+  }
+  for (std::uint32_t division = 0; division <= kDivisions && !active.empty(); ++division) {
+    cross(kColumns << division, active);
+    const bool mayDivide = division < kDivisions && 4 * active.size() <= kMostColumns;
+    std::vector<std::uint32_t> divided;
+    for (std::uint32_t slot = 0; slot < active.size(); ++slot) {
+      const Column column = integrate(active[slot], slot, step);
+      if (mayDivide && column.length > 0.0 && column.least < reach &&
+          column.most > kAlike * column.least) {
+        const std::uint32_t x = active[slot] % perAxis_;
+        const std::uint32_t y = active[slot] / perAxis_;
+        for (std::uint32_t child = 0; child < 4; ++child) {
+          divided.push_back((2 * y + child / 2) * 2 * perAxis_ + 2 * x + child % 2);
+        }
+        continue;
+      }
+      length += area * column.length;
+      integral += area * column.integral;
+    }
+    active = std::move(divided);
+    area *= 0.25;
+    step *= 0.5;
+    reach *= 0.5;
+  }
+  return length > 0.0 ? integral / length : densityAtTriangles();
+}
+
+double ColumnSamples::densityAtTriangles() {
+  double area = 0.0;
+  double integral = 0.0;
+  for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
+    const std::array<Vec3, 3> corners = cornersOf(surface_, t);
+    const double twiceArea =
+        glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+    area += twiceArea;
+    integral += twiceArea / field_.tensorAt(middle, hint_).determinant();
+  }
+  return integral / area;
+}
+
+void ColumnSamples::cross(std::uint32_t columnsPerAxis, const std::vector<std::uint32_t>& active) {
+  perAxis_ = columnsPerAxis;
+  slots_.assign(std::size_t{perAxis_} * perAxis_, kNoSlot);
+  for (std::uint32_t slot = 0; slot < active.size(); ++slot) slots_[active[slot]] = slot;
+  crossings_.assign(active.size(), {});
+  for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
+    if (!surface_.isWall(t)) crossTriangle(t);
+  }
+}
+
+void ColumnSamples::crossTriangle(std::uint32_t triangle) {
+  const std::array<Vec3, 3> corners = cornersOf(surface_, triangle);
+  const auto u = static_cast<int>(axes_[0]);
+  const auto v = static_cast<int>(axes_[1]);
+  const auto w = static_cast<int>(axes_[2]);
+  std::array<std::int64_t, 2> first{};
+  std::array<std::int64_t, 2> last{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto axis = static_cast<int>(axes_[k]);
+    const double perLength = perAxis_ / (high_[axis] - low_[axis]);
+    const double least = std::min({corners[0][axis], corners[1][axis], corners[2][axis]});
+    const double most = std::max({corners[0][axis], corners[1][axis], corners[2][axis]});
+    first[k] = std::max<std::int64_t>(
+        0, static_cast<std::int64_t>(std::ceil((least - low_[axis]) * perLength - kOffset[k])));
+    last[k] = std::min<std::int64_t>(
+        perAxis_ - 1,
+        static_cast<std::int64_t>(std::floor((most - low_[axis]) * perLength - kOffset[k])));
+  }
+  const auto side = [&](const Vec3& a, const Vec3& b, double x, double y) {
+    return (b[u] - a[u]) * (y - a[v]) - (b[v] - a[v]) * (x - a[u]);
+  };
+  for (std::int64_t j = first[1]; j <= last[1]; ++j) {
+    const double y = across(1, static_cast<double>(j));
+    for (std::int64_t i = first[0]; i <= last[0]; ++i) {
+      const std::uint32_t slot = slots_[static_cast<std::size_t>(j * perAxis_ + i)];
+      if (slot == kNoSlot) continue;
+      const double x = across(0, static_cast<double>(i));
+      const double a = side(corners[1], corners[2], x, y);
+      const double b = side(corners[2], corners[0], x, y);
+      const double c = side(corners[0], corners[1], x, y);
+      const bool isLeft = a > 0.0 && b > 0.0 && c > 0.0;
+      if (!isLeft && !(a < 0.0 && b < 0.0 && c < 0.0)) continue;
+      const double depth =
+          (a * corners[0][w] + b * corners[1][w] + c * corners[2][w]) / (a + b + c);
+      crossings_[slot].push_back({depth, isLeft ? 1 : -1});
+    }
+  }
+}
+
+/// Nothing where the crossings do not fit, because the column meets an edge.
+ColumnSamples::Column ColumnSamples::integrate(std::uint32_t place, std::uint32_t slot,
+                                               double step) {
+  std::vector<Crossing>& met = crossings_[slot];
+  for (std::size_t i = 1; i < met.size(); ++i) {
+    for (std::size_t j = i; j > 0 && met[j].depth < met[j - 1].depth; --j) {
+      std::swap(met[j], met[j - 1]);
+    }
+  }
+  Vec3 at(0.0);
+  const std::uint32_t row = place / perAxis_;
+  at[static_cast<int>(axes_[0])] = across(0, place - row * perAxis_);
+  at[static_cast<int>(axes_[1])] = across(1, row);
+  Column column;
+  column.least = std::numeric_limits<double>::max();
+  int around = 0;
+  for (std::size_t i = 0; i + 1 < met.size(); ++i) {
+    around += met[i].turn;
+    const double length = met[i + 1].depth - met[i].depth;
+    if (around == 0 || !(length > 0.0)) continue;
+    const auto parts = static_cast<std::uint32_t>(std::min(std::ceil(length / step), kMostParts));
+    const double part = length / parts;
+    for (std::uint32_t k = 0; k < parts; ++k) {
+      at[static_cast<int>(axes_[2])] = met[i].depth + (k + 0.5) * part;
+      const SymmetricTensor wanted = field_.tensorAt(at, hint_);
+      const double size = meanSizeOf(wanted);
+      column.integral += part / wanted.determinant();
+      column.least = std::min(column.least, size);
+      column.most = std::max(column.most, size);
+    }
+    column.length += length;
+  }
+  const bool isSound = met.empty() || around + met.back().turn == 0;
+  return isSound ? column : Column{};
+}
+
+}  // namespace tetrafront

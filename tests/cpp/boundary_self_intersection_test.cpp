@@ -1,0 +1,226 @@
+#include "boundary/self_intersection.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "geom/intersect.h"
+#include "support/random.h"
+#include "boundary/surface_access.h"
+
+namespace tetrafront::testing {
+namespace {
+
+using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+NumberedTriangle numbered(const SurfaceMesh& mesh, std::uint32_t t) {
+  const std::size_t i = 3 * std::size_t{t};
+  return {{mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]}, cornersOf(mesh, t)};
+}
+
+std::uint32_t countOf(const SurfaceMesh& mesh) {
+  return static_cast<std::uint32_t>(mesh.triangles.size() / 3);
+}
+
+bool isFlat(const SurfaceMesh& mesh, std::uint32_t t) {
+  const std::array<Vec3, 3> p = cornersOf(mesh, t);
+  return glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) == 0.0;
+}
+
+/// The oracle: each triangle against each.
+std::set<Pair> pairsByHand(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& ignored) {
+  std::set<Pair> pairs;
+  for (std::uint32_t a = 0; a < countOf(mesh); ++a) {
+    for (std::uint32_t b = a + 1; b < countOf(mesh); ++b) {
+      if (ignored[a] != 0 || ignored[b] != 0) continue;
+      if (meetImproperly(numbered(mesh, a), numbered(mesh, b))) pairs.emplace(a, b);
+    }
+  }
+  return pairs;
+}
+
+/// In the order in which they are reported.
+std::vector<Pair> pairsFound(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& ignored,
+                             std::uint32_t budget) {
+  BoundaryReport report(mesh, BoundarySource::kGivenSurface);
+  const BoxTree tree(triangleBoxes(mesh));
+  SelfIntersectionCheck check(mesh, ignored, tree, report);
+  double fraction = check.fraction();
+  while (!check.advance(budget)) {
+    EXPECT_GE(check.fraction(), fraction);
+    fraction = check.fraction();
+  }
+  EXPECT_LE(fraction, 1.0);
+  EXPECT_GE(fraction, 0.9);
+  std::vector<Pair> pairs;
+  for (const Diagnostic& d : report.take()) {
+    pairs.emplace_back(d.entities.at(0).index, d.entities.at(1).index);
+  }
+  return pairs;
+}
+
+/// Triangles between few places, so that they share nodes and edges, lie in one plane, are needles,
+/// and stand twenty and more at a node.
+SurfaceMesh tangle(Random& random) {
+  SurfaceMesh mesh;
+  const int nodes = random.integer(8, 24);
+  for (int i = 0; i < nodes; ++i) {
+    const bool isFar = random.integer(0, 3) == 0;
+    for (int k = 0; k < 3; ++k) {
+      mesh.points.push_back(random.integer(0, 6) * (isFar ? 40.0 : 1.0));
+    }
+  }
+  const auto node = [&] { return static_cast<std::uint32_t>(random.integer(0, nodes - 1)); };
+  const std::uint32_t hub = node();
+  while (countOf(mesh) < 40) {
+    const std::array<std::uint32_t, 3> t{random.integer(0, 1) == 0 ? hub : node(), node(), node()};
+    if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+    mesh.triangles.insert(mesh.triangles.end(), t.begin(), t.end());
+  }
+  return mesh;
+}
+
+TEST(SelfIntersectionTest, FindsWhatEachAgainstEachFinds) {
+  Random random(61);
+  std::size_t found = 0;
+  std::size_t clean = 0;
+  for (int i = 0; i < 200; ++i) {
+    const SurfaceMesh mesh = tangle(random);
+    std::vector<std::uint8_t> ignored(countOf(mesh), 0);
+    for (std::uint32_t t = 0; t < countOf(mesh); ++t) {
+      ignored[t] = isFlat(mesh, t) || random.integer(0, 9) == 0 ? 1 : 0;
+    }
+    const std::set<Pair> expected = pairsByHand(mesh, ignored);
+    const std::vector<Pair> pairs =
+        pairsFound(mesh, ignored, 1 + static_cast<std::uint32_t>(i) % 7);
+    ASSERT_EQ(pairs, std::vector<Pair>(expected.begin(), expected.end())) << i;
+    found += expected.size();
+    clean += countOf(mesh) * (countOf(mesh) - 1) / 2 - expected.size();
+  }
+  EXPECT_GT(found, 1000U);
+  EXPECT_GT(clean, 1000U);
+}
+
+/// A cone, its floor a fan too, and a slanted column, both of needles.
+SurfaceMesh needleBody(std::uint32_t sides, bool isCone) {
+  SurfaceMesh mesh;
+  const auto add = [&](const Vec3& p) { mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z}); };
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / sides;
+    const Vec3 p(std::cos(angle), std::sin(angle), 0.0);
+    add(p);
+    if (!isCone) add(p + Vec3(20.0, 30.0, 40.0));
+  }
+  if (isCone) {
+    add(Vec3(0.3, 0.1, 0.0));
+    add(Vec3(0.0, 0.0, 2.0));
+  }
+  for (std::uint32_t i = 0; i < sides; ++i) {
+    const std::uint32_t j = (i + 1) % sides;
+    if (isCone) {
+      mesh.triangles.insert(mesh.triangles.end(), {j, i, sides, i, j, sides + 1});
+    } else {
+      mesh.triangles.insert(mesh.triangles.end(),
+                            {2 * i, 2 * j, 2 * i + 1, 2 * j, 2 * j + 1, 2 * i + 1});
+    }
+  }
+  return mesh;
+}
+
+TEST(SelfIntersectionTest, NeedlesAreSoundAndAHoleThroughThemIsFound) {
+  for (const bool isCone : {true, false}) {
+    SurfaceMesh mesh = needleBody(60, isCone);
+    std::vector<std::uint8_t> ignored(countOf(mesh), 0);
+    EXPECT_TRUE(pairsFound(mesh, ignored, 1000).empty());
+    // A node pulled through the opposite side.
+    mesh.points[0] = isCone ? -1.5 : 1.0;
+    mesh.points[1] = isCone ? 0.2 : 6.0;
+    mesh.points[2] = isCone ? 0.0 : 8.0;
+    const std::set<Pair> expected = pairsByHand(mesh, ignored);
+    EXPECT_FALSE(expected.empty());
+    EXPECT_EQ(pairsFound(mesh, ignored, 1000), std::vector<Pair>(expected.begin(), expected.end()));
+  }
+}
+
+/// Pairs of tree nodes that are looked at, for each triangle: the axis-parallel boxes of a slanted
+/// column's needles all meet, and would make it a number that grows with their count.
+TEST(TrianglePairsTest, LooksAtFewPairsOfNeedles) {
+  for (const bool isCone : {true, false}) {
+    std::vector<double> perTriangle;
+    for (const std::uint32_t sides : {250U, 4000U}) {
+      const SurfaceMesh mesh = needleBody(sides, isCone);
+      const BoxTree tree(triangleBoxes(mesh));
+      TrianglePairs pairs(mesh, tree);
+      std::uint32_t steps = 1;
+      std::uint32_t visited = 0;
+      const auto visit = [&](std::uint32_t, std::uint32_t) { ++visited; };
+      while (!pairs.advance(1, visit)) ++steps;
+      perTriangle.push_back(static_cast<double>(steps + visited) / countOf(mesh));
+    }
+    EXPECT_LT(perTriangle[1], 2.0 * perTriangle[0]) << isCone;
+  }
+}
+
+/// So many walls along x, and so many along y: each of the ones meets each of the others.
+SurfaceMesh crossedWalls(std::uint32_t count) {
+  SurfaceMesh mesh;
+  const auto far = static_cast<double>(count);
+  for (const bool alongX : {true, false}) {
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (const Vec2& p : {Vec2(-1.0, -1.0), Vec2(far, -1.0), Vec2(far, 1.0)}) {
+        mesh.triangles.push_back(static_cast<std::uint32_t>(mesh.points.size() / 3));
+        const auto at = static_cast<double>(i);
+        mesh.points.insert(mesh.points.end(), {alongX ? p.x : at, alongX ? at : p.x, p.y});
+      }
+    }
+  }
+  return mesh;
+}
+
+/// Of what is reported: how many are listed, and the values of each.
+std::pair<std::size_t, std::set<std::vector<double>>> reportOf(const SurfaceMesh& mesh,
+                                                               std::uint32_t budget,
+                                                               std::size_t listed) {
+  const std::vector<std::uint8_t> ignored(countOf(mesh), 0);
+  BoundaryReport report(mesh, BoundarySource::kGivenSurface, listed);
+  const BoxTree tree(triangleBoxes(mesh));
+  SelfIntersectionCheck check(mesh, ignored, tree, report);
+  while (!check.advance(budget)) {
+  }
+  const std::vector<Diagnostic> diagnostics = report.take();
+  std::set<std::vector<double>> values;
+  for (const Diagnostic& diagnostic : diagnostics) values.insert(diagnostic.values);
+  return {diagnostics.size(), values};
+}
+
+TEST(SelfIntersectionTest, SaysWhetherAllHaveBeenCounted) {
+  const auto [fewListed, few] = reportOf(crossedWalls(40), 1000, 1000);
+  EXPECT_EQ(fewListed, 1000U);
+  EXPECT_EQ(few, (std::set<std::vector<double>>{{1600.0}}));
+  const SurfaceMesh many = crossedWalls(330);
+  const auto [manyListed, atLeast] = reportOf(many, 1000, 1000);
+  EXPECT_EQ(manyListed, 1000U);
+  ASSERT_EQ(atLeast.size(), 1U);
+  const std::vector<double>& values = *atLeast.begin();
+  ASSERT_EQ(values.size(), 2U);
+  EXPECT_GE(values[0], 100'000.0);
+  EXPECT_LT(values[0], 330.0 * 330.0);
+  EXPECT_EQ(values[1], 1.0);
+  EXPECT_EQ(reportOf(many, 7, 1000).second, atLeast);
+}
+
+TEST(SelfIntersectionTest, FindsAllWhereMoreAreToBeListedThanTheSearchWouldGoOnFor) {
+  const auto [listed, values] = reportOf(crossedWalls(330), 1000, 200'000);
+  EXPECT_EQ(listed, 330U * 330U);
+  EXPECT_EQ(values, (std::set<std::vector<double>>{{330.0 * 330.0}}));
+}
+
+}  // namespace
+}  // namespace tetrafront::testing

@@ -1,0 +1,371 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "support/random.h"
+#include "support/shapes.h"
+#include "repair/weld.h"
+#include "tetrafront/surface_tools.h"
+
+namespace tetrafront::testing {
+namespace {
+
+SurfaceInspection inspect(const SurfaceRepair& repair) {
+  SurfaceInspector inspector(repair.points, repair.triangles);
+  while (!inspector.advance(1U << 20U)) {
+  }
+  return inspector.result();
+}
+
+SurfaceRepair repair(const SurfaceMesh& mesh, const RepairOptions& options = {}) {
+  const SurfaceRepair result = repairSurface(mesh.points, mesh.triangles, options);
+  EXPECT_EQ(result.origin.size(), result.triangles.size() / 3);
+  return result;
+}
+
+std::map<RepairKind, int> kindsOf(const SurfaceRepair& repair) {
+  std::map<RepairKind, int> kinds;
+  for (const RepairChange& change : repair.changes) ++kinds[change.kind];
+  return kinds;
+}
+
+/// Every triangle with nodes of its own, as in an STL file, each moved by up to `noise`.
+SurfaceMesh soupOf(const SurfaceMesh& mesh, double noise) {
+  SurfaceMesh soup;
+  Random random(7);
+  for (std::uint32_t h = 0; h < mesh.triangles.size(); ++h) {
+    const Vec3 p = pointOf(mesh, mesh.triangles[h]);
+    for (int k = 0; k < 3; ++k) soup.points.push_back(p[k] + noise * (random.unit() - 0.5));
+    soup.triangles.push_back(h);
+  }
+  return soup;
+}
+
+void removeTriangles(SurfaceMesh& mesh, std::vector<std::size_t> which) {
+  std::sort(which.rbegin(), which.rend());
+  for (const std::size_t t : which) {
+    const auto first = mesh.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(t);
+    mesh.triangles.erase(first, first + 3);
+  }
+}
+
+/// Sorting included; and the slices do not matter.
+TEST(NodeWelder, WorksInSlices) {
+  const SurfaceMesh soup = soupOf(geodesicSphere(5), 1e-7);
+  const std::size_t nodes = soup.points.size() / 3;
+  for (const double distance : {0.0, 1e-6, 0.2}) {
+    NodeWelder whole(soup.points, distance);
+    while (!whole.advance(1U << 20U)) {
+    }
+    NodeWelder sliced(soup.points, distance);
+    std::size_t slices = 1;
+    while (!sliced.advance(1)) ++slices;
+    EXPECT_GT(slices, 2 * nodes);
+    EXPECT_EQ(sliced.targets(), whole.targets());
+  }
+}
+
+TEST(SurfaceRepair, LeavesASoundSurfaceAsItIs) {
+  SurfaceMesh mesh = cubeWithSphericalCavity(3, 2);
+  shuffle(mesh, 3);
+  const SurfaceRepair result = repair(mesh, {.fillsUpTo = 50});
+  EXPECT_TRUE(result.changes.empty());
+  EXPECT_EQ(result.points, mesh.points);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+}
+
+TEST(SurfaceRepair, WeldsASoup) {
+  const SurfaceMesh mesh = geodesicSphere(4);
+  const SurfaceRepair exact = repair(soupOf(mesh, 0.0));
+  EXPECT_TRUE(inspect(exact).isFillable);
+  EXPECT_EQ(exact.points.size(), mesh.points.size());
+  EXPECT_EQ(kindsOf(exact)[RepairKind::kWeldedNode],
+            static_cast<int>(mesh.triangles.size() - mesh.points.size() / 3));
+
+  const SurfaceMesh noisy = soupOf(mesh, 1e-6);
+  EXPECT_FALSE(inspect(repair(noisy)).isFillable);
+  const SurfaceRepair welded = repair(noisy, {.weldDistance = 1e-5});
+  EXPECT_TRUE(inspect(welded).isFillable);
+  EXPECT_EQ(welded.points.size(), mesh.points.size());
+  EXPECT_TRUE(repair(noisy, {.weldDistance = -1.0, .turns = false}).changes.empty());
+}
+
+TEST(SurfaceRepair, WeldsNoChains) {
+  // Each is near the one before, the last far from the first.
+  SurfaceMesh mesh;
+  for (int i = 0; i < 10; ++i) mesh.points.insert(mesh.points.end(), {0.6 * i, 0.0, 0.0});
+  mesh.points.insert(mesh.points.end(), {0.0, 9.0, 0.0});
+  for (std::uint32_t i = 0; i < 9; ++i) {
+    mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, 10});
+  }
+  const SurfaceRepair result =
+      repair(mesh, {.weldDistance = 1.0, .removesTriangles = false, .turns = false});
+  for (const RepairChange& change : result.changes) {
+    ASSERT_EQ(change.kind, RepairKind::kWeldedNode);
+    EXPECT_EQ(change.second, change.first - 1);
+    EXPECT_EQ(change.first % 2, 1U);
+  }
+  EXPECT_EQ(result.changes.size(), 5U);
+}
+
+TEST(SurfaceRepair, WeldsIntoTheLowestNodeNearThatStays) {
+  // Dense and sparse against the distance, and nodes at one place.
+  for (const double distance : {0.0, 0.01, 0.1, 0.5}) {
+    SurfaceMesh mesh;
+    Random random(3);
+    for (std::uint32_t i = 0; i < 1500; ++i) {
+      const bool repeats = i % 5 == 4;
+      for (int k = 0; k < 3; ++k) {
+        mesh.points.push_back(repeats ? mesh.points[mesh.points.size() - 9] : random.unit() - 0.5);
+      }
+      mesh.triangles.push_back(i);
+    }
+    std::vector<std::uint32_t> target(nodeCount(mesh));
+    for (std::uint32_t i = 0; i < target.size(); ++i) {
+      target[i] = 0;
+      while (target[target[i]] != target[i] ||
+             glm::length(pointOf(mesh, i) - pointOf(mesh, target[i])) > distance) {
+        ++target[i];
+        if (target[i] == i) break;
+      }
+    }
+    const SurfaceRepair result =
+        repair(mesh, {.weldDistance = distance, .removesTriangles = false, .turns = false});
+    std::vector<std::uint32_t> found(target.size());
+    for (std::uint32_t i = 0; i < found.size(); ++i) found[i] = i;
+    for (const RepairChange& change : result.changes) found[change.first] = change.second;
+    EXPECT_EQ(found, target) << distance;
+  }
+}
+
+TEST(SurfaceRepair, RemovesTrianglesThatAreNone) {
+  SurfaceMesh mesh = gridCube(2);
+  const auto count = static_cast<std::uint32_t>(triangleCount(mesh));
+  const std::array<std::uint32_t, 3> first{mesh.triangles[0], mesh.triangles[1], mesh.triangles[2]};
+  mesh.triangles.insert(mesh.triangles.end(), {first[1], first[0], first[2]});
+  mesh.triangles.insert(mesh.triangles.end(), {first[1], first[1], first[2]});
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_TRUE(inspect(result).isFillable);
+  ASSERT_EQ(result.changes.size(), 2U);
+  EXPECT_EQ(result.changes[0].kind, RepairKind::kRemovedTriangle);
+  EXPECT_EQ(result.changes[0].first, count + 1);
+  EXPECT_EQ(result.changes[1].kind, RepairKind::kRemovedDuplicate);
+  EXPECT_EQ(result.changes[1].first, count);
+  EXPECT_EQ(result.changes[1].second, 0U);
+}
+
+TEST(SurfaceRepair, DissolvesSliversWithoutChangingTheShape) {
+  // A node in the middle of an edge of one triangle, closed by a sliver on the edge; and once more
+  // with a chain of slivers.
+  SurfaceMesh mesh = gridCube(1);
+  for (int i = 0; i < 5; ++i) {
+    const std::size_t h = 3 * static_cast<std::size_t>(i);
+    const std::uint32_t a = mesh.triangles[h];
+    const std::uint32_t b = mesh.triangles[h + 1];
+    const std::uint32_t c = mesh.triangles[h + 2];
+    const Vec3 place = 0.5 * (pointOf(mesh, a) + pointOf(mesh, b));
+    const auto middle = static_cast<std::uint32_t>(nodeCount(mesh));
+    mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
+    mesh.triangles[h + 1] = middle;
+    mesh.triangles.insert(mesh.triangles.end(), {middle, b, c, a, b, middle});
+  }
+  const SurfaceRepair result = repair(mesh);
+  const SurfaceInspection found = inspect(result);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, 1.0, 1e-14);
+  EXPECT_NEAR(found.area, 6.0, 1e-14);
+  EXPECT_GE(kindsOf(result)[RepairKind::kSplitTriangle], 1);
+  EXPECT_EQ(kindsOf(result)[RepairKind::kFilledHole], 0);
+}
+
+TEST(SurfaceRepair, DissolvesLongChainsOfSlivers) {
+  // One side of a tetrahedron is divided at an edge, that beside it is not; between them a fan of
+  // slivers, of which only the last has a neighbour with area.
+  constexpr std::uint32_t kCount = 100;
+  SurfaceMesh mesh;
+  for (std::uint32_t i = 0; i <= kCount; ++i) {
+    mesh.points.insert(mesh.points.end(), {static_cast<double>(i), 0.0, 0.0});
+  }
+  constexpr std::uint32_t kUp = kCount + 1;
+  constexpr std::uint32_t kAside = kCount + 2;
+  mesh.points.insert(mesh.points.end(), {0.0, 0.0, 1.0, 0.0, 1.0, 0.0});
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    mesh.triangles.insert(mesh.triangles.end(), {i, i + 1, kUp});
+    if (i > 0) mesh.triangles.insert(mesh.triangles.end(), {0, i + 1, i});
+  }
+  mesh.triangles.insert(mesh.triangles.end(),
+                        {0, kAside, kCount, kCount, kAside, kUp, 0, kUp, kAside});
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_EQ(kindsOf(result)[RepairKind::kSplitTriangle], static_cast<int>(kCount) - 1);
+  EXPECT_EQ(result.triangles.size(), mesh.triangles.size());
+  const SurfaceInspection found = inspect(result);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, kCount / 6.0, 1e-9);
+}
+
+TEST(SurfaceRepair, TurnsTrianglesOutward) {
+  SurfaceMesh mesh = cubeWithSphericalCavity(3, 2);
+  SurfaceMesh mixed = mesh;
+  flipRandomly(mixed, 11);
+  const SurfaceRepair result = repair(mixed);
+  EXPECT_EQ(inspect(result).turnedTriangles, 0U);
+  std::size_t differing = 0;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    if (mesh.triangles[3 * t + 1] != mixed.triangles[3 * t + 1]) ++differing;
+  }
+  EXPECT_EQ(result.changes.size(), differing);
+  EXPECT_EQ(repair(mixed, {.turns = false}).triangles, mixed.triangles);
+}
+
+TEST(SurfaceRepair, MakesAnOpenSurfaceConsistent) {
+  SurfaceMesh mesh = gridCube(3);
+  removeTriangles(mesh, {0, 20});
+  flipRandomly(mesh, 5);
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_FALSE(inspect(result).isClosed);
+  // Every half-edge has its opposite or none of its own direction.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> seen;
+  for (std::size_t h = 0; h < result.triangles.size(); ++h) {
+    const std::size_t next = h % 3 == 2 ? h - 2 : h + 1;
+    EXPECT_EQ(++(seen[{result.triangles[h], result.triangles[next]}]), 1);
+  }
+}
+
+TEST(SurfaceRepair, FillsHolesUpToTheGivenNumberOfEdges) {
+  SurfaceMesh mesh = gridCube(4);
+  // A hole of three edges and one of four.
+  removeTriangles(mesh, {0, 100, 101});
+  const SurfaceRepair small = repair(mesh, {.fillsUpTo = 3});
+  EXPECT_EQ(inspect(small).openEdges, 4U);
+  const SurfaceRepair both = repair(mesh, {.fillsUpTo = 4});
+  const SurfaceInspection found = inspect(both);
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.volume, 1.0, 1e-14);
+  EXPECT_EQ(kindsOf(both)[RepairKind::kFilledHole], 2);
+  EXPECT_EQ(std::count(both.origin.begin(), both.origin.end(), kNoOrigin), 3);
+  EXPECT_EQ(found.turnedTriangles, 0U);
+}
+
+TEST(SurfaceRepair, FillsManyHolesOneByOne) {
+  SurfaceMesh mesh = geodesicSphere(8);
+  std::vector<std::size_t> lost;
+  for (std::size_t t = 0; t < mesh.triangles.size() / 3; t += 20) lost.push_back(t);
+  removeTriangles(mesh, lost);
+  const RepairOptions options{
+      .weldDistance = -1.0, .removesTriangles = false, .fillsUpTo = 10, .turns = false};
+  SurfaceRepairer repairer(mesh.points, mesh.triangles, options);
+  std::size_t calls = 1;
+  while (!repairer.advance(1)) ++calls;
+  const std::size_t filled = repairer.result().changes.size();
+  EXPECT_GT(filled, 50U);
+  EXPECT_GT(calls, filled);
+}
+
+TEST(SurfaceRepair, FillsHolesThatTouchInANode) {
+  // Two triangles of a sphere that share one node only.
+  const SurfaceMesh sphere = geodesicSphere(3);
+  const std::uint32_t node = sphere.triangles[0];
+  std::vector<std::size_t> around;
+  for (std::size_t h = 0; h < sphere.triangles.size(); ++h) {
+    if (sphere.triangles[h] == node) around.push_back(h / 3);
+  }
+  for (std::size_t i = 1; i < around.size(); ++i) {
+    SurfaceMesh mesh = sphere;
+    removeTriangles(mesh, {around[0], around[i]});
+    const SurfaceRepair result = repair(mesh, {.fillsUpTo = 4});
+    EXPECT_TRUE(inspect(result).isFillable) << i;
+    EXPECT_EQ(result.triangles.size(), sphere.triangles.size()) << i;
+  }
+}
+
+TEST(SurfaceRepair, ClosesALargeHoleWithTheLeastArea) {
+  // The open top of a box, its rim of 32 edges: the flat lid is the least.
+  SurfaceMesh mesh = gridCube(8);
+  std::vector<std::size_t> top;
+  for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
+    double lowest = 1.0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      lowest = std::min(lowest, pointOf(mesh, mesh.triangles[3 * t + k]).z);
+    }
+    if (lowest == 1.0) top.push_back(t);
+  }
+  removeTriangles(mesh, top);
+  EXPECT_FALSE(inspect(repair(mesh, {.fillsUpTo = 31})).isClosed);
+  const SurfaceInspection found = inspect(repair(mesh, {.fillsUpTo = 32}));
+  EXPECT_TRUE(found.isFillable);
+  EXPECT_NEAR(found.area, 6.0, 1e-13);
+  EXPECT_NEAR(found.volume, 1.0, 1e-13);
+}
+
+/// A box without a lid, one corner of its rim lifted by a fifth, and a spike on its floor. Of the two lids that
+/// the rim has, the one of less area is at height 1 over the spike, the other at 1.1.
+SurfaceMesh boxWithSpike(double height) {
+  SurfaceMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 1,   1, 0, 0, 1,   0,   0,     0,
+                 1, 1, 0, 1, 1, 1, 1.2, 0, 1, 1, 0.5, 0.5, height};
+  mesh.triangles = {0, 1, 5, 0, 5, 4, 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6,
+                    3, 0, 4, 3, 4, 7, 1, 0, 8, 2, 1, 8, 3, 2, 8, 0, 3, 8};
+  return mesh;
+}
+
+TEST(SurfaceRepair, ClosesAHoleWhereTheSurfaceIsNotInTheWay) {
+  const SurfaceInspection low = inspect(repair(boxWithSpike(0.9), {.fillsUpTo = 4}));
+  EXPECT_TRUE(low.isFillable);
+  EXPECT_NEAR(low.volume, 1.0 + 0.2 / 6.0 - 0.3, 1e-14);
+  const SurfaceInspection high = inspect(repair(boxWithSpike(1.05), {.fillsUpTo = 4}));
+  EXPECT_TRUE(high.isFillable);
+  EXPECT_NEAR(high.volume, 1.0 + 0.2 / 3.0 - 0.35, 1e-14);
+}
+
+TEST(SurfaceRepair, LeavesAHoleThatNoTrianglesCloseWithoutCuttingTheSurface) {
+  const SurfaceRepair result = repair(boxWithSpike(1.15), {.fillsUpTo = 4});
+  EXPECT_EQ(inspect(result).openEdges, 4U);
+  EXPECT_TRUE(result.changes.empty());
+}
+
+TEST(SurfaceRepair, DropsNodesOfNoTriangle) {
+  SurfaceMesh mesh = gridCube(1);
+  mesh.points.insert(mesh.points.begin(), {9.0, 9.0, 9.0});
+  for (std::uint32_t& node : mesh.triangles) ++node;
+  const SurfaceRepair result = repair(mesh);
+  ASSERT_EQ(result.changes.size(), 1U);
+  EXPECT_EQ(result.changes[0].kind, RepairKind::kDroppedNode);
+  EXPECT_EQ(result.changes[0].first, 0U);
+  EXPECT_EQ(result.points, gridCube(1).points);
+}
+
+TEST(SurfaceRepair, RefusesBrokenNumbers) {
+  SurfaceMesh mesh = gridCube(1);
+  mesh.triangles[0] = 99;
+  const SurfaceRepair result = repair(mesh);
+  EXPECT_EQ(result.triangles, mesh.triangles);
+  ASSERT_EQ(result.diagnostics.size(), 1U);
+}
+
+TEST(SurfaceRepair, SurvivesRuins) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    SurfaceMesh mesh = gridCube(2);
+    for (std::uint32_t& node : mesh.triangles) {
+      if (random.unit() < 0.2) node = static_cast<std::uint32_t>(random.unit() * 26.0);
+    }
+    const RepairOptions options{
+        .weldDistance = 0.3 * random.unit(), .removesTriangles = seed % 2 == 0, .fillsUpTo = 20};
+    const SurfaceRepair once = repair(mesh, options);
+    SurfaceRepairer inSteps(mesh.points, mesh.triangles, options);
+    while (!inSteps.advance(1)) {
+    }
+    EXPECT_EQ(inSteps.fraction(), 1.0);
+    EXPECT_EQ(once.triangles, inSteps.result().triangles);
+    EXPECT_EQ(once.origin, inSteps.result().origin);
+    EXPECT_EQ(once.changes.size(), inSteps.result().changes.size());
+    static_cast<void>(inspect(once));
+  }
+}
+
+}  // namespace
+}  // namespace tetrafront::testing
