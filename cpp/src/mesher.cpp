@@ -190,7 +190,7 @@ class MeshRun::Impl {
       if (!check.ofGrid->advance(budget)) return;
       report(check.ofGrid->take());
       worker_.emplace<BoundaryCheck>(surface_, BoundarySource::kGivenSurface, options_.enclosed,
-                                     MixedTurns::kRefuse);
+                                     MixedOrientation::kRefuse);
     }
   }
 
@@ -202,7 +202,7 @@ class MeshRun::Impl {
     surface_ = mesher.takeMesh();
     patches_ = mesher.patchSummaries();
     worker_.emplace<BoundaryCheck>(surface_, BoundarySource::kDrawnPatches, options_.enclosed,
-                                   MixedTurns::kRefuse);
+                                   MixedOrientation::kRefuse);
   }
 
   void work(BoundaryCheck& check, std::uint32_t budget) {

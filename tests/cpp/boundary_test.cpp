@@ -13,7 +13,7 @@
 #include "support/random.h"
 #include "support/shapes.h"
 #include "boundary/edge_table.h"
-#include "boundary/surface_sides.h"
+#include "boundary/half_faces.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -122,7 +122,7 @@ TEST(BoundaryTest, RefusesPartsOfMixedTurnsWhereAskedTo) {
       if (shape.mesh.triangles[3 * t + 1] != sound.triangles[3 * t + 1]) flipped.insert(t);
     }
     BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
-                        MixedTurns::kRefuse);
+                        MixedOrientation::kRefuse);
     while (!check.advance(1U << 16U)) {
     }
     EXPECT_FALSE(check.result().valid) << shape.name;
@@ -143,7 +143,7 @@ TEST(BoundaryTest, TakesPartsThatAreInsideOutAsAWholeInAnyCase) {
     const auto expected = turnsOf(shape.mesh);
     turnInsideOut(shape.mesh);
     BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
-                        MixedTurns::kRefuse);
+                        MixedOrientation::kRefuse);
     while (!check.advance(1U << 16U)) {
     }
     EXPECT_TRUE(check.result().valid) << shape.name;
@@ -628,7 +628,7 @@ TEST(BoundaryDiagnosticsTest, OneSidedSurface) {
   // Glued by itself it has one side only.
   const EdgeTable edges(mesh.triangles, 6, {});
   EXPECT_EQ(edges.edgeCount(), 15U);
-  const std::vector<std::uint32_t> shells = glueSides(mesh, edges);
+  const std::vector<std::uint32_t> shells = linkHalfFaces(mesh, edges);
   EXPECT_EQ(std::set(shells.begin(), shells.end()), std::set{0U});
 }
 
@@ -692,7 +692,7 @@ TEST(DrawnBoundaryTest, ReversedPatchesAreTurnedAndNamed) {
   const auto expected = turnsOf(mesh);
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
     if (mesh.trianglePatch[t] == 1 || mesh.trianglePatch[t] == 4)
-      turnRound(mesh, static_cast<std::uint32_t>(t));
+      flipTriangle(mesh, static_cast<std::uint32_t>(t));
   }
   const std::vector<std::uint32_t> patches = mesh.trianglePatch;
   const Outcome outcome = close(mesh, BoundarySource::kDrawnPatches);

@@ -35,15 +35,15 @@ struct BoundaryResult {
 
 /// What becomes of a part of a given surface, connected over edges, some of whose triangles face
 /// inward and others outward. Parts that are inside out as a whole are always set right.
-enum class MixedTurns : std::uint8_t {
-  kSetRight,  ///< and named as information
-  kRefuse,    ///< each triangle that faces inward is an error: repair is for those who ask for it
+enum class MixedOrientation : std::uint8_t {
+  kFlip,    ///< and named as information
+  kRefuse,  ///< each triangle that faces inward is an error: repair is for those who ask for it
 };
 
 /// The check in slices. Surfaces that pass are left
 ///   - with every triangle counter-clockwise seen from outside its region, whatever way it was drawn;
 ///     a wall, which has a region on either side, as it was drawn;
-///   - with triangleRegions set, by the rule of surface_cells.h: a shell within a shell bounds a
+///   - with triangleRegions set, by the rule of region_map.h: a shell within a shell bounds a
 ///     cavity, one more an island, unless such parts are to be regions of their own; bodies with a
 ///     common wall are a region each;
 ///   - in their order of nodes and triangles, which only ever have two nodes exchanged;
@@ -51,10 +51,11 @@ enum class MixedTurns : std::uint8_t {
 /// Any number of triangles above one may meet at an edge: bodies touch along it, or walls end there.
 class BoundaryCheck {
  public:
-  /// `mesh` must outlive this, and not change meanwhile. `listed`: findings of each code.
+  /// `mesh` must outlive this, and not change meanwhile. `maxDiagnostics`: findings of each code.
   BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
                 EnclosedBodies enclosed = EnclosedBodies::kCavities,
-                MixedTurns mixed = MixedTurns::kSetRight, std::size_t listed = kListedFindings);
+                MixedOrientation mixed = MixedOrientation::kFlip,
+                std::size_t maxDiagnostics = kListedFindings);
   BoundaryCheck(BoundaryCheck&&) noexcept;
   BoundaryCheck& operator=(BoundaryCheck&&) noexcept;
   ~BoundaryCheck();

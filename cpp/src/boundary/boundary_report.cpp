@@ -8,7 +8,7 @@
 
 namespace tetrafront {
 
-Vec3 BoundaryReport::centreOf(std::uint32_t triangle) const {
+Vec3 BoundaryReport::centroidOf(std::uint32_t triangle) const {
   const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
   return (p[0] + p[1] + p[2]) / 3.0;
 }
@@ -32,9 +32,9 @@ bool BoundaryReport::lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& lin
   return true;
 }
 
-void BoundaryReport::addTriangles(Finding& finding, std::span<const std::uint32_t> triangles) {
+void BoundaryReport::addTriangles(Entry& entry, std::span<const std::uint32_t> triangles) {
   for (const std::uint32_t triangle : triangles) {
-    std::vector<std::uint32_t>& known = finding.triangles;
+    std::vector<std::uint32_t>& known = entry.triangles;
     if (known.size() == kMaxTriangles) return;
     if (std::find(known.begin(), known.end(), triangle) == known.end()) known.push_back(triangle);
   }
@@ -50,28 +50,28 @@ void BoundaryReport::add(DiagnosticCode code, std::vector<Entity> entities, cons
     for (const Entity& entity : entities) {
       key.push_back(static_cast<std::uint64_t>(entity.kind) << 32U | entity.index);
     }
-    const auto [at, isNew] = known_.try_emplace({code, std::move(key)}, findings_.size());
+    const auto [at, isNew] = known_.try_emplace({code, std::move(key)}, entries_.size());
     if (!isNew) {
       if (at->second == kNotKept) return;
-      ++findings_[at->second].count;
-      addTriangles(findings_[at->second], triangles);
+      ++entries_[at->second].count;
+      addTriangles(entries_[at->second], triangles);
       return;
     }
-    if (kind.kept == listed_) at->second = kNotKept;
+    if (kind.kept == maxDiagnostics_) at->second = kNotKept;
   }
-  if (kind.kept == listed_) return;
+  if (kind.kept == maxDiagnostics_) return;
   ++kind.kept;
-  Finding finding;
-  finding.diagnostic.code = code;
-  finding.diagnostic.entities = std::move(entities);
-  finding.diagnostic.values = std::move(values);
-  finding.count = 1;
-  addTriangles(finding, triangles);
+  Entry entry;
+  entry.diagnostic.code = code;
+  entry.diagnostic.entities = std::move(entities);
+  entry.diagnostic.values = std::move(values);
+  entry.count = 1;
+  addTriangles(entry, triangles);
   if (std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z)) {
-    finding.diagnostic.hasPlace = true;
-    finding.diagnostic.place = place;
+    entry.diagnostic.hasPlace = true;
+    entry.diagnostic.place = place;
   }
-  findings_.push_back(std::move(finding));
+  entries_.push_back(std::move(entry));
 }
 
 void BoundaryReport::addNode(DiagnosticCode code, std::uint32_t node, std::vector<double> values) {
@@ -89,7 +89,7 @@ void BoundaryReport::addTriangle(DiagnosticCode code, std::uint32_t triangle,
   const std::size_t nodes = mesh_.points.size() / 3;
   Vec3 place(std::nan(""));
   if (std::max({mesh_.triangles[i], mesh_.triangles[i + 1], mesh_.triangles[i + 2]}) < nodes) {
-    place = centreOf(triangle);
+    place = centroidOf(triangle);
   }
   if (isDrawn()) {
     add(code, {patchOf(triangle)}, place, std::move(values), triangles);
@@ -129,53 +129,53 @@ void BoundaryReport::addEdge(DiagnosticCode code, std::uint32_t from, std::uint3
 
 void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> entities,
                                     const Vec3& place, std::vector<double> values) {
-  Finding finding;
-  finding.diagnostic = {code,  Severity::kInformation, std::move(entities), true,
-                        place, std::move(values)};
-  finding.isCounted = false;
+  Entry entry;
+  entry.diagnostic = {code,  Severity::kInformation, std::move(entities), true,
+                      place, std::move(values)};
+  entry.isCounted = false;
   Kind& kind = kindOf(code);
   ++kind.total;
   // A given surface may have a million inverted shells.
-  if (kind.kept == listed_) return;
+  if (kind.kept == maxDiagnostics_) return;
   ++kind.kept;
-  findings_.push_back(std::move(finding));
+  entries_.push_back(std::move(entry));
 }
 
 void BoundaryReport::addNesting(std::uint32_t triangle, std::uint32_t regions,
                                 std::uint32_t cavities) {
   const Entity entity = isDrawn() ? patchOf(triangle) : Entity{EntityKind::kTriangle, triangle};
-  addInformation(DiagnosticCode::kNestedBodies, {entity}, centreOf(triangle),
+  addInformation(DiagnosticCode::kNestedBodies, {entity}, centroidOf(triangle),
                  {static_cast<double>(regions), static_cast<double>(cavities)});
 }
 
 void BoundaryReport::addEmpty() {
   ++errors_;
-  Finding finding;
-  finding.diagnostic.code = DiagnosticCode::kEmptyModel;
-  finding.isCounted = false;
-  findings_.push_back(std::move(finding));
+  Entry entry;
+  entry.diagnostic.code = DiagnosticCode::kEmptyModel;
+  entry.isCounted = false;
+  entries_.push_back(std::move(entry));
 }
 
-void BoundaryReport::addCutOff(EntityKind kind, std::size_t index) {
+void BoundaryReport::addIncomplete(EntityKind kind, std::size_t index) {
   add(DiagnosticCode::kIndexOutOfRange, {{kind, static_cast<std::uint32_t>(index)}},
       Vec3(std::nan("")), {static_cast<double>(index)});
 }
 
 std::vector<Diagnostic> BoundaryReport::take() {
   std::vector<Diagnostic> diagnostics;
-  for (Finding& finding : findings_) {
-    if (finding.isCounted) {
-      const Kind& kind = kindOf(finding.diagnostic.code);
-      const std::uint64_t count = isDrawn() ? finding.count : kind.total;
-      finding.diagnostic.values.push_back(static_cast<double>(count));
-      if (kind.endedEarly) finding.diagnostic.values.push_back(1.0);
+  for (Entry& entry : entries_) {
+    if (entry.isCounted) {
+      const Kind& kind = kindOf(entry.diagnostic.code);
+      const std::uint64_t count = isDrawn() ? entry.count : kind.total;
+      entry.diagnostic.values.push_back(static_cast<double>(count));
+      if (kind.setIncomplete) entry.diagnostic.values.push_back(1.0);
     }
-    for (const std::uint32_t triangle : finding.triangles) {
-      finding.diagnostic.entities.push_back({EntityKind::kTriangle, triangle});
+    for (const std::uint32_t triangle : entry.triangles) {
+      entry.diagnostic.entities.push_back({EntityKind::kTriangle, triangle});
     }
-    diagnostics.push_back(std::move(finding.diagnostic));
+    diagnostics.push_back(std::move(entry.diagnostic));
   }
-  findings_.clear();
+  entries_.clear();
   return diagnostics;
 }
 

@@ -23,16 +23,16 @@ enum class BoundarySource : std::uint8_t {
   kGivenSurface,  ///< points and triangles only
 };
 
-/// Collects findings. Of each code the first `listed` are kept; the last of their `values` is the
+/// Collects findings. Of each code the first `maxDiagnostics` are kept; the last of their `values` is the
 /// number of findings of that code in all (for a drawn model: with the same entities), and after it
-/// comes a 1 where the search was ended early, so that it is at least so many. A finding in a drawn
+/// comes a 1 where the search was ended early, so that it is at least so many. A entry in a drawn
 /// model names lines and patches first, then its triangles, up to kMaxTriangles of all findings with
 /// the same lines and patches.
 class BoundaryReport {
  public:
   BoundaryReport(const SurfaceMesh& mesh, BoundarySource source,
-                 std::size_t listed = kListedFindings)
-      : mesh_(mesh), source_(source), listed_(listed) {}
+                 std::size_t maxDiagnostics = kListedFindings)
+      : mesh_(mesh), source_(source), maxDiagnostics_(maxDiagnostics) {}
 
   void addNode(DiagnosticCode code, std::uint32_t node, std::vector<double> values);
   void addNodePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b);
@@ -48,20 +48,20 @@ class BoundaryReport {
   void addNesting(std::uint32_t triangle, std::uint32_t regions, std::uint32_t cavities);
   void addEmpty();
   /// The last node or triangle is incomplete; `index` is its place.
-  void addCutOff(EntityKind kind, std::size_t index);
+  void addIncomplete(EntityKind kind, std::size_t index);
 
   [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
   /// Of each code.
-  [[nodiscard]] std::size_t listed() const { return listed_; }
+  [[nodiscard]] std::size_t maxDiagnostics() const { return maxDiagnostics_; }
   /// There may be more findings of that code than were looked for.
-  void endedEarly(DiagnosticCode code) { kindOf(code).endedEarly = true; }
-  /// False if no further finding of that code will be kept: its place need not be found.
-  [[nodiscard]] bool keepsMore(DiagnosticCode code) { return kindOf(code).kept < listed_; }
+  void setIncomplete(DiagnosticCode code) { kindOf(code).setIncomplete = true; }
+  /// False if no further entry of that code will be kept: its place need not be found.
+  [[nodiscard]] bool keepsNext(DiagnosticCode code) { return kindOf(code).kept < maxDiagnostics_; }
 
   /// Everything, with the counts filled in.
   [[nodiscard]] std::vector<Diagnostic> take();
 
-  [[nodiscard]] Vec3 centreOf(std::uint32_t triangle) const;
+  [[nodiscard]] Vec3 centroidOf(std::uint32_t triangle) const;
 
  private:
   static constexpr std::size_t kMaxTriangles = 200;
@@ -71,9 +71,9 @@ class BoundaryReport {
   struct Kind {
     std::uint64_t total = 0;
     std::size_t kept = 0;
-    bool endedEarly = false;
+    bool setIncomplete = false;
   };
-  struct Finding {
+  struct Entry {
     Diagnostic diagnostic;
     std::uint64_t count = 0;               ///< with the same entities; drawn models only
     std::vector<std::uint32_t> triangles;  ///< of a drawn model, each once
@@ -83,7 +83,7 @@ class BoundaryReport {
   /// `triangles`: those concerned, where the entities are lines and patches.
   void add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
            std::vector<double> values, std::span<const std::uint32_t> triangles = {});
-  static void addTriangles(Finding& finding, std::span<const std::uint32_t> triangles);
+  static void addTriangles(Entry& entry, std::span<const std::uint32_t> triangles);
   [[nodiscard]] Kind& kindOf(DiagnosticCode code) { return kinds_[static_cast<std::size_t>(code)]; }
   [[nodiscard]] bool isDrawn() const { return source_ == BoundarySource::kDrawnPatches; }
   [[nodiscard]] Entity patchOf(std::uint32_t triangle) const;
@@ -91,9 +91,9 @@ class BoundaryReport {
 
   const SurfaceMesh& mesh_;
   BoundarySource source_;
-  std::size_t listed_;
+  std::size_t maxDiagnostics_;
   std::size_t errors_ = 0;
-  std::vector<Finding> findings_;
+  std::vector<Entry> entries_;
   std::array<Kind, kCodes> kinds_;  ///< by code
   /// Findings of a drawn model by code and entities.
   std::map<std::pair<DiagnosticCode, std::vector<std::uint64_t>>, std::size_t> known_;

@@ -99,9 +99,9 @@ bool SelfIntersectionCheck::advance(std::uint32_t budget) {
     case Stage::kPairs: {
       const bool isFinished = pairs_.advance(
           scaledBudget(budget, kPairsPerTriangle), [this](std::uint32_t a, std::uint32_t b) {
-            if (ignored_[a] == 0 && ignored_[b] == 0 && !hasEnough()) testPair(a, b);
+            if (ignored_[a] == 0 && ignored_[b] == 0 && !hasFoundEnough()) testPair(a, b);
           });
-      if (!isFinished && !hasEnough()) break;
+      if (!isFinished && !hasFoundEnough()) break;
       next_ = 0;
       stage_ = Stage::kReport;
       break;
@@ -128,13 +128,13 @@ bool SelfIntersectionCheck::listTriangles(std::uint32_t budget) {
 
 bool SelfIntersectionCheck::testNodes(std::uint32_t budget) {
   const auto nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
-  while (budget > 0 && next_ < nodes && !hasEnough()) {
+  while (budget > 0 && next_ < nodes && !hasFoundEnough()) {
     const bool isFew = atNode_.at(next_).size() <= kFew;
     const std::uint32_t done = isFew ? testFew() : testMany(budget);
     budget -= std::min(done, budget);
     if (!directions_) ++next_;
   }
-  return next_ == nodes || hasEnough();
+  return next_ == nodes || hasFoundEnough();
 }
 
 std::uint32_t SelfIntersectionCheck::testFew() {
@@ -159,7 +159,7 @@ std::uint32_t SelfIntersectionCheck::testMany(std::uint32_t budget) {
   const std::uint32_t first = directions_->next;
   const auto count = static_cast<std::uint32_t>(all.size());
   const std::uint32_t end = first + std::min(count - first, budget);
-  for (std::uint32_t i = first; i < end && !hasEnough(); ++i) {
+  for (std::uint32_t i = first; i < end && !hasFoundEnough(); ++i) {
     directions_->tree.visitOverlaps(directions_->boxes[i], [&](std::uint32_t j) {
       if (j > i) testOnce(all[i], all[j]);
     });
@@ -183,13 +183,13 @@ void SelfIntersectionCheck::testPair(std::uint32_t a, std::uint32_t b) {
 bool SelfIntersectionCheck::report(std::uint32_t budget) {
   if (next_ == 0) {
     stableSort(found_);
-    if (hasEnough()) report_.endedEarly(DiagnosticCode::kSelfIntersection);
+    if (hasFoundEnough()) report_.setIncomplete(DiagnosticCode::kSelfIntersection);
   }
   const auto count = static_cast<std::uint32_t>(found_.size());
   const std::uint32_t end = next_ + std::min(count - next_, budget);
   for (; next_ < end; ++next_) {
     const auto& [a, b] = found_[next_];
-    const Vec3 place = report_.keepsMore(DiagnosticCode::kSelfIntersection)
+    const Vec3 place = report_.keepsNext(DiagnosticCode::kSelfIntersection)
                            ? meetingPlace(cornersOf(mesh_, a), cornersOf(mesh_, b))
                            : Vec3(0.0);
     report_.addTrianglePair(DiagnosticCode::kSelfIntersection, a, b, place);

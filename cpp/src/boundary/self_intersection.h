@@ -20,7 +20,7 @@
 namespace tetrafront {
 
 /// In slices. O(n log n) for surfaces whose triangles have few others near them. Of surfaces that meet
-/// themselves in more places than kEnough, and than the report lists, about so many are found, and the
+/// themselves in more places than kMaxFound, and than the report lists, about so many are found, and the
 /// report says that there may be more.
 class SelfIntersectionCheck {
  public:
@@ -38,14 +38,14 @@ class SelfIntersectionCheck {
  private:
   /// After so many findings the rest would only cost time: some surfaces meet themselves in as
   /// many places as there are pairs.
-  static constexpr std::size_t kEnough = 100000;
+  static constexpr std::size_t kMaxFound = 100000;
   /// Up to so many triangles at a node are tested each against each.
   static constexpr std::size_t kFew = 16;
 
   enum class Stage : std::uint8_t { kCount, kList, kNodes, kPairs, kReport };
 
-  [[nodiscard]] bool hasEnough() const {
-    return found_.size() >= std::max(kEnough, report_.listed());
+  [[nodiscard]] bool hasFoundEnough() const {
+    return found_.size() >= std::max(kMaxFound, report_.maxDiagnostics());
   }
   /// Finds who stands at each node; true when finished.
   bool listTriangles(std::uint32_t budget);
@@ -61,7 +61,7 @@ class SelfIntersectionCheck {
   std::span<const std::uint8_t> ignored_;
   BoundaryReport& report_;
   Stage stage_ = Stage::kCount;
-  std::uint32_t next_ = 0;  ///< corner, node or finding of the stage
+  std::uint32_t next_ = 0;  ///< corner, node or entry of the stage
   Incidence atNode_;
   /// The triangles at a node with many by the directions in which they are seen from it.
   struct Directions {

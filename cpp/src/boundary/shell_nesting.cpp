@@ -7,13 +7,13 @@
 #include "base/sort.h"
 #include "geom/predicates.h"
 #include "boundary/surface_access.h"
-#include "boundary/surface_sides.h"
+#include "boundary/half_faces.h"
 
 namespace tetrafront {
 namespace {
 
-constexpr std::uint32_t kNoPart = 0xffffffffU;
-constexpr std::uint32_t kManyParts = 0xfffffffeU;
+constexpr std::uint32_t kNoComponent = 0xffffffffU;
+constexpr std::uint32_t kSeveralComponents = 0xfffffffeU;
 
 /// A volume below this share of the sum of its terms' magnitudes is rounding.
 constexpr double kVolumeRounding = 1e-14;
@@ -56,7 +56,7 @@ std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const std::u
       magnitude.push_back(0.0);
     }
     const std::uint32_t t = triangleOf(side);
-    const Vec3 origin = cornersOf(mesh, triangleOf(shells[s].firstSide))[0];
+    const Vec3 origin = cornersOf(mesh, triangleOf(shells[s].firstHalfFace))[0];
     const std::array<Vec3, 3> p = cornersOf(mesh, t);
     // With edges in place of the corners, so that small triangles far from the origin round little.
     const Vec3 a = p[0] - origin;
@@ -73,24 +73,29 @@ std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const std::u
   return shells;
 }
 
-ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> partOf,
-                           std::size_t partCount, std::span<const std::uint32_t> shellOf,
+ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> componentOf,
+                           std::size_t componentCount, std::span<const std::uint32_t> shellOf,
                            const BoxTree& tree)
-    : mesh_(mesh), partOf_(partOf), shellOf_(shellOf), tree_(tree), start_(partCount) {
-  std::vector<std::uint32_t> nodePart(mesh.points.size() / 3, kNoPart);
+    : mesh_(mesh),
+      componentOf_(componentOf),
+      shellOf_(shellOf),
+      tree_(tree),
+      start_(componentCount) {
+  std::vector<std::uint32_t> componentOfNode(mesh.points.size() / 3, kNoComponent);
   for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
-    std::uint32_t& part = nodePart[mesh.triangles[h]];
-    part = part == kNoPart || part == partOf[h / 3] ? partOf[h / 3] : kManyParts;
+    std::uint32_t& part = componentOfNode[mesh.triangles[h]];
+    part = part == kNoComponent || part == componentOf[h / 3] ? componentOf[h / 3]
+                                                              : kSeveralComponents;
   }
-  std::vector<std::uint8_t> hasStart(partCount, 0);
-  for (std::uint32_t t = 0; t < partOf.size(); ++t) {
-    if (hasStart[partOf[t]] != 0) continue;
+  std::vector<std::uint8_t> hasStart(componentCount, 0);
+  for (std::uint32_t t = 0; t < componentOf.size(); ++t) {
+    if (hasStart[componentOf[t]] != 0) continue;
     const std::array<Vec3, 3> p = cornersOf(mesh, t);
-    start_[partOf[t]] = (p[0] + p[1] + p[2]) / 3.0;
+    start_[componentOf[t]] = (p[0] + p[1] + p[2]) / 3.0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (nodePart[mesh.triangles[3 * std::size_t{t} + k]] != partOf[t]) continue;
-      start_[partOf[t]] = p[k];
-      hasStart[partOf[t]] = 1;
+      if (componentOfNode[mesh.triangles[3 * std::size_t{t} + k]] != componentOf[t]) continue;
+      start_[componentOf[t]] = p[k];
+      hasStart[componentOf[t]] = 1;
     }
   }
 }
@@ -101,7 +106,7 @@ std::vector<std::uint32_t> ShellNesting::around(std::uint32_t part) const {
   ray.high[0] = std::numeric_limits<float>::max();
   std::vector<std::uint32_t> crossed;
   tree_.visitOverlaps(ray, [&](std::uint32_t t) {
-    if (partOf_[t] == part || !isAheadOf(place, t)) return;
+    if (componentOf_[t] == part || !isAheadOf(place, t)) return;
     crossed.push_back(shellOf_[backOf(t)]);
     crossed.push_back(shellOf_[frontOf(t)]);
   });

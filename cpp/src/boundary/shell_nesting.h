@@ -13,25 +13,26 @@
 
 namespace tetrafront {
 
-/// What is known of one connected set of triangle sides (surface_sides.h).
+/// What is known of one connected set of triangle sides (half_faces.h).
 struct Shell {
-  std::uint32_t firstSide = 0;
+  std::uint32_t firstHalfFace = 0;
   /// Enclosed; positive if the sides look inward, so that they bound a space from outside, negative
   /// if they look outward.
   double volume = 0.0;
   bool isFlat = false;  ///< the volume cannot be told from 0
 };
 
-/// `shellOf`: the shell per side, as glueSides() numbers them.
+/// `shellOf`: the shell per side, as linkHalfFaces() numbers them.
 [[nodiscard]] std::vector<Shell> measureShells(const SurfaceMesh& mesh,
                                                std::span<const std::uint32_t> shellOf);
 
 class ShellNesting {
  public:
-  /// `partOf`: per triangle, as connectedParts() numbers them; `shellOf`: per side. `tree` holds the
+  /// `componentOf`: per triangle, as connectedComponents() numbers them; `shellOf`: per side. `tree` holds the
   /// triangles' boxes. Everything must outlive this.
-  ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> partOf,
-               std::size_t partCount, std::span<const std::uint32_t> shellOf, const BoxTree& tree);
+  ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> componentOf,
+               std::size_t componentCount, std::span<const std::uint32_t> shellOf,
+               const BoxTree& tree);
 
   /// The shells of other parts around `part`, ascending: those that a ray from it crosses an odd
   /// number of times. Exact, unless every node of the part is a node of others too, where the ray
@@ -42,7 +43,7 @@ class ShellNesting {
   [[nodiscard]] bool isAheadOf(const Vec3& place, std::uint32_t triangle) const;
 
   const SurfaceMesh& mesh_;
-  std::span<const std::uint32_t> partOf_;
+  std::span<const std::uint32_t> componentOf_;
   std::span<const std::uint32_t> shellOf_;
   const BoxTree& tree_;
   std::vector<Vec3> start_;  ///< of each part's ray

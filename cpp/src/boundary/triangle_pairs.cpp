@@ -32,7 +32,7 @@ TrianglePairs::CommonNodes TrianglePairs::nodesOf(std::uint32_t triangle) const 
   return {mesh_.triangles[i], mesh_.triangles[i + 1], mesh_.triangles[i + 2]};
 }
 
-bool TrianglePairs::shareOne(const CommonNodes& a, const CommonNodes& b) {
+bool TrianglePairs::shareNode(const CommonNodes& a, const CommonNodes& b) {
   return std::ranges::any_of(a, [&](std::uint32_t node) {
     return node != kNone && (node == b[0] || node == b[1] || node == b[2]);
   });
@@ -66,15 +66,15 @@ void TrianglePairs::describeBranch(std::uint32_t branch) {
   common_[branch] = isLeftOnly ? common_[left] : commonOf(common_[left], common_[right]);
 }
 
-bool TrianglePairs::mayMeet(const Branches& pair) const {
+bool TrianglePairs::mayIntersect(const Branches& pair) const {
   if (isEmpty(pair.a) || isEmpty(pair.b)) return false;
-  if (shareOne(common_[pair.a], common_[pair.b])) return false;
+  if (shareNode(common_[pair.a], common_[pair.b])) return false;
   if (pair.a == pair.b) return true;
   return BoxTree::meets(tree_.boxOf(pair.a), tree_.boxOf(pair.b)) &&
          !boxes_[pair.a].isApartFrom(boxes_[pair.b]);
 }
 
-void TrianglePairs::openUp(const Branches& pair) {
+void TrianglePairs::descend(const Branches& pair) {
   const std::uint32_t a = 2 * pair.a + 1;
   const std::uint32_t b = 2 * pair.b + 1;
   // The last one in is the next one out.

@@ -44,14 +44,14 @@ class TrianglePairs {
   }
   [[nodiscard]] CommonNodes nodesOf(std::uint32_t triangle) const;
   static CommonNodes commonOf(const CommonNodes& a, const CommonNodes& b);
-  static bool shareOne(const CommonNodes& a, const CommonNodes& b);
+  static bool shareNode(const CommonNodes& a, const CommonNodes& b);
 
   [[nodiscard]] std::uint32_t leavesBelow(std::uint32_t branch) const;
   void describeLeaf(std::uint32_t leaf);
   void describeBranch(std::uint32_t branch);
   /// False if no triangle of the one meets one of the other but where both have a node.
-  [[nodiscard]] bool mayMeet(const Branches& pair) const;
-  void openUp(const Branches& pair);
+  [[nodiscard]] bool mayIntersect(const Branches& pair) const;
+  void descend(const Branches& pair);
   template <class Visit>
   void visitLeaves(const Branches& pair, Visit visit) const;
 
@@ -79,13 +79,13 @@ bool TrianglePairs::advance(std::size_t budget, Visit visit) {
   for (; budget > 0 && !waiting_.empty(); --budget) {
     const Branches pair = waiting_.back();
     waiting_.pop_back();
-    if (!mayMeet(pair)) {
+    if (!mayIntersect(pair)) {
       if (pair.a == pair.b) leavesPassed_ += leavesBelow(pair.a);
     } else if (tree_.isLeaf(pair.a)) {
       visitLeaves(pair, visit);
       if (pair.a == pair.b) ++leavesPassed_;
     } else {
-      openUp(pair);
+      descend(pair);
     }
   }
   return undescribed_ == 0 && waiting_.empty();
@@ -100,7 +100,7 @@ void TrianglePairs::visitLeaves(const Branches& pair, Visit visit) const {
   for (std::size_t i = 0; i < itemsA.size(); ++i) {
     for (std::size_t j = pair.a == pair.b ? i + 1 : 0; j < itemsB.size(); ++j) {
       if (!BoxTree::meets(boxesA[i], boxesB[j])) continue;
-      if (!shareOne(nodesOf(itemsA[i]), nodesOf(itemsB[j]))) visit(itemsA[i], itemsB[j]);
+      if (!shareNode(nodesOf(itemsA[i]), nodesOf(itemsB[j]))) visit(itemsA[i], itemsB[j]);
     }
   }
 }

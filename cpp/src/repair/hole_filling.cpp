@@ -64,9 +64,9 @@ class RimTriangulation {
     return {nodes, {pointOf(mesh_, nodes[0]), pointOf(mesh_, nodes[1]), pointOf(mesh_, nodes[2])}};
   }
 
-  void bar(const Corners& corners) {
-    if (isBarred_.empty()) isBarred_.assign(count_ * count_ * count_, false);
-    isBarred_[at(corners)] = true;
+  void exclude(const Corners& corners) {
+    if (isExcluded_.empty()) isExcluded_.assign(count_ * count_ * count_, false);
+    isExcluded_[at(corners)] = true;
   }
 
  private:
@@ -84,7 +84,7 @@ class RimTriangulation {
       const Vec3 c = pointOf(mesh_, rim_[k]);
       const double cost = rest + glm::length(glm::cross(b - a, c - a));
       if (!(cost < cost_[at(i, j)]) || collinear(a, b, c)) continue;
-      if (!isBarred_.empty() && isBarred_[at({i, k, j})]) continue;
+      if (!isExcluded_.empty() && isExcluded_[at({i, k, j})]) continue;
       cost_[at(i, j)] = cost;
       apex_[at(i, j)] = k;
     }
@@ -113,26 +113,26 @@ class RimTriangulation {
   std::size_t count_;
   std::vector<double> cost_;
   std::vector<std::size_t> apex_;
-  std::vector<bool> isBarred_;  ///< by positions on the rim; empty: none is
+  std::vector<bool> isExcluded_;  ///< by positions on the rim; empty: none is
 };
 
-/// What a triangle that closes a hole may not meet: the triangles of the surface that have area.
+/// What a triangle that closes a hole may not isIntersectedBy: the triangles of the surface that have area.
 class Surroundings {
  public:
   explicit Surroundings(const SurfaceMesh& mesh) : mesh_(mesh), tree_(triangleBoxes(mesh)) {}
 
-  [[nodiscard]] bool meet(const NumberedTriangle& triangle) const {
-    bool isMet = false;
+  [[nodiscard]] bool isIntersectedBy(const NumberedTriangle& triangle) const {
+    bool intersects = false;
     const auto& [a, b, c] = triangle.corners;
     tree_.visitOverlaps(Box::of(a, b, c), [&](std::uint32_t t) {
-      if (isMet || isSliver(mesh_, t)) return;
+      if (intersects || isSliver(mesh_, t)) return;
       const std::size_t i = 3 * std::size_t{t};
       const NumberedTriangle other{
           {mesh_.triangles[i], mesh_.triangles[i + 1], mesh_.triangles[i + 2]},
           cornersOf(mesh_, t)};
-      isMet = meetImproperly(triangle, other);
+      intersects = meetImproperly(triangle, other);
     });
-    return isMet;
+    return intersects;
   }
 
  private:
@@ -169,21 +169,21 @@ class EdgeSet {
 
 class HoleFiller::Impl {
  public:
-  Impl(SurfaceMesh& mesh, std::uint32_t mostEdges) : mesh_(mesh), existing_(mesh) {
+  Impl(SurfaceMesh& mesh, std::uint32_t maxEdges) : mesh_(mesh), existing_(mesh) {
     const EdgeTable edges(mesh.triangles, mesh.points.size() / 3, {});
     rims_ = openRims(mesh, edges);
     std::erase_if(rims_,
-                  [mostEdges](const Rim& rim) { return rim.size() < 3 || rim.size() > mostEdges; });
+                  [maxEdges](const Rim& rim) { return rim.size() < 3 || rim.size() > maxEdges; });
     if (!rims_.empty()) surroundings_.emplace(mesh);
   }
 
   bool advance(std::uint32_t budget) {
     for (std::size_t edges = 0; edges < budget && next_ < rims_.size();) {
       edges += rims_[next_].size();
-      if (!present_) present_.emplace(mesh_, rims_[next_]);
-      if (!isSettled(*present_)) continue;
-      present_.reset();
-      tries_ = 0;
+      if (!current_) current_.emplace(mesh_, rims_[next_]);
+      if (!isSettled(*current_)) continue;
+      current_.reset();
+      attempts_ = 0;
       ++next_;
     }
     return next_ == rims_.size();
@@ -198,30 +198,30 @@ class HoleFiller::Impl {
   bool isSettled(RimTriangulation& rim) {
     const std::vector<Corners> least =
         rim.least([&](std::uint32_t a, std::uint32_t b) { return existing_.holds(a, b); });
-    if (barMeeting(rim, least)) return ++tries_ == kMostTries;
+    if (excludeIntersecting(rim, least)) return ++attempts_ == kMaxAttempts;
     if (!least.empty()) take(rim, least);
     return true;
   }
 
-  /// Bars triangles that meet the surface and, if there are none, the larger of two that meet each other;
+  /// Bars triangles that isIntersectedBy the surface and, if there are none, the larger of two that isIntersectedBy each other;
   /// whether there were any.
-  bool barMeeting(RimTriangulation& rim, const std::vector<Corners>& triangles) const {
-    bool isAnyBarred = false;
+  bool excludeIntersecting(RimTriangulation& rim, const std::vector<Corners>& triangles) const {
+    bool isAnyExcluded = false;
     for (const Corners& corners : triangles) {
-      if (!surroundings_->meet(rim.triangleOf(corners))) continue;
-      rim.bar(corners);
-      isAnyBarred = true;
+      if (!surroundings_->isIntersectedBy(rim.triangleOf(corners))) continue;
+      rim.exclude(corners);
+      isAnyExcluded = true;
     }
-    for (std::size_t i = 1; i < triangles.size() && !isAnyBarred; ++i) {
+    for (std::size_t i = 1; i < triangles.size() && !isAnyExcluded; ++i) {
       const NumberedTriangle a = rim.triangleOf(triangles[i]);
       for (std::size_t j = 0; j < i; ++j) {
         const NumberedTriangle b = rim.triangleOf(triangles[j]);
         if (!meetImproperly(a, b)) continue;
-        rim.bar(doubledArea(a) < doubledArea(b) ? triangles[j] : triangles[i]);
-        isAnyBarred = true;
+        rim.exclude(doubledArea(a) < doubledArea(b) ? triangles[j] : triangles[i]);
+        isAnyExcluded = true;
       }
     }
-    return isAnyBarred;
+    return isAnyExcluded;
   }
 
   static double doubledArea(const NumberedTriangle& triangle) {
@@ -243,20 +243,20 @@ class HoleFiller::Impl {
 
   /// Each bars at least one triangle of the triangulation of least area that is left. Of ten scans and patches
   /// with rims of 10 to 136 edges seven were closed in 20 tries, and all in 300.
-  static constexpr std::uint32_t kMostTries = 300;
+  static constexpr std::uint32_t kMaxAttempts = 300;
 
   SurfaceMesh& mesh_;
   EdgeSet existing_;
   std::vector<Rim> rims_;
   std::optional<Surroundings> surroundings_;  ///< of the surface as it was given
   std::size_t next_ = 0;
-  std::optional<RimTriangulation> present_;
-  std::uint32_t tries_ = 0;
+  std::optional<RimTriangulation> current_;
+  std::uint32_t attempts_ = 0;
   std::vector<FilledHole> filled_;
 };
 
-HoleFiller::HoleFiller(SurfaceMesh& mesh, std::uint32_t mostEdges)
-    : impl_(std::make_unique<Impl>(mesh, mostEdges)) {}
+HoleFiller::HoleFiller(SurfaceMesh& mesh, std::uint32_t maxEdges)
+    : impl_(std::make_unique<Impl>(mesh, maxEdges)) {}
 HoleFiller::HoleFiller(HoleFiller&&) noexcept = default;
 HoleFiller& HoleFiller::operator=(HoleFiller&&) noexcept = default;
 HoleFiller::~HoleFiller() = default;

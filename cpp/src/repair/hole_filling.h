@@ -15,18 +15,18 @@ struct FilledHole {
   std::uint32_t triangles = 0;
 };
 
-/// Closes the holes of at most `mostEdges` edges, in slices: of all triangulations of a hole without new
+/// Closes the holes of at most `maxEdges` edges, in slices: of all triangulations of a hole without new
 /// nodes, without triangles of no area, without edges that exist elsewhere and without triangles that
-/// meet others or the given surface but where they should, by one of least area (Barequet & Sharir 1995;
-/// triangles that meet others are barred, and the least of what is left is looked for again). Where there is
-/// none, or none is found soon, the hole stays. That two holes' triangles meet each other is left to the check of
+/// isIntersectedBy others or the given surface but where they should, by one of least area (Barequet & Sharir 1995;
+/// triangles that isIntersectedBy others are barred, and the least of what is left is looked for again). Where there is
+/// none, or none is found soon, the hole stays. That two holes' triangles isIntersectedBy each other is left to the check of
 /// the whole. New triangles are turned as one at the hole's edge is. O(n log n), and O(edges^3) for each
 /// try.
 class HoleFiller {
  public:
   /// Finds the holes. Triangles are appended to `mesh`, which must outlive this. Those with a repeated
   /// node should be gone: what they have for edges counts as open.
-  HoleFiller(SurfaceMesh& mesh, std::uint32_t mostEdges);
+  HoleFiller(SurfaceMesh& mesh, std::uint32_t maxEdges);
   HoleFiller(HoleFiller&&) noexcept;
   HoleFiller& operator=(HoleFiller&&) noexcept;
   ~HoleFiller();

@@ -13,18 +13,18 @@
 namespace tetrafront {
 namespace {
 
-constexpr std::size_t kWorstKept = 10;
+constexpr std::size_t kMaxWorst = 10;
 
-bool isNamed(const std::vector<Diagnostic>& diagnostics, DiagnosticCode code) {
+bool hasCode(const std::vector<Diagnostic>& diagnostics, DiagnosticCode code) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
                      [code](const Diagnostic& d) { return d.code == code; });
 }
 
 /// Coordinates and indices that nothing may be asked of.
-bool hasBrokenNumbers(const std::vector<Diagnostic>& diagnostics) {
-  return isNamed(diagnostics, DiagnosticCode::kNotFinite) ||
-         isNamed(diagnostics, DiagnosticCode::kIndexOutOfRange) ||
-         isNamed(diagnostics, DiagnosticCode::kEmptyModel);
+bool hasInvalidNumbers(const std::vector<Diagnostic>& diagnostics) {
+  return hasCode(diagnostics, DiagnosticCode::kNotFinite) ||
+         hasCode(diagnostics, DiagnosticCode::kIndexOutOfRange) ||
+         hasCode(diagnostics, DiagnosticCode::kEmptyModel);
 }
 
 double areaOf(const std::array<Vec3, 3>& p) {
@@ -37,7 +37,7 @@ double cosineBetween(const Vec3& a, const Vec3& b) {
   return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
 }
 
-TriangleFigures figuresOf(const SurfaceMesh& mesh, std::uint32_t triangle, double radiusRatio) {
+TriangleFigures qualityOf(const SurfaceMesh& mesh, std::uint32_t triangle, double radiusRatio) {
   const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
   const double largestCosine =
       std::max({cosineBetween(p[1] - p[0], p[2] - p[0]), cosineBetween(p[2] - p[1], p[0] - p[1]),
@@ -58,8 +58,8 @@ class SurfaceInspector::Impl {
     mesh_.points.assign(points.begin(), points.end());
     mesh_.triangles.assign(triangles.begin(), triangles.end());
     given_ = mesh_.triangles;
-    check_.emplace(mesh_, BoundarySource::kGivenSurface, options.enclosed, MixedTurns::kRefuse,
-                   options.findings);
+    check_.emplace(mesh_, BoundarySource::kGivenSurface, options.enclosed,
+                   MixedOrientation::kRefuse, options.findings);
   }
 
   bool advance(std::uint32_t budget) {
@@ -77,9 +77,9 @@ class SurfaceInspector::Impl {
   void measure();
   void measureNodes();
   void measureEdges(const EdgeTable& edges);
-  void countPinchedNodes(const EdgeTable& edges);
+  void countNonManifoldNodes(const EdgeTable& edges);
   void measureTriangles();
-  void countTurnedTriangles();
+  void countFlippedTriangles();
   void measureShellsAndRegions();
 
   SurfaceMesh mesh_;
@@ -92,18 +92,18 @@ class SurfaceInspector::Impl {
 void SurfaceInspector::Impl::measure() {
   result_.diagnostics = check_->takeDiagnostics();
   result_.isFillable = check_->result().valid;
-  if (hasBrokenNumbers(result_.diagnostics)) return;
-  result_.isEmbedded = !isNamed(result_.diagnostics, DiagnosticCode::kSelfIntersection) &&
-                       !isNamed(result_.diagnostics, DiagnosticCode::kDuplicateTriangle);
+  if (hasInvalidNumbers(result_.diagnostics)) return;
+  result_.isEmbedded = !hasCode(result_.diagnostics, DiagnosticCode::kSelfIntersection) &&
+                       !hasCode(result_.diagnostics, DiagnosticCode::kDuplicateTriangle);
   measureNodes();
   // As the check has them, or the two would contradict each other.
   const EdgeTable edges(mesh_.triangles, mesh_.points.size() / 3, check_->withoutEdges());
   measureEdges(edges);
-  countPinchedNodes(edges);
+  countNonManifoldNodes(edges);
   result_.isClosed = result_.edges > 0 && result_.openEdges == 0;
   result_.isManifold = result_.crowdedEdges == 0 && result_.pinchedNodes == 0;
   measureTriangles();
-  countTurnedTriangles();
+  countFlippedTriangles();
   if (result_.isFillable) measureShellsAndRegions();
 }
 
@@ -140,7 +140,7 @@ void SurfaceInspector::Impl::measureEdges(const EdgeTable& edges) {
   if (result_.edges > 0) result_.meanEdge = sum / result_.edges;
 }
 
-void SurfaceInspector::Impl::countPinchedNodes(const EdgeTable& edges) {
+void SurfaceInspector::Impl::countNonManifoldNodes(const EdgeTable& edges) {
   const std::vector<std::uint32_t> fans = cornerFans(mesh_.triangles, edges);
   std::vector<std::uint8_t> fansAt(mesh_.points.size() / 3, 0);
   for (std::uint32_t c = 0; c < fans.size(); ++c) {
@@ -166,17 +166,17 @@ void SurfaceInspector::Impl::measureTriangles() {
     const std::array<Vec3, 3> p = cornersOf(mesh_, t);
     result_.area += areaOf(p);
     const Ranked one{triangleRadiusRatio(p[0], p[1], p[2]), t};
-    if (worst.size() == kWorstKept && !(one < worst.back())) continue;
+    if (worst.size() == kMaxWorst && !(one < worst.back())) continue;
     worst.insert(std::upper_bound(worst.begin(), worst.end(), one), one);
-    if (worst.size() > kWorstKept) worst.pop_back();
+    if (worst.size() > kMaxWorst) worst.pop_back();
   }
   for (const Ranked& one : worst) {
-    result_.worst.push_back(figuresOf(mesh_, one.triangle, one.radiusRatio));
+    result_.worst.push_back(qualityOf(mesh_, one.triangle, one.radiusRatio));
   }
 }
 
 /// None where the check went no further than to what keeps the surface from enclosing a volume.
-void SurfaceInspector::Impl::countTurnedTriangles() {
+void SurfaceInspector::Impl::countFlippedTriangles() {
   for (std::uint32_t t = 0; t < result_.triangles; ++t) {
     if (given_[3 * std::size_t{t} + 1] != mesh_.triangles[3 * std::size_t{t} + 1]) {
       ++result_.turnedTriangles;

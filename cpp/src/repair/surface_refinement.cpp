@@ -7,7 +7,7 @@
 
 #include "search/indexed_heap.h"
 #include "boundary/boundary_report.h"
-#include "boundary/boundary_soundness.h"
+#include "boundary/surface_checks.h"
 #include "boundary/edge_table.h"
 #include "preview/examine_input.h"
 #include "sizing/expected_count.h"
@@ -20,10 +20,10 @@ namespace {
 
 /// Edges are halved that are longer, in wanted lengths: the halves are as much too short as these
 /// were too long.
-constexpr double kLongest = 1.4142135623730951;
+constexpr double kMaxLength = 1.4142135623730951;
 /// Area of the triangles that come out, in squares of wanted lengths: right and isosceles ones have
 /// between a quarter and a half.
-constexpr double kUsualArea = 0.36;
+constexpr double kTypicalArea = 0.36;
 /// There are as many tetrahedra to each triangle of most bodies, and more; only thin ones have fewer.
 constexpr std::uint32_t kTetrahedraPerTriangle = 4;
 constexpr std::uint32_t kNone = 0xffffffffU;
@@ -86,7 +86,7 @@ class SurfaceRefiner::Impl {
     return static_cast<std::uint32_t>(origin_.size());
   }
   /// As many as are given are never too many: that is the mesher's to say.
-  [[nodiscard]] double mostTriangles() const {
+  [[nodiscard]] double maxTriangles() const {
     return std::max(static_cast<double>(options_.maxTetrahedra) / kTetrahedraPerTriangle,
                     static_cast<double>(given_));
   }
@@ -104,7 +104,7 @@ class SurfaceRefiner::Impl {
   std::uint32_t addEdge(std::uint32_t from, std::uint32_t to);
   void link(std::uint32_t edge, std::uint32_t halfEdge);
   void relink(std::uint32_t edge, std::uint32_t halfEdge, std::uint32_t by);
-  void halve(std::uint32_t edge);
+  void bisect(std::uint32_t edge);
 
   BackgroundGrid grid_;
   MeshOptions options_;
@@ -119,7 +119,7 @@ class SurfaceRefiner::Impl {
   FieldHint hint_;
   std::uint32_t next_ = 0;
   double expected_ = 0.0;
-  double mostExpected_ = 0.0;
+  double maxExpected_ = 0.0;
   std::uint32_t largest_ = 0;
 
   std::vector<std::uint32_t> edgeOf_;    ///< of a half-edge
@@ -206,15 +206,15 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::estimate(std::uint32_t budget)
     const Vec3 ac = toUnit * (c - a);
     const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
     const double area = 0.5 * glm::length(glm::cross(ab, ac));
-    const double expected = longest <= kLongest ? 1.0 : std::max(1.0, area / kUsualArea);
+    const double expected = longest <= kMaxLength ? 1.0 : std::max(1.0, area / kTypicalArea);
     expected_ += expected;
-    if (expected > mostExpected_) {
-      mostExpected_ = expected;
+    if (expected > maxExpected_) {
+      maxExpected_ = expected;
       largest_ = next_;
     }
   }
   if (next_ < triangleCount()) return stage_;
-  return expected_ <= mostTriangles() ? Stage::kInside : refuse(expected_);
+  return expected_ <= maxTriangles() ? Stage::kInside : refuse(expected_);
 }
 
 /// As a run estimates what it will make, of which the triangles here can only ask for more.
@@ -257,21 +257,21 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::measure(std::uint32_t budget) 
 SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::split(std::uint32_t budget) {
   for (std::uint32_t i = 0; i < budget; ++i) {
     if (waiting_.empty()) return finish();
-    if (static_cast<double>(triangleCount()) > mostTriangles()) return refuse(triangleCount());
+    if (static_cast<double>(triangleCount()) > maxTriangles()) return refuse(triangleCount());
     const std::uint32_t edge = waiting_.pop();
     const double need = needOf(edge);
-    if (!(need > kLongest)) continue;
+    if (!(need > kMaxLength)) continue;
     // Only the longest edge of all its triangles is halved: no angle gets small but where one was.
     const std::uint32_t longest = longestAround(edge);
     waiting_.remove(longest);
-    halve(longest);
+    bisect(longest);
     if (longest != edge) want(edge, need);
   }
   return stage_;
 }
 
 SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::refuse(double triangles) {
-  return refuseAs({{EntityKind::kTriangle, largest_}}, triangles, mostTriangles());
+  return refuseAs({{EntityKind::kTriangle, largest_}}, triangles, maxTriangles());
 }
 
 SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::refuseAs(std::vector<Entity> entities,
@@ -339,7 +339,7 @@ double SurfaceRefiner::Impl::needOf(std::uint32_t edge) {
 }
 
 void SurfaceRefiner::Impl::want(std::uint32_t edge, double length) {
-  if (!(length > kLongest) || !(lengths_[edge] > 0.0)) return;
+  if (!(length > kMaxLength) || !(lengths_[edge] > 0.0)) return;
   if (waiting_.contains(edge)) {
     if (!(length > needs_[edge])) return;
     waiting_.remove(edge);
@@ -381,7 +381,7 @@ void SurfaceRefiner::Impl::relink(std::uint32_t edge, std::uint32_t halfEdge, st
 }
 
 /// And with it each of its triangles.
-void SurfaceRefiner::Impl::halve(std::uint32_t edge) {
+void SurfaceRefiner::Impl::bisect(std::uint32_t edge) {
   const auto [a, b] = ends_[edge];
   const Vec3 from = pointOf(mesh_, a);
   const Vec3 to = pointOf(mesh_, b);

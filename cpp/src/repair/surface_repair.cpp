@@ -6,12 +6,12 @@
 
 #include "boundary/boundary.h"
 #include "base/sort.h"
-#include "boundary/boundary_soundness.h"
+#include "boundary/surface_checks.h"
 #include "boundary/edge_table.h"
 #include "repair/hole_filling.h"
 #include "repair/sliver_splitting.h"
 #include "boundary/surface_access.h"
-#include "boundary/surface_sides.h"
+#include "boundary/half_faces.h"
 #include "repair/weld.h"
 #include "tetrafront/surface_tools.h"
 
@@ -59,7 +59,7 @@ class SurfaceRepairer::Impl {
   [[nodiscard]] Stage nextStage() const;
 
   /// Where coordinates or indices are broken, the result is what was given.
-  void refuseBrokenNumbers();
+  void refuseInvalidNumbers();
   bool weld(std::uint32_t budget);
   bool fill(std::uint32_t budget);
   bool turn(std::uint32_t budget);
@@ -81,13 +81,13 @@ class SurfaceRepairer::Impl {
   }
   void addAt(RepairKind kind, std::uint32_t triangle, std::uint32_t second);
 
-  void removeRepeating();
-  void dissolveSlivers();
+  void removeWithRepeatedNodes();
+  void splitSlivers();
   void removeSlivers();
   void removeDuplicates();
   void keep(const std::vector<std::uint8_t>& isGone);
-  void turnAlikeIfClear();
-  void listTurned();
+  void orientIfManifold();
+  void listFlipped();
 
   RepairOptions options_;
   Stage stage_ = Stage::kNumbers;
@@ -110,19 +110,19 @@ bool SurfaceRepairer::Impl::advance(std::uint32_t budget) {
 bool SurfaceRepairer::Impl::step(std::uint32_t budget) {
   switch (stage_) {
     case Stage::kNumbers:
-      refuseBrokenNumbers();
+      refuseInvalidNumbers();
       return true;
     case Stage::kWeld:
       return weld(budget);
     case Stage::kRepeating:
-      removeRepeating();
+      removeWithRepeatedNodes();
       return true;
     case Stage::kDuplicates:
     case Stage::kNewDuplicates:
       removeDuplicates();
       return true;
     case Stage::kDissolve:
-      dissolveSlivers();
+      splitSlivers();
       return true;
     case Stage::kSlivers:
       removeSlivers();
@@ -142,8 +142,8 @@ bool SurfaceRepairer::Impl::step(std::uint32_t budget) {
 
 /// The one after the present that the options ask for.
 SurfaceRepairer::Impl::Stage SurfaceRepairer::Impl::nextStage() const {
-  const bool isBroken = !result_.diagnostics.empty();
-  if (isBroken) return Stage::kDone;
+  const bool isRefused = !result_.diagnostics.empty();
+  if (isRefused) return Stage::kDone;
   for (auto stage = static_cast<std::uint8_t>(stage_);;) {
     switch (const auto next = static_cast<Stage>(++stage)) {
       case Stage::kWeld:
@@ -168,7 +168,7 @@ SurfaceRepairer::Impl::Stage SurfaceRepairer::Impl::nextStage() const {
   }
 }
 
-void SurfaceRepairer::Impl::refuseBrokenNumbers() {
+void SurfaceRepairer::Impl::refuseInvalidNumbers() {
   BoundaryReport report(mesh_, BoundarySource::kGivenSurface);
   checkNumbers(mesh_, report);
   result_.diagnostics = report.take();
@@ -209,7 +209,7 @@ void SurfaceRepairer::Impl::keep(const std::vector<std::uint8_t>& isGone) {
   origin_.resize(kept);
 }
 
-void SurfaceRepairer::Impl::removeRepeating() {
+void SurfaceRepairer::Impl::removeWithRepeatedNodes() {
   std::vector<std::uint8_t> isGone(triangleCount(), 0);
   for (std::uint32_t t = 0; t < isGone.size(); ++t) {
     const auto [a, b, c] = nodesOfTriangle(t);
@@ -221,7 +221,7 @@ void SurfaceRepairer::Impl::removeRepeating() {
 }
 
 /// Those beside others that have area; the shape is the same.
-void SurfaceRepairer::Impl::dissolveSlivers() {
+void SurfaceRepairer::Impl::splitSlivers() {
   for (const auto& [sliver, other, middle] : splitBesideSlivers(mesh_)) {
     add(RepairKind::kSplitTriangle, origin_[sliver], origin_[other], pointOf(mesh_, middle));
     origin_[sliver] = origin_[other];
@@ -284,24 +284,24 @@ bool SurfaceRepairer::Impl::turn(std::uint32_t budget) {
   if (!check_->advance(budget)) return false;
   if (!check_->result().valid) {
     outward_ = mesh_;
-    turnAlikeIfClear();
+    orientIfManifold();
   }
   check_.reset();
-  listTurned();
+  listFlipped();
   mesh_.triangles = std::move(outward_.triangles);
   return true;
 }
 
 /// With crowded edges nobody knows who the neighbours are, and nothing is turned.
-void SurfaceRepairer::Impl::turnAlikeIfClear() {
+void SurfaceRepairer::Impl::orientIfManifold() {
   const EdgeTable edges(outward_.triangles, outward_.points.size() / 3, {});
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
     if (edges.halfEdgesOf(e).size() > 2) return;
   }
-  static_cast<void>(turnAlike(outward_, edges));
+  static_cast<void>(orientConsistently(outward_, edges));
 }
 
-void SurfaceRepairer::Impl::listTurned() {
+void SurfaceRepairer::Impl::listFlipped() {
   for (std::uint32_t t = 0; t < triangleCount(); ++t) {
     const std::size_t second = 3 * std::size_t{t} + 1;
     const bool isTurned = mesh_.triangles[second] != outward_.triangles[second];

@@ -29,9 +29,9 @@ double cellEdge(std::span<const double> points, double distance) {
 
 /// The nodes that stay what they are, by the cubic cell of a lattice they lie in; with an edge of 0, by
 /// their place. To be added in ascending order.
-class NodeWelder::Lattice {
+class NodeWelder::NodeGrid {
  public:
-  Lattice(std::span<const double> points, double edge)
+  NodeGrid(std::span<const double> points, double edge)
       : points_(points), edge_(edge), cellOf_(points.size() / 3), nodes_(points.size() / 3) {
     std::iota(nodes_.begin(), nodes_.end(), 0U);
   }
@@ -40,7 +40,7 @@ class NodeWelder::Lattice {
   bool prepare(std::size_t budget) {
     if (stage_ == Stage::kReady) return true;
     if (stage_ == Stage::kSort) {
-      if (sort_->advance(budget)) stage_ = Stage::kRooms;
+      if (sort_->advance(budget)) stage_ = Stage::kBuckets;
       return false;
     }
     const std::size_t last = next_ + std::min(budget, nodes_.size() - next_);
@@ -48,7 +48,7 @@ class NodeWelder::Lattice {
       if (stage_ == Stage::kCells) {
         cellOf_[next_] = cellAt(static_cast<std::uint32_t>(next_));
       } else {
-        makeRoom(static_cast<std::uint32_t>(next_));
+        addBucket(static_cast<std::uint32_t>(next_));
       }
     }
     if (next_ < nodes_.size()) return false;
@@ -64,7 +64,7 @@ class NodeWelder::Lattice {
     return true;
   }
 
-  void add(std::uint32_t node) { nodes_[rooms_[roomOf(cellAt(node))].end++] = node; }
+  void add(std::uint32_t node) { nodes_[buckets_[bucketOf(cellAt(node))].end++] = node; }
 
   /// The lowest node that was added with `accepts` in the cells that touch the one of `node`; `node`
   /// itself if there is none.
@@ -76,9 +76,9 @@ class NodeWelder::Lattice {
     for (int x = -reach; x <= reach; ++x) {
       for (int y = -reach; y <= reach; ++y) {
         for (int z = -reach; z <= reach; ++z) {
-          const std::size_t at = roomOf({own[0] + x, own[1] + y, own[2] + z});
+          const std::size_t at = bucketOf({own[0] + x, own[1] + y, own[2] + z});
           if (at == cells_.size()) continue;
-          for (std::uint32_t i = rooms_[at].begin; i < rooms_[at].end; ++i) {
+          for (std::uint32_t i = buckets_[at].begin; i < buckets_[at].end; ++i) {
             if (nodes_[i] >= lowest) break;
             if (accepts(nodes_[i])) lowest = nodes_[i];
           }
@@ -89,7 +89,7 @@ class NodeWelder::Lattice {
   }
 
  private:
-  enum class Stage : std::uint8_t { kCells, kSort, kRooms, kReady };
+  enum class Stage : std::uint8_t { kCells, kSort, kBuckets, kReady };
 
   struct ByCell {
     const Cell* cellOf;
@@ -99,15 +99,15 @@ class NodeWelder::Lattice {
   };
 
   /// For the node at `position` of those sorted, in the room of its cell.
-  void makeRoom(std::uint32_t position) {
+  void addBucket(std::uint32_t position) {
     const Cell& cell = cellOf_[nodes_[position]];
     if (!cells_.empty() && cells_.back() == cell) return;
     cells_.push_back(cell);
-    rooms_.push_back({position, position});
+    buckets_.push_back({position, position});
   }
 
   /// Of the nodes added in one cell: positions in nodes_, which has a place for all that lie there.
-  struct Room {
+  struct Bucket {
     std::uint32_t begin;
     std::uint32_t end;
   };
@@ -123,7 +123,7 @@ class NodeWelder::Lattice {
   }
 
   /// Position among the cells that have nodes, or their number.
-  [[nodiscard]] std::size_t roomOf(const Cell& cell) const {
+  [[nodiscard]] std::size_t bucketOf(const Cell& cell) const {
     const auto at = std::lower_bound(cells_.begin(), cells_.end(), cell);
     return at != cells_.end() && *at == cell ? static_cast<std::size_t>(at - cells_.begin())
                                              : cells_.size();
@@ -135,8 +135,8 @@ class NodeWelder::Lattice {
   std::size_t next_ = 0;
   std::vector<Cell> cellOf_;  ///< per node, until there is room
   std::optional<SlicedSort<std::uint32_t, ByCell>> sort_;
-  std::vector<Cell> cells_;  ///< ascending
-  std::vector<Room> rooms_;  ///< per cell
+  std::vector<Cell> cells_;      ///< ascending
+  std::vector<Bucket> buckets_;  ///< per cell
   std::vector<std::uint32_t> nodes_;
 };
 
@@ -148,22 +148,22 @@ NodeWelder::~NodeWelder() = default;
 
 bool NodeWelder::advance(std::uint32_t budget) {
   const std::size_t count = points_.size() / 3;
-  if (!lattice_) {
-    lattice_ = std::make_unique<Lattice>(points_, cellEdge(points_, distance_));
+  if (!grid_) {
+    grid_ = std::make_unique<NodeGrid>(points_, cellEdge(points_, distance_));
     targets_.reserve(count);
   }
-  if (!lattice_->prepare(scaledBudget(budget, kPreparedPerBudget))) return false;
+  if (!grid_->prepare(scaledBudget(budget, kPreparedPerBudget))) return false;
   const std::size_t last = targets_.size() + std::min<std::size_t>(count - targets_.size(), budget);
   while (targets_.size() < last) {
     const auto node = static_cast<std::uint32_t>(targets_.size());
     targets_.push_back(targetOf(node));
-    if (targets_.back() == node) lattice_->add(node);
+    if (targets_.back() == node) grid_->add(node);
   }
   return last == count;
 }
 
 std::uint32_t NodeWelder::targetOf(std::uint32_t node) const {
-  return lattice_->lowestNear(node, [&](std::uint32_t other) {
+  return grid_->lowestNear(node, [&](std::uint32_t other) {
     double squared = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const double d = points_[3 * std::size_t{node} + k] - points_[3 * std::size_t{other} + k];

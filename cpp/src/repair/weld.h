@@ -28,13 +28,13 @@ class NodeWelder {
   [[nodiscard]] const std::vector<std::uint32_t>& targets() const { return targets_; }
 
  private:
-  class Lattice;
+  class NodeGrid;
 
   [[nodiscard]] std::uint32_t targetOf(std::uint32_t node) const;
 
   std::span<const double> points_;
   double distance_;
-  std::unique_ptr<Lattice> lattice_;
+  std::unique_ptr<NodeGrid> grid_;
   std::vector<std::uint32_t> targets_;
 };
 

@@ -28,18 +28,19 @@ void sortByAngle(const SurfaceMesh& mesh, std::vector<std::uint32_t>& halfEdges)
 
 /// The shell of each side, 2 per triangle; shells count from 0 in order of their lowest sides. At an
 /// edge with one triangle its two sides are one shell. Exact. O(n log k) for k triangles at an edge.
-[[nodiscard]] std::vector<std::uint32_t> glueSides(const SurfaceMesh& mesh, const EdgeTable& edges);
+[[nodiscard]] std::vector<std::uint32_t> linkHalfFaces(const SurfaceMesh& mesh,
+                                                       const EdgeTable& edges);
 
 /// A number per triangle, equal for those connected over edges; numbers count from 0 in order of the
 /// lowest triangle.
-[[nodiscard]] std::vector<std::uint32_t> connectedParts(const SurfaceMesh& mesh,
-                                                        const EdgeTable& edges);
+[[nodiscard]] std::vector<std::uint32_t> connectedComponents(const SurfaceMesh& mesh,
+                                                             const EdgeTable& edges);
 
 /// Turns triangles so that those with a common edge agree with the lowest of them, of a surface with at
 /// most two triangles at an edge. False, and nothing turned, if it is one-sided.
-[[nodiscard]] bool turnAlike(SurfaceMesh& mesh, const EdgeTable& edges);
+[[nodiscard]] bool orientConsistently(SurfaceMesh& mesh, const EdgeTable& edges);
 
 /// Exchanges two nodes, and with them front and back.
-void turnRound(SurfaceMesh& mesh, std::uint32_t triangle);
+void flipTriangle(SurfaceMesh& mesh, std::uint32_t triangle);
 
 }  // namespace tetrafront

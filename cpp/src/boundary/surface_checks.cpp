@@ -1,4 +1,4 @@
-#include "boundary/boundary_soundness.h"
+#include "boundary/surface_checks.h"
 
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ constexpr double kSmallestCoordinate = 0x1p-250;
 void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
   const std::size_t nodes = mesh.points.size() / 3;
   const std::size_t triangles = mesh.triangles.size() / 3;
-  if (mesh.points.size() % 3 != 0) report.addCutOff(EntityKind::kSurfaceNode, nodes);
-  if (mesh.triangles.size() % 3 != 0) report.addCutOff(EntityKind::kTriangle, triangles);
+  if (mesh.points.size() % 3 != 0) report.addIncomplete(EntityKind::kSurfaceNode, nodes);
+  if (mesh.triangles.size() % 3 != 0) report.addIncomplete(EntityKind::kTriangle, triangles);
   if (report.hasErrors()) return;
   if (mesh.triangles.empty()) report.addEmpty();
   double largest = 0.0;
@@ -50,13 +50,13 @@ void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report) {
   }
 }
 
-UnsoundTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report) {
+InvalidTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report) {
   struct Entry {
     std::array<std::uint32_t, 3> nodes;
     std::uint32_t triangle;
   };
   const std::size_t count = mesh.triangles.size() / 3;
-  UnsoundTriangles unsound{std::vector<std::uint8_t>(count, 0),
+  InvalidTriangles invalid{std::vector<std::uint8_t>(count, 0),
                            std::vector<std::uint8_t>(count, 0)};
   // A counting sort by the lowest node, as in EdgeTable.
   std::vector<std::uint32_t> bucket(mesh.points.size() / 3 + 1, 0);
@@ -68,8 +68,8 @@ UnsoundTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report)
     const bool repeats = n[0] == n[1] || n[1] == n[2];
     if (repeats || collinear(pointOf(mesh, n[0]), pointOf(mesh, n[1]), pointOf(mesh, n[2]))) {
       report.addTriangle(DiagnosticCode::kDegenerateTriangle, t);
-      unsound.inTopology[t] = repeats ? 1 : 0;
-      unsound.inGeometry[t] = 1;
+      invalid.inTopology[t] = repeats ? 1 : 0;
+      invalid.inGeometry[t] = 1;
     }
     entries[t] = {n, t};
     ++bucket[n[0] + 1];
@@ -86,14 +86,14 @@ UnsoundTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report)
     });
     for (auto at = first; at != last; ++at) {
       if (at == first || at->nodes != (at - 1)->nodes) continue;
-      if (unsound.inTopology[at->triangle] != 0) continue;
+      if (invalid.inTopology[at->triangle] != 0) continue;
       report.addTrianglePair(DiagnosticCode::kDuplicateTriangle, (at - 1)->triangle, at->triangle,
-                             report.centreOf(at->triangle));
-      unsound.inTopology[at->triangle] = 1;
-      unsound.inGeometry[at->triangle] = 1;
+                             report.centroidOf(at->triangle));
+      invalid.inTopology[at->triangle] = 1;
+      invalid.inGeometry[at->triangle] = 1;
     }
   }
-  return unsound;
+  return invalid;
 }
 
 void checkCoincidentNodes(const SurfaceMesh& mesh, BoundaryReport& report) {

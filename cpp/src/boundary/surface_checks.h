@@ -15,14 +15,14 @@ namespace tetrafront {
 void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report);
 
 /// One flag per triangle: set where other checks would stumble over what is reported already.
-struct UnsoundTriangles {
+struct InvalidTriangles {
   std::vector<std::uint8_t> inTopology;  ///< a repeated node, or the nodes of an earlier triangle
   std::vector<std::uint8_t> inGeometry;  ///< those, and triangles without area
 };
 
 /// Triangles with a repeated node or without area, and all but the first of those with the same
 /// nodes.
-[[nodiscard]] UnsoundTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report);
+[[nodiscard]] InvalidTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report);
 
 /// Two used nodes at one place.
 void checkCoincidentNodes(const SurfaceMesh& mesh, BoundaryReport& report);

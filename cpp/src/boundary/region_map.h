@@ -19,26 +19,28 @@
 
 namespace tetrafront {
 
-struct SurfaceCells {
-  std::vector<std::uint32_t> partOf;   ///< per triangle: what it is connected with over edges
-  std::vector<std::uint32_t> shellOf;  ///< per side (surface_sides.h)
+struct RegionMap {
+  std::vector<std::uint32_t> componentOf;  ///< per triangle: what it is connected with over edges
+  std::vector<std::uint32_t> shellOf;      ///< per side (half_faces.h)
   std::vector<Shell> shells;
   /// Per shell: the shell that bounds the same space from outside, itself if its volume is positive;
-  /// or kEndless.
-  std::vector<std::uint32_t> cellOf;
-  std::vector<std::uint8_t> isFilled;  ///< per shell: whether the space it looks into is
+  /// or kUnbounded.
+  std::vector<std::uint32_t> outerShellOf;
+  std::vector<std::uint8_t> isMeshed;  ///< per shell: whether the space it looks into is
 
-  static constexpr std::uint32_t kEndless = 0xffffffffU;
+  static constexpr std::uint32_t kUnbounded = 0xffffffffU;
 
-  [[nodiscard]] bool isFilledAt(std::uint32_t side) const { return isFilled[shellOf[side]] != 0; }
-  [[nodiscard]] std::uint32_t cellAt(std::uint32_t side) const { return cellOf[shellOf[side]]; }
+  [[nodiscard]] bool isMeshedAt(std::uint32_t side) const { return isMeshed[shellOf[side]] != 0; }
+  [[nodiscard]] std::uint32_t outerShellAt(std::uint32_t side) const {
+    return outerShellOf[shellOf[side]];
+  }
 };
 
 /// The surface must have no open edge and not meet itself. Reports kZeroVolume, and kDanglingSheet for
 /// triangles with one space on both sides; then the rest is not complete. Exact but for the signs of
 /// volumes. O(n log n).
-[[nodiscard]] SurfaceCells findCells(const SurfaceMesh& mesh, const EdgeTable& edges,
-                                     const BoxTree& tree, EnclosedBodies enclosed,
-                                     BoundaryReport& report);
+[[nodiscard]] RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges,
+                                    const BoxTree& tree, EnclosedBodies enclosed,
+                                    BoundaryReport& report);
 
 }  // namespace tetrafront

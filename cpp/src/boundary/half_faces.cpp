@@ -1,4 +1,4 @@
-#include "boundary/surface_sides.h"
+#include "boundary/half_faces.h"
 
 #include <algorithm>
 #include <utility>
@@ -13,23 +13,23 @@ namespace {
 
 /// The side of a half-edge's triangle that looks towards the next triangle by angle. One that runs
 /// from the higher to the lower node has its back there.
-std::uint32_t sideAhead(const SurfaceMesh& mesh, std::uint32_t halfEdge) {
+std::uint32_t halfFaceAhead(const SurfaceMesh& mesh, std::uint32_t halfEdge) {
   const HalfEdgeNodes nodes = nodesOf(mesh.triangles, halfEdge);
   return nodes.from > nodes.to ? backOf(halfEdge / 3) : frontOf(halfEdge / 3);
 }
 
-std::uint32_t sideBehind(const SurfaceMesh& mesh, std::uint32_t halfEdge) {
-  return sideAhead(mesh, halfEdge) ^ 1U;
+std::uint32_t halfFaceBehind(const SurfaceMesh& mesh, std::uint32_t halfEdge) {
+  return halfFaceAhead(mesh, halfEdge) ^ 1U;
 }
 
 }  // namespace
 
-void turnRound(SurfaceMesh& mesh, std::uint32_t triangle) {
+void flipTriangle(SurfaceMesh& mesh, std::uint32_t triangle) {
   const std::size_t i = 3 * std::size_t{triangle};
   std::swap(mesh.triangles[i + 1], mesh.triangles[i + 2]);
 }
 
-bool turnAlike(SurfaceMesh& mesh, const EdgeTable& edges) {
+bool orientConsistently(SurfaceMesh& mesh, const EdgeTable& edges) {
   const auto count = static_cast<std::uint32_t>(mesh.triangles.size() / 3);
   OpposedSets sets(count);
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
@@ -40,7 +40,7 @@ bool turnAlike(SurfaceMesh& mesh, const EdgeTable& edges) {
     if (!sets.join(halfEdges[0] / 3, halfEdges[1] / 3, areOpposite)) return false;
   }
   for (std::uint32_t t = 0; t < count; ++t) {
-    if (sets.find(t).isOpposite != 0) turnRound(mesh, t);
+    if (sets.find(t).isOpposite != 0) flipTriangle(mesh, t);
   }
   return true;
 }
@@ -68,7 +68,7 @@ void sortByAngle(const SurfaceMesh& mesh, std::vector<std::uint32_t>& halfEdges)
   for (std::size_t i = 0; i < entries.size(); ++i) halfEdges[i] = entries[i].halfEdge;
 }
 
-std::vector<std::uint32_t> glueSides(const SurfaceMesh& mesh, const EdgeTable& edges) {
+std::vector<std::uint32_t> linkHalfFaces(const SurfaceMesh& mesh, const EdgeTable& edges) {
   DisjointSets sets(2 * (mesh.triangles.size() / 3));
   std::vector<std::uint32_t> around;
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
@@ -77,13 +77,14 @@ std::vector<std::uint32_t> glueSides(const SurfaceMesh& mesh, const EdgeTable& e
     // Of two, each is the other's next.
     if (around.size() > 2) sortByAngle(mesh, around);
     for (std::size_t i = 0; i < around.size(); ++i) {
-      sets.join(sideAhead(mesh, around[i]), sideBehind(mesh, around[(i + 1) % around.size()]));
+      sets.join(halfFaceAhead(mesh, around[i]),
+                halfFaceBehind(mesh, around[(i + 1) % around.size()]));
     }
   }
   return sets.numbers();
 }
 
-std::vector<std::uint32_t> connectedParts(const SurfaceMesh& mesh, const EdgeTable& edges) {
+std::vector<std::uint32_t> connectedComponents(const SurfaceMesh& mesh, const EdgeTable& edges) {
   DisjointSets sets(mesh.triangles.size() / 3);
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
     const std::span<const std::uint32_t> halfEdges = edges.halfEdgesOf(e);
