@@ -11,7 +11,7 @@ import { ViewStore } from "./document/selection";
 import { createShell, type Shell } from "./document/shell";
 import { DocumentStore } from "./document/store";
 import { strings } from "./ui/strings";
-import { MeshSurvey } from "./viewer/mesh-survey";
+import { MeshSurvey } from "./viewer/mesh-query-client";
 import type { Viewer } from "./viewer/viewer";
 
 /** Everything the panels and commands work with. Made once, when the page has loaded. */

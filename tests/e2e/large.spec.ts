@@ -5,7 +5,7 @@ import { gridMesh } from "../unit/web/grid-mesh";
 import { AppPage, sampleProject } from "./app-page";
 
 /** What takes long for large meshes is done by workers; here one of them is late, or does not come at all. */
-const surveyScript = /survey-worker-.*\.js$/;
+const surveyScript = /mesh-query-worker-.*\.js$/;
 
 test("while the faces of the mesh are still being found, the page goes on, and shows the last cut then", async ({
   page,

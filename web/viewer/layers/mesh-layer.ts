@@ -11,8 +11,8 @@ import {
   setNumber,
   setTexture,
 } from "../materials";
-import type { MeshSurvey } from "../mesh-survey";
-import type { DrawnFaces } from "../survey";
+import type { MeshSurvey } from "../mesh-query-client";
+import type { DrawnFaces } from "../mesh-queries";
 import { faceNodes } from "../topology";
 import type { Place, SceneLayer } from "./layer";
 

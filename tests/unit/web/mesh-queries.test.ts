@@ -3,7 +3,7 @@ import { describe, expect, it } from "vitest";
 import { placeOnScale, qualityOf } from "../../../web/document/mesh-quality";
 import { patchOfFace } from "../../../web/viewer/patch-finder";
 import { nearestHit } from "../../../web/viewer/ray-hit";
-import { Survey, type Look } from "../../../web/viewer/survey";
+import { Survey, type Look } from "../../../web/viewer/mesh-queries";
 import { faceNodes } from "../../../web/viewer/topology";
 import { gridMesh } from "./grid-mesh";
 

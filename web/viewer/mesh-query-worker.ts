@@ -1,6 +1,6 @@
 /** The worker that looks through the mesh on show: what takes more than a moment, the page asks for here. */
-import type { Question, Reply, Request } from "./survey-protocol";
-import { Survey, type DrawnFaces } from "./survey";
+import type { Question, Reply, Request } from "./mesh-query-protocol";
+import { Survey, type DrawnFaces } from "./mesh-queries";
 
 /** The part of a worker's global scope used here; the DOM types describe a window's. */
 interface WorkerScope {

@@ -1,7 +1,7 @@
 import type { Histogram, QualityMeasure } from "../document/mesh-quality";
 import { handedOver, workerFailure } from "../document/workers";
-import type { Answers, Question, Reply, Request } from "./survey-protocol";
-import type { DrawnFaces, Look, Surveyed } from "./survey";
+import type { Answers, Question, Reply, Request } from "./mesh-query-protocol";
+import type { DrawnFaces, Look, Surveyed } from "./mesh-queries";
 
 interface Asked {
   readonly resolve: (answer: Answers[keyof Answers]) => void;
@@ -67,7 +67,7 @@ export class MeshSurvey {
 
   #startedWorker(): Worker {
     if (this.#worker) return this.#worker;
-    const worker = new Worker(new URL("./survey-worker.ts", import.meta.url), {
+    const worker = new Worker(new URL("./mesh-query-worker.ts", import.meta.url), {
       type: "module",
       name: "tetrafront-survey",
     });

@@ -1,5 +1,5 @@
 import type { Histogram, QualityMeasure } from "../document/mesh-quality";
-import type { DrawnFaces, Look, Surveyed } from "./survey";
+import type { DrawnFaces, Look, Surveyed } from "./mesh-queries";
 
 /** What the page and the surveying worker say to each other. Types only. */
 

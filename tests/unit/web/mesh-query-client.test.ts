@@ -2,9 +2,9 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { MeshResult } from "tetrafront";
 
 import { MeshLayer } from "../../../web/viewer/layers/mesh-layer.js";
-import { MeshSurvey } from "../../../web/viewer/mesh-survey.js";
-import type { DrawnFaces, Surveyed } from "../../../web/viewer/survey.js";
-import type { Request } from "../../../web/viewer/survey-protocol.js";
+import { MeshSurvey } from "../../../web/viewer/mesh-query-client.js";
+import type { DrawnFaces, Surveyed } from "../../../web/viewer/mesh-queries.js";
+import type { Request } from "../../../web/viewer/mesh-query-protocol.js";
 import { gridMesh } from "./grid-mesh";
 
 afterEach(() => vi.unstubAllGlobals());
