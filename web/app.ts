@@ -11,7 +11,7 @@ import { ViewStore } from "./document/selection";
 import { createShell, type Shell } from "./document/shell";
 import { DocumentStore } from "./document/store";
 import { strings } from "./ui/strings";
-import { MeshSurvey } from "./viewer/mesh-query-client";
+import { MeshQueryClient } from "./viewer/mesh-query-client";
 import type { Viewer } from "./viewer/viewer";
 
 /** Everything the panels and commands work with. Made once, when the page has loaded. */
@@ -26,7 +26,7 @@ export interface App {
   readonly shell: Shell;
   readonly gallery: Gallery;
   /** Looks through the mesh on show. */
-  readonly survey: MeshSurvey;
+  readonly meshQueries: MeshQueryClient;
   /** The view, while there is one: no WebGL, no view. */
   readonly viewer: StoreApi<{ readonly viewer: Viewer | null }>;
   /** The file that Save writes to without asking. */
@@ -89,7 +89,7 @@ export async function createApp(still: boolean, model: string | null): Promise<A
     autosave,
     shell,
     gallery,
-    survey: new MeshSurvey(),
+    meshQueries: new MeshQueryClient(),
     viewer: createStore<{ readonly viewer: Viewer | null }>(() => ({ viewer: null })),
     file: { handle: null },
     still,

@@ -5,13 +5,13 @@ import { gridMesh } from "../unit/web/grid-mesh";
 import { AppPage, sampleProject } from "./app-page";
 
 /** What takes long for large meshes is done by workers; here one of them is late, or does not come at all. */
-const surveyScript = /mesh-query-worker-.*\.js$/;
+const queryWorkerScript = /mesh-query-worker-.*\.js$/;
 
 test("while the faces of the mesh are still being found, the page goes on, and shows the last cut then", async ({
   page,
 }) => {
   const held: Route[] = [];
-  await page.route(surveyScript, (route) => void held.push(route));
+  await page.route(queryWorkerScript, (route) => void held.push(route));
   const app = new AppPage(page);
   await page.goto("./?test=1&model=unit-cube");
   await expect(app.viewport).toHaveAttribute("data-status", "done");
@@ -40,7 +40,7 @@ test("while the faces of the mesh are still being found, the page goes on, and s
 });
 
 test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page }) => {
-  await page.route(surveyScript, (route) => route.abort());
+  await page.route(queryWorkerScript, (route) => route.abort());
   const app = new AppPage(page);
   const { tets } = await app.openCube();
   expect(tets).toBeGreaterThan(0);

@@ -15,17 +15,17 @@ export function useHistogram(
   measure: QualityMeasure,
   barCount: number,
 ): Histogram | null {
-  const { survey } = useApp();
+  const { meshQueries } = useApp();
   const [known, setKnown] = useState<Known | null>(null);
   useEffect(() => {
     if (!mesh) return undefined;
     let isWanted = true;
-    survey.histogram(mesh.volume, measure, barCount).then(
+    meshQueries.histogram(mesh.volume, measure, barCount).then(
       (histogram) => isWanted && setKnown({ mesh, measure, histogram }),
       // The view tells why; the figures of the report stand below.
       () => undefined,
     );
     return () => void (isWanted = false);
-  }, [survey, mesh, measure, barCount]);
+  }, [meshQueries, mesh, measure, barCount]);
   return known && known.mesh === mesh && known.measure === measure ? known.histogram : null;
 }

@@ -77,7 +77,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
         colors: firstColors.current,
         motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
         multisampling: !app.still,
-        survey: app.survey,
+        meshQueries: app.meshQueries,
         events: {
           onPick: ({ entity, element }, mode) => {
             if (element === null) app.view.select(entity, mode);

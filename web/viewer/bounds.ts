@@ -1,7 +1,7 @@
 import type { Project, ProjectPreview } from "tetrafront";
 import type { Entity } from "../document/entities";
 import { findRecord, positionsById } from "../document/entities";
-import type { Place } from "./layers/layer";
+import type { Position } from "./layers/layer";
 
 /** An axis-aligned box that grows with the places put into it. */
 export class Bounds {
@@ -29,10 +29,10 @@ export class Bounds {
     return this.low[0] > this.high[0];
   }
 
-  get centre(): Place {
+  get centre(): Position {
     return this.empty
       ? [0, 0, 0]
-      : ([0, 1, 2].map((k) => mean(this.low[k], this.high[k])) as unknown as Place);
+      : ([0, 1, 2].map((k) => mean(this.low[k], this.high[k])) as unknown as Position);
   }
 
   /** Half the diagonal. */

@@ -9,7 +9,7 @@ import {
 } from "../document/mesh-quality";
 import type { VolumeMesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../document/selection";
-import type { Place } from "./layers/layer";
+import type { Position } from "./layers/layer";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,
@@ -20,56 +20,56 @@ import {
   writeCorners,
 } from "./visible-faces";
 
-/** What is looked at of a mesh. */
-export type Surveyed = Elements & Pick<VolumeMesh, "regions">;
+/** The arrays of a mesh that the queries use. */
+export type QueriedMesh = Elements & Pick<VolumeMesh, "regions">;
 
-/** How a mesh is looked at. */
-export interface Look {
-  /** Corners are given relative to this place. */
-  readonly origin: Place;
-  /** Null shows the boundary. */
+/** Which faces of a mesh are drawn, and how. */
+export interface ViewOptions {
+  /** Position that the corners are relative to. */
+  readonly origin: Position;
+  /** Null draws the whole mesh. */
   readonly cut: Omit<Cut, "enabled"> | null;
   readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
 }
 
-/** The triangles to be drawn of a mesh, in flat arrays. */
+/** The triangles of a mesh to draw, in flat arrays. */
 export interface DrawnFaces {
   /** Per triangle 4t + f: face f of tetrahedron t, opposite its node f. */
   readonly faces: Uint32Array<ArrayBuffer>;
-  /** Per triangle: 1 where its region ends at it, 0 where only the cut does. */
+  /** Per triangle: 1 if it lies on the boundary of its region, 0 if only the cut exposes it. */
   readonly onBoundary: Uint8Array<ArrayBuffer>;
   /** Nine per triangle: x y z of three corners, counter-clockwise from outside. */
   readonly corners: Float32Array<ArrayBuffer>;
   /**
-   * Per corner the place of its element on the colour scale, or the number of its region, whichever the shading
-   * is by; empty where there is none.
+   * Per corner: the position of its element on the colour scale, 0 to 1, or the index of its region, depending on
+   * the shading; empty with plain shading.
    */
   readonly values: Float32Array<ArrayBuffer>;
 }
 
 /**
- * A mesh and all that has been found out about it, each when first needed and once. The searches are linear
- * and take up to half a second for a million tetrahedra: they belong into a worker.
+ * Answers queries about one mesh and caches what they share. Each takes linear time, up to half a second for a
+ * million tetrahedra, so this class is used in a worker.
  */
-export class Survey {
-  readonly #mesh: Surveyed;
+export class MeshQueries {
+  readonly #mesh: QueriedMesh;
   #neighbours: Int32Array | null = null;
-  /** Room for all faces: a sheet is drawn once per side, so every face may become visible. */
+  /** Scratch space with an entry per face 4t + f, because every face may become visible. */
   #faces = new Uint32Array();
-  /** Per tetrahedron: 1 where it is not shown. */
+  /** Per tetrahedron: 1 if it is not drawn. */
   readonly #hidden: Uint8Array;
   readonly #centroids = new Map<CutAxis, Float32Array>();
   readonly #extents = new Map<CutAxis, readonly [number, number]>();
   readonly #qualities = new Map<QualityMeasure, Float32Array>();
 
-  constructor(mesh: Surveyed) {
+  constructor(mesh: QueriedMesh) {
     this.#mesh = mesh;
     this.#hidden = new Uint8Array(mesh.tetrahedra.length / 4);
   }
 
-  facesOf({ origin, cut, hiddenRegions, shading }: Look): DrawnFaces {
-    const neighbours = this.#knownNeighbours();
+  facesOf({ origin, cut, hiddenRegions, shading }: ViewOptions): DrawnFaces {
+    const neighbours = this.#cachedNeighbours();
     this.#hidden.fill(0);
     if (cut) hideBeyond(this.#centroidsAlong(cut.axis), this.#limit(cut), cut.flipped, this.#hidden);
     hideRegions(this.#mesh.regions, hiddenRegions, this.#hidden);
@@ -85,7 +85,7 @@ export class Survey {
     return histogramOf(this.#qualitiesBy(measure), measure, barCount);
   }
 
-  #knownNeighbours(): Int32Array {
+  #cachedNeighbours(): Int32Array {
     if (!this.#neighbours) {
       this.#neighbours = findNeighbours(this.#mesh.tetrahedra);
       this.#faces = new Uint32Array(this.#neighbours.length);
@@ -100,16 +100,16 @@ export class Survey {
   }
 
   #centroidsAlong(axis: CutAxis): Float32Array {
-    return remembered(this.#centroids, axis, () => centroidsAlong(this.#mesh, axis));
+    return cached(this.#centroids, axis, () => centroidsAlong(this.#mesh, axis));
   }
 
   #limit({ axis, position }: Omit<Cut, "enabled">): number {
-    const [low, high] = remembered(this.#extents, axis, () => extentAlong(this.#mesh.points, axis));
+    const [low, high] = cached(this.#extents, axis, () => extentAlong(this.#mesh.points, axis));
     return low + position * (high - low);
   }
 
   #qualitiesBy(measure: QualityMeasure): Float32Array {
-    return remembered(this.#qualities, measure, () => qualitiesOf(this.#mesh, measure));
+    return cached(this.#qualities, measure, () => qualitiesOf(this.#mesh, measure));
   }
 
   #valuesOf(faces: Uint32Array, shading: Shading): Float32Array<ArrayBuffer> {
@@ -123,15 +123,15 @@ export class Survey {
   #valueBy(shading: QualityMeasure | "region"): (tetrahedron: number) => number {
     const { regions } = this.#mesh;
     if (shading === "region") return (tetrahedron) => regions[tetrahedron] ?? 0;
-    // Those of all elements take their time, and the picture waits.
+    // Computing the quality of all elements would delay the picture; compute it for the drawn ones.
     const known = this.#qualities.get(shading);
     return (tetrahedron) =>
       placeOnScale(known?.[tetrahedron] ?? qualityOf(this.#mesh, shading, tetrahedron), shading);
   }
 }
 
-function remembered<Key, Value>(known: Map<Key, Value>, key: Key, find: () => Value): Value {
-  const value = known.get(key) ?? find();
-  known.set(key, value);
+function cached<Key, Value>(cache: Map<Key, Value>, key: Key, compute: () => Value): Value {
+  const value = cache.get(key) ?? compute();
+  cache.set(key, value);
   return value;
 }

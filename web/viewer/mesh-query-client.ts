@@ -1,64 +1,65 @@
 import type { Histogram, QualityMeasure } from "../document/mesh-quality";
 import { handedOver, workerFailure } from "../document/workers";
-import type { Answers, Question, Reply, Request } from "./mesh-query-protocol";
-import type { DrawnFaces, Look, Surveyed } from "./mesh-queries";
+import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
+import type { Answers, Query, Reply, Request } from "./mesh-query-protocol";
 
-interface Asked {
+interface PendingQuery {
   readonly resolve: (answer: Answers[keyof Answers]) => void;
   readonly reject: (failure: Error) => void;
 }
 
 /**
- * Looks through meshes in a worker, so that the page responds however large they are. The worker holds a copy
- * of one mesh, that of the last question. A question is rejected where the worker fails, for want of memory;
- * the next one then gets a new worker.
+ * Runs queries over a whole mesh in a worker, so that the page stays responsive. The worker keeps a copy of the
+ * mesh queried last. If it fails, for example out of memory, pending queries reject and the next query starts a
+ * new worker.
  */
-export class MeshSurvey {
+export class MeshQueryClient {
   #worker: Worker | null = null;
-  #held: Surveyed | null = null;
+  /** The mesh that the worker has a copy of. */
+  #sentMesh: QueriedMesh | null = null;
   #lastId = 0;
-  readonly #asked = new Map<number, Asked>();
+  readonly #pending = new Map<number, PendingQuery>();
 
   constructor() {
-    // Loaded while the first mesh is being made.
+    // Load the worker while the first mesh is being made.
     this.#startedWorker();
   }
 
-  /** The triangles to draw. */
-  facesOf(mesh: Surveyed, look: Look): Promise<DrawnFaces> {
-    return this.#ask(mesh, { kind: "faces", look });
+  /** Returns the triangles to draw. */
+  facesOf(mesh: QueriedMesh, options: ViewOptions): Promise<DrawnFaces> {
+    return this.#ask(mesh, { kind: "faces", options });
   }
 
-  /** How the elements are spread over a measure of quality. */
-  histogram(mesh: Surveyed, measure: QualityMeasure, barCount: number): Promise<Histogram> {
+  /** Returns the distribution of a quality measure over the elements. */
+  histogram(mesh: QueriedMesh, measure: QualityMeasure, barCount: number): Promise<Histogram> {
     return this.#ask(mesh, { kind: "histogram", measure, barCount });
   }
 
-  /** Forgets the mesh of the last question. */
+  /** Frees the worker's copy of the mesh. */
   release(): void {
-    if (this.#held) this.#post({ kind: "mesh", mesh: null });
-    this.#held = null;
+    if (this.#sentMesh) this.#post({ kind: "mesh", mesh: null });
+    this.#sentMesh = null;
   }
 
   async #ask<Kind extends keyof Answers>(
-    mesh: Surveyed,
-    question: Question & { readonly kind: Kind },
+    mesh: QueriedMesh,
+    query: Query & { readonly kind: Kind },
   ): Promise<Answers[Kind]> {
     return new Promise((resolve, reject) => {
-      this.#show(mesh);
+      this.#send(mesh);
       const id = ++this.#lastId;
-      this.#asked.set(id, { resolve: (answer) => resolve(answer as Answers[Kind]), reject });
-      this.#post({ kind: "question", id, question });
+      this.#pending.set(id, { resolve: (answer) => resolve(answer as Answers[Kind]), reject });
+      this.#post({ kind: "query", id, query });
     });
   }
 
-  #show(mesh: Surveyed): void {
-    if (this.#held === mesh) return;
+  #send(mesh: QueriedMesh): void {
+    if (this.#sentMesh === mesh) return;
     const { points, tetrahedra, regions } = mesh;
     const { copy, buffers } = handedOver({ points, tetrahedra, regions });
     this.#post({ kind: "mesh", mesh: copy }, buffers);
-    // Not before: there may be no memory for the copy.
-    this.#held = mesh;
+    // Only now: copying or posting throws if memory runs out.
+    this.#sentMesh = mesh;
   }
 
   #post(request: Request, transfer: Transferable[] = []): void {
@@ -69,7 +70,7 @@ export class MeshSurvey {
     if (this.#worker) return this.#worker;
     const worker = new Worker(new URL("./mesh-query-worker.ts", import.meta.url), {
       type: "module",
-      name: "tetrafront-survey",
+      name: "tetrafront-mesh-queries",
     });
     worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#receive(data);
     worker.onerror = (event) => {
@@ -81,20 +82,20 @@ export class MeshSurvey {
   }
 
   #receive(reply: Reply): void {
-    const asked = this.#asked.get(reply.id);
-    this.#asked.delete(reply.id);
-    if (reply.kind === "answer") return asked?.resolve(reply.answer);
-    asked?.reject(new Error(reply.message));
+    const pending = this.#pending.get(reply.id);
+    this.#pending.delete(reply.id);
+    if (reply.kind === "answer") return pending?.resolve(reply.answer);
+    pending?.reject(new Error(reply.message));
     this.#fail(reply.message);
   }
 
-  /** A worker that has failed once is not asked again. */
+  /** Ends the worker: after one failure it is not used again. */
   #fail(message: string): void {
     this.#worker?.terminate();
     this.#worker = null;
-    this.#held = null;
+    this.#sentMesh = null;
     const failure = new Error(message);
-    for (const { reject } of this.#asked.values()) reject(failure);
-    this.#asked.clear();
+    for (const { reject } of this.#pending.values()) reject(failure);
+    this.#pending.clear();
   }
 }

@@ -1,11 +1,11 @@
 import type { Histogram, QualityMeasure } from "../document/mesh-quality";
-import type { DrawnFaces, Look, Surveyed } from "./mesh-queries";
+import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 
-/** What the page and the surveying worker say to each other. Types only. */
+/** Messages between the page and the mesh query worker. Types only. */
 
-/** Each is answered once, in order. */
-export type Question =
-  | { readonly kind: "faces"; readonly look: Look }
+/** Each query gets one reply, in order. */
+export type Query =
+  | { readonly kind: "faces"; readonly options: ViewOptions }
   | { readonly kind: "histogram"; readonly measure: QualityMeasure; readonly barCount: number };
 
 export interface Answers {
@@ -14,9 +14,9 @@ export interface Answers {
 }
 
 export type Request =
-  /** The mesh that all later questions are about; null for none. */
-  | { readonly kind: "mesh"; readonly mesh: Surveyed | null }
-  | { readonly kind: "question"; readonly id: number; readonly question: Question };
+  /** The mesh that all later queries are about; null for none. */
+  | { readonly kind: "mesh"; readonly mesh: QueriedMesh | null }
+  | { readonly kind: "query"; readonly id: number; readonly query: Query };
 
 export type Reply =
   | { readonly kind: "answer"; readonly id: number; readonly answer: Answers[keyof Answers] }

@@ -1,6 +1,6 @@
-/** The worker that looks through the mesh on show: what takes more than a moment, the page asks for here. */
-import type { Question, Reply, Request } from "./mesh-query-protocol";
-import { Survey, type DrawnFaces } from "./mesh-queries";
+/** The worker that answers queries about the mesh on show, which would block the page. */
+import type { Query, Reply, Request } from "./mesh-query-protocol";
+import { MeshQueries, type DrawnFaces } from "./mesh-queries";
 
 /** The part of a worker's global scope used here; the DOM types describe a window's. */
 interface WorkerScope {
@@ -10,29 +10,29 @@ interface WorkerScope {
 
 const scope = globalThis as unknown as WorkerScope;
 const noMesh = { points: new Float64Array(), tetrahedra: new Uint32Array(), regions: new Uint32Array() };
-let survey = new Survey(noMesh);
+let queries = new MeshQueries(noMesh);
 
 scope.onmessage = ({ data }) => {
   if (data.kind === "mesh") {
-    survey = new Survey(data.mesh ?? noMesh);
+    queries = new MeshQueries(data.mesh ?? noMesh);
     return;
   }
   try {
-    answer(data.id, data.question);
+    answer(data.id, data.query);
   } catch (failure) {
     const message = failure instanceof Error ? failure.message : String(failure);
     scope.postMessage({ kind: "failure", id: data.id, message }, []);
   }
 };
 
-function answer(id: number, question: Question): void {
-  switch (question.kind) {
+function answer(id: number, query: Query): void {
+  switch (query.kind) {
     case "faces": {
-      const faces = survey.facesOf(question.look);
+      const faces = queries.facesOf(query.options);
       return scope.postMessage({ kind: "answer", id, answer: faces }, buffersOf(faces));
     }
     case "histogram": {
-      const histogram = survey.histogram(question.measure, question.barCount);
+      const histogram = queries.histogram(query.measure, query.barCount);
       return scope.postMessage({ kind: "answer", id, answer: histogram }, []);
     }
   }

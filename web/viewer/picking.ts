@@ -2,7 +2,7 @@ import type { Project, ProjectPreview } from "tetrafront";
 import { DoubleSide, FrontSide, Raycaster, Vector2, Vector3, type Camera } from "three";
 import { entityKey, type Entity } from "../document/entities";
 import type { ViewState } from "../document/selection";
-import type { Place } from "./layers/layer";
+import type { Position } from "./layers/layer";
 import type { MeshLayer } from "./layers/mesh-layer";
 import type { PatchesLayer } from "./layers/patches-layer";
 import { nearestHit, type RayHit } from "./ray-hit";
@@ -19,7 +19,7 @@ export interface PickScene {
   /** The project that `preview` shows. */
   readonly previewProject: Project | null;
   readonly view: ViewState;
-  readonly origin: Place;
+  readonly origin: Position;
   readonly patchOfFace: (nodes: readonly number[]) => number | null;
 }
 
@@ -60,7 +60,11 @@ export class Picker {
   }
 
   /** Position on the screen in CSS pixels, and the distance from the eye; null behind the camera. */
-  toScreen(place: Place, size: Vector2, origin: Place): { x: number; y: number; distance: number } | null {
+  toScreen(
+    place: Position,
+    size: Vector2,
+    origin: Position,
+  ): { x: number; y: number; distance: number } | null {
     this.#scratch.set(place[0] - origin[0], place[1] - origin[1], place[2] - origin[2]);
     const distance = this.#scratch.distanceTo(this.#camera.position);
     this.#scratch.project(this.#camera);
@@ -152,7 +156,7 @@ export class Picker {
   }
 }
 
-function samplePlace({ linePoints }: ProjectPreview, sample: number): Place {
+function samplePlace({ linePoints }: ProjectPreview, sample: number): Position {
   return [linePoints[3 * sample] ?? 0, linePoints[3 * sample + 1] ?? 0, linePoints[3 * sample + 2] ?? 0];
 }
 

@@ -1,20 +1,20 @@
 /**
- * Faces of a tetrahedron abcd with (b-a)×(c-a)·(d-a) > 0: face f lies opposite its node f and turns
- * counter-clockwise seen from outside. Local node numbers, three per face.
+ * Corners of the faces of a tetrahedron abcd with (b-a)×(c-a)·(d-a) > 0, three local node indices per face. Face f
+ * lies opposite node f and is counter-clockwise seen from outside.
  */
 export const faceNodes = [1, 2, 3, 0, 3, 2, 0, 1, 3, 0, 2, 1] as const;
 
-/** There is nothing beyond this face. */
+/** Neighbour index of a face without a neighbour. */
 export const outside = -1;
 
-/** Spreads node triples over the table; odd constants of about 32 random bits. */
+/** Hash of a node triple. The factors are odd and have about 32 random bits. */
 function hash(a: number, b: number, c: number): number {
   return (Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca77) ^ Math.imul(c, 0xc2b2ae3d)) >>> 0;
 }
 
 /**
- * For face 4t + f of tetrahedron t, the tetrahedron on its other side or `outside`. Linear: a table
- * with open addressing holds the faces whose other side has not been met yet.
+ * Returns, for each face 4t + f of tetrahedron t, the tetrahedron beyond it, or `outside`. Takes linear time: a hash
+ * table with open addressing holds the faces whose neighbour has not been found yet.
  */
 export function findNeighbours(tetrahedra: Uint32Array): Int32Array {
   const faceCount = tetrahedra.length;
@@ -54,15 +54,15 @@ export function findNeighbours(tetrahedra: Uint32Array): Int32Array {
   return neighbours;
 }
 
-/** The six edges of a tetrahedron, two local nodes each. */
+/** The six edges of a tetrahedron, two local node indices each. */
 const edgeNodes = [0, 1, 0, 2, 0, 3, 1, 2, 1, 3, 2, 3] as const;
 
-/** Edges of tetrahedra as two nodes each, every one once, in order of appearance. Linear. */
+/** Returns each edge of the tetrahedra once, as two nodes, in order of appearance. Takes linear time. */
 export function uniqueEdges(tetrahedra: Uint32Array): Uint32Array {
-  const most = (tetrahedra.length / 4) * 6;
-  const edges = new Uint32Array(2 * most);
+  const maxEdges = (tetrahedra.length / 4) * 6;
+  const edges = new Uint32Array(2 * maxEdges);
   let capacity = 16;
-  while (capacity < 2 * most) capacity *= 2;
+  while (capacity < 2 * maxEdges) capacity *= 2;
   const mask = capacity - 1;
   const table = new Int32Array(capacity).fill(-1);
   let count = 0;

@@ -10,13 +10,13 @@ import { dotStates } from "./dot-states";
 import { DotsLayer } from "./layers/dots-layer";
 import { GridLayer } from "./layers/grid-layer";
 import { GroundLayer } from "./layers/ground-layer";
-import type { Place, SceneLayer } from "./layers/layer";
+import type { Position, SceneLayer } from "./layers/layer";
 import { LinesLayer } from "./layers/lines-layer";
-import { MarksLayer } from "./layers/highlight-layer";
+import { HighlightLayer } from "./layers/highlight-layer";
 import { MeshLayer } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
 import { SourcesLayer } from "./layers/sources-layer";
-import type { MeshSurvey } from "./mesh-query-client";
+import type { MeshQueryClient } from "./mesh-query-client";
 import { patchOfFace } from "./patch-finder";
 import { Picker, type Pick } from "./picking";
 import { elementCorners, triangleCorners } from "./highlight-corners";
@@ -41,7 +41,7 @@ export interface ViewerOptions {
   /** Without it the camera jumps where it would glide. */
   readonly motion: boolean;
   readonly multisampling: boolean;
-  readonly survey: MeshSurvey;
+  readonly meshQueries: MeshQueryClient;
   readonly events: ViewerEvents;
 }
 
@@ -71,8 +71,8 @@ export class Viewer {
   /** The shaders are there; before, nothing is drawn. */
   #prepared = false;
   readonly #mesh: MeshLayer;
-  readonly #marks = new MarksLayer(({ selection, hover }) => ({ face: selection, edge: hover }));
-  readonly #faults = new MarksLayer(({ front, meshEdge }) => ({ face: front, edge: meshEdge }));
+  readonly #marks = new HighlightLayer(({ selection, hover }) => ({ face: selection, edge: hover }));
+  readonly #faults = new HighlightLayer(({ front, meshEdge }) => ({ face: front, edge: meshEdge }));
   readonly #patches = new PatchesLayer();
   readonly #lines = new LinesLayer();
   readonly #points = new DotsLayer("round", (colors) => colors.point);
@@ -87,7 +87,7 @@ export class Viewer {
   readonly #drawnListeners = new Set<() => void>();
   #frameRequest = 0;
   #frames = 0;
-  #origin: Place = [0, 0, 0];
+  #origin: Position = [0, 0, 0];
   /** Of the model when it was last fitted as a whole; 0 without extent. */
   #fittedRadius = 0;
   #project: Project | null = null;
@@ -108,7 +108,7 @@ export class Viewer {
     // To ask how a shader has fared is to wait for it.
     this.#renderer.debug.checkShaderErrors = import.meta.env.DEV;
     this.#view = new ViewCamera(canvas, options.motion);
-    this.#mesh = new MeshLayer(options.survey, {
+    this.#mesh = new MeshLayer(options.meshQueries, {
       onChange: () => this.#meshChanged(),
       onFailure: options.events.onFailure,
     });
@@ -242,7 +242,7 @@ export class Viewer {
     if (!target.empty) this.#fitBounds(target, roomyBounds(this.#project), this.#options.motion);
   }
 
-  fitPlace(place: Place): void {
+  fitPlace(place: Position): void {
     if (!this.#project) return;
     this.#fitBounds(new Bounds().add(...place), roomyBounds(this.#project), this.#options.motion);
   }
@@ -269,7 +269,7 @@ export class Viewer {
   }
 
   /** Where a place of the model appears, in CSS pixels of the view; null if behind the eye. */
-  toScreen(place: Place): { x: number; y: number } | null {
+  toScreen(place: Position): { x: number; y: number } | null {
     return this.#picker.toScreen(place, this.#size, this.#origin);
   }
 

@@ -4,7 +4,7 @@ import { faceNodes, outside } from "./topology";
 
 const axisIndex = { x: 0, y: 1, z: 2 } as const;
 
-/** Lowest and highest coordinate of the nodes along one axis. */
+/** Returns the lowest and highest coordinate of the nodes along one axis; zeros without nodes. */
 export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [number, number] {
   let low = Infinity;
   let high = -Infinity;
@@ -16,7 +16,7 @@ export function extentAlong(points: Float64Array, axis: Cut["axis"]): readonly [
   return low <= high ? [low, high] : [0, 0];
 }
 
-/** Coordinate of each tetrahedron's centroid along one axis. */
+/** Returns the coordinate of each tetrahedron's centroid along one axis. */
 export function centroidsAlong({ points, tetrahedra }: Elements, axis: Cut["axis"]): Float32Array {
   const k = axisIndex[axis];
   const centroids = new Float32Array(tetrahedra.length / 4);
@@ -28,7 +28,7 @@ export function centroidsAlong({ points, tetrahedra }: Elements, axis: Cut["axis
   return centroids;
 }
 
-/** Marks the tetrahedra that a cut takes away: those whose centroid lies beyond the plane. */
+/** Sets `hidden` to 1 for the tetrahedra that a cut removes: those whose centroid lies beyond the plane. */
 export function hideBeyond(
   centroids: Float32Array,
   limit: number,
@@ -41,15 +41,15 @@ export function hideBeyond(
   }
 }
 
-/** Marks the tetrahedra of some regions. */
+/** Sets `hidden` to 1 for the tetrahedra of some regions. */
 export function hideRegions(regions: Uint32Array, unwanted: ReadonlySet<number>, hidden: Uint8Array): void {
   if (unwanted.size === 0) return;
   for (let t = 0; t < regions.length; ++t) if (unwanted.has(regions[t] ?? 0)) hidden[t] = 1;
 }
 
 /**
- * Whole tetrahedra are shown, all but the `hidden` ones, and of them the faces with nothing shown beyond.
- * Writes the faces, as 4t + f, to `faces`; returns their number. Linear, about 2 ms per 100 000 tetrahedra.
+ * Finds the visible faces: those of tetrahedra that are not hidden, if the neighbour beyond is hidden or missing.
+ * Writes them as 4t + f to `faces` and returns their number. Takes about 2 ms per 100 000 tetrahedra.
  */
 export function collectVisibleFaces(neighbours: Int32Array, hidden: Uint8Array, faces: Uint32Array): number {
   let count = 0;
@@ -63,7 +63,7 @@ export function collectVisibleFaces(neighbours: Int32Array, hidden: Uint8Array, 
   return count;
 }
 
-/** Fills three corners per face, relative to `origin`, x y z each. */
+/** Writes the three corners of each face, x y z relative to `origin`. */
 export function writeCorners(
   { points, tetrahedra }: Elements,
   faces: Uint32Array,

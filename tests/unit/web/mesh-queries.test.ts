@@ -3,14 +3,14 @@ import { describe, expect, it } from "vitest";
 import { placeOnScale, qualityOf } from "../../../web/document/mesh-quality";
 import { patchOfFace } from "../../../web/viewer/patch-finder";
 import { nearestHit } from "../../../web/viewer/ray-hit";
-import { Survey, type Look } from "../../../web/viewer/mesh-queries";
+import { MeshQueries, type ViewOptions } from "../../../web/viewer/mesh-queries";
 import { faceNodes } from "../../../web/viewer/topology";
 import { gridMesh } from "./grid-mesh";
 
 const size = 3;
 const mesh = gridMesh(size);
-const survey = new Survey(mesh);
-const whole: Look = { origin: [0, 0, 0], cut: null, hiddenRegions: new Set(), shading: "plain" };
+const queries = new MeshQueries(mesh);
+const whole: ViewOptions = { origin: [0, 0, 0], cut: null, hiddenRegions: new Set(), shading: "plain" };
 
 const cornersOf = (face: number): number[] =>
   [0, 1, 2].flatMap((k) => {
@@ -18,11 +18,11 @@ const cornersOf = (face: number): number[] =>
     return [...mesh.points.subarray(3 * node, 3 * node + 3)];
   });
 
-describe("a survey", () => {
-  it("gives the corners of every face it names, relative to the origin, and tells the boundary from the cut", () => {
+describe("MeshQueries", () => {
+  it("returns the corners of each face relative to the origin, and distinguishes boundary and cut", () => {
     const origin = [1, -2, 0.5] as const;
     const cut = { axis: "x", position: 0.5, flipped: false } as const;
-    const { faces, corners, onBoundary } = survey.facesOf({ ...whole, origin, cut });
+    const { faces, corners, onBoundary } = queries.facesOf({ ...whole, origin, cut });
     expect(faces.length).toBeGreaterThan(0);
     faces.forEach((face, i) => {
       const wanted = cornersOf(face);
@@ -35,43 +35,43 @@ describe("a survey", () => {
     });
   });
 
-  it("shows the boundary again after any cut, and the same as a survey that never cut", () => {
+  it("returns the whole boundary again after any cut", () => {
     for (const axis of ["x", "y", "z"] as const) {
-      survey.facesOf({ ...whole, cut: { axis, position: 0.2, flipped: true } });
+      queries.facesOf({ ...whole, cut: { axis, position: 0.2, flipped: true } });
     }
-    const { faces } = survey.facesOf(whole);
-    expect(faces).toEqual(new Survey(mesh).facesOf(whole).faces);
+    const { faces } = queries.facesOf(whole);
+    expect(faces).toEqual(new MeshQueries(mesh).facesOf(whole).faces);
     expect(faces).toHaveLength(6 * size * size * 2);
   });
 
-  it("colours the three corners of a face by the quality of its element", () => {
+  it("gives the three corners of a face the quality of their element", () => {
     for (const shading of ["radius-ratio", "dihedral"] as const) {
-      const { faces, values } = survey.facesOf({ ...whole, shading });
+      const { faces, values } = queries.facesOf({ ...whole, shading });
       expect(values).toHaveLength(3 * faces.length);
       faces.forEach((face, i) => {
         const value = placeOnScale(qualityOf(mesh, shading, face >> 2), shading);
         for (const corner of values.subarray(3 * i, 3 * i + 3)) expect(corner).toBeCloseTo(value, 5);
       });
     }
-    expect(survey.facesOf(whole).values).toHaveLength(0);
-    // As before, when the qualities of all elements are known.
-    const before = survey.facesOf({ ...whole, shading: "dihedral" });
-    expect(survey.histogram("dihedral", 20).bars.reduce((sum, n) => sum + n)).toBe(
+    expect(queries.facesOf(whole).values).toHaveLength(0);
+    // Cached qualities of all elements must give the same values.
+    const before = queries.facesOf({ ...whole, shading: "dihedral" });
+    expect(queries.histogram("dihedral", 20).bars.reduce((sum, n) => sum + n)).toBe(
       mesh.tetrahedra.length / 4,
     );
-    const after = survey.facesOf({ ...whole, shading: "dihedral" });
+    const after = queries.facesOf({ ...whole, shading: "dihedral" });
     after.values.forEach((value, i) => expect(value).toBeCloseTo(before.values[i] ?? NaN, 5));
   });
 });
 
-describe("a survey of regions", () => {
-  // Two slabs, one upon the other: the lower third and the rest.
+describe("MeshQueries with regions", () => {
+  // Two slabs, one above the other: the lower third and the rest.
   const perLayer = 6 * size * size;
   const regions = Uint32Array.from({ length: size * perLayer }, (_, t) => (t < perLayer ? 0 : 1));
-  const slabs = new Survey({ ...mesh, regions });
+  const slabs = new MeshQueries({ ...mesh, regions });
   const facesWithout = (...hidden: number[]) => slabs.facesOf({ ...whole, hiddenRegions: new Set(hidden) });
 
-  it("colours each face by the region of its element", () => {
+  it("gives the corners of each face the region of their element", () => {
     const cut = { axis: "x", position: 0.5, flipped: false } as const;
     const { faces, values } = slabs.facesOf({ ...whole, cut, shading: "region" });
     expect(values).toHaveLength(3 * faces.length);
@@ -82,21 +82,21 @@ describe("a survey of regions", () => {
     expect(new Set(values)).toEqual(new Set([0, 1]));
   });
 
-  it("hides regions, and shows of the others what was behind them, the wall as a boundary", () => {
+  it("hides regions and draws the faces behind them, the interface as boundary", () => {
     const [lower, upper] = [facesWithout(1), facesWithout(0)];
     expect(lower.faces.every((face) => face >> 2 < perLayer)).toBe(true);
     expect(upper.faces.every((face) => face >> 2 >= perLayer)).toBe(true);
-    // Of each slab the two large sides and the four narrow ones, two triangles per square.
+    // Each slab has two large faces and four narrow ones, with two triangles per square.
     expect(lower.faces).toHaveLength(2 * (2 * size * size + 4 * size));
     expect(upper.faces).toHaveLength(2 * (2 * size * size + 4 * size * (size - 1)));
     for (const { onBoundary } of [lower, upper]) expect(onBoundary.every((flag) => flag === 1)).toBe(true);
     expect(facesWithout(0, 1).faces).toHaveLength(0);
-    expect(facesWithout().faces).toEqual(survey.facesOf(whole).faces);
+    expect(facesWithout().faces).toEqual(queries.facesOf(whole).faces);
   });
 });
 
 describe("nearestHit", () => {
-  const { faces, corners } = survey.facesOf(whole);
+  const { faces, corners } = queries.facesOf(whole);
   const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
   const ray = new Ray(new Vector3(-2, 1.3, 1.6), new Vector3(1, 0, 0));
 
@@ -124,7 +124,7 @@ describe("nearestHit", () => {
 });
 
 describe("patchOfFace", () => {
-  it("knows a triangle by its nodes in any order, and no other", () => {
+  it("finds a triangle by its nodes in any order", () => {
     const triangles = Uint32Array.from([0, 1, 2, 2, 1, 3, 3, 1, 4]);
     const surface = {
       points: new Float64Array(15),

@@ -2,14 +2,14 @@ import { afterEach, expect, test, vi } from "vitest";
 import type { MeshResult } from "tetrafront";
 
 import { MeshLayer } from "../../../web/viewer/layers/mesh-layer.js";
-import { MeshSurvey } from "../../../web/viewer/mesh-query-client.js";
-import type { DrawnFaces, Surveyed } from "../../../web/viewer/mesh-queries.js";
+import { MeshQueryClient } from "../../../web/viewer/mesh-query-client.js";
+import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/mesh-queries.js";
 import type { Request } from "../../../web/viewer/mesh-query-protocol.js";
 import { gridMesh } from "./grid-mesh";
 
 afterEach(() => vi.unstubAllGlobals());
 
-test("a mesh for whose copy there was no memory is not taken for that of the worker", async () => {
+test("a mesh that could not be copied for want of memory is sent again with the next query", async () => {
   const posted: Request[] = [];
   vi.stubGlobal(
     "Worker",
@@ -19,29 +19,32 @@ test("a mesh for whose copy there was no memory is not taken for that of the wor
       }
     },
   );
-  const survey = new MeshSurvey();
+  const queries = new MeshQueryClient();
   const mesh = gridMesh(1);
   const slice = vi.spyOn(mesh.points, "slice").mockImplementationOnce(() => {
     throw new RangeError("no memory");
   });
-  await expect(survey.histogram(mesh, "dihedral", 5)).rejects.toThrow("no memory");
+  await expect(queries.histogram(mesh, "dihedral", 5)).rejects.toThrow("no memory");
   slice.mockRestore();
-  void survey.histogram(mesh, "dihedral", 5);
-  expect(posted.map(({ kind }) => kind)).toEqual(["mesh", "question"]);
+  void queries.histogram(mesh, "dihedral", 5);
+  expect(posted.map(({ kind }) => kind)).toEqual(["mesh", "query"]);
 });
 
-test("where the faces of one mesh cannot be found, those of the mesh wanted since are asked for", async () => {
-  const asked: Surveyed[] = [];
+test("after the faces of one mesh failed, the faces of the next mesh are queried", async () => {
+  const asked: QueriedMesh[] = [];
   const fail: ((failure: Error) => void)[] = [];
-  const survey = {
-    facesOf: (mesh: Surveyed) => {
+  const queries = {
+    facesOf: (mesh: QueriedMesh) => {
       asked.push(mesh);
       return new Promise<DrawnFaces>((_, reject) => fail.push(reject));
     },
   };
   const reasons: string[] = [];
   const onFailure = (reason: string): void => void reasons.push(reason);
-  const layer = new MeshLayer(survey as unknown as MeshSurvey, { onChange: () => undefined, onFailure });
+  const layer = new MeshLayer(queries as unknown as MeshQueryClient, {
+    onChange: () => undefined,
+    onFailure,
+  });
   const results = [gridMesh(1), gridMesh(2)].map(
     (volume) => ({ volume, report: {} }) as unknown as MeshResult,
   );
@@ -50,7 +53,7 @@ test("where the faces of one mesh cannot be found, those of the mesh wanted sinc
   await vi.waitFor(() => expect(reasons).toEqual(["no memory"]));
   layer.refresh();
   expect(asked).toEqual(results.map(({ volume }) => volume));
-  // Of what has failed nothing more is asked.
+  // A failed query is not repeated.
   fail[1]?.(new Error("no memory"));
   await vi.waitFor(() => expect(reasons).toHaveLength(2));
   layer.refresh();

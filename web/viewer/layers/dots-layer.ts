@@ -1,7 +1,7 @@
 import { BufferAttribute, BufferGeometry, Points } from "three";
 import type { ViewerColors } from "../colors";
 import { createDotMaterial, displayColor, setColor, setNumber } from "../materials";
-import type { Place, SceneLayer } from "./layer";
+import type { Position, SceneLayer } from "./layer";
 
 /** How one dot is drawn. */
 export type DotState = "normal" | "hover" | "selected" | "hidden";
@@ -35,7 +35,7 @@ export class DotsLayer implements SceneLayer {
     setNumber(this.#material, "pixelRatio", pixelRatio);
   }
 
-  setPlaces(places: readonly Place[], origin: Place): void {
+  setPlaces(places: readonly Position[], origin: Position): void {
     const position = new Float32Array(3 * places.length);
     places.forEach(([x, y, z], i) => {
       position[3 * i] = x - origin[0];

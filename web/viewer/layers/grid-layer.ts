@@ -4,7 +4,7 @@ import { engineGrid } from "../../document/packed-grid";
 import type { ViewerColors } from "../colors";
 import { uniqueEdges } from "../topology";
 import { DotsLayer, type DotState } from "./dots-layer";
-import type { Place, SceneLayer } from "./layer";
+import type { Position, SceneLayer } from "./layer";
 
 type Background = Project["background"];
 
@@ -24,7 +24,7 @@ export class GridLayer implements SceneLayer {
   readonly #arrows = new LineSegments(new BufferGeometry(), this.#arrowMaterial);
   readonly nodes = new DotsLayer("square", (colors) => colors.backgroundGrid);
   #shown: Background | null = null;
-  #shownOrigin: Place = [0, 0, 0];
+  #shownOrigin: Position = [0, 0, 0];
   #edgeNodes = new Uint32Array();
 
   constructor() {
@@ -41,7 +41,7 @@ export class GridLayer implements SceneLayer {
   }
 
   /** Lays the grid out if it is another one. */
-  setGrid(project: Project, origin: Place): void {
+  setGrid(project: Project, origin: Position): void {
     const { background } = project;
     const shown = this.#shown;
     const sameEdges = shown?.tetrahedra === background.tetrahedra && sameIds(shown.nodes, background.nodes);
@@ -90,7 +90,7 @@ function edgeNodes({ background }: Project): Uint32Array<ArrayBuffer> {
 }
 
 /** Shaft and two heads per stretched node, in one plane. */
-function arrowPlaces({ nodes }: Background, origin: Place): Float32Array {
+function arrowPlaces({ nodes }: Background, origin: Position): Float32Array {
   const places: number[] = [];
   for (const { at, size, stretching = 1, direction = [1, 0, 0] } of nodes) {
     const length = Math.hypot(...direction);
@@ -98,7 +98,7 @@ function arrowPlaces({ nodes }: Background, origin: Place): Float32Array {
     const half = (size * stretching) / 2;
     const [x, y, z] = direction.map((d) => (d / length) * half) as [number, number, number];
     // Any direction across the arrow will do.
-    const across: Place = Math.abs(z) < 0.9 * half ? [-y, x, 0] : [0, -z, y];
+    const across: Position = Math.abs(z) < 0.9 * half ? [-y, x, 0] : [0, -z, y];
     const breadth = (headLength * headSpread * half) / (Math.hypot(...across) || 1);
     const push = (along: number, aside: number): void => {
       [x, y, z].forEach((d, k) =>

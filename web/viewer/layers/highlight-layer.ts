@@ -1,17 +1,17 @@
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, Mesh } from "three";
 import type { ViewerColors } from "../colors";
 import { createFacetMaterial, setColor } from "../materials";
-import type { Place, SceneLayer } from "./layer";
+import type { Position, SceneLayer } from "./layer";
 
-export interface MarkColors {
+export interface HighlightColors {
   readonly face: string;
   readonly edge: string;
 }
 
 /** Triangles pointed out: of one element of the mesh, or of a faulty boundary. Seen through everything. */
-export class MarksLayer implements SceneLayer {
+export class HighlightLayer implements SceneLayer {
   readonly root = new Group();
-  readonly #colorsOf: (colors: ViewerColors) => MarkColors;
+  readonly #colorsOf: (colors: ViewerColors) => HighlightColors;
   readonly #plain = createFacetMaterial({ opacity: 0.9, depthWrite: true, polygonOffset: -2 });
   readonly #through = createFacetMaterial({ opacity: 0.3, depthTest: false });
   readonly #edgeMaterial = new LineBasicMaterial({ transparent: true, depthTest: false });
@@ -21,7 +21,7 @@ export class MarksLayer implements SceneLayer {
   ] as const;
   readonly #edges = new LineSegments(new BufferGeometry(), this.#edgeMaterial);
 
-  constructor(colorsOf: (colors: ViewerColors) => MarkColors) {
+  constructor(colorsOf: (colors: ViewerColors) => HighlightColors) {
     this.#colorsOf = colorsOf;
     for (const [order, drawn] of [...this.#faces, this.#edges].entries()) {
       drawn.frustumCulled = false;
@@ -38,7 +38,7 @@ export class MarksLayer implements SceneLayer {
   }
 
   /** @param corners x y z of three corners per triangle. */
-  setTriangles(corners: readonly number[], origin: Place): void {
+  setTriangles(corners: readonly number[], origin: Position): void {
     const local = Float32Array.from(corners, (x, i) => x - (origin[i % 3] ?? 0));
     const position = new BufferAttribute(local, 3);
     const sides = Uint32Array.from({ length: (2 * local.length) / 3 }, (_, i) => {

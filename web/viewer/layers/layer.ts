@@ -2,7 +2,7 @@ import type { Object3D } from "three";
 import type { ViewerColors } from "../colors";
 
 /** A place in model coordinates. */
-export type Place = readonly [number, number, number];
+export type Position = readonly [number, number, number];
 
 /** What every layer of the scene offers the viewer. Layers own their GPU resources. */
 export interface SceneLayer {

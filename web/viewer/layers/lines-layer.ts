@@ -4,7 +4,7 @@ import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
 import type { ViewerColors } from "../colors";
-import type { Place, SceneLayer } from "./layer";
+import type { Position, SceneLayer } from "./layer";
 
 /** Widths on the screen in pixels. */
 const normalWidth = 1.6;
@@ -17,7 +17,7 @@ export class LinesLayer implements SceneLayer {
   readonly root = new Group();
   readonly #bundles: { readonly [M in Marking]: LineSegments2 };
   #preview: ProjectPreview | null = null;
-  #origin: Place = [0, 0, 0];
+  #origin: Position = [0, 0, 0];
 
   constructor() {
     this.#bundles = {
@@ -38,7 +38,7 @@ export class LinesLayer implements SceneLayer {
     for (const bundle of Object.values(this.#bundles)) bundle.material.resolution.set(width, height);
   }
 
-  setPreview(preview: ProjectPreview | null, origin: Place): void {
+  setPreview(preview: ProjectPreview | null, origin: Position): void {
     this.#preview = preview;
     this.#origin = origin;
   }

@@ -11,10 +11,10 @@ import {
   setNumber,
   setTexture,
 } from "../materials";
-import type { MeshSurvey } from "../mesh-query-client";
+import type { MeshQueryClient } from "../mesh-query-client";
 import type { DrawnFaces } from "../mesh-queries";
 import { faceNodes } from "../topology";
-import type { Place, SceneLayer } from "./layer";
+import type { Position, SceneLayer } from "./layer";
 
 /** How far an out-of-date mesh fades towards the background. */
 const staleFading = 0.62;
@@ -29,7 +29,7 @@ export interface MeshLayerEvents {
 /** What is to be drawn. Equal by identity. */
 interface Wanted {
   readonly volume: VolumeMesh | null;
-  readonly origin: Place;
+  readonly origin: Position;
   readonly cut: Cut | null;
   readonly hiddenRegions: ReadonlySet<number>;
   readonly shading: Shading;
@@ -43,12 +43,12 @@ interface Drawn {
 
 /**
  * The tetrahedra: the boundary, or what a cut leaves of it, and the front of an incomplete mesh. Which faces
- * these are, a survey finds; until it answers those found last are drawn, and of all that is wanted meanwhile
+ * these are, a queries finds; until it answers those found last are drawn, and of all that is wanted meanwhile
  * only the last is asked for.
  */
 export class MeshLayer implements SceneLayer {
   readonly root = new Group();
-  readonly #survey: MeshSurvey;
+  readonly #queries: MeshQueryClient;
   readonly #events: MeshLayerEvents;
   readonly #material = createMeshMaterial();
   readonly #frontMaterial = createFacetMaterial({ opacity: 1, depthWrite: true });
@@ -67,8 +67,8 @@ export class MeshLayer implements SceneLayer {
   #drawn: Drawn = { wanted: this.#wanted, faces: null };
   #asking = false;
 
-  constructor(survey: MeshSurvey, events: MeshLayerEvents) {
-    this.#survey = survey;
+  constructor(queries: MeshQueryClient, events: MeshLayerEvents) {
+    this.#queries = queries;
     this.#events = events;
     this.root.add(this.#mesh, this.#front);
     for (const mesh of [this.#mesh, this.#front]) mesh.frustumCulled = false;
@@ -87,7 +87,7 @@ export class MeshLayer implements SceneLayer {
   }
 
   /** Shows another mesh, or none. Asked for at once: figures of the mesh come after its picture. */
-  setMesh(result: MeshResult | null, origin: Place): void {
+  setMesh(result: MeshResult | null, origin: Position): void {
     this.#want({ volume: result?.volume ?? null, origin });
     this.#showFront(result, origin);
     this.refresh();
@@ -160,7 +160,7 @@ export class MeshLayer implements SceneLayer {
   #want(change: Partial<Wanted>): void {
     this.#wanted = { ...this.#wanted, ...change };
     if (this.#wanted.volume === null) {
-      this.#survey.release();
+      this.#queries.release();
       this.#show({ wanted: this.#wanted, faces: null });
     }
     this.#place();
@@ -176,7 +176,7 @@ export class MeshLayer implements SceneLayer {
         wanted = this.#wanted;
         const { volume, ...look } = wanted;
         if (!volume) break;
-        const faces = await this.#survey.facesOf(volume, look);
+        const faces = await this.#queries.facesOf(volume, look);
         if (volume === this.#wanted.volume) this.#show({ wanted, faces });
       }
     } catch (failure) {
@@ -215,7 +215,7 @@ export class MeshLayer implements SceneLayer {
     this.#mesh.position.set(origin[0] - x, origin[1] - y, origin[2] - z);
   }
 
-  #showFront(result: MeshResult | null, origin: Place): void {
+  #showFront(result: MeshResult | null, origin: Position): void {
     const status = result?.report.status;
     const incomplete = status === "stalled" || status === "cancelled";
     const hasElements = (result?.volume.tetrahedra.length ?? 0) > 0;

@@ -2,7 +2,7 @@ import type { ProjectPreview } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, Mesh } from "three";
 import type { ViewerColors } from "../colors";
 import { createFacetMaterial, setColor, setNumber } from "../materials";
-import type { Place, SceneLayer } from "./layer";
+import type { Position, SceneLayer } from "./layer";
 
 type Marking = "normal" | "faulty" | "hover" | "selected";
 
@@ -61,7 +61,7 @@ export class PatchesLayer implements SceneLayer {
     setNumber(this.#meshes.normal.material, "opacity", overMesh ? opacityOverMesh : opacityAlone);
   }
 
-  setPreview(preview: ProjectPreview | null, origin: Place): void {
+  setPreview(preview: ProjectPreview | null, origin: Position): void {
     this.#preview = preview;
     const places = Float32Array.from(preview?.patchPoints ?? [], (x, i) => x - (origin[i % 3] ?? 0));
     this.#position = new BufferAttribute(places, 3);

@@ -2,7 +2,7 @@ import type { Project, ProjectSource } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from "three";
 import type { ViewerColors } from "../colors";
 import { DotsLayer, type DotState } from "./dots-layer";
-import type { Place, SceneLayer } from "./layer";
+import type { Position, SceneLayer } from "./layer";
 
 /** Straight pieces of a circle. */
 const circlePieces = 32;
@@ -22,7 +22,7 @@ export class SourcesLayer implements SceneLayer {
   readonly #marked = new LineSegments(new BufferGeometry(), this.#markedMaterial);
   readonly places = new DotsLayer("square", (colors) => colors.source);
   #sources: readonly ProjectSource[] = [];
-  #origin: Place = [0, 0, 0];
+  #origin: Position = [0, 0, 0];
 
   constructor() {
     for (const lines of [this.#joins, this.#reaches, this.#marked]) {
@@ -40,7 +40,7 @@ export class SourcesLayer implements SceneLayer {
     this.places.setColors(colors);
   }
 
-  setSources(project: Project, origin: Place): void {
+  setSources(project: Project, origin: Position): void {
     this.#sources = project.background.sources ?? [];
     this.#origin = origin;
     this.places.setPlaces(
@@ -76,7 +76,7 @@ export class SourcesLayer implements SceneLayer {
     this.places.dispose();
   }
 
-  #local(place: Place): Vector {
+  #local(place: Position): Vector {
     return [place[0] - this.#origin[0], place[1] - this.#origin[1], place[2] - this.#origin[2]];
   }
 
