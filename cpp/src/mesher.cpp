@@ -15,11 +15,11 @@
 #include "quality/metrics.h"
 #include "quality/survey.h"
 #include "boundary/boundary.h"
-#include "preview/examine_input.h"
+#include "preview/check_input.h"
 #include "sizing/expected_count.h"
-#include "sizing/possible_sizes.h"
+#include "sizing/achievable_sizes.h"
 #include "surface/surface_mesher.h"
-#include "sizing/wanted_sizes.h"
+#include "sizing/target_sizes.h"
 #include "volume/cell_mesher.h"
 
 namespace tetrafront {
@@ -127,16 +127,16 @@ class MeshRun::Impl {
 
  private:
   struct InputCheck {
-    std::optional<InputExaminer> ofModel;
+    std::optional<InputChecker> ofModel;
     std::optional<BackgroundGridCheck> ofGrid;  ///< with a given surface
   };
   // Done in one step each.
   struct Estimate {};
   struct Nobody {};
 
-  using Worker = std::variant<InputCheck, SurfaceMesher, BoundaryCheck, WantedSizes, PossibleSizes,
-                              Estimate, CellMesher, MortonReordering, MeshOptimizer, QualitySurvey,
-                              MeshVerifier, Nobody>;
+  using Worker = std::variant<InputCheck, SurfaceMesher, BoundaryCheck, TargetSizes,
+                              AchievableSizes, Estimate, CellMesher, MortonReordering,
+                              MeshOptimizer, QualitySurvey, MeshVerifier, Nobody>;
 
   [[nodiscard]] bool isModel() const { return model_.has_value(); }
   [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
@@ -176,7 +176,7 @@ class MeshRun::Impl {
       // What a preview says.
       if (!check.ofModel) check.ofModel.emplace(*model_, grid_, options_);
       if (!check.ofModel->advance(budget)) return;
-      InputExamination found = check.ofModel->take();
+      CheckedInput found = check.ofModel->take();
       report(found.preview.diagnostics);
       if (anyError(diagnostics_) || !found.field) return fail();
       field_ = std::move(found.field);
@@ -185,7 +185,7 @@ class MeshRun::Impl {
       if (!check.ofGrid) {
         report(checkOptions(options_));
         if (anyError(diagnostics_)) return fail();
-        check.ofGrid = checkOfWantedSizes(grid_, options_);
+        check.ofGrid = targetSizeCheck(grid_, options_);
       }
       if (!check.ofGrid->advance(budget)) return;
       report(check.ofGrid->take());
@@ -216,19 +216,19 @@ class MeshRun::Impl {
       worker_.emplace<Estimate>();
     } else {
       report(checkLargestSize(surface_, options_.size));
-      worker_.emplace<WantedSizes>(surface_, grid_, options_, OwnEdges::kCount);
+      worker_.emplace<TargetSizes>(surface_, grid_, options_, EdgeSizes::kCount);
     }
   }
 
-  void work(WantedSizes& sizes, std::uint32_t budget) {
+  void work(TargetSizes& sizes, std::uint32_t budget) {
     if (!sizes.advance(budget)) return;
     report(sizes.diagnostics());
     if (anyError(diagnostics_)) return fail();
     field_ = sizes.take();
-    worker_.emplace<PossibleSizes>(surface_, grid_, options_, *field_);
+    worker_.emplace<AchievableSizes>(surface_, grid_, options_, *field_);
   }
 
-  void work(PossibleSizes& sizes, std::uint32_t budget) {
+  void work(AchievableSizes& sizes, std::uint32_t budget) {
     if (!sizes.advance(budget)) return;
     report(sizes.diagnostics());
     worker_.emplace<Estimate>();
@@ -320,10 +320,10 @@ class MeshRun::Impl {
     if (isModel()) return {Phase::kSurface, surfaceEnd()};
     return {Phase::kCheck, kCheckEnd, check.fraction()};
   }
-  [[nodiscard]] Position positionOf(const WantedSizes& /*sizes*/) const {
+  [[nodiscard]] Position positionOf(const TargetSizes& /*sizes*/) const {
     return {Phase::kCheck, kCheckEnd};
   }
-  [[nodiscard]] Position positionOf(const PossibleSizes& /*sizes*/) const {
+  [[nodiscard]] Position positionOf(const AchievableSizes& /*sizes*/) const {
     return {Phase::kCheck, kCheckEnd};
   }
   [[nodiscard]] Position positionOf(const Estimate& /*worker*/) const {

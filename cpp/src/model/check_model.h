@@ -15,7 +15,7 @@ namespace tetrafront {
 /// What is wrong with the points, lines and patches of a model, each taken by itself; empty if
 /// nothing is. Points first, then lines, then patches, each in the model's order. Any input is
 /// accepted, also numbers out of range. O(model), curved lines counting as their samples; whether
-/// the patches close a surface is asked by examineInput().
+/// the patches close a surface is asked by checkInput().
 [[nodiscard]] std::vector<Diagnostic> checkModel(const Model& model);
 
 /// What checkModel() found, and what can be drawn in spite of it.

@@ -216,7 +216,7 @@ class SurfaceSampler::Impl {
     const SizeField field = SizeField::uniform(size);
     PatchBoundary boundary =
         layOutBoundary(resolved_, model_->patches[number], surface, field, lines_);
-    if (!findFaultySides(boundary).empty()) return;
+    if (!findInvalidSides(boundary).empty()) return;
     PlanarMesh& mesh = boundary.mesh;
     const PatchMetric metric(surface, field);
     PlanarFront front(metric, mesh);

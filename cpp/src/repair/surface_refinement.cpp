@@ -9,10 +9,10 @@
 #include "boundary/boundary_report.h"
 #include "boundary/surface_checks.h"
 #include "boundary/edge_table.h"
-#include "preview/examine_input.h"
+#include "preview/check_input.h"
 #include "sizing/expected_count.h"
 #include "boundary/surface_access.h"
-#include "sizing/wanted_sizes.h"
+#include "sizing/target_sizes.h"
 #include "tetrafront/surface_tools.h"
 
 namespace tetrafront {
@@ -114,7 +114,7 @@ class SurfaceRefiner::Impl {
   std::uint32_t given_ = 0;  ///< triangles
   std::vector<std::uint32_t> origin_;
   std::optional<BackgroundGridCheck> ofGrid_;
-  std::optional<WantedSizes> wanted_;
+  std::optional<TargetSizes> wanted_;
   std::optional<SizeField> field_;
   FieldHint hint_;
   std::uint32_t next_ = 0;
@@ -175,7 +175,7 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::check() {
   }
   result_.diagnostics = report.take();
   add(checkOptions(options_));
-  ofGrid_.emplace(checkOfWantedSizes(grid_, options_));
+  ofGrid_.emplace(targetSizeCheck(grid_, options_));
   return Stage::kCheckGrid;
 }
 
@@ -183,8 +183,8 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::checkGrid(std::uint32_t budget
   if (!ofGrid_->advance(budget)) return stage_;
   add(ofGrid_->take());
   ofGrid_.reset();
-  if (anyError(result_.diagnostics) || !asksForSizes(grid_, options_)) return finish();
-  wanted_.emplace(mesh_, grid_, options_, OwnEdges::kIgnored);
+  if (anyError(result_.diagnostics) || !hasTargetSizes(grid_, options_)) return finish();
+  wanted_.emplace(mesh_, grid_, options_, EdgeSizes::kIgnored);
   return Stage::kSizes;
 }
 
@@ -297,7 +297,7 @@ SurfaceRefiner::Impl::Stage SurfaceRefiner::Impl::finish() {
 void SurfaceRefiner::Impl::measureEdge(std::uint32_t edge) {
   const Vec3 a = pointOf(mesh_, ends_[edge][0]);
   const Vec3 b = pointOf(mesh_, ends_[edge][1]);
-  lengths_[edge] = wantedLength(*field_, a, b, hint_);
+  lengths_[edge] = metricLength(*field_, a, b, hint_);
   spans_[edge] = field_->isStretched() ? lengths_[edge] : glm::length(b - a);
   want(edge, lengths_[edge]);
 }
@@ -326,7 +326,7 @@ std::uint32_t SurfaceRefiner::Impl::longestAround(std::uint32_t edge) const {
 double SurfaceRefiner::Impl::lengthInside(std::uint32_t triangle, std::uint32_t edge) {
   const auto [a, b, c] = cornersOf(mesh_, triangle);
   const Vec3 along = pointOf(mesh_, ends_[edge][1]) - pointOf(mesh_, ends_[edge][0]);
-  return wantedLengthAt(*field_, (a + b + c) / 3.0, along, hint_);
+  return metricLengthAt(*field_, (a + b + c) / 3.0, along, hint_);
 }
 
 double SurfaceRefiner::Impl::needOf(std::uint32_t edge) {

@@ -296,7 +296,7 @@ PatchBoundary layOutBoundary(const ResolvedModel& model, const Patch& patch,
   return std::move(builder.boundary);
 }
 
-std::vector<std::uint32_t> findFaultySides(const PatchBoundary& boundary) {
+std::vector<std::uint32_t> findInvalidSides(const PatchBoundary& boundary) {
   std::vector<std::uint32_t> faulty = findTouchingSides(boundary.mesh);
   if (faulty.empty()) faulty = findMisplacedSides(boundary);
   sortUnique(faulty);

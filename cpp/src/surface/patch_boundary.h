@@ -45,6 +45,6 @@ struct PatchBoundary {
 /// other from a common one; if there are none, those of an inverted outer loop, and the sides of
 /// holes that are not inside the outer loop or are inside another hole, and of the loop that should
 /// hold them or should not.
-[[nodiscard]] std::vector<std::uint32_t> findFaultySides(const PatchBoundary& boundary);
+[[nodiscard]] std::vector<std::uint32_t> findInvalidSides(const PatchBoundary& boundary);
 
 }  // namespace tetrafront

@@ -11,7 +11,7 @@
 #include "surface/planar_links.h"
 #include "surface/planar_mesh.h"
 #include "surface/planar_moves.h"
-#include "surface/planar_repair.h"
+#include "surface/planar_improver.h"
 
 namespace tetrafront {
 
@@ -38,7 +38,7 @@ class PlanarOptimizer {
   PlanarMesh* mesh_;
   PlanarLinks links_;
   PlanarMoves moves_;
-  PlanarRepair repair_;
+  PlanarImprover repair_;
   bool linked_ = false;
   bool done_ = false;
   std::size_t sweep_ = 0;

@@ -321,7 +321,7 @@ std::uint32_t SurfaceMesher::Impl::layOutNextPatch() {
   const std::uint32_t patch = cursor_++;
   const PatchBoundary boundary =
       layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
-  const std::vector<std::uint32_t> faulty = findFaultySides(boundary);
+  const std::vector<std::uint32_t> faulty = findInvalidSides(boundary);
   if (!faulty.empty()) {
     const bool mayHelp = round_ < kMaxHalvingRounds && gatherHalvings(patch, boundary, faulty);
     if (!mayHelp) reportFaulty(patch, boundary, faulty);

@@ -13,7 +13,7 @@
 
 namespace tetrafront {
 
-struct InputExamination {
+struct CheckedInput {
   /// The picture, with all diagnostics: about points, lines and patches by themselves, then about
   /// the surface, then about the background grid, then about the sizes.
   ModelPreview preview;
@@ -23,17 +23,17 @@ struct InputExamination {
 
 /// Any input is accepted. No finding keeps another from being made, unless it takes away what the
 /// other is about. Milliseconds for the models people draw.
-[[nodiscard]] InputExamination examineInput(const Model& model, const BackgroundGrid& grid,
-                                            const MeshOptions& options);
+[[nodiscard]] CheckedInput checkInput(const Model& model, const BackgroundGrid& grid,
+                                      const MeshOptions& options);
 
-/// examineInput() in slices.
-class InputExaminer {
+/// checkInput() in slices.
+class InputChecker {
  public:
   /// All must outlive this.
-  InputExaminer(const Model& model, const BackgroundGrid& grid, const MeshOptions& options);
-  InputExaminer(InputExaminer&&) noexcept;
-  InputExaminer& operator=(InputExaminer&&) noexcept;
-  ~InputExaminer();
+  InputChecker(const Model& model, const BackgroundGrid& grid, const MeshOptions& options);
+  InputChecker(InputChecker&&) noexcept;
+  InputChecker& operator=(InputChecker&&) noexcept;
+  ~InputChecker();
 
   /// Works on for about `budget` steps, a patch being many, or takes one of the steps that look at all
   /// patches together; true when finished.
@@ -43,7 +43,7 @@ class InputExaminer {
   [[nodiscard]] double fraction() const;
 
   /// Once, when finished.
-  [[nodiscard]] InputExamination take();
+  [[nodiscard]] CheckedInput take();
 
  private:
   class Impl;

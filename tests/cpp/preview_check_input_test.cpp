@@ -1,7 +1,7 @@
 // The one check of a model and its sizes: all that is wrong at once, and the same from a preview and
 // from a run.
 
-#include "preview/examine_input.h"
+#include "preview/check_input.h"
 
 #include <gtest/gtest.h>
 
@@ -81,7 +81,7 @@ std::set<Finding> errorsAmong(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::vector<Diagnostic> foundIn(const Model& model, double size = 0.5) {
-  return examineInput(model, gridOf(size), {}).preview.diagnostics;
+  return checkInput(model, gridOf(size), {}).preview.diagnostics;
 }
 
 std::size_t countOf(const std::vector<Diagnostic>& found, DiagnosticCode code) {
@@ -219,20 +219,20 @@ TEST(ExamineInput, TheEstimateKnowsTheVolumeAndComesBeforeAnythingStarts) {
   const Model box = boxModel({0, 0, 0}, {1, 2, 3});
   MeshOptions options;
   options.size = 0.001;
-  const std::vector<Diagnostic> found = examineInput(box, {}, options).preview.diagnostics;
+  const std::vector<Diagnostic> found = checkInput(box, {}, options).preview.diagnostics;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DiagnosticCode::kTooManyElements);
   // Regular tetrahedra of edge h have the volume h^3 / (6 sqrt 2).
   EXPECT_NEAR(found[0].values.at(0) / (6.0 * 6.0 * std::sqrt(2.0) * 1e9), 1.0, 1e-6);
   options.size = 0.02;
-  EXPECT_TRUE(examineInput(box, {}, options).preview.diagnostics.empty());
+  EXPECT_TRUE(checkInput(box, {}, options).preview.diagnostics.empty());
 }
 
 TEST(ExamineInput, ThinBodiesAreCountedByTheirSurface) {
   MeshOptions options;
   options.size = 1e-5;
   const std::vector<Diagnostic> found =
-      examineInput(boxModel({0, 0, 0}, {1, 1, 1e-9}), {}, options).preview.diagnostics;
+      checkInput(boxModel({0, 0, 0}, {1, 1, 1e-9}), {}, options).preview.diagnostics;
   EXPECT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);
 }
 
@@ -254,7 +254,7 @@ TEST(ExamineInput, ACoordinateBeyondComputingIsTold) {
   grid.nodes[0].position.z = 1e201;
   grid.sources = {{SourceType::kPoint, {Vec3(1e202, 0.0, 0.0), Vec3(0.0), Vec3(0.0)}, 0.5}};
   std::vector<double> told;
-  for (const Diagnostic& finding : examineInput(box, grid, {}).preview.diagnostics)
+  for (const Diagnostic& finding : checkInput(box, grid, {}).preview.diagnostics)
     if (finding.code == DiagnosticCode::kNotFinite) told.push_back(finding.values.at(0));
   std::sort(told.begin(), told.end());
   EXPECT_EQ(told, (std::vector<double>{-1e200, 1e201, 1e202}));
@@ -280,7 +280,7 @@ Model ruin() {
 
 TEST(ExamineInput, NoFindingHidesAnother) {
   BackgroundGrid grid = boxGrid(Vec3(-9.0), {4.5, 9, 9}, [](const Vec3&) { return 0.5; });
-  const std::vector<Diagnostic> found = examineInput(ruin(), grid, {}).preview.diagnostics;
+  const std::vector<Diagnostic> found = checkInput(ruin(), grid, {}).preview.diagnostics;
   for (const DiagnosticCode code :
        {DiagnosticCode::kNotFinite, DiagnosticCode::kDuplicatePoints,
         DiagnosticCode::kZeroLengthLine, DiagnosticCode::kIndexOutOfRange,
@@ -291,7 +291,7 @@ TEST(ExamineInput, NoFindingHidesAnother) {
   grid.nodes[2].size = 0.0;
   MeshOptions options;
   options.growth = -1.0;
-  const std::vector<Diagnostic> worse = examineInput(ruin(), grid, options).preview.diagnostics;
+  const std::vector<Diagnostic> worse = checkInput(ruin(), grid, options).preview.diagnostics;
   EXPECT_EQ(countOf(worse, DiagnosticCode::kBadSize), 1U);
   EXPECT_EQ(countOf(worse, DiagnosticCode::kBadOption), 1U);
   EXPECT_EQ(the(DiagnosticCode::kDuplicateLines, worse).severity, Severity::kWarning);

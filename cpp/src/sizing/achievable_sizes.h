@@ -21,11 +21,11 @@ namespace tetrafront {
 
 /// Looks at a surface in slices; cuts the field where the surface is finer than a grid, and lifts it where
 /// it is coarser than what is wanted.
-class PossibleSizes {
+class AchievableSizes {
  public:
   /// `field` has the sizes wanted there by the same grid and options. All must outlive this.
-  PossibleSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
-                SizeField& field);
+  AchievableSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
+                  const MeshOptions& options, SizeField& field);
 
   /// Works on for about `budget` triangles or cells; true when the field is fit.
   bool advance(std::uint32_t budget);

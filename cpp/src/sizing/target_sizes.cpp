@@ -1,4 +1,4 @@
-#include "sizing/wanted_sizes.h"
+#include "sizing/target_sizes.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,11 +11,11 @@ bool usesGrid(const BackgroundGrid& grid, const MeshOptions& options) {
   return !(options.size > 0.0) && (!grid.nodes.empty() || !grid.tetrahedra.empty());
 }
 
-bool asksForSizes(const BackgroundGrid& grid, const MeshOptions& options) {
+bool hasTargetSizes(const BackgroundGrid& grid, const MeshOptions& options) {
   return options.size > 0.0 || usesGrid(grid, options) || !grid.sources.empty();
 }
 
-BackgroundGridCheck checkOfWantedSizes(const BackgroundGrid& grid, const MeshOptions& options) {
+BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid, const MeshOptions& options) {
   return BackgroundGridCheck(grid, usesGrid(grid, options) ? GridPart::kWhole : GridPart::kSources);
 }
 
@@ -37,7 +37,7 @@ std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size
   return found;
 }
 
-SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& options) {
+SizeField explicitTargetSizes(const BackgroundGrid& grid, const MeshOptions& options) {
   // Coordinates have magnitudes from 2^-100 to 1e30: these are beyond any size that can be meshed, and
   // their cubes, which inverting a tensor takes, are numbers still.
   constexpr double kLeast = 1e-60;
@@ -48,19 +48,19 @@ SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& option
   return asked;
 }
 
-WantedSizes::WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
-                         const MeshOptions& options, OwnEdges own)
+TargetSizes::TargetSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
+                         const MeshOptions& options, EdgeSizes own)
     : grid_(grid), surface_(surface) {
   if (usesGrid(grid, options)) {
     locator_.emplace(grid, options.gradation - 1.0);
-  } else if (own == OwnEdges::kIgnored) {
-    field_ = askedBesideEdges(grid, options);
+  } else if (own == EdgeSizes::kIgnored) {
+    field_ = explicitTargetSizes(grid, options);
   } else {
     builder_.emplace(pointsOf(surface), surface.triangles, options.growth, options.size);
   }
 }
 
-bool WantedSizes::advance(std::uint32_t budget) {
+bool TargetSizes::advance(std::uint32_t budget) {
   if (locator_) {
     if (!locator_->advance(budget)) return false;
     field_ = SizeField::fromGrid(locator_->take());
@@ -78,23 +78,23 @@ bool WantedSizes::advance(std::uint32_t budget) {
   return true;
 }
 
-std::vector<Diagnostic> WantedSizes::diagnostics() const {
+std::vector<Diagnostic> TargetSizes::diagnostics() const {
   return coverage_ ? coverage_->diagnostics() : std::vector<Diagnostic>{};
 }
 
-SizeField WantedSizes::take() { return std::move(*field_); }
+SizeField TargetSizes::take() { return std::move(*field_); }
 
-double wantedLengthAt(const SizeField& field, const Vec3& place, const Vec3& edge,
+double metricLengthAt(const SizeField& field, const Vec3& place, const Vec3& edge,
                       FieldHint& hint) {
   if (!field.isStretched()) return glm::length(edge) / field.wantedSizeAt(place, hint);
   return glm::length(field.wantedTensorAt(place, hint).inverse() * edge);
 }
 
-double wantedLength(const SizeField& field, const Vec3& a, const Vec3& b, FieldHint& hint) {
+double metricLength(const SizeField& field, const Vec3& a, const Vec3& b, FieldHint& hint) {
   const Vec3 edge = b - a;
-  return (wantedLengthAt(field, a, edge, hint) +
-          4.0 * wantedLengthAt(field, 0.5 * (a + b), edge, hint) +
-          wantedLengthAt(field, b, edge, hint)) /
+  return (metricLengthAt(field, a, edge, hint) +
+          4.0 * metricLengthAt(field, 0.5 * (a + b), edge, hint) +
+          metricLengthAt(field, b, edge, hint)) /
          6.0;
 }
 

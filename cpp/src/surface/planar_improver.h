@@ -13,10 +13,11 @@
 
 namespace tetrafront {
 
-class PlanarRepair {
+class PlanarImprover {
  public:
   /// All must outlive this.
-  PlanarRepair(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links, PlanarMoves& moves);
+  PlanarImprover(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links,
+                 PlanarMoves& moves);
 
   /// Divides the triangle's inner edges that join nodes which must not be.
   void part(std::uint32_t triangle);

@@ -17,8 +17,8 @@ namespace tetrafront {
 /// joined to their lines are passed over, and no more is looked for after a thousand findings, or
 /// once as many pairs of triangles have been compared as no sensible model has. Near-linear in the
 /// triangles, unless many patches are near many others.
-[[nodiscard]] std::vector<Diagnostic> findMeetingPatches(const Model& model,
-                                                         const ModelExamination& found,
-                                                         const SampledModel& sampled);
+[[nodiscard]] std::vector<Diagnostic> findIntersectingPatches(const Model& model,
+                                                              const ModelExamination& found,
+                                                              const SampledModel& sampled);
 
 }  // namespace tetrafront

@@ -1,4 +1,4 @@
-#include "surface/planar_repair.h"
+#include "surface/planar_improver.h"
 
 #include <algorithm>
 #include <array>
@@ -31,8 +31,8 @@ constexpr std::array<double, 3> kSplitShares{0.5, 0.35, 0.65};
 
 }  // namespace
 
-PlanarRepair::PlanarRepair(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links,
-                           PlanarMoves& moves)
+PlanarImprover::PlanarImprover(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links,
+                               PlanarMoves& moves)
     : metric_(&metric), mesh_(&mesh), links_(&links), moves_(&moves) {
   std::vector<std::uint32_t> nodes(mesh.aliases.begin(), mesh.aliases.begin() + mesh.boundaryCount);
   stableSort(nodes);
@@ -41,21 +41,21 @@ PlanarRepair::PlanarRepair(const PatchMetric& metric, PlanarMesh& mesh, PlanarLi
 
 // ---- measures ----------------------------------------------------------------------------------
 
-LocalSpace PlanarRepair::localAt(std::uint32_t node) {
+LocalSpace PlanarImprover::localAt(std::uint32_t node) {
   return metric_->spaceAt(mesh_->places[node], mesh_->sizes[node], hint_);
 }
 
-double PlanarRepair::sine(const LocalSpace& local, std::uint32_t a, std::uint32_t b,
-                          std::uint32_t c) const {
+double PlanarImprover::sine(const LocalSpace& local, std::uint32_t a, std::uint32_t b,
+                            std::uint32_t c) const {
   return triangleSine(local.unit(mesh_->places[a]), local.unit(mesh_->places[b]),
                       local.unit(mesh_->places[c]));
 }
 
-double PlanarRepair::length(const LocalSpace& local, std::uint32_t a, std::uint32_t b) const {
+double PlanarImprover::length(const LocalSpace& local, std::uint32_t a, std::uint32_t b) const {
   return glm::length(local.unit(mesh_->places[b] - mesh_->places[a])) / local.wantedSide;
 }
 
-double PlanarRepair::starSine(const LocalSpace& local, std::uint32_t centre) const {
+double PlanarImprover::starSine(const LocalSpace& local, std::uint32_t centre) const {
   double least = 1.0;
   for (std::size_t i = 0; i < star_.ring.size(); ++i)
     least = std::min(least,
@@ -65,8 +65,8 @@ double PlanarRepair::starSine(const LocalSpace& local, std::uint32_t centre) con
 
 /// The smallest sine of the star's triangles if `centre` were drawn into ring[into]; below zero if
 /// one of them would turn the wrong way, or fold, or join what must not be joined.
-double PlanarRepair::fanSine(const LocalSpace& local, std::uint32_t centre,
-                             std::size_t into) const {
+double PlanarImprover::fanSine(const LocalSpace& local, std::uint32_t centre,
+                               std::size_t into) const {
   const std::vector<std::uint32_t>& ring = star_.ring;
   const std::size_t count = ring.size();
   const auto normal = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
@@ -87,7 +87,7 @@ double PlanarRepair::fanSine(const LocalSpace& local, std::uint32_t centre,
   return least;
 }
 
-double PlanarRepair::longestOfFan(const LocalSpace& local, std::size_t into) const {
+double PlanarImprover::longestOfFan(const LocalSpace& local, std::size_t into) const {
   double longest = 0.0;
   for (const std::uint32_t node : star_.ring)
     longest = std::max(longest, length(local, star_.ring[into], node));
@@ -96,7 +96,7 @@ double PlanarRepair::longestOfFan(const LocalSpace& local, std::size_t into) con
 
 /// Across a seam, a node must not be joined to both images of another, nor to its own: on a patch
 /// with a seam, nodes that have a neighbour on the boundary stay.
-bool PlanarRepair::mayRemove() const {
+bool PlanarImprover::mayRemove() const {
   return !hasSeam_ || std::ranges::all_of(star_.ring, [&](std::uint32_t node) {
     return node >= mesh_->boundaryCount;
   });
@@ -104,7 +104,7 @@ bool PlanarRepair::mayRemove() const {
 
 // ---- edges that must not be ----------------------------------------------------------------------
 
-void PlanarRepair::part(std::uint32_t triangle) {
+void PlanarImprover::part(std::uint32_t triangle) {
   const auto isForbidden = [&](std::uint32_t k) {
     return links_->neighbour(triangle, k) != PlanarLinks::kNone &&
            !mesh_->mayJoin(links_->node(triangle, (k + 1) % 3),
@@ -122,7 +122,7 @@ void PlanarRepair::part(std::uint32_t triangle) {
   }
 }
 
-void PlanarRepair::partLoneTriangle() {
+void PlanarImprover::partLoneTriangle() {
   constexpr double kThird = 1.0 / 3.0;
   if (links_->triangleCount() != 1 || mesh_->mayJoin(links_->node(0, 0), links_->node(0, 1)) ||
       mesh_->mayJoin(links_->node(0, 1), links_->node(0, 2)))
@@ -134,7 +134,7 @@ void PlanarRepair::partLoneTriangle() {
 
 // ---- lengths -----------------------------------------------------------------------------------
 
-void PlanarRepair::thin(std::uint32_t node) {
+void PlanarImprover::thin(std::uint32_t node) {
   if (!links_->collectStar(node, star_)) return;
   const LocalSpace local = localAt(node);
   double shortest = 1.0;
@@ -158,7 +158,7 @@ void PlanarRepair::thin(std::uint32_t node) {
   if (best < star_.ring.size()) links_->collapse(node, star_, best);
 }
 
-void PlanarRepair::refine(std::uint32_t triangle) {
+void PlanarImprover::refine(std::uint32_t triangle) {
   if (!links_->isAlive(triangle)) return;
   const LocalSpace local = localAt(links_->node(triangle, 0));
   double longest = kLongEdge;
@@ -180,7 +180,7 @@ void PlanarRepair::refine(std::uint32_t triangle) {
 
 // ---- angles ------------------------------------------------------------------------------------
 
-void PlanarRepair::repair(std::uint32_t triangle) {
+void PlanarImprover::repair(std::uint32_t triangle) {
   if (!links_->isAlive(triangle)) return;
   const std::array<std::uint32_t, 3> nodes{links_->node(triangle, 0), links_->node(triangle, 1),
                                            links_->node(triangle, 2)};
@@ -201,7 +201,7 @@ void PlanarRepair::repair(std::uint32_t triangle) {
   for (const std::uint32_t node : nodes) moves_->widen(node);
 }
 
-void PlanarRepair::considerFlip(std::uint32_t t, std::uint32_t k, Change& best) {
+void PlanarImprover::considerFlip(std::uint32_t t, std::uint32_t k, Change& best) {
   const auto [other, a, b, c, d] = links_->diamond(t, k);
   if (!mesh_->mayJoin(c, d)) return;
   const LocalSpace local = localAt(a);
@@ -212,7 +212,7 @@ void PlanarRepair::considerFlip(std::uint32_t t, std::uint32_t k, Change& best) 
   best = {Change::Kind::kFlip, after, t, k, Vec2(0.0)};
 }
 
-void PlanarRepair::considerCollapses(std::uint32_t node, Change& best) {
+void PlanarImprover::considerCollapses(std::uint32_t node, Change& best) {
   if (!links_->collectStar(node, star_) || !mayRemove()) return;
   const LocalSpace local = localAt(node);
   const double before = starSine(local, node);
@@ -224,7 +224,7 @@ void PlanarRepair::considerCollapses(std::uint32_t node, Change& best) {
   }
 }
 
-void PlanarRepair::considerSplit(std::uint32_t t, std::uint32_t k, Change& best) {
+void PlanarImprover::considerSplit(std::uint32_t t, std::uint32_t k, Change& best) {
   const PlanarLinks::Diamond sides = links_->diamond(t, k);
   const LocalSpace local = localAt(sides.a);
   // Two short sides more help nobody.
@@ -238,8 +238,8 @@ void PlanarRepair::considerSplit(std::uint32_t t, std::uint32_t k, Change& best)
   }
 }
 
-double PlanarRepair::splitSine(const LocalSpace& local, const PlanarLinks::Diamond& sides,
-                               const Vec2& at) {
+double PlanarImprover::splitSine(const LocalSpace& local, const PlanarLinks::Diamond& sides,
+                                 const Vec2& at) {
   const std::uint32_t node = addNode(at);
   double least = 1.0;
   for (const auto& [from, to] : {std::pair{sides.c, sides.a}, std::pair{sides.a, sides.d},
@@ -249,7 +249,7 @@ double PlanarRepair::splitSine(const LocalSpace& local, const PlanarLinks::Diamo
   return least;
 }
 
-void PlanarRepair::make(const Change& change) {
+void PlanarImprover::make(const Change& change) {
   switch (change.kind) {
     case Change::Kind::kFlip:
       links_->flip(change.at, change.corner);
@@ -265,13 +265,13 @@ void PlanarRepair::make(const Change& change) {
   }
 }
 
-void PlanarRepair::addAndSplit(std::uint32_t t, std::uint32_t k, const Vec2& at) {
+void PlanarImprover::addAndSplit(std::uint32_t t, std::uint32_t k, const Vec2& at) {
   const std::uint32_t node = addNode(at);
   links_->split(t, k, node);
   moves_->smooth(node);
 }
 
-std::uint32_t PlanarRepair::addNode(const Vec2& at) {
+std::uint32_t PlanarImprover::addNode(const Vec2& at) {
   const PlaneSample sample = metric_->sample(at, hint_);
   return mesh_->addNode(at, sample.position, sample.size);
 }

@@ -22,28 +22,28 @@ namespace tetrafront {
 [[nodiscard]] bool usesGrid(const BackgroundGrid& grid, const MeshOptions& options);
 
 /// Whether anything is asked for beyond the surface's own edges.
-[[nodiscard]] bool asksForSizes(const BackgroundGrid& grid, const MeshOptions& options);
+[[nodiscard]] bool hasTargetSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
 /// Finds what is wrong with the part of the grid that is used.
-[[nodiscard]] BackgroundGridCheck checkOfWantedSizes(const BackgroundGrid& grid,
-                                                     const MeshOptions& options);
+[[nodiscard]] BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid,
+                                                  const MeshOptions& options);
 
 /// kSizeTooLarge where the triangles of the surface, at least one, span less than the one size.
 /// O(triangles).
 [[nodiscard]] std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size);
 
 /// What is asked for beside the surface's own edges: a size, or none, and sources. Not for grids.
-[[nodiscard]] SizeField askedBesideEdges(const BackgroundGrid& grid, const MeshOptions& options);
+[[nodiscard]] SizeField explicitTargetSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
 /// Whether the surface's own edges count where there is no grid, or only what is asked for beside them.
-enum class OwnEdges : std::uint8_t { kCount, kIgnored };
+enum class EdgeSizes : std::uint8_t { kCount, kIgnored };
 
 /// Makes the field in slices.
-class WantedSizes {
+class TargetSizes {
  public:
-  /// The grid must have passed checkOfWantedSizes(). All must outlive this.
-  WantedSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
-              OwnEdges own);
+  /// The grid must have passed targetSizeCheck(). All must outlive this.
+  TargetSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
+              EdgeSizes own);
 
   /// Works on for about `budget` places or cells; true when finished.
   bool advance(std::uint32_t budget);
@@ -64,11 +64,11 @@ class WantedSizes {
 };
 
 /// How many wanted elements an edge is long: an integral, by Simpson's rule.
-[[nodiscard]] double wantedLength(const SizeField& field, const Vec3& a, const Vec3& b,
+[[nodiscard]] double metricLength(const SizeField& field, const Vec3& a, const Vec3& b,
                                   FieldHint& hint);
 
 /// The same for one size throughout, that at `place`.
-[[nodiscard]] double wantedLengthAt(const SizeField& field, const Vec3& place, const Vec3& edge,
+[[nodiscard]] double metricLengthAt(const SizeField& field, const Vec3& place, const Vec3& edge,
                                     FieldHint& hint);
 
 }  // namespace tetrafront

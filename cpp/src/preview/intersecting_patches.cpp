@@ -1,4 +1,4 @@
-#include "preview/patches_meet.h"
+#include "preview/intersecting_patches.h"
 
 #include <algorithm>
 #include <array>
@@ -266,8 +266,8 @@ class MeetingSearch {
 
 }  // namespace
 
-std::vector<Diagnostic> findMeetingPatches(const Model& model, const ModelExamination& found,
-                                           const SampledModel& sampled) {
+std::vector<Diagnostic> findIntersectingPatches(const Model& model, const ModelExamination& found,
+                                                const SampledModel& sampled) {
   return MeetingSearch(model, found, sampled).run();
 }
 

@@ -1,4 +1,4 @@
-#include "sizing/possible_sizes.h"
+#include "sizing/achievable_sizes.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 
 #include "field/size_sites.h"
 #include "boundary/surface_access.h"
-#include "sizing/wanted_sizes.h"
+#include "sizing/target_sizes.h"
 
 namespace tetrafront {
 namespace {
@@ -29,18 +29,18 @@ double leastAskedFor(const BackgroundGrid& grid, const MeshOptions& options) {
 
 }  // namespace
 
-PossibleSizes::PossibleSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
-                             const MeshOptions& options, SizeField& field)
+AchievableSizes::AchievableSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
+                                 const MeshOptions& options, SizeField& field)
     : surface_(surface),
       grid_(grid),
       options_(options),
       field_(field),
-      asked_(askedBesideEdges(grid, options)),
+      asked_(explicitTargetSizes(grid, options)),
       usesGrid_(usesGrid(grid, options)),
       least_(leastAskedFor(grid, options)),
-      stage_(asksForSizes(grid, options) ? Stage::kLook : Stage::kDone) {}
+      stage_(hasTargetSizes(grid, options) ? Stage::kLook : Stage::kDone) {}
 
-bool PossibleSizes::advance(std::uint32_t budget) {
+bool AchievableSizes::advance(std::uint32_t budget) {
   switch (stage_) {
     case Stage::kLook: {
       const auto triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
@@ -87,7 +87,7 @@ bool PossibleSizes::advance(std::uint32_t budget) {
   return true;
 }
 
-void PossibleSizes::look(std::uint32_t triangle) {
+void AchievableSizes::look(std::uint32_t triangle) {
   const double coarseness = coarsenessOf(triangle);
   if (!(coarseness > kTooCoarse)) return;
   ++coarse_;
@@ -96,7 +96,7 @@ void PossibleSizes::look(std::uint32_t triangle) {
   coarsest_ = triangle;
 }
 
-double PossibleSizes::coarsenessOf(std::uint32_t triangle) {
+double AchievableSizes::coarsenessOf(std::uint32_t triangle) {
   const std::array<Vec3, 3> corners = cornersOf(surface_, triangle);
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -109,14 +109,14 @@ double PossibleSizes::coarsenessOf(std::uint32_t triangle) {
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& a = corners[k];
     const Vec3& b = corners[(k + 1) % 3];
-    coarseness = std::max({coarseness, wantedLength(asked, a, b, hint_),
-                           wantedLengthAt(asked, middle, b - a, hint_)});
+    coarseness = std::max({coarseness, metricLength(asked, a, b, hint_),
+                           metricLengthAt(asked, middle, b - a, hint_)});
   }
   return coarseness;
 }
 
 /// A stretched field's edges are measured as if it were not stretched.
-void PossibleSizes::viewSome(std::uint32_t budget) {
+void AchievableSizes::viewSome(std::uint32_t budget) {
   const std::size_t last =
       views_.size() + std::min<std::size_t>(budget, points_.size() - views_.size());
   while (views_.size() < last) {
@@ -126,7 +126,7 @@ void PossibleSizes::viewSome(std::uint32_t budget) {
 }
 
 /// Where the grid asks for no more than the surface has, there is nothing to cut.
-void PossibleSizes::startCeiling() {
+void AchievableSizes::startCeiling() {
   if (!usesGrid_) return;
   double most = 0.0;
   for (const BackgroundNode& node : grid_.nodes) {
@@ -138,7 +138,7 @@ void PossibleSizes::startCeiling() {
 }
 
 /// False where nobody asks for less than the surface has: there is nothing to lift.
-bool PossibleSizes::startFloor() {
+bool AchievableSizes::startFloor() {
   if (std::ranges::none_of(lengths_, [&](double length) { return length > least_; })) return false;
   const double growth = options_.growth;
   descent_ = growth > 0.0 ? std::min(growth, kMostDescent) : kUsualDescent;
@@ -149,7 +149,7 @@ bool PossibleSizes::startFloor() {
 
 /// At nodes and in the middle of triangles: as lengths at nodes differ by more than the descent, the
 /// longer ones give way. True when all have.
-bool PossibleSizes::giveWay(std::uint32_t budget) {
+bool AchievableSizes::giveWay(std::uint32_t budget) {
   if (!shortest_->advance(budget)) return false;
   const auto nodes = static_cast<std::uint32_t>(points_.size());
   const auto all = static_cast<std::uint32_t>(nodes + surface_.triangles.size() / 3);
@@ -170,7 +170,7 @@ bool PossibleSizes::giveWay(std::uint32_t budget) {
   return next_ == all;
 }
 
-std::vector<Diagnostic> PossibleSizes::diagnostics() const {
+std::vector<Diagnostic> AchievableSizes::diagnostics() const {
   if (coarse_ == 0) return {};
   Diagnostic found;
   found.code = DiagnosticCode::kCoarseSurface;

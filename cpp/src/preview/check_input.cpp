@@ -1,4 +1,4 @@
-#include "preview/examine_input.h"
+#include "preview/check_input.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 #include "preview/check_coverage.h"
 #include "sizing/expected_count.h"
 #include "preview/model_sampling.h"
-#include "preview/patches_meet.h"
+#include "preview/intersecting_patches.h"
 
 namespace tetrafront {
 namespace {
@@ -55,7 +55,7 @@ double tetrahedraAtTriangles(const ModelPreview& preview, const SizeField& field
 
 }  // namespace
 
-class InputExaminer::Impl {
+class InputChecker::Impl {
  public:
   Impl(const Model& model, const BackgroundGrid& grid, const MeshOptions& options)
       : model_(&model), grid_(&grid), options_(&options), examiner_(model) {}
@@ -78,7 +78,7 @@ class InputExaminer::Impl {
         stage_ = Stage::kMeet;
         break;
       case Stage::kMeet:
-        report(findMeetingPatches(*model_, found_, sampled_));
+        report(findIntersectingPatches(*model_, found_, sampled_));
         stage_ = Stage::kClose;
         break;
       case Stage::kClose:
@@ -115,7 +115,7 @@ class InputExaminer::Impl {
     return static_cast<double>(stage_) / static_cast<double>(Stage::kFinished);
   }
 
-  [[nodiscard]] InputExamination take() { return {std::move(sampled_.preview), std::move(field_)}; }
+  [[nodiscard]] CheckedInput take() { return {std::move(sampled_.preview), std::move(field_)}; }
 
  private:
   enum class Stage : std::uint8_t {
@@ -294,20 +294,20 @@ std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
   return found;
 }
 
-InputExaminer::InputExaminer(const Model& model, const BackgroundGrid& grid,
-                             const MeshOptions& options)
+InputChecker::InputChecker(const Model& model, const BackgroundGrid& grid,
+                           const MeshOptions& options)
     : impl_(std::make_unique<Impl>(model, grid, options)) {}
-InputExaminer::InputExaminer(InputExaminer&&) noexcept = default;
-InputExaminer& InputExaminer::operator=(InputExaminer&&) noexcept = default;
-InputExaminer::~InputExaminer() = default;
+InputChecker::InputChecker(InputChecker&&) noexcept = default;
+InputChecker& InputChecker::operator=(InputChecker&&) noexcept = default;
+InputChecker::~InputChecker() = default;
 
-bool InputExaminer::advance(std::uint32_t budget) { return impl_->advance(budget); }
-double InputExaminer::fraction() const { return impl_->fraction(); }
-InputExamination InputExaminer::take() { return impl_->take(); }
+bool InputChecker::advance(std::uint32_t budget) { return impl_->advance(budget); }
+double InputChecker::fraction() const { return impl_->fraction(); }
+CheckedInput InputChecker::take() { return impl_->take(); }
 
-InputExamination examineInput(const Model& model, const BackgroundGrid& grid,
-                              const MeshOptions& options) {
-  InputExaminer examiner(model, grid, options);
+CheckedInput checkInput(const Model& model, const BackgroundGrid& grid,
+                        const MeshOptions& options) {
+  InputChecker examiner(model, grid, options);
   while (!examiner.advance(std::numeric_limits<std::uint32_t>::max())) {
   }
   return examiner.take();
@@ -335,7 +335,7 @@ class ModelPreviewer::Impl {
   Model model_;
   BackgroundGrid grid_;
   MeshOptions options_;
-  InputExaminer examiner_;
+  InputChecker examiner_;
   bool isFinished_ = false;
   ModelPreview preview_;
 };
@@ -352,7 +352,7 @@ const ModelPreview& ModelPreviewer::result() const { return impl_->result(); }
 
 ModelPreview previewModel(const Model& model, const BackgroundGrid& grid,
                           const MeshOptions& options) {
-  return examineInput(model, grid, options).preview;
+  return checkInput(model, grid, options).preview;
 }
 
 }  // namespace tetrafront
