@@ -4,7 +4,7 @@ import "@mantine/spotlight/styles.css";
 import "./ui/styles/index.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
-import { createApp } from "./app";
+import { createApp } from "./app/app";
 import { entityBounds } from "./viewer/bounds";
 import { findRecord, type DrawnKind } from "./document/entities";
 import { Page } from "./panels/page";

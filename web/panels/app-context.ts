@@ -1,11 +1,11 @@
 import { createContext, useContext } from "react";
 import { useStore } from "zustand";
-import type { App } from "../app";
-import { hasUnsavedChanges, type DocumentState } from "../document/store";
-import type { ProblemState } from "../document/problems";
-import { isStale, type RunState } from "../document/run";
+import type { App } from "../app/app";
+import { hasUnsavedChanges, type DocumentState } from "../session/document-store";
+import type { ProblemState } from "../session/problems";
+import { isStale, type RunState } from "../session/run";
 import type { ViewState } from "../document/selection";
-import type { ShellState } from "../document/shell";
+import type { ShellState } from "../session/shell";
 import type { Project, RegionQuality } from "tetrafront";
 
 export const AppContext = createContext<App | null>(null);

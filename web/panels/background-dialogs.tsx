@@ -1,7 +1,7 @@
 import { Alert, Button, Checkbox, Group, SegmentedControl, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
 import type { SizeProposal } from "tetrafront";
-import { applyProposal, coverModel, likelySize } from "../background-actions";
+import { applyProposal, coverModel, likelySize } from "../commands/background-actions";
 import { estimateTetrahedra } from "../document/estimate";
 import { FieldRow } from "../ui/field-row";
 import { formatCount, formatShort } from "../ui/format";

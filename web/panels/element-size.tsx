@@ -1,7 +1,7 @@
 import { LIMITS } from "tetrafront";
 import { Button, Group, SegmentedControl, Text } from "@mantine/core";
-import { likelySize } from "../background-actions";
-import { commandNamed, runCommand } from "../commands";
+import { likelySize } from "../commands/background-actions";
+import { commandNamed, runCommand } from "../commands/commands";
 import { setMeshing } from "../document/edits";
 import { FieldRow, SectionTitle } from "../ui/field-row";
 import { formatCount } from "../ui/format";

@@ -1,6 +1,6 @@
 import { Badge, Text, UnstyledButton } from "@mantine/core";
-import { openExample } from "../actions";
-import { groupModels, thumbnailOf, type GalleryModel } from "../document/gallery";
+import { openExample } from "../commands/actions";
+import { groupModels, thumbnailOf, type GalleryModel } from "../session/gallery";
 import { SectionTitle } from "../ui/field-row";
 import { strings } from "../ui/strings";
 import { useApp, useProject } from "./app-context";

@@ -23,8 +23,8 @@ import {
   IconSun,
 } from "@tabler/icons-react";
 import { Fragment, useState } from "react";
-import type { MenuName } from "../command";
-import { commandNamed, DOWNLOADS, runCommand } from "../commands";
+import type { MenuName } from "../commands/command";
+import { commandNamed, DOWNLOADS, runCommand } from "../commands/commands";
 import { Logo } from "../ui/logo";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";

@@ -1,5 +1,5 @@
 import { lazy, type ComponentType } from "react";
-import { loadFileDialogs } from "../document/files";
+import { loadFileDialogs } from "../session/files";
 
 const load = () => import("./later-panels");
 

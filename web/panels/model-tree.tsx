@@ -17,9 +17,9 @@ import {
   type KeyboardEvent,
   type MouseEvent,
 } from "react";
-import type { App } from "../app";
-import { commandNamed, runCommand } from "../commands";
-import { lineMakers, makeOrTell, patchMakers } from "../create-commands";
+import type { App } from "../app/app";
+import { commandNamed, runCommand } from "../commands/commands";
+import { lineMakers, makeOrTell, patchMakers } from "../commands/create-menu";
 import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "../document/entities";
 import type { SelectMode } from "../document/selection";
 import { entityWords, strings } from "../ui/strings";

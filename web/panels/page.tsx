@@ -1,6 +1,6 @@
 import { lazy, useEffect, useState } from "react";
-import { openDropped } from "../actions";
-import type { App } from "../app";
+import { openDropped } from "../commands/actions";
+import type { App } from "../app/app";
 import { strings } from "../ui/strings";
 import { AppContext } from "./app-context";
 import { PageLayout } from "./layout";

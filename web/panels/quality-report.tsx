@@ -2,7 +2,7 @@ import { Select, Text, UnstyledButton } from "@mantine/core";
 import { IconAlertTriangle, IconCircleCheck, IconClockExclamation } from "@tabler/icons-react";
 import { useMemo, useState } from "react";
 import type { ElementFigures, MeshReport, QualityReport as Quality } from "tetrafront";
-import { showElement } from "../actions";
+import { showElement } from "../commands/actions";
 import { bestValue, placeOnScale, worstShown } from "../document/mesh-quality";
 import {
   countsOf,
@@ -11,7 +11,7 @@ import {
   wantedAngles,
   type CountedMeasure,
   type RegionChoice,
-} from "../document/quality-figures";
+} from "../document/quality-counts";
 import { SectionTitle } from "../ui/field-row";
 import { formatAngle, formatCount, formatPlace, formatShare, formatShort } from "../ui/format";
 import { HistogramChart } from "../ui/histogram-chart";

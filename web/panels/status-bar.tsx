@@ -1,7 +1,7 @@
 import { ActionIcon, Progress, Tooltip } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import type { Progress as RunProgressReport } from "tetrafront";
-import type { RunState } from "../document/run";
+import type { RunState } from "../session/run";
 import { formatAngle, formatCount, formatSeconds, formatShare } from "../ui/format";
 import { phaseNames, strings } from "../ui/strings";
 import { useApp, useRun, useStale, useUnsaved } from "./app-context";

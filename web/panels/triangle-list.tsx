@@ -1,5 +1,5 @@
 import { UnstyledButton } from "@mantine/core";
-import { showTriangles } from "../actions";
+import { showTriangles } from "../commands/actions";
 import { triangleCentre } from "../document/triangles";
 import { formatCount, formatPlace } from "../ui/format";
 import { strings } from "../ui/strings";

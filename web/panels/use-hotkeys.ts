@@ -1,7 +1,7 @@
 import { useHotkeys, type HotkeyItem } from "@mantine/hooks";
 import { useMemo } from "react";
-import type { App } from "../app";
-import { commands, runCommand } from "../commands";
+import type { App } from "../app/app";
+import { commands, runCommand } from "../commands/commands";
 import { isPaletteOpen } from "./palette";
 
 const noTags: string[] = [];

@@ -1,13 +1,13 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { useStore } from "zustand";
-import { describeMesh } from "../actions";
-import { isStale } from "../document/run";
+import { describeMesh } from "../commands/actions";
+import { isStale } from "../session/run";
 import { faultsOf } from "../document/validate";
 import { strings } from "../ui/strings";
 import { viewerColors } from "../ui/theme";
 import { Viewer } from "../viewer/viewer";
-import type { App } from "../app";
+import type { App } from "../app/app";
 import { useApp, useProject, useRun, useStale, useView } from "./app-context";
 import { HoverLabel, type HoverPlace } from "./hover-label";
 import { PatchMarks } from "./patch-marks";

@@ -1,5 +1,5 @@
 import type { Histogram, QualityMeasure } from "../document/mesh-quality";
-import { handedOver, workerFailure } from "../document/workers";
+import { handedOver, workerFailure } from "../workers/transfer";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { Answers, Query, Reply, Request } from "./mesh-query-protocol";
 

@@ -4,7 +4,7 @@ import { readdirSync, readFileSync } from "node:fs";
 import { createMesher, isWall, readProject, type Mesher, type MeshResult, type Project } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import type { Gallery } from "../../../web/document/gallery";
+import type { Gallery } from "../../../web/session/gallery";
 import { regionVolumes, tetrahedronVolumes } from "../../support/check-mesh.js";
 import { expectValid } from "../../support/expect-valid.js";
 

@@ -11,7 +11,7 @@ import {
 import type { Entity } from "../../../web/document/entities";
 import { orderLoops, turnToSecond } from "../../../web/document/loops";
 import { likelyPatchType, patchMisfit } from "../../../web/document/patch-rules";
-import { DocumentStore } from "../../../web/document/store";
+import { DocumentStore } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
 
 const lines = (...ids: number[]): Entity[] => ids.map((id) => ({ kind: "line", id }));

@@ -12,7 +12,7 @@ import {
   setNodeStretching,
 } from "../../../web/document/edits";
 import { contentKey } from "../../../web/document/content-key";
-import { DocumentStore, hasUnsavedChanges } from "../../../web/document/store";
+import { DocumentStore, hasUnsavedChanges } from "../../../web/session/document-store";
 import { toProblems } from "../../../web/document/validate";
 import { cubeProject } from "../../support/projects";
 

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 
-import { fileStem } from "../../../web/document/files.js";
+import { fileStem } from "../../../web/session/files.js";
 
 test("a project's name becomes the stem of file names", () => {
   expect(fileStem("Engine intake")).toBe("engine-intake");

@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { commit, redo, startHistory, undo, type Edit } from "../../../web/document/history";
+import { commit, redo, startHistory, undo, type Edit } from "../../../web/session/history";
 
 interface State {
   readonly a: number;

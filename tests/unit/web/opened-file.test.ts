@@ -1,6 +1,6 @@
 import { expect, test, vi } from "vitest";
 
-import { openProjectFile, readProjectFile } from "../../../web/document/files.js";
+import { openProjectFile, readProjectFile } from "../../../web/session/files.js";
 
 const fileOpen = vi.hoisted(() => vi.fn<() => Promise<File>>());
 vi.mock("browser-fs-access", () => ({ fileOpen }));

@@ -1,8 +1,8 @@
 import type { Mesher } from "tetrafront";
 import { expect, it } from "vitest";
 import { emptyProject, renameProject } from "../../../web/document/edits";
-import { PreviewFeed } from "../../../web/document/preview";
-import { DocumentStore } from "../../../web/document/store";
+import { PreviewFeed } from "../../../web/session/preview";
+import { DocumentStore } from "../../../web/session/document-store";
 
 interface Question {
   readonly name: string;

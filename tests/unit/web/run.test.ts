@@ -1,8 +1,8 @@
 import { describe, expect, it } from "vitest";
 import { createMesher, type Mesher, type Phase, type Progress } from "tetrafront";
 import { emptyProject } from "../../../web/document/edits";
-import { MeshRun, type LogLine } from "../../../web/document/run";
-import { DocumentStore } from "../../../web/document/store";
+import { MeshRun, type LogLine } from "../../../web/session/run";
+import { DocumentStore } from "../../../web/session/document-store";
 
 const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   phase,

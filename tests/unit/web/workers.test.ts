@@ -1,6 +1,6 @@
 import { MessageChannel } from "node:worker_threads";
 import { expect, it } from "vitest";
-import { handedOver } from "../../../web/document/workers";
+import { handedOver } from "../../../web/workers/transfer";
 
 it("hands over copies of typed arrays, whatever part of a buffer they are, and keeps the caller's own", async () => {
   const all = Float64Array.from({ length: 100 }, (_, i) => i / 7);

@@ -1,5 +1,5 @@
 import type { MeshResult, Project } from "tetrafront";
-import { handedOver, workerFailure } from "./document/workers";
+import { handedOver, workerFailure } from "./transfer";
 
 export interface WriteRequest extends Pick<MeshResult, "surface" | "volume"> {
   /** Names the patches. */

@@ -1,6 +1,6 @@
 import type { LineType, PatchType, Project, SourceType } from "tetrafront";
 import { create, takeOffer } from "./actions";
-import type { App } from "./app";
+import type { App } from "../app/app";
 import { define, type Command } from "./command";
 import {
   addSource,
@@ -11,8 +11,8 @@ import {
   offerSource,
   offerTetrahedron,
   type Offer,
-} from "./document/create";
-import type { Entity } from "./document/entities";
+} from "../document/create";
+import type { Entity } from "../document/entities";
 
 /** What can be made of the selection: a command each, and a button in the inspector. */
 export interface Maker {

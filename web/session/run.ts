@@ -1,8 +1,8 @@
 import { type Mesher, type MeshResult, type Progress, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { contentKey } from "./content-key";
-import { engineInput } from "./engine-input";
-import type { DocumentStore } from "./store";
+import { contentKey } from "../document/content-key";
+import { engineInput } from "../document/engine-input";
+import type { DocumentStore } from "./document-store";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 

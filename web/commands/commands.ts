@@ -1,11 +1,11 @@
-import type { App } from "./app";
+import type { App } from "../app/app";
 import { takeMeshAsGrid, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
-import { createMenu } from "./create-commands";
+import { createMenu } from "./create-menu";
 import { deleteSelection, downloadMesh, downloadReport, newProject, openFromDialog, save } from "./actions";
-import { scaleSizes } from "./document/edits";
-import type { CutAxis, Layer, Shading } from "./document/selection";
-import type { StandardView } from "./viewer/camera";
+import { scaleSizes } from "../document/edits";
+import type { CutAxis, Layer, Shading } from "../document/selection";
+import type { StandardView } from "../viewer/camera";
 
 const hasMesh = (app: App): boolean => app.run.state.getState().mesh !== null;
 const isBusy = (app: App): boolean => app.run.state.getState().busy;

@@ -1,9 +1,9 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
-import { contentKey } from "./content-key";
-import type { DocumentStore } from "./store";
-import { problemsByEntity, toProblems, type Problem } from "./validate";
+import { contentKey } from "../document/content-key";
+import type { DocumentStore } from "./document-store";
+import { problemsByEntity, toProblems, type Problem } from "../document/validate";
 
 export interface ProblemState {
   readonly problems: readonly Problem[];

@@ -46,7 +46,7 @@ async function projectIn(file: File): Promise<OpenResult> {
 /** What to tell of a file that holds a mesh, by its name: the app draws and opens projects. */
 async function meshFileReasons(fileName: string): Promise<readonly string[] | undefined> {
   if (/\.json$/i.test(fileName)) return undefined;
-  const { formatOf } = await import("../mesh-formats");
+  const { formatOf } = await import("./mesh-formats");
   const format = formatOf(fileName);
   if (format === undefined || format.reads.length === 0) return undefined;
   const what = `This is a mesh in the format ${format.name}. The application opens projects, which are drawn in it.`;

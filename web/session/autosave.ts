@@ -1,10 +1,10 @@
 import { openDB, type DBSchema, type IDBPDatabase } from "idb";
 import { parseProject, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { manyTetrahedra } from "./engine-input";
-import { documentGrid } from "./large-grid";
-import { packedGrid, type PackedGrid } from "./packed-grid";
-import type { DocumentState, DocumentStore } from "./store";
+import { manyTetrahedra } from "../document/engine-input";
+import { documentGrid } from "../document/large-grid";
+import { packedGrid, type PackedGrid } from "../document/packed-grid";
+import type { DocumentState, DocumentStore } from "./document-store";
 
 interface Saved {
   /** The project's JSON; earlier versions kept the project itself, which took its time. */

@@ -1,7 +1,7 @@
 /** Reads or writes one project file, and tells. Its page starts one for every large file and ends it then. */
 import { readProject } from "tetrafront";
-import { packedGrid, unpackGrid } from "./document/packed-grid";
-import { projectBlob, type ProjectReply, type ProjectRequest } from "./document/project-files";
+import { packedGrid, unpackGrid } from "../document/packed-grid";
+import { projectBlob, type ProjectReply, type ProjectRequest } from "../session/project-files";
 
 /** The part of a worker's global scope used here; the DOM types describe a window's. */
 interface WorkerScope {

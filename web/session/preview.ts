@@ -1,7 +1,7 @@
 import type { Mesher, Project, ProjectPreview } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { engineInput } from "./engine-input";
-import type { DocumentStore } from "./store";
+import { engineInput } from "../document/engine-input";
+import type { DocumentStore } from "./document-store";
 
 export interface PreviewState {
   /** The sampled lines and patches of `project`; null until the first answer. */

@@ -1,8 +1,8 @@
 import { readProject, writeProject, type Project, type ReadResult } from "tetrafront";
-import { manyTetrahedra } from "./engine-input";
-import { documentGrid } from "./large-grid";
-import { packedGrid, type PackedGrid } from "./packed-grid";
-import { workerFailure } from "./workers";
+import { manyTetrahedra } from "../document/engine-input";
+import { documentGrid } from "../document/large-grid";
+import { packedGrid, type PackedGrid } from "../document/packed-grid";
+import { workerFailure } from "../workers/transfer";
 
 /** Files of at most so many bytes are read in the page: that takes less than a worker takes to start. */
 const fewBytes = 200_000;
@@ -45,7 +45,7 @@ export const projectBlob = (project: Project): Blob =>
 type Reply<K extends ProjectReply["kind"]> = Extract<ProjectReply, { kind: K }>;
 
 async function asked<K extends "read" | "written">(kind: K, request: ProjectRequest): Promise<Reply<K>> {
-  const worker = new Worker(new URL("../project-worker.ts", import.meta.url), {
+  const worker = new Worker(new URL("../workers/project-worker.ts", import.meta.url), {
     type: "module",
     name: "tetrafront-project",
   });

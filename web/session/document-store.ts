@@ -1,6 +1,6 @@
 import type { Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { contentKey } from "./content-key";
+import { contentKey } from "../document/content-key";
 import { commit, redo, startHistory, undo, type Edit, type History } from "./history";
 
 /** What undo and redo travel through: opening another file is an edit like any other. */

@@ -1,15 +1,15 @@
 import type { MeshResult, Project } from "tetrafront";
-import type { App } from "./app";
-import { emptyProject, type Creation, type Offer } from "./document/create";
-import { deleteEntities } from "./document/edits";
-import type { Entity } from "./document/entities";
-import { download, fileStem, openProjectFile, readProjectFile, saveProjectFile } from "./document/files";
-import type { OpenResult } from "./document/files";
-import { loadModel, type GalleryModel } from "./document/gallery";
-import type { Problem } from "./document/validate";
-import { writeMeshFiles } from "./mesh-writer";
-import { formatCount } from "./ui/format";
-import { strings } from "./ui/strings";
+import type { App } from "../app/app";
+import { emptyProject, type Creation, type Offer } from "../document/create";
+import { deleteEntities } from "../document/edits";
+import type { Entity } from "../document/entities";
+import { download, fileStem, openProjectFile, readProjectFile, saveProjectFile } from "../session/files";
+import type { OpenResult } from "../session/files";
+import { loadModel, type GalleryModel } from "../session/gallery";
+import type { Problem } from "../document/validate";
+import { writeMeshFiles } from "../workers/mesh-writer";
+import { formatCount } from "../ui/format";
+import { strings } from "../ui/strings";
 
 /** What commands and panels do that concerns more than one room. */
 

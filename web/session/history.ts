@@ -1,5 +1,5 @@
 import { create, type Draft, type Patches } from "mutative";
-import { applyPatches } from "./patches";
+import { applyPatches } from "./apply-patches";
 
 interface Named {
   /** Verb and object, e.g. "Move point 12". */

@@ -1,10 +1,10 @@
 import type { CoverOptions, ProjectSource, SizeProposal } from "tetrafront";
-import type { App } from "./app";
-import { replaceBackground, replaceSources, setMeshing } from "./document/edits";
-import { documentGrid } from "./document/large-grid";
-import { packArrays } from "./document/packed-grid";
-import { rangeAlong, smallestSize } from "./document/extent";
-import { strings } from "./ui/strings";
+import type { App } from "../app/app";
+import { replaceBackground, replaceSources, setMeshing } from "../document/edits";
+import { documentGrid } from "../document/large-grid";
+import { packArrays } from "../document/packed-grid";
+import { rangeAlong, smallestSize } from "../document/extent";
+import { strings } from "../ui/strings";
 
 /** What commands and dialogs do to the background grid with the engine's help. */
 

@@ -1,18 +1,18 @@
 import { createMesher, type Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { Autosave, type Kept } from "./document/autosave";
-import { contentKey } from "./document/content-key";
-import { emptyProject } from "./document/edits";
-import { loadGallery, loadModel, type Gallery } from "./document/gallery";
-import { PreviewFeed } from "./document/preview";
-import { ProblemList } from "./document/problems";
-import { MeshRun, regionCount } from "./document/run";
-import { ViewStore } from "./document/selection";
-import { createShell, type Shell } from "./document/shell";
-import { DocumentStore } from "./document/store";
-import { strings } from "./ui/strings";
-import { MeshQueryClient } from "./viewer/mesh-query-client";
-import type { Viewer } from "./viewer/viewer";
+import { Autosave, type Kept } from "../session/autosave";
+import { contentKey } from "../document/content-key";
+import { emptyProject } from "../document/edits";
+import { loadGallery, loadModel, type Gallery } from "../session/gallery";
+import { PreviewFeed } from "../session/preview";
+import { ProblemList } from "../session/problems";
+import { MeshRun, regionCount } from "../session/run";
+import { ViewStore } from "../document/selection";
+import { createShell, type Shell } from "../session/shell";
+import { DocumentStore } from "../session/document-store";
+import { strings } from "../ui/strings";
+import { MeshQueryClient } from "../viewer/mesh-query-client";
+import type { Viewer } from "../viewer/viewer";
 
 /** Everything the panels and commands work with. Made once, when the page has loaded. */
 export interface App {
