@@ -3,6 +3,7 @@ import { createServer } from "node:net";
 import path from "node:path";
 import { formatCpp, formatScript } from "../format.mjs";
 import { wrongIncludes } from "./arrows.mjs";
+import { wrongCoroutines } from "./coroutines.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
 import { fuzzSurfaces } from "./fuzzer.mjs";
 import { untestedOracles } from "./oracles.mjs";
@@ -80,13 +81,15 @@ export const suites = {
     },
   },
   lint: {
-    title: "lint (TypeScript, arrows)",
+    title: "lint (TypeScript, arrows, coroutines)",
     needs: ["wasm", "package"],
     async run() {
       const status = await run(bin("eslint"), [".", "--max-warnings", "0"], { quietOut: true });
       const wrong = wrongIncludes();
       const arrows = { ...check(wrong.length === 0, "C++ includes"), failures: wrong };
-      return sum([check(status === 0, "eslint finds problems"), arrows]);
+      const wrongTasks = wrongCoroutines();
+      const coroutines = { ...check(wrongTasks.length === 0, "coroutines"), failures: wrongTasks };
+      return sum([check(status === 0, "eslint finds problems"), arrows, coroutines]);
     },
   },
   unit: {

@@ -1,0 +1,63 @@
+#include "base/task.h"
+
+namespace tetrafront {
+
+void Work::beginPart(double end) {
+  part_ = {fraction_, std::max(fraction_, task_.begin + end * (task_.end - task_.begin))};
+}
+
+void Work::setFraction(double ofPart) {
+  // Without rounding at the end, so that a finished job is at exactly 1.
+  const double now = ofPart < 1.0 ? part_.begin + ofPart * (part_.end - part_.begin) : part_.end;
+  fraction_ = std::max(fraction_, now);
+}
+
+bool Work::advance(std::uint32_t budget) {
+  remaining_ = std::max(budget, 1U);
+  while (running_ && remaining_ > 0) {
+    if (step_ == nullptr) {
+      running_.resume();
+    } else {
+      advanceStep();
+    }
+  }
+  if (failure_) std::rethrow_exception(failure_);
+  return !running_;
+}
+
+void Work::advanceStep() {
+  try {
+    if (step_->advance()) step_ = nullptr;
+  } catch (...) {
+    fail();
+    running_ = nullptr;
+  }
+}
+
+void Work::fail() noexcept { failure_ = std::current_exception(); }
+
+void Work::subtract(std::size_t units) {
+  remaining_ -= static_cast<std::uint32_t>(std::min<std::size_t>(units, remaining_));
+}
+
+void TaskPromise::begin(Work& work, std::coroutine_handle<> self, std::coroutine_handle<> parent) {
+  work_ = &work;
+  parent_ = parent;
+  outerTask_ = work.task_;
+  outerPart_ = work.part_;
+  work.task_ = work.part_;
+  work.running_ = self;
+}
+
+void TaskPromise::end() noexcept {
+  work_->task_ = outerTask_;
+  work_->part_ = outerPart_;
+  if (work_->failure_) {
+    work_->running_ = nullptr;
+    return;
+  }
+  work_->setFraction(1.0);
+  work_->running_ = parent_;
+}
+
+}  // namespace tetrafront

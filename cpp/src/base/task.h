@@ -1,0 +1,302 @@
+#pragma once
+
+/// @file Long work in slices, written as ordinary functions. A Task is a coroutine. It yields when the budget of
+/// the slice is used up, and the next slice resumes it behind the same `co_await`. A Job owns the outermost task
+/// and does one slice per call. A task runs other work with
+///
+///     co_await work.finish(builder);                     // a class with advance(budget), see base/resumable.h
+///     co_await work.forEachBlock(count, visit);          // a plain function, called for blocks of items
+///     const CheckedInput input = co_await check(work);   // another task
+///
+/// Hot loops stay outside coroutines, in the first two forms. What must hold:
+/// - Everything that a task refers to outlives it: parameters, `this` and what they point to. A lambda that is a
+///   coroutine must not capture. A Job that uses other members of its class is the last member.
+/// - `co_await` is a statement, a whole initializer or a condition: GCC 12 miscompiles some other forms, and
+///   `npm run lint` rejects them.
+/// - To cancel, destroy the Job. The locals of all suspended tasks are then destroyed, innermost first.
+/// - An exception ends all tasks of the job; Job::advance() throws it, now and in every later call.
+
+#include <algorithm>
+#include <coroutine>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "base/budget.h"
+#include "base/resumable.h"
+
+namespace tetrafront {
+
+/// The remaining budget of a slice, the task that runs in it, and the progress of the job.
+class Work {
+ public:
+  class Yield;
+  template <class Machine>
+  class Finish;
+  template <class Visit>
+  class ForEachBlock;
+
+  Work() = default;
+  Work(const Work&) = delete;
+  Work& operator=(const Work&) = delete;
+
+  /// Units left in the budget of this slice.
+  [[nodiscard]] std::uint32_t remaining() const { return remaining_; }
+
+  /// `co_await work.spend(units)` subtracts units from the budget, and yields if none remain. The last work of a
+  /// slice may exceed the budget.
+  [[nodiscard]] Yield spend(std::size_t units);
+  /// `co_await work.yield()` ends the slice.
+  [[nodiscard]] Yield yield();
+
+  /// `co_await work.finish(machine)` calls machine.advance(budget) once per slice until it returns true, and then
+  /// ends the slice: the machine does not say how much of its last budget it used. One unit of the budget is
+  /// worth `stepsPerUnit` steps of the machine. Follows machine.fraction() if there is one.
+  template <class Machine>
+  [[nodiscard]] Finish<Machine> finish(Machine& machine, std::size_t stepsPerUnit = 1);
+
+  /// `co_await work.forEachBlock(count, visit)` calls visit(first, last) for consecutive blocks of the items
+  /// [0, count), each as large as the budget allows; `itemsPerUnit` items cost one unit.
+  template <class Visit>
+  [[nodiscard]] ForEachBlock<Visit> forEachBlock(std::size_t count, Visit visit,
+                                                 std::size_t itemsPerUnit = 1);
+
+  /// The work up to the next part takes the progress of the running task from where it is to `end`, 0 to 1. A task
+  /// that is awaited there divides this part further. A task that declares no parts is one part.
+  void beginPart(double end);
+  /// Sets the progress of the running part, 0 to 1. The progress of the job never decreases.
+  void setFraction(double ofPart);
+  /// Estimated progress of the job, 0 to 1.
+  [[nodiscard]] double fraction() const { return fraction_; }
+
+ private:
+  friend class TaskPromise;
+  template <class T>
+  friend class Job;
+
+  /// Work that a task awaits and that is not a coroutine.
+  class Step {
+   public:
+    Step(const Step&) = delete;
+    Step& operator=(const Step&) = delete;
+    /// Does the work of one slice; true when finished.
+    virtual bool advance() = 0;
+
+    void await_suspend(std::coroutine_handle<> /*task*/) { work_.step_ = this; }
+    void await_resume() const noexcept {}
+
+   protected:
+    explicit Step(Work& work) : work_(work) {}
+    ~Step() = default;
+    [[nodiscard]] Work& work() const { return work_; }
+
+   private:
+    Work& work_;
+  };
+
+  /// Part of the progress of the job.
+  struct Section {
+    double begin = 0.0;
+    double end = 1.0;
+  };
+
+  /// Does one slice; true when all tasks are finished.
+  bool advance(std::uint32_t budget);
+  void advanceStep();
+  void fail() noexcept;
+  void subtract(std::size_t units);
+
+  std::uint32_t remaining_ = 0;
+  std::coroutine_handle<> running_;  ///< the innermost task, null when all are finished
+  Step* step_ = nullptr;             ///< awaited by the running task, or null
+  std::exception_ptr failure_;
+  Section task_;
+  Section part_;
+  double fraction_ = 0.0;
+};
+
+class [[nodiscard]] Work::Yield {
+ public:
+  explicit Yield(const Work& work) : work_(work) {}
+  [[nodiscard]] bool await_ready() const noexcept { return work_.remaining_ > 0; }
+  void await_suspend(std::coroutine_handle<> /*task*/) const noexcept {}
+  void await_resume() const noexcept {}
+
+ private:
+  const Work& work_;
+};
+
+inline Work::Yield Work::spend(std::size_t units) {
+  subtract(units);
+  return Yield(*this);
+}
+
+inline Work::Yield Work::yield() { return spend(remaining_); }
+
+template <class Machine>
+class [[nodiscard]] Work::Finish : public Step {
+ public:
+  Finish(Work& work, Machine& machine, std::size_t stepsPerUnit)
+      : Step(work), machine_(machine), stepsPerUnit_(stepsPerUnit) {}
+  [[nodiscard]] bool await_ready() const noexcept { return false; }
+
+  bool advance() override {
+    constexpr std::size_t kLargest = std::numeric_limits<std::uint32_t>::max();
+    const std::size_t steps =
+        std::min(scaledBudget(this->work().remaining(), stepsPerUnit_), kLargest);
+    const bool isFinished = machine_.advance(static_cast<std::uint32_t>(steps));
+    this->work().subtract(this->work().remaining());
+    if (isFinished) {
+      this->work().setFraction(1.0);
+    } else if constexpr (requires { machine_.fraction(); }) {
+      this->work().setFraction(machine_.fraction());
+    }
+    return isFinished;
+  }
+
+ private:
+  Machine& machine_;
+  std::size_t stepsPerUnit_;
+};
+
+template <class Machine>
+Work::Finish<Machine> Work::finish(Machine& machine, std::size_t stepsPerUnit) {
+  return Finish<Machine>(*this, machine, stepsPerUnit);
+}
+
+template <class Visit>
+class [[nodiscard]] Work::ForEachBlock : public Step, private Resumable {
+ public:
+  ForEachBlock(Work& work, std::size_t count, Visit visit, std::size_t itemsPerUnit)
+      : Step(work), Resumable(count), visit_(std::move(visit)), itemsPerUnit_(itemsPerUnit) {}
+  [[nodiscard]] bool await_ready() const noexcept { return isPassDone(); }
+
+  bool advance() override {
+    const auto [first, last] = take(scaledBudget(this->work().remaining(), itemsPerUnit_));
+    visit_(first, last);
+    this->work().subtract((last - first + itemsPerUnit_ - 1) / itemsPerUnit_);
+    this->work().setFraction(Resumable::fraction());
+    return isPassDone();
+  }
+
+ private:
+  Visit visit_;
+  std::size_t itemsPerUnit_;
+};
+
+template <class Visit>
+Work::ForEachBlock<Visit> Work::forEachBlock(std::size_t count, Visit visit,
+                                             std::size_t itemsPerUnit) {
+  return ForEachBlock<Visit>(*this, count, std::move(visit), itemsPerUnit);
+}
+
+/// What all tasks have in common. A task that awaits another returns to Work::advance(), which resumes the other:
+/// symmetric transfer would use up the stack in WebAssembly and in builds that are not optimized.
+class TaskPromise {
+ public:
+  std::suspend_always initial_suspend() noexcept { return {}; }
+  std::suspend_always final_suspend() noexcept {
+    end();
+    return {};
+  }
+  /// Keeps the exception for Work::advance(): clang 19 destroys locals twice if a coroutine is left by one.
+  void unhandled_exception() noexcept { work_->fail(); }
+
+  [[nodiscard]] Work& work() const { return *work_; }
+  /// `parent` awaits `self`, or is null.
+  void begin(Work& work, std::coroutine_handle<> self, std::coroutine_handle<> parent);
+
+ private:
+  void end() noexcept;
+
+  Work* work_ = nullptr;
+  std::coroutine_handle<> parent_;
+  Work::Section outerTask_;
+  Work::Section outerPart_;
+};
+
+template <class T>
+class TaskResult : public TaskPromise {
+ public:
+  void return_value(T value) { result_.emplace(std::move(value)); }
+  [[nodiscard]] T take() { return std::move(*result_); }
+
+ private:
+  std::optional<T> result_;
+};
+
+template <>
+class TaskResult<void> : public TaskPromise {
+ public:
+  void return_void() noexcept {}
+  void take() noexcept {}
+};
+
+/// What a coroutine that works in slices returns. It starts when it is awaited, which happens once.
+template <class T = void>
+class [[nodiscard]] Task {
+ public:
+  using Result = T;
+  struct promise_type : TaskResult<T> {
+    Task get_return_object() {
+      return Task(std::coroutine_handle<promise_type>::from_promise(*this));
+    }
+  };
+
+  Task(const Task&) = delete;
+  Task& operator=(const Task&) = delete;
+  ~Task() { handle_.destroy(); }
+
+  [[nodiscard]] bool await_ready() const noexcept { return false; }
+  template <class Parent>
+  void await_suspend(std::coroutine_handle<Parent> parent) {
+    handle_.promise().begin(parent.promise().work(), handle_, parent);
+  }
+  T await_resume() { return handle_.promise().take(); }
+
+ private:
+  template <class U>
+  friend class Job;
+  explicit Task(std::coroutine_handle<promise_type> handle) : handle_(handle) {}
+
+  std::coroutine_handle<promise_type> handle_;
+};
+
+/// A task and everything it awaits, done in slices.
+template <class T = void>
+class Job {
+ public:
+  /// `start(work)` returns the task. Nothing runs before advance().
+  template <class Start>
+  explicit Job(Start start) : task_(start(work_)) {
+    task_.handle_.promise().begin(work_, task_.handle_, nullptr);
+  }
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  /// Does about `budget` units of work, at least one; true when finished.
+  bool advance(std::uint32_t budget) { return work_.advance(budget); }
+  /// Returns what the task returned; once, when finished.
+  [[nodiscard]] T take() { return task_.handle_.promise().take(); }
+  /// Does all remaining work in one call, and returns what the task returned.
+  T finish() {
+    while (!advance(std::numeric_limits<std::uint32_t>::max())) {
+    }
+    return take();
+  }
+  /// Estimated progress, 0 to 1; it never decreases.
+  [[nodiscard]] double fraction() const { return work_.fraction(); }
+
+ private:
+  Work work_;
+  Task<T> task_;
+};
+
+template <class Start>
+explicit Job(Start) -> Job<typename std::invoke_result_t<Start, Work&>::Result>;
+
+}  // namespace tetrafront
