@@ -8,19 +8,19 @@
 
 #include "base/budget.h"
 #include "base/fingerprint.h"
+#include "boundary/boundary.h"
 #include "field/size_field.h"
 #include "optimize/locality.h"
 #include "optimize/optimizer.h"
+#include "preview/check_input.h"
 #include "quality/check_mesh.h"
 #include "quality/metrics.h"
 #include "quality/survey.h"
-#include "boundary/boundary.h"
-#include "preview/check_input.h"
-#include "sizing/expected_count.h"
 #include "sizing/achievable_sizes.h"
-#include "surface/surface_mesher.h"
+#include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
-#include "volume/cell_mesher.h"
+#include "surface/surface_mesher.h"
+#include "volume/region_mesher.h"
 
 namespace tetrafront {
 namespace {
@@ -76,7 +76,7 @@ class MeshRun::Impl {
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
 
   [[nodiscard]] VolumeMesh volume() const {
-    if (const auto* mesher = std::get_if<CellMesher>(&worker_)) return mesher->mesh();
+    if (const auto* mesher = std::get_if<RegionMesher>(&worker_)) return mesher->mesh();
     if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) return optimizer->mesh();
     return mesh_;
   }
@@ -86,11 +86,11 @@ class MeshRun::Impl {
   }
   [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
   [[nodiscard]] RecoverySummary recovery() const {
-    const auto* mesher = std::get_if<CellMesher>(&worker_);
+    const auto* mesher = std::get_if<RegionMesher>(&worker_);
     return mesher != nullptr ? mesher->recovery() : recovery_;
   }
   [[nodiscard]] FrontCounters counters() const {
-    const auto* mesher = std::get_if<CellMesher>(&worker_);
+    const auto* mesher = std::get_if<RegionMesher>(&worker_);
     return mesher != nullptr ? mesher->counters() : counters_;
   }
 
@@ -109,8 +109,8 @@ class MeshRun::Impl {
     progress.expectedTetrahedra = expectedTetrahedra_;
     progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
     progress.points = static_cast<std::uint32_t>(surface_.points.size() / 3);
-    if (const auto* mesher = std::get_if<CellMesher>(&worker_)) {
-      progress.points = mesher->pointCount();
+    if (const auto* mesher = std::get_if<RegionMesher>(&worker_)) {
+      progress.points = mesher->nodeCount();
       progress.tetrahedra = mesher->tetrahedronCount();
       progress.frontFaces = mesher->frontFaceCount();
       progress.exactFill = exactFill_;
@@ -135,7 +135,7 @@ class MeshRun::Impl {
   struct Nobody {};
 
   using Worker = std::variant<InputCheck, SurfaceMesher, BoundaryCheck, TargetSizes,
-                              AchievableSizes, Estimate, CellMesher, MortonReordering,
+                              AchievableSizes, Estimate, RegionMesher, MortonReordering,
                               MeshOptimizer, QualitySurvey, MeshVerifier, Nobody>;
 
   [[nodiscard]] bool isModel() const { return model_.has_value(); }
@@ -154,7 +154,7 @@ class MeshRun::Impl {
 
   /// Keeps what an unfinished worker has made.
   void end() {
-    if (auto* mesher = std::get_if<CellMesher>(&worker_)) {
+    if (auto* mesher = std::get_if<RegionMesher>(&worker_)) {
       keepFront(*mesher);
     } else if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) {
       mesh_ = optimizer->mesh();
@@ -163,7 +163,7 @@ class MeshRun::Impl {
     worker_.emplace<Nobody>();
   }
 
-  void keepFront(CellMesher& mesher) {
+  void keepFront(RegionMesher& mesher) {
     mesh_ = mesher.take();
     recovery_ = mesher.recovery();
     counters_ = mesher.counters();
@@ -244,10 +244,10 @@ class MeshRun::Impl {
       return fail();
     }
     expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
-    worker_.emplace<CellMesher>(surface_, *field_, options_);
+    worker_.emplace<RegionMesher>(surface_, *field_, options_);
   }
 
-  void work(CellMesher& mesher, std::uint32_t budget) {
+  void work(RegionMesher& mesher, std::uint32_t budget) {
     const MeshStatus status = mesher.advance(budget);
     if (status == MeshStatus::kRunning) return;
     report(mesher.diagnostics());
@@ -329,9 +329,10 @@ class MeshRun::Impl {
   [[nodiscard]] Position positionOf(const Estimate& /*worker*/) const {
     return {Phase::kVolume, kVolumeEnd};
   }
-  [[nodiscard]] Position positionOf(const CellMesher& mesher) const {
-    const double end = surfaceEnd() + (kVolumeEnd - surfaceEnd()) * mesher.turnsAtItsEnd() +
-                       kRecovery * mesher.leftToRecovery();
+  [[nodiscard]] Position positionOf(const RegionMesher& mesher) const {
+    const double end = surfaceEnd() +
+                       (kVolumeEnd - surfaceEnd()) * mesher.passFractionAtSectionEnd() +
+                       kRecovery * mesher.openShare();
     return {Phase::kVolume, end, mesher.sectionFraction(), mesher.section()};
   }
   [[nodiscard]] Position positionOf(const MortonReordering& /*reordering*/) const {
@@ -360,7 +361,7 @@ class MeshRun::Impl {
     }
     const double end = std::max(at.end, sectionBegan_);
     fraction_ = std::max(fraction_, sectionBegan_ + (end - sectionBegan_) * at.part);
-    if (const auto* mesher = std::get_if<CellMesher>(&worker_)) {
+    if (const auto* mesher = std::get_if<RegionMesher>(&worker_)) {
       exactFill_ = std::max(exactFill_, mesher->exactFillFraction());
     }
   }

@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "base/fingerprint.h"
+#include "boundary/boundary.h"
 #include "fill/exact_points.h"
 #include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "boundary/boundary.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront {
@@ -25,7 +25,7 @@ namespace {
 FillTask taskOf(const SurfaceMesh& surface) {
   FillTask task;
   for (std::uint32_t i = 0; i < testing::nodeCount(surface); ++i) {
-    task.places.push_back(testing::pointOf(surface, i));
+    task.positions.push_back(testing::pointOf(surface, i));
   }
   for (std::size_t t = 0; t < surface.triangles.size(); t += 3) {
     const std::uint32_t* n = surface.triangles.data() + t;
@@ -46,7 +46,7 @@ ExactFill::State fill(FillTask task, FillResult& result, std::uint32_t budget = 
 VolumeMesh meshOf(const SurfaceMesh& surface, const FillResult& result) {
   VolumeMesh mesh;
   mesh.points = surface.points;
-  for (const Vec3& p : result.newPlaces) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
+  for (const Vec3& p : result.newPositions) mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z});
   for (const auto& tetrahedron : result.tetrahedra) {
     for (const NodeId node : tetrahedron) mesh.tetrahedra.push_back(node.value);
   }
@@ -205,7 +205,7 @@ TEST(ExactFill, GivesUpAtItsLimit) {
   }
 }
 
-/// Where a point has no place in doubles, all but what is around it is filled.
+/// Where a point has no position in doubles, all but what is around it is filled.
 TEST(ExactFill, LeavesOpenOnlyWhatIsAroundPointsWithoutAPlace) {
   const SurfaceMesh surface = testing::flatPocket();
   FillResult result;
@@ -245,9 +245,9 @@ TEST(ExactFill, FillsWhateverTheOrderOfTheNodes) {
 TEST(ExactFill, PutsNoPointWhereNoneIsNeeded) {
   FillResult result;
   ASSERT_EQ(fill(taskOf(testing::geodesicSphere(4)), result), ExactFill::State::kDone);
-  EXPECT_TRUE(result.newPlaces.empty());
+  EXPECT_TRUE(result.newPositions.empty());
   ASSERT_EQ(fill(taskOf(testing::schoenhardtTower(7, 40.0)), result), ExactFill::State::kDone);
-  EXPECT_EQ(result.newPlaces.size(), 7U) << "each prism needs one";
+  EXPECT_EQ(result.newPositions.size(), 7U) << "each prism needs one";
 }
 
 TEST(ExactFill, TellsWhichPlaceATetrahedronIsIn) {
@@ -299,7 +299,7 @@ TEST(ExactPoints, SignsOfConstructedPointsAreExact) {
     const NodeId e = points.add(above);
     EXPECT_EQ(points.orient(a, b, c, e), 1);
     EXPECT_EQ(points.orient(a, c, b, e), -1);
-    EXPECT_EQ(points.place(e), points.place(d));
+    EXPECT_EQ(points.position(e), points.position(d));
   }
 }
 

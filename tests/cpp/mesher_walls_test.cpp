@@ -18,7 +18,7 @@
 #include "support/models.h"
 #include "support/shapes.h"
 #include "tetrafront/mesher.h"
-#include "volume/cell_mesher.h"
+#include "volume/region_mesher.h"
 
 namespace tetrafront {
 namespace {
@@ -110,7 +110,7 @@ TEST(MeshWalls, TooManyElementsAreThoseOfAllRegions) {
   const auto ofFirst = static_cast<std::uint32_t>(std::ranges::count(regions, 0U));
   options.maxTetrahedra = ofFirst + 20;
   const SizeField field = SizeField::uniform(0.3);
-  CellMesher mesher(run.surface(), field, options);
+  RegionMesher mesher(run.surface(), field, options);
   while (mesher.advance(100) == MeshStatus::kRunning) {
   }
   const std::vector<Diagnostic> told = mesher.diagnostics();

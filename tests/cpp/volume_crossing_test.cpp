@@ -18,7 +18,7 @@ namespace {
 __extension__ using Wide = __int128;
 using Integers = std::array<Wide, 3>;
 
-/// A place x/w y/w z/w with w > 0.
+/// A position x/w y/w z/w with w > 0.
 struct Homogeneous {
   Integers x;
   Wide w;

@@ -65,7 +65,7 @@ TEST(ElementIndex, FindsRingsOfElementsWhileOthersComeAndGo) {
   index.forgetFrom(before);
   elements.dropFrom(before);
   addRandomElements(elements, random, 8);
-  expectRings("with others in their place");
+  expectRings("with others in their position");
   elements.remove(TetId(3U));
   elements.remove(TetId(before + 1));
   expectRings("with elements removed");

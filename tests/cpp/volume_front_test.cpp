@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kSizesPerTile = 8.0;
 
-/// A right-angled triangle of that root mean square side with its first corner at `place`.
-FaceId addTriangle(Front& front, const Vec3& place, double size, std::uint16_t layer) {
+/// A right-angled triangle of that root mean square side with its first corner at `position`.
+FaceId addTriangle(Front& front, const Vec3& position, double size, std::uint16_t layer) {
   const double leg = size * std::sqrt(0.75);
-  const NodeId a = front.addNode(place, layer);
-  const NodeId b = front.addNode(place + Vec3(leg, 0.0, 0.0), layer);
-  const NodeId c = front.addNode(place + Vec3(0.0, leg, 0.0), layer);
+  const NodeId a = front.addNode(position, layer);
+  const NodeId b = front.addNode(position + Vec3(leg, 0.0, 0.0), layer);
+  const NodeId c = front.addNode(position + Vec3(0.0, leg, 0.0), layer);
   return front.addFace({a, b, c}, 0, {}, true);
 }
 
@@ -55,12 +55,12 @@ TEST_P(FrontOrderTest, FacesOfOneSizeAndLayerLeaveTileByTile) {
   std::array<int, 3> last{-1, -1, -1};
   int changes = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::array<int, 3> tile = tileOf(front, front.nextBase(), size);
+    const std::array<int, 3> tile = tileOf(front, front.popBase(), size);
     changes += tile != last ? 1 : 0;
     last = tile;
     tiles.insert(tile);
   }
-  EXPECT_TRUE(front.nothingQueued());
+  EXPECT_TRUE(front.isQueueEmpty());
   EXPECT_EQ(tiles.size(), 216U);
   EXPECT_EQ(changes, 216) << "a tile is left only when it is empty";
 }
@@ -72,9 +72,9 @@ TEST(FrontOrder, LayersComeBeforeTilesAndBucketsBeforeLayers) {
   const std::size_t outer = scatter(front, 1.0, 3).size();
   const std::size_t inner = scatter(front, 1.0, 4).size();
   const FaceId small = addTriangle(front, Vec3(40.0), 0.25, 9);
-  EXPECT_EQ(front.nextBase(), small);
+  EXPECT_EQ(front.popBase(), small);
   for (std::size_t i = 0; i < outer + inner; ++i) {
-    const NodeTriple nodes = front.face(front.nextBase()).nodes;
+    const NodeTriple nodes = front.face(front.popBase()).nodes;
     ASSERT_EQ(front.layer(nodes[0]), i < outer ? 3 : 4);
   }
 }
@@ -90,7 +90,7 @@ TEST(FrontOrder, ThePapersOrderIsBySizeAlone) {
   }
   float last = 0.0F;
   for (int i = 0; i < kFaces; ++i) {
-    const float size = front.face(front.nextBase()).size;
+    const float size = front.face(front.popBase()).size;
     ASSERT_GE(size, last);
     last = size;
   }

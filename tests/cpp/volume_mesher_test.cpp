@@ -1,5 +1,5 @@
 /// The volume front on closed surfaces, from the front's own side: what comes out is judged by the
-/// tests' validator, and what must not matter (slices, tracing, place, scale) is varied.
+/// tests' validator, and what must not matter (slices, tracing, position, scale) is varied.
 
 #include "volume/volume_mesher.h"
 
@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "base/fingerprint.h"
+#include "boundary/boundary.h"
 #include "support/hard_shapes.h"
 #include "support/mesh_validator.h"
 #include "support/shapes.h"
-#include "boundary/boundary.h"
 
 namespace tetrafront {
 namespace {
@@ -261,7 +261,7 @@ TEST(VolumeMesher, ReopensWhatCannotBeStarred) {
 }
 
 TEST(VolumeMesher, FillsInAnotherOrderWhereTheFirstFails) {
-  // There is nothing around that could be taken away to make the place larger.
+  // There is nothing around that could be taken away to make the position larger.
   const SurfaceMesh surface = testing::chazellePolyhedron(8, 0.001);
   MeshOptions options;
   options.exactFillOnly = true;
@@ -318,8 +318,8 @@ TEST(VolumeMesher, LeavesNeedlesToTheExactFillBeforeTheyCostTooMuch) {
   const Outcome outcome = fillByOwnSizes(surface);
   ASSERT_EQ(outcome.status, MeshStatus::kDone);
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
-  const std::uint64_t facesLookedAt = outcome.counters.gatheredFaces + outcome.counters.facesTested;
-  EXPECT_LT(facesLookedAt, 30'000'000);
+  const std::uint64_t facesVisited = outcome.counters.gatheredFaces + outcome.counters.facesTested;
+  EXPECT_LT(facesVisited, 30'000'000);
 }
 
 TEST(VolumeMesher, LeavesRingsOfNeedlesToTheExactFillAtOnce) {
@@ -328,8 +328,8 @@ TEST(VolumeMesher, LeavesRingsOfNeedlesToTheExactFillAtOnce) {
   const Outcome outcome = fillByOwnSizes(surface);
   ASSERT_EQ(outcome.status, MeshStatus::kDone);
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
-  const std::uint64_t facesLookedAt = outcome.counters.gatheredFaces + outcome.counters.facesTested;
-  EXPECT_LT(facesLookedAt, 40'000'000);
+  const std::uint64_t facesVisited = outcome.counters.gatheredFaces + outcome.counters.facesTested;
+  EXPECT_LT(facesVisited, 40'000'000);
 }
 
 TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {

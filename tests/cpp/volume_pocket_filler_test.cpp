@@ -1,4 +1,4 @@
-/// The places of recovery without a front that advances: what is opened can be put back, and what is open is
+/// The positions of recovery without a front that advances: what is opened can be put back, and what is open is
 /// filled to the exact volume, with the boundary it had.
 
 #include "volume/pocket_filler.h"
@@ -15,7 +15,7 @@
 #include "geom/predicates.h"
 #include "support/hard_shapes.h"
 #include "support/shapes.h"
-#include "volume/opened_place.h"
+#include "volume/enlarged_pocket.h"
 
 namespace tetrafront {
 namespace {
@@ -25,8 +25,8 @@ using Faces = std::set<std::pair<NodeTriple, std::uint32_t>>;
 constexpr std::uint32_t kRegion = 3;
 
 /// A front that has not yet moved, and what recovery works with.
-struct Place {
-  explicit Place(const SurfaceMesh& surface)
+struct PocketFixture {
+  explicit PocketFixture(const SurfaceMesh& surface)
       : front(1.0, Vec3(-100.0), FrontOrder::kLayered), index(elements) {
     for (std::uint32_t i = 0; i < testing::nodeCount(surface); ++i) {
       front.addNode(testing::pointOf(surface, i), 0);
@@ -44,10 +44,10 @@ struct Place {
   }
 
   /// Takes one element away; returns its number as a pocket.
-  PocketSet::Number emptied(TetId element, PocketSet& pockets) {
+  PocketId emptied(TetId element, PocketSet& pockets) {
     elements.remove(element);
     std::vector<FaceId> faces;
-    for (const NodeTriple& side : innerSides(elements.nodes[element.index()])) {
+    for (const NodeTriple& side : innerFaces(elements.nodes[element.index()])) {
       faces.push_back(front.addFace(side, kRegion, FieldHint{}, false));
     }
     std::sort(faces.begin(), faces.end());
@@ -57,7 +57,7 @@ struct Place {
   [[nodiscard]] Faces activeFaces() const {
     Faces faces;
     for (const FaceId id : front.activeFaces()) {
-      faces.emplace(leastFirst(front.face(id).nodes), front.face(id).region);
+      faces.emplace(smallestFirst(front.face(id).nodes), front.face(id).region);
     }
     return faces;
   }
@@ -88,9 +88,9 @@ Faces boundaryOf(const Elements& elements) {
   Faces sides;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (elements.removed[e] != 0) continue;
-    for (const NodeTriple& side : innerSides(elements.nodes[e])) {
-      if (sides.erase({leastFirst(reversed(side)), elements.region[e]}) > 0) continue;
-      EXPECT_TRUE(sides.emplace(leastFirst(side), elements.region[e]).second);
+    for (const NodeTriple& side : innerFaces(elements.nodes[e])) {
+      if (sides.erase({smallestFirst(reversed(side)), elements.regions[e]}) > 0) continue;
+      EXPECT_TRUE(sides.emplace(smallestFirst(side), elements.regions[e]).second);
     }
   }
   return sides;
@@ -120,16 +120,16 @@ std::vector<std::pair<const char*, SurfaceMesh>> bodies() {
 TEST(PocketFiller, FillsTheExactVolumeAndKeepsTheBoundary) {
   for (const auto& [name, body] : bodies()) {
     SCOPED_TRACE(name);
-    Place place(body);
-    const Faces given = place.activeFaces();
-    const Dyadic enclosed = enclosedBy(place.front, given);
-    place.fill(1000);
-    EXPECT_EQ(place.front.activeCount(), 0U);
-    EXPECT_EQ(boundaryOf(place.elements), given);
+    PocketFixture fixture(body);
+    const Faces given = fixture.activeFaces();
+    const Dyadic enclosed = enclosedBy(fixture.front, given);
+    fixture.fill(1000);
+    EXPECT_EQ(fixture.front.activeCount(), 0U);
+    EXPECT_EQ(boundaryOf(fixture.elements), given);
     Dyadic filled;
-    for (std::size_t e = 0; e < place.elements.size(); ++e) {
-      if (place.elements.removed[e] != 0) continue;
-      const Dyadic volume = volumeOf(place.front, place.elements.nodes[e]);
+    for (std::size_t e = 0; e < fixture.elements.size(); ++e) {
+      if (fixture.elements.removed[e] != 0) continue;
+      const Dyadic volume = volumeOf(fixture.front, fixture.elements.nodes[e]);
       EXPECT_EQ(volume.sign(), 1) << "element " << e;
       filled = filled + volume;
     }
@@ -139,9 +139,9 @@ TEST(PocketFiller, FillsTheExactVolumeAndKeepsTheBoundary) {
 
 TEST(PocketFiller, MakesTheSameInSlicesOfAnyLength) {
   const SurfaceMesh body = testing::schoenhardtTower(4, 45.0);
-  Place once(body);
+  PocketFixture once(body);
   once.fill(1'000'000);
-  Place often(body);
+  PocketFixture often(body);
   often.fill(1);
   EXPECT_EQ(once.elements.nodes, often.elements.nodes);
   EXPECT_EQ(once.elements.removed, often.elements.removed);
@@ -152,72 +152,73 @@ TEST(PocketFiller, MakesTheSameInSlicesOfAnyLength) {
 }
 
 TEST(PocketFiller, ClosesAPocketAmongElements) {
-  Place place(testing::gridCube(3));
-  const Faces given = place.activeFaces();
-  place.fill(1000);
-  const std::size_t before = place.elements.liveCount();
-  PocketSet pockets(place.front, {});
-  place.emptied(TetId(place.elements.size() / 2), pockets);
-  PocketFiller filler(place.front, place.elements, place.index, pockets);
+  PocketFixture fixture(testing::gridCube(3));
+  const Faces given = fixture.activeFaces();
+  fixture.fill(1000);
+  const std::size_t before = fixture.elements.liveCount();
+  PocketSet pockets(fixture.front, {});
+  fixture.emptied(TetId(fixture.elements.size() / 2), pockets);
+  PocketFiller filler(fixture.front, fixture.elements, fixture.index, pockets);
   while (!filler.isDone()) filler.work(100);
-  EXPECT_EQ(place.front.activeCount(), 0U);
-  EXPECT_EQ(place.elements.liveCount(), before);
-  EXPECT_EQ(boundaryOf(place.elements), given);
+  EXPECT_EQ(fixture.front.activeCount(), 0U);
+  EXPECT_EQ(fixture.elements.liveCount(), before);
+  EXPECT_EQ(boundaryOf(fixture.elements), given);
   ASSERT_EQ(filler.made().size(), 1U);
-  EXPECT_EQ(filler.made().front().elements.last, place.elements.size());
+  EXPECT_EQ(filler.made().front().elements.last, fixture.elements.size());
 }
 
-/// Opens a place of so many rings around each tenth element in turn.
-void expectPlacesOpenAndClose(const SurfaceMesh& body, std::uint32_t rings) {
-  Place place(body);
-  place.fill(1000);
-  for (std::size_t e = 0; e < place.elements.size(); e += 10) {
-    if (place.elements.removed[e] != 0) continue;
-    PocketSet pockets(place.front, {});
-    const PocketSet::Number pocket = place.emptied(TetId(e), pockets);
-    const PocketSet::Number other =
-        place.emptied(TetId(e + 1 < place.elements.size() ? e + 1 : 0), pockets);
-    const Faces facesBefore = place.activeFaces();
-    const std::vector<std::uint8_t> removedBefore = place.elements.removed;
+/// Opens a fixture of so many rings around each tenth element in turn.
+void expectPocketsEnlargeAndRestore(const SurfaceMesh& body, std::uint32_t rings) {
+  PocketFixture fixture(body);
+  fixture.fill(1000);
+  for (std::size_t e = 0; e < fixture.elements.size(); e += 10) {
+    if (fixture.elements.removed[e] != 0) continue;
+    PocketSet pockets(fixture.front, {});
+    const PocketId pocket = fixture.emptied(TetId(e), pockets);
+    const PocketId other =
+        fixture.emptied(TetId(e + 1 < fixture.elements.size() ? e + 1 : 0), pockets);
+    const Faces facesBefore = fixture.activeFaces();
+    const std::vector<std::uint8_t> removedBefore = fixture.elements.removed;
     const std::vector<NodeId> nodes = pockets.nodes(pocket);
-    std::vector<TetId> around = place.index.around(nodes, rings, place.elements.size());
+    std::vector<TetId> around = fixture.index.around(nodes, rings, fixture.elements.size());
     const std::size_t removed = around.size();
-    const OpenedPlace opened(place.front, place.elements, pockets, pocket, std::move(around));
+    const EnlargedPocket opened(fixture.front, fixture.elements, pockets, pocket,
+                                std::move(around));
     EXPECT_EQ(opened.removedElements(), removed);
     EXPECT_TRUE(pockets.faces(pocket).empty());
 
     // All that is open is enclosed by what is active, and nothing else is.
-    const Faces facesNow = place.activeFaces();
+    const Faces facesNow = fixture.activeFaces();
     EXPECT_TRUE(isClosed(facesNow)) << "around element " << e;
     Dyadic open;
-    for (std::size_t i = 0; i < place.elements.size(); ++i) {
-      if (place.elements.removed[i] == 0) continue;
-      open = open + volumeOf(place.front, place.elements.nodes[i]);
+    for (std::size_t i = 0; i < fixture.elements.size(); ++i) {
+      if (fixture.elements.removed[i] == 0) continue;
+      open = open + volumeOf(fixture.front, fixture.elements.nodes[i]);
     }
-    EXPECT_TRUE(enclosedBy(place.front, facesNow) == open) << "around element " << e;
-    EXPECT_EQ(opened.facesNow(place.front, pockets), opened.faces());
+    EXPECT_TRUE(enclosedBy(fixture.front, facesNow) == open) << "around element " << e;
+    EXPECT_EQ(opened.facesNow(fixture.front, pockets), opened.faces());
     EXPECT_EQ(opened.faces().size() + pockets.faces(other).size(), facesNow.size());
 
-    opened.close(place.front, place.elements, pockets);
-    EXPECT_EQ(place.activeFaces(), facesBefore) << "around element " << e;
-    EXPECT_EQ(place.elements.removed, removedBefore);
+    opened.close(fixture.front, fixture.elements, pockets);
+    EXPECT_EQ(fixture.activeFaces(), facesBefore) << "around element " << e;
+    EXPECT_EQ(fixture.elements.removed, removedBefore);
     EXPECT_EQ(pockets.nodes(pocket), nodes);
     EXPECT_EQ(pockets.faces(pocket).size() + pockets.faces(other).size(), facesBefore.size());
 
     // For the next one.
-    for (const FaceId face : place.front.activeFaces()) place.front.removeFace(face);
-    for (std::size_t i = e; i < place.elements.size(); ++i) {
-      if (place.elements.removed[i] != 0) place.elements.restore(TetId(i));
+    for (const FaceId face : fixture.front.activeFaces()) fixture.front.removeFace(face);
+    for (std::size_t i = e; i < fixture.elements.size(); ++i) {
+      if (fixture.elements.removed[i] != 0) fixture.elements.restore(TetId(i));
     }
-    if (place.elements.removed[0] != 0) place.elements.restore(TetId(0U));
+    if (fixture.elements.removed[0] != 0) fixture.elements.restore(TetId(0U));
   }
 }
 
-TEST(OpenedPlace, IsBoundedByWhatItOpenedAndPutsItBack) {
+TEST(EnlargedPocket, IsBoundedByWhatItOpenedAndPutsItBack) {
   for (const std::uint32_t rings : {1U, 2U, 100U}) {
     SCOPED_TRACE(rings);
-    expectPlacesOpenAndClose(testing::gridCube(3), rings);
-    expectPlacesOpenAndClose(testing::schoenhardtTower(4, 45.0), rings);
+    expectPocketsEnlargeAndRestore(testing::gridCube(3), rings);
+    expectPocketsEnlargeAndRestore(testing::schoenhardtTower(4, 45.0), rings);
   }
 }
 

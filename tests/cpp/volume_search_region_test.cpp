@@ -12,7 +12,7 @@
 namespace tetrafront {
 namespace {
 
-constexpr double kExtent = 2000.0;  // no two places here are further apart
+constexpr double kExtent = 2000.0;  // no two positions here are further apart
 
 UnitSpace slantedSpace(testing::Random& random, double stretching) {
   BackgroundNode node;
@@ -30,7 +30,7 @@ Triangle unitTriangle(testing::Random& random, const UnitSpace& space) {
 }
 
 /// Triangles with a point in common with an element in the region: a corner of the base, of the
-/// apex, or a place between, where all is most easily lost to rounding.
+/// apex, or a position between, where all is most easily lost to rounding.
 TEST(SearchRegion, KeepsWhateverTouchesAnElement) {
   testing::Random random(5);
   for (int i = 0; i < 20000; ++i) {
@@ -42,11 +42,11 @@ TEST(SearchRegion, KeepsWhateverTouchesAnElement) {
     EXPECT_FALSE(region.include(apex)) << "it is there already";
     const std::array<Vec3, 4> touched{base[0], apex, 0.5 * (base[1] + apex),
                                       0.25 * (base[0] + base[1] + base[2] + apex)};
-    const Vec3& place = touched[static_cast<std::size_t>(random.integer(0, 3))];
-    const Vec3 b = place + random.inBox(200.0);
-    const Vec3 c = place + random.inBox(200.0);
-    ASSERT_TRUE(region.mayMeet(place, b, c)) << i;
-    ASSERT_TRUE(region.mayMeet(b, c, place)) << i;
+    const Vec3& position = touched[static_cast<std::size_t>(random.integer(0, 3))];
+    const Vec3 b = position + random.inBox(200.0);
+    const Vec3 c = position + random.inBox(200.0);
+    ASSERT_TRUE(region.mayIntersect(position, b, c)) << i;
+    ASSERT_TRUE(region.mayIntersect(b, c, position)) << i;
   }
 }
 
@@ -67,8 +67,9 @@ TEST(SearchRegion, DropsWhatIsNearInPlainSpaceOnly) {
     for (int k = 0; k < 3; ++k)
       centre[k] = random.between(static_cast<double>(box.low[k]), static_cast<double>(box.high[k]));
     const Triangle triangle = unitTriangle(random, space);
-    kept +=
-        region.mayMeet(centre + triangle[0], centre + triangle[1], centre + triangle[2]) ? 1 : 0;
+    kept += region.mayIntersect(centre + triangle[0], centre + triangle[1], centre + triangle[2])
+                ? 1
+                : 0;
   }
   EXPECT_LT(kept, kTriangles / 5);
 }

@@ -2,6 +2,7 @@
 
 /// @file Typed indices: a NodeId does not convert to a FaceId.
 
+#include <array>
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -29,5 +30,8 @@ using FaceId = Id<struct FaceTag>;
 using TetId = Id<struct TetTag>;
 using LineId = Id<struct LineTag>;
 using PatchId = Id<struct PatchTag>;
+
+using NodeTriple = std::array<NodeId, 3>;  ///< nodes of a triangle, in its orientation
+using NodeQuad = std::array<NodeId, 4>;    ///< nodes of a tetrahedron
 
 }  // namespace tetrafront

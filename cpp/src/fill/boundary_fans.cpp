@@ -8,7 +8,7 @@ namespace tetrafront {
 namespace {
 
 /// Corner i of a polygon between those before and after it.
-std::array<NodeId, 3> cornerAt(const std::vector<NodeId>& polygon, std::size_t i) {
+NodeTriple cornerAt(const std::vector<NodeId>& polygon, std::size_t i) {
   const std::size_t n = polygon.size();
   return {polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]};
 }
@@ -23,7 +23,7 @@ bool BoundaryFans::describe(NodeId point, std::span<const TetId> star) {
     const FillTet& t = mesh_.tet(id);
     for (std::uint32_t k = 0; k < 4; ++k) {
       if (!t.across[k].isNone() || t.nodes[k] == point) continue;
-      const std::array<NodeId, 3> f = mesh_.innerFace(id, k);
+      const NodeTriple f = mesh_.innerFace(id, k);
       const std::size_t at = f[0] == point ? 0 : (f[1] == point ? 1 : 2);
       linksOf[t.facet[k]].push_back({f[(at + 1) % 3], f[(at + 2) % 3]});
       aboveOf[t.facet[k]] = t.nodes[k];
@@ -63,11 +63,11 @@ bool BoundaryFans::chain(const std::vector<Link>& links, Fan& fan) {
 }
 
 /// 0 for a flat corner. In doubles: which ear is cut off first is a matter of shape only.
-double BoundaryFans::shapeOfEar(const std::array<NodeId, 3>& ear) const {
+double BoundaryFans::shapeOfEar(const NodeTriple& ear) const {
   const ExactPoints& points = mesh_.points;
-  const Vec3 ab = points.place(ear[1]) - points.place(ear[0]);
-  const Vec3 bc = points.place(ear[2]) - points.place(ear[1]);
-  const Vec3 ca = points.place(ear[0]) - points.place(ear[2]);
+  const Vec3 ab = points.position(ear[1]) - points.position(ear[0]);
+  const Vec3 bc = points.position(ear[2]) - points.position(ear[1]);
+  const Vec3 ca = points.position(ear[0]) - points.position(ear[2]);
   const Vec3 normal = glm::cross(ab, bc);
   return std::sqrt(glm::dot(normal, normal)) /
          (glm::dot(ab, ab) + glm::dot(bc, bc) + glm::dot(ca, ca));
@@ -78,7 +78,7 @@ bool BoundaryFans::isEar(const std::vector<NodeId>& rest, std::size_t i, NodeId 
   const auto turn = [&](NodeId p, NodeId q, NodeId r) {
     return mesh_.points.orient(p, q, r, above);
   };
-  const std::array<NodeId, 3> ear = cornerAt(rest, i);
+  const NodeTriple ear = cornerAt(rest, i);
   const NodeId a = ear[0];
   const NodeId b = ear[1];
   const NodeId c = ear[2];
@@ -110,7 +110,7 @@ bool BoundaryFans::triangulate(Fan& fan) const {
 
 /// A point in the plane of a fan can only be one of its own. Asked of the given triangle, whose nodes are
 /// doubles.
-bool BoundaryFans::areSeenFrom(NodeId apex) const {
+bool BoundaryFans::areVisibleFrom(NodeId apex) const {
   return std::all_of(fans_.begin(), fans_.end(), [&](const Fan& fan) {
     if (std::find(fan.polygon.begin(), fan.polygon.end(), apex) != fan.polygon.end()) return true;
     const auto& t = triangles_[fan.facet];
@@ -144,8 +144,8 @@ std::vector<BoundaryFace> BoundaryFans::facesFor(NodeId apex) const {
   return faces;
 }
 
-std::vector<std::array<NodeId, 3>> BoundaryFans::planes() const {
-  std::vector<std::array<NodeId, 3>> planes;
+std::vector<NodeTriple> BoundaryFans::planes() const {
+  std::vector<NodeTriple> planes;
   for (const Fan& fan : fans_) planes.push_back(triangles_[fan.facet]);
   return planes;
 }

@@ -16,7 +16,7 @@ namespace tetrafront {
 class BoundaryFans {
  public:
   /// `triangles` gives the planes of facets. Both must outlive this.
-  BoundaryFans(const FillMesh& mesh, const std::vector<std::array<NodeId, 3>>& triangles)
+  BoundaryFans(const FillMesh& mesh, const std::vector<NodeTriple>& triangles)
       : mesh_(mesh), triangles_(triangles) {}
 
   /// Looks at what is around the point. `star`: all tetrahedra there, in one piece. False if the faces are
@@ -24,13 +24,13 @@ class BoundaryFans {
   bool describe(NodeId point, std::span<const TetId> star);
 
   /// Does the node see all faces without the point, or is it one of theirs? By exact signs.
-  [[nodiscard]] bool areSeenFrom(NodeId apex) const;
+  [[nodiscard]] bool areVisibleFrom(NodeId apex) const;
   /// The boundary without the point.
   [[nodiscard]] std::vector<BoundaryFace> faces() const;
   /// The same; where the apex is on a fan, all triangles of it meet at the apex.
   [[nodiscard]] std::vector<BoundaryFace> facesFor(NodeId apex) const;
   /// The given triangles around the point: one, or the two at an edge.
-  [[nodiscard]] std::vector<std::array<NodeId, 3>> planes() const;
+  [[nodiscard]] std::vector<NodeTriple> planes() const;
 
  private:
   /// The faces of one given triangle.
@@ -45,10 +45,10 @@ class BoundaryFans {
   static bool chain(const std::vector<Link>& links, Fan& fan);
   bool triangulate(Fan& fan) const;
   [[nodiscard]] bool isEar(const std::vector<NodeId>& rest, std::size_t i, NodeId above) const;
-  [[nodiscard]] double shapeOfEar(const std::array<NodeId, 3>& ear) const;
+  [[nodiscard]] double shapeOfEar(const NodeTriple& ear) const;
 
   const FillMesh& mesh_;
-  const std::vector<std::array<NodeId, 3>>& triangles_;
+  const std::vector<NodeTriple>& triangles_;
   std::vector<Fan> fans_;  ///< by their facets
 };
 

@@ -1,4 +1,4 @@
-#include "fill/boundary_clearing.h"
+#include "fill/boundary_point_removal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,64 +10,63 @@ namespace tetrafront {
 namespace {
 
 /// Tetrahedra around a star may give way to an existing point, up to so many in all.
-constexpr std::size_t kLargestGrowth = 200;
-/// Halvings of the step inwards, in doubles and then exactly.
+constexpr std::size_t kMaxGrowth = 200;
+/// Halvings of the step inwardDirection, in doubles and then exactly.
 constexpr int kMaxHalvings = 50;
 constexpr int kMaxExactHalvings = 400;
 
 }  // namespace
 
-BoundaryClearing::BoundaryClearing(FillMesh& mesh,
-                                   const std::vector<std::array<NodeId, 3>>& triangles,
-                                   std::span<const NodeId> points)
-    : mesh_(mesh), cone_(mesh, none_), thickening_(mesh), fans_(mesh, triangles) {
+BoundaryPointRemoval::BoundaryPointRemoval(FillMesh& mesh, const std::vector<NodeTriple>& triangles,
+                                           std::span<const NodeId> points)
+    : mesh_(mesh), cone_(mesh, none_), slivers_(mesh), fans_(mesh, triangles) {
   for (const NodeId node : points) wait(node);
-  count_ = left_ = waiting_.size();
+  initialCount_ = remaining_ = waiting_.size();
 }
 
 /// Most points soon find one that replaces them, and the few that must be lifted take as long: hence the root.
-double BoundaryClearing::fraction() const {
-  if (count_ == 0) return 1.0;
-  return 1.0 - std::sqrt(static_cast<double>(left_) / static_cast<double>(count_));
+double BoundaryPointRemoval::fraction() const {
+  if (initialCount_ == 0) return 1.0;
+  return 1.0 - std::sqrt(static_cast<double>(remaining_) / static_cast<double>(initialCount_));
 }
 
-void BoundaryClearing::wait(NodeId node) {
-  turns_.resize(mesh_.points.size(), Turn::kNone);
-  turns_[node.index()] = Turn::kWaiting;
+void BoundaryPointRemoval::wait(NodeId node) {
+  queueOf_.resize(mesh_.points.size(), Queue::kNone);
+  queueOf_[node.index()] = Queue::kWaiting;
   waiting_.push_back(node);
 }
 
-void BoundaryClearing::postpone(NodeId node) {
-  turns_[node.index()] = Turn::kPostponed;
+void BoundaryPointRemoval::postpone(NodeId node) {
+  queueOf_[node.index()] = Queue::kPostponed;
   postponed_.push_back(node);
 }
 
 /// The one that has been postponed longest; none if none is.
-NodeId BoundaryClearing::nextToLift() {
+NodeId BoundaryPointRemoval::nextToLift() {
   while (nextPostponed_ < postponed_.size()) {
     const NodeId node = postponed_[nextPostponed_++];
-    if (turns_[node.index()] == Turn::kPostponed) return node;
+    if (queueOf_[node.index()] == Queue::kPostponed) return node;
   }
   return {};
 }
 
 /// Points wait for an existing point as long as there is hope; only then one is lifted to a new one,
 /// which may make room for those around it.
-BoundaryClearing::State BoundaryClearing::step() {
+BoundaryPointRemoval::State BoundaryPointRemoval::step() {
   const bool lifting = nextWaiting_ == waiting_.size();
   const NodeId node = lifting ? nextToLift() : waiting_[nextWaiting_++];
   if (node.isNone()) return State::kDone;
   mesh_.star(node, star_);
   if (!fans_.describe(node, star_)) return State::kFailed;
-  if (lifting ? replaceByExistingInRoom(node) || replaceByNew(node) : replaceByExisting(node)) {
-    turns_[node.index()] = Turn::kNone;
-    --left_;
-    queueTouched(mesh_.lastMade());
-    for (const NodeId point : madeRoom_) {
+  if (lifting ? replaceByExistingWithGrowth(node) || replaceByNew(node) : replaceByExisting(node)) {
+    queueOf_[node.index()] = Queue::kNone;
+    --remaining_;
+    queueTouched(mesh_.lastCreated());
+    for (const NodeId point : sliverPoints_) {
       mesh_.star(point, star_);
       queueTouched(star_);
     }
-    madeRoom_.clear();
+    sliverPoints_.clear();
     return State::kRunning;
   }
   if (lifting) return State::kFailed;
@@ -76,10 +75,10 @@ BoundaryClearing::State BoundaryClearing::step() {
 }
 
 /// What did not go with the same tetrahedra around does not go now; what has others now may.
-void BoundaryClearing::queueTouched(std::span<const TetId> changed) {
-  turns_.resize(mesh_.points.size(), Turn::kNone);
+void BoundaryPointRemoval::queueTouched(std::span<const TetId> changed) {
+  queueOf_.resize(mesh_.points.size(), Queue::kNone);
   const auto touch = [&](NodeId node) {
-    if (turns_[node.index()] == Turn::kPostponed) wait(node);
+    if (queueOf_[node.index()] == Queue::kPostponed) wait(node);
   };
   for (const TetId id : changed) {
     const FillTet& t = mesh_.tet(id);
@@ -93,14 +92,14 @@ void BoundaryClearing::queueTouched(std::span<const TetId> changed) {
 
 // ---- by an existing point ------------------------------------------------------------------------
 
-std::vector<NodeId> BoundaryClearing::candidates(NodeId node) const {
+std::vector<NodeId> BoundaryPointRemoval::candidates(NodeId node) const {
   std::vector<NodeId> nodes = mesh_.neighboursIn(star_, node);
-  std::erase_if(nodes, [&](NodeId apex) { return !fans_.areSeenFrom(apex); });
+  std::erase_if(nodes, [&](NodeId apex) { return !fans_.areVisibleFrom(apex); });
   return nodes;
 }
 
 /// By the neighbour that makes the best tetrahedra.
-bool BoundaryClearing::replaceByExisting(NodeId node) {
+bool BoundaryPointRemoval::replaceByExisting(NodeId node) {
   NodeId best;
   double bestShape = 0.0;
   ConeRules rules;
@@ -109,7 +108,7 @@ bool BoundaryClearing::replaceByExisting(NodeId node) {
     const std::vector<BoundaryFace> boundary = fans_.facesFor(apex);
     rules.boundary = boundary;
     if (!cone_.plan(apex, star_, rules)) continue;
-    const double shape = cone_.leastShape();
+    const double shape = cone_.minShape();
     if (!best.isNone() && shape <= bestShape) continue;
     best = apex;
     bestShape = shape;
@@ -121,10 +120,10 @@ bool BoundaryClearing::replaceByExisting(NodeId node) {
 }
 
 /// By the first neighbour that can, if tetrahedra around the star may give way too.
-bool BoundaryClearing::replaceByExistingInRoom(NodeId node) {
+bool BoundaryPointRemoval::replaceByExistingWithGrowth(NodeId node) {
   ConeRules rules;
   rules.lost = node;
-  rules.largestCavity = star_.size() + kLargestGrowth;
+  rules.maxCavity = star_.size() + kMaxGrowth;
   const std::vector<NodeId> nodes = candidates(node);
   return std::any_of(nodes.begin(), nodes.end(), [&](NodeId apex) {
     const std::vector<BoundaryFace> boundary = fans_.facesFor(apex);
@@ -135,11 +134,11 @@ bool BoundaryClearing::replaceByExistingInRoom(NodeId node) {
 
 // ---- by a new point ------------------------------------------------------------------------------
 
-bool BoundaryClearing::tryLast(NodeId node, std::size_t growth) {
+bool BoundaryPointRemoval::tryLast(NodeId node, std::size_t growth) {
   const std::vector<BoundaryFace> boundary = fans_.faces();
   ConeRules rules;
   rules.lost = node;
-  rules.largestCavity = growth;
+  rules.maxCavity = growth;
   rules.boundary = boundary;
   const NodeId last(mesh_.points.size() - 1);
   if (cone_.make(last, star_, rules)) {
@@ -150,33 +149,33 @@ bool BoundaryClearing::tryLast(NodeId node, std::size_t growth) {
   return false;
 }
 
-bool BoundaryClearing::tryPlace(NodeId node, const Vec3& place, std::size_t growth) {
-  mesh_.points.add(place);
+bool BoundaryPointRemoval::tryPosition(NodeId node, const Vec3& position, std::size_t growth) {
+  mesh_.points.add(position);
   return tryLast(node, growth);
 }
 
-bool BoundaryClearing::tryPlace(NodeId node, const DyadicVec3& place) {
-  mesh_.points.add(place);
+bool BoundaryPointRemoval::tryPosition(NodeId node, const DyadicVec3& position) {
+  mesh_.points.add(position);
   return tryLast(node, 0);
 }
 
 /// How far the farthest node around is.
-double BoundaryClearing::reach(NodeId node) const {
+double BoundaryPointRemoval::reach(NodeId node) const {
   double farthest = 0.0;
   for (const TetId id : star_) {
     for (const NodeId other : mesh_.tet(id).nodes) {
-      const Vec3 way = mesh_.points.place(other) - mesh_.points.place(node);
+      const Vec3 way = mesh_.points.position(other) - mesh_.points.position(node);
       farthest = std::max(farthest, glm::length(way));
     }
   }
   return farthest;
 }
 
-bool BoundaryClearing::replaceByNew(NodeId node) {
+bool BoundaryPointRemoval::replaceByNew(NodeId node) {
   if (replaceByDouble(node)) return true;
-  madeRoom_.clear();
-  if (thickening_.makeRoomAt(node, madeRoom_) > 0) {
-    interiorPoints_.insert(interiorPoints_.end(), madeRoom_.begin(), madeRoom_.end());
+  sliverPoints_.clear();
+  if (slivers_.removeAt(node, sliverPoints_) > 0) {
+    interiorPoints_.insert(interiorPoints_.end(), sliverPoints_.begin(), sliverPoints_.end());
     mesh_.star(node, star_);
     if (!fans_.describe(node, star_)) return false;
     if (replaceByDouble(node)) return true;
@@ -184,33 +183,33 @@ bool BoundaryClearing::replaceByNew(NodeId node) {
   return replaceByExact(node);
 }
 
-bool BoundaryClearing::replaceByDouble(NodeId node) {
+bool BoundaryPointRemoval::replaceByDouble(NodeId node) {
   StarKernel kernel;
-  const Vec3 place = mesh_.points.place(node);
+  const Vec3 position = mesh_.points.position(node);
   for (const TetId id : star_) {
     kernel.add(mesh_.points, mesh_.innerFace(id, mesh_.cornerOf(id, node)));
   }
   for (const BoundaryFace& face : fans_.faces()) kernel.add(mesh_.points, face.nodes);
   const Vec3 middle = kernel.middle();
-  const Vec3 direction = inwards(mesh_.points, fans_.planes());
+  const Vec3 direction = inwardDirection(mesh_.points, fans_.planes());
   std::vector<Vec3> tried;
   const auto tryNext = [&](const Vec3& there) {
     tried.push_back(there);
-    return tryPlace(node, there, 0);
+    return tryPosition(node, there, 0);
   };
   if (tryNext(kernel.deepest(middle))) return true;
   double step = 0.5 * reach(node);
   for (int i = 0; i < kMaxHalvings; ++i, step *= 0.5) {
-    const Vec3 there = place + direction * step;
+    const Vec3 there = position + direction * step;
     if (tryNext(kernel.deepest(there)) || tryNext(there)) return true;
   }
   return std::ranges::any_of(
-      tried, [&](const Vec3& there) { return tryPlace(node, there, kLargestGrowth); });
+      tried, [&](const Vec3& there) { return tryPosition(node, there, kMaxGrowth); });
 }
 
-/// A little way inwards, however little. Such a way exists, but for doubles it may be too little.
-bool BoundaryClearing::replaceByExact(NodeId node) {
-  const std::optional<DyadicVec3> exact = exactInwards(mesh_.points, fans_.planes());
+/// A little way inwardDirection, however little. Such a way exists, but for doubles it may be too little.
+bool BoundaryPointRemoval::replaceByExact(NodeId node) {
+  const std::optional<DyadicVec3> exact = exactInwardDirection(mesh_.points, fans_.planes());
   if (!exact) return false;
   const double length = std::fabs((*exact)[0].toDouble()) + std::fabs((*exact)[1].toDouble()) +
                         std::fabs((*exact)[2].toDouble());
@@ -219,7 +218,7 @@ bool BoundaryClearing::replaceByExact(NodeId node) {
   const DyadicVec3 start = mesh_.points.exact(node);
   for (int i = 0; i < kMaxExactHalvings; ++i) {
     const Dyadic factor(std::ldexp(1.0, exponent - i));
-    if (tryPlace(node, start + *exact * factor)) return true;
+    if (tryPosition(node, start + *exact * factor)) return true;
   }
   return false;
 }

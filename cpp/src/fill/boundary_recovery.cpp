@@ -9,8 +9,8 @@ namespace tetrafront {
 namespace {
 
 /// A swap may empty a cavity of so many tetrahedra.
-constexpr std::size_t kLargestSwap = 150;
-/// How often a place is computed to more digits before the attempt is given up, 50 bits at a time.
+constexpr std::size_t kMaxSwapCavity = 150;
+/// How often a position is computed to more digits before the attempt is given up, 50 bits at a time.
 constexpr int kMaxRefinements = 10;
 constexpr std::int8_t kUnknown = 2;
 /// A pass of swaps is worth another if it leaves at most so many of its edges, in tenths.
@@ -19,7 +19,7 @@ constexpr std::size_t kWorthAnotherPass = 9;
 /// rest is for the last one, which may split.
 constexpr double kSwapsEnd = 0.4;
 /// A walk around a node may go in circles; then all around the node is looked at.
-constexpr int kLongestWalk = 200;
+constexpr int kMaxWalkSteps = 200;
 
 std::pair<NodeId, NodeId> ordered(NodeId u, NodeId v) {
   return u < v ? std::pair(u, v) : std::pair(v, u);
@@ -39,7 +39,8 @@ Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int s
 
 }  // namespace
 
-BoundaryRecovery::BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles, EdgeOrder order)
+BoundaryRecovery::BoundaryRecovery(FillMesh& mesh, const std::vector<NodeTriple>& triangles,
+                                   EdgeOrder order)
     : mesh_(mesh), triangles_(triangles), cone_(mesh, constraints_) {
   collectEdges(order);
 }
@@ -62,7 +63,7 @@ void BoundaryRecovery::sortWaiting(EdgeOrder order) {
   if (order == EdgeOrder::kAsNumbered) return;
   std::vector<double> keys;
   for (const Edge& edge : edges_) {
-    const Vec3 along = mesh_.points.place(edge.to) - mesh_.points.place(edge.from);
+    const Vec3 along = mesh_.points.position(edge.to) - mesh_.points.position(edge.from);
     const double square = glm::dot(along, along);
     keys.push_back(order == EdgeOrder::kLongestFirst ? -square : square);
   }
@@ -103,14 +104,14 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
                                                  std::uint32_t& away) const {
   const ExactPoints& points = mesh_.points;
   const std::uint32_t corner = mesh_.cornerOf(tet, from);
-  const std::array<NodeId, 3> f = mesh_.innerFace(tet, corner);
+  const NodeTriple f = mesh_.innerFace(tet, corner);
   for (const NodeId node : f) {
     if (node == towards) return {Hit::Kind::kNode, tet, corner, node, node};
   }
-  std::array<NodeId, 3> ahead;
+  NodeTriple ahead;
   std::size_t count = 0;
   for (std::size_t k = 0; k < 3; ++k) {
-    std::array<NodeId, 3> side = f;
+    NodeTriple side = f;
     side[k] = towards;
     const int sign = points.orient(side[0], side[1], side[2], from);
     if (sign < 0) {
@@ -127,7 +128,7 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
 /// From tetrahedron to tetrahedron around the node, towards the ray.
 BoundaryRecovery::Hit BoundaryRecovery::walkToHit(NodeId from, NodeId towards) const {
   TetId tet = mesh_.at(from);
-  for (int step = 0; step < kLongestWalk && !tet.isNone(); ++step) {
+  for (int step = 0; step < kMaxWalkSteps && !tet.isNone(); ++step) {
     std::uint32_t away = 4;
     const Hit hit = hitInTet(tet, from, towards, away);
     if (away == 4) return hit;
@@ -148,7 +149,7 @@ BoundaryRecovery::Hit BoundaryRecovery::firstHit(NodeId from, NodeId towards) {
   return {};
 }
 
-/// What has the hit place within it.
+/// What has the hit position within it.
 void BoundaryRecovery::tetsAtHit(const Hit& hit, std::vector<TetId>& result) {
   if (hit.kind == Hit::Kind::kEdge) {
     mesh_.ring(hit.tet, hit.u, hit.v, result);
@@ -163,14 +164,14 @@ void BoundaryRecovery::tetsAtHit(const Hit& hit, std::vector<TetId>& result) {
 bool BoundaryRecovery::swapAtHit(const Hit& hit, NodeId apex) {
   tetsAtHit(hit, tets_);
   ConeRules rules;
-  rules.largestCavity = std::max(kLargestSwap, tets_.size());
+  rules.maxCavity = std::max(kMaxSwapCavity, tets_.size());
   return cone_.make(apex, tets_, rules);
 }
 
 NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
   ExactPoints& points = mesh_.points;
   // Heights of the edge's ends over a plane through what was hit.
-  std::array<NodeId, 3> plane = mesh_.innerFace(hit.tet, hit.corner);
+  NodeTriple plane = mesh_.innerFace(hit.tet, hit.corner);
   if (hit.kind == Hit::Kind::kEdge) {
     const NodeId start = mesh_.tet(hit.tet).nodes[hit.corner];
     for (const NodeId node : mesh_.tet(hit.tet).nodes) {
@@ -184,10 +185,10 @@ NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
   const DyadicVec3 start = points.exact(edge.from);
   const DyadicVec3 along = points.exact(edge.to) - start;
   for (int steps = 1; steps <= kMaxRefinements; ++steps) {
-    const DyadicVec3 place = start + along * refinedQuotient(from, from - to, steps);
-    const NodeId node = points.add(place);
+    const DyadicVec3 position = start + along * refinedQuotient(from, from - to, steps);
+    const NodeId node = points.add(position);
     ConeRules rules;
-    rules.largestCavity = tets_.size() + kLargestSwap;
+    rules.maxCavity = tets_.size() + kMaxSwapCavity;
     rules.delaunay = true;
     if (cone_.make(node, tets_, rules)) return node;
     rules.delaunay = false;
@@ -234,12 +235,12 @@ std::vector<NodeId> BoundaryRecovery::chainBetween(NodeId from, NodeId to) const
 }
 
 void BoundaryRecovery::beginTriangle(std::size_t triangle) {
-  for (const NodeId node : sidesKnown_) sides_[node.index()] = kUnknown;
-  sidesKnown_.clear();
+  for (const NodeId node : knownSigns_) planeSigns_[node.index()] = kUnknown;
+  knownSigns_.clear();
   const auto know = [&](NodeId node) {
-    sides_.resize(mesh_.points.size(), kUnknown);
-    sides_[node.index()] = 0;
-    sidesKnown_.push_back(node);
+    planeSigns_.resize(mesh_.points.size(), kUnknown);
+    planeSigns_[node.index()] = 0;
+    knownSigns_.push_back(node);
   };
   open_.clear();
   const auto& t = triangles_[triangle];
@@ -265,25 +266,25 @@ bool BoundaryRecovery::findFaceAt(std::size_t triangle, Direction edge) {
   if (hit.kind != Hit::Kind::kNode || hit.u != y) return false;
   mesh_.ring(hit.tet, x, y, tets_);
   const auto& t = triangles_[triangle];
-  const auto sideOf = [&](NodeId node) -> int {
-    sides_.resize(mesh_.points.size(), kUnknown);
-    std::int8_t& known = sides_[node.index()];
+  const auto planeSignOf = [&](NodeId node) -> int {
+    planeSigns_.resize(mesh_.points.size(), kUnknown);
+    std::int8_t& known = planeSigns_[node.index()];
     if (known == kUnknown) {
       known = static_cast<std::int8_t>(mesh_.points.orient(t[0], t[1], t[2], node));
-      sidesKnown_.push_back(node);
+      knownSigns_.push_back(node);
     }
     return known;
   };
   for (const TetId tet : tets_) {
     // The other two, so that x y u v is in order.
     const std::uint32_t cx = mesh_.cornerOf(tet, x);
-    const std::array<NodeId, 3> f = mesh_.innerFace(tet, cx);
+    const NodeTriple f = mesh_.innerFace(tet, cx);
     const std::size_t cy = f[0] == y ? 0 : (f[1] == y ? 1 : 2);
     // f then x is in order, and so is x then the other way round f.
     const NodeId u = f[(cy + 2) % 3];
     const NodeId v = f[(cy + 1) % 3];
-    const int su = sideOf(u);
-    const int sv = sideOf(v);
+    const int su = planeSignOf(u);
+    const int sv = planeSignOf(v);
     if (su == 0 && sv > 0) {
       markFace(triangle, tet, x, y, u);
       return true;
@@ -302,7 +303,7 @@ bool BoundaryRecovery::passCrossing(std::size_t triangle, Direction edge, NodeId
   std::vector<TetId> around;
   mesh_.ring(tet, below, above, around);
   ConeRules rules;
-  rules.largestCavity = std::max(kLargestSwap, around.size());
+  rules.maxCavity = std::max(kMaxSwapCavity, around.size());
   if (cone_.make(edge.first, around, rules) || cone_.make(edge.second, around, rules)) return true;
   return splitCrossing(triangle, below, above, around);
 }
@@ -325,18 +326,18 @@ bool BoundaryRecovery::splitCrossing(std::size_t triangle, NodeId below, NodeId 
     const DyadicVec3 near = start + along * refinedQuotient(low, low - high, steps) - a;
     const Dyadic s = refinedQuotient(dot(cross(near, ac), normal), square, steps);
     const Dyadic r = refinedQuotient(dot(cross(ab, near), normal), square, steps);
-    const DyadicVec3 place = a + ab * s + ac * r;
-    const NodeId node = points.add(place);
+    const DyadicVec3 position = a + ab * s + ac * r;
+    const NodeId node = points.add(position);
     ConeRules rules;
-    rules.largestCavity = around.size() + kLargestSwap;
+    rules.maxCavity = around.size() + kMaxSwapCavity;
     rules.delaunay = true;
     bool done = cone_.make(node, around, rules);
     rules.delaunay = false;
     if (done || cone_.make(node, around, rules)) {
       boundaryPoints_.push_back(node);
-      sides_.resize(points.size(), kUnknown);
-      sides_[node.index()] = 0;
-      sidesKnown_.push_back(node);
+      planeSigns_.resize(points.size(), kUnknown);
+      planeSigns_[node.index()] = 0;
+      knownSigns_.push_back(node);
       return true;
     }
     points.dropLast();

@@ -19,8 +19,6 @@
 
 namespace tetrafront {
 
-using NodeTripleList = std::vector<std::array<NodeId, 3>>;
-
 class BoundaryRecovery {
  public:
   /// In which the edges are recovered. Long edges need the most room for swaps, and edges that are
@@ -28,7 +26,7 @@ class BoundaryRecovery {
   enum class EdgeOrder : std::uint8_t { kLongestFirst, kAsNumbered, kShortestFirst };
 
   /// `triangles` must outlive this. All their nodes must be nodes of the mesh.
-  BoundaryRecovery(FillMesh& mesh, const NodeTripleList& triangles, EdgeOrder order);
+  BoundaryRecovery(FillMesh& mesh, const std::vector<NodeTriple>& triangles, EdgeOrder order);
 
   /// kFailed: the triangles meet where they should not.
   enum class State : std::uint8_t { kRunning, kDone, kFailed };
@@ -83,7 +81,7 @@ class BoundaryRecovery {
   void close(Direction edge);
 
   FillMesh& mesh_;
-  const NodeTripleList& triangles_;
+  const std::vector<NodeTriple>& triangles_;
   ConstraintEdges constraints_;
   Cone cone_;
   std::vector<Edge> edges_;
@@ -97,9 +95,9 @@ class BoundaryRecovery {
   std::vector<TetId> tets_;
   std::vector<TetId> star_;
   // Of the triangle at work:
-  std::set<Direction> open_;        ///< edges whose left side is not yet covered by faces
-  std::vector<std::int8_t> sides_;  ///< per node; kUnknown until asked for
-  std::vector<NodeId> sidesKnown_;
+  std::set<Direction> open_;             ///< edges whose left side is not yet covered by faces
+  std::vector<std::int8_t> planeSigns_;  ///< per node; kUnknown until asked for
+  std::vector<NodeId> knownSigns_;
 };
 
 }  // namespace tetrafront

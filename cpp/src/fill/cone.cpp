@@ -8,27 +8,27 @@
 namespace tetrafront {
 namespace {
 
-bool contains(const std::array<NodeId, 3>& nodes, NodeId node) {
+bool contains(const NodeTriple& nodes, NodeId node) {
   return nodes[0] == node || nodes[1] == node || nodes[2] == node;
 }
-bool contains(const std::array<NodeId, 4>& nodes, NodeId node) {
+bool contains(const NodeQuad& nodes, NodeId node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
 }
 
 }  // namespace
 
-double shapeOf(const ExactPoints& points, const std::array<NodeId, 4>& n) {
+double shapeOf(const ExactPoints& points, const NodeQuad& n) {
   double squares = 0.0;
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
-      const Vec3 edge = points.place(n[j]) - points.place(n[i]);
+      const Vec3 edge = points.position(n[j]) - points.position(n[i]);
       squares += glm::dot(edge, edge);
     }
   }
   if (!(squares > 0.0)) return 0.0;
-  const Vec3& a = points.place(n[0]);
-  const double volume =
-      glm::dot(glm::cross(points.place(n[1]) - a, points.place(n[2]) - a), points.place(n[3]) - a);
+  const Vec3& a = points.position(n[0]);
+  const double volume = glm::dot(glm::cross(points.position(n[1]) - a, points.position(n[2]) - a),
+                                 points.position(n[3]) - a);
   const double ratio = volume / (squares * std::sqrt(squares));
   return 432.0 * ratio * std::fabs(ratio);
 }
@@ -41,7 +41,7 @@ bool Cone::plan(NodeId apex, std::span<const TetId> cavity, const ConeRules& rul
   apex_ = apex;
   lost_ = rules.lost;
   boundary_ = rules.boundary;
-  stamp_ = mesh_.freshStamp();
+  stamp_ = mesh_.nextStamp();
   cavity_.clear();
   faces_.clear();
   for (const TetId t : cavity) enter(t);
@@ -70,16 +70,16 @@ bool Cone::look(TetFace face, const ConeRules& rules) {
   const TetFace beyond = t.across[face.corner];
   const bool marked = t.facet[face.corner] != kNoFacet;
   if (!beyond.isNone() && mesh_.hasStamp(beyond.tet, stamp_)) return !marked;
-  const std::array<NodeId, 3> nodes = mesh_.innerFace(face.tet, face.corner);
+  const NodeTriple nodes = mesh_.innerFace(face.tet, face.corner);
   if (beyond.isNone() && contains(nodes, rules.lost)) return true;
-  const bool mayPass = !beyond.isNone() && !marked && cavity_.size() < rules.largestCavity;
+  const bool mayPass = !beyond.isNone() && !marked && cavity_.size() < rules.maxCavity;
   if (contains(nodes, apex_)) {
     // Stays as a face of a new tetrahedron.
     faces_.push_back(face);
     return true;
   }
   if (mesh_.points.orient(nodes[0], nodes[1], nodes[2], apex_) > 0) {
-    if (mayPass && rules.delaunay && wantsToEnter(beyond)) {
+    if (mayPass && rules.delaunay && isInCircumsphere(beyond)) {
       enter(beyond.tet);
     } else {
       faces_.push_back(face);
@@ -91,12 +91,12 @@ bool Cone::look(TetFace face, const ConeRules& rules) {
   return true;
 }
 
-bool Cone::wantsToEnter(TetFace beyond) const {
-  const std::array<NodeId, 4>& n = mesh_.tet(beyond.tet).nodes;
+bool Cone::isInCircumsphere(TetFace beyond) const {
+  const NodeQuad& n = mesh_.tet(beyond.tet).nodes;
   const ExactPoints& points = mesh_.points;
   return isInsideSphere(
-      {points.place(n[0]), points.place(n[1]), points.place(n[2]), points.place(n[3])},
-      points.place(apex_));
+      {points.position(n[0]), points.position(n[1]), points.position(n[2]), points.position(n[3])},
+      points.position(apex_));
 }
 
 /// The new tetrahedra.
@@ -109,7 +109,7 @@ bool Cone::collect(const ConeRules& rules) {
       if (mesh_.tet(face.tet).facet[face.corner] != kNoFacet) return false;
       continue;
     }
-    const std::array<NodeId, 3> n = mesh_.innerFace(face.tet, face.corner);
+    const NodeTriple n = mesh_.innerFace(face.tet, face.corner);
     if (!contains(n, apex_)) fresh_.push_back({n[0], n[1], n[2], apex_});
   }
   for (const BoundaryFace& face : rules.boundary) {
@@ -128,7 +128,7 @@ bool Cone::losesNodes(NodeId lost) {
     for (const NodeId node : nodes) nodeStamps_[node.index()] = stamp_;
   }
   return std::any_of(cavity_.begin(), cavity_.end(), [&](TetId t) {
-    const std::array<NodeId, 4>& nodes = mesh_.tet(t).nodes;
+    const NodeQuad& nodes = mesh_.tet(t).nodes;
     return std::any_of(nodes.begin(), nodes.end(), [&](NodeId node) {
       return node != lost && node != apex_ && nodeStamps_[node.index()] != stamp_;
     });
@@ -138,7 +138,7 @@ bool Cone::losesNodes(NodeId lost) {
 bool Cone::losesEdges() const {
   if (constraints_.empty()) return false;
   for (const TetId t : cavity_) {
-    const std::array<NodeId, 4>& n = mesh_.tet(t).nodes;
+    const NodeQuad& n = mesh_.tet(t).nodes;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
         if (!constraints_.contains(n[i], n[j])) continue;
@@ -153,7 +153,7 @@ bool Cone::losesEdges() const {
   return false;
 }
 
-double Cone::leastShape() const {
+double Cone::minShape() const {
   double least = 1.0;
   for (const auto& nodes : fresh_) least = std::min(least, shapeOf(mesh_.points, nodes));
   return least;

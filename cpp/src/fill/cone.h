@@ -32,7 +32,7 @@ class ConstraintEdges {
 
 struct ConeRules {
   /// Where a face is not seen, the tetrahedron behind it may join the cavity, up to so many.
-  std::size_t largestCavity = 0;
+  std::size_t maxCavity = 0;
   /// Tetrahedra whose circumsphere holds the apex join too.
   bool delaunay = false;
   /// The cavity may hold this node inside; it vanishes.
@@ -50,7 +50,7 @@ class Cone {
   bool make(NodeId apex, std::span<const TetId> cavity, const ConeRules& rules);
   /// Would it be possible? If so, `shape` is the least shape measure of the new tetrahedra.
   bool plan(NodeId apex, std::span<const TetId> cavity, const ConeRules& rules);
-  [[nodiscard]] double leastShape() const;
+  [[nodiscard]] double minShape() const;
   /// Makes what plan() has found possible.
   bool commit();
 
@@ -58,7 +58,7 @@ class Cone {
   bool grow(const ConeRules& rules);
   bool look(TetFace face, const ConeRules& rules);
   void enter(TetId tet);
-  [[nodiscard]] bool wantsToEnter(TetFace beyond) const;
+  [[nodiscard]] bool isInCircumsphere(TetFace beyond) const;
   bool collect(const ConeRules& rules);
   bool losesNodes(NodeId lost);
   [[nodiscard]] bool losesEdges() const;
@@ -71,11 +71,11 @@ class Cone {
   std::uint32_t stamp_ = 0;
   std::vector<TetId> cavity_;
   std::vector<TetFace> faces_;  ///< of the cavity's tetrahedra, seen from the apex
-  std::vector<std::array<NodeId, 4>> fresh_;
+  std::vector<NodeQuad> fresh_;
   std::vector<std::uint32_t> nodeStamps_;  ///< stamp_ where a node is in fresh_
 };
 
 /// 12 (3V)^(2/3) / (sum of squared edges), cubed: 1 for the regular tetrahedron. In doubles.
-[[nodiscard]] double shapeOf(const ExactPoints& points, const std::array<NodeId, 4>& nodes);
+[[nodiscard]] double shapeOf(const ExactPoints& points, const NodeQuad& nodes);
 
 }  // namespace tetrafront

@@ -5,13 +5,13 @@
 #include <optional>
 #include <utility>
 
-#include "fill/boundary_clearing.h"
+#include "fill/boundary_point_removal.h"
 #include "fill/boundary_recovery.h"
 #include "fill/fill_mesh.h"
-#include "fill/interior_clearing.h"
+#include "fill/interior_point_rounding.h"
 #include "fill/outside_removal.h"
 #include "fill/point_insertion.h"
-#include "fill/sectors.h"
+#include "fill/sector_separation.h"
 
 namespace tetrafront {
 namespace {
@@ -139,7 +139,7 @@ class ExactFill::Impl {
 
   void begin() {
     if (task_.triangles.empty()) return beginStage(Stage::kDone);
-    for (const Vec3& place : task_.places) mesh_.points.add(place);
+    for (const Vec3& position : task_.positions) mesh_.points.add(position);
     insertion_.emplace(mesh_, order_);
     beginStage(Stage::kInsert);
   }
@@ -184,17 +184,17 @@ class ExactFill::Impl {
   }
 
   void clearBoundary() {
-    const BoundaryClearing::State state = clearing_->step();
-    if (state == BoundaryClearing::State::kRunning) return;
-    if (state == BoundaryClearing::State::kFailed) return failUnless(false);
+    const BoundaryPointRemoval::State state = clearing_->step();
+    if (state == BoundaryPointRemoval::State::kRunning) return;
+    if (state == BoundaryPointRemoval::State::kFailed) return failUnless(false);
     interior_.emplace(mesh_, clearing_->interiorPoints());
     clearing_.reset();
     beginStage(Stage::kClearInterior);
   }
 
   void clearInterior() {
-    const InteriorClearing::State state = interior_->step();
-    if (state == InteriorClearing::State::kRunning) return;
+    const InteriorPointRounding::State state = interior_->step();
+    if (state == InteriorPointRounding::State::kRunning) return;
     takeResult();
     if (result_.tetrahedra.empty()) return failUnless(false);
     beginStage(Stage::kDone);
@@ -202,35 +202,35 @@ class ExactFill::Impl {
 
   void takeResult() {
     std::vector<NodeId> numbers(mesh_.points.size());
-    for (std::size_t i = 0; i < task_.places.size(); ++i) numbers[i] = NodeId(i);
+    for (std::size_t i = 0; i < task_.positions.size(); ++i) numbers[i] = NodeId(i);
     for (const NodeId node : interior_->points()) {
       if (!mesh_.points.isDouble(node)) continue;
-      numbers[node.index()] = NodeId(task_.places.size() + result_.newPlaces.size());
-      result_.newPlaces.push_back(mesh_.points.place(node));
+      numbers[node.index()] = NodeId(task_.positions.size() + result_.newPositions.size());
+      result_.newPositions.push_back(mesh_.points.position(node));
     }
     std::vector<std::uint8_t> seen(mesh_.slotCount(), 0);
     for (std::size_t i = 0; i < mesh_.slotCount(); ++i) {
-      if (mesh_.isLive(TetId(i)) && seen[i] == 0) takePlaceAround(TetId(i), seen, numbers);
+      if (mesh_.isLive(TetId(i)) && seen[i] == 0) takePocketAround(TetId(i), seen, numbers);
     }
   }
 
-  /// The tetrahedra joined to one by faces, all of one place.
-  void takePlaceAround(TetId first, std::vector<std::uint8_t>& seen,
-                       const std::vector<NodeId>& numbers) {
-    std::vector<TetId> place{first};
+  /// The tetrahedra joined to one by faces, all of one pocket.
+  void takePocketAround(TetId first, std::vector<std::uint8_t>& seen,
+                        const std::vector<NodeId>& numbers) {
+    std::vector<TetId> pocket{first};
     seen[first.index()] = 1;
     std::uint32_t triangle = kNoFacet;
-    for (std::size_t i = 0; i < place.size(); ++i) {
-      const FillTet& t = mesh_.tet(place[i]);
+    for (std::size_t i = 0; i < pocket.size(); ++i) {
+      const FillTet& t = mesh_.tet(pocket[i]);
       for (std::size_t k = 0; k < 4; ++k) {
         triangle = std::min(triangle, t.facet[k]);
         const TetId beyond = t.across[k].tet;
         if (beyond.isNone() || seen[beyond.index()] != 0) continue;
         seen[beyond.index()] = 1;
-        place.push_back(beyond);
+        pocket.push_back(beyond);
       }
     }
-    for (const TetId id : place) {
+    for (const TetId id : pocket) {
       if (isOpen(id)) {
         takeOpenFaces(id, triangle, numbers);
         continue;
@@ -255,7 +255,7 @@ class ExactFill::Impl {
       if (t.across[k].isNone()) {
         result_.openTriangles.push_back(t.facet[k]);
       } else if (!isOpen(t.across[k].tet)) {
-        const std::array<NodeId, 3> n = mesh_.innerFace(tet, k);
+        const NodeTriple n = mesh_.innerFace(tet, k);
         result_.openFaces.push_back(
             {numbers[n[0].index()], numbers[n[1].index()], numbers[n[2].index()]});
         result_.triangleOfOpenFace.push_back(triangle);
@@ -275,8 +275,8 @@ class ExactFill::Impl {
   std::optional<BoundaryRecovery> recovery_;
   std::optional<OutsideRemoval> outside_;
   std::optional<SectorSeparation> separation_;
-  std::optional<BoundaryClearing> clearing_;
-  std::optional<InteriorClearing> interior_;
+  std::optional<BoundaryPointRemoval> clearing_;
+  std::optional<InteriorPointRounding> interior_;
 };
 
 ExactFill::ExactFill(FillTask task, unsigned order, std::uint64_t limit)

@@ -2,7 +2,7 @@
 
 /// @file The guaranteed fill: tetrahedra for any closed, embedded, consistently turned set of
 /// triangles, with new points inside only. All signs are exact, so nothing can go wrong but the last
-/// step, where points inside must be brought to places that doubles can hold; where that fails, what is
+/// step, where points inside must be brought to positions that doubles can hold; where that fails, what is
 /// around these points is left open, and all else is filled.
 ///
 /// The nodes are put into a nearly Delaunay mesh; edges, then triangles are recovered, by swaps and,
@@ -21,28 +21,28 @@
 
 namespace tetrafront {
 
-/// What is to be filled. Nodes are positions in `places`; triangles are counter-clockwise seen from
-/// where it is empty, and may bound several places, with islands in them.
+/// What is to be filled. Nodes are positions in `positions`; triangles are counter-clockwise seen from
+/// where it is empty, and may bound several positions, with islands in them.
 struct FillTask {
-  std::vector<Vec3> places;
-  std::vector<std::array<NodeId, 3>> triangles;
+  std::vector<Vec3> positions;
+  std::vector<NodeTriple> triangles;
 };
 
 struct FillResult {
-  std::vector<Vec3> newPlaces;  ///< of the nodes that follow those of the task
-  std::vector<std::array<NodeId, 4>> tetrahedra;
-  std::vector<std::uint32_t> triangleOfTetrahedron;  ///< some triangle of the place each is in
+  std::vector<Vec3> newPositions;  ///< of the nodes that follow those of the task
+  std::vector<NodeQuad> tetrahedra;
+  std::vector<std::uint32_t> triangleOfTetrahedron;  ///< some triangle of the position each is in
   /// Where State::kPartial: triangles of the task that no tetrahedron has, and the faces that together
-  /// with them bound what is open, counter-clockwise seen from there, each with a triangle of its place.
+  /// with them bound what is open, counter-clockwise seen from there, each with a triangle of its position.
   std::vector<std::uint32_t> openTriangles;
-  std::vector<std::array<NodeId, 3>> openFaces;
+  std::vector<NodeTriple> openFaces;
   std::vector<std::uint32_t> triangleOfOpenFace;
 };
 
 class ExactFill {
  public:
   /// Orders in which the nodes can be inserted and the edges recovered: where a point inside has no
-  /// place in doubles after one of them, it mostly has after another.
+  /// position in doubles after one of them, it mostly has after another.
   static constexpr unsigned kOrders = 6;
 
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
@@ -53,7 +53,7 @@ class ExactFill {
   ExactFill& operator=(ExactFill&&) noexcept;
   ~ExactFill();
 
-  /// kPartial: points inside had no place in doubles; the result leaves open what is around them.
+  /// kPartial: points inside had no position in doubles; the result leaves open what is around them.
   /// kFailed: the triangles are not the closed boundary of something, or the limit is reached; there is
   /// no result.
   enum class State : std::uint8_t { kRunning, kDone, kPartial, kFailed };

@@ -32,7 +32,7 @@ int certainSign(double determinant, const Vec3& u, const Vec3& v, const Vec3& w,
   return determinant > bound ? 1 : (determinant < -bound ? -1 : 0);
 }
 
-/// Does plain double decide the sign, for places that may be off by `error` in each coordinate?
+/// Does plain double decide the sign, for positions that may be off by `error` in each coordinate?
 /// The bound is generous: the plain evaluation's own (Shewchuk 1997, section 4), doubled.
 int signByDoubles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double error) {
   constexpr double kBound = 16.0 * kRoundoff;
@@ -44,20 +44,20 @@ int signByDoubles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, do
 
 }  // namespace
 
-NodeId ExactPoints::add(const Vec3& place) {
-  points_.push_back({place, 0.0, kPlaceIsExact});
+NodeId ExactPoints::add(const Vec3& position) {
+  points_.push_back({position, 0.0, kPositionIsExact});
   return NodeId(points_.size() - 1);
 }
 
-NodeId ExactPoints::add(const DyadicVec3& place) {
-  const Vec3 rounded = roundedOf(place);
-  const DyadicVec3 rest = place - toDyadic(rounded);
+NodeId ExactPoints::add(const DyadicVec3& position) {
+  const Vec3 rounded = roundedOf(position);
+  const DyadicVec3 rest = position - toDyadic(rounded);
   if (rest[0].sign() == 0 && rest[1].sign() == 0 && rest[2].sign() == 0) return add(rounded);
   constexpr double kRoundingOfDyadics = 4.0 * kRoundoff;
   const double error = kRoundingOfDyadics *
                        std::max({std::fabs(rounded.x), std::fabs(rounded.y), std::fabs(rounded.z)});
   points_.push_back({rounded, error, static_cast<std::uint32_t>(exact_.size())});
-  exact_.push_back({place, roundedOf(rest)});
+  exact_.push_back({position, roundedOf(rest)});
   return NodeId(points_.size() - 1);
 }
 
@@ -67,13 +67,13 @@ NodeId ExactPoints::copy(NodeId node) {
   return NodeId(points_.size() - 1);
 }
 
-void ExactPoints::move(NodeId node, const Vec3& place) {
-  points_[node.index()] = {place, 0.0, kPlaceIsExact};
+void ExactPoints::move(NodeId node, const Vec3& position) {
+  points_[node.index()] = {position, 0.0, kPositionIsExact};
 }
 
 DyadicVec3 ExactPoints::exact(NodeId node) const {
   const Point& point = points_[node.index()];
-  return point.exact == kPlaceIsExact ? toDyadic(point.place) : exact_[point.exact].place;
+  return point.exact == kPositionIsExact ? toDyadic(point.position) : exact_[point.exact].position;
 }
 
 int ExactPoints::orient(NodeId a, NodeId b, NodeId c, NodeId d) const {
@@ -83,41 +83,42 @@ int ExactPoints::orient(NodeId a, NodeId b, NodeId c, NodeId d) const {
   const Point& pc = points_[c.index()];
   const Point& pd = points_[d.index()];
   const double error = pa.error + std::max({pb.error, pc.error, pd.error});
-  if (error == 0.0) return orient3d(pa.place, pb.place, pc.place, pd.place);
-  const int sign = signByDoubles(pa.place, pb.place, pc.place, pd.place, error);
+  if (error == 0.0) return orient3d(pa.position, pb.position, pc.position, pd.position);
+  const int sign = signByDoubles(pa.position, pb.position, pc.position, pd.position, error);
   if (sign != 0) return sign;
   work_ += kExactCost;
   const int closer = signByTwofolds(pa, pb, pc, pd, error);
   return closer != 0 ? closer : exactVolume(a, b, c, d).sign();
 }
 
-Vec3 ExactPoints::restOf(const Point& point) const {
-  return point.exact == kPlaceIsExact ? Vec3(0.0) : exact_[point.exact].rest;
+Vec3 ExactPoints::remainderOf(const Point& point) const {
+  return point.exact == kPositionIsExact ? Vec3(0.0) : exact_[point.exact].rest;
 }
 
-/// As signByDoubles(), in twice the digits; `error` is that of the places without their rests.
+/// As signByDoubles(), in twice the digits; `error` is that of the positions without their rests.
 int ExactPoints::signByTwofolds(const Point& a, const Point& b, const Point& c, const Point& d,
                                 double error) const {
   // A dozen roundings, each of a few 2^-106.
   constexpr double kBound = 0x1p-97;
-  // Rests are rounded themselves, by two units in their last place.
+  // Rests are rounded themselves, by two units in their last position.
   constexpr double kRoundingOfRests = 0x1p-50;
   // Of numbers so small parts may have been lost by underflow.
-  constexpr double kLeastSize = 0x1p-250;
-  const Vec3 restA = restOf(a);
+  constexpr double kMinSize = 0x1p-250;
+  const Vec3 restA = remainderOf(a);
   std::array<std::array<Twofold, 3>, 3> rows;
   std::array<Vec3, 3> sizes;
   const std::array<const Point*, 3> others{&b, &c, &d};
   for (std::size_t i = 0; i < 3; ++i) {
     const Point& p = *others[i];
-    const Vec3 rest = restOf(p);
+    const Vec3 rest = remainderOf(p);
     auto& row = rows[i];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto axis = static_cast<int>(k);
-      row[k] = renormalized(p.place[axis], rest[axis]) - renormalized(a.place[axis], restA[axis]);
+      row[k] =
+          renormalized(p.position[axis], rest[axis]) - renormalized(a.position[axis], restA[axis]);
     }
     sizes[i] = {row[0].high, row[1].high, row[2].high};
-    if (sumOfSizes(sizes[i]) < kLeastSize) return 0;
+    if (sumOfSizes(sizes[i]) < kMinSize) return 0;
   }
   const auto& [u, v, w] = rows;
   const Twofold determinant = u[0] * (v[1] * w[2] - v[2] * w[1]) +

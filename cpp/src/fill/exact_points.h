@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Points whose places are exact although they need not be doubles, and the signs of the
+/// @file Points whose positions are exact although they need not be doubles, and the signs of the
 /// volumes they span.
 
 #include <array>
@@ -15,19 +15,19 @@ namespace tetrafront {
 
 class ExactPoints {
  public:
-  NodeId add(const Vec3& place);
-  NodeId add(const DyadicVec3& place);
-  /// Another point at the same place.
+  NodeId add(const Vec3& position);
+  NodeId add(const DyadicVec3& position);
+  /// Another point at the same position.
   NodeId copy(NodeId node);
-  void move(NodeId node, const Vec3& place);
+  void move(NodeId node, const Vec3& position);
   void dropLast() { points_.pop_back(); }
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   /// Where it is, rounded to doubles.
-  [[nodiscard]] const Vec3& place(NodeId node) const { return points_[node.index()].place; }
-  /// Is place() the exact place?
+  [[nodiscard]] const Vec3& position(NodeId node) const { return points_[node.index()].position; }
+  /// Is position() the exact position?
   [[nodiscard]] bool isDouble(NodeId node) const {
-    return points_[node.index()].exact == kPlaceIsExact;
+    return points_[node.index()].exact == kPositionIsExact;
   }
   [[nodiscard]] DyadicVec3 exact(NodeId node) const;
 
@@ -40,18 +40,18 @@ class ExactPoints {
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
-  static constexpr std::uint32_t kPlaceIsExact = 0xffffffffU;
+  static constexpr std::uint32_t kPositionIsExact = 0xffffffffU;
   struct Exact {
-    DyadicVec3 place;
+    DyadicVec3 position;
     Vec3 rest;  ///< of it beyond what doubles hold, in doubles
   };
   struct Point {
-    Vec3 place;
-    double error;         ///< no coordinate of the exact place is farther from place's
-    std::uint32_t exact;  ///< position in exact_, or kPlaceIsExact
+    Vec3 position;
+    double error;         ///< no coordinate of the exact position is farther from position's
+    std::uint32_t exact;  ///< position in exact_, or kPositionIsExact
   };
 
-  [[nodiscard]] Vec3 restOf(const Point& point) const;
+  [[nodiscard]] Vec3 remainderOf(const Point& point) const;
   [[nodiscard]] int signByTwofolds(const Point& a, const Point& b, const Point& c, const Point& d,
                                    double error) const;
 

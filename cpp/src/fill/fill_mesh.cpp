@@ -7,13 +7,13 @@
 namespace tetrafront {
 namespace {
 
-bool contains(const std::array<NodeId, 3>& nodes, NodeId node) {
+bool contains(const NodeTriple& nodes, NodeId node) {
   return nodes[0] == node || nodes[1] == node || nodes[2] == node;
 }
 
 }  // namespace
 
-void FillMesh::begin(const std::array<NodeId, 4>& nodes) {
+void FillMesh::begin(const NodeQuad& nodes) {
   FillTet first;
   first.nodes = nodes;
   tets_.assign(1, first);
@@ -22,21 +22,21 @@ void FillMesh::begin(const std::array<NodeId, 4>& nodes) {
   for (const NodeId node : nodes) tetAt_[node.index()] = TetId(0U);
 }
 
-std::array<NodeId, 3> FillMesh::innerFace(TetId tet, std::uint32_t corner) const {
-  const std::array<NodeId, 4>& n = tets_[tet.index()].nodes;
+NodeTriple FillMesh::innerFace(TetId tet, std::uint32_t corner) const {
+  const NodeQuad& n = tets_[tet.index()].nodes;
   const auto& c = kInnerCorners[corner];
   return {n[c[0]], n[c[1]], n[c[2]]};
 }
 
 std::uint32_t FillMesh::cornerOf(TetId tet, NodeId node) const {
-  const std::array<NodeId, 4>& n = tets_[tet.index()].nodes;
+  const NodeQuad& n = tets_[tet.index()].nodes;
   return static_cast<std::uint32_t>(std::find(n.begin(), n.end(), node) - n.begin());
 }
 
 void FillMesh::spread(TetId seed, const std::array<NodeId, 2>& nodes, std::vector<TetId>& result) {
   result.clear();
   if (seed.isNone()) return;
-  const std::uint32_t mark = freshStamp();
+  const std::uint32_t mark = nextStamp();
   result.push_back(seed);
   stamp(seed, mark);
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -59,21 +59,21 @@ void FillMesh::markFacet(TetId tet, std::uint32_t corner, std::uint32_t facet) {
 }
 
 void FillMesh::collectOuterFaces(std::span<const TetId> old, NodeId lost) {
-  const std::uint32_t mark = freshStamp();
+  const std::uint32_t mark = nextStamp();
   for (const TetId t : old) stamp(t, mark);
   for (const TetId id : old) {
     const FillTet& t = tets_[id.index()];
     for (std::uint32_t k = 0; k < 4; ++k) {
       const TetFace beyond = t.across[k];
       if (!beyond.isNone() && hasStamp(beyond.tet, mark)) continue;
-      const std::array<NodeId, 3> nodes = innerFace(id, k);
+      const NodeTriple nodes = innerFace(id, k);
       if (beyond.isNone() && contains(nodes, lost)) continue;
       slots_.push_back({sorted(nodes), {}, beyond, t.facet[k]});
     }
   }
 }
 
-void FillMesh::collectFreshFaces(std::span<const std::array<NodeId, 4>> fresh) {
+void FillMesh::collectFreshFaces(std::span<const NodeQuad> fresh) {
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     for (std::uint32_t k = 0; k < 4; ++k) {
       const auto& c = kInnerCorners[k];
@@ -107,8 +107,8 @@ TetId FillMesh::takeSlot() {
   return TetId(tets_.size() - 1);
 }
 
-bool FillMesh::replace(std::span<const TetId> old, std::span<const std::array<NodeId, 4>> fresh,
-                       NodeId lost, std::span<const BoundaryFace> boundary) {
+bool FillMesh::replace(std::span<const TetId> old, std::span<const NodeQuad> fresh, NodeId lost,
+                       std::span<const BoundaryFace> boundary) {
   slots_.clear();
   collectOuterFaces(old, lost);
   for (const BoundaryFace& f : boundary) slots_.push_back({sorted(f.nodes), {}, {}, f.facet});
@@ -125,7 +125,7 @@ bool FillMesh::replace(std::span<const TetId> old, std::span<const std::array<No
   }
   tetAt_.resize(points.size());
   freshIds_.clear();
-  for (const std::array<NodeId, 4>& nodes : fresh) {
+  for (const NodeQuad& nodes : fresh) {
     const TetId id = takeSlot();
     freshIds_.push_back(id);
     tets_[id.index()].nodes = nodes;

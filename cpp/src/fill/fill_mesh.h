@@ -28,7 +28,7 @@ struct TetFace {
 inline constexpr std::uint32_t kNoFacet = 0xffffffffU;
 
 struct FillTet {
-  std::array<NodeId, 4> nodes;
+  NodeQuad nodes;
   std::array<TetFace, 4> across;
   std::array<std::uint32_t, 4> facet{kNoFacet, kNoFacet, kNoFacet,
                                      kNoFacet};  ///< the given triangle each face is a part of
@@ -36,7 +36,7 @@ struct FillTet {
 
 /// A piece of the boundary, counter-clockwise seen from inside.
 struct BoundaryFace {
-  std::array<NodeId, 3> nodes;
+  NodeTriple nodes;
   std::uint32_t facet;
 };
 
@@ -45,12 +45,12 @@ class FillMesh {
   ExactPoints points;
 
   /// The first tetrahedron; its nodes must be in order. All else comes by replace().
-  void begin(const std::array<NodeId, 4>& nodes);
+  void begin(const NodeQuad& nodes);
 
   [[nodiscard]] std::size_t slotCount() const { return tets_.size(); }
   [[nodiscard]] bool isLive(TetId tet) const { return !tets_[tet.index()].nodes[0].isNone(); }
   [[nodiscard]] const FillTet& tet(TetId tet) const { return tets_[tet.index()]; }
-  [[nodiscard]] std::array<NodeId, 3> innerFace(TetId tet, std::uint32_t corner) const;
+  [[nodiscard]] NodeTriple innerFace(TetId tet, std::uint32_t corner) const;
   [[nodiscard]] std::uint32_t cornerOf(TetId tet, NodeId node) const;
   [[nodiscard]] bool has(TetId tet, NodeId node) const { return cornerOf(tet, node) < 4; }
   /// One tetrahedron at the node; none if no longer used.
@@ -76,19 +76,19 @@ class FillMesh {
   /// Replaces the tetrahedra of a cavity. Faces of `fresh` that pair neither with each other nor
   /// with an outer face of the cavity must be given in `boundary`; outer faces on the boundary that
   /// contain `lost` need no partner. False, and nothing changed, if anything is left over.
-  bool replace(std::span<const TetId> old, std::span<const std::array<NodeId, 4>> fresh,
-               NodeId lost, std::span<const BoundaryFace> boundary);
+  bool replace(std::span<const TetId> old, std::span<const NodeQuad> fresh, NodeId lost,
+               std::span<const BoundaryFace> boundary);
 
   /// What the last replacement has made.
-  [[nodiscard]] std::span<const TetId> lastMade() const { return freshIds_; }
+  [[nodiscard]] std::span<const TetId> lastCreated() const { return freshIds_; }
 
   /// Keeps only the tetrahedra so marked; faces between kept ones and others become boundary.
   void keep(const std::vector<std::uint8_t>& kept);
-  /// Gives the tetrahedra of `sector` a point of their own in place of `node`.
+  /// Gives the tetrahedra of `sector` a point of their own in position of `node`.
   void separate(std::span<const TetId> sector, NodeId node, NodeId own);
 
   /// Marks of a fresh set of tetrahedra.
-  std::uint32_t freshStamp() { return ++stamp_; }
+  std::uint32_t nextStamp() { return ++stamp_; }
   void stamp(TetId tet, std::uint32_t value) { stamps_[tet.index()] = value; }
   [[nodiscard]] bool hasStamp(TetId tet, std::uint32_t value) const {
     return stamps_[tet.index()] == value;
@@ -96,7 +96,7 @@ class FillMesh {
 
  private:
   struct FaceSlot {
-    std::array<NodeId, 3> key;
+    NodeTriple key;
     TetFace face;     ///< of a fresh tetrahedron (tet: its position), or none
     TetFace outside;  ///< for an outer face: what is beyond
     std::uint32_t facet = kNoFacet;
@@ -104,7 +104,7 @@ class FillMesh {
 
   void spread(TetId seed, const std::array<NodeId, 2>& nodes, std::vector<TetId>& result);
   void collectOuterFaces(std::span<const TetId> old, NodeId lost);
-  void collectFreshFaces(std::span<const std::array<NodeId, 4>> fresh);
+  void collectFreshFaces(std::span<const NodeQuad> fresh);
   [[nodiscard]] bool facesPair() const;
   TetId takeSlot();
 

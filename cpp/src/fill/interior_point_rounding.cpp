@@ -1,4 +1,4 @@
-#include "fill/interior_clearing.h"
+#include "fill/interior_point_rounding.h"
 
 #include <algorithm>
 
@@ -7,25 +7,25 @@
 namespace tetrafront {
 namespace {
 
-constexpr std::size_t kLargestGrowth = 200;
+constexpr std::size_t kMaxGrowth = 200;
 /// Sweeps over all points while something changes.
 constexpr int kMaxSweeps = 12;
 
 }  // namespace
 
-InteriorClearing::InteriorClearing(FillMesh& mesh, std::span<const NodeId> interiorPoints)
-    : mesh_(mesh), cone_(mesh, none_), thickening_(mesh) {
+InteriorPointRounding::InteriorPointRounding(FillMesh& mesh, std::span<const NodeId> interiorPoints)
+    : mesh_(mesh), cone_(mesh, none_), slivers_(mesh) {
   for (const NodeId node : interiorPoints) {
     if (!mesh.at(node).isNone()) points_.push_back(node);
   }
 }
 
-bool InteriorClearing::allAreDoubles() const {
+bool InteriorPointRounding::allAreDoubles() const {
   return std::all_of(points_.begin(), points_.end(),
                      [&](NodeId node) { return mesh_.points.isDouble(node); });
 }
 
-InteriorClearing::State InteriorClearing::step() {
+InteriorPointRounding::State InteriorPointRounding::step() {
   if (next_ == points_.size()) {
     if (sweep_ > 0 && (!changed_ || sweep_ == kMaxSweeps)) {
       return allAreDoubles() ? State::kDone : State::kFailed;
@@ -44,18 +44,18 @@ InteriorClearing::State InteriorClearing::step() {
   }
   const NodeId moved = movePoint(node);
   if (moved != node) changed_ = true;
-  if (!mesh_.points.isDouble(moved) && thickening_.makeRoomAt(moved, points_) > 0) changed_ = true;
+  if (!mesh_.points.isDouble(moved) && slivers_.removeAt(moved, points_) > 0) changed_ = true;
   points_[next_++] = moved;
   return State::kRunning;
 }
 
-double InteriorClearing::fraction() const {
+double InteriorPointRounding::fraction() const {
   if (points_.empty()) return 1.0;
   const double part = static_cast<double>(next_) / static_cast<double>(points_.size());
   return (std::max(sweep_ - 1, 0) + part) / kMaxSweeps;
 }
 
-double InteriorClearing::leastShapeAround() const {
+double InteriorPointRounding::minShapeAround() const {
   double least = 1.0;
   for (const TetId id : star_) {
     least = std::min(least, shapeOf(mesh_.points, mesh_.tet(id).nodes));
@@ -64,18 +64,18 @@ double InteriorClearing::leastShapeAround() const {
 }
 
 /// By the best neighbour. A point that is a double already stays unless shapes get better.
-bool InteriorClearing::removePoint(NodeId node) {
+bool InteriorPointRounding::removePoint(NodeId node) {
   const std::vector<NodeId> candidates = mesh_.neighboursIn(star_, node);
-  const double needed = mesh_.points.isDouble(node) ? leastShapeAround() : -1.0;
-  for (const std::size_t growth : {std::size_t{0}, kLargestGrowth}) {
+  const double needed = mesh_.points.isDouble(node) ? minShapeAround() : -1.0;
+  for (const std::size_t growth : {std::size_t{0}, kMaxGrowth}) {
     ConeRules rules;
     rules.lost = node;
-    rules.largestCavity = growth;
+    rules.maxCavity = growth;
     NodeId best;
     double bestShape = needed;
     for (const NodeId apex : candidates) {
       if (!cone_.plan(apex, star_, rules)) continue;
-      const double shape = cone_.leastShape();
+      const double shape = cone_.minShape();
       if (shape <= bestShape) continue;
       best = apex;
       bestShape = shape;
@@ -87,33 +87,34 @@ bool InteriorClearing::removePoint(NodeId node) {
 
 /// To the best double found in its kernel. A point that has none there may take tetrahedra around its
 /// star, flat ones mostly, with it.
-NodeId InteriorClearing::movePoint(NodeId node) {
+NodeId InteriorPointRounding::movePoint(NodeId node) {
   const NodeId moved = moveWithin(node, 0);
   if (mesh_.points.isDouble(moved)) return moved;
-  return moveWithin(node, kLargestGrowth);
+  return moveWithin(node, kMaxGrowth);
 }
 
-NodeId InteriorClearing::moveWithin(NodeId node, std::size_t growth) {
+NodeId InteriorPointRounding::moveWithin(NodeId node, std::size_t growth) {
   StarKernel kernel;
   for (const TetId id : star_) {
     kernel.add(mesh_.points, mesh_.innerFace(id, mesh_.cornerOf(id, node)));
   }
-  const Vec3 here = mesh_.points.place(node);
+  const Vec3 here = mesh_.points.position(node);
   const Vec3 middle = kernel.middle();
   const bool isDouble = mesh_.points.isDouble(node);
-  double bestShape = isDouble ? leastShapeAround() : -1.0;
+  double bestShape = isDouble ? minShapeAround() : -1.0;
   bool found = false;
   Vec3 best = here;
   ConeRules rules;
   rules.lost = node;
-  rules.largestCavity = growth;
-  for (const Vec3& place : {kernel.deepest(here), kernel.deepest(middle), middle,
-                            here + (middle - here) * 0.5, here + (middle - here) * 0.125, here}) {
-    const NodeId trial = mesh_.points.add(place);
-    if (cone_.plan(trial, star_, rules) && cone_.leastShape() > bestShape) {
+  rules.maxCavity = growth;
+  for (const Vec3& position :
+       {kernel.deepest(here), kernel.deepest(middle), middle, here + (middle - here) * 0.5,
+        here + (middle - here) * 0.125, here}) {
+    const NodeId trial = mesh_.points.add(position);
+    if (cone_.plan(trial, star_, rules) && cone_.minShape() > bestShape) {
       found = true;
-      best = place;
-      bestShape = cone_.leastShape();
+      best = position;
+      bestShape = cone_.minShape();
     }
     mesh_.points.dropLast();
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Brings the points inside to places that doubles can hold, or removes them.
+/// @file Brings the points inside to positions that doubles can hold, or removes them.
 
 #include <cstdint>
 #include <span>
@@ -8,13 +8,13 @@
 
 #include "fill/cone.h"
 #include "fill/fill_mesh.h"
-#include "fill/flat_thickening.h"
+#include "fill/sliver_removal.h"
 
 namespace tetrafront {
 
-class InteriorClearing {
+class InteriorPointRounding {
  public:
-  InteriorClearing(FillMesh& mesh, std::span<const NodeId> interiorPoints);
+  InteriorPointRounding(FillMesh& mesh, std::span<const NodeId> interiorPoints);
 
   enum class State : std::uint8_t { kRunning, kDone, kFailed };
   /// Deals with one point.
@@ -30,13 +30,13 @@ class InteriorClearing {
   bool removePoint(NodeId node);
   NodeId movePoint(NodeId node);
   NodeId moveWithin(NodeId node, std::size_t growth);
-  [[nodiscard]] double leastShapeAround() const;
+  [[nodiscard]] double minShapeAround() const;
   [[nodiscard]] bool allAreDoubles() const;
 
   FillMesh& mesh_;
   ConstraintEdges none_;
   Cone cone_;
-  FlatThickening thickening_;
+  SliverRemoval slivers_;
   std::vector<NodeId> points_;
   std::size_t next_ = 0;
   int sweep_ = 0;

@@ -8,14 +8,14 @@ namespace {
 /// A direction of so many digits always does but for planes that are nearly folded on each other.
 constexpr int kMaxTruncations = 8;
 
-Vec3 unitNormal(const ExactPoints& points, const std::array<NodeId, 3>& t) {
-  const Vec3& a = points.place(t[0]);
-  const Vec3 n = glm::cross(points.place(t[1]) - a, points.place(t[2]) - a);
+Vec3 unitNormal(const ExactPoints& points, const NodeTriple& t) {
+  const Vec3& a = points.position(t[0]);
+  const Vec3 n = glm::cross(points.position(t[1]) - a, points.position(t[2]) - a);
   const double length = std::sqrt(glm::dot(n, n));
   return length > 0.0 ? n * (1.0 / length) : n;
 }
 
-DyadicVec3 exactNormal(const ExactPoints& points, const std::array<NodeId, 3>& t) {
+DyadicVec3 exactNormal(const ExactPoints& points, const NodeTriple& t) {
   const DyadicVec3 a = points.exact(t[0]);
   return cross(points.exact(t[1]) - a, points.exact(t[2]) - a);
 }
@@ -34,20 +34,21 @@ Dyadic truncated(const Dyadic& value, int steps) {
 
 }  // namespace
 
-Vec3 inwards(const ExactPoints& points, NodeTripleSpan planes) {
+Vec3 inwardDirection(const ExactPoints& points, std::span<const NodeTriple> planes) {
   Vec3 sum(0.0);
   for (const auto& plane : planes) sum += unitNormal(points, plane);
   const double length = std::sqrt(glm::dot(sum, sum));
   return length > 0.0 ? sum * (1.0 / length) : sum;
 }
 
-std::optional<DyadicVec3> exactInwards(const ExactPoints& points, NodeTripleSpan planes) {
+std::optional<DyadicVec3> exactInwardDirection(const ExactPoints& points,
+                                               std::span<const NodeTriple> planes) {
   const DyadicVec3 first = exactNormal(points, planes.front());
   const DyadicVec3 last = exactNormal(points, planes.back());
   const auto leadsIn = [&](const DyadicVec3& d) {
     return dot(first, d).sign() > 0 && dot(last, d).sign() > 0;
   };
-  DyadicVec3 plain = toDyadic(inwards(points, planes));
+  DyadicVec3 plain = toDyadic(inwardDirection(points, planes));
   if (leadsIn(plain)) return plain;
   // Of normals n, m with n.m = -c < 0, (m.m + c) n + (n.n + c) m has with each the product
   // n.n m.m - c c > 0.

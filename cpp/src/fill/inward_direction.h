@@ -11,15 +11,13 @@
 
 namespace tetrafront {
 
-using NodeTripleSpan = std::span<const std::array<NodeId, 3>>;
-
 /// The mean of the planes' normals, of unit length or zero; in doubles. `planes`: triangles,
 /// counter-clockwise seen from inside.
-[[nodiscard]] Vec3 inwards(const ExactPoints& points, NodeTripleSpan planes);
+[[nodiscard]] Vec3 inwardDirection(const ExactPoints& points, std::span<const NodeTriple> planes);
 
-/// A direction that leads inwards from one plane or from two, by exact signs. None only where the two
+/// A direction that leads inwardDirection from one plane or from two, by exact signs. None only where the two
 /// lie on each other, with nothing between.
-[[nodiscard]] std::optional<DyadicVec3> exactInwards(const ExactPoints& points,
-                                                     NodeTripleSpan planes);
+[[nodiscard]] std::optional<DyadicVec3> exactInwardDirection(const ExactPoints& points,
+                                                             std::span<const NodeTriple> planes);
 
 }  // namespace tetrafront

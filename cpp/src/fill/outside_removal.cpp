@@ -4,12 +4,12 @@
 
 namespace tetrafront {
 
-OutsideRemoval::OutsideRemoval(FillMesh& mesh, const std::vector<std::array<NodeId, 3>>& triangles)
+OutsideRemoval::OutsideRemoval(FillMesh& mesh, const std::vector<NodeTriple>& triangles)
     : mesh_(mesh), triangles_(triangles), inside_(mesh.slotCount(), 0) {}
 
 OutsideRemoval::State OutsideRemoval::step() {
   if (nextToFind_ < inside_.size()) {
-    findSide(TetId(nextToFind_++));
+    classify(TetId(nextToFind_++));
     return State::kRunning;
   }
   if (nextToFlood_ < queue_.size()) {
@@ -21,7 +21,7 @@ OutsideRemoval::State OutsideRemoval::step() {
   return State::kDone;
 }
 
-void OutsideRemoval::findSide(TetId tet) {
+void OutsideRemoval::classify(TetId tet) {
   if (!mesh_.isLive(tet)) return;
   const FillTet& t = mesh_.tet(tet);
   for (std::uint32_t k = 0; k < 4; ++k) {

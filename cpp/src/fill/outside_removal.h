@@ -15,18 +15,18 @@ namespace tetrafront {
 class OutsideRemoval {
  public:
   /// Both must outlive this.
-  OutsideRemoval(FillMesh& mesh, const std::vector<std::array<NodeId, 3>>& triangles);
+  OutsideRemoval(FillMesh& mesh, const std::vector<NodeTriple>& triangles);
 
   enum class State : std::uint8_t { kRunning, kDone, kFailed };
   /// Looks at one tetrahedron; the last step drops all that are outside.
   State step();
 
  private:
-  void findSide(TetId tet);
+  void classify(TetId tet);
   [[nodiscard]] bool flood(TetId tet);
 
   FillMesh& mesh_;
-  const std::vector<std::array<NodeId, 3>>& triangles_;
+  const std::vector<NodeTriple>& triangles_;
   std::vector<std::uint8_t> inside_;  ///< per tetrahedron
   std::vector<TetId> queue_;          ///< those inside
   std::vector<TetId> outside_;        ///< below a triangle

@@ -27,16 +27,16 @@ unsigned roundOf(std::uint32_t point) {
 
 PointInsertion::PointInsertion(FillMesh& mesh, unsigned variant) : mesh_(mesh), cone_(mesh, none_) {
   ExactPoints& points = mesh.points;
-  std::vector<Vec3> places;
-  for (std::size_t i = 0; i < points.size(); ++i) places.push_back(points.place(NodeId(i)));
-  order_ = mortonOrder(places);
+  std::vector<Vec3> positions;
+  for (std::size_t i = 0; i < points.size(); ++i) positions.push_back(points.position(NodeId(i)));
+  order_ = mortonOrder(positions);
   if (variant % 2 == 1) std::reverse(order_.begin(), order_.end());
   const auto first = static_cast<std::ptrdiff_t>(variant / 2 * order_.size() / 3);
   std::rotate(order_.begin(), order_.begin() + first, order_.end());
   stableSort(order_, [](std::uint32_t a, std::uint32_t b) { return roundOf(a) > roundOf(b); });
-  Vec3 low = places.front();
+  Vec3 low = positions.front();
   Vec3 high = low;
-  for (const Vec3& p : places) {
+  for (const Vec3& p : positions) {
     low = glm::min(low, p);
     high = glm::max(high, p);
   }
@@ -57,7 +57,7 @@ PointInsertion::PointInsertion(FillMesh& mesh, unsigned variant) : mesh_(mesh), 
 std::uint32_t PointInsertion::faceTowards(TetId tet, NodeId node, std::size_t first) const {
   for (std::size_t i = 0; i < 4; ++i) {
     const auto k = static_cast<std::uint32_t>((first + i) % 4);
-    const std::array<NodeId, 3> f = mesh_.innerFace(tet, k);
+    const NodeTriple f = mesh_.innerFace(tet, k);
     if (mesh_.points.orient(f[0], f[1], f[2], node) < 0) return k;
   }
   return 4;
@@ -80,12 +80,12 @@ TetId PointInsertion::locate(NodeId node) const {
   return {};
 }
 
-bool PointInsertion::insert(std::size_t position) {
-  const NodeId node(order_[position]);
+bool PointInsertion::insert(std::size_t index) {
+  const NodeId node(order_[index]);
   const TetId tet = locate(node);
   if (tet.isNone()) return false;
   ConeRules rules;
-  rules.largestCavity = std::numeric_limits<std::size_t>::max();
+  rules.maxCavity = std::numeric_limits<std::size_t>::max();
   rules.delaunay = true;
   bool done = cone_.make(node, std::span(&tet, 1), rules);
   if (!done) {

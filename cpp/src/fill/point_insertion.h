@@ -21,8 +21,8 @@ class PointInsertion {
   PointInsertion(FillMesh& mesh, unsigned variant);
 
   [[nodiscard]] std::size_t count() const { return order_.size(); }
-  /// To be called for 0 .. count()-1. False if two points are at one place.
-  bool insert(std::size_t position);
+  /// To be called for 0 .. count()-1. False if two points are at one position.
+  bool insert(std::size_t index);
 
  private:
   [[nodiscard]] TetId locate(NodeId node) const;

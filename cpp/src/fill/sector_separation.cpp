@@ -1,4 +1,4 @@
-#include "fill/sectors.h"
+#include "fill/sector_separation.h"
 
 #include <cstdint>
 

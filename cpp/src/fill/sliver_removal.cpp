@@ -1,4 +1,4 @@
-#include "fill/flat_thickening.h"
+#include "fill/sliver_removal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,27 +8,27 @@ namespace {
 
 /// Less shape, which goes with the square of the height, than this is due to rounding: a height of 1e-10
 /// edge lengths, far above what one bit makes of a coordinate and far below any height that was drawn.
-constexpr double kFlatShape = 1e-20;
+constexpr double kMaxSliverShape = 1e-20;
 /// How far off the new point is tried, in lengths of the shorter edge: from where it still makes a fair
 /// shape down to where it would itself be as flat as what it replaces.
-constexpr double kHighest = 0.1;
-constexpr double kLowest = 1e-11;
+constexpr double kMaxHeight = 0.1;
+constexpr double kMinHeight = 1e-11;
 /// From one try to the next.
-constexpr double kLower = 0.125;
-/// Elements that may be taken along: more would be another place's trouble.
-constexpr std::size_t kLargestGrowth = 200;
+constexpr double kHeightFactor = 0.125;
+/// Elements that may be taken along: more would be another position's trouble.
+constexpr std::size_t kMaxGrowth = 200;
 
 }  // namespace
 
-std::size_t FlatThickening::makeRoomAt(NodeId node, std::vector<NodeId>& made) {
+std::size_t SliverRemoval::removeAt(NodeId node, std::vector<NodeId>& made) {
   mesh_.star(node, star_);
-  std::vector<std::array<NodeId, 4>> flat;
+  std::vector<NodeQuad> flat;
   for (const TetId id : star_) {
-    const std::array<NodeId, 4>& n = mesh_.tet(id).nodes;
-    if (std::fabs(shapeOf(mesh_.points, n)) < kFlatShape) flat.push_back(n);
+    const NodeQuad& n = mesh_.tet(id).nodes;
+    if (std::fabs(shapeOf(mesh_.points, n)) < kMaxSliverShape) flat.push_back(n);
   }
   std::size_t count = 0;
-  for (const std::array<NodeId, 4>& n : flat) {
+  for (const NodeQuad& n : flat) {
     // The point before may have taken this one along.
     mesh_.star(node, star_);
     const auto isStill = [&](TetId id) { return mesh_.tet(id).nodes == n; };
@@ -42,7 +42,7 @@ std::size_t FlatThickening::makeRoomAt(NodeId node, std::vector<NodeId>& made) {
 }
 
 /// One of the two edges that cross in the plane.
-NodeId FlatThickening::replaceOneOf(const std::array<NodeId, 4>& flat) {
+NodeId SliverRemoval::replaceOneOf(const NodeQuad& flat) {
   for (const auto& [one, two] : {std::pair<Edge, Edge>{{flat[0], flat[1]}, {flat[2], flat[3]}},
                                  {{flat[0], flat[2]}, {flat[1], flat[3]}},
                                  {{flat[0], flat[3]}, {flat[1], flat[2]}}}) {
@@ -53,7 +53,7 @@ NodeId FlatThickening::replaceOneOf(const std::array<NodeId, 4>& flat) {
   return {};
 }
 
-bool FlatThickening::collectRing(const Edge& edge) {
+bool SliverRemoval::collectRing(const Edge& edge) {
   mesh_.star(edge.u, ring_);
   const auto seed =
       std::find_if(ring_.begin(), ring_.end(), [&](TetId tet) { return mesh_.has(tet, edge.v); });
@@ -63,12 +63,12 @@ bool FlatThickening::collectRing(const Edge& edge) {
   return true;
 }
 
-NodeId FlatThickening::replace(const Edge& edge, const Edge& other) {
+NodeId SliverRemoval::replace(const Edge& edge, const Edge& other) {
   const ExactPoints& points = mesh_.points;
-  const Vec3 start = points.place(edge.u);
-  const Vec3 along = points.place(edge.v) - start;
-  const Vec3 across = points.place(other.v) - points.place(other.u);
-  const Vec3 between = points.place(other.u) - start;
+  const Vec3 start = points.position(edge.u);
+  const Vec3 along = points.position(edge.v) - start;
+  const Vec3 across = points.position(other.v) - points.position(other.u);
+  const Vec3 between = points.position(other.u) - start;
   const Vec3 normal = glm::cross(along, across);
   const double square = glm::dot(normal, normal);
   if (!(square > 0.0)) return {};
@@ -79,8 +79,8 @@ NodeId FlatThickening::replace(const Edge& edge, const Edge& other) {
   const Vec3 unit = normal * (1.0 / std::sqrt(square));
   const double length = std::min(glm::length(along), glm::length(across));
   ConeRules rules;
-  rules.largestCavity = ring_.size() + kLargestGrowth;
-  for (double height = kHighest; height > kLowest; height *= kLower) {
+  rules.maxCavity = ring_.size() + kMaxGrowth;
+  for (double height = kMaxHeight; height > kMinHeight; height *= kHeightFactor) {
     for (const double off : {height * length, -height * length}) {
       const NodeId made = mesh_.points.add(start + along * t + unit * off);
       if (cone_.make(made, ring_, rules)) return made;

@@ -5,11 +5,11 @@
 
 namespace tetrafront {
 
-void StarKernel::add(const ExactPoints& points, const std::array<NodeId, 3>& innerFace) {
+void StarKernel::add(const ExactPoints& points, const NodeTriple& innerFace) {
   const auto& n = innerFace;
-  const Vec3& a = points.place(n[0]);
-  const Vec3& b = points.place(n[1]);
-  const Vec3& c = points.place(n[2]);
+  const Vec3& a = points.position(n[0]);
+  const Vec3& b = points.position(n[1]);
+  const Vec3& c = points.position(n[2]);
   const Vec3 normal = glm::cross(b - a, c - a);
   const double length = std::sqrt(glm::dot(normal, normal));
   if (!(length > 0.0)) return;
@@ -19,7 +19,7 @@ void StarKernel::add(const ExactPoints& points, const std::array<NodeId, 3>& inn
 double StarKernel::depth(const Vec3& p, std::size_t& worst) const {
   double least = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < planes_.size(); ++i) {
-    const double d = glm::dot(planes_[i].normal, p - planes_[i].place);
+    const double d = glm::dot(planes_[i].normal, p - planes_[i].position);
     if (d >= least) continue;
     least = d;
     worst = i;

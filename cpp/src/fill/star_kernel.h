@@ -16,16 +16,16 @@ namespace tetrafront {
 class StarKernel {
  public:
   void clear() { planes_.clear(); }
-  void add(const ExactPoints& points, const std::array<NodeId, 3>& innerFace);
+  void add(const ExactPoints& points, const NodeTriple& innerFace);
 
-  /// The place deepest inside all half-spaces, sought from `start` by steps away from the worst.
+  /// The position deepest inside all half-spaces, sought from `start` by steps away from the worst.
   [[nodiscard]] Vec3 deepest(const Vec3& start) const;
   [[nodiscard]] Vec3 middle() const;
 
  private:
   struct Plane {
-    Vec3 normal;  ///< of unit length, inwards
-    Vec3 place;
+    Vec3 normal;  ///< of unit length, inwardDirection
+    Vec3 position;
     Vec3 centroid;
     double size;
   };

@@ -18,8 +18,8 @@ bool isWedge(const Vec3& from, const Vec3& to, const Vec3& third, const Vec3& ap
              const Vec3& normal) {
   const Vec3 side = to - from;
   const double square = glm::dot(side, side);
-  const auto across = [&](const Vec3& place) {
-    const Vec3 v = place - from;
+  const auto across = [&](const Vec3& position) {
+    const Vec3 v = position - from;
     return v - side * (glm::dot(v, side) / square);
   };
   const Vec3 toApex = across(apex);
@@ -28,32 +28,32 @@ bool isWedge(const Vec3& from, const Vec3& to, const Vec3& third, const Vec3& ap
 
 }  // namespace
 
-bool SideNeighbours::find(const Neighbourhood& around, const BaseFace& base, SearchRegion& region) {
-  sidesClosed_.assign(around.nodeCount(), 0);
+bool EdgeNeighbours::find(const Neighbourhood& around, const BaseFace& base, SearchRegion& region) {
+  edgesClosed_.assign(around.nodeCount(), 0);
   wedgeCount_ = 0;
   bool grew = false;
   for (const AdjacentFace& face : around.adjacentFaces()) {
     if (!face.isNeighbour()) continue;
-    ++sidesClosed_[face.apex];
+    ++edgesClosed_[face.apex];
     if (wedgeCount_ == wedgeApexes_.size() ||
-        !isWedge(around.unitPlace(face.to), around.unitPlace(face.from),
-                 around.unitPlace(face.third()), around.unitPlace(face.apex), base.normal)) {
+        !isWedge(around.unitPosition(face.to), around.unitPosition(face.from),
+                 around.unitPosition(face.third()), around.unitPosition(face.apex), base.normal)) {
       continue;
     }
     wedgeApexes_[wedgeCount_++] = face.apex;
-    grew = region.include(around.place(face.apex)) || grew;
+    grew = region.include(around.position(face.apex)) || grew;
   }
   return grew;
 }
 
-bool SideNeighbours::isWedgeApex(LocalNode node) const {
+bool EdgeNeighbours::isWedgeApex(LocalNode node) const {
   const auto end = wedgeApexes_.begin() + static_cast<std::ptrdiff_t>(wedgeCount_);
   return std::find(wedgeApexes_.begin(), end, node) != end;
 }
 
 void CandidateList::rank(const Neighbourhood& around, const CrossingTest& crossing,
                          const BaseFace& base, const IdealPoint& ideal,
-                         const SideNeighbours& neighbours, const RuleClass& rules,
+                         const EdgeNeighbours& neighbours, const RuleClass& rules,
                          const RuleVariant& variant) {
   candidates_.clear();
   taken_ = 0;
@@ -65,27 +65,27 @@ void CandidateList::rank(const Neighbourhood& around, const CrossingTest& crossi
 
 void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTest& crossing,
                                   const BaseFace& base, const IdealPoint& ideal,
-                                  const SideNeighbours& neighbours, const RuleClass& rules) {
+                                  const EdgeNeighbours& neighbours, const RuleClass& rules) {
   const double radius = rules.searchRadius * ideal.size;
   const double radiusSquare = radius * radius;
   const double least = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
   const std::size_t count = around.nodeCount();
   for (LocalNode node = 3; node < count; ++node) {
-    if (crossing.behindBase(node)) continue;
-    const std::uint8_t closed = neighbours.sidesClosedBy(node);
+    if (crossing.isBehindBase(node)) continue;
+    const std::uint8_t closed = neighbours.edgesClosedBy(node);
     const bool wedge = closed > 0 && neighbours.isWedgeApex(node);
-    const Vec3 place = around.unitPlace(node);
-    const Vec3 toIdeal = place - ideal.place;
+    const Vec3 position = around.unitPosition(node);
+    const Vec3 toIdeal = position - ideal.position;
     if (!wedge && glm::dot(toIdeal, toIdeal) > radiusSquare) continue;
     // Too flat for plain double to see its volume is fine where nothing better can be: the exact
     // sign decides later. Four faces around such a sliver must be closable.
     const bool fillsPocket = closed >= 3;
-    const double quality = cubedMeanRatio(base, place);
+    const double quality = cubedMeanRatio(base, position);
     if (!fillsPocket && quality < least * (wedge ? kWedgeQualityFactor : 1.0)) continue;
     double score = quality * kClosingFactor[std::min<std::size_t>(closed, 3)];
     if (wedge) score += kWedgeBonus;
     if (fillsPocket) score += kPocketBonus;
-    candidates_.push_back({score, node, place});
+    candidates_.push_back({score, node, position});
   }
 }
 
@@ -97,21 +97,21 @@ void CandidateList::offerNew(const Neighbourhood& around, const BaseFace& base,
   const double* z = around.unitZ();
   const std::size_t count = around.nodeCount();
   for (const double factor : kHeights) {
-    const Vec3 place = base.centroid + base.unitNormal * (ideal.height * factor);
-    const double quality = cubedMeanRatio(base, place);
+    const Vec3 position = base.centroid + base.unitNormal * (ideal.height * factor);
+    const double quality = cubedMeanRatio(base, position);
     if (!(quality > 0.0) || quality < least) continue;
     const double distance = rules.nodeDistance * ideal.size * factor;
     const double limit = distance * distance;
-    bool crowded = false;
-    for (std::size_t node = 3; node < count && !crowded; ++node) {
-      const double dx = x[node] - place.x;
-      const double dy = y[node] - place.y;
-      const double dz = z[node] - place.z;
-      crowded = dx * dx + dy * dy + dz * dz < limit;
+    bool isTooClose = false;
+    for (std::size_t node = 3; node < count && !isTooClose; ++node) {
+      const double dx = x[node] - position.x;
+      const double dy = y[node] - position.y;
+      const double dz = z[node] - position.z;
+      isTooClose = dx * dx + dy * dy + dz * dz < limit;
     }
-    if (crowded) continue;
+    if (isTooClose) continue;
     const double score = quality * cube(weight) * cube(factor) * cube(factor);
-    candidates_.push_back({score, Candidate::kNewNode, place});
+    candidates_.push_back({score, Candidate::kNewNode, position});
   }
 }
 

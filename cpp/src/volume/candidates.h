@@ -18,12 +18,12 @@ namespace tetrafront {
 struct Candidate {
   static constexpr LocalNode kNewNode = 0xffffffffU;
   double score;
-  LocalNode node;  ///< in the neighbourhood, or kNewNode
-  Vec3 unitPlace;  ///< in unit space
+  LocalNode node;     ///< in the neighbourhood, or kNewNode
+  Vec3 unitPosition;  ///< in unit space
 };
 
 /// The nodes of faces that share a side with the base face.
-class SideNeighbours {
+class EdgeNeighbours {
  public:
   /// Finds them in the neighbourhood. Faces that fold over the base with a dihedral angle below
   /// 90 degrees on the empty side form a wedge with it; their apexes must be offered, wherever
@@ -32,11 +32,11 @@ class SideNeighbours {
   bool find(const Neighbourhood& around, const BaseFace& base, SearchRegion& region);
 
   /// How many sides of the base face a face with this apex stands on.
-  [[nodiscard]] std::uint8_t sidesClosedBy(LocalNode node) const { return sidesClosed_[node]; }
+  [[nodiscard]] std::uint8_t edgesClosedBy(LocalNode node) const { return edgesClosed_[node]; }
   [[nodiscard]] bool isWedgeApex(LocalNode node) const;
 
  private:
-  std::vector<std::uint8_t> sidesClosed_;
+  std::vector<std::uint8_t> edgesClosed_;
   std::array<LocalNode, 3> wedgeApexes_{};
   std::size_t wedgeCount_ = 0;
 };
@@ -46,7 +46,7 @@ class CandidateList {
   /// Ranks existing nodes and, where the class allows it, new ones on the line from the base's
   /// centroid to the ideal point.
   void rank(const Neighbourhood& around, const CrossingTest& crossing, const BaseFace& base,
-            const IdealPoint& ideal, const SideNeighbours& neighbours, const RuleClass& rules,
+            const IdealPoint& ideal, const EdgeNeighbours& neighbours, const RuleClass& rules,
             const RuleVariant& variant);
 
   /// The best of those not taken yet, or nullptr. O(number of candidates).
@@ -55,7 +55,7 @@ class CandidateList {
  private:
   void offerExisting(const Neighbourhood& around, const CrossingTest& crossing,
                      const BaseFace& base, const IdealPoint& ideal,
-                     const SideNeighbours& neighbours, const RuleClass& rules);
+                     const EdgeNeighbours& neighbours, const RuleClass& rules);
   void offerNew(const Neighbourhood& around, const BaseFace& base, const IdealPoint& ideal,
                 const RuleClass& rules, double weight);
 

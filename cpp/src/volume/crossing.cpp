@@ -50,8 +50,8 @@ void CrossingTest::setBase() {
   const std::size_t count = around_.nodeCount();
   baseMask_.resize(count + 1);
   mask_.resize(count + 1);
-  const Vec3 a = around_.place(0);
-  const Vec3 n = glm::cross(around_.place(1) - a, around_.place(2) - a);
+  const Vec3 a = around_.position(0);
+  const Vec3 n = glm::cross(around_.position(1) - a, around_.position(2) - a);
   normals_[3] = n;
   const double error = around_.determinantError();
   const double* x = around_.x();
@@ -72,17 +72,17 @@ int CrossingTest::provenSign(double determinant) const {
 }
 
 int CrossingTest::volumeSign(LocalNode apex) const {
-  const double volume = glm::dot(normals_[3], around_.place(apex) - around_.place(0));
+  const double volume = glm::dot(normals_[3], around_.position(apex) - around_.position(0));
   const int sign = provenSign(volume);
   return sign != 0 ? sign : orient(0, 1, 2, apex);
 }
 
 void CrossingTest::setApex(LocalNode apex) {
   corners_[3] = apex;
-  const Vec3 p = around_.place(apex);
-  const Vec3 a = around_.place(0) - p;
-  const Vec3 b = around_.place(1) - p;
-  const Vec3 c = around_.place(2) - p;
+  const Vec3 p = around_.position(apex);
+  const Vec3 a = around_.position(0) - p;
+  const Vec3 b = around_.position(1) - p;
+  const Vec3 c = around_.position(2) - p;
   normals_[0] = glm::cross(c, b);
   normals_[1] = glm::cross(a, c);
   normals_[2] = glm::cross(b, a);
@@ -96,7 +96,7 @@ void CrossingTest::setApex(LocalNode apex) {
 
 void CrossingTest::maskNodes() {
   const std::size_t count = around_.nodeCount();
-  const Vec3 p = around_.place(corners_[3]);
+  const Vec3 p = around_.position(corners_[3]);
   const Vec3 n0 = normals_[0];
   const Vec3 n1 = normals_[1];
   const Vec3 n2 = normals_[2];
@@ -131,13 +131,14 @@ std::size_t CrossingTest::firstCrossedFace() {
 }
 
 int CrossingTest::orient(LocalNode a, LocalNode b, LocalNode c, LocalNode d) const {
-  return orient3d(around_.place(a), around_.place(b), around_.place(c), around_.place(d));
+  return orient3d(around_.position(a), around_.position(b), around_.position(c),
+                  around_.position(d));
 }
 
-int CrossingTest::sideSign(int side, LocalNode node) const {
+int CrossingTest::faceSign(int side, LocalNode node) const {
   if ((mask_[node] >> side & 1) != 0) return -1;
-  const Vec3 through = around_.place(side == 3 ? 0 : corners_[3]);
-  const double distance = glm::dot(normals_[side], around_.place(node) - through);
+  const Vec3 through = around_.position(side == 3 ? 0 : corners_[3]);
+  const double distance = glm::dot(normals_[side], around_.position(node) - through);
   const int sign = provenSign(distance);
   if (sign != 0) return sign;
   switch (side) {
@@ -153,12 +154,12 @@ int CrossingTest::sideSign(int side, LocalNode node) const {
 }
 
 CrossingTest::Signs CrossingTest::cornerSigns(const LocalTriple& face, const Shared& shared) const {
-  const Vec3 a = around_.place(face[0]);
-  const Vec3 normal = glm::cross(around_.place(face[1]) - a, around_.place(face[2]) - a);
+  const Vec3 a = around_.position(face[0]);
+  const Vec3 normal = glm::cross(around_.position(face[1]) - a, around_.position(face[2]) - a);
   Signs signs{};
   for (int i = 0; i < 4; ++i) {
     if (std::find(shared.begin(), shared.end(), i) != shared.end()) continue;
-    const double distance = glm::dot(normal, around_.place(corners_[i]) - a);
+    const double distance = glm::dot(normal, around_.position(corners_[i]) - a);
     signs[i] = provenSign(distance);
     if (signs[i] == 0) signs[i] = orient(face[0], face[1], face[2], corners_[i]);
   }
@@ -204,7 +205,7 @@ bool CrossingTest::crossesAtEdge(const LocalTriple& face, const Shared& shared) 
   }
   // The sides that hold the common edge are those opposite the corners off it.
   for (int side = 0; side < 4; ++side) {
-    if (!onEdge[side] && sideSign(side, third) < 0) return false;
+    if (!onEdge[side] && faceSign(side, third) < 0) return false;
   }
   return true;
 }
@@ -220,8 +221,8 @@ bool CrossingTest::crossesAtNode(const LocalTriple& face, int faceCorner, int el
   bool wInCone = true;
   for (int side = 0; side < 4; ++side) {
     if (side == k) continue;
-    atV[side] = sideSign(side, v);
-    atW[side] = sideSign(side, w);
+    atV[side] = faceSign(side, v);
+    atW[side] = faceSign(side, w);
     if (atV[side] < 0 && atW[side] < 0) return false;
     vInCone = vInCone && atV[side] >= 0;
     wInCone = wInCone && atW[side] >= 0;
@@ -258,8 +259,8 @@ bool CrossingTest::sectorsOverlap(LocalNode v, LocalNode w, int centre, int offP
 }
 
 /// For a segment whose ends are not strictly on one side of the triangle's plane, nor both on it.
-bool CrossingTest::segmentMeetsTriangle(LocalNode from, LocalNode to,
-                                        const LocalTriple& triangle) const {
+bool CrossingTest::segmentIntersectsTriangle(LocalNode from, LocalNode to,
+                                             const LocalTriple& triangle) const {
   SignRange range;
   for (int i = 0; i < 3; ++i) range.add(orient(from, to, triangle[i], triangle[(i + 1) % 3]));
   return !range.mixed();
@@ -270,7 +271,7 @@ bool CrossingTest::crossesApart(const LocalTriple& face, const Signs& corners) c
   for (int i = 0; i < 3; ++i) {
     bool inside = true;
     for (int side = 0; side < 4; ++side) {
-      at[i][side] = sideSign(side, face[i]);
+      at[i][side] = faceSign(side, face[i]);
       inside = inside && at[i][side] >= 0;
     }
     if (inside) return true;
@@ -288,13 +289,13 @@ bool CrossingTest::crossesApart(const LocalTriple& face, const Signs& corners) c
       for (int k = 0; k < 4; ++k) {
         if (k != side) triangle[count++] = corners_[k];
       }
-      if (segmentMeetsTriangle(face[i], face[(i + 1) % 3], triangle)) return true;
+      if (segmentIntersectsTriangle(face[i], face[(i + 1) % 3], triangle)) return true;
     }
   }
   for (int i = 0; i < 4; ++i) {
     for (int j = i + 1; j < 4; ++j) {
       if (corners[i] == corners[j]) continue;
-      if (segmentMeetsTriangle(corners_[i], corners_[j], face)) return true;
+      if (segmentIntersectsTriangle(corners_[i], corners_[j], face)) return true;
     }
   }
   return false;

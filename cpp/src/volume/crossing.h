@@ -43,7 +43,9 @@ class CrossingTest {
   void setApex(LocalNode apex);
 
   /// Strictly behind the base face: no apex.
-  [[nodiscard]] bool behindBase(LocalNode node) const { return (baseMask_[node] & kBaseBit) != 0; }
+  [[nodiscard]] bool isBehindBase(LocalNode node) const {
+    return (baseMask_[node] & kBaseBit) != 0;
+  }
 
   /// Exact sign of the volume of base and apex.
   [[nodiscard]] int volumeSign(LocalNode apex) const;
@@ -69,12 +71,12 @@ class CrossingTest {
   [[nodiscard]] bool crossesApart(const LocalTriple& face, const Signs& corners) const;
   [[nodiscard]] bool sectorsOverlap(LocalNode v, LocalNode w, int centre, int offPlane,
                                     const std::array<int, 2>& rays) const;
-  [[nodiscard]] bool segmentMeetsTriangle(LocalNode from, LocalNode to,
-                                          const LocalTriple& triangle) const;
+  [[nodiscard]] bool segmentIntersectsTriangle(LocalNode from, LocalNode to,
+                                               const LocalTriple& triangle) const;
   /// Signs of the element's corners against the face's plane; shared ones are 0.
   [[nodiscard]] Signs cornerSigns(const LocalTriple& face, const Shared& shared) const;
   /// +1 on the element's side of its side `side` (opposite corner `side`), exact.
-  [[nodiscard]] int sideSign(int side, LocalNode node) const;
+  [[nodiscard]] int faceSign(int side, LocalNode node) const;
   [[nodiscard]] int orient(LocalNode a, LocalNode b, LocalNode c, LocalNode d) const;
 
   /// The sign of a determinant over gathered nodes, where its double proves it; else 0.

@@ -12,14 +12,14 @@
 namespace tetrafront {
 
 /// Elements or nodes made by one piece of recovery: from `first` up to before `last`.
-struct MadeRange {
+struct IndexRange {
   std::size_t first = 0;
   std::size_t last = 0;
 };
 
 struct Elements {
   std::vector<NodeQuad> nodes;
-  std::vector<std::uint32_t> region;
+  std::vector<std::uint32_t> regions;
   /// Set where recovery has taken an element away again; such ones are dropped at the end.
   std::vector<std::uint8_t> removed;
   std::uint32_t removedCount = 0;
@@ -27,9 +27,9 @@ struct Elements {
   [[nodiscard]] std::size_t size() const { return nodes.size(); }
   [[nodiscard]] std::size_t liveCount() const { return nodes.size() - removedCount; }
 
-  void add(const NodeQuad& quad, std::uint32_t itsRegion) {
+  void add(const NodeQuad& quad, std::uint32_t region) {
     nodes.push_back(quad);
-    region.push_back(itsRegion);
+    regions.push_back(region);
     removed.push_back(0);
   }
   void remove(TetId element) {
@@ -43,7 +43,7 @@ struct Elements {
   /// Forgets the elements from `count` on; none of them may be a removed one.
   void dropFrom(std::size_t count) {
     nodes.resize(count);
-    region.resize(count);
+    regions.resize(count);
     removed.resize(count);
   }
 };

@@ -1,65 +1,23 @@
-#include "volume/opened_place.h"
+#include "volume/enlarged_pocket.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "base/sort.h"
 
 namespace tetrafront {
 
-PocketSet::PocketSet(const Front& front, std::vector<Pocket> pockets) : front_(front) {
-  for (Pocket& pocket : pockets) add(std::move(pocket.faces));
-}
-
-std::vector<NodeId> PocketSet::nodes(Number pocket) const {
-  std::vector<NodeId> nodes;
-  for (const FaceId face : faces_[pocket]) {
-    const NodeTriple& n = front_.face(face).nodes;
-    nodes.insert(nodes.end(), n.begin(), n.end());
-  }
-  sortUnique(nodes);
-  return nodes;
-}
-
-PocketSet::Number PocketSet::add(std::vector<FaceId> faces) {
-  const auto number = static_cast<Number>(faces_.size());
-  faces_.emplace_back();
-  put(number, std::move(faces));
-  return number;
-}
-
-void PocketSet::put(Number pocket, std::vector<FaceId> faces) {
-  pocketOf_.resize(front_.slotCount(), kNone);
-  for (const FaceId face : faces) {
-    pocketOf_[face.index()] = pocket;
-    byNodes_.emplace(leastFirst(front_.face(face).nodes), face);
-  }
-  faces_[pocket] = std::move(faces);
-}
-
-void PocketSet::remove(Number pocket) {
-  for (const FaceId face : faces_[pocket]) {
-    pocketOf_[face.index()] = kNone;
-    byNodes_.erase(leastFirst(front_.face(face).nodes));
-  }
-  faces_[pocket].clear();
-}
-
-FaceId PocketSet::find(const NodeTriple& nodes) const {
-  const auto found = byNodes_.find(leastFirst(nodes));
-  return found == byNodes_.end() ? FaceId() : found->second;
-}
-
-OpenedPlace::OpenedPlace(Front& front, Elements& elements, PocketSet& pockets,
-                         PocketSet::Number pocket, std::vector<TetId> removed)
+EnlargedPocket::EnlargedPocket(Front& front, Elements& elements, PocketSet& pockets,
+                               PocketId pocket, std::vector<TetId> removed)
     : removed_(std::move(removed)), touched_{pocket} {
   // Sides that two of the elements share lie within.
   std::map<NodeTriple, std::uint32_t> sides;
   for (const TetId element : removed_) {
     elements.remove(element);
-    for (const NodeTriple& side : innerSides(elements.nodes[element.index()])) {
-      if (sides.erase(leastFirst(reversed(side))) > 0) continue;
-      sides.emplace(leastFirst(side), elements.region[element.index()]);
+    for (const NodeTriple& side : innerFaces(elements.nodes[element.index()])) {
+      if (sides.erase(smallestFirst(reversed(side))) > 0) continue;
+      sides.emplace(smallestFirst(side), elements.regions[element.index()]);
     }
   }
   // A face with such an element behind it has nothing on either side.
@@ -76,7 +34,7 @@ OpenedPlace::OpenedPlace(Front& front, Elements& elements, PocketSet& pockets,
   }
   stableSort(vanishing);
   sortUnique(touched_);
-  for (const PocketSet::Number number : touched_) {
+  for (const PocketId number : touched_) {
     const std::vector<FaceId> theirs = pockets.faces(number);
     pockets.remove(number);
     for (const FaceId face : theirs) {
@@ -100,7 +58,7 @@ OpenedPlace::OpenedPlace(Front& front, Elements& elements, PocketSet& pockets,
 }
 
 /// Whatever is near and in no pocket.
-std::vector<FaceId> OpenedPlace::facesNow(const Front& front, const PocketSet& pockets) const {
+std::vector<FaceId> EnlargedPocket::facesNow(const Front& front, const PocketSet& pockets) const {
   std::vector<std::uint32_t> near;
   const std::size_t count = front.facesNear(box_, near);
   std::vector<FaceId> faces;
@@ -112,13 +70,13 @@ std::vector<FaceId> OpenedPlace::facesNow(const Front& front, const PocketSet& p
   return faces;
 }
 
-void OpenedPlace::close(Front& front, Elements& elements, PocketSet& pockets) const {
+void EnlargedPocket::close(Front& front, Elements& elements, PocketSet& pockets) const {
   for (const TetId element : removed_) elements.restore(element);
   for (const FaceId face : facesNow(front, pockets)) front.removeFace(face);
-  std::map<PocketSet::Number, std::vector<FaceId>> faces;
+  std::map<PocketId, std::vector<FaceId>> faces;
   for (const Before& b : before_) {
     const FaceId face = front.addFace(b.nodes, b.region, b.hint, false);
-    front.park(face, b.ruleClass);
+    front.setAside(face, b.ruleClass);
     faces[b.pocket].push_back(face);
   }
   for (auto& [number, its] : faces) {

@@ -11,7 +11,7 @@ namespace {
 constexpr double kCellPerSize = 1.3;
 
 // Key layout, most significant first: rule class 4 bits, size bucket 8, layer 12, tile 12, fine size
-// 8, sequence 20. The paper's order has the size, 31 bits, in place of what is between class and
+// 8, sequence 20. The paper's order has the size, 31 bits, in position of what is between class and
 // sequence.
 constexpr int kClassShift = 60;
 constexpr int kBucketShift = 52;
@@ -48,7 +48,7 @@ double powerOfFour(int exponent) {
                                << kDoubleMantissaBits);
 }
 
-/// The last four bits of `x`, two free places after each.
+/// The last four bits of `x`, two free positions after each.
 std::uint64_t spreadFourBits(std::uint32_t x) {
   return (x & 1U) | (x & 2U) << 2U | (x & 4U) << 4U | (x & 8U) << 6U;
 }
@@ -61,10 +61,10 @@ Front::Front(double typicalSize, const Vec3& origin, FrontOrder order)
       origin_(origin),
       grid_(kCellPerSize * typicalSize, origin) {}
 
-NodeId Front::addNode(const Vec3& place, std::uint16_t layer, FieldHint hint) {
-  nodes_.push_back(place);
+NodeId Front::addNode(const Vec3& position, std::uint16_t layer, FieldHint hint) {
+  nodes_.push_back(position);
   for (int axis = 0; axis < 3; ++axis)
-    farthest_ = std::max(farthest_, std::fabs(place[axis] - origin_[axis]));
+    maxOffset_ = std::max(maxOffset_, std::fabs(position[axis] - origin_[axis]));
   layers_.push_back(layer);
   hints_.push_back(hint);
   return NodeId(nodes_.size() - 1);
@@ -83,13 +83,13 @@ Box Front::boxOf(FaceId face) const {
 
 FaceId Front::addFace(const NodeTriple& nodes, std::uint32_t region, FieldHint hint, bool queued) {
   FaceId id;
-  if (freeFaces_.empty()) {
+  if (freeSlots_.empty()) {
     id = FaceId(faces_.size());
     faces_.emplace_back();
     heap_.reserveIds(faces_.size());
   } else {
-    id = freeFaces_.back();
-    freeFaces_.pop_back();
+    id = freeSlots_.back();
+    freeSlots_.pop_back();
   }
   const Vec3& a = node(nodes[0]);
   const Vec3& b = node(nodes[1]);
@@ -106,7 +106,7 @@ void Front::removeFace(FaceId face) {
   heap_.remove(face.value);
   grid_.remove(face.value);
   faces_[face.index()].active = false;
-  freeFaces_.push_back(face);
+  freeSlots_.push_back(face);
   --activeCount_;
 }
 
@@ -149,11 +149,11 @@ std::uint64_t Front::keyOf(const FrontFace& face) {
 std::uint64_t Front::tileOf(const FrontFace& face, int bucket) const {
   const double tilesPerLength =
       powerOfFour(kTypicalBucket - bucket) / (kSizesPerTile * typicalSize_);
-  const Vec3& place = node(face.nodes[0]);
+  const Vec3& position = node(face.nodes[0]);
   std::uint64_t tile = 0;
   for (int axis = 0; axis < 3; ++axis) {
     constexpr double kLast = 4294967295.0;
-    const double along = std::clamp((place[axis] - origin_[axis]) * tilesPerLength, 0.0, kLast);
+    const double along = std::clamp((position[axis] - origin_[axis]) * tilesPerLength, 0.0, kLast);
     tile |= spreadFourBits(static_cast<std::uint32_t>(along)) << axis;
   }
   return tile;

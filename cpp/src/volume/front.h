@@ -19,12 +19,8 @@
 
 namespace tetrafront {
 
-/// The nodes of a face or of an element.
-using NodeTriple = std::array<NodeId, 3>;
-using NodeQuad = std::array<NodeId, 4>;
-
 /// The triple turned so that its least node leads; equal for equal oriented triangles.
-inline NodeTriple leastFirst(const NodeTriple& t) {
+inline NodeTriple smallestFirst(const NodeTriple& t) {
   if (t[1] < t[0] && t[1] < t[2]) return {t[1], t[2], t[0]};
   if (t[2] < t[0] && t[2] < t[1]) return {t[2], t[0], t[1]};
   return t;
@@ -47,12 +43,12 @@ class Front {
 
   // Nodes. The layer is 0 on the given surface and grows inward by one per new node.
   // The hint tells where the size field was last asked near it.
-  NodeId addNode(const Vec3& place, std::uint16_t layer, FieldHint hint = {});
+  NodeId addNode(const Vec3& position, std::uint16_t layer, FieldHint hint = {});
   void dropNodesFrom(std::size_t count);
   [[nodiscard]] const Vec3& node(NodeId id) const { return nodes_[id.index()]; }
   [[nodiscard]] std::span<const Vec3> nodes() const { return nodes_; }
   /// No two nodes there ever were are further apart along any axis.
-  [[nodiscard]] double extent() const { return 2.0 * farthest_; }
+  [[nodiscard]] double extent() const { return 2.0 * maxOffset_; }
   [[nodiscard]] std::uint16_t layer(NodeId id) const { return layers_[id.index()]; }
   [[nodiscard]] FieldHint hint(NodeId id) const { return hints_[id.index()]; }
 
@@ -64,20 +60,20 @@ class Front {
   void setHint(FaceId face, FieldHint hint) { faces_[face.index()].hint = hint; }
   /// Active faces in the order of their ids. O(all faces there ever were at once).
   [[nodiscard]] std::vector<FaceId> activeFaces() const;
-  /// Active faces and free places for faces.
+  /// Active faces and free positions for faces.
   [[nodiscard]] std::size_t slotCount() const { return faces_.size(); }
   [[nodiscard]] std::uint32_t activeCount() const { return activeCount_; }
   [[nodiscard]] Box boxOf(FaceId face) const;
 
   // The order in which faces leave (step F4).
-  [[nodiscard]] bool nothingQueued() const { return heap_.empty(); }
+  [[nodiscard]] bool isQueueEmpty() const { return heap_.empty(); }
   /// Takes the next base face out of the heap; it stays active.
-  FaceId nextBase() { return FaceId(heap_.pop()); }
+  FaceId popBase() { return FaceId(heap_.pop()); }
   /// Puts a face back, under the rules of class `ruleClass`.
   void requeue(FaceId face, std::uint8_t ruleClass);
   /// Marks a face as one that no rule could complete; it stays active, but out of the heap.
-  void park(FaceId face, std::uint8_t ruleClass) { faces_[face.index()].ruleClass = ruleClass; }
-  void unqueueAll() { heap_.clear(); }
+  void setAside(FaceId face, std::uint8_t ruleClass) { faces_[face.index()].ruleClass = ruleClass; }
+  void clearQueue() { heap_.clear(); }
   void setOrder(FrontOrder order) { order_ = order; }
 
   /// Writes the numbers of the faces whose boxes meet `box`; see FaceGrid::query.
@@ -93,12 +89,12 @@ class Front {
   FrontOrder order_;
   double typicalSize_;
   Vec3 origin_;
-  double farthest_ = 0.0;  ///< of any node from the origin, along an axis
+  double maxOffset_ = 0.0;  ///< of any node from the origin, along an axis
   std::vector<Vec3> nodes_;
   std::vector<std::uint16_t> layers_;
   std::vector<FieldHint> hints_;
   std::vector<FrontFace> faces_;
-  std::vector<FaceId> freeFaces_;
+  std::vector<FaceId> freeSlots_;
   std::uint32_t activeCount_ = 0;
   std::uint64_t sequence_ = 0;
   IndexedHeap heap_;

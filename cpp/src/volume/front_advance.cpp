@@ -21,12 +21,12 @@ constexpr std::uint64_t kFacesPerUnit = 64;
 
 template <class Trace>
 std::uint32_t FrontAdvance<Trace>::step(bool mayRelax) {
-  const std::uint64_t before = facesLookedAt();
-  const FaceId face = front_.nextBase();
+  const std::uint64_t before = facesVisited();
+  const FaceId face = front_.popBase();
   const bool isRelaxed = front_.face(face).ruleClass > 0;
   ++counters_.pops;
   if ((isRelaxed && !mayRelax) || !complete(face)) postpone(face, mayRelax);
-  const std::uint64_t cost = 1 + (facesLookedAt() - before) / kFacesPerUnit;
+  const std::uint64_t cost = 1 + (facesVisited() - before) / kFacesPerUnit;
   if (isRelaxed) counters_.relaxedCost += cost;
   return static_cast<std::uint32_t>(cost);
 }
@@ -38,7 +38,7 @@ void FrontAdvance<Trace>::postpone(FaceId face, bool mayRelax) {
   if (mayRelax && next < kRuleClasses.size()) {
     front_.requeue(face, next);
   } else {
-    front_.park(face, next);
+    front_.setAside(face, next);
   }
 }
 
@@ -51,10 +51,10 @@ bool FrontAdvance<Trace>::complete(FaceId face) {
   const UnitSpace space = unitSpaceOf(front_, nodes, field_, hint, variant_.sizeFactor);
   front_.setHint(face, hint);
   const BaseFace base = describeBase(front_, nodes, space);
-  const IdealPoint ideal = placeIdealPoint(base, space.wantedEdge());
+  const IdealPoint ideal = placeIdealPoint(base, space.targetEdge());
   if constexpr (Trace::kOn) {
     trace_.base(face, faceData.ruleClass);
-    trace_.ideal(space.toSpace(ideal.place));
+    trace_.ideal(space.toSpace(ideal.position));
   }
   gatherAround(nodes, space, base, ideal, rules);
   candidates_.rank(around_, crossing_, base, ideal, neighbours_, rules, variant_);
@@ -73,13 +73,13 @@ template <class Trace>
 void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace& space,
                                        const BaseFace& base, const IdealPoint& ideal,
                                        const RuleClass& rules) {
-  const Vec3 idealPlace = space.toSpace(ideal.place);
+  const Vec3 idealPosition = space.toSpace(ideal.position);
   SearchRegion region(space, {front_.node(nodes[0]), front_.node(nodes[1]), front_.node(nodes[2])},
-                      ideal.place, rules.searchRadius * ideal.size, front_.extent());
+                      ideal.position, rules.searchRadius * ideal.size, front_.extent());
   // A wedge apex may lie outside; then the region grows, as every apex that is tried must have all
   // faces it could cross in the neighbourhood. It only grows, so this ends.
   do {
-    around_.gather(front_, nodes, region, idealPlace);
+    around_.gather(front_, nodes, region, idealPosition);
     around_.mapTo(space);
     {
       [[maybe_unused]] const CrossingScope scope(trace_);
@@ -101,11 +101,11 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
     static_cast<void>(name);
     return false;
   };
-  if (isNew && tooCloseToFace(candidate.unitPlace, minFaceDistance, culprit)) {
+  if (isNew && isTooCloseToFace(candidate.unitPosition, minFaceDistance, culprit)) {
     return refuse(Refusal::kTooCloseToFace);
   }
-  const Vec3 place = space.toSpace(candidate.unitPlace);
-  const LocalNode apex = isNew ? around_.setNewNode(place) : candidate.node;
+  const Vec3 position = space.toSpace(candidate.unitPosition);
+  const LocalNode apex = isNew ? around_.setNewNode(position) : candidate.node;
   if (crossing_.volumeSign(apex) <= 0) return refuse(Refusal::kBehind);
   ++counters_.candidatesTried;
   const std::size_t crossed = firstCrossedFace(apex);
@@ -113,17 +113,17 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
     culprit = around_.faceId(crossed);
     return refuse(Refusal::kCrosses);
   }
-  SideFaces sides{};
-  if (!isNew && !findSideFaces(apex, sides, culprit)) return refuse(Refusal::kSameOrientation);
+  ExistingFaces sides{};
+  if (!isNew && !findExistingFaces(apex, sides, culprit)) return refuse(Refusal::kSameOrientation);
   NodeId node = name;
   if (isNew) {
     const FrontFace& base = front_.face(face);
     const NodeTriple& n = base.nodes;
     const std::uint16_t layer =
         std::min(front_.layer(n[0]), std::min(front_.layer(n[1]), front_.layer(n[2])));
-    node = front_.addNode(place, nextLayer(layer), base.hint);
+    node = front_.addNode(position, nextLayer(layer), base.hint);
   }
-  if constexpr (Trace::kOn) trace_.accepted(node, place);
+  if constexpr (Trace::kOn) trace_.accepted(node, position);
   accept(face, node, sides);
   return true;
 }
@@ -137,13 +137,13 @@ std::size_t FrontAdvance<Trace>::firstCrossedFace(LocalNode apex) {
 }
 
 template <class Trace>
-bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance, FaceId& culprit) {
+bool FrontAdvance<Trace>::isTooCloseToFace(const Vec3& position, double distance, FaceId& culprit) {
   if (!(distance > 0.0)) return false;
   for (std::size_t i = 0; i < around_.faceCount(); ++i) {
     const LocalTriple& f = around_.face(i);
     if (f[0] < 3 || f[1] < 3 || f[2] < 3) continue;
-    if (squaredDistanceToTriangle(place, around_.unitPlace(f[0]), around_.unitPlace(f[1]),
-                                  around_.unitPlace(f[2])) < distance * distance) {
+    if (squaredDistanceToTriangle(position, around_.unitPosition(f[0]), around_.unitPosition(f[1]),
+                                  around_.unitPosition(f[2])) < distance * distance) {
       culprit = around_.faceId(i);
       return true;
     }
@@ -155,7 +155,8 @@ bool FrontAdvance<Trace>::tooCloseToFace(const Vec3& place, double distance, Fac
 /// corners 0, 1, 2. As faces of the front they are turned the other way, to face the element;
 /// one turned the same way would be met from behind.
 template <class Trace>
-bool FrontAdvance<Trace>::findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const {
+bool FrontAdvance<Trace>::findExistingFaces(LocalNode apex, ExistingFaces& sides,
+                                            FaceId& culprit) const {
   for (const AdjacentFace& adjacent : around_.adjacentFaces()) {
     if (adjacent.apex != apex) continue;
     if (!adjacent.isNeighbour()) {
@@ -168,7 +169,7 @@ bool FrontAdvance<Trace>::findSideFaces(LocalNode apex, SideFaces& sides, FaceId
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const SideFaces& sides) {
+void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const ExistingFaces& sides) {
   const FrontFace base = front_.face(face);
   const NodeTriple& n = base.nodes;
   elements_.add({n[0], n[1], n[2], apex}, base.region);

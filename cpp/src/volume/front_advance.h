@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Steps F4 to F8, one base face at a time: pick it, place the ideal point, rank the
+/// @file Steps F4 to F8, one base face at a time: pick it, position the ideal point, rank the
 /// candidates, take the first whose element crosses nothing, update the front.
 
 #include <array>
@@ -51,7 +51,7 @@ class FrontAdvance {
  private:
   using CrossingScope = typename Trace::CrossingScope;
   /// The face that stands already on the element's side opposite base corner i, if any.
-  using SideFaces = std::array<FaceId, 3>;
+  using ExistingFaces = std::array<FaceId, 3>;
 
   bool complete(FaceId face);
   void postpone(FaceId face, bool mayRelax);
@@ -59,13 +59,13 @@ class FrontAdvance {
                     const IdealPoint& ideal, const RuleClass& rules);
   bool tryCandidate(FaceId face, const Candidate& candidate, const UnitSpace& space,
                     double minFaceDistance);
-  [[nodiscard]] std::uint64_t facesLookedAt() const {
+  [[nodiscard]] std::uint64_t facesVisited() const {
     return counters_.gatheredFaces + facesMasked_;
   }
   [[nodiscard]] std::size_t firstCrossedFace(LocalNode apex);
-  [[nodiscard]] bool tooCloseToFace(const Vec3& place, double distance, FaceId& culprit);
-  bool findSideFaces(LocalNode apex, SideFaces& sides, FaceId& culprit) const;
-  void accept(FaceId face, NodeId apex, const SideFaces& sides);
+  [[nodiscard]] bool isTooCloseToFace(const Vec3& position, double distance, FaceId& culprit);
+  bool findExistingFaces(LocalNode apex, ExistingFaces& sides, FaceId& culprit) const;
+  void accept(FaceId face, NodeId apex, const ExistingFaces& sides);
 
   Front& front_;
   Elements& elements_;
@@ -73,7 +73,7 @@ class FrontAdvance {
   RuleVariant variant_;
   Neighbourhood around_;
   CrossingTest crossing_;
-  SideNeighbours neighbours_;
+  EdgeNeighbours neighbours_;
   CandidateList candidates_;
   Counters counters_;
   std::uint64_t facesMasked_ =

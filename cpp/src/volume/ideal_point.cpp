@@ -40,18 +40,18 @@ UnitSpace unitSpaceOf(const Front& front, const NodeTriple& nodes, const SizeFie
   return UnitSpace::stretched(field.tensorAt(ahead, hint).scaledBy(sizeFactor), origin);
 }
 
-IdealPoint placeIdealPoint(const BaseFace& base, double wantedEdge) {
-  const double h = std::clamp(kEdgeAimedAt * wantedEdge, kMinSizePerBase * base.size,
+IdealPoint placeIdealPoint(const BaseFace& base, double targetEdge) {
+  const double h = std::clamp(kEdgePerTarget * targetEdge, kMinSizePerBase * base.size,
                               kMaxSizePerBase * base.size);
   const Vec3 ab = base.b - base.a;
   const Vec3 bc = base.c - base.b;
   const Vec3 ca = base.a - base.c;
   const double product =
       std::sqrt(glm::dot(ab, ab)) * std::sqrt(glm::dot(bc, bc)) * std::sqrt(glm::dot(ca, ca));
-  const double greatest = kMaxCircumradius * h;
+  const double maxRadius = kMaxCircumradius * h;
   // A needle's circumradius may overflow the clamp's use only as infinity, which it handles.
-  const double circumradius = base.doubleArea > 0.0 ? product / (2.0 * base.doubleArea) : greatest;
-  const double radius = std::clamp(circumradius, kMinCircumradius * h, greatest);
+  const double circumradius = base.doubleArea > 0.0 ? product / (2.0 * base.doubleArea) : maxRadius;
+  const double radius = std::clamp(circumradius, kMinCircumradius * h, maxRadius);
   const double height = std::max(std::sqrt(h * h - radius * radius), kMinIdealHeight * h);
   return {base.centroid + base.unitNormal * height, height, h};
 }

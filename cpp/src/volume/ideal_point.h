@@ -22,7 +22,7 @@ struct BaseFace {
 };
 
 struct IdealPoint {
-  Vec3 place;     ///< in unit space
+  Vec3 position;  ///< in unit space
   double height;  ///< above the centroid
   double size;    ///< the element size h used
 };
@@ -35,15 +35,15 @@ struct IdealPoint {
 [[nodiscard]] UnitSpace unitSpaceOf(const Front& front, const NodeTriple& nodes,
                                     const SizeField& field, FieldHint& hint, double sizeFactor);
 
-/// `wantedEdge`: what the field asks there, in unit space. For an equilateral base of that size the point makes
+/// `targetEdge`: what the field asks there, in unit space. For an equilateral base of that size the point makes
 /// the regular tetrahedron; for others an isosceles one.
-[[nodiscard]] IdealPoint placeIdealPoint(const BaseFace& base, double wantedEdge);
+[[nodiscard]] IdealPoint placeIdealPoint(const BaseFace& base, double targetEdge);
 
 /// Cube of the mean ratio of base and apex, 12 (3V)^(2/3) / sum of squared edges: 1 for the
 /// regular tetrahedron, 0 for a flat one or one behind the base. Cubed, it needs no root.
 [[nodiscard]] double cubedMeanRatio(const BaseFace& base, const Vec3& apex);
 
-/// The greatest cubedMeanRatio that any apex over this base reaches.
+/// The maxRadius cubedMeanRatio that any apex over this base reaches.
 [[nodiscard]] double bestCubedMeanRatio(const BaseFace& base);
 
 }  // namespace tetrafront

@@ -1,4 +1,4 @@
-#include "volume/reopening.h"
+#include "volume/local_remeshing.h"
 
 #include <algorithm>
 #include <array>
@@ -35,20 +35,20 @@ constexpr std::size_t kTouchedPerStep = 4;
 }  // namespace
 
 template <class Trace>
-std::size_t Reopening<Trace>::work(std::uint32_t budget, PocketSet& pockets) {
+std::size_t LocalRemeshing<Trace>::work(std::uint32_t budget, PocketSet& pockets) {
   switch (stage_) {
     case Stage::kBeginPass:
       beginPass();
       return 1;
     case Stage::kIndex: {
       const std::size_t cost = index_.build(budget);
-      if (index_.isBuilt()) stage_ = Stage::kReopen;
+      if (index_.isBuilt()) stage_ = Stage::kRemesh;
       return cost;
     }
-    case Stage::kReopen:
-      return reopenNext(pockets);
-    case Stage::kRefront:
-      return refront(budget, pockets);
+    case Stage::kRemesh:
+      return enlargeNext(pockets);
+    case Stage::kAdvance:
+      return advanceFront(budget, pockets);
     case Stage::kDone:
       break;
   }
@@ -56,24 +56,24 @@ std::size_t Reopening<Trace>::work(std::uint32_t budget, PocketSet& pockets) {
 }
 
 template <class Trace>
-std::uint64_t Reopening<Trace>::costLimit() const {
+std::uint64_t LocalRemeshing<Trace>::costLimit() const {
   return kTotalCostPerElement * elements_.size() + kExtraTotalCost;
 }
 
 template <class Trace>
-double Reopening<Trace>::fraction() const {
+double LocalRemeshing<Trace>::fraction() const {
   const double passes = static_cast<double>(pass_) / kPasses;
   const double cost = static_cast<double>(cost_) / static_cast<double>(costLimit());
   return std::min(std::max(passes, cost), 1.0);
 }
 
 template <class Trace>
-void Reopening<Trace>::beginPass() {
-  next_ = 0;
+void LocalRemeshing<Trace>::beginPass() {
+  nextPocket_ = 0;
   if (pass_ == kPasses || front_.activeCount() == 0) {
     stage_ = Stage::kDone;
   } else if (pass_ % kVariants.size() != 0) {
-    stage_ = Stage::kReopen;
+    stage_ = Stage::kRemesh;
   } else {
     index_.begin(front_.nodes().size());
     stage_ = Stage::kIndex;
@@ -81,18 +81,19 @@ void Reopening<Trace>::beginPass() {
 }
 
 template <class Trace>
-std::size_t Reopening<Trace>::reopenNext(PocketSet& pockets) {
-  while (next_ < pockets.size() && pockets.faces(next_).empty()) ++next_;
+std::size_t LocalRemeshing<Trace>::enlargeNext(PocketSet& pockets) {
+  while (nextPocket_ < pockets.size() && pockets.faces(PocketId(nextPocket_)).empty())
+    ++nextPocket_;
   if (cost_ > costLimit()) {
     stage_ = Stage::kDone;
     return 1;
   }
-  if (next_ == pockets.size()) {
+  if (nextPocket_ == pockets.size()) {
     ++pass_;
     stage_ = Stage::kBeginPass;
     return 1;
   }
-  const PocketSet::Number pocket = next_++;
+  const PocketId pocket(nextPocket_++);
   const auto rings = static_cast<std::uint32_t>(pass_ / kVariants.size() + 1);
   std::vector<TetId> around = index_.around(pockets.nodes(pocket), rings, kMaxRemovedElements);
   const std::size_t touched = around.size() + pockets.faces(pocket).size();
@@ -100,12 +101,12 @@ std::size_t Reopening<Trace>::reopenNext(PocketSet& pockets) {
     costLeft_ = kCostPerRemovedElement * around.size() + kExtraCost;
     elementsBefore_ = elements_.size();
     nodesBefore_ = front_.nodes().size();
-    place_.emplace(front_, elements_, pockets, pocket, std::move(around));
+    enlarged_.emplace(front_, elements_, pockets, pocket, std::move(around));
     const RuleVariant& variant = kVariants[pass_ % kVariants.size()];
     advance_.setVariant(variant);
     front_.setOrder(variant.smallestFirst ? FrontOrder::kSmallestFirst : order_);
-    for (const FaceId face : place_->faces()) front_.requeue(face, 0);
-    stage_ = Stage::kRefront;
+    for (const FaceId face : enlarged_->faces()) front_.requeue(face, 0);
+    stage_ = Stage::kAdvance;
   }
   const std::size_t cost = 1 + touched / kTouchedPerStep;
   cost_ += cost;
@@ -113,24 +114,24 @@ std::size_t Reopening<Trace>::reopenNext(PocketSet& pockets) {
 }
 
 template <class Trace>
-std::size_t Reopening<Trace>::refront(std::uint32_t budget, PocketSet& pockets) {
+std::size_t LocalRemeshing<Trace>::advanceFront(std::uint32_t budget, PocketSet& pockets) {
   std::uint64_t cost = 0;
-  while (cost < budget && cost < costLeft_ && !front_.nothingQueued()) {
+  while (cost < budget && cost < costLeft_ && !front_.isQueueEmpty()) {
     cost += advance_.step();
   }
   costLeft_ -= std::min(cost, costLeft_);
   cost_ += cost;
-  if (!front_.nothingQueued() && costLeft_ > 0) return cost;
+  if (!front_.isQueueEmpty() && costLeft_ > 0) return cost;
   return cost + finish(pockets);
 }
 
 template <class Trace>
-std::size_t Reopening<Trace>::finish(PocketSet& pockets) {
-  front_.unqueueAll();
+std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
+  front_.clearQueue();
   advance_.setVariant(RuleVariant{});
   front_.setOrder(order_);
-  stage_ = Stage::kReopen;
-  const std::vector<FaceId> left = place_->facesNow(front_, pockets);
+  stage_ = Stage::kRemesh;
+  const std::vector<FaceId> left = enlarged_->facesNow(front_, pockets);
   bool closed = true;
   for (const Pocket& pocket : findPockets(front_, left)) {
     if (!fillFromStarPoint(front_, elements_, pocket)) closed = false;
@@ -140,16 +141,17 @@ std::size_t Reopening<Trace>::finish(PocketSet& pockets) {
   } else {
     index_.forgetFrom(elementsBefore_);
     elements_.dropFrom(elementsBefore_);
-    place_->close(front_, elements_, pockets);
+    enlarged_->close(front_, elements_, pockets);
     front_.dropNodesFrom(nodesBefore_);
   }
-  const std::size_t touched = place_->faces().size() + place_->removedElements() + left.size();
-  place_.reset();
+  const std::size_t touched =
+      enlarged_->faces().size() + enlarged_->removedElements() + left.size();
+  enlarged_.reset();
   return 1 + touched / kTouchedPerStep;
 }
 
-template class Reopening<NullTrace>;
-template class Reopening<ClockTrace>;
-template class Reopening<StepTrace>;
+template class LocalRemeshing<NullTrace>;
+template class LocalRemeshing<ClockTrace>;
+template class LocalRemeshing<StepTrace>;
 
 }  // namespace tetrafront

@@ -27,11 +27,11 @@ Extent extentOf(std::span<const double> values, double further) {
 
 /// The nodes being numbered. Their count stays in a register, which a member of the neighbourhood
 /// would not.
-class Neighbourhood::Numbering {
+class Neighbourhood::LocalNumbering {
  public:
-  Numbering(Neighbourhood& around, const Front& front)
+  LocalNumbering(Neighbourhood& around, const Front& front)
       : around_(around),
-        places_(front.nodes().data()),
+        positions_(front.nodes().data()),
         marks_(around.marks_.data()),
         nodeIds_(around.nodeIds_.data()),
         x_(around.x_.data()),
@@ -44,15 +44,15 @@ class Neighbourhood::Numbering {
     if (mark.stamp == stamp_) return mark.local;
     const LocalNode local = nodes_++;
     mark = {stamp_, local};
-    const Vec3& place = places_[node.index()];
+    const Vec3& position = positions_[node.index()];
     nodeIds_[local] = node;
-    x_[local] = place.x;
-    y_[local] = place.y;
-    z_[local] = place.z;
+    x_[local] = position.x;
+    y_[local] = position.y;
+    z_[local] = position.z;
     return local;
   }
 
-  /// Puts local numbers in place of the nodes of gathered face `face`.
+  /// Puts local numbers in position of the nodes of gathered face `face`.
   void number(std::uint32_t face) {
     LocalTriple& nodes = around_.faces_[face];
     const LocalNode a = localNode(NodeId(nodes[0]));
@@ -72,7 +72,7 @@ class Neighbourhood::Numbering {
   }
 
   Neighbourhood& around_;
-  const Vec3* places_;
+  const Vec3* positions_;
   Mark* marks_;
   NodeId* nodeIds_;
   double* x_;
@@ -113,8 +113,9 @@ std::size_t Neighbourhood::dropFarFaces(const Front& front, const SearchRegion& 
   for (std::size_t i = 0; i < count; ++i) {
     const NodeTriple& nodes = front.face(FaceId(found_[i])).nodes;
     found_[kept] = found_[i];
-    kept +=
-        region.mayMeet(front.node(nodes[0]), front.node(nodes[1]), front.node(nodes[2])) ? 1 : 0;
+    kept += region.mayIntersect(front.node(nodes[0]), front.node(nodes[1]), front.node(nodes[2]))
+                ? 1
+                : 0;
   }
   return kept;
 }
@@ -133,7 +134,7 @@ void Neighbourhood::gather(const Front& front, const NodeTriple& base, const Sea
     faceIds_[i] = face;
     faces_[i] = {nodes[0].value, nodes[1].value, nodes[2].value};
   }
-  Numbering numbering(*this, front);
+  LocalNumbering numbering(*this, front);
   for (const NodeId node : base) numbering.localNode(node);
   for (std::uint32_t i = 0; i < count; ++i) numbering.number(i);
   faceCount_ = count;
@@ -146,7 +147,7 @@ void Neighbourhood::mapTo(const UnitSpace& space) {
   if (!space.isStretched()) return;
   for (std::vector<double>& axis : mapped_) axis.resize(std::max(axis.size(), nodeCount_));
   for (LocalNode i = 0; i < nodeCount_; ++i) {
-    const Vec3 unit = space.toUnit(place(i));
+    const Vec3 unit = space.toUnit(position(i));
     mapped_[0][i] = unit.x;
     mapped_[1][i] = unit.y;
     mapped_[2][i] = unit.z;
@@ -154,11 +155,11 @@ void Neighbourhood::mapTo(const UnitSpace& space) {
   unit_ = {mapped_[0].data(), mapped_[1].data(), mapped_[2].data()};
 }
 
-LocalNode Neighbourhood::setNewNode(const Vec3& place) {
+LocalNode Neighbourhood::setNewNode(const Vec3& position) {
   const std::size_t local = nodeCount();
-  x_[local] = place.x;
-  y_[local] = place.y;
-  z_[local] = place.z;
+  x_[local] = position.x;
+  y_[local] = position.y;
+  z_[local] = position.z;
   return static_cast<LocalNode>(local);
 }
 

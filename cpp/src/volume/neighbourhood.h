@@ -36,12 +36,12 @@ struct AdjacentFace {
 
 class Neighbourhood {
  public:
-  /// Gathers the active faces that may meet what is in the region. `reach` is a further place that
+  /// Gathers the active faces that may meet what is in the region. `reach` is a further position that
   /// tests will use; it only widens the error bound.
   void gather(const Front& front, const NodeTriple& base, const SearchRegion& region,
               const Vec3& reach);
 
-  /// Sets the space of unitPlace() and its kin; to be called after each gather().
+  /// Sets the space of unitPosition() and its kin; to be called after each gather().
   void mapTo(const UnitSpace& space);
 
   [[nodiscard]] std::size_t nodeCount() const { return nodeCount_; }
@@ -51,7 +51,7 @@ class Neighbourhood {
   [[nodiscard]] const LocalTriple& face(std::size_t local) const { return faces_[local]; }
   /// In the order in which they were gathered.
   [[nodiscard]] std::span<const AdjacentFace> adjacentFaces() const { return adjacent_; }
-  [[nodiscard]] Vec3 place(LocalNode local) const { return {x_[local], y_[local], z_[local]}; }
+  [[nodiscard]] Vec3 position(LocalNode local) const { return {x_[local], y_[local], z_[local]}; }
   [[nodiscard]] const double* x() const { return x_.data(); }
   [[nodiscard]] const double* y() const { return y_.data(); }
   [[nodiscard]] const double* z() const { return z_.data(); }
@@ -60,20 +60,20 @@ class Neighbourhood {
   [[nodiscard]] const double* unitX() const { return unit_[0]; }
   [[nodiscard]] const double* unitY() const { return unit_[1]; }
   [[nodiscard]] const double* unitZ() const { return unit_[2]; }
-  [[nodiscard]] Vec3 unitPlace(LocalNode local) const {
+  [[nodiscard]] Vec3 unitPosition(LocalNode local) const {
     return {unit_[0][local], unit_[1][local], unit_[2][local]};
   }
 
-  /// A place beside the gathered nodes for a node that does not exist yet; its local number is
+  /// A position beside the gathered nodes for a node that does not exist yet; its local number is
   /// nodeCount().
-  LocalNode setNewNode(const Vec3& place);
+  LocalNode setNewNode(const Vec3& position);
 
   /// No orient3d determinant over these nodes is wrong by more than this, however evaluated by
   /// three differences, a cross and a dot product.
   [[nodiscard]] double determinantError() const { return determinantError_; }
 
  private:
-  class Numbering;
+  class LocalNumbering;
   std::size_t dropFarFaces(const Front& front, const SearchRegion& region, std::size_t count);
   void reserve(std::size_t nodesOfFront, std::size_t faces);
   void boundErrors(const Vec3& reach);

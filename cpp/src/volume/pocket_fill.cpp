@@ -21,7 +21,7 @@ FillTask PocketFill::taskFor(const Front& front, const Pocket& pocket, std::vect
     return NodeId(static_cast<std::size_t>(at - nodes.begin()));
   };
   FillTask task;
-  for (const NodeId node : nodes) task.places.push_back(front.node(node));
+  for (const NodeId node : nodes) task.positions.push_back(front.node(node));
   for (const FaceId face : pocket.faces) {
     const NodeTriple& n = front.face(face).nodes;
     task.triangles.push_back({numberOf(n[0]), numberOf(n[1]), numberOf(n[2])});
@@ -38,7 +38,8 @@ std::vector<FaceId> PocketFill::apply(Front& front, Elements& elements) const {
     return front.face(pocket_.faces[triangle]).region;
   };
   std::vector<NodeId> nodes = nodes_;
-  for (const Vec3& place : result.newPlaces) nodes.push_back(front.addNode(place, layer, hint));
+  for (const Vec3& position : result.newPositions)
+    nodes.push_back(front.addNode(position, layer, hint));
   for (std::size_t i = 0; i < result.tetrahedra.size(); ++i) {
     const auto& n = result.tetrahedra[i];
     elements.add(

@@ -17,18 +17,18 @@ struct FirstTry {
 /// What is tried first. A part is taken too; what is open then goes on with the next try.
 constexpr std::array<FirstTry, 9> kFirstTries{
     {{0, 0}, {1, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}, {4, 0}, {6, 1}}};
-/// Then all orders are tried without a ring, with one, twice as many and so on; with more than so many places are
+/// Then all orders are tried without a ring, with one, twice as many and so on; with more than so many positions are
 /// taken as wholes only. Where that does not do, they are tried once more, however long it takes.
-constexpr std::uint32_t kMaxRingsInPart = 6;
+constexpr std::uint32_t kMaxRingsForPartialFill = 6;
 /// So many fills in part may there be, and so many more for each pocket.
-constexpr std::uint32_t kParts = 100;
-constexpr std::uint32_t kPartsPerPocket = 4;
+constexpr std::uint32_t kMaxPartialFills = 100;
+constexpr std::uint32_t kPartialFillsPerPocket = 4;
 /// What such a try may cost, in units of ExactFill: most take a tenth. With other elements around the
-/// place what takes longer mostly takes much less.
+/// position what takes longer mostly takes much less.
 constexpr std::uint64_t kCostPerFace = 1000;
 constexpr std::uint64_t kExtraCost = 20'000;
 /// As progress sees it, a try that fails leaves so much of its pocket.
-constexpr double kLeftByFailure = 0.1;
+constexpr double kRemainingAfterFailure = 0.1;
 /// Touching this many faces or elements costs about as much as one step of the front.
 constexpr std::size_t kTouchedPerStep = 4;
 
@@ -37,29 +37,30 @@ constexpr std::size_t kTouchedPerStep = 4;
 PocketFiller::PocketFiller(Front& front, Elements& elements, ElementIndex& index,
                            PocketSet& pockets)
     : front_(front), elements_(elements), index_(index), pockets_(pockets) {
-  for (auto i = static_cast<PocketSet::Number>(pockets_.size()); i-- > 0;) push(i);
+  for (std::size_t i = pockets_.size(); i-- > 0;) push(PocketId(i));
   tries_.assign(pockets_.size(), {0, kFirstTries[0].rings, kFirstTries[0].order, kNoElements});
-  partsLeft_ = kParts + kPartsPerPocket * static_cast<std::uint32_t>(pockets_.size());
+  partialFillsLeft_ =
+      kMaxPartialFills + kPartialFillsPerPocket * static_cast<std::uint32_t>(pockets_.size());
 }
 
-void PocketFiller::push(PocketSet::Number number) {
-  stack_.push_back(number);
-  if (weights_.size() <= number) weights_.resize(number + 1);
-  Weight& weight = weights_[number];
-  weight.faces = static_cast<double>(pockets_.faces(number).size());
+void PocketFiller::push(PocketId pocket) {
+  stack_.push_back(pocket);
+  if (weights_.size() <= pocket.index()) weights_.resize(pocket.index() + 1);
+  Weight& weight = weights_[pocket.index()];
+  weight.faces = static_cast<double>(pockets_.faces(pocket).size());
   facesInAll_ += weight.faces;
   facesWaiting_ += weight.faces;
 }
 
 void PocketFiller::pop() {
-  facesWaiting_ -= weights_[stack_.back()].faces;
+  facesWaiting_ -= weights_[stack_.back().index()].faces;
   stack_.pop_back();
 }
 
 double PocketFiller::fraction() const {
   if (stack_.empty() || facesInAll_ == 0.0) return 1.0;
-  const Weight& now = weights_[stack_.back()];
-  const double tried = fill_ ? (1.0 - kLeftByFailure) * fill_->fraction() : 0.0;
+  const Weight& now = weights_[stack_.back().index()];
+  const double tried = fill_ ? (1.0 - kRemainingAfterFailure) * fill_->fraction() : 0.0;
   const double done = now.faces * (1.0 - now.left * (1.0 - tried));
   return 1.0 - (facesWaiting_ - done) / facesInAll_;
 }
@@ -78,8 +79,8 @@ std::size_t PocketFiller::work(std::uint32_t budget) {
 
 /// Gives the next pocket to the exact fill, with the elements around it.
 std::size_t PocketFiller::begin() {
-  const PocketSet::Number number = stack_.back();
-  Try& now = tries_[number];
+  const PocketId number = stack_.back();
+  Try& now = tries_[number.index()];
   Pocket pocket{pockets_.faces(number), false};
   // Filled as part of another.
   if (pocket.faces.empty()) {
@@ -91,35 +92,35 @@ std::size_t PocketFiller::begin() {
     std::vector<TetId> around =
         index_.around(pockets_.nodes(number), now.rings, std::numeric_limits<std::size_t>::max());
     touched += around.size();
-    now.wasLargest = around.empty() || around.size() == now.removed;
+    now.isLargest = around.empty() || around.size() == now.removed;
     now.removed = around.size();
-    if (now.wasLargest) {
+    if (now.isLargest) {
       if (!prepareNext(now)) pop();
       return 1 + touched / kTouchedPerStep;
     }
-    place_.emplace(front_, elements_, pockets_, number, std::move(around));
-    pocket.faces = place_->faces();
+    enlarged_.emplace(front_, elements_, pockets_, number, std::move(around));
+    pocket.faces = enlarged_->faces();
   }
-  const std::uint64_t limit = mayFillInPart(now) && !now.isLastRound
+  const std::uint64_t limit = canFillPartially(now) && !now.isLastRound
                                   ? kCostPerFace * pocket.faces.size() + kExtraCost
                                   : ExactFill::kNoLimit;
   fill_.emplace(front_, std::move(pocket), now.order, limit);
   return 1 + touched / kTouchedPerStep;
 }
 
-bool PocketFiller::mayFillInPart(const Try& now) const {
-  return now.rings <= kMaxRingsInPart && partsLeft_ > 0;
+bool PocketFiller::canFillPartially(const Try& now) const {
+  return now.rings <= kMaxRingsForPartialFill && partialFillsLeft_ > 0;
 }
 
 /// False if all has been tried.
 bool PocketFiller::prepareNext(Try& now) const {
   const bool wasLater = now.step >= kFirstTries.size();
-  if (!wasLater && now.step + 1 < kFirstTries.size() && partsLeft_ > 0) {
+  if (!wasLater && now.step + 1 < kFirstTries.size() && partialFillsLeft_ > 0) {
     const FirstTry& first = kFirstTries[now.step + 1];
     now = {now.step + 1, first.rings, first.order, kNoElements};
   } else if (!wasLater) {
     now = {kFirstTries.size(), 0, 0, kNoElements};
-  } else if (!now.wasLargest) {
+  } else if (!now.isLargest) {
     now.rings = std::max(1U, 2 * now.rings);
   } else {
     now = {now.step, 0, now.order + 1, kNoElements, false, now.isLastRound};
@@ -131,29 +132,29 @@ bool PocketFiller::prepareNext(Try& now) const {
 }
 
 void PocketFiller::finish() {
-  const PocketSet::Number number = stack_.back();
-  Try& now = tries_[number];
+  const PocketId number = stack_.back();
+  Try& now = tries_[number.index()];
   if (fillState_ == ExactFill::State::kDone) {
     apply();
     pop();
-  } else if (fillState_ == ExactFill::State::kPartial && mayFillInPart(now)) {
-    --partsLeft_;
+  } else if (fillState_ == ExactFill::State::kPartial && canFillPartially(now)) {
+    --partialFillsLeft_;
     std::vector<FaceId> open = apply();
     pop();
     queueOpen(std::move(open), now);
   } else {
-    if (place_) place_->close(front_, elements_, pockets_);
-    weights_[number].left *= kLeftByFailure;
+    if (enlarged_) enlarged_->close(front_, elements_, pockets_);
+    weights_[number.index()].left *= kRemainingAfterFailure;
     if (!prepareNext(now)) pop();
   }
-  place_.reset();
+  enlarged_.reset();
   fill_.reset();
   fillState_ = ExactFill::State::kRunning;
 }
 
 /// Returns the faces around what is left open.
 std::vector<FaceId> PocketFiller::apply() {
-  if (!place_) pockets_.remove(stack_.back());
+  if (!enlarged_) pockets_.remove(stack_.back());
   const std::size_t elements = elements_.size();
   const std::size_t nodes = front_.nodes().size();
   std::vector<FaceId> open = fill_->apply(front_, elements_);
@@ -161,7 +162,7 @@ std::vector<FaceId> PocketFiller::apply() {
   return open;
 }
 
-/// What is around points without a place in doubles: mostly little, so a ring of elements with it is
+/// What is around points without a position in doubles: mostly little, so a ring of elements with it is
 /// little too.
 void PocketFiller::queueOpen(std::vector<FaceId> open, Try tried) {
   if (!prepareNext(tried)) return;

@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file The last rung: the exact fill of one pocket after the other. Where points have no place in doubles
+/// @file The last rung: the exact fill of one pocket after the other. Where points have no position in doubles
 /// what is around them stays open, and only that is tried again, with the elements around it and in other
 /// orders; most of it is filled so, as the mesh around is another one then. What resists is tried in ever
-/// larger places, in the end in all that hangs together.
+/// larger positions, in the end in all that hangs together.
 
 #include <cstdint>
 #include <limits>
@@ -12,8 +12,8 @@
 
 #include "volume/element_index.h"
 #include "volume/elements.h"
+#include "volume/enlarged_pocket.h"
 #include "volume/front.h"
-#include "volume/opened_place.h"
 #include "volume/pocket_fill.h"
 
 namespace tetrafront {
@@ -31,8 +31,8 @@ class PocketFiller {
   [[nodiscard]] double fraction() const;
 
   struct Made {
-    MadeRange elements;
-    MadeRange nodes;
+    IndexRange elements;
+    IndexRange nodes;
   };
   /// By each fill; larger ones may have taken it away again.
   [[nodiscard]] const std::vector<Made>& made() const { return made_; }
@@ -45,7 +45,7 @@ class PocketFiller {
     std::uint32_t rings;       ///< of elements taken away with it
     unsigned order;            ///< see ExactFill::kOrders
     std::size_t removed;       ///< how many elements that were with half as many rings
-    bool wasLargest = false;   ///< more rings have no more elements
+    bool isLargest = false;    ///< more rings have no more elements
     bool isLastRound = false;  ///< of all orders, whatever it costs
   };
   /// By which progress is measured.
@@ -55,27 +55,27 @@ class PocketFiller {
   };
 
   std::size_t begin();
-  void push(PocketSet::Number number);
+  void push(PocketId pocket);
   void pop();
   void finish();
   std::vector<FaceId> apply();
   void queueOpen(std::vector<FaceId> open, Try tried);
   bool prepareNext(Try& now) const;
-  [[nodiscard]] bool mayFillInPart(const Try& now) const;
+  [[nodiscard]] bool canFillPartially(const Try& now) const;
 
   Front& front_;
   Elements& elements_;
   ElementIndex& index_;
   PocketSet& pockets_;
-  std::vector<PocketSet::Number> stack_;  ///< the next one last
-  std::vector<Try> tries_;                ///< per pocket
-  std::vector<Weight> weights_;           ///< per pocket
-  double facesInAll_ = 0.0;               ///< of all pockets there have been
-  double facesWaiting_ = 0.0;             ///< of those in stack_
-  std::optional<OpenedPlace> place_;
+  std::vector<PocketId> stack_;  ///< the next one last
+  std::vector<Try> tries_;       ///< per pocket
+  std::vector<Weight> weights_;  ///< per pocket
+  double facesInAll_ = 0.0;      ///< of all pockets there have been
+  double facesWaiting_ = 0.0;    ///< of those in stack_
+  std::optional<EnlargedPocket> enlarged_;
   std::optional<PocketFill> fill_;
   ExactFill::State fillState_ = ExactFill::State::kRunning;
-  std::uint32_t partsLeft_;
+  std::uint32_t partialFillsLeft_;
   std::vector<Made> made_;
 };
 

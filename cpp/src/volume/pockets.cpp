@@ -76,15 +76,15 @@ std::vector<Component> findComponents(const Front& front, std::span<const FaceId
 /// Oriented planes of a pocket's faces with unit normals, and its extent.
 struct HalfSpaces {
   std::vector<Vec3> normals;
-  std::vector<Vec3> places;
+  std::vector<Vec3> positions;
   Vec3 centre{0.0};
-  double meanSide = 0.0;
+  double meanEdge = 0.0;
 
   /// The least signed distance of `p` to a plane, and which plane that is.
   double least(const Vec3& p, std::size_t& worst) const {
     double distance = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < normals.size(); ++i) {
-      const double d = glm::dot(normals[i], p - places[i]);
+      const double d = glm::dot(normals[i], p - positions[i]);
       if (d >= distance) continue;
       distance = d;
       worst = i;
@@ -101,18 +101,18 @@ HalfSpaces halfSpacesOf(const Front& front, const Pocket& pocket) {
     const Vec3 normal = glm::cross(front.node(n[1]) - a, front.node(n[2]) - a);
     const double length = std::sqrt(glm::dot(normal, normal));
     spaces.normals.push_back(length > 0.0 ? normal * (1.0 / length) : normal);
-    spaces.places.push_back(a);
+    spaces.positions.push_back(a);
     spaces.centre = spaces.centre + a + front.node(n[1]) + front.node(n[2]);
-    spaces.meanSide += static_cast<double>(front.face(face).size);
+    spaces.meanEdge += static_cast<double>(front.face(face).size);
   }
   const auto count = static_cast<double>(pocket.faces.size());
   spaces.centre = spaces.centre * (1.0 / (3.0 * count));
-  spaces.meanSide /= count;
+  spaces.meanEdge /= count;
   return spaces;
 }
 
-/// Seeks the place deepest inside all half-spaces: steps away from the worst one, ever shorter.
-Vec3 deepestPlace(const HalfSpaces& spaces) {
+/// Seeks the position deepest inside all half-spaces: steps away from the worst one, ever shorter.
+Vec3 deepestPosition(const HalfSpaces& spaces) {
   constexpr int kSteps = 300;
   constexpr double kFirstStep = 0.3;  // of the mean side
   constexpr double kShrink = 0.975;
@@ -120,7 +120,7 @@ Vec3 deepestPlace(const HalfSpaces& spaces) {
   Vec3 best = current;
   std::size_t worst = 0;
   double bestDepth = spaces.least(current, worst);
-  double step = kFirstStep * spaces.meanSide;
+  double step = kFirstStep * spaces.meanEdge;
   for (int i = 0; i < kSteps; ++i, step *= kShrink) {
     current = current + spaces.normals[worst] * step;
     const double depth = spaces.least(current, worst);
@@ -131,7 +131,7 @@ Vec3 deepestPlace(const HalfSpaces& spaces) {
   return best;
 }
 
-bool insideElement(const Front& front, const NodeTriple& base, const Vec3& apex, const Vec3& p) {
+bool isInsideElement(const Front& front, const NodeTriple& base, const Vec3& apex, const Vec3& p) {
   const Vec3& a = front.node(base[0]);
   const Vec3& b = front.node(base[1]);
   const Vec3& c = front.node(base[2]);
@@ -140,7 +140,7 @@ bool insideElement(const Front& front, const NodeTriple& base, const Vec3& apex,
 }
 
 /// Other faces are wholly inside or wholly outside the pocket, so one node of each tells.
-bool foreignFaceWithin(const Front& front, const Pocket& pocket, const Vec3& apex) {
+bool hasForeignFace(const Front& front, const Pocket& pocket, const Vec3& apex) {
   Box box = front.boxOf(pocket.faces.front());
   for (const FaceId face : pocket.faces) {
     for (const NodeId node : front.face(face).nodes) box.include(front.node(node));
@@ -150,9 +150,9 @@ bool foreignFaceWithin(const Front& front, const Pocket& pocket, const Vec3& ape
   for (std::size_t i = 0; i < count; ++i) {
     const FaceId other(near[i]);
     if (std::binary_search(pocket.faces.begin(), pocket.faces.end(), other)) continue;
-    const Vec3& place = front.node(front.face(other).nodes[0]);
+    const Vec3& position = front.node(front.face(other).nodes[0]);
     for (const FaceId face : pocket.faces) {
-      if (insideElement(front, front.face(face).nodes, apex, place)) return true;
+      if (isInsideElement(front, front.face(face).nodes, apex, position)) return true;
     }
   }
   return false;
@@ -188,24 +188,24 @@ std::vector<Pocket> findPockets(const Front& front, std::span<const FaceId> face
 }
 
 std::optional<Vec3> findStarPoint(const Front& front, const Pocket& pocket) {
-  const Vec3 place = deepestPlace(halfSpacesOf(front, pocket));
+  const Vec3 position = deepestPosition(halfSpacesOf(front, pocket));
   for (const FaceId face : pocket.faces) {
     const NodeTriple& n = front.face(face).nodes;
-    if (orient3d(front.node(n[0]), front.node(n[1]), front.node(n[2]), place) <= 0) return {};
+    if (orient3d(front.node(n[0]), front.node(n[1]), front.node(n[2]), position) <= 0) return {};
   }
-  if (foreignFaceWithin(front, pocket, place)) return {};
-  return place;
+  if (hasForeignFace(front, pocket, position)) return {};
+  return position;
 }
 
 bool fillFromStarPoint(Front& front, Elements& elements, const Pocket& pocket) {
   if (!pocket.single) return false;
-  const std::optional<Vec3> place = findStarPoint(front, pocket);
-  if (!place) return false;
+  const std::optional<Vec3> position = findStarPoint(front, pocket);
+  if (!position) return false;
   std::uint16_t layer = 0;
   for (const FaceId face : pocket.faces) {
     for (const NodeId node : front.face(face).nodes) layer = std::max(layer, front.layer(node));
   }
-  const NodeId apex = front.addNode(*place, layer, front.face(pocket.faces.front()).hint);
+  const NodeId apex = front.addNode(*position, layer, front.face(pocket.faces.front()).hint);
   for (const FaceId face : pocket.faces) {
     const FrontFace& f = front.face(face);
     elements.add({f.nodes[0], f.nodes[1], f.nodes[2], apex}, f.region);

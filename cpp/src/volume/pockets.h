@@ -24,17 +24,17 @@ struct Pocket {
 /// an island (a component seen from outside) goes to every pocket whose box holds it, which
 /// joins those pockets. O(faces log faces).
 [[nodiscard]] std::vector<Pocket> findPockets(const Front& front);
-/// The same of some active faces only, given in the order of their ids, which bound places of their own.
+/// The same of some active faces only, given in the order of their ids, which bound positions of their own.
 [[nodiscard]] std::vector<Pocket> findPockets(const Front& front, std::span<const FaceId> faces);
 
 /// The element's sides as faces seen from inside it.
-[[nodiscard]] inline std::array<NodeTriple, 4> innerSides(const NodeQuad& n) {
+[[nodiscard]] inline std::array<NodeTriple, 4> innerFaces(const NodeQuad& n) {
   return {{{n[0], n[1], n[2]}, {n[1], n[0], n[3]}, {n[2], n[1], n[3]}, {n[0], n[2], n[3]}}};
 }
 /// The same face seen from its other side.
 [[nodiscard]] inline NodeTriple reversed(const NodeTriple& t) { return {t[1], t[0], t[2]}; }
 
-/// A place from which every face of the pocket is seen from its empty side, by exact signs, and
+/// A position from which every face of the pocket is seen from its empty side, by exact signs, and
 /// with no node of another face among the elements it would make with them: the whole pocket can
 /// be filled by joining it to each face. Nothing if none was found. For single pockets only.
 [[nodiscard]] std::optional<Vec3> findStarPoint(const Front& front, const Pocket& pocket);

@@ -12,7 +12,7 @@ constexpr std::size_t kSlotsPerStep = 1000;
 
 /// Where reopening begins and ends on the way, 0 to 1.
 constexpr double kStarEnd = 0.05;
-constexpr double kReopenEnd = 0.2;
+constexpr double kRemeshEnd = 0.2;
 
 }  // namespace
 
@@ -23,7 +23,7 @@ Recovery<Trace>::Recovery(Front& front, Elements& elements, FrontAdvance<Trace>&
       elements_(elements),
       fillOnly_(fillOnly),
       index_(elements),
-      reopening_(front, elements, advance, order, index_) {}
+      remeshing_(front, elements, advance, order, index_) {}
 
 template <class Trace>
 typename Recovery<Trace>::State Recovery<Trace>::advance(std::uint32_t budget) {
@@ -42,18 +42,18 @@ std::size_t Recovery<Trace>::work(std::uint32_t budget) {
   switch (stage_) {
     case Stage::kFindPockets:
       pockets_ = findPockets(front_);
-      stage_ = fillOnly_ ? Stage::kFindStarless : Stage::kStar;
-      return lookCost();
+      stage_ = fillOnly_ ? Stage::kFindRemaining : Stage::kStar;
+      return scanCost();
     case Stage::kStar:
       return starNext();
-    case Stage::kFindStarless:
+    case Stage::kFindRemaining:
       left_.emplace(front_, findPockets(front_));
-      stage_ = Stage::kReopen;
+      stage_ = Stage::kRemesh;
       if (fillOnly_) beginFill();
-      return lookCost();
-    case Stage::kReopen: {
-      const std::size_t cost = reopening_.work(budget, *left_);
-      if (reopening_.isDone()) beginFill();
+      return scanCost();
+    case Stage::kRemesh: {
+      const std::size_t cost = remeshing_.work(budget, *left_);
+      if (remeshing_.isDone()) beginFill();
       return cost;
     }
     case Stage::kFill: {
@@ -75,12 +75,12 @@ double Recovery<Trace>::fraction() const {
     case Stage::kStar:
       if (pockets_.empty()) return kStarEnd;
       return kStarEnd * static_cast<double>(nextPocket_) / static_cast<double>(pockets_.size());
-    case Stage::kFindStarless:
+    case Stage::kFindRemaining:
       return kStarEnd;
-    case Stage::kReopen:
-      return kStarEnd + (kReopenEnd - kStarEnd) * reopening_.fraction();
+    case Stage::kRemesh:
+      return kStarEnd + (kRemeshEnd - kStarEnd) * remeshing_.fraction();
     case Stage::kFill:
-      return kReopenEnd + (1.0 - kReopenEnd) * exactFillFraction();
+      return kRemeshEnd + (1.0 - kRemeshEnd) * exactFillFraction();
     case Stage::kFinished:
       break;
   }
@@ -88,7 +88,7 @@ double Recovery<Trace>::fraction() const {
 }
 
 template <class Trace>
-std::size_t Recovery<Trace>::lookCost() const {
+std::size_t Recovery<Trace>::scanCost() const {
   return 1 + front_.activeCount() / kFacesPerStep + front_.slotCount() / kSlotsPerStep;
 }
 
@@ -96,7 +96,7 @@ template <class Trace>
 std::size_t Recovery<Trace>::starNext() {
   if (nextPocket_ == pockets_.size()) {
     pockets_.clear();
-    stage_ = front_.activeCount() == 0 ? Stage::kFinished : Stage::kFindStarless;
+    stage_ = front_.activeCount() == 0 ? Stage::kFinished : Stage::kFindRemaining;
     return 1;
   }
   const Pocket& pocket = pockets_[nextPocket_++];
@@ -112,7 +112,7 @@ void Recovery<Trace>::beginFill() {
 }
 
 template <class Trace>
-bool Recovery<Trace>::anyIsLeft(const MadeRange& made) const {
+bool Recovery<Trace>::hasLiveElement(const IndexRange& made) const {
   const auto begin = elements_.removed.begin();
   const auto last = begin + static_cast<std::ptrdiff_t>(made.last);
   return std::find(begin + static_cast<std::ptrdiff_t>(made.first), last, 0) != last;
@@ -126,11 +126,11 @@ RecoverySummary Recovery<Trace>::summary() const {
     for (const NodeId node : elements_.nodes[element]) used[node.index()] = 1;
   }
   RecoverySummary left;
-  for (const MadeRange& made : starred_) left.starred += anyIsLeft(made) ? 1 : 0;
-  for (const MadeRange& made : reopening_.made()) left.reopened += anyIsLeft(made) ? 1 : 0;
+  for (const IndexRange& made : starred_) left.starred += hasLiveElement(made) ? 1 : 0;
+  for (const IndexRange& made : remeshing_.made()) left.reopened += hasLiveElement(made) ? 1 : 0;
   if (!filler_) return left;
   for (const PocketFiller::Made& made : filler_->made()) {
-    left.filled += anyIsLeft(made.elements) ? 1 : 0;
+    left.filled += hasLiveElement(made.elements) ? 1 : 0;
     for (std::size_t node = made.nodes.first; node < made.nodes.last; ++node) {
       left.steinerPoints += used[node];
     }

@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file What is done about a stall. When no face can be completed under any rule, the pockets left are
-/// closed one by one: by joining them to one interior point (star), else by reopening the place (Löhner's
+/// closed one by one: by joining them to one interior point (star), else by reopening the position (Löhner's
 /// practice), else by the exact fill. All budgets are counts, so the outcome never depends on the
 /// machine's speed.
 
@@ -12,12 +12,12 @@
 #include "tetrafront/status.h"
 #include "volume/element_index.h"
 #include "volume/elements.h"
+#include "volume/enlarged_pocket.h"
 #include "volume/front.h"
 #include "volume/front_advance.h"
-#include "volume/opened_place.h"
+#include "volume/local_remeshing.h"
 #include "volume/pocket_filler.h"
 #include "volume/pockets.h"
-#include "volume/reopening.h"
 
 namespace tetrafront {
 
@@ -37,27 +37,27 @@ class Recovery {
   [[nodiscard]] double fraction() const;
   [[nodiscard]] double exactFillFraction() const { return filler_ ? filler_->fraction() : 0.0; }
 
-  /// What the mesh as it is now has of each rung, without what a larger place has taken away again.
+  /// What the mesh as it is now has of each rung, without what a larger position has taken away again.
   /// O(elements).
   [[nodiscard]] RecoverySummary summary() const;
 
  private:
   enum class Stage : std::uint8_t {
     kFindPockets,
-    kStar,          ///< each pocket from one point
-    kFindStarless,  ///< the pockets that are left
-    kReopen,
+    kStar,           ///< each pocket from one point
+    kFindRemaining,  ///< the pockets that are left
+    kRemesh,
     kFill,
     kFinished
   };
 
   /// One piece of work; returns what it cost, in faces taken from the front.
   std::size_t work(std::uint32_t budget);
-  [[nodiscard]] bool anyIsLeft(const MadeRange& made) const;
+  [[nodiscard]] bool hasLiveElement(const IndexRange& made) const;
   std::size_t starNext();
   void beginFill();
   /// What looking at all active faces costs, in faces taken from the front.
-  [[nodiscard]] std::size_t lookCost() const;
+  [[nodiscard]] std::size_t scanCost() const;
 
   Front& front_;
   Elements& elements_;
@@ -65,10 +65,10 @@ class Recovery {
   Stage stage_ = Stage::kFindPockets;
   std::vector<Pocket> pockets_;  ///< before any is starred
   std::size_t nextPocket_ = 0;
-  std::vector<MadeRange> starred_;  ///< elements of each star
-  std::optional<PocketSet> left_;   ///< the pockets that have no star
+  std::vector<IndexRange> starred_;  ///< elements of each star
+  std::optional<PocketSet> left_;    ///< the pockets that have no star
   ElementIndex index_;
-  Reopening<Trace> reopening_;
+  LocalRemeshing<Trace> remeshing_;
   std::optional<PocketFiller> filler_;
 };
 

@@ -1,4 +1,4 @@
-#include "volume/cell_mesher.h"
+#include "volume/region_mesher.h"
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@ namespace tetrafront {
 namespace {
 
 /// Regions that have a wall in common, the higher first, ascending and each pair once.
-std::vector<std::array<std::uint32_t, 2>> wallNeighbours(const SurfaceMesh& boundary) {
+std::vector<std::array<std::uint32_t, 2>> interfaceNeighbours(const SurfaceMesh& boundary) {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (std::size_t t = 0; t < boundary.triangles.size() / 3; ++t) {
     if (!boundary.isWall(t)) continue;
@@ -33,19 +33,19 @@ std::uint32_t regionCount(const SurfaceMesh& boundary) {
 }
 
 /// Each region in order gets the first turn that no neighbour has: nearly always two or three do.
-std::vector<std::uint32_t> takeTurns(const SurfaceMesh& boundary) {
-  std::vector<std::uint32_t> turnOf(regionCount(boundary), 0);
-  const auto pairs = wallNeighbours(boundary);
+std::vector<std::uint32_t> assignPasses(const SurfaceMesh& boundary) {
+  std::vector<std::uint32_t> passOf(regionCount(boundary), 0);
+  const auto pairs = interfaceNeighbours(boundary);
   std::vector<std::uint32_t> taken;
   for (std::size_t i = 0, j = 0; i < pairs.size(); i = j) {
     taken.clear();
     for (; j < pairs.size() && pairs[j][0] == pairs[i][0]; ++j)
-      taken.push_back(turnOf[pairs[j][1]]);
+      taken.push_back(passOf[pairs[j][1]]);
     std::uint32_t turn = 0;
     while (std::ranges::find(taken, turn) != taken.end()) ++turn;
-    turnOf[pairs[i][0]] = turn;
+    passOf[pairs[i][0]] = turn;
   }
-  return turnOf;
+  return passOf;
 }
 
 /// Adds what one turn has made, whose boundary nodes are the same.
@@ -82,36 +82,36 @@ FrontCounters sum(const FrontCounters& a, const FrontCounters& b) {
 
 }  // namespace
 
-CellMesher::CellMesher(const SurfaceMesh& boundary, const SizeField& field,
-                       const MeshOptions& options)
-    : boundary_(boundary), field_(field), options_(options), turnOf_(takeTurns(boundary)) {
-  turns_ = *std::ranges::max_element(turnOf_) + 1;
+RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
+                           const MeshOptions& options)
+    : boundary_(boundary), field_(field), options_(options), passOf_(assignPasses(boundary)) {
+  passCount_ = *std::ranges::max_element(passOf_) + 1;
   begin(0);
 }
 
-void CellMesher::begin(std::uint32_t turn) {
-  turn_ = turn;
+void RegionMesher::begin(std::uint32_t turn) {
+  pass_ = turn;
   MeshOptions options = options_;
   options.maxTetrahedra -=
       std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4));
   current_.reset();
-  if (turns_ > 1) cells_ = boundaryOf(turn);
+  if (passCount_ > 1) passBoundary_ = boundaryOf(turn);
   waiting_ = 0;
   for (const std::uint32_t region : boundary_.triangleRegions) {
-    waiting_ += region != SurfaceMesh::kNoRegion && turnOf_[region] > turn ? 1 : 0;
+    waiting_ += region != SurfaceMesh::kNoRegion && passOf_[region] > turn ? 1 : 0;
   }
-  current_.emplace(turns_ > 1 ? cells_ : boundary_, field_, options);
+  current_.emplace(passCount_ > 1 ? passBoundary_ : boundary_, field_, options);
 }
 
 /// All nodes, and the triangles around this turn's regions, turned outward.
-SurfaceMesh CellMesher::boundaryOf(std::uint32_t turn) const {
+SurfaceMesh RegionMesher::boundaryOf(std::uint32_t turn) const {
   SurfaceMesh cells;
   cells.points = boundary_.points;
   for (std::size_t t = 0; t < boundary_.triangles.size() / 3; ++t) {
     const std::uint32_t* nodes = &boundary_.triangles[3 * t];
     for (std::size_t side = 0; side < 2; ++side) {
       const std::uint32_t region = boundary_.triangleRegions[2 * t + side];
-      if (region == SurfaceMesh::kNoRegion || turnOf_[region] != turn) continue;
+      if (region == SurfaceMesh::kNoRegion || passOf_[region] != turn) continue;
       cells.triangles.insert(cells.triangles.end(), {nodes[0], nodes[1 + side], nodes[2 - side]});
       cells.triangleRegions.insert(cells.triangleRegions.end(), {region, SurfaceMesh::kNoRegion});
     }
@@ -119,49 +119,49 @@ SurfaceMesh CellMesher::boundaryOf(std::uint32_t turn) const {
   return cells;
 }
 
-MeshStatus CellMesher::advance(std::uint32_t budget) {
+MeshStatus RegionMesher::advance(std::uint32_t budget) {
   const MeshStatus status = current_->advance(budget);
-  if (status != MeshStatus::kDone || turn_ + 1 == turns_) return status;
+  if (status != MeshStatus::kDone || pass_ + 1 == passCount_) return status;
   append(filled_, current_->mesh(), boundary_.points.size() / 3);
   recovery_ = sum(recovery_, current_->recovery());
   counters_ = sum(counters_, current_->counters());
-  openedBefore_ += std::min(current_->openedShare(), 1.0);
-  begin(turn_ + 1);
+  openShareBefore_ += std::min(current_->openShare(), 1.0);
+  begin(pass_ + 1);
   return MeshStatus::kRunning;
 }
 
-std::vector<Diagnostic> CellMesher::diagnostics() const {
-  std::vector<Diagnostic> told = current_->diagnostics();
+std::vector<Diagnostic> RegionMesher::diagnostics() const {
+  std::vector<Diagnostic> diagnostics = current_->diagnostics();
   const std::size_t filledBefore = filled_.tetrahedra.size() / 4;
-  for (Diagnostic& one : told) {
+  for (Diagnostic& one : diagnostics) {
     if (one.code != DiagnosticCode::kTooManyElements) continue;
     for (double& count : one.values) count += static_cast<double>(filledBefore);
   }
-  return told;
+  return diagnostics;
 }
 
-std::uint32_t CellMesher::pointCount() const {
-  if (filled_.points.empty()) return current_->pointCount();
-  return current_->pointCount() +
+std::uint32_t RegionMesher::nodeCount() const {
+  if (filled_.points.empty()) return current_->nodeCount();
+  return current_->nodeCount() +
          static_cast<std::uint32_t>((filled_.points.size() - boundary_.points.size()) / 3);
 }
 
-std::uint32_t CellMesher::tetrahedronCount() const {
+std::uint32_t RegionMesher::tetrahedronCount() const {
   return current_->tetrahedronCount() + static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4);
 }
 
-double CellMesher::sectionFraction() const {
+double RegionMesher::sectionFraction() const {
   return current_->isRecovering() ? current_->recoveryFraction() : current_->frontFraction();
 }
 
-double CellMesher::leftToRecovery() const {
-  return (openedBefore_ + std::min(current_->openedShare(), 1.0)) / turns_;
+double RegionMesher::openShare() const {
+  return (openShareBefore_ + std::min(current_->openShare(), 1.0)) / passCount_;
 }
 
 /// Of the regions whose turn comes later: their triangles as a front sees them.
-std::vector<std::uint32_t> CellMesher::waitingFaces() const {
+std::vector<std::uint32_t> RegionMesher::waitingFaces() const {
   std::vector<std::uint32_t> faces;
-  for (std::uint32_t turn = turn_ + 1; turn < turns_; ++turn) {
+  for (std::uint32_t turn = pass_ + 1; turn < passCount_; ++turn) {
     const SurfaceMesh cells = boundaryOf(turn);
     for (std::size_t h = 0; h < cells.triangles.size(); h += 3) {
       faces.insert(faces.end(),
@@ -171,20 +171,20 @@ std::vector<std::uint32_t> CellMesher::waitingFaces() const {
   return faces;
 }
 
-VolumeMesh CellMesher::mesh() const { return completed(filled_); }
+VolumeMesh RegionMesher::mesh() const { return completed(filled_); }
 
-VolumeMesh CellMesher::take() { return completed(std::exchange(filled_, {})); }
+VolumeMesh RegionMesher::take() { return completed(std::exchange(filled_, {})); }
 
 /// With this turn's elements and the faces that wait.
-VolumeMesh CellMesher::completed(VolumeMesh mesh) const {
+VolumeMesh RegionMesher::completed(VolumeMesh mesh) const {
   append(mesh, current_->mesh(), boundary_.points.size() / 3);
   const std::vector<std::uint32_t> waiting = waitingFaces();
   mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());
   return mesh;
 }
 
-RecoverySummary CellMesher::recovery() const { return sum(recovery_, current_->recovery()); }
+RecoverySummary RegionMesher::recovery() const { return sum(recovery_, current_->recovery()); }
 
-FrontCounters CellMesher::counters() const { return sum(counters_, current_->counters()); }
+FrontCounters RegionMesher::counters() const { return sum(counters_, current_->counters()); }
 
 }  // namespace tetrafront

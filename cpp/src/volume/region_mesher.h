@@ -17,12 +17,12 @@
 
 namespace tetrafront {
 
-class CellMesher {
+class RegionMesher {
  public:
   /// `boundary` must be as closeBoundary() leaves it. It and `field` must outlive the mesher.
-  CellMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options);
-  CellMesher(const CellMesher&) = delete;
-  CellMesher& operator=(const CellMesher&) = delete;
+  RegionMesher(const SurfaceMesh& boundary, const SizeField& field, const MeshOptions& options);
+  RegionMesher(const RegionMesher&) = delete;
+  RegionMesher& operator=(const RegionMesher&) = delete;
 
   /// Works on for about `budget` faces taken from the front. Ends with the first regions that cannot
   /// be filled.
@@ -30,21 +30,21 @@ class CellMesher {
 
   /// Of kTooManyElements both values are of all regions, but for those not begun.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
-  [[nodiscard]] std::uint32_t pointCount() const;
+  [[nodiscard]] std::uint32_t nodeCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
   [[nodiscard]] std::uint32_t frontFaceCount() const {
     return current_->frontFaceCount() + waiting_;
   }
   /// Sections of the way are the front of each turn and its recovery.
   [[nodiscard]] std::uint32_t section() const {
-    return 2 * turn_ + (current_->isRecovering() ? 1 : 0);
+    return 2 * pass_ + (current_->isRecovering() ? 1 : 0);
   }
   /// How far the present section is, 0 to 1, estimated.
   [[nodiscard]] double sectionFraction() const;
   /// How many of the turns will be done at its end, 0 to 1.
-  [[nodiscard]] double turnsAtItsEnd() const { return (turn_ + 1.0) / turns_; }
+  [[nodiscard]] double passFractionAtSectionEnd() const { return (pass_ + 1.0) / passCount_; }
   /// How much the fronts have left for recovery so far, in faces per triangle of the boundary, at most 1.
-  [[nodiscard]] double leftToRecovery() const;
+  [[nodiscard]] double openShare() const;
   /// How far the exact fill of this turn is, 0 to 1, estimated; 0 until there is one.
   [[nodiscard]] double exactFillFraction() const { return current_->exactFillFraction(); }
 
@@ -64,12 +64,13 @@ class CellMesher {
   const SurfaceMesh& boundary_;
   const SizeField& field_;
   MeshOptions options_;
-  std::vector<std::uint32_t> turnOf_;  ///< per region: when it is filled
-  std::uint32_t turns_ = 1;
-  std::uint32_t turn_ = 0;
-  double openedBefore_ = 0.0;  ///< by the fronts of earlier turns, per turn at most 1
-  std::uint32_t waiting_ = 0;  ///< faces of regions whose turn comes later
-  SurfaceMesh cells_;  ///< the boundary of this turn's regions, where there are several turns
+  std::vector<std::uint32_t> passOf_;  ///< per region: when it is filled
+  std::uint32_t passCount_ = 1;
+  std::uint32_t pass_ = 0;
+  double openShareBefore_ = 0.0;  ///< by the fronts of earlier turns, per turn at most 1
+  std::uint32_t waiting_ = 0;     ///< faces of regions whose turn comes later
+  SurfaceMesh
+      passBoundary_;  ///< the boundary of this turn's regions, where there are several turns
   std::optional<VolumeMesher> current_;
   VolumeMesh filled_;  ///< by earlier turns
   RecoverySummary recovery_;

@@ -37,7 +37,7 @@ inline constexpr double kFieldLookAhead = 0.4;
 
 /// New edges aim at this part of the wanted length: nodes that find no room there take existing ones
 /// farther away, so that the mean edge comes out longer than the one aimed at.
-inline constexpr double kEdgeAimedAt = 0.97;
+inline constexpr double kEdgePerTarget = 0.97;
 
 /// The ideal point stands sqrt(h^2 - R^2) above the centroid, R the base's circumradius within
 /// these bounds, and never lower than the least height.
@@ -59,7 +59,7 @@ inline constexpr double kWedgeQualityFactor = 0.05;
 inline constexpr double kWedgeBonus = 1.0;
 inline constexpr double kPocketBonus = 10.0;
 
-/// Deviations from the rules for another try at a place where the front stalled.
+/// Deviations from the rules for another try at a position where the front stalled.
 struct RuleVariant {
   double sizeFactor = 1.0;
   double newNodeWeight = kNewNodeWeight;

@@ -16,7 +16,7 @@ namespace tetrafront {
 class SearchRegion {
  public:
   /// The corners of a base face, and what is within `radius` of `unitCentre` in `space`, which must
-  /// outlive the region. `extent`: no two places that are asked for are further apart along any axis.
+  /// outlive the region. `extent`: no two positions that are asked for are further apart along any axis.
   SearchRegion(const UnitSpace& space, const std::array<Vec3, 3>& corners, const Vec3& unitCentre,
                double radius, double extent)
       : space_(space), box_(Box::of(corners[0], corners[1], corners[2])) {
@@ -28,10 +28,10 @@ class SearchRegion {
     for (const Vec3& corner : corners) includeUnit(corner);
   }
 
-  /// Grows to hold the place. Returns true if it grew.
-  bool include(const Vec3& place) {
-    const bool grewInUnitSpace = space_.isStretched() && includeUnit(place);
-    return box_.include(place) || grewInUnitSpace;
+  /// Grows to hold the position. Returns true if it grew.
+  bool include(const Vec3& position) {
+    const bool grewInUnitSpace = space_.isStretched() && includeUnit(position);
+    return box_.include(position) || grewInUnitSpace;
   }
 
   [[nodiscard]] const Box& box() const { return box_; }
@@ -41,7 +41,7 @@ class SearchRegion {
 
   /// In a stretched space: false only where the triangle has no point in common with the convex hull
   /// of what is in the region.
-  [[nodiscard]] bool mayMeet(const Vec3& a, const Vec3& b, const Vec3& c) const {
+  [[nodiscard]] bool mayIntersect(const Vec3& a, const Vec3& b, const Vec3& c) const {
     const Vec3 fromA = a - space_.origin();
     const Vec3 fromB = b - space_.origin();
     const Vec3 fromC = c - space_.origin();
@@ -57,8 +57,8 @@ class SearchRegion {
   }
 
  private:
-  bool includeUnit(const Vec3& place) {
-    const Vec3 unit = space_.toUnit(place);
+  bool includeUnit(const Vec3& position) {
+    const Vec3 unit = space_.toUnit(position);
     const Vec3 low = glm::min(unitLow_, unit - rounding_);
     const Vec3 high = glm::max(unitHigh_, unit + rounding_);
     const bool grew = low != unitLow_ || high != unitHigh_;
@@ -69,7 +69,7 @@ class SearchRegion {
 
   const UnitSpace& space_;
   Box box_;
-  // Further out by what all places may be off.
+  // Further out by what all positions may be off.
   Vec3 unitLow_{0.0};
   Vec3 unitHigh_{0.0};
   double rounding_ = 0.0;

@@ -60,9 +60,9 @@ struct StepTrace {
 
   enum class Event : std::uint8_t {
     kBase = 0,       ///< subject: face, detail: rule class
-    kIdeal = 1,      ///< place: the ideal point
+    kIdeal = 1,      ///< position: the ideal point
     kRefused = 2,    ///< subject: candidate, detail: Refusal, culprit: face
-    kAccepted = 3,   ///< subject: node taken; place: where
+    kAccepted = 3,   ///< subject: node taken; position: where
     kPostponed = 4,  ///< subject: face, detail: its next rule class
   };
   struct Step {
@@ -70,20 +70,20 @@ struct StepTrace {
     std::uint32_t subject;
     std::uint32_t detail;
     std::uint32_t culprit;
-    Vec3 place;
+    Vec3 position;
   };
   std::vector<Step> steps;
 
   void base(FaceId face, std::uint32_t ruleClass) {
     steps.push_back({Event::kBase, face.value, ruleClass, 0, Vec3(0.0)});
   }
-  void ideal(const Vec3& place) { steps.push_back({Event::kIdeal, 0, 0, 0, place}); }
+  void ideal(const Vec3& position) { steps.push_back({Event::kIdeal, 0, 0, 0, position}); }
   void refused(NodeId candidate, Refusal why, FaceId culprit) {
     steps.push_back({Event::kRefused, candidate.value, static_cast<std::uint32_t>(why),
                      culprit.value, Vec3(0.0)});
   }
-  void accepted(NodeId node, const Vec3& place) {
-    steps.push_back({Event::kAccepted, node.value, 0, 0, place});
+  void accepted(NodeId node, const Vec3& position) {
+    steps.push_back({Event::kAccepted, node.value, 0, 0, position});
   }
   void postponed(FaceId face, std::uint32_t ruleClass) {
     steps.push_back({Event::kPostponed, face.value, ruleClass, 0, Vec3(0.0)});

@@ -19,7 +19,7 @@ class UnitSpace {
   /// Plain space with wanted edges of that size.
   static UnitSpace plain(double size) {
     UnitSpace space;
-    space.wantedEdge_ = size;
+    space.targetEdge_ = size;
     return space;
   }
 
@@ -37,10 +37,10 @@ class UnitSpace {
   }
 
   [[nodiscard]] bool isStretched() const { return stretched_; }
-  [[nodiscard]] double wantedEdge() const { return wantedEdge_; }
+  [[nodiscard]] double targetEdge() const { return targetEdge_; }
 
-  [[nodiscard]] Vec3 toUnit(const Vec3& place) const {
-    return stretched_ ? toUnit_ * (place - origin_) : place;
+  [[nodiscard]] Vec3 toUnit(const Vec3& position) const {
+    return stretched_ ? toUnit_ * (position - origin_) : position;
   }
   /// The directions in plain space along which the unit coordinates grow, of a stretched space.
   [[nodiscard]] Vec3 unitAxis(int k) const { return toUnit_.row(k); }
@@ -49,7 +49,7 @@ class UnitSpace {
     return stretched_ ? origin_ + toSpace_ * unit : unit;
   }
 
-  /// In a stretched space: no coordinate of toUnit() is off by more than this, for places whose
+  /// In a stretched space: no coordinate of toUnit() is off by more than this, for positions whose
   /// coordinates are no further than `extent` from the origin's.
   [[nodiscard]] double roundingWithin(double extent) const {
     // Three products of a rounded difference, and two sums: less than eight roundings of each term.
@@ -71,7 +71,7 @@ class UnitSpace {
 
  private:
   bool stretched_ = false;
-  double wantedEdge_ = 1.0;
+  double targetEdge_ = 1.0;
   SymmetricTensor toUnit_;
   SymmetricTensor toSpace_;
   Vec3 origin_{0.0};

@@ -84,7 +84,7 @@ BasicVolumeMesher<Trace>::BasicVolumeMesher(const SurfaceMesh& boundary, const S
   for (std::size_t i = 0; i < boundaryNodes_; ++i) {
     front_.addNode(boundaryNode(boundary, NodeId(i)), 0);
   }
-  inspectedNodes_ = boundaryNodes_;
+  checkedNodes_ = boundaryNodes_;
 }
 
 template <class Trace>
@@ -135,18 +135,18 @@ template <class Trace>
 void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
   const std::size_t triangles = boundary_.triangles.size() / 3;
   // Looked at after each step, so that where it stops does not depend on the slices.
-  while (budget > 0 && stage_ == Stage::kAdvance && !front_.nothingQueued()) {
+  while (budget > 0 && stage_ == Stage::kAdvance && !front_.isQueueEmpty()) {
     const std::uint64_t relaxed = advance_.counters().relaxedCost;
     const std::uint32_t cost =
         advance_.step(relaxed <= kRelaxedCost.of(elements_.size(), triangles));
     budget -= std::min(cost, budget);
     frontCost_ += cost;
-    if (frontCost_ > kFrontCost.of(elements_.size(), triangles)) front_.unqueueAll();
-    inspectNewNodes();
+    if (frontCost_ > kFrontCost.of(elements_.size(), triangles)) front_.clearQueue();
+    checkNewNodes();
     if (elements_.size() > maxTetrahedra_) stopAtLimit();
   }
-  inspectNewElements();
-  if (stage_ == Stage::kAdvance && front_.nothingQueued()) beginRecovery();
+  measureNewElements();
+  if (stage_ == Stage::kAdvance && front_.isQueueEmpty()) beginRecovery();
 }
 
 template <class Trace>
@@ -154,7 +154,7 @@ void BasicVolumeMesher<Trace>::beginRecovery() {
   stage_ = Stage::kRecover;
   const std::size_t triangles = boundary_.triangles.size() / 3;
   if (triangles == 0) return;
-  openedShare_ = static_cast<double>(front_.activeCount()) / static_cast<double>(triangles);
+  openShare_ = static_cast<double>(front_.activeCount()) / static_cast<double>(triangles);
 }
 
 template <class Trace>
@@ -162,7 +162,7 @@ void BasicVolumeMesher<Trace>::recover(std::uint32_t budget) {
   using State = typename Recovery<Trace>::State;
   const State state = recovery_.advance(budget);
   if (state == State::kRunning) return;
-  inspectNewNodes();
+  checkNewNodes();
   if (stage_ == Stage::kFinished) return;
   if (state == State::kClosed) return finish(MeshStatus::kDone);
   Diagnostic stall;
@@ -176,9 +176,9 @@ void BasicVolumeMesher<Trace>::recover(std::uint32_t budget) {
 }
 
 template <class Trace>
-void BasicVolumeMesher<Trace>::inspectNewElements() {
-  for (; inspectedElements_ < elements_.size(); ++inspectedElements_) {
-    const NodeQuad& n = elements_.nodes[inspectedElements_];
+void BasicVolumeMesher<Trace>::measureNewElements() {
+  for (; measuredElements_ < elements_.size(); ++measuredElements_) {
+    const NodeQuad& n = elements_.nodes[measuredElements_];
     filledVolume_ +=
         sixVolumes(front_.node(n[0]), front_.node(n[1]), front_.node(n[2]), front_.node(n[3]));
   }
@@ -186,7 +186,7 @@ void BasicVolumeMesher<Trace>::inspectNewElements() {
 
 template <class Trace>
 void BasicVolumeMesher<Trace>::stopAtLimit() {
-  inspectNewElements();
+  measureNewElements();
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   const double expected = static_cast<double>(elements_.size()) / std::max(filledFraction(), 1e-9);
@@ -197,15 +197,15 @@ void BasicVolumeMesher<Trace>::stopAtLimit() {
 
 /// The background grid must cover what is meshed (step F1).
 template <class Trace>
-void BasicVolumeMesher<Trace>::inspectNewNodes() {
-  for (; inspectedNodes_ < front_.nodes().size(); ++inspectedNodes_) {
-    const Vec3& place = front_.node(NodeId(inspectedNodes_));
-    FieldHint hint = front_.hint(NodeId(inspectedNodes_));
-    if (field_.covers(place, hint)) continue;
+void BasicVolumeMesher<Trace>::checkNewNodes() {
+  for (; checkedNodes_ < front_.nodes().size(); ++checkedNodes_) {
+    const Vec3& position = front_.node(NodeId(checkedNodes_));
+    FieldHint hint = front_.hint(NodeId(checkedNodes_));
+    if (field_.covers(position, hint)) continue;
     Diagnostic outside;
     outside.code = DiagnosticCode::kOutsideBackgroundGrid;
     outside.hasPlace = true;
-    outside.place = place;
+    outside.place = position;
     diagnostics_.push_back(std::move(outside));
     return finish(MeshStatus::kInvalidInput);
   }
@@ -252,7 +252,7 @@ VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     if (elements_.removed[e] != 0) continue;
     for (const NodeId node : elements_.nodes[e]) mesh.tetrahedra.push_back(newId[node.index()]);
-    mesh.regions.push_back(elements_.region[e]);
+    mesh.regions.push_back(elements_.regions[e]);
   }
   for (const FaceId face : front_.activeFaces()) {
     for (const NodeId node : front_.face(face).nodes) mesh.front.push_back(newId[node.index()]);

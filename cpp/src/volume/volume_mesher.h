@@ -31,7 +31,7 @@ class BasicVolumeMesher {
 
   [[nodiscard]] MeshStatus status() const { return status_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
-  [[nodiscard]] std::uint32_t pointCount() const {
+  [[nodiscard]] std::uint32_t nodeCount() const {
     return static_cast<std::uint32_t>(front_.nodes().size());
   }
   [[nodiscard]] std::uint32_t tetrahedronCount() const {
@@ -47,7 +47,7 @@ class BasicVolumeMesher {
   /// What the front has left is being recovered; or all is done.
   [[nodiscard]] bool isRecovering() const { return stage_ >= Stage::kRecover; }
   /// How many faces the front has left open, in triangles of the boundary; 0 until it has.
-  [[nodiscard]] double openedShare() const { return openedShare_; }
+  [[nodiscard]] double openShare() const { return openShare_; }
   /// How far recovery is, and of it the exact fill, 0 to 1, estimated.
   [[nodiscard]] double recoveryFraction() const { return recovery_.fraction(); }
   [[nodiscard]] double exactFillFraction() const { return recovery_.exactFillFraction(); }
@@ -66,8 +66,8 @@ class BasicVolumeMesher {
   void advanceFront(std::uint32_t budget);
   void beginRecovery();
   void recover(std::uint32_t budget);
-  void inspectNewElements();
-  void inspectNewNodes();
+  void measureNewElements();
+  void checkNewNodes();
   void stopAtLimit();
   void finish(MeshStatus status);
   /// Filled part of the enclosed volume, 0 to 1.
@@ -85,10 +85,10 @@ class BasicVolumeMesher {
   Recovery<Trace> recovery_;
   bool exactFillOnly_;
   std::size_t boundaryNodes_;
-  std::size_t inspectedNodes_ = 0;
+  std::size_t checkedNodes_ = 0;
   std::uint64_t frontCost_ = 0;
-  double openedShare_ = 0.0;
-  std::size_t inspectedElements_ = 0;
+  double openShare_ = 0.0;
+  std::size_t measuredElements_ = 0;
   double enclosedVolume_ = 0.0;        ///< six times
   double filledVolume_ = 0.0;          ///< six times
   std::uint64_t exactPredicates_ = 0;  ///< others may ask for signs between two slices

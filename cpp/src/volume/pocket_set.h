@@ -1,0 +1,45 @@
+#pragma once
+
+/// @file The pockets of a front as recovery works on them, with their faces found by their nodes.
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+#include "base/ids.h"
+#include "volume/front.h"
+#include "volume/pockets.h"
+
+namespace tetrafront {
+
+using PocketId = Id<struct PocketTag>;
+
+/// The pockets of a front, each face's number known by its nodes.
+class PocketSet {
+ public:
+  PocketSet(const Front& front, std::vector<Pocket> pockets);
+
+  [[nodiscard]] std::size_t size() const { return faces_.size(); }
+  /// None, if the pocket has been filled or has become a part of another.
+  [[nodiscard]] const std::vector<FaceId>& faces(PocketId pocket) const {
+    return faces_[pocket.index()];
+  }
+  /// Without repeats, ascending.
+  [[nodiscard]] std::vector<NodeId> nodes(PocketId pocket) const;
+  PocketId add(std::vector<FaceId> faces);
+  /// Gives faces to a pocket that has none.
+  void put(PocketId pocket, std::vector<FaceId> faces);
+  /// Forgets its faces, which must still be active.
+  void remove(PocketId pocket);
+
+  [[nodiscard]] FaceId find(const NodeTriple& nodes) const;
+  [[nodiscard]] PocketId pocketOf(FaceId face) const { return pocketOf_[face.index()]; }
+
+ private:
+  const Front& front_;
+  std::vector<std::vector<FaceId>> faces_;
+  std::vector<PocketId> pocketOf_;  ///< per position for a face
+  std::map<NodeTriple, FaceId> byNodes_;
+};
+
+}  // namespace tetrafront
