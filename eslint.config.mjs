@@ -21,10 +21,17 @@ const noEngine = {
   group: ["**/engine.js"],
   message: "Only wasm/src/engine-loader.ts touches Emscripten's output.",
 };
-const noRooms = (...rooms) => ({
-  group: rooms.map((room) => `**/${room}/**`),
-  message: "This import points against the arrows of docs/ARCHITECTURE.md.",
+const noModules = (...modules) => ({
+  group: modules.map((name) => `**/${name}/**`),
+  message: "This import violates the dependency rules of docs/ARCHITECTURE.md.",
 });
+/** The modules of web/, the lowest first: each may import those before it, and all but the lowest may import ui. */
+const webModules = ["document", "workers", "session", "viewer", "tools", "app", "commands", "panels"];
+const noUpward = (module) =>
+  noModules(
+    ...webModules.slice(webModules.indexOf(module) + 1),
+    ...(module === "document" || module === "viewer" ? ["ui"] : []),
+  );
 const restrict = (...patterns) => ({ "no-restricted-imports": ["error", { patterns }] });
 
 export default tseslint.config(
@@ -106,20 +113,21 @@ export default tseslint.config(
   { files: ["web/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry) },
   {
     files: ["web/document/**/*.ts"],
-    rules: restrict(onlyPublicEntry, noThree, noReact, noRooms("viewer", "tools", "panels", "ui")),
+    rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("document")),
   },
+  { files: ["web/workers/**/*.ts"], rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("workers")) },
+  { files: ["web/session/**/*.ts"], rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("session")) },
+  { files: ["web/viewer/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noUpward("viewer")) },
+  { files: ["web/tools/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noUpward("tools")) },
+  { files: ["web/app/**/*.ts"], rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("app")) },
   {
-    files: ["web/viewer/**/*.ts"],
-    rules: restrict(onlyPublicEntry, noReact, noRooms("panels", "tools", "ui")),
+    files: ["web/commands/**/*.ts"],
+    rules: restrict(onlyPublicEntry, noThree, noReact, noUpward("commands")),
   },
-  { files: ["web/tools/**/*.ts"], rules: restrict(onlyPublicEntry, noReact, noRooms("panels", "ui")) },
-  {
-    files: ["web/panels/**/*.{ts,tsx}"],
-    rules: restrict(onlyPublicEntry, noThree),
-  },
+  { files: ["web/panels/**/*.{ts,tsx}"], rules: restrict(onlyPublicEntry, noThree) },
   {
     files: ["web/ui/**/*.{ts,tsx}"],
-    rules: restrict(onlyPublicEntry, noThree, noRooms("panels", "viewer", "tools")),
+    rules: restrict(onlyPublicEntry, noThree, noModules(...webModules.filter((name) => name !== "document"))),
   },
   {
     files: ["web/**/*.{ts,tsx}"],

@@ -1,5 +1,5 @@
 import type { LineType, PatchType, Project, SourceType } from "tetrafront";
-import { create, takeOffer } from "./actions";
+import { create, takeOffer } from "./creation-actions";
 import type { App } from "../app/app";
 import { define, type Command } from "./command";
 import {

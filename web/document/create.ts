@@ -3,7 +3,7 @@ import { type Entity, entityName, findRecord, recordsOf, type DrawnKind } from "
 import { rangeAlong, smallestSize } from "./extent";
 import { orderLoops } from "./loops";
 import { likelyPatchType, patchMisfit } from "./patch-rules";
-import type { ProjectEdit } from "../session/document-store";
+import type { ProjectEdit } from "./edit";
 
 /** Something new in the project: the edit that adds it, and what is new. */
 export interface Creation {

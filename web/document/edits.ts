@@ -1,7 +1,7 @@
 import type { Project, ProjectBackground, ProjectLine, ProjectMeshing, ProjectPatch } from "tetrafront";
 import { isDraft, original, type Draft } from "mutative";
 import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
-import type { DocumentContent, ProjectEdit } from "../session/document-store";
+import type { DocumentContent, ProjectEdit } from "./edit";
 
 /**
  * Every change a user can make to the project, as a named edit for the history. An edit of an

@@ -1,6 +1,6 @@
 import { ActionIcon, Tooltip } from "@mantine/core";
 import type { ReactNode } from "react";
-import { commandNamed, keyNames, runCommand } from "../commands/commands";
+import { commandNamed, keyNames, runCommand } from "../commands/registry";
 import { useApp, useDocument } from "./app-context";
 
 export interface CommandButtonProps {

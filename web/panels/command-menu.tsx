@@ -2,7 +2,7 @@ import { Kbd, Menu, Menubar } from "@mantine/core";
 import { Fragment } from "react";
 import { useStore } from "zustand";
 import type { Command, MenuName } from "../commands/command";
-import { commands, keyNames, runCommand } from "../commands/commands";
+import { commands, keyNames, runCommand } from "../commands/registry";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 

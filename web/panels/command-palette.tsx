@@ -3,7 +3,7 @@ import { Spotlight } from "@mantine/spotlight";
 import { IconSearch } from "@tabler/icons-react";
 import { useState } from "react";
 import { useStore } from "zustand";
-import { commands, keyNames, runCommand } from "../commands/commands";
+import { commands, keyNames, runCommand } from "../commands/registry";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 import { paletteStore } from "./palette";

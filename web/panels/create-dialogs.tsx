@@ -1,6 +1,6 @@
 import { Button, Group, Text } from "@mantine/core";
 import { useRef, useState } from "react";
-import { create } from "../commands/actions";
+import { create } from "../commands/creation-actions";
 import { addBackgroundNode, addPoint } from "../document/create";
 import { recordsOf } from "../document/entities";
 import { FieldRow } from "../ui/field-row";

@@ -1,5 +1,5 @@
 import { Button, Kbd, List, Text } from "@mantine/core";
-import { commands, keyNames } from "../commands/commands";
+import { commands, keyNames } from "../commands/registry";
 import { SectionTitle } from "../ui/field-row";
 import { FramedDialog } from "../ui/framed-dialog";
 import { strings } from "../ui/strings";

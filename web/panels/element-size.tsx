@@ -1,7 +1,7 @@
 import { LIMITS } from "tetrafront";
 import { Button, Group, SegmentedControl, Text } from "@mantine/core";
 import { likelySize } from "../commands/background-actions";
-import { commandNamed, runCommand } from "../commands/commands";
+import { commandNamed, runCommand } from "../commands/registry";
 import { setMeshing } from "../document/edits";
 import { FieldRow, SectionTitle } from "../ui/field-row";
 import { formatCount } from "../ui/format";

@@ -1,5 +1,5 @@
 import { Badge, Text, UnstyledButton } from "@mantine/core";
-import { openExample } from "../commands/actions";
+import { openExample } from "../commands/project-actions";
 import { groupModels, thumbnailOf, type GalleryModel } from "../session/gallery";
 import { SectionTitle } from "../ui/field-row";
 import { strings } from "../ui/strings";

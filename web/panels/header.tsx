@@ -24,7 +24,8 @@ import {
 } from "@tabler/icons-react";
 import { Fragment, useState } from "react";
 import type { MenuName } from "../commands/command";
-import { commandNamed, DOWNLOADS, runCommand } from "../commands/commands";
+import { commandNamed, runCommand } from "../commands/registry";
+import { DOWNLOADS } from "../commands/file-menu";
 import { Logo } from "../ui/logo";
 import { strings } from "../ui/strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";

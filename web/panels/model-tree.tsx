@@ -18,7 +18,7 @@ import {
   type MouseEvent,
 } from "react";
 import type { App } from "../app/app";
-import { commandNamed, runCommand } from "../commands/commands";
+import { commandNamed, runCommand } from "../commands/registry";
 import { lineMakers, makeOrTell, patchMakers } from "../commands/create-menu";
 import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "../document/entities";
 import type { SelectMode } from "../document/selection";

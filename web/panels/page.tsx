@@ -1,5 +1,5 @@
 import { lazy, useEffect, useState } from "react";
-import { openDropped } from "../commands/actions";
+import { openDropped } from "../commands/project-actions";
 import type { App } from "../app/app";
 import { strings } from "../ui/strings";
 import { AppContext } from "./app-context";

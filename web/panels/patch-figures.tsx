@@ -1,6 +1,6 @@
 import { Text, UnstyledButton } from "@mantine/core";
 import type { PatchFigures, Project } from "tetrafront";
-import { showEntities } from "../commands/actions";
+import { showEntities } from "../commands/selection-actions";
 import { SectionTitle } from "../ui/field-row";
 import { formatAngle, formatCount, formatShort } from "../ui/format";
 import { strings } from "../ui/strings";

@@ -1,6 +1,6 @@
 import { Button, Text, UnstyledButton } from "@mantine/core";
 import { IconAlertTriangle, IconExclamationCircle } from "@tabler/icons-react";
-import { showEntities, showProblem } from "../commands/actions";
+import { showEntities, showProblem } from "../commands/selection-actions";
 import type { Problem } from "../document/validate";
 import { formatPlace } from "../ui/format";
 import { strings } from "../ui/strings";

@@ -1,6 +1,6 @@
 import { IconAlertTriangleFilled } from "@tabler/icons-react";
 import { useLayoutEffect, useRef } from "react";
-import { showProblem } from "../commands/actions";
+import { showProblem } from "../commands/selection-actions";
 import type { Viewer } from "../viewer/viewer";
 import { useApp, useProblems } from "./app-context";
 

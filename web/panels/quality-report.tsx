@@ -2,7 +2,7 @@ import { Select, Text, UnstyledButton } from "@mantine/core";
 import { IconAlertTriangle, IconCircleCheck, IconClockExclamation } from "@tabler/icons-react";
 import { useMemo, useState } from "react";
 import type { ElementFigures, MeshReport, QualityReport as Quality } from "tetrafront";
-import { showElement } from "../commands/actions";
+import { showElement } from "../commands/selection-actions";
 import { bestValue, placeOnScale, worstShown } from "../document/mesh-quality";
 import {
   countsOf,

@@ -1,6 +1,6 @@
 import { Button, Text } from "@mantine/core";
 import { make, makers, sourceMakers } from "../commands/create-menu";
-import { deleteSelection } from "../commands/actions";
+import { deleteSelection } from "../commands/selection-actions";
 import type { Entity } from "../document/entities";
 import { isClosedChain } from "../document/selection";
 import { SectionTitle } from "../ui/field-row";

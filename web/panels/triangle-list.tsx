@@ -1,5 +1,5 @@
 import { UnstyledButton } from "@mantine/core";
-import { showTriangles } from "../commands/actions";
+import { showTriangles } from "../commands/selection-actions";
 import { triangleCentre } from "../document/triangles";
 import { formatCount, formatPlace } from "../ui/format";
 import { strings } from "../ui/strings";

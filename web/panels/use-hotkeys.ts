@@ -1,7 +1,7 @@
 import { useHotkeys, type HotkeyItem } from "@mantine/hooks";
 import { useMemo } from "react";
 import type { App } from "../app/app";
-import { commands, runCommand } from "../commands/commands";
+import { commands, runCommand } from "../commands/registry";
 import { isPaletteOpen } from "./palette";
 
 const noTags: string[] = [];

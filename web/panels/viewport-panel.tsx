@@ -1,7 +1,7 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { useStore } from "zustand";
-import { describeMesh } from "../commands/actions";
+import { describeMesh } from "./mesh-summary";
 import { isStale } from "../session/run";
 import { faultsOf } from "../document/validate";
 import { strings } from "../ui/strings";

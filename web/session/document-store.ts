@@ -1,14 +1,8 @@
 import type { Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { contentKey } from "../document/content-key";
-import { commit, redo, startHistory, undo, type Edit, type History } from "./history";
-
-/** What undo and redo travel through: opening another file is an edit like any other. */
-export interface DocumentContent {
-  readonly project: Project;
-}
-
-export type ProjectEdit = Edit<DocumentContent>;
+import type { DocumentContent, ProjectEdit } from "../document/edit";
+import { commit, redo, startHistory, undo, type History } from "./history";
 
 export interface DocumentState {
   readonly history: History<DocumentContent>;

@@ -1,5 +1,5 @@
 import type { Project } from "tetrafront";
-import { projectFileOf, readProjectIn } from "./project-files";
+import { writeProjectBlob, readProjectBlob } from "../workers/project-files";
 
 /** What opening a file came to. `cancelled` means that the user closed the dialog. */
 export type OpenResult =
@@ -35,7 +35,7 @@ export async function readProjectFile(file: File): Promise<OpenResult> {
 async function projectIn(file: File): Promise<OpenResult> {
   const mesh = await meshFileReasons(file.name);
   if (mesh !== undefined) return { kind: "failed", fileName: file.name, reasons: mesh };
-  const read = await readProjectIn(file);
+  const read = await readProjectBlob(file);
   if (read.success) return { kind: "opened", project: read.value, fileName: file.name };
   const reasons = read.problems.map(({ message, remedy, line }) =>
     line === undefined ? `${message}. ${remedy}` : `Line ${line}: ${message}. ${remedy}`,
@@ -91,7 +91,7 @@ export async function saveProjectFile(
     const { fileSave } = await loadFileDialogs();
     const saved = await fileSave(
       // A promise: the browser lets the user choose a file only right after a click.
-      projectFileOf(project),
+      writeProjectBlob(project),
       { ...projectFile, fileName: `${fileStem(project.name)}.json` },
       handle,
     );

@@ -1,25 +1,6 @@
-import { create, type Draft, type Patches } from "mutative";
+import { create, type Patches } from "mutative";
+import type { Edit, Replacement } from "../document/edit";
 import { applyPatches } from "./apply-patches";
-
-interface Named {
-  /** Verb and object, e.g. "Move point 12". */
-  readonly label: string;
-  /** Edits of equal key, one held key's or within the merge window, become one entry. */
-  readonly mergeKey?: string;
-}
-
-/** A change described by what it does to a draft. */
-interface DraftEdit<State> extends Named {
-  readonly change: (draft: Draft<State>) => void;
-}
-
-/** Other values at some paths, taken as they are: nobody looks through them, however large they are. */
-interface ReplacingEdit extends Named {
-  readonly replace: readonly (readonly [path: readonly string[], value: unknown])[];
-}
-
-/** A named change of a state: what undo lists, and what changes. */
-export type Edit<State> = DraftEdit<State> | ReplacingEdit;
 
 export interface HistoryEntry {
   readonly label: string;
@@ -81,7 +62,7 @@ export function commit<State extends object>(
 
 function replaceAll<State extends object>(
   state: State,
-  replace: ReplacingEdit["replace"],
+  replace: Replacement["replace"],
 ): readonly [State, Patches, Patches] {
   const patch = (path: readonly string[], value: unknown): Patches[number] => ({
     op: "replace",

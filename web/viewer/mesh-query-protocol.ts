@@ -1,23 +1,13 @@
 import type { Histogram, QualityMeasure } from "../document/mesh-quality";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 
-/** Messages between the page and the mesh query worker. Types only. */
-
-/** Each query gets one reply, in order. */
-export type Query =
-  | { readonly kind: "faces"; readonly options: ViewOptions }
-  | { readonly kind: "histogram"; readonly measure: QualityMeasure; readonly barCount: number };
-
-export interface Answers {
-  readonly faces: DrawnFaces;
-  readonly histogram: Histogram;
+/** The calls that the mesh query worker answers, in order. */
+export interface MeshQueryProtocol {
+  /** Sets the mesh that all later queries are about; null for none. */
+  readonly setMesh: { readonly argument: QueriedMesh | null; readonly answer: null };
+  readonly faces: { readonly argument: ViewOptions; readonly answer: DrawnFaces };
+  readonly histogram: {
+    readonly argument: { readonly measure: QualityMeasure; readonly barCount: number };
+    readonly answer: Histogram;
+  };
 }
-
-export type Request =
-  /** The mesh that all later queries are about; null for none. */
-  | { readonly kind: "mesh"; readonly mesh: QueriedMesh | null }
-  | { readonly kind: "query"; readonly id: number; readonly query: Query };
-
-export type Reply =
-  | { readonly kind: "answer"; readonly id: number; readonly answer: Answers[keyof Answers] }
-  | { readonly kind: "failure"; readonly id: number; readonly message: string };

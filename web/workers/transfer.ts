@@ -1,15 +1,14 @@
-/** Objects with typed arrays, ready to be posted to a worker. */
-export interface HandedOver<T> {
+export interface TransferCopy<T> {
   readonly copy: T;
-  /** To be transferred along with the copy. */
+  /** Buffers of the copy, for the transfer list of the message. */
   readonly buffers: ArrayBuffer[];
 }
 
 /**
- * A copy of an object whose typed arrays are to be transferred, while the caller keeps its own: one pass over
- * the memory, where a message that copies by itself takes several.
+ * Copies an object whose typed arrays are to be transferred to a worker while the caller keeps its own. This takes
+ * one pass over the memory; a message that copies the arrays itself takes several.
  */
-export function handedOver<T extends object>(holder: T): HandedOver<T> {
+export function copyForTransfer<T extends object>(holder: T): TransferCopy<T> {
   const buffers: ArrayBuffer[] = [];
   const entries = Object.entries(holder).map(([name, value]: [string, unknown]): [string, unknown] => {
     if (!(value instanceof Float64Array || value instanceof Uint32Array)) return [name, value];
@@ -18,9 +17,4 @@ export function handedOver<T extends object>(holder: T): HandedOver<T> {
     return [name, copy];
   });
   return { copy: Object.fromEntries(entries) as T, buffers };
-}
-
-/** Why a worker has failed, from its event "error". */
-export function workerFailure(event: Event): string {
-  return event instanceof ErrorEvent ? event.message : "A part of the app could not be loaded";
 }

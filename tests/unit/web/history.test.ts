@@ -1,5 +1,6 @@
 import { describe, expect, it } from "vitest";
-import { commit, redo, startHistory, undo, type Edit } from "../../../web/session/history";
+import type { Edit } from "../../../web/document/edit";
+import { commit, redo, startHistory, undo } from "../../../web/session/history";
 
 interface State {
   readonly a: number;

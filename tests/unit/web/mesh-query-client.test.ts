@@ -4,18 +4,21 @@ import type { MeshResult } from "tetrafront";
 import { MeshLayer } from "../../../web/viewer/layers/mesh-layer.js";
 import { MeshQueryClient } from "../../../web/viewer/mesh-query-client.js";
 import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/mesh-queries.js";
-import type { Request } from "../../../web/viewer/mesh-query-protocol.js";
+import type { Call } from "../../../web/workers/worker-client.js";
 import { gridMesh } from "./grid-mesh";
 
 afterEach(() => vi.unstubAllGlobals());
 
 test("a mesh that could not be copied for want of memory is sent again with the next query", async () => {
-  const posted: Request[] = [];
+  const posted: Call[] = [];
   vi.stubGlobal(
     "Worker",
     class {
-      postMessage(request: Request): void {
-        posted.push(request);
+      postMessage(call: Call): void {
+        posted.push(call);
+      }
+      terminate(): void {
+        // Nothing runs.
       }
     },
   );
@@ -27,7 +30,7 @@ test("a mesh that could not be copied for want of memory is sent again with the 
   await expect(queries.histogram(mesh, "dihedral", 5)).rejects.toThrow("no memory");
   slice.mockRestore();
   void queries.histogram(mesh, "dihedral", 5);
-  expect(posted.map(({ kind }) => kind)).toEqual(["mesh", "query"]);
+  expect(posted.map(({ name }) => name)).toEqual(["setMesh", "histogram"]);
 });
 
 test("after the faces of one mesh failed, the faces of the next mesh are queried", async () => {

@@ -1,0 +1,19 @@
+import type { App } from "../app/app";
+import type { Creation, Offer } from "../document/create";
+import { showMessage } from "./messages";
+
+/** Adds what an offer creates to the project and selects it, or shows why it cannot be created. */
+export function takeOffer(app: App, title: string, offer: Offer): void {
+  if (!offer.possible) {
+    showMessage(app, title, [offer.reason]);
+    return;
+  }
+  create(app, offer.creation);
+}
+
+/** Applies a creation and selects the new entities. */
+export function create(app: App, { edit, entities }: Creation): void {
+  app.documents.edit(edit);
+  app.view.selectAll(entities);
+  app.shell.setState({ rightTab: "inspector", leftTab: "model" });
+}

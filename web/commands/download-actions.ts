@@ -1,0 +1,25 @@
+import type { App } from "../app/app";
+import { download, fileStem } from "../session/files";
+import { strings } from "../ui/strings";
+import { writeMeshFiles } from "../workers/mesh-files";
+import { showMessage } from "./messages";
+
+/** `extension`: of a format that the package writes, without its first dot. */
+export async function downloadMesh(app: App, extension: string): Promise<void> {
+  const { mesh } = app.run.state.getState();
+  const { project } = app.documents;
+  if (!mesh) return;
+  try {
+    const files = await writeMeshFiles(mesh, project, `${fileStem(project.name)}.${extension}`);
+    for (const { fileName, content } of files) download([content], fileName, "application/octet-stream");
+  } catch (error) {
+    showMessage(app, strings.messages.downloadFailed, [String(error)]);
+  }
+}
+
+export function downloadReport(app: App): void {
+  const { mesh } = app.run.state.getState();
+  if (!mesh) return;
+  const text = `${JSON.stringify(mesh.report, null, 2)}\n`;
+  download([text], `${fileStem(app.documents.project.name)}-report.json`, "application/json");
+}

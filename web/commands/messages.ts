@@ -1,0 +1,11 @@
+import type { App } from "../app/app";
+
+/** Opens a dialog with a title and a list of sentences. */
+export function showMessage(app: App, title: string, lines: readonly string[]): void {
+  app.shell.setState({ message: { title, lines } });
+}
+
+/** Opens a dialog with the reason of a failure. */
+export function showFailure(app: App, title: string, error: unknown): void {
+  showMessage(app, title, [error instanceof Error ? error.message : String(error)]);
+}

@@ -1,0 +1,44 @@
+import type { App } from "../app/app";
+import type { Command } from "./command";
+import { createMenu } from "./create-menu";
+import { editMenu } from "./edit-menu";
+import { fileMenu } from "./file-menu";
+import { helpMenu } from "./help-menu";
+import { meshMenu } from "./mesh-menu";
+import { viewMenu } from "./view-menu";
+
+/** Every command, in the order of the menus. */
+export const commands: readonly Command[] = [
+  ...fileMenu,
+  ...editMenu,
+  ...createMenu,
+  ...viewMenu,
+  ...meshMenu,
+  ...helpMenu,
+];
+
+const byId = new Map(commands.map((command) => [command.id, command]));
+
+/** Returns the command with an id; throws if there is none. */
+export function commandNamed(id: string): Command {
+  const command = byId.get(id);
+  if (!command) throw new Error(`There is no command "${id}"`);
+  return command;
+}
+
+/** Runs a command if it is enabled. */
+export function runCommand(app: App, command: Command): void {
+  if (command.enabled(app)) command.run(app);
+}
+
+/** Returns the names of a hotkey's keys as printed on a keyboard: "mod+shift+Z" becomes Ctrl, Shift, Z. */
+export function keyNames(key: string): readonly string[] {
+  const names: Readonly<Record<string, string>> = {
+    mod: "Ctrl",
+    shift: "Shift",
+    alt: "Alt",
+    Escape: "Esc",
+    Delete: "Del",
+  };
+  return key.split("+").map((part) => names[part] ?? part);
+}

@@ -1,0 +1,29 @@
+import type { Draft } from "mutative";
+import type { Project } from "tetrafront";
+
+/** A change described by what it does to a draft of the state. */
+export interface DraftChange<State> {
+  readonly change: (draft: Draft<State>) => void;
+}
+
+/** New values at some paths. They are stored as they are, without a visit to their parts, however large they are. */
+export interface Replacement {
+  readonly replace: readonly (readonly [path: readonly string[], value: unknown])[];
+}
+
+export type Change<State> = DraftChange<State> | Replacement;
+
+/** A named change of a state: one step of undo. */
+export type Edit<State> = Change<State> & {
+  /** Verb and object, e.g. "Move point 12". */
+  readonly label: string;
+  /** Edits with the same key merge into one step if they follow each other within the merge window. */
+  readonly mergeKey?: string;
+};
+
+/** The part of an open document that undo and redo change. */
+export interface DocumentContent {
+  readonly project: Project;
+}
+
+export type ProjectEdit = Edit<DocumentContent>;

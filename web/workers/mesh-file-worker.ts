@@ -1,0 +1,14 @@
+/** Writes a mesh to files. The page starts one worker per download and ends it afterwards. */
+import { fileMeshOf, writeMesh } from "tetrafront";
+import type { MeshFileProtocol } from "./mesh-files";
+import { serveCalls } from "./serve-calls";
+
+serveCalls<MeshFileProtocol>({
+  write: async ({ surface, volume, project, fileName }) => {
+    const files = await writeMesh(fileMeshOf({ surface, volume }, { project }), fileName);
+    // Blobs pass to the page without a copy, whatever their length.
+    return {
+      answer: files.map(({ fileName: name, bytes }) => ({ fileName: name, content: new Blob([bytes]) })),
+    };
+  },
+});

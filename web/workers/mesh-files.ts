@@ -1,0 +1,45 @@
+import type { MeshResult, Project } from "tetrafront";
+import { copyForTransfer } from "./transfer";
+import { callOnce } from "./worker-client";
+
+export interface MeshFile {
+  readonly fileName: string;
+  readonly content: Blob;
+}
+
+export interface MeshFileProtocol {
+  readonly write: {
+    readonly argument: Pick<MeshResult, "surface" | "volume"> & {
+      /** Names the patches. */
+      readonly project: Project;
+      readonly fileName: string;
+    };
+    readonly answer: readonly MeshFile[];
+  };
+}
+
+const startWorker = (): Worker =>
+  new Worker(new URL("./mesh-file-worker.ts", import.meta.url), {
+    type: "module",
+    name: "tetrafront-writer",
+  });
+
+/** Returns the files of a mesh in the format of the file name, written in a worker. Rejects if writing fails. */
+export function writeMeshFiles(
+  mesh: MeshResult,
+  project: Project,
+  fileName: string,
+): Promise<readonly MeshFile[]> {
+  const surface = copyForTransfer(mesh.surface);
+  const volume = copyForTransfer(mesh.volume);
+  const argument = {
+    surface: surface.copy,
+    volume: volume.copy,
+    project: { ...project, background: { nodes: [], tetrahedra: [] } },
+    fileName,
+  };
+  return callOnce<MeshFileProtocol, "write">(startWorker, "write", argument, [
+    ...surface.buffers,
+    ...volume.buffers,
+  ]);
+}

@@ -1,0 +1,120 @@
+/**
+ * Calls between the page and its workers. A protocol lists the calls that a worker answers; the client matches
+ * each answer to its call by id. Workers answer in the order of the calls unless their handlers are asynchronous.
+ */
+
+/** The calls of a worker: argument and answer of each, by name. */
+export type Protocol<P> = {
+  readonly [K in keyof P]: { readonly argument: unknown; readonly answer: unknown };
+};
+
+type Name<P> = keyof P & string;
+
+export interface Call {
+  readonly id: number;
+  readonly name: string;
+  readonly argument: unknown;
+}
+
+export type Reply =
+  | { readonly kind: "answer"; readonly id: number; readonly answer: unknown }
+  | { readonly kind: "failure"; readonly id: number; readonly message: string };
+
+interface PendingCall {
+  readonly resolve: (answer: unknown) => void;
+  readonly reject: (failure: Error) => void;
+}
+
+/** The part of `Worker` that the client uses. */
+export type WorkerPort = Pick<Worker, "postMessage" | "terminate" | "onmessage" | "onerror">;
+
+/**
+ * Starts a worker when it is first needed and calls it. A call that fails in its handler rejects alone. If the
+ * worker itself fails, for example out of memory, all pending calls reject, and the next call starts a new worker.
+ */
+export class WorkerClient<P extends Protocol<P>> {
+  readonly #startWorker: () => WorkerPort;
+  readonly #onLost: () => void;
+  #worker: WorkerPort | null = null;
+  #lastId = 0;
+  readonly #pending = new Map<number, PendingCall>();
+
+  /** `onLost` is called when a worker has ended: the next one knows nothing of earlier calls. */
+  constructor(startWorker: () => WorkerPort, onLost: () => void = () => undefined) {
+    this.#startWorker = startWorker;
+    this.#onLost = onLost;
+  }
+
+  /** Starts the worker unless it runs already. */
+  start(): void {
+    this.#running();
+  }
+
+  /** Calls the worker. The buffers in `transfer` move to it. */
+  call<K extends Name<P>>(
+    name: K,
+    argument: P[K]["argument"],
+    transfer: readonly Transferable[] = [],
+  ): Promise<P[K]["answer"]> {
+    return new Promise((resolve, reject) => {
+      const id = ++this.#lastId;
+      const call: Call = { id, name, argument };
+      this.#running().postMessage(call, [...transfer]);
+      this.#pending.set(id, { resolve, reject });
+    });
+  }
+
+  /** Ends the worker. Pending calls reject. */
+  dispose(): void {
+    this.#end("The worker was stopped");
+  }
+
+  #running(): WorkerPort {
+    if (this.#worker) return this.#worker;
+    const worker = this.#startWorker();
+    worker.onmessage = ({ data }: MessageEvent<Reply>) => this.#receive(data);
+    worker.onerror = (event) => {
+      event.preventDefault();
+      this.#end(failureOf(event));
+    };
+    this.#worker = worker;
+    return worker;
+  }
+
+  #receive(reply: Reply): void {
+    const call = this.#pending.get(reply.id);
+    this.#pending.delete(reply.id);
+    if (reply.kind === "answer") call?.resolve(reply.answer);
+    else call?.reject(new Error(reply.message));
+  }
+
+  #end(reason: string): void {
+    if (!this.#worker) return;
+    this.#worker.terminate();
+    this.#worker = null;
+    const calls = [...this.#pending.values()];
+    this.#pending.clear();
+    this.#onLost();
+    for (const { reject } of calls) reject(new Error(reason));
+  }
+}
+
+/** Starts a worker, calls it once and ends it: its memory is freed with it. */
+export async function callOnce<P extends Protocol<P>, K extends Name<P>>(
+  startWorker: () => WorkerPort,
+  name: K,
+  argument: P[K]["argument"],
+  transfer: readonly Transferable[] = [],
+): Promise<P[K]["answer"]> {
+  const client = new WorkerClient<P>(startWorker);
+  try {
+    return await client.call(name, argument, transfer);
+  } finally {
+    client.dispose();
+  }
+}
+
+/** An error inside the worker has a message. If the worker could not be loaded, the event has none. */
+function failureOf(event: Event): string {
+  return "message" in event ? String(event.message) : "A part of the app could not be loaded";
+}
