@@ -32,7 +32,7 @@ export const steps = {
   },
   async package() {
     const inputs = filesUnder([inRoot("wasm"), inRoot("tsconfig.base.json"), inRoot("package-lock.json")]);
-    const hash = hashOf([...inputs, inRoot("wasm", "dist", "engine.d.ts")]);
+    const hash = hashOf([...inputs, inRoot("wasm", "dist", "engine", "engine.d.ts")]);
     const stamp = inRoot("wasm", "dist", ".built-from");
     if (isFresh(stamp, hash)) return;
     await must(bin("tsc"), ["-p", "wasm"], { quietOut: true });

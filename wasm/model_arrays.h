@@ -18,7 +18,7 @@ inline constexpr std::size_t kNodeStride = 8;
 /// Doubles per source of size: x y z of three places, size, distance, growth.
 inline constexpr std::size_t kSourceStride = 12;
 
-/// What JavaScript sends for a background grid; see GridArrays in src/grid-arrays.ts.
+/// What JavaScript sends for a background grid; see GridArrays in src/project/grid-arrays.ts.
 struct GridArrays {
   Float64Array nodes{emscripten::val::undefined()};
   Uint32Array tetrahedra{emscripten::val::undefined()};

@@ -5,7 +5,9 @@ import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { inRoot } from "./paths.mjs";
 
 /** In dist, but compiled of no TypeScript. */
-const EMSCRIPTENS = new Set(["engine.js", "engine.d.ts"]);
+const EMSCRIPTENS = new Set(
+  ["engine.js", "engine.d.ts", "engine.wasm"].map((name) => path.join("engine", name)),
+);
 
 /** Removes what earlier sources were compiled to: the compiler leaves it, and npm would pack it. */
 export function dropOrphans() {
@@ -13,7 +15,7 @@ export function dropOrphans() {
   for (const file of filesUnder([dist], { skip: [] })) {
     const name = path.relative(dist, file);
     if (EMSCRIPTENS.has(name)) continue;
-    const stem = /^(?!page)(.*?)\.(d\.m?ts|m?js)(\.map)?$/.exec(name)?.[1];
+    const stem = /^(?!page)(.*?)\.(d\.m?ts|m?js|wasm)(\.map)?$/.exec(name)?.[1];
     const isOfNothing = /\.d\.ts\.map$/.test(name);
     if (stem !== undefined && (isOfNothing || !existsSync(inRoot("wasm", "src", `${stem}.ts`)))) rmSync(file);
   }
@@ -22,7 +24,7 @@ export function dropOrphans() {
 /** The schema of project files as JSON Schema (draft 2020-12), for editors and other programs. */
 export async function writeProjectSchema() {
   const { toJsonSchema } = await import("@valibot/to-json-schema");
-  const { projectSchema } = await import(pathToFileURL(inRoot("wasm", "dist", "project-schema.js")).href);
+  const { projectSchema } = await import(pathToFileURL(inRoot("wasm", "dist", "project", "schema.js")).href);
   const schema = toJsonSchema(projectSchema, {
     target: "draft-2020-12",
     typeMode: "input",
@@ -34,7 +36,7 @@ export async function writeProjectSchema() {
 
 /** Minifies the engine's loader where Emscripten has left it, unless it is minified already. */
 export async function minifyLoader() {
-  const loader = inRoot("wasm", "dist", "engine.js");
+  const loader = inRoot("wasm", "dist", "engine", "engine.js");
   const stamp = inRoot("wasm", "dist", ".minified");
   if (isFresh(stamp, hashOf([loader]))) return;
   const { transform } = await import("esbuild");
@@ -50,11 +52,11 @@ export async function minifyLoader() {
 /** Makes one script of all that only the command line loads, minified; its map leads to the sources as before. */
 export async function bundleCommandLine() {
   const { build } = await import("esbuild");
-  const dist = inRoot("wasm", "dist");
+  const folder = inRoot("wasm", "dist", "cli");
   await build({
     // From the sources: the compiler writes anew only what has changed.
-    entryPoints: [inRoot("wasm", "src", "cli.ts")],
-    outfile: path.join(dist, "cli.js"),
+    entryPoints: [inRoot("wasm", "src", "cli", "main.ts")],
+    outfile: path.join(folder, "main.js"),
     bundle: true,
     format: "esm",
     platform: "node",
@@ -67,21 +69,21 @@ export async function bundleCommandLine() {
         name: "command-line-only",
         setup({ onResolve }) {
           onResolve({ filter: /./ }, ({ kind, path: name }) =>
-            kind === "entry-point" || name.startsWith("./cli-") ? undefined : { external: true },
+            kind === "entry-point" || name.startsWith("./") ? undefined : { external: true },
           );
         },
       },
     ],
   });
-  for (const file of filesUnder([dist], { skip: [] })) {
-    if (/^cli-[^/]*$/.test(path.relative(dist, file))) rmSync(file);
+  for (const file of filesUnder([folder], { skip: [] })) {
+    if (!path.basename(file).startsWith("main.")) rmSync(file);
   }
 }
 
 /**
  * Bundles the package for pages without a bundler: wasm/dist/page holds the API and the worker with all
  * they import, formats in files of their own that are fetched when needed. The engine and its loader stay those in
- * wasm/dist, where the .wasm is beside them.
+ * wasm/dist/engine, where the .wasm is beside them.
  */
 export async function bundlePages() {
   const { build } = await import("esbuild");
@@ -89,7 +91,7 @@ export async function bundlePages() {
   const outdir = inRoot("wasm", "dist", "page");
   const { outputFiles } = await build({
     write: false,
-    entryPoints: { tetrafront: `${dist}/index.js`, worker: `${dist}/worker.js` },
+    entryPoints: { tetrafront: `${dist}/index.js`, worker: `${dist}/engine/worker.js` },
     outdir,
     bundle: true,
     splitting: true,
@@ -106,9 +108,9 @@ export async function bundlePages() {
         name: "engine-beside",
         setup({ onResolve, onLoad }) {
           // They are for the JSON Schema, which is made already.
-          onLoad({ filter: /\/project-words\.js$/ }, () => ({ contents: "export const WORDS = {};" }));
-          onResolve({ filter: /\/engine-loader\.js$/ }, () => ({
-            path: "../engine-loader.js",
+          onLoad({ filter: /\/project\/words\.js$/ }, () => ({ contents: "export const WORDS = {};" }));
+          onResolve({ filter: /\/loader\.js$/ }, () => ({
+            path: "../engine/loader.js",
             external: true,
           }));
         },

@@ -180,10 +180,10 @@ test("esbuild bundles it, with the worker as an entry of its own and the engine 
   const target = path.join(fresh.folder, "bundled");
   if (!existsSync(folder)) fresh.example("vite");
   const dist = path.join(fresh.folder, "node_modules", "tetrafront", "dist");
-  const entries = [path.join(folder, "main.js"), path.join(dist, "worker.js")];
+  const entries = [path.join(folder, "main.js"), path.join(dist, "engine", "worker.js")];
   const options = ["--bundle", "--format=esm", "--splitting", "--entry-names=[name]", `--outdir=${target}`];
   execFileSync(bin("esbuild"), [...entries, ...options, "--log-level=warning"], { cwd: fresh.folder });
-  copyFileSync(path.join(dist, "engine.wasm"), path.join(target, "engine.wasm"));
+  copyFileSync(path.join(dist, "engine", "engine.wasm"), path.join(target, "engine.wasm"));
   writeFileSync(path.join(target, "index.html"), readFileSync(path.join(folder, "index.html")));
   await expectBoxMeshed(page, await served(target, STRICT));
 });

@@ -3,9 +3,9 @@
  *
  *     import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
  */
-export { ENGINE_CODES } from "./diagnostic-codes.js";
-export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadPlace } from "./diagnostic-data.js";
-export type { DiagnosticCode, EngineCode, ErrorCode, PackageCode } from "./diagnostic-codes.js";
+export { ENGINE_CODES } from "./diagnostics/codes.js";
+export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadPlace } from "./diagnostics/data.js";
+export type { DiagnosticCode, EngineCode, ErrorCode, PackageCode } from "./diagnostics/codes.js";
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
   Contents,
@@ -42,7 +42,7 @@ export type { SurfaceFile } from "./formats/surface-file.js";
 export type { SurfaceRegions } from "./formats/region-names.js";
 export { unusedData, volumeBackground } from "./formats/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
-export { backgroundArrays, projectBackground } from "./grid-arrays.js";
+export { backgroundArrays, projectBackground } from "./project/grid-arrays.js";
 export {
   type EdgeLengths,
   type MeshInspection,
@@ -54,18 +54,18 @@ export {
   type SurfaceRefinement,
   type SurfaceRepair,
   type TriangleFigures,
-} from "./inspection.js";
-export { createMesher } from "./mesher.js";
+} from "./api/inspection.js";
+export { createMesher } from "./api/mesher.js";
 export {
   MesherError,
   type MesherErrorCode,
   type MesherErrorData,
   type MesherErrorOf,
   type OutOfMemory,
-} from "./mesher-error.js";
-export { parseProject, readProject, writeProject } from "./project.js";
-export { LIMITS } from "./limits.js";
-export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project-schema.js";
+} from "./diagnostics/mesher-error.js";
+export { parseProject, readProject, writeProject } from "./project/project.js";
+export { LIMITS } from "./base/limits.js";
+export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project/schema.js";
 export type {
   LineId,
   LineType,
@@ -82,10 +82,10 @@ export type {
   ProjectSource,
   SourceId,
   SourceType,
-} from "./project-schema.js";
-export type { ReadCode, ReadProblem, ReadResult } from "./read-result.js";
-export { repairedSurface } from "./repaired-surface.js";
-export { NO_ORIGIN } from "./surface-numbers.js";
+} from "./project/schema.js";
+export type { ReadCode, ReadProblem, ReadResult } from "./formats/read-result.js";
+export { repairedSurface } from "./api/repaired-surface.js";
+export { NO_ORIGIN } from "./api/surface-numbers.js";
 export type {
   AbortControl,
   BackgroundArrays,
@@ -123,5 +123,5 @@ export type {
   SurfaceInput,
   SurfaceMesh,
   VolumeMesh,
-} from "./types.js";
-export { isWall, NO_REGION } from "./walls.js";
+} from "./api/types.js";
+export { isWall, NO_REGION } from "./base/walls.js";

@@ -7,12 +7,12 @@
 // run that took the processor least, but for `firstSeconds`, and the size of the engine's memory after all
 // of them. LEVEL: of optimization.
 import { readFileSync } from "node:fs";
-import createEngine from "../../../wasm/dist/engine.js";
+import createEngine from "../../../wasm/dist/engine/engine.js";
 
 const OPTIMIZATIONS = ["none", "fast", "default", "strive"];
 const PHASES = ["check", "sides", "surface", "volume", "optimize", "verify"];
 const STATUSES = ["running", "done", "stalled", "cancelled", "invalid-input"];
-// As wasm/src/slices.ts calls the engine.
+// As wasm/src/engine/slices.ts calls the engine.
 const BUDGET = 256;
 const WARM_SECONDS = 3;
 
@@ -30,7 +30,7 @@ function readOff(file) {
 
 /** The engine and the memory it runs in, which its module keeps to itself. */
 async function loadEngine() {
-  const binary = readFileSync(new URL("../../../wasm/dist/engine.wasm", import.meta.url));
+  const binary = readFileSync(new URL("../../../wasm/dist/engine/engine.wasm", import.meta.url));
   let memory;
   const engine = await createEngine({
     instantiateWasm(imports, receive) {

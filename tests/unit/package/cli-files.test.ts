@@ -5,7 +5,7 @@ import { setTimeout as sleep } from "node:timers/promises";
 
 import { expect, test, vi } from "vitest";
 
-import { checkOutput, writeOutput } from "../../../wasm/src/cli-files.js";
+import { checkOutput, writeOutput } from "../../../wasm/src/cli/files.js";
 import { temporaryFolder } from "../../support/temporary-folder.js";
 
 const folder = temporaryFolder();

@@ -13,7 +13,7 @@ import {
 } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
-import { expandInputs, splitPattern } from "../../../wasm/src/cli-batch.js";
+import { expandInputs, splitPattern } from "../../../wasm/src/cli/batch.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { tetrafront } from "../../support/command-line.js";
 import { cubeProject } from "../../support/projects.js";

@@ -3,15 +3,15 @@ import { readFileSync } from "node:fs";
 import { ENGINE_CODES, type Diagnostic, type DiagnosticCode, type DiagnosticOf } from "tetrafront";
 import { describe, expect, expectTypeOf, test } from "vitest";
 
-import { ENGINE_DATA } from "../../../wasm/src/diagnostic-data.js";
+import { ENGINE_DATA } from "../../../wasm/src/diagnostics/data.js";
 import {
   describeAll,
   describeDiagnostic,
   describeInSteps,
   ENTITY_KINDS,
-} from "../../../wasm/src/diagnostics.js";
-import type { DiagnosticArrays } from "../../../wasm/src/engine-loader.js";
-import { nameByPosition, projectNamer } from "../../../wasm/src/project-arrays.js";
+} from "../../../wasm/src/diagnostics/sentences.js";
+import type { DiagnosticArrays } from "../../../wasm/src/engine/loader.js";
+import { nameByPosition, projectNamer } from "../../../wasm/src/project/arrays.js";
 import { cubeProject } from "../../support/projects.js";
 
 /** About everything at once: two of each kind, a place, and three values. */

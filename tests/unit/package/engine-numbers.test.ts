@@ -2,12 +2,17 @@
 import { ENGINE_CODES, LIMITS } from "tetrafront";
 import { expect, test } from "vitest";
 
-import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics.js";
-import { SOURCE_TYPES } from "../../../wasm/src/grid-arrays.js";
-import { COVER_SHAPES, DEFAULT_FINDINGS, FRONT_ORDERS, OPTIMIZATIONS } from "../../../wasm/src/options.js";
-import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project-arrays.js";
-import { PHASES } from "../../../wasm/src/run-clock.js";
-import { STATUSES } from "../../../wasm/src/slices.js";
+import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics/sentences.js";
+import { SOURCE_TYPES } from "../../../wasm/src/project/grid-arrays.js";
+import {
+  COVER_SHAPES,
+  DEFAULT_FINDINGS,
+  FRONT_ORDERS,
+  OPTIMIZATIONS,
+} from "../../../wasm/src/api/options.js";
+import { LINE_TYPES, PATCH_TYPES } from "../../../wasm/src/project/arrays.js";
+import { PHASES } from "../../../wasm/src/engine/run-clock.js";
+import { STATUSES } from "../../../wasm/src/engine/slices.js";
 import { engineConstant, engineEnum } from "../../support/engine-enums.js";
 
 const listed = (names: readonly (string | undefined)[]) => names.map((name, value) => [value, name]);

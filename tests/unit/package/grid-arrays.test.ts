@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
 
-import { emptyGrid, withNodes } from "../../../wasm/src/grid-arrays.js";
+import { emptyGrid, withNodes } from "../../../wasm/src/project/grid-arrays.js";
 import type { BackgroundArrays } from "../../../wasm/src/index.js";
 
 const NO_NODES = {

@@ -2,9 +2,9 @@
 import { createMesher, type Mesher, type MesherError } from "tetrafront";
 import { beforeEach, describe, expect, test, vi } from "vitest";
 
-import type { EngineResult, Reply, Request } from "../../../wasm/src/protocol.js";
-import { NO_QUALITY } from "../../../wasm/src/quality-report.js";
-import type { WorkerEvents } from "../../../wasm/src/worker-host.js";
+import type { EngineResult, Reply, Request } from "../../../wasm/src/engine/protocol.js";
+import { NO_QUALITY } from "../../../wasm/src/engine/quality-report.js";
+import type { WorkerEvents } from "../../../wasm/src/engine/worker-host.js";
 import { cubeProject } from "../../support/projects.js";
 import { boxSurface } from "../../support/surfaces.js";
 
@@ -26,7 +26,7 @@ const workers: PlayedWorker[] = [];
 /** Thrown instead of starting one. */
 let refusal: Error | undefined;
 
-vi.mock("../../../wasm/dist/worker-host-node.js", () => ({
+vi.mock("../../../wasm/dist/engine/worker-host-node.js", () => ({
   loadRemedies: { worker: "Serve worker.js.", engine: "Serve engine.wasm." },
   startWorker: (events: WorkerEvents) => {
     if (refusal !== undefined) throw refusal;

@@ -35,7 +35,10 @@ describe("the packed files", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
     // Servers and bundlers that know no .mjs must find all they need.
     expect(files.filter((name) => /\.m[jt]s$/.test(name))).toEqual(["bin/tetrafront.mjs"]);
-    const engine = ["dist/project.schema.json", "dist/engine.js", "dist/engine.d.ts", "dist/engine.wasm"];
+    const engine = [
+      "dist/project.schema.json",
+      ...["engine.js", "engine.d.ts", "engine.wasm"].map((name) => `dist/engine/${name}`),
+    ];
     const scripts = files.filter((name) => /^dist\/.*\.js$/.test(name) && !engine.includes(name));
     const wanted = scripts.flatMap((name) =>
       name.startsWith("dist/page/")
@@ -47,7 +50,7 @@ describe("the packed files", () => {
   });
 
   test("have maps that lead to sources", () => {
-    const map = JSON.parse(readFileSync(installed("dist/mesher.js.map"), "utf8")) as {
+    const map = JSON.parse(readFileSync(installed("dist/api/mesher.js.map"), "utf8")) as {
       readonly sourcesContent: readonly string[];
     };
     expect(map.sourcesContent[0]).toContain("class WorkerMesher");
@@ -57,8 +60,9 @@ describe("the packed files", () => {
     const files = filesIn(installed()).filter((name) => !name.startsWith("node_modules/"));
     // What pages load is the same API and formats as Node loads, bundled.
     const page = files.filter((name) => /^dist\/page\/.*\.js$/.test(name));
-    const commandLine = files.filter((name) => /^dist\/cli.*\.js$|^bin\//.test(name));
-    const all = ["dist/engine.wasm", "dist/engine.js", "dist/engine-loader.js", ...page, ...commandLine];
+    const commandLine = files.filter((name) => /^dist\/cli\/.*\.js$|^bin\//.test(name));
+    const engine = ["engine.wasm", "engine.js", "loader.js"].map((name) => `dist/engine/${name}`);
+    const all = [...engine, ...page, ...commandLine];
     const bytes = all.map((name) => gzipSync(readFileSync(installed(name))).length);
     expect(bytes.reduce((sum, size) => sum + size)).toBeLessThan(400_000);
   });

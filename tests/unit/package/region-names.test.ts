@@ -11,7 +11,7 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { leftOutLines } from "../../../wasm/src/cli-tables.js";
+import { leftOutLines } from "../../../wasm/src/cli/tables.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { cavitySurface } from "../../support/surfaces.js";
 

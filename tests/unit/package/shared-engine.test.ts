@@ -1,7 +1,7 @@
 /** The engine's code among workers: who compiles it, who waits for it, who is given it. */
 import { beforeEach, expect, test, vi } from "vitest";
 
-import type * as Shared from "../../../wasm/src/shared-engine.js";
+import type * as Shared from "../../../wasm/src/engine/shared-engine.js";
 
 /** The smallest there is: a header. */
 const CODE = new WebAssembly.Module(Uint8Array.of(0, 0x61, 0x73, 0x6d, 1, 0, 0, 0));
@@ -10,7 +10,7 @@ let shared: typeof Shared;
 let told: string[];
 beforeEach(async () => {
   vi.resetModules();
-  shared = await import("../../../wasm/dist/shared-engine.js");
+  shared = await import("../../../wasm/dist/engine/shared-engine.js");
   told = [];
 });
 

@@ -1,7 +1,7 @@
 /** The worker between an engine and a maker that a test plays: which questions reach the engine. */
 import { expect, test, vi } from "vitest";
 
-import type { Reply, Request } from "../../../wasm/src/protocol.js";
+import type { Reply, Request } from "../../../wasm/src/engine/protocol.js";
 
 const port = vi.hoisted(() => ({
   handle: (_: Request): void => undefined,
@@ -9,14 +9,14 @@ const port = vi.hoisted(() => ({
   asked: [] as unknown[],
 }));
 
-vi.mock("../../../wasm/dist/worker-port-node.js", () => ({
+vi.mock("../../../wasm/dist/engine/worker-port-node.js", () => ({
   workerPort: {
     post: (reply: Reply) => port.replies.push(reply),
     onRequest: (handle: (request: Request) => void) => (port.handle = handle),
     letRequestsIn: () => new Promise((resolve) => setImmediate(resolve)),
   },
 }));
-vi.mock("../../../wasm/dist/engine-loader.js", () => ({
+vi.mock("../../../wasm/dist/engine/loader.js", () => ({
   loadEngine: () =>
     Promise.resolve({
       module: undefined,
@@ -40,7 +40,7 @@ function proposal(id: number): Request {
 }
 
 test("questions given up while they waited are not begun, others are answered in order", async () => {
-  await import("../../../wasm/dist/worker.js");
+  await import("../../../wasm/dist/engine/worker.js");
   port.handle({ kind: "load", module: undefined });
   for (const id of [1, 2, 3, 4]) port.handle(proposal(id));
   for (const id of [2, 3]) port.handle({ kind: "cancel", id });

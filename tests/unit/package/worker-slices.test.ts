@@ -1,10 +1,10 @@
 /** The worker with its engine in this thread, by a clock that ends a slice with every call of the engine. */
 import { afterEach, describe, expect, test, vi } from "vitest";
 
-import { emptyGrid } from "../../../wasm/dist/grid-arrays.js";
-import { engineOptions, engineProposalOptions, engineRepairOptions } from "../../../wasm/dist/options.js";
-import { projectArrays } from "../../../wasm/dist/project-arrays.js";
-import type { Question, Reply, Request } from "../../../wasm/src/protocol.js";
+import { emptyGrid } from "../../../wasm/dist/project/grid-arrays.js";
+import { engineOptions, engineProposalOptions, engineRepairOptions } from "../../../wasm/dist/api/options.js";
+import { projectArrays } from "../../../wasm/dist/project/arrays.js";
+import type { Question, Reply, Request } from "../../../wasm/src/engine/protocol.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { cubeProject } from "../../support/projects.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -14,7 +14,7 @@ const port = vi.hoisted(() => ({
   onReply: (_: Reply): void => undefined,
 }));
 
-vi.mock("../../../wasm/dist/worker-port-node.js", async () => {
+vi.mock("../../../wasm/dist/engine/worker-port-node.js", async () => {
   const { readFile } = await import("node:fs/promises");
   return {
     workerPort: {
@@ -30,7 +30,9 @@ afterEach(() => vi.restoreAllMocks());
 
 const started = new Promise<void>((resolve) => {
   port.onReply = ({ kind }) => kind === "ready" && resolve();
-  void import("../../../wasm/dist/worker.js").then(() => port.handle({ kind: "load", module: undefined }));
+  void import("../../../wasm/dist/engine/worker.js").then(() =>
+    port.handle({ kind: "load", module: undefined }),
+  );
 });
 
 /** By this clock every look at it is later than any slice may last. */

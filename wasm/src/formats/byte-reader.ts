@@ -6,7 +6,7 @@
  * Lines end with a line feed, a carriage return or both. A byte-order mark of UTF-8 before a word or a line is white
  * space: files begin with one, and where such files were joined it stands inside.
  */
-import { failureAt, ReadFailure, type FilePlace } from "../read-result.js";
+import { failureAt, ReadFailure, type FilePlace } from "./read-result.js";
 import { piecesOf, type ByteSource } from "./byte-source.js";
 import { decimalIn, otherNumber } from "./decimal.js";
 import { Breather } from "./steps.js";

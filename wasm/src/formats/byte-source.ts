@@ -1,7 +1,7 @@
 /** Where the bytes of a file come from: all at once, or piece by piece while it is read. */
-import { isA, isArrayOf, isDetached } from "../argument-checks.js";
-import { throwIfCancelled, untilCancelled } from "../cancelling.js";
-import { ReadFailure } from "../read-result.js";
+import { isA, isArrayOf, isDetached } from "../base/argument-checks.js";
+import { throwIfCancelled, untilCancelled } from "../base/cancelling.js";
+import { ReadFailure } from "./read-result.js";
 import { Breather } from "./steps.js";
 
 /** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */

@@ -1,4 +1,4 @@
-import { tooManyNumbers } from "../read-result.js";
+import { tooManyNumbers } from "./read-result.js";
 
 /** Numbers collected one by one, in pages: growing moves nothing, and memory follows what was collected. */
 

@@ -1,5 +1,5 @@
 /** What a file format is to the rest of the package. Each has one file, named after it, and one row in file-formats.ts. */
-import type { Diagnostic } from "../types.js";
+import type { Diagnostic } from "../api/types.js";
 import type { Part } from "./bytes.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";

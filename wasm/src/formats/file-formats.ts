@@ -2,7 +2,7 @@
  * The file formats, one row each: the only place where a format is registered. Command line, app and
  * documents take names and extensions from here; the code of a format is fetched when it is first needed.
  */
-import { aString, checkArgument, oneOf } from "../argument-checks.js";
+import { aString, checkArgument, oneOf } from "../base/argument-checks.js";
 import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, FormatCode, MeshWriter, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";

@@ -8,12 +8,12 @@ import {
   objectOf,
   orNothing,
   type Check,
-} from "../argument-checks.js";
-import { refuse } from "../mesher-error.js";
-import { packageDiagnostic } from "../package-diagnostic.js";
-import { plural } from "../plural.js";
-import type { Project } from "../project-schema.js";
-import type { MeshResult } from "../types.js";
+} from "../base/argument-checks.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { plural } from "../base/plural.js";
+import type { Project } from "../project/schema.js";
+import type { MeshResult } from "../api/types.js";
 import { hasPatches } from "./mesh-checks.js";
 import { isPlain } from "./groups.js";
 import { carriedRegions, type SurfaceRegions } from "./region-names.js";

@@ -1,5 +1,5 @@
 /** Physical groups that elements of Gmsh's files have beside the one that counts. */
-import { plural } from "../plural.js";
+import { plural } from "../base/plural.js";
 import { listed } from "./groups.js";
 
 interface LostGroup {

@@ -1,5 +1,5 @@
 /** What formats lose of coordinates. */
-import { plural } from "../plural.js";
+import { plural } from "../base/plural.js";
 import type { Note } from "./file-format.js";
 import { stepwise, type Steps } from "./steps.js";
 import { PointWelder } from "./weld.js";

@@ -11,11 +11,11 @@ import {
   orNothing,
   shown,
   type Check,
-} from "../argument-checks.js";
-import { packageDiagnostic } from "../package-diagnostic.js";
-import { plural } from "../plural.js";
-import type { Diagnostic } from "../types.js";
-import { NO_REGION } from "../walls.js";
+} from "../base/argument-checks.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { plural } from "../base/plural.js";
+import type { Diagnostic } from "../api/types.js";
+import { NO_REGION } from "../base/walls.js";
 import type { FileMesh, NodeData } from "./file-mesh.js";
 import type { SurfaceRegions } from "./region-names.js";
 import { firstOf, type Steps } from "./steps.js";

@@ -1,10 +1,10 @@
 /** Reading and writing mesh files of any format: the file's name tells which. */
-import { aFunction, checkArgument, objectOf, orNothing, shown } from "../argument-checks.js";
-import { throwIfCancelled, untilCancelled } from "../cancelling.js";
-import { refuse } from "../mesher-error.js";
-import { packageDiagnostic } from "../package-diagnostic.js";
-import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "../read-result.js";
-import type { Diagnostic } from "../types.js";
+import { aFunction, checkArgument, objectOf, orNothing, shown } from "../base/argument-checks.js";
+import { throwIfCancelled, untilCancelled } from "../base/cancelling.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { asTooLarge, failureIn, ReadFailure, readSafely, type ReadResult } from "./read-result.js";
+import type { Diagnostic } from "../api/types.js";
 import { joined, piecesIn } from "./bytes.js";
 import { checkSource, watcher, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "./file-format.js";

@@ -4,7 +4,7 @@
  * of several materials is one patch for each. Normals, texture coordinates, lines and points are
  * read over; a backslash at the end of a line continues it; polygons are cut into triangles; curves and surfaces that need more than corners are refused.
  */
-import { plural } from "../plural.js";
+import { plural } from "../base/plural.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";

@@ -2,7 +2,7 @@
  * OFF (Geomview's object file format), as text or binary: corners by number, `#` begins a comment. Normals and texture
  * coordinates of the variants are read over; faces of one colour are a patch; polygons are cut into triangles.
  */
-import { plural } from "../plural.js";
+import { plural } from "../base/plural.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch, numbersInLine } from "./colors.js";

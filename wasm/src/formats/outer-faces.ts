@@ -2,7 +2,7 @@
  * The boundary as solvers take it: each face of one tetrahedron once, outward, in a patch. Walls between regions, which
  * have an element on either side, are no boundary; nor are triangles without any.
  */
-import { plural } from "../plural.js";
+import { plural } from "../base/plural.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { listed } from "./groups.js";

@@ -3,7 +3,7 @@
  * `face` count. Faces are put into patches by their number `patch`, whose names comments may tell, else by their
  * colour; all other properties and elements are read over. Polygons and strips are cut into triangles.
  */
-import { plural } from "../plural.js";
+import { plural } from "../base/plural.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { colorPatch } from "./colors.js";

@@ -1,5 +1,5 @@
 /** Long work in steps, between which others run, and the signal of the work is heard. */
-import { throwIfCancelled } from "../cancelling.js";
+import { throwIfCancelled } from "../base/cancelling.js";
 
 /** Between two steps. Among the parts of a file it has no bytes. */
 export const BREATH = "";

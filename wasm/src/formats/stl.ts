@@ -4,8 +4,8 @@
  * word too, but all of them have zeros in the number of triangles. Solids become patches, and so do the attributes of
  * binary triangles, as numbers or, where file or triangle say so, as colours; normals are not used.
  */
-import { plural } from "../plural.js";
-import { failureAt, ReadFailure } from "../read-result.js";
+import { plural } from "../base/plural.js";
+import { failureAt, ReadFailure } from "./read-result.js";
 import { ByteReader, FIRST_LINE, indexOf } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { hexOf } from "./colors.js";

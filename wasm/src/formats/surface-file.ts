@@ -1,7 +1,7 @@
 /** Surfaces from files: the triangles of a mesh file, welded. */
-import { plural } from "../plural.js";
-import { ReadFailure } from "../read-result.js";
-import type { SurfaceInput } from "../types.js";
+import { plural } from "../base/plural.js";
+import { ReadFailure } from "./read-result.js";
+import type { SurfaceInput } from "../api/types.js";
 import { boundaryOf } from "./boundary.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { surfaceRegionsOf, type SurfaceRegions } from "./region-names.js";

@@ -1,7 +1,7 @@
 /** Which tetrahedra stand on either side of a triangle. */
-import { refuse } from "../mesher-error.js";
-import { packageDiagnostic } from "../package-diagnostic.js";
-import type { Diagnostic } from "../types.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import type { Diagnostic } from "../api/types.js";
 import type { FileMesh } from "./file-mesh.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
 import { BREATH, stepwise, type Steps } from "./steps.js";

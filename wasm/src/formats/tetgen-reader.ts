@@ -4,8 +4,8 @@
  * a boundary marker as patch, in a `.poly` several that may leave holes; tetrahedra have a region attribute. Points that
  * mark holes and regions of the whole are passed over.
  */
-import { plural } from "../plural.js";
-import { failureIn, ReadFailure } from "../read-result.js";
+import { plural } from "../base/plural.js";
+import { failureIn, ReadFailure } from "./read-result.js";
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { OpenOther, ReadContext } from "./file-format.js";

@@ -1,10 +1,10 @@
 /** A volume mesh from a file as background grid. */
-import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../argument-checks.js";
-import { throwIfCancelled } from "../cancelling.js";
-import { checkControl, checkVolume } from "../input-checks.js";
-import { MesherError, refuse } from "../mesher-error.js";
-import type { ReadResult } from "../read-result.js";
-import type { BackgroundArrays, Mesher, RunControl } from "../types.js";
+import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../base/argument-checks.js";
+import { throwIfCancelled } from "../base/cancelling.js";
+import { checkControl, checkVolume } from "../api/input-checks.js";
+import { MesherError, refuse } from "../diagnostics/mesher-error.js";
+import type { ReadResult } from "./read-result.js";
+import type { BackgroundArrays, Mesher, RunControl } from "../api/types.js";
 import type { NodeData } from "./file-mesh.js";
 import type { VolumeFile } from "./volume-file.js";
 

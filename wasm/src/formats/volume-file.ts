@@ -1,5 +1,5 @@
 /** Volumes from files, to be background grids: tetrahedra, and whatever numbers their nodes carry. */
-import { ReadFailure } from "../read-result.js";
+import { ReadFailure } from "./read-result.js";
 import type { FileMesh, NodeData } from "./file-mesh.js";
 import { stepwise, type Steps } from "./steps.js";
 

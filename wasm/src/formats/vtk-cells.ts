@@ -1,5 +1,5 @@
 /** VTK's cells: triangles, polygons and tetrahedra become ours, vertices and lines are passed over. */
-import { plural } from "../plural.js";
+import { plural } from "../base/plural.js";
 import type { MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 import { BREATH, STEP, type Steps } from "./steps.js";

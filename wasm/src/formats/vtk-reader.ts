@@ -2,8 +2,8 @@
  * Reads legacy VTK files, binary and ASCII, versions 1 to 5.1: polygons and unstructured grids, as this
  * package, meshio, VTK and ParaView write them. The numbers `patch` and `region` of cells tell their groups.
  */
-import { plural } from "../plural.js";
-import type { FilePlace } from "../read-result.js";
+import { plural } from "../base/plural.js";
+import type { FilePlace } from "./read-result.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";

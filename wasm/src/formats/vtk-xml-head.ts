@@ -2,7 +2,7 @@
  * The tags of a VTU or VTP file, found in its bytes: no text is made of what stands between them, which may be longer
  * than the longest text.
  */
-import { failureAt } from "../read-result.js";
+import { failureAt } from "./read-result.js";
 import { indexOf } from "./byte-reader.js";
 
 const REMEDY = "Save the mesh again as .vtu or .vtp with triangles or linear tetrahedra.";

@@ -1,5 +1,5 @@
 /** Exact welding: points with the same three coordinates become one. No tolerance; -0 equals 0. */
-import { tooManyNumbers } from "../read-result.js";
+import { tooManyNumbers } from "./read-result.js";
 import { stepwise, type Steps } from "./steps.js";
 
 /** Positions are 32-bit numbers, of which this is none. */

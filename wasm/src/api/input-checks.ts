@@ -1,0 +1,236 @@
+/** What is wrong with what callers give, before the engine is asked; empty lists where nothing is. */
+import { isArrayOf, isDetached, shown } from "../base/argument-checks.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { invalidOption, packageDiagnostic, readDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { plural } from "../base/plural.js";
+import { projectArrays, type ModelArrays } from "../project/arrays.js";
+import { parseProject } from "../project/project.js";
+import { sourceProblem, type Project } from "../project/schema.js";
+import type {
+  BackgroundArrays,
+  Diagnostic,
+  MeshInput,
+  RunControl,
+  SurfaceInput,
+  VolumeMesh,
+} from "./types.js";
+
+/** What a caller without type checks may give in place of T. */
+type Unchecked<T> = { readonly [Key in keyof T]?: unknown };
+
+function asObject<T>(value: T): Unchecked<T> {
+  return typeof value === "object" && value !== null ? value : {};
+}
+
+const SOURCES_WANTED = "Give sources as a project has them: id, type, places and size each.";
+
+export function checkProject(project: unknown): Diagnostic[] {
+  const parsed = parseProject(project);
+  if (parsed.success) return [];
+  return parsed.problems.map((problem) => readDiagnostic({ ...problem, code: "invalid-project" }));
+}
+
+export function checkControl(control: RunControl): Diagnostic[] {
+  const given: unknown = control;
+  const { onProgress, signal } = asObject(control);
+  const isWatched = onProgress === undefined || typeof onProgress === "function";
+  const { addEventListener, removeEventListener } = asObject(signal as AbortSignal);
+  const isSignal =
+    signal === undefined ||
+    (typeof addEventListener === "function" && typeof removeEventListener === "function");
+  if (typeof given === "object" && given !== null && isWatched && isSignal) return [];
+  const remedy = "Give an object with a function onProgress, an AbortSignal signal, both or neither.";
+  return [invalidOption("control", "the control of the call is not what it should be", remedy)];
+}
+
+export function checkSurface(surface: SurfaceInput): Diagnostic[] {
+  const { points, triangles, origin, nodeOrigin } = asObject(surface);
+  if (!isUsable(Float64Array, points) || !isUsable(Uint32Array, triangles)) {
+    return [
+      surfaceProblem(`the surface's points and triangles are not a Float64Array and a Uint32Array${GONE}`),
+    ];
+  }
+  if (points.length % 3 !== 0 || triangles.length % 3 !== 0) {
+    return [surfaceProblem("the lengths of the surface's points and triangles are not multiples of 3")];
+  }
+  if (origin !== undefined && (!isUsable(Uint32Array, origin) || 3 * origin.length !== triangles.length)) {
+    return [surfaceProblem("the surface's origin is no Uint32Array with a number for each triangle")];
+  }
+  if (
+    nodeOrigin !== undefined &&
+    (!isUsable(Uint32Array, nodeOrigin) || 3 * nodeOrigin.length !== points.length)
+  ) {
+    return [surfaceProblem("the surface's nodeOrigin is no Uint32Array with a number for each node")];
+  }
+  return [];
+}
+
+/** A distance of welding as large as the surface leaves nothing of it. */
+export function checkWeld({ points }: SurfaceInput, weld: number | false | undefined): Diagnostic[] {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < points.length; i++) {
+    const coordinate = points[i] ?? 0;
+    if (coordinate < (low[i % 3] ?? 0)) low[i % 3] = coordinate;
+    if (coordinate > (high[i % 3] ?? 0)) high[i % 3] = coordinate;
+  }
+  const extent = Math.max(...high.map((most, axis) => most - (low[axis] ?? 0)));
+  // Without a place there is nothing to be across.
+  if (!(extent >= 0 && Number(weld) > 0 && Number(weld) >= extent)) return [];
+  const message = `the weld distance is ${weld}, and the whole surface is ${extent} across`;
+  return [invalidOption("weld", message, "Give less than its shortest edges.")];
+}
+
+/** Views of buffers that were transferred are as good as none. */
+function isUsable<T extends Float64Array | Uint32Array>(
+  type: { readonly name: string; readonly prototype: T },
+  array: unknown,
+): array is T {
+  return isArrayOf(type, array) && !isDetached(array);
+}
+
+const GONE = " with their numbers in them";
+
+function surfaceProblem(message: string): Diagnostic {
+  return arraysProblem(message, "Give x y z per node and three node positions per triangle.");
+}
+
+/** The form alone: sizes, directions and tetrahedra are the engine's to judge, as in a project. */
+export function checkBackground(background: BackgroundArrays): Diagnostic[] {
+  const {
+    points,
+    sizes,
+    stretchings,
+    directions,
+    tetrahedra,
+    overhang = 0,
+    sources = [],
+  } = asObject(background);
+  const isOptional = (array: unknown) => array === undefined || isUsable(Float64Array, array);
+  if (
+    !(isUsable(Float64Array, points) && isUsable(Float64Array, sizes) && isUsable(Uint32Array, tetrahedra)) ||
+    !(isOptional(stretchings) && isOptional(directions))
+  ) {
+    return [
+      gridProblem(
+        "the background grid's points, sizes, stretchings and directions are not Float64Arrays, " +
+          `or its tetrahedra no Uint32Array${GONE}`,
+      ),
+    ];
+  }
+  const count = sizes.length;
+  const hasLength = (array: unknown, length: number) =>
+    !isArrayOf(Float64Array, array) || array.length === length;
+  if (
+    !hasLength(points, 3 * count) ||
+    !hasLength(stretchings, count) ||
+    !hasLength(directions, 3 * count) ||
+    tetrahedra.length % 4 !== 0
+  ) {
+    return [gridProblem(`the arrays of the background grid do not fit its ${plural(count, "size")}`)];
+  }
+  if (!isFiniteFrom(0, overhang)) {
+    return [arraysProblem(`the overhang is ${shown(overhang)}`, "Give a finite overhang of 0 or more.")];
+  }
+  const problem = sourceProblem(sources);
+  if (problem !== undefined) {
+    return [arraysProblem(`the background grid's sources do not fit: ${problem}`, SOURCES_WANTED)];
+  }
+  return [];
+}
+
+function gridProblem(message: string): Diagnostic {
+  return arraysProblem(
+    message,
+    "Give x y z and a size per node, a stretching and x y z of its direction if need be, and four node positions per tetrahedron.",
+  );
+}
+
+/** A mesh to become a background grid, with `sizes` if given. */
+export function checkVolume(
+  mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
+  sizes: Float64Array | undefined,
+): Diagnostic[] {
+  const { points, tetrahedra } = asObject(mesh);
+  if (!isUsable(Float64Array, points) || !isUsable(Uint32Array, tetrahedra)) {
+    return [
+      volumeProblem(`the mesh's points and tetrahedra are not a Float64Array and a Uint32Array${GONE}`),
+    ];
+  }
+  if (points.length % 3 !== 0 || tetrahedra.length % 4 !== 0) {
+    return [volumeProblem("the mesh has half a point or half a tetrahedron")];
+  }
+  if (tetrahedra.length === 0) {
+    return [arraysProblem("the mesh has no tetrahedron", "Mesh the model first; its front may be open.")];
+  }
+  const count = points.length / 3;
+  const wild = tetrahedra.findIndex((node) => node >= count);
+  if (wild >= 0) {
+    return [
+      volumeProblem(
+        `tetrahedron ${Math.floor(wild / 4)} (counted from 0) refers to node ${tetrahedra[wild]} of ${count}`,
+      ),
+    ];
+  }
+  return checkNodeSizes(sizes, count);
+}
+
+/** As `checkVolume`, with a region per element or none. */
+export function checkMesh(mesh: MeshInput): Diagnostic[] {
+  const { regions, invertedTetrahedra } = asObject(mesh);
+  for (const [name, given] of Object.entries({ regions, invertedTetrahedra })) {
+    if (given === undefined || isUsable(Uint32Array, given)) continue;
+    return [volumeProblem(`the mesh's ${name} are no Uint32Array${GONE}`)];
+  }
+  return checkVolume(mesh, undefined);
+}
+
+function checkNodeSizes(sizes: unknown, count: number): Diagnostic[] {
+  if (sizes === undefined) return [];
+  if (!isUsable(Float64Array, sizes) || sizes.length !== count) {
+    return [
+      arraysProblem(
+        `the sizes are no Float64Array of ${plural(count, "number")}`,
+        "Give one size per node of the mesh, or none at all.",
+      ),
+    ];
+  }
+  const wrong = sizes.findIndex((size) => !(size > 0 && size < Infinity));
+  if (wrong < 0) return [];
+  const message = `node ${wrong} (counted from 0) has the size ${sizes[wrong]}`;
+  return [arraysProblem(message, "Give a finite size above 0 for every node.")];
+}
+
+function volumeProblem(message: string): Diagnostic {
+  return arraysProblem(message, "Give x y z per node and four node positions per tetrahedron.");
+}
+
+function arraysProblem(message: string, remedy: string): Diagnostic {
+  return packageDiagnostic("invalid-arrays", message, remedy);
+}
+
+export function isFiniteFrom(least: number, value: unknown): boolean {
+  return typeof value === "number" && Number.isFinite(value) && value >= least;
+}
+
+/** Of a project without anything that a grid could cover. */
+export function nothingToCover(): Diagnostic {
+  const message = "there is nothing to cover: no point, line or patch can be evaluated";
+  return packageDiagnostic("invalid-project", message, "Draw points and lines first.");
+}
+
+/** Of a mesh whose numbers the engine refuses. */
+export function unreadableMesh(): Diagnostic {
+  const message = "the mesh has coordinates that are not finite or beyond 1e30, or another number of regions";
+  return arraysProblem(message, "Give finite coordinates, and one region per element or none.");
+}
+
+/** A preview shows drawings that are not finished: only what is no project at all is refused. */
+export function drawnArrays(project: Project): ModelArrays {
+  try {
+    return projectArrays(project);
+  } catch (failure) {
+    refuse(checkProject(project));
+    throw failure;
+  }
+}

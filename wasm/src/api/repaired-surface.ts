@@ -1,0 +1,52 @@
+/** The patches of a surface from a file, carried over its repair. */
+import { countOf, type FileGroup } from "../formats/file-mesh.js";
+import type { SurfaceFile } from "../formats/surface-file.js";
+import { arrayOf, checkArgument, objectOf } from "../base/argument-checks.js";
+import { hasPatches } from "../formats/mesh-checks.js";
+import type { SurfaceRepair } from "./inspection.js";
+import { chainedOrigins, NO_ORIGIN } from "./surface-numbers.js";
+import { NO_REGION } from "../base/walls.js";
+
+const aRepair = objectOf({
+  surface: objectOf({ points: arrayOf(Float64Array, 3), triangles: arrayOf(Uint32Array, 3) }),
+  origin: arrayOf(Uint32Array),
+});
+
+/**
+ * A repaired or refined surface with the patches and regions of the given one, triangle for triangle, and the numbers that
+ * triangles and nodes have there, which messages name them by; triangles that fill holes are a patch of their own, "filled holes", the last one. Throws a `MesherError` where something is no surface or repair.
+ *
+ *     const repair = await mesher.repairSurface(file, { weld: 1e-6 });
+ *     const surface = repairedSurface(file, repair);
+ */
+export function repairedSurface(
+  given: SurfaceFile,
+  repair: Pick<SurfaceRepair, "surface" | "origin">,
+): SurfaceFile {
+  checkArgument("given", given, hasPatches);
+  checkArgument("repair", repair, aRepair);
+  const { surface, origin } = repair;
+  const added = given.patches.length;
+  const trianglePatch = origin.map((from) => (from === NO_ORIGIN ? added : (given.trianglePatch[from] ?? 0)));
+  const lastTag = given.patches.reduce((most, { tag }) => Math.max(most, tag), 0);
+  const filled: FileGroup = { name: "filled holes", tag: lastTag + 1 };
+  const hasFilled = countOf(trianglePatch) > added;
+  const numbers = {
+    origin: chainedOrigins(given.origin, origin),
+    nodeOrigin: surface.nodeOrigin && chainedOrigins(given.nodeOrigin, surface.nodeOrigin),
+  };
+  const patches = hasFilled ? [...given.patches, filled] : given.patches;
+  if (given.surfaceRegions === undefined) return { ...surface, ...numbers, trianglePatch, patches };
+  const { regions, triangleRegions: beside } = given.surfaceRegions;
+  const triangleRegions = new Uint32Array(2 * origin.length).map((_, side) => {
+    const from = origin[side >>> 1] ?? NO_ORIGIN;
+    return from === NO_ORIGIN ? NO_REGION : (beside[2 * from + (side & 1)] ?? NO_REGION);
+  });
+  return {
+    ...surface,
+    ...numbers,
+    trianglePatch,
+    patches,
+    surfaceRegions: { regions, triangleRegions },
+  };
+}

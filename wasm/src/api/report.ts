@@ -1,0 +1,71 @@
+/** Puts results together: figures from the engine, diagnostics in words; and results without a mesh. */
+import { describeAll } from "../diagnostics/sentences.js";
+import type { EntityNamer } from "../project/arrays.js";
+import type { EnginePreview, EngineResult } from "../engine/protocol.js";
+import { NO_QUALITY } from "../engine/quality-report.js";
+import type { Diagnostic, MeshReport, MeshResult, MeshStatus, ProjectPreview } from "./types.js";
+
+/** The result of the engine with its diagnostics told in the user's names. */
+export function describedResult(result: EngineResult, name: EntityNamer): MeshResult {
+  const { status, surface, volume, figures } = result;
+  return {
+    surface,
+    volume,
+    report: { status, ...figures, diagnostics: describeAll(result.diagnostics, name) },
+  };
+}
+
+export function describedPreview(preview: EnginePreview, name: EntityNamer): ProjectPreview {
+  return { ...preview, diagnostics: describeAll(preview.diagnostics, name) };
+}
+
+/** A result without a mesh: the input was refused, or the run was cancelled before it had one. */
+export function emptyResult(
+  status: MeshStatus,
+  diagnostics: readonly Diagnostic[] = [],
+  seconds = 0,
+): MeshResult {
+  return {
+    surface: {
+      points: new Float64Array(),
+      triangles: new Uint32Array(),
+      trianglePatch: new Uint32Array(),
+      triangleRegions: new Uint32Array(),
+      sides: new Uint32Array(),
+      sideLine: new Uint32Array(),
+    },
+    volume: {
+      points: new Float64Array(),
+      tetrahedra: new Uint32Array(),
+      regions: new Uint32Array(),
+      front: new Uint32Array(),
+    },
+    report: emptyReport(status, diagnostics, seconds),
+  };
+}
+
+export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic[], seconds = 0): MeshReport {
+  return {
+    status,
+    points: 0,
+    tetrahedra: 0,
+    triangles: 0,
+    seconds: { total: seconds, check: 0, sides: 0, surface: 0, volume: 0, optimize: 0 },
+    dihedral: { min: 0, max: 0 },
+    radiusRatio: { min: 0, mean: 0 },
+    volume: 0,
+    quality: NO_QUALITY,
+    patches: [],
+    recovery: { relaxed: 0, starred: 0, reopened: 0, filled: 0, steinerPoints: 0 },
+    front: {
+      pops: 0,
+      gatheredFaces: 0,
+      candidatesTried: 0,
+      facesTested: 0,
+      facesAnalysed: 0,
+      exactPredicates: 0,
+    },
+    fingerprint: "",
+    diagnostics,
+  };
+}

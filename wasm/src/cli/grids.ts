@@ -1,0 +1,142 @@
+/** `tetrafront cover` and `tetrafront propose`: project files with a background grid put into them. */
+import { checkOutput, FileProblem, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
+import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./input.js";
+import { ExitCode, say, toldFailure } from "./messages.js";
+import { extensionOf } from "../formats/file-formats.js";
+import { createMesher } from "../api/mesher.js";
+import { checkCoverOptions, checkProposalOptions, type CoverShape } from "../api/options.js";
+import { plural } from "../base/plural.js";
+import { writeProject } from "../project/project.js";
+import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
+import type { CoverOptions, Mesher, ProposalOptions } from "../api/types.js";
+
+/** As commander hands them over: numbers are still text. */
+interface CommonOptions {
+  readonly output: string;
+  readonly shape?: CoverShape;
+  readonly quiet?: boolean;
+}
+
+export interface CoverCommandOptions extends CommonOptions {
+  readonly size?: string;
+}
+
+export interface ProposeCommandOptions extends CommonOptions {
+  readonly uniform?: string;
+  readonly smallest?: string;
+  readonly perCircle?: string;
+  readonly perGap?: string;
+  readonly growth?: string;
+}
+
+/** Runs `cover`; resolves with the exit code. */
+export function coverFile(input: string, options: CoverCommandOptions): Promise<number> {
+  const cover: CoverOptions = { size: numberIn(options.size), shape: options.shape };
+  return rewritten(input, options, {
+    check: () => checkCoverOptions(cover),
+    change: async (mesher, project) => {
+      const size = cover.size ?? project.meshing?.size;
+      return withGrid(project, await mesher.coverProject(project, { ...cover, size }));
+    },
+  });
+}
+
+/** Runs `propose`; resolves with the exit code. */
+export function proposeForFile(input: string, options: ProposeCommandOptions): Promise<number> {
+  const wanted: ProposalOptions = {
+    uniform: numberIn(options.uniform),
+    smallest: numberIn(options.smallest),
+    elementsPerCircle: numberIn(options.perCircle),
+    elementsPerGap: numberIn(options.perGap),
+    growth: numberIn(options.growth),
+  };
+  return rewritten(input, options, {
+    check: () => checkProposalOptions(wanted),
+    change: async (mesher, project) => {
+      const { size, sources } = await mesher.proposeSizes(project, {
+        ...wanted,
+        uniform: wanted.uniform ?? project.meshing?.size,
+      });
+      const background = await mesher.coverProject(project, {
+        ...(size > 0 ? { size } : {}),
+        shape: options.shape,
+      });
+      const all = withNewIds(background.sources ?? [], sources);
+      return withGrid(project, { ...background, sources: all });
+    },
+  });
+}
+
+/** The grid takes the place of one size everywhere, too, which would go before it. */
+function withGrid(project: Project, background: ProjectBackground): Project {
+  const { size: _, ...meshing } = project.meshing ?? {};
+  return { ...project, background, meshing: Object.keys(meshing).length > 0 ? meshing : undefined };
+}
+
+/** The sources there were, then those proposed that are not among them, with ids after theirs. */
+function withNewIds(old: readonly ProjectSource[], proposed: readonly ProjectSource[]): ProjectSource[] {
+  const last = old.reduce((most, { id }) => Math.max(most, id), 0);
+  const asText = ({ id: _, ...source }: ProjectSource) =>
+    JSON.stringify(
+      Object.entries(source)
+        .filter(([, value]) => value !== undefined)
+        .sort(),
+    );
+  const known = new Set(old.map(asText));
+  const added = proposed.filter((source) => !known.has(asText(source)));
+  return [...old, ...added.map((source, i) => ({ ...source, id: last + 1 + i }))];
+}
+
+interface Rewriting {
+  readonly check: () => ReturnType<typeof checkCoverOptions>;
+  readonly change: (mesher: Mesher, project: Project) => Promise<Project>;
+}
+
+async function rewritten(
+  input: string,
+  options: CommonOptions,
+  { check, change }: Rewriting,
+): Promise<number> {
+  try {
+    refuseOptions(check());
+    await checkProjectPlace(options.output);
+    const project = await readProjectFile(input, input === STANDARD_STREAM ? "json" : undefined);
+    const changed = await withMesher((mesher) => change(mesher, project));
+    await writeOutput(options.output, writeProject(changed));
+    if (options.quiet !== true) say(summary(input, changed, options.output));
+    return ExitCode.meshed;
+  } catch (failure) {
+    return toldFailure(failure, input);
+  }
+}
+
+export async function withMesher<T>(use: (mesher: Mesher) => Promise<T>): Promise<T> {
+  const mesher = await createMesher();
+  try {
+    return await use(mesher);
+  } finally {
+    mesher.dispose();
+  }
+}
+
+async function checkProjectPlace(output: string): Promise<void> {
+  await refuseFolder(output);
+  if (output !== STANDARD_STREAM && extensionOf(output) !== PROJECT_EXTENSION) {
+    throw new FileProblem(
+      output,
+      "this is no name for a project",
+      `Give a name that ends in ${PROJECT_EXTENSION}.`,
+    );
+  }
+  await checkOutput(output);
+}
+
+function summary(input: string, { background }: Project, output: string): string {
+  const { nodes, tetrahedra, sources = [] } = background;
+  const size = nodes[0] === undefined ? "" : ` of size ${Number(nodes[0].size.toPrecision(6))}`;
+  const figures = [
+    `a grid of ${plural(tetrahedra.length, "tetrahedron")}${size}`,
+    plural(sources.length, "source"),
+  ];
+  return `${input}: ${figures.join(", ")} -> ${output}`;
+}

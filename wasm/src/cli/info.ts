@@ -1,0 +1,160 @@
+/** `tetrafront info`, what a file holds, and `tetrafront stats`, how good its elements are. */
+import { writeToStandardOutput } from "./files.js";
+import { withMesher } from "./grids.js";
+import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
+import { BadInput, ExitCode, toldFailure } from "./messages.js";
+import { boxText, meshLines, mixedTurns, otherWay, qualityLines, readingLines } from "./tables.js";
+import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
+import { formatOf } from "../formats/file-formats.js";
+import type { FileGroup, FileMesh } from "../formats/file-mesh.js";
+import { plural } from "../base/plural.js";
+import type { Project } from "../project/schema.js";
+
+/** As commander hands them over. */
+export interface InfoCommandOptions {
+  readonly from?: string;
+  readonly json?: boolean;
+}
+
+/** Runs `info`; resolves with the exit code. */
+export function infoOnFile(input: string, options: InfoCommandOptions): Promise<number> {
+  return answered(input, options, async () => {
+    if (isProject(input, options.from)) {
+      const held = projectContents(await readProjectFile(input, options.from));
+      return { json: held, lines: projectLines(held) };
+    }
+    const mesh = await readMeshFile(input, options.from);
+    const format = mesh.format ?? formatOf(formatName(input, options.from))?.name ?? "";
+    const held = { format, ...meshContents(mesh) };
+    return {
+      json: held,
+      lines: [...contentLines(held), ...otherWay(mesh), ...mixedTurns(mesh), ...readingLines(mesh)],
+    };
+  });
+}
+
+/** Runs `stats`; resolves with the exit code. */
+export function statsOfFile(input: string, options: InfoCommandOptions): Promise<number> {
+  return answered(input, options, async () => {
+    const mesh = await readMeshFile(input, options.from);
+    if (mesh.tetrahedra.length === 0) {
+      const remedy = "Give a volume mesh; of a surface `tetrafront check` tells the figures.";
+      const none = packageDiagnostic("no-tetrahedra", "the file holds no tetrahedron", remedy);
+      throw new BadInput(input, [none]);
+    }
+    const found = await withMesher((mesher) =>
+      mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),
+    );
+    const { boundary, ...figures } = found;
+    const turnedInFile = mesh.turnedTetrahedra ?? 0;
+    const json = { ...figures, turnedInFile, boundaryTriangles: boundary.triangles.length / 3 };
+    const faults = found.isSound ? [] : ["the mesh is not sound: `tetrafront check` tells why"];
+    const lines = [
+      ...meshLines(found),
+      ...qualityLines(found.quality),
+      ...otherWay(mesh),
+      ...mixedTurns(mesh),
+      ...readingLines(mesh),
+      ...faults,
+    ];
+    return { json, lines };
+  });
+}
+
+interface Answer {
+  readonly json: object;
+  readonly lines: readonly string[];
+}
+
+async function answered(
+  input: string,
+  { json: isJson }: InfoCommandOptions,
+  ask: () => Promise<Answer>,
+): Promise<number> {
+  try {
+    const { json, lines } = await ask();
+    const text =
+      isJson === true
+        ? JSON.stringify({ input, ...json }, null, 2)
+        : [input, ...lines].map(printable).join("\n  ");
+    await writeToStandardOutput(`${text}\n`);
+    return ExitCode.meshed;
+  } catch (failure) {
+    return toldFailure(failure, input);
+  }
+}
+
+function projectContents({ name, units, points, lines, patches, background }: Project) {
+  return {
+    format: "Tetrafront project",
+    name,
+    units: units ?? null,
+    points: points.length,
+    lines: lines.length,
+    patches: patches.length,
+    backgroundTetrahedra: background.tetrahedra.length,
+    sources: background.sources?.length ?? 0,
+  };
+}
+
+function projectLines(held: ReturnType<typeof projectContents>): string[] {
+  return [
+    `${held.format} "${held.name}"${held.units === null ? "" : `, in ${held.units}`}`,
+    [plural(held.points, "point"), plural(held.lines, "line"), plural(held.patches, "patch")].join(", "),
+    `a background grid of ${plural(held.backgroundTetrahedra, "tetrahedron")}, ${plural(held.sources, "source")}`,
+  ];
+}
+
+interface HeldGroup {
+  readonly name: string;
+  readonly tag: number;
+  readonly elements: number;
+}
+
+function meshContents(mesh: FileMesh) {
+  return {
+    points: mesh.points.length / 3,
+    box: boxOf(mesh.points),
+    triangles: mesh.triangles.length / 3,
+    patches: heldGroups(mesh.patches, mesh.trianglePatch),
+    tetrahedra: mesh.tetrahedra.length / 4,
+    turnedInFile: mesh.turnedTetrahedra ?? 0,
+    inverted: mesh.invertedTetrahedra?.length ?? 0,
+    regions: heldGroups(mesh.regions, mesh.tetrahedronRegion),
+    nodeData: [...mesh.nodeData].map(([name, { components }]) => ({ name, components })),
+  };
+}
+
+function heldGroups(groups: readonly FileGroup[], positions: Uint32Array): HeldGroup[] {
+  const counts = new Uint32Array(groups.length);
+  for (const position of positions) counts[position] = (counts[position] ?? 0) + 1;
+  return groups.map(({ name, tag }, i) => ({ name, tag, elements: counts[i] ?? 0 }));
+}
+
+function boxOf(points: Float64Array) {
+  if (points.length === 0) return null;
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  points.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3] ?? x, x);
+    high[i % 3] = Math.max(high[i % 3] ?? x, x);
+  });
+  return { low, high };
+}
+
+function contentLines(held: { readonly format: string } & ReturnType<typeof meshContents>): string[] {
+  const groups = (word: string, all: readonly HeldGroup[]) =>
+    all.map(({ name, tag, elements }) => `${word} ${tag} "${name}": ${elements}`);
+  return [
+    held.format,
+    plural(held.points, "point"),
+    ...(held.box === null ? [] : [boxText(held.box)]),
+    plural(held.triangles, "triangle"),
+    ...groups("patch", held.patches),
+    plural(held.tetrahedra, "tetrahedron"),
+    ...groups("region", held.regions),
+    ...held.nodeData.map(
+      ({ name, components }) => `at the nodes "${name}", ${plural(components, "number")} each`,
+    ),
+  ];
+}

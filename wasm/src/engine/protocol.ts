@@ -1,0 +1,209 @@
+/** What the page (or a Node program) and the worker say to each other. Types only. */
+import type { DiagnosticArrays } from "./loader.js";
+import type { GridArrays } from "../project/grid-arrays.js";
+import type {
+  EngineInspection,
+  EngineRefinement,
+  EngineRepair,
+  EngineVolumeInspection,
+} from "../api/inspection.js";
+import type { ModelArrays } from "../project/arrays.js";
+import type {
+  BackgroundArrays,
+  MeshReport,
+  MeshStatus,
+  Progress,
+  ProjectPreview,
+  SurfaceMesh,
+  VolumeMesh,
+} from "../api/types.js";
+
+/** A WebAssembly.Module, by a name that programs without the types of browsers know too. */
+export type CompiledEngine = object;
+
+/** Options as the engine takes them; 0 for a size that is not given. */
+export interface EngineOptions {
+  readonly size: number;
+  readonly growth: number;
+  readonly gradation: number;
+  /** 0 cavities, 1 regions. */
+  readonly enclosed: number;
+  /** 0 layered, 1 smallest first. */
+  readonly order: number;
+  readonly filters: boolean;
+  /** 0 none to 3 strive. */
+  readonly optimization: number;
+  /** For tests: skips the front. */
+  readonly exactFillOnly: boolean;
+}
+
+/** The engine's InspectionOptions. */
+export interface EngineInspectionOptions {
+  /** As among EngineOptions. */
+  readonly enclosed: number;
+  /** Of each code so many are listed. */
+  readonly findings: number;
+}
+
+/** The engine's ProposalOptions; 0 for sizes that are not given. */
+export interface EngineProposalOptions {
+  readonly uniform: number;
+  readonly smallest: number;
+  readonly elementsPerCircle: number;
+  readonly elementsPerGap: number;
+  readonly growth: number;
+}
+
+/** The engine's RepairOptions; below 0 for no welding. */
+export interface EngineRepairOptions {
+  readonly weldDistance: number;
+  readonly removesTriangles: boolean;
+  readonly fillsUpTo: number;
+  readonly turns: boolean;
+  readonly enclosed: number;
+}
+
+/**
+ * Asked for at once and worked on in slices, also while a run is under way: any number of `progress`, then one `answer`
+ * or `failure`; a `cancel` ends it without one.
+ */
+export type Question =
+  /** `options`: those to mesh with. */
+  | {
+      readonly kind: "preview";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly options: EngineOptions;
+    }
+  /** `shape`: 0 box, 1 single tetrahedron. */
+  | {
+      readonly kind: "cover";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly size: number;
+      readonly shape: number;
+    }
+  | {
+      readonly kind: "propose";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly options: EngineProposalOptions;
+    }
+  /** No sizes: from the mesh's own edges. */
+  | {
+      readonly kind: "mesh-as-grid";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly tetrahedra: Uint32Array;
+      readonly sizes: Float64Array;
+    }
+  | ({
+      readonly kind: "inspect-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+    } & EngineInspectionOptions)
+  | {
+      readonly kind: "repair-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly options: EngineRepairOptions;
+    }
+  /** Grid and options as for `fill-surface`; `volume` is 0 where it is not known. */
+  | {
+      readonly kind: "refine-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      readonly grid: GridArrays;
+      readonly options: EngineOptions;
+      readonly volume: number;
+    }
+  /** No regions: all elements in one. */
+  | {
+      readonly kind: "inspect-mesh";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly tetrahedra: Uint32Array;
+      readonly regions: Uint32Array;
+    };
+
+/** Every request about work carries an id of its own; replies repeat it, late ones are dropped by it. */
+export type Request =
+  /** The first of all, and sent once: load the engine, of this code or of what the worker fetches and compiles. */
+  | { readonly kind: "load"; readonly module: CompiledEngine | undefined }
+  /** Answered by any number of `progress`, then one `result` or `failure`. */
+  | {
+      readonly kind: "mesh-model";
+      readonly id: number;
+      readonly model: ModelArrays;
+      readonly options: EngineOptions;
+    }
+  /** As `mesh-model`. */
+  | {
+      readonly kind: "fill-surface";
+      readonly id: number;
+      readonly points: Float64Array;
+      readonly triangles: Uint32Array;
+      /** Without nodes and tetrahedra the sizes come from the surface's own edges. */
+      readonly grid: GridArrays;
+      readonly options: EngineOptions;
+    }
+  | Question
+  /** About the run or the question of that id: a run answers by `stopping` and then its `result`, all else by nothing. */
+  | { readonly kind: "cancel"; readonly id: number };
+
+/** A result before its diagnostics are put into words, which only the sender of the request can do. */
+export interface EngineResult {
+  readonly status: MeshStatus;
+  readonly surface: SurfaceMesh;
+  readonly volume: VolumeMesh;
+  readonly figures: Omit<MeshReport, "diagnostics" | "status">;
+  readonly diagnostics: DiagnosticArrays;
+}
+
+export type EnginePreview = Omit<ProjectPreview, "diagnostics"> & {
+  readonly diagnostics: DiagnosticArrays;
+};
+
+/** Sources as in GridArrays. */
+export interface EngineProposal {
+  readonly size: number;
+  readonly sourceTypes: Uint8Array;
+  readonly sourceValues: Float64Array;
+}
+
+/** What each question is answered with. */
+export interface Answers {
+  readonly preview: EnginePreview;
+  readonly cover: BackgroundArrays;
+  readonly propose: EngineProposal;
+  readonly "mesh-as-grid": BackgroundArrays;
+  readonly "inspect-surface": EngineInspection;
+  readonly "repair-surface": EngineRepair;
+  readonly "refine-surface": EngineRefinement;
+  readonly "inspect-mesh": EngineVolumeInspection;
+}
+
+export type FailureReason = "out-of-memory" | "engine-failed";
+
+export type Reply =
+  /** Once, when the engine is loaded, with its code for other workers. Requests sent earlier wait for it. */
+  | { readonly kind: "ready"; readonly module: CompiledEngine }
+  | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
+  /** The run takes no further step; its result is being copied. */
+  | { readonly kind: "stopping"; readonly id: number }
+  | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }
+  | { readonly kind: "answer"; readonly id: number; readonly answer: Answers[keyof Answers] }
+  /** The worker must be replaced: after a trap its heap cannot be trusted, and a full heap never shrinks. */
+  | {
+      readonly kind: "failure";
+      readonly id: number;
+      readonly reason: FailureReason;
+      readonly message: string;
+      /** What the engine had of the machine's memory. */
+      readonly bytes: number;
+    }
+  /** The engine could not be loaded at all: where it was looked for, and why it is not there. */
+  | { readonly kind: "unusable"; readonly message: string };

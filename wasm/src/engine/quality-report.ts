@@ -1,0 +1,81 @@
+/** Takes apart the flat arrays in which the engine tells of its elements' quality. */
+import type { EngineRun } from "./loader.js";
+import type { ElementFigures, QualityReport, RegionQuality } from "../api/types.js";
+
+type StatisticsRecord = ReturnType<EngineRun["statistics"]>;
+
+/** As in the engine's quality_statistics.h. */
+const DIHEDRAL_BINS = 36;
+const RATIO_BINS = 20;
+const EDGE_BINS = 30;
+const REGION_STRIDE = 3;
+const ELEMENT_STRIDE = 8;
+
+export const BIN_WIDTHS = { dihedral: 5, radiusRatio: 0.05, edge: 0.1 } as const;
+
+export const NO_QUALITY: QualityReport = {
+  binWidths: BIN_WIDTHS,
+  regions: [],
+  worst: [],
+  smallest: null,
+  volumeRatio: 0,
+  edges: { mean: 0, meanOfPossible: 0, nearWanted: 0 },
+  missed: 0,
+  limitedByBoundary: { count: 0, edges: 0, needles: 0, sheets: 0, worst: [] },
+};
+
+export function qualityReport(record: StatisticsRecord): QualityReport {
+  return {
+    binWidths: BIN_WIDTHS,
+    regions: regionsOf(record),
+    worst: elementsOf(record.worst),
+    smallest: elementsOf(record.smallest)[0] ?? null,
+    volumeRatio: record.volumeRatio,
+    edges: {
+      mean: record.meanEdge,
+      meanOfPossible: record.meanEdgeOfPossible,
+      nearWanted: record.edgesNearWanted,
+    },
+    missed: record.missed,
+    limitedByBoundary: {
+      count: record.limitedByBoundary,
+      edges: record.limitedByEdges,
+      needles: record.limitedByNeedles,
+      sheets: record.limitedBySheets,
+      worst: elementsOf(record.worstLimited),
+    },
+  };
+}
+
+function regionsOf({ regions, bins }: StatisticsRecord): RegionQuality[] {
+  let next = 0;
+  const take = (count: number) => Array.from(bins.subarray(next, (next += count)));
+  return rowsOf(regions, REGION_STRIDE).map(([region = 0, tetrahedra = 0, volume = 0]) => ({
+    region,
+    tetrahedra,
+    volume,
+    dihedral: take(DIHEDRAL_BINS),
+    smallestDihedral: take(DIHEDRAL_BINS),
+    radiusRatio: take(RATIO_BINS),
+    edge: take(EDGE_BINS),
+  }));
+}
+
+function elementsOf(flat: Float64Array): ElementFigures[] {
+  return rowsOf(flat, ELEMENT_STRIDE).map(
+    ([tetrahedron = 0, x = 0, y = 0, z = 0, volume = 0, min = 0, max = 0, radiusRatio = 0]) => ({
+      tetrahedron,
+      place: [x, y, z],
+      volume,
+      dihedral: { min, max },
+      radiusRatio,
+    }),
+  );
+}
+
+/** The numbers of a flat array, so many at a time. */
+export function rowsOf(flat: Float64Array, stride: number): number[][] {
+  return Array.from({ length: flat.length / stride }, (_, i) =>
+    Array.from(flat.subarray(stride * i, stride * (i + 1))),
+  );
+}

@@ -1,0 +1,110 @@
+/**
+ * Advances a run in slices. Short calls for two reasons: between them the worker hears a cancel
+ * without shared memory, and V8 never replaces a WebAssembly frame that is running, so that one
+ * long call would stay in slow baseline code.
+ */
+import type { EngineRun, EngineTool } from "./loader.js";
+import { PHASES, type RunClock } from "./run-clock.js";
+import type { MeshStatus, Phase, Progress } from "../api/types.js";
+
+/** How long the worker may be deaf, in milliseconds: a fraction of what a cancel may take. */
+const SLICE_MS = 12;
+/**
+ * Work per call. About half a millisecond while the front advances; a larger amount, grown while a cheap
+ * phase lasts, would be far too much at the beginning of the next one.
+ */
+const BUDGET = 256;
+/** At most ten reports a second. */
+const PROGRESS_MS = 100;
+
+/** The engine's statuses by number; undefined while running (cpp/include/tetrafront/status.h). */
+export const STATUSES: readonly (MeshStatus | undefined)[] = [
+  undefined,
+  "done",
+  "stalled",
+  "cancelled",
+  "invalid-input",
+];
+
+export interface SliceControl {
+  readonly isCancelled: () => boolean;
+  readonly onProgress: (progress: Progress) => void;
+  readonly letRequestsIn: () => Promise<void>;
+}
+
+/** Runs to the end, or to the cancel. The last progress is always reported. */
+export async function runInSlices(
+  run: EngineRun,
+  clock: RunClock,
+  control: SliceControl,
+): Promise<MeshStatus> {
+  let reportedAt = 0;
+  let reached = 0;
+  for (;;) {
+    const status = advanceFor(SLICE_MS, run, clock);
+    // A run that failed has forgotten where it stood.
+    if (status !== undefined && run.failure() !== "") return status;
+    const now = performance.now();
+    if (status !== undefined || now - reportedAt >= PROGRESS_MS) {
+      reportedAt = now;
+      const progress = progressOf(run, clock);
+      // An estimate may turn out too high; a bar that goes back helps nobody.
+      reached = Math.max(reached, progress.fraction);
+      control.onProgress({ ...progress, fraction: reached });
+    }
+    if (status !== undefined) return status;
+    await control.letRequestsIn();
+    if (control.isCancelled()) run.cancel();
+  }
+}
+
+/** Works on a question to the end; false where it was cancelled before. */
+export async function workInSlices(tool: EngineTool, control: SliceControl): Promise<boolean> {
+  const began = performance.now();
+  let reportedAt = began;
+  for (;;) {
+    const deadline = performance.now() + SLICE_MS;
+    let isFinished: boolean;
+    do isFinished = tool.advance(BUDGET);
+    while (!isFinished && performance.now() < deadline);
+    const now = performance.now();
+    if (isFinished || now - reportedAt >= PROGRESS_MS) {
+      reportedAt = now;
+      const counts = {
+        points: 0,
+        triangles: 0,
+        tetrahedra: 0,
+        frontFaces: 0,
+        expectedTetrahedra: 0,
+        exactFill: 0,
+      };
+      const elapsedSeconds = (now - began) / 1000;
+      control.onProgress({ phase: "check", fraction: tool.fraction(), ...counts, elapsedSeconds });
+    }
+    if (isFinished) return true;
+    await control.letRequestsIn();
+    if (control.isCancelled()) return false;
+  }
+}
+
+/** One slice of many short calls. Undefined while the run goes on. */
+function advanceFor(milliseconds: number, run: EngineRun, clock: RunClock): MeshStatus | undefined {
+  const deadline = performance.now() + milliseconds;
+  for (let began = performance.now(); began < deadline;) {
+    const phase = phaseOf(run);
+    const status = STATUSES[run.advance(BUDGET)];
+    const ended = performance.now();
+    clock.book(phase, ended - began);
+    if (status !== undefined) return status;
+    began = ended;
+  }
+  return undefined;
+}
+
+function phaseOf(run: EngineRun): Phase {
+  return PHASES[run.progress().phase] ?? "check";
+}
+
+function progressOf(run: EngineRun, clock: RunClock): Progress {
+  return { ...run.progress(), phase: phaseOf(run), elapsedSeconds: clock.elapsedSeconds() };
+}

@@ -1,0 +1,11 @@
+/** The maker as the worker sees it, the same in browsers and Node. */
+import type { CompileEngine } from "./loader.js";
+import type { Reply, Request } from "./protocol.js";
+
+export interface WorkerPort {
+  readonly compile: CompileEngine;
+  post(reply: Reply, transfer?: readonly ArrayBuffer[]): void;
+  onRequest(handle: (request: Request) => void): void;
+  /** Resolves after the requests that wait have been handled. Timers would wait 4 ms or more. */
+  readonly letRequestsIn: () => Promise<void>;
+}

@@ -1,0 +1,185 @@
+/** The worker: takes requests, runs the engine in slices, replies (protocol.ts). */
+import { workerPort } from "#worker-port";
+
+import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./loader.js";
+import type { CompiledEngine, EngineResult, FailureReason, Question, Request } from "./protocol.js";
+import { qualityReport } from "./quality-report.js";
+import { RunClock } from "./run-clock.js";
+import { runInSlices, workInSlices, type SliceControl } from "./slices.js";
+import { buffersOf } from "./transfer.js";
+import type { MeshStatus } from "../api/types.js";
+
+const OUT_OF_MEMORY = "out of memory";
+const cancelled = new Set<number>();
+const running = new Set<number>();
+
+/** What the engine says in `failure()`, raised here to reach the reply. */
+class EngineFailure extends Error {
+  get reason(): FailureReason {
+    return this.message === OUT_OF_MEMORY ? "out-of-memory" : "engine-failed";
+  }
+}
+
+/** Listens at once: what a browser's worker is sent before it listens is lost. */
+const loaded = new Promise<Engine | undefined>((resolve) => {
+  workerPort.onRequest((request) => {
+    if (request.kind === "load") resolve(load(request.module));
+    else void loaded.then((engine) => engine && serve(engine, request));
+  });
+});
+
+/** The engine; undefined, and told, where it cannot be had. */
+async function load(given: CompiledEngine | undefined): Promise<Engine | undefined> {
+  try {
+    const { engine, module } = await loadEngine(given, workerPort.compile);
+    workerPort.post({ kind: "ready", module });
+    return engine;
+  } catch (failure) {
+    const message = failure instanceof Error ? failure.message : String(failure);
+    workerPort.post({ kind: "unusable", message });
+    return undefined;
+  }
+}
+
+async function serve(engine: Engine, request: WorkRequest): Promise<void> {
+  try {
+    await handle(engine, request);
+  } catch (failure) {
+    replyFailure(engine, request.id, failure);
+  }
+}
+
+type WorkRequest = Exclude<Request, { kind: "load" }>;
+
+async function handle(engine: Engine, request: WorkRequest): Promise<void> {
+  switch (request.kind) {
+    case "cancel":
+      if (running.has(request.id)) cancelled.add(request.id);
+      return;
+    case "mesh-model":
+      return mesh(request.id, engine.meshModel(request.model, request.options));
+    case "fill-surface":
+      return mesh(
+        request.id,
+        engine.fillSurface(request.points, request.triangles, request.grid, request.options),
+      );
+    default:
+      return answer(engine, request);
+  }
+}
+
+/** A question given up while it waited is not begun. */
+async function answer(engine: Engine, question: Question): Promise<void> {
+  const { id } = question;
+  running.add(id);
+  try {
+    await workerPort.letRequestsIn();
+    if (!cancelled.has(id)) await work(id, toolFor(engine, question));
+  } finally {
+    running.delete(id);
+    cancelled.delete(id);
+  }
+}
+
+function toolFor(engine: Engine, question: Question): EngineTool | null {
+  switch (question.kind) {
+    case "preview":
+      return engine.previewModel(question.model, question.options);
+    case "cover":
+      return engine.cover(question.model, question.size, question.shape);
+    case "propose":
+      return engine.propose(question.model, question.options);
+    case "mesh-as-grid":
+      return engine.meshAsGrid(question.points, question.tetrahedra, question.sizes);
+    case "inspect-surface":
+      return engine.inspectSurface(question.points, question.triangles, question.enclosed, question.findings);
+    case "repair-surface":
+      return engine.repairSurface(question.points, question.triangles, question.options);
+    case "refine-surface":
+      return engine.refineSurface(
+        question.points,
+        question.triangles,
+        question.grid,
+        question.options,
+        question.volume,
+      );
+    case "inspect-mesh":
+      return engine.inspectMesh(question.points, question.tetrahedra, question.regions);
+  }
+}
+
+async function work(id: number, tool: EngineTool | null): Promise<void> {
+  if (tool === null) throw new EngineFailure("the engine gave no tool");
+  try {
+    assertHealthy(tool);
+    const isComplete = await workInSlices(tool, controlOf(id));
+    if (!isComplete) return;
+    const answer = tool.result();
+    assertHealthy(tool);
+    const parts = "diagnostics" in answer ? [answer, answer.diagnostics] : [answer];
+    workerPort.post({ kind: "answer", id, answer }, buffersOf(...parts));
+  } finally {
+    tool.delete();
+  }
+}
+
+function controlOf(id: number): SliceControl {
+  return {
+    isCancelled: () => cancelled.has(id),
+    onProgress: (progress) => workerPort.post({ kind: "progress", id, progress }),
+    letRequestsIn: workerPort.letRequestsIn,
+  };
+}
+
+async function mesh(id: number, run: EngineRun | null): Promise<void> {
+  if (run === null) throw new EngineFailure("the engine gave no run");
+  const clock = new RunClock();
+  running.add(id);
+  try {
+    assertHealthy(run);
+    const status = await runInSlices(run, clock, controlOf(id));
+    if (status === "cancelled") workerPort.post({ kind: "stopping", id });
+    const result = resultOf(run, status, clock);
+    workerPort.post({ kind: "result", id, result }, buffersOf(result.surface, result.volume));
+  } finally {
+    running.delete(id);
+    cancelled.delete(id);
+    run.delete();
+  }
+}
+
+function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineResult {
+  const surface = run.surface();
+  const volume = run.volume();
+  const quality = run.quality();
+  const figures = {
+    points: volume.points.length / 3,
+    tetrahedra: volume.tetrahedra.length / 4,
+    triangles: surface.triangles.length / 3,
+    dihedral: { min: quality.minDihedral, max: quality.maxDihedral },
+    radiusRatio: { min: quality.minRadiusRatio, mean: quality.meanRadiusRatio },
+    volume: quality.volume,
+    quality: qualityReport(run.statistics()),
+    patches: run.patches(),
+    recovery: run.recovery(),
+    front: run.counters(),
+    // A cancelled mesh depends on the moment of the cancel, and the caller is waiting.
+    fingerprint: status === "cancelled" ? "" : run.fingerprint(),
+  };
+  const diagnostics = run.diagnostics();
+  assertHealthy(run);
+  return { status, surface, volume, diagnostics, figures: { ...figures, seconds: clock.seconds() } };
+}
+
+/** After a failure the engine answers with empty values, which must not pass for a result. */
+function assertHealthy(run: { failure(): string }): void {
+  const failure = run.failure();
+  if (failure !== "") throw new EngineFailure(failure);
+}
+
+/** The maker replaces the worker after this (protocol.ts). */
+function replyFailure(engine: Engine, id: number, failure: unknown): void {
+  const reason = failure instanceof EngineFailure ? failure.reason : "engine-failed";
+  const message = failure instanceof Error ? failure.message : String(failure);
+  workerPort.post({ kind: "failure", id, reason, message, bytes: engine.memoryBytes() });
+}

@@ -1,0 +1,237 @@
+/** Background grids between their three forms: a project's, flat arrays for callers, and the engine's. */
+import type { ProjectBackground, ProjectBackgroundNode, ProjectSource, SourceType } from "./schema.js";
+import { aNumber, checkArgument, listOf, objectOf, oneOf, orNothing } from "../base/argument-checks.js";
+import { checkBackground } from "../api/input-checks.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import type { BackgroundArrays } from "../api/types.js";
+
+/** A background grid as it crosses into the engine. All references are positions. */
+export interface GridArrays {
+  /** x y z, size, stretching, direction x y z per node. */
+  readonly nodes: Float64Array;
+  /** Four node positions per tetrahedron. */
+  readonly tetrahedra: Uint32Array;
+  /** 0 point, 1 segment, 2 triangle. */
+  readonly sourceTypes: Uint8Array;
+  /** x y z of three places (those its type lacks are 0), size, distance, growth per source. */
+  readonly sourceValues: Float64Array;
+  /** What this far outside the grid still counts as covered. */
+  readonly overhang: number;
+}
+
+/** The engine's numbers (cpp/include/tetrafront/background_grid.h). */
+export const SOURCE_TYPES: Readonly<Record<SourceType, number>> = { point: 0, segment: 1, triangle: 2 };
+const SOURCE_TYPE_NAMES: readonly SourceType[] = ["point", "segment", "triangle"];
+
+/** Growth of the size per unit of distance from a source that does not say. */
+const DEFAULT_SOURCE_GROWTH = 0.3;
+/** Doubles per node. */
+const NODE_STRIDE = 8;
+/** Doubles per source; the last three are size, distance and growth. */
+const SOURCE_STRIDE = 12;
+/** The engine reports a reference to this position as `index-out-of-range`. */
+export const NOWHERE = 0x7fffffff;
+
+/** For a surface that nothing was said about. New arrays every time, as they will be transferred. */
+export function emptyGrid(): GridArrays {
+  return projectGrid({ nodes: [], tetrahedra: [] });
+}
+
+/** A project may come without one, as its file may. */
+export function backgroundOf({
+  background,
+}: {
+  readonly background?: ProjectBackground | undefined;
+}): ProjectBackground {
+  return background ?? { nodes: [], tetrahedra: [] };
+}
+
+/** Flattens a project's grid. References that lead nowhere become positions out of range. O(size). */
+export function projectGrid(background: ProjectBackground): GridArrays {
+  const { nodes, tetrahedra, sources = [], overhang = 0 } = background;
+  return {
+    nodes: nodeValues(nodes),
+    tetrahedra: nodePositions(tetrahedra, positionFinder(nodes)),
+    sourceTypes: sourceTypes(sources),
+    sourceValues: sourceValues(sources),
+    overhang,
+  };
+}
+
+/** How many times as many ids as nodes there may be for a table instead of a map. */
+const SPARSE_IDS = 4;
+
+/** Tells the position of the node with an id. Ids mostly are 1, 2, 3 …, and a table is ten times as fast. */
+function positionFinder(nodes: readonly ProjectBackgroundNode[]): (id: number) => number {
+  const highest = nodes.reduce((most, { id }) => Math.max(most, id), 0);
+  if (highest > SPARSE_IDS * nodes.length) {
+    const positions = new Map(nodes.map(({ id }, position) => [id, position]));
+    return (id) => positions.get(id) ?? NOWHERE;
+  }
+  const positions = new Uint32Array(highest + 1).fill(NOWHERE);
+  nodes.forEach(({ id }, position) => (positions[id] = position));
+  return (id) => positions[id] ?? NOWHERE;
+}
+
+/** Written in place, number by number: an app does this at every edit, for grids of any size. */
+function nodePositions(
+  tetrahedra: ProjectBackground["tetrahedra"],
+  nodeAt: (id: number) => number,
+): Uint32Array {
+  const positions = new Uint32Array(4 * tetrahedra.length);
+  let at = 0;
+  for (const [a, b, c, d] of tetrahedra) {
+    positions[at++] = nodeAt(a);
+    positions[at++] = nodeAt(b);
+    positions[at++] = nodeAt(c);
+    positions[at++] = nodeAt(d);
+  }
+  return positions;
+}
+
+/**
+ * `grid` with other nodes and tetrahedra, if there are any, and more sources; new arrays, as they are
+ * transferred. O(size).
+ */
+export function withNodes(grid: GridArrays, background: BackgroundArrays): GridArrays {
+  const more = background.sources ?? [];
+  const all = {
+    sourceTypes: joined(Uint8Array, grid.sourceTypes, sourceTypes(more)),
+    sourceValues: joined(Float64Array, grid.sourceValues, sourceValues(more)),
+  };
+  if (background.sizes.length === 0 && background.tetrahedra.length === 0) return { ...grid, ...all };
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = background;
+  const nodes = new Float64Array(NODE_STRIDE * sizes.length);
+  for (let i = 0; i < sizes.length; i++) {
+    const out = NODE_STRIDE * i;
+    for (let axis = 0; axis < 3; axis++) {
+      nodes[out + axis] = points[3 * i + axis] ?? 0;
+      nodes[out + 5 + axis] = directions === undefined ? Number(axis === 0) : (directions[3 * i + axis] ?? 0);
+    }
+    nodes[out + 3] = sizes[i] ?? 0;
+    nodes[out + 4] = stretchings?.[i] ?? 1;
+  }
+  return { nodes, tetrahedra: tetrahedra.slice(), ...all, overhang };
+}
+
+/** One array after the other. Spread into arguments, long ones would not fit the stack. */
+function joined<T extends Uint8Array | Float64Array>(
+  type: new (length: number) => T,
+  first: T,
+  second: T,
+): T {
+  const both = new type(first.length + second.length);
+  both.set(first);
+  both.set(second, first.length);
+  return both;
+}
+
+/**
+ * A project's grid as flat arrays, for another project or for a given surface. O(size). Throws a `MesherError` where it is
+ * none.
+ */
+export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
+  checkArgument("background", background, aBackground);
+  const { nodes, tetrahedra, overhang } = projectGrid(background);
+  const column = (begin: number, width: number) =>
+    Float64Array.from(
+      { length: (width * nodes.length) / NODE_STRIDE },
+      (_, i) => nodes[NODE_STRIDE * Math.floor(i / width) + begin + (i % width)] ?? 0,
+    );
+  return {
+    points: column(0, 3),
+    sizes: column(3, 1),
+    stretchings: column(4, 1),
+    directions: column(5, 3),
+    tetrahedra,
+    overhang,
+    sources: background.sources,
+  };
+}
+
+/**
+ * A grid of flat arrays as a project has it, with ids from 1 in the order of the arrays: to be drawn,
+ * edited and saved. One object per node; large grids are better left as arrays. O(size). Throws a `MesherError` where
+ * the arrays do not fit together.
+ */
+export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
+  refuse(checkBackground(arrays));
+  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0, sources } = arrays;
+  const triple = (values: Float64Array, i: number): [number, number, number] => [
+    values[3 * i] ?? 0,
+    values[3 * i + 1] ?? 0,
+    values[3 * i + 2] ?? 0,
+  ];
+  const id = (corner: number) => (tetrahedra[corner] ?? NOWHERE) + 1;
+  return {
+    nodes: Array.from(sizes, (size, i) => {
+      const stretching = stretchings?.[i] ?? 1;
+      const shape =
+        stretching === 1 ? {} : { stretching, ...(directions && { direction: triple(directions, i) }) };
+      return { id: i + 1, at: triple(points, i), size, ...shape };
+    }),
+    tetrahedra: Array.from({ length: tetrahedra.length / 4 }, (_, t) => [
+      id(4 * t),
+      id(4 * t + 1),
+      id(4 * t + 2),
+      id(4 * t + 3),
+    ]),
+    ...(sources !== undefined && { sources }),
+    ...(overhang > 0 ? { overhang } : {}),
+  };
+}
+
+const aTriple = listOf(aNumber);
+const aNode = objectOf({ id: aNumber, at: aTriple, size: aNumber, direction: orNothing(aTriple) });
+const aSource = objectOf({ type: oneOf(SOURCE_TYPE_NAMES), places: listOf(aTriple), size: aNumber });
+const aBackground = objectOf({
+  nodes: listOf(aNode),
+  tetrahedra: listOf(listOf(aNumber)),
+  sources: orNothing(listOf(aSource)),
+});
+
+function nodeValues(nodes: readonly ProjectBackgroundNode[]): Float64Array {
+  const values = new Float64Array(NODE_STRIDE * nodes.length);
+  const plainDirection = [1, 0, 0] as const;
+  let out = 0;
+  for (const { at, size, stretching = 1, direction = plainDirection } of nodes) {
+    values[out++] = at[0];
+    values[out++] = at[1];
+    values[out++] = at[2];
+    values[out++] = size;
+    values[out++] = stretching;
+    values[out++] = direction[0];
+    values[out++] = direction[1];
+    values[out++] = direction[2];
+  }
+  return values;
+}
+
+function sourceTypes(sources: readonly ProjectSource[]): Uint8Array {
+  return Uint8Array.from(sources, ({ type }) => SOURCE_TYPES[type]);
+}
+
+function sourceValues(sources: readonly ProjectSource[]): Float64Array {
+  const values = new Float64Array(SOURCE_STRIDE * sources.length);
+  sources.forEach(({ places, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
+    // No more than three: previews show drawings that nobody has checked.
+    values.set(places.slice(0, 3).flat(), SOURCE_STRIDE * s);
+    values.set([size, distance, growth], SOURCE_STRIDE * (s + 1) - 3);
+  });
+  return values;
+}
+
+/** Sources as the engine gives them, with ids from 1. */
+export function projectSources(types: Uint8Array, values: Float64Array): ProjectSource[] {
+  return Array.from(types, (number, s) => {
+    const type = SOURCE_TYPE_NAMES[number] ?? "point";
+    const own = values.subarray(SOURCE_STRIDE * s, SOURCE_STRIDE * (s + 1));
+    const places = Array.from({ length: SOURCE_TYPES[type] + 1 }, (_, k): [number, number, number] => [
+      own[3 * k] ?? 0,
+      own[3 * k + 1] ?? 0,
+      own[3 * k + 2] ?? 0,
+    ]);
+    const [size = 0, distance = 0, growth = 0] = own.subarray(SOURCE_STRIDE - 3);
+    return { id: s + 1, type, places, size, ...(distance > 0 ? { distance } : {}), growth };
+  });
+}

@@ -1,0 +1,154 @@
+/** Reading and writing project files (docs/FORMAT.md). */
+import { checkArgument, listOf, objectOf, orNothing } from "../base/argument-checks.js";
+import {
+  parsedProject,
+  PROJECT_FORMAT,
+  PROJECT_VERSION,
+  type Project,
+  type ProjectBackground,
+  type SchemaProblem,
+} from "./schema.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
+import type { ReadProblem, ReadResult } from "../formats/read-result.js";
+
+/** More problems than this help nobody; the first ones usually cause the rest. */
+const MAX_PROBLEMS = 20;
+
+/**
+ * Checks that a value is a project: structure, finite numbers, unique ids, references that exist.
+ * The geometry is not looked at; `previewProject` and `meshProject` do that. Never throws.
+ */
+export function parseProject(value: unknown): ReadResult<Project> {
+  const headProblem = checkHead(value);
+  if (headProblem !== undefined) return refused(headProblem);
+  const parsed = parsedProject(value);
+  if ("value" in parsed) return { success: true, value: parsed.value };
+  const [first, ...rest] = parsed.problems.slice(0, MAX_PROBLEMS).map(invalidProject);
+  return refused(first ?? notAProject("it does not follow the schema"), ...rest);
+}
+
+/** Reads the text of a project file. Never throws. */
+export function readProject(text: string): ReadResult<Project> {
+  if (typeof text !== "string") return refused(notAProject("it is no text"));
+  if (text.trim() === "") {
+    return refused({ ...notAProject("the file is empty"), code: "empty-file" });
+  }
+  let value: unknown;
+  try {
+    value = JSON.parse(text.startsWith("\uFEFF") ? text.slice(1) : text);
+  } catch (failure) {
+    return refused(describeSyntaxError(text, failure));
+  }
+  return parseProject(value);
+}
+
+function refused(...problems: [ReadProblem, ...ReadProblem[]]): ReadResult<never> {
+  const [first, ...rest] = problems;
+  const shown = (problem: ReadProblem) => ({ ...problem, message: printable(problem.message) });
+  return { success: false, problems: [shown(first), ...rest.map(shown)] };
+}
+
+/**
+ * The text of a project file: JSON with one entity per line, so that differences between two
+ * versions of a model can be read. Throws a `MesherError` where it is no project that can be written at all; whether it
+ * can be read again is for `parseProject` to tell.
+ */
+export function writeProject(project: Project): string {
+  checkArgument("project", project, aProject);
+  try {
+    return projectText(project);
+  } catch (failure) {
+    // Circles and large integers, of which JSON knows nothing.
+    const remedy = "Give what JSON can hold, as readProject does.";
+    if (failure instanceof TypeError) {
+      refuse([
+        packageDiagnostic("invalid-argument", `project cannot be written: ${failure.message}`, remedy),
+      ]);
+    }
+    throw failure;
+  }
+}
+
+function projectText(project: Project): string {
+  const { points, lines, patches, background, ...rest } = project;
+  const { $schema, format, version, name, description, units, meshing } = rest;
+  const head = Object.entries({ $schema, format, version, name, description, units, meshing })
+    .filter(([, value]) => value !== undefined)
+    .map(([key, value]) => `  ${JSON.stringify(key)}: ${JSON.stringify(value)}`);
+  const body = [
+    `  "points": ${rows(points, "  ")}`,
+    `  "lines": ${rows(lines, "  ")}`,
+    `  "patches": ${rows(patches, "  ")}`,
+    `  "background": ${backgroundText(background)}`,
+  ];
+  return `{\n${[...head, ...body].join(",\n")}\n}\n`;
+}
+
+const entities = listOf(() => undefined);
+const aProject = objectOf({
+  points: entities,
+  lines: entities,
+  patches: entities,
+  background: objectOf({ nodes: entities, tetrahedra: entities, sources: orNothing(entities) }),
+});
+
+function backgroundText({ nodes, tetrahedra, sources, overhang }: ProjectBackground): string {
+  const parts = [`"nodes": ${rows(nodes, "    ")}`, `"tetrahedra": ${rows(tetrahedra, "    ")}`];
+  if (sources !== undefined) parts.push(`"sources": ${rows(sources, "    ")}`);
+  if (overhang !== undefined) parts.push(`"overhang": ${JSON.stringify(overhang)}`);
+  return `{\n${parts.map((part) => `    ${part}`).join(",\n")}\n  }`;
+}
+
+/** One line each; within a list JSON writes null for what it has no word for. */
+function rows(list: readonly unknown[], indent: string): string {
+  if (list.length === 0) return "[]";
+  return `[\n${list.map((entity) => `${indent}  ${JSON.stringify([entity]).slice(1, -1)}`).join(",\n")}\n${indent}]`;
+}
+
+/** Format and version first: with another version every other complaint would mislead. */
+function checkHead(value: unknown): ReadProblem | undefined {
+  if (typeof value !== "object" || value === null || Array.isArray(value)) {
+    return notAProject("it holds no JSON object");
+  }
+  const { format, version } = value as { format?: unknown; version?: unknown };
+  if (format !== PROJECT_FORMAT) return notAProject(`"format" is not "${PROJECT_FORMAT}"`);
+  if (typeof version === "number" && version > PROJECT_VERSION) {
+    return {
+      code: "later-version",
+      message: `the file has version ${version}, this program reads versions up to ${PROJECT_VERSION}`,
+      remedy: "Update Tetrafront.",
+      path: "version",
+    };
+  }
+  return undefined;
+}
+
+function notAProject(why: string): ReadProblem {
+  return {
+    code: "not-a-project",
+    message: `this is not a Tetrafront project: ${why}`,
+    remedy: `Give a file that begins with { "format": "${PROJECT_FORMAT}", "version": ${PROJECT_VERSION}, … }.`,
+  };
+}
+
+function describeSyntaxError(text: string, failure: unknown): ReadProblem {
+  const reason = failure instanceof Error ? failure.message : String(failure);
+  const position = /position (\d+)/.exec(reason)?.[1];
+  const offset = position === undefined ? undefined : Number(position);
+  return {
+    code: "malformed-file",
+    message: `this is not JSON: ${reason.replace(/ in JSON at position.*| \(line \d+ column \d+\)/, "")}`,
+    remedy: "Correct the text there, or save the project again from the program that wrote it.",
+    line: offset === undefined ? undefined : text.slice(0, offset).split("\n").length,
+  };
+}
+
+function invalidProject({ path, message }: SchemaProblem): ReadProblem {
+  return {
+    code: "invalid-project",
+    message: path === "" ? message : `${path}: ${message}`,
+    remedy: "Correct the value there; project.schema.json in the package describes every field.",
+    path,
+  };
+}

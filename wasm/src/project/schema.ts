@@ -1,0 +1,347 @@
+/**
+ * The project file (docs/FORMAT.md): one schema, and the types inferred from it. It settles the
+ * structure: which keys, finite numbers no larger than the engine takes, unique ids, references that exist. Whether the
+ * geometry makes sense (a size above zero, a loop that closes, a planar patch that is plane) is the engine's to say,
+ * for a drawing that is still unfinished must be loadable.
+ */
+import * as v from "valibot";
+
+import { shown } from "../base/argument-checks.js";
+import { LIMITS } from "../base/limits.js";
+import { WORDS } from "./words.js";
+
+/** In the field `format` of every project file. */
+export const PROJECT_FORMAT = "tetrafront-project";
+/** Of the project file; readers take older ones too. */
+export const PROJECT_VERSION = 1;
+
+/** Something wrong in a value, and where: `points[0].at[2]`. */
+export interface SchemaProblem {
+  readonly path: string;
+  readonly message: string;
+}
+
+/**
+ * What a value is by a schema, or what is wrong with it (of keys that an object has no place for, the first), whatever
+ * the page has set up for its own schemas.
+ */
+function parsedBy<const Schema extends v.GenericSchema>(
+  schema: Schema,
+  value: unknown,
+): { readonly value: v.InferOutput<Schema> } | { readonly problems: readonly SchemaProblem[] } {
+  const parsed = v.safeParse(schema, value, { abortEarly: false, abortPipeEarly: true });
+  return parsed.success ? { value: parsed.output } : { problems: parsed.issues.map(problemOf) };
+}
+
+function problemOf(issue: v.BaseIssue<unknown>): SchemaProblem {
+  const keys = issue.path?.map(({ key }) => key) ?? [];
+  // What is too much is told of that which has it.
+  const surplus = issue.expected === "never" ? keys.pop() : undefined;
+  return {
+    path: pathText(keys),
+    message: surplus === undefined ? wordsFor(issue) : wordsForSurplus(surplus),
+  };
+}
+
+function wordsForSurplus(key: unknown): string {
+  return typeof key === "number" ? `expected at most ${key}${ITEMS}` : `there is no key ${shown(key)}`;
+}
+
+function wordsFor({ kind, type, input, expected, requirement, message }: v.BaseIssue<unknown>): string {
+  if (kind === "schema" && input === undefined) return "it is missing";
+  switch (type) {
+    case "raw_check":
+      return message;
+    case "safe_integer":
+      return `expected a whole number, received ${shown(input)}`;
+    case "gt_value":
+      return `expected more than ${shown(requirement)}`;
+    case "min_value":
+      return `expected at least ${shown(requirement)}`;
+    case "max_value":
+      return `expected at most ${shown(requirement)}`;
+    case "min_length":
+      return `expected at least ${shown(requirement)}${ITEMS}`;
+    case "max_length":
+      return `expected at most ${shown(requirement)}${ITEMS}`;
+    case "picklist":
+      return `expected one of ${expected?.slice(1, -1).replaceAll(" | ", ", ")}`;
+    default:
+      return `expected ${NAMES[type] ?? expected}, received ${shown(input)}`;
+  }
+}
+
+const ITEMS = " items";
+const NAMES: Readonly<Record<string, string>> = {
+  array: "a list",
+  finite: "a finite number",
+  number: "a number",
+  strict_object: "an object",
+  strict_tuple: "a list",
+  string: "a string",
+};
+
+/** `["points", 0, "at", 2]` as `points[0].at[2]`. */
+function pathText(path: readonly unknown[]): string {
+  return path
+    .map((step) => (typeof step === "number" ? `[${step}]` : `.${String(step)}`))
+    .join("")
+    .replace(/^\./, "");
+}
+
+/** Says in the JSON Schema what a field means. */
+const described = <Schema extends v.GenericSchema>(description: string, schema: Schema) =>
+  v.pipe(schema, v.description(description));
+
+/** As v.strictObject, which would take a list for an object with none of its fields. */
+function objectWith<const Entries extends v.ObjectEntries>(
+  entries: Entries,
+): v.StrictObjectSchema<Entries, undefined> {
+  const schema = v.strictObject(entries);
+  return {
+    ...schema,
+    "~run"(dataset, config) {
+      if (!Array.isArray(dataset.value)) return schema["~run"](dataset, config);
+      v._addIssue(schema, "type", dataset, config);
+      return dataset as unknown as v.FailureDataset<v.StrictObjectIssue>;
+    },
+  };
+}
+
+const listOf = <Item extends v.GenericSchema>(item: Item) => v.pipe(v.array(item), v.readonly());
+
+const number = v.pipe(v.number(), v.finite());
+/** What the engine would refuse without a word of the field. */
+const upTo = (most: number) => v.pipe(number, v.maxValue(most));
+const integer = v.pipe(v.number(), v.safeInteger());
+
+const reference = v.pipe(integer, v.gtValue(0));
+const id = described(WORDS.id, reference);
+const name = v.optional(described(WORDS.name, v.string()));
+const threeNumbers = v.pipe(v.strictTuple([number, number, number]), v.readonly());
+const triple = described(WORDS.place, threeNumbers);
+
+const pointSchema = v.pipe(objectWith({ id, name, at: triple }), v.readonly());
+
+const lineSchema = v.pipe(
+  objectWith({
+    id,
+    name,
+    type: v.picklist(["straight", "parabolic", "spline"]),
+    points: described(WORDS.linePoints, v.pipe(v.array(reference), v.minLength(2), v.readonly())),
+  }),
+  v.readonly(),
+);
+
+const loopSchema = described(WORDS.loop, v.pipe(v.array(integer), v.minLength(1), v.readonly()));
+
+const patchSchema = v.pipe(
+  objectWith({
+    id,
+    name,
+    type: described(
+      WORDS.patchType,
+      v.picklist(["planar", "isoparametric-triangle", "serendipity", "barnhill-gregory-nielson", "coons"]),
+    ),
+    loops: described(WORDS.loops, v.pipe(v.array(loopSchema), v.minLength(1), v.readonly())),
+  }),
+  v.readonly(),
+);
+
+const backgroundNodeSchema = v.pipe(
+  objectWith({
+    id,
+    at: triple,
+    size: described(WORDS.nodeSize, upTo(LIMITS.length)),
+    stretching: v.optional(described(WORDS.stretching, upTo(LIMITS.stretching))),
+    direction: v.optional(described(WORDS.direction, threeNumbers)),
+  }),
+  v.readonly(),
+);
+
+const sourceSchema = v.pipe(
+  objectWith({
+    id,
+    name,
+    type: v.picklist(["point", "segment", "triangle"]),
+    places: described(WORDS.places, v.pipe(v.array(triple), v.minLength(1), v.maxLength(3), v.readonly())),
+    size: described(WORDS.sourceSize, upTo(LIMITS.length)),
+    distance: v.optional(described(WORDS.distance, upTo(LIMITS.length))),
+    growth: v.optional(described(WORDS.growth, upTo(LIMITS.growth))),
+  }),
+  v.readonly(),
+);
+
+const backgroundSchema = v.pipe(
+  objectWith({
+    nodes: listOf(backgroundNodeSchema),
+    tetrahedra: described(
+      WORDS.tetrahedra,
+      listOf(v.pipe(v.strictTuple([integer, integer, integer, integer]), v.readonly())),
+    ),
+    sources: v.optional(described(WORDS.sources, listOf(sourceSchema))),
+    overhang: v.optional(described(WORDS.overhang, v.pipe(number, v.minValue(0)))),
+  }),
+  v.readonly(),
+);
+
+const meshingSchema = v.pipe(
+  objectWith({
+    size: v.optional(described(WORDS.size, upTo(LIMITS.length))),
+    gradation: v.optional(described(WORDS.gradation, upTo(LIMITS.gradation))),
+    enclosed: v.optional(described(WORDS.enclosed, v.picklist(["cavities", "regions"]))),
+    order: v.optional(described(WORDS.order, v.picklist(["layered", "smallest-first"]))),
+    optimization: v.optional(
+      described(WORDS.optimization, v.picklist(["none", "fast", "default", "strive"])),
+    ),
+  }),
+  v.readonly(),
+);
+
+const documentSchema = v.pipe(
+  objectWith({
+    $schema: v.optional(described(WORDS.schema, v.string())),
+    format: v.literal(PROJECT_FORMAT),
+    version: v.literal(PROJECT_VERSION),
+    name: v.string(),
+    description: v.optional(v.string()),
+    units: v.optional(described(WORDS.units, v.string())),
+    meshing: v.optional(described(WORDS.meshing, meshingSchema)),
+    points: listOf(pointSchema),
+    lines: listOf(lineSchema),
+    patches: listOf(patchSchema),
+    background: v.optional(described(WORDS.background, backgroundSchema), { nodes: [], tetrahedra: [] }),
+  }),
+  v.readonly(),
+);
+
+type Document = v.InferOutput<typeof documentSchema>;
+type Path = (string | number)[];
+type Report = (path: Path, message: string) => void;
+
+/** Corners of a source of each type. */
+const PLACES: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], number>> = {
+  point: 1,
+  segment: 2,
+  triangle: 3,
+};
+
+/** Tells `report` about ids used twice, references that lead nowhere, and sources short of places. */
+export function checkReferences(project: Document, report: Report): void {
+  const points = uniqueIds(project.points, ["points"], "point", report);
+  const lines = uniqueIds(project.lines, ["lines"], "line", report);
+  uniqueIds(project.patches, ["patches"], "patch", report);
+  const nodes = uniqueIds(project.background.nodes, ["background", "nodes"], "background node", report);
+  const expect = (known: ReadonlySet<number>, kind: string, wanted: number, path: Path) => {
+    if (!known.has(wanted)) report(path, `there is no ${kind} with the id ${wanted}`);
+  };
+  project.lines.forEach((line, l) =>
+    line.points.forEach((point, i) => expect(points, "point", point, ["lines", l, "points", i])),
+  );
+  project.patches.forEach((patch, p) =>
+    patch.loops.forEach((loop, k) =>
+      loop.forEach((line, i) => expect(lines, "line", Math.abs(line), ["patches", p, "loops", k, i])),
+    ),
+  );
+  project.background.tetrahedra.forEach((tetrahedron, t) =>
+    tetrahedron.forEach((node, i) =>
+      expect(nodes, "background node", node, ["background", "tetrahedra", t, i]),
+    ),
+  );
+  checkSources(project.background.sources ?? [], report);
+}
+
+/** What is wrong with a value that should be a list of sources, in a sentence; undefined if nothing. */
+export function sourceProblem(sources: unknown): string | undefined {
+  const parsed = parsedBy(v.array(sourceSchema), sources);
+  if ("problems" in parsed)
+    return parsed.problems.map(({ path, message }) => `sources${path}: ${message}`)[0];
+  const problems: string[] = [];
+  checkSources(parsed.value, (_, message) => problems.push(message));
+  return problems[0];
+}
+
+function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], report: Report): void {
+  uniqueIds(sources, ["background", "sources"], "source", report);
+  sources.forEach(({ type, places }, s) => {
+    const wanted = PLACES[type];
+    if (places.length === wanted) return;
+    const noun = wanted === 1 ? "place" : "places";
+    report(
+      ["background", "sources", s, "places"],
+      `a source of type "${type}" has ${wanted} ${noun}, here are ${places.length}`,
+    );
+  });
+}
+
+function uniqueIds(
+  entities: readonly { readonly id: number }[],
+  path: Path,
+  kind: string,
+  report: Report,
+): ReadonlySet<number> {
+  const seen = new Set<number>();
+  entities.forEach((entity, index) => {
+    if (seen.has(entity.id)) report([...path, index, "id"], `another ${kind} has the id ${entity.id} too`);
+    seen.add(entity.id);
+  });
+  return seen;
+}
+
+/** The schema (of the library Valibot) by which project files are checked, for those who check them themselves. */
+export const projectSchema = v.pipe(
+  documentSchema,
+  v.rawCheck(({ dataset, addIssue }) => {
+    if (!dataset.typed) return;
+    const { value } = dataset;
+    checkReferences(value, (path, message) => addIssue({ message, path: pathItems(value, path) }));
+  }),
+  v.title("Tetrafront project"),
+  v.description("Points, lines, patches and a background grid"),
+);
+
+/** Keys from `input` on, with what is there. */
+function pathItems(input: unknown, keys: Path): [v.IssuePathItem, ...v.IssuePathItem[]] | undefined {
+  let at = input as Readonly<Record<PropertyKey, unknown>>;
+  const [first, ...rest] = keys.map((key): v.IssuePathItem => {
+    const item = { type: "unknown", origin: "value", input: at, key, value: at[key] } as const;
+    at = item.value as typeof at;
+    return item;
+  });
+  return first && [first, ...rest];
+}
+
+/** What a value is as a project, or what is wrong with it. */
+export const parsedProject = (value: unknown) => parsedBy(projectSchema, value);
+
+/** What the app draws and saves: points, lines, patches, sizes. */
+export type Project = v.InferOutput<typeof projectSchema>;
+/** A point and its place in model units. */
+export type ProjectPoint = Project["points"][number];
+/** A line and its points. */
+export type ProjectLine = Project["lines"][number];
+/** A patch and the loops of lines that bound it. */
+export type ProjectPatch = Project["patches"][number];
+/** The project's own settings; whoever meshes it may give others. */
+export type ProjectMeshing = NonNullable<Project["meshing"]>;
+/** The background grid of a project, with its sources. */
+export type ProjectBackground = Project["background"];
+/** A node of the background grid, with the sizes wanted there. */
+export type ProjectBackgroundNode = ProjectBackground["nodes"][number];
+/** A place around which elements are wanted no larger than size + growth max(0, r - distance). */
+export type ProjectSource = NonNullable<ProjectBackground["sources"]>[number];
+/** What a source surrounds: a point, a segment or a triangle. */
+export type SourceType = ProjectSource["type"];
+/** How a line runs through its points. */
+export type LineType = ProjectLine["type"];
+/** How a patch spans its lines. */
+export type PatchType = ProjectPatch["type"];
+
+/** The id of a point; positive, unique among points. */
+export type PointId = number;
+/** The id of a line; positive, unique among lines. */
+export type LineId = number;
+/** The id of a patch; positive, unique among patches. */
+export type PatchId = number;
+/** The id of a source; positive, unique among sources. */
+export type SourceId = number;
