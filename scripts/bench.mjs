@@ -20,7 +20,7 @@ await main(async () => {
   const unknown = names.find((name) => !all.includes(name));
   if (unknown) throw new UserError(`There is no tests/bench/${unknown}; there are ${all.join(", ")}`);
   await build(["wasm", "package", "site", "native"], await setup(["native", "tests"]));
-  const env = { TETRAFRONT_FILL: path.join(buildFolders.native, "fill") };
+  const env = { TETRAFRONT_FILL: path.join(buildFolders.release, "fill") };
   for (const name of names.length > 0 ? names : all) {
     say(`\n== ${name}`);
     await must(process.execPath, [path.join(folder, name)], { env });

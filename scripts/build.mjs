@@ -1,9 +1,8 @@
 // Builds the parts named on the command line: wasm (the engine), package (the npm package's JavaScript),
-// site (the web application), native (library, fill, tests). Default: wasm package site.
+// site (the web application), native (library, programs, tests), asan, fuzz. Default: wasm package site.
 import { existsSync, rmSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
-import { emscriptenToolchainFile } from "./lib/emscripten.mjs";
 import { filesUnder, hashOf, isFresh, markFresh } from "./lib/fresh.mjs";
 import {
   bundleCommandLine,
@@ -12,22 +11,17 @@ import {
   minifyLoader,
   writeProjectSchema,
 } from "./lib/package-files.mjs";
-import { buildFolders, glmFolder, inRoot } from "./lib/paths.mjs";
+import { buildFolders, inRoot } from "./lib/paths.mjs";
 import { jobs, main, must, say, UserError } from "./lib/run.mjs";
 import { findFuzzer, which } from "./lib/tools.mjs";
 import { setup } from "./setup.mjs";
 
 const bin = (name) => inRoot("node_modules", ".bin", name);
 
-/** @param tools what `setup` returned; every step is free when nothing changed. */
+/** Each step takes what `setup` returned and does nothing if its inputs have not changed. */
 export const steps = {
   async wasm({ emscripten }) {
-    const file = emscriptenToolchainFile(emscripten.folder);
-    await configure(buildFolders.wasm, inRoot("wasm"), [`-DCMAKE_TOOLCHAIN_FILE=${file}`], emscripten.env);
-    await must("ninja", [`-j${jobs}`, "-C", buildFolders.wasm, "engine"], {
-      env: emscripten.env,
-      quietOut: true,
-    });
+    await compile("wasm", { ...emscripten.env, EMSCRIPTEN_ROOT: emscripten.folder });
     await minifyLoader();
   },
   async package() {
@@ -55,67 +49,41 @@ export const steps = {
     await must(bin("vite"), ["build", "web", "--logLevel", "warn"], { quietOut: true });
     markFresh(stamp, hash);
   },
-  async native(tools) {
-    await steps.database(tools);
-    await must("ninja", [`-j${jobs}`, "-C", buildFolders.native], { quietOut: true });
+  async native({ compiler }) {
+    await compile("release", { CXX: compiler });
   },
-  /** Only configures: clang-tidy reads compile_commands.json and needs nothing compiled. */
+  /** Configures only: clang-tidy reads compile_commands.json and the sources of the unity build. */
   async database({ compiler }) {
-    await configureNative(buildFolders.native, compiler, ["-DCMAKE_BUILD_TYPE=Release"]);
-    const log = path.join(buildFolders.native, "configure-again.log");
-    await must("ninja", ["-C", buildFolders.native, "build.ninja"], { log });
+    await configure("release", { CXX: compiler });
+    const log = path.join(buildFolders.release, "configure-again.log");
+    await must("ninja", ["-C", buildFolders.release, "build.ninja"], { log });
   },
-  async sanitized({ compiler }) {
-    await configureNative(buildFolders.asan, compiler, [
-      "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
-      // Without NDEBUG: our own assertions and the library's are part of this build.
-      "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1 -D_GLIBCXX_ASSERTIONS",
-      "-DTETRAFRONT_APPS=OFF",
-      "-DTETRAFRONT_PCH=ON",
-      "-DTETRAFRONT_SANITIZE=address,undefined",
-    ]);
-    await must("ninja", [`-j${jobs}`, "-C", buildFolders.asan], { quietOut: true });
+  async asan({ compiler }) {
+    await compile("asan", { CXX: compiler });
   },
-  /** The targets of libFuzzer, where there is a clang that has it. */
-  async fuzzer() {
+  /** Does nothing if no clang with libFuzzer is installed. */
+  async fuzz() {
     const compiler = findFuzzer();
-    if (compiler === undefined) return;
-    await configureNative(buildFolders.fuzz, compiler, [
-      "-DCMAKE_BUILD_TYPE=RelWithDebInfo",
-      "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -gline-tables-only",
-      "-DTETRAFRONT_APPS=OFF",
-      "-DTETRAFRONT_TESTS=OFF",
-      "-DTETRAFRONT_FUZZ=ON",
-      // Clang warns of what is in the headers of older libstdc++.
-      "-DTETRAFRONT_WERROR=OFF",
-      "-DTETRAFRONT_SANITIZE=address,undefined",
-    ]);
-    await must("ninja", [`-j${jobs}`, "-C", buildFolders.fuzz], { quietOut: true });
+    if (compiler !== undefined) await compile("fuzz", { CXX: compiler });
   },
 };
 
-function configureNative(folder, compiler, options) {
-  return configure(folder, inRoot("cpp"), [`-DCMAKE_CXX_COMPILER=${compiler}`, ...options], {});
+/** Configures a preset of CMakePresets.json where needed and builds it. */
+async function compile(preset, env) {
+  await configure(preset, env);
+  await must("cmake", ["--build", "--preset", preset, "--parallel", `${jobs}`], { env, quietOut: true });
 }
 
-/** Configures once; ninja itself runs CMake again when a CMakeLists.txt changes. */
-async function configure(folder, source, options, env) {
-  const args = [
-    "-G",
-    "Ninja",
-    "-S",
-    source,
-    "-B",
-    folder,
-    `-DTETRAFRONT_GLM_INCLUDE=${glmFolder}`,
-    ...options,
-  ];
+/** Configures a preset once; ninja itself runs CMake again when a CMakeLists.txt changes. */
+async function configure(preset, env) {
+  const folder = buildFolders[preset];
   const stamp = path.join(folder, "configured-with");
-  const wanted = JSON.stringify(args);
-  if (existsSync(path.join(folder, "build.ninja")) && isFresh(stamp, wanted)) return;
+  const inputs = `${hashOf([inRoot("CMakePresets.json")])} ${JSON.stringify(env)}`;
+  if (existsSync(path.join(folder, "build.ninja")) && isFresh(stamp, inputs)) return;
   rmSync(path.join(folder, "CMakeCache.txt"), { force: true });
-  await must(which("cmake") ?? "cmake", args, { env, log: path.join(folder, "configure.log") });
-  markFresh(stamp, wanted);
+  const log = path.join(folder, "configure.log");
+  await must(which("cmake") ?? "cmake", ["--preset", preset], { env, log });
+  markFresh(stamp, inputs);
 }
 
 export async function build(names, tools) {
@@ -134,8 +102,8 @@ export async function build(names, tools) {
 if (process.argv[1] === fileURLToPath(import.meta.url)) {
   await main(async () => {
     const names = process.argv.slice(2);
-    const wanted = names.length > 0 ? names : ["wasm", "package", "site"];
-    const isNative = wanted.some((name) => name === "native" || name === "sanitized");
-    await build(wanted, await setup(isNative ? ["native", "tests"] : []));
+    const parts = names.length > 0 ? names : ["wasm", "package", "site"];
+    const needsCompiler = parts.some((name) => ["native", "database", "asan"].includes(name));
+    await build(parts, await setup(needsCompiler ? ["native", "tests"] : []));
   });
 }

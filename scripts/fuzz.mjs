@@ -20,7 +20,7 @@ await main(async () => {
     say("fuzz: no clang with libFuzzer was found, so that was all");
     return;
   }
-  await build(["fuzzer"], {});
+  await build(["fuzz"], {});
   if ((await fuzzSurfaces({ count, seconds: MOST_SECONDS })) !== 0)
     throw new UserError("A surface was found that the engine does not survive; see above");
 });

@@ -1,14 +1,15 @@
 import { fileURLToPath } from "node:url";
 import path from "node:path";
 
-/** Absolute folders of the repository that the scripts share. */
+/** Absolute paths of the repository's folders. */
 export const root = path.resolve(fileURLToPath(new URL("../..", import.meta.url)));
 export const inRoot = (...parts) => path.join(root, ...parts);
 
 export const toolchain = inRoot(".toolchain");
 export const glmFolder = path.join(toolchain, "glm");
+/** The build folder of each preset in CMakePresets.json. */
 export const buildFolders = {
-  native: inRoot("build", "native"),
+  release: inRoot("build", "release"),
   asan: inRoot("build", "asan"),
   wasm: inRoot("build", "wasm"),
   fuzz: inRoot("build", "fuzz"),

@@ -106,7 +106,7 @@ export const suites = {
   cpp: {
     title: "C++ tests (Release)",
     needs: ["native"],
-    run: () => cpp(buildFolders.native, "cpp", {}),
+    run: () => cpp(buildFolders.release, "cpp", {}),
   },
   tidy: {
     title: "lint (C++)",
@@ -118,12 +118,12 @@ export const suites = {
   },
   "cpp-sanitized": {
     title: "C++ tests (ASan + UBSan)",
-    needs: ["sanitized"],
+    needs: ["asan"],
     run: () => cpp(buildFolders.asan, "cpp-sanitized", { UBSAN_OPTIONS: "print_stacktrace=1" }),
   },
   fuzz: {
     title: "surfaces found by coverage",
-    needs: ["fuzzer"],
+    needs: ["fuzz"],
     async run() {
       if (findFuzzer() === undefined) return sum([]);
       const status = await fuzzSurfaces({ count: -1, seconds: FUZZ_SECONDS });

@@ -34,7 +34,7 @@ const databaseFolder = inRoot("build", "tidy");
 
 /** The native build's commands less the options that only GCC knows, written where clang-tidy looks. */
 function commandsForClang() {
-  const entries = JSON.parse(readFileSync(path.join(buildFolders.native, "compile_commands.json"), "utf8"));
+  const entries = JSON.parse(readFileSync(path.join(buildFolders.release, "compile_commands.json"), "utf8"));
   const commands = entries.map((entry) => ({
     ...entry,
     command: entry.command.replaceAll(" -fno-tree-loop-vectorize", ""),

@@ -11,6 +11,7 @@
 #include "field/grid_gradation.h"
 #include "field/grid_locator.h"
 #include "field/tensor_limits.h"
+#include "geom/tetrahedron.h"
 
 namespace tetrafront {
 namespace {
@@ -24,12 +25,9 @@ constexpr std::uint32_t kFreeSteps = 64;
 constexpr std::uint32_t kStepsPerLayer = 4;
 
 /// To come to a tetrahedron costs far less than a step of the front.
-constexpr std::size_t kPerBudget = 8;
+constexpr std::size_t kTetrahedraPerBudget = 8;
 
 /// Nodes of the face opposite to node i.
-constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
-    {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}}};
-
 std::uint32_t cubeRootUp(std::size_t n) {
   std::uint32_t root = 1;
   while (std::size_t{root} * root * root < n) ++root;
@@ -48,7 +46,7 @@ class GridLocatorBuilder::Impl {
 
   bool advance(std::uint32_t budget) {
     if (stage_ == Stage::kDone) return true;
-    const std::size_t share = scaledBudget(budget, kPerBudget);
+    const std::size_t share = scaledBudget(budget, kTetrahedraPerBudget);
     if (stage_ == Stage::kLimits) {
       if (!limitSome(share)) return false;
     } else if (stage_ == Stage::kTree) {
@@ -208,7 +206,8 @@ class GridLocatorBuilder::Impl {
 
   [[nodiscard]] std::array<std::uint32_t, 3> sortedFace(std::uint32_t t, std::size_t i) {
     const auto& tet = tetrahedra()[t];
-    return sorted(std::array{tet[kFaces[i][0]], tet[kFaces[i][1]], tet[kFaces[i][2]]});
+    return sorted(
+        std::array{tet[kFaceCorners[i][0]], tet[kFaceCorners[i][1]], tet[kFaceCorners[i][2]]});
   }
 
   void placeFaces(std::uint32_t t) {

@@ -7,7 +7,7 @@ namespace tetrafront {
 namespace {
 
 /// Cyclic Jacobi converges quadratically; after five sweeps nothing is left of a 3 x 3 matrix.
-constexpr int kSweeps = 6;
+constexpr int kLimitSweeps = 6;
 
 /// What a tensor may be above a limit before it counts: rounding, relative to the limit.
 constexpr double kRounding = 1e-12;
@@ -91,7 +91,7 @@ bool isNowhereAbove(const SymmetricTensor& tensor, const SymmetricTensor& limit)
 PrincipalAxes principalAxes(const SymmetricTensor& tensor) {
   Matrix a = matrixOf(tensor);
   PrincipalAxes principal{{}, {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}};
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+  for (int sweep = 0; sweep < kLimitSweeps; ++sweep) {
     rotate(a, principal.axes, 0, 1);
     rotate(a, principal.axes, 0, 2);
     rotate(a, principal.axes, 1, 2);

@@ -8,10 +8,10 @@
 namespace tetrafront {
 namespace {
 
-bool contains(const NodeTriple& nodes, NodeId node) {
+bool isCorner(const NodeTriple& nodes, NodeId node) {
   return nodes[0] == node || nodes[1] == node || nodes[2] == node;
 }
-bool contains(const NodeQuad& nodes, NodeId node) {
+bool isCorner(const NodeQuad& nodes, NodeId node) {
   return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
 }
 
@@ -71,9 +71,9 @@ bool Cone::look(TetFace face, const ConeRules& rules) {
   const bool marked = t.facet[face.corner] != kNoFacet;
   if (!beyond.isNone() && mesh_.hasStamp(beyond.tet, stamp_)) return !marked;
   const NodeTriple nodes = mesh_.innerFace(face.tet, face.corner);
-  if (beyond.isNone() && contains(nodes, rules.lost)) return true;
+  if (beyond.isNone() && isCorner(nodes, rules.lost)) return true;
   const bool mayPass = !beyond.isNone() && !marked && cavity_.size() < rules.maxCavity;
-  if (contains(nodes, apex_)) {
+  if (isCorner(nodes, apex_)) {
     // Stays as a face of a new tetrahedron.
     faces_.push_back(face);
     return true;
@@ -110,11 +110,11 @@ bool Cone::collect(const ConeRules& rules) {
       continue;
     }
     const NodeTriple n = mesh_.innerFace(face.tet, face.corner);
-    if (!contains(n, apex_)) fresh_.push_back({n[0], n[1], n[2], apex_});
+    if (!isCorner(n, apex_)) fresh_.push_back({n[0], n[1], n[2], apex_});
   }
   for (const BoundaryFace& face : rules.boundary) {
     const auto& n = face.nodes;
-    if (contains(n, apex_)) continue;
+    if (isCorner(n, apex_)) continue;
     if (mesh_.points.orient(n[0], n[1], n[2], apex_) <= 0) return false;
     fresh_.push_back({n[0], n[1], n[2], apex_});
   }
@@ -143,7 +143,7 @@ bool Cone::losesEdges() const {
       for (std::size_t j = i + 1; j < 4; ++j) {
         if (!constraints_.contains(n[i], n[j])) continue;
         if (std::none_of(fresh_.begin(), fresh_.end(), [&](const auto& nodes) {
-              return contains(nodes, n[i]) && contains(nodes, n[j]);
+              return isCorner(nodes, n[i]) && isCorner(nodes, n[j]);
             })) {
           return true;
         }

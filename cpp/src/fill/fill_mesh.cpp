@@ -7,7 +7,7 @@
 namespace tetrafront {
 namespace {
 
-bool contains(const NodeTriple& nodes, NodeId node) {
+bool isFaceCorner(const NodeTriple& nodes, NodeId node) {
   return nodes[0] == node || nodes[1] == node || nodes[2] == node;
 }
 
@@ -67,7 +67,7 @@ void FillMesh::collectOuterFaces(std::span<const TetId> old, NodeId lost) {
       const TetFace beyond = t.across[k];
       if (!beyond.isNone() && hasStamp(beyond.tet, mark)) continue;
       const NodeTriple nodes = innerFace(id, k);
-      if (beyond.isNone() && contains(nodes, lost)) continue;
+      if (beyond.isNone() && isFaceCorner(nodes, lost)) continue;
       slots_.push_back({sorted(nodes), {}, beyond, t.facet[k]});
     }
   }

@@ -7,7 +7,7 @@
 namespace tetrafront {
 namespace {
 
-constexpr std::size_t kMaxGrowth = 200;
+constexpr std::size_t kMaxInteriorGrowth = 200;
 /// Sweeps over all points while something changes.
 constexpr int kMaxSweeps = 12;
 
@@ -67,7 +67,7 @@ double InteriorPointRounding::minShapeAround() const {
 bool InteriorPointRounding::removePoint(NodeId node) {
   const std::vector<NodeId> candidates = mesh_.neighboursIn(star_, node);
   const double needed = mesh_.points.isDouble(node) ? minShapeAround() : -1.0;
-  for (const std::size_t growth : {std::size_t{0}, kMaxGrowth}) {
+  for (const std::size_t growth : {std::size_t{0}, kMaxInteriorGrowth}) {
     ConeRules rules;
     rules.lost = node;
     rules.maxCavity = growth;
@@ -90,7 +90,7 @@ bool InteriorPointRounding::removePoint(NodeId node) {
 NodeId InteriorPointRounding::movePoint(NodeId node) {
   const NodeId moved = moveWithin(node, 0);
   if (mesh_.points.isDouble(moved)) return moved;
-  return moveWithin(node, kMaxGrowth);
+  return moveWithin(node, kMaxInteriorGrowth);
 }
 
 NodeId InteriorPointRounding::moveWithin(NodeId node, std::size_t growth) {

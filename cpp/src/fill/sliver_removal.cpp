@@ -16,7 +16,7 @@ constexpr double kMinHeight = 1e-11;
 /// From one try to the next.
 constexpr double kHeightFactor = 0.125;
 /// Elements that may be taken along: more would be another position's trouble.
-constexpr std::size_t kMaxGrowth = 200;
+constexpr std::size_t kMaxRingGrowth = 200;
 
 }  // namespace
 
@@ -79,7 +79,7 @@ NodeId SliverRemoval::replace(const Edge& edge, const Edge& other) {
   const Vec3 unit = normal * (1.0 / std::sqrt(square));
   const double length = std::min(glm::length(along), glm::length(across));
   ConeRules rules;
-  rules.maxCavity = ring_.size() + kMaxGrowth;
+  rules.maxCavity = ring_.size() + kMaxRingGrowth;
   for (double height = kMaxHeight; height > kMinHeight; height *= kHeightFactor) {
     for (const double off : {height * length, -height * length}) {
       const NodeId made = mesh_.points.add(start + along * t + unit * off);

@@ -8,7 +8,7 @@ namespace {
 
 /// Samples per curved line for the plane of a loop; the normal of a plane curve is exact with any
 /// number, this many make its area good to about 1 %.
-constexpr std::uint32_t kPlaneSamples = 16;
+constexpr std::uint32_t kSurfaceLoopSamples = 16;
 
 }  // namespace
 
@@ -116,7 +116,7 @@ double loopExtent(const ResolvedModel& model, const Loop& loop, std::uint32_t sa
 }
 
 LoopPlane loopPlane(const ResolvedModel& model, const Loop& loop) {
-  const std::vector<Vec3> samples = sampleLoop(model, loop, kPlaneSamples);
+  const std::vector<Vec3> samples = sampleLoop(model, loop, kSurfaceLoopSamples);
   LoopPlane plane;
   for (const Vec3& sample : samples) plane.origin += sample;
   plane.origin /= static_cast<double>(samples.size());

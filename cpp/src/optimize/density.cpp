@@ -188,7 +188,7 @@ double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& c
   for (std::size_t i = 0; i < star_.size; ++i) {
     const Corners& nodes = complex_.element(star_.elements[i]).nodes;
     if (std::find(nodes.begin(), nodes.end(), target) != nodes.end()) continue;
-    const auto& side = kSideCorners[star_.corner[i]];
+    const auto& side = kFaceCorners[star_.corner[i]];
     const Corners moved{target, nodes[side[0]], nodes[side[1]], nodes[side[2]]};
     const double one = complex_.costOf(cost, moved);
     if (one >= kInvalidCost) return kInvalidCost;

@@ -269,7 +269,7 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
   double old = 0.0;
   for (std::size_t i = 0; i < star_.size; ++i) {
     const Element& element = complex_.element(star_.elements[i]);
-    const auto& side = kSideCorners[star_.corner[i]];
+    const auto& side = kFaceCorners[star_.corner[i]];
     hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
                 complex_.place(element.nodes[side[2]]), complex_.frameOf<Space>(element.nodes));
     old = cost.combined(old, complex_.cost(star_.elements[i]));

@@ -108,7 +108,7 @@ template <class Space>
 typename Space::Frame ElementRepair<Space>::coneFrame(const Wanted& apex, const Corners& nodes,
                                                       std::size_t side) const {
   if constexpr (Space::kIsStretched) {
-    const auto& corners = kSideCorners[side];
+    const auto& corners = kFaceCorners[side];
     return Space::frameOf(apex, complex_.wanted<Space>(nodes[corners[0]]),
                           complex_.wanted<Space>(nodes[corners[1]]),
                           complex_.wanted<Space>(nodes[corners[2]]));
@@ -127,7 +127,7 @@ bool ElementRepair<Space>::growCavity(const Vec3& place, const Wanted& wanted,
       const Element& element = complex_.element(cavity_[i]);
       const Facing across = element.across[k];
       if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
-      const auto& side = kSideCorners[k];
+      const auto& side = kFaceCorners[k];
       const double here = cost(
           place, complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
           complex_.place(element.nodes[side[2]]), coneFrame(wanted, element.nodes, k));
@@ -152,7 +152,7 @@ void ElementRepair<Space>::hollowOut(const Wanted& wanted) {
     for (std::size_t k = 0; k < 4; ++k) {
       const Facing across = element.across[k];
       if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
-      const auto& side = kSideCorners[k];
+      const auto& side = kFaceCorners[k];
       hollow_.add(complex_.place(element.nodes[side[0]]), complex_.place(element.nodes[side[1]]),
                   complex_.place(element.nodes[side[2]]), coneFrame(wanted, element.nodes, k));
     }
@@ -205,7 +205,7 @@ bool ElementRepair<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
     for (std::size_t k = 0; k < 4; ++k) {
       const Facing across = element.across[k];
       if (!across.isNone() && inCavity_[across.tet().index()] == cavityStamp_) continue;
-      const auto& side = kSideCorners[k];
+      const auto& side = kFaceCorners[k];
       const Corners nodes{apex, element.nodes[side[0]], element.nodes[side[1]],
                           element.nodes[side[2]]};
       fresh_.push_back({nodes, complex_.costOf(cost, nodes)});

@@ -201,7 +201,7 @@ bool TetComplex::findStar(NodeId node, Star& star) {
 }
 
 TetComplex::FaceKey TetComplex::keyOf(const Corners& nodes, std::size_t corner) const {
-  const auto& side = kSideCorners[corner];
+  const auto& side = kFaceCorners[corner];
   std::uint32_t a = nodes[side[0]].value;
   std::uint32_t b = nodes[side[1]].value;
   std::uint32_t c = nodes[side[2]].value;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/ids.h"
+#include "geom/tetrahedron.h"
 #include "optimize/element_cost.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
@@ -17,10 +18,6 @@
 namespace tetrafront {
 
 using Corners = std::array<NodeId, 4>;
-
-/// Corners of the side opposite corner i, counter-clockwise seen from outside.
-inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kSideCorners{
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
 
 /// An element's side: the element, and the corner opposite.
 class Facing {

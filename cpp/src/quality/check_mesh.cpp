@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/sort.h"
+#include "geom/tetrahedron.h"
 #include "geom/predicates.h"
 #include "tetrafront/vec3.h"
 
@@ -21,9 +22,6 @@ constexpr double kVolumeTolerance = 1e-10;
 constexpr double kRoundingPerTerm = 16.0 * std::numeric_limits<double>::epsilon();
 
 /// Faces of tetrahedron a b c d seen from outside (mesh.h).
-constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-
 Vec3 pointOf(const std::vector<double>& points, std::uint32_t node) {
   const std::size_t i = 3 * std::size_t{node};
   return {points[i], points[i + 1], points[i + 2]};
@@ -240,7 +238,7 @@ void MeshVerifier::forEachFace(std::size_t first, std::size_t last, Use use) con
   const std::size_t tetrahedra = mesh_.tetrahedra.size() / 4;
   for (std::size_t e = first; e < std::min(last, tetrahedra); ++e) {
     const std::uint32_t* nodes = &mesh_.tetrahedra[4 * e];
-    for (const auto& face : kFaces) {
+    for (const auto& face : kFaceCorners) {
       use(sorted(nodes[face[0]], nodes[face[1]], nodes[face[2]]), static_cast<std::uint32_t>(e));
     }
   }

@@ -6,20 +6,18 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "geom/tetrahedron.h"
 
 namespace tetrafront {
 namespace {
 
 /// The faces of a b c d (mesh.h) by position.
-constexpr std::array<std::array<std::size_t, 3>, 4> kFaces{
-    {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-
 using Nodes = std::array<std::uint32_t, 3>;
 
 Nodes faceOf(const VolumeMesh& mesh, std::size_t owner) {
   Nodes nodes{};
   for (std::size_t k = 0; k < 3; ++k)
-    nodes[k] = mesh.tetrahedra[owner / 4 * 4 + kFaces[owner % 4][k]];
+    nodes[k] = mesh.tetrahedra[owner / 4 * 4 + kFaceCorners[owner % 4][k]];
   return nodes;
 }
 

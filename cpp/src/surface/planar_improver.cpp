@@ -23,9 +23,9 @@ constexpr double kPoorSine = 0.54;
 /// Angles wider than 25 degrees are good enough to be traded for a node less.
 constexpr double kFairSine = 0.42261826174069944;
 /// A repair must raise the smallest sine by this.
-constexpr double kLeastGain = 0.01;
+constexpr double kMinSineGain = 0.01;
 /// A change must not turn a triangle's normal by more than 60 degrees from what was there.
-constexpr double kSharpFold = 0.5;
+constexpr double kSharpFoldCosine = 0.5;
 /// Where along the line between the diamond's far corners a new node is tried.
 constexpr std::array<double, 3> kSplitShares{0.5, 0.35, 0.65};
 
@@ -81,7 +81,8 @@ double PlanarImprover::fanSine(const LocalSpace& local, std::uint32_t centre,
     if (mesh_->turn(ring[into], from, to) <= 0) return -1.0;
     if (step > 1 && !mesh_->mayJoin(ring[into], from)) return -1.0;
     const Vec3 turned = normal(ring[into], from, to);
-    if (glm::dot(turned, mean) < kSharpFold * glm::length(turned) * glm::length(mean)) return -1.0;
+    if (glm::dot(turned, mean) < kSharpFoldCosine * glm::length(turned) * glm::length(mean))
+      return -1.0;
     least = std::min(least, sine(local, ring[into], from, to));
   }
   return least;
@@ -187,7 +188,7 @@ void PlanarImprover::repair(std::uint32_t triangle) {
   const double before = sine(localAt(nodes[0]), nodes[0], nodes[1], nodes[2]);
   if (before >= kPoorSine) return;
   Change best;
-  best.sine = before + kLeastGain;
+  best.sine = before + kMinSineGain;
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (links_->neighbour(triangle, k) == PlanarLinks::kNone) continue;
     considerFlip(triangle, k, best);
@@ -208,7 +209,7 @@ void PlanarImprover::considerFlip(std::uint32_t t, std::uint32_t k, Change& best
   const double after = std::min(sine(local, c, a, d), sine(local, c, d, b));
   if (after <= best.sine || mesh_->turn(c, a, d) <= 0 || mesh_->turn(c, d, b) <= 0) return;
   const auto& places = mesh_->places;
-  if (foldCosine(places[c], places[d], places[b], places[a]) < kSharpFold) return;
+  if (foldCosine(places[c], places[d], places[b], places[a]) < kSharpFoldCosine) return;
   best = {Change::Kind::kFlip, after, t, k, Vec2(0.0)};
 }
 
@@ -219,7 +220,7 @@ void PlanarImprover::considerCollapses(std::uint32_t node, Change& best) {
   for (std::size_t i = 0; i < star_.ring.size(); ++i) {
     if (longestOfFan(local, i) > kLongEdge) continue;
     const double after = fanSine(local, node, i);
-    if (after > best.sine && after > before + kLeastGain)
+    if (after > best.sine && after > before + kMinSineGain)
       best = {Change::Kind::kCollapse, after, node, static_cast<std::uint32_t>(i), Vec2(0.0)};
   }
 }

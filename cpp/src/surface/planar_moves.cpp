@@ -17,7 +17,7 @@ constexpr std::array<double, 3> kSearchSteps{0.3, 0.12, 0.04};
 /// Rounds of one step length before the next.
 constexpr int kSearchRounds = 3;
 /// A search must raise the rating by this to go on.
-constexpr double kLeastGain = 1e-3;
+constexpr double kMinRatingGain = 1e-3;
 /// Nodes whose triangles cost more than this on average are polished; 1.1 is a mean shape of .95.
 constexpr double kCostly = 1.1;
 /// Directions searched: the corners of an octagon.
@@ -124,7 +124,7 @@ void PlanarMoves::search(std::uint32_t node, Rating rating, double rated, const 
       const Vec2 from = mesh_->plane[node];
       moved = std::ranges::any_of(kDirections, [&](const Vec2& direction) {
         const Vec3 move = share * shortest * (direction.x * first + direction.y * second);
-        return moveTo(node, from + stepFor(here, move), rating, rated + kLeastGain, local);
+        return moveTo(node, from + stepFor(here, move), rating, rated + kMinRatingGain, local);
       });
       if (moved) rated = rate(rating, mesh_->places[node], local);
     }

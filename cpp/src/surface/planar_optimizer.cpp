@@ -12,7 +12,7 @@ namespace tetrafront {
 namespace {
 
 /// A flip must lower the cost by this share, or rounding could flip for ever.
-constexpr double kLeastGain = 1e-6;
+constexpr double kMinRelativeGain = 1e-6;
 /// Cosine of the angle between two triangles' normals below which a flip must not fold them more
 /// than they were: on coarsely divided bends the better shapes may cut across the bend.
 constexpr double kSharpFold = 0.5;
@@ -136,7 +136,7 @@ bool PlanarOptimizer::flip(std::uint32_t t, std::uint32_t k) {
     if (turnedAfter < turned) links_.flip(t, k);
     if (turnedAfter != turned) return turnedAfter < turned;
   }
-  if (after >= (1.0 - kLeastGain) * before) return false;
+  if (after >= (1.0 - kMinRelativeGain) * before) return false;
   const double fold = foldCosine(placeC, placeD, placeB, placeA);
   if (fold < kSharpFold && fold < foldBefore) return false;
   links_.flip(t, k);

@@ -22,7 +22,7 @@ constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
 /// Bounds of one attempt; costs are as FrontAdvance::step() counts them.
 constexpr std::size_t kMaxRemovedElements = 4000;
 constexpr std::uint64_t kCostPerRemovedElement = 30;
-constexpr std::uint64_t kExtraCost = 2000;
+constexpr std::uint64_t kRemeshingExtraCost = 2000;
 /// And of all attempts together, per element of the mesh: where pockets are many, or triangles are
 /// needles, the sizes asked for contradict the boundary, and trying everything everywhere would only
 /// take its time. The exact fill comes after, and the optimizer makes as much of its elements.
@@ -30,7 +30,7 @@ constexpr std::uint64_t kTotalCostPerElement = 2;
 constexpr std::uint64_t kExtraTotalCost = 40'000;
 
 /// Touching this many faces or elements costs about as much as one step of the front.
-constexpr std::size_t kTouchedPerStep = 4;
+constexpr std::size_t kRemeshedPerStep = 4;
 
 }  // namespace
 
@@ -98,7 +98,7 @@ std::size_t LocalRemeshing<Trace>::enlargeNext(PocketSet& pockets) {
   std::vector<TetId> around = index_.around(pockets.nodes(pocket), rings, kMaxRemovedElements);
   const std::size_t touched = around.size() + pockets.faces(pocket).size();
   if (around.size() <= kMaxRemovedElements) {
-    costLeft_ = kCostPerRemovedElement * around.size() + kExtraCost;
+    costLeft_ = kCostPerRemovedElement * around.size() + kRemeshingExtraCost;
     elementsBefore_ = elements_.size();
     nodesBefore_ = front_.nodes().size();
     enlarged_.emplace(front_, elements_, pockets, pocket, std::move(around));
@@ -108,7 +108,7 @@ std::size_t LocalRemeshing<Trace>::enlargeNext(PocketSet& pockets) {
     for (const FaceId face : enlarged_->faces()) front_.requeue(face, 0);
     stage_ = Stage::kAdvance;
   }
-  const std::size_t cost = 1 + touched / kTouchedPerStep;
+  const std::size_t cost = 1 + touched / kRemeshedPerStep;
   cost_ += cost;
   return cost;
 }
@@ -147,7 +147,7 @@ std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
   const std::size_t touched =
       enlarged_->faces().size() + enlarged_->removedElements() + left.size();
   enlarged_.reset();
-  return 1 + touched / kTouchedPerStep;
+  return 1 + touched / kRemeshedPerStep;
 }
 
 template class LocalRemeshing<NullTrace>;

@@ -18,7 +18,7 @@ import {
   torusSurface,
 } from "../../support/surfaces.js";
 
-const fill = fileURLToPath(new URL("../../../build/native/fill", import.meta.url));
+const fill = fileURLToPath(new URL("../../../build/release/fill", import.meta.url));
 
 /** What the native program says about the mesh of the same surface. */
 function nativeFingerprint(surface: SurfaceInput): string | undefined {
