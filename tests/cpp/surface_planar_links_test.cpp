@@ -1,5 +1,6 @@
 // The changes of a patch's triangulation, against links built anew.
 
+#include "base/ids.h"
 #include "surface/planar_links.h"
 
 #include <gtest/gtest.h>
@@ -48,7 +49,7 @@ PlanarMesh gridMesh() {
 double areaOf(const PlanarMesh& mesh) {
   double area = 0.0;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
-    if (mesh.triangles[t] == PlanarMesh::kNone) continue;
+    if (mesh.triangles[t] == kNoIndex) continue;
     const Vec2 u = mesh.plane[mesh.triangles[t + 1]] - mesh.plane[mesh.triangles[t]];
     const Vec2 v = mesh.plane[mesh.triangles[t + 2]] - mesh.plane[mesh.triangles[t]];
     const double turn = u.x * v.y - u.y * v.x;
@@ -73,9 +74,9 @@ void expectConsistent(const PlanarLinks& links, const PlanarMesh& mesh) {
     const auto twin = owners.find({side.second, side.first});
     std::uint32_t k = 0;
     while (links.node(t, k) == side.first || links.node(t, k) == side.second) ++k;
-    EXPECT_EQ(links.neighbour(t, k), twin == owners.end() ? PlanarLinks::kNone : twin->second);
+    EXPECT_EQ(links.neighbour(t, k), twin == owners.end() ? kNoIndex : twin->second);
     const std::uint32_t owner = links.triangleOf(side.first);
-    ASSERT_NE(owner, PlanarLinks::kNone);
+    ASSERT_NE(owner, kNoIndex);
     EXPECT_EQ(links.node(owner, links.corner(owner, side.first)), side.first);
   }
   EXPECT_NEAR(areaOf(mesh), kCells * kCells, 1e-9);
@@ -95,7 +96,7 @@ class RandomChanges {
     const int kind = random_.integer(0, 3);
     if (kind == 0) return collapse(links_->node(t, k));
     if (kind == 3) return insert(t);
-    if (links_->neighbour(t, k) == PlanarLinks::kNone) return false;
+    if (links_->neighbour(t, k) == kNoIndex) return false;
     return kind == 1 ? flip(t, k) : split(t, k);
   }
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ids.h"
 #include "base/budget.h"
 #include "search/box_tree.h"
 #include "boundary/surface_checks.h"
@@ -212,14 +213,13 @@ void BoundaryCheck::Impl::reportFlippedComponents(const std::vector<std::uint8_t
 
 /// Regions in order of the lowest triangles of the shells around them.
 void BoundaryCheck::Impl::numberRegions() {
-  constexpr std::uint32_t kNone = 0xffffffffU;
-  std::vector<std::uint32_t> numberOf(regions_.shells.size(), kNone);
+  std::vector<std::uint32_t> numberOf(regions_.shells.size(), kNoIndex);
   std::vector<std::uint32_t> regionOf(regions_.shells.size(), SurfaceMesh::kNoRegion);
   std::uint32_t cavities = 0;
   for (std::uint32_t side = 0; side < regions_.shellOf.size(); ++side) {
     const std::uint32_t shell = regions_.shellOf[side];
     if (regions_.isMeshed[shell] == 0) continue;
-    if (numberOf[shell] == kNone) {
+    if (numberOf[shell] == kNoIndex) {
       numberOf[shell] = static_cast<std::uint32_t>(result_.shells.size());
       result_.shells.push_back(
           {.firstTriangle = triangleOf(side), .volume = regions_.shells[shell].volume});

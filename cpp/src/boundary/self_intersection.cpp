@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/ids.h"
 #include "base/budget.h"
 #include "base/sort.h"
 #include "geom/intersect.h"
@@ -17,17 +18,15 @@ namespace {
 /// A look at a pair of branches costs this part of what is done for a triangle.
 constexpr std::size_t kPairsPerTriangle = 16;
 
-constexpr std::uint32_t kNone = 0xffffffffU;
-
 NumberedTriangle triangleOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
   const std::size_t i = 3 * std::size_t{triangle};
   return {{mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]},
           cornersOf(mesh, triangle)};
 }
 
-/// kNone if there is none.
+/// kNoIndex if there is none.
 std::uint32_t lowestCommonNode(const NumberedTriangle& a, const NumberedTriangle& b) {
-  std::uint32_t lowest = kNone;
+  std::uint32_t lowest = kNoIndex;
   for (const std::uint32_t node : a.nodes) {
     if (std::ranges::count(b.nodes, node) > 0) lowest = std::min(lowest, node);
   }

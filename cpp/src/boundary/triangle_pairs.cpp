@@ -34,12 +34,12 @@ TrianglePairs::CommonNodes TrianglePairs::nodesOf(std::uint32_t triangle) const 
 
 bool TrianglePairs::shareNode(const CommonNodes& a, const CommonNodes& b) {
   return std::ranges::any_of(a, [&](std::uint32_t node) {
-    return node != kNone && (node == b[0] || node == b[1] || node == b[2]);
+    return node != kNoIndex && (node == b[0] || node == b[1] || node == b[2]);
   });
 }
 
 TrianglePairs::CommonNodes TrianglePairs::commonOf(const CommonNodes& a, const CommonNodes& b) {
-  CommonNodes common{kNone, kNone, kNone};
+  CommonNodes common{kNoIndex, kNoIndex, kNoIndex};
   std::ranges::copy_if(a, common.begin(),
                        [&](std::uint32_t node) { return std::ranges::count(b, node) > 0; });
   return common;

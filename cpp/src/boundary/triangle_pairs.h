@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
 #include "geom/oriented_box.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"
@@ -33,7 +34,6 @@ class TrianglePairs {
  private:
   /// Nodes that all triangles of a branch have in common; a fan's triangles share one.
   using CommonNodes = std::array<std::uint32_t, 3>;
-  static constexpr std::uint32_t kNone = 0xffffffffU;
   struct Branches {
     std::uint32_t a;
     std::uint32_t b;

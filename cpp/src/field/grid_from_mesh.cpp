@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
 #include "tetrafront/grid_tools.h"
 
 namespace tetrafront {
@@ -19,7 +20,6 @@ constexpr double kSizePerEdge = 0.9;
 /// over an edge that spans 100 degrees of a circle.
 constexpr double kOverhang = 0.25;
 
-constexpr std::uint32_t kUnused = 0xffffffffU;
 constexpr std::array<std::pair<std::size_t, std::size_t>, 6> kEdges{
     {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}}};
 
@@ -37,7 +37,7 @@ class MeshGridder::Impl {
   Impl(VolumeMesh mesh, std::vector<double> sizes)
       : mesh_(std::move(mesh)),
         sizes_(std::move(sizes)),
-        numbers_(mesh_.points.size() / 3, kUnused),
+        numbers_(mesh_.points.size() / 3, kNoIndex),
         elements_(mesh_.tetrahedra.size() / 4) {
     if (sizes_.empty()) {
       edges_.assign(numbers_.size(), 0.0);
@@ -88,7 +88,7 @@ class MeshGridder::Impl {
   }
 
   void addNode(std::uint32_t i) {
-    if (numbers_[i] == kUnused) return;
+    if (numbers_[i] == kNoIndex) return;
     numbers_[i] = static_cast<std::uint32_t>(grid_.nodes.size());
     BackgroundNode node;
     node.position = placeOf(mesh_, i);

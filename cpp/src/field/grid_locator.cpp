@@ -84,7 +84,7 @@ GridLocator::Location GridLocator::locate(const Vec3& place, std::uint32_t start
     }
     if (weights[exit] >= -kWeightRounding) return {at, clampedWeights(weights), true, step};
     const std::uint32_t next = frames_[at].neighbours[exit];
-    if (next == kNone) {
+    if (next == kNoIndex) {
       Location found = nearest(place, at);
       found.steps = step;
       return found;

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
 #include "field/size_tensor.h"
 #include "search/box_tree.h"
 #include "search/incidence.h"
@@ -50,8 +51,6 @@ class GridLocator {
   [[nodiscard]] const BackgroundGrid& grid() const { return grid_; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-
   /// What a walk needs of a tetrahedron, side by side in memory: the linear functions that are the
   /// weights of nodes 1, 2, 3, which vanish at node 0; what is across the face opposite to node i.
   struct Frame {

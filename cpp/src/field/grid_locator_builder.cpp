@@ -6,6 +6,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/ids.h"
 #include "base/budget.h"
 #include "base/sort.h"
 #include "field/grid_gradation.h"
@@ -196,11 +197,10 @@ class GridLocatorBuilder::Impl {
     const Vec3 v = place(t, 2) - origin;
     const Vec3 w = place(t, 3) - origin;
     const double volume = glm::dot(u, glm::cross(v, w));  // of either sign: it cancels
-    constexpr std::uint32_t kNone = GridLocator::kNone;
     made_.frames_.push_back(
         {origin,
          {glm::cross(v, w) / volume, glm::cross(w, u) / volume, glm::cross(u, v) / volume},
-         {kNone, kNone, kNone, kNone}});
+         {kNoIndex, kNoIndex, kNoIndex, kNoIndex}});
     for (std::size_t i = 0; i < 4; ++i) faces_.count(sortedFace(t, i)[0]);
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/ids.h"
 #include "geom/coordinates.h"
 
 namespace tetrafront {
@@ -88,11 +89,10 @@ class ClosureCheck {
       jointsOf[joints_[j].first].push_back(j);
       jointsOf[joints_[j].second].push_back(j);
     }
-    constexpr std::uint32_t kNone = 0xffffffffU;
-    std::vector<std::uint32_t> lowest(count, kNone);
+    std::vector<std::uint32_t> lowest(count, kNoIndex);
     std::vector<std::uint32_t> waiting;
     for (std::uint32_t patch = 0; patch < count; ++patch) {
-      if (lowest[patch] != kNone) continue;
+      if (lowest[patch] != kNoIndex) continue;
       lowest[patch] = patch;
       waiting.push_back(patch);
       while (!waiting.empty()) {
@@ -101,7 +101,7 @@ class ClosureCheck {
         for (const std::uint32_t j : jointsOf[from]) {
           const Joint& joint = joints_[j];
           const std::uint32_t to = joint.first == from ? joint.second : joint.first;
-          if (lowest[to] != kNone) continue;
+          if (lowest[to] != kNoIndex) continue;
           lowest[to] = patch;
           isTurned[to] = isTurned[from] ^ (joint.isOpposite ? 1 : 0);
           waiting.push_back(to);

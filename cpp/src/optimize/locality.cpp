@@ -3,18 +3,15 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/ids.h"
+
 namespace tetrafront {
-namespace {
-
-constexpr std::uint32_t kNone = 0xffffffffU;
-
-}  // namespace
 
 MortonReordering::MortonReordering(const VolumeMesh& mesh, std::size_t boundaryNodes)
     : mesh_(mesh),
       centroids_(mesh.regions.size()),
       sort_(centroids_),
-      newId_(mesh.points.size() / 3, kNone) {
+      newId_(mesh.points.size() / 3, kNoIndex) {
   std::iota(newId_.begin(), newId_.begin() + static_cast<std::ptrdiff_t>(boundaryNodes), 0U);
   ordered_.front = mesh.front;
   ordered_.points.reserve(mesh.points.size());
@@ -61,7 +58,7 @@ void MortonReordering::addCentroid(std::size_t element) {
 void MortonReordering::copyElement(std::size_t element) {
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t node = mesh_.tetrahedra[4 * element + k];
-    if (newId_[node] == kNone) {
+    if (newId_[node] == kNoIndex) {
       newId_[node] = static_cast<std::uint32_t>(ordered_.points.size() / 3);
       const double* at = &mesh_.points[3 * node];
       ordered_.points.insert(ordered_.points.end(), at, at + 3);

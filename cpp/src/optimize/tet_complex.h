@@ -25,13 +25,12 @@ class Facing {
   constexpr Facing() = default;
   constexpr Facing(TetId tet, std::size_t corner)
       : packed_(tet.value << 2 | static_cast<std::uint32_t>(corner)) {}
-  [[nodiscard]] constexpr bool isNone() const { return packed_ == kNone; }
+  [[nodiscard]] constexpr bool isNone() const { return packed_ == kNoIndex; }
   [[nodiscard]] constexpr TetId tet() const { return TetId(packed_ >> 2); }
   [[nodiscard]] constexpr std::size_t corner() const { return packed_ & 3U; }
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-  std::uint32_t packed_ = kNone;
+  std::uint32_t packed_ = kNoIndex;
 };
 
 struct Element {

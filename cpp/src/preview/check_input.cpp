@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/ids.h"
 #include "field/grid_locator.h"
 #include "field/size_sources.h"
 #include "geom/coordinates.h"
@@ -166,14 +167,14 @@ class InputChecker::Impl {
   }
 
   [[nodiscard]] SurfaceMesh surfaceOf(const Closure& closure) const {
-    constexpr std::uint32_t kNone = 0xffffffffU;
     const ModelPreview& preview = sampled_.preview;
     SurfaceMesh surface;
     const auto highest = std::ranges::max_element(sampled_.nodes);
-    std::vector<std::uint32_t> numbers(highest == sampled_.nodes.end() ? 0 : *highest + 1, kNone);
+    std::vector<std::uint32_t> numbers(highest == sampled_.nodes.end() ? 0 : *highest + 1,
+                                       kNoIndex);
     const auto numberOf = [&](std::uint32_t point) {
       std::uint32_t& number = numbers[sampled_.nodes[point]];
-      if (number == kNone) {
+      if (number == kNoIndex) {
         number = static_cast<std::uint32_t>(surface.points.size() / 3);
         for (std::size_t axis = 0; axis < 3; ++axis)
           surface.points.push_back(preview.patchPoints[3 * std::size_t{point} + axis]);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/ids.h"
 #include "model/check_model.h"
 #include "model/patch_projection.h"
 #include "preview/model_sampling.h"
@@ -224,7 +225,7 @@ class SurfaceSampler::Impl {
     const std::uint32_t first = nextPoint();
     for (std::size_t i = 0; i < mesh.places.size(); ++i) {
       const std::uint32_t node = mesh.aliases[i];
-      addPoint(mesh.places[i], node == PlanarMesh::kNone ? nextNode_++ : node);
+      addPoint(mesh.places[i], node == kNoIndex ? nextNode_++ : node);
     }
     for (const std::uint32_t node : mesh.triangles)
       sampled_.preview.patchTriangles.push_back(first + node);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/ids.h"
 #include "search/indexed_heap.h"
 #include "boundary/boundary_report.h"
 #include "boundary/surface_checks.h"
@@ -26,7 +27,6 @@ constexpr double kMaxLength = 1.4142135623730951;
 constexpr double kTypicalArea = 0.36;
 /// There are as many tetrahedra to each triangle of most bodies, and more; only thin ones have fewer.
 constexpr std::uint32_t kTetrahedraPerTriangle = 4;
-constexpr std::uint32_t kNone = 0xffffffffU;
 
 }  // namespace
 
@@ -312,9 +312,9 @@ std::uint32_t SurfaceRefiner::Impl::longestOf(std::uint32_t triangle) const {
 
 /// From triangle to triangle over ever longer edges, until one is the longest on all its sides.
 std::uint32_t SurfaceRefiner::Impl::longestAround(std::uint32_t edge) const {
-  for (std::uint32_t before = kNone; before != edge;) {
+  for (std::uint32_t before = kNoIndex; before != edge;) {
     before = edge;
-    for (std::uint32_t h = firstHalf_[before]; h != kNone; h = nextHalf_[h]) {
+    for (std::uint32_t h = firstHalf_[before]; h != kNoIndex; h = nextHalf_[h]) {
       const std::uint32_t longest = longestOf(h / 3);
       if (isLonger(longest, edge)) edge = longest;
     }
@@ -332,7 +332,7 @@ double SurfaceRefiner::Impl::lengthInside(std::uint32_t triangle, std::uint32_t 
 double SurfaceRefiner::Impl::needOf(std::uint32_t edge) {
   double need = lengths_[edge];
   if (!(need > 0.0)) return need;
-  for (std::uint32_t h = firstHalf_[edge]; h != kNone; h = nextHalf_[h]) {
+  for (std::uint32_t h = firstHalf_[edge]; h != kNoIndex; h = nextHalf_[h]) {
     if (longestOf(h / 3) == edge) need = std::max(need, lengthInside(h / 3, edge));
   }
   return need;
@@ -357,7 +357,7 @@ void SurfaceRefiner::Impl::lookAt(std::uint32_t triangle) {
 std::uint32_t SurfaceRefiner::Impl::addEdge(std::uint32_t from, std::uint32_t to) {
   const auto edge = static_cast<std::uint32_t>(ends_.size());
   ends_.push_back({from, to});
-  firstHalf_.push_back(kNone);
+  firstHalf_.push_back(kNoIndex);
   lengths_.push_back(0.0);
   spans_.push_back(0.0);
   needs_.push_back(0.0);
@@ -395,10 +395,10 @@ void SurfaceRefiner::Impl::bisect(std::uint32_t edge) {
   mesh_.points.insert(mesh_.points.end(), {middle.x, middle.y, middle.z});
   ++result_.splitEdges;
   around_.clear();
-  for (std::uint32_t h = firstHalf_[edge]; h != kNone; h = nextHalf_[h]) around_.push_back(h);
+  for (std::uint32_t h = firstHalf_[edge]; h != kNoIndex; h = nextHalf_[h]) around_.push_back(h);
   const std::uint32_t second = addEdge(m, b);
   ends_[edge] = {a, m};
-  firstHalf_[edge] = kNone;
+  firstHalf_[edge] = kNoIndex;
   measureEdge(edge);
   measureEdge(second);
   for (const std::uint32_t half : around_) {

@@ -79,7 +79,7 @@ std::size_t slotOf(std::uint64_t key, std::size_t tableSize) {
 }  // namespace
 
 FaceGrid::FaceGrid(double baseSize, const Vec3& origin)
-    : baseSize_(baseSize), origin_(origin), table_(kInitialTable, HashEntry{0, kNone}) {
+    : baseSize_(baseSize), origin_(origin), table_(kInitialTable, HashEntry{0, kNoIndex}) {
   double size = baseSize;
   for (int level = kBaseLevel; level < kLevels; ++level, size *= 2.0) cellSize_[level] = size;
   size = baseSize * 0.5;
@@ -101,24 +101,24 @@ std::int32_t FaceGrid::cellCoordinate(double value, int axis, int level) const {
 
 std::uint32_t FaceGrid::findBlock(std::uint64_t key) const {
   std::size_t slot = slotOf(key, table_.size());
-  while (table_[slot].block != kNone) {
+  while (table_[slot].block != kNoIndex) {
     if (table_[slot].key == key) return table_[slot].block;
     slot = (slot + 1) & (table_.size() - 1);
   }
-  return kNone;
+  return kNoIndex;
 }
 
 std::uint32_t FaceGrid::findOrMakeBlock(int level, std::uint64_t key) {
   const std::uint32_t found = findBlock(key);
-  if (found != kNone) return found;
+  if (found != kNoIndex) return found;
   if (2 * (usedEntries_ + 1) > table_.size()) growTable();
   std::size_t slot = slotOf(key, table_.size());
-  while (table_[slot].block != kNone) slot = (slot + 1) & (table_.size() - 1);
+  while (table_[slot].block != kNoIndex) slot = (slot + 1) & (table_.size() - 1);
   const auto block = static_cast<std::uint32_t>(blocks_.size());
   blocks_.emplace_back();
   blocks_.back().key = key;
   blocks_.back().occupied = 0;
-  blocks_.back().heads.fill(kNone);
+  blocks_.back().heads.fill(kNoIndex);
   blocksOnLevel_[level].push_back(block);
   table_[slot] = {key, block};
   ++usedEntries_;
@@ -126,12 +126,12 @@ std::uint32_t FaceGrid::findOrMakeBlock(int level, std::uint64_t key) {
 }
 
 void FaceGrid::growTable() {
-  std::vector<HashEntry> old(table_.size() * 2, HashEntry{0, kNone});
+  std::vector<HashEntry> old(table_.size() * 2, HashEntry{0, kNoIndex});
   old.swap(table_);
   for (const HashEntry& entry : old) {
-    if (entry.block == kNone) continue;
+    if (entry.block == kNoIndex) continue;
     std::size_t slot = slotOf(entry.key, table_.size());
-    while (table_[slot].block != kNone) slot = (slot + 1) & (table_.size() - 1);
+    while (table_[slot].block != kNoIndex) slot = (slot + 1) & (table_.size() - 1);
     table_[slot] = entry;
   }
 }
@@ -149,7 +149,7 @@ void FaceGrid::insert(std::uint32_t face, const Box& box) {
   Block& block = blocks_[blockId];
   block.occupied |= std::uint64_t{1} << inBlock;
   std::uint32_t& head = block.heads[inBlock];
-  if (head == kNone || chunks_[head].count == BoxQuad::kCount) {
+  if (head == kNoIndex || chunks_[head].count == BoxQuad::kCount) {
     std::uint32_t fresh = 0;
     if (freeChunks_.empty()) {
       fresh = static_cast<std::uint32_t>(chunks_.size());
@@ -190,7 +190,7 @@ void FaceGrid::remove(std::uint32_t face) {
   if (first.count > 0) return;
   freeChunks_.push_back(head);
   head = first.next;
-  if (head == kNone) block.occupied &= ~(std::uint64_t{1} << inBlock);
+  if (head == kNoIndex) block.occupied &= ~(std::uint64_t{1} << inBlock);
 }
 
 std::size_t FaceGrid::query(const Box& box, std::vector<std::uint32_t>& faces) const {
@@ -222,7 +222,7 @@ std::uint32_t* FaceGrid::queryLevel(int level, const Box& box, std::uint32_t* en
     for (std::int32_t y = cells.from[1] & ~3; y <= cells.to[1]; y += kCellsPerBlock) {
       for (std::int32_t z = cells.from[2] & ~3; z <= cells.to[2]; z += kCellsPerBlock) {
         const std::uint32_t block = findBlock(blockKey(level, x, y, z));
-        if (block != kNone) end = queryBlock(blocks_[block], cells, x, y, z, overlap, end);
+        if (block != kNoIndex) end = queryBlock(blocks_[block], cells, x, y, z, overlap, end);
       }
     }
   }
@@ -261,7 +261,7 @@ std::uint32_t* FaceGrid::queryBlock(const Block& block, const CellRange& cells, 
 
 std::uint32_t* FaceGrid::queryChunks(std::uint32_t chunk, const BoxOverlap& overlap,
                                      std::uint32_t* end) const {
-  for (; chunk != kNone; chunk = chunks_[chunk].next) {
+  for (; chunk != kNoIndex; chunk = chunks_[chunk].next) {
     end = overlap.append(chunks_[chunk].boxes, end);
   }
   return end;

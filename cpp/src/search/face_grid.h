@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "geom/box.h"
 #include "search/box_overlap.h"
 #include "tetrafront/vec3.h"
@@ -38,14 +39,13 @@ class FaceGrid {
   std::size_t query(const Box& box, std::vector<std::uint32_t>& faces) const;
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
   static constexpr int kLevels = 64;
   static constexpr int kBaseLevel = 32;
 
   struct alignas(64) Chunk {
     BoxQuad boxes;
     std::uint32_t count = 0;
-    std::uint32_t next = kNone;
+    std::uint32_t next = kNoIndex;
   };
   struct Block {
     std::uint64_t key;

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
+
 namespace tetrafront {
 
 /// Least key first. Equal keys come out in an order that depends on the calls made, never on
@@ -18,11 +20,11 @@ class IndexedHeap {
   /// Makes ids 0 .. count-1 usable.
   void reserveIds(std::size_t count) {
     if (count > position_.size())
-      position_.resize(std::max(count, position_.size() * 3 / 2), kAbsent);
+      position_.resize(std::max(count, position_.size() * 3 / 2), kNoIndex);
   }
   [[nodiscard]] bool empty() const { return entries_.empty(); }
   [[nodiscard]] std::size_t size() const { return entries_.size(); }
-  [[nodiscard]] bool contains(std::uint32_t id) const { return position_[id] != kAbsent; }
+  [[nodiscard]] bool contains(std::uint32_t id) const { return position_[id] != kNoIndex; }
 
   /// `id` must not be in the heap. O(log n).
   void push(std::uint32_t id, std::uint64_t key) {
@@ -40,8 +42,8 @@ class IndexedHeap {
   /// Takes `id` out, if it is in. O(log n).
   void remove(std::uint32_t id) {
     const std::uint32_t at = position_[id];
-    if (at == kAbsent) return;
-    position_[id] = kAbsent;
+    if (at == kNoIndex) return;
+    position_[id] = kNoIndex;
     const Entry last = entries_.back();
     entries_.pop_back();
     if (last.id == id) return;
@@ -55,7 +57,7 @@ class IndexedHeap {
   }
 
   void clear() {
-    for (const Entry& entry : entries_) position_[entry.id] = kAbsent;
+    for (const Entry& entry : entries_) position_[entry.id] = kNoIndex;
     entries_.clear();
   }
 
@@ -64,7 +66,6 @@ class IndexedHeap {
     std::uint64_t key;
     std::uint32_t id;
   };
-  static constexpr std::uint32_t kAbsent = 0xffffffffU;
   static constexpr std::size_t kChildren = 4;
 
   void place(std::size_t at, Entry entry) {

@@ -46,7 +46,7 @@ void Quadtree::insert(std::uint32_t id, const PlaneBox& box) {
                              (node.centre.x - node.halfWidth.x) - box.low.x});
     node.reach.y = std::max({node.reach.y, box.high.y - (node.centre.y + node.halfWidth.y),
                              (node.centre.y - node.halfWidth.y) - box.low.y});
-    if (node.firstChild == kNone) break;
+    if (node.firstChild == kNoIndex) break;
     at = childAt(node, centre);
   }
   link(at, id);
@@ -56,9 +56,9 @@ void Quadtree::insert(std::uint32_t id, const PlaneBox& box) {
 void Quadtree::link(std::uint32_t node, std::uint32_t id) {
   Item& item = items_[id];
   item.leaf = node;
-  item.previous = kNone;
+  item.previous = kNoIndex;
   item.next = nodes_[node].head;
-  if (item.next != kNone) items_[item.next].previous = id;
+  if (item.next != kNoIndex) items_[item.next].previous = id;
   nodes_[node].head = id;
   ++nodes_[node].count;
 }
@@ -76,9 +76,9 @@ void Quadtree::split(std::uint32_t node) {
     nodes_.push_back(part);
   }
   nodes_[node].firstChild = first;
-  nodes_[node].head = kNone;
+  nodes_[node].head = kNoIndex;
   nodes_[node].count = 0;
-  for (std::uint32_t id = parent.head; id != kNone;) {
+  for (std::uint32_t id = parent.head; id != kNoIndex;) {
     const std::uint32_t next = items_[id].next;
     const PlaneBox& box = items_[id].box;
     const std::uint32_t at = childAt(nodes_[node], 0.5 * (box.low + box.high));
@@ -95,13 +95,13 @@ void Quadtree::split(std::uint32_t node) {
 void Quadtree::remove(std::uint32_t id) {
   Item& item = items_[id];
   Node& leaf = nodes_[item.leaf];
-  if (item.previous == kNone)
+  if (item.previous == kNoIndex)
     leaf.head = item.next;
   else
     items_[item.previous].next = item.next;
-  if (item.next != kNone) items_[item.next].previous = item.previous;
+  if (item.next != kNoIndex) items_[item.next].previous = item.previous;
   --leaf.count;
-  item.leaf = kNone;
+  item.leaf = kNoIndex;
 }
 
 void Quadtree::query(const PlaneBox& box, std::vector<std::uint32_t>& found) const {
@@ -113,11 +113,11 @@ void Quadtree::query(const PlaneBox& box, std::vector<std::uint32_t>& found) con
     if (node.centre.x - half.x > box.high.x || node.centre.x + half.x < box.low.x ||
         node.centre.y - half.y > box.high.y || node.centre.y + half.y < box.low.y)
       continue;
-    if (node.firstChild != kNone) {
+    if (node.firstChild != kNoIndex) {
       for (std::uint32_t child = 0; child < 4; ++child) stack_.push_back(node.firstChild + child);
       continue;
     }
-    for (std::uint32_t id = node.head; id != kNone; id = items_[id].next)
+    for (std::uint32_t id = node.head; id != kNoIndex; id = items_[id].next)
       if (items_[id].box.meets(box)) found.push_back(id);
   }
 }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
@@ -43,20 +44,18 @@ class Quadtree {
   void query(const PlaneBox& box, std::vector<std::uint32_t>& found) const;
 
  private:
-  static constexpr std::uint32_t kNone = 0xffffffffU;
-
   struct Item {
     PlaneBox box;
-    std::uint32_t next = kNone;
-    std::uint32_t previous = kNone;
-    std::uint32_t leaf = kNone;
+    std::uint32_t next = kNoIndex;
+    std::uint32_t previous = kNoIndex;
+    std::uint32_t leaf = kNoIndex;
   };
   struct Node {
     Vec2 centre{0.0};
     Vec2 halfWidth{0.0};
     Vec2 reach{0.0};  ///< how far a box ever put below has reached beyond the edge
-    std::uint32_t firstChild = kNone;
-    std::uint32_t head = kNone;
+    std::uint32_t firstChild = kNoIndex;
+    std::uint32_t head = kNoIndex;
     std::uint32_t count = 0;
     std::uint32_t depth = 0;
   };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/ids.h"
 #include "base/sort.h"
 #include "model/patch_projection.h"
 #include "search/quadtree.h"
@@ -179,7 +180,7 @@ class BoundaryBuilder {
   void tag(std::uint32_t node, std::uint32_t straight) {
     PlanarMesh::Straights& tags = boundary.mesh.straights[node];
     if (tags[0] == straight || tags[1] == straight) return;
-    tags[tags[0] == PlanarMesh::kNone ? 0 : 1] = straight;
+    tags[tags[0] == kNoIndex ? 0 : 1] = straight;
   }
 
   [[nodiscard]] double area(std::uint32_t firstNode, std::uint32_t endNode) const {

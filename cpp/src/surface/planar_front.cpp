@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/ids.h"
 #include "base/sort.h"
 
 namespace tetrafront {
@@ -198,7 +199,7 @@ void PlanarFront::rankCandidates(const Base& base) {
     // then whatever makes the best shape.
     candidates_.push_back({captured ? away : 2.0 - worth, node});
   }
-  candidates_.push_back({kCaptureRadius, PlanarMesh::kNone});
+  candidates_.push_back({kCaptureRadius, kNoIndex});
   sortFew(candidates_, [](const Candidate& a, const Candidate& b) {
     return a.rank != b.rank ? a.rank < b.rank : a.node < b.node;
   });
@@ -206,7 +207,7 @@ void PlanarFront::rankCandidates(const Base& base) {
 
 bool PlanarFront::tryCandidates(const Base& base) {
   for (const Candidate& candidate : candidates_) {
-    if (candidate.node == PlanarMesh::kNone) {
+    if (candidate.node == kNoIndex) {
       if (tryNewNode(base)) return true;
       continue;
     }

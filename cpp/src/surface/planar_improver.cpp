@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/ids.h"
 #include "base/sort.h"
 
 namespace tetrafront {
@@ -107,7 +108,7 @@ bool PlanarImprover::mayRemove() const {
 
 void PlanarImprover::part(std::uint32_t triangle) {
   const auto isForbidden = [&](std::uint32_t k) {
-    return links_->neighbour(triangle, k) != PlanarLinks::kNone &&
+    return links_->neighbour(triangle, k) != kNoIndex &&
            !mesh_->mayJoin(links_->node(triangle, (k + 1) % 3),
                            links_->node(triangle, (k + 2) % 3));
   };
@@ -167,7 +168,7 @@ void PlanarImprover::refine(std::uint32_t triangle) {
   for (std::uint32_t k = 0; k < 3; ++k) {
     const double found =
         length(local, links_->node(triangle, (k + 1) % 3), links_->node(triangle, (k + 2) % 3));
-    if (found <= longest || links_->neighbour(triangle, k) == PlanarLinks::kNone) continue;
+    if (found <= longest || links_->neighbour(triangle, k) == kNoIndex) continue;
     longest = found;
     side = k;
   }
@@ -190,7 +191,7 @@ void PlanarImprover::repair(std::uint32_t triangle) {
   Change best;
   best.sine = before + kMinSineGain;
   for (std::uint32_t k = 0; k < 3; ++k) {
-    if (links_->neighbour(triangle, k) == PlanarLinks::kNone) continue;
+    if (links_->neighbour(triangle, k) == kNoIndex) continue;
     considerFlip(triangle, k, best);
     considerSplit(triangle, k, best);
   }

@@ -6,8 +6,8 @@ namespace tetrafront {
 
 void PlanarLinks::build() {
   const auto count = static_cast<std::uint32_t>(mesh_->triangles.size() / 3);
-  neighbours_.assign(count, {kNone, kNone, kNone});
-  triangleOf_.assign(mesh_->plane.size(), kNone);
+  neighbours_.assign(count, {kNoIndex, kNoIndex, kNoIndex});
+  triangleOf_.assign(mesh_->plane.size(), kNoIndex);
   // Each node's triangles, by counting; then each side looks for its twin around one end.
   std::vector<std::uint32_t> starts(mesh_->plane.size() + 1, 0);
   for (const std::uint32_t corner : mesh_->triangles) ++starts[corner + 1];
@@ -40,7 +40,7 @@ bool PlanarLinks::collectStar(std::uint32_t centre, Star& star) const {
   star.ring.clear();
   star.triangles.clear();
   const std::uint32_t first = triangleOf_[centre];
-  if (first == kNone) return false;
+  if (first == kNoIndex) return false;
   std::uint32_t t = first;
   do {
     const std::uint32_t at = corner(t, centre);
@@ -48,7 +48,7 @@ bool PlanarLinks::collectStar(std::uint32_t centre, Star& star) const {
     star.triangles.push_back(t);
     // The next triangle counter-clockwise lies across the side from the centre to the last node.
     t = neighbours_[t][(at + 1) % 3];
-    if (t == kNone) return false;
+    if (t == kNoIndex) return false;
   } while (t != first);
   return true;
 }
@@ -73,7 +73,7 @@ void PlanarLinks::put(std::uint32_t triangle, const std::array<std::uint32_t, 3>
 }
 
 void PlanarLinks::replaceNeighbour(std::uint32_t triangle, std::uint32_t old, std::uint32_t now) {
-  if (triangle == kNone) return;
+  if (triangle == kNoIndex) return;
   for (std::uint32_t& neighbour : neighbours_[triangle]) {
     if (neighbour != old) continue;
     neighbour = now;
@@ -82,8 +82,8 @@ void PlanarLinks::replaceNeighbour(std::uint32_t triangle, std::uint32_t old, st
 }
 
 std::uint32_t PlanarLinks::addTriangle() {
-  mesh_->triangles.insert(mesh_->triangles.end(), 3, kNone);
-  neighbours_.push_back({kNone, kNone, kNone});
+  mesh_->triangles.insert(mesh_->triangles.end(), 3, kNoIndex);
+  neighbours_.push_back({kNoIndex, kNoIndex, kNoIndex});
   return triangleCount() - 1;
 }
 
@@ -127,10 +127,10 @@ void PlanarLinks::collapse(std::uint32_t centre, const Star& star, std::size_t i
     for (std::uint32_t k = 0; k < 3; ++k) triangleOf_[node(t, k)] = t;
   }
   for (const std::uint32_t t : {after, before}) {
-    for (std::size_t k = 0; k < 3; ++k) mesh_->triangles[3 * std::size_t{t} + k] = kNone;
-    neighbours_[t] = {kNone, kNone, kNone};
+    for (std::size_t k = 0; k < 3; ++k) mesh_->triangles[3 * std::size_t{t} + k] = kNoIndex;
+    neighbours_[t] = {kNoIndex, kNoIndex, kNoIndex};
   }
-  triangleOf_[centre] = kNone;
+  triangleOf_[centre] = kNoIndex;
 }
 
 void PlanarLinks::split(std::uint32_t t, std::uint32_t k, std::uint32_t middle) {
@@ -139,7 +139,7 @@ void PlanarLinks::split(std::uint32_t t, std::uint32_t k, std::uint32_t middle) 
   const std::uint32_t overCA = neighbours_[t][(k + 2) % 3];
   const std::uint32_t overDB = neighbours_[other][corner(other, a)];
   const std::uint32_t overAD = neighbours_[other][corner(other, b)];
-  triangleOf_.resize(mesh_->plane.size(), kNone);
+  triangleOf_.resize(mesh_->plane.size(), kNoIndex);
   const std::uint32_t second = addTriangle();
   const std::uint32_t otherSecond = addTriangle();
   put(t, {c, a, middle}, {other, second, overCA});
@@ -153,7 +153,7 @@ void PlanarLinks::split(std::uint32_t t, std::uint32_t k, std::uint32_t middle) 
 void PlanarLinks::insert(std::uint32_t t, std::uint32_t centre) {
   const std::array<std::uint32_t, 3> nodes{node(t, 0), node(t, 1), node(t, 2)};
   const Neighbours over = neighbours_[t];
-  triangleOf_.resize(mesh_->plane.size(), kNone);
+  triangleOf_.resize(mesh_->plane.size(), kNoIndex);
   const std::uint32_t second = addTriangle();
   const std::uint32_t third = addTriangle();
   put(t, {nodes[0], nodes[1], centre}, {second, third, over[2]});
@@ -165,10 +165,10 @@ void PlanarLinks::insert(std::uint32_t t, std::uint32_t centre) {
 
 void PlanarLinks::compact() {
   PlanarMesh& mesh = *mesh_;
-  std::vector<std::uint32_t> numbers(mesh.plane.size(), kNone);
+  std::vector<std::uint32_t> numbers(mesh.plane.size(), kNoIndex);
   std::uint32_t kept = 0;
   for (std::uint32_t i = 0; i < mesh.plane.size(); ++i) {
-    if (i >= mesh.boundaryCount && triangleOf_[i] == kNone) continue;
+    if (i >= mesh.boundaryCount && triangleOf_[i] == kNoIndex) continue;
     mesh.plane[kept] = mesh.plane[i];
     mesh.places[kept] = mesh.places[i];
     mesh.sizes[kept] = mesh.sizes[i];
@@ -179,7 +179,7 @@ void PlanarLinks::compact() {
   while (mesh.plane.size() > kept) mesh.dropLastNode();
   std::size_t end = 0;
   for (const std::uint32_t node : mesh.triangles)
-    if (node != kNone) mesh.triangles[end++] = numbers[node];
+    if (node != kNoIndex) mesh.triangles[end++] = numbers[node];
   mesh.triangles.resize(end);
 }
 

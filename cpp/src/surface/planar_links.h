@@ -9,14 +9,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "surface/planar_mesh.h"
 
 namespace tetrafront {
 
 class PlanarLinks {
  public:
-  static constexpr std::uint32_t kNone = PlanarMesh::kNone;
-
   /// `mesh` must outlive this.
   explicit PlanarLinks(PlanarMesh& mesh) : mesh_(&mesh) {}
 
@@ -27,17 +26,17 @@ class PlanarLinks {
   [[nodiscard]] std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(neighbours_.size());
   }
-  [[nodiscard]] bool isAlive(std::uint32_t triangle) const { return node(triangle, 0) != kNone; }
+  [[nodiscard]] bool isAlive(std::uint32_t triangle) const { return node(triangle, 0) != kNoIndex; }
   [[nodiscard]] std::uint32_t node(std::uint32_t triangle, std::uint32_t corner) const {
     return mesh_->triangles[3 * std::size_t{triangle} + corner];
   }
-  /// The triangle across from corner `corner`; kNone at the boundary.
+  /// The triangle across from corner `corner`; kNoIndex at the boundary.
   [[nodiscard]] std::uint32_t neighbour(std::uint32_t triangle, std::uint32_t corner) const {
     return neighbours_[triangle][corner];
   }
   /// Which corner of the triangle the node `wanted` is.
   [[nodiscard]] std::uint32_t corner(std::uint32_t triangle, std::uint32_t wanted) const;
-  /// One of the node's triangles; kNone if it was drawn into another.
+  /// One of the node's triangles; kNoIndex if it was drawn into another.
   [[nodiscard]] std::uint32_t triangleOf(std::uint32_t node) const { return triangleOf_[node]; }
 
   /// The triangles around an inner node, counter-clockwise, and the nodes around it: triangle i

@@ -8,13 +8,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "geom/predicates.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
 
 struct PlanarMesh {
-  static constexpr std::uint32_t kNone = 0xffffffffU;
   /// Up to two straight lines of the plane a node lies on; nodes of one such line are collinear
   /// by decree, as their coordinates are so only up to rounding.
   using Straights = std::array<std::uint32_t, 2>;
@@ -24,7 +24,7 @@ struct PlanarMesh {
   std::vector<double> sizes;  ///< per node: wanted edge length
   std::vector<Straights> straights;
   /// Per node: which node of the whole surface it is. A patch whose first and last line are one
-  /// (a seam) shows some nodes twice in its plane. kNone for interior nodes.
+  /// (a seam) shows some nodes twice in its plane. kNoIndex for interior nodes.
   std::vector<std::uint32_t> aliases;
   /// Per boundary node: 1 if no inner edge may join it to another such node. Empty: none are.
   std::vector<std::uint8_t> parted;
@@ -36,8 +36,8 @@ struct PlanarMesh {
     plane.push_back(at);
     places.push_back(place);
     sizes.push_back(size);
-    straights.push_back({kNone, kNone});
-    aliases.push_back(kNone);
+    straights.push_back({kNoIndex, kNoIndex});
+    aliases.push_back(kNoIndex);
     return static_cast<std::uint32_t>(plane.size() - 1);
   }
 
@@ -56,7 +56,7 @@ struct PlanarMesh {
   /// True if the three nodes lie on one straight line of the boundary.
   [[nodiscard]] bool onOneStraight(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     for (const std::uint32_t straight : straights[a])
-      if (straight != kNone && onStraight(b, straight) && onStraight(c, straight)) return true;
+      if (straight != kNoIndex && onStraight(b, straight) && onStraight(c, straight)) return true;
     return false;
   }
 
@@ -67,7 +67,7 @@ struct PlanarMesh {
 
   /// True if the two are one node of the surface.
   [[nodiscard]] bool sameNode(std::uint32_t a, std::uint32_t b) const {
-    return a == b || (aliases[a] != kNone && aliases[a] == aliases[b]);
+    return a == b || (aliases[a] != kNoIndex && aliases[a] == aliases[b]);
   }
 
   [[nodiscard]] bool isParted(std::uint32_t node) const {

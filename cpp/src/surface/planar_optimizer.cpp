@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "base/ids.h"
+
 namespace tetrafront {
 
 namespace {
@@ -103,7 +105,7 @@ void PlanarOptimizer::flipFrom(std::uint32_t triangle) {
     pending_.pop_back();
     for (std::uint32_t k = 0; k < 3; ++k) {
       const std::uint32_t other = links_.neighbour(t, k);
-      if (other == PlanarLinks::kNone || !flip(t, k)) continue;
+      if (other == kNoIndex || !flip(t, k)) continue;
       pending_.push_back(other);
       pending_.push_back(t);
       break;
