@@ -1,21 +1,21 @@
 /**
  * Writes the sample projects of public/models and their list, public/index.json. Run it after changing
- * a shape: `npm run models`. The shapes are drawn in scripts/models, one file per family.
+ * a shape: `npm run models`. The shapes are drawn in models, one file per family.
  */
 import { mkdirSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { inRoot } from "./lib/paths.mjs";
-import { models as blade } from "./models/blade.mjs";
-import { models as bodies } from "./models/bodies.mjs";
-import { models as bracket } from "./models/bracket.mjs";
-import { models as engineIntake } from "./models/engine-intake.mjs";
-import { models as firstSteps } from "./models/first-steps.mjs";
-import { models as isoparametric } from "./models/isoparametric.mjs";
-import { models as missileLauncher } from "./models/missile-launcher.mjs";
-import { models as pipeAndFlow } from "./models/pipe-and-flow.mjs";
-import { models as pipes } from "./models/pipes.mjs";
-import { models as sDuct } from "./models/s-duct.mjs";
-import { models as wing } from "./models/wing.mjs";
+import { models as blade } from "../models/blade.mjs";
+import { models as bodies } from "../models/bodies.mjs";
+import { models as bracket } from "../models/bracket.mjs";
+import { models as engineIntake } from "../models/engine-intake.mjs";
+import { models as firstSteps } from "../models/first-steps.mjs";
+import { models as isoparametric } from "../models/isoparametric.mjs";
+import { models as missileLauncher } from "../models/missile-launcher.mjs";
+import { models as pipeAndFlow } from "../models/pipe-and-flow.mjs";
+import { models as pipes } from "../models/pipes.mjs";
+import { models as sDuct } from "../models/s-duct.mjs";
+import { models as wing } from "../models/wing.mjs";
 
 const opening = "engine-intake";
 

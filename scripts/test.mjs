@@ -1,76 +1,104 @@
-// npm test: sets up, builds and runs the suites named on the command line (default: all), whatever fails.
-// The last line of standard output is "N passed, N failed" over all of them.
+// npm test [-- SUITE...]: sets up, builds and runs the named suites (default: all), then prints a table.
+// npm test -- changed: only what the changes of this branch can break.
+// The last line of standard output is "N passed, N failed" over all suites.
 import { build } from "./build.mjs";
+import { changedFiles, suitesFor } from "./lib/changed.mjs";
 import { sum } from "./lib/counts.mjs";
 import { main, say, UserError } from "./lib/run.mjs";
 import { clearReports, suites } from "./lib/suites.mjs";
 import { setup } from "./setup.mjs";
 
-/** Builds what a suite needs, each part once; returns why it could not be built, or undefined. */
+/** Builds each part once, although both lanes ask for it; the promise is the reason for a failure, or undefined. */
 function builder(tools) {
-  const outcomes = new Map();
+  const builds = new Map();
+  const buildOnce = (part) => {
+    if (!builds.has(part)) builds.set(part, failureOf(() => build([part], tools)));
+    return builds.get(part);
+  };
   return async (parts) => {
     for (const part of parts) {
-      if (!outcomes.has(part)) outcomes.set(part, await attempt(() => build([part], tools)));
-      const problem = outcomes.get(part);
-      if (problem !== undefined) return `cannot build ${part}: ${problem}`;
+      const failure = await buildOnce(part);
+      if (failure !== undefined) return `cannot build ${part}: ${failure}`;
     }
     return undefined;
   };
 }
 
-async function attempt(body) {
+async function failureOf(work) {
   try {
-    await body();
+    await work();
     return undefined;
   } catch (error) {
     return error instanceof UserError ? error.message : (error.stack ?? String(error));
   }
 }
 
-async function runSuite(suite, tools, prepare) {
-  const problem = await prepare(suite.needs);
-  if (problem !== undefined) return { passed: 0, failed: 1, failures: [problem] };
+async function runSuite(suite, only, tools, prepare) {
+  const started = performance.now();
   let counts;
-  const crash = await attempt(async () => {
-    counts = await suite.run(tools);
-  });
-  return counts ?? { passed: 0, failed: 1, failures: [crash] };
+  const failure =
+    (await prepare(suite.needs)) ??
+    (await failureOf(async () => {
+      counts = await suite.run(tools, only);
+    }));
+  const seconds = secondsSince(started);
+  return { suite, seconds, counts: counts ?? { passed: 0, failed: 1, failures: [failure] } };
 }
+
+/** Runs the suites of one lane in the order of `names`. */
+async function runLane(lane, selection, tools, prepare) {
+  const rows = [];
+  for (const [name, only] of selection) {
+    if (suites[name].lane !== lane) continue;
+    const row = await runSuite(suites[name], only, tools, prepare);
+    say(`\n== ${suites[name].title}: ${row.counts.passed} passed, ${row.counts.failed} failed`);
+    rows.push(row);
+  }
+  return rows;
+}
+
+const secondsSince = (started) => (performance.now() - started) / 1000;
 
 function print(rows, all, seconds) {
   const lines = rows.map(({ suite, counts, seconds: s }) => {
     const numbers = `${String(counts.passed).padStart(6)} passed ${String(counts.failed).padStart(4)} failed`;
-    return `${suite.title.padEnd(26)}${numbers} ${s.toFixed(1).padStart(8)} s`;
+    return `${suite.title.padEnd(32)}${numbers} ${s.toFixed(1).padStart(8)} s`;
   });
   const failures = rows.flatMap(({ suite, counts }) =>
     counts.failures.map((name) => `FAILED ${suite.title}: ${name}`),
   );
   const untested = rows.flatMap(({ suite }) => suite.untested?.() ?? []);
-  const total = `${"all, with setup".padEnd(51)}${seconds.toFixed(1).padStart(8)} s`;
+  const total = `${"all, with builds and setup".padEnd(57)}${seconds.toFixed(1).padStart(8)} s`;
   process.stdout.write(
     `\n${[...lines, total, ...untested, ...failures, `${all.passed} passed, ${all.failed} failed`].join("\n")}\n`,
   );
 }
 
+/** The suites to run, each with the tests to run in it (`undefined`: all). */
+function select(names) {
+  if (names.length === 0) return new Map(Object.keys(suites).map((name) => [name, undefined]));
+  if (names.length === 1 && names[0] === "changed") {
+    const files = changedFiles();
+    const selection = suitesFor(files);
+    say(`${files.length} changed files: ${[...selection.keys()].join(", ") || "nothing to test"}`);
+    return selection;
+  }
+  const unknown = names.find((name) => !Object.hasOwn(suites, name));
+  if (unknown !== undefined) {
+    const known = ["changed", ...Object.keys(suites)].join(", ");
+    throw new UserError(`There is no suite "${unknown}"; the suites are ${known}`);
+  }
+  return new Map(names.map((name) => [name, undefined]));
+}
+
 await main(async () => {
   const started = performance.now();
-  const secondsSince = (time) => (performance.now() - time) / 1000;
+  const selection = select(process.argv.slice(2));
   const tools = await setup(["native", "tests"]);
-  const names = process.argv.slice(2);
-  const unknown = names.find((name) => !Object.hasOwn(suites, name));
-  if (unknown)
-    throw new UserError(`There is no suite "${unknown}"; the suites are ${Object.keys(suites).join(", ")}`);
-
   clearReports();
   const prepare = builder(tools);
-  const rows = [];
-  for (const name of names.length > 0 ? names : Object.keys(suites)) {
-    say(`\n== ${suites[name].title}`);
-    const begun = performance.now();
-    const counts = await runSuite(suites[name], tools, prepare);
-    rows.push({ suite: suites[name], counts, seconds: secondsSince(begun) });
-  }
+  const lanes = ["static", "tests"].map((lane) => runLane(lane, selection, tools, prepare));
+  const rows = (await Promise.all(lanes)).flat();
   const all = sum(rows.map((row) => row.counts));
   print(rows, all, secondsSince(started));
   if (all.failed > 0) process.exitCode = 1;

@@ -15,32 +15,35 @@ import { findFuzzer } from "./tools.mjs";
 const bin = (name) => inRoot("node_modules", ".bin", name);
 const report = (name) => path.join(reports, `${name}.json`);
 
-/** Longer with `npm run fuzz`. */
+/** `npm run fuzz` runs longer. */
 const FUZZ_SECONDS = 60;
 
 /** A static check counts as one test. */
 const check = (ok, name) => ({ passed: ok ? 1 : 0, failed: ok ? 0 : 1, failures: ok ? [] : [name] });
 
-/** Some tests take long; with more parts than processors one of these is not left with all of them. */
-const PARTS_PER_JOB = 8;
+/** Test durations differ widely: with many shards per processor, no processor is left with all long tests. */
+const SHARDS_PER_JOB = 8;
+/** A shard that runs longer hangs; tests/support/time_limit.cpp names the test that does. */
+const SHARD_LIMIT_MS = 20 * 60_000;
 
-/** The C++ tests in parts, each with every n-th of them; `jobs` parts run at a time. */
-async function cpp(folder, name, env) {
+/** Runs the C++ tests in shards, `jobs` at a time. */
+async function runGoogleTest(folder, name, env) {
   const program = path.join(folder, "tetrafront_tests");
-  const parts = Array.from({ length: PARTS_PER_JOB * jobs }, (_, part) => part);
-  const counts = await inParallel(parts, async (part) => {
-    const file = report(`${name}-${part}`);
-    const sharding = { GTEST_TOTAL_SHARDS: `${parts.length}`, GTEST_SHARD_INDEX: `${part}` };
+  const shards = Array.from({ length: SHARDS_PER_JOB * jobs }, (_, shard) => shard);
+  const counts = await inParallel(shards, async (shard) => {
+    const file = report(`${name}-${shard}`);
+    const sharding = { GTEST_TOTAL_SHARDS: `${shards.length}`, GTEST_SHARD_INDEX: `${shard}` };
     await run(program, ["--gtest_brief=1", `--gtest_output=json:${file}`], {
       env: { ...env, ...sharding },
       quietOut: true,
+      timeout: SHARD_LIMIT_MS,
     });
     return countGoogleTest(file);
   });
   return sum(counts);
 }
 
-/** Asks the system for a port nobody listens on. */
+/** Asks the system for an unused port. */
 function freePort() {
   return new Promise((resolve, reject) => {
     const server = createServer();
@@ -53,23 +56,25 @@ function freePort() {
 }
 
 /**
- * Every suite: what must be built before, and how it runs. `run` returns `{ passed, failed, failures }`;
- * `untested` tells, a line each, what could not be tested on this machine. The order puts quick answers first.
+ * All suites. `needs` lists the parts that must be built first. `run(tools, only)` returns
+ * `{ passed, failed, failures }`; `only` restricts a suite to some tests or files. `untested` lists, one line each,
+ * what this machine cannot test. The suites of a lane run one after the other, the two lanes side by side.
  */
 export const suites = {
   format: {
     title: "format",
+    lane: "static",
     needs: [],
     async run() {
-      const script = check(await formatScript(false), "Prettier finds unformatted files: npm run format");
       return sum([
-        script,
+        check(await formatScript(false), "Prettier finds unformatted files: npm run format"),
         check(await formatCpp(false), "clang-format finds unformatted files: npm run format"),
       ]);
     },
   },
   types: {
     title: "types",
+    lane: "static",
     needs: ["wasm", "package"],
     async run() {
       const results = [];
@@ -81,77 +86,86 @@ export const suites = {
     },
   },
   lint: {
-    title: "lint (TypeScript, arrows, coroutines)",
+    title: "lint (TypeScript, dependencies)",
+    lane: "static",
     needs: ["wasm", "package"],
-    async run() {
-      const status = await run(bin("eslint"), [".", "--max-warnings", "0"], { quietOut: true });
-      const wrong = wrongIncludes();
-      const arrows = { ...check(wrong.length === 0, "C++ includes"), failures: wrong };
-      const wrongTasks = wrongCoroutines();
-      const coroutines = { ...check(wrongTasks.length === 0, "coroutines"), failures: wrongTasks };
-      return sum([check(status === 0, "eslint finds problems"), arrows, coroutines]);
+    async run(_tools, only = ["."]) {
+      const args = [...only, "--max-warnings", "0", "--no-warn-ignored"];
+      const status = await run(bin("eslint"), args, { quietOut: true });
+      const found = { "C++ includes": wrongIncludes(), "C++ coroutines": wrongCoroutines() };
+      const rules = Object.entries(found).map(([name, failures]) => ({
+        ...check(failures.length === 0, name),
+        failures,
+      }));
+      return sum([check(status === 0, "eslint finds problems"), ...rules]);
     },
-  },
-  unit: {
-    title: "unit tests",
-    // The native program too: its meshes and the package's are compared.
-    needs: ["wasm", "package", "native"],
-    async run() {
-      const args = ["run", "--reporter=dot", "--reporter=json", `--outputFile.json=${report("unit")}`];
-      await run(bin("vitest"), args, { quietOut: true });
-      return countVitest(report("unit"));
-    },
-    untested: untestedOracles,
-  },
-  cpp: {
-    title: "C++ tests (Release)",
-    needs: ["native"],
-    run: () => cpp(buildFolders.release, "cpp", {}),
   },
   tidy: {
     title: "lint (C++)",
+    lane: "static",
     needs: ["database"],
     async run() {
       const bad = await tidy();
       return check(bad.length === 0, `clang-tidy finds problems in ${bad.join(", ")}`);
     },
   },
-  "cpp-sanitized": {
+  cpp: {
+    title: "C++ tests (release)",
+    lane: "tests",
+    needs: ["native"],
+    run: () => runGoogleTest(buildFolders.release, "cpp", {}),
+  },
+  "cpp-asan": {
     title: "C++ tests (ASan + UBSan)",
+    lane: "tests",
     needs: ["asan"],
-    run: () => cpp(buildFolders.asan, "cpp-sanitized", { UBSAN_OPTIONS: "print_stacktrace=1" }),
+    run: () => runGoogleTest(buildFolders.asan, "cpp-asan", { UBSAN_OPTIONS: "print_stacktrace=1" }),
   },
   fuzz: {
-    title: "surfaces found by coverage",
+    title: "libFuzzer",
+    lane: "tests",
     needs: ["fuzz"],
     async run() {
       if (findFuzzer() === undefined) return sum([]);
       const status = await fuzzSurfaces({ count: -1, seconds: FUZZ_SECONDS });
-      return check(status === 0, "libFuzzer found a surface that the engine does not survive");
+      return check(status === 0, "libFuzzer found a surface that crashes the engine");
     },
     untested: () =>
       findFuzzer() === undefined
-        ? [
-            "NOT TESTED what libFuzzer finds (ruined surfaces from a seed were): install clang with its runtime",
-          ]
+        ? ["NOT TESTED what libFuzzer finds: install clang with its fuzzer runtime (seeded surfaces were tested)"]
         : [],
+  },
+  unit: {
+    title: "unit tests",
+    lane: "tests",
+    // One test compares the meshes of the package with those of the native program.
+    needs: ["wasm", "package", "native"],
+    async run(_tools, only = []) {
+      const output = `--outputFile.json=${report("unit")}`;
+      await run(bin("vitest"), ["run", ...only, "--reporter=dot", "--reporter=json", output], {
+        quietOut: true,
+      });
+      return countVitest(report("unit"));
+    },
+    untested: untestedOracles,
   },
   e2e: {
     title: "end-to-end tests",
+    lane: "tests",
     needs: ["wasm", "package", "site"],
-    async run({ chromium }) {
+    async run({ chromium }, only = []) {
       const env = {
         CHROMIUM: chromium,
         TETRAFRONT_E2E_PORT: `${await freePort()}`,
         PLAYWRIGHT_JSON_OUTPUT_NAME: report("e2e"),
       };
-      await run(bin("playwright"), ["test", "--reporter=list,json"], { env, quietOut: true });
+      await run(bin("playwright"), ["test", ...only, "--reporter=list,json"], { env, quietOut: true });
       return countPlaywright(report("e2e"));
     },
   },
 };
 
-/** Old reports must not be read as new ones. */
+/** Removes the reports of earlier runs. */
 export function clearReports() {
   if (existsSync(reports)) rmSync(reports, { recursive: true });
   mkdirSync(reports, { recursive: true });

@@ -6,47 +6,58 @@ import { buildFolders, glmFolder, inRoot, root } from "./paths.mjs";
 import { inParallel, say } from "./run.mjs";
 import { findTidy } from "./tools.mjs";
 
+/** clang-tidy reads the compile commands here. */
+const databaseFolder = inRoot("build", "tidy");
+
 /**
- * clang-tidy over every source the native build compiles. A file is checked again only when it, any header
- * or the rules changed. Returns the names of files with findings.
+ * Runs clang-tidy on the engine, one module of the unity build at a time, and on the native programs. A module is
+ * checked again only if one of its sources, any header or the rules changed. Returns the names with findings.
  */
 export async function tidy() {
   const program = findTidy();
-  const sources = commandsForClang()
-    .map((entry) => path.resolve(entry.directory, entry.file))
-    .filter((file) => file.startsWith(inRoot("cpp") + path.sep));
   const headers = filesUnder([inRoot("cpp")]).filter((file) => file.endsWith(".h"));
   const shared = hashOf([inRoot(".clang-tidy"), inRoot("cpp", "CMakeLists.txt"), ...headers]);
-  const files = [...new Set(sources)].sort();
-  const bad = await inParallel(files, async (file) => {
-    const stamp = inRoot("build", "tidy", path.relative(root, file).replaceAll(path.sep, "__"));
-    const hash = `${program} ${shared} ${hashOf([file])}`;
+  const bad = await inParallel(unitsToCheck(), async (file) => {
+    const name = path.basename(file);
+    const stamp = path.join(databaseFolder, `${name}.stamp`);
+    const hash = `${program} ${shared} ${hashOf([file, ...sourcesIn(file)])}`;
     if (isFresh(stamp, hash)) return [];
-    if (!(await isTidy(program, file))) return [path.relative(root, file)];
+    if (!(await isTidy(program, file))) return [name];
     markFresh(stamp, hash);
     return [];
   });
   return bad.flat();
 }
 
-/** Where clang-tidy reads how files are compiled. */
-const databaseFolder = inRoot("build", "tidy");
-
-/** The native build's commands less the options that only GCC knows, written where clang-tidy looks. */
-function commandsForClang() {
+/** Writes the compile commands without what only GCC understands; returns the sources to check. */
+function unitsToCheck() {
   const entries = JSON.parse(readFileSync(path.join(buildFolders.release, "compile_commands.json"), "utf8"));
   const commands = entries.map((entry) => ({
     ...entry,
-    command: entry.command.replaceAll(" -fno-tree-loop-vectorize", ""),
+    // Clang cannot read GCC's precompiled headers; each source includes what it needs.
+    command: entry.command
+      .replaceAll(" -fno-tree-loop-vectorize", "")
+      .replaceAll(/ -include \S+cmake_pch\.hxx/g, "")
+      .replaceAll(" -Winvalid-pch", "")
+      .replaceAll(" -Wno-subobject-linkage", ""),
   }));
   mkdirSync(databaseFolder, { recursive: true });
   writeFileSync(path.join(databaseFolder, "compile_commands.json"), JSON.stringify(commands, null, 1));
-  return commands;
+  const files = commands.map((entry) => path.resolve(entry.directory, entry.file));
+  const isOurs = (file) => /[/\\]tetrafront\.dir[/\\]Unity[/\\]/.test(file) || file.startsWith(inRoot("cpp", "app"));
+  return [...new Set(files.filter(isOurs))].sort();
 }
 
-/** Runs clang-tidy on one file and shows its findings, without its count of suppressed warnings. */
+/** The sources that a unity source includes. */
+function sourcesIn(unit) {
+  return [...readFileSync(unit, "utf8").matchAll(/^#include "([^"]+\.cpp)"/gm)].map((match) =>
+    path.resolve(root, match[1]),
+  );
+}
+
+/** Runs clang-tidy on one source and prints its findings, without its count of suppressed warnings. */
 function isTidy(program, file) {
-  // GCC's std::stable_sort uses what C++17 deprecates; GCC does not warn of its own headers.
+  // GCC's std::stable_sort uses what C++17 deprecates; GCC does not warn about its own headers.
   const extra = [`-isystem${glmFolder}`, "-Wno-deprecated-declarations"].map((arg) => `--extra-arg=${arg}`);
   const args = ["--quiet", "-p", databaseFolder, ...extra, file];
   return new Promise((resolve, reject) => {
