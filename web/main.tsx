@@ -5,8 +5,7 @@ import "./ui/styles/index.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
 import { createApp } from "./app/app";
-import { entityBounds } from "./viewer/bounds";
-import { findRecord, type DrawnKind } from "./document/entities";
+import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page";
 import { listenForPalette } from "./panels/palette";
 import { cssVariables, theme } from "./ui/theme";
@@ -18,18 +17,12 @@ const still = query.get("test") === "1";
 const app = await createApp(still, query.get("model"));
 
 if (still) {
-  // For tests: where a place, a point or background node, or the middle of a line or patch, is on the screen.
+  // For tests: returns where a position, or the middle of an entity, appears in the view.
   Object.assign(window, {
-    tetrafrontPlace: (place: readonly [number, number, number]) =>
-      app.viewer.getState().viewer?.toScreen(place) ?? null,
-    tetrafrontProject: (kind: DrawnKind, id: number) => {
-      const { viewer } = app.viewer.getState();
-      const { project } = app.documents;
-      if (!viewer || !findRecord(project, kind, id)) return null;
-      return viewer.toScreen(
-        entityBounds({ kind, id }, project, app.previews.state.getState().preview).centre,
-      );
-    },
+    tetrafrontPosition: (position: readonly [number, number, number]) =>
+      app.viewer.getState().viewer?.toScreen(position) ?? null,
+    tetrafrontProject: (kind: DrawnKind, id: number) =>
+      app.viewer.getState().viewer?.entityOnScreen({ kind, id }) ?? null,
   });
 }
 

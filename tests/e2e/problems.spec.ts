@@ -113,10 +113,10 @@ test("each triangle of a boundary that cuts itself is listed with its place, and
   const place = text.split(" at ")[1]?.split(", ").map(Number);
   const box = await app.viewport.boundingBox();
   const { x, y } = await page.evaluate((at) => {
-    const { tetrafrontPlace } = window as unknown as {
-      tetrafrontPlace: (at: unknown) => { x: number; y: number };
+    const { tetrafrontPosition } = window as unknown as {
+      tetrafrontPosition: (at: unknown) => { x: number; y: number };
     };
-    return tetrafrontPlace(at);
+    return tetrafrontPosition(at);
   }, place);
   expect(Math.abs(x - (box?.width ?? 0) / 2)).toBeLessThan(0.15 * (box?.width ?? 0));
   expect(Math.abs(y - (box?.height ?? 0) / 2)).toBeLessThan(0.15 * (box?.height ?? 0));

@@ -62,7 +62,7 @@ test("each of the worst elements is gone to and marked", async ({ page }) => {
     const place = figures?.place ?? [NaN, NaN, NaN];
     const box = await app.viewport.boundingBox();
     const at = await page.evaluate((wanted) => {
-      return (window as unknown as { tetrafrontPlace: (place: unknown) => unknown }).tetrafrontPlace(wanted);
+      return (window as unknown as { tetrafrontPosition: (place: unknown) => unknown }).tetrafrontPosition(wanted);
     }, place);
     // The camera has gone there: the element is in the middle of the view.
     const { x, y } = at as { x: number; y: number };

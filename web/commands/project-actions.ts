@@ -13,7 +13,7 @@ function showProject(app: App, project: Project, label: string): void {
   app.file.handle = null;
   app.view.reset();
   app.view.setCut({ enabled: false });
-  app.viewer.getState().viewer?.setProject(app.documents.project, true);
+  app.viewer.getState().viewer?.reset();
   app.shell.setState({ drawer: null, leftTab: "model", message: null });
 }
 

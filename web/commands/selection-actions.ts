@@ -21,7 +21,7 @@ export function showEntities(app: App, entities: readonly Entity[]): void {
 export function showProblem(app: App, problem: Problem): void {
   if (problem.entities.length > 0) showEntities(app, problem.entities.slice(0, 1));
   if (problem.code === "outside-background-grid") app.view.setLayer("background", true);
-  if (problem.place) app.viewer.getState().viewer?.fitPlace(problem.place);
+  if (problem.place) app.viewer.getState().viewer?.fitPosition(problem.place);
 }
 
 /** Marks an element of the mesh on show and moves the view to it. */
@@ -29,12 +29,12 @@ export function showElement(app: App, tetrahedron: number): void {
   app.view.setLayer("mesh", true);
   app.view.selectElement(tetrahedron);
   app.shell.setState({ drawer: null });
-  app.viewer.getState().viewer?.fitMarked();
+  app.viewer.getState().viewer?.fitSelectedFaces();
 }
 
 /** Marks triangles of the boundary that the last run has refused, and moves the view to them. */
 export function showTriangles(app: App, triangles: readonly number[]): void {
   app.view.markTriangles(triangles);
   app.shell.setState({ drawer: null });
-  app.viewer.getState().viewer?.fitMarked();
+  app.viewer.getState().viewer?.fitSelectedFaces();
 }

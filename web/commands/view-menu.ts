@@ -47,7 +47,7 @@ export const viewMenu: readonly Command[] = [
       const { selection } = viewState(app);
       const { viewer } = app.viewer.getState();
       if (!hasHighlight(app)) viewer?.fit(selection);
-      else viewer?.fitMarked();
+      else viewer?.fitSelectedFaces();
     },
     {
       keys: ["shift+F"],

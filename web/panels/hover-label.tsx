@@ -1,17 +1,11 @@
-import { entityName, findRecord, type Entity } from "../document/entities";
+import { entityName, findRecord } from "../document/entities";
 import { formatPlace, formatShort } from "../ui/format";
 import { entityWords, lineTypeNames, patchTypeNames } from "../ui/strings";
+import type { Hover } from "../tools/select-tool";
 import { useProject } from "./app-context";
 
-export interface HoverPlace {
-  readonly entity: Entity;
-  /** CSS pixels in the view. */
-  readonly x: number;
-  readonly y: number;
-}
-
 /** Names what lies under the pointer. */
-export function HoverLabel({ hover: { entity, x, y } }: { readonly hover: HoverPlace }) {
+export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover }) {
   const project = useProject();
   const { kind, id } = entity;
   const describe = (): string => {
@@ -28,7 +22,7 @@ export function HoverLabel({ hover: { entity, x, y } }: { readonly hover: HoverP
     }
   };
   return (
-    <div className="tf-hover" style={{ transform: `translate(${x + 14}px, ${y + 14}px)` }} aria-hidden>
+    <div className="tf-hover" style={{ transform: `translate(${at.x + 14}px, ${at.y + 14}px)` }} aria-hidden>
       <b>{entityName(project, entity) ?? `${entityWords[kind].one} ${id}`}</b> {describe()}
     </div>
   );

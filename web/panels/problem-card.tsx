@@ -65,7 +65,7 @@ function PlaceButton({ place }: { readonly place: readonly [number, number, numb
     <UnstyledButton
       className="tf-problem-place"
       aria-label={strings.bottom.showPlace(formatPlace(place))}
-      onClick={() => app.viewer.getState().viewer?.fitPlace(place)}
+      onClick={() => app.viewer.getState().viewer?.fitPosition(place)}
     >
       {strings.bottom.at(formatPlace(place))}
     </UnstyledButton>

@@ -2,38 +2,36 @@ import { useHotkeys, type HotkeyItem } from "@mantine/hooks";
 import { useMemo } from "react";
 import type { App } from "../app/app";
 import { commands, runCommand } from "../commands/registry";
+import type { Command } from "../commands/command";
+import { inputMode } from "../tools/input-mode";
 import { isPaletteOpen } from "./palette";
 
+/** `hotkeysOf` decides by the input mode; Mantine must not skip fields by itself. */
 const noTags: string[] = [];
-const fieldTags = ["INPUT", "TEXTAREA", "SELECT"];
 
-/** The palette, a dialog or an open menu has its own keys. */
-function isElsewhere(event: KeyboardEvent): boolean {
-  if (isPaletteOpen()) return true;
-  const target = event.target;
-  return target instanceof Element && target.closest('[role="dialog"], [role="menu"]') !== null;
+/** Returns whether a hotkey of the command works for this event. */
+function isMeant({ inFields }: Command, event: KeyboardEvent): boolean {
+  if (isPaletteOpen()) return false;
+  const mode = inputMode(event.target);
+  return mode === "view" || (mode === "field" && inFields);
 }
 
-function itemsOf(app: App, inFields: boolean): HotkeyItem[] {
-  return commands
-    .filter((command) => command.inFields === inFields)
-    .flatMap((command) =>
-      command.keys.map((key): HotkeyItem => [
-        key,
-        (event) => {
-          if (isElsewhere(event) || !command.enabled(app)) return;
-          event.preventDefault();
-          runCommand(app, command);
-        },
-        { preventDefault: false },
-      ]),
-    );
+function hotkeysOf(app: App): HotkeyItem[] {
+  return commands.flatMap((command) =>
+    command.keys.map((key): HotkeyItem => [
+      key,
+      (event) => {
+        if (!isMeant(command, event) || !command.enabled(app)) return;
+        event.preventDefault();
+        runCommand(app, command);
+      },
+      { preventDefault: false },
+    ]),
+  );
 }
 
-/** Makes the registry's hotkeys work. Single keys are off while a field has the focus. */
+/** Makes the hotkeys of all commands work: single keys while no field has the focus, none in dialogs and menus. */
 export function useCommandHotkeys(app: App): void {
-  const everywhere = useMemo(() => itemsOf(app, true), [app]);
-  const outsideFields = useMemo(() => itemsOf(app, false), [app]);
-  useHotkeys(everywhere, noTags);
-  useHotkeys(outsideFields, fieldTags);
+  const hotkeys = useMemo(() => hotkeysOf(app), [app]);
+  useHotkeys(hotkeys, noTags);
 }

@@ -2,59 +2,21 @@ import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { useStore } from "zustand";
 import { describeMesh } from "./mesh-summary";
-import { isStale } from "../session/run";
-import { faultsOf } from "../document/validate";
 import { strings } from "../ui/strings";
 import { viewerColors } from "../ui/theme";
+import { navigate } from "../tools/navigation-keys";
+import { SelectTool, type Hover } from "../tools/select-tool";
+import { ToolController } from "../tools/tool-controller";
+import { followSession, shownState } from "../viewer/follow-session";
 import { Viewer } from "../viewer/viewer";
-import type { App } from "../app/app";
 import { useApp, useProject, useRun, useStale, useView } from "./app-context";
-import { HoverLabel, type HoverPlace } from "./hover-label";
+import { HoverLabel } from "./hover-label";
 import { PatchMarks } from "./patch-marks";
 import { ProblemMarkers } from "./problem-markers";
 import { CutBar, Legend, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "./use-layout";
 
 type Trouble = "no-webgl" | "context-lost" | null;
-
-/** Degrees per press of an arrow key, and the share of the distance panned. */
-const turnStep = 10;
-const shiftStep = 0.05;
-const zoomStep = 1.15;
-
-/** Hands every change of the stores on to the viewer. Returns the way to stop. */
-function follow(app: App, viewer: Viewer): () => void {
-  const { documents, previews, problems, run, view } = app;
-  const showMesh = (): void => {
-    viewer.setMesh(run.state.getState().mesh);
-    showStale();
-  };
-  const showChecked = (): void =>
-    viewer.setCheckedSurface(run.state.getState().outcome?.result.surface ?? null);
-  const showStale = (): void => viewer.setStale(isStale(run.state.getState(), documents.project));
-  const showFaults = (): void => viewer.setFaults(faultsOf(problems.state.getState().problems));
-  viewer.setView(view.state.getState());
-  viewer.setProject(documents.project, true);
-  viewer.setPreview(previews.state.getState().preview, previews.state.getState().project);
-  showMesh();
-  showChecked();
-  showFaults();
-  const stops = [
-    documents.onProject((project) => {
-      viewer.setProject(project, false);
-      showStale();
-    }),
-    previews.state.subscribe(({ preview, project }) => viewer.setPreview(preview, project)),
-    view.state.subscribe((state) => viewer.setView(state)),
-    run.state.subscribe((state, before) => {
-      if (state.mesh !== before.mesh) showMesh();
-      else if (state.meshKey !== before.meshKey) showStale();
-      if (state.outcome !== before.outcome) showChecked();
-    }),
-    problems.state.subscribe(showFaults),
-  ];
-  return () => stops.forEach((stop) => stop());
-}
 
 /** The canvas and what floats above it. */
 export function ViewportPanel({ layout }: { readonly layout: Layout }) {
@@ -63,7 +25,7 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   const canvas = useRef<HTMLCanvasElement>(null);
   const [viewer, setViewer] = useState<Viewer | null>(null);
   const [trouble, setTrouble] = useState<Trouble>(null);
-  const [hover, setHover] = useState<HoverPlace | null>(null);
+  const [hover, setHover] = useState<Hover | null>(null);
   const scheme = useComputedColorScheme("dark", { getInitialValueInEffect: false });
   const firstColors = useRef(viewerColors[scheme]);
 
@@ -74,19 +36,12 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
     let made: Viewer;
     try {
       made = new Viewer(box, surface, {
+        state: shownState(app),
         colors: firstColors.current,
         motion: !app.still && !window.matchMedia("(prefers-reduced-motion: reduce)").matches,
         multisampling: !app.still,
         meshQueries: app.meshQueries,
         events: {
-          onPick: ({ entity, element }, mode) => {
-            if (element === null) app.view.select(entity, mode);
-            else app.view.selectElement(element);
-          },
-          onHover: (entity, at) => {
-            app.view.setHover(entity);
-            setHover(entity && at ? { entity, ...at } : null);
-          },
           onFrame: (frames) => {
             box.dataset["frames"] = String(frames);
           },
@@ -104,11 +59,13 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       setTrouble("no-webgl");
       return undefined;
     }
-    const stop = follow(app, made);
+    const stop = followSession(app, made);
+    const tools = new ToolController(surface, made, new SelectTool(made, app.view, setHover));
     app.viewer.setState({ viewer: made });
     setViewer(made);
     return () => {
       stop();
+      tools.dispose();
       app.viewer.setState({ viewer: null });
       setViewer(null);
       made.dispose();
@@ -154,22 +111,7 @@ function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
     ` ${strings.viewport.keys}`,
   ].join("");
   const onKeyDown = (event: KeyboardEvent): void => {
-    if (!viewer || event.ctrlKey || event.metaKey || event.altKey) return;
-    const move = (x: number, y: number) => () =>
-      event.shiftKey ? viewer.shift(-x * shiftStep, -y * shiftStep) : viewer.turn(x * turnStep, y * turnStep);
-    const moves: Readonly<Record<string, () => void>> = {
-      ArrowLeft: move(-1, 0),
-      ArrowRight: move(1, 0),
-      ArrowUp: move(0, -1),
-      ArrowDown: move(0, 1),
-      "+": () => viewer.zoom(zoomStep),
-      "=": () => viewer.zoom(zoomStep),
-      "-": () => viewer.zoom(1 / zoomStep),
-    };
-    const act = moves[event.key];
-    if (!act) return;
-    event.preventDefault();
-    act();
+    if (viewer && navigate(viewer, event.nativeEvent)) event.preventDefault();
   };
   return (
     <canvas

@@ -1,13 +1,15 @@
-import type { Project, ProjectPreview } from "tetrafront";
+import type { Project } from "tetrafront";
 import type { Entity } from "../document/entities";
 import { findRecord, positionsById } from "../document/entities";
-import type { Position } from "./layers/layer";
+import type { Position } from "./position";
+import type { SampledProject } from "./scene-state";
 
-/** An axis-aligned box that grows with the places put into it. */
+/** An axis-aligned box around positions. */
 export class Bounds {
   readonly low: [number, number, number] = [Infinity, Infinity, Infinity];
   readonly high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
 
+  /** Grows to contain a position. */
   add(x: number, y: number, z: number): this {
     this.low[0] = Math.min(this.low[0], x);
     this.low[1] = Math.min(this.low[1], y);
@@ -18,10 +20,10 @@ export class Bounds {
     return this;
   }
 
-  /** Adds the places of a flat array, from one to before another. */
-  addAll(places: Float64Array, from = 0, to = places.length / 3): this {
+  /** Grows to contain the points `from` to before `to` of a flat array. */
+  addAll(points: ArrayLike<number>, from = 0, to = points.length / 3): this {
     for (let i = 3 * from; i < 3 * to; i += 3)
-      this.add(places[i] ?? 0, places[i + 1] ?? 0, places[i + 2] ?? 0);
+      this.add(points[i] ?? 0, points[i + 1] ?? 0, points[i + 2] ?? 0);
     return this;
   }
 
@@ -29,31 +31,30 @@ export class Bounds {
     return this.low[0] > this.high[0];
   }
 
+  /** The origin if empty. */
   get centre(): Position {
-    return this.empty
-      ? [0, 0, 0]
-      : ([0, 1, 2].map((k) => mean(this.low[k], this.high[k])) as unknown as Position);
+    if (this.empty) return [0, 0, 0];
+    const [low, high] = [this.low, this.high];
+    return [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
   }
 
-  /** Half the diagonal. */
+  /** Half the diagonal; 1 if empty. */
   get radius(): number {
     if (this.empty) return 1;
-    const [x = 0, y = 0, z = 0] = [0, 1, 2].map((k) => (this.high[k] ?? 0) - (this.low[k] ?? 0));
-    return Math.hypot(x, y, z) / 2;
+    const [low, high] = [this.low, this.high];
+    return Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / 2;
   }
 }
 
-const mean = (a = 0, b = 0): number => (a + b) / 2;
-
-/** Around what is modelled; the background grid counts only where there is nothing else. */
+/** Returns the bounds of the model's points; without points, those of the background grid. */
 export function projectBounds(project: Project): Bounds {
-  const places = project.points.length > 0 ? project.points : project.background.nodes;
+  const records = project.points.length > 0 ? project.points : project.background.nodes;
   const bounds = new Bounds();
-  for (const { at } of places) bounds.add(...at);
+  for (const { at } of records) bounds.add(...at);
   return bounds;
 }
 
-/** As `projectBounds`, with room to draw in where there is no extent yet. */
+/** Returns the bounds of a project; without extent, a cube of edge length 2, as room to draw in. */
 export function roomyBounds(project: Project): Bounds {
   const bounds = projectBounds(project);
   if (bounds.empty) bounds.add(0, 0, 0);
@@ -62,8 +63,8 @@ export function roomyBounds(project: Project): Bounds {
   return bounds.add(x - 1, y - 1, z - 1).add(x + 1, y + 1, z + 1);
 }
 
-/** Around one entity, as far as its shape is known. */
-export function entityBounds(entity: Entity, project: Project, preview: ProjectPreview | null): Bounds {
+/** Returns the bounds of an entity; empty if it does not exist or has not been sampled. */
+export function entityBounds(entity: Entity, project: Project, preview: SampledProject | null): Bounds {
   const bounds = new Bounds();
   switch (entity.kind) {
     case "point":
@@ -73,37 +74,34 @@ export function entityBounds(entity: Entity, project: Project, preview: ProjectP
       break;
     }
     case "source": {
-      for (const place of findRecord(project, "source", entity.id)?.places ?? []) bounds.add(...place);
+      for (const position of findRecord(project, "source", entity.id)?.places ?? []) bounds.add(...position);
       break;
     }
-    case "line": {
-      const position = positionsById(project, "line").get(entity.id);
-      if (preview && position !== undefined) {
-        const { linePoints, lineOffsets } = preview;
-        bounds.addAll(linePoints, lineOffsets[position], lineOffsets[position + 1]);
-      }
+    case "line":
+    case "patch":
+      if (preview) addSamples(entity, preview, bounds);
       break;
-    }
-    case "patch": {
-      const position = positionsById(project, "patch").get(entity.id);
-      if (!preview || position === undefined) break;
-      const { patchPoints, patchTriangles, patchOffsets } = preview;
-      const last = 3 * (patchOffsets[position + 1] ?? 0);
-      for (let i = 3 * (patchOffsets[position] ?? 0); i < last; ++i) {
-        const node = patchTriangles[i] ?? 0;
-        bounds.addAll(patchPoints, node, node + 1);
-      }
-      break;
-    }
   }
   return bounds;
 }
 
-/** Of places given as x y z in a row. */
-export function boundsOf(places: readonly number[]): Bounds {
-  const bounds = new Bounds();
-  for (let i = 0; i + 2 < places.length; i += 3) {
-    bounds.add(places[i] ?? 0, places[i + 1] ?? 0, places[i + 2] ?? 0);
+function addSamples({ kind, id }: Entity, { samples, project }: SampledProject, bounds: Bounds): void {
+  const index = positionsById(project, kind).get(id);
+  if (index === undefined) return;
+  if (kind === "line") {
+    const { linePoints, lineOffsets } = samples;
+    bounds.addAll(linePoints, lineOffsets[index], lineOffsets[index + 1]);
+    return;
   }
-  return bounds;
+  const { patchPoints, patchTriangles, patchOffsets } = samples;
+  const end = 3 * (patchOffsets[index + 1] ?? 0);
+  for (let corner = 3 * (patchOffsets[index] ?? 0); corner < end; ++corner) {
+    const node = patchTriangles[corner] ?? 0;
+    bounds.addAll(patchPoints, node, node + 1);
+  }
+}
+
+/** Returns the bounds of points given as x y z in a row. */
+export function boundsOf(points: readonly number[]): Bounds {
+  return new Bounds().addAll(points);
 }

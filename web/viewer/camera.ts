@@ -21,7 +21,7 @@ CameraControls.install({
 
 export type StandardView = "isometric" | "front" | "back" | "right" | "left" | "top" | "bottom";
 
-/** Where the camera stands, as azimuth and polar angle in degrees. Front looks along +y. */
+/** Position of the camera: azimuth and polar angle in degrees. The front view looks along +y. */
 const standardAngles: { readonly [V in StandardView]: readonly [number, number] } = {
   isometric: [38, 64],
   front: [0, 90],
@@ -32,12 +32,48 @@ const standardAngles: { readonly [V in StandardView]: readonly [number, number] 
   bottom: [0, 180],
 };
 
+/** Permitted distance from the target, in radii of the model. */
+const minDistance = 0.02;
+const maxDistance = 40;
+
 const degrees = Math.PI / 180;
 const fieldOfView = 32;
-/** Room around a fitted model, as a factor on its width and height. */
+/** Factor on the width and height of a fitted model, which leaves a margin around it. */
 const fitMargin = 1.06;
 
-/** Orbit, pan, zoom and fit around the model. The angles are those of a z-up world. */
+/**
+ * Returns the distance from the centre of a box at which it just fills the view.
+ * @param azimuth, polar direction of the camera, in radians.
+ * @param aspect width / height of the view.
+ */
+export function fitDistance(
+  low: Vector3,
+  high: Vector3,
+  azimuth: number,
+  polar: number,
+  aspect: number,
+): number {
+  const centre = new Vector3().addVectors(low, high).multiplyScalar(0.5);
+  const toEye = new Vector3(
+    Math.sin(polar) * Math.sin(azimuth),
+    -Math.sin(polar) * Math.cos(azimuth),
+    Math.cos(polar),
+  );
+  const right = new Vector3(Math.cos(azimuth), Math.sin(azimuth), 0);
+  const up = new Vector3().crossVectors(toEye, right);
+  const upward = Math.tan((fieldOfView / 2) * degrees);
+  const sideward = upward * aspect;
+  let distance = 0;
+  const corner = new Vector3();
+  for (let i = 0; i < 8; ++i) {
+    corner.set(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z).sub(centre);
+    const needed = Math.max(Math.abs(corner.dot(right)) / sideward, Math.abs(corner.dot(up)) / upward);
+    distance = Math.max(distance, needed * fitMargin + corner.dot(toEye));
+  }
+  return distance;
+}
+
+/** The camera and its orbit, pan, zoom and fit. z is up. */
 export class ViewCamera {
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.01, 1000);
   readonly controls: CameraControls;
@@ -59,11 +95,11 @@ export class ViewCamera {
     this.#rotateTo("isometric", false);
   }
 
-  /** Sizes that follow from the model: how near and far one may go. */
+  /** Sets how near and how far the camera may go. */
   setModelRadius(radius: number): void {
     this.#radius = radius;
-    this.controls.minDistance = radius * 0.02;
-    this.controls.maxDistance = radius * 40;
+    this.controls.minDistance = radius * minDistance;
+    this.controls.maxDistance = radius * maxDistance;
   }
 
   resize(width: number, height: number): void {
@@ -71,43 +107,28 @@ export class ViewCamera {
     this.camera.updateProjectionMatrix();
   }
 
-  /** Moves so that a box, given by two corners, fills the view; the direction stays. */
+  /** Moves so that a box, given by two corners, fills the view. The direction stays. */
   fit(low: Vector3, high: Vector3, animate: boolean): void {
     const centre = new Vector3().addVectors(low, high).multiplyScalar(0.5);
-    // Where a turn under way will end, not where it now is.
-    const { theta: azimuthAngle, phi: polarAngle } = this.controls.getSpherical(new Spherical(), true);
-    const toEye = new Vector3(
-      Math.sin(polarAngle) * Math.sin(azimuthAngle),
-      -Math.sin(polarAngle) * Math.cos(azimuthAngle),
-      Math.cos(polarAngle),
-    );
-    const right = new Vector3(Math.cos(azimuthAngle), Math.sin(azimuthAngle), 0);
-    const up = new Vector3().crossVectors(toEye, right);
-    const upward = Math.tan((fieldOfView / 2) * degrees);
-    const sideward = upward * this.camera.aspect;
-    let distance = 0;
-    const corner = new Vector3();
-    for (let i = 0; i < 8; ++i) {
-      corner.set(i & 1 ? high.x : low.x, i & 2 ? high.y : low.y, i & 4 ? high.z : low.z).sub(centre);
-      const needed = Math.max(Math.abs(corner.dot(right)) / sideward, Math.abs(corner.dot(up)) / upward);
-      distance = Math.max(distance, needed * fitMargin + corner.dot(toEye));
-    }
+    // The direction in which a running rotation will end.
+    const { theta, phi } = this.controls.getSpherical(new Spherical(), true);
+    const distance = fitDistance(low, high, theta, phi, this.camera.aspect);
     void this.controls.moveTo(centre.x, centre.y, centre.z, animate);
     void this.controls.setFocalOffset(0, 0, 0, animate);
-    void this.controls.dollyTo(Math.max(distance, this.#radius * 0.02), animate);
+    void this.controls.dollyTo(Math.max(distance, this.#radius * minDistance), animate);
   }
 
   look(view: StandardView, animate: boolean): void {
     this.#rotateTo(view, animate);
   }
 
-  /** Turns by angles in degrees; for the keyboard. */
-  turn(azimuth: number, polar: number, animate: boolean): void {
+  /** Rotates by angles in degrees. */
+  rotate(azimuth: number, polar: number, animate: boolean): void {
     void this.controls.rotate(azimuth * degrees, polar * degrees, animate);
   }
 
-  /** Shifts the view by fractions of the distance to the target. */
-  shift(right: number, down: number, animate: boolean): void {
+  /** Moves sideways, by fractions of the distance to the target. */
+  pan(right: number, down: number, animate: boolean): void {
     const { distance } = this.controls;
     void this.controls.truck(right * distance, down * distance, animate);
   }
@@ -116,7 +137,7 @@ export class ViewCamera {
     void this.controls.dollyTo(this.controls.distance / factor, animate);
   }
 
-  /** Advances running motions. True while the picture changes. */
+  /** Advances running motions. Returns whether the picture changes. */
   update(seconds: number): boolean {
     const moved = this.controls.update(seconds);
     const distance = this.controls.distance;

@@ -1,4 +1,4 @@
-/** What the viewer needs to know of the theme. Colours are CSS strings, e.g. "#f59f00". */
+/** The colours of the theme that the viewer uses, as CSS strings, e.g. "#f59f00". */
 export interface ViewerColors {
   /** Points and lines of the model. */
   readonly point: string;
@@ -8,12 +8,13 @@ export interface ViewerColors {
   readonly source: string;
   readonly selection: string;
   readonly hover: string;
-  /** Remaining front of an incomplete mesh. */
+  /** The front, and defects. */
   readonly front: string;
-  /** Element edges, and the mesh where it is not shaded by quality. */
+  /** Element edges. */
   readonly meshEdge: string;
+  /** The mesh with plain shading. */
   readonly meshPlain: string;
-  /** What an out-of-date mesh fades towards. */
+  /** Colour that an out-of-date mesh fades towards. */
   readonly faded: string;
   readonly ground: string;
   readonly cubeFace: string;
@@ -23,6 +24,6 @@ export interface ViewerColors {
   readonly cubeHover: string;
   /** Quality from bad to good, evenly spaced. */
   readonly ramp: readonly string[];
-  /** Of regions, by their numbers; they begin again after the last. */
+  /** Colours of regions by index; they repeat after the last. */
   readonly regions: readonly string[];
 }

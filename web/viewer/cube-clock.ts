@@ -1,11 +1,8 @@
-/**
- * What the view cube's library gets in place of three's deprecated clock (see vite.config.ts), which
- * would warn in every visitor's console.
- */
+/** Replaces three's deprecated clock for the view cube's library (see vite.config.ts): that one warns in the console. */
 export class Clock {
   #last = performance.now();
 
-  /** Seconds since the last look at it. */
+  /** Returns the seconds since the last call. */
   getDelta(): number {
     const now = performance.now();
     const seconds = (now - this.#last) / 1000;

@@ -1,23 +1,35 @@
 import type { SurfaceMesh, VolumeMesh } from "tetrafront";
+import type { SceneState } from "./scene-state";
 import { faceNodes } from "./topology";
 
-function placesOf(points: Float64Array, nodes: readonly number[]): number[] {
+function cornersOf(points: Float64Array, nodes: readonly number[]): number[] {
   return nodes.flatMap((node) => [0, 1, 2].map((axis) => points[3 * node + axis] ?? 0));
 }
 
-/** The corners of an element's four faces, x y z each. */
+/** Returns the corners of an element's four faces, x y z each. */
 export function elementCorners({ points, tetrahedra }: VolumeMesh, element: number): number[] {
-  return placesOf(
+  return cornersOf(
     points,
     faceNodes.map((node) => tetrahedra[4 * element + node] ?? 0),
   );
 }
 
-/** The corners of some triangles, x y z each; those that are not there are left out. */
-export function triangleCorners({ points, triangles }: SurfaceMesh, wanted: readonly number[]): number[] {
-  const present = wanted.filter((triangle) => 3 * triangle + 2 < triangles.length);
-  return placesOf(
+/** Returns the corners of some triangles, x y z each. Leaves out indices that are out of range. */
+export function triangleCorners({ points, triangles }: SurfaceMesh, indices: readonly number[]): number[] {
+  const present = indices.filter((triangle) => 3 * triangle + 2 < triangles.length);
+  return cornersOf(
     points,
     present.flatMap((triangle) => [...triangles.subarray(3 * triangle, 3 * triangle + 3)]),
   );
+}
+
+/** Returns the corners of the selected element or triangles. */
+export function selectedCorners({ element, triangles, mesh, checkedSurface }: SceneState): number[] {
+  if (element !== null) return mesh ? elementCorners(mesh.volume, element) : [];
+  return checkedSurface ? triangleCorners(checkedSurface, triangles) : [];
+}
+
+/** Returns the corners of the triangles that errors name. */
+export function defectiveCorners({ checkedSurface, defects }: SceneState): number[] {
+  return checkedSurface ? triangleCorners(checkedSurface, defects.triangles) : [];
 }

@@ -9,7 +9,7 @@ import {
 } from "../document/mesh-quality";
 import type { VolumeMesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../document/selection";
-import type { Position } from "./layers/layer";
+import type { Position } from "./position";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,

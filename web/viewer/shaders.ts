@@ -1,8 +1,8 @@
 import type { Camera, Object3D, WebGLRenderer } from "three";
 
 /**
- * Has all shaders of a scene made while the page goes on. What three.js asks about each before it is first used
- * is asked here: once drawing has begun the answer waits for all that is being drawn.
+ * Compiles all shaders of a scene without blocking the page. Also makes three.js query their uniforms and attributes:
+ * once drawing has begun, such a query waits for everything that is being drawn.
  */
 export async function prepareShaders(
   renderer: WebGLRenderer,

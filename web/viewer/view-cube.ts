@@ -4,11 +4,11 @@ import { ViewportGizmo, type GizmoOptions } from "three-viewport-gizmo";
 import type { ViewerColors } from "./colors";
 import { prepareShaders } from "./shaders";
 
-/** The clickable cube in the corner; small screens have no room for it. */
+/** The clickable cube in the corner of the view. */
 export class ViewCube {
   readonly #gizmo: ViewportGizmo;
   readonly #fixed: GizmoOptions;
-  readonly #life = new AbortController();
+  readonly #listening = new AbortController();
 
   constructor(
     camera: PerspectiveCamera,
@@ -18,7 +18,7 @@ export class ViewCube {
     options: { readonly container: HTMLElement; readonly animated: boolean; readonly onChange: () => void },
   ) {
     this.#fixed = { container: options.container, animated: options.animated };
-    this.#gizmo = new ViewportGizmo(camera, renderer, { ...lookOf(colors), ...this.#fixed });
+    this.#gizmo = new ViewportGizmo(camera, renderer, { ...styleOf(colors), ...this.#fixed });
     this.#gizmo.addEventListener("start", () => {
       controls.enabled = false;
       options.onChange();
@@ -38,15 +38,15 @@ export class ViewCube {
     });
     let wasOver = false;
     const light = ({ target }: PointerEvent): void => {
-      // What is not above the picture may be above the cube, which lights up.
+      // A pointer that is not over the canvas may be over the cube, which then lights up.
       const isOver = !(target instanceof HTMLCanvasElement);
       if (isOver || wasOver) options.onChange();
       wasOver = isOver;
     };
-    options.container.addEventListener("pointermove", light, { signal: this.#life.signal });
+    options.container.addEventListener("pointermove", light, { signal: this.#listening.signal });
   }
 
-  /** Resolves when its shaders are there. */
+  /** Compiles the shaders of the cube. */
   async prepare(renderer: WebGLRenderer, camera: PerspectiveCamera): Promise<void> {
     await prepareShaders(renderer, this.#gizmo, camera);
   }
@@ -56,7 +56,7 @@ export class ViewCube {
   }
 
   setColors(colors: ViewerColors): void {
-    this.#gizmo.set({ ...lookOf(colors), ...this.#fixed });
+    this.#gizmo.set({ ...styleOf(colors), ...this.#fixed });
   }
 
   resize(): void {
@@ -68,12 +68,12 @@ export class ViewCube {
   }
 
   dispose(): void {
-    this.#life.abort();
+    this.#listening.abort();
     this.#gizmo.dispose();
   }
 }
 
-function lookOf(colors: ViewerColors): GizmoOptions {
+function styleOf(colors: ViewerColors): GizmoOptions {
   const face = (label: string) => ({
     label,
     color: colors.cubeFace,
@@ -95,7 +95,7 @@ function lookOf(colors: ViewerColors): GizmoOptions {
     left: face("Left"),
     top: face("Top"),
     bottom: face("Bottom"),
-    // With z up the cube's own names of these two are the other way round.
+    // With z up, the library's names of these two are swapped.
     front: face("Back"),
     back: face("Front"),
   };

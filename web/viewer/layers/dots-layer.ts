@@ -1,80 +1,121 @@
-import { BufferAttribute, BufferGeometry, Points } from "three";
+import { BufferAttribute, BufferGeometry, Points, type Ray } from "three";
+import type { DrawnKind } from "../../document/entities";
+import type { Layer as LayerName } from "../../document/selection";
 import type { ViewerColors } from "../colors";
-import { createDotMaterial, displayColor, setColor, setNumber } from "../materials";
-import type { Position, SceneLayer } from "./layer";
+import { setStateColors } from "../draw-state";
+import { EntityStates, offsetsOf } from "../entity-states";
+import { createDotMaterial } from "../materials/dot-material";
+import { setColor, setNumber } from "../materials/uniforms";
+import { nearestDot } from "../nearest";
+import type { Position } from "../position";
+import type { SceneChanges, SceneState } from "../scene-state";
+import type { Screen } from "../screen";
+import type { Hit, HittableLayer } from "./layer";
 
-/** How one dot is drawn. */
-export type DotState = "normal" | "hover" | "selected" | "hidden";
+interface Dotted {
+  readonly id: number;
+}
 
-/** Diameters on the screen in pixels; the material tells marked ones by it. */
-const diameters: { readonly [S in DotState]: number } = { normal: 7, hover: 11, selected: 11, hidden: 0 };
+export interface DotsOptions<Record extends Dotted> {
+  readonly kind: DrawnKind;
+  /** The switch that shows the layer. */
+  readonly name: LayerName;
+  readonly shape: "round" | "square";
+  readonly color: (colors: ViewerColors) => string;
+  readonly records: (state: SceneState) => readonly Record[];
+  /** Where a record has its dots. */
+  readonly positions: (record: Record) => readonly Position[];
+}
 
-/** Places drawn as dots: the model's points, or the nodes of the background grid. */
-export class DotsLayer implements SceneLayer {
+/** Entities drawn as dots: the model's points, nodes of the background grid, ends of sources. */
+export class DotsLayer<Record extends Dotted> implements HittableLayer {
   readonly root: Points;
+  readonly #options: DotsOptions<Record>;
   readonly #material;
-  readonly #color: (colors: ViewerColors) => string;
-  #colors: ViewerColors | null = null;
-  #states: readonly DotState[] = [];
+  readonly #geometry = new BufferGeometry();
+  readonly #states: EntityStates;
+  #records: readonly Record[] = [];
+  #origin: Position | null = null;
+  #position = new BufferAttribute(new Float32Array(), 3);
 
-  constructor(shape: "round" | "square", color: (colors: ViewerColors) => string) {
-    this.#material = createDotMaterial(shape);
-    this.#color = color;
-    this.root = new Points(new BufferGeometry(), this.#material);
+  constructor(options: DotsOptions<Record>) {
+    this.#options = options;
+    this.#states = new EntityStates(options.kind);
+    this.#material = createDotMaterial(options.shape);
+    this.root = new Points(this.#geometry, this.#material);
     this.root.frustumCulled = false;
     this.root.renderOrder = 5;
   }
 
-  setColors(colors: ViewerColors): void {
-    this.#colors = colors;
-    setColor(this.#material, "rim", colors.faded);
-    this.setStates(this.#states);
+  /** Local x y z per dot. */
+  get positions(): BufferAttribute {
+    return this.#position;
   }
 
-  setPixelRatio(pixelRatio: number): void {
-    setNumber(this.#material, "pixelRatio", pixelRatio);
+  update(changes: SceneChanges): void {
+    const { state } = changes;
+    this.root.visible = state.layers[this.#options.name];
+    if (changes.has("colors")) this.#setColors(state.colors);
+    if (changes.has("viewport")) setNumber(this.#material, "pixelRatio", state.viewport.pixelRatio);
+    // A background grid may be large: nothing is written while it is not shown.
+    if (!this.root.visible) return;
+    this.#place(this.#options.records(state), state.origin);
+    this.#states.update(state);
   }
 
-  setPlaces(places: readonly Position[], origin: Position): void {
-    const position = new Float32Array(3 * places.length);
-    places.forEach(([x, y, z], i) => {
-      position[3 * i] = x - origin[0];
-      position[3 * i + 1] = y - origin[1];
-      position[3 * i + 2] = z - origin[2];
-    });
-    this.root.geometry.dispose();
-    this.root.geometry = new BufferGeometry()
-      .setAttribute("position", new BufferAttribute(position, 3))
-      .setAttribute("tint", new BufferAttribute(new Float32Array(3 * places.length), 3))
-      .setAttribute("diameter", new BufferAttribute(new Float32Array(places.length), 1));
-  }
-
-  /** One state per place, in the order of the places. */
-  setStates(states: readonly DotState[]): void {
-    this.#states = states;
-    const colors = this.#colors;
-    const tint = this.root.geometry.getAttribute("tint") as BufferAttribute | undefined;
-    const diameter = this.root.geometry.getAttribute("diameter") as BufferAttribute | undefined;
-    if (!colors || !tint || !diameter) return;
-    const tints = {
-      normal: displayColor(this.#color(colors)),
-      hover: displayColor(colors.hover),
-      selected: displayColor(colors.selection),
-      hidden: displayColor(colors.faded),
-    };
-    const count = Math.min(states.length, diameter.count);
-    for (let i = 0; i < count; ++i) {
-      const state = states[i] ?? "hidden";
-      const { r, g, b } = tints[state];
-      tint.setXYZ(i, r, g, b);
-      diameter.setX(i, diameters[state]);
-    }
-    tint.needsUpdate = true;
-    diameter.needsUpdate = true;
+  hit(_ray: Ray, screen: Screen): Hit | null {
+    if (!this.root.visible) return null;
+    const nearest = nearestDot(this.#position.array, screen, (dot) => this.#states.isDrawn(dot));
+    const target = nearest && this.#states.entityAt(this.#states.recordOf(nearest.index));
+    const position = nearest && this.#positionOf(nearest.index);
+    return target && position ? { target, position, depth: nearest.depth } : null;
   }
 
   dispose(): void {
-    this.root.geometry.dispose();
+    this.#geometry.dispose();
     this.#material.dispose();
+  }
+
+  #setColors(colors: ViewerColors): void {
+    const { hover, selection: selected, faded } = colors;
+    setColor(this.#material, "rim", faded);
+    setStateColors(this.#material, { normal: this.#options.color(colors), hover, selected });
+  }
+
+  /** Writes the positions of records that are new; those of all others stay in the buffer. */
+  #place(records: readonly Record[], origin: Position): void {
+    if (records === this.#records && origin === this.#origin) return;
+    const before = origin === this.#origin ? this.#records : [];
+    const offsets = offsetsOf(records, (record) => this.#options.positions(record).length);
+    const isSameSize = 3 * (offsets[records.length] ?? 0) === this.#position.array.length;
+    this.#states.assign(records, offsets);
+    const isInPlace = isSameSize && before.length === records.length;
+    if (!isInPlace) this.#allocate(offsets[records.length] ?? 0);
+    const array = this.#position.array;
+    records.forEach((record, i) => {
+      if (isInPlace && record === before[i]) return;
+      const first = 3 * (offsets[i] ?? 0);
+      let at = first;
+      for (const position of this.#options.positions(record)) {
+        for (let k = 0; k < 3; ++k) array[at++] = (position[k] ?? 0) - (origin[k] ?? 0);
+      }
+      if (isInPlace) this.#position.addUpdateRange(first, at - first);
+    });
+    this.#position.needsUpdate = true;
+    this.#records = records;
+    this.#origin = origin;
+  }
+
+  #allocate(dots: number): void {
+    this.#geometry.dispose();
+    this.#position = new BufferAttribute(new Float32Array(3 * dots), 3);
+    this.#geometry.setAttribute("position", this.#position);
+    this.#geometry.setAttribute("state", this.#states.attribute);
+  }
+
+  #positionOf(dot: number): Position | null {
+    const index = this.#states.recordOf(dot);
+    const record = this.#records[index];
+    return record ? (this.#options.positions(record)[dot - this.#states.firstVertexOf(index)] ?? null) : null;
   }
 }

@@ -1,28 +1,37 @@
-import type { Project } from "tetrafront";
-import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments } from "three";
+import type { Project, ProjectBackgroundNode } from "tetrafront";
+import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, type Ray } from "three";
 import { engineGrid } from "../../document/packed-grid";
-import type { ViewerColors } from "../colors";
+import type { Position } from "../position";
+import type { SceneChanges } from "../scene-state";
+import type { Screen } from "../screen";
 import { uniqueEdges } from "../topology";
-import { DotsLayer, type DotState } from "./dots-layer";
-import type { Position, SceneLayer } from "./layer";
+import { DotsLayer } from "./dots-layer";
+import type { Hit, HittableLayer } from "./layer";
 
 type Background = Project["background"];
 
-/** The head of an arrow, as a share of its length, and how far it spreads. */
+/** Length of an arrow's head as a share of half its length, and its width as a share of the head's length. */
 const headLength = 0.22;
 const headSpread = 0.4;
 
 /**
- * The background grid: edges of its tetrahedra, its nodes as squares, and at stretched nodes an arrow
- * with two heads, as long as the elements wanted there. Laid out only while it is on show.
+ * The background grid: edges of its tetrahedra, its nodes as squares, and at stretched nodes an arrow with two heads,
+ * as long as the target edge length in its direction. A grid may be large, so it is laid out only while it is shown.
  */
-export class GridLayer implements SceneLayer {
+export class GridLayer implements HittableLayer {
   readonly root = new Group();
   readonly #material = new LineBasicMaterial({ transparent: true, opacity: 0.5, depthWrite: false });
   readonly #arrowMaterial = new LineBasicMaterial({ transparent: true, depthTest: false });
   readonly #edges = new LineSegments(new BufferGeometry(), this.#material);
   readonly #arrows = new LineSegments(new BufferGeometry(), this.#arrowMaterial);
-  readonly nodes = new DotsLayer("square", (colors) => colors.backgroundGrid);
+  readonly #nodes = new DotsLayer<ProjectBackgroundNode>({
+    kind: "background-node",
+    name: "background",
+    shape: "square",
+    color: (colors) => colors.backgroundGrid,
+    records: ({ project }) => project.background.nodes,
+    positions: ({ at }) => [at],
+  });
   #shown: Background | null = null;
   #shownOrigin: Position = [0, 0, 0];
   #edgeNodes = new Uint32Array();
@@ -31,38 +40,22 @@ export class GridLayer implements SceneLayer {
     this.#edges.frustumCulled = false;
     this.#arrows.frustumCulled = false;
     this.#arrows.renderOrder = 6;
-    this.root.add(this.#edges, this.#arrows, this.nodes.root);
+    this.root.add(this.#edges, this.#arrows, this.#nodes.root);
   }
 
-  setColors(colors: ViewerColors): void {
-    this.#material.color.set(colors.backgroundGrid);
-    this.#arrowMaterial.color.set(colors.backgroundGrid);
-    this.nodes.setColors(colors);
+  update(changes: SceneChanges): void {
+    const { state } = changes;
+    this.root.visible = state.layers.background;
+    if (changes.has("colors")) {
+      this.#material.color.set(state.colors.backgroundGrid);
+      this.#arrowMaterial.color.set(state.colors.backgroundGrid);
+    }
+    this.#nodes.update(changes);
+    if (this.root.visible) this.#lay(state.project, state.origin);
   }
 
-  /** Lays the grid out if it is another one. */
-  setGrid(project: Project, origin: Position): void {
-    const { background } = project;
-    const shown = this.#shown;
-    const sameEdges = shown?.tetrahedra === background.tetrahedra && sameIds(shown.nodes, background.nodes);
-    if (sameEdges && shown.nodes === background.nodes && origin === this.#shownOrigin) return;
-    this.#shown = background;
-    this.#shownOrigin = origin;
-    // Moving or sizing a node leaves the edges: of a large grid they take a while to find.
-    if (!sameEdges) this.#edgeNodes = edgeNodes(project);
-    this.nodes.setPlaces(
-      background.nodes.map((node) => node.at),
-      origin,
-    );
-    this.#edges.geometry.dispose();
-    this.#edges.geometry = new BufferGeometry()
-      .setAttribute("position", this.nodes.root.geometry.getAttribute("position"))
-      .setIndex(new BufferAttribute(this.#edgeNodes, 1));
-    replacePositions(this.#arrows, arrowPlaces(background, origin));
-  }
-
-  setStates(states: readonly DotState[]): void {
-    this.nodes.setStates(states);
+  hit(ray: Ray, screen: Screen): Hit | null {
+    return this.#nodes.hit(ray, screen);
   }
 
   dispose(): void {
@@ -70,13 +63,29 @@ export class GridLayer implements SceneLayer {
     this.#arrows.geometry.dispose();
     this.#material.dispose();
     this.#arrowMaterial.dispose();
-    this.nodes.dispose();
+    this.#nodes.dispose();
   }
-}
 
-function replacePositions(lines: LineSegments, places: Float32Array): void {
-  lines.geometry.dispose();
-  lines.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(places, 3));
+  /** Lays out edges and arrows of a grid that is not the one shown. */
+  #lay(project: Project, origin: Position): void {
+    const { background } = project;
+    const shown = this.#shown;
+    const sameEdges = shown?.tetrahedra === background.tetrahedra && sameIds(shown.nodes, background.nodes);
+    if (sameEdges && shown.nodes === background.nodes && origin === this.#shownOrigin) return;
+    this.#shown = background;
+    this.#shownOrigin = origin;
+    // Moving or resizing a node keeps the edges, which take a while to find in a large grid.
+    if (!sameEdges) this.#edgeNodes = edgeNodes(project);
+    this.#edges.geometry.dispose();
+    this.#edges.geometry = new BufferGeometry()
+      .setAttribute("position", this.#nodes.positions)
+      .setIndex(new BufferAttribute(this.#edgeNodes, 1));
+    this.#arrows.geometry.dispose();
+    this.#arrows.geometry = new BufferGeometry().setAttribute(
+      "position",
+      new BufferAttribute(arrowEnds(background, origin), 3),
+    );
+  }
 }
 
 function sameIds(nodes: Background["nodes"], others: Background["nodes"]): boolean {
@@ -84,14 +93,14 @@ function sameIds(nodes: Background["nodes"], others: Background["nodes"]): boole
   return nodes.length === others.length && nodes.every(({ id }, i) => id === others[i]?.id);
 }
 
-/** The edges of the grid, two positions of nodes each. */
+/** Returns the edges of the grid, two node indices each. */
 function edgeNodes({ background }: Project): Uint32Array<ArrayBuffer> {
   return uniqueEdges(engineGrid(background).tetrahedra).slice();
 }
 
-/** Shaft and two heads per stretched node, in one plane. */
-function arrowPlaces({ nodes }: Background, origin: Position): Float32Array {
-  const places: number[] = [];
+/** Returns the segments of a shaft and two heads per stretched node, which lie in one plane. */
+function arrowEnds({ nodes }: Background, origin: Position): Float32Array {
+  const ends: number[] = [];
   for (const { at, size, stretching = 1, direction = [1, 0, 0] } of nodes) {
     const length = Math.hypot(...direction);
     if (!(stretching > 1) || !(length > 0)) continue;
@@ -102,7 +111,7 @@ function arrowPlaces({ nodes }: Background, origin: Position): Float32Array {
     const breadth = (headLength * headSpread * half) / (Math.hypot(...across) || 1);
     const push = (along: number, aside: number): void => {
       [x, y, z].forEach((d, k) =>
-        places.push((at[k] ?? 0) - (origin[k] ?? 0) + along * d + aside * breadth * (across[k] ?? 0)),
+        ends.push((at[k] ?? 0) - (origin[k] ?? 0) + along * d + aside * breadth * (across[k] ?? 0)),
       );
     };
     push(-1, 0);
@@ -114,5 +123,5 @@ function arrowPlaces({ nodes }: Background, origin: Position): Float32Array {
       }
     }
   }
-  return Float32Array.from(places);
+  return Float32Array.from(ends);
 }

@@ -1,13 +1,17 @@
 import { BufferAttribute, BufferGeometry, LineSegments } from "three";
-import type { ViewerColors } from "../colors";
-import { createGroundMaterial, setColor, setNumber } from "../materials";
-import type { SceneLayer } from "./layer";
+import { roomyBounds } from "../bounds";
+import { createGroundMaterial } from "../materials/ground-material";
+import { setColor, setNumber } from "../materials/uniforms";
+import type { SceneChanges } from "../scene-state";
+import type { Layer } from "./layer";
 
-/** Half the number of lines each way. */
+/** Half the number of lines in each direction. */
 const lines = 20;
+/** Gap between model and ground, as a share of the model's radius. */
+const gap = 0.04;
 
-/** A level grid under the model: a sense of up, and of size. */
-export class GroundLayer implements SceneLayer {
+/** A level grid under the model: shows what is up, and how large things are. */
+export class GroundLayer implements Layer {
   readonly #material = createGroundMaterial();
   readonly root = new LineSegments(new BufferGeometry(), this.#material);
 
@@ -16,19 +20,29 @@ export class GroundLayer implements SceneLayer {
     this.root.renderOrder = -1;
   }
 
-  setColors(colors: ViewerColors): void {
-    setColor(this.#material, "color", colors.ground);
+  update(changes: SceneChanges): void {
+    const { state } = changes;
+    if (changes.has("colors")) setColor(this.#material, "color", state.colors.ground);
+    // The origin is the centre of the model; it moves when the model has changed much.
+    if (!changes.has("origin")) return;
+    const { radius, low, centre } = roomyBounds(state.project);
+    this.#lay(radius, low[2] - centre[2] - radius * gap);
+  }
+
+  dispose(): void {
+    this.root.geometry.dispose();
+    this.#material.dispose();
   }
 
   /** Lays the grid below a model of this radius around the origin, at a round spacing. */
-  setExtent(radius: number, height: number): void {
+  #lay(radius: number, height: number): void {
     const rough = radius / 3;
     const power = 10 ** Math.floor(Math.log10(rough));
     const spacing = power * ([1, 2, 5, 10].find((step) => step * power >= rough) ?? 10);
     const reach = lines * spacing;
     const ends: number[] = [];
     for (let i = -lines; i <= lines; ++i) {
-      // In pieces, because the fading is interpolated between the ends of a line.
+      // In pieces, because the fading is interpolated between the ends of a piece.
       for (let j = -lines; j < lines; ++j) {
         ends.push(i * spacing, j * spacing, 0, i * spacing, (j + 1) * spacing, 0);
         ends.push(j * spacing, i * spacing, 0, (j + 1) * spacing, i * spacing, 0);
@@ -41,10 +55,5 @@ export class GroundLayer implements SceneLayer {
     );
     this.root.position.set(0, 0, height);
     setNumber(this.#material, "reach", Math.min(reach, 9 * radius));
-  }
-
-  dispose(): void {
-    this.root.geometry.dispose();
-    this.#material.dispose();
   }
 }

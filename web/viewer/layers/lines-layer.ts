@@ -1,96 +1,104 @@
-import type { ProjectPreview } from "tetrafront";
-import { Group } from "three";
-import { LineMaterial } from "three/addons/lines/LineMaterial.js";
-import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
+import { Group, InstancedInterleavedBuffer, InterleavedBufferAttribute, Mesh, type Ray } from "three";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
-import type { ViewerColors } from "../colors";
-import type { Position, SceneLayer } from "./layer";
+import { setStateColors } from "../draw-state";
+import { EntityStates } from "../entity-states";
+import { createLineMaterial } from "../materials/line-material";
+import { nearestSegment, pointOnSegment } from "../nearest";
+import type { Position } from "../position";
+import type { SampledProject, SceneChanges } from "../scene-state";
+import type { Screen } from "../screen";
+import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
-/** Widths on the screen in pixels. */
+/** Widths in CSS pixels. */
 const normalWidth = 1.6;
-const markedWidth = 3.6;
+const emphasizedWidth = 3.6;
 
-type Marking = "normal" | "hover" | "selected";
-
-/** The model's lines as sampled by the engine, one bundle per way of drawing them. */
-export class LinesLayer implements SceneLayer {
+/** The model's lines as sampled by the engine: one buffer of segments, drawn by two passes. */
+export class LinesLayer implements HittableLayer {
   readonly root = new Group();
-  readonly #bundles: { readonly [M in Marking]: LineSegments2 };
-  #preview: ProjectPreview | null = null;
+  readonly #states = new EntityStates("line", { instanced: true });
+  readonly #geometry = new LineSegmentsGeometry();
+  readonly #normal = createLineMaterial({ widths: { normal: normalWidth }, depthTest: true });
+  /** Emphasized lines show through everything in front of them. */
+  readonly #emphasized = createLineMaterial({
+    widths: { hover: emphasizedWidth, selected: emphasizedWidth },
+    depthTest: false,
+  });
+  readonly #meshes = [
+    new Mesh(this.#geometry, this.#normal),
+    new Mesh(this.#geometry, this.#emphasized),
+  ] as const;
+  /** x y z of both ends per segment, local. */
+  #segments = new Float32Array();
   #origin: Position = [0, 0, 0];
 
   constructor() {
-    this.#bundles = {
-      normal: createBundle(normalWidth, 3, true),
-      hover: createBundle(markedWidth, 4, false),
-      selected: createBundle(markedWidth, 4, false),
-    };
-    this.root.add(...Object.values(this.#bundles));
+    this.#meshes.forEach((mesh, pass) => {
+      mesh.frustumCulled = false;
+      mesh.renderOrder = 3 + pass;
+      this.root.add(mesh);
+    });
   }
 
-  setColors(colors: ViewerColors): void {
-    this.#bundles.normal.material.color.set(colors.line);
-    this.#bundles.hover.material.color.set(colors.hover);
-    this.#bundles.selected.material.color.set(colors.selection);
-  }
-
-  setResolution(width: number, height: number): void {
-    for (const bundle of Object.values(this.#bundles)) bundle.material.resolution.set(width, height);
-  }
-
-  setPreview(preview: ProjectPreview | null, origin: Position): void {
-    this.#preview = preview;
-    this.#origin = origin;
-  }
-
-  /** Rebuilds the bundles. `markingOf` tells how to draw the line at a position; null hides it. */
-  update(markingOf: (position: number) => Marking | null): void {
-    const segments: Record<Marking, number[]> = { normal: [], hover: [], selected: [] };
-    const lineCount = (this.#preview?.lineOffsets.length ?? 1) - 1;
-    for (let position = 0; position < lineCount; ++position) {
-      const marking = markingOf(position);
-      if (marking) this.#append(position, segments[marking]);
+  update(changes: SceneChanges): void {
+    const { state } = changes;
+    this.root.visible = state.layers.lines;
+    if (changes.has("colors")) {
+      const { line: normal, hover, selection: selected } = state.colors;
+      for (const { material } of this.#meshes) setStateColors(material, { normal, hover, selected });
     }
-    for (const marking of ["normal", "hover", "selected"] as const) {
-      const bundle = this.#bundles[marking];
-      bundle.visible = segments[marking].length > 0;
-      if (!bundle.visible) continue;
-      bundle.geometry.dispose();
-      bundle.geometry = new LineSegmentsGeometry().setPositions(segments[marking]);
+    if (changes.has("viewport")) {
+      const { width, height } = state.viewport;
+      for (const { material } of this.#meshes) material.uniforms.resolution.value.set(width, height);
     }
+    if (changes.has("preview", "origin")) this.#place(state.preview, state.origin);
+    this.#states.update(state);
+    this.#meshes[0].visible = this.#states.hasAny("normal");
+    this.#meshes[1].visible = this.#states.hasAny("hover", "selected");
+  }
+
+  hit(_ray: Ray, screen: Screen): Hit | null {
+    if (!this.root.visible) return null;
+    const nearest = nearestSegment(this.#segments, screen, (segment) => this.#states.isDrawn(segment));
+    const target = nearest && this.#states.entityAt(this.#states.recordOf(nearest.index));
+    if (!target) return null;
+    const position = addOrigin(pointOnSegment(this.#segments, nearest), this.#origin);
+    return { target, position, depth: nearest.depth };
   }
 
   dispose(): void {
-    for (const bundle of Object.values(this.#bundles)) {
-      bundle.geometry.dispose();
-      bundle.material.dispose();
-    }
+    this.#geometry.dispose();
+    for (const { material } of this.#meshes) material.dispose();
   }
 
-  #append(position: number, segments: number[]): void {
-    if (!this.#preview) return;
-    const { linePoints, lineOffsets } = this.#preview;
-    const last = (lineOffsets[position + 1] ?? 0) - 1;
-    for (let i = lineOffsets[position] ?? 0; i < last; ++i) {
-      for (let k = 3 * i; k < 3 * i + 6; ++k)
-        segments.push((linePoints[k] ?? 0) - (this.#origin[k % 3] ?? 0));
+  #place(preview: SampledProject | null, origin: Position): void {
+    const { lineOffsets, linePoints } = preview?.samples ?? { lineOffsets: [0], linePoints: [] };
+    this.#origin = origin;
+    // A line of n samples has n - 1 segments.
+    const offsets = Uint32Array.from(lineOffsets, (sample, line) => sample - line);
+    const count = offsets.at(-1) ?? 0;
+    this.#states.assign(preview?.project.lines ?? [], offsets);
+    if (6 * count !== this.#segments.length) this.#allocate(count);
+    let at = 0;
+    for (let line = 0; line + 1 < lineOffsets.length; ++line) {
+      const last = (lineOffsets[line + 1] ?? 0) - 1;
+      for (let sample = lineOffsets[line] ?? 0; sample < last; ++sample) {
+        for (let k = 3 * sample; k < 3 * sample + 6; ++k) {
+          this.#segments[at++] = (linePoints[k] ?? 0) - (origin[k % 3] ?? 0);
+        }
+      }
     }
+    const start = this.#geometry.getAttribute("instanceStart");
+    if (start instanceof InterleavedBufferAttribute) start.data.needsUpdate = true;
   }
-}
 
-/** Marked lines show through what lies before them. */
-function createBundle(linewidth: number, renderOrder: number, depthTest: boolean): LineSegments2 {
-  const material = new LineMaterial({
-    linewidth,
-    depthTest,
-    toneMapped: false,
-    polygonOffset: true,
-    polygonOffsetFactor: -2,
-    polygonOffsetUnits: -2,
-  });
-  const bundle = new LineSegments2(new LineSegmentsGeometry(), material);
-  bundle.frustumCulled = false;
-  bundle.visible = false;
-  bundle.renderOrder = renderOrder;
-  return bundle;
+  #allocate(segments: number): void {
+    this.#geometry.dispose();
+    this.#segments = new Float32Array(6 * segments);
+    const ends = new InstancedInterleavedBuffer(this.#segments, 6, 1);
+    this.#geometry.setAttribute("instanceStart", new InterleavedBufferAttribute(ends, 3, 0));
+    this.#geometry.setAttribute("instanceEnd", new InterleavedBufferAttribute(ends, 3, 3));
+    this.#geometry.setAttribute("state", this.#states.attribute);
+    this.#geometry.instanceCount = segments;
+  }
 }

@@ -1,33 +1,32 @@
 import type { MeshResult, VolumeMesh } from "tetrafront";
-import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type DataTexture } from "three";
+import { BufferAttribute, BufferGeometry, FrontSide, Mesh, type DataTexture, type Ray } from "three";
 import type { Cut, Shading } from "../../document/selection";
+import { createMeshMaterial } from "../materials/mesh-material";
+import { paletteTexture, rampTexture } from "../materials/textures";
+import { setColor, setNumber, setTexture } from "../materials/uniforms";
 import type { ViewerColors } from "../colors";
-import {
-  createFacetMaterial,
-  createMeshMaterial,
-  paletteTexture,
-  rampTexture,
-  setColor,
-  setNumber,
-  setTexture,
-} from "../materials";
-import type { MeshQueryClient } from "../mesh-query-client";
 import type { DrawnFaces } from "../mesh-queries";
+import type { MeshQueryClient } from "../mesh-query-client";
+import { PatchFinder } from "../patch-finder";
+import type { Position } from "../position";
+import type { SceneChanges, SceneState } from "../scene-state";
+import type { Screen } from "../screen";
 import { faceNodes } from "../topology";
-import type { Position, SceneLayer } from "./layer";
+import { TriangleTree, type TriangleHit } from "../triangle-tree";
+import { addOrigin, type Hit, type HittableLayer, type Target } from "./layer";
 
 /** How far an out-of-date mesh fades towards the background. */
 const staleFading = 0.62;
 
 export interface MeshLayerEvents {
-  /** Other faces are drawn now, or others are wanted than are drawn. */
+  /** Other faces are drawn, or other faces are required than those drawn. */
   readonly onChange: () => void;
-  /** The faces could not be found. */
+  /** The query for the faces failed. */
   readonly onFailure: (reason: string) => void;
 }
 
-/** What is to be drawn. Equal by identity. */
-interface Wanted {
+/** Which faces to draw. Compared by identity. */
+interface FaceRequest {
   readonly volume: VolumeMesh | null;
   readonly origin: Position;
   readonly cut: Cut | null;
@@ -35,46 +34,97 @@ interface Wanted {
   readonly shading: Shading;
 }
 
-/** What is drawn: of the mesh and in the way that were wanted when it was asked for. */
-interface Drawn {
-  readonly wanted: Wanted;
+/** The faces drawn, and the request that they answer. */
+interface DrawnMesh {
+  readonly request: FaceRequest;
   readonly faces: DrawnFaces | null;
+  readonly tree: TriangleTree | null;
 }
 
 /**
- * The tetrahedra: the boundary, or what a cut leaves of it, and the front of an incomplete mesh. Which faces
- * these are, a queries finds; until it answers those found last are drawn, and of all that is wanted meanwhile
- * only the last is asked for.
+ * The tetrahedra: the boundary, or what a cut leaves of it. A query in a worker finds the faces to draw. Until it
+ * answers, the faces found last stay; of all requests that arrive in the meantime, only the last one is queried.
  */
-export class MeshLayer implements SceneLayer {
-  readonly root = new Group();
+export class MeshLayer implements HittableLayer {
+  readonly #material = createMeshMaterial();
+  readonly root = new Mesh(new BufferGeometry(), this.#material);
   readonly #queries: MeshQueryClient;
   readonly #events: MeshLayerEvents;
-  readonly #material = createMeshMaterial();
-  readonly #frontMaterial = createFacetMaterial({ opacity: 1, depthWrite: true });
-  readonly #mesh = new Mesh(new BufferGeometry(), this.#material);
-  readonly #front = new Mesh(new BufferGeometry(), this.#frontMaterial);
-  /** The colours of quality, and those of regions. */
+  /** Colours of quality, and of regions. */
   #ramp: DataTexture | null = null;
   #palette: DataTexture | null = null;
-  #wanted: Wanted = {
+  #request: FaceRequest = {
     volume: null,
     origin: [0, 0, 0],
     cut: null,
     hiddenRegions: new Set(),
     shading: "radius-ratio",
   };
-  #drawn: Drawn = { wanted: this.#wanted, faces: null };
-  #asking = false;
+  #drawn: DrawnMesh = { request: this.#request, faces: null, tree: null };
+  #isQuerying = false;
+  #isShown = true;
+  #result: MeshResult | null = null;
+  #patchFinder: PatchFinder | null = null;
+  #patches: SceneState["project"]["patches"] = [];
 
   constructor(queries: MeshQueryClient, events: MeshLayerEvents) {
     this.#queries = queries;
     this.#events = events;
-    this.root.add(this.#mesh, this.#front);
-    for (const mesh of [this.#mesh, this.#front]) mesh.frustumCulled = false;
+    this.root.frustumCulled = false;
   }
 
-  setColors(colors: ViewerColors): void {
+  update(changes: SceneChanges): void {
+    const { state } = changes;
+    this.#isShown = state.layers.mesh && state.front === null;
+    this.#patches = state.project.patches;
+    if (changes.has("colors")) this.#setColors(state.colors);
+    setNumber(this.#material, "edges", state.edges ? 1 : 0);
+    setNumber(this.#material, "fading", state.isMeshStale ? staleFading : 0);
+    if (changes.has("mesh")) {
+      this.#result = state.mesh;
+      this.#patchFinder = null;
+    }
+    if (changes.has("mesh", "origin", "cut", "hiddenRegions", "shading")) this.#require(state);
+    // A new mesh is queried right away, so that its picture precedes the queries for its statistics.
+    if (changes.has("mesh", "origin")) this.queryFaces();
+    this.#setVisibility();
+  }
+
+  /** Queries the faces that are required but not drawn: call it once per frame, however often the cut moves. */
+  queryFaces(): void {
+    if (!this.isCurrent && !this.#isQuerying) void this.#query();
+  }
+
+  /** True if the faces drawn are those required. */
+  get isCurrent(): boolean {
+    return this.#drawn.request === this.#request;
+  }
+
+  /** Number of faces drawn. */
+  get faceCount(): number {
+    return this.#drawn.faces?.faces.length ?? 0;
+  }
+
+  hit(ray: Ray, screen: Screen): Hit | null {
+    const { request, tree } = this.#drawn;
+    const isOfMesh = request.volume === this.#request.volume && request.origin === this.#request.origin;
+    const hit = this.#isShown && isOfMesh ? tree?.firstHit(ray, FrontSide) : null;
+    if (!hit || hit.distance > screen.maxDepth) return null;
+    return {
+      target: this.#targetOf(hit),
+      position: addOrigin(hit.point, request.origin),
+      depth: hit.distance,
+    };
+  }
+
+  dispose(): void {
+    this.root.geometry.dispose();
+    this.#material.dispose();
+    this.#ramp?.dispose();
+    this.#palette?.dispose();
+  }
+
+  #setColors(colors: ViewerColors): void {
     this.#ramp?.dispose();
     this.#palette?.dispose();
     this.#ramp = rampTexture(colors.ramp);
@@ -83,152 +133,95 @@ export class MeshLayer implements SceneLayer {
     setColor(this.#material, "plainColor", colors.meshPlain);
     setColor(this.#material, "edgeColor", colors.meshEdge);
     setColor(this.#material, "fadedColor", colors.faded);
-    setColor(this.#frontMaterial, "color", colors.front);
   }
 
-  /** Shows another mesh, or none. Asked for at once: figures of the mesh come after its picture. */
-  setMesh(result: MeshResult | null, origin: Position): void {
-    this.#want({ volume: result?.volume ?? null, origin });
-    this.#showFront(result, origin);
-    this.refresh();
-  }
-
-  setCut(cut: Cut): void {
-    const wanted = cut.enabled ? cut : null;
-    if (wanted !== this.#wanted.cut) this.#want({ cut: wanted });
-  }
-
-  setHiddenRegions(hiddenRegions: ReadonlySet<number>): void {
-    if (hiddenRegions !== this.#wanted.hiddenRegions) this.#want({ hiddenRegions });
-  }
-
-  /** Asks for the faces that are wanted: once per frame, however often the cut has moved. */
-  refresh(): void {
-    if (!this.isCurrent && !this.#asking) void this.#update();
-  }
-
-  /** Is what is drawn what is wanted? */
-  get isCurrent(): boolean {
-    return this.#drawn.wanted === this.#wanted;
-  }
-
-  setShading(shading: Shading, edges: boolean): void {
-    setNumber(this.#material, "edges", edges ? 1 : 0);
-    if (shading !== this.#wanted.shading) this.#want({ shading });
-  }
-
-  setStale(stale: boolean): void {
-    setNumber(this.#material, "fading", stale ? staleFading : 0);
-  }
-
-  /** Number of tetrahedra in the mesh, and of faces drawn. */
-  get counts(): { readonly tetrahedra: number; readonly drawnFaces: number } {
-    return {
-      tetrahedra: (this.#wanted.volume?.tetrahedra.length ?? 0) / 4,
-      drawnFaces: this.#drawn.faces?.faces.length ?? 0,
+  #require({ mesh, origin, cut, hiddenRegions, shading }: SceneState): void {
+    const request = {
+      volume: mesh?.volume ?? null,
+      origin,
+      cut: cut.enabled ? cut : null,
+      hiddenRegions,
+      shading,
     };
-  }
-
-  /** The triangles drawn; null without any, and while they are of another mesh than the one wanted. */
-  get geometry(): BufferGeometry | null {
-    const { wanted, faces } = this.#drawn;
-    const isOfMesh = wanted.volume === this.#wanted.volume && wanted.origin === this.#wanted.origin;
-    return isOfMesh && faces && faces.faces.length > 0 ? this.#mesh.geometry : null;
-  }
-
-  /** The tetrahedron, its face and whether its region ends there, of a drawn triangle. */
-  faceAt(triangle: number): { tetrahedron: number; nodes: number[]; onBoundary: boolean } | null {
-    const { wanted, faces } = this.#drawn;
-    const face = faces?.faces[triangle];
-    if (face === undefined) return null;
-    const local = 3 * (face & 3);
-    const nodes = [0, 1, 2].map(
-      (k) => wanted.volume?.tetrahedra[(face & ~3) + (faceNodes[local + k] ?? 0)] ?? 0,
-    );
-    return { tetrahedron: face >> 2, nodes, onBoundary: faces?.onBoundary[triangle] === 1 };
-  }
-
-  dispose(): void {
-    for (const mesh of [this.#mesh, this.#front]) {
-      mesh.geometry.dispose();
-      mesh.material.dispose();
-    }
-    this.#ramp?.dispose();
-    this.#palette?.dispose();
-  }
-
-  #want(change: Partial<Wanted>): void {
-    this.#wanted = { ...this.#wanted, ...change };
-    if (this.#wanted.volume === null) {
+    const keys = ["volume", "origin", "cut", "hiddenRegions", "shading"] as const;
+    if (keys.every((key) => request[key] === this.#request[key])) return;
+    this.#request = request;
+    if (request.volume === null) {
       this.#queries.release();
-      this.#show({ wanted: this.#wanted, faces: null });
+      this.#show(request, null);
     }
-    this.#place();
+    this.#move();
     this.#events.onChange();
   }
 
-  /** Asks until the last answer is what is wanted by then. */
-  async #update(): Promise<void> {
-    this.#asking = true;
-    let wanted = this.#wanted;
+  /** Queries until the last answer is the one required by then. */
+  async #query(): Promise<void> {
+    this.#isQuerying = true;
+    let request = this.#request;
     try {
       while (!this.isCurrent) {
-        wanted = this.#wanted;
-        const { volume, ...look } = wanted;
+        request = this.#request;
+        const { volume, ...options } = request;
         if (!volume) break;
-        const faces = await this.#queries.facesOf(volume, look);
-        if (volume === this.#wanted.volume) this.#show({ wanted, faces });
+        const faces = await this.#queries.facesOf(volume, options);
+        if (volume === this.#request.volume) this.#show(request, faces);
       }
     } catch (failure) {
-      // What has been wanted since is asked for next.
-      this.#show({ wanted, faces: null });
+      // The next frame queries what has been required since.
+      this.#show(request, null);
       this.#events.onFailure(failure instanceof Error ? failure.message : String(failure));
     } finally {
-      this.#asking = false;
+      this.#isQuerying = false;
     }
   }
 
-  #show(drawn: Drawn): void {
-    this.#drawn = drawn;
-    const { corners, values } = drawn.faces ?? { corners: new Float32Array(), values: new Float32Array() };
+  #show(request: FaceRequest, faces: DrawnFaces | null): void {
+    const { corners, values } = faces ?? { corners: new Float32Array(), values: new Float32Array() };
+    this.#drawn = { request, faces, tree: faces && new TriangleTree(corners) };
     setNumber(this.#material, "shaded", values.length > 0 ? 1 : 0);
     this.#setScale();
-    this.#mesh.geometry.dispose();
-    this.#mesh.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
-    if (values.length > 0) this.#mesh.geometry.setAttribute("value", new BufferAttribute(values, 1));
-    this.#mesh.visible = corners.length > 0;
-    this.#place();
+    this.root.geometry.dispose();
+    this.root.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
+    if (values.length > 0) this.root.geometry.setAttribute("value", new BufferAttribute(values, 1));
+    this.#setVisibility();
+    this.#move();
     this.#events.onChange();
   }
 
-  /** The colours that the values of what is drawn stand for. */
+  /** Sets the colours that the drawn values stand for. */
   #setScale(): void {
-    const byRegion = this.#drawn.wanted.shading === "region";
+    const byRegion = this.#drawn.request.shading === "region";
     setTexture(this.#material, "ramp", byRegion ? this.#palette : this.#ramp);
     setNumber(this.#material, "hues", byRegion ? (this.#palette?.image.width ?? 0) : 0);
   }
 
-  /** What is drawn stays where it is when the origin moves. */
-  #place(): void {
-    const { origin } = this.#drawn.wanted;
-    const [x, y, z] = this.#wanted.origin;
-    this.#mesh.position.set(origin[0] - x, origin[1] - y, origin[2] - z);
+  #setVisibility(): void {
+    this.root.visible = this.#isShown && this.faceCount > 0;
   }
 
-  #showFront(result: MeshResult | null, origin: Position): void {
-    const status = result?.report.status;
-    const incomplete = status === "stalled" || status === "cancelled";
-    const hasElements = (result?.volume.tetrahedra.length ?? 0) > 0;
-    const left = hasElements ? result?.volume.front : result?.surface.triangles;
-    const triangles = (incomplete ? left : null) ?? [];
-    const points = hasElements ? result?.volume.points : result?.surface.points;
-    const corners = new Float32Array(3 * triangles.length);
-    for (let i = 0; points && i < triangles.length; ++i) {
-      const at = 3 * (triangles[i] ?? 0);
-      for (let k = 0; k < 3; ++k) corners[3 * i + k] = (points[at + k] ?? 0) - (origin[k] ?? 0);
-    }
-    this.#frontMaterial.side = DoubleSide;
-    this.#front.geometry.dispose();
-    this.#front.geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
+  /** Keeps the faces drawn in their place when the origin moves. */
+  #move(): void {
+    const { origin } = this.#drawn.request;
+    const [x, y, z] = this.#request.origin;
+    this.root.position.set(origin[0] - x, origin[1] - y, origin[2] - z);
+  }
+
+  /** A face of the boundary stands for its patch, a face of the cut for its tetrahedron. */
+  #targetOf({ triangle }: TriangleHit): Target {
+    const { faces } = this.#drawn;
+    const face = faces?.faces[triangle] ?? 0;
+    const patch = faces?.onBoundary[triangle] === 1 ? this.#patchOf(face) : null;
+    const record = patch === null ? undefined : this.#patches[patch];
+    return record ? { kind: "patch", id: record.id } : { kind: "element", index: face >> 2 };
+  }
+
+  #patchOf(face: number): number | null {
+    if (!this.#result) return null;
+    this.#patchFinder ??= new PatchFinder(this.#result.surface);
+    const { tetrahedra } = this.#result.volume;
+    const local = 3 * (face & 3);
+    return this.#patchFinder.patchOf(
+      [0, 1, 2].map((k) => tetrahedra[(face & ~3) + (faceNodes[local + k] ?? 0)] ?? 0),
+    );
   }
 }

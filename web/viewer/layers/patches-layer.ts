@@ -1,119 +1,123 @@
-import type { ProjectPreview } from "tetrafront";
-import { BufferAttribute, BufferGeometry, Group, Mesh } from "three";
-import type { ViewerColors } from "../colors";
-import { createFacetMaterial, setColor, setNumber } from "../materials";
-import type { Position, SceneLayer } from "./layer";
+import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type Ray } from "three";
+import { setStateColors, setStateScale } from "../draw-state";
+import { EntityStates } from "../entity-states";
+import { createPatchMaterial } from "../materials/patch-material";
+import type { Position } from "../position";
+import type { SampledProject, SceneChanges } from "../scene-state";
+import type { Screen } from "../screen";
+import { TriangleTree } from "../triangle-tree";
+import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
-type Marking = "normal" | "faulty" | "hover" | "selected";
-
-/** Over a mesh the patches are only a hint of the hull; alone they are the model. */
+/** Over a mesh the patches only hint at the boundary; alone they are the model. */
 const opacityOverMesh = 0.14;
 const opacityAlone = 0.42;
-const opacityThrough = 0.16;
+/** Behind other surfaces. */
+const opacityBehind = 0.16;
 
-type FacetMesh = Mesh<BufferGeometry, ReturnType<typeof createFacetMaterial>>;
-
-/** The model's patches as sampled by the engine; marked ones are drawn again in their colour. */
-export class PatchesLayer implements SceneLayer {
+/** The model's patches as sampled by the engine: one buffer of triangles, drawn by three passes. */
+export class PatchesLayer implements HittableLayer {
   readonly root = new Group();
-  readonly #meshes: { readonly [M in Marking]: FacetMesh };
-  /** These patches once more, faintly, where something lies before them. */
-  readonly #through: { readonly [M in "faulty" | "selected"]: FacetMesh };
-  #position = new BufferAttribute(new Float32Array(), 3);
-  #preview: ProjectPreview | null = null;
-  #drawnPatches: number[] = [];
+  readonly #states = new EntityStates("patch");
+  readonly #geometry = new BufferGeometry();
+  /** All patches, behind the mesh if both lie in one plane. */
+  readonly #plain = createPatchMaterial({
+    opacities: {
+      normal: opacityAlone,
+      hover: opacityAlone,
+      selected: opacityAlone,
+      defective: opacityAlone,
+    },
+    polygonOffset: 2,
+  });
+  readonly #emphasized = createPatchMaterial({
+    opacities: { hover: 0.35, selected: 0.5, defective: 0.8 },
+    polygonOffset: -1,
+  });
+  /** Selected and defective patches show through everything in front of them. */
+  readonly #behind = createPatchMaterial({
+    opacities: { selected: opacityBehind, defective: opacityBehind },
+    depthTest: false,
+  });
+  readonly #meshes = [
+    new Mesh(this.#geometry, this.#plain),
+    new Mesh(this.#geometry, this.#emphasized),
+    new Mesh(this.#geometry, this.#behind),
+  ] as const;
+  /** x y z of three corners per triangle, local. */
+  #corners = new Float32Array();
+  #tree = new TriangleTree(this.#corners);
+  #origin: Position = [0, 0, 0];
 
   constructor() {
-    const create = (opacity: number, polygonOffset: number, renderOrder: number) => {
-      const mesh = new Mesh(new BufferGeometry(), createFacetMaterial({ opacity, polygonOffset }));
+    this.#meshes.forEach((mesh, pass) => {
       mesh.frustumCulled = false;
-      mesh.renderOrder = renderOrder;
-      return mesh;
-    };
-    this.#meshes = {
-      // Behind the mesh, where both lie in one plane.
-      normal: create(opacityAlone, 2, 1),
-      faulty: create(0.8, -1, 2),
-      hover: create(0.35, -1, 2),
-      selected: create(0.5, -1, 2),
-    };
-    const createThrough = () => {
-      const material = createFacetMaterial({ opacity: opacityThrough, depthTest: false });
-      const mesh = new Mesh(new BufferGeometry(), material);
-      mesh.frustumCulled = false;
-      mesh.renderOrder = 3;
-      return mesh;
-    };
-    this.#through = { faulty: createThrough(), selected: createThrough() };
-    this.root.add(...Object.values(this.#meshes), ...Object.values(this.#through));
+      mesh.renderOrder = 1 + pass;
+      this.root.add(mesh);
+    });
   }
 
-  setColors(colors: ViewerColors): void {
-    setColor(this.#meshes.normal.material, "color", colors.patch);
-    setColor(this.#meshes.hover.material, "color", colors.hover);
-    setColor(this.#meshes.selected.material, "color", colors.selection);
-    setColor(this.#meshes.faulty.material, "color", colors.front);
-    setColor(this.#through.selected.material, "color", colors.selection);
-    setColor(this.#through.faulty.material, "color", colors.front);
-  }
-
-  setOverMesh(overMesh: boolean): void {
-    setNumber(this.#meshes.normal.material, "opacity", overMesh ? opacityOverMesh : opacityAlone);
-  }
-
-  setPreview(preview: ProjectPreview | null, origin: Position): void {
-    this.#preview = preview;
-    const places = Float32Array.from(preview?.patchPoints ?? [], (x, i) => x - (origin[i % 3] ?? 0));
-    this.#position = new BufferAttribute(places, 3);
-  }
-
-  /** Rebuilds the triangles drawn. `markingOf` tells how to draw the patch at a position; null hides it. */
-  update(markingOf: (position: number) => Marking | null): void {
-    const triangles: Record<Marking, number[]> = { normal: [], faulty: [], hover: [], selected: [] };
-    this.#drawnPatches = [];
-    const patchCount = (this.#preview?.patchOffsets.length ?? 1) - 1;
-    for (let position = 0; position < patchCount; ++position) {
-      const marking = markingOf(position);
-      if (!marking) continue;
-      const range = this.#rangeOf(position);
-      for (const node of range) triangles.normal.push(node);
-      if (marking !== "normal") for (const node of range) triangles[marking].push(node);
-      for (let t = 0; t < range.length / 3; ++t) this.#drawnPatches.push(position);
+  update(changes: SceneChanges): void {
+    const { state } = changes;
+    this.root.visible = state.layers.patches;
+    if (changes.has("colors")) {
+      const { patch, hover, selection: selected, front: defective } = state.colors;
+      setStateColors(this.#plain, { normal: patch, hover: patch, selected: patch, defective: patch });
+      for (const material of [this.#emphasized, this.#behind]) {
+        setStateColors(material, { hover, selected, defective });
+      }
     }
-    for (const marking of ["normal", "faulty", "hover", "selected"] as const) {
-      const mesh = this.#meshes[marking];
-      mesh.geometry.dispose();
-      mesh.geometry = new BufferGeometry().setAttribute("position", this.#position);
-      mesh.geometry.setIndex(new BufferAttribute(Uint32Array.from(triangles[marking]), 1));
-      mesh.visible = triangles[marking].length > 0;
+    if (changes.has("layers", "mesh", "front")) {
+      const hasMesh = state.front !== null || (state.mesh?.volume.tetrahedra.length ?? 0) > 0;
+      const opacity = state.layers.mesh && hasMesh ? opacityOverMesh : opacityAlone;
+      for (const drawn of ["normal", "hover", "selected", "defective"] as const) {
+        setStateScale(this.#plain, drawn, opacity);
+      }
     }
-    for (const marking of ["faulty", "selected"] as const) {
-      this.#through[marking].geometry = this.#meshes[marking].geometry;
-      this.#through[marking].visible = this.#meshes[marking].visible;
-    }
+    if (changes.has("preview", "origin")) this.#place(state.preview, state.origin);
+    this.#states.update(state);
+    const [plain, emphasized, behind] = this.#meshes;
+    emphasized.visible = this.#states.hasAny("hover", "selected", "defective");
+    behind.visible = this.#states.hasAny("selected", "defective");
+    plain.visible = emphasized.visible || this.#states.hasAny("normal");
   }
 
-  /** For picking: the triangles of all patches drawn; null without any. */
-  get geometry(): BufferGeometry | null {
-    return this.#drawnPatches.length > 0 ? this.#meshes.normal.geometry : null;
-  }
-
-  /** The position of the patch that a drawn triangle belongs to. */
-  patchOf(triangle: number): number | null {
-    return this.#drawnPatches[triangle] ?? null;
+  hit(ray: Ray, screen: Screen): Hit | null {
+    if (!this.root.visible) return null;
+    const hit = this.#tree.firstHit(ray, DoubleSide, (triangle) => this.#states.isDrawn(3 * triangle));
+    const target = hit && this.#states.entityAt(this.#states.recordOf(3 * hit.triangle));
+    if (!target || hit.distance > screen.maxDepth) return null;
+    return { target, position: addOrigin(hit.point, this.#origin), depth: hit.distance };
   }
 
   dispose(): void {
-    for (const mesh of Object.values(this.#meshes)) {
-      mesh.geometry.dispose();
-      mesh.material.dispose();
-    }
-    for (const { material } of Object.values(this.#through)) material.dispose();
+    this.#geometry.dispose();
+    for (const { material } of this.#meshes) material.dispose();
   }
 
-  #rangeOf(position: number): Uint32Array {
-    if (!this.#preview) return new Uint32Array();
-    const { patchOffsets, patchTriangles } = this.#preview;
-    return patchTriangles.subarray(3 * (patchOffsets[position] ?? 0), 3 * (patchOffsets[position + 1] ?? 0));
+  #place(preview: SampledProject | null, origin: Position): void {
+    const empty = { patchOffsets: [0], patchTriangles: [], patchPoints: [] };
+    const { patchOffsets, patchTriangles, patchPoints } = preview?.samples ?? empty;
+    this.#origin = origin;
+    this.#states.assign(
+      preview?.project.patches ?? [],
+      Uint32Array.from(patchOffsets, (triangle) => 3 * triangle),
+    );
+    if (3 * patchTriangles.length !== this.#corners.length) this.#allocate(patchTriangles.length);
+    // Patches share nodes along lines. Each gets its own corners, which carry its state.
+    for (let corner = 0; corner < patchTriangles.length; ++corner) {
+      const node = 3 * (patchTriangles[corner] ?? 0);
+      for (let k = 0; k < 3; ++k)
+        this.#corners[3 * corner + k] = (patchPoints[node + k] ?? 0) - (origin[k] ?? 0);
+    }
+    this.#tree = new TriangleTree(this.#corners);
+    const position = this.#geometry.getAttribute("position") as BufferAttribute | undefined;
+    if (position) position.needsUpdate = true;
+  }
+
+  #allocate(corners: number): void {
+    this.#geometry.dispose();
+    this.#corners = new Float32Array(3 * corners);
+    this.#geometry.setAttribute("position", new BufferAttribute(this.#corners, 3));
+    this.#geometry.setAttribute("state", this.#states.attribute);
   }
 }

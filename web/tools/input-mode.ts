@@ -1,0 +1,19 @@
+/**
+ * Who gets a key: the text field or the dialog that has the focus, or the view with its tools and commands.
+ */
+export type InputMode = "field" | "dialog" | "view";
+
+const dialogs = '[role="dialog"], [role="menu"]';
+const fields = "input, textarea, select, [contenteditable]";
+
+/** Returns the mode for a key event with this target. A field in a dialog belongs to the dialog. */
+export function inputMode(target: EventTarget | null): InputMode {
+  if (!target || !isElement(target)) return "view";
+  if (target.closest(dialogs)) return "dialog";
+  return target.closest(fields) ? "field" : "view";
+}
+
+/** A key event may also have the document or the window as its target. */
+function isElement(target: EventTarget): target is Element {
+  return "closest" in target;
+}

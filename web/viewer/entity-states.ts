@@ -1,0 +1,193 @@
+import { BufferAttribute, InstancedBufferAttribute } from "three";
+import { entityKey, sameEntity, type DrawnKind, type Entity } from "../document/entities";
+import { stateCodes, type DrawState } from "./draw-state";
+import type { SceneState } from "./scene-state";
+
+interface Identified {
+  readonly id: number;
+}
+
+type Emphasis = Pick<SceneState, "selection" | "hover" | "hidden" | "defects">;
+
+/**
+ * The draw states of the entities of one kind, as a vertex attribute with one byte per vertex. A change of hover,
+ * selection or visibility writes the bytes of the entities that it concerns, and leaves all others.
+ */
+export class EntityStates {
+  readonly #kind: DrawnKind;
+  readonly #instanced: boolean;
+  #records: readonly Identified[] = [];
+  /** Record i owns the vertices from offsets[i] to before offsets[i + 1]. */
+  #offsets: ArrayLike<number> = [0];
+  #attribute: BufferAttribute;
+  #codes = new Uint8Array();
+  readonly #counts = new Map<number, number>();
+  #indexById: ReadonlyMap<number, number> | null = null;
+  /** The emphasis that the attribute shows; null if states are still to be written. */
+  #shown: Emphasis | null = null;
+  #selectedIds: ReadonlySet<number> = new Set();
+
+  /** If `instanced`, the attribute has one byte per instance. */
+  constructor(kind: DrawnKind, { instanced = false } = {}) {
+    this.#kind = kind;
+    this.#instanced = instanced;
+    this.#attribute = this.#createAttribute(0);
+  }
+
+  /** One state code per vertex. */
+  get attribute(): BufferAttribute {
+    return this.#attribute;
+  }
+
+  /** Assigns vertices to records. The attribute is replaced only if the number of vertices changes. */
+  assign(records: readonly Identified[], offsets: ArrayLike<number>): void {
+    const vertices = offsets[records.length] ?? 0;
+    const sameVertices = this.#attribute.count === vertices && sameNumbers(this.#offsets, offsets);
+    const isSame = sameVertices && sameIds(this.#records, records);
+    this.#records = records;
+    if (isSame) return;
+    this.#offsets = offsets;
+    this.#indexById = null;
+    this.#shown = null;
+    if (this.#attribute.count !== vertices) this.#attribute = this.#createAttribute(vertices);
+  }
+
+  /** Writes the states that differ from those shown. */
+  update(state: Emphasis): void {
+    const before = this.#shown;
+    this.#shown = state;
+    if (!before || before.selection !== state.selection) {
+      this.#selectedIds = new Set(state.selection.filter(this.#isOfKind).map(({ id }) => id));
+    }
+    if (!before) return this.#writeAll(state);
+    for (const id of this.#affectedIds(before, state)) {
+      const index = this.#indexOf(id);
+      if (index !== undefined) this.#write(index, this.#codeOf(id, state));
+    }
+  }
+
+  /** State code of the record at an index. */
+  codeAt(index: number): number {
+    return this.#codes[index] ?? stateCodes.hidden;
+  }
+
+  /** First of the vertices that a record owns. */
+  firstVertexOf(index: number): number {
+    return this.#offsets[index] ?? 0;
+  }
+
+  /** Index of the record that owns a vertex. */
+  recordOf(vertex: number): number {
+    let [low, high] = [0, this.#records.length];
+    while (low < high) {
+      const middle = (low + high) >> 1;
+      if ((this.#offsets[middle + 1] ?? 0) > vertex) high = middle;
+      else low = middle + 1;
+    }
+    return low;
+  }
+
+  /** Returns whether a vertex is drawn. */
+  isDrawn(vertex: number): boolean {
+    return this.#attribute.getX(vertex) !== stateCodes.hidden;
+  }
+
+  /** Returns whether any entity has one of these states. */
+  hasAny(...states: readonly DrawState[]): boolean {
+    return states.some((state) => (this.#counts.get(stateCodes[state]) ?? 0) > 0);
+  }
+
+  /** The entity of a record. */
+  entityAt(index: number): Entity | null {
+    const record = this.#records[index];
+    return record ? { kind: this.#kind, id: record.id } : null;
+  }
+
+  readonly #isOfKind = ({ kind }: Entity): boolean => kind === this.#kind;
+
+  #createAttribute(vertices: number): BufferAttribute {
+    const codes = new Uint8Array(vertices);
+    return this.#instanced ? new InstancedBufferAttribute(codes, 1) : new BufferAttribute(codes, 1);
+  }
+
+  #indexOf(id: number): number | undefined {
+    this.#indexById ??= new Map(this.#records.map((record, index) => [record.id, index]));
+    return this.#indexById.get(id);
+  }
+
+  #codeOf(id: number, { hover, hidden, defects }: Emphasis): number {
+    const entity = { kind: this.#kind, id };
+    if (hidden.size > 0 && hidden.has(entityKey(entity))) return stateCodes.hidden;
+    if (this.#selectedIds.has(id)) return stateCodes.selected;
+    if (sameEntity(hover, entity)) return stateCodes.hover;
+    return this.#kind === "patch" && defects.patches.has(id) ? stateCodes.defective : stateCodes.normal;
+  }
+
+  #writeAll(state: Emphasis): void {
+    this.#codes = Uint8Array.from(this.#records, ({ id }) => this.#codeOf(id, state));
+    this.#counts.clear();
+    this.#codes.forEach((code, index) => {
+      this.#count(code, 1);
+      this.#attribute.array.fill(code, this.#offsets[index], this.#offsets[index + 1]);
+    });
+    this.#attribute.clearUpdateRanges();
+    this.#attribute.addUpdateRange(0, this.#attribute.count);
+    this.#attribute.needsUpdate = true;
+  }
+
+  #write(index: number, code: number): void {
+    const before = this.codeAt(index);
+    if (before === code) return;
+    this.#codes[index] = code;
+    this.#count(before, -1);
+    this.#count(code, 1);
+    const first = this.#offsets[index] ?? 0;
+    const end = this.#offsets[index + 1] ?? first;
+    this.#attribute.array.fill(code, first, end);
+    this.#attribute.addUpdateRange(first, end - first);
+    this.#attribute.needsUpdate = true;
+  }
+
+  #count(code: number, change: number): void {
+    this.#counts.set(code, (this.#counts.get(code) ?? 0) + change);
+  }
+
+  #affectedIds(before: Emphasis, now: Emphasis): Set<number> {
+    const ids = new Set<number>();
+    const add = (entity: Entity | null): void => {
+      if (entity && this.#isOfKind(entity)) ids.add(entity.id);
+    };
+    if (before.hover !== now.hover) [before.hover, now.hover].forEach(add);
+    if (before.selection !== now.selection) [...before.selection, ...now.selection].forEach(add);
+    if (before.hidden !== now.hidden) {
+      const prefix = `${this.#kind}-`;
+      for (const key of [...before.hidden, ...now.hidden]) {
+        if (key.startsWith(prefix)) ids.add(Number(key.slice(prefix.length)));
+      }
+    }
+    if (this.#kind === "patch" && before.defects !== now.defects) {
+      for (const { patches } of [before.defects, now.defects]) patches.forEach((id) => ids.add(id));
+    }
+    return ids;
+  }
+}
+
+/** Returns where the vertices of each record begin, and where those of the last one end. */
+export function offsetsOf<Record>(
+  records: readonly Record[],
+  verticesOf: (record: Record) => number,
+): Uint32Array {
+  const offsets = new Uint32Array(records.length + 1);
+  records.forEach((record, i) => (offsets[i + 1] = (offsets[i] ?? 0) + verticesOf(record)));
+  return offsets;
+}
+
+function sameNumbers(a: ArrayLike<number>, b: ArrayLike<number>): boolean {
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+function sameIds(a: readonly Identified[], b: readonly Identified[]): boolean {
+  return a === b || (a.length === b.length && a.every(({ id }, i) => id === b[i]?.id));
+}

@@ -1,0 +1,64 @@
+import type { ViewStore } from "../document/selection";
+import { faultsOf } from "../document/validate";
+import type { DocumentStore } from "../session/document-store";
+import type { PreviewFeed } from "../session/preview";
+import type { ProblemList } from "../session/problems";
+import { isStale, type MeshRun } from "../session/run";
+import type { SampledProject, ShownState } from "./scene-state";
+import type { Viewer } from "./viewer";
+
+/** The stores that the viewer shows. */
+export interface SessionStores {
+  readonly documents: DocumentStore;
+  readonly previews: PreviewFeed;
+  readonly problems: ProblemList;
+  readonly run: MeshRun;
+  readonly view: ViewStore;
+}
+
+/** Returns the state of the stores as the viewer shows it. */
+export function shownState(stores: SessionStores): ShownState {
+  return {
+    ...stores.view.state.getState(),
+    ...projectState(stores),
+    ...previewState(stores),
+    ...runState(stores),
+    ...problemState(stores),
+  };
+}
+
+/** Shows every change of the stores. Returns a function that ends this. */
+export function followSession(stores: SessionStores, viewer: Viewer): () => void {
+  const stops = [
+    stores.documents.onProject(() => viewer.show(projectState(stores))),
+    stores.previews.state.subscribe(() => viewer.show(previewState(stores))),
+    stores.run.state.subscribe(() => viewer.show(runState(stores))),
+    stores.problems.state.subscribe(() => viewer.show(problemState(stores))),
+    stores.view.state.subscribe((state) => viewer.show(state)),
+  ];
+  return () => stops.forEach((stop) => stop());
+}
+
+function projectState({ documents, run }: SessionStores) {
+  const { project } = documents;
+  return { project, isMeshStale: isStale(run.state.getState(), project) };
+}
+
+function previewState({ previews }: SessionStores): { readonly preview: SampledProject | null } {
+  const { preview, project } = previews.state.getState();
+  return { preview: preview && project && { samples: preview, project } };
+}
+
+function runState({ documents, run }: SessionStores) {
+  const state = run.state.getState();
+  return {
+    mesh: state.mesh,
+    isMeshStale: isStale(state, documents.project),
+    checkedSurface: state.outcome?.result.surface ?? null,
+    front: null,
+  };
+}
+
+function problemState({ problems }: SessionStores) {
+  return { defects: faultsOf(problems.state.getState().problems) };
+}

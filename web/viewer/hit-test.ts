@@ -1,0 +1,37 @@
+import { Raycaster, Vector2, type PerspectiveCamera } from "three";
+import type { Hit, HittableLayer } from "./layers/layer";
+import type { Viewport } from "./scene-state";
+import { Screen, type ScreenPoint } from "./screen";
+
+/** Entities this little behind a surface still count as on it, relative to the distance. */
+const depthTolerance = 0.004;
+
+export interface HitOrder {
+  /** The opaque surface: it covers everything behind it. */
+  readonly solid: HittableLayer;
+  /** Dots and lines, which are drawn on surfaces: the first layer that is hit wins. */
+  readonly onSurfaces: readonly HittableLayer[];
+  /** Translucent surfaces: hit only if nothing else is. */
+  readonly translucent: HittableLayer;
+}
+
+/** Returns what the pointer hits: dots before lines before surfaces; null if it hits nothing. */
+export function hitTest(
+  { solid, onSurfaces, translucent }: HitOrder,
+  camera: PerspectiveCamera,
+  viewport: Viewport,
+  pointer: ScreenPoint,
+): Hit | null {
+  const raycaster = new Raycaster();
+  const { width, height } = viewport;
+  raycaster.setFromCamera(new Vector2((2 * pointer.x) / width - 1, 1 - (2 * pointer.y) / height), camera);
+  const { ray } = raycaster;
+  const surface = solid.hit(ray, new Screen(camera, viewport, pointer));
+  const maxDepth = surface ? surface.depth * (1 + depthTolerance) : Infinity;
+  const screen = new Screen(camera, viewport, pointer, maxDepth);
+  for (const layer of onSurfaces) {
+    const hit = layer.hit(ray, screen);
+    if (hit) return hit;
+  }
+  return surface ?? translucent.hit(ray, screen);
+}

@@ -1,0 +1,53 @@
+import { Scene, WebGLRenderer, type PerspectiveCamera } from "three";
+import type { Viewport } from "./scene-state";
+import { prepareShaders } from "./shaders";
+
+export interface SceneRendererOptions {
+  readonly multisampling: boolean;
+  readonly onContextLost: () => void;
+  readonly onContextRestored: () => void;
+}
+
+const maxPixelRatio = 2;
+
+/** The scene, and the WebGL context that draws it. Throws if the browser offers no WebGL 2. */
+export class SceneRenderer {
+  readonly scene = new Scene();
+  readonly webgl: WebGLRenderer;
+  readonly #listening = new AbortController();
+
+  constructor(canvas: HTMLCanvasElement, options: SceneRendererOptions) {
+    this.webgl = new WebGLRenderer({ canvas, antialias: options.multisampling, alpha: true });
+    this.webgl.setPixelRatio(Math.min(window.devicePixelRatio, maxPixelRatio));
+    this.webgl.setClearColor(0x000000, 0);
+    // Querying the status of a shader blocks until it is compiled, so do it in development builds only.
+    this.webgl.debug.checkShaderErrors = import.meta.env.DEV;
+    const { signal } = this.#listening;
+    const onLost = (event: Event): void => {
+      event.preventDefault();
+      options.onContextLost();
+    };
+    canvas.addEventListener("webglcontextlost", onLost, { signal });
+    canvas.addEventListener("webglcontextrestored", options.onContextRestored, { signal });
+  }
+
+  /** Compiles all shaders without blocking the page. Drawing before that would wait for them. */
+  async prepare(camera: PerspectiveCamera): Promise<void> {
+    await prepareShaders(this.webgl, this.scene, camera);
+  }
+
+  /** Returns the new viewport. */
+  resize(width: number, height: number): Viewport {
+    this.webgl.setSize(width, height, false);
+    return { width, height, pixelRatio: this.webgl.getPixelRatio() };
+  }
+
+  render(camera: PerspectiveCamera): void {
+    this.webgl.render(this.scene, camera);
+  }
+
+  dispose(): void {
+    this.#listening.abort();
+    this.webgl.dispose();
+  }
+}

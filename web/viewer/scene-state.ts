@@ -1,0 +1,68 @@
+import type { MeshResult, Project, ProjectPreview, SurfaceMesh } from "tetrafront";
+import type { ViewState } from "../document/selection";
+import type { Faults } from "../document/validate";
+import type { ViewerColors } from "./colors";
+import type { Position } from "./position";
+
+/** Lines and patches of a project, sampled by the engine. */
+export interface SampledProject {
+  readonly samples: ProjectPreview;
+  /** The project that was sampled; its lists and the samples have the same order. */
+  readonly project: Project;
+}
+
+/** Faces of the front. */
+export interface FrontFaces {
+  /** x y z per node. */
+  readonly points: Float64Array;
+  /** Three indices of nodes per face. */
+  readonly triangles: Uint32Array;
+}
+
+export interface Viewport {
+  /** CSS pixels. */
+  readonly width: number;
+  readonly height: number;
+  /** Device pixels per CSS pixel. */
+  readonly pixelRatio: number;
+}
+
+/** What the viewer shows. Immutable: parts that are equal by identity have not changed. */
+export interface ShownState extends ViewState {
+  readonly project: Project;
+  readonly preview: SampledProject | null;
+  readonly mesh: MeshResult | null;
+  /** The mesh belongs to an earlier state of the project. */
+  readonly isMeshStale: boolean;
+  /** The front of the run in progress; null before it advances, and without a run. */
+  readonly front: FrontFaces | null;
+  /** The boundary that the last run checked; `triangles` and `defects` refer to it. */
+  readonly checkedSurface: SurfaceMesh | null;
+  readonly defects: Faults;
+}
+
+/** All that the layers draw from. */
+export interface SceneState extends ShownState {
+  readonly colors: ViewerColors;
+  /** Local coordinates are relative to this position, because single precision suffices near zero only. */
+  readonly origin: Position;
+  readonly viewport: Viewport;
+}
+
+/** A new state of the scene, and the state before it. */
+export class SceneChanges {
+  readonly state: SceneState;
+  readonly #before: SceneState | null;
+
+  /** `before` is null for the first state: everything has changed. */
+  constructor(state: SceneState, before: SceneState | null) {
+    this.state = state;
+    this.#before = before;
+  }
+
+  /** Returns whether any of these parts has changed. */
+  has(...parts: readonly (keyof SceneState)[]): boolean {
+    const before = this.#before;
+    return before === null || parts.some((part) => before[part] !== this.state[part]);
+  }
+}
