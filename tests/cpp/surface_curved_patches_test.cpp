@@ -19,6 +19,10 @@
 namespace tetrafront::testing {
 namespace {
 
+constexpr std::array<PatchType, 4> kCurvedTypes{
+    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
+    PatchType::kCoons};
+
 SurfaceMesh meshOf(const Model& model, const SizeField& field) {
   EXPECT_TRUE(checkModel(model).empty());
   SurfaceMesher mesher(model, field);

@@ -1,8 +1,5 @@
-import { BufferAttribute, BufferGeometry, DoubleSide, FrontSide, Ray, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import { placeOnScale, qualityOf } from "../../../web/document/mesh-quality";
-import { patchOfFace } from "../../../web/viewer/patch-finder";
-import { nearestHit } from "../../../web/viewer/ray-hit";
 import { MeshQueries, type ViewOptions } from "../../../web/viewer/mesh-queries";
 import { faceNodes } from "../../../web/viewer/topology";
 import { gridMesh } from "./grid-mesh";
@@ -92,50 +89,5 @@ describe("MeshQueries with regions", () => {
     for (const { onBoundary } of [lower, upper]) expect(onBoundary.every((flag) => flag === 1)).toBe(true);
     expect(facesWithout(0, 1).faces).toHaveLength(0);
     expect(facesWithout().faces).toEqual(queries.facesOf(whole).faces);
-  });
-});
-
-describe("nearestHit", () => {
-  const { faces, corners } = queries.facesOf(whole);
-  const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
-  const ray = new Ray(new Vector3(-2, 1.3, 1.6), new Vector3(1, 0, 0));
-
-  it("finds the face turned to the eye, and from inside only a surface with two sides", () => {
-    const hit = nearestHit(ray, geometry, FrontSide);
-    expect(hit?.distance).toBeCloseTo(2);
-    expect(cornersOf(faces[hit?.triangle ?? -1] ?? 0).filter((_, i) => i % 3 === 0)).toEqual([0, 0, 0]);
-    const inside = new Ray(new Vector3(1.1, 1.3, 1.6), ray.direction);
-    expect(nearestHit(inside, geometry, FrontSide)).toBeNull();
-    expect(nearestHit(inside, geometry, DoubleSide)?.distance).toBeCloseTo(size - 1.1);
-    expect(nearestHit(new Ray(ray.origin, new Vector3(0, 1, 0)), geometry, DoubleSide)).toBeNull();
-  });
-
-  it("goes by the index where there is one", () => {
-    const last = faces.length - 1;
-    const indexed = new BufferGeometry().setAttribute("position", new BufferAttribute(corners, 3));
-    const order = Array.from(
-      { length: 3 * faces.length },
-      (_, i) => 3 * (last - Math.floor(i / 3)) + (i % 3),
-    );
-    indexed.setIndex(order);
-    const direct = nearestHit(ray, geometry, FrontSide);
-    expect(nearestHit(ray, indexed, FrontSide)?.triangle).toBe(last - (direct?.triangle ?? 0));
-  });
-});
-
-describe("patchOfFace", () => {
-  it("finds a triangle by its nodes in any order", () => {
-    const triangles = Uint32Array.from([0, 1, 2, 2, 1, 3, 3, 1, 4]);
-    const surface = {
-      points: new Float64Array(15),
-      triangles,
-      trianglePatch: Uint32Array.from([5, 6, 7]),
-      triangleRegions: new Uint32Array(6),
-      sides: new Uint32Array(),
-      sideLine: new Uint32Array(),
-    };
-    expect(patchOfFace(surface, [3, 2, 1])).toBe(6);
-    expect(patchOfFace(surface, [1, 4, 3])).toBe(7);
-    expect(patchOfFace(surface, [0, 1, 3])).toBeNull();
   });
 });

@@ -1,0 +1,77 @@
+import { beforeEach, expect, it, vi } from "vitest";
+import { FrameLoop } from "../../../web/viewer/frame-loop";
+
+let scheduled: Map<number, () => void>;
+
+beforeEach(() => {
+  scheduled = new Map();
+  let handle = 0;
+  vi.stubGlobal("requestAnimationFrame", (callback: () => void) => {
+    scheduled.set(++handle, callback);
+    return handle;
+  });
+  vi.stubGlobal("cancelAnimationFrame", (cancelled: number) => scheduled.delete(cancelled));
+});
+
+function nextFrame(): void {
+  const callbacks = [...scheduled.values()];
+  scheduled.clear();
+  for (const callback of callbacks) callback();
+}
+
+it("draws once per animation frame, however often it is asked", () => {
+  const draw = vi.fn(() => false);
+  const loop = new FrameLoop(draw);
+  loop.start();
+  loop.request();
+  loop.request();
+  nextFrame();
+  expect(draw).toHaveBeenCalledTimes(1);
+  expect(loop.frames).toBe(1);
+  nextFrame();
+  expect(draw).toHaveBeenCalledTimes(1);
+});
+
+it("goes on while a motion does", () => {
+  let left = 3;
+  const loop = new FrameLoop(() => --left > 0);
+  loop.start();
+  for (let frame = 0; frame < 10; ++frame) nextFrame();
+  expect(loop.frames).toBe(3);
+});
+
+it("draws nothing before the start and after the stop", () => {
+  const draw = vi.fn(() => true);
+  const loop = new FrameLoop(draw);
+  loop.request();
+  loop.drawNow();
+  nextFrame();
+  expect(draw).not.toHaveBeenCalled();
+  loop.start();
+  loop.stop();
+  nextFrame();
+  loop.request();
+  nextFrame();
+  expect(draw).not.toHaveBeenCalled();
+});
+
+it("draws at once in place of the next animation frame", () => {
+  const draw = vi.fn(() => false);
+  const loop = new FrameLoop(draw);
+  loop.start();
+  loop.drawNow();
+  nextFrame();
+  expect(draw).toHaveBeenCalledTimes(1);
+});
+
+it("tells its listeners of every frame until they end it", () => {
+  const listener = vi.fn();
+  const loop = new FrameLoop(() => false);
+  loop.start();
+  const stop = loop.onDrawn(listener);
+  nextFrame();
+  stop();
+  loop.request();
+  nextFrame();
+  expect(listener).toHaveBeenCalledTimes(1);
+});

@@ -1,0 +1,254 @@
+import type { BufferAttribute, Mesh, Points } from "three";
+import { describe, expect, it, vi } from "vitest";
+import type { MeshResult, Project } from "tetrafront";
+import { emptyProject } from "../../../web/document/edits";
+import { stateCodes } from "../../../web/viewer/draw-state";
+import { DotsLayer } from "../../../web/viewer/layers/dots-layer";
+import { FrontLayer } from "../../../web/viewer/layers/front-layer";
+import type { Layer } from "../../../web/viewer/layers/layer";
+import { LinesLayer } from "../../../web/viewer/layers/lines-layer";
+import { MeshLayer } from "../../../web/viewer/layers/mesh-layer";
+import { PatchesLayer } from "../../../web/viewer/layers/patches-layer";
+import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/mesh-queries";
+import type { MeshQueryClient } from "../../../web/viewer/mesh-query-client";
+import { gridMesh } from "./grid-mesh";
+import { change, preview, sceneState, show } from "./scene";
+
+const { normal, hover, selected, hidden } = stateCodes;
+
+const project: Project = {
+  ...emptyProject("Test"),
+  points: [
+    { id: 1, at: [0, 0, 0] },
+    { id: 2, at: [1, 2, 3] },
+  ],
+  lines: [
+    { id: 5, type: "straight", points: [1, 2] },
+    { id: 6, type: "straight", points: [2, 1] },
+  ],
+  patches: [
+    { id: 8, type: "planar", loops: [] },
+    { id: 9, type: "planar", loops: [] },
+  ],
+};
+const samples = preview(
+  [
+    [0, 0, 0, 1, 0, 0, 2, 0, 0],
+    [0, 0, 0, 0, 1, 0],
+  ],
+  [
+    [0, 0, 0, 1, 0, 0, 0, 1, 0],
+    [0, 0, 1, 1, 0, 1, 0, 1, 1],
+  ],
+);
+const start = sceneState({ project, preview: { samples, project } });
+
+const pointsLayer = () =>
+  new DotsLayer({
+    kind: "point",
+    name: "points",
+    shape: "round",
+    color: (colors) => colors.point,
+    records: (state) => state.project.points,
+    positions: (point) => [point.at],
+  });
+
+/** The attributes of the first thing that a layer draws. */
+function attributes(layer: Layer): Record<string, BufferAttribute> {
+  const drawn = (layer.root.children[0] ?? layer.root) as Mesh | Points;
+  return drawn.geometry.attributes as Record<string, BufferAttribute>;
+}
+
+const stateBytes = (layer: Layer): number[] => [...(attributes(layer)["state"]?.array ?? [])];
+
+describe.each([
+  ["points", pointsLayer, { kind: "point", id: 2 }, [normal, hover]],
+  ["lines", () => new LinesLayer(), { kind: "line", id: 6 }, [normal, normal, hover]],
+  [
+    "patches",
+    () => new PatchesLayer(),
+    { kind: "patch", id: 9 },
+    [normal, normal, normal, hover, hover, hover],
+  ],
+] as const)("the layer of %s", (_, create, entity, hovered) => {
+  it("shows hover by writing bytes, and keeps all buffers", () => {
+    const layer = create();
+    show(layer, start);
+    const before = { ...attributes(layer) };
+    const versions = Object.entries(before).map(([name, { version }]) => [name, version]);
+    change(layer, start, { ...start, hover: entity });
+    expect(stateBytes(layer)).toEqual(hovered);
+    Object.entries(attributes(layer)).forEach(([name, attribute]) => expect(attribute).toBe(before[name]));
+    const touched = Object.entries(before).filter(
+      ([name, { version }]) => versions.find(([known]) => known === name)?.[1] !== version,
+    );
+    expect(touched.map(([name]) => name)).toEqual(["state"]);
+  });
+
+  it("shows selection and visibility in the same bytes", () => {
+    const layer = create();
+    show(layer, start, { ...start, selection: [entity] });
+    expect(stateBytes(layer)).toEqual(hovered.map((code) => (code === hover ? selected : code)));
+    const state = { ...start, hidden: new Set([`${entity.kind}-${entity.id}`]) };
+    show(layer, start, state);
+    expect(stateBytes(layer)).toEqual(hovered.map((code) => (code === hover ? hidden : code)));
+  });
+
+  it("shows what has changed while it was switched off", () => {
+    const layer = create();
+    const off = { ...start, layers: { ...start.layers, points: false, lines: false, patches: false } };
+    show(layer, start, off, { ...off, hover: entity }, { ...start, hover: entity });
+    expect(stateBytes(layer)).toEqual(hovered);
+  });
+});
+
+describe("the layer of points", () => {
+  it("writes only the position of a point that moves", () => {
+    const layer = pointsLayer();
+    show(layer, start);
+    const { position } = attributes(layer);
+    position?.clearUpdateRanges();
+    const [first] = project.points;
+    const points = first ? [first, { id: 2, at: [4, 5, 6] as const }] : [];
+    change(layer, start, { ...start, project: { ...project, points } });
+    expect(attributes(layer)["position"]).toBe(position);
+    expect(position?.updateRanges).toEqual([{ start: 3, count: 3 }]);
+    expect([...(position?.array ?? [])]).toEqual([0, 0, 0, 4, 5, 6]);
+  });
+
+  it("makes room for a new point", () => {
+    const layer = pointsLayer();
+    const points = [...project.points, { id: 7, at: [9, 9, 9] as const }];
+    show(layer, start, { ...start, project: { ...project, points }, hover: { kind: "point", id: 7 } });
+    expect(stateBytes(layer)).toEqual([normal, normal, hover]);
+    expect([...(attributes(layer)["position"]?.array ?? [])].slice(6)).toEqual([9, 9, 9]);
+  });
+
+  it("draws relative to the origin", () => {
+    const layer = pointsLayer();
+    show(layer, start, { ...start, origin: [1, 1, 1] });
+    expect([...(attributes(layer)["position"]?.array ?? [])]).toEqual([-1, -1, -1, 0, 1, 2]);
+  });
+});
+
+describe("the layer of patches", () => {
+  it("draws a patch under the pointer in a pass of its own, and a selected one also behind others", () => {
+    const layer = new PatchesLayer();
+    const visible = (): boolean[] => layer.root.children.map((pass) => pass.visible);
+    show(layer, start);
+    expect(visible()).toEqual([true, false, false]);
+    const hovered = { ...start, hover: { kind: "patch", id: 8 } as const };
+    change(layer, start, hovered);
+    expect(visible()).toEqual([true, true, false]);
+    change(layer, hovered, { ...start, defects: { triangles: [], patches: new Set([9]) } });
+    expect(visible()).toEqual([true, true, true]);
+    show(layer, { ...start, hidden: new Set(["patch-8", "patch-9"]) });
+    expect(visible()).toEqual([false, false, false]);
+  });
+});
+
+describe("the layer of the front", () => {
+  const points = Float64Array.from([1, 0, 0, 2, 0, 0, 1, 1, 0, 1, 0, 1]);
+  const front = (...triangles: number[]) => ({ points, triangles: Uint32Array.from(triangles) });
+
+  it("reuses its buffer for a front that is no larger", () => {
+    const layer = new FrontLayer();
+    const first = { ...start, front: front(0, 1, 2, 0, 3, 1) };
+    show(layer, start, first);
+    const { position } = attributes(layer);
+    change(layer, first, { ...start, front: front(1, 2, 3), origin: [1, 0, 0] });
+    expect(attributes(layer)["position"]).toBe(position);
+    expect(layer.root.geometry.drawRange.count).toBe(3);
+    expect([...(position?.array ?? [])].slice(0, 9)).toEqual([1, 0, 0, 0, 1, 0, 0, 0, 1]);
+  });
+
+  it("draws the rest of an incomplete mesh only while no run advances", () => {
+    const layer = new FrontLayer();
+    const volume = { points, tetrahedra: Uint32Array.from([0, 1, 2, 3]), front: Uint32Array.from([0, 1, 2]) };
+    const mesh = { report: { status: "cancelled" }, volume } as unknown as MeshResult;
+    const left = { ...start, mesh };
+    show(layer, start, left);
+    expect(layer.root.geometry.drawRange.count).toBe(3);
+    const running = { ...left, front: front() };
+    change(layer, left, running);
+    expect(layer.root.visible).toBe(false);
+    const done = { ...start, mesh: { ...mesh, report: { ...mesh.report, status: "done" } } as MeshResult };
+    change(layer, running, done);
+    expect(layer.root.visible).toBe(false);
+  });
+});
+
+describe("the layer of the mesh", () => {
+  function setUp() {
+    const asked: QueriedMesh[] = [];
+    const answers: { resolve: (faces: DrawnFaces) => void; reject: (failure: Error) => void }[] = [];
+    const queries = {
+      facesOf: (mesh: QueriedMesh) => {
+        asked.push(mesh);
+        return new Promise<DrawnFaces>((resolve, reject) => answers.push({ resolve, reject }));
+      },
+      release: () => undefined,
+    };
+    const reasons: string[] = [];
+    const layer = new MeshLayer(queries as unknown as MeshQueryClient, {
+      onChange: () => undefined,
+      onFailure: (reason) => void reasons.push(reason),
+    });
+    return { asked, answers, reasons, layer };
+  }
+  const [one, two] = [gridMesh(1), gridMesh(2)].map(
+    (volume) => ({ volume, report: {} }) as unknown as MeshResult,
+  );
+  const withMesh = (mesh = one) => ({ ...start, mesh: mesh ?? null });
+  const faces: DrawnFaces = {
+    faces: Uint32Array.from([0]),
+    onBoundary: Uint8Array.from([1]),
+    corners: new Float32Array(9),
+    values: new Float32Array(3),
+  };
+
+  it("queries a new mesh at once, and a cut once per frame", async () => {
+    const { asked, answers, layer } = setUp();
+    show(layer, withMesh());
+    expect(asked).toEqual([one?.volume]);
+    expect(layer.isCurrent).toBe(false);
+    answers[0]?.resolve(faces);
+    await vi.waitFor(() => expect(layer.isCurrent).toBe(true));
+    const cuts = [0.2, 0.3, 0.4].map((position) => ({
+      ...withMesh(),
+      cut: { ...start.cut, enabled: true, position },
+    }));
+    show(layer, withMesh(), ...cuts);
+    expect(asked).toHaveLength(1);
+    layer.queryFaces();
+    layer.queryFaces();
+    expect(asked).toHaveLength(2);
+  });
+
+  it("after the faces of one mesh failed, queries those of the next mesh, and none twice", async () => {
+    const { asked, answers, reasons, layer } = setUp();
+    show(layer, withMesh(one), withMesh(two));
+    answers[0]?.reject(new Error("no memory"));
+    await vi.waitFor(() => expect(reasons).toEqual(["no memory"]));
+    layer.queryFaces();
+    expect(asked).toEqual([one?.volume, two?.volume]);
+    answers[1]?.reject(new Error("no memory"));
+    await vi.waitFor(() => expect(reasons).toHaveLength(2));
+    layer.queryFaces();
+    expect(asked).toHaveLength(2);
+    expect(layer.isCurrent).toBe(true);
+  });
+
+  it("hides the old mesh while a front advances", async () => {
+    const { answers, layer } = setUp();
+    const shown = withMesh();
+    show(layer, shown);
+    answers[0]?.resolve(faces);
+    await vi.waitFor(() => expect(layer.root.visible).toBe(true));
+    const front = { points: new Float64Array(), triangles: new Uint32Array() };
+    change(layer, shown, { ...shown, front });
+    expect(layer.root.visible).toBe(false);
+    change(layer, { ...shown, front }, shown);
+    expect(layer.root.visible).toBe(true);
+  });
+});

@@ -1,0 +1,68 @@
+import { PerspectiveCamera, Vector3 } from "three";
+import type { ProjectPreview } from "tetrafront";
+import { emptyProject } from "../../../web/document/edits";
+import { ViewStore } from "../../../web/document/selection";
+import { viewerColors } from "../../../web/ui/theme";
+import type { Layer } from "../../../web/viewer/layers/layer";
+import { SceneChanges, type SceneState } from "../../../web/viewer/scene-state";
+
+export const viewport = { width: 200, height: 100, pixelRatio: 1 };
+
+/** The state of a scene that shows an empty project. */
+export function sceneState(change: Partial<SceneState> = {}): SceneState {
+  return {
+    ...new ViewStore().state.getState(),
+    project: emptyProject("Test"),
+    preview: null,
+    mesh: null,
+    isMeshStale: false,
+    front: null,
+    checkedSurface: null,
+    defects: { triangles: [], patches: new Set() },
+    colors: viewerColors.dark,
+    origin: [0, 0, 0],
+    viewport,
+    ...change,
+  };
+}
+
+/** Shows states in a layer, one after the other. */
+export function show(layer: Layer, ...states: readonly SceneState[]): void {
+  states.forEach((state, i) => layer.update(new SceneChanges(state, states[i - 1] ?? null)));
+}
+
+/** Shows a state in a layer that shows another one. */
+export function change(layer: Layer, before: SceneState, state: SceneState): void {
+  layer.update(new SceneChanges(state, before));
+}
+
+/** A camera at (0, -10, 0) that looks along +y, with z up: x is to the right; 100 pixels are 10 units at y = 0. */
+export function frontCamera(): PerspectiveCamera {
+  const camera = new PerspectiveCamera(2 * Math.atan(0.5) * (180 / Math.PI), 2, 0.1, 100);
+  camera.up.set(0, 0, 1);
+  camera.position.set(0, -10, 0);
+  camera.lookAt(new Vector3());
+  camera.updateMatrixWorld();
+  camera.updateProjectionMatrix();
+  return camera;
+}
+
+/** The samples of straight lines and of patches made of triangles. */
+export function preview(
+  lines: readonly (readonly number[])[],
+  patches: readonly (readonly number[])[] = [],
+): ProjectPreview {
+  const linePoints = Float64Array.from(lines.flat());
+  const patchPoints = Float64Array.from(patches.flat());
+  const offsets = (lists: readonly (readonly number[])[], size: number): Uint32Array => {
+    let end = 0;
+    return Uint32Array.from([0, ...lists.map((list) => (end += list.length / size))]);
+  };
+  return {
+    linePoints,
+    lineOffsets: offsets(lines, 3),
+    patchPoints,
+    patchTriangles: Uint32Array.from({ length: patchPoints.length / 3 }, (_, node) => node),
+    patchOffsets: offsets(patches, 9),
+  } as unknown as ProjectPreview;
+}
