@@ -12,7 +12,11 @@ import { setup } from "./setup.mjs";
 function builder(tools) {
   const builds = new Map();
   const buildOnce = (part) => {
-    if (!builds.has(part)) builds.set(part, failureOf(() => build([part], tools)));
+    if (!builds.has(part))
+      builds.set(
+        part,
+        failureOf(() => build([part], tools)),
+      );
     return builds.get(part);
   };
   return async (parts) => {

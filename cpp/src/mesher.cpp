@@ -13,9 +13,9 @@
 #include "optimize/locality.h"
 #include "optimize/optimizer.h"
 #include "preview/check_input.h"
-#include "quality/check_mesh.h"
+#include "quality/verify_mesh.h"
 #include "quality/metrics.h"
-#include "quality/survey.h"
+#include "quality/quality_analysis.h"
 #include "sizing/achievable_sizes.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
@@ -136,7 +136,7 @@ class MeshRun::Impl {
 
   using Worker = std::variant<InputCheck, SurfaceMesher, BoundaryCheck, TargetSizes,
                               AchievableSizes, Estimate, RegionMesher, MortonReordering,
-                              MeshOptimizer, QualitySurvey, MeshVerifier, Nobody>;
+                              MeshOptimizer, QualityAnalysis, MeshVerifier, Nobody>;
 
   [[nodiscard]] bool isModel() const { return model_.has_value(); }
   [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
@@ -273,9 +273,9 @@ class MeshRun::Impl {
     judge();
   }
 
-  void judge() { worker_.emplace<QualitySurvey>(mesh_, surface_, *field_); }
+  void judge() { worker_.emplace<QualityAnalysis>(mesh_, surface_, *field_); }
 
-  void work(QualitySurvey& survey, std::uint32_t budget) {
+  void work(QualityAnalysis& survey, std::uint32_t budget) {
     if (!survey.advance(budget)) return;
     quality_ = survey.summary();
     statistics_ = survey.statistics();
@@ -341,7 +341,7 @@ class MeshRun::Impl {
   [[nodiscard]] Position positionOf(const MeshOptimizer& optimizer) const {
     return {Phase::kOptimize, kOptimizeEnd, optimizer.fraction()};
   }
-  [[nodiscard]] Position positionOf(const QualitySurvey& /*survey*/) const {
+  [[nodiscard]] Position positionOf(const QualityAnalysis& /*survey*/) const {
     return {Phase::kVerify, kOptimizeEnd};
   }
   [[nodiscard]] Position positionOf(const MeshVerifier& verifier) const {

@@ -11,9 +11,12 @@ export function changedFiles() {
     "HEAD";
   const list = (args) => (output("git", args) ?? "").split("\n").filter(Boolean);
   const sinceBase = list(["diff", "--name-only", "--diff-filter=d", base]);
-  const sinceParent = sinceBase.length === 0 ? list(["diff", "--name-only", "--diff-filter=d", "HEAD~1"]) : [];
+  const sinceParent =
+    sinceBase.length === 0 ? list(["diff", "--name-only", "--diff-filter=d", "HEAD~1"]) : [];
   const untracked = list(["ls-files", "--others", "--exclude-standard"]);
-  return [...new Set([...sinceBase, ...sinceParent, ...untracked])].filter((file) => existsSync(inRoot(file)));
+  return [...new Set([...sinceBase, ...sinceParent, ...untracked])].filter((file) =>
+    existsSync(inRoot(file)),
+  );
 }
 
 /** The engine's fingerprints in Node equal those of the native program. */

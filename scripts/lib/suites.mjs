@@ -132,7 +132,9 @@ export const suites = {
     },
     untested: () =>
       findFuzzer() === undefined
-        ? ["NOT TESTED what libFuzzer finds: install clang with its fuzzer runtime (seeded surfaces were tested)"]
+        ? [
+            "NOT TESTED what libFuzzer finds: install clang with its fuzzer runtime (seeded surfaces were tested)",
+          ]
         : [],
   },
   unit: {

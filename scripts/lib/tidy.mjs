@@ -44,7 +44,8 @@ function unitsToCheck() {
   mkdirSync(databaseFolder, { recursive: true });
   writeFileSync(path.join(databaseFolder, "compile_commands.json"), JSON.stringify(commands, null, 1));
   const files = commands.map((entry) => path.resolve(entry.directory, entry.file));
-  const isOurs = (file) => /[/\\]tetrafront\.dir[/\\]Unity[/\\]/.test(file) || file.startsWith(inRoot("cpp", "app"));
+  const isOurs = (file) =>
+    /[/\\]tetrafront\.dir[/\\]Unity[/\\]/.test(file) || file.startsWith(inRoot("cpp", "app"));
   return [...new Set(files.filter(isOurs))].sort();
 }
 

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "field/size_field.h"
-#include "quality/check_mesh.h"
+#include "quality/verify_mesh.h"
 #include "support/mesh_validator.h"
 #include "support/models.h"
 #include "support/shapes.h"

@@ -47,7 +47,7 @@ TEST(ModelCheckFold, FlatPatchesThatFoldAreFoundAndNoOthers) {
       Model model = randomCurvedModel(type, seed, 0.3);
       for (Vec3& point : model.points) point.z = 0.0;
       const double turned = turnedShare(model);
-      const bool reported = !checkModel(model).empty();
+      const bool reported = !diagnoseModel(model).empty();
       folded += reported ? 1 : 0;
       plain += reported ? 0 : 1;
       SCOPED_TRACE("type " + std::to_string(static_cast<int>(type)) + " seed " +
@@ -78,16 +78,16 @@ Model disc(PatchType type, double bulge) {
 
 TEST(ModelCheckFold, SmoothCornersOfTransfinitePatchesDoNoHarm) {
   for (const double bulge : {1.0, 3.0 / std::sqrt(8.0), 1.09})
-    EXPECT_TRUE(checkModel(disc(PatchType::kCoons, bulge)).empty()) << bulge;
-  EXPECT_TRUE(checkModel(disc(PatchType::kSerendipity, 1.0)).empty());
-  const std::vector<Diagnostic> found = checkModel(disc(PatchType::kCoons, 1.2));
+    EXPECT_TRUE(diagnoseModel(disc(PatchType::kCoons, bulge)).empty()) << bulge;
+  EXPECT_TRUE(diagnoseModel(disc(PatchType::kSerendipity, 1.0)).empty());
+  const std::vector<Diagnostic> found = diagnoseModel(disc(PatchType::kCoons, 1.2));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().code, DiagnosticCode::kDegeneratePatch);
   EXPECT_NEAR(glm::length(found.front().place), 1.0, 0.1);
 }
 
 TEST(ModelCheckFold, FoldOfASerendipityPatchIsReportedAtItsCorner) {
-  const std::vector<Diagnostic> found = checkModel(disc(PatchType::kSerendipity, 1.09));
+  const std::vector<Diagnostic> found = diagnoseModel(disc(PatchType::kSerendipity, 1.09));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().code, DiagnosticCode::kDegeneratePatch);
   EXPECT_NEAR(glm::length(found.front().place), 1.0, 0.1);

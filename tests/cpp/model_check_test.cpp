@@ -20,13 +20,13 @@ namespace {
 
 std::vector<DiagnosticCode> codesOf(const Model& model) {
   std::vector<DiagnosticCode> codes;
-  for (const Diagnostic& diagnostic : checkModel(model)) codes.push_back(diagnostic.code);
+  for (const Diagnostic& diagnostic : diagnoseModel(model)) codes.push_back(diagnostic.code);
   return codes;
 }
 
 /// The only diagnostic of a model that must have exactly one.
 Diagnostic onlyFault(const Model& model) {
-  const std::vector<Diagnostic> found = checkModel(model);
+  const std::vector<Diagnostic> found = diagnoseModel(model);
   EXPECT_EQ(found.size(), 1U);
   return found.empty() ? Diagnostic{} : found.front();
 }
@@ -83,10 +83,10 @@ TEST(ModelCheck, NotFinite) {
 
 /// What is wrong is the scale, and not the lines whose lengths underflow.
 TEST(ModelCheck, AModelTooSmallToComputeWithIsToldOnce) {
-  EXPECT_TRUE(checkModel(boxModel(Vec3(0.0), Vec3(1e-30))).empty());
+  EXPECT_TRUE(diagnoseModel(boxModel(Vec3(0.0), Vec3(1e-30))).empty());
   for (const double scale : {5e-31, 1e-40, 1e-110, 1e-200, 1e-310}) {
     const Model model = boxModel(Vec3(0.0), Vec3(scale));
-    const std::vector<Diagnostic> found = checkModel(model);
+    const std::vector<Diagnostic> found = diagnoseModel(model);
     ASSERT_EQ(found.size(), 1U) << scale;
     EXPECT_EQ(found[0].code, DiagnosticCode::kNotFinite);
     ASSERT_EQ(found[0].entities.size(), 1U);
@@ -101,7 +101,7 @@ TEST(ModelCheck, AModelTooSmallToComputeWithIsToldOnce) {
 TEST(ModelCheck, IndexOutOfRange) {
   Model model = square();
   model.lines[1].points[1] = 77;
-  const std::vector<Diagnostic> found = checkModel(model);
+  const std::vector<Diagnostic> found = diagnoseModel(model);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().code, DiagnosticCode::kIndexOutOfRange);
   EXPECT_TRUE(names(found.front(), EntityKind::kLine, 1));
@@ -168,7 +168,7 @@ TEST(ModelCheck, WrongLineCount) {
 TEST(ModelCheck, WrongLineTypeNamesPatchAndLine) {
   Model model = polygonModel({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}});
   model.patches.front().type = PatchType::kIsoparametricTriangle;
-  const std::vector<Diagnostic> found = checkModel(model);
+  const std::vector<Diagnostic> found = diagnoseModel(model);
   ASSERT_EQ(found.size(), 3U);
   for (std::uint32_t line = 0; line < 3; ++line) {
     EXPECT_EQ(found[line].code, DiagnosticCode::kWrongLineType);
@@ -180,7 +180,7 @@ TEST(ModelCheck, WrongLineTypeNamesPatchAndLine) {
 TEST(ModelCheck, LoopNotClosedNamesPatchLineAndPoint) {
   Model model = square();
   model.patches.front().loops.front()[1].reversed = true;
-  const std::vector<Diagnostic> found = checkModel(model);
+  const std::vector<Diagnostic> found = diagnoseModel(model);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].code, DiagnosticCode::kLoopNotClosed);
   EXPECT_TRUE(names(found[0], EntityKind::kPatch, 0));
@@ -251,7 +251,7 @@ TEST(ModelCheck, NotPlanarNamesTheCornerOfABoxThatWasMoved) {
   for (std::uint32_t point = 0; point < 8; ++point) {
     Model model = boxModel({0, 0, 0}, {1, 2, 3});
     model.points[point] += Vec3(0.1, 0.07, -0.05);
-    const std::vector<Diagnostic> found = checkModel(model);
+    const std::vector<Diagnostic> found = diagnoseModel(model);
     ASSERT_EQ(found.size(), 3U);
     for (const Diagnostic& fault : found) {
       EXPECT_EQ(fault.code, DiagnosticCode::kNotPlanar);
@@ -324,7 +324,7 @@ TEST(ModelCheck, NotPlanarNamesTheMovedCornersOfManyBoxes) {
     }
     model.points[points + i % 8] += Vec3(0.1, 0.07, -0.05);
   }
-  const std::vector<Diagnostic> found = checkModel(model);
+  const std::vector<Diagnostic> found = diagnoseModel(model);
   ASSERT_EQ(found.size(), std::size_t{3} * kBoxes);
   for (std::uint32_t i = 0; i < found.size(); ++i) {
     const std::uint32_t box = i / 3;
@@ -466,9 +466,9 @@ TEST(ModelCheck, SurvivesRandomDamage) {
           break;
       }
     }
-    const ModelExamination found = examineModel(model);
-    EXPECT_EQ(found.soundLines.size(), model.lines.size());
-    EXPECT_EQ(found.soundPatches.size(), model.patches.size());
+    const CheckedModel found = checkModel(model);
+    EXPECT_EQ(found.usableLines.size(), model.lines.size());
+    EXPECT_EQ(found.usablePatches.size(), model.patches.size());
   }
 }
 

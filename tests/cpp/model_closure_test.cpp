@@ -21,7 +21,7 @@ std::vector<std::uint32_t> eachAlone(const Model& model) {
 }
 
 Closure closureOf(const Model& model) {
-  ModelExamination found = examineModel(model);
+  CheckedModel found = checkModel(model);
   found.duplicates.lines = eachAlone(model);
   return checkClosure(model, found);
 }
@@ -106,7 +106,7 @@ TEST(ModelClosure, ABrokenLoopSaysNothingAboutTurning) {
       Model model = boxModel({0, 0, 0}, {1, 1, 1});
       OrientedLine& walked = model.patches[patch].loops.front()[side];
       walked.reversed = !walked.reversed;
-      EXPECT_EQ(countOf(checkModel(model), DiagnosticCode::kLoopNotClosed), 2U);
+      EXPECT_EQ(countOf(diagnoseModel(model), DiagnosticCode::kLoopNotClosed), 2U);
       const Closure closure = closureOf(model);
       EXPECT_TRUE(closure.diagnostics.empty()) << patch << ", " << side;
       EXPECT_FALSE(closure.isPlain);
@@ -165,7 +165,7 @@ Model boxWithASeparatePatch(std::size_t apart) {
 TEST(ModelDuplicates, SeparateCornersAndLinesAreErrorsAndTheGapIsNot) {
   const Model model = boxWithASeparatePatch(2);
   ASSERT_EQ(model.points.size(), 12U);
-  const ModelExamination found = examineModel(model);
+  const CheckedModel found = checkModel(model);
   EXPECT_EQ(countOf(found.diagnostics, DiagnosticCode::kDuplicatePoints), 4U);
   EXPECT_EQ(countOf(found.diagnostics, DiagnosticCode::kDuplicateLines), 4U);
   EXPECT_EQ(found.diagnostics.size(), 8U);
@@ -183,7 +183,7 @@ TEST(ModelDuplicates, WhatNoPatchUsesIsAWarning) {
   model.points.push_back(model.points[3]);
   model.lines.push_back(model.lines[4]);
   std::ranges::reverse(model.lines.back().points);
-  const std::vector<Diagnostic> found = checkModel(model);
+  const std::vector<Diagnostic> found = diagnoseModel(model);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].code, DiagnosticCode::kDuplicatePoints);
   EXPECT_EQ(found[1].code, DiagnosticCode::kDuplicateLines);
@@ -194,9 +194,9 @@ TEST(ModelDuplicates, PointsThatDifferByRoundingAreOnePlaceWhereverTheModelIs) {
   for (const Vec3& origin : {Vec3(0.0), Vec3(1e6, -3e5, 2e4)}) {
     Model model = boxModel(origin, origin + Vec3(1.0));
     model.points.push_back(model.points[5]);
-    EXPECT_EQ(countOf(checkModel(model), DiagnosticCode::kDuplicatePoints), 1U);
+    EXPECT_EQ(countOf(diagnoseModel(model), DiagnosticCode::kDuplicatePoints), 1U);
     model.points.back() += Vec3(0, 1e-6, 0);
-    EXPECT_EQ(countOf(checkModel(model), DiagnosticCode::kDuplicatePoints), 0U);
+    EXPECT_EQ(countOf(diagnoseModel(model), DiagnosticCode::kDuplicatePoints), 0U);
   }
 }
 
@@ -207,10 +207,10 @@ TEST(ModelDuplicates, CoursesAreComparedNotOnlyEnds) {
   builder.straight(from, to);
   builder.line(LineType::kParabolic, {from, {0.5, 0.2, 0}, to});
   builder.line(LineType::kParabolic, {from, {0.5, -0.2, 0}, to});
-  EXPECT_EQ(countOf(checkModel(builder.model), DiagnosticCode::kDuplicateLines), 0U);
+  EXPECT_EQ(countOf(diagnoseModel(builder.model), DiagnosticCode::kDuplicateLines), 0U);
   builder.line(LineType::kParabolic, {to, {0.5, 0.2, 0}, from});
   builder.line(LineType::kParabolic, {to, {0.5, 0, 0}, from});
-  const std::vector<Diagnostic> found = checkModel(builder.model);
+  const std::vector<Diagnostic> found = diagnoseModel(builder.model);
   EXPECT_EQ(countOf(found, DiagnosticCode::kDuplicateLines), 2U);
 }
 
@@ -234,7 +234,7 @@ TEST(ModelDuplicates, EachOfManyLinesBetweenTwoPointsFindsTheLowestLikeIt) {
     first[course] = std::min(first[course], line);
     expected.push_back(first[course]);
   }
-  EXPECT_EQ(examineModel(builder.model).duplicates.lines, expected);
+  EXPECT_EQ(checkModel(builder.model).duplicates.lines, expected);
 }
 
 TEST(ModelDuplicates, ShortLinesOfALargeModelAreOneThoughTheirEndsDifferByRounding) {
@@ -247,7 +247,7 @@ TEST(ModelDuplicates, ShortLinesOfALargeModelAreOneThoughTheirEndsDifferByRoundi
   }
   for (const std::uint32_t point : {first, first + 2})
     model.lines.push_back({LineType::kStraight, {point, point + 1}});
-  EXPECT_EQ(countOf(checkModel(model), DiagnosticCode::kDuplicateLines), 1U);
+  EXPECT_EQ(countOf(diagnoseModel(model), DiagnosticCode::kDuplicateLines), 1U);
 }
 
 }  // namespace

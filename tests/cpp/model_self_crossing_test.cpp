@@ -146,7 +146,7 @@ TEST(SelfCrossing, LineThatEndsOnItselfIsReportedWithItsPlace) {
   ModelBuilder builder;
   builder.line(LineType::kCubicSpline,
                {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 1, 0}, {2, 2, 0}, {1, 1, 0}, {1, 0, 0}});
-  std::vector<Diagnostic> found = checkModel(builder.model);
+  std::vector<Diagnostic> found = diagnoseModel(builder.model);
   std::erase_if(found, [](const Diagnostic& d) { return d.code == DiagnosticCode::kEmptyModel; });
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DiagnosticCode::kLineCrossesItself);

@@ -16,8 +16,8 @@
 #include "optimize/locality.h"
 #include "optimize/node_moves.h"
 #include "optimize/optimizer.h"
-#include "optimize/repair.h"
-#include "optimize/rescue.h"
+#include "optimize/element_improver.h"
+#include "optimize/last_resort_improver.h"
 #include "optimize/tet_complex.h"
 #include "quality/metrics.h"
 #include "support/mesh_validator.h"
@@ -246,21 +246,21 @@ struct Workshop {
   EdgeSplitter<> splitter{complex};
   NodeCollapser<> collapser{complex};
   NodeMover<> mover{complex};
-  ElementRepair<> repair{complex, removal, splitter, collapser, mover};
+  ElementImprover<> repair{complex, removal, splitter, collapser, mover};
 };
 
-TEST(ElementRepair, NeverLeavesAWorseMesh) {
+TEST(ElementImprover, NeverLeavesAWorseMesh) {
   const Filled filled = fill(testing::geodesicSphere(5));
   const ElementCost cost(Measure::kDihedral, kTargets30And135);
   Workshop workshop{complexOf(filled, cost)};
   TetComplex& complex = workshop.complex;
-  ElementRepair<>& repair = workshop.repair;
+  ElementImprover<>& repair = workshop.repair;
   repair.allowCompounds(100);
   const double atFirst = badness(complex);
   double before = atFirst;
   for (std::size_t t = 0; t < complex.slotCount(); ++t) {
     if (!complex.isLive(TetId(t)) || complex.cost(TetId(t)) <= 1.0) continue;
-    repair.repair(TetId(t), cost);
+    repair.improve(TetId(t), cost);
     const double now = badness(complex);
     ASSERT_LE(now, before * (1.0 + 1e-12));
     before = now;
@@ -270,13 +270,13 @@ TEST(ElementRepair, NeverLeavesAWorseMesh) {
 }
 
 /// Targets that no element can meet: every change is tried, until one around is kept.
-TEST(ElementRescue, TriesAgainOnlyWhatHasChanged) {
+TEST(LastResortImprover, TriesAgainOnlyWhatHasChanged) {
   constexpr DihedralTargets kBeyondTheRegular{0.6, 0.6};
   const Filled filled = fill(testing::geodesicSphere(2));
   const ElementCost cost(Measure::kDihedral, kBeyondTheRegular);
   Workshop workshop{complexOf(filled, cost)};
   auto& [complex, removal, splitter, collapser, mover, repair] = workshop;
-  ElementRescue rescue(complex, removal, splitter, collapser, mover, repair);
+  LastResortImprover rescue(complex, removal, splitter, collapser, mover, repair);
   const TetId tet(std::size_t{0});
   const auto triesOfATurn = [&] {
     constexpr std::size_t kMany = 100000;
@@ -418,7 +418,7 @@ SymmetricTensor slantedTensor() {
   return sizeTensor(node).inverse();
 }
 
-/// Judging a stretched element is judging in plain space what T makes of it.
+/// CostBasis a stretched element is judging in plain space what T makes of it.
 TEST(StretchedSpace, CostsAreThoseOfTheElementThatTheMetricSees) {
   const SymmetricTensor toUnit = slantedTensor();
   testing::Random random(7);

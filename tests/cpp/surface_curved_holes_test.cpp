@@ -62,7 +62,7 @@ void addRoundHole(Model& model, const Vec2& centre, double radius, double lift =
 
 std::vector<DiagnosticCode> codesOf(const Model& model) {
   std::vector<DiagnosticCode> codes;
-  for (const Diagnostic& diagnostic : checkModel(model)) codes.push_back(diagnostic.code);
+  for (const Diagnostic& diagnostic : diagnoseModel(model)) codes.push_back(diagnostic.code);
   return codes;
 }
 
@@ -179,7 +179,7 @@ TEST(SurfaceCurvedHoles, HoleOffThePatchIsNamedWithItsDistance) {
   addRoundHole(slightly, {0.5, 0.5}, 0.15, 1e-3);
   EXPECT_TRUE(codesOf(slightly).empty());
   addRoundHole(member.model, {0.5, 0.5}, 0.15, 0.2);
-  const std::vector<Diagnostic> found = checkModel(member.model);
+  const std::vector<Diagnostic> found = diagnoseModel(member.model);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().code, DiagnosticCode::kHoleOffPatch);
   ASSERT_EQ(found.front().entities.size(), 2U);

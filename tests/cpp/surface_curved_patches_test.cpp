@@ -24,7 +24,7 @@ constexpr std::array<PatchType, 4> kCurvedTypes{
     PatchType::kCoons};
 
 SurfaceMesh meshOf(const Model& model, const SizeField& field) {
-  EXPECT_TRUE(checkModel(model).empty());
+  EXPECT_TRUE(diagnoseModel(model).empty());
   SurfaceMesher mesher(model, field);
   MeshStatus status = MeshStatus::kRunning;
   while (status == MeshStatus::kRunning) status = mesher.advance(1000);
@@ -126,7 +126,7 @@ TEST(SurfaceCurvedPatches, TrianglesFaceThePatch) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       Model model = randomCurvedModel(type, seed, 0.3);
       for (Vec3& point : model.points) point.z = 0.0;
-      if (!checkModel(model).empty()) continue;
+      if (!diagnoseModel(model).empty()) continue;
       const SurfaceMesh mesh = meshOf(model, SizeField::uniform(seed % 2 == 0 ? 0.3 : 0.1));
       std::size_t left = 0;
       for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
@@ -234,7 +234,7 @@ TEST(SurfaceCurvedPatches, CuspsClose) {
 TEST(SurfaceCurvedPatches, CuspWhoseSidesBendTheSameWayFoldsAndIsReported) {
   // At its tip the triangle is (xi + eta, 0.2 xi^2 + 2 xi eta + 0.8 eta^2) to second order.
   const std::vector<Diagnostic> found =
-      checkModel(cusp(PatchType::kBarnhillGregoryNielson, 0.2, 0.8));
+      diagnoseModel(cusp(PatchType::kBarnhillGregoryNielson, 0.2, 0.8));
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found.front().code, DiagnosticCode::kDegeneratePatch);
   EXPECT_TRUE(found.front().hasPlace);

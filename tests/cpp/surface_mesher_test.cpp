@@ -60,7 +60,7 @@ TEST(SurfaceMesher, BoxIsWatertight) {
 
 TEST(SurfaceMesher, CylinderWithASeamAndTwoDiscsIsWatertight) {
   const Model model = cylinder();
-  ASSERT_TRUE(checkModel(model).empty());
+  ASSERT_TRUE(diagnoseModel(model).empty());
   for (const double size : {3.0, 0.8, 0.2}) {
     const SizeField field = SizeField::uniform(size);
     const SurfaceMeasures found = measure(meshOf(model, field), field);
@@ -73,7 +73,7 @@ TEST(SurfaceMesher, CylinderWithASeamAndTwoDiscsIsWatertight) {
 TEST(SurfaceMesher, BentBoxesOfCoonsPatchesAreWatertight) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Model model = randomBentBox(seed, 0.2);
-    ASSERT_TRUE(checkModel(model).empty()) << seed;
+    ASSERT_TRUE(diagnoseModel(model).empty()) << seed;
     const SizeField field = SizeField::uniform(seed % 3 == 0 ? 2.0 : 0.15);
     const SurfaceMeasures found = measure(meshOf(model, field), field);
     SCOPED_TRACE(seed);
@@ -116,7 +116,7 @@ Model ringOfTubes() {
 
 TEST(SurfaceMesher, HalvingSidesOfSharedLinesDoesNotDependOnTheOrderOfPatches) {
   Model model = ringOfTubes();
-  ASSERT_TRUE(checkModel(model).empty());
+  ASSERT_TRUE(diagnoseModel(model).empty());
   const SizeField field = SizeField::uniform(3.0);
   const SurfaceMesh mesh = meshOf(model, field);
   const SurfaceMeasures found = measure(mesh, field);

@@ -19,7 +19,7 @@ namespace tetrafront::testing {
 namespace {
 
 SurfaceMesh meshOf(const Model& model, const SizeField& field) {
-  EXPECT_TRUE(checkModel(model).empty());
+  EXPECT_TRUE(diagnoseModel(model).empty());
   SurfaceMesher mesher(model, field);
   MeshStatus status = MeshStatus::kRunning;
   while (status == MeshStatus::kRunning) status = mesher.advance(1000);

@@ -109,7 +109,7 @@ std::size_t countDoubles(const SurfaceMesh& mesh) {
 }
 
 void expectOneBody(const Model& model, double size) {
-  ASSERT_TRUE(checkModel(model).empty());
+  ASSERT_TRUE(diagnoseModel(model).empty());
   SurfaceMesh mesh = meshOf(model, size);
   EXPECT_EQ(countDoubles(mesh), 0U);
   std::vector<Diagnostic> found;

@@ -223,7 +223,7 @@ FamilyMember patchOfFamily(PatchType type, std::uint64_t seed) {
     const double elements = random.between(8.0, 40.0);
     FamilyMember member{type == PatchType::kPlanar ? planarPatch(random) : paperPatch(type, random),
                         0.0};
-    if (!checkModel(member.model).empty() || !cornersAreOpen(member.model)) continue;
+    if (!diagnoseModel(member.model).empty() || !cornersAreOpen(member.model)) continue;
     member.size = widthOf(member.model) / elements;
     return member;
   }

@@ -13,7 +13,7 @@
 namespace tetrafront::testing {
 
 struct FamilyMember {
-  Model model;        ///< one patch that passes checkModel()
+  Model model;        ///< one patch that passes diagnoseModel()
   double size = 0.0;  ///< wanted; about 8 to 40 elements go across
 };
 

@@ -28,7 +28,7 @@ struct Joint {
 
 class ClosureCheck {
  public:
-  ClosureCheck(const Model& model, const ModelExamination& found)
+  ClosureCheck(const Model& model, const CheckedModel& found)
       : model_(&model), found_(&found), uses_(model.lines.size()) {}
 
   Closure run() {
@@ -68,7 +68,7 @@ class ClosureCheck {
     if (uses.size() == 1) reportOpen(line);
     if (uses.size() % 2 == 1) result_.isPlain = false;
     const auto isOuterSide = [&](const Use& use) {
-      return !use.inHole && found_->soundPatches[use.patch] != 0;
+      return !use.inHole && found_->usablePatches[use.patch] != 0;
     };
     const bool isPlain =
         uses.size() == 2 && uses[0].line == uses[1].line && std::ranges::all_of(uses, isOuterSide);
@@ -145,7 +145,7 @@ class ClosureCheck {
   }
 
   const Model* model_;
-  const ModelExamination* found_;
+  const CheckedModel* found_;
   std::vector<std::vector<Use>> uses_;  ///< per line; duplicates at the lowest of them
   std::vector<Joint> joints_;
   Closure result_;
@@ -153,7 +153,7 @@ class ClosureCheck {
 
 }  // namespace
 
-Closure checkClosure(const Model& model, const ModelExamination& found) {
+Closure checkClosure(const Model& model, const CheckedModel& found) {
   return ClosureCheck(model, found).run();
 }
 

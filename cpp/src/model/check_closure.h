@@ -27,6 +27,6 @@ struct Closure {
 /// either way, nothing is said, nor of patches that are not sound, whose loops may have a line the
 /// wrong way round. Lines with more patches are where bodies touch or walls end. References to lines
 /// that do not exist are passed over. O(model).
-[[nodiscard]] Closure checkClosure(const Model& model, const ModelExamination& found);
+[[nodiscard]] Closure checkClosure(const Model& model, const CheckedModel& found);
 
 }  // namespace tetrafront

@@ -13,7 +13,7 @@ namespace {
 constexpr int kFoldCells = 16;
 /// A normal shorter than this share of the longest belongs to a degenerate corner, where it
 /// points anywhere.
-constexpr double kLeastNormal = 1e-6;
+constexpr double kMinNormal = 1e-6;
 /// Sine of 10 degrees: two lines that meet at less have no corner to speak of.
 constexpr double kSmoothSine = 0.17364817766693033;
 /// A turn of the normal by more than 90 degrees that persists between parameters this many times
@@ -65,7 +65,7 @@ class NormalGrid {
   }
 
   /// Below it, a normal points anywhere.
-  [[nodiscard]] double leastNormal() const { return kLeastNormal * longest_; }
+  [[nodiscard]] double leastNormal() const { return kMinNormal * longest_; }
 
   [[nodiscard]] bool has(int i, int j) const {
     return (isTriangle_ ? i + j : std::max(i, j)) <= kFoldCells;
@@ -122,15 +122,15 @@ class NormalGrid {
 
 }  // namespace
 
-std::optional<SurfaceFault> findSurfaceFault(const UnitSurface& surface, SmoothCorners corners,
-                                             double extent) {
+std::optional<SurfaceDefect> findSurfaceFault(const UnitSurface& surface, SmoothCorners corners,
+                                              double extent) {
   const NormalGrid grid(surface, corners);
-  if (!(grid.longestNormal() > kLeastArea * extent * extent)) {
+  if (!(grid.longestNormal() > kMinArea * extent * extent)) {
     constexpr double kThird = 1.0 / 3.0;
-    return SurfaceFault{true, surface.evaluate({kThird, kThird}).position};
+    return SurfaceDefect{true, surface.evaluate({kThird, kThird}).position};
   }
   if (const std::optional<Vec2> fold = grid.findFold())
-    return SurfaceFault{false, surface.evaluate(*fold).position};
+    return SurfaceDefect{false, surface.evaluate(*fold).position};
   return std::nullopt;
 }
 

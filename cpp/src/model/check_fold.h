@@ -14,13 +14,13 @@ namespace tetrafront {
 /// isoparametric patch fold from a corner on where a mid-point is too near.
 enum class SmoothCorners : std::uint8_t { kAllowed, kFold };
 
-struct SurfaceFault {
+struct SurfaceDefect {
   bool hasNoArea;  ///< otherwise it folds
   Vec3 place;
 };
 
 /// The first fault found; `extent` is the patch's size.
-[[nodiscard]] std::optional<SurfaceFault> findSurfaceFault(const UnitSurface& surface,
-                                                           SmoothCorners corners, double extent);
+[[nodiscard]] std::optional<SurfaceDefect> findSurfaceFault(const UnitSurface& surface,
+                                                            SmoothCorners corners, double extent);
 
 }  // namespace tetrafront

@@ -47,7 +47,7 @@ PatchRule ruleOf(PatchType type) {
 
 }  // namespace
 
-class ModelExaminer::Impl {
+class ModelChecker::Impl {
  public:
   explicit Impl(const Model& model) : model_(&model), movedPoints_(model) {}
 
@@ -62,23 +62,23 @@ class ModelExaminer::Impl {
       checkLines();
       if (patches == 0) report(DiagnosticCode::kEmptyModel, {});
     } else {
-      const std::size_t last = found_.soundPatches.size() +
-                               std::min<std::size_t>(budget, patches - found_.soundPatches.size());
-      while (found_.soundPatches.size() < last) {
-        const auto patch = static_cast<std::uint32_t>(found_.soundPatches.size());
-        found_.soundPatches.push_back(checkPatch(*resolved_, patch) ? 1 : 0);
+      const std::size_t last = found_.usablePatches.size() +
+                               std::min<std::size_t>(budget, patches - found_.usablePatches.size());
+      while (found_.usablePatches.size() < last) {
+        const auto patch = static_cast<std::uint32_t>(found_.usablePatches.size());
+        found_.usablePatches.push_back(checkPatch(*resolved_, patch) ? 1 : 0);
       }
     }
-    return found_.soundPatches.size() == patches;
+    return found_.usablePatches.size() == patches;
   }
 
-  [[nodiscard]] ModelExamination take() { return std::move(found_); }
+  [[nodiscard]] CheckedModel take() { return std::move(found_); }
 
  private:
   void checkLines() {
     for (std::uint32_t line = 0; line < model_->lines.size(); ++line)
-      found_.soundLines.push_back(checkLine(line) ? 1 : 0);
-    resolved_.emplace(*model_, found_.soundLines);
+      found_.usableLines.push_back(checkLine(line) ? 1 : 0);
+    resolved_.emplace(*model_, found_.usableLines);
     checkDuplicates(*resolved_);
     checkCourses(*resolved_);
   }
@@ -109,8 +109,8 @@ class ModelExaminer::Impl {
 
   /// Of a model too small to compute with, what else there is to say would be wrong.
   void nothingIsSound() {
-    found_.soundLines.assign(model_->lines.size(), 0);
-    found_.soundPatches.assign(model_->patches.size(), 0);
+    found_.usableLines.assign(model_->lines.size(), 0);
+    found_.usablePatches.assign(model_->patches.size(), 0);
     found_.duplicates.points.resize(model_->points.size());
     found_.duplicates.lines.resize(model_->lines.size());
     std::iota(found_.duplicates.points.begin(), found_.duplicates.points.end(), 0U);
@@ -246,7 +246,7 @@ class ModelExaminer::Impl {
 
   /// Points and lines drawn twice are harmless as long as the surface does not use both of them.
   void checkDuplicates(const ResolvedModel& resolved) {
-    found_.duplicates = findDuplicates(resolved, found_.soundLines, samePlace_);
+    found_.duplicates = findDuplicates(resolved, found_.usableLines, samePlace_);
     const auto reportPair = [&](DiagnosticCode code, EntityKind kind, std::uint32_t first,
                                 std::uint32_t second, const std::vector<std::uint8_t>& matters,
                                 const Vec3& place) {
@@ -273,7 +273,7 @@ class ModelExaminer::Impl {
   void checkCourses(const ResolvedModel& resolved) {
     crosses_.assign(model_->lines.size(), 0);
     for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
-      if (found_.soundLines[line] == 0) continue;
+      if (found_.usableLines[line] == 0) continue;
       const std::optional<Vec3> place = findSelfCrossing(resolved.curve(line));
       if (!place) continue;
       crosses_[line] = 1;
@@ -292,7 +292,7 @@ class ModelExaminer::Impl {
     bool sound = checkLoops(patch, rule);
     sound = checkChains(patch) && sound;
     for (const Loop& loop : drawn.loops)
-      for (const OrientedLine& line : loop) sound = sound && found_.soundLines[line.line] != 0;
+      for (const OrientedLine& line : loop) sound = sound && found_.usableLines[line.line] != 0;
     return sound && checkShape(resolved, patch);
   }
 
@@ -377,7 +377,7 @@ class ModelExaminer::Impl {
 
   const Model* model_;
   MovedPointFinder movedPoints_;
-  ModelExamination found_;
+  CheckedModel found_;
   std::optional<ResolvedModel> resolved_;
   double samePlace_ = 0.0;
   bool isTooSmall_ = false;
@@ -388,23 +388,23 @@ class ModelExaminer::Impl {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> namedPairs_;
 };
 
-ModelExaminer::ModelExaminer(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
-ModelExaminer::ModelExaminer(ModelExaminer&&) noexcept = default;
-ModelExaminer& ModelExaminer::operator=(ModelExaminer&&) noexcept = default;
-ModelExaminer::~ModelExaminer() = default;
+ModelChecker::ModelChecker(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
+ModelChecker::ModelChecker(ModelChecker&&) noexcept = default;
+ModelChecker& ModelChecker::operator=(ModelChecker&&) noexcept = default;
+ModelChecker::~ModelChecker() = default;
 
-bool ModelExaminer::advance(std::uint32_t budget) { return impl_->advance(budget); }
-ModelExamination ModelExaminer::take() { return impl_->take(); }
+bool ModelChecker::advance(std::uint32_t budget) { return impl_->advance(budget); }
+CheckedModel ModelChecker::take() { return impl_->take(); }
 
-ModelExamination examineModel(const Model& model) {
-  ModelExaminer examiner(model);
+CheckedModel checkModel(const Model& model) {
+  ModelChecker examiner(model);
   while (!examiner.advance(std::numeric_limits<std::uint32_t>::max())) {
   }
   return examiner.take();
 }
 
-std::vector<Diagnostic> checkModel(const Model& model) {
-  return std::move(examineModel(model).diagnostics);
+std::vector<Diagnostic> diagnoseModel(const Model& model) {
+  return std::move(checkModel(model).diagnostics);
 }
 
 }  // namespace tetrafront

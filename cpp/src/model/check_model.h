@@ -16,37 +16,37 @@ namespace tetrafront {
 /// nothing is. Points first, then lines, then patches, each in the model's order. Any input is
 /// accepted, also numbers out of range. O(model), curved lines counting as their samples; whether
 /// the patches close a surface is asked by checkInput().
-[[nodiscard]] std::vector<Diagnostic> checkModel(const Model& model);
+[[nodiscard]] std::vector<Diagnostic> diagnoseModel(const Model& model);
 
-/// What checkModel() found, and what can be drawn in spite of it.
-struct ModelExamination {
+/// What diagnoseModel() found, and what can be drawn in spite of it.
+struct CheckedModel {
   std::vector<Diagnostic> diagnostics;
   /// Per line: 1 if a curve can be built from it (its points exist, are finite, distinct and of
   /// the right number), else 0.
-  std::vector<std::uint8_t> soundLines;
+  std::vector<std::uint8_t> usableLines;
   /// Per patch: 1 if its surface can be evaluated (sound lines, closed loops, a number of lines
   /// its type takes, some area), else 0.
-  std::vector<std::uint8_t> soundPatches;
+  std::vector<std::uint8_t> usablePatches;
   /// What was drawn twice.
   Duplicates duplicates;
 };
-[[nodiscard]] ModelExamination examineModel(const Model& model);
+[[nodiscard]] CheckedModel checkModel(const Model& model);
 
-/// examineModel() in slices.
-class ModelExaminer {
+/// checkModel() in slices.
+class ModelChecker {
  public:
   /// The model must outlive this.
-  explicit ModelExaminer(const Model& model);
-  ModelExaminer(ModelExaminer&&) noexcept;
-  ModelExaminer& operator=(ModelExaminer&&) noexcept;
-  ~ModelExaminer();
+  explicit ModelChecker(const Model& model);
+  ModelChecker(ModelChecker&&) noexcept;
+  ModelChecker& operator=(ModelChecker&&) noexcept;
+  ~ModelChecker();
 
   /// Looks at `budget` patches, after a first call that looks at points and lines; true when
   /// finished.
   bool advance(std::uint32_t budget);
 
   /// Once, when finished.
-  [[nodiscard]] ModelExamination take();
+  [[nodiscard]] CheckedModel take();
 
  private:
   class Impl;

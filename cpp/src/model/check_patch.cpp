@@ -22,7 +22,7 @@ constexpr std::uint32_t kPlaneSamples = 16;
 constexpr double kMidPointMargin = 0.25;
 
 /// So many points off a plane are named; more would hide the farthest ones.
-constexpr std::size_t kMostNamed = 8;
+constexpr std::size_t kMaxNamed = 8;
 
 class PatchCheck {
  public:
@@ -58,7 +58,7 @@ class PatchCheck {
   bool checkPlanar() {
     const LoopPlane plane = loopPlane(*model_, drawn_->loops.front());
     const double size = extent();
-    if (!(glm::length(plane.areaVector) > kLeastArea * size * size)) {
+    if (!(glm::length(plane.areaVector) > kMinArea * size * size)) {
       report(DiagnosticCode::kDegeneratePatch, {}, plane.origin);
       return false;
     }
@@ -97,7 +97,7 @@ class PatchCheck {
     const std::uint32_t farthest = moved.points.front();
     report(DiagnosticCode::kNotPlanar, linesThrough(farthest), model_->model().points[farthest],
            {moved.distance});
-    for (std::size_t i = 0; i < std::min(moved.points.size(), kMostNamed); ++i)
+    for (std::size_t i = 0; i < std::min(moved.points.size(), kMaxNamed); ++i)
       diagnostics_->back().entities.push_back({EntityKind::kPoint, moved.points[i]});
     return true;
   }
@@ -153,7 +153,7 @@ class PatchCheck {
     const UnitSurface surface(drawn_->type, curvesOf(*model_, drawn_->loops.front()));
     const SmoothCorners corners =
         isIsoparametric() ? SmoothCorners::kFold : SmoothCorners::kAllowed;
-    const std::optional<SurfaceFault> fault = findSurfaceFault(surface, corners, extent());
+    const std::optional<SurfaceDefect> fault = findSurfaceFault(surface, corners, extent());
     if (!fault) {
       checkHoles();
       return true;

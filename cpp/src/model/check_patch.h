@@ -12,7 +12,7 @@
 namespace tetrafront {
 
 /// A patch of less area than this share of its squared extent has none.
-inline constexpr double kLeastArea = 1e-9;
+inline constexpr double kMinArea = 1e-9;
 
 /// Appends what is wrong: no area, a fold, a line off the plane, loops that touch or lie outside
 /// the first. Returns true if the surface can be evaluated. `movedPoints` is of the same model.

@@ -26,7 +26,7 @@ constexpr std::size_t kFewestTriples = 64;
 constexpr double kSpanningArea = 1e-6;
 
 /// Where so many planes are as good as one another, none is the plane that was meant.
-constexpr std::size_t kMostRivals = 8;
+constexpr std::size_t kMaxRivals = 8;
 
 struct CandidatePlane {
   std::size_t agreeing = 0;
@@ -63,7 +63,7 @@ class PlaneVote {
   [[nodiscard]] double extent() const { return extent_; }
 
   /// The planes that most points agree on within the tolerance, one for each set of points off it;
-  /// of more than kMostRivals, only so many and one.
+  /// of more than kMaxRivals, only so many and one.
   std::vector<CandidatePlane> run(double tolerance) {
     tolerance_ = tolerance;
     const std::size_t count = points_.size();
@@ -93,7 +93,7 @@ class PlaneVote {
     if (plane.agreeing < mostAgreeing_) return;
     if (plane.agreeing > mostAgreeing_) best_.clear();
     mostAgreeing_ = plane.agreeing;
-    if (best_.size() > kMostRivals) return;
+    if (best_.size() > kMaxRivals) return;
     const auto known = std::ranges::find_if(best_, [&](const CandidatePlane& other) {
       return other.moved.points == plane.moved.points;
     });
@@ -132,7 +132,7 @@ MovedPoints MovedPointFinder::find(std::uint32_t patch, double extent) {
   const std::vector<std::uint32_t> points = pointsOfPatch(*model_, model_->patches[patch]);
   if (points.size() < 4) return {};
   std::vector<CandidatePlane> planes = PlaneVote(*model_, points).run(kPlaneTolerance * extent);
-  if (planes.empty() || planes.size() > kMostRivals) return {};
+  if (planes.empty() || planes.size() > kMaxRivals) return {};
   const std::size_t agreeing = planes.front().agreeing;
   // Any three points agree; of four they are as many as can be hoped for.
   const bool isMajority = 2 * agreeing > points.size() && (agreeing > 3 || points.size() == 4);

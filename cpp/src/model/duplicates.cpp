@@ -120,7 +120,7 @@ void findAlike(const ResolvedModel& model, std::span<const std::uint32_t> lines,
 
 }  // namespace
 
-Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8_t> soundLines,
+Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8_t> usableLines,
                           double samePlace) {
   const Model& drawn = model.model();
   Duplicates result{samePlaces(drawn.points, samePlace), numbersUpTo(drawn.lines.size())};
@@ -130,7 +130,7 @@ Duplicates findDuplicates(const ResolvedModel& model, std::span<const std::uint8
   };
   std::vector<Entry> entries;
   for (std::uint32_t line = 0; line < drawn.lines.size(); ++line) {
-    if (soundLines[line] == 0) continue;
+    if (usableLines[line] == 0) continue;
     const std::vector<std::uint32_t>& points = drawn.lines[line].points;
     const auto [low, high] =
         std::minmax(result.points[points.front()], result.points[points.back()]);

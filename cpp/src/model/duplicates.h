@@ -20,6 +20,7 @@ struct Duplicates {
 /// `samePlace`: the distance within which places are one. O(n log n) unless many lines join the
 /// same two places and have one middle.
 [[nodiscard]] Duplicates findDuplicates(const ResolvedModel& model,
-                                        std::span<const std::uint8_t> soundLines, double samePlace);
+                                        std::span<const std::uint8_t> usableLines,
+                                        double samePlace);
 
 }  // namespace tetrafront

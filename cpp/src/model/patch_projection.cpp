@@ -17,7 +17,7 @@ constexpr int kMaxHalvings = 8;
 /// Steps shorter than this share of the patch's extent change nothing but rounding.
 constexpr double kSettled = 1e-15;
 /// Keeps the system solvable where the surface is singular.
-constexpr double kLeastPivot = 1e-12;
+constexpr double kMinPivot = 1e-12;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ Vec2 PatchProjection::step(const Vec2& from, const Vec3& place) const {
   double xx = glm::dot(point.alongXi, point.alongXi);
   const double xy = glm::dot(point.alongXi, point.alongEta);
   double yy = glm::dot(point.alongEta, point.alongEta);
-  const double least = kLeastPivot * (xx + yy);
+  const double least = kMinPivot * (xx + yy);
   xx += least;
   yy += least;
   const double determinant = xx * yy - xy * xy;

@@ -36,7 +36,7 @@ class MappedSurface {
 
 class PatchSurface {
  public:
-  /// `patch` must have passed checkModel(); `model` must outlive this.
+  /// `patch` must have passed diagnoseModel(); `model` must outlive this.
   PatchSurface(const ResolvedModel& model, const Patch& patch);
 
   [[nodiscard]] SurfacePoint evaluate(const Vec2& plane) const;

@@ -16,12 +16,12 @@ std::vector<Vec3> pointsOf(const Model& model, const Line& line) {
 ResolvedModel::ResolvedModel(const Model& model)
     : ResolvedModel(model, std::vector<std::uint8_t>(model.lines.size(), 1)) {}
 
-ResolvedModel::ResolvedModel(const Model& model, std::span<const std::uint8_t> soundLines)
+ResolvedModel::ResolvedModel(const Model& model, std::span<const std::uint8_t> usableLines)
     : model_(&model) {
   curves_.reserve(model.lines.size());
   flipped_.reserve(model.lines.size());
   for (std::size_t i = 0; i < model.lines.size(); ++i) {
-    if (soundLines[i] == 0) {
+    if (usableLines[i] == 0) {
       curves_.emplace_back(LineType::kStraight, std::vector<Vec3>{Vec3(0.0), Vec3(1.0)});
       flipped_.push_back(0);
       continue;

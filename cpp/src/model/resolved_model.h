@@ -17,12 +17,12 @@ namespace tetrafront {
 
 class ResolvedModel {
  public:
-  /// `model` must have passed checkModel() and must outlive this.
+  /// `model` must have passed diagnoseModel() and must outlive this.
   explicit ResolvedModel(const Model& model);
 
-  /// For a model that may have faults: lines with soundLines[line] == 0 get a stand-in, which
+  /// For a model that may have faults: lines with usableLines[line] == 0 get a stand-in, which
   /// nobody must ask for.
-  ResolvedModel(const Model& model, std::span<const std::uint8_t> soundLines);
+  ResolvedModel(const Model& model, std::span<const std::uint8_t> usableLines);
 
   [[nodiscard]] const Model& model() const { return *model_; }
 

@@ -246,9 +246,9 @@ bool NodeCollapser<Space>::collapse(NodeId node, const ElementCost<Space>& cost,
   for (const NodeId other : neighbours_) {
     maxLength = std::max(maxLength, relativeLength<Space>(complex_, node, other));
   }
-  const bool isHopeless =
+  const bool canGiveUp =
       cost.measure() == Measure::kBulk && old > kHopeless * static_cast<double>(star_.size);
-  return collapseBelow(old * (1.0 - minGain), node, cost, isHopeless ? kInvalidCost : maxLength);
+  return collapseBelow(old * (1.0 - minGain), node, cost, canGiveUp ? kInvalidCost : maxLength);
 }
 
 template <class Space>

@@ -274,8 +274,8 @@ bool EdgeRemoval<Space>::improve(const EdgeRing& ring, const ElementCost<Space>&
                                  const EdgeRemovalOptions& options) {
   double old = 0.0;
   for (const TetId tet : ring.elementSpan()) old = cost.combined(old, complex_.cost(tet));
-  constexpr double kLeastGain = 1e-12;
-  const double bound = old * (1.0 - options.minGain) - kLeastGain;
+  constexpr double kMinGain = 1e-12;
+  const double bound = old * (1.0 - options.minGain) - kMinGain;
   if (!(bound > 0.0) || (!ring.closed && !options.fans)) return false;
   if (!plan(ring, cost, options.fans, bound)) return false;
   apply(ring, cost);

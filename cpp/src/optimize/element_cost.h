@@ -19,7 +19,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "optimize/judging_space.h"
+#include "optimize/metric_space.h"
 #include "quality/metrics.h"
 #include "tetrafront/vec3.h"
 

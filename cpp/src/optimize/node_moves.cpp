@@ -12,9 +12,9 @@ double lengthOf(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
 
 /// A move shorter than this part of an edge is not worth its star's new costs; one longer than
 /// the second counts as a change that neighbours should look at again.
-constexpr double kLeastMove = 0.0005;
+constexpr double kMinMove = 0.0005;
 constexpr double kChangingMove = 0.01;
-constexpr double kLeastGain = 1e-6;  // relative
+constexpr double kMinRelativeGain = 1e-6;  // relative
 constexpr int kHalvings = 4;
 
 /// Of the eighth powers of the costs of all elements, in units of `scale`; kInvalidCost as soon as
@@ -308,8 +308,8 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
                                  Vec3& place) {
   const auto& frame = hollow_.frame(0);
   const double edge = lengthOf(Space::toUnit(frame, hollow_.face(0)[0] - place));
-  if (!(lengthOf(Space::toUnit(frame, direction)) >= kLeastMove * edge)) return false;
-  const double bound = old * (1.0 - kLeastGain);
+  if (!(lengthOf(Space::toUnit(frame, direction)) >= kMinMove * edge)) return false;
+  const double bound = old * (1.0 - kMinRelativeGain);
   double step = 1.0;
   for (int i = 0; i < kHalvings; ++i, step *= 0.5) {
     const Vec3 tried = place + direction * step;

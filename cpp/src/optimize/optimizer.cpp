@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "optimize/judgement.h"
-#include "optimize/mesh_figures.h"
+#include "optimize/mesh_score.h"
+#include "optimize/mesh_costs.h"
 #include "optimize/schedule.h"
 #include "optimize/sweeps.h"
 #include "optimize/tet_complex.h"
@@ -132,12 +132,12 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     repeats_ = 0;
     isUnderWay_ = false;
     if (isDone()) return;
-    if (step().judging == Judging::kTargets) {
-      if (mendingBegan_ == 0) mendingBegan_ = complex_.pass() + 1;
-      sweeps_.mending().begin(step());
+    if (step().costBasis == CostBasis::kTargets) {
+      if (improvementBegan_ == 0) improvementBegan_ = complex_.pass() + 1;
+      sweeps_.improvements().begin(step());
     }
-    const bool isNewMeasure = step().judging != Judging::kAsBefore;
-    if (isNewMeasure) sweeps_.judgeBy(costOfStep(), step().visitsMendedOnly ? mendingBegan_ : 0);
+    const bool isNewMeasure = step().costBasis != CostBasis::kAsBefore;
+    if (isNewMeasure) sweeps_.measureBy(costOfStep(), step().changedOnly ? improvementBegan_ : 0);
     if (isRounds()) {
       beginRound();
     } else if (Space::kIsStretched && step_ > 0) {
@@ -150,18 +150,18 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     // A share of the squared tangents of half the angles: far more than an unchanged element, reckoned
     // anew, can differ by, and far less than any angle that is told.
     constexpr double kRounding = 1.0 + 1e-9;
-    switch (step().judging) {
-      case Judging::kAsBefore:
+    switch (step().costBasis) {
+      case CostBasis::kAsBefore:
         break;
-      case Judging::kBulk:
+      case CostBasis::kBulk:
         return ElementCost<Space>(Measure::kBulk);
-      case Judging::kFinish:
+      case CostBasis::kFinish:
         return ElementCost<Space>(Measure::kFinish);
-      case Judging::kTargets:
+      case CostBasis::kTargets:
         return ElementCost<Space>(Measure::kDihedral, step().targets);
-      case Judging::kWithinAngles:
-        return ElementCost<Space>(
-            Measure::kWithin, sweeps_.judgement().within(kTargets35And130).loweredBy(kRounding));
+      case CostBasis::kWithinAngles:
+        return ElementCost<Space>(Measure::kWithin,
+                                  sweeps_.score().within(kTargets35And130).loweredBy(kRounding));
     }
     return sweeps_.cost();
   }
@@ -196,22 +196,22 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   void enter() {
     if (!isWorthwhile()) return turnToStep(step_ + 1);
     if (isRounds()) meanCost_ = meanCostOf(complex_);
-    if (step().again == Again::kIfMuchMended) isMuchMended_ = changedPart() > kMuchMended;
+    if (step().again == Again::kIfMuchChanged) isMuchMended_ = changedPart() > kMuchMended;
     isUnderWay_ = true;
     beginSweeps();
   }
 
   [[nodiscard]] double changedPart() const {
-    return static_cast<double>(changedSince(complex_, mendingBegan_)) /
+    return static_cast<double>(changedSince(complex_, improvementBegan_)) /
            static_cast<double>(complex_.elementCount());
   }
 
   /// Also notes whether the step's target is given up.
   bool isWorthwhile() {
-    if (step().judging != Judging::kTargets) return true;
-    const std::size_t missing = sweeps_.mending().missing();
+    if (step().costBasis != CostBasis::kTargets) return true;
+    const std::size_t missing = sweeps_.improvements().missing();
     if (step().entry == Entry::kIfFewMiss) {
-      return !isGivenUp_ && missing > 0 && missing <= Mending<Space>::kVeryFew;
+      return !isGivenUp_ && missing > 0 && missing <= ImprovementQueue<Space>::kVeryFew;
     }
     const auto count = static_cast<double>(complex_.elementCount());
     const double most =
@@ -241,13 +241,13 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   void endSweeps() {
     ++repeats_;
     if (isAgain(sweeps_.takeChanges())) return repeat();
-    if (step().judging == Judging::kTargets) isGivenUp_ = sweeps_.mending().isHopeless();
+    if (step().costBasis == CostBasis::kTargets) isGivenUp_ = sweeps_.improvements().canGiveUp();
     servePurpose();
     turnToStep(step_ + 1);
   }
 
   [[nodiscard]] bool isAgain(std::size_t changes) {
-    const bool isLast = repeats_ >= step().most;
+    const bool isLast = repeats_ >= step().maxRepeats;
     switch (step().again) {
       case Again::kAlways:
         return !isLast;
@@ -255,17 +255,17 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
         const double before = std::exchange(meanCost_, meanCostOf(complex_));
         return !isLast &&
                static_cast<double>(changes) >=
-                   step().leastChanges * static_cast<double>(freeNodes_) &&
-               meanCost_ < before * (1.0 - step().leastGain);
+                   step().minChanges * static_cast<double>(freeNodes_) &&
+               meanCost_ < before * (1.0 - step().minGain);
       }
-      case Again::kWhileItMends:
+      case Again::kWhileItImproves:
         if (changes > 0 && !isLast) return true;
-        if (!sweeps_.mending().turnToTheWorst()) return false;
+        if (!sweeps_.improvements().focusOnWorst()) return false;
         repeats_ = 0;
         return true;
-      case Again::kWhileItSaves:
+      case Again::kWhileLastResortHelps:
         return changes > 0 && !isLast;
-      case Again::kIfMuchMended:
+      case Again::kIfMuchChanged:
         return isMuchMended_ && !isLast;
     }
     return false;
@@ -284,11 +284,11 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
         seeIfSparse();
         return;
       case Purpose::kKeep:
-        keptJudgement_ = sweeps_.judgement();
+        keptScore_ = sweeps_.score();
         kept_ = complex_.toMesh();
         return;
       case Purpose::kCompare:
-        if (sweeps_.judgement().isNoWorseThan(keptJudgement_)) kept_.reset();
+        if (sweeps_.score().isNoWorseThan(keptScore_)) kept_.reset();
         return;
     }
   }
@@ -316,10 +316,10 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   int repeats_ = 0;          ///< of the step
   double meanCost_ = 0.0;    ///< of the elements, when the last round ended
   bool isMuchMended_ = false;
-  bool isGivenUp_ = false;          ///< the target of the last repair
-  std::uint32_t mendingBegan_ = 0;  ///< the pass; 0 before
-  std::size_t freeNodes_ = 0;       ///< when the last sweep ended: counting them is O(nodes)
-  Judgement keptJudgement_;
+  bool isGivenUp_ = false;              ///< the target of the last repair
+  std::uint32_t improvementBegan_ = 0;  ///< the pass; 0 before
+  std::size_t freeNodes_ = 0;           ///< when the last sweep ended: counting them is O(nodes)
+  MeshScore keptScore_;
   std::optional<VolumeMesh> kept_;  ///< what striving began with, unless it is no worse
 };
 

@@ -13,23 +13,23 @@ constexpr std::array kRound{
 constexpr std::array kFinish{Sweep::kSwap, Sweep::kNewton, Sweep::kNewton, Sweep::kSwap};
 constexpr std::array kFast{Sweep::kSwap, Sweep::kNewton, Sweep::kSwap, Sweep::kNewton,
                            Sweep::kSwap};
-constexpr std::array kRepair{Sweep::kCollectBad, Sweep::kRepair};
-constexpr std::array kRescue{Sweep::kCollectBad, Sweep::kRescue};
+constexpr std::array kImprove{Sweep::kCollectPoor, Sweep::kImprove};
+constexpr std::array kLastResort{Sweep::kCollectPoor, Sweep::kLastResort};
 /// Repairs insert nodes, of which some are in the way once their surroundings have settled.
 constexpr std::array kEase{Sweep::kSwap, Sweep::kMove, Sweep::kNewton, Sweep::kCollectCollapses,
                            Sweep::kCollapse};
 constexpr std::array kPolish{Sweep::kSwap, Sweep::kMove, Sweep::kNewton};
-constexpr std::array kJudge{Sweep::kJudge};
+constexpr std::array kScore{Sweep::kScore};
 
 constexpr int kMaxRounds = 10;
-constexpr int kMaxStrivingRounds = 8;
+constexpr int kMaxThoroughRounds = 8;
 /// Rounds end when splits and collapses together are fewer than this part of the free nodes.
 constexpr double kQuietRound = 0.1;
 /// Or when a round lowers the mean cost by less than this part: where two sheets of the boundary
 /// are near each other, splits and collapses can undo each other for ever.
-constexpr double kLeastRoundGain = 0.01;
-constexpr double kLeastStrivingGain = 0.001;
-constexpr int kRepairPasses = 8;
+constexpr double kMinRoundGain = 0.01;
+constexpr double kMinStrivingGain = 0.001;
+constexpr int kImprovementPasses = 8;
 /// Where each may mend little, and meet many.
 constexpr int kPatientPasses = 4;
 constexpr int kPolishPasses = 4;
@@ -44,14 +44,14 @@ constexpr double kManyOfFew = 0.1;
 constexpr double kManyStriving = 0.01;
 
 constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kIfGivenUp) {
-  return {.sweeps = kRepair,
-          .judging = Judging::kTargets,
+  return {.sweeps = kImprove,
+          .costBasis = CostBasis::kTargets,
           .targets = targets,
           .entry = entry,
           .many = kManyLow,
-          .mendsBetweenSheets = true,
-          .again = Again::kWhileItMends,
-          .most = kRepairPasses};
+          .includeNarrowGaps = true,
+          .again = Again::kWhileItImproves,
+          .maxRepeats = kImprovementPasses};
 }
 
 /// Flat elements are of no use to anyone, and next to none of them need be, however many they are.
@@ -59,72 +59,72 @@ constexpr Step repairFlat() {
   Step step = repairLow(kTargets2And175);
   step.many = 1.0;
   step.isPatient = true;
-  step.most = kPatientPasses;
+  step.maxRepeats = kPatientPasses;
   return step;
 }
 
-constexpr Step kRescueStep{.sweeps = kRescue,
-                           .judging = Judging::kTargets,
+constexpr Step kRescueStep{.sweeps = kLastResort,
+                           .costBasis = CostBasis::kTargets,
                            .entry = Entry::kIfFewMiss,
-                           .again = Again::kWhileItSaves,
-                           .most = kRepairPasses};
+                           .again = Again::kWhileLastResortHelps,
+                           .maxRepeats = kImprovementPasses};
 
 constexpr Step ease(Entry entry) {
   return {.sweeps = kEase,
-          .judging = Judging::kWithinAngles,
+          .costBasis = CostBasis::kWithinAngles,
           .entry = entry,
-          .visitsMendedOnly = true,
-          .again = Again::kIfMuchMended,
-          .most = kPolishPasses};
+          .changedOnly = true,
+          .again = Again::kIfMuchChanged,
+          .maxRepeats = kPolishPasses};
 }
 
 constexpr std::array kShapeSteps{
-    Step{.sweeps = kFirst, .judging = Judging::kBulk, .purpose = Purpose::kSeeIfSparse},
+    Step{.sweeps = kFirst, .costBasis = CostBasis::kBulk, .purpose = Purpose::kSeeIfSparse},
     Step{.sweeps = kRound,
          .again = Again::kWhileItGains,
-         .most = kMaxRounds,
-         .leastChanges = kQuietRound,
-         .leastGain = kLeastRoundGain},
-    Step{.sweeps = kFinish, .judging = Judging::kBulk},
+         .maxRepeats = kMaxRounds,
+         .minChanges = kQuietRound,
+         .minGain = kMinRoundGain},
+    Step{.sweeps = kFinish, .costBasis = CostBasis::kBulk},
 };
 
-constexpr std::array kFastSteps{Step{.sweeps = kFast, .judging = Judging::kFinish}};
+constexpr std::array kFastSteps{Step{.sweeps = kFast, .costBasis = CostBasis::kFinish}};
 
 constexpr std::array kMendSteps{
     repairLow(kTargets18And150, Entry::kAlways),
     repairLow(kTargets8And165),
     repairFlat(),
-    Step{.sweeps = kRepair,
-         .judging = Judging::kTargets,
+    Step{.sweeps = kImprove,
+         .costBasis = CostBasis::kTargets,
          .many = kManyHigh,
          .manyOfFew = kManyOfFew,
-         .again = Again::kWhileItMends,
-         .most = kRepairPasses},
+         .again = Again::kWhileItImproves,
+         .maxRepeats = kImprovementPasses},
     kRescueStep,
-    Step{.sweeps = kJudge},
+    Step{.sweeps = kScore},
     ease(Entry::kAlways),
     // Easing has changed what is around the last few: another rescue may save them.
     kRescueStep,
-    Step{.sweeps = kJudge, .entry = Entry::kIfBefore},
+    Step{.sweeps = kScore, .entry = Entry::kIfBefore},
     ease(Entry::kIfBefore),
 };
 
 constexpr std::array kStriveSteps{
-    Step{.sweeps = kJudge, .purpose = Purpose::kKeep},
+    Step{.sweeps = kScore, .purpose = Purpose::kKeep},
     Step{.sweeps = kRound,
-         .judging = Judging::kWithinAngles,
+         .costBasis = CostBasis::kWithinAngles,
          .again = Again::kWhileItGains,
-         .most = kMaxStrivingRounds,
-         .leastGain = kLeastStrivingGain},
-    Step{.sweeps = kRepair,
-         .judging = Judging::kTargets,
+         .maxRepeats = kMaxThoroughRounds,
+         .minGain = kMinStrivingGain},
+    Step{.sweeps = kImprove,
+         .costBasis = CostBasis::kTargets,
          .targets = kTargets35And130,
          .many = kManyStriving,
-         .again = Again::kWhileItMends,
-         .most = kRepairPasses},
-    Step{.sweeps = kJudge},
-    Step{.sweeps = kPolish, .judging = Judging::kWithinAngles, .most = kPolishPasses},
-    Step{.sweeps = kJudge, .purpose = Purpose::kCompare},
+         .again = Again::kWhileItImproves,
+         .maxRepeats = kImprovementPasses},
+    Step{.sweeps = kScore},
+    Step{.sweeps = kPolish, .costBasis = CostBasis::kWithinAngles, .maxRepeats = kPolishPasses},
+    Step{.sweeps = kScore, .purpose = Purpose::kCompare},
 };
 
 }  // namespace

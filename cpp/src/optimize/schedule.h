@@ -31,15 +31,15 @@ enum class Sweep : std::uint8_t {
   kSplit,             ///< those edges
   kCollectCollapses,  ///< free nodes, the most crowded first
   kCollapse,          ///< those nodes
-  kCollectBad,        ///< elements beyond the target, worst first
-  kRepair,            ///< those elements
-  kRescue,            ///< those elements, the best first, one try at a time
-  kJudge,             ///< the mesh as a whole
+  kCollectPoor,       ///< elements beyond the target, worst first
+  kImprove,           ///< those elements
+  kLastResort,        ///< those elements, the best first, one try at a time
+  kScore,             ///< the mesh as a whole
 };
 inline constexpr std::size_t kSweepKinds = 11;
 
 /// By what a step judges elements.
-enum class Judging : std::uint8_t {
+enum class CostBasis : std::uint8_t {
   kAsBefore,
   kBulk,
   kFinish,
@@ -55,13 +55,13 @@ enum class Entry : std::uint8_t {
   kIfFewMiss,  ///< the step's target, which was not given up: some elements, but very few
 };
 
-/// When a step makes its sweeps again, up to Step::most times in all.
+/// When a step makes its sweeps again, up to Step::maxRepeats times in all.
 enum class Again : std::uint8_t {
   kAlways,
-  kWhileItGains,  ///< rounds: enough changes, and the mean cost falls by enough
-  kWhileItMends,  ///< any element; then, from the beginning, with an eye on the worst
-  kWhileItSaves,  ///< any element
-  kIfMuchMended,  ///< much of the mesh has changed since repairs began
+  kWhileItGains,          ///< rounds: enough changes, and the mean cost falls by enough
+  kWhileItImproves,       ///< any element; then, from the beginning, with an eye on the worst
+  kWhileLastResortHelps,  ///< any element
+  kIfMuchChanged,         ///< much of the mesh has changed since repairs began
 };
 
 /// What a step is for besides the sweeps.
@@ -74,7 +74,7 @@ enum class Purpose : std::uint8_t {
 
 struct Step {
   std::span<const Sweep> sweeps;
-  Judging judging = Judging::kAsBefore;
+  CostBasis costBasis = CostBasis::kAsBefore;
   DihedralTargets targets = kTargets30And135;
   Entry entry = Entry::kAlways;
   /// With more than this part of all elements missing the target, chasing it would only add elements:
@@ -82,13 +82,13 @@ struct Step {
   /// meshes, up to some hundreds of elements that miss.
   double many = 1.0;
   double manyOfFew = 0.0;
-  bool mendsBetweenSheets = false;  ///< of the boundary, even where they leave no room for a node
-  bool isPatient = false;           ///< goes on though a pass of repairs has hardly helped
-  bool visitsMendedOnly = false;    ///< what has changed since repairs began
+  bool includeNarrowGaps = false;  ///< of the boundary, even where they leave no room for a node
+  bool isPatient = false;          ///< goes on though a pass of repairs has hardly helped
+  bool changedOnly = false;        ///< what has changed since repairs began
   Again again = Again::kAlways;
-  int most = 1;
-  double leastChanges = 0.0;  ///< of a round, by free nodes
-  double leastGain = 0.0;     ///< of a round, by the mean cost
+  int maxRepeats = 1;
+  double minChanges = 0.0;  ///< of a round, by free nodes
+  double minGain = 0.0;     ///< of a round, by the mean cost
   Purpose purpose = Purpose::kSweeps;
 };
 

@@ -8,12 +8,12 @@ namespace {
 
 /// What one of these costs, in elements of a sweep.
 constexpr std::uint32_t kRepairWork = 64;
-constexpr std::uint32_t kRescueWork = 1000;
+constexpr std::uint32_t kLastResortWork = 1000;
 
 }  // namespace
 
 template <class Space>
-void Sweeps<Space>::judgeBy(const ElementCost<Space>& cost, std::uint32_t since) {
+void Sweeps<Space>::measureBy(const ElementCost<Space>& cost, std::uint32_t since) {
   cost_ = cost;
   lastRun_.fill(since);
 }
@@ -33,8 +33,8 @@ std::size_t Sweeps<Space>::size() const {
   switch (sweep_) {
     case Sweep::kSwap:
     case Sweep::kCollectSplits:
-    case Sweep::kCollectBad:
-    case Sweep::kJudge:
+    case Sweep::kCollectPoor:
+    case Sweep::kScore:
       return complex_.slotCount();
     case Sweep::kMove:
     case Sweep::kNewton:
@@ -44,9 +44,9 @@ std::size_t Sweeps<Space>::size() const {
       return splitter_.collected();
     case Sweep::kCollapse:
       return collapser_.collected();
-    case Sweep::kRepair:
-    case Sweep::kRescue:
-      return mending_.collected();
+    case Sweep::kImprove:
+    case Sweep::kLastResort:
+      return improvements_.collected();
   }
   return 0;
 }
@@ -55,10 +55,10 @@ template <class Space>
 std::size_t Sweeps<Space>::advance(std::uint32_t budget) {
   if (isDone()) return 0;
   std::size_t done = 0;
-  if (sweep_ == Sweep::kRescue) {
-    done = rescue();
+  if (sweep_ == Sweep::kLastResort) {
+    done = tryLastResort();
   } else {
-    const std::uint32_t each = sweep_ == Sweep::kRepair ? kRepairWork : 1;
+    const std::uint32_t each = sweep_ == Sweep::kImprove ? kRepairWork : 1;
     const std::size_t count = std::min<std::size_t>(end_ - next_, std::max(1U, budget / each));
     work(next_, next_ + count);
     next_ += count;
@@ -92,14 +92,14 @@ void Sweeps<Space>::work(std::size_t first, std::size_t last) {
     case Sweep::kCollapse:
       changes_ += collapser_.collapseSome(first, last - first, cost_);
       return;
-    case Sweep::kCollectBad:
-      return mending_.collect(first, last);
-    case Sweep::kRepair:
-      changes_ += mending_.repairSome(first, last, cost_);
+    case Sweep::kCollectPoor:
+      return improvements_.collect(first, last);
+    case Sweep::kImprove:
+      changes_ += improvements_.improveSome(first, last, cost_);
       return;
-    case Sweep::kRescue:
+    case Sweep::kLastResort:
       return;  // one try at a time
-    case Sweep::kJudge:
+    case Sweep::kScore:
       return judge(first, last);
   }
 }
@@ -115,8 +115,8 @@ void Sweeps<Space>::end() {
       return splitter_.clear();
     case Sweep::kCollapse:
       return collapser_.clear();
-    case Sweep::kCollectBad:
-      return mending_.rank();
+    case Sweep::kCollectPoor:
+      return improvements_.rank();
     default:
       return;
   }
@@ -153,19 +153,19 @@ void Sweeps<Space>::move(std::size_t first, std::size_t last, MoveKind kind) {
 
 template <class Space>
 void Sweeps<Space>::judge(std::size_t first, std::size_t last) {
-  if (first == 0) judgement_ = {};
+  if (first == 0) score_ = {};
   for (std::size_t t = first; t < last; ++t) {
-    if (complex_.isLive(TetId(t))) judgement_.template add<Space>(complex_, TetId(t));
+    if (complex_.isLive(TetId(t))) score_.template add<Space>(complex_, TetId(t));
   }
 }
 
 /// One try for the element whose turn it is, or the next one's turn.
 template <class Space>
-std::size_t Sweeps<Space>::rescue() {
-  using Rescued = typename Mending<Space>::Rescued;
-  const Rescued rescued = mending_.rescue(next_, cost_);
-  if (rescued == Rescued::kTried) return kRescueWork;
-  changes_ += rescued == Rescued::kSaved ? 1 : 0;
+std::size_t Sweeps<Space>::tryLastResort() {
+  using LastResort = typename ImprovementQueue<Space>::LastResort;
+  const LastResort outcome = improvements_.tryLastResort(next_, cost_);
+  if (outcome == LastResort::kTried) return kLastResortWork;
+  changes_ += outcome == LastResort::kImproved ? 1 : 0;
   ++next_;
   return 1;
 }

@@ -10,8 +10,8 @@
 #include "optimize/density.h"
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
-#include "optimize/judgement.h"
-#include "optimize/mending.h"
+#include "optimize/mesh_score.h"
+#include "optimize/improvement_queue.h"
 #include "optimize/node_moves.h"
 #include "optimize/schedule.h"
 #include "optimize/tet_complex.h"
@@ -27,11 +27,11 @@ class Sweeps {
         mover_(complex),
         splitter_(complex),
         collapser_(complex),
-        mending_(complex, removal_, splitter_, collapser_, mover_) {}
+        improvements_(complex, removal_, splitter_, collapser_, mover_) {}
 
   /// From the next sweep on, elements are judged by this cost, which theirs must be by, and the first
   /// sweep of each kind visits what has changed since that pass.
-  void judgeBy(const ElementCost<Space>& cost, std::uint32_t since);
+  void measureBy(const ElementCost<Space>& cost, std::uint32_t since);
 
   /// Elements that the sweep adds at the end are for the next one: looked up anew in each slice, the
   /// end would depend on where slices end.
@@ -46,9 +46,9 @@ class Sweeps {
   [[nodiscard]] const ElementCost<Space>& cost() const { return cost_; }
   [[nodiscard]] EdgeSplitter<Space>& splitter() { return splitter_; }
   [[nodiscard]] NodeCollapser<Space>& collapser() { return collapser_; }
-  [[nodiscard]] Mending<Space>& mending() { return mending_; }
+  [[nodiscard]] ImprovementQueue<Space>& improvements() { return improvements_; }
   /// By the last sweep of that kind.
-  [[nodiscard]] const Judgement& judgement() const { return judgement_; }
+  [[nodiscard]] const MeshScore& score() const { return score_; }
 
  private:
   [[nodiscard]] std::size_t size() const;
@@ -58,15 +58,15 @@ class Sweeps {
   bool swapOneEdgeOf(TetId tet);
   void move(std::size_t first, std::size_t last, MoveKind kind);
   void judge(std::size_t first, std::size_t last);
-  std::size_t rescue();
+  std::size_t tryLastResort();
 
   TetComplex& complex_;
   EdgeRemoval<Space> removal_;
   NodeMover<Space> mover_;
   EdgeSplitter<Space> splitter_;
   NodeCollapser<Space> collapser_;
-  Mending<Space> mending_;
-  Judgement judgement_;
+  ImprovementQueue<Space> improvements_;
+  MeshScore score_;
   ElementCost<Space> cost_{Measure::kBulk};
   Sweep sweep_ = Sweep::kSwap;
   std::size_t next_ = 0;

@@ -259,8 +259,8 @@ class InputChecker::Impl {
   const BackgroundGrid* grid_;
   const MeshOptions* options_;
   Stage stage_ = Stage::kModel;
-  ModelExaminer examiner_;
-  ModelExamination found_;
+  ModelChecker examiner_;
+  CheckedModel found_;
   Closure closure_;
   std::optional<SurfaceSampler> sampler_;
   std::vector<Diagnostic> diagnostics_;

@@ -179,12 +179,12 @@ class SampledPatches {
 
 class MeetingSearch {
  public:
-  MeetingSearch(const Model& model, const ModelExamination& found, const SampledModel& sampled)
+  MeetingSearch(const Model& model, const CheckedModel& found, const SampledModel& sampled)
       : model_(&model), found_(&found), coarse_(sampled, allowance_) {
     allowance_.left += kMostComparedEach * (sampled.preview.patchTriangles.size() / 3);
-    const ResolvedModel resolved(model, found.soundLines);
+    const ResolvedModel resolved(model, found.usableLines);
     for (std::size_t patch = 0; patch < model.patches.size(); ++patch) {
-      bool flat = found.soundPatches[patch] != 0 && isPlanar(patch);
+      bool flat = found.usablePatches[patch] != 0 && isPlanar(patch);
       if (flat) {
         for (const Loop& loop : model.patches[patch].loops)
           for (const OrientedLine& walked : loop)
@@ -255,7 +255,7 @@ class MeetingSearch {
   }
 
   const Model* model_;
-  const ModelExamination* found_;
+  const CheckedModel* found_;
   Allowance allowance_;
   SampledPatches coarse_;
   std::vector<std::uint8_t> isFlat_;  ///< planar within straight lines: the samples are the patch
@@ -266,7 +266,7 @@ class MeetingSearch {
 
 }  // namespace
 
-std::vector<Diagnostic> findIntersectingPatches(const Model& model, const ModelExamination& found,
+std::vector<Diagnostic> findIntersectingPatches(const Model& model, const CheckedModel& found,
                                                 const SampledModel& sampled) {
   return MeetingSearch(model, found, sampled).run();
 }

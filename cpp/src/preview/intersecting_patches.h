@@ -18,7 +18,7 @@ namespace tetrafront {
 /// once as many pairs of triangles have been compared as no sensible model has. Near-linear in the
 /// triangles, unless many patches are near many others.
 [[nodiscard]] std::vector<Diagnostic> findIntersectingPatches(const Model& model,
-                                                              const ModelExamination& found,
+                                                              const CheckedModel& found,
                                                               const SampledModel& sampled);
 
 }  // namespace tetrafront

@@ -25,7 +25,7 @@ struct SampledModel {
   /// Per patch: 1 if its triangles end in the nodes of its lines.
   std::vector<std::uint8_t> isJoined;
 };
-[[nodiscard]] SampledModel sampleSurface(const Model& model, const ModelExamination& found);
+[[nodiscard]] SampledModel sampleSurface(const Model& model, const CheckedModel& found);
 
 /// sampleSurface() in slices.
 class SurfaceSampler {
@@ -33,7 +33,7 @@ class SurfaceSampler {
   class Impl;
 
   /// Both must outlive this.
-  SurfaceSampler(const Model& model, const ModelExamination& found);
+  SurfaceSampler(const Model& model, const CheckedModel& found);
   SurfaceSampler(SurfaceSampler&&) noexcept;
   SurfaceSampler& operator=(SurfaceSampler&&) noexcept;
   ~SurfaceSampler();
@@ -49,11 +49,11 @@ class SurfaceSampler {
 };
 
 /// Only these patches, with `refinement` times as many pieces and cells.
-[[nodiscard]] SampledModel sampleFinely(const Model& model, const ModelExamination& found,
+[[nodiscard]] SampledModel sampleFinely(const Model& model, const CheckedModel& found,
                                         std::uint32_t refinement,
                                         std::span<const std::uint32_t> patches);
 
-/// previewModel() with nothing but examineModel()'s diagnostics.
+/// previewModel() with nothing but checkModel()'s diagnostics.
 [[nodiscard]] ModelPreview sampleModel(const Model& model);
 
 /// How many patches to look at for `budget` steps of the front, one of them at least.
@@ -79,8 +79,8 @@ class ModelSampler {
 
  private:
   const Model* model_;
-  ModelExaminer examiner_;
-  ModelExamination found_;
+  ModelChecker examiner_;
+  CheckedModel found_;
   std::optional<SurfaceSampler> sampler_;  ///< once the examination is over
   std::size_t looks_ = 0;                  ///< at patches, of which each gets two
 };

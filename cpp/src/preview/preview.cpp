@@ -48,12 +48,12 @@ LineDivision cut(const Curve& curve, std::uint32_t pieces) {
 
 class SurfaceSampler::Impl {
  public:
-  Impl(const Model& model, const ModelExamination& found, std::uint32_t refinement)
+  Impl(const Model& model, const CheckedModel& found, std::uint32_t refinement)
       : model_(&model),
         found_(&found),
         cells_(kGridCells * refinement),
         boundaryPieces_(kBoundaryPieces * refinement),
-        resolved_(model, found.soundLines) {}
+        resolved_(model, found.usableLines) {}
 
   /// `isWanted`: per patch; empty for all.
   bool advance(std::uint32_t budget, std::span<const std::uint8_t> isWanted) {
@@ -67,7 +67,7 @@ class SurfaceSampler::Impl {
     for (; budget > 0 && preview.patchOffsets.size() <= model_->patches.size(); --budget) {
       const auto patch = static_cast<std::uint32_t>(preview.patchOffsets.size() - 1);
       const bool wanted = isWanted.empty() || isWanted[patch] != 0;
-      if (wanted && found_->soundPatches[patch] != 0) addPatch(patch);
+      if (wanted && found_->usablePatches[patch] != 0) addPatch(patch);
       preview.patchOffsets.push_back(static_cast<std::uint32_t>(preview.patchTriangles.size() / 3));
     }
     return preview.patchOffsets.size() > model_->patches.size();
@@ -79,7 +79,7 @@ class SurfaceSampler::Impl {
   void findLinesOfGrids() {
     isOnGrid_.assign(model_->lines.size(), 0);
     for (std::size_t patch = 0; patch < model_->patches.size(); ++patch) {
-      if (found_->soundPatches[patch] == 0) continue;
+      if (found_->usablePatches[patch] == 0) continue;
       if (model_->patches[patch].type == PatchType::kPlanar) continue;
       for (const Loop& loop : model_->patches[patch].loops)
         for (const OrientedLine& walked : loop)
@@ -94,7 +94,7 @@ class SurfaceSampler::Impl {
     lines_.nodes.resize(model_->lines.size());
     nextNode_ = static_cast<std::uint32_t>(model_->points.size());
     for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
-      if (found_->soundLines[line] != 0) addLine(line);
+      if (found_->usableLines[line] != 0) addLine(line);
       preview.lineOffsets.push_back(static_cast<std::uint32_t>(preview.linePoints.size() / 3));
     }
   }
@@ -246,7 +246,7 @@ class SurfaceSampler::Impl {
   }
 
   const Model* model_;
-  const ModelExamination* found_;
+  const CheckedModel* found_;
   std::uint32_t cells_;
   std::uint32_t boundaryPieces_;
   ResolvedModel resolved_;
@@ -256,7 +256,7 @@ class SurfaceSampler::Impl {
   SampledModel sampled_;
 };
 
-SurfaceSampler::SurfaceSampler(const Model& model, const ModelExamination& found)
+SurfaceSampler::SurfaceSampler(const Model& model, const CheckedModel& found)
     : impl_(std::make_unique<Impl>(model, found, 1)) {}
 SurfaceSampler::SurfaceSampler(SurfaceSampler&&) noexcept = default;
 SurfaceSampler& SurfaceSampler::operator=(SurfaceSampler&&) noexcept = default;
@@ -265,15 +265,15 @@ SurfaceSampler::~SurfaceSampler() = default;
 bool SurfaceSampler::advance(std::uint32_t budget) { return impl_->advance(budget, {}); }
 SampledModel SurfaceSampler::take() { return impl_->take(); }
 
-SampledModel sampleSurface(const Model& model, const ModelExamination& found) {
+SampledModel sampleSurface(const Model& model, const CheckedModel& found) {
   SurfaceSampler sampler(model, found);
   while (!sampler.advance(kAllPatches)) {
   }
   return sampler.take();
 }
 
-SampledModel sampleFinely(const Model& model, const ModelExamination& found,
-                          std::uint32_t refinement, std::span<const std::uint32_t> patches) {
+SampledModel sampleFinely(const Model& model, const CheckedModel& found, std::uint32_t refinement,
+                          std::span<const std::uint32_t> patches) {
   std::vector<std::uint8_t> isWanted(model.patches.size(), 0);
   for (const std::uint32_t patch : patches) isWanted[patch] = 1;
   SurfaceSampler::Impl sampler(model, found, refinement);

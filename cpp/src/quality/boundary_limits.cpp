@@ -11,7 +11,7 @@
 namespace tetrafront {
 namespace {
 
-constexpr double kLeastCosine = 0.8660254037844387;      // of 30 degrees
+constexpr double kMinCosine = 0.8660254037844387;        // of 30 degrees
 constexpr double kTwiceLeastCosine = 0.5;                // of 60 degrees
 constexpr double kGreatestCosine = -0.7071067811865476;  // of 135 degrees
 /// Of a triangle's radius ratio. No triangle forbids a single element good angles, but below this
@@ -35,7 +35,7 @@ double squaredDistanceOfLines(const Vec3& a, const Vec3& b, const Vec3& c, const
 /// Whether a tetrahedron, its corners in either order, has an angle below 30 or above 135 degrees.
 bool misses(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const TetrahedronMeasures measures = measureTetrahedron(a, b, c, d);
-  return measures.volume == 0.0 || measures.largestCosine > kLeastCosine ||
+  return measures.volume == 0.0 || measures.largestCosine > kMinCosine ||
          measures.smallestCosine < kGreatestCosine;
 }
 
@@ -133,9 +133,9 @@ bool BoundaryLimits::isForcedByEdge(std::uint32_t a, std::uint32_t b, std::uint3
     if (cosine > end.cosine) end = {edge.third, normal, cosine};
   }
   const double space = glm::dot(beyondC.normal, beyondD.normal);
-  if (space > kLeastCosine) return true;
+  if (space > kMinCosine) return true;
   const bool isTheOne = beyondC.third == c && beyondD.third == d;
-  return space > kTwiceLeastCosine && (isTheOne || glm::dot(start, normalOf(d)) > kLeastCosine) &&
+  return space > kTwiceLeastCosine && (isTheOne || glm::dot(start, normalOf(d)) > kMinCosine) &&
          misses(Vec3(0.0), along, directionOf(beyondC.third), directionOf(beyondD.third));
 }
 

@@ -8,9 +8,9 @@
 #include "field/size_field.h"
 #include "geom/coordinates.h"
 #include "geom/predicates.h"
-#include "quality/check_mesh.h"
+#include "quality/verify_mesh.h"
 #include "quality/mesh_boundary.h"
-#include "quality/survey.h"
+#include "quality/quality_analysis.h"
 #include "tetrafront/mesh_tools.h"
 
 namespace tetrafront {
@@ -57,8 +57,8 @@ void turnElement(VolumeMesh& mesh, std::size_t element, MeshInspection& out) {
 }
 
 std::uint32_t narrowed(std::uint64_t count) {
-  constexpr std::uint64_t kMost = 0xffffffffU;
-  return static_cast<std::uint32_t>(std::min(count, kMost));
+  constexpr std::uint64_t kMaxCount = 0xffffffffU;
+  return static_cast<std::uint32_t>(std::min(count, kMaxCount));
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ class MeshInspector::Impl {
   SurfaceMesh withWalls_;  ///< the boundary, and the walls between regions
   std::optional<MeshVerifier> verifier_;
   std::optional<SizeField> field_;
-  std::optional<QualitySurvey> survey_;
+  std::optional<QualityAnalysis> survey_;
   MeshInspection out_;
 };
 
@@ -201,9 +201,9 @@ void MeshInspector::Impl::takeBoundary() {
 
 void MeshInspector::Impl::takeDefects() {
   const MeshDefects& defects = verifier_->defects();
-  out_.repeatedTetrahedra = narrowed(defects.repeatedTetrahedra);
-  out_.crowdedFaces = narrowed(defects.overfullFaces);
-  out_.overlaps = narrowed(defects.onesidedFaces);
+  out_.repeatedTetrahedra = narrowed(defects.duplicateTetrahedra);
+  out_.crowdedFaces = narrowed(defects.nonManifoldFaces);
+  out_.overlaps = narrowed(defects.overlappingFaces);
   out_.coincidentNodes = narrowed(defects.coincidentNodes);
   verifier_.reset();
   surface_ = {};

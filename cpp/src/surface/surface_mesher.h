@@ -19,7 +19,7 @@ namespace tetrafront {
 
 class SurfaceMesher {
  public:
-  /// `model` must have passed checkModel(). Both must outlive this.
+  /// `model` must have passed diagnoseModel(). Both must outlive this.
   SurfaceMesher(const Model& model, const SizeField& field);
   SurfaceMesher(SurfaceMesher&&) noexcept;
   SurfaceMesher& operator=(SurfaceMesher&&) noexcept;

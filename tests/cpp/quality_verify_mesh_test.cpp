@@ -1,4 +1,4 @@
-#include "quality/check_mesh.h"
+#include "quality/verify_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ TEST(CheckMeshTest, FindsAnInvertedTetrahedron) {
   std::swap(specimen.node(7, 0), specimen.node(7, 1));
   const MeshDefects defects = specimen.judged();
   EXPECT_EQ(defects.invertedTetrahedra, 1U);
-  EXPECT_GT(defects.onesidedFaces + defects.missingTriangles, 0U);
+  EXPECT_GT(defects.overlappingFaces + defects.missingTriangles, 0U);
 }
 
 TEST(CheckMeshTest, FindsATetrahedronThatIsExactlyFlat) {
@@ -114,8 +114,8 @@ TEST(CheckMeshTest, FindsARepeatedTetrahedron) {
       specimen.mesh.tetrahedra.end(),
       {specimen.node(t, 1), specimen.node(t, 2), specimen.node(t, 0), specimen.node(t, 3)});
   const MeshDefects defects = specimen.judged();
-  EXPECT_EQ(defects.repeatedTetrahedra, 1U);
-  EXPECT_GT(defects.overfullFaces, 0U);
+  EXPECT_EQ(defects.duplicateTetrahedra, 1U);
+  EXPECT_GT(defects.nonManifoldFaces, 0U);
   EXPECT_EQ(defects.wrongVolume, 1U);
 }
 

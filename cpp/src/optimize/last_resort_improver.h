@@ -12,23 +12,23 @@
 #include "optimize/edge_removal.h"
 #include "optimize/element_cost.h"
 #include "optimize/node_moves.h"
-#include "optimize/repair.h"
+#include "optimize/element_improver.h"
 #include "optimize/tet_complex.h"
 
 namespace tetrafront {
 
 template <class Space = PlainSpace>
-class ElementRescue {
+class LastResortImprover {
  public:
-  ElementRescue(TetComplex& complex, EdgeRemoval<Space>& removal, EdgeSplitter<Space>& splitter,
-                NodeCollapser<Space>& collapser, NodeMover<Space>& mover,
-                ElementRepair<Space>& repair)
+  LastResortImprover(TetComplex& complex, EdgeRemoval<Space>& removal,
+                     EdgeSplitter<Space>& splitter, NodeCollapser<Space>& collapser,
+                     NodeMover<Space>& mover, ElementImprover<Space>& improver)
       : complex_(complex),
         removal_(removal),
         splitter_(splitter),
         collapser_(collapser),
         mover_(mover),
-        repair_(repair) {}
+        improver_(improver) {}
 
   /// Turns to an element: removals and splits, at whatever cost, of each inner edge among the elements
   /// that share a node with it, and collapses of each of their free nodes are what there is to try.
@@ -41,7 +41,7 @@ class ElementRescue {
   bool tryOne(const ElementCost<Space>& cost);
 
   /// Whether the element is gone or good enough.
-  [[nodiscard]] bool isSaved() const;
+  [[nodiscard]] bool hasImproved() const;
 
   /// How many changes may yet be tried, for all elements together.
   void allow(std::size_t tries) { tries_ = tries; }
@@ -72,7 +72,7 @@ class ElementRescue {
   EdgeSplitter<Space>& splitter_;
   NodeCollapser<Space>& collapser_;
   NodeMover<Space>& mover_;
-  ElementRepair<Space>& repair_;
+  ElementImprover<Space>& improver_;
   TetId tet_;
   Corners nodes_{};       ///< of the element when its turn came
   std::size_t next_ = 0;  ///< to try: all nodes together, edges removed and split, nodes collapsed

@@ -1,4 +1,4 @@
-#include "optimize/rescue.h"
+#include "optimize/last_resort_improver.h"
 
 #include <algorithm>
 #include <tuple>
@@ -23,13 +23,13 @@ void sortOnce(std::vector<Id>& ids) {
 }  // namespace
 
 template <class Space>
-bool ElementRescue<Space>::isSaved() const {
+bool LastResortImprover<Space>::hasImproved() const {
   return !complex_.isLive(tet_) || complex_.cost(tet_) <= 1.0 ||
          complex_.element(tet_).nodes != nodes_;
 }
 
 template <class Space>
-void ElementRescue<Space>::begin(TetId tet) {
+void LastResortImprover<Space>::begin(TetId tet) {
   tet_ = tet;
   nodes_ = complex_.element(tet).nodes;
   gather();
@@ -38,7 +38,7 @@ void ElementRescue<Space>::begin(TetId tet) {
 
 /// How many changes have been tried in vain on the element as it is, with what is around it.
 template <class Space>
-std::size_t ElementRescue<Space>::triedBefore() const {
+std::size_t LastResortImprover<Space>::triedBefore() const {
   const auto last = std::find_if(tried_.rbegin(), tried_.rend(),
                                  [&](const Tried& tried) { return tried.nodes == nodes_; });
   if (last == tried_.rend()) return 0;
@@ -48,7 +48,7 @@ std::size_t ElementRescue<Space>::triedBefore() const {
 }
 
 template <class Space>
-void ElementRescue<Space>::gather() {
+void LastResortImprover<Space>::gather() {
   near_.clear();
   freeNodes_.clear();
   edges_.clear();
@@ -81,7 +81,7 @@ void ElementRescue<Space>::gather() {
 
 /// One of the elements gathered that still has the edge, or none.
 template <class Space>
-TetId ElementRescue<Space>::elementAt(const NearEdge& edge) const {
+TetId LastResortImprover<Space>::elementAt(const NearEdge& edge) const {
   const auto found = std::ranges::find_if(near_, [&](TetId tet) {
     return complex_.isLive(tet) &&
            edgeBetween(complex_.element(tet), edge.a, edge.b) < kEdgeCorners.size();
@@ -90,8 +90,8 @@ TetId ElementRescue<Space>::elementAt(const NearEdge& edge) const {
 }
 
 template <class Space>
-void ElementRescue<Space>::moveAll(const std::vector<NodeId>& nodes,
-                                   const ElementCost<Space>& cost) {
+void LastResortImprover<Space>::moveAll(const std::vector<NodeId>& nodes,
+                                        const ElementCost<Space>& cost) {
   constexpr int kSweeps = 4;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     for (const NodeId node : nodes) mover_.improve(node, MoveKind::kLowerPowers, cost);
@@ -100,7 +100,7 @@ void ElementRescue<Space>::moveAll(const std::vector<NodeId>& nodes,
 
 /// All nodes of what the trial has touched, and then the worst of it.
 template <class Space>
-void ElementRescue<Space>::settle(const ElementCost<Space>& cost) {
+void LastResortImprover<Space>::settle(const ElementCost<Space>& cost) {
   std::vector<NodeId> nodes;
   for (const TetId tet : complex_.touchedByTrial()) {
     for (const NodeId node : complex_.element(tet).nodes) {
@@ -109,13 +109,13 @@ void ElementRescue<Space>::settle(const ElementCost<Space>& cost) {
   }
   sortOnce(nodes);
   moveAll(nodes, cost);
-  repair_.settle(nodes, cost);
+  improver_.settle(nodes, cost);
 }
 
 /// Makes a change for a trial, and lets what it touched settle.
 template <class Space>
 template <class Change>
-bool ElementRescue<Space>::attempt(const ElementCost<Space>& cost, Change change) {
+bool LastResortImprover<Space>::attempt(const ElementCost<Space>& cost, Change change) {
   complex_.beginTrial();
   if (change()) {
     settle(cost);
@@ -132,8 +132,8 @@ bool ElementRescue<Space>::attempt(const ElementCost<Space>& cost, Change change
 }
 
 template <class Space>
-bool ElementRescue<Space>::changeEdge(const NearEdge& edge, bool split,
-                                      const ElementCost<Space>& cost) {
+bool LastResortImprover<Space>::changeEdge(const NearEdge& edge, bool split,
+                                           const ElementCost<Space>& cost) {
   const TetId tet = elementAt(edge);
   if (tet.isNone()) return false;
   EdgeRing ring;
@@ -146,10 +146,10 @@ bool ElementRescue<Space>::changeEdge(const NearEdge& edge, bool split,
 }
 
 template <class Space>
-bool ElementRescue<Space>::tryOne(const ElementCost<Space>& cost) {
+bool LastResortImprover<Space>::tryOne(const ElementCost<Space>& cost) {
   constexpr double kMaxLength = 2.0;  // wanted sizes
   const std::size_t collapses = 1 + 2 * edges_.size();
-  if (isSaved()) return false;
+  if (hasImproved()) return false;
   if (tries_ == 0 || next_ == collapses + freeNodes_.size()) {
     tried_.push_back({nodes_, complex_.pass(), next_});
     return false;
@@ -169,7 +169,7 @@ bool ElementRescue<Space>::tryOne(const ElementCost<Space>& cost) {
   return true;
 }
 
-template class ElementRescue<PlainSpace>;
-template class ElementRescue<StretchedSpace>;
+template class LastResortImprover<PlainSpace>;
+template class LastResortImprover<StretchedSpace>;
 
 }  // namespace tetrafront

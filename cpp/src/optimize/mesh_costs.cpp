@@ -1,4 +1,4 @@
-#include "optimize/mesh_figures.h"
+#include "optimize/mesh_costs.h"
 
 #include <algorithm>
 

@@ -10,7 +10,7 @@
 
 namespace tetrafront {
 
-class Judgement {
+class MeshScore {
  public:
   template <class Space>
   void add(const TetComplex& complex, TetId tet) {
@@ -39,7 +39,7 @@ class Judgement {
 
   /// Whether this misses no target by more than the other does, has no more elements that miss 30
   /// and 135 degrees, and is no worse in the mean.
-  [[nodiscard]] bool isNoWorseThan(const Judgement& other) const {
+  [[nodiscard]] bool isNoWorseThan(const MeshScore& other) const {
     return missing(kTargets30And135) <= other.missing(kTargets30And135) &&
            missing(kTargets35And130) <= other.missing(kTargets35And130) &&
            missedCount_ <= other.missedCount_ &&

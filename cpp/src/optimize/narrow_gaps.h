@@ -9,6 +9,6 @@ namespace tetrafront {
 /// Whether an element has all its corners on the boundary and joins two sheets of it between which
 /// there is no room for a node, as the quality report sees it. O(elements at its edges).
 template <class Space>
-[[nodiscard]] bool isBetweenNearSheets(const TetComplex& complex, TetId tet);
+[[nodiscard]] bool isInNarrowGap(const TetComplex& complex, TetId tet);
 
 }  // namespace tetrafront

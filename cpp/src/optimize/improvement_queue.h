@@ -7,23 +7,23 @@
 #include <cstdint>
 #include <vector>
 
-#include "optimize/repair.h"
-#include "optimize/rescue.h"
+#include "optimize/element_improver.h"
+#include "optimize/last_resort_improver.h"
 #include "optimize/schedule.h"
 
 namespace tetrafront {
 
 template <class Space = PlainSpace>
-class Mending {
+class ImprovementQueue {
  public:
   /// So many elements are worth a rescue, and always gone through once more.
   static constexpr std::size_t kVeryFew = 40;
 
-  Mending(TetComplex& complex, EdgeRemoval<Space>& removal, EdgeSplitter<Space>& splitter,
-          NodeCollapser<Space>& collapser, NodeMover<Space>& mover)
+  ImprovementQueue(TetComplex& complex, EdgeRemoval<Space>& removal, EdgeSplitter<Space>& splitter,
+                   NodeCollapser<Space>& collapser, NodeMover<Space>& mover)
       : complex_(complex),
-        repair_(complex, removal, splitter, collapser, mover),
-        rescue_(complex, removal, splitter, collapser, mover, repair_) {}
+        improver_(complex, removal, splitter, collapser, mover),
+        lastResort_(complex, removal, splitter, collapser, mover, improver_) {}
 
   /// Turns to the step's targets, which the elements' costs are by from now on. If it does not mend
   /// between sheets, elements between two of the boundary that leave no room for a node are left
@@ -31,7 +31,7 @@ class Mending {
   void begin(const Step& step);
 
   /// Goes on with an eye on how bad the worst are. False where that is so already, or nothing is left.
-  bool turnToTheWorst();
+  bool focusOnWorst();
 
   /// How many elements miss. O(elements).
   [[nodiscard]] std::size_t missing() const;
@@ -41,25 +41,25 @@ class Mending {
   /// After the last. Worst first; none where the last pass has hardly helped.
   void rank();
   /// Whether it has, and they are too many to go on for.
-  [[nodiscard]] bool isHopeless() const { return isHopeless_; }
+  [[nodiscard]] bool canGiveUp() const { return isHopeless_; }
   [[nodiscard]] std::size_t collected() const { return bad_.size(); }
 
   /// Repairs those collected from `first` to `last`; how many could be.
-  std::size_t repairSome(std::size_t first, std::size_t last, const ElementCost<Space>& cost);
+  std::size_t improveSome(std::size_t first, std::size_t last, const ElementCost<Space>& cost);
 
   /// One try to save the element whose turn it is. Those likeliest to be saved come first, as tries
   /// are few.
-  enum class Rescued : std::uint8_t { kTried, kSaved, kLost, kNotNeeded };
-  Rescued rescue(std::size_t turn, const ElementCost<Space>& cost);
+  enum class LastResort : std::uint8_t { kTried, kImproved, kFailed, kNotNeeded };
+  LastResort tryLastResort(std::size_t turn, const ElementCost<Space>& cost);
 
  private:
   [[nodiscard]] bool isToBeMended(TetId tet) const;
   [[nodiscard]] bool hasFailedAsItIs(TetId tet);
-  void aimAt(RepairAim aim);
+  void aimAt(ImprovementGoal aim);
 
   TetComplex& complex_;
-  ElementRepair<Space> repair_;
-  ElementRescue<Space> rescue_;
+  ElementImprover<Space> improver_;
+  LastResortImprover<Space> lastResort_;
   std::vector<TetId> bad_;
   Star star_;
   /// Per element's slot: the pass in which its repair has failed, for this aim; 0: none.
@@ -71,7 +71,7 @@ class Mending {
   bool betweenSheets_ = false;
   bool isPatient_ = false;
   bool isRescuing_ = false;
-  RepairAim aim_ = RepairAim::kFewer;
+  ImprovementGoal aim_ = ImprovementGoal::kFewer;
 };
 
 }  // namespace tetrafront

@@ -1,4 +1,4 @@
-#include "quality/check_mesh.h"
+#include "quality/verify_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -74,9 +74,9 @@ std::array<Vec3, 3> spannedBy(const SurfaceMesh& surface, const Vec3& origin,
 }  // namespace
 
 std::uint64_t MeshDefects::count() const {
-  return badNumbers + movedNodes + coincidentNodes + invertedTetrahedra + repeatedTetrahedra +
-         overfullFaces + onesidedFaces + extraBoundaryFaces + missingTriangles + wrongRegions +
-         wrongVolume;
+  return badNumbers + movedNodes + coincidentNodes + invertedTetrahedra + duplicateTetrahedra +
+         nonManifoldFaces + overlappingFaces + extraBoundaryFaces + missingTriangles +
+         wrongRegions + wrongVolume;
 }
 
 MeshVerifier::MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface)
@@ -299,8 +299,8 @@ void MeshVerifier::matchOne(const Face* first, const Face* last) {
     for (const Face* face = first; face != triangles; ++face) matchRegion(*face, *triangles);
     return;
   }
-  if (tetrahedra > 2) ++defects_.overfullFaces;
-  if (tetrahedra == 2 && !isTwoSided) ++defects_.onesidedFaces;
+  if (tetrahedra > 2) ++defects_.nonManifoldFaces;
+  if (tetrahedra == 2 && !isTwoSided) ++defects_.overlappingFaces;
   if (tetrahedra == 1 && !isWall) ++defects_.extraBoundaryFaces;
   defects_.missingTriangles += wanted;
   for (const Face* face = first; face != triangles; ++face) {
@@ -334,7 +334,7 @@ void MeshVerifier::finish() {
   }
   stableSort(keys);
   for (std::size_t i = 1; i < keys.size(); ++i) {
-    defects_.repeatedTetrahedra += keys[i] == keys[i - 1] ? 1U : 0U;
+    defects_.duplicateTetrahedra += keys[i] == keys[i - 1] ? 1U : 0U;
   }
   if (!surface_.triangles.empty()) {
     const Vec3 origin = pointOf(surface_.points, surface_.triangles[0]);

@@ -1,4 +1,4 @@
-#include "optimize/repair.h"
+#include "optimize/element_improver.h"
 
 #include <algorithm>
 
@@ -17,17 +17,17 @@ constexpr EdgeRemovalOptions kRepairOptions{true, kRepairGain};
 }  // namespace
 
 template <class Space>
-bool ElementRepair<Space>::stillBad(TetId tet, const Corners& nodes) const {
+bool ElementImprover<Space>::stillBad(TetId tet, const Corners& nodes) const {
   return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;
 }
 
 /// Makes a change for a trial; keeps it if what it touched is better off, by that part.
 template <class Space>
 template <class Change>
-bool ElementRepair<Space>::attempt(double gain, Change change) {
+bool ElementImprover<Space>::attempt(double gain, Change change) {
   const auto badness = [&](double cost) {
     if (cost <= counted_) return 0.0;
-    return aim_ == RepairAim::kFewer ? cost : cost * cost * cost * cost;
+    return aim_ == ImprovementGoal::kFewer ? cost : cost * cost * cost * cost;
   };
   complex_.beginTrial();
   if (change()) {
@@ -42,7 +42,7 @@ bool ElementRepair<Space>::attempt(double gain, Change change) {
 }
 
 template <class Space>
-bool ElementRepair<Space>::repair(TetId tet, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::improve(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   attempt(kRepairGain, [&] { return swapAround(tet, cost); });
   if (!stillBad(tet, nodes)) return true;
@@ -59,7 +59,7 @@ bool ElementRepair<Space>::repair(TetId tet, const ElementCost<Space>& cost) {
 }
 
 template <class Space>
-bool ElementRepair<Space>::swapAround(TetId tet, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::swapAround(TetId tet, const ElementCost<Space>& cost) {
   EdgeRing ring;
   for (std::size_t e = 0; e < kEdgeCorners.size(); ++e) {
     if (!findRing(complex_, tet, e, kRepairRing, ring)) continue;
@@ -69,7 +69,7 @@ bool ElementRepair<Space>::swapAround(TetId tet, const ElementCost<Space>& cost)
 }
 
 template <class Space>
-bool ElementRepair<Space>::moveCorners(const Corners& nodes, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::moveCorners(const Corners& nodes, const ElementCost<Space>& cost) {
   bool moved = false;
   for (const NodeId node : nodes) {
     moved = mover_.improve(node, MoveKind::kLowerWorst, cost) || moved;
@@ -78,7 +78,7 @@ bool ElementRepair<Space>::moveCorners(const Corners& nodes, const ElementCost<S
 }
 
 template <class Space>
-bool ElementRepair<Space>::collapseCorner(const Corners& nodes, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::collapseCorner(const Corners& nodes, const ElementCost<Space>& cost) {
   constexpr double kMaxLength = 2.0;  // wanted sizes
   return std::any_of(nodes.begin(), nodes.end(), [&](NodeId node) {
     return collapser_.collapse(node, cost, kMaxLength, kRepairGain);
@@ -86,7 +86,7 @@ bool ElementRepair<Space>::collapseCorner(const Corners& nodes, const ElementCos
 }
 
 template <class Space>
-bool ElementRepair<Space>::insertNode(TetId tet, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   Vec3 centroid(0.0);
   for (const NodeId node : nodes) centroid += complex_.place(node) * 0.25;
@@ -105,8 +105,8 @@ bool ElementRepair<Space>::insertNode(TetId tet, const ElementCost<Space>& cost)
 
 /// Of the element that an apex makes with a side.
 template <class Space>
-typename Space::Frame ElementRepair<Space>::coneFrame(const Wanted& apex, const Corners& nodes,
-                                                      std::size_t side) const {
+typename Space::Frame ElementImprover<Space>::coneFrame(const Wanted& apex, const Corners& nodes,
+                                                        std::size_t side) const {
   if constexpr (Space::kIsStretched) {
     const auto& corners = kFaceCorners[side];
     return Space::frameOf(apex, complex_.wanted<Space>(nodes[corners[0]]),
@@ -120,8 +120,8 @@ typename Space::Frame ElementRepair<Space>::coneFrame(const Wanted& apex, const 
 /// Adds every neighbour whose common face would make an element with `place` that is worse than
 /// the limit. False where that leads to the boundary, or too far.
 template <class Space>
-bool ElementRepair<Space>::growCavity(const Vec3& place, const Wanted& wanted,
-                                      const ElementCost<Space>& cost, double limit) {
+bool ElementImprover<Space>::growCavity(const Vec3& place, const Wanted& wanted,
+                                        const ElementCost<Space>& cost, double limit) {
   for (std::size_t i = 0; i < cavity_.size(); ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
       const Element& element = complex_.element(cavity_[i]);
@@ -145,7 +145,7 @@ bool ElementRepair<Space>::growCavity(const Vec3& place, const Wanted& wanted,
 }
 
 template <class Space>
-void ElementRepair<Space>::hollowOut(const Wanted& wanted) {
+void ElementImprover<Space>::hollowOut(const Wanted& wanted) {
   hollow_.clear();
   for (const TetId tet : cavity_) {
     const Element& element = complex_.element(tet);
@@ -160,8 +160,8 @@ void ElementRepair<Space>::hollowOut(const Wanted& wanted) {
 }
 
 template <class Space>
-bool ElementRepair<Space>::insertAt(std::span<const TetId> seeds, const Vec3& start,
-                                    const Wanted& wanted, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::insertAt(std::span<const TetId> seeds, const Vec3& start,
+                                      const Wanted& wanted, const ElementCost<Space>& cost) {
   constexpr int kRounds = 3;
   constexpr int kSteps = 6;
   constexpr double kAbsorb = 0.7;  // cone elements worse than this part of the worst go
@@ -195,8 +195,8 @@ bool ElementRepair<Space>::insertAt(std::span<const TetId> seeds, const Vec3& st
 }
 
 template <class Space>
-bool ElementRepair<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
-                                      const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
+                                        const ElementCost<Space>& cost) {
   const NodeId apex = complex_.addNode<Space>(place, wanted);
   fresh_.clear();
   std::vector<NodeId> kept;
@@ -229,7 +229,7 @@ bool ElementRepair<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
 }
 
 template <class Space>
-bool ElementRepair<Space>::compound(TetId tet, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::compound(TetId tet, const ElementCost<Space>& cost) {
   const Corners nodes = complex_.element(tet).nodes;
   for (const auto& corners : kEdgeCorners) {
     for (const bool split : {false, true}) {
@@ -242,7 +242,7 @@ bool ElementRepair<Space>::compound(TetId tet, const ElementCost<Space>& cost) {
 
 /// Compound changes that begin at a neighbour.
 template <class Space>
-bool ElementRepair<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
   const std::array<Facing, 4> sides = complex_.element(tet).across;
   for (const Facing across : sides) {
     if (across.isNone()) continue;
@@ -261,8 +261,8 @@ bool ElementRepair<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
 /// Removes or splits the edge at whatever cost, lets the surroundings settle, and keeps the whole
 /// if its worst element is better than before.
 template <class Space>
-bool ElementRepair<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
-                                       const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
+                                         const ElementCost<Space>& cost) {
   if (compounds_ == 0) return false;
   EdgeRing ring;
   const std::size_t edge = edgeBetween(complex_.element(tet), a, b);
@@ -288,7 +288,7 @@ bool ElementRepair<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool split
 }
 
 template <class Space>
-void ElementRepair<Space>::settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost) {
+void ElementImprover<Space>::settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost) {
   constexpr int kSteps = 20;
   const auto moveAll = [&] {
     for (const NodeId node : nodes) mover_.improve(node, MoveKind::kLowerWorst, cost);
@@ -301,7 +301,7 @@ void ElementRepair<Space>::settle(std::span<const NodeId> nodes, const ElementCo
 
 /// Improves one of the few worst elements that the trial has touched, if any can be.
 template <class Space>
-bool ElementRepair<Space>::settleOne(const ElementCost<Space>& cost) {
+bool ElementImprover<Space>::settleOne(const ElementCost<Space>& cost) {
   constexpr std::size_t kWorst = 4;
   std::vector<TetId> bad = complex_.touchedByTrial();
   std::erase_if(bad, [&](TetId tet) { return complex_.cost(tet) <= 1.0; });
@@ -314,7 +314,7 @@ bool ElementRepair<Space>::settleOne(const ElementCost<Space>& cost) {
   });
 }
 
-template class ElementRepair<PlainSpace>;
-template class ElementRepair<StretchedSpace>;
+template class ElementImprover<PlainSpace>;
+template class ElementImprover<StretchedSpace>;
 
 }  // namespace tetrafront

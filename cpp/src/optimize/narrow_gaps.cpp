@@ -1,4 +1,4 @@
-#include "optimize/near_sheets.h"
+#include "optimize/narrow_gaps.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 namespace tetrafront {
 
 template <class Space>
-bool isBetweenNearSheets(const TetComplex& complex, TetId tet) {
+bool isInNarrowGap(const TetComplex& complex, TetId tet) {
   const Corners& nodes = complex.element(tet).nodes;
   if (!std::ranges::all_of(nodes, [&](NodeId node) { return complex.isFixed(node); })) return false;
   const auto wanted =
@@ -23,7 +23,7 @@ bool isBetweenNearSheets(const TetComplex& complex, TetId tet) {
   return joinsNearSheets(seen, joined);
 }
 
-template bool isBetweenNearSheets<PlainSpace>(const TetComplex&, TetId);
-template bool isBetweenNearSheets<StretchedSpace>(const TetComplex&, TetId);
+template bool isInNarrowGap<PlainSpace>(const TetComplex&, TetId);
+template bool isInNarrowGap<StretchedSpace>(const TetComplex&, TetId);
 
 }  // namespace tetrafront

@@ -1,4 +1,4 @@
-#include "quality/survey.h"
+#include "quality/quality_analysis.h"
 
 #include <algorithm>
 
@@ -66,8 +66,8 @@ constexpr std::array<std::array<std::size_t, 2>, 6> kEdges{
 
 }  // namespace
 
-QualitySurvey::QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface,
-                             const SizeField& field)
+QualityAnalysis::QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surface,
+                                 const SizeField& field)
     : mesh_(mesh),
       surface_(surface),
       field_(field),
@@ -83,7 +83,7 @@ QualitySurvey::QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface,
   starts_.assign(nodes + 1, 0);
 }
 
-bool QualitySurvey::advance(std::uint32_t budget) {
+bool QualityAnalysis::advance(std::uint32_t budget) {
   const std::size_t nodes = mesh_.points.size() / 3;
   const std::size_t elements = mesh_.tetrahedra.size() / 4;
   const auto slice = [&](std::size_t end, Stage following, auto work) {
@@ -132,16 +132,16 @@ bool QualitySurvey::advance(std::uint32_t budget) {
   return stage_ == Stage::kDone;
 }
 
-Vec3 QualitySurvey::pointOf(std::uint32_t node) const {
+Vec3 QualityAnalysis::pointOf(std::uint32_t node) const {
   const double* at = &mesh_.points[3 * std::size_t{node}];
   return {at[0], at[1], at[2]};
 }
 
-std::span<const std::uint32_t, 4> QualitySurvey::nodesOf(std::size_t element) const {
+std::span<const std::uint32_t, 4> QualityAnalysis::nodesOf(std::size_t element) const {
   return std::span<const std::uint32_t, 4>(&mesh_.tetrahedra[4 * element], 4);
 }
 
-void QualitySurvey::askSizes(std::size_t first, std::size_t last) {
+void QualityAnalysis::askSizes(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const Vec3 place = pointOf(static_cast<std::uint32_t>(i));
     double size = 0.0;
@@ -156,14 +156,14 @@ void QualitySurvey::askSizes(std::size_t first, std::size_t last) {
   }
 }
 
-double QualitySurvey::meanLift(std::span<const std::uint32_t> nodes) const {
+double QualityAnalysis::meanLift(std::span<const std::uint32_t> nodes) const {
   if (lifts_.empty()) return 1.0;
   double sum = 0.0;
   for (const std::uint32_t node : nodes) sum += lifts_[node];
   return sum / static_cast<double>(nodes.size());
 }
 
-std::array<Vec3, 4> QualitySurvey::seenCorners(std::span<const std::uint32_t, 4> nodes) const {
+std::array<Vec3, 4> QualityAnalysis::seenCorners(std::span<const std::uint32_t, 4> nodes) const {
   std::array<Vec3, 4> corners;
   for (std::size_t k = 0; k < 4; ++k) corners[k] = pointOf(nodes[k]);
   if (!isStretched_) return corners;
@@ -172,7 +172,7 @@ std::array<Vec3, 4> QualitySurvey::seenCorners(std::span<const std::uint32_t, 4>
   return corners;
 }
 
-double QualitySurvey::relativeLength(std::uint32_t a, std::uint32_t b) const {
+double QualityAnalysis::relativeLength(std::uint32_t a, std::uint32_t b) const {
   const Vec3 edge = pointOf(a) - pointOf(b);
   if (!isStretched_) return glm::length(edge) / (0.5 * (sizes_[a] + sizes_[b]));
   SymmetricTensor toUnit = tensors_[a].scaledBy(0.5);
@@ -180,7 +180,7 @@ double QualitySurvey::relativeLength(std::uint32_t a, std::uint32_t b) const {
   return glm::length(toUnit * edge);
 }
 
-RegionStatistics& QualitySurvey::statisticsOf(std::uint32_t region) {
+RegionStatistics& QualityAnalysis::statisticsOf(std::uint32_t region) {
   auto& regions = statistics_.regions;
   while (regions.size() <= region) {
     const auto next = static_cast<std::uint32_t>(regions.size());
@@ -189,7 +189,7 @@ RegionStatistics& QualitySurvey::statisticsOf(std::uint32_t region) {
   return regions[region];
 }
 
-void QualitySurvey::keepWorst(std::vector<Ranked>& worst, const Ranked& one) {
+void QualityAnalysis::keepWorst(std::vector<Ranked>& worst, const Ranked& one) {
   if (worst.size() == kListed && !(one.badness > worst.back().badness)) return;
   if (worst.size() == kListed) worst.pop_back();
   worst.insert(
@@ -198,7 +198,7 @@ void QualitySurvey::keepWorst(std::vector<Ranked>& worst, const Ranked& one) {
       one);
 }
 
-void QualitySurvey::measureElements(std::size_t first, std::size_t last) {
+void QualityAnalysis::measureElements(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     const auto nodes = nodesOf(t);
     const auto element = static_cast<std::uint32_t>(t);
@@ -226,14 +226,14 @@ void QualitySurvey::measureElements(std::size_t first, std::size_t last) {
   }
 }
 
-void QualitySurvey::startEdges() {
+void QualityAnalysis::startEdges() {
   for (std::size_t i = 1; i < starts_.size(); ++i) starts_[i] += starts_[i - 1];
   filled_.assign(starts_.begin(), starts_.end() - 1);
   edges_.resize(starts_.back());
   metBy_.assign(filled_.size(), 0);
 }
 
-void QualitySurvey::placeEdges(std::size_t first, std::size_t last) {
+void QualityAnalysis::placeEdges(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     const auto nodes = nodesOf(t);
     for (std::size_t e = 0; e < kEdges.size(); ++e) {
@@ -243,7 +243,7 @@ void QualitySurvey::placeEdges(std::size_t first, std::size_t last) {
   }
 }
 
-void QualitySurvey::measureEdges(std::size_t firstNode, std::size_t lastNode) {
+void QualityAnalysis::measureEdges(std::size_t firstNode, std::size_t lastNode) {
   for (std::size_t lower = firstNode; lower < lastNode; ++lower) {
     for (std::uint32_t i = starts_[lower]; i < starts_[lower + 1]; ++i) {
       const std::size_t element = edges_[i] / kEdges.size();
@@ -262,7 +262,7 @@ void QualitySurvey::measureEdges(std::size_t firstNode, std::size_t lastNode) {
   }
 }
 
-void QualitySurvey::startBoundary() {
+void QualityAnalysis::startBoundary() {
   edges_ = {};
   starts_ = {};
   filled_ = {};
@@ -273,14 +273,14 @@ void QualitySurvey::startBoundary() {
   }
 }
 
-void QualitySurvey::findBoundaryFaces(std::size_t first, std::size_t last) {
+void QualityAnalysis::findBoundaryFaces(std::size_t first, std::size_t last) {
   for (std::size_t h = first; h < last; ++h) {
     const std::span<const std::uint32_t, 3> nodes(&surface_.triangles[3 * h], 3);
     if (concerned_[nodes[0]] + concerned_[nodes[1]] + concerned_[nodes[2]] > 0) limits_.add(nodes);
   }
 }
 
-ElementView QualitySurvey::viewOf(std::span<const std::uint32_t, 4> nodes) const {
+ElementView QualityAnalysis::viewOf(std::span<const std::uint32_t, 4> nodes) const {
   constexpr double kPart = 0.25;
   if (!isStretched_) {
     double size = 0.0;
@@ -293,7 +293,7 @@ ElementView QualitySurvey::viewOf(std::span<const std::uint32_t, 4> nodes) const
   return {toUnit.scaledBy(1.0 / meanLift(nodes)), pointOf(nodes[0])};
 }
 
-void QualitySurvey::count(BoundaryLimit limit) {
+void QualityAnalysis::count(BoundaryLimit limit) {
   switch (limit) {
     case BoundaryLimit::kNone:
       ++statistics_.missed;
@@ -311,7 +311,7 @@ void QualitySurvey::count(BoundaryLimit limit) {
   ++statistics_.limitedByBoundary;
 }
 
-ElementFigures QualitySurvey::figuresOf(std::uint32_t element) const {
+ElementFigures QualityAnalysis::figuresOf(std::uint32_t element) const {
   const auto nodes = nodesOf(element);
   const auto corners = seenCorners(nodes);
   const TetrahedronMeasures measures =
@@ -328,13 +328,13 @@ ElementFigures QualitySurvey::figuresOf(std::uint32_t element) const {
   return figures;
 }
 
-std::vector<ElementFigures> QualitySurvey::figuresOf(const std::vector<Ranked>& worst) const {
+std::vector<ElementFigures> QualityAnalysis::figuresOf(const std::vector<Ranked>& worst) const {
   std::vector<ElementFigures> figures;
   for (const Ranked& one : worst) figures.push_back(figuresOf(one.element));
   return figures;
 }
 
-void QualitySurvey::findLimits(std::size_t first, std::size_t last) {
+void QualityAnalysis::findLimits(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const auto nodes = nodesOf(missed_[i].element);
     const BoundaryLimit limit = limits_.limitOf(nodes, viewOf(nodes));
@@ -343,7 +343,7 @@ void QualitySurvey::findLimits(std::size_t first, std::size_t last) {
   }
 }
 
-void QualitySurvey::finish() {
+void QualityAnalysis::finish() {
   statistics_.worst = figuresOf(worst_);
   statistics_.worstLimited = figuresOf(worstLimited_);
   if (mesh_.tetrahedra.empty()) return;

@@ -19,16 +19,16 @@
 namespace tetrafront {
 
 /// What counts of the bad elements that a change has touched.
-enum class RepairAim : std::uint8_t {
+enum class ImprovementGoal : std::uint8_t {
   kFewer,    ///< the sum of their costs: that there be fewer, whatever the one left is like
   kLessBad,  ///< the sum of the fourth powers: the worst of them
 };
 
 template <class Space = PlainSpace>
-class ElementRepair {
+class ElementImprover {
  public:
-  ElementRepair(TetComplex& complex, EdgeRemoval<Space>& removal, EdgeSplitter<Space>& splitter,
-                NodeCollapser<Space>& collapser, NodeMover<Space>& mover)
+  ElementImprover(TetComplex& complex, EdgeRemoval<Space>& removal, EdgeSplitter<Space>& splitter,
+                  NodeCollapser<Space>& collapser, NodeMover<Space>& mover)
       : complex_(complex),
         removal_(removal),
         splitter_(splitter),
@@ -37,9 +37,9 @@ class ElementRepair {
 
   /// Tries everything on one element. `cost` must be a dihedral one. Returns whether it is gone or
   /// good enough (cost at most 1).
-  bool repair(TetId tet, const ElementCost<Space>& cost);
+  bool improve(TetId tet, const ElementCost<Space>& cost);
 
-  void aimAt(RepairAim aim) { aim_ = aim; }
+  void aimAt(ImprovementGoal aim) { aim_ = aim; }
 
   /// Elements of a higher cost count when a change is weighed; 1 or less.
   void countAbove(double cost) { counted_ = cost; }
@@ -86,7 +86,7 @@ class ElementRepair {
   std::uint32_t cavityStamp_ = 0;
   std::vector<NewElement> fresh_;
   std::size_t compounds_ = 0;
-  RepairAim aim_ = RepairAim::kFewer;
+  ImprovementGoal aim_ = ImprovementGoal::kFewer;
   double counted_ = 1.0;  ///< a cost
 };
 

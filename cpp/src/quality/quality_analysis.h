@@ -16,11 +16,11 @@
 
 namespace tetrafront {
 
-class QualitySurvey {
+class QualityAnalysis {
  public:
   /// `surface` has the triangles of the boundary and of walls; its nodes are the mesh's. All must
   /// outlive this.
-  QualitySurvey(const VolumeMesh& mesh, const SurfaceMesh& surface, const SizeField& field);
+  QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surface, const SizeField& field);
 
   /// Works on for about `budget` elements or nodes; true when finished. O(n); about 0.5 µs for
   /// each element.

@@ -17,12 +17,12 @@ namespace tetrafront {
 struct MeshDefects {
   std::uint64_t badNumbers = 0;  ///< not finite, or an index out of range; nothing else is judged
   std::uint64_t movedNodes = 0;  ///< surface nodes that are not where, or what, they were
-  std::uint64_t coincidentNodes = 0;     ///< used nodes at the place of another
-  std::uint64_t invertedTetrahedra = 0;  ///< volume not positive, exactly
-  std::uint64_t repeatedTetrahedra = 0;  ///< with the nodes of another
-  std::uint64_t overfullFaces = 0;       ///< of more than two tetrahedra
-  std::uint64_t onesidedFaces = 0;       ///< of two tetrahedra on the same side
-  std::uint64_t extraBoundaryFaces = 0;  ///< of one tetrahedron, but not in the surface
+  std::uint64_t coincidentNodes = 0;      ///< used nodes at the place of another
+  std::uint64_t invertedTetrahedra = 0;   ///< volume not positive, exactly
+  std::uint64_t duplicateTetrahedra = 0;  ///< with the nodes of another
+  std::uint64_t nonManifoldFaces = 0;     ///< of more than two tetrahedra
+  std::uint64_t overlappingFaces = 0;     ///< of two tetrahedra on the same side
+  std::uint64_t extraBoundaryFaces = 0;   ///< of one tetrahedron, but not in the surface
   /// Of the surface: not boundary faces as they are turned, or walls without a tetrahedron on either
   /// side.
   std::uint64_t missingTriangles = 0;

@@ -1,7 +1,7 @@
 /// The statistics of a mesh against counts made the slow way, and against meshes whose figures are
 /// known by hand.
 
-#include "quality/survey.h"
+#include "quality/quality_analysis.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +33,7 @@ MeshRun finished(MeshRun run) {
 QualityStatistics survey(const VolumeMesh& mesh, const SurfaceMesh& surface,
                          const SizeField& field = SizeField::uniform(kSize),
                          std::uint32_t budget = 1000) {
-  QualitySurvey survey(mesh, surface, field);
+  QualityAnalysis survey(mesh, surface, field);
   while (!survey.advance(budget)) {
   }
   return survey.statistics();
@@ -67,7 +67,7 @@ std::uint32_t total(const std::array<std::uint32_t, N>& bins) {
   return std::accumulate(bins.begin(), bins.end(), 0U);
 }
 
-TEST(QualitySurvey, CountsWhatASlowCountFinds) {
+TEST(QualityAnalysis, CountsWhatASlowCountFinds) {
   const SurfaceMesh surface = geodesicSphere(6);
   const MeshRun run = finished(MeshRun(surface.points, surface.triangles, {}));
   const VolumeMesh mesh = run.volume();
@@ -125,7 +125,7 @@ TEST(QualitySurvey, CountsWhatASlowCountFinds) {
   EXPECT_EQ(statistics.limitedByBoundary, 0U);
 }
 
-TEST(QualitySurvey, DoesNotDependOnHowTheWorkIsSliced) {
+TEST(QualityAnalysis, DoesNotDependOnHowTheWorkIsSliced) {
   const SurfaceMesh surface = nestedSpheres(3, 4);
   const MeshRun run = finished(MeshRun(surface.points, surface.triangles, {}));
   const SizeField field = SizeField::uniform(kSize);
@@ -144,7 +144,7 @@ TEST(QualitySurvey, DoesNotDependOnHowTheWorkIsSliced) {
 }
 
 /// A wedge of 12 degrees in one element: its sharp edge belongs to two triangles of the boundary.
-TEST(QualitySurvey, ExcusesAnElementInASharpEdgeOfTheBoundary) {
+TEST(QualityAnalysis, ExcusesAnElementInASharpEdgeOfTheBoundary) {
   const double angle = 12.0 * std::numbers::pi / 180.0;
   const SurfaceMesh wedge = tetrahedronSurface({Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.5, 1.0, 0.0),
                                                 Vec3(0.5, std::cos(angle), std::sin(angle))});
@@ -164,7 +164,7 @@ TEST(QualitySurvey, ExcusesAnElementInASharpEdgeOfTheBoundary) {
 }
 
 /// An element whose base, a triangle of the boundary, is a needle, or that shares an edge with one.
-TEST(QualitySurvey, ExcusesAnElementAtANeedleOfTheBoundary) {
+TEST(QualityAnalysis, ExcusesAnElementAtANeedleOfTheBoundary) {
   VolumeMesh mesh;
   mesh.points = {0, 0, 0, 1, 0, 0, 0.5, 0.05, 0, 0.5, 0.3, 0.8};
   mesh.tetrahedra = {0, 1, 2, 3};
@@ -194,7 +194,7 @@ TEST(QualitySurvey, ExcusesAnElementAtANeedleOfTheBoundary) {
 
 /// A wedge of 24 degrees in two elements: neither owns both triangles of the sharp edge, but both are
 /// forced by it.
-TEST(QualitySurvey, ExcusesAllElementsInASharpEdge) {
+TEST(QualityAnalysis, ExcusesAllElementsInASharpEdge) {
   const double angle = 24.0 * std::numbers::pi / 180.0;
   const Vec3 middle(0.5, 0.5 * (1.0 + std::cos(angle)), 0.5 * std::sin(angle));
   SurfaceMesh wedge = tetrahedronSurface({Vec3(0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.5, 1.0, 0.0),
@@ -212,7 +212,7 @@ TEST(QualitySurvey, ExcusesAllElementsInASharpEdge) {
 /// A wedge between two triangles at the edge from 0 to 1, whose apexes lie at these places along it.
 /// Below 60 degrees one element must fill it, or one of less than 30 degrees is there: with apexes
 /// far apart that one misses its angles, and so does whatever else is made of it.
-TEST(QualitySurvey, ExcusesWhatAnEdgeBelow60DegreesForces) {
+TEST(QualityAnalysis, ExcusesWhatAnEdgeBelow60DegreesForces) {
   struct Wedge {
     double degrees;
     double shift;  ///< of the apexes along the edge
@@ -278,7 +278,7 @@ VolumeMesh elementBetween(const SurfaceMesh& sheets, double from, double to) {
 
 /// Each element looks at the space between the two triangles around it only, however many meet at
 /// the edge.
-TEST(QualitySurvey, ExcusesElementsInSharpSpacesBetweenWalls) {
+TEST(QualityAnalysis, ExcusesElementsInSharpSpacesBetweenWalls) {
   SurfaceMesh sheets = sheetsAround({0.0, 24.0, 70.0, 96.0, 200.0});
   const auto isExcused = [&](double from, double to) {
     const QualityStatistics statistics = survey(elementBetween(sheets, from, to), sheets);
@@ -300,7 +300,7 @@ TEST(QualitySurvey, ExcusesElementsInSharpSpacesBetweenWalls) {
 }
 
 /// An element between two parallel sheets that it touches along crossed edges.
-TEST(QualitySurvey, ExcusesElementsBetweenNearSheetsOnly) {
+TEST(QualityAnalysis, ExcusesElementsBetweenNearSheetsOnly) {
   for (const double gap : {0.55, 0.65}) {
     const double h = 3.4 * kSize;  // wide enough to miss its angles either way
     const double z = gap * kSize;
@@ -320,7 +320,7 @@ TEST(QualitySurvey, ExcusesElementsBetweenNearSheetsOnly) {
 }
 
 /// In a stretched field the wanted element counts as regular, and its edges as 1 long.
-TEST(QualitySurvey, SeesElementsAsTheSizeFieldDoes) {
+TEST(QualityAnalysis, SeesElementsAsTheSizeFieldDoes) {
   BackgroundGrid grid = boxGrid(Vec3(-3.0), Vec3(3.0), [](const Vec3&) { return 0.1; });
   for (BackgroundNode& node : grid.nodes) {
     node.stretching = 8.0;
