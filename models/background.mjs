@@ -5,11 +5,13 @@ const boxCorners = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 
 
 /**
  * Prisms between sections of corresponding nodes, each of three tetrahedra. A section is a list of
- * { at, size } (and stretching, direction); `triangles` are positions in it, ascending, so that
+ * { position, size } (and stretching, direction); `triangles` are positions in it, ascending, so that
  * neighbouring prisms cut their common side the same way.
  */
 export const prisms = (builder, sections, triangles) => {
-  const ids = sections.map((section) => section.map(({ at, size, ...more }) => builder.node(at, size, more)));
+  const ids = sections.map((section) =>
+    section.map(({ position, size, ...more }) => builder.node(position, size, more)),
+  );
   for (let cell = 0; cell + 1 < ids.length; ++cell) {
     const [low, high] = [ids[cell], ids[cell + 1]];
     for (const [a, b, c] of triangles) {
@@ -27,7 +29,7 @@ export const prisms = (builder, sections, triangles) => {
 export const boxRow = (builder, stations, [y0, y1], [z0, z1]) => {
   const corners = [[y0, z0], [y1, z0], [y0, z1], [y1, z1]]; // prettier-ignore
   const sections = stations.map(({ x, ...station }) =>
-    corners.map(([y, z]) => ({ ...station, at: [x, y, z] })),
+    corners.map(([y, z]) => ({ ...station, position: [x, y, z] })),
   );
   prisms(builder, sections, [[0, 1, 3], [0, 2, 3]]); // prettier-ignore
 };
@@ -38,17 +40,17 @@ export const boxRow = (builder, stations, [y0, y1], [z0, z1]) => {
  */
 export const halfPrismsAlongAxis = (builder, stations) => {
   const sections = stations.map(({ x, z = 0, inner, outer, reach }) => [
-    { at: [x, 0, z], size: inner },
-    { at: [x, 0, z - reach], size: outer },
-    { at: [x, reach, z], size: outer },
-    { at: [x, 0, z + reach], size: outer },
+    { position: [x, 0, z], size: inner },
+    { position: [x, 0, z - reach], size: outer },
+    { position: [x, reach, z], size: outer },
+    { position: [x, 0, z + reach], size: outer },
   ]);
   prisms(builder, sections, [[0, 1, 2], [0, 2, 3]]); // prettier-ignore
 };
 
-/** One tetrahedron: four nodes { at, size }. */
+/** One tetrahedron: four nodes { position, size }. */
 export const singleTetrahedron = (builder, nodes) => {
-  builder.tetrahedron(...nodes.map(({ at, size, ...more }) => builder.node(at, size, more)));
+  builder.tetrahedron(...nodes.map(({ position, size, ...more }) => builder.node(position, size, more)));
 };
 
 /** One tetrahedron of one size, its right corner below the origin of the first octant. */
@@ -56,7 +58,7 @@ export const uniform = (builder, corner, reach, size) => {
   const along = (k) => corner.map((c, i) => (i === k ? c + reach : c));
   singleTetrahedron(
     builder,
-    [corner, along(0), along(1), along(2)].map((at) => ({ at, size })),
+    [corner, along(0), along(1), along(2)].map((position) => ({ position, size })),
   );
 };
 
@@ -64,12 +66,12 @@ export const uniform = (builder, corner, reach, size) => {
 export const fanPrisms = (builder, sections) =>
   prisms(builder, sections, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 4]]); // prettier-ignore
 
-/** Twelve tetrahedra from a node { at, size } within a box to the triangles of its faces. */
+/** Twelve tetrahedra from a node { position, size } within a box to the triangles of its faces. */
 export const boxStar = (builder, low, high, middle, outerSize) => {
   const corner = (code) => [0, 1, 2].map((k) => ((code >> k) & 1 ? high[k] : low[k]));
   const corners = Array.from({ length: 8 }, (_, code) => builder.node(corner(code), outerSize));
-  const { at, size, ...more } = middle;
-  const hub = builder.node(at, size, more);
+  const { position, size, ...more } = middle;
+  const hub = builder.node(position, size, more);
   for (const [a, b, c, d] of boxCorners) {
     builder.tetrahedron(corners[a], corners[b], corners[c], hub);
     builder.tetrahedron(corners[a], corners[c], corners[d], hub);

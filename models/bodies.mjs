@@ -32,7 +32,7 @@ function sphereInBox() {
   const builder = new ProjectBuilder();
   octants(builder, 0.5);
   box(builder, [-1, -1, -1], [1, 1, 1], "box");
-  boxStar(builder, [-1.1, -1.1, -1.1], [1.1, 1.1, 1.1], { at: [0, 0, 0], size: 0.07 }, 0.28);
+  boxStar(builder, [-1.1, -1.1, -1.1], [1.1, 1.1, 1.1], { position: [0, 0, 0], size: 0.07 }, 0.28);
   return builder;
 }
 

@@ -9,10 +9,10 @@ function unitCube() {
   const builder = new ProjectBuilder();
   box(builder, [0, 0, 0], [1, 1, 1]);
   singleTetrahedron(builder, [
-    { at: [-0.5, -0.5, -0.5], size: 0.16 },
-    { at: [5, -0.5, -0.5], size: 0.16 },
-    { at: [-0.5, 5, -0.5], size: 0.16 },
-    { at: [-0.5, -0.5, 5], size: 0.16 },
+    { position: [-0.5, -0.5, -0.5], size: 0.16 },
+    { position: [5, -0.5, -0.5], size: 0.16 },
+    { position: [-0.5, 5, -0.5], size: 0.16 },
+    { position: [-0.5, -0.5, 5], size: 0.16 },
   ]);
   return builder;
 }
@@ -33,10 +33,10 @@ function squareToCircle() {
   skin(builder, bottom, top, edges, "wall");
   builder.planar("round end", top);
   singleTetrahedron(builder, [
-    { at: [0, 0, 12], size: 0.2 },
-    { at: [-6, -4, -1], size: 0.11 },
-    { at: [6, -4, -1], size: 0.11 },
-    { at: [0, 8, -1], size: 0.11 },
+    { position: [0, 0, 12], size: 0.2 },
+    { position: [-6, -4, -1], size: 0.11 },
+    { position: [6, -4, -1], size: 0.11 },
+    { position: [0, 8, -1], size: 0.11 },
   ]);
   return builder;
 }

@@ -32,10 +32,10 @@ function barrel() {
   builder.planar("floor", turned(bottom));
   builder.planar("lid", top);
   singleTetrahedron(builder, [
-    { at: [0, 0, 6], size: 0.2 },
-    { at: [-6, -4, -1.5], size: 0.12 },
-    { at: [6, -4, -1.5], size: 0.12 },
-    { at: [0, 8, -1.5], size: 0.12 },
+    { position: [0, 0, 6], size: 0.2 },
+    { position: [-6, -4, -1.5], size: 0.12 },
+    { position: [6, -4, -1.5], size: 0.12 },
+    { position: [0, 8, -1.5], size: 0.12 },
   ]);
   return builder;
 }

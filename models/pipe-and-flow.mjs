@@ -12,7 +12,7 @@ function pipeAndFlow() {
     [0, length].map((x) => circle(builder, [x, 0, 0], radius, yAxis, zAxis, label));
   const startOf = (line) => {
     const { points } = builder.lines[Math.abs(line) - 1];
-    return builder.points[points[0] - 1].at;
+    return builder.points[points[0] - 1].position;
   };
   const tube = (sections, label) => {
     const [first, last] = sections;

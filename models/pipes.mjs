@@ -44,7 +44,7 @@ function tube(builder, { name, degrees, length }) {
   const junction = [meet(-60, -1), -meet(-60, 1), meet(60, 1), -meet(60, -1)];
   const starts = (line) => {
     const { points } = builder.lines[Math.abs(line) - 1];
-    return builder.points[(line > 0 ? points[0] : points.at(-1)) - 1].at;
+    return builder.points[(line > 0 ? points[0] : points.at(-1)) - 1].position;
   };
   const seams = quarters.map((q) =>
     builder.straight(starts(junction[q]), starts(ring[q]), `${name} seam ${q + 1}`),
@@ -60,10 +60,10 @@ function yPipe() {
   tube(builder, { name: "right branch", degrees: 30, length: branchLength });
   tube(builder, { name: "left branch", degrees: 150, length: branchLength });
   singleTetrahedron(builder, [
-    { at: [0, 0, 7], size: 0.17 },
-    { at: [-8, -5, -3], size: 0.14 },
-    { at: [8, -5, -3], size: 0.14 },
-    { at: [0, 9, -3], size: 0.14 },
+    { position: [0, 0, 7], size: 0.17 },
+    { position: [-8, -5, -3], size: 0.14 },
+    { position: [8, -5, -3], size: 0.14 },
+    { position: [0, 9, -3], size: 0.14 },
   ]);
   return builder;
 }

@@ -27,7 +27,7 @@ export class ProjectBuilder {
     if (id === undefined) {
       id = this.points.length + 1;
       this.#pointOf.set(key, id);
-      this.points.push({ id, ...(name && { name }), at: place });
+      this.points.push({ id, ...(name && { name }), position: place });
     }
     return id;
   }
@@ -79,7 +79,7 @@ export class ProjectBuilder {
   /** A node of the background grid; `more` may give its stretching and direction. */
   node(at, size, more = {}) {
     const id = this.nodes.length + 1;
-    this.nodes.push({ id, at: rounded(at), size: round(size), ...more });
+    this.nodes.push({ id, position: rounded(at), size: round(size), ...more });
     return id;
   }
 
@@ -94,7 +94,7 @@ export class ProjectBuilder {
       id: this.sources.length + 1,
       name,
       type,
-      places: places.map(rounded),
+      positions: places.map(rounded),
       size: round(size),
       ...more,
     });
@@ -108,7 +108,7 @@ export class ProjectBuilder {
     const sources = this.sources.length > 0 ? `,\n    "sources": ${inner(this.sources)}` : "";
     return `{
   "format": "tetrafront-project",
-  "version": 1,
+  "version": 2,
   "name": ${JSON.stringify(name)},
   "description": ${JSON.stringify(description)},
   "units": "m",

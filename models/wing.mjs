@@ -37,9 +37,9 @@ function wingInTunnel() {
   const low = [tunnel.low[0] - 0.2, tunnel.low[2] - 0.2];
   const high = [tunnel.high[0] + 0.2, tunnel.high[2] + 0.2];
   const around = (y, inner, outer) => [
-    { at: [0.45 + (tipFrom / span) * Math.min(y, span) * 0.7, y, 0], ...inner },
+    { position: [0.45 + (tipFrom / span) * Math.min(y, span) * 0.7, y, 0], ...inner },
     ...[[0, 0], [1, 0], [1, 1], [0, 1]] // prettier-ignore
-      .map(([i, k]) => ({ at: [i ? high[0] : low[0], y, k ? high[1] : low[1]], ...outer })),
+      .map(([i, k]) => ({ position: [i ? high[0] : low[0], y, k ? high[1] : low[1]], ...outer })),
   ];
   fanPrisms(builder, [
     around(-0.2, { size: 0.065, ...stretched }, { size: 0.42 }),

@@ -31,7 +31,7 @@ MeshOptions toOptions(const Options& options) {
   result.size = options.size;
   result.growth = options.growth;
   result.gradation = options.gradation;
-  result.enclosed = static_cast<EnclosedBodies>(options.enclosed);
+  result.enclosed = static_cast<EnclosedBodies>(options.innerShells);
   result.order = static_cast<FrontOrder>(options.order);
   result.filters = options.filters;
   result.optimization = static_cast<Optimization>(options.optimization);
@@ -84,12 +84,12 @@ class Run {
       const Progress p = run.progress();
       return ProgressRecord{.phase = static_cast<std::uint32_t>(p.phase),
                             .fraction = p.fraction,
-                            .points = p.points,
+                            .nodes = p.points,
                             .triangles = p.triangles,
                             .tetrahedra = p.tetrahedra,
                             .frontFaces = p.frontFaces,
                             .expectedTetrahedra = p.expectedTetrahedra,
-                            .exactFill = p.exactFill};
+                            .exactFillFraction = p.exactFill};
     });
   }
 
@@ -211,7 +211,7 @@ using Refinement = Stepwise<SurfaceRefiner, RefinementRecord>;
 using Preview = Stepwise<ModelPreviewer, PreviewRecord>;
 using Cover = Stepwise<ModelCoverer, GridRecord>;
 using Proposal = Stepwise<SizeProposer, ProposalRecord>;
-using MeshGrid = Stepwise<MeshGridder, GridRecord>;
+using BackgroundFromMesh = Stepwise<MeshGridder, GridRecord>;
 
 /// What the engine holds of the machine's memory; it never gives any back.
 double memoryBytes() { return static_cast<double>(emscripten_get_heap_size()); }
@@ -232,10 +232,10 @@ auto copiedIn(const Array& array) {
   return [&array] { return copyIn<Value>(array); };
 }
 
-Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles, int enclosed,
-                           std::uint32_t findings) {
-  const InspectionOptions options{.enclosed = static_cast<EnclosedBodies>(enclosed),
-                                  .findings = findings};
+Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles, int innerShells,
+                           std::uint32_t maxDiagnostics) {
+  const InspectionOptions options{.enclosed = static_cast<EnclosedBodies>(innerShells),
+                                  .findings = maxDiagnostics};
   return std::make_unique<Inspection>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
                                       [&options] { return options; })
       .release();
@@ -284,7 +284,7 @@ Proposal* propose(const ModelArrays& arrays, const ProposalOptions& options) {
       .release();
 }
 
-MeshGrid* meshAsGrid(const Float64Array& points, const Uint32Array& tetrahedra,
+BackgroundFromMesh* backgroundFromMesh(const Float64Array& points, const Uint32Array& tetrahedra,
                      const Float64Array& sizes) {
   const auto mesh = [&] {
     VolumeMesh copy;
@@ -292,7 +292,7 @@ MeshGrid* meshAsGrid(const Float64Array& points, const Uint32Array& tetrahedra,
     copy.tetrahedra = copyIn<std::uint32_t>(tetrahedra);
     return copy;
   };
-  return std::make_unique<MeshGrid>(mesh, copiedIn<double>(sizes)).release();
+  return std::make_unique<BackgroundFromMesh>(mesh, copiedIn<double>(sizes)).release();
 }
 
 template <class Tool>
@@ -322,7 +322,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("tetrahedra", &GridArrays::tetrahedra)
       .field("sourceTypes", &GridArrays::sourceTypes)
       .field("sourceValues", &GridArrays::sourceValues)
-      .field("overhang", &GridArrays::overhang);
+      .field("coverageMargin", &GridArrays::coverageMargin);
   value_object<ModelArrays>("ModelArrays")
       .field("points", &ModelArrays::points)
       .field("lineTypes", &ModelArrays::lineTypes)
@@ -337,7 +337,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("size", &Options::size)
       .field("growth", &Options::growth)
       .field("gradation", &Options::gradation)
-      .field("enclosed", &Options::enclosed)
+      .field("innerShells", &Options::innerShells)
       .field("order", &Options::order)
       .field("filters", &Options::filters)
       .field("optimization", &Options::optimization)
@@ -345,7 +345,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<DiagnosticArrays>("DiagnosticArrays")
       .field("heads", &DiagnosticArrays::heads)
       .field("entities", &DiagnosticArrays::entities)
-      .field("places", &DiagnosticArrays::places)
+      .field("positions", &DiagnosticArrays::positions)
       .field("values", &DiagnosticArrays::values);
   value_object<SurfaceArrays>("SurfaceArrays")
       .field("points", &SurfaceArrays::points)
@@ -362,12 +362,12 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<ProgressRecord>("ProgressRecord")
       .field("phase", &ProgressRecord::phase)
       .field("fraction", &ProgressRecord::fraction)
-      .field("points", &ProgressRecord::points)
+      .field("nodes", &ProgressRecord::nodes)
       .field("triangles", &ProgressRecord::triangles)
       .field("tetrahedra", &ProgressRecord::tetrahedra)
       .field("frontFaces", &ProgressRecord::frontFaces)
       .field("expectedTetrahedra", &ProgressRecord::expectedTetrahedra)
-      .field("exactFill", &ProgressRecord::exactFill);
+      .field("exactFillFraction", &ProgressRecord::exactFillFraction);
   value_object<PreviewRecord>("PreviewRecord")
       .field("linePoints", &PreviewRecord::linePoints)
       .field("lineOffsets", &PreviewRecord::lineOffsets)
@@ -379,7 +379,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("points", &GridRecord::points)
       .field("sizes", &GridRecord::sizes)
       .field("tetrahedra", &GridRecord::tetrahedra)
-      .field("overhang", &GridRecord::overhang);
+      .field("coverageMargin", &GridRecord::coverageMargin);
   value_object<ProposalOptions>("ProposalOptions")
       .field("uniform", &ProposalOptions::uniform)
       .field("smallest", &ProposalOptions::smallest)
@@ -398,13 +398,13 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("smallest", &StatisticsRecord::smallest)
       .field("volumeRatio", &StatisticsRecord::volumeRatio)
       .field("meanEdge", &StatisticsRecord::meanEdge)
-      .field("meanEdgeOfPossible", &StatisticsRecord::meanEdgeOfPossible)
-      .field("edgesNearWanted", &StatisticsRecord::edgesNearWanted)
-      .field("missed", &StatisticsRecord::missed)
+      .field("meanEdgeOfAchievable", &StatisticsRecord::meanEdgeOfAchievable)
+      .field("edgesNearTarget", &StatisticsRecord::edgesNearTarget)
+      .field("outOfRange", &StatisticsRecord::outOfRange)
       .field("limitedByBoundary", &StatisticsRecord::limitedByBoundary)
       .field("limitedByEdges", &StatisticsRecord::limitedByEdges)
       .field("limitedByNeedles", &StatisticsRecord::limitedByNeedles)
-      .field("limitedBySheets", &StatisticsRecord::limitedBySheets);
+      .field("limitedByNarrowGaps", &StatisticsRecord::limitedByNarrowGaps);
   value_object<PatchSummary>("PatchSummary")
       .field("patch", &PatchSummary::patch)
       .field("triangles", &PatchSummary::triangles)
@@ -420,14 +420,14 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("volume", &QualitySummary::volume);
   value_object<RepairOptions>("RepairOptions")
       .field("weldDistance", &RepairOptions::weldDistance)
-      .field("removesTriangles", &RepairOptions::removesTriangles)
-      .field("fillsUpTo", &RepairOptions::fillsUpTo)
-      .field("turns", &RepairOptions::turns)
+      .field("removeTriangles", &RepairOptions::removesTriangles)
+      .field("maxHoleEdges", &RepairOptions::fillsUpTo)
+      .field("orient", &RepairOptions::turns)
       .field(
-          "enclosed",
+          "innerShells",
           +[](const RepairOptions& options) { return static_cast<int>(options.enclosed); },
-          +[](RepairOptions& options, int enclosed) {
-            options.enclosed = static_cast<EnclosedBodies>(enclosed);
+          +[](RepairOptions& options, int innerShells) {
+            options.enclosed = static_cast<EnclosedBodies>(innerShells);
           });
   value_object<SurfaceInspectionRecord>("SurfaceInspectionRecord")
       .field("isFillable", &SurfaceInspectionRecord::isFillable)
@@ -439,9 +439,9 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("triangles", &SurfaceInspectionRecord::triangles)
       .field("edges", &SurfaceInspectionRecord::edges)
       .field("openEdges", &SurfaceInspectionRecord::openEdges)
-      .field("crowdedEdges", &SurfaceInspectionRecord::crowdedEdges)
-      .field("pinchedNodes", &SurfaceInspectionRecord::pinchedNodes)
-      .field("turnedTriangles", &SurfaceInspectionRecord::turnedTriangles)
+      .field("nonManifoldEdges", &SurfaceInspectionRecord::nonManifoldEdges)
+      .field("nonManifoldNodes", &SurfaceInspectionRecord::nonManifoldNodes)
+      .field("flippedTriangles", &SurfaceInspectionRecord::flippedTriangles)
       .field("regions", &SurfaceInspectionRecord::regions)
       .field("box", &SurfaceInspectionRecord::box)
       .field("area", &SurfaceInspectionRecord::area)
@@ -456,7 +456,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("origin", &RepairRecord::origin)
       .field("kinds", &RepairRecord::kinds)
       .field("subjects", &RepairRecord::subjects)
-      .field("places", &RepairRecord::places)
+      .field("positions", &RepairRecord::positions)
       .field("diagnostics", &RepairRecord::diagnostics);
   value_object<RefinementRecord>("RefinementRecord")
       .field("points", &RefinementRecord::points)
@@ -469,11 +469,11 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .field("nodes", &MeshInspectionRecord::nodes)
       .field("unusedNodes", &MeshInspectionRecord::unusedNodes)
       .field("tetrahedra", &MeshInspectionRecord::tetrahedra)
-      .field("turnedTetrahedra", &MeshInspectionRecord::turnedTetrahedra)
-      .field("flatTetrahedra", &MeshInspectionRecord::flatTetrahedra)
-      .field("repeatedTetrahedra", &MeshInspectionRecord::repeatedTetrahedra)
-      .field("crowdedFaces", &MeshInspectionRecord::crowdedFaces)
-      .field("overlaps", &MeshInspectionRecord::overlaps)
+      .field("invertedTetrahedra", &MeshInspectionRecord::invertedTetrahedra)
+      .field("degenerateTetrahedra", &MeshInspectionRecord::degenerateTetrahedra)
+      .field("duplicateTetrahedra", &MeshInspectionRecord::duplicateTetrahedra)
+      .field("nonManifoldFaces", &MeshInspectionRecord::nonManifoldFaces)
+      .field("overlappingFaces", &MeshInspectionRecord::overlappingFaces)
       .field("coincidentNodes", &MeshInspectionRecord::coincidentNodes)
       .field("edgeLengths", &MeshInspectionRecord::edgeLengths)
       .field("quality", &MeshInspectionRecord::quality)
@@ -483,7 +483,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   value_object<RecoverySummary>("RecoverySummary")
       .field("relaxed", &RecoverySummary::relaxed)
       .field("starred", &RecoverySummary::starred)
-      .field("reopened", &RecoverySummary::reopened)
+      .field("remeshed", &RecoverySummary::reopened)
       .field("filled", &RecoverySummary::filled)
       .field("steinerPoints", &RecoverySummary::steinerPoints);
   value_object<CounterRecord>("CounterRecord")
@@ -516,7 +516,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   registerStepwise<Preview>("Preview");
   registerStepwise<Cover>("Cover");
   registerStepwise<Proposal>("Proposal");
-  registerStepwise<MeshGrid>("MeshGrid");
+  registerStepwise<BackgroundFromMesh>("BackgroundFromMesh");
 
   function("meshModel", &meshModel, allow_raw_pointers());
   function("fillSurface", &fillSurface, allow_raw_pointers());
@@ -527,6 +527,6 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
   function("previewModel", &border::previewModel, allow_raw_pointers());
   function("cover", &cover, allow_raw_pointers());
   function("propose", &propose, allow_raw_pointers());
-  function("meshAsGrid", &meshAsGrid, allow_raw_pointers());
+  function("backgroundFromMesh", &backgroundFromMesh, allow_raw_pointers());
   function("memoryBytes", &memoryBytes);
 }

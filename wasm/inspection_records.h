@@ -23,9 +23,9 @@ struct SurfaceInspectionRecord {
   std::uint32_t triangles = 0;
   std::uint32_t edges = 0;
   std::uint32_t openEdges = 0;
-  std::uint32_t crowdedEdges = 0;
-  std::uint32_t pinchedNodes = 0;
-  std::uint32_t turnedTriangles = 0;
+  std::uint32_t nonManifoldEdges = 0;
+  std::uint32_t nonManifoldNodes = 0;
+  std::uint32_t flippedTriangles = 0;
   std::uint32_t regions = 0;
   /// The lowest and the highest corner.
   Float64Array box = copyOut(std::vector<double>{});
@@ -47,7 +47,7 @@ struct RepairRecord {
   Uint8Array kinds = copyOut(std::vector<std::uint8_t>{});
   /// Two per change, and x y z.
   Uint32Array subjects = triangles;
-  Float64Array places = points;
+  Float64Array positions = points;
   DiagnosticArrays diagnostics;
 };
 
@@ -64,11 +64,11 @@ struct MeshInspectionRecord {
   std::uint32_t nodes = 0;
   std::uint32_t unusedNodes = 0;
   std::uint32_t tetrahedra = 0;
-  std::uint32_t turnedTetrahedra = 0;
-  std::uint32_t flatTetrahedra = 0;
-  std::uint32_t repeatedTetrahedra = 0;
-  std::uint32_t crowdedFaces = 0;
-  std::uint32_t overlaps = 0;
+  std::uint32_t invertedTetrahedra = 0;
+  std::uint32_t degenerateTetrahedra = 0;
+  std::uint32_t duplicateTetrahedra = 0;
+  std::uint32_t nonManifoldFaces = 0;
+  std::uint32_t overlappingFaces = 0;
   std::uint32_t coincidentNodes = 0;
   /// Shortest, mean, longest.
   Float64Array edgeLengths = copyOut(std::vector<double>{});
@@ -110,9 +110,9 @@ struct MeshInspectionRecord {
           .triangles = found.triangles,
           .edges = found.edges,
           .openEdges = found.openEdges,
-          .crowdedEdges = found.crowdedEdges,
-          .pinchedNodes = found.pinchedNodes,
-          .turnedTriangles = found.turnedTriangles,
+          .nonManifoldEdges = found.crowdedEdges,
+          .nonManifoldNodes = found.pinchedNodes,
+          .flippedTriangles = found.turnedTriangles,
           .regions = found.regions,
           .box = copyOut(box),
           .area = found.area,
@@ -126,18 +126,18 @@ struct MeshInspectionRecord {
 [[nodiscard]] inline RepairRecord toRecord(const SurfaceRepair& repair) {
   std::vector<std::uint8_t> kinds;
   std::vector<std::uint32_t> subjects;
-  std::vector<double> places;
+  std::vector<double> positions;
   for (const RepairChange& change : repair.changes) {
     kinds.push_back(static_cast<std::uint8_t>(change.kind));
     subjects.insert(subjects.end(), {change.first, change.second});
-    places.insert(places.end(), {change.place.x, change.place.y, change.place.z});
+    positions.insert(positions.end(), {change.place.x, change.place.y, change.place.z});
   }
   return {.points = copyOut(repair.points),
           .triangles = copyOut(repair.triangles),
           .origin = copyOut(repair.origin),
           .kinds = copyOut(kinds),
           .subjects = copyOut(subjects),
-          .places = copyOut(places),
+          .positions = copyOut(positions),
           .diagnostics = toArrays(repair.diagnostics)};
 }
 
@@ -155,11 +155,11 @@ struct MeshInspectionRecord {
           .nodes = found.nodes,
           .unusedNodes = found.unusedNodes,
           .tetrahedra = found.tetrahedra,
-          .turnedTetrahedra = found.turnedTetrahedra,
-          .flatTetrahedra = found.flatTetrahedra,
-          .repeatedTetrahedra = found.repeatedTetrahedra,
-          .crowdedFaces = found.crowdedFaces,
-          .overlaps = found.overlaps,
+          .invertedTetrahedra = found.turnedTetrahedra,
+          .degenerateTetrahedra = found.flatTetrahedra,
+          .duplicateTetrahedra = found.repeatedTetrahedra,
+          .nonManifoldFaces = found.crowdedFaces,
+          .overlappingFaces = found.overlaps,
           .coincidentNodes = found.coincidentNodes,
           .edgeLengths = copyOut(lengths),
           .quality = found.quality,

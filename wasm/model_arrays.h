@@ -24,10 +24,10 @@ struct GridArrays {
   Uint32Array tetrahedra{emscripten::val::undefined()};
   Uint8Array sourceTypes{emscripten::val::undefined()};
   Float64Array sourceValues{emscripten::val::undefined()};
-  double overhang = 0.0;
+  double coverageMargin = 0.0;
 };
 
-/// What JavaScript sends for a drawn model; see ModelArrays in src/project-arrays.ts.
+/// What JavaScript sends for a drawn model; see ModelArrays in src/project/arrays.ts.
 struct ModelArrays {
   Float64Array points{emscripten::val::undefined()};
   Uint8Array lineTypes{emscripten::val::undefined()};
@@ -121,7 +121,7 @@ inline BackgroundGrid toGrid(const GridArrays& arrays) {
     grid.tetrahedra.push_back({corners[i], corners[i + 1], corners[i + 2], corners[i + 3]});
   }
   grid.sources = toSources(arrays);
-  grid.overhang = arrays.overhang;
+  grid.overhang = arrays.coverageMargin;
   return grid;
 }
 

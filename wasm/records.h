@@ -21,7 +21,7 @@ struct Options {
   double size = 0.0;
   double growth = 0.0;
   double gradation = 0.0;
-  std::uint32_t enclosed = 0;
+  std::uint32_t innerShells = 0;
   std::uint32_t order = 0;
   bool filters = true;
   std::uint32_t optimization = 0;
@@ -30,13 +30,13 @@ struct Options {
 
 /// All diagnostics in a few arrays, for there may be a million.
 struct DiagnosticArrays {
-  /// Per diagnostic: code, severity, number of entities, 1 with a place, number of values.
+  /// Per diagnostic: code, severity, number of entities, 1 with a position, number of values.
   Uint32Array heads = copyOut(std::vector<std::uint32_t>{});
   /// Kind and position per entity, one diagnostic after the other.
   Uint32Array entities = heads;
-  /// x y z of those with a place.
-  Float64Array places = copyOut(std::vector<double>{});
-  Float64Array values = places;
+  /// x y z of those with a position.
+  Float64Array positions = copyOut(std::vector<double>{});
+  Float64Array values = positions;
 };
 
 /// A JavaScript array of PatchSummary.
@@ -61,12 +61,12 @@ struct VolumeArrays {
 struct ProgressRecord {
   std::uint32_t phase = 0;
   double fraction = 0.0;
-  std::uint32_t points = 0;
+  std::uint32_t nodes = 0;
   std::uint32_t triangles = 0;
   std::uint32_t tetrahedra = 0;
   std::uint32_t frontFaces = 0;
   std::uint32_t expectedTetrahedra = 0;
-  double exactFill = 0.0;
+  double exactFillFraction = 0.0;
 };
 
 struct PreviewRecord {
@@ -93,7 +93,7 @@ struct GridRecord {
   Float64Array points = copyOut(std::vector<double>{});
   Float64Array sizes = points;
   Uint32Array tetrahedra = copyOut(std::vector<std::uint32_t>{});
-  double overhang = 0.0;
+  double coverageMargin = 0.0;
 };
 
 struct ProposalRecord {
@@ -105,7 +105,7 @@ struct ProposalRecord {
 inline DiagnosticArrays toArrays(const std::vector<Diagnostic>& diagnostics) {
   std::vector<std::uint32_t> heads;
   std::vector<std::uint32_t> entities;
-  std::vector<double> places;
+  std::vector<double> positions;
   std::vector<double> values;
   for (const Diagnostic& d : diagnostics) {
     heads.insert(heads.end(),
@@ -115,12 +115,12 @@ inline DiagnosticArrays toArrays(const std::vector<Diagnostic>& diagnostics) {
     for (const Entity& entity : d.entities) {
       entities.insert(entities.end(), {static_cast<std::uint32_t>(entity.kind), entity.index});
     }
-    if (d.hasPlace) places.insert(places.end(), {d.place.x, d.place.y, d.place.z});
+    if (d.hasPlace) positions.insert(positions.end(), {d.place.x, d.place.y, d.place.z});
     values.insert(values.end(), d.values.begin(), d.values.end());
   }
   return {.heads = copyOut(heads),
           .entities = copyOut(entities),
-          .places = copyOut(places),
+          .positions = copyOut(positions),
           .values = copyOut(values)};
 }
 
@@ -166,7 +166,7 @@ inline GridRecord toRecord(const BackgroundGrid& grid) {
   return {.points = copyOut(points),
           .sizes = copyOut(sizes),
           .tetrahedra = copyOut(corners),
-          .overhang = grid.overhang};
+          .coverageMargin = grid.overhang};
 }
 
 inline ProposalRecord toRecord(const SizeProposal& proposal) {
@@ -174,8 +174,8 @@ inline ProposalRecord toRecord(const SizeProposal& proposal) {
   std::vector<double> values;
   for (const SizeSource& source : proposal.sources) {
     types.push_back(static_cast<std::uint8_t>(source.type));
-    for (const Vec3& place : source.points) {
-      values.insert(values.end(), {place.x, place.y, place.z});
+    for (const Vec3& point : source.points) {
+      values.insert(values.end(), {point.x, point.y, point.z});
     }
     values.insert(values.end(), {source.size, source.distance, source.growth});
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file QualityStatistics as flat arrays, which src/quality-report.ts takes apart.
+/// @file QualityStatistics as flat arrays, which src/engine/quality-report.ts takes apart.
 
 #include <cstdint>
 #include <vector>
@@ -21,13 +21,13 @@ struct StatisticsRecord {
   Float64Array smallest = regions;  ///< one element, or none
   double volumeRatio = 0.0;
   double meanEdge = 0.0;
-  double meanEdgeOfPossible = 0.0;
-  double edgesNearWanted = 0.0;
-  std::uint32_t missed = 0;
+  double meanEdgeOfAchievable = 0.0;
+  double edgesNearTarget = 0.0;
+  std::uint32_t outOfRange = 0;
   std::uint32_t limitedByBoundary = 0;
   std::uint32_t limitedByEdges = 0;
   std::uint32_t limitedByNeedles = 0;
-  std::uint32_t limitedBySheets = 0;
+  std::uint32_t limitedByNarrowGaps = 0;
 };
 
 [[nodiscard]] inline Float64Array flatFigures(const std::vector<ElementFigures>& elements) {
@@ -61,13 +61,13 @@ struct StatisticsRecord {
           .smallest = isEmpty ? flatFigures({}) : flatFigures({statistics.smallest}),
           .volumeRatio = statistics.volumeRatio,
           .meanEdge = statistics.meanEdge,
-          .meanEdgeOfPossible = statistics.meanEdgeOfPossible,
-          .edgesNearWanted = statistics.edgesNearWanted,
-          .missed = statistics.missed,
+          .meanEdgeOfAchievable = statistics.meanEdgeOfPossible,
+          .edgesNearTarget = statistics.edgesNearWanted,
+          .outOfRange = statistics.missed,
           .limitedByBoundary = statistics.limitedByBoundary,
           .limitedByEdges = statistics.limitedByEdges,
           .limitedByNeedles = statistics.limitedByNeedles,
-          .limitedBySheets = statistics.limitedBySheets};
+          .limitedByNarrowGaps = statistics.limitedBySheets};
 }
 
 }  // namespace tetrafront::border

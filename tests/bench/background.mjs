@@ -28,9 +28,9 @@ function cube() {
   ];
   return {
     format: "tetrafront-project",
-    version: 1,
+    version: 2,
     name: "Unit cube",
-    points: ids.map((i) => ({ id: i + 1, at: corner(i) })),
+    points: ids.map((i) => ({ id: i + 1, position: corner(i) })),
     lines: edges.map((points, i) => ({ id: i + 1, type: "straight", points })),
     patches: faces.map((face, p) => ({
       id: p + 1,
@@ -57,7 +57,7 @@ try {
   const project = cube();
   const { volume, surface } = await mesher.meshProject(project, { size: SIZE, ...FRONT_ONLY });
   const began = performance.now();
-  const background = await mesher.meshAsBackground(volume);
+  const background = await mesher.backgroundFromMesh(volume);
   const made = performance.now() - began;
   const count = background.tetrahedra.length / 4;
   const one = {

@@ -53,7 +53,7 @@ const compared = (name, measured, paper) =>
 
 function showMesh({ report, volume, seconds }, project, paper) {
   const range = volumeRange(volume);
-  const nose = project.points.find(({ name }) => name === paper.nose).at;
+  const nose = project.points.find(({ name }) => name === paper.nose).position;
   const distance = Math.hypot(...nose.map((c, k) => c - range.centroid[k]));
   compared("points", report.points, paper.points);
   compared("tetrahedra", report.tetrahedra, paper.tetrahedra);

@@ -72,7 +72,7 @@ for (const [type, points] of [
     const read = readProject(await readFile(await download.path(), "utf8"));
     const [source] = (read.success && read.value.background.sources) || [];
     expect(source).toMatchObject({ type, size: 0.05, distance: 0.2 });
-    expect(source?.places[last]?.[2]).toBe(0.5);
+    expect(source?.positions[last]?.[2]).toBe(0.5);
   });
 }
 
@@ -81,7 +81,7 @@ test("sizes that ask for millions of elements are told before they are taken", a
   await app.openCube();
   // A thin plate: three elements through its thickness are a great many of them.
   const cube = sampleProject("unit-cube");
-  const points = cube.points.map(({ at: [x, y, z], ...point }) => ({
+  const points = cube.points.map(({ position: [x, y, z], ...point }) => ({
     ...point,
     at: [100 * x, 100 * y, 0.2 * z],
   }));

@@ -82,7 +82,7 @@ test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page })
   await expect(page.getByTestId("patch-kind")).toHaveValue("planar");
   expect((await app.generate()).tets).toBeGreaterThan(20);
   const { points, lines, patches } = await savedProject(page);
-  expect(points.map(({ at }) => at)).toEqual([
+  expect(points.map(({ position }) => position)).toEqual([
     [0, 0, 0],
     [1, 0, 0],
     [0, 1, 0],

@@ -129,7 +129,7 @@ function blockGrid(n: number): Project["background"] {
   return {
     nodes: Array.from({ length: points.length / 3 }, (_, i) => ({
       id: i + 1,
-      at: [at(i, 0), at(i, 1), at(i, 2)],
+      position: [at(i, 0), at(i, 1), at(i, 2)],
       size: 0.3,
     })),
     tetrahedra: Array.from({ length: tetrahedra.length / 4 }, (_, t) => {

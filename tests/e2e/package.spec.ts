@@ -94,7 +94,7 @@ const points = Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1);
 const tetrahedron = { points, triangles: Uint32Array.of(0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3) };
 const stop = new AbortController();
 const mesh = { points, tetrahedra: Uint32Array.of(0, 1, 2, 3) };
-const given = three.meshAsBackground(mesh, {}, { signal: stop.signal }).catch(({ code }) => code);
+const given = three.backgroundFromMesh(mesh, {}, { signal: stop.signal }).catch(({ code }) => code);
 stop.abort();
 const { report } = await three.fillSurface({ points, triangles: new Uint32Array(3) });
 const said = await given;

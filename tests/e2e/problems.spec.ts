@@ -84,7 +84,7 @@ test("each triangle of a boundary that cuts itself is listed with its place, and
   ];
   const crescent = {
     ...sampleProject("barrel"),
-    points: places.map((at, i) => ({ id: i + 1, at })),
+    points: places.map((at, i) => ({ id: i + 1, position: at })),
     lines: [
       { id: 1, type: "parabolic", points: [1, 4, 2] },
       { id: 2, type: "parabolic", points: [2, 5, 3] },
@@ -156,7 +156,7 @@ function ringWithGate(): Project {
   });
   return {
     ...sampleProject("unit-cube"),
-    points: points.map(([x = 0, y = 0, z = 0], i) => ({ id: i + 1, at: [x, y, z] })),
+    points: points.map(([x = 0, y = 0, z = 0], i) => ({ id: i + 1, position: [x, y, z] })),
     patches: [...loops, loop(...section(0))].map((sides, i) => ({
       id: i + 1,
       type: "planar",

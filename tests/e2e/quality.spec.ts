@@ -23,9 +23,9 @@ test("the report's figures are on show, of all regions and of each", async ({ pa
   const panel = page.getByTestId("quality-report");
   await expect(page.getByTestId("verdict")).toContainText("Verified");
   await expect(panel.getByRole("heading", { name: "Worst 10" })).toBeVisible();
-  await expect(page.getByTestId("missed")).toHaveText(String(quality.missed));
+  await expect(page.getByTestId("missed")).toHaveText(String(quality.outOfRange));
   await expect(page.getByTestId("limited")).toHaveText(String(quality.limitedByBoundary.count));
-  await expect(panel).toContainText(`${(100 * quality.edges.nearWanted).toFixed(1)} %`);
+  await expect(panel).toContainText(`${(100 * quality.edges.nearTarget).toFixed(1)} %`);
   const rungs = Object.values(recovery).filter((count) => count > 0).length;
   await expect(page.getByTestId("recovery").getByRole("listitem")).toHaveCount(rungs);
 
@@ -59,7 +59,7 @@ test("each of the worst elements is gone to and marked", async ({ page }) => {
     await nextFrame(app.viewport, () => row.click());
     await expect(row).toHaveAttribute("aria-pressed", "true");
     await expect.poll(async () => (await app.viewport.screenshot()).equals(before)).toBe(false);
-    const place = figures?.place ?? [NaN, NaN, NaN];
+    const place = figures?.centroid ?? [NaN, NaN, NaN];
     const box = await app.viewport.boundingBox();
     const at = await page.evaluate((wanted) => {
       return (window as unknown as { tetrafrontPosition: (place: unknown) => unknown }).tetrafrontPosition(wanted);

@@ -65,7 +65,7 @@ export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
   const wantedKeys = new Set(
     wanted.flatMap((triangle, t) => {
       const key = faces.key(triangle);
-      return isWall(surface, t) ? [key, faces.reverse(key)] : [key];
+      return isInterface(surface, t) ? [key, faces.reverse(key)] : [key];
     }),
   );
   return {
@@ -80,14 +80,14 @@ export function faultsOf(mesh: VolumeMesh, surface: JudgedSurface): MeshFaults {
   };
 }
 
-function isWall({ triangleRegions }: JudgedSurface, triangle: number): boolean {
+function isInterface({ triangleRegions }: JudgedSurface, triangle: number): boolean {
   return triangleRegions !== undefined && triangleRegions[2 * triangle + 1] !== NO_REGION;
 }
 
 /** Volume a closed surface encloses, by the divergence theorem about its first node. */
 export function enclosedVolume(surface: JudgedSurface): number {
   const terms = rows(surface.triangles, 3).map(([a = 0, b = 0, c = 0], t) =>
-    isWall(surface, t) ? 0 : sixVolumes(surface.points, [0, a, b, c]),
+    isInterface(surface, t) ? 0 : sixVolumes(surface.points, [0, a, b, c]),
   );
   return preciseSum(terms) / 6;
 }

@@ -16,7 +16,7 @@ export function expectValid(
   expect(Math.abs(meshVolume(volume) / enclosed - 1)).toBeLessThan(1e-10);
   expect(Math.abs(report.volume / enclosed - 1)).toBeLessThan(1e-10);
   expect(volume.front).toHaveLength(0);
-  expect(report.points).toBe(volume.points.length / 3);
+  expect(report.nodes).toBe(volume.points.length / 3);
   expect(report.tetrahedra).toBe(volume.tetrahedra.length / 4);
   expect(report.triangles).toBe(surface.triangles.length / 3);
   expect(report.fingerprint).toMatch(/^[0-9a-f]{16}$/);

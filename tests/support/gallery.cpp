@@ -121,7 +121,7 @@ Numbers positionsOf(const Json& list) {
 GalleryModel modelOf(const Json& project) {
   GalleryModel read;
   for (const Json& point : project.at("points").items) {
-    const std::vector<Json>& at = point.at("at").items;
+    const std::vector<Json>& at = point.at("position").items;
     read.model.points.emplace_back(at[0].number, at[1].number, at[2].number);
   }
   const Numbers points = positionsOf(project.at("points"));

@@ -23,9 +23,9 @@ export function cubeProject(size = 0.25): Project {
   const names = ["bottom", "top", "front", "back", "left", "right"];
   return {
     format: "tetrafront-project",
-    version: 1,
+    version: 2,
     name: "Unit cube",
-    points: cornerIds.map((i) => ({ id: i + 1, at: corner(i) })),
+    points: cornerIds.map((i) => ({ id: i + 1, position: corner(i) })),
     lines: edges.map(([a, b], i) => ({ id: i + 1, type: "straight" as const, points: [a, b] })),
     patches: faces.map((face, p) => ({
       id: p + 1,
@@ -36,7 +36,7 @@ export function cubeProject(size = 0.25): Project {
     background: {
       nodes: cornerIds.map((i) => ({
         id: i + 1,
-        at: corner(i).map((x) => 3 * x - 1) as [number, number, number],
+        position: corner(i).map((x) => 3 * x - 1) as [number, number, number],
         size,
       })),
       tetrahedra: [

@@ -46,14 +46,14 @@ export { backgroundArrays, projectBackground } from "./project/grid-arrays.js";
 export {
   type EdgeLengths,
   type MeshInspection,
-  type Place,
+  type Position,
   type RepairChange,
   type RepairOptions,
-  type ShellFigures,
+  type ShellInfo,
   type SurfaceInspection,
   type SurfaceRefinement,
   type SurfaceRepair,
-  type TriangleFigures,
+  type TriangleQuality,
 } from "./api/inspection.js";
 export { createMesher } from "./api/mesher.js";
 export {
@@ -65,7 +65,8 @@ export {
 } from "./diagnostics/mesher-error.js";
 export { parseProject, readProject, writeProject } from "./project/project.js";
 export { LIMITS } from "./base/limits.js";
-export { PROJECT_FORMAT, PROJECT_VERSION, projectSchema } from "./project/schema.js";
+export { PROJECT_FORMAT, projectSchema } from "./project/schema.js";
+export { PROJECT_VERSION } from "./project/versions.js";
 export type {
   LineId,
   LineType,
@@ -92,11 +93,11 @@ export type {
   CoverOptions,
   Diagnostic,
   DiagnosticOf,
-  EdgeFigures,
-  ElementFigures,
+  EdgeStatistics,
+  ElementQuality,
   EntityKind,
   EntityRef,
-  EnclosedBodies,
+  InnerShells,
   FrontOrder,
   InspectionOptions,
   LimitedByBoundary,
@@ -107,7 +108,7 @@ export type {
   MeshResult,
   MeshStatus,
   Optimization,
-  PatchFigures,
+  PatchQuality,
   Phase,
   PreviewOptions,
   Progress,
@@ -124,4 +125,4 @@ export type {
   SurfaceMesh,
   VolumeMesh,
 } from "./api/types.js";
-export { isWall, NO_REGION } from "./base/walls.js";
+export { isInterface, NO_REGION } from "./base/interfaces.js";

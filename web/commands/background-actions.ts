@@ -26,18 +26,20 @@ export async function coverModel(app: App, options: CoverOptions): Promise<void>
 }
 
 /** Takes the mesh on show as background grid, with the sizes of its own edges. */
-export async function takeMeshAsGrid(app: App): Promise<void> {
+export async function takeBackgroundFromMesh(app: App): Promise<void> {
   const { mesh } = app.run.state.getState();
   if (!mesh) return;
   try {
-    const arrays = await (await app.mesher).meshAsBackground(mesh.volume);
+    const arrays = await (await app.mesher).backgroundFromMesh(mesh.volume);
     const grid = await documentGrid(packArrays(arrays));
     const { sources } = app.documents.project.background;
-    const { overhang = 0 } = arrays;
+    const { coverageMargin: overhang = 0 } = arrays;
     const background = { ...grid, ...(sources && { sources }), ...(overhang > 0 && { overhang }) };
-    app.documents.edit(replaceBackground(strings.background.meshAsGrid, app.documents.project, background));
+    app.documents.edit(
+      replaceBackground(strings.background.backgroundFromMesh, app.documents.project, background),
+    );
   } catch (error) {
-    fail(app, strings.background.meshAsGrid, error);
+    fail(app, strings.background.backgroundFromMesh, error);
   }
 }
 

@@ -1,6 +1,6 @@
 import type { App } from "../app/app";
 import { scaleSizes } from "../document/edits";
-import { takeMeshAsGrid, toggleUniformSize } from "./background-actions";
+import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
 
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
@@ -27,9 +27,14 @@ export const meshMenu: readonly Command[] = [
     app.documents.edit(scaleSizes(app.documents.project, coarser)),
   ),
   define("mesh", 2)("cover", "Make covering grid…", (app) => app.shell.setState({ dialog: "cover" })),
-  define("mesh", 2)("mesh-as-grid", "Use this mesh as background grid", (app) => void takeMeshAsGrid(app), {
-    enabled: (app) => (app.run.state.getState().mesh?.report.tetrahedra ?? 0) > 0,
-  }),
+  define("mesh", 2)(
+    "background-from-mesh",
+    "Use this mesh as background grid",
+    (app) => void takeBackgroundFromMesh(app),
+    {
+      enabled: (app) => (app.run.state.getState().mesh?.report.tetrahedra ?? 0) > 0,
+    },
+  ),
   define("mesh", 2)("propose", "Propose sizes…", (app) => app.shell.setState({ dialog: "propose" })),
   define("mesh", 2)("uniform-size", "Uniform size", toggleUniformSize, {
     checked: (app) => app.documents.project.meshing?.size !== undefined,

@@ -100,7 +100,7 @@ export function contentKey(project: Project): string {
   let key = keys.get(project);
   if (key === undefined) {
     const { points, lines, patches, background, ...head } = project;
-    const { nodes, tetrahedra, sources = [], overhang = 0 } = background;
+    const { nodes, tetrahedra, sources = [], coverageMargin: overhang = 0 } = background;
     const parts = [
       ...[points, lines, patches, sources].map((part) => keyOf(part, hashJson)),
       keyOf(nodes, hashNodes),

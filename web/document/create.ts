@@ -24,7 +24,7 @@ const offer = (creation: Creation): Offer => ({ possible: true, creation });
 export function emptyProject(): Project {
   const drawn = { points: [], lines: [], patches: [] };
   const background = { nodes: [], tetrahedra: [] };
-  return { format: "tetrafront-project", version: 1, name: "Untitled", ...drawn, background };
+  return { format: "tetrafront-project", version: 2, name: "Untitled", ...drawn, background };
 }
 
 /** Ids are never used again while something with a higher one exists. */
@@ -42,7 +42,7 @@ export function addPoint(project: Project, at: Place): Creation {
     edit: {
       label: `Add point ${id}`,
       change: (draft) => {
-        draft.project.points.push({ id, at: [...at] });
+        draft.project.points.push({ id, position: [...at] });
       },
     },
   };
@@ -55,7 +55,7 @@ export function addBackgroundNode(project: Project, at: Place, size: number): Cr
     edit: {
       label: `Add background node ${id}`,
       change: (draft) => {
-        draft.project.background.nodes.push({ id, at: [...at], size });
+        draft.project.background.nodes.push({ id, position: [...at], size });
       },
     },
   };
@@ -200,13 +200,13 @@ function selectedPlaces(project: Project, selection: readonly Entity[]): Place[]
       case "point":
       case "background-node": {
         const record = findRecord(project, kind, id);
-        return record ? [record.at] : [];
+        return record ? [record.position] : [];
       }
       case "line": {
         const points = findRecord(project, "line", id)?.points ?? [];
         return [points.at(0), points.at(-1)].flatMap((end) => {
           const point = findRecord(project, "point", end ?? 0);
-          return point ? [point.at] : [];
+          return point ? [point.position] : [];
         });
       }
       case "patch":
@@ -240,7 +240,7 @@ export function addSource(project: Project, selection: readonly Entity[], type: 
       label: `Add source ${id}`,
       change: ({ project: draft }) => {
         draft.background.sources ??= [];
-        draft.background.sources.push({ id, type, places: places.map((at) => [...at]), size, distance });
+        draft.background.sources.push({ id, type, positions: places.map((at) => [...at]), size, distance });
       },
     },
   };

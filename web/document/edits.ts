@@ -56,7 +56,7 @@ export function moveEntity(
     mergeKey: `move-${kind}-${id}-${axis}`,
     change: ({ project }) => {
       const record = kind === "point" ? recordOf(project.points, id) : recordOf(project.background.nodes, id);
-      if (record) record.at[axis] = value;
+      if (record) record.position[axis] = value;
     },
   };
 }
@@ -187,7 +187,7 @@ export function moveSource(id: number, place: number, axis: Axis, value: number)
     label: `Move source ${id}`,
     mergeKey: `move-source-${id}-${place}-${axis}`,
     change: ({ project }) => {
-      const at = sourceOf(project, id)?.places[place];
+      const at = sourceOf(project, id)?.positions[place];
       if (at) at[axis] = value;
     },
   };
@@ -207,7 +207,7 @@ function changed<Field extends keyof ProjectMeshing>(
 const settingLabels: { readonly [Field in keyof ProjectMeshing]-?: string } = {
   size: "Set uniform size",
   gradation: "Set gradation",
-  enclosed: "Set what enclosed bodies are",
+  innerShells: "Set what enclosed bodies are",
   order: "Set order of the front",
   optimization: "Set optimization",
 };
@@ -320,7 +320,7 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
 export function emptyProject(name: string): Project {
   return {
     format: "tetrafront-project",
-    version: 1,
+    version: 2,
     name,
     points: [],
     lines: [],

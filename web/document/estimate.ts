@@ -62,7 +62,7 @@ function distanceToSource(p: Place, places: readonly Place[]): number {
 /** The size at a place: the uniform one, or what a source makes of it. */
 export function sizeAt(place: Place, uniform: number, sources: readonly ProjectSource[]): number {
   let size = uniform;
-  for (const { places, size: least, distance = 0, growth = defaultGrowth } of sources) {
+  for (const { positions: places, size: least, distance = 0, growth = defaultGrowth } of sources) {
     if (least >= size) continue;
     const beyond = Math.max(0, distanceToSource(place, places) - distance);
     size = Math.min(size, least + growth * beyond);

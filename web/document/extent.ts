@@ -4,12 +4,12 @@ import type { Project } from "tetrafront";
 
 /** The lowest and the highest coordinate along an axis; infinite and turned round without places. */
 export function rangeAlong(
-  places: Iterable<{ readonly at: readonly number[] }>,
+  places: Iterable<{ readonly position: readonly number[] }>,
   axis: number,
 ): readonly [low: number, high: number] {
   let low = Infinity;
   let high = -Infinity;
-  for (const { at } of places) {
+  for (const { position: at } of places) {
     const value = at[axis] ?? 0;
     if (value < low) low = value;
     if (value > high) high = value;

@@ -42,7 +42,7 @@ function walkLoop(left: Map<number, ProjectLine>): number[] {
 
 /** The area enclosed by a closed line's points, as a vector about their mean (Newell). */
 function areaVector(project: Project, line: ProjectLine): readonly number[] {
-  const places = line.points.map((id) => findRecord(project, "point", id)?.at ?? [0, 0, 0]);
+  const places = line.points.map((id) => findRecord(project, "point", id)?.position ?? [0, 0, 0]);
   const middle = [0, 1, 2].map(
     (axis) => places.reduce((sum, at) => sum + (at[axis] ?? 0), 0) / places.length,
   );

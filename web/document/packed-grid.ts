@@ -53,7 +53,7 @@ function remembered<In extends object, Out>(
 
 function packNodes(nodes: Nodes): Float64Array {
   const packed = new Float64Array(numbersPerNode * nodes.length).fill(NaN);
-  nodes.forEach(({ id, at, size, stretching, direction }, i) => {
+  nodes.forEach(({ id, position: at, size, stretching, direction }, i) => {
     const first = numbersPerNode * i;
     packed[first] = id;
     packed.set(at, first + 1);
@@ -85,7 +85,7 @@ function nodeAt(packed: Float64Array, i: number): ProjectBackgroundNode {
   const { stretching, direction } = partsOf(packed, first);
   return {
     id: number(0),
-    at: [number(1), number(2), number(3)],
+    position: [number(1), number(2), number(3)],
     size: number(4),
     ...(stretching ? { stretching: number(5) } : {}),
     ...(direction ? { direction: [number(6), number(7), number(8)] as const } : {}),
@@ -136,13 +136,13 @@ export function packArrays(arrays: BackgroundArrays): PackedGrid {
 export function engineGrid(background: ProjectBackground): BackgroundArrays {
   const { nodes, tetrahedra } = packedGrid(background);
   const known = arraysOf.get(tetrahedra);
-  if (known?.nodes === nodes) return { ...known.arrays, overhang: background.overhang };
+  if (known?.nodes === nodes) return { ...known.arrays, coverageMargin: background.coverageMargin };
   // Another size or place of a node leaves the tetrahedra.
   const positions =
     known && sameIds(known.nodes, nodes) ? known.arrays.tetrahedra : nodePositions(nodes, tetrahedra);
   const arrays = { ...nodeArrays(nodes), tetrahedra: positions };
   arraysOf.set(tetrahedra, { nodes, arrays });
-  return { ...arrays, overhang: background.overhang };
+  return { ...arrays, coverageMargin: background.coverageMargin };
 }
 
 function sameIds(nodes: Float64Array, others: Float64Array): boolean {

@@ -62,7 +62,7 @@ export function liesInPlane(project: Project, loops: readonly (readonly number[]
   const ids = new Set(
     loops.flat().flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []),
   );
-  const places = project.points.filter(({ id }) => ids.has(id)).map(({ at }) => at);
+  const places = project.points.filter(({ id }) => ids.has(id)).map(({ position: at }) => at);
   const [origin] = places;
   if (!origin) return false;
   const arms = places.map((at) => subtract(at, origin));

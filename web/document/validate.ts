@@ -36,7 +36,7 @@ function toEntities(project: Project, { kind, index, id }: EntityRef): Entity[] 
  */
 export function toProblems(project: Project, diagnostics: readonly Diagnostic[]): Problem[] {
   const problems = new Map<string, Problem>();
-  for (const { code, severity, message, remedy, entities, place } of diagnostics) {
+  for (const { code, severity, message, remedy, entities, position: place } of diagnostics) {
     const key = `${code}: ${message}`;
     if (severity === "information" || problems.has(key)) continue;
     problems.set(key, {

@@ -36,7 +36,7 @@ function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
   const app = useApp();
   const project = useProject();
   const last = recordsOf(project, kind).at(-1);
-  const [place, setPlace] = useState<Place>(() => last?.at ?? [0, 0, 0]);
+  const [place, setPlace] = useState<Place>(() => last?.position ?? [0, 0, 0]);
   const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
   const [added, setAdded] = useState<string | null>(null);
   const form = useRef<HTMLFormElement>(null);

@@ -32,7 +32,7 @@ export function PointEditor({ point, project }: { readonly point: ProjectPoint; 
       <PlaceFields
         key={point.id}
         label={strings.inspector.position}
-        place={point.at}
+        place={point.position}
         step={stepFor(project)}
         testId="at"
         onCommit={(axis, value) => app.documents.edit(moveEntity("point", point.id, axis, value))}
@@ -151,7 +151,7 @@ export function NodeEditor({ node, project }: NodeEditorProps) {
         <PlaceFields
           key={node.id}
           label={strings.inspector.position}
-          place={node.at}
+          place={node.position}
           step={stepFor(project)}
           testId="at"
           onCommit={(axis, value) => app.documents.edit(moveEntity("background-node", node.id, axis, value))}
@@ -171,7 +171,7 @@ interface SourceEditorProps {
 
 export function SourceEditor({ source, project }: SourceEditorProps) {
   const app = useApp();
-  const { id, size, distance = 0, growth = defaultGrowth, places } = source;
+  const { id, size, distance = 0, growth = defaultGrowth, positions: places } = source;
   const set = (field: "size" | "distance" | "growth") => (value: number) =>
     app.documents.edit(setSourceField(id, field, value));
   return (

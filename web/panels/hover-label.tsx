@@ -11,7 +11,7 @@ export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover })
   const describe = (): string => {
     switch (kind) {
       case "point":
-        return formatPlace(findRecord(project, "point", id)?.at ?? []);
+        return formatPlace(findRecord(project, "point", id)?.position ?? []);
       case "line":
         return lineTypeNames[findRecord(project, "line", id)?.type ?? "straight"];
       case "patch":

@@ -8,17 +8,22 @@ import { useApp, useProject } from "./app-context";
 
 const texts = strings.meshing;
 
-type Enclosed = NonNullable<ProjectMeshing["enclosed"]>;
+type Enclosed = NonNullable<ProjectMeshing["innerShells"]>;
 type Order = NonNullable<ProjectMeshing["order"]>;
 type Optimization = NonNullable<ProjectMeshing["optimization"]>;
 
 /** What holds where the project does not say. */
-const defaults = { enclosed: "cavities", gradation: 1.3, order: "layered", optimization: "default" } as const;
+const defaults = {
+  innerShells: "cavities",
+  gradation: 1.3,
+  order: "layered",
+  optimization: "default",
+} as const;
 
 const enclosedBodies: readonly Enclosed[] = ["cavities", "regions"];
 const orders: readonly Order[] = ["layered", "smallest-first"];
 /** By effort: levels 0 to 3. */
-const optimizations: readonly Optimization[] = ["none", "fast", "default", "strive"];
+const optimizations: readonly Optimization[] = ["none", "fast", "default", "thorough"];
 
 const refuseGradation = (value: number): string | null =>
   value === 0 || (value > 1 && value <= LIMITS.gradation) ? null : texts.badGradation;
@@ -30,7 +35,7 @@ export function MeshSettings() {
   const order: Order = meshing?.order ?? defaults.order;
   const optimization: Optimization = meshing?.optimization ?? defaults.optimization;
   const gradation = meshing?.gradation ?? defaults.gradation;
-  const enclosed: Enclosed = meshing?.enclosed ?? defaults.enclosed;
+  const enclosed: Enclosed = meshing?.innerShells ?? defaults.innerShells;
   // What is as it would be anyway is left out of the file.
   const set = <Field extends keyof typeof defaults>(
     field: Field,
@@ -91,7 +96,7 @@ export function MeshSettings() {
           aria-label={texts.enclosed}
           data={enclosedBodies.map((value) => ({ value, label: texts.enclosedBodies[value] }))}
           value={enclosed}
-          onChange={(value) => set("enclosed", value)}
+          onChange={(value) => set("innerShells", value)}
         />
       </FieldRow>
       <Text size="xs" c="dimmed" mb={6}>

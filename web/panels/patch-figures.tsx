@@ -1,5 +1,5 @@
 import { Text, UnstyledButton } from "@mantine/core";
-import type { PatchFigures, Project } from "tetrafront";
+import type { PatchQuality, Project } from "tetrafront";
 import { showEntities } from "../commands/selection-actions";
 import { SectionTitle } from "../ui/field-row";
 import { formatAngle, formatCount, formatShort } from "../ui/format";
@@ -9,10 +9,10 @@ import { entityTitle } from "./entity-chips";
 
 const texts = strings.patches;
 
-const noFigures: readonly PatchFigures[] = [];
+const noFigures: readonly PatchQuality[] = [];
 
 /** The figures of the mesh on show with the patches they belong to; nothing while the mesh is stale. */
-function useFigures(): readonly { readonly id: number; readonly figures: PatchFigures }[] {
+function useFigures(): readonly { readonly id: number; readonly figures: PatchQuality }[] {
   const project = useProject();
   const stale = useStale();
   const all = useRun((state) => state.mesh?.report.patches ?? noFigures);
@@ -88,7 +88,7 @@ export function PatchTable() {
 
 interface PatchRowProps {
   readonly id: number;
-  readonly figures: PatchFigures;
+  readonly figures: PatchQuality;
   readonly project: Project;
 }
 

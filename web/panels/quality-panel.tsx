@@ -74,7 +74,7 @@ export function QualityPanel() {
         <dt>{strings.quality.tetrahedra}</dt>
         <dd>{formatCount(report.tetrahedra)}</dd>
         <dt>{strings.quality.points}</dt>
-        <dd>{measured ? formatCount(report.points) : unmeasured}</dd>
+        <dd>{measured ? formatCount(report.nodes) : unmeasured}</dd>
         <dt>{strings.quality.triangles}</dt>
         <dd>{formatCount(report.triangles)}</dd>
         <dt>{strings.quality.dihedral}</dt>

@@ -1,7 +1,7 @@
 import { Select, Text, UnstyledButton } from "@mantine/core";
 import { IconAlertTriangle, IconCircleCheck, IconClockExclamation } from "@tabler/icons-react";
 import { useMemo, useState } from "react";
-import type { ElementFigures, MeshReport, QualityReport as Quality } from "tetrafront";
+import type { ElementQuality, MeshReport, QualityReport as Quality } from "tetrafront";
 import { showElement } from "../commands/selection-actions";
 import { bestValue, placeOnScale, worstShown } from "../document/mesh-quality";
 import {
@@ -232,7 +232,7 @@ function RatioChart({ report: { quality, radiusRatio }, choice }: ReportChartPro
 function EdgeChart({ quality, choice }: { readonly quality: Quality; readonly choice: RegionChoice }) {
   const share =
     choice === null
-      ? quality.edges.nearWanted
+      ? quality.edges.nearTarget
       : shareBetween(countsOf(quality, choice, "edge"), quality.binWidths.edge, nearWanted);
   return (
     <Chart
@@ -266,7 +266,7 @@ function KeyFigures({ quality }: { readonly quality: Quality }) {
         </>
       )}
       <dt title={texts.missedHint}>{texts.missed}</dt>
-      <dd data-testid="missed">{formatCount(quality.missed)}</dd>
+      <dd data-testid="missed">{formatCount(quality.outOfRange)}</dd>
       <dt title={texts.limitedHint}>{texts.limited}</dt>
       <dd data-testid="limited">{formatCount(quality.limitedByBoundary.count)}</dd>
     </dl>
@@ -274,13 +274,13 @@ function KeyFigures({ quality }: { readonly quality: Quality }) {
 }
 
 interface ElementButtonProps {
-  readonly element: ElementFigures;
+  readonly element: ElementQuality;
   readonly text: string;
   readonly testId?: string;
 }
 
 /** Goes to an element and marks it. */
-function ElementButton({ element: { tetrahedron, place }, text, testId }: ElementButtonProps) {
+function ElementButton({ element: { tetrahedron, centroid: place }, text, testId }: ElementButtonProps) {
   const app = useApp();
   const marked = useView((state) => state.element === tetrahedron);
   return (
@@ -298,7 +298,7 @@ function ElementButton({ element: { tetrahedron, place }, text, testId }: Elemen
 }
 
 interface ElementTableProps {
-  readonly elements: readonly ElementFigures[];
+  readonly elements: readonly ElementQuality[];
   readonly testId: string;
 }
 
@@ -322,7 +322,7 @@ function ElementTable({ elements, testId }: ElementTableProps) {
             <th scope="row">
               <ElementButton
                 element={element}
-                text={formatPlace(element.place.map((x) => Number(x.toPrecision(3))))}
+                text={formatPlace(element.centroid.map((x) => Number(x.toPrecision(3))))}
                 testId={`${testId}-${index}`}
               />
             </th>

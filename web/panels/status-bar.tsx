@@ -31,7 +31,7 @@ function outcomeText(run: RunState, stale: boolean): string {
   }
 }
 
-function sectionName({ phase, exactFill }: RunProgressReport): string {
+function sectionName({ phase, exactFillFraction: exactFill }: RunProgressReport): string {
   return exactFill > 0 ? strings.status.filling : phaseNames[phase];
 }
 
@@ -75,8 +75,8 @@ function RunProgress() {
       </span>
       {progress && progress.frontFaces > 0 && (
         <span className="tf-wide" aria-hidden>
-          {progress.exactFill > 0
-            ? strings.status.exactFill(formatShare(progress.exactFill))
+          {progress.exactFillFraction > 0
+            ? strings.status.exactFill(formatShare(progress.exactFillFraction))
             : strings.status.front(formatCount(progress.frontFaces))}
         </span>
       )}
@@ -108,7 +108,7 @@ function MeshNumbers() {
   const tetrahedra = progress?.tetrahedra ?? mesh?.report.tetrahedra;
   // Without an element the report holds zeros that nobody measured.
   const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
-  const points = progress?.points ?? report?.points;
+  const points = progress?.nodes ?? report?.nodes;
   return (
     <div className="tf-numbers" data-stale={(stale && !progress) || undefined}>
       {points !== undefined && (

@@ -43,7 +43,7 @@ function describe(project: Project, { kind, id }: Entity, position: number): Des
   switch (kind) {
     case "point": {
       const point = project.points[position];
-      return named(point?.name, () => (point ? formatPlace(point.at) : ""));
+      return named(point?.name, () => (point ? formatPlace(point.position) : ""));
     }
     case "line": {
       const line = project.lines[position];

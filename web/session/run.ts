@@ -191,7 +191,7 @@ function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): bo
 }
 
 function summary({ report }: MeshResult): string {
-  const size = `${count(report.tetrahedra)} tetrahedra, ${count(report.points)} points`;
+  const size = `${count(report.tetrahedra)} tetrahedra, ${count(report.nodes)} points`;
   const seconds = `${report.seconds.total.toFixed(2)} s`;
   switch (report.status) {
     case "done":

@@ -63,7 +63,7 @@ const counted = (count: number, one: string, many: string): string =>
 export function recoverySteps({
   relaxed,
   starred,
-  reopened,
+  remeshed: reopened,
   filled,
   steinerPoints,
 }: MeshReport["recovery"]): readonly string[] {
@@ -290,7 +290,7 @@ export const strings = {
     applyAnyway: "Apply all the same",
     tooMany: "So many elements take minutes and gigabytes. Thin places ask for more of them than they look.",
     coarser: (count: string) => `Larger elements: fewer than ${count}`,
-    meshAsGrid: "Use this mesh as background grid",
+    backgroundFromMesh: "Use this mesh as background grid",
     propose: "Propose sizes",
     proposeHint: "Sources of smaller size where lines and patches bend or come near each other.",
     wishes: {
@@ -328,12 +328,12 @@ export const strings = {
       "smallest-first": "The smallest face of the front comes next, as in the paper.",
     },
     optimization: "Optimization",
-    optimizations: { none: "None", fast: "Fast", default: "Default", strive: "Strive" },
+    optimizations: { none: "None", fast: "Fast", default: "Default", thorough: "Thorough" },
     optimizationHints: {
       none: "the elements stay as the front made them.",
       fast: "swaps and moves, then repair of the worst.",
       default: "splits and collapses too; angles between 30° and 135° where the boundary allows them.",
-      strive: "repair goes on towards angles between 35° and 130°.",
+      thorough: "repair goes on towards angles between 35° and 130°.",
     },
     gradation: "Gradation",
     gradationHint: "Most by which sizes grow from one element to the next; 0 takes them as they are.",

@@ -50,7 +50,7 @@ export class Bounds {
 export function projectBounds(project: Project): Bounds {
   const records = project.points.length > 0 ? project.points : project.background.nodes;
   const bounds = new Bounds();
-  for (const { at } of records) bounds.add(...at);
+  for (const { position } of records) bounds.add(...position);
   return bounds;
 }
 
@@ -70,11 +70,12 @@ export function entityBounds(entity: Entity, project: Project, preview: SampledP
     case "point":
     case "background-node": {
       const record = findRecord(project, entity.kind, entity.id);
-      if (record) bounds.add(...record.at);
+      if (record) bounds.add(...record.position);
       break;
     }
     case "source": {
-      for (const position of findRecord(project, "source", entity.id)?.places ?? []) bounds.add(...position);
+      for (const position of findRecord(project, "source", entity.id)?.positions ?? [])
+        bounds.add(...position);
       break;
     }
     case "line":

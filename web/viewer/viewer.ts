@@ -70,7 +70,7 @@ export class Viewer {
     shape: "round",
     color: (colors) => colors.point,
     records: ({ project }) => project.points,
-    positions: ({ at }) => [at],
+    positions: ({ position }) => [position],
   });
   readonly #grid = new GridLayer();
   readonly #sources = new SourcesLayer();

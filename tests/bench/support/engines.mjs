@@ -54,7 +54,7 @@ export function clockFront(order, filters, { points, triangles }, grid = { nodes
   const { nodes, tetrahedra } = grid;
   const positions = new Map(nodes.map(({ id }, position) => [id, position]));
   const counts = [points.length / 3, triangles.length / 3, nodes.length, tetrahedra.length];
-  const gridNodes = nodes.flatMap(({ at, size }) => [...at, size]);
+  const gridNodes = nodes.flatMap(({ position, size }) => [...position, size]);
   const corners = tetrahedra.flat().map((id) => positions.get(id));
   const input = [counts, points, triangles, gridNodes, corners].map((list) => list.join(" ")).join("\n");
   return run(frontClock, [order, filters], input);

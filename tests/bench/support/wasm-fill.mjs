@@ -9,7 +9,7 @@
 import { readFileSync } from "node:fs";
 import createEngine from "../../../wasm/dist/engine/engine.js";
 
-const OPTIMIZATIONS = ["none", "fast", "default", "strive"];
+const OPTIMIZATIONS = ["none", "fast", "default", "thorough"];
 const PHASES = ["check", "sides", "surface", "volume", "optimize", "verify"];
 const STATUSES = ["running", "done", "stalled", "cancelled", "invalid-input"];
 // As wasm/src/engine/slices.ts calls the engine.
@@ -57,7 +57,7 @@ function fill(engine, surface, optimization) {
     tetrahedra: new Uint32Array(0),
     sourceTypes: new Uint8Array(0),
     sourceValues: none,
-    overhang: 0,
+    coverageMargin: 0,
   };
   const options = {
     size: 0,
@@ -67,7 +67,7 @@ function fill(engine, surface, optimization) {
     filters: true,
     optimization,
     exactFillOnly: false,
-    enclosed: 0,
+    innerShells: 0,
   };
   const run = engine.fillSurface(surface.points, surface.triangles, grid, options);
   const seconds = Object.fromEntries(PHASES.map((phase) => [phase, 0]));

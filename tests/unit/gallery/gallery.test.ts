@@ -1,7 +1,14 @@
 /** The bundled models: each one sound, together a picture of everything that can be drawn. */
 import { readdirSync, readFileSync } from "node:fs";
 
-import { createMesher, isWall, readProject, type Mesher, type MeshResult, type Project } from "tetrafront";
+import {
+  createMesher,
+  isInterface,
+  readProject,
+  type Mesher,
+  type MeshResult,
+  type Project,
+} from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
 import type { Gallery } from "../../../web/session/gallery";
@@ -40,7 +47,7 @@ async function meshOf(id: string): Promise<MeshResult> {
 
 /** The same model with all its sizes so many times as large. */
 function coarser({ background, ...rest }: Project, factor: number): Project {
-  const scaled = <T extends { size: number }>(at: T): T => ({ ...at, size: at.size * factor });
+  const scaled = <T extends { size: number }>(sized: T): T => ({ ...sized, size: sized.size * factor });
   const { nodes, sources } = background;
   return {
     ...rest,
@@ -97,7 +104,7 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
     expect(dihedral.min).toBeGreaterThan(isStretched(projectOf(id)) ? 5 : 28);
     expect(radiusRatio.mean).toBeGreaterThan(isStretched(projectOf(id)) ? 0.7 : 0.85);
     expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
-    expect(quality.edges.nearWanted).toBeGreaterThan(0.95);
+    expect(quality.edges.nearTarget).toBeGreaterThan(0.95);
   });
 
   // Walls are then about one and a half elements thick.
@@ -106,7 +113,7 @@ describe.each(gallery.models.map(({ id }) => id))("%s", (id) => {
     async (factor) => {
       const { quality } = (await mesher.meshProject(coarser(projectOf(id), factor))).report;
       expect(Math.abs(quality.edges.mean - 1)).toBeLessThan(0.12);
-      expect(quality.edges.nearWanted).toBeGreaterThan(0.95);
+      expect(quality.edges.nearTarget).toBeGreaterThan(0.95);
     },
   );
 });
@@ -199,7 +206,7 @@ describe("together the models use", () => {
   test("a wall between two regions, whose volumes its triangles give", async () => {
     const { surface, volume, report } = await meshOf("pipe-and-flow");
     expect(report.quality.regions.map(({ region }) => region)).toEqual([0, 1]);
-    const walls = surface.trianglePatch.filter((_, triangle) => isWall(surface, triangle));
+    const walls = surface.trianglePatch.filter((_, triangle) => isInterface(surface, triangle));
     const { patches } = projectOf("pipe-and-flow");
     expect(new Set([...walls].map((patch) => patches[patch]?.name))).toEqual(
       new Set(["wall right", "wall top", "wall left", "wall bottom"]),
@@ -235,7 +242,7 @@ describe("the paper's examples", () => {
     ["missile-launcher", 3465, 17572],
   ])("%s has the printed counts within ten per cent", async (id, points, tetrahedra) => {
     const { report } = await meshOf(id);
-    expect(Math.abs(report.points / points - 1)).toBeLessThan(0.1);
+    expect(Math.abs(report.nodes / points - 1)).toBeLessThan(0.1);
     expect(Math.abs(report.tetrahedra / tetrahedra - 1)).toBeLessThan(0.1);
   });
 
@@ -243,7 +250,7 @@ describe("the paper's examples", () => {
     const nose = projectOf("engine-intake").points.find(({ name }) => name === "nose of the centrebody");
     const { ratio, centroidOfSmallest } = volumeRange((await meshOf("engine-intake")).volume);
     expect(ratio).toBeGreaterThan(1e4);
-    const distance = Math.hypot(...centroidOfSmallest.map((c, k) => c - (nose?.at[k] ?? NaN)));
+    const distance = Math.hypot(...centroidOfSmallest.map((c, k) => c - (nose?.position[k] ?? NaN)));
     // A few of the smallest elements' edges, in an intake of length 5.
     expect(distance).toBeLessThan(0.05);
   });

@@ -29,8 +29,8 @@ const background: api.BackgroundArrays = {
   stretchings: new Float64Array(8).fill(1),
   directions: new Float64Array(24).fill(1),
   tetrahedra: block.tetrahedra,
-  overhang: 0.1,
-  sources: [{ id: 1, type: "point", places: [[0, 0, 0]], size: 1 }],
+  coverageMargin: 0.1,
+  sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 1 }],
 };
 const control = { signal: new AbortController().signal, onProgress: () => undefined };
 const surfaceFile = { ...box, trianglePatch: new Uint32Array(12), patches: [{ name: "skin", tag: 1 }] };
@@ -72,13 +72,15 @@ const functions: Readonly<Record<string, Arguments>> = {
   writeMesh: { mesh: block, fileName: "a.vtu" },
   unusedData: { volume: { nodeData: new Map([["size", { components: 1, values: new Float64Array(8) }]]) } },
   volumeBackground: {
-    mesher: { meshAsBackground: () => Promise.resolve(background) },
+    mesher: { backgroundFromMesh: () => Promise.resolve(background) },
     volume: {
       ...block,
       nodeData: new Map([["size", { components: 1, values: new Float64Array(8).fill(1) }]]),
     },
   },
-  backgroundArrays: { background: { ...project.background, sources: background.sources, overhang: 0.1 } },
+  backgroundArrays: {
+    background: { ...project.background, sources: background.sources, coverageMargin: 0.1 },
+  },
   projectBackground: { background },
   parseProject: { value: project },
   readProject: { text: api.writeProject(project) },
@@ -87,17 +89,17 @@ const functions: Readonly<Record<string, Arguments>> = {
     given: { ...surfaceFile, surfaceRegions },
     repair: { surface: box, origin: Uint32Array.from({ length: 12 }, (_, t) => t) },
   },
-  isWall: { surface: meshed.surface, triangle: 0 },
+  isInterface: { surface: meshed.surface, triangle: 0 },
 };
 
 const methods: Readonly<Record<Exclude<keyof api.Mesher, "dispose">, Arguments>> = {
   meshProject: { project, options: { gradation: 1.3, background }, control },
   fillSurface: { surface: box, options: { growth: 0.3, background }, control },
-  previewProject: { project, options: { size: 1, enclosed: "cavities" }, control },
+  previewProject: { project, options: { size: 1, innerShells: "cavities" }, control },
   coverProject: { project, options: { size: 1, shape: "box" }, control },
   proposeSizes: { project, options: { smallest: 0.5 }, control },
-  meshAsBackground: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },
-  inspectSurface: { surface: box, options: { enclosed: "regions" }, control },
+  backgroundFromMesh: { mesh: block, options: { sizes: new Float64Array(8).fill(1) }, control },
+  inspectSurface: { surface: box, options: { innerShells: "regions" }, control },
   repairSurface: { surface: box, options: { weld: 0, fillHoles: 3 }, control },
   refineSurface: { surface: box, options: { background }, control },
   inspectMesh: { mesh: { ...block, regions: block.tetrahedronRegion }, control },

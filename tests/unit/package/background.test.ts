@@ -57,7 +57,7 @@ describe("a source of size", () => {
   const segment: ProjectSource = {
     id: 1,
     type: "segment",
-    places: [
+    positions: [
       [0, 0, 0],
       [0, 0, 1],
     ],
@@ -119,7 +119,7 @@ describe("a covering grid", () => {
   );
 
   test("keeps the sources, and takes its size from the model if none is given", async () => {
-    const source: ProjectSource = { id: 3, type: "point", places: [[0, 0, 0]], size: 0.1 };
+    const source: ProjectSource = { id: 3, type: "point", positions: [[0, 0, 0]], size: 0.1 };
     const background = await mesher.coverProject(withSources(cubeProject(), source));
     expect(background.sources).toEqual([source]);
     for (const { size } of background.nodes) expect(size).toBeCloseTo(Math.sqrt(3) / 20, 12);
@@ -173,7 +173,7 @@ describe("proposed sizes", () => {
 /** Its first edge, of the bottom and the front, sags within the plane of the bottom. */
 function withBentEdge(cube: Project): Project {
   const [first] = cube.lines;
-  const middle = { id: 100, at: [0.5, 0.2, 0] as const };
+  const middle = { id: 100, position: [0.5, 0.2, 0] as const };
   const planeOfFront = new Set(cube.patches.filter(({ name }) => name === "front").map(({ id }) => id));
   return {
     ...cube,
@@ -190,14 +190,14 @@ function withBentEdge(cube: Project): Project {
 describe("a mesh as background grid", () => {
   test("asks for about as many elements as it has", async () => {
     const first = await mesher.meshProject(cubeProject(0.12));
-    const background = await mesher.meshAsBackground(first.volume);
-    expect(background.sizes.length).toBe(first.report.points);
+    const background = await mesher.backgroundFromMesh(first.volume);
+    expect(background.sizes.length).toBe(first.report.nodes);
     expect(background.tetrahedra.length).toBe(first.volume.tetrahedra.length);
     const again = await mesher.meshProject(bare(cubeProject()), { background });
     expectDone(again);
     expect(again.report.tetrahedra / first.report.tetrahedra).toBeGreaterThan(0.75);
     expect(again.report.tetrahedra / first.report.tetrahedra).toBeLessThan(1.35);
-    expect(first.volume.points.length).toBe(3 * first.report.points);
+    expect(first.volume.points.length).toBe(3 * first.report.nodes);
   });
 
   test("takes sizes per node, and leaves out nodes of no tetrahedron", async () => {
@@ -205,7 +205,7 @@ describe("a mesh as background grid", () => {
     const points = Float64Array.of(9, 9, 9, ...volume.points);
     const tetrahedra = volume.tetrahedra.map((node) => node + 1);
     const sizes = new Float64Array(points.length / 3).fill(0.3);
-    const background = await mesher.meshAsBackground({ points, tetrahedra }, { sizes });
+    const background = await mesher.backgroundFromMesh({ points, tetrahedra }, { sizes });
     expect([...background.points]).toEqual([...volume.points]);
     expect([...new Set(background.sizes)]).toEqual([0.3]);
     const [byGrid, bySize] = [
@@ -219,7 +219,7 @@ describe("a mesh as background grid", () => {
 
   test("as a project's grid does the same as the arrays", async () => {
     const { volume } = await mesher.meshProject(cubeProject(0.4));
-    const background = await mesher.meshAsBackground(volume);
+    const background = await mesher.backgroundFromMesh(volume);
     const project = { ...cubeProject(), background: projectBackground(background) };
     expect(readProject(writeProject(project))).toEqual({ success: true, value: project });
     const [byArrays, byProject] = [
@@ -246,7 +246,7 @@ describe("a mesh as background grid", () => {
     ["sizes of other nodes", corner, { sizes: Float64Array.of(1, 1) }, /no Float64Array of 4/],
     ["a size of 0", corner, { sizes: Float64Array.of(1, 1, 0, 1) }, /node 2 .*size 0\. Give/i],
   ])("is refused for %s", async (_, mesh, options, message) => {
-    const refused = mesher.meshAsBackground(mesh as VolumeMesh, options);
+    const refused = mesher.backgroundFromMesh(mesh as VolumeMesh, options);
     await expect(refused).rejects.toMatchObject({ code: "invalid-input" });
     await expect(refused).rejects.toThrow(message);
   });
@@ -254,8 +254,8 @@ describe("a mesh as background grid", () => {
   test("is answered while a run is under way", async () => {
     let isOver = false;
     const run = mesher.fillSurface(sphereSurface(24)).then(() => (isOver = true));
-    const { overhang } = await mesher.meshAsBackground(corner);
-    expect([overhang ?? 0, isOver]).toEqual([expect.closeTo(0.25, 12), false]);
+    const { coverageMargin } = await mesher.backgroundFromMesh(corner);
+    expect([coverageMargin ?? 0, isOver]).toEqual([expect.closeTo(0.25, 12), false]);
     await run;
   });
 });
@@ -302,7 +302,7 @@ describe("a background grid of arrays", () => {
   });
 
   test("leaves the sources of a project, and the caller's arrays", async () => {
-    const source: ProjectSource = { id: 1, type: "point", places: [[0, 0, 0]], size: 0.08, distance: 0.3 };
+    const source: ProjectSource = { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.08, distance: 0.3 };
     const background = around(0.5);
     const [plain, refined] = [
       await mesher.meshProject(cubeProject(), { background }),
@@ -314,7 +314,7 @@ describe("a background grid of arrays", () => {
 
   test("may bring sources, which for a surface may be all there is", async () => {
     const sources: ProjectSource[] = [
-      { id: 1, type: "point", places: [[0, 0, 0]], size: 0.1, distance: 0.2 },
+      { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.1, distance: 0.2 },
     ];
     const alone = {
       points: new Float64Array(),
@@ -328,7 +328,10 @@ describe("a background grid of arrays", () => {
     ];
     expectDone(refined);
     expect(refined.report.tetrahedra).toBeGreaterThan(1.3 * own.report.tetrahedra);
-    const project = { ...cubeProject(), background: { ...cubeProject().background, sources, overhang: 0.1 } };
+    const project = {
+      ...cubeProject(),
+      background: { ...cubeProject().background, sources, coverageMargin: 0.1 },
+    };
     const read = backgroundArrays(project.background);
     expect(projectBackground(read)).toEqual(project.background);
   });
@@ -342,7 +345,7 @@ describe("a background grid of arrays", () => {
             {
               id: 1,
               type: "point",
-              places: [
+              positions: [
                 [0, 0, 0],
                 [1, 0, 0],
               ],
@@ -389,9 +392,9 @@ describe("a background grid of arrays", () => {
     ],
     [
       "that says how far outside is inside wrongly",
-      { background: around(1, { overhang: -1 }) },
+      { background: around(1, { coverageMargin: -1 }) },
       "invalid-arrays",
-      /overhang is -1/,
+      /coverageMargin is -1/,
     ],
   ])("is refused %s, for projects and surfaces", async (_, options, code, message) => {
     for (const run of [

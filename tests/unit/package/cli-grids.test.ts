@@ -84,10 +84,13 @@ describe("cover", () => {
 test("propose adds sources where a model is narrow, behind those it has", async () => {
   const thin: Project = {
     ...bare,
-    points: bare.points.map((point) => ({ ...point, at: [point.at[0], point.at[1], point.at[2] / 20] })),
+    points: bare.points.map((point) => ({
+      ...point,
+      position: [point.position[0], point.position[1], point.position[2] / 20],
+    })),
     background: {
       ...bare.background,
-      sources: [{ id: 7, name: "mine", type: "point", places: [[0, 0, 0]], size: 0.2 }],
+      sources: [{ id: 7, name: "mine", type: "point", positions: [[0, 0, 0]], size: 0.2 }],
     },
   };
   save("thin.json", writeProject(thin));
@@ -122,7 +125,7 @@ describe("check", () => {
       ),
       background: {
         ...cubeProject().background,
-        sources: [{ id: 4, type: "point", places: [[0, 0, 0]], size: -1 }],
+        sources: [{ id: 4, type: "point", positions: [[0, 0, 0]], size: -1 }],
       },
     };
     save("wrong.json", writeProject(wrong));
@@ -194,7 +197,9 @@ describe("mesh --background", () => {
   });
 
   test("takes the grid and the sources of another project, also for a surface", async () => {
-    const sources = [{ id: 1, type: "point", places: [[0.5, 0.5, 0.5]], size: 0.08, distance: 0.2 }] as const;
+    const sources = [
+      { id: 1, type: "point", positions: [[0.5, 0.5, 0.5]], size: 0.08, distance: 0.2 },
+    ] as const;
     save("grid.json", writeProject(cubeProject(0.5)));
     save("fine.json", writeProject({ ...bare, background: { ...cubeProject(0.5).background, sources } }));
     save("only.json", writeProject({ ...bare, background: { ...bare.background, sources } }));
@@ -223,7 +228,7 @@ describe("mesh --background", () => {
     save("broken.msh", "mesh");
     const nodes = cubeProject().background.nodes.map((node) => ({
       ...node,
-      at: [node.at[0] + 9, node.at[1], node.at[2]] as const,
+      position: [node.position[0] + 9, node.position[1], node.position[2]] as const,
     }));
     save("far.json", writeProject({ ...bare, background: { ...cubeProject().background, nodes } }));
     const { code, stderr } = await run("mesh", "bare.json", "-o", "out.vtu", ...args);

@@ -57,10 +57,10 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
   test("carries entities, place and numbers along", () => {
     const said = describeDiagnostic({ code: Number(code), ...richOf(name) }, nameByPosition);
     expect(said.entities).toHaveLength(2 * ENTITY_KINDS.length);
-    expect(said.place).toEqual([0.125, 1 / 3, -2]);
+    expect(said.position).toEqual([0.125, 1 / 3, -2]);
     expect(Object.keys(said.data)).toEqual(numbersOf(name).map((entry) => entry.replace("?", "")));
     const least = describeDiagnostic({ code: Number(code), ...leastOf(name) }, nameByPosition);
-    expect(least.place).toBeUndefined();
+    expect(least.position).toBeUndefined();
     expect(Object.keys(least.data)).toEqual(numbersOf(name).filter((entry) => !entry.endsWith("?")));
   });
 
@@ -122,7 +122,7 @@ test("diagnostics come out of the engine's arrays as they were put in, at once o
   const arrays = {
     heads: Uint32Array.of(40, 2, 1, 1, 1, 12, 2, 0, 0, 0, 43, 2, 2, 1, 2, 44, 1, 2, 0, 0),
     entities: Uint32Array.of(5, 7, 5, 1, 5, 2, 5, 3, 5, 4),
-    places: Float64Array.of(1, 2, 3, 4, 5, 6),
+    positions: Float64Array.of(1, 2, 3, 4, 5, 6),
     values: Float64Array.of(9, 100, 1),
   };
   const told = describeAll(arrays, nameByPosition);
@@ -134,7 +134,7 @@ test("diagnostics come out of the engine's arrays as they were put in, at once o
     "duplicate-triangle",
   ]);
   expect(indices).toEqual([[7], [], [1, 2], [3, 4]]);
-  expect(told.map(({ place }) => place)).toEqual([[1, 2, 3], undefined, [4, 5, 6], undefined]);
+  expect(told.map(({ position }) => position)).toEqual([[1, 2, 3], undefined, [4, 5, 6], undefined]);
   expect(told.map(({ data }) => data)).toEqual([{ count: 9 }, {}, { count: 100, isLeast: true }, {}]);
   expect(told.map(({ severity }) => severity)).toEqual(["error", "error", "error", "warning"]);
   expect(stepsOf(arrays)).toEqual([1, told]);
@@ -148,7 +148,11 @@ test("of many diagnostics none takes long between two steps", () => {
   expect(steps).toBeGreaterThan(40);
 });
 
-const NO_ENTITIES = { entities: new Uint32Array(), places: new Float64Array(), values: new Float64Array() };
+const NO_ENTITIES = {
+  entities: new Uint32Array(),
+  positions: new Float64Array(),
+  values: new Float64Array(),
+};
 
 /** In how many steps they are described, and as what. */
 function stepsOf(arrays: DiagnosticArrays): [number, Diagnostic[]] {

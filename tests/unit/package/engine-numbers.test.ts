@@ -6,7 +6,7 @@ import { ENTITY_KINDS, SEVERITIES } from "../../../wasm/src/diagnostics/sentence
 import { SOURCE_TYPES } from "../../../wasm/src/project/grid-arrays.js";
 import {
   COVER_SHAPES,
-  DEFAULT_FINDINGS,
+  DEFAULT_MAX_DIAGNOSTICS,
   FRONT_ORDERS,
   OPTIMIZATIONS,
 } from "../../../wasm/src/api/options.js";
@@ -30,7 +30,9 @@ test("bounds of numbers", () => {
 });
 
 test("findings that are listed", () => {
-  expect(DEFAULT_FINDINGS).toBe(engineConstant("include/tetrafront/surface_tools.h", "kListedFindings"));
+  expect(DEFAULT_MAX_DIAGNOSTICS).toBe(
+    engineConstant("include/tetrafront/surface_tools.h", "kListedFindings"),
+  );
 });
 
 test("diagnostic codes", () => {

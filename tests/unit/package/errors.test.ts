@@ -75,7 +75,7 @@ describe.each<[string, unknown]>([
     ["the project of a preview", () => mesher.previewProject(wrong)],
     ["the project to cover", () => mesher.coverProject(wrong)],
     ["the project of a proposal", () => mesher.proposeSizes(wrong)],
-    ["the mesh for a background", () => mesher.meshAsBackground(wrong)],
+    ["the mesh for a background", () => mesher.backgroundFromMesh(wrong)],
     ["the volume for a background", () => volumeBackground(mesher, wrong)],
     ["the surface to inspect", () => mesher.inspectSurface(wrong)],
     ["the surface to repair", () => mesher.repairSurface(wrong)],
@@ -95,7 +95,7 @@ describe.each<[string, unknown]>([
   test.each<[string, () => unknown]>([
     ["the options of fillSurface", () => mesher.fillSurface(surface, wrong)],
     ["the options of repairSurface", () => mesher.repairSurface(surface, wrong)],
-    ["the options of meshAsBackground", () => mesher.meshAsBackground(block, wrong)],
+    ["the options of backgroundFromMesh", () => mesher.backgroundFromMesh(block, wrong)],
     ["the control of fillSurface", () => mesher.fillSurface(surface, {}, wrong)],
     ["the options of inspectSurface", () => mesher.inspectSurface(surface, wrong)],
     ["the control of inspectSurface", () => mesher.inspectSurface(surface, {}, wrong)],

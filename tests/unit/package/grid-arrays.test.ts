@@ -13,7 +13,7 @@ function sourcesFrom(first: number, count: number): NonNullable<BackgroundArrays
   return Array.from({ length: count }, (_, i) => ({
     id: first + i,
     type: "point" as const,
-    places: [[first + i, 0, 0]] as const,
+    positions: [[first + i, 0, 0]] as const,
     size: 0.1,
   }));
 }

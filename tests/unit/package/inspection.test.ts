@@ -63,9 +63,9 @@ describe("the inspection of a surface", () => {
       [undefined, 1000],
       [1, 1],
       [pairs - 1, pairs - 1],
-      [LIMITS.findings, pairs],
+      [LIMITS.maxDiagnostics, pairs],
     ]) {
-      const { diagnostics, isEmbedded } = await mesher.inspectSurface(soup, { findings });
+      const { diagnostics, isEmbedded } = await mesher.inspectSurface(soup, { maxDiagnostics: findings });
       const crossings = diagnostics.filter(({ code }) => code === "self-intersection");
       expect(isEmbedded).toBe(false);
       expect(crossings.map(({ entities }) => entities.map(({ index }) => index))).toEqual(
@@ -74,15 +74,15 @@ describe("the inspection of a surface", () => {
       expect(new Set(crossings.map(({ data }) => JSON.stringify(data)))).toEqual(
         new Set([JSON.stringify({ count: pairs })]),
       );
-      for (const [i, { place }] of crossings.entries()) expect(place?.[0]).toBeCloseTo(10 * i, 2);
+      for (const [i, { position }] of crossings.entries()) expect(position?.[0]).toBeCloseTo(10 * i, 2);
       const edges = diagnostics.filter(({ code }) => code === "open-edge").length;
       expect(edges).toBe(Math.min(findings ?? 1000, 6 * pairs));
     }
   });
 
   test("lists no other numbers of findings", async () => {
-    for (const findings of [0, -1, 1.5, NaN, LIMITS.findings + 1, "all" as unknown as number]) {
-      await expect(mesher.inspectSurface(box, { findings })).rejects.toMatchObject({
+    for (const findings of [0, -1, 1.5, NaN, LIMITS.maxDiagnostics + 1, "all" as unknown as number]) {
+      await expect(mesher.inspectSurface(box, { maxDiagnostics: findings })).rejects.toMatchObject({
         data: { diagnostics: [{ code: "invalid-option", data: { option: "findings" } }] },
       });
     }
@@ -93,7 +93,7 @@ describe("the inspection of a surface", () => {
     const onProgress = ({ fraction }: { fraction: number }) => fraction === 1 && stop.abort();
     const asked = mesher.inspectSurface(
       crossingNeedles(20_000),
-      { findings: LIMITS.findings },
+      { maxDiagnostics: LIMITS.maxDiagnostics },
       {
         signal: stop.signal,
         onProgress,
@@ -105,7 +105,7 @@ describe("the inspection of a surface", () => {
   test("tells bodies from cavities", async () => {
     const surface = joined(cavitySurface(10), boxSurface(2, [5, 0, 0], [6, 1, 1]));
     const found = await mesher.inspectSurface(surface);
-    expect([found.bodies, found.cavities]).toEqual([2, 1]);
+    expect([found.regions, found.cavities]).toEqual([2, 1]);
     expect(found.volume).toBeCloseTo(enclosedVolume(surface), 10);
     expect(found.shells.map(({ isCavity }) => isCavity)).toEqual([false, true, false]);
   });
@@ -115,13 +115,15 @@ describe("the inspection of a surface", () => {
     const outside = boxSurface(4, [-1, -1, -1], [1, 1, 1]);
     for (const core of [inside, turned(inside)]) {
       const surface = joined(outside, core);
-      const found = await mesher.inspectSurface(surface, { enclosed: "regions" });
+      const found = await mesher.inspectSurface(surface, { innerShells: "regions" });
       expect(found).toMatchObject({ isFillable: true, bodies: 2, cavities: 0 });
       expect(found.volume).toBeCloseTo(8, 12);
-      const { report } = await mesher.fillSurface(surface, { enclosed: "regions" });
+      const { report } = await mesher.fillSurface(surface, { innerShells: "regions" });
       expect(report.diagnostics).toEqual(found.diagnostics);
     }
-    const asCavity = await mesher.inspectSurface(joined(outside, turned(inside)), { enclosed: "cavities" });
+    const asCavity = await mesher.inspectSurface(joined(outside, turned(inside)), {
+      innerShells: "cavities",
+    });
     expect(asCavity).toMatchObject({ isFillable: true, bodies: 1, cavities: 1 });
     expect(asCavity.volume).toBeCloseTo(7, 12);
   });
@@ -131,7 +133,7 @@ describe("the inspection of a surface", () => {
     const found = await mesher.inspectSurface(open);
     expect(found).toMatchObject({ isFillable: false, isClosed: false, openEdges: 3 });
     expect(found.diagnostics.map(({ code }) => code)).toEqual(["open-edge", "open-edge", "open-edge"]);
-    expect(found.diagnostics.every(({ place }) => place?.length === 3)).toBe(true);
+    expect(found.diagnostics.every(({ position }) => position?.length === 3)).toBe(true);
     const { report } = await mesher.fillSurface(open);
     expect(report.diagnostics).toEqual(found.diagnostics);
   });
@@ -217,7 +219,7 @@ test("triangles between two spaces that are turned are told of regions, which ta
   const { diagnostics } = await mesher.inspectSurface(nested);
   expect(new Set(diagnostics.map(({ code }) => code))).toEqual(new Set(["turned-triangle"]));
   for (const { remedy } of diagnostics) expect(remedy).toMatch(/--enclosed regions/);
-  expect((await mesher.inspectSurface(nested, { enclosed: "regions" })).isFillable).toBe(true);
+  expect((await mesher.inspectSurface(nested, { innerShells: "regions" })).isFillable).toBe(true);
 });
 
 describe("a repair", () => {
@@ -245,7 +247,7 @@ describe("a repair", () => {
     expect(found).toMatchObject({ isFillable: false, isClosed: true, isManifold: true, turnedTriangles: 3 });
     expect(codes(found.diagnostics)).toEqual(errors);
     const { surface, changes } = await mesher.repairSurface(given);
-    expect(changes.map((change) => (change.kind === "turned-triangle" ? change.triangle : -1))).toEqual(
+    expect(changes.map((change) => (change.kind === "flipped-triangle" ? change.triangle : -1))).toEqual(
       wrong,
     );
     expect((await mesher.fillSurface(surface)).report).toMatchObject({ status: "done", diagnostics: [] });
@@ -254,7 +256,7 @@ describe("a repair", () => {
   test("turns parts within others as they are to be taken", async () => {
     const inside = sphereSurface(2, 0.2, [0.5, 0.5, 0.5]);
     const given = joined(boxSurface(2), inside);
-    expect((await mesher.repairSurface(given, { enclosed: "regions" })).changes).toEqual([]);
+    expect((await mesher.repairSurface(given, { innerShells: "regions" })).changes).toEqual([]);
     const { changes } = await mesher.repairSurface(given);
     expect(changes.map(({ kind }) => kind)).toEqual(
       Array.from({ length: inside.triangles.length / 3 }, () => "turned-triangle"),
@@ -271,7 +273,7 @@ describe("a repair", () => {
     expect(new Set(changes.map(({ kind }) => kind))).toEqual(
       new Set(["welded-node", "removed-triangle", "removed-duplicate", "filled-hole"]),
     );
-    expect(changes.every(({ place }) => place.every(Number.isFinite))).toBe(true);
+    expect(changes.every(({ position }) => position.every(Number.isFinite))).toBe(true);
     expect(origin.filter((triangle) => triangle === NO_ORIGIN)).toHaveLength(1);
     const found = await mesher.inspectSurface(surface);
     expect(found.isFillable).toBe(true);
@@ -374,7 +376,7 @@ describe("the inspection of a mesh", () => {
   test("agrees with the report of the run", async () => {
     const { volume, report, surface } = await mesher.fillSurface(box, { size: 0.5 });
     const found = await mesher.inspectMesh(volume);
-    expect(found.isSound).toBe(true);
+    expect(found.isValid).toBe(true);
     expect(found.dihedral).toEqual(report.dihedral);
     expect(found.tetrahedra).toBe(report.tetrahedra);
     expect(found.boundary.triangles).toHaveLength(surface.triangles.length);

@@ -66,7 +66,7 @@ const idOf = (worker: PlayedWorker, index = 0) => worker.requests[index]?.id ?? 
 
 const none = new Uint32Array();
 const noPoints = new Float64Array();
-const nothingToSay = { heads: none, entities: none, places: noPoints, values: noPoints };
+const nothingToSay = { heads: none, entities: none, positions: noPoints, values: noPoints };
 
 function resultWith(fingerprint: string): EngineResult {
   return {
@@ -82,7 +82,7 @@ function resultWith(fingerprint: string): EngineResult {
     volume: { points: noPoints, tetrahedra: none, regions: none, front: none },
     diagnostics: nothingToSay,
     figures: {
-      points: 0,
+      nodes: 0,
       tetrahedra: 0,
       triangles: 0,
       quality: NO_QUALITY,
@@ -91,7 +91,7 @@ function resultWith(fingerprint: string): EngineResult {
       dihedral: { min: 0, max: 0 },
       radiusRatio: { min: 0, mean: 0 },
       volume: 0,
-      recovery: { relaxed: 0, starred: 0, reopened: 0, filled: 0, steinerPoints: 0 },
+      recovery: { relaxed: 0, starred: 0, remeshed: 0, filled: 0, steinerPoints: 0 },
       front: {
         pops: 0,
         gatheredFaces: 0,
@@ -163,12 +163,12 @@ describe("runs", () => {
     const figures = {
       phase: "volume",
       fraction: 0,
-      points: 0,
+      nodes: 0,
       triangles: 0,
       tetrahedra: 0,
       frontFaces: 0,
       expectedTetrahedra: 0,
-      exactFill: 0,
+      exactFillFraction: 0,
     } as const;
     worker.reply({ kind: "progress", id: id - 1, progress: { ...figures, elapsedSeconds: 0 } });
     worker.reply({ kind: "result", id: id - 1, result: resultWith("late") });
@@ -274,7 +274,14 @@ test("a run beside a question that runs out of memory is rejected with where the
   const run = mesher.fillSurface(boxSurface(1));
   const preview = mesher.previewProject(cubeProject());
   const stood = { phase: "volume", tetrahedra: 1000, expectedTetrahedra: 8000 } as const;
-  const figures = { fraction: 0.5, points: 9, triangles: 9, frontFaces: 9, exactFill: 0, elapsedSeconds: 1 };
+  const figures = {
+    fraction: 0.5,
+    nodes: 9,
+    triangles: 9,
+    frontFaces: 9,
+    exactFillFraction: 0,
+    elapsedSeconds: 1,
+  };
   worker.reply({ kind: "progress", id: idOf(worker), progress: { ...stood, ...figures } });
   const failure = { kind: "failure", reason: "out-of-memory", message: "out of memory" } as const;
   worker.reply({ ...failure, id: idOf(worker, 1), bytes: 2 ** 32 });

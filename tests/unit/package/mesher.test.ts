@@ -176,7 +176,7 @@ describe("bodies within a body", () => {
     const surface = cavitySurface(6);
     const [empty, filled] = await Promise.all([
       mesher.fillSurface(surface),
-      mesher.fillSurface(surface, { enclosed: "regions" }),
+      mesher.fillSurface(surface, { innerShells: "regions" }),
     ]);
     expectValid(empty, surface);
     expect(empty.report.quality.regions).toHaveLength(1);
@@ -188,10 +188,10 @@ describe("bodies within a body", () => {
     expect(filled.report.volume).toBeCloseTo(Number(volumes[0]) + Number(volumes[1]), 12);
     // Both sides of the inner sphere's triangles, and of no others, look into a region.
     const { triangleRegions } = filled.surface;
-    const isWall = (triangle: number): boolean =>
+    const isInterface = (triangle: number): boolean =>
       [0, 1].every((side) => triangleRegions[2 * triangle + side] !== NO_REGION);
     const box = boxSurface(6).triangles.length / 3;
-    for (let t = 0; t < triangleRegions.length / 2; ++t) expect(isWall(t)).toBe(t >= box);
+    for (let t = 0; t < triangleRegions.length / 2; ++t) expect(isInterface(t)).toBe(t >= box);
   });
 });
 
@@ -213,7 +213,7 @@ describe("a project that says how it is to be meshed", () => {
     const project = { ...coarse, meshing: { size: 0.1 } };
     const { nodes, tetrahedra } = coarse.background;
     const grid = {
-      points: Float64Array.from(nodes.flatMap(({ at }) => at)),
+      points: Float64Array.from(nodes.flatMap(({ position }) => position)),
       sizes: Float64Array.from(nodes, ({ size }) => size),
       tetrahedra: Uint32Array.from(tetrahedra.flat(), (id) => id - 1),
     };
@@ -276,7 +276,7 @@ describe("bad input is a result, and says what is wrong:", () => {
     [
       "a corner that leaves the plane",
       withPatches((cube) => ({
-        points: cube.points.map((p) => (p.id === 8 ? { ...p, at: [1, 1, 1.5] } : p)),
+        points: cube.points.map((p) => (p.id === 8 ? { ...p, position: [1, 1, 1.5] } : p)),
       })),
       "not-planar",
       /patch "(top|back|right)" is planar, but its plane misses point 8 by 0.5/i,
@@ -317,7 +317,7 @@ describe("bad input is a result, and says what is wrong:", () => {
     ["no patches", withPatches(() => ({ patches: [] })), "empty-model", /nothing to mesh/],
     [
       "an id used twice",
-      withPatches((cube) => ({ points: [...cube.points, { id: 1, at: [0, 0, 0] }] })),
+      withPatches((cube) => ({ points: [...cube.points, { id: 1, position: [0, 0, 0] }] })),
       "invalid-project",
       /points\[8\]\.id/,
     ],
@@ -461,10 +461,10 @@ describe("cancelling", () => {
       { exactFillOnly: true },
       {
         signal: stop.signal,
-        onProgress: ({ exactFill }) => {
-          if (exactFill === 0 || stop.signal.aborted) return;
-          seen.push(exactFill);
-          if (exactFill < 0.3) return;
+        onProgress: ({ exactFillFraction }) => {
+          if (exactFillFraction === 0 || stop.signal.aborted) return;
+          seen.push(exactFillFraction);
+          if (exactFillFraction < 0.3) return;
           abortedAt = performance.now();
           stop.abort();
         },

@@ -152,7 +152,7 @@ function damageValue(holder: Record<string, Json>, key: string, child: Json, ran
 /** Points put onto each other, lines turned, loops shuffled: all of it by the schema. */
 function damageDrawing(project: Project, random: Random): Project {
   const copy = structuredClone(project) as unknown as {
-    points: { at: number[] }[];
+    points: { position: number[] }[];
     lines: { type: string; points: number[] }[];
     patches: { type: string; loops: number[][] }[];
     background: { nodes: { size: number; at: number[] }[] };
@@ -163,7 +163,7 @@ function damageDrawing(project: Project, random: Random): Project {
   const loop = pick(random, patch.loops);
   switch (random() % 9) {
     case 0:
-      point.at = [...pick(random, copy.points).at];
+      point.position = [...pick(random, copy.points).position];
       break;
     case 1:
       line.points.reverse();
@@ -181,7 +181,7 @@ function damageDrawing(project: Project, random: Random): Project {
       line.type = pick(random, ["straight", "parabolic", "spline"]);
       break;
     case 6:
-      point.at = point.at.map((x) => x + (random() % 200) / 100 - 1);
+      point.position = point.position.map((x) => x + (random() % 200) / 100 - 1);
       break;
     case 7: {
       const size = pick(random, [1e-6, 1e-300, 1e6, 1e300, -1, 0]);
@@ -189,7 +189,8 @@ function damageDrawing(project: Project, random: Random): Project {
       break;
     }
     default:
-      for (const each of copy.points) each.at = each.at.map((x) => x * pick(random, [1e-200, 1e25, -1, 0]));
+      for (const each of copy.points)
+        each.position = each.position.map((x) => x * pick(random, [1e-200, 1e25, -1, 0]));
   }
   return copy as unknown as Project;
 }
@@ -230,13 +231,13 @@ function complaintAbout({
   message,
   remedy,
   entities,
-  place,
+  position,
 }: Diagnostic): string | undefined {
   if (!/^\S.*\S$/.test(message) || /undefined|NaN|\[object/.test(message)) return `says "${message}"`;
   if (severity !== "information" && !/\.$/.test(remedy)) return `has no remedy: "${message}"`;
   if (severity === "error" && entities.length === 0 && !OF_THE_WHOLE.includes(code))
     return `${code} of nothing`;
-  if (place?.some((coordinate) => !Number.isFinite(coordinate)) === true) return `${code} is nowhere`;
+  if (position?.some((coordinate) => !Number.isFinite(coordinate)) === true) return `${code} is nowhere`;
   if (code === "verification-failed" || code === "engine-failed") return message;
   return undefined;
 }

@@ -1,9 +1,17 @@
 import { readFileSync } from "node:fs";
 
-import { LIMITS, parseProject, readProject, writeProject, type ProjectSource } from "tetrafront";
+import {
+  LIMITS,
+  parseProject,
+  readProject,
+  writeProject,
+  type Project,
+  type ProjectSource,
+} from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { cubeProject } from "../../support/projects.js";
+import { checkProject } from "../../../wasm/src/api/input-checks.js";
 
 /** The first problem's path and message. */
 function problem(value: unknown): { path: string | undefined; message: string } {
@@ -27,7 +35,7 @@ function damaged(damage: (cube: ReturnType<typeof plainCube>) => void): unknown 
 
 interface PlainProject {
   [key: string]: unknown;
-  points: { id: unknown; at: unknown }[];
+  points: { id: unknown; position: unknown }[];
   lines: { points: unknown[] }[];
   patches: { loops: unknown[][] }[];
   background?: { nodes?: object[]; tetrahedra: unknown[]; sources?: unknown[]; overhang?: unknown };
@@ -38,11 +46,11 @@ function plainCube(): PlainProject {
 }
 
 const SOURCES = [
-  { id: 7, name: "tip", type: "point", places: [[0, 0, 0]], size: 0.1, distance: 0.05, growth: 0 },
+  { id: 7, name: "tip", type: "point", positions: [[0, 0, 0]], size: 0.1, distance: 0.05, growth: 0 },
   {
     id: 2,
     type: "segment",
-    places: [
+    positions: [
       [0, 0, 0],
       [0, 0, 1],
     ],
@@ -51,7 +59,7 @@ const SOURCES = [
   {
     id: 9,
     type: "triangle",
-    places: [
+    positions: [
       [0, 0, 0],
       [1, 0, 0],
       [0, 1, 0],
@@ -69,7 +77,7 @@ describe("a project that is whole", () => {
 
   test("is written with one entity per line", () => {
     const lines = writeProject(cubeProject()).split("\n");
-    expect(lines).toContain('    {"id":2,"at":[1,0,0]},');
+    expect(lines).toContain('    {"id":2,"position":[1,0,0]},');
     expect(lines.filter((line) => line.includes('"loops"'))).toHaveLength(6);
   });
 
@@ -78,15 +86,15 @@ describe("a project that is whole", () => {
     expect(parseProject(cube)).toMatchObject({ value: { background: { nodes: [], tetrahedra: [] } } });
   });
 
-  test("keeps sources and the overhang of its grid, with defaults left out", () => {
-    const background = { ...cubeProject().background, sources: SOURCES, overhang: 0.25 };
+  test("keeps sources and the coverage margin of its grid, with defaults left out", () => {
+    const background = { ...cubeProject().background, sources: SOURCES, coverageMargin: 0.25 };
     const cube = { ...cubeProject(), background };
     expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
     expect(writeProject(cube)).toContain('\n      {"id":7,"name":"tip","type":"point",');
   });
 
   test("keeps how it is to be meshed", () => {
-    const meshing = { size: 0.5, gradation: 0, order: "smallest-first", optimization: "strive" } as const;
+    const meshing = { size: 0.5, gradation: 0, order: "smallest-first", optimization: "thorough" } as const;
     const cube = { ...cubeProject(), meshing };
     expect(readProject(writeProject(cube))).toEqual({ success: true, value: cube });
     expect(writeProject(cubeProject())).not.toContain("meshing");
@@ -101,7 +109,7 @@ describe("a project that is whole", () => {
     const points = cube.points.map((point, i) => ({
       ...point,
       name: `p ${i}`,
-      at: [1e-300, -0.1, 1e300] as const,
+      position: [1e-300, -0.1, 1e300] as const,
     }));
     const read = readProject(writeProject({ ...cube, points }));
     expect(read).toEqual({ success: true, value: { ...cube, points } });
@@ -109,7 +117,7 @@ describe("a project that is whole", () => {
 });
 
 describe("numbers that the engine would refuse are refused with their field, and up to its bounds taken:", () => {
-  const source = { id: 1, type: "point", places: [[0, 0, 0]], size: 1 };
+  const source = { id: 1, type: "point", positions: [[0, 0, 0]], size: 1 };
   test.each<[string, number, (cube: PlainProject, value: number) => void]>([
     [
       "background.nodes[0].size",
@@ -153,31 +161,36 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     ["an unknown setting", (c) => (c["meshing"] = { sise: 1 }), "meshing", /sise/],
     [
       "a coordinate that is text",
-      (c) => (c.points[1] = { id: 2, at: [0, "1", 0] }),
-      "points[1].at[1]",
+      (c) => (c.points[1] = { id: 2, position: [0, "1", 0] }),
+      "points[1].position[1]",
       /number/,
     ],
-    ["a coordinate missing", (c) => (c.points[1] = { id: 2, at: [0, 1] }), "points[1].at[2]", /missing/],
+    [
+      "a coordinate missing",
+      (c) => (c.points[1] = { id: 2, position: [0, 1] }),
+      "points[1].position[2]",
+      /missing/,
+    ],
     [
       "a coordinate too much",
-      (c) => (c.points[1] = { id: 2, at: [0, 1, 2, 3] }),
-      "points[1].at",
+      (c) => (c.points[1] = { id: 2, position: [0, 1, 2, 3] }),
+      "points[1].position",
       /at most 3 items/,
     ],
     [
       "coordinates in a typed array",
-      (c) => (c.points[1] = { id: 2, at: new Float64Array(3) }),
-      "points[1].at",
+      (c) => (c.points[1] = { id: 2, position: new Float64Array(3) }),
+      "points[1].position",
       /list, received Float64Array/,
     ],
-    ["an id of 0", (c) => (c.points[0] = { id: 0, at: [0, 0, 0] }), "points[0].id", /more than 0/],
+    ["an id of 0", (c) => (c.points[0] = { id: 0, position: [0, 0, 0] }), "points[0].id", /more than 0/],
     [
       "an id with a fraction",
-      (c) => (c.points[0] = { id: 1.5, at: [0, 0, 0] }),
+      (c) => (c.points[0] = { id: 1.5, position: [0, 0, 0] }),
       "points[0].id",
       /whole number/,
     ],
-    ["an id used twice", (c) => (c.points[3] = { id: 2, at: [0, 0, 0] }), "points[3].id", /the id 2/],
+    ["an id used twice", (c) => (c.points[3] = { id: 2, position: [0, 0, 0] }), "points[3].id", /the id 2/],
     [
       "a point that is not there",
       (c) => (c.lines[4] = { ...c.lines[4], points: [1, 99] }),
@@ -198,19 +211,19 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     ],
     [
       "a source with a place too few",
-      (c) => addSource(c, { ...SOURCES[1], places: [[0, 0, 0]] }),
-      "background.sources[0].places",
-      /"segment" has 2 places, here are 1/,
+      (c) => addSource(c, { ...SOURCES[1], positions: [[0, 0, 0]] }),
+      "background.sources[0].positions",
+      /"segment" has 2 positions, here are 1/,
     ],
     [
       "a source with four places",
-      (c) => addSource(c, { ...SOURCES[2], places: [0, 1, 2, 3].map((x) => [x, 0, 0]) }),
-      "background.sources[0].places",
+      (c) => addSource(c, { ...SOURCES[2], positions: [0, 1, 2, 3].map((x) => [x, 0, 0]) }),
+      "background.sources[0].positions",
       /at most 3 items/,
     ],
     [
       "a source without a size",
-      (c) => addSource(c, { id: 1, type: "point", places: [[0, 0, 0]] }),
+      (c) => addSource(c, { id: 1, type: "point", positions: [[0, 0, 0]] }),
       "background.sources[0].size",
       /missing/,
     ],
@@ -222,8 +235,8 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     ],
     [
       "an overhang below 0",
-      (c) => Object.assign(c.background ?? {}, { overhang: -0.1 }),
-      "background.overhang",
+      (c) => Object.assign(c.background ?? {}, { coverageMargin: -0.1 }),
+      "background.coverageMargin",
       /at least 0/,
     ],
     ["an unknown field", (c) => (c["pionts"] = []), "", /pionts/],
@@ -235,8 +248,8 @@ describe("a project that is damaged is refused with the path of the damage:", ()
   });
 
   test("an infinite coordinate", () => {
-    expect(problem(damaged((c) => (c.points[0] = { id: 1, at: [0, Infinity, 0] }))).path).toBe(
-      "points[0].at[1]",
+    expect(problem(damaged((c) => (c.points[0] = { id: 1, position: [0, Infinity, 0] }))).path).toBe(
+      "points[0].position[1]",
     );
   });
 
@@ -249,7 +262,7 @@ describe("a project that is damaged is refused with the path of the damage:", ()
   });
 
   test("a later version says so, and nothing else", () => {
-    const read = parseProject({ format: "tetrafront-project", version: 2, shapes: [] });
+    const read = parseProject({ format: "tetrafront-project", version: 3, shapes: [] });
     expect(read).toMatchObject({
       success: false,
       problems: [{ path: "version", remedy: "Update Tetrafront." }],
@@ -258,10 +271,65 @@ describe("a project that is damaged is refused with the path of the damage:", ()
   });
 
   test("every problem is told, not the first alone", () => {
-    const read = parseProject(damaged((c) => c.points.forEach((point) => (point.at = [1, 2]))));
+    const read = parseProject(damaged((c) => c.points.forEach((point) => (point.position = [1, 2]))));
     expect(read.success ? [] : read.problems.map(({ path }) => path)).toEqual(
-      [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `points[${i}].at[2]`),
+      [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `points[${i}].position[2]`),
     );
+  });
+});
+
+describe("a project of version 1", () => {
+  const file = new URL("../../fixtures/project-version-1.json", import.meta.url);
+  const current = new URL("../../../public/models/bracket.json", import.meta.url);
+
+  test("is read as the same project of the present version", () => {
+    const read = readProject(readFileSync(file, "utf8"));
+    expect(read).toEqual({ success: true, value: JSON.parse(readFileSync(current, "utf8")) as unknown });
+  });
+
+  test("has every renamed key and value upgraded, and itself unchanged", () => {
+    const earlier = {
+      ...cubeProject(),
+      version: 1,
+      points: cubeProject().points.map(({ id, position }) => ({ id, at: position })),
+      meshing: { enclosed: "regions", optimization: "strive" },
+      background: {
+        nodes: [{ id: 1, at: [0, 0, 0], size: 1 }],
+        tetrahedra: [],
+        sources: [{ id: 1, type: "point", places: [[0, 0, 0]], size: 0.1 }],
+        overhang: 0.25,
+      },
+    };
+    const before = structuredClone(earlier);
+    expect(parseProject(earlier)).toEqual({
+      success: true,
+      value: {
+        ...cubeProject(),
+        meshing: { innerShells: "regions", optimization: "thorough" },
+        background: {
+          nodes: [{ id: 1, position: [0, 0, 0], size: 1 }],
+          tetrahedra: [],
+          sources: [{ id: 1, type: "point", positions: [[0, 0, 0]], size: 0.1 }],
+          coverageMargin: 0.25,
+        },
+      },
+    });
+    expect(earlier).toEqual(before);
+  });
+
+  test.each([
+    ["points", "points"],
+    ["meshing", "meshing"],
+    ["background", "background"],
+  ])("with %s that are no object or list is rejected with their path", (key, path) => {
+    expect(problem({ ...cubeProject(), version: 1, [key]: 7 }).path).toBe(path);
+  });
+
+  test("is rejected by the mesher, which names the remedy", () => {
+    const earlier = { ...cubeProject(), version: 1 } as unknown as Project;
+    const [found] = checkProject(earlier);
+    expect(found?.message).toMatch(/version 2, found version 1/);
+    expect(found?.remedy).toMatch(/readProject/);
   });
 });
 

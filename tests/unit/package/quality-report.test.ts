@@ -62,12 +62,12 @@ describe("the quality report", () => {
     expect(quality.worst).toHaveLength(10);
     const worst = Math.min(...quality.worst.map((element) => element.dihedral.min));
     expect(worst).toBeCloseTo(dihedral.min, 9);
-    for (const { tetrahedron, place } of quality.worst) {
-      centroidOf(cornersOf(result, tetrahedron)).forEach((x, k) => expect(place[k]).toBeCloseTo(x, 12));
+    for (const { tetrahedron, centroid } of quality.worst) {
+      centroidOf(cornersOf(result, tetrahedron)).forEach((x, k) => expect(centroid[k]).toBeCloseTo(x, 12));
     }
     expect(quality.smallest?.volume).toBeGreaterThan(0);
     expect(quality.volumeRatio).toBeGreaterThanOrEqual(1);
-    expect(quality.missed + quality.limitedByBoundary.count).toBe(0);
+    expect(quality.outOfRange + quality.limitedByBoundary.count).toBe(0);
   });
 
   test("tells apart what the boundary forbids", async () => {
@@ -79,7 +79,7 @@ describe("the quality report", () => {
     const { worst, ...counts } = report.quality.limitedByBoundary;
     expect(report.tetrahedra).toBe(1);
     expect(counts).toEqual({ count: 1, edges: 1, needles: 0, sheets: 0 });
-    expect(report.quality.missed).toBe(0);
+    expect(report.quality.outOfRange).toBe(0);
     expect(worst[0]?.dihedral.min).toBeCloseTo((Math.atan2(0.2, 0.98) * 180) / Math.PI, 9);
   });
 });

@@ -133,9 +133,9 @@ test("a preview names the point that is missing by its id", async () => {
   const mesher = await createMesher();
   const { diagnostics } = await mesher.previewProject({
     format: "tetrafront-project",
-    version: 1,
+    version: 2,
     name: "",
-    points: [{ id: 1, at: [0, 0, 0] }],
+    points: [{ id: 1, position: [0, 0, 0] }],
     lines: [{ id: 3, type: "straight", points: [1, 99] }],
     patches: [],
     background: { nodes: [], tetrahedra: [] },

@@ -69,7 +69,7 @@ async function readAs(
 }
 
 async function filled(surface: SurfaceFile, enclosed?: "regions"): Promise<FileMesh> {
-  const result = await mesher.fillSurface(surface, { enclosed });
+  const result = await mesher.fillSurface(surface, { innerShells: enclosed });
   expect(result.report.status).toBe("done");
   return fileMeshOf(result, { surface });
 }
@@ -99,7 +99,7 @@ describe.each([".msh", ".vtu", ".vtk", ".mesh"])("from the elements of a %s file
 
   test("behind walls all around, which only what is in front of them tells", async () => {
     const given = cavitySurface(1);
-    const first = await mesher.fillSurface(given, { enclosed: "regions" });
+    const first = await mesher.fillSurface(given, { innerShells: "regions" });
     const names = ["shell of steel", "core"].map((name, r) => ({ name, tag: r + 1 }));
     const made = { ...fileMeshOf(first), regions: names };
     const again = volumesByName(await filled(await reread(made, `core${end}`), "regions"));

@@ -302,7 +302,7 @@ describe("as background grid", () => {
   });
   const asked: (Float64Array | undefined)[] = [];
   const mesher = {
-    meshAsBackground: (
+    backgroundFromMesh: (
       mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
       options?: { sizes?: Float64Array | undefined },
     ) => {

@@ -72,8 +72,14 @@ const questions: Readonly<Record<Question["kind"], (id: number) => Question>> = 
   preview: (id) => ({ kind: "preview", id, model, options }),
   cover: (id) => ({ kind: "cover", id, model, size: 0, shape: 0 }),
   propose: (id) => ({ kind: "propose", id, model, options: engineProposalOptions({ uniform: 0.9 }) }),
-  "mesh-as-grid": (id) => ({ kind: "mesh-as-grid", id, points, tetrahedra, sizes: new Float64Array() }),
-  "inspect-surface": (id) => ({ kind: "inspect-surface", id, ...surface, enclosed: 0, findings: 9 }),
+  "background-from-mesh": (id) => ({
+    kind: "background-from-mesh",
+    id,
+    points,
+    tetrahedra,
+    sizes: new Float64Array(),
+  }),
+  "inspect-surface": (id) => ({ kind: "inspect-surface", id, ...surface, innerShells: 0, maxDiagnostics: 9 }),
   "repair-surface": (id) => ({ kind: "repair-surface", id, ...surface, options: repair }),
   "refine-surface": (id) => ({
     kind: "refine-surface",

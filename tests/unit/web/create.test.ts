@@ -43,7 +43,7 @@ function tubeLines(rims: readonly [number, number], seam: readonly [number, numb
   };
   return {
     ...cubeProject(),
-    points: corners.map((at, i) => ({ id: i + 1, at: [...at] })),
+    points: corners.map((position, i) => ({ id: i + 1, position: [...position] })),
     lines: [
       { id: 1, type: "straight", points: [...seam] },
       { id: 2, type: "spline", points: rim(1, rims[0]) },
@@ -142,7 +142,9 @@ describe("creations", () => {
       documents.edit(addSource(documents.project, [], type).edit);
     }
     expect(parseProject(documents.project).success).toBe(true);
-    expect(documents.project.background.sources?.map(({ id, places }) => [id, places.length])).toEqual([
+    expect(
+      documents.project.background.sources?.map(({ id, positions: places }) => [id, places.length]),
+    ).toEqual([
       [1, 1],
       [2, 2],
       [3, 3],
@@ -185,7 +187,7 @@ describe("creations", () => {
     const bent = {
       ...project,
       points: project.points.map((point, i) =>
-        i === 0 ? { ...point, at: [-0.3, -0.2, -0.1] as const } : point,
+        i === 0 ? { ...point, position: [-0.3, -0.2, -0.1] as const } : point,
       ),
     };
     const corner = project.points[0]?.id ?? 0;
@@ -196,7 +198,7 @@ describe("creations", () => {
     );
     const moved: Project = {
       ...bent,
-      points: bent.points.map((p) => ({ ...p, at: [p.at[0], p.at[1], p.at[2]] })),
+      points: bent.points.map((p) => ({ ...p, position: [p.position[0], p.position[1], p.position[2]] })),
     };
     expect(likelyPatchType(moved, touching?.loops ?? [])).toBe("coons");
     expect(patchMisfit(moved, "coons", touching?.loops ?? [])).toBeNull();

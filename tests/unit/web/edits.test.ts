@@ -25,7 +25,11 @@ describe("the document", () => {
     documents.edit(moveEntity("point", point.id, 2, -3));
     documents.edit(renameEntity({ kind: "point", id: point.id }, "corner"));
     const after = documents.project;
-    expect(after.points[0]).toEqual({ id: point.id, name: "corner", at: [point.at[0], point.at[1], -3] });
+    expect(after.points[0]).toEqual({
+      id: point.id,
+      name: "corner",
+      position: [point.position[0], point.position[1], -3],
+    });
     expect(after.points.slice(1)).toEqual(before.points.slice(1));
     expect(after.lines).toBe(before.lines);
     documents.edit(renameEntity({ kind: "point", id: point.id }, ""));
@@ -86,7 +90,7 @@ describe("toProblems", () => {
     const diagnostic = { code: "not-planar", remedy: "Mend it.", data: { distance: 1 } } as const;
     const problems = toProblems(project, [
       { ...diagnostic, severity: "information", message: "note", entities: [] },
-      { ...diagnostic, severity: "warning", message: "warned", entities: about(1), place: [1, 2, 3] },
+      { ...diagnostic, severity: "warning", message: "warned", entities: about(1), position: [1, 2, 3] },
       {
         ...diagnostic,
         severity: "error",
@@ -119,7 +123,9 @@ describe("sizes", () => {
     expect(documents.project.background.nodes[0]?.size).toBe(0.5 * (project.background.nodes[0]?.size ?? 0));
     documents.edit(replaceSources("Sources", { ...project.background, sources: [] }));
     expect(documents.project.meshing?.size).toBe(0.25);
-    documents.edit(replaceBackground("Grid", documents.project, { ...project.background, overhang: 1 }));
+    documents.edit(
+      replaceBackground("Grid", documents.project, { ...project.background, coverageMargin: 1 }),
+    );
     expect(documents.project.meshing).toEqual({ optimization: "fast" });
     documents.undo();
     expect(documents.project.meshing?.size).toBe(0.25);

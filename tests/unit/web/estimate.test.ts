@@ -7,7 +7,7 @@ describe("sizeAt", () => {
   const source: ProjectSource = {
     id: 1,
     type: "segment",
-    places: [
+    positions: [
       [0, 0, 0],
       [2, 0, 0],
     ],
@@ -27,10 +27,10 @@ describe("sizeAt", () => {
 
 describe("sizeAt beside a triangle", () => {
   const places = [[0, 0, 0], [10, 0, 0], [0, 10, 0]] as const; // prettier-ignore
-  const source: ProjectSource = { id: 1, type: "triangle", places, size: 0.1, growth: 0.2 };
+  const source: ProjectSource = { id: 1, type: "triangle", positions: places, size: 0.1, growth: 0.2 };
 
   it("counts from its inside, its sides and its corners", () => {
-    for (const turned of [source, { ...source, places: places.toReversed() }]) {
+    for (const turned of [source, { ...source, positions: places.toReversed() }]) {
       expect(sizeAt([2, 3, 0.5], 9, [turned])).toBeCloseTo(0.2, 12);
       expect(sizeAt([2, 3, -1], 9, [turned])).toBeCloseTo(0.3, 12);
       expect(sizeAt([5, -3, 4], 9, [turned])).toBeCloseTo(1.1, 12);
@@ -43,7 +43,7 @@ describe("estimateTetrahedra", () => {
   it("comes within a fifth of the mesh, with and without a source", async () => {
     const mesher = await createMesher();
     const size = 0.12;
-    const near: ProjectSource = { id: 1, type: "point", places: [[0, 0, 0]], size: 0.03, distance: 0.1 };
+    const near: ProjectSource = { id: 1, type: "point", positions: [[0, 0, 0]], size: 0.03, distance: 0.1 };
     for (const sources of [[], [near]]) {
       const cube = cubeProject();
       const project = { ...cube, background: { ...cube.background, sources } };

@@ -21,9 +21,9 @@ const front = [3, 0, 0] as const;
 const project: Project = {
   ...emptyProject("Test"),
   points: [
-    { id: 4, at: [1, 0, 0] },
-    { id: 9, at: front },
-    { id: 5, at: [3, 20, 0] },
+    { id: 4, position: [1, 0, 0] },
+    { id: 9, position: front },
+    { id: 5, position: [3, 20, 0] },
   ],
   lines: [
     { id: 2, type: "straight", points: [4, 9] },
@@ -35,7 +35,7 @@ const project: Project = {
   ],
   background: {
     ...emptyProject("Test").background,
-    sources: [{ id: 11, type: "segment", size: 1, places: [[-5, 0, 2], [-3, 0, 2]] }], // prettier-ignore
+    sources: [{ id: 11, type: "segment", size: 1, positions: [[-5, 0, 2], [-3, 0, 2]] }], // prettier-ignore
   },
 };
 
@@ -68,7 +68,7 @@ function pick(at: { x: number; y: number }, change: Partial<SceneState> = {}, so
     shape: "round",
     color: (colors) => colors.point,
     records: (state) => state.project.points,
-    positions: (point) => [point.at],
+    positions: (point) => [point.position],
   });
   const [lines, patches, sources] = [new LinesLayer(), new PatchesLayer(), new SourcesLayer()];
   const state = { ...base, ...change };

@@ -19,8 +19,8 @@ const { normal, hover, selected, hidden } = stateCodes;
 const project: Project = {
   ...emptyProject("Test"),
   points: [
-    { id: 1, at: [0, 0, 0] },
-    { id: 2, at: [1, 2, 3] },
+    { id: 1, position: [0, 0, 0] },
+    { id: 2, position: [1, 2, 3] },
   ],
   lines: [
     { id: 5, type: "straight", points: [1, 2] },
@@ -50,7 +50,7 @@ const pointsLayer = () =>
     shape: "round",
     color: (colors) => colors.point,
     records: (state) => state.project.points,
-    positions: (point) => [point.at],
+    positions: (point) => [point.position],
   });
 
 /** The attributes of the first thing that a layer draws. */
@@ -109,7 +109,7 @@ describe("the layer of points", () => {
     const { position } = attributes(layer);
     position?.clearUpdateRanges();
     const [first] = project.points;
-    const points = first ? [first, { id: 2, at: [4, 5, 6] as const }] : [];
+    const points = first ? [first, { id: 2, position: [4, 5, 6] as const }] : [];
     change(layer, start, { ...start, project: { ...project, points } });
     expect(attributes(layer)["position"]).toBe(position);
     expect(position?.updateRanges).toEqual([{ start: 3, count: 3 }]);
@@ -118,7 +118,7 @@ describe("the layer of points", () => {
 
   it("makes room for a new point", () => {
     const layer = pointsLayer();
-    const points = [...project.points, { id: 7, at: [9, 9, 9] as const }];
+    const points = [...project.points, { id: 7, position: [9, 9, 9] as const }];
     show(layer, start, { ...start, project: { ...project, points }, hover: { kind: "point", id: 7 } });
     expect(stateBytes(layer)).toEqual([normal, normal, hover]);
     expect([...(attributes(layer)["position"]?.array ?? [])].slice(6)).toEqual([9, 9, 9]);

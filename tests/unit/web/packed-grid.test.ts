@@ -22,7 +22,7 @@ function variousGrid(idOf: (id: number) => number): ProjectBackground {
       ...(i % 4 === 0 ? { direction: [0, -1, 0.5] as const } : {}),
     })),
     tetrahedra: tetrahedra.map(([a, b, c, d]) => [idOf(a), idOf(b), idOf(c), idOf(d)] as const),
-    overhang: 0.25,
+    coverageMargin: 0.25,
   };
 }
 

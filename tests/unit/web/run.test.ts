@@ -7,12 +7,12 @@ import { DocumentStore } from "../../../web/session/document-store";
 const report = (phase: Phase, elapsedSeconds: number): Progress => ({
   phase,
   fraction: 0,
-  points: 0,
+  nodes: 0,
   triangles: 0,
   tetrahedra: 0,
   frontFaces: 0,
   expectedTetrahedra: 0,
-  exactFill: 0,
+  exactFillFraction: 0,
   elapsedSeconds,
 });
 

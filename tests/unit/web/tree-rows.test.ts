@@ -57,7 +57,7 @@ describe("the rows of the tree", () => {
   it("are made when they are asked for, however many there are", () => {
     let asked = 0;
     const nodes = Array.from({ length: 50_000 }, (_, i) => ({
-      at: [0, 0, 0] as const,
+      position: [0, 0, 0] as const,
       size: 1,
       get id() {
         ++asked;

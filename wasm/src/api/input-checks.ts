@@ -4,7 +4,7 @@ import { refuse } from "../diagnostics/mesher-error.js";
 import { invalidOption, packageDiagnostic, readDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { plural } from "../base/plural.js";
 import { projectArrays, type ModelArrays } from "../project/arrays.js";
-import { parseProject } from "../project/project.js";
+import { checkedProject } from "../project/project.js";
 import { sourceProblem, type Project } from "../project/schema.js";
 import type {
   BackgroundArrays,
@@ -25,7 +25,7 @@ function asObject<T>(value: T): Unchecked<T> {
 const SOURCES_WANTED = "Give sources as a project has them: id, type, places and size each.";
 
 export function checkProject(project: unknown): Diagnostic[] {
-  const parsed = parseProject(project);
+  const parsed = checkedProject(project);
   if (parsed.success) return [];
   return parsed.problems.map((problem) => readDiagnostic({ ...problem, code: "invalid-project" }));
 }
@@ -103,7 +103,7 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
     stretchings,
     directions,
     tetrahedra,
-    overhang = 0,
+    coverageMargin = 0,
     sources = [],
   } = asObject(background);
   const isOptional = (array: unknown) => array === undefined || isUsable(Float64Array, array);
@@ -129,8 +129,10 @@ export function checkBackground(background: BackgroundArrays): Diagnostic[] {
   ) {
     return [gridProblem(`the arrays of the background grid do not fit its ${plural(count, "size")}`)];
   }
-  if (!isFiniteFrom(0, overhang)) {
-    return [arraysProblem(`the overhang is ${shown(overhang)}`, "Give a finite overhang of 0 or more.")];
+  if (!isFiniteFrom(0, coverageMargin)) {
+    return [
+      arraysProblem(`coverageMargin is ${shown(coverageMargin)}`, "Give a finite number of 0 or more."),
+    ];
   }
   const problem = sourceProblem(sources);
   if (problem !== undefined) {

@@ -8,10 +8,10 @@ import type { Steps } from "../formats/steps.js";
 import { nameByPosition, type EntityNamer } from "../project/arrays.js";
 import { qualityReport, rowsOf } from "../engine/quality-report.js";
 import { originsOf } from "./surface-numbers.js";
-import type { Diagnostic, EnclosedBodies, QualityReport, SurfaceInput } from "./types.js";
+import type { Diagnostic, InnerShells, QualityReport, SurfaceInput } from "./types.js";
 
 /** In model units. */
-export type Place = readonly [x: number, y: number, z: number];
+export type Position = readonly [x: number, y: number, z: number];
 
 /** Lengths of edges in model units. */
 export interface EdgeLengths {
@@ -21,7 +21,7 @@ export interface EdgeLengths {
 }
 
 /** One closed, connected part of a surface. A wall between bodies belongs to one on either side. */
-export interface ShellFigures {
+export interface ShellInfo {
   readonly firstTriangle: number;
   readonly triangles: number;
   /** The body on its inner side, as in `VolumeMesh.regions`. */
@@ -35,10 +35,10 @@ export interface ShellFigures {
 }
 
 /** One triangle of a surface. */
-export interface TriangleFigures {
+export interface TriangleQuality {
   readonly triangle: number;
   /** Its centroid. */
-  readonly place: Place;
+  readonly centroid: Position;
   readonly area: number;
   /** Degrees. */
   readonly smallestAngle: number;
@@ -67,29 +67,29 @@ export interface SurfaceInspection {
   /** With one triangle. */
   readonly openEdges: number;
   /** With more than two. */
-  readonly crowdedEdges: number;
+  readonly nonManifoldEdges: number;
   /** Where the surface touches itself in a point. */
-  readonly pinchedNodes: number;
+  readonly nonManifoldNodes: number;
   /**
    * Triangles that do not face outward. Where a whole part of the surface is so, filling sets it right and says so;
    * single ones are errors. Known where nothing else keeps the surface from being filled.
    */
-  readonly turnedTriangles: number;
+  readonly flippedTriangles: number;
   /** Known where `isFillable`. */
-  readonly bodies: number;
+  readonly regions: number;
   /** Known where `isFillable`. */
   readonly cavities: number;
   /** Of all nodes in use; null without any. */
-  readonly box: { readonly low: Place; readonly high: Place } | null;
+  readonly box: { readonly low: Position; readonly high: Position } | null;
   /** In squared model units. */
   readonly area: number;
   /** Of all bodies without their cavities, in cubed model units; known where `isFillable`. */
   readonly volume: number;
   readonly edgeLengths: EdgeLengths;
   /** By their first triangles; known where `isFillable`. */
-  readonly shells: readonly ShellFigures[];
+  readonly shells: readonly ShellInfo[];
   /** Up to ten triangles, by radius ratio, the worst first. */
-  readonly worst: readonly TriangleFigures[];
+  readonly worst: readonly TriangleQuality[];
   /**
    * Everything that is wrong, as a run would tell it: of each code the first thousand, or as many as
    * `InspectionOptions.findings` asks for; the `count` of an error's data is of them all.
@@ -111,20 +111,20 @@ export interface RepairOptions {
   /** Triangles are turned to agree with each other, and outward where that is known. Default true. */
   readonly orient?: boolean | undefined;
   /** As a run is to take closed parts within others: cavities face the other way. Default "cavities". */
-  readonly enclosed?: EnclosedBodies | undefined;
+  readonly innerShells?: InnerShells | undefined;
 }
 
 /** One change. Numbers are positions in the given surface, but for the triangles of filled holes. */
-export type RepairChange = { readonly place: Place } & (
+export type RepairChange = { readonly position: Position } & (
   | { readonly kind: "welded-node"; readonly node: number; readonly into: number }
-  | { readonly kind: "dropped-node"; readonly node: number }
+  | { readonly kind: "removed-node"; readonly node: number }
   | { readonly kind: "removed-triangle"; readonly triangle: number }
   | { readonly kind: "removed-duplicate"; readonly triangle: number; readonly sameAs: number }
   /** It had its corners on one line; the triangle beyond was split where the middle one lies. */
   | { readonly kind: "split-triangle"; readonly triangle: number; readonly beyond: number }
   /** Positions in the result. */
   | { readonly kind: "filled-hole"; readonly firstTriangle: number; readonly triangles: number }
-  | { readonly kind: "turned-triangle"; readonly triangle: number }
+  | { readonly kind: "flipped-triangle"; readonly triangle: number }
 );
 
 /** A surface after its repair, which is to be inspected: nothing is promised about it. */
@@ -149,21 +149,21 @@ export interface SurfaceRefinement {
 /** What `inspectMesh` finds. */
 export interface MeshInspection {
   /** None of the counts of faults below is above 0. */
-  readonly isSound: boolean;
+  readonly isValid: boolean;
   /** That elements use. */
   readonly nodes: number;
   readonly unusedNodes: number;
   readonly tetrahedra: number;
   /** With a negative volume, or inverted in their file; measured as if two of their nodes were exchanged. */
-  readonly turnedTetrahedra: number;
+  readonly invertedTetrahedra: number;
   /** Without volume, exactly. */
-  readonly flatTetrahedra: number;
+  readonly degenerateTetrahedra: number;
   /** With the nodes of another. */
-  readonly repeatedTetrahedra: number;
+  readonly duplicateTetrahedra: number;
   /** Of more than two elements. */
-  readonly crowdedFaces: number;
+  readonly nonManifoldFaces: number;
   /** Faces whose two elements lie on the same side. */
-  readonly overlaps: number;
+  readonly overlappingFaces: number;
   /** Nodes at the place of another. */
   readonly coincidentNodes: number;
   /** Over all elements: an edge counts once for each of its elements. */
@@ -195,13 +195,13 @@ const SHELL_STRIDE = 6;
 const TRIANGLE_STRIDE = 7;
 
 export function* describedInspection(found: EngineInspection, name: EntityNamer): Steps<SurfaceInspection> {
-  const { regions: bodies, box, diagnostics, shells, worst, edgeLengths, ...rest } = found;
+  const { regions, box, diagnostics, shells, worst, edgeLengths, ...rest } = found;
   const described = rowsOf(shells, SHELL_STRIDE).map(shellFigures);
   return {
     ...rest,
-    bodies,
+    regions,
     cavities: described.filter(({ isCavity }) => isCavity).length,
-    box: rest.nodes === 0 ? null : { low: placeAt(box, 0), high: placeAt(box, 1) },
+    box: rest.nodes === 0 ? null : { low: positionAt(box, 0), high: positionAt(box, 1) },
     edgeLengths: lengthsOf(edgeLengths),
     shells: described,
     worst: rowsOf(worst, TRIANGLE_STRIDE).map(triangleFigures),
@@ -220,14 +220,14 @@ export function describedRepair(
   { points, triangles, origin, ...rest }: EngineRepair,
   given: number,
 ): SurfaceRepair {
-  const { kinds, subjects, places } = rest;
+  const { kinds, subjects, positions } = rest;
   const changes = Array.from(kinds, (kind, i) => ({
     ...CHANGES[kind]?.(subjects[2 * i] ?? 0, subjects[2 * i + 1] ?? 0),
-    place: placeAt(places, i),
+    position: positionAt(positions, i),
   })) as RepairChange[];
   const gone = new Set(
     changes.flatMap((change) =>
-      change.kind === "welded-node" || change.kind === "dropped-node" ? [change.node] : [],
+      change.kind === "welded-node" || change.kind === "removed-node" ? [change.node] : [],
     ),
   );
   const nodeOrigin = originsOf(given, (node) => gone.has(node), 0);
@@ -240,26 +240,26 @@ export function describedRefinement(refinement: EngineRefinement): SurfaceRefine
   return { surface: { points, triangles, origin, nodeOrigin }, origin, splitEdges };
 }
 
-type Without<T> = T extends unknown ? Omit<T, "place"> : never;
+type WithoutPosition<T> = T extends unknown ? Omit<T, "position"> : never;
 
 /** By the engine's RepairKind. */
-const CHANGES: readonly ((first: number, second: number) => Without<RepairChange>)[] = [
+const CHANGES: readonly ((first: number, second: number) => WithoutPosition<RepairChange>)[] = [
   (node, into) => ({ kind: "welded-node", node, into }),
-  (node) => ({ kind: "dropped-node", node }),
+  (node) => ({ kind: "removed-node", node }),
   (triangle) => ({ kind: "removed-triangle", triangle }),
   (triangle, sameAs) => ({ kind: "removed-duplicate", triangle, sameAs }),
   (triangle, beyond) => ({ kind: "split-triangle", triangle, beyond }),
   (firstTriangle, triangles) => ({ kind: "filled-hole", firstTriangle, triangles }),
-  (triangle) => ({ kind: "turned-triangle", triangle }),
+  (triangle) => ({ kind: "flipped-triangle", triangle }),
 ];
 
 /** `inverted`: so many that were turned before. */
 export function describedMesh(found: EngineVolumeInspection, inverted = 0): MeshInspection {
   const { quality, statistics, edgeLengths, boundary, boundaryRegion, ...rest } = found;
   const { isReadable: _, nodes, unusedNodes, tetrahedra, ...counts } = rest;
-  const faults = { ...counts, turnedTetrahedra: counts.turnedTetrahedra + inverted };
+  const faults = { ...counts, invertedTetrahedra: counts.invertedTetrahedra + inverted };
   return {
-    isSound: Object.values(faults).every((count) => count === 0),
+    isValid: Object.values(faults).every((count) => count === 0),
     nodes,
     unusedNodes,
     tetrahedra,
@@ -273,20 +273,20 @@ export function describedMesh(found: EngineVolumeInspection, inverted = 0): Mesh
   };
 }
 
-function shellFigures(row: readonly number[]): ShellFigures {
+function shellFigures(row: readonly number[]): ShellInfo {
   const [firstTriangle = 0, triangles = 0, region = 0, isCavity = 0, area = 0, volume = 0] = row;
   return { firstTriangle, triangles, region, isCavity: isCavity === 1, area, volume };
 }
 
-function triangleFigures(row: readonly number[]): TriangleFigures {
+function triangleFigures(row: readonly number[]): TriangleQuality {
   const [triangle = 0, x = 0, y = 0, z = 0, area = 0, smallestAngle = 0, radiusRatio = 0] = row;
-  return { triangle, place: [x, y, z], area, smallestAngle, radiusRatio };
+  return { triangle, centroid: [x, y, z], area, smallestAngle, radiusRatio };
 }
 
 function lengthsOf([shortest = 0, mean = 0, longest = 0]: Float64Array): EdgeLengths {
   return { shortest, mean, longest };
 }
 
-function placeAt(flat: Float64Array, index: number): Place {
+function positionAt(flat: Float64Array, index: number): Position {
   return [flat[3 * index] ?? 0, flat[3 * index + 1] ?? 0, flat[3 * index + 2] ?? 0];
 }

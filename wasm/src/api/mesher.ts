@@ -215,14 +215,14 @@ class WorkerMesher implements Mesher {
     this.#begin(control);
     const unusable = checkPreviewOptions(options);
     const drawn = drawnArrays(project);
-    const { size, enclosed, background } = withSettings(unusable.length > 0 ? {} : options, project);
-    const wrong = unusable.length > 0 ? unusable : checkPreviewOptions({ size, enclosed, background });
+    const { size, innerShells, background } = withSettings(unusable.length > 0 ? {} : options, project);
+    const wrong = unusable.length > 0 ? unusable : checkPreviewOptions({ size, innerShells, background });
     const hasGrid = background !== undefined && wrong.length === 0;
     const question = {
       kind: "preview",
       id: this.#nextId(),
       model: hasGrid ? { ...drawn, grid: withNodes(drawn.grid, background) } : drawn,
-      options: engineOptions(wrong.length > 0 ? {} : { size, enclosed }),
+      options: engineOptions(wrong.length > 0 ? {} : { size, innerShells }),
     } as const;
     const name = projectNamer(project);
     const answer = await this.#ask(question, control);
@@ -263,7 +263,7 @@ class WorkerMesher implements Mesher {
     return { size: answer.size, sources: projectSources(answer.sourceTypes, answer.sourceValues) };
   }
 
-  async meshAsBackground(
+  async backgroundFromMesh(
     mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
     options: { readonly sizes?: Float64Array | undefined } = {},
     control: RunControl = {},
@@ -275,7 +275,7 @@ class WorkerMesher implements Mesher {
     const { points, tetrahedra } = mesh;
     const id = this.#nextId();
     const question = {
-      kind: "mesh-as-grid",
+      kind: "background-from-mesh",
       id,
       points: points.slice(),
       tetrahedra: tetrahedra.slice(),

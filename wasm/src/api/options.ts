@@ -15,7 +15,7 @@ import type {
   BackgroundArrays,
   CoverOptions,
   Diagnostic,
-  EnclosedBodies,
+  InnerShells,
   FrontOrder,
   InspectionOptions,
   MeshOptions,
@@ -29,12 +29,12 @@ import type {
 export const DEFAULT_GROWTH = 0.3;
 /** The most by which sizes grow from one element to the next. */
 export const DEFAULT_GRADATION = 1.3;
-export const DEFAULT_ENCLOSED: EnclosedBodies = "cavities";
+export const DEFAULT_INNER_SHELLS: InnerShells = "cavities";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
-export const ENCLOSED_BODIES: Readonly<Record<EnclosedBodies, number>> = { cavities: 0, regions: 1 };
+export const INNER_SHELLS: Readonly<Record<InnerShells, number>> = { cavities: 0, regions: 1 };
 
 /** Of each code (cpp/include/tetrafront/surface_tools.h). */
-export const DEFAULT_FINDINGS = 1000;
+export const DEFAULT_MAX_DIAGNOSTICS = 1000;
 
 export const DEFAULT_ORDER: FrontOrder = "layered";
 /** The engine's numbers (cpp/include/tetrafront/options.h). */
@@ -48,7 +48,7 @@ export const OPTIMIZATIONS: Readonly<Record<Optimization, number>> = {
   none: 0,
   fast: 1,
   default: 2,
-  strive: 3,
+  thorough: 3,
 };
 
 export type CoverShape = NonNullable<CoverOptions["shape"]>;
@@ -100,7 +100,7 @@ const MESH_RULES: Rules<Omit<MeshOptions, "background">> = {
         ? undefined
         : `0, or a gradation above 1 and up to ${LIMITS.gradation}, such as ${DEFAULT_GRADATION}`,
   ],
-  enclosed: ["meaning of enclosed bodies", oneOf(ENCLOSED_BODIES)],
+  innerShells: ["meaning of inner shells", oneOf(INNER_SHELLS)],
   order: ["order of the front", oneOf(FRONT_ORDERS)],
   optimization: ["optimization", oneOf(OPTIMIZATIONS)],
   filters: ["choice of filters", trueOrFalse],
@@ -118,15 +118,17 @@ const REFINE_RULES: Rules<Omit<RefineOptions, "background">> = {
 
 const PREVIEW_RULES: Rules<Omit<PreviewOptions, "background">> = {
   size: MESH_RULES.size,
-  enclosed: MESH_RULES.enclosed,
+  innerShells: MESH_RULES.innerShells,
 };
 
 const INSPECTION_RULES: Rules<InspectionOptions> = {
-  enclosed: MESH_RULES.enclosed,
-  findings: [
+  innerShells: MESH_RULES.innerShells,
+  maxDiagnostics: [
     "number of findings to list",
     (value) =>
-      isWholeNumber(value, 1, LIMITS.findings) ? undefined : `a whole number from 1 to ${LIMITS.findings}`,
+      isWholeNumber(value, 1, LIMITS.maxDiagnostics)
+        ? undefined
+        : `a whole number from 1 to ${LIMITS.maxDiagnostics}`,
   ],
 };
 
@@ -148,7 +150,7 @@ const PROPOSAL_RULES: Rules<ProposalOptions> = {
 /** As the engine has it (cpp/include/tetrafront/surface_tools.h): the work grows with its cube. */
 const MOST_HOLE_EDGES = 200;
 const REPAIR_RULES: Rules<RepairOptions> = {
-  enclosed: MESH_RULES.enclosed,
+  innerShells: MESH_RULES.innerShells,
   weld: [
     "weld distance",
     (value) =>
@@ -204,7 +206,7 @@ export function checkCoverOptions(options: CoverOptions): Diagnostic[] {
   return checkAgainst(options, options, COVER_RULES);
 }
 
-/** Of `meshAsBackground`; the sizes are looked at together with the mesh. */
+/** Of `backgroundFromMesh`; the sizes are looked at together with the mesh. */
 export function checkGridOptions(options: { readonly sizes?: unknown }): Diagnostic[] {
   return checkAgainst(options, options, { sizes: ["sizes", () => undefined] });
 }
@@ -274,7 +276,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     size = 0,
     growth = DEFAULT_GROWTH,
     gradation = DEFAULT_GRADATION,
-    enclosed = DEFAULT_ENCLOSED,
+    innerShells = DEFAULT_INNER_SHELLS,
     order = DEFAULT_ORDER,
     filters = DEFAULT_FILTERS,
     optimization = DEFAULT_OPTIMIZATION,
@@ -284,7 +286,7 @@ export function engineOptions(options: MeshOptions): EngineOptions {
     size,
     growth,
     gradation,
-    enclosed: ENCLOSED_BODIES[enclosed],
+    innerShells: INNER_SHELLS[innerShells],
     order: FRONT_ORDERS[order],
     filters,
     optimization: OPTIMIZATIONS[optimization],
@@ -294,8 +296,8 @@ export function engineOptions(options: MeshOptions): EngineOptions {
 
 /** Options that passed the check. */
 export function engineInspectionOptions(options: InspectionOptions): EngineInspectionOptions {
-  const { enclosed = DEFAULT_ENCLOSED, findings = DEFAULT_FINDINGS } = options;
-  return { enclosed: ENCLOSED_BODIES[enclosed], findings };
+  const { innerShells = DEFAULT_INNER_SHELLS, maxDiagnostics = DEFAULT_MAX_DIAGNOSTICS } = options;
+  return { innerShells: INNER_SHELLS[innerShells], maxDiagnostics };
 }
 
 /** Options that passed the check. */
@@ -307,12 +309,12 @@ export function engineProposalOptions(options: ProposalOptions): EngineProposalO
 /** Options that passed the check. */
 export function engineRepairOptions(options: RepairOptions): EngineRepairOptions {
   const { weld = 0, removeTriangles = true, fillHoles = 0, orient = true } = options;
-  const { enclosed = DEFAULT_ENCLOSED } = options;
+  const { innerShells = DEFAULT_INNER_SHELLS } = options;
   return {
     weldDistance: weld === false ? -1 : weld,
-    removesTriangles: removeTriangles,
-    fillsUpTo: fillHoles,
-    turns: orient,
-    enclosed: ENCLOSED_BODIES[enclosed],
+    removeTriangles,
+    maxHoleEdges: fillHoles,
+    orient,
+    innerShells: INNER_SHELLS[innerShells],
   };
 }

@@ -5,7 +5,7 @@ import { arrayOf, checkArgument, objectOf } from "../base/argument-checks.js";
 import { hasPatches } from "../formats/mesh-checks.js";
 import type { SurfaceRepair } from "./inspection.js";
 import { chainedOrigins, NO_ORIGIN } from "./surface-numbers.js";
-import { NO_REGION } from "../base/walls.js";
+import { NO_REGION } from "../base/interfaces.js";
 
 const aRepair = objectOf({
   surface: objectOf({ points: arrayOf(Float64Array, 3), triangles: arrayOf(Uint32Array, 3) }),

@@ -47,7 +47,7 @@ export function emptyResult(
 export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic[], seconds = 0): MeshReport {
   return {
     status,
-    points: 0,
+    nodes: 0,
     tetrahedra: 0,
     triangles: 0,
     seconds: { total: seconds, check: 0, sides: 0, surface: 0, volume: 0, optimize: 0 },
@@ -56,7 +56,7 @@ export function emptyReport(status: MeshStatus, diagnostics: readonly Diagnostic
     volume: 0,
     quality: NO_QUALITY,
     patches: [],
-    recovery: { relaxed: 0, starred: 0, reopened: 0, filled: 0, steinerPoints: 0 },
+    recovery: { relaxed: 0, starred: 0, remeshed: 0, filled: 0, steinerPoints: 0 },
     front: {
       pops: 0,
       gatheredFaces: 0,

@@ -28,7 +28,7 @@ export interface SurfaceInput {
 }
 
 /**
- * A background grid as flat arrays: what a generated mesh becomes (`meshAsBackground`), at full speed
+ * A background grid as flat arrays: what a generated mesh becomes (`backgroundFromMesh`), at full speed
  * also with hundreds of thousands of tetrahedra.
  */
 export interface BackgroundArrays {
@@ -43,7 +43,7 @@ export interface BackgroundArrays {
   /** Four node positions per tetrahedron, in any orientation. */
   readonly tetrahedra: Uint32Array;
   /** What this far outside still counts as covered, as in `ProjectBackground`. Default 0. */
-  readonly overhang?: number | undefined;
+  readonly coverageMargin?: number | undefined;
   /** In addition to those of a project. For a given surface they may be all there is. */
   readonly sources?: readonly ProjectSource[] | undefined;
 }
@@ -62,7 +62,7 @@ export interface PreviewOptions {
   /** The uniform size that the project will be meshed with: then its grid is not checked. */
   readonly size?: number | undefined;
   /** As among the `MeshOptions`, for what is said about regions and cavities. */
-  readonly enclosed?: EnclosedBodies | undefined;
+  readonly innerShells?: InnerShells | undefined;
   /** As among the `MeshOptions`: the grid that the project will be meshed with, in place of its own. */
   readonly background?: BackgroundArrays | undefined;
 }
@@ -73,12 +73,12 @@ export interface InspectionOptions {
    * As among the `MeshOptions` it will be filled with: closed parts within a body bound cavities and must be turned so,
    * or regions, which either way will do. Default `cavities`.
    */
-  readonly enclosed?: EnclosedBodies | undefined;
+  readonly innerShells?: InnerShells | undefined;
   /**
    * Of each code so many findings are listed, and the others counted: a whole number from 1 to a million. Default
    * 1000. Each takes about 0.8 kB of memory and 10 µs.
    */
-  readonly findings?: number | undefined;
+  readonly maxDiagnostics?: number | undefined;
 }
 
 /** How a covering grid is built. */
@@ -112,11 +112,11 @@ export interface SizeProposal {
 }
 
 /** What a closed part of the boundary bounds that lies within a body and shares no line with it. */
-export type EnclosedBodies = "cavities" | "regions";
+export type InnerShells = "cavities" | "regions";
 /** In which order faces leave the front. */
 export type FrontOrder = "layered" | "smallest-first";
 /** How much work goes into the shape of the elements after the front. */
-export type Optimization = "none" | "fast" | "default" | "strive";
+export type Optimization = "none" | "fast" | "default" | "thorough";
 
 /** How a project or a surface is meshed. */
 export interface MeshOptions {
@@ -146,7 +146,7 @@ export interface MeshOptions {
    * Default `cavities`: parts of the boundary within a body bound empty spaces. With `regions` every
    * space is filled, as a region of its own that fits what is around it.
    */
-  readonly enclosed?: EnclosedBodies | undefined;
+  readonly innerShells?: InnerShells | undefined;
   /** In which order faces leave the front. Default `layered`; `smallest-first` is the paper's. */
   readonly order?: FrontOrder | undefined;
   /**
@@ -171,14 +171,14 @@ export interface Progress {
   readonly phase: Phase;
   /** Of the whole call, 0 to 1, estimated, never decreasing. */
   readonly fraction: number;
-  readonly points: number;
+  readonly nodes: number;
   readonly triangles: number;
   readonly tetrahedra: number;
   readonly frontFaces: number;
   /** As many as the sizes ask for, estimated before the front starts; 0 until then. */
   readonly expectedTetrahedra: number;
   /** How far the exact fill is with what the front has left open, 0 to 1, estimated; 0 while it is not at work. */
-  readonly exactFill: number;
+  readonly exactFillFraction: number;
   readonly elapsedSeconds: number;
 }
 
@@ -249,7 +249,7 @@ export interface DiagnosticOf<Code extends DiagnosticCode> {
   /** One sentence: what to do about it. Empty for information that asks for nothing. */
   readonly remedy: string;
   readonly entities: readonly EntityRef[];
-  readonly place?: readonly [number, number, number] | undefined;
+  readonly position?: readonly [number, number, number] | undefined;
   /** The numbers of the sentence, by their names. */
   readonly data: DiagnosticData[Code];
 }
@@ -306,7 +306,7 @@ export interface Seconds {
 }
 
 /** The triangulation of one patch of a project. */
-export interface PatchFigures {
+export interface PatchQuality {
   /** Position in the project. */
   readonly patch: number;
   readonly triangles: number;
@@ -321,11 +321,11 @@ export interface PatchFigures {
 }
 
 /** One tetrahedron of the report. Shapes are those the size field sees (see `QualityReport`). */
-export interface ElementFigures {
+export interface ElementQuality {
   /** Position in the volume mesh. */
   readonly tetrahedron: number;
   /** Its centroid. */
-  readonly place: readonly [number, number, number];
+  readonly centroid: readonly [number, number, number];
   /** In cubed model units. */
   readonly volume: number;
   /** Degrees. */
@@ -362,21 +362,21 @@ export interface LimitedByBoundary {
    * Between two parts of the boundary nearer to each other than 0.6 wanted lengths, without a node
    * inside: neither a proof.
    */
-  readonly sheets: number;
-  readonly worst: readonly ElementFigures[];
+  readonly narrowGaps: number;
+  readonly worst: readonly ElementQuality[];
 }
 
 /** Lengths of edges. Wanted are those asked for, whether a given surface allows them or not. */
-export interface EdgeFigures {
+export interface EdgeStatistics {
   /** The mean of length by wanted length. */
   readonly mean: number;
   /**
    * The mean of length by the length wanted of the front: longer beside triangles of a given surface that
    * are too large (`coarse-surface`), the same everywhere else.
    */
-  readonly meanOfPossible: number;
+  readonly meanOfAchievable: number;
   /** The share of edges between 0.6 and 1.5 wanted lengths. */
-  readonly nearWanted: number;
+  readonly nearTarget: number;
 }
 
 /**
@@ -388,15 +388,15 @@ export interface QualityReport {
   readonly binWidths: { readonly dihedral: number; readonly radiusRatio: number; readonly edge: number };
   readonly regions: readonly RegionQuality[];
   /** Up to ten, worst first, by their angles. */
-  readonly worst: readonly ElementFigures[];
+  readonly worst: readonly ElementQuality[];
   /** By volume. */
-  readonly smallest: ElementFigures | null;
+  readonly smallest: ElementQuality | null;
   /** Largest by smallest volume. */
   readonly volumeRatio: number;
   /** Of all edges. */
-  readonly edges: EdgeFigures;
+  readonly edges: EdgeStatistics;
   /** Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse. */
-  readonly missed: number;
+  readonly outOfRange: number;
   /** Those it does. */
   readonly limitedByBoundary: LimitedByBoundary;
 }
@@ -404,7 +404,7 @@ export interface QualityReport {
 /** The figures of a run, and all it has to say. */
 export interface MeshReport {
   readonly status: MeshStatus;
-  readonly points: number;
+  readonly nodes: number;
   readonly tetrahedra: number;
   readonly triangles: number;
   readonly seconds: Seconds;
@@ -417,7 +417,7 @@ export interface MeshReport {
   /** Empty unless the mesh is finished. */
   readonly quality: QualityReport;
   /** By position of the patch; of a given surface none. */
-  readonly patches: readonly PatchFigures[];
+  readonly patches: readonly PatchQuality[];
   /** How the front was brought to an end. */
   readonly recovery: {
     /** Elements accepted by a relaxed rule. */
@@ -425,7 +425,7 @@ export interface MeshReport {
     /** Pockets filled from one interior point. */
     readonly starred: number;
     /** Pockets filled after elements around them were removed. */
-    readonly reopened: number;
+    readonly remeshed: number;
     /** Pockets given to the exact fill, which comes last. */
     readonly filled: number;
     /** Interior points that the exact fill has made. */
@@ -502,7 +502,7 @@ export interface Mesher {
    * which ask for about as many elements as it has. Nodes of no tetrahedron are left out. Rejects with
    * `invalid-input` where the arrays do not fit together.
    */
-  meshAsBackground(
+  backgroundFromMesh(
     mesh: Pick<VolumeMesh, "points" | "tetrahedra">,
     options?: { readonly sizes?: Float64Array | undefined },
     control?: RunControl,

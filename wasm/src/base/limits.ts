@@ -9,5 +9,5 @@ export const LIMITS = {
   /** Length along the direction of stretching divided by the size. */
   stretching: 1e6,
   /** Findings of one code that an inspection lists: at 0.8 kB each, a JavaScript heap holds a few million. */
-  findings: 1_000_000,
+  maxDiagnostics: 1_000_000,
 } as const;

@@ -89,7 +89,7 @@ function tellFigures(input: string, findings: Findings): void {
 
 /** Of each code so many; undefined where nothing is said of it. What is no number is left for the check of options. */
 function findingsAsked({ findings }: CheckCommandOptions): number | undefined {
-  return findings === "all" ? LIMITS.findings : numberIn(findings);
+  return findings === "all" ? LIMITS.maxDiagnostics : numberIn(findings);
 }
 
 async function found(input: string, options: CheckCommandOptions): Promise<Findings> {
@@ -97,15 +97,15 @@ async function found(input: string, options: CheckCommandOptions): Promise<Findi
     const size = numberIn(options.size);
     const { enclosed } = options;
     refuseOptions([
-      ...checkPreviewOptions({ size, enclosed }),
-      ...checkInspectionOptions({ findings: findingsAsked(options) }),
+      ...checkPreviewOptions({ size, innerShells: enclosed }),
+      ...checkInspectionOptions({ maxDiagnostics: findingsAsked(options) }),
     ]);
     if (isProject(input, options.from)) {
       refuseOption("--findings", options.findings, "surfaces", "a project");
       refuseRepair(repairOptions(options), "a project");
       const project = await readProjectFile(input, options.from);
       const { diagnostics } = await withMesher((mesher) =>
-        mesher.previewProject(project, { size, enclosed }),
+        mesher.previewProject(project, { size, innerShells: enclosed }),
       );
       return { kind: "project", diagnostics };
     }
@@ -142,8 +142,7 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
     throw new BadInput(input, [nothing]);
   }
   const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), wanted);
-  const { enclosed } = options;
-  const judged = { enclosed, findings: findingsAsked(options) };
+  const judged = { innerShells: options.enclosed, maxDiagnostics: findingsAsked(options) };
   const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, judged);
   return { kind: "surface", diagnostics: [...diagnostics, ...notes(mesh)], changes, inspection };
 }
@@ -170,15 +169,15 @@ function faultsOf(
   { invertedTetrahedra = NONE }: FileMesh,
 ): Diagnostic[] {
   // The reader, which has turned them, knows which; of others only their number is known.
-  const isKnown = invertedTetrahedra.length === found.turnedTetrahedra;
+  const isKnown = invertedTetrahedra.length === found.invertedTetrahedra;
   const which = isKnown ? `: ${listed(Array.from(invertedTetrahedra, String))} (counted from 0)` : "";
 
   const faults: readonly (readonly [number, string, string, string])[] = [
-    [found.turnedTetrahedra, "tetrahedron", `turned inside out${which}`, "Exchange two nodes of each."],
-    [found.flatTetrahedra, "tetrahedron", "without volume", "Mesh the body again."],
-    [found.repeatedTetrahedra, "tetrahedron", "with the nodes of another", "Remove all but one."],
-    [found.crowdedFaces, "face", "of more than two tetrahedra", "Mesh the body again."],
-    [found.overlaps, "face", "with both tetrahedra on one side", "Mesh the body again."],
+    [found.invertedTetrahedra, "tetrahedron", `turned inside out${which}`, "Exchange two nodes of each."],
+    [found.degenerateTetrahedra, "tetrahedron", "without volume", "Mesh the body again."],
+    [found.duplicateTetrahedra, "tetrahedron", "with the nodes of another", "Remove all but one."],
+    [found.nonManifoldFaces, "face", "of more than two tetrahedra", "Mesh the body again."],
+    [found.overlappingFaces, "face", "with both tetrahedra on one side", "Mesh the body again."],
     [found.coincidentNodes, "node", "at the place of another", "Weld what lies at one place."],
   ];
   return faults

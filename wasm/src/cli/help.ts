@@ -47,7 +47,7 @@ Sizes of elements
   --refine-surface divides them first, and leaves the shape as it is.
 
 Shapes of elements
-  --optimize none leaves the mesh as the front made it; fast, default and strive work on it ever longer.
+  --optimize none leaves the mesh as the front made it; fast, default and thorough work on it ever longer.
 ${FIGURES_HELP}
 
 Surfaces that cannot be filled

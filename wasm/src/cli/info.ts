@@ -48,7 +48,7 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
     const { boundary, ...figures } = found;
     const turnedInFile = mesh.turnedTetrahedra ?? 0;
     const json = { ...figures, turnedInFile, boundaryTriangles: boundary.triangles.length / 3 };
-    const faults = found.isSound ? [] : ["the mesh is not sound: `tetrafront check` tells why"];
+    const faults = found.isValid ? [] : ["the mesh is not sound: `tetrafront check` tells why"];
     const lines = [
       ...meshLines(found),
       ...qualityLines(found.quality),

@@ -36,14 +36,14 @@ import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import {
   COVER_SHAPES,
   DEFAULT_COVER_SHAPE,
-  DEFAULT_FINDINGS,
+  DEFAULT_MAX_DIAGNOSTICS,
   DEFAULT_GRADATION,
   DEFAULT_GROWTH,
   DEFAULT_OPTIMIZATION,
-  DEFAULT_ENCLOSED,
+  DEFAULT_INNER_SHELLS,
   DEFAULT_ORDER,
   DEFAULT_PROPOSAL,
-  ENCLOSED_BODIES,
+  INNER_SHELLS,
   FRONT_ORDERS,
   OPTIMIZATIONS,
 } from "../api/options.js";
@@ -381,8 +381,8 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
 function enclosedOption(): Option {
   return new Option(
     "--enclosed <meaning>",
-    `what closed parts within a body bound: empty spaces, or regions meshed too (default ${DEFAULT_ENCLOSED})`,
-  ).choices(Object.keys(ENCLOSED_BODIES));
+    `what closed parts within a body bound: empty spaces, or regions meshed too (default ${DEFAULT_INNER_SHELLS})`,
+  ).choices(Object.keys(INNER_SHELLS));
 }
 
 function addCheck(program: Command, setExitCode: SetExitCode): void {
@@ -394,7 +394,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     .addOption(enclosedOption())
     .option(
       "--findings <count>",
-      `list so many problems of each kind of a surface, or all (default ${DEFAULT_FINDINGS}; as text the first 50)`,
+      `list so many problems of each kind of a surface, or all (default ${DEFAULT_MAX_DIAGNOSTICS}; as text the first 50)`,
     )
     .addOption(formatOption())
     .addOption(fromOption());

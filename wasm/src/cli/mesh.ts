@@ -211,7 +211,7 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
     size: numberIn(options.size),
     growth: numberIn(options.grading ?? options.growth),
     gradation: numberIn(options.gradation),
-    enclosed: options.enclosed,
+    innerShells: options.enclosed,
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,
@@ -242,7 +242,7 @@ function sourceIn(text: string, index: number): ProjectSource {
     const remedy = "Give x,y,z,size, then a distance and a growth if need be: --source 0,0,1,0.05,0.2";
     throw new BadInput("command line", [invalidOption("--source", `the source is "${text}"`, remedy)]);
   }
-  return { id: index + 1, type: "point", places: [[x, y, z]], size, distance, growth };
+  return { id: index + 1, type: "point", positions: [[x, y, z]], size, distance, growth };
 }
 
 async function checkMeshPlace(input: string, options: MeshCommandOptions): Promise<void> {
@@ -310,11 +310,11 @@ async function mesh(
     }
     if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
     // Told in the numbers of what was given.
-    const { enclosed } = options;
-    const found = await mesher.inspectSurface(model.surface, { enclosed }, control);
+    const { innerShells } = options;
+    const found = await mesher.inspectSurface(model.surface, { innerShells }, control);
     if (!found.isFillable) return { result: emptyResult("invalid-input", found.diagnostics), model };
     // Samples tell the inside by how triangles are turned.
-    const volume = found.turnedTriangles > 0 ? undefined : found.volume;
+    const volume = found.flippedTriangles > 0 ? undefined : found.volume;
     const { surface, figures } = await refined(mesher, model.surface, { ...all, volume }, control);
     const result = await mesher.fillSurface(surface, all, control);
     return { result, model: { kind: "surface", surface }, refinement: figures };
@@ -396,18 +396,18 @@ function summary(
   written: string | null,
   { keepPartial }: MeshCommandOptions,
 ): string {
-  const { status, tetrahedra, points, dihedral, radiusRatio, quality, seconds } = report;
-  const { missed, limitedByBoundary: limited } = quality;
+  const { status, tetrahedra, nodes, dihedral, radiusRatio, quality, seconds } = report;
+  const { outOfRange, limitedByBoundary: limited } = quality;
   const shapes = [
     `dihedral angles ${dihedral.min.toFixed(1)}° to ${dihedral.max.toFixed(1)}°`,
     `mean radius ratio ${radiusRatio.mean.toFixed(3)}`,
   ];
   const figures = [
     plural(tetrahedra, "tetrahedron"),
-    plural(points, "point"),
+    plural(nodes, "point"),
     ...(tetrahedra > 0 ? shapes : []),
     ...(status === "done" ? [`mean edge ${quality.edges.mean.toFixed(2)} of the wanted`] : []),
-    ...(missed > 0 ? [`${missed} beyond 30° to 135°`] : []),
+    ...(outOfRange > 0 ? [`${outOfRange} beyond 30° to 135°`] : []),
     ...(limited.count > 0 ? [`${limited.count} so because of the boundary`] : []),
     `${seconds.total.toFixed(2)} s`,
   ].join(", ");

@@ -110,10 +110,10 @@ function isOfSurface({ entities }: Diagnostic): boolean {
 function tellGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
   const lines = new Map<string, { readonly line: string; count: number }>();
   for (const diagnostic of group) {
-    const { severity, code, message, remedy, place } = diagnostic;
+    const { severity, code, message, remedy, position } = diagnostic;
     const line = `${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd();
     // Coordinates that cannot be computed with are no place either.
-    const isAlike = isOfSurface(diagnostic) && (place === undefined || code === "not-finite");
+    const isAlike = isOfSurface(diagnostic) && (position === undefined || code === "not-finite");
     const key = isAlike ? message.replace(/[-+\d.e]*\d/g, "#") : line;
     const known = lines.get(key);
     if (known === undefined) lines.set(key, { line, count: 1 });

@@ -20,10 +20,10 @@ export class ProgressBar {
     this.#bar.start(1, 0, { phase: "check", tetrahedra: 0, left: "" });
   }
 
-  update({ fraction, phase, tetrahedra, frontFaces, exactFill }: Progress): void {
+  update({ fraction, phase, tetrahedra, frontFaces, exactFillFraction }: Progress): void {
     const left =
-      exactFill > 0
-        ? `exact fill of what the front left: ${(100 * exactFill).toFixed(1)} %`
+      exactFillFraction > 0
+        ? `exact fill of what the front left: ${(100 * exactFillFraction).toFixed(1)} %`
         : `${String(frontFaces)} faces in the front`;
     this.#bar.update(fraction, { phase: phase.padEnd("surface".length), tetrahedra, left });
   }

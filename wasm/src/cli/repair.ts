@@ -8,14 +8,14 @@ import { checkRepairOptions } from "../api/options.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import { plural } from "../base/plural.js";
 import { repairedSurface } from "../api/repaired-surface.js";
-import type { EnclosedBodies, Mesher } from "../api/types.js";
+import type { InnerShells, Mesher } from "../api/types.js";
 
 /** As commander hands them over. */
 export interface RepairCommandOptions {
   readonly repair?: boolean;
   readonly weld?: string;
   readonly fillHoles?: string;
-  readonly enclosed?: EnclosedBodies;
+  readonly enclosed?: InnerShells;
 }
 
 export interface RepairedSurface {
@@ -31,7 +31,7 @@ export function repairOptions(given: RepairCommandOptions): RepairOptions | unde
   const options: RepairOptions = {
     ...(weld === undefined ? {} : { weld: numberIn(weld) }),
     ...(fillHoles === undefined ? {} : { fillHoles: numberIn(fillHoles) }),
-    enclosed,
+    innerShells: enclosed,
   };
   refuseOptions(checkRepairOptions(options));
   return options;
@@ -76,13 +76,13 @@ export function tellChanges(input: string, changes: readonly RepairChange[]): vo
 
 /** What was changed, with ids and place. */
 export function sentenceOf(change: RepairChange): string {
-  return `${words()} at ${placeText(change.place)}`;
+  return `${words()} at ${placeText(change.position)}`;
 
   function words(): string {
     switch (change.kind) {
       case "welded-node":
         return `node ${change.node} is now node ${change.into}`;
-      case "dropped-node":
+      case "removed-node":
         return `dropped node ${change.node}, which no triangle uses`;
       case "removed-triangle":
         return `removed triangle ${change.triangle}, which has no area`;
@@ -92,7 +92,7 @@ export function sentenceOf(change: RepairChange): string {
         return `split triangle ${change.beyond} in place of triangle ${change.triangle}, which has no area`;
       case "filled-hole":
         return `filled a hole with ${plural(change.triangles, "triangle")} from ${change.firstTriangle} on`;
-      case "turned-triangle":
+      case "flipped-triangle":
         return `turned triangle ${change.triangle}`;
     }
   }

@@ -111,28 +111,28 @@ export function surfaceLines(found: Omit<SurfaceInspection, "diagnostics">): str
       found.isManifold ? "manifold" : `not manifold (${notManifold(found)})`,
       found.isEmbedded ? "free of crossings" : "cuts itself",
     ].join(", "),
-    ...(isKnown ? [`${plural(found.bodies, "body")}, ${plural(found.cavities, "cavity")}`] : []),
+    ...(isKnown ? [`${plural(found.regions, "body")}, ${plural(found.cavities, "cavity")}`] : []),
     `area ${short(found.area)}${isKnown ? `, volume ${short(found.volume)}` : ""}`,
     boxText(found.box),
     edgesLine(found.edgeLengths),
-    ...(found.turnedTriangles > 0
+    ...(found.flippedTriangles > 0
       ? [
-          `${plural(found.turnedTriangles, "triangle")} not turned outward${isKnown ? ", as whole parts" : ""}`,
+          `${plural(found.flippedTriangles, "triangle")} not turned outward${isKnown ? ", as whole parts" : ""}`,
         ]
       : []),
     ...found.worst
       .slice(0, 3)
       .map(
-        ({ triangle, smallestAngle, radiusRatio, place }) =>
-          `among the worst: triangle ${triangle}, smallest angle ${smallestAngle.toFixed(2)}°, radius ratio ${radiusRatio.toFixed(3)}, at ${placeText(place)}`,
+        ({ triangle, smallestAngle, radiusRatio, centroid }) =>
+          `among the worst: triangle ${triangle}, smallest angle ${smallestAngle.toFixed(2)}°, radius ratio ${radiusRatio.toFixed(3)}, at ${placeText(centroid)}`,
       ),
   ];
 }
 
-function notManifold({ crowdedEdges, pinchedNodes }: Omit<SurfaceInspection, "diagnostics">): string {
+function notManifold({ nonManifoldEdges, nonManifoldNodes }: Omit<SurfaceInspection, "diagnostics">): string {
   const parts = [
-    ...(crowdedEdges > 0 ? [`${plural(crowdedEdges, "edge")} of more than two triangles`] : []),
-    ...(pinchedNodes > 0 ? [`${plural(pinchedNodes, "node")} where it touches itself`] : []),
+    ...(nonManifoldEdges > 0 ? [`${plural(nonManifoldEdges, "edge")} of more than two triangles`] : []),
+    ...(nonManifoldNodes > 0 ? [`${plural(nonManifoldNodes, "node")} where it touches itself`] : []),
   ];
   return parts.join(", ");
 }
@@ -173,8 +173,8 @@ export function qualityLines({ regions, worst, binWidths }: QualityReport): stri
     ...worst
       .slice(0, 5)
       .map(
-        ({ tetrahedron, dihedral, place }) =>
-          `among the worst: tetrahedron ${tetrahedron}, ${dihedral.min.toFixed(2)}° to ${dihedral.max.toFixed(2)}°, at ${placeText(place)}`,
+        ({ tetrahedron, dihedral, centroid }) =>
+          `among the worst: tetrahedron ${tetrahedron}, ${dihedral.min.toFixed(2)}° to ${dihedral.max.toFixed(2)}°, at ${placeText(centroid)}`,
       ),
   ];
 }

@@ -348,7 +348,7 @@ const HEAD_STRIDE = 5;
 export function* unpacked({
   heads,
   entities,
-  places,
+  positions,
   values,
 }: DiagnosticArrays): Generator<EngineDiagnostic> {
   let [entity, place, value] = [0, 0, 0];
@@ -361,7 +361,7 @@ export function* unpacked({
       code,
       severity,
       entities: entities.subarray(entity, (entity += 2 * entityCount)),
-      place: places.subarray(place, (place += 3 * placeCount)),
+      place: positions.subarray(place, (place += 3 * placeCount)),
       values: values.subarray(value, (value += valueCount)),
     };
   }
@@ -409,7 +409,7 @@ function describedAs<Code extends EngineCode>(
     message: sentence(withCounting(message(subject), entities)),
     remedy: typeof remedy === "string" ? remedy : remedy(subject),
     entities,
-    ...(x !== undefined && y !== undefined && z !== undefined ? { place: [x, y, z] as const } : {}),
+    ...(x !== undefined && y !== undefined && z !== undefined ? { position: [x, y, z] as const } : {}),
     data,
   };
 }

@@ -3,7 +3,7 @@ import createEngine, {
   type Cover,
   type Inspection,
   type MainModule,
-  type MeshGrid,
+  type BackgroundFromMesh,
   type Preview,
   type Proposal,
   type Refinement,
@@ -18,7 +18,7 @@ export type Engine = MainModule;
 export type EngineRun = Run;
 /** What works in slices and has one result. */
 export type EngineTool =
-  Cover | Inspection | MeshGrid | Preview | Proposal | Refinement | Repair | VolumeInspection;
+  Cover | Inspection | BackgroundFromMesh | Preview | Proposal | Refinement | Repair | VolumeInspection;
 
 /** Fetches the file and compiles it; rejects with words that name the file and why it is not to be had. */
 export type CompileEngine = (address: URL) => Promise<CompiledEngine>;

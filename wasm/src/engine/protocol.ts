@@ -27,11 +27,11 @@ export interface EngineOptions {
   readonly growth: number;
   readonly gradation: number;
   /** 0 cavities, 1 regions. */
-  readonly enclosed: number;
+  readonly innerShells: number;
   /** 0 layered, 1 smallest first. */
   readonly order: number;
   readonly filters: boolean;
-  /** 0 none to 3 strive. */
+  /** 0 none to 3 thorough. */
   readonly optimization: number;
   /** For tests: skips the front. */
   readonly exactFillOnly: boolean;
@@ -40,9 +40,9 @@ export interface EngineOptions {
 /** The engine's InspectionOptions. */
 export interface EngineInspectionOptions {
   /** As among EngineOptions. */
-  readonly enclosed: number;
+  readonly innerShells: number;
   /** Of each code so many are listed. */
-  readonly findings: number;
+  readonly maxDiagnostics: number;
 }
 
 /** The engine's ProposalOptions; 0 for sizes that are not given. */
@@ -57,10 +57,10 @@ export interface EngineProposalOptions {
 /** The engine's RepairOptions; below 0 for no welding. */
 export interface EngineRepairOptions {
   readonly weldDistance: number;
-  readonly removesTriangles: boolean;
-  readonly fillsUpTo: number;
-  readonly turns: boolean;
-  readonly enclosed: number;
+  readonly removeTriangles: boolean;
+  readonly maxHoleEdges: number;
+  readonly orient: boolean;
+  readonly innerShells: number;
 }
 
 /**
@@ -91,7 +91,7 @@ export type Question =
     }
   /** No sizes: from the mesh's own edges. */
   | {
-      readonly kind: "mesh-as-grid";
+      readonly kind: "background-from-mesh";
       readonly id: number;
       readonly points: Float64Array;
       readonly tetrahedra: Uint32Array;
@@ -179,7 +179,7 @@ export interface Answers {
   readonly preview: EnginePreview;
   readonly cover: BackgroundArrays;
   readonly propose: EngineProposal;
-  readonly "mesh-as-grid": BackgroundArrays;
+  readonly "background-from-mesh": BackgroundArrays;
   readonly "inspect-surface": EngineInspection;
   readonly "repair-surface": EngineRepair;
   readonly "refine-surface": EngineRefinement;

@@ -1,6 +1,6 @@
 /** Takes apart the flat arrays in which the engine tells of its elements' quality. */
 import type { EngineRun } from "./loader.js";
-import type { ElementFigures, QualityReport, RegionQuality } from "../api/types.js";
+import type { ElementQuality, QualityReport, RegionQuality } from "../api/types.js";
 
 type StatisticsRecord = ReturnType<EngineRun["statistics"]>;
 
@@ -19,9 +19,9 @@ export const NO_QUALITY: QualityReport = {
   worst: [],
   smallest: null,
   volumeRatio: 0,
-  edges: { mean: 0, meanOfPossible: 0, nearWanted: 0 },
-  missed: 0,
-  limitedByBoundary: { count: 0, edges: 0, needles: 0, sheets: 0, worst: [] },
+  edges: { mean: 0, meanOfAchievable: 0, nearTarget: 0 },
+  outOfRange: 0,
+  limitedByBoundary: { count: 0, edges: 0, needles: 0, narrowGaps: 0, worst: [] },
 };
 
 export function qualityReport(record: StatisticsRecord): QualityReport {
@@ -33,15 +33,15 @@ export function qualityReport(record: StatisticsRecord): QualityReport {
     volumeRatio: record.volumeRatio,
     edges: {
       mean: record.meanEdge,
-      meanOfPossible: record.meanEdgeOfPossible,
-      nearWanted: record.edgesNearWanted,
+      meanOfAchievable: record.meanEdgeOfAchievable,
+      nearTarget: record.edgesNearTarget,
     },
-    missed: record.missed,
+    outOfRange: record.outOfRange,
     limitedByBoundary: {
       count: record.limitedByBoundary,
       edges: record.limitedByEdges,
       needles: record.limitedByNeedles,
-      sheets: record.limitedBySheets,
+      narrowGaps: record.limitedByNarrowGaps,
       worst: elementsOf(record.worstLimited),
     },
   };
@@ -61,11 +61,11 @@ function regionsOf({ regions, bins }: StatisticsRecord): RegionQuality[] {
   }));
 }
 
-function elementsOf(flat: Float64Array): ElementFigures[] {
+function elementsOf(flat: Float64Array): ElementQuality[] {
   return rowsOf(flat, ELEMENT_STRIDE).map(
     ([tetrahedron = 0, x = 0, y = 0, z = 0, volume = 0, min = 0, max = 0, radiusRatio = 0]) => ({
       tetrahedron,
-      place: [x, y, z],
+      centroid: [x, y, z],
       volume,
       dihedral: { min, max },
       radiusRatio,

@@ -71,12 +71,12 @@ export async function workInSlices(tool: EngineTool, control: SliceControl): Pro
     if (isFinished || now - reportedAt >= PROGRESS_MS) {
       reportedAt = now;
       const counts = {
-        points: 0,
+        nodes: 0,
         triangles: 0,
         tetrahedra: 0,
         frontFaces: 0,
         expectedTetrahedra: 0,
-        exactFill: 0,
+        exactFillFraction: 0,
       };
       const elapsedSeconds = (now - began) / 1000;
       control.onProgress({ phase: "check", fraction: tool.fraction(), ...counts, elapsedSeconds });

@@ -89,10 +89,15 @@ function toolFor(engine: Engine, question: Question): EngineTool | null {
       return engine.cover(question.model, question.size, question.shape);
     case "propose":
       return engine.propose(question.model, question.options);
-    case "mesh-as-grid":
-      return engine.meshAsGrid(question.points, question.tetrahedra, question.sizes);
+    case "background-from-mesh":
+      return engine.backgroundFromMesh(question.points, question.tetrahedra, question.sizes);
     case "inspect-surface":
-      return engine.inspectSurface(question.points, question.triangles, question.enclosed, question.findings);
+      return engine.inspectSurface(
+        question.points,
+        question.triangles,
+        question.innerShells,
+        question.maxDiagnostics,
+      );
     case "repair-surface":
       return engine.repairSurface(question.points, question.triangles, question.options);
     case "refine-surface":
@@ -153,7 +158,7 @@ function resultOf(run: EngineRun, status: MeshStatus, clock: RunClock): EngineRe
   const volume = run.volume();
   const quality = run.quality();
   const figures = {
-    points: volume.points.length / 3,
+    nodes: volume.points.length / 3,
     tetrahedra: volume.tetrahedra.length / 4,
     triangles: surface.triangles.length / 3,
     dihedral: { min: quality.minDihedral, max: quality.maxDihedral },

@@ -15,7 +15,7 @@ import {
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../api/types.js";
-import { NO_REGION } from "../base/walls.js";
+import { NO_REGION } from "../base/interfaces.js";
 import type { FileMesh, NodeData } from "./file-mesh.js";
 import type { SurfaceRegions } from "./region-names.js";
 import { firstOf, type Steps } from "./steps.js";

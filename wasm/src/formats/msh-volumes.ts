@@ -1,5 +1,5 @@
 /** Volumes of Gmsh's model in files that hold its surfaces alone: by the surfaces that bound them, or by their name. */
-import { NO_REGION } from "../base/walls.js";
+import { NO_REGION } from "../base/interfaces.js";
 import type { FileMesh } from "./file-mesh.js";
 import { GroupList } from "./mesh-builder.js";
 import type { SurfaceRegions } from "./region-names.js";

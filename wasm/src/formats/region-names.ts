@@ -2,7 +2,7 @@
  * Regions of a file carried over to the mesh that is made within its triangles: each of the new regions is the one
  * that the file has beside most of its triangles.
  */
-import { NO_REGION } from "../base/walls.js";
+import { NO_REGION } from "../base/interfaces.js";
 import type { MeshResult } from "../api/types.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { isPlain } from "./groups.js";

@@ -11,16 +11,16 @@ import type { VolumeFile } from "./volume-file.js";
 /**
  * The sizes at the nodes if the file has them under the name `size`, else sizes from the mesh's own
  * edges; `stretching` and `direction` if it has both. Capitals count for nothing where one name alone reads so. Rejects as
- * `meshAsBackground` does, but for sizes that make no sense. `unusedData` tells what else is at the nodes.
+ * `backgroundFromMesh` does, but for sizes that make no sense. `unusedData` tells what else is at the nodes.
  */
 export async function volumeBackground(
-  mesher: Pick<Mesher, "meshAsBackground">,
+  mesher: Pick<Mesher, "backgroundFromMesh">,
   volume: VolumeFile,
   control: RunControl = {},
 ): Promise<ReadResult<BackgroundArrays>> {
   refuse(checkControl(control));
   throwIfCancelled(control.signal);
-  checkArgument("mesher", mesher, objectOf({ meshAsBackground: aFunction }));
+  checkArgument("mesher", mesher, objectOf({ backgroundFromMesh: aFunction }));
   refuse(checkVolume(volume, undefined));
   checkArgument("volume", volume, objectOf({ nodeData: aMap }));
   const count = volume.points.length / 3;
@@ -40,7 +40,7 @@ export async function volumeBackground(
     if (directions?.length !== 3 * count) return problem("the nodes have a stretching, but no direction");
   }
   try {
-    const grid = await mesher.meshAsBackground(volume, { sizes }, control);
+    const grid = await mesher.backgroundFromMesh(volume, { sizes }, control);
     return { success: true, value: stretchings === undefined ? grid : { ...grid, stretchings, directions } };
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "invalid-input") throw failure;

@@ -40,7 +40,7 @@ export function projectArrays(project: Project): ModelArrays {
   const loops = project.patches.flatMap((patch) => patch.loops);
   const loopLines = flatten(loops.map((loop) => loop.map((signed) => orientedLine(signed, lineAt))));
   return {
-    points: Float64Array.from(project.points.flatMap((point) => point.at)),
+    points: Float64Array.from(project.points.flatMap((point) => point.position)),
     lineTypes: Uint8Array.from(project.lines, (line) => LINE_TYPES[line.type]),
     lineOffsets: lines.offsets,
     linePoints: lines.values,

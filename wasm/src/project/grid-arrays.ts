@@ -16,7 +16,7 @@ export interface GridArrays {
   /** x y z of three places (those its type lacks are 0), size, distance, growth per source. */
   readonly sourceValues: Float64Array;
   /** What this far outside the grid still counts as covered. */
-  readonly overhang: number;
+  readonly coverageMargin: number;
 }
 
 /** The engine's numbers (cpp/include/tetrafront/background_grid.h). */
@@ -48,13 +48,13 @@ export function backgroundOf({
 
 /** Flattens a project's grid. References that lead nowhere become positions out of range. O(size). */
 export function projectGrid(background: ProjectBackground): GridArrays {
-  const { nodes, tetrahedra, sources = [], overhang = 0 } = background;
+  const { nodes, tetrahedra, sources = [], coverageMargin = 0 } = background;
   return {
     nodes: nodeValues(nodes),
     tetrahedra: nodePositions(tetrahedra, positionFinder(nodes)),
     sourceTypes: sourceTypes(sources),
     sourceValues: sourceValues(sources),
-    overhang,
+    coverageMargin,
   };
 }
 
@@ -100,7 +100,7 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
     sourceValues: joined(Float64Array, grid.sourceValues, sourceValues(more)),
   };
   if (background.sizes.length === 0 && background.tetrahedra.length === 0) return { ...grid, ...all };
-  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0 } = background;
+  const { points, sizes, stretchings, directions, tetrahedra, coverageMargin = 0 } = background;
   const nodes = new Float64Array(NODE_STRIDE * sizes.length);
   for (let i = 0; i < sizes.length; i++) {
     const out = NODE_STRIDE * i;
@@ -111,7 +111,7 @@ export function withNodes(grid: GridArrays, background: BackgroundArrays): GridA
     nodes[out + 3] = sizes[i] ?? 0;
     nodes[out + 4] = stretchings?.[i] ?? 1;
   }
-  return { nodes, tetrahedra: tetrahedra.slice(), ...all, overhang };
+  return { nodes, tetrahedra: tetrahedra.slice(), ...all, coverageMargin };
 }
 
 /** One array after the other. Spread into arguments, long ones would not fit the stack. */
@@ -132,7 +132,7 @@ function joined<T extends Uint8Array | Float64Array>(
  */
 export function backgroundArrays(background: ProjectBackground): BackgroundArrays {
   checkArgument("background", background, aBackground);
-  const { nodes, tetrahedra, overhang } = projectGrid(background);
+  const { nodes, tetrahedra, coverageMargin } = projectGrid(background);
   const column = (begin: number, width: number) =>
     Float64Array.from(
       { length: (width * nodes.length) / NODE_STRIDE },
@@ -144,7 +144,7 @@ export function backgroundArrays(background: ProjectBackground): BackgroundArray
     stretchings: column(4, 1),
     directions: column(5, 3),
     tetrahedra,
-    overhang,
+    coverageMargin,
     sources: background.sources,
   };
 }
@@ -156,7 +156,7 @@ export function backgroundArrays(background: ProjectBackground): BackgroundArray
  */
 export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
   refuse(checkBackground(arrays));
-  const { points, sizes, stretchings, directions, tetrahedra, overhang = 0, sources } = arrays;
+  const { points, sizes, stretchings, directions, tetrahedra, coverageMargin = 0, sources } = arrays;
   const triple = (values: Float64Array, i: number): [number, number, number] => [
     values[3 * i] ?? 0,
     values[3 * i + 1] ?? 0,
@@ -168,7 +168,7 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
       const stretching = stretchings?.[i] ?? 1;
       const shape =
         stretching === 1 ? {} : { stretching, ...(directions && { direction: triple(directions, i) }) };
-      return { id: i + 1, at: triple(points, i), size, ...shape };
+      return { id: i + 1, position: triple(points, i), size, ...shape };
     }),
     tetrahedra: Array.from({ length: tetrahedra.length / 4 }, (_, t) => [
       id(4 * t),
@@ -177,13 +177,13 @@ export function projectBackground(arrays: BackgroundArrays): ProjectBackground {
       id(4 * t + 3),
     ]),
     ...(sources !== undefined && { sources }),
-    ...(overhang > 0 ? { overhang } : {}),
+    ...(coverageMargin > 0 ? { coverageMargin } : {}),
   };
 }
 
 const aTriple = listOf(aNumber);
-const aNode = objectOf({ id: aNumber, at: aTriple, size: aNumber, direction: orNothing(aTriple) });
-const aSource = objectOf({ type: oneOf(SOURCE_TYPE_NAMES), places: listOf(aTriple), size: aNumber });
+const aNode = objectOf({ id: aNumber, position: aTriple, size: aNumber, direction: orNothing(aTriple) });
+const aSource = objectOf({ type: oneOf(SOURCE_TYPE_NAMES), positions: listOf(aTriple), size: aNumber });
 const aBackground = objectOf({
   nodes: listOf(aNode),
   tetrahedra: listOf(listOf(aNumber)),
@@ -194,10 +194,10 @@ function nodeValues(nodes: readonly ProjectBackgroundNode[]): Float64Array {
   const values = new Float64Array(NODE_STRIDE * nodes.length);
   const plainDirection = [1, 0, 0] as const;
   let out = 0;
-  for (const { at, size, stretching = 1, direction = plainDirection } of nodes) {
-    values[out++] = at[0];
-    values[out++] = at[1];
-    values[out++] = at[2];
+  for (const { position, size, stretching = 1, direction = plainDirection } of nodes) {
+    values[out++] = position[0];
+    values[out++] = position[1];
+    values[out++] = position[2];
     values[out++] = size;
     values[out++] = stretching;
     values[out++] = direction[0];
@@ -213,9 +213,9 @@ function sourceTypes(sources: readonly ProjectSource[]): Uint8Array {
 
 function sourceValues(sources: readonly ProjectSource[]): Float64Array {
   const values = new Float64Array(SOURCE_STRIDE * sources.length);
-  sources.forEach(({ places, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
+  sources.forEach(({ positions, size, distance = 0, growth = DEFAULT_SOURCE_GROWTH }, s) => {
     // No more than three: previews show drawings that nobody has checked.
-    values.set(places.slice(0, 3).flat(), SOURCE_STRIDE * s);
+    values.set(positions.slice(0, 3).flat(), SOURCE_STRIDE * s);
     values.set([size, distance, growth], SOURCE_STRIDE * (s + 1) - 3);
   });
   return values;
@@ -226,12 +226,12 @@ export function projectSources(types: Uint8Array, values: Float64Array): Project
   return Array.from(types, (number, s) => {
     const type = SOURCE_TYPE_NAMES[number] ?? "point";
     const own = values.subarray(SOURCE_STRIDE * s, SOURCE_STRIDE * (s + 1));
-    const places = Array.from({ length: SOURCE_TYPES[type] + 1 }, (_, k): [number, number, number] => [
+    const positions = Array.from({ length: SOURCE_TYPES[type] + 1 }, (_, k): [number, number, number] => [
       own[3 * k] ?? 0,
       own[3 * k + 1] ?? 0,
       own[3 * k + 2] ?? 0,
     ]);
     const [size = 0, distance = 0, growth = 0] = own.subarray(SOURCE_STRIDE - 3);
-    return { id: s + 1, type, places, size, ...(distance > 0 ? { distance } : {}), growth };
+    return { id: s + 1, type, positions, size, ...(distance > 0 ? { distance } : {}), growth };
   });
 }

@@ -3,11 +3,11 @@ import { checkArgument, listOf, objectOf, orNothing } from "../base/argument-che
 import {
   parsedProject,
   PROJECT_FORMAT,
-  PROJECT_VERSION,
   type Project,
   type ProjectBackground,
   type SchemaProblem,
 } from "./schema.js";
+import { PROJECT_VERSION, upgraded } from "./versions.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import type { ReadProblem, ReadResult } from "../formats/read-result.js";
@@ -16,10 +16,15 @@ import type { ReadProblem, ReadResult } from "../formats/read-result.js";
 const MAX_PROBLEMS = 20;
 
 /**
- * Checks that a value is a project: structure, finite numbers, unique ids, references that exist.
- * The geometry is not looked at; `previewProject` and `meshProject` do that. Never throws.
+ * Checks that a value is a project: structure, finite numbers, unique ids, references that exist. Upgrades projects of
+ * earlier versions. Does not check the geometry; `previewProject` and `meshProject` do. Never throws.
  */
 export function parseProject(value: unknown): ReadResult<Project> {
+  return checkedProject(upgraded(value));
+}
+
+/** As `parseProject`, for values that must have the present version already. */
+export function checkedProject(value: unknown): ReadResult<Project> {
   const headProblem = checkHead(value);
   if (headProblem !== undefined) return refused(headProblem);
   const parsed = parsedProject(value);
@@ -93,10 +98,10 @@ const aProject = objectOf({
   background: objectOf({ nodes: entities, tetrahedra: entities, sources: orNothing(entities) }),
 });
 
-function backgroundText({ nodes, tetrahedra, sources, overhang }: ProjectBackground): string {
+function backgroundText({ nodes, tetrahedra, sources, coverageMargin }: ProjectBackground): string {
   const parts = [`"nodes": ${rows(nodes, "    ")}`, `"tetrahedra": ${rows(tetrahedra, "    ")}`];
   if (sources !== undefined) parts.push(`"sources": ${rows(sources, "    ")}`);
-  if (overhang !== undefined) parts.push(`"overhang": ${JSON.stringify(overhang)}`);
+  if (coverageMargin !== undefined) parts.push(`"coverageMargin": ${JSON.stringify(coverageMargin)}`);
   return `{\n${parts.map((part) => `    ${part}`).join(",\n")}\n  }`;
 }
 
@@ -118,6 +123,14 @@ function checkHead(value: unknown): ReadProblem | undefined {
       code: "later-version",
       message: `the file has version ${version}, this program reads versions up to ${PROJECT_VERSION}`,
       remedy: "Update Tetrafront.",
+      path: "version",
+    };
+  }
+  if (typeof version === "number" && version < PROJECT_VERSION && Number.isInteger(version) && version >= 1) {
+    return {
+      code: "invalid-project",
+      message: `expected a project of version ${PROJECT_VERSION}, found version ${version}`,
+      remedy: "Pass it through parseProject() or readProject(), which upgrade it.",
       path: "version",
     };
   }

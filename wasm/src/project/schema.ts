@@ -8,14 +8,12 @@ import * as v from "valibot";
 
 import { shown } from "../base/argument-checks.js";
 import { LIMITS } from "../base/limits.js";
+import { PROJECT_VERSION } from "./versions.js";
 import { WORDS } from "./words.js";
 
 /** In the field `format` of every project file. */
 export const PROJECT_FORMAT = "tetrafront-project";
-/** Of the project file; readers take older ones too. */
-export const PROJECT_VERSION = 1;
-
-/** Something wrong in a value, and where: `points[0].at[2]`. */
+/** Something wrong in a value, and where: `points[0].position[2]`. */
 export interface SchemaProblem {
   readonly path: string;
   readonly message: string;
@@ -81,7 +79,7 @@ const NAMES: Readonly<Record<string, string>> = {
   string: "a string",
 };
 
-/** `["points", 0, "at", 2]` as `points[0].at[2]`. */
+/** `["points", 0, "position", 2]` as `points[0].position[2]`. */
 function pathText(path: readonly unknown[]): string {
   return path
     .map((step) => (typeof step === "number" ? `[${step}]` : `.${String(step)}`))
@@ -119,9 +117,9 @@ const reference = v.pipe(integer, v.gtValue(0));
 const id = described(WORDS.id, reference);
 const name = v.optional(described(WORDS.name, v.string()));
 const threeNumbers = v.pipe(v.strictTuple([number, number, number]), v.readonly());
-const triple = described(WORDS.place, threeNumbers);
+const triple = described(WORDS.position, threeNumbers);
 
-const pointSchema = v.pipe(objectWith({ id, name, at: triple }), v.readonly());
+const pointSchema = v.pipe(objectWith({ id, name, position: triple }), v.readonly());
 
 const lineSchema = v.pipe(
   objectWith({
@@ -151,7 +149,7 @@ const patchSchema = v.pipe(
 const backgroundNodeSchema = v.pipe(
   objectWith({
     id,
-    at: triple,
+    position: triple,
     size: described(WORDS.nodeSize, upTo(LIMITS.length)),
     stretching: v.optional(described(WORDS.stretching, upTo(LIMITS.stretching))),
     direction: v.optional(described(WORDS.direction, threeNumbers)),
@@ -164,7 +162,10 @@ const sourceSchema = v.pipe(
     id,
     name,
     type: v.picklist(["point", "segment", "triangle"]),
-    places: described(WORDS.places, v.pipe(v.array(triple), v.minLength(1), v.maxLength(3), v.readonly())),
+    positions: described(
+      WORDS.positions,
+      v.pipe(v.array(triple), v.minLength(1), v.maxLength(3), v.readonly()),
+    ),
     size: described(WORDS.sourceSize, upTo(LIMITS.length)),
     distance: v.optional(described(WORDS.distance, upTo(LIMITS.length))),
     growth: v.optional(described(WORDS.growth, upTo(LIMITS.growth))),
@@ -180,7 +181,7 @@ const backgroundSchema = v.pipe(
       listOf(v.pipe(v.strictTuple([integer, integer, integer, integer]), v.readonly())),
     ),
     sources: v.optional(described(WORDS.sources, listOf(sourceSchema))),
-    overhang: v.optional(described(WORDS.overhang, v.pipe(number, v.minValue(0)))),
+    coverageMargin: v.optional(described(WORDS.coverageMargin, v.pipe(number, v.minValue(0)))),
   }),
   v.readonly(),
 );
@@ -189,10 +190,10 @@ const meshingSchema = v.pipe(
   objectWith({
     size: v.optional(described(WORDS.size, upTo(LIMITS.length))),
     gradation: v.optional(described(WORDS.gradation, upTo(LIMITS.gradation))),
-    enclosed: v.optional(described(WORDS.enclosed, v.picklist(["cavities", "regions"]))),
+    innerShells: v.optional(described(WORDS.innerShells, v.picklist(["cavities", "regions"]))),
     order: v.optional(described(WORDS.order, v.picklist(["layered", "smallest-first"]))),
     optimization: v.optional(
-      described(WORDS.optimization, v.picklist(["none", "fast", "default", "strive"])),
+      described(WORDS.optimization, v.picklist(["none", "fast", "default", "thorough"])),
     ),
   }),
   v.readonly(),
@@ -219,14 +220,14 @@ type Document = v.InferOutput<typeof documentSchema>;
 type Path = (string | number)[];
 type Report = (path: Path, message: string) => void;
 
-/** Corners of a source of each type. */
-const PLACES: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], number>> = {
+/** Number of positions of a source of each type. */
+const POSITIONS: Readonly<Record<v.InferOutput<typeof sourceSchema>["type"], number>> = {
   point: 1,
   segment: 2,
   triangle: 3,
 };
 
-/** Tells `report` about ids used twice, references that lead nowhere, and sources short of places. */
+/** Tells `report` about ids used twice, references that lead nowhere, and sources with too few positions. */
 export function checkReferences(project: Document, report: Report): void {
   const points = uniqueIds(project.points, ["points"], "point", report);
   const lines = uniqueIds(project.lines, ["lines"], "line", report);
@@ -263,13 +264,13 @@ export function sourceProblem(sources: unknown): string | undefined {
 
 function checkSources(sources: readonly v.InferOutput<typeof sourceSchema>[], report: Report): void {
   uniqueIds(sources, ["background", "sources"], "source", report);
-  sources.forEach(({ type, places }, s) => {
-    const wanted = PLACES[type];
-    if (places.length === wanted) return;
-    const noun = wanted === 1 ? "place" : "places";
+  sources.forEach(({ type, positions }, s) => {
+    const wanted = POSITIONS[type];
+    if (positions.length === wanted) return;
+    const noun = wanted === 1 ? "position" : "positions";
     report(
-      ["background", "sources", s, "places"],
-      `a source of type "${type}" has ${wanted} ${noun}, here are ${places.length}`,
+      ["background", "sources", s, "positions"],
+      `a source of type "${type}" has ${wanted} ${noun}, here are ${positions.length}`,
     );
   });
 }
@@ -316,7 +317,7 @@ export const parsedProject = (value: unknown) => parsedBy(projectSchema, value);
 
 /** What the app draws and saves: points, lines, patches, sizes. */
 export type Project = v.InferOutput<typeof projectSchema>;
-/** A point and its place in model units. */
+/** A point and its position in model units. */
 export type ProjectPoint = Project["points"][number];
 /** A line and its points. */
 export type ProjectLine = Project["lines"][number];

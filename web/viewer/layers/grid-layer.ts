@@ -30,7 +30,7 @@ export class GridLayer implements HittableLayer {
     shape: "square",
     color: (colors) => colors.backgroundGrid,
     records: ({ project }) => project.background.nodes,
-    positions: ({ at }) => [at],
+    positions: ({ position }) => [position],
   });
   #shown: Background | null = null;
   #shownOrigin: Position = [0, 0, 0];
@@ -101,7 +101,7 @@ function edgeNodes({ background }: Project): Uint32Array<ArrayBuffer> {
 /** Returns the segments of a shaft and two heads per stretched node, which lie in one plane. */
 function arrowEnds({ nodes }: Background, origin: Position): Float32Array {
   const ends: number[] = [];
-  for (const { at, size, stretching = 1, direction = [1, 0, 0] } of nodes) {
+  for (const { position: at, size, stretching = 1, direction = [1, 0, 0] } of nodes) {
     const length = Math.hypot(...direction);
     if (!(stretching > 1) || !(length > 0)) continue;
     const half = (size * stretching) / 2;

@@ -10,18 +10,22 @@ const add = (a: Position, b: Position): Vector => [a[0] + b[0], a[1] + b[1], a[2
 const subtract = (a: Position, b: Position): Vector => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
 /** Appends the segment or the edges of the triangle to `ends`; of a point, a segment without length. */
-export function appendEdges({ places }: ProjectSource, origin: Position, ends: number[]): void {
-  for (const [from, to] of edgesOf(places)) ends.push(...subtract(from, origin), ...subtract(to, origin));
+export function appendEdges({ positions }: ProjectSource, origin: Position, ends: number[]): void {
+  for (const [from, to] of edgesOf(positions)) ends.push(...subtract(from, origin), ...subtract(to, origin));
 }
 
 /** Appends the outline of all positions within the source's distance to `ends`: circles, and lines that join them. */
-export function appendReach({ places, distance = 0 }: ProjectSource, origin: Position, ends: number[]): void {
+export function appendReach(
+  { positions, distance = 0 }: ProjectSource,
+  origin: Position,
+  ends: number[],
+): void {
   if (!(distance > 0)) return;
-  for (const centre of places) {
+  for (const centre of positions) {
     for (let axis = 0; axis < 3; ++axis) appendCircle(subtract(centre, origin), axis, distance, ends);
   }
-  if (places.length === 1) return;
-  for (const [from, to] of edgesOf(places)) {
+  if (positions.length === 1) return;
+  for (const [from, to] of edgesOf(positions)) {
     for (const aside of acrossOf(subtract(to, from), distance)) {
       ends.push(...add(subtract(from, origin), aside), ...add(subtract(to, origin), aside));
     }

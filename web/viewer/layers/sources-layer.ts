@@ -24,7 +24,7 @@ export class SourcesLayer implements HittableLayer {
     shape: "square",
     color: (colors) => colors.source,
     records: ({ project }) => project.background.sources ?? noSources,
-    positions: ({ places }) => places,
+    positions: ({ positions }) => positions,
   });
   readonly #edgeMaterial = createSegmentMaterial({
     opacities: { normal: 1, hover: 1, selected: 1 },

@@ -8,7 +8,7 @@ export const NO_REGION = 0xffffffff;
 const hasRegions = objectOf({ triangleRegions: arrayOf(Uint32Array, 2) });
 
 /** Whether a triangle lies between two regions. */
-export function isWall(surface: SurfaceMesh, triangle: number): boolean {
+export function isInterface(surface: SurfaceMesh, triangle: number): boolean {
   checkArgument("surface", surface, hasRegions);
   checkArgument("triangle", triangle, aPosition);
   return (surface.triangleRegions[2 * triangle + 1] ?? NO_REGION) !== NO_REGION;
