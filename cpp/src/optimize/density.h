@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Too few nodes or too many: splitting long edges and collapsing short ones. Density follows
-/// the cost; the size field only sets the limits of edge lengths.
+/// @file Corrects the node density: splits long edges and collapses free nodes. The element costs
+/// decide where; the size field only limits the edge lengths.
 
 #include <array>
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace tetrafront {
 
-/// Edge length divided by the mean of what is wanted at its ends.
+/// Edge length divided by the mean target length at its ends.
 template <class Space = PlainSpace>
 [[nodiscard]] double relativeLength(const TetComplex& complex, NodeId a, NodeId b) {
   return Space::relativeLength(complex.place(a) - complex.place(b), complex.wanted<Space>(a),
@@ -26,23 +26,24 @@ class EdgeSplitter {
  public:
   explicit EdgeSplitter(TetComplex& complex) : complex_(complex) {}
 
-  /// The inner edges longer than the limit among elements [first, last) changed since `since`,
-  /// added to the list. Each edge is met once.
+  /// Appends the inner edges longer than the limit, of those elements in [first, last) that changed
+  /// since `since`. Each edge is visited once.
   void collect(std::size_t first, std::size_t last, std::uint32_t since);
-  /// Sorts the list, longest first.
+  /// Sorts the list by length, longest first.
   void sortCollected();
-  /// Splits edges [next, next + count) of the list where no element of the ring gets worse than
-  /// its worst was, or bearable where the edge is much too long. Returns the number of splits.
-  /// `cost` must be by the bulk measure.
+  /// Splits edges [next, next + count) of the list if no element of the ring becomes worse than its
+  /// worst element was; much too long edges may also make it acceptable only. Returns the number of
+  /// splits. `cost` must use the bulk measure.
   std::size_t splitSome(std::size_t next, std::size_t count, const ElementCost<Space>& cost);
   [[nodiscard]] std::size_t collected() const { return edges_.size(); }
   void clear() { edges_.clear(); }
 
-  /// From so many wanted lengths on, edges are split even where that makes elements worse, up to some
-  /// cost; 1.5 unless told otherwise.
+  /// From this multiple of the target length on, edges are split even if that makes elements worse,
+  /// up to a limit on their cost. Default 1.5.
   void splitAllAbove(double length) { muchTooLong_ = length; }
 
-  /// Splits one edge by a new node at its middle, at whatever cost. The new node, or none.
+  /// Splits one edge by a new node at its midpoint, at any cost. Returns the new node, or none if
+  /// that is impossible.
   NodeId force(const EdgeRing& ring, const ElementCost<Space>& cost);
 
  private:
@@ -71,22 +72,22 @@ class NodeCollapser {
  public:
   explicit NodeCollapser(TetComplex& complex) : complex_(complex) {}
 
-  /// The free nodes among [first, last) whose star changed since `since`, with their mean relative
-  /// edge length.
+  /// Appends the free nodes in [first, last) whose star changed since `since`, with their mean
+  /// relative edge length.
   void collect(std::size_t first, std::size_t last, std::uint32_t since);
   void sortCollected();
   std::size_t collapseSome(std::size_t next, std::size_t count, const ElementCost<Space>& cost);
   [[nodiscard]] std::size_t collected() const { return nodes_.size(); }
   void clear() { nodes_.clear(); }
 
-  /// In wanted lengths, what collapseSome() makes no edge longer than; 1.8 unless told otherwise.
+  /// Largest relative length of an edge that collapseSome() makes. Default 1.8.
   void allowEdgesUpTo(double length) { maxEdge_ = length; }
 
-  /// Collapses a free node onto its best neighbour if the combined cost of its elements falls by
-  /// `minGain` (relative) and no new edge is longer than `maxLength` wanted sizes, or the node's
-  /// longest; in hopeless places new edges may be of any length.
+  /// Collapses a free node onto its best neighbour if the total cost of its elements falls by
+  /// `minGain` (relative) and no new edge exceeds `maxLength` target lengths, or the node's longest
+  /// edge. Where elements are already invalid, new edges may have any length.
   bool collapse(NodeId node, const ElementCost<Space>& cost, double maxLength, double minGain);
-  /// The same at whatever cost, onto the neighbour where that is least.
+  /// Collapses a free node at any cost, onto the neighbour with the lowest cost.
   bool force(NodeId node, const ElementCost<Space>& cost, double maxLength);
 
  private:

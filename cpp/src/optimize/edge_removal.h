@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Swaps around an edge. The elements around it form a ring; the best way to fill the same
-/// space without the edge, or with fewer sectors around it, is found by dynamic programming over
-/// intervals of the ring.
+/// @file Swaps around an edge. The elements around an edge form a ring. Dynamic programming over
+/// intervals of the ring finds the best elements that fill the same volume without the edge, or
+/// with fewer sectors around it.
 
 #include <array>
 #include <cstdint>
@@ -13,16 +13,16 @@
 
 namespace tetrafront {
 
-/// Corners of an element's six edges, each followed by the other two so that (edge, others) is
-/// positively oriented.
+/// Corners of an element's six edges, each followed by the two other corners, so that (edge,
+/// others) is positively oriented.
 inline constexpr std::array<std::array<std::uint8_t, 4>, 6> kEdgeCorners{
     {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}}};
 
 inline constexpr std::size_t kMaxRing = 11;
 
-/// The elements around an edge from `from` to `to` and the nodes between them, counter-clockwise
-/// seen from `to`. Element i has nodes i and i+1 of the ring; in a closed one, the last has the
-/// last and the first.
+/// The elements around the edge from `from` to `to`, and the nodes between them, counter-clockwise
+/// as seen from `to`. Element i has nodes i and i+1 of the ring. In a closed ring the last element
+/// has the last and the first node.
 struct EdgeRing {
   NodeId from;
   NodeId to;
@@ -37,24 +37,25 @@ struct EdgeRing {
   }
 };
 
-/// Position in kEdgeCorners of the edge between two nodes of an element, or 6.
+/// Index in kEdgeCorners of the edge between two nodes of an element, or 6 if there is none.
 [[nodiscard]] std::size_t edgeBetween(const Element& element, NodeId a, NodeId b);
 
-/// Collects the ring; false if it has more than `maxNodes` nodes.
+/// Collects the ring. Returns false if it has more than `maxNodes` nodes.
 [[nodiscard]] bool findRing(const TetComplex& complex, TetId tet, std::size_t edge,
                             std::size_t maxNodes, EdgeRing& ring);
 
-/// Collects a closed ring of which `tet` is the first element that changed since that pass; false
-/// otherwise. So each edge with a changed element is met once in a sweep over all elements.
+/// Collects a closed ring if `tet` is its first element that changed since that pass; returns false
+/// otherwise. A sweep over all elements thus visits each edge with a changed element once.
 [[nodiscard]] bool findClosedRing(const TetComplex& complex, TetId tet, std::size_t edge,
                                   std::size_t maxNodes, std::uint32_t since, EdgeRing& ring);
 
-/// Whether an element's edge lies on the boundary.
+/// Returns whether an element's edge lies on the boundary.
 [[nodiscard]] bool isBoundaryEdge(const TetComplex& complex, TetId tet, std::size_t edge);
 
 struct EdgeRemovalOptions {
-  bool fans = false;  ///< also try keeping the edge with fewer sectors, at boundary edges too
-  /// A share of the ring's cost: swaps that gain less would only take turns with moves.
+  bool fans = false;  ///< also try to keep the edge with fewer sectors, boundary edges included
+  /// Minimum gain as a fraction of the ring's cost. Swaps that gain less would only alternate with
+  /// node moves.
   double minGain = 1e-4;
 };
 
@@ -63,11 +64,11 @@ class EdgeRemoval {
  public:
   explicit EdgeRemoval(TetComplex& complex) : complex_(complex) {}
 
-  /// Swaps if the ring's combined cost falls. Returns whether it did.
+  /// Swaps if the ring's total cost falls. Returns whether it did.
   bool improve(const EdgeRing& ring, const ElementCost<Space>& cost,
                const EdgeRemovalOptions& options);
 
-  /// Removes the edge of a closed ring at whatever cost, if that is possible at all.
+  /// Removes the edge of a closed ring at any cost. Returns false if that is impossible.
   bool force(const EdgeRing& ring, const ElementCost<Space>& cost);
 
  private:
@@ -89,10 +90,11 @@ class EdgeRemoval {
   TetComplex& complex_;
   Plan plan_ = Plan::kNone;
   double planCost_ = 0.0;
-  /// Of the best filling of ring nodes i .. i + length, without the edge, and where it is cut.
+  /// Cost of the best elements on ring nodes i .. i + length without the edge, and where that
+  /// interval is divided.
   std::array<std::array<double, kMaxRing + 1>, kMaxRing> intervals_{};
   std::array<std::array<std::uint8_t, kMaxRing + 1>, kMaxRing> cuts_{};
-  /// Of the one sector (from, to, node i, node i + length).
+  /// Cost of the single sector (from, to, node i, node i + length).
   std::array<std::array<double, kMaxRing + 1>, kMaxRing> sectors_{};
   std::array<std::uint8_t, kMaxRing + 1> fanCuts_{};
   std::size_t fanCount_ = 0;

@@ -1,18 +1,18 @@
 #pragma once
 
-/// @file What the optimizer makes small. All costs are functions of the four corners, grow without
-/// bound as an element flattens, and need only + - * / and square roots, so that they are the same
-/// everywhere.
+/// @file The costs that the optimizer minimizes. All are functions of the four corners, grow
+/// without bound as an element flattens, and use only + - * / and square roots, so they are the
+/// same on every machine.
 ///
-///   bulk, finish   e^(1/2) - 1 and e - 1, e = (sum of squared edges)^3 / (432 D^2), D six times
-///                  the volume: the mean ratio to the power -3, 1 for the regular tetrahedron.
-///                  Summed over elements; a convex barrier in each free node. The -1 makes a
-///                  regular element free: without it, deleting elements would pay.
-///   within         that of bulk; invalid where an angle misses its target, and with a price for
-///                  each angle below 30 or above 135 degrees that no better shapes can pay.
-///   dihedral       the largest of k1 (1 + c)/(1 - c) over the dihedral cosines c and
-///                  k2 (1 - c)/(1 + c), k the squared tangent of half the angle aimed at: at most
-///                  1 iff no angle is below, and none above, its target. The worst counts.
+/// bulk, finish   e^(1/2) - 1 and e - 1, with e = (sum of squared edges)^3 / (432 D^2) and D six
+///                times the volume: the mean ratio to the power -3, 1 for the regular
+///                tetrahedron. Summed over elements; convex in each free node. A regular
+///                element costs 0; without the -1, deleting elements would pay.
+/// within         like bulk, but invalid if an angle misses its target, and with a price for each
+///                angle outside 30 to 135 degrees that no better shapes can repay.
+/// dihedral       the maximum of k1 (1 + c)/(1 - c) and k2 (1 - c)/(1 + c) over the dihedral
+///                cosines c, with k the squared tangent of half the target angle: at most 1 if
+///                and only if all angles meet their targets. The worst element counts.
 
 #include <algorithm>
 #include <array>
@@ -27,21 +27,22 @@ namespace tetrafront {
 
 enum class Measure : std::uint8_t { kBulk, kFinish, kWithin, kDihedral };
 
-/// Cost of what must not be.
+/// Cost of an invalid element.
 inline constexpr double kInvalidCost = 1e30;
-/// Cost of an element that was so flat on entry that plain double cannot vouch for its sign;
-/// worse than anything an operator may make.
+/// Cost of an element that was too flat on entry for plain doubles to prove its sign; worse than
+/// any element an operator may make.
 inline constexpr double kEntryCost = 1e21;
-/// Beyond this an element counts as invalid. Below, six times the volume is at least a thousand
-/// times its rounding error, so its sign is proved without exact arithmetic.
+/// From this cost on, an element counts as invalid. Below it, six times the volume is at least a
+/// thousand times its rounding error, so plain doubles prove its sign.
 inline constexpr double kMaxShape = 1e20;
 
-/// Squared tangents of half the wanted least angle, and of half of 180 degrees minus the greatest.
+/// Squared tangents of half the smallest target angle, and of half of 180 degrees minus the
+/// largest.
 struct DihedralTargets {
   double least;
   double greatest;
 
-  /// Those that an element just meets whose cost by these is `cost`.
+  /// Targets that an element of this `cost` just meets.
   [[nodiscard]] DihedralTargets loweredBy(double cost) const {
     return {least / cost, greatest / cost};
   }
@@ -52,14 +53,15 @@ inline constexpr DihedralTargets kTargets18And150{0.02508563093691659, kSquaredT
 inline constexpr DihedralTargets kTargets30And135{kSquaredTangentOfHalf30, kSquaredTangentOfHalf45};
 inline constexpr DihedralTargets kTargets35And130{0.099413326268553801, 0.21744283205399903};
 
-/// An element's edges from its first corner.
+/// Edges of an element from its first corner.
 struct Edges {
   Vec3 u;
   Vec3 v;
   Vec3 w;
 };
 
-/// Mean ratio as a fraction: bottom / top = (mean ratio)^3; bottom 0 for what has no volume.
+/// Mean ratio as a fraction: bottom / top = (mean ratio)^3. The bottom is 0 for an element without
+/// volume.
 struct ShapeFraction {
   double top;
   double bottom;
@@ -75,7 +77,7 @@ inline ShapeFraction shapeFraction(const Edges& edges) {
   return {squares * squares * squares, 432.0 * sixVolumes * sixVolumes};
 }
 
-/// Computes costs by one measure, judged in one kind of space.
+/// Computes costs by one measure in one kind of space.
 template <class Space = PlainSpace>
 class ElementCost {
  public:
@@ -91,8 +93,8 @@ class ElementCost {
                                   const Frame& frame = {}) const {
     Edges edges{b - a, c - a, d - a};
     if constexpr (Space::kIsStretched) {
-      // Plain space decides the sign. Positive there, a volume is so in unit space too, where
-      // rounding may have left nothing of it.
+      // Plain space decides the sign. A volume that is positive there is positive in unit space
+      // too, even if rounding left nothing of it.
       if (!shapeFraction(edges).isValid()) return kInvalidCost;
       edges = {Space::toUnit(frame, edges.u), Space::toUnit(frame, edges.v),
                Space::toUnit(frame, edges.w)};
@@ -118,13 +120,13 @@ class ElementCost {
     return kInvalidCost;
   }
 
-  /// What an element costs, and how that grows as its first corner moves, in plain space.
+  /// Cost of an element and its gradient with respect to the first corner, in plain space.
   struct Slope {
     double cost;
     Vec3 gradient;
   };
 
-  /// Of a valid element by the dihedral measure: the slope of the angle that costs most.
+  /// Slope of a valid element's dihedral cost: that of its most expensive angle.
   [[nodiscard]] Slope slopeOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
                               const Frame& frame = {}) const {
     const Edges edges{Space::toUnit(frame, b - a), Space::toUnit(frame, c - a),
@@ -137,18 +139,18 @@ class ElementCost {
     const Angle& angle = isSmallest ? greatest : least;
     const double rest = isSmallest ? 1.0 - greatest.cosine : 1.0 + least.cosine;
     const double rise = 2.0 * (isSmallest ? targets_.least : -targets_.greatest) / (rest * rest);
-    // T is symmetric: it takes gradients back from unit space too.
+    // T is symmetric, so it also maps gradients back from unit space.
     return {dihedral(extremes, targets_),
             Space::toUnit(frame, cosineGradient(edges, sides, angle) * rise)};
   }
 
-  /// Of two sets of elements together.
+  /// Total cost of two sets of elements.
   [[nodiscard]] double combined(double one, double other) const {
     return measure_ == Measure::kDihedral ? std::max(one, other) : one + other;
   }
 
  private:
-  /// The normals of the sides, each opposite to a corner, inward; and one over their lengths.
+  /// Inward normals of the faces, each opposite to a corner, and their inverse lengths.
   struct Sides {
     std::array<Vec3, 4> normals;
     std::array<double, 4> inverse;
@@ -165,7 +167,7 @@ class ElementCost {
     return sides;
   }
 
-  /// A dihedral angle, between two sides.
+  /// A dihedral angle between two faces.
   struct Angle {
     double cosine;
     std::size_t one = 0;
@@ -188,7 +190,7 @@ class ElementCost {
     return extremes;
   }
 
-  /// As the first corner moves, which turns the three sides that meet there.
+  /// Gradient with respect to the first corner, which rotates the three faces that meet there.
   [[nodiscard]] static Vec3 cosineGradient(const Edges& edges, const Sides& sides,
                                            const Angle& angle) {
     const auto& [u, v, w] = edges;

@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file The last few bad elements, one by one, worst first: swaps, moves, collapses, insertion of
-/// a node into a cavity, and compound changes that may get worse before they get better. Each is
-/// tried, and kept only if the bad elements that it touched are better off together, so a repair
-/// never ends with a worse mesh than it began with.
+/// @file Improves the few elements that miss their target angles, one by one, worst first: by
+/// swaps, moves, collapses, insertion of a node into a cavity, and compound changes that may get
+/// worse before they get better. A change is kept only if the poor elements that it touched improve
+/// together, so the mesh never ends worse than it began.
 
 #include <array>
 #include <cstdint>
@@ -18,10 +18,10 @@
 
 namespace tetrafront {
 
-/// What counts of the bad elements that a change has touched.
+/// What must fall for a change to be kept, over the poor elements that it touched.
 enum class ImprovementGoal : std::uint8_t {
-  kFewer,    ///< the sum of their costs: that there be fewer, whatever the one left is like
-  kLessBad,  ///< the sum of the fourth powers: the worst of them
+  kFewer,    ///< the sum of their costs: fewer elements, however poor the remaining ones
+  kLessBad,  ///< the sum of the fourth powers of their costs: the worst elements count
 };
 
 template <class Space = PlainSpace>
@@ -35,21 +35,21 @@ class ElementImprover {
         collapser_(collapser),
         mover_(mover) {}
 
-  /// Tries everything on one element. `cost` must be a dihedral one. Returns whether it is gone or
-  /// good enough (cost at most 1).
+  /// Tries all changes on one element. `cost` must use a dihedral measure. Returns whether the
+  /// element is gone or meets its targets (cost at most 1).
   bool improve(TetId tet, const ElementCost<Space>& cost);
 
   void aimAt(ImprovementGoal aim) { aim_ = aim; }
 
-  /// Elements of a higher cost count when a change is weighed; 1 or less.
+  /// Elements of a higher cost count when a change is weighed; at most 1.
   void countAbove(double cost) { counted_ = cost; }
 
-  /// Moves the nodes, then mends the few worst elements that the trial under way has touched, a few
-  /// times; each step lowers the worst of what it touches.
+  /// Moves the nodes, then improves the few worst elements that the current trial has touched, a
+  /// few times. Each step lowers the worst cost of what it touches.
   void settle(std::span<const NodeId> nodes, const ElementCost<Space>& cost);
 
-  /// How many compound changes may yet be tried. They save the last few elements, but take long;
-  /// without a limit, elements that nothing can save would take all the time.
+  /// Sets how many compound changes may still be tried. They improve the last few elements but take
+  /// long; without a limit, elements that nothing can improve would take all the time.
   void allowCompounds(std::size_t count) { compounds_ = count; }
 
  private:
@@ -87,7 +87,7 @@ class ElementImprover {
   std::vector<NewElement> fresh_;
   std::size_t compounds_ = 0;
   ImprovementGoal aim_ = ImprovementGoal::kFewer;
-  double counted_ = 1.0;  ///< a cost
+  double counted_ = 1.0;  ///< cost
 };
 
 }  // namespace tetrafront

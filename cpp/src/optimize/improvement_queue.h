@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file The elements that miss the angles aimed at: which they are, in which order they are mended,
-/// and when that is hopeless.
+/// @file The elements that miss their target angles: collects them, orders them, and decides when
+/// to give up.
 
 #include <cstddef>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace tetrafront {
 template <class Space = PlainSpace>
 class ImprovementQueue {
  public:
-  /// So many elements are worth a rescue, and always gone through once more.
+  /// Number of elements that are worth a last-resort try, and always get another pass.
   static constexpr std::size_t kVeryFew = 40;
 
   ImprovementQueue(TetComplex& complex, EdgeRemoval<Space>& removal, EdgeSplitter<Space>& splitter,
@@ -25,30 +25,32 @@ class ImprovementQueue {
         improver_(complex, removal, splitter, collapser, mover),
         lastResort_(complex, removal, splitter, collapser, mover, improver_) {}
 
-  /// Turns to the step's targets, which the elements' costs are by from now on. If it does not mend
-  /// between sheets, elements between two of the boundary that leave no room for a node are left
-  /// alone: nodes put there would only make more elements that miss.
+  /// Starts with the step's targets; the elements' costs must use them from now on. Without
+  /// includeNarrowGaps, elements in a narrow gap of the boundary are skipped: nodes inserted there
+  /// would only make more elements that miss.
   void begin(const Step& step);
 
-  /// Goes on with an eye on how bad the worst are. False where that is so already, or nothing is left.
+  /// Continues with the goal to improve the worst elements. Returns false if that is the goal
+  /// already, or if no element misses.
   bool focusOnWorst();
 
-  /// How many elements miss. O(elements).
+  /// Returns the number of elements that miss. O(elements).
   [[nodiscard]] std::size_t missing() const;
 
-  /// Among the elements from `first` to `last`. The first of a pass is element 0.
+  /// Collects the elements in [first, last) that miss. A pass begins with element 0.
   void collect(std::size_t first, std::size_t last);
-  /// After the last. Worst first; none where the last pass has hardly helped.
+  /// Sorts the collected elements, worst first, after the last one is collected. Drops all if the
+  /// previous pass hardly helped.
   void rank();
-  /// Whether it has, and they are too many to go on for.
+  /// Returns whether the previous pass hardly helped and too many elements are left to continue.
   [[nodiscard]] bool canGiveUp() const { return isHopeless_; }
   [[nodiscard]] std::size_t collected() const { return bad_.size(); }
 
-  /// Repairs those collected from `first` to `last`; how many could be.
+  /// Improves the collected elements in [first, last). Returns how many improved.
   std::size_t improveSome(std::size_t first, std::size_t last, const ElementCost<Space>& cost);
 
-  /// One try to save the element whose turn it is. Those likeliest to be saved come first, as tries
-  /// are few.
+  /// Makes one last-resort try on the current element. The most promising elements come first,
+  /// because tries are limited.
   enum class LastResort : std::uint8_t { kTried, kImproved, kFailed, kNotNeeded };
   LastResort tryLastResort(std::size_t turn, const ElementCost<Space>& cost);
 
@@ -62,11 +64,11 @@ class ImprovementQueue {
   LastResortImprover<Space> lastResort_;
   std::vector<TetId> bad_;
   Star star_;
-  /// Per element's slot: the pass in which its repair has failed, for this aim; 0: none.
+  /// Per element slot: the pass in which its improvement failed for this goal; 0 for none.
   std::vector<std::uint32_t> failedIn_;
-  std::size_t badBefore_ = 0;   ///< when the last pass began
-  double costOfMissing_ = 1.0;  ///< 30 or 135 degrees, by the targets
-  bool isFirstPass_ = true;     ///< for this aim
+  std::size_t badBefore_ = 0;   ///< elements that missed when the previous pass began
+  double costOfMissing_ = 1.0;  ///< cost of an angle of 30 or 135 degrees, by the targets
+  bool isFirstPass_ = true;     ///< of this goal
   bool isHopeless_ = false;
   bool betweenSheets_ = false;
   bool isPatient_ = false;

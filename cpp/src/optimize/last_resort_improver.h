@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file The last elements, for which repair.h has found nothing: as there, a change that may get
-/// worse before it gets better is tried, but any change near the element, not only at itself or at
-/// its neighbours, and all nodes around settle together. Takes milliseconds for each try.
+/// @file Last-resort changes for elements that ElementImprover cannot improve. Like it, this class
+/// tries changes that may get worse before they get better, but anywhere near the element, and all
+/// surrounding nodes settle together. Each try takes milliseconds.
 
 #include <array>
 #include <cstddef>
@@ -30,29 +30,29 @@ class LastResortImprover {
         mover_(mover),
         improver_(improver) {}
 
-  /// Turns to an element: removals and splits, at whatever cost, of each inner edge among the elements
-  /// that share a node with it, and collapses of each of their free nodes are what there is to try.
-  /// What has been tried before is not tried again while none of those elements has changed.
+  /// Starts with an element. The changes to try are removals and splits, at any cost, of each inner
+  /// edge of the elements that share a node with it, and collapses of each of their free nodes. A
+  /// change is not tried again while none of those elements has changed.
   void begin(TetId tet);
 
-  /// Tries one change, which is kept only if it leaves no more bad elements than it found, and the
-  /// sum of the fourth powers of their costs falls. False when there is nothing more to try, or no
-  /// more need to: the element is gone or good enough (cost at most 1). `cost` must be a dihedral one.
+  /// Tries one change. Keeps it only if it leaves no more poor elements than before and the sum of
+  /// the fourth powers of their costs falls. Returns false if there is nothing more to try, or if
+  /// the element is gone or meets its targets (cost at most 1). `cost` must use a dihedral measure.
   bool tryOne(const ElementCost<Space>& cost);
 
-  /// Whether the element is gone or good enough.
+  /// Returns whether the element is gone or meets its targets.
   [[nodiscard]] bool hasImproved() const;
 
-  /// How many changes may yet be tried, for all elements together.
+  /// Sets how many changes may still be tried, for all elements together.
   void allow(std::size_t tries) { tries_ = tries; }
 
  private:
   struct NearEdge {
-    double distance;  ///< squared, from the element's centroid to the edge's middle
+    double distance;  ///< squared, from the element's centroid to the edge's midpoint
     NodeId a;
     NodeId b;
   };
-  /// How far an element's turn had come when it ended without success.
+  /// Progress of an element that was left without success.
   struct Tried {
     Corners nodes;
     std::uint32_t pass;
@@ -74,13 +74,13 @@ class LastResortImprover {
   NodeMover<Space>& mover_;
   ElementImprover<Space>& improver_;
   TetId tet_;
-  Corners nodes_{};       ///< of the element when its turn came
-  std::size_t next_ = 0;  ///< to try: all nodes together, edges removed and split, nodes collapsed
+  Corners nodes_{};       ///< nodes of the element when it was started
+  std::size_t next_ = 0;  ///< next change: all nodes together, edges removed and split, nodes collapsed
   Star star_;
   std::vector<TetId> near_;
   std::vector<NodeId> freeNodes_;  ///< of near_
-  std::vector<NearEdge> edges_;    ///< of near_, nearest first
-  std::vector<Tried> tried_;       ///< the last turn of an element last
+  std::vector<NearEdge> edges_;    ///< edges of near_, nearest first
+  std::vector<Tried> tried_;       ///< the most recently tried element last
   std::size_t tries_ = 0;
 };
 

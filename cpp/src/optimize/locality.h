@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Elements that are near each other in space, near each other in memory: the sweeps of the
-/// optimizer spend most of their time waiting for elements next to the one at hand.
+/// @file Puts elements that are close in space close in memory: the optimizer's sweeps spend most
+/// of their time waiting for elements next to the current one.
 
 #include <cstddef>
 #include <cstdint>
@@ -22,7 +22,7 @@ class MortonReordering {
   MortonReordering(const MortonReordering&) = delete;
   MortonReordering& operator=(const MortonReordering&) = delete;
 
-  /// Goes on for `budget` elements, each of which is come to thirteen times; true when finished.
+  /// Visits about `budget` elements, each thirteen times in all; returns true when finished.
   bool advance(std::size_t budget);
 
   /// Once, when finished.
@@ -44,8 +44,8 @@ class MortonReordering {
   VolumeMesh ordered_;
 };
 
-/// The same mesh with its elements along a Morton curve and its nodes in the order in which the
-/// elements name them; the first `boundaryNodes` nodes stay. O(n).
+/// Returns the same mesh with its elements along a Morton curve and its nodes in the order in which
+/// the elements use them. The first `boundaryNodes` nodes keep their indices. O(n).
 [[nodiscard]] VolumeMesh alongMortonCurve(const VolumeMesh& mesh, std::size_t boundaryNodes);
 
 }  // namespace tetrafront

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Figures of the mesh as it stands, by which the optimizer finds its way. All are O(elements).
+/// @file Statistics of the current mesh that steer the optimizer. All cost O(elements).
 
 #include <cstddef>
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace tetrafront {
 
-/// Mean cost of the elements, as last computed.
+/// Returns the mean of the elements' stored costs.
 [[nodiscard]] double meanCostOf(const TetComplex& complex);
 
-/// Mean length of edges, by wanted lengths, of one element in so many.
+/// Returns the mean relative edge length over a sample of the elements.
 template <class Space>
 [[nodiscard]] double meanEdgeOf(const TetComplex& complex);
 
-/// How many elements have changed in this pass or a later one.
+/// Returns the number of elements that changed in this pass or a later one.
 [[nodiscard]] std::size_t changedSince(const TetComplex& complex, std::uint32_t pass);
 
 }  // namespace tetrafront

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file What a mesh is judged by as a whole, to tell which of two is better.
+/// @file Scores of a whole mesh, to decide which of two is better.
 
 #include <algorithm>
 
@@ -32,13 +32,13 @@ class MeshScore {
     ++count_;
   }
 
-  /// Those targets, lowered to what the worst angles are.
+  /// Returns those targets, lowered to the worst angles of the mesh.
   [[nodiscard]] DihedralTargets within(const DihedralTargets& targets) const {
     return {std::min(targets.least, least()), std::min(targets.greatest, greatest())};
   }
 
-  /// Whether this misses no target by more than the other does, has no more elements that miss 30
-  /// and 135 degrees, and is no worse in the mean.
+  /// Returns whether this mesh misses no target by more than the other, has no more elements
+  /// outside 30 to 135 degrees, and has no worse mean.
   [[nodiscard]] bool isNoWorseThan(const MeshScore& other) const {
     return missing(kTargets30And135) <= other.missing(kTargets30And135) &&
            missing(kTargets35And130) <= other.missing(kTargets35And130) &&
@@ -51,7 +51,7 @@ class MeshScore {
   [[nodiscard]] double greatest() const {
     return (1.0 + smallestCosine_) / (1.0 - smallestCosine_);
   }
-  /// The cost of the worst element; 1 if none misses.
+  /// Cost of the worst element; 1 if none misses.
   [[nodiscard]] double missing(const DihedralTargets& targets) const {
     return std::max({1.0, targets.least / least(), targets.greatest / greatest()});
   }

@@ -1,10 +1,10 @@
 #pragma once
 
-/// @file The space in which the optimizer judges shapes and lengths. In a size field without
-/// stretching it is plain space. In a stretched one it is each element's own unit space: T = H^-1
-/// (field/size_tensor.h), taken as constant over the element, as the mean of its corners'. So an
-/// element's cost depends on its corners alone, and a sum of costs that has fallen has fallen for
-/// good. Operators are compiled once for either space; plain space costs nothing.
+/// @file The space in which the optimizer measures shapes and lengths. Without stretching it is
+/// plain space. In a stretched size field it is each element's own unit space: T = H^-1
+/// (field/size_tensor.h), constant over the element, the mean of its corners' tensors. An element's
+/// cost thus depends on its corners alone, and a sum of costs that fell stays lower. The operators
+/// are compiled once for either space; plain space has no overhead.
 
 #include <cmath>
 
@@ -16,11 +16,11 @@ namespace tetrafront {
 
 struct PlainSpace {
   static constexpr bool kIsStretched = false;
-  /// What is wanted at a node: the edge length.
+  /// Target at a node: the edge length.
   using Wanted = double;
-  /// What judges an element.
+  /// Frame in which an element is measured.
   struct Frame {};
-  /// The way back from an element's unit space.
+  /// Map back from an element's unit space.
   struct Back {};
 
   static Wanted wantedAt(const SizeField& field, const Vec3& place, FieldHint& hint) {
@@ -30,7 +30,7 @@ struct PlainSpace {
   static Wanted meanOf(Wanted a, Wanted b, Wanted c, Wanted d) {
     return a * 0.25 + b * 0.25 + c * 0.25 + d * 0.25;
   }
-  /// A vector in units of the wanted length.
+  /// A vector in units of the target length.
   static Vec3 inWanted(Wanted wanted, const Vec3& v) { return v * (1.0 / wanted); }
   static Vec3 toUnit(const Frame& /*frame*/, const Vec3& v) { return v; }
   static Vec3 toSpace(const Back& /*back*/, const Vec3& v) { return v; }
@@ -39,7 +39,7 @@ struct PlainSpace {
     return std::sqrt(glm::dot(edge, edge)) / meanOf(a, b);
   }
 
-  /// Whether edges are longer than so many wanted lengths.
+  /// Decides whether edges are longer than a multiple of the target length.
   class Limit {
    public:
     Limit(double most, Wanted a, Wanted b) : longest_(most * (a < b ? b : a)) {}
@@ -54,11 +54,11 @@ struct PlainSpace {
 
 struct StretchedSpace {
   static constexpr bool kIsStretched = true;
-  /// T at a node.
+  /// Target at a node: T.
   using Wanted = SymmetricTensor;
-  /// The sum of T at the corners: costs do not see the scale.
+  /// Sum of T at the corners; the costs are independent of its scale.
   using Frame = SymmetricTensor;
-  /// The inverse of a frame.
+  /// Inverse of a frame.
   using Back = SymmetricTensor;
 
   static Wanted wantedAt(const SizeField& field, const Vec3& place, FieldHint& hint) {

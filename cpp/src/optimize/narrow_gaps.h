@@ -1,13 +1,14 @@
 #pragma once
 
-/// @file Where the boundary leaves no room for nodes.
+/// @file Gaps of the boundary that are too narrow for nodes.
 
 #include "optimize/tet_complex.h"
 
 namespace tetrafront {
 
-/// Whether an element has all its corners on the boundary and joins two sheets of it between which
-/// there is no room for a node, as the quality report sees it. O(elements at its edges).
+/// Returns whether all corners of an element lie on the boundary and it connects two sheets of the
+/// boundary without room for a node between them, as in the quality report. O(elements at its
+/// edges).
 template <class Space>
 [[nodiscard]] bool isInNarrowGap(const TetComplex& complex, TetId tet);
 

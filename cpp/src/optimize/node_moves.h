@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Moving a free node within the hollow of its star, so that the cost of its elements falls.
+/// @file Moves a free node within the cavity of its star so that the cost of its elements falls.
 
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace tetrafront {
 
-/// The outer faces of a star or cavity, as places: an element is the apex and one of them. Each
+/// Outer faces of a star or cavity, as positions: an element is the apex and one of them. Each face
 /// has the frame of its element, which does not change as the apex moves.
 template <class Space = PlainSpace>
 class Hollow {
@@ -33,14 +33,14 @@ class Hollow {
                               const ElementCost<Space>& cost) const {
     return cost(apex, faces_[i][0], faces_[i][1], faces_[i][2], frames_[i]);
   }
-  /// The slope at the apex of one element's dihedral cost.
+  /// Slope at the apex of one element's dihedral cost.
   [[nodiscard]] typename ElementCost<Space>::Slope slopeOf(std::size_t i, const Vec3& apex,
                                                            const ElementCost<Space>& cost) const {
     return cost.slopeOf(apex, faces_[i][0], faces_[i][1], faces_[i][2], frames_[i]);
   }
-  /// Of all elements together; kInvalidCost as soon as `bound` is reached.
+  /// Cost of all elements together; kInvalidCost as soon as `bound` is reached.
   [[nodiscard]] double costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound);
-  /// Of one element at the apex that costAt() was last asked for, if it did not reach its bound.
+  /// Cost of one element at the apex of the last costAt() that stayed below its bound.
   [[nodiscard]] double lastCostOf(std::size_t i) const { return costs_[i]; }
 
   /// Mean distance from `apex` to the first corners, in the unit space of a frame.
@@ -51,29 +51,30 @@ class Hollow {
   std::array<Frame, kMaxCavity> frames_;
   std::array<double, kMaxCavity> costs_;
   std::size_t size_ = 0;
-  std::size_t suspect_ = 0;  ///< the element at which costAt() has reached its bound last
+  std::size_t suspect_ = 0;  ///< the element at which costAt() last reached its bound
 };
 
-/// The mean of the circumcentres of the elements, weighted by volume: what minimizes the error of
-/// optimal Delaunay triangulations (ODT).
+/// Returns the mean of the elements' circumcentres, weighted by volume. It minimizes the error of
+/// an optimal Delaunay triangulation (ODT).
 template <class Space>
 [[nodiscard]] Vec3 circumcentreMean(const Hollow<Space>& hollow, const Vec3& apex);
 
-/// A Newton step on the sum of e^power, power 1/2 or 1, from `apex`. False if it does not descend.
+/// Makes a Newton step on the sum of e^power, power 1/2 or 1, from `apex`. Returns false if it does
+/// not descend.
 template <class Space>
 [[nodiscard]] bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot,
                               Vec3& step);
 
-/// Moves `apex` against the gradients of the worst elements until their cost does not fall any
-/// more (at most `steps` times). `worst` is the cost there. Returns whether it fell. `cost` is of the
-/// dihedral measure, the only one whose slope is known.
+/// Moves `apex` against the gradients of the worst elements until their cost stops falling, at most
+/// `steps` times. `worst` is the cost at the start. Returns whether it fell. `cost` must use the
+/// dihedral measure, the only one with a known slope.
 template <class Space>
 bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst);
 
-/// The same against the gradient of the sum of the costs' eighth powers. It is smooth where the
-/// worst is not, and sees what comes after the worst: where nodes stop each other from lowering the
-/// worst one by one, it leads on. `cost` as of lowerWorst().
+/// Moves `apex` against the gradient of the sum of the costs' eighth powers. This sum is smooth
+/// where the maximum is not, and it includes the elements behind the worst one: where nodes block
+/// each other from lowering the worst one by one, it still descends. `cost` as for lowerWorst().
 template <class Space>
 bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex);
 
@@ -84,7 +85,7 @@ class NodeMover {
  public:
   explicit NodeMover(TetComplex& complex) : complex_(complex) {}
 
-  /// Moves a free node if that lowers its elements' cost. Returns whether it did.
+  /// Moves a free node if that lowers its elements' cost. Returns whether it moved.
   bool improve(NodeId node, MoveKind kind, const ElementCost<Space>& cost);
 
  private:

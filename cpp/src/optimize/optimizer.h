@@ -1,9 +1,9 @@
 #pragma once
 
 /// @file Makes a valid mesh a good one: swaps, moves, splits and collapses in sweeps over the whole
-/// mesh, then repair of the elements that still miss their angles. Shapes are judged as the size
-/// field wants them: where it is stretched, in the space where the wanted element is regular. The
-/// boundary is not touched, and every change keeps every element's volume positive.
+/// mesh, then improves the elements that still miss their target angles. Shapes are measured in the
+/// metric of the size field. The boundary does not change, and every change keeps the volume of
+/// every element positive.
 
 #include <cstdint>
 #include <memory>
@@ -16,23 +16,23 @@ namespace tetrafront {
 
 class MeshOptimizer {
  public:
-  /// The first `boundaryNodes` nodes of the mesh are fixed. The field must outlive this. Costs are
-  /// O(n) per sweep.
+  /// The first `boundaryNodes` nodes of the mesh are fixed. The field must outlive this. O(n) per
+  /// sweep.
   MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,
                 Optimization level);
   MeshOptimizer(MeshOptimizer&&) noexcept;
   MeshOptimizer& operator=(MeshOptimizer&&) noexcept;
   ~MeshOptimizer();
 
-  /// Works on for about `budget` elements or nodes; true when finished.
+  /// Visits about `budget` elements or nodes; returns true when finished.
   bool advance(std::uint32_t budget);
 
-  /// Of its own work, 0 to 1, estimated.
+  /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const;
   [[nodiscard]] std::uint32_t pointCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
 
-  /// The mesh as it stands; always valid. Boundary nodes first, in their order.
+  /// The current mesh, always valid. Boundary nodes come first, in their order.
   [[nodiscard]] VolumeMesh mesh() const;
 
  private:

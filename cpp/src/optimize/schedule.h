@@ -1,16 +1,15 @@
 #pragma once
 
-/// @file What the optimizer does, and in which order, as data: a list of steps, which optimizer.cpp
-/// goes through. A step judges elements by one measure and makes its sweeps, over and over as long as
-/// its rule says so.
+/// @file The order of the optimizer's operations, as data: a list of steps that optimizer.cpp
+/// executes. A step measures elements in one way and repeats its sweeps as its rule says.
 ///
-///   shape    edges are removed and nodes move until elements are cheap in the sum; then rounds of
-///            splits and collapses, as long as they gain; then shapes once more
-///   mend     the few elements that miss their angles, by targets that rise from 18 to 30 degrees;
-///            below 18 only where those cannot be had; the last few with much patience; then shapes
-///            of what all that has changed, with no angle worse
-///   strive   rounds with no angle worse than the worst; 35 degrees; shapes; and back to the mesh that
-///            mending has left, should the result not be at least as good in every respect
+/// shape      remove edges and move nodes until the sum of costs settles; then rounds of splits
+///            and collapses while they gain; then shapes once more
+/// improve    improve the few elements that miss their angles, for targets that rise from 18 to 30
+///            degrees (below 18 only if those fail); then the last few with more patience; then
+///            shapes of all that changed, with no angle worse
+/// thorough   rounds with no angle worse than the worst; 35 degrees; shapes; and back to the mesh
+///            of the improvement if the result is not at least as good in every respect
 
 #include <cstdint>
 #include <limits>
@@ -24,52 +23,52 @@ namespace tetrafront {
 
 /// One pass over elements or nodes.
 enum class Sweep : std::uint8_t {
-  kSwap,              ///< edge removal
-  kMove,              ///< nodes to the mean of their circumcentres
-  kNewton,            ///< nodes by a Newton step
-  kCollectSplits,     ///< long edges, the longest first
-  kSplit,             ///< those edges
-  kCollectCollapses,  ///< free nodes, the most crowded first
-  kCollapse,          ///< those nodes
-  kCollectPoor,       ///< elements beyond the target, worst first
+  kSwap,              ///< remove edges
+  kMove,              ///< move nodes to the mean of their elements' circumcentres
+  kNewton,            ///< move nodes by a Newton step
+  kCollectSplits,     ///< collect long edges, longest first
+  kSplit,             ///< split them
+  kCollectCollapses,  ///< collect free nodes, most crowded first
+  kCollapse,          ///< collapse them
+  kCollectPoor,       ///< collect elements that miss the target, worst first
   kImprove,           ///< those elements
-  kLastResort,        ///< those elements, the best first, one try at a time
-  kScore,             ///< the mesh as a whole
+  kLastResort,        ///< last-resort tries on them, best element first, one at a time
+  kScore,             ///< score the whole mesh
 };
 inline constexpr std::size_t kSweepKinds = 11;
 
-/// By what a step judges elements.
+/// How a step measures elements.
 enum class CostBasis : std::uint8_t {
   kAsBefore,
   kBulk,
   kFinish,
-  kTargets,       ///< angles: those of the step
-  kWithinAngles,  ///< shapes, and no angle worse than the worst at the last judgement
+  kTargets,       ///< angles, by the targets of the step
+  kWithinAngles,  ///< shapes, with no angle worse than the worst of the last score
 };
 
-/// What must be so for a step not to be left out.
+/// When a step is executed.
 enum class Entry : std::uint8_t {
   kAlways,
-  kIfGivenUp,  ///< the target of the last repair was
-  kIfBefore,   ///< the step before was not left out
-  kIfFewMiss,  ///< the step's target, which was not given up: some elements, but very few
+  kIfGivenUp,  ///< if the target of the last improvement was given up
+  kIfBefore,   ///< if the previous step was executed
+  kIfFewMiss,  ///< if some elements, but very few, miss the step's target and it was not given up
 };
 
-/// When a step makes its sweeps again, up to Step::maxRepeats times in all.
+/// When a step repeats its sweeps, up to Step::maxRepeats times in all.
 enum class Again : std::uint8_t {
   kAlways,
-  kWhileItGains,          ///< rounds: enough changes, and the mean cost falls by enough
-  kWhileItImproves,       ///< any element; then, from the beginning, with an eye on the worst
-  kWhileLastResortHelps,  ///< any element
-  kIfMuchChanged,         ///< much of the mesh has changed since repairs began
+  kWhileItGains,          ///< while a round makes enough changes and lowers the mean cost enough
+  kWhileItImproves,       ///< while any element improves; then once more with the goal to improve the worst
+  kWhileLastResortHelps,  ///< while last-resort tries improve any element
+  kIfMuchChanged,         ///< if much of the mesh has changed since improvements began
 };
 
-/// What a step is for besides the sweeps.
+/// What a step does besides its sweeps.
 enum class Purpose : std::uint8_t {
   kSweeps,
-  kSeeIfSparse,  ///< whether the mesh has too few nodes inside
-  kKeep,         ///< this mesh and its judgement, to be compared with
-  kCompare,      ///< and go back to the mesh kept unless this one is no worse
+  kSeeIfSparse,  ///< finds out whether the mesh has too few interior nodes
+  kKeep,         ///< keeps this mesh and its score for comparison
+  kCompare,      ///< restores the kept mesh unless this one is no worse
 };
 
 struct Step {
@@ -77,22 +76,23 @@ struct Step {
   CostBasis costBasis = CostBasis::kAsBefore;
   DihedralTargets targets = kTargets30And135;
   Entry entry = Entry::kAlways;
-  /// With more than this part of all elements missing the target, chasing it would only add elements:
-  /// it is given up. Where the boundary is coarse for its shape many do. The second is for small
-  /// meshes, up to some hundreds of elements that miss.
+  /// Fraction of all elements above which the target is given up: if so many miss, as with a
+  /// boundary that is coarse for its shape, improving them would only add elements. The second is
+  /// for small meshes, with up to some hundreds of elements that miss.
   double many = 1.0;
   double manyOfFew = 0.0;
-  bool includeNarrowGaps = false;  ///< of the boundary, even where they leave no room for a node
-  bool isPatient = false;          ///< goes on though a pass of repairs has hardly helped
-  bool changedOnly = false;        ///< what has changed since repairs began
+  bool includeNarrowGaps = false;  ///< also improve elements in narrow gaps of the boundary, which have no room for a node
+  bool isPatient = false;          ///< continue even if a pass hardly helped
+  bool changedOnly = false;        ///< visit only what has changed since improvements began
   Again again = Again::kAlways;
   int maxRepeats = 1;
-  double minChanges = 0.0;  ///< of a round, by free nodes
-  double minGain = 0.0;     ///< of a round, by the mean cost
+  double minChanges = 0.0;  ///< minimum of a round, relative to the free nodes
+  double minGain = 0.0;     ///< minimum of a round, relative to the mean cost
   Purpose purpose = Purpose::kSweeps;
 };
 
-/// The steps of a level; none for Optimization::kNone. What they point to lives forever.
+/// Returns the steps of a level; none for Optimization::kNone. The spans in the steps are valid for
+/// ever.
 [[nodiscard]] std::vector<Step> scheduleOf(Optimization level);
 
 }  // namespace tetrafront

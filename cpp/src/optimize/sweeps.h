@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file One sweep after the other, each in slices: who is visited, what is done to them, and how
-/// much of that had an effect.
+/// @file Makes one sweep after the other, in slices: which elements or nodes it visits, what it
+/// does to them, and how many changes that made.
 
 #include <array>
 #include <cstddef>
@@ -29,25 +29,25 @@ class Sweeps {
         collapser_(complex),
         improvements_(complex, removal_, splitter_, collapser_, mover_) {}
 
-  /// From the next sweep on, elements are judged by this cost, which theirs must be by, and the first
+  /// From the next sweep on, uses this cost, which the elements' stored costs must match. The first
   /// sweep of each kind visits what has changed since that pass.
   void measureBy(const ElementCost<Space>& cost, std::uint32_t since);
 
-  /// Elements that the sweep adds at the end are for the next one: looked up anew in each slice, the
-  /// end would depend on where slices end.
+  /// Elements that the sweep appends belong to the next sweep. The end is fixed when the sweep
+  /// begins; if it were read again in each slice, it would depend on where slices end.
   void begin(Sweep sweep);
-  /// Works on for about `budget` elements or nodes, and returns how many it was.
+  /// Visits about `budget` elements or nodes and returns how many it visited.
   std::size_t advance(std::uint32_t budget);
   [[nodiscard]] bool isDone() const { return next_ == end_; }
 
-  /// Changes made since they were last taken.
+  /// Returns the number of changes since the last call.
   std::size_t takeChanges();
 
   [[nodiscard]] const ElementCost<Space>& cost() const { return cost_; }
   [[nodiscard]] EdgeSplitter<Space>& splitter() { return splitter_; }
   [[nodiscard]] NodeCollapser<Space>& collapser() { return collapser_; }
   [[nodiscard]] ImprovementQueue<Space>& improvements() { return improvements_; }
-  /// By the last sweep of that kind.
+  /// Score of the last scoring sweep.
   [[nodiscard]] const MeshScore& score() const { return score_; }
 
  private:
@@ -71,7 +71,7 @@ class Sweeps {
   Sweep sweep_ = Sweep::kSwap;
   std::size_t next_ = 0;
   std::size_t end_ = 0;
-  std::uint32_t since_ = 0;  ///< the pass; what has not changed since is not visited
+  std::uint32_t since_ = 0;  ///< pass; what has not changed since is not visited
   std::array<std::uint32_t, kSweepKinds> lastRun_{};
   std::size_t changes_ = 0;
 };

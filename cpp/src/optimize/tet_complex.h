@@ -1,8 +1,8 @@
 #pragma once
 
 /// @file A tetrahedral mesh that can be changed: elements with their neighbours, nodes with one of
-/// their elements. Every change is the same one: the elements of a cavity out, others with the
-/// same outer faces in.
+/// their elements. There is one kind of change: it replaces the elements of a cavity by others with
+/// the same outer faces.
 
 #include <array>
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace tetrafront {
 
 using Corners = std::array<NodeId, 4>;
 
-/// An element's side: the element, and the corner opposite.
+/// A face of an element: the element and the opposite corner.
 class Facing {
  public:
   constexpr Facing() = default;
@@ -35,27 +35,27 @@ class Facing {
 
 struct Element {
   Corners nodes;
-  std::array<Facing, 4> across;  ///< the neighbour's side; none on the boundary
+  std::array<Facing, 4> across;  ///< the neighbour's face; none on the boundary
 };
 
-/// Which corner of the element a node is; it must be one. Without branches, which would be taken at
-/// random.
+/// Returns which corner of the element a node is; it must be one. Branch-free, because the branches
+/// would be unpredictable.
 [[nodiscard]] inline std::size_t cornerOf(const Element& element, NodeId node) {
   const Corners& nodes = element.nodes;
   return static_cast<std::size_t>((nodes[1] == node ? 1 : 0) | (nodes[2] == node ? 2 : 0) |
                                   (nodes[3] == node ? 3 : 0));
 }
 
-/// An element to be put in, with its cost.
+/// A new element with its cost.
 struct NewElement {
   Corners nodes;
   double cost;
 };
 
-/// No cavity is larger; operators give up on larger ones.
+/// Largest cavity; operators give up on larger ones.
 inline constexpr std::size_t kMaxCavity = 500;
 
-/// The elements around a node, and which corner of each it is.
+/// The elements around a node, and which of their corners it is.
 struct Star {
   std::array<TetId, kMaxCavity> elements;
   std::array<std::uint8_t, kMaxCavity> corner;
@@ -64,21 +64,21 @@ struct Star {
 
 class TetComplex {
  public:
-  /// The first `boundaryNodes` nodes are fixed. Until build() has finished only counts, places and
-  /// toMesh() are of use.
+  /// The first `boundaryNodes` nodes are fixed. Until build() has finished, only counts, positions
+  /// and toMesh() are usable.
   TetComplex(VolumeMesh mesh, std::size_t boundaryNodes, bool isStretched = false);
 
-  /// Finds the neighbours, about `budget` elements or nodes at a time; true when finished.
+  /// Finds the neighbours, visiting about `budget` elements or nodes; returns true when finished.
   /// O(n log k) for k elements at a node.
   bool build(std::size_t budget);
 
-  /// Elements and used nodes, the boundary's first; orders kept.
+  /// Returns the elements and the used nodes, boundary nodes first, in their order.
   [[nodiscard]] VolumeMesh toMesh() const;
 
   // Nodes.
   [[nodiscard]] std::size_t nodeCount() const { return places_.size(); }
   [[nodiscard]] const Vec3& place(NodeId node) const { return places_[node.index()]; }
-  /// What the size field wants at a node; nothing sensible until set.
+  /// Target of the size field at a node; undefined until set.
   template <class Space>
   [[nodiscard]] const typename Space::Wanted& wanted(NodeId node) const {
     return wantedOf<Space>(*this)[node.index()];
@@ -88,7 +88,7 @@ class TetComplex {
     wantedOf<Space>(*this)[node.index()] = wanted;
   }
   [[nodiscard]] bool isFixed(NodeId node) const { return node.index() < boundaryNodes_; }
-  /// Whether any element uses the node.
+  /// Returns whether any element uses the node.
   [[nodiscard]] bool isUsed(NodeId node) const { return !elementAt_[node.index()].isNone(); }
   [[nodiscard]] std::size_t boundaryNodeCount() const { return boundaryNodes_; }
   [[nodiscard]] std::size_t freeNodeCount() const;
@@ -101,7 +101,7 @@ class TetComplex {
   void move(NodeId node, const Vec3& place);
   void forget(NodeId node) { elementAt_[node.index()] = TetId(); }
 
-  // Elements. Slots of removed ones are used again.
+  // Elements. The slots of removed elements are reused.
   [[nodiscard]] std::size_t slotCount() const { return elements_.size(); }
   [[nodiscard]] std::size_t elementCount() const { return elements_.size() - freeSlots_.size(); }
   [[nodiscard]] bool isLive(TetId tet) const { return !elements_[tet.index()].nodes[0].isNone(); }
@@ -122,11 +122,11 @@ class TetComplex {
     return cost(place(nodes[0]), place(nodes[1]), place(nodes[2]), place(nodes[3]),
                 frameOf<Space>(nodes));
   }
-  /// The costs of slots [first, last) anew, by another measure.
+  /// Recomputes the costs of slots [first, last) by another measure.
   template <class Space>
   void costAnew(const ElementCost<Space>& cost, std::size_t first, std::size_t last);
 
-  // What has changed since when. Passes are numbered from 1 on.
+  // Passes, numbered from 1, record when an element last changed.
   void beginPass() { ++pass_; }
   [[nodiscard]] std::uint32_t pass() const { return pass_; }
   [[nodiscard]] std::uint32_t changedIn(TetId tet) const { return states_[tet.index()].pass; }
@@ -134,37 +134,37 @@ class TetComplex {
   void markChanged(TetId tet) { states_[tet.index()].pass = pass_; }
   void markStars(TetId tet);
 
-  /// False if the star is larger than kMaxCavity. `node` must be used.
+  /// Returns false if the star is larger than kMaxCavity. `node` must be used.
   bool findStar(NodeId node, Star& star);
-  /// Marks of a fresh set of elements; used to tell whether an element is in a cavity.
+  /// Returns a new stamp for a set of elements, to test membership in a cavity.
   std::uint32_t freshStamp() { return ++stamp_; }
   void stamp(TetId tet, std::uint32_t value) { states_[tet.index()].stamp = value; }
   [[nodiscard]] bool hasStamp(TetId tet, std::uint32_t value) const {
     return states_[tet.index()].stamp == value;
   }
 
-  /// Replaces the elements `old` by `fresh`. The outer faces must be the same.
+  /// Replaces the elements `old` by `fresh`, which must have the same outer faces.
   void replace(std::span<const TetId> old, std::span<const NewElement> fresh);
 
-  // A change that may have to be taken back.
+  // A trial: a change that can be undone.
   void beginTrial();
   void keepTrial();
   void takeBack();
-  /// Sum of weigh(cost) over the elements that the trial has touched: before it, and now.
+  /// Sum of weigh(cost) over the elements that the trial touched: before it, and now.
   struct TrialSums {
     double before = 0.0;
     double now = 0.0;
   };
   template <class Weigh>
   [[nodiscard]] TrialSums sumsOfTrial(Weigh weigh);
-  /// Live elements that the trial has touched or made.
+  /// Live elements that the trial touched or made.
   [[nodiscard]] std::vector<TetId> touchedByTrial();
 
  private:
-  /// What is asked of an element together, and so lies together.
+  /// Values of an element that are read together, stored together.
   struct ElementState {
     double cost = 0.0;
-    std::uint32_t pass = 0;  ///< of its last change
+    std::uint32_t pass = 0;  ///< pass of its last change
     std::uint32_t stamp = 0;
   };
   struct SavedElement {
@@ -186,7 +186,8 @@ class TetComplex {
     Facing facing;
     std::uint32_t stamp = 0;
   };
-  /// Work of build(): all sides, grouped by their least node; the other two, and whose it is.
+  /// A face in build(): faces are grouped by their lowest node; the other two nodes, and the
+  /// element.
   struct Side {
     std::array<std::uint32_t, 2> nodes;
     Facing facing;
@@ -195,14 +196,14 @@ class TetComplex {
   struct BuildState {
     BuildStep step = BuildStep::kTake;
     std::size_t next = 0;
-    std::vector<std::uint32_t> given;   ///< elements to take
-    std::vector<std::uint32_t> starts;  ///< sides of node i begin at starts[i]
+    std::vector<std::uint32_t> given;   ///< elements to insert
+    std::vector<std::uint32_t> starts;  ///< faces of node i begin at starts[i]
     std::vector<std::uint32_t> filled;
     std::vector<Side> sides;
   };
   static constexpr std::size_t kFaceSlots = 8192;  // a power of two, above 4 x 2 x kMaxCavity
 
-  /// The one of the two arrays that has an entry for each node.
+  /// Returns the array that has an entry for each node: sizes_ or tensors_.
   template <class Space, class Self>
   [[nodiscard]] static auto& wantedOf(Self& self) {
     if constexpr (Space::kIsStretched) {
@@ -226,8 +227,8 @@ class TetComplex {
   std::size_t boundaryNodes_;
   std::vector<Vec3> places_;
   bool isStretched_;
-  std::vector<double> sizes_;             ///< wanted, where nothing is stretched
-  std::vector<SymmetricTensor> tensors_;  ///< T, where something is
+  std::vector<double> sizes_;             ///< target lengths, without stretching
+  std::vector<SymmetricTensor> tensors_;  ///< T, with stretching
   std::vector<TetId> elementAt_;
   std::vector<std::uint32_t> starPass_;
   std::vector<Element> elements_;
@@ -242,8 +243,8 @@ class TetComplex {
   bool inTrial_ = false;
   std::vector<SavedElement> savedElements_;
   std::vector<SavedPlace> savedPlaces_;
-  std::size_t freeSlotsKept_ = 0;  ///< of freeSlots_: those that the trial has not taken
-  std::vector<TetId> takenSlots_;  ///< the others, the last first
+  std::size_t freeSlotsKept_ = 0;  ///< number of freeSlots_ that the trial has not used
+  std::vector<TetId> takenSlots_;  ///< the slots that the trial used, the last one first
   std::size_t slotsBeforeTrial_ = 0;
   std::size_t nodesBeforeTrial_ = 0;
 };
@@ -253,7 +254,7 @@ TetComplex::TrialSums TetComplex::sumsOfTrial(Weigh weigh) {
   TrialSums sums;
   const std::uint32_t stamp = freshStamp();
   for (const SavedElement& saved : savedElements_) {
-    // The first save of an element holds its state before the trial.
+    // The first saved state of an element is the one before the trial.
     if (hasStamp(saved.id, stamp)) continue;
     this->stamp(saved.id, stamp);
     const bool wasLive = !saved.element.nodes[0].isNone() && saved.id.index() < slotsBeforeTrial_;
