@@ -7,15 +7,16 @@
 namespace tetrafront {
 namespace {
 
-/// Edges above this many wanted sizes are split; anywhere in 1.15 .. 1.45 gives the same meshes.
+/// Edges longer than this many target lengths are split; anything in 1.15 .. 1.45 gives the same
+/// meshes.
 constexpr double kMaxEdge = 1.3;
-/// Edges that are much too long are split even where that makes elements worse, up to this cost (by
-/// the bulk measure: a mean ratio of 0.4). The sweeps that follow see to their shape; without this,
-/// interiors that begin without nodes stay half empty, and the others lose mean radius ratio.
+/// Much too long edges are split even if that makes elements worse, up to this cost (bulk measure:
+/// a mean ratio of 0.4). The following sweeps improve their shape. Without this, interiors that
+/// begin without nodes stay half empty, and others lose mean radius ratio.
 constexpr double kBearable = 3.0;
-/// Any length will do where the elements of a node cost more than this in the mean (by the bulk measure:
-/// a mean ratio of 0.2). The front may leave nodes against boundary triangles that are much larger than
-/// the elements wanted: all edges there are long, and only without those nodes can it get better.
+/// New edges may have any length if the mean cost of a node's elements exceeds this (bulk measure:
+/// a mean ratio of 0.2). The front may leave nodes against boundary triangles that are much larger
+/// than the target size. All edges are long there, and the mesh only improves without those nodes.
 constexpr double kHopeless = 10.0;
 constexpr std::size_t kMaxSplitRing = kMaxRing - 1;
 
@@ -60,7 +61,7 @@ std::size_t EdgeSplitter<Space>::splitSome(std::size_t next, std::size_t count,
   return done;
 }
 
-/// The middle of the edge, moved to where the new elements cost least.
+/// Returns the edge's midpoint, moved to where the new elements cost least.
 template <class Space>
 Vec3 EdgeSplitter<Space>::bestMiddle(const EdgeRing& ring, const ElementCost<Space>& cost) {
   const Vec3& from = complex_.place(ring.from);
@@ -115,12 +116,12 @@ bool EdgeSplitter<Space>::split(const EdgeRing& ring, const ElementCost<Space>& 
   if (relativeLength<Space>(complex_, ring.from, ring.to) > muchTooLong_) {
     worst = std::max(worst, kBearable);
   }
-  // The worst decides, whatever the sum: by the sum, few edges would ever be split.
+  // The worst element decides: by the sum, few edges would ever be split.
   for (std::size_t i = 0; i < hollow_.size(); ++i) {
     if (hollow_.costOf(i, place, cost) > worst) return false;
   }
   const NodeId middle = complex_.addNode<Space>(place, wantedAtMiddle(ring));
-  // The corners' order in makeHalves() differs from the hollow's, and so may the last bit.
+  // makeHalves() orders the corners differently, so the last bit may differ.
   if (!makeHalves(ring, cost, middle)) return false;
   complex_.replace(ring.elementSpan(), std::span(fresh_).first(2 * ring.nodeCount));
   return true;
@@ -178,7 +179,7 @@ std::size_t NodeCollapser<Space>::collapseSome(std::size_t next, std::size_t cou
   return done;
 }
 
-/// Cost of the star's elements with the node at the target; fills fresh_.
+/// Returns the cost of the star's elements with the node at the target; fills fresh_.
 template <class Space>
 double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& cost,
                                       const typename Space::Limit& limit, double bound) {
@@ -202,7 +203,8 @@ double NodeCollapser<Space>::costOnto(NodeId target, const ElementCost<Space>& c
   return sum;
 }
 
-/// And its neighbours. False for a node that is fixed or gone, or that has too many elements.
+/// Collects the star of a node and its neighbours. Returns false if the node is fixed or removed,
+/// or has too many elements.
 template <class Space>
 bool NodeCollapser<Space>::findStarOf(NodeId node) {
   if (complex_.isFixed(node) || !complex_.isUsed(node) || !complex_.findStar(node, star_)) {
@@ -212,7 +214,8 @@ bool NodeCollapser<Space>::findStarOf(NodeId node) {
   return true;
 }
 
-/// Onto the neighbour where the combined cost of the star's elements is least, and below the bound.
+/// Collapses onto the neighbour with the lowest total cost of the star's elements, if it is below
+/// the bound.
 template <class Space>
 bool NodeCollapser<Space>::collapseBelow(double bound, NodeId node, const ElementCost<Space>& cost,
                                          double maxLength) {

@@ -5,9 +5,9 @@
 namespace tetrafront {
 namespace {
 
-/// Walks around an edge from one of its elements, leaving through the side opposite `opposite` and
+/// Walks around an edge from one of its elements, leaving through the face opposite `opposite` and
 /// keeping `kept`. Calls `visit(element, new node)`; ends at the boundary or back at `start`.
-/// Returns 0 at the boundary, 1 when closed, -1 when the visitor wants no more.
+/// Returns 0 at the boundary, 1 if closed, -1 if the visitor stops.
 template <class Visit>
 int walkAround(const TetComplex& complex, TetId start, NodeId opposite, NodeId kept, Visit visit) {
   TetId tet = start;
@@ -36,8 +36,8 @@ std::size_t edgeBetween(const Element& element, NodeId a, NodeId b) {
 
 namespace {
 
-/// The first way round: sets ring.closed. Returns false if the ring is too large, or if one of its
-/// elements is not welcome.
+/// Walks in the first direction and sets ring.closed. Returns false if the ring is too large or
+/// contains a rejected element.
 template <class IsWelcome>
 bool walkForth(const TetComplex& complex, TetId tet, std::size_t edge, std::size_t maxNodes,
                EdgeRing& ring, IsWelcome isWelcome) {
@@ -55,7 +55,7 @@ bool walkForth(const TetComplex& complex, TetId tet, std::size_t edge, std::size
   const int end = walkAround(complex, tet, first, second, [&](TetId next, NodeId node) {
     if (!isWelcome(next)) return false;
     if (ring.nodeCount == maxNodes) {
-      // In a closed ring the last element brings the first node again.
+      // In a closed ring the last element yields the first node again.
       if (node != first) return false;
     } else {
       ring.nodes[ring.nodeCount] = node;
@@ -66,7 +66,7 @@ bool walkForth(const TetComplex& complex, TetId tet, std::size_t edge, std::size
   });
   if (end < 0) return false;
   ring.closed = end == 1;
-  if (ring.closed) --ring.nodeCount;  // the first node was met again
+  if (ring.closed) --ring.nodeCount;  // the first node was visited twice
   return !ring.closed || ring.nodeCount <= maxNodes;
 }
 
@@ -83,7 +83,7 @@ bool findRing(const TetComplex& complex, TetId tet, std::size_t edge, std::size_
               EdgeRing& ring) {
   if (!walkForth(complex, tet, edge, maxNodes, ring, [](TetId) { return true; })) return false;
   if (ring.closed) return true;
-  // Open: the part on the other side comes before.
+  // Open: the elements in the other direction come first.
   const NodeId first = ring.nodes[0];
   const NodeId second = ring.nodes[1];
   const int back = walkAround(complex, tet, second, first, [&](TetId next, NodeId node) {
@@ -109,8 +109,8 @@ bool isBoundaryEdge(const TetComplex& complex, TetId tet, std::size_t edge) {
                     [](TetId, NodeId) { return true; }) == 0;
 }
 
-/// The two elements over ring nodes i, j, k in this order round the ring; kInvalidCost if they cost
-/// `bound` or more.
+/// Returns the cost of the two elements over ring nodes i, j, k in ring order; kInvalidCost if it
+/// is `bound` or more.
 template <class Space>
 double EdgeRemoval<Space>::costOverTriangle(const EdgeRing& ring, const ElementCost<Space>& cost,
                                             std::size_t i, std::size_t j, std::size_t k,
@@ -124,9 +124,9 @@ double EdgeRemoval<Space>::costOverTriangle(const EdgeRing& ring, const ElementC
   return both < bound ? both : kInvalidCost;
 }
 
-/// intervals_[i][n] for all intervals from `first` on that end by `last`; ring nodes are counted on
-/// beyond a closed ring's end. Most triangles are never costed: their neighbours cost too much
-/// already. False if no interval beats the bound.
+/// Computes intervals_[i][n] for all intervals in [first, last]; in a closed ring, ring nodes count
+/// on beyond the end. Most triangles are never evaluated, because their neighbours already cost too
+/// much. Returns false if no interval is below the bound.
 template <class Space>
 bool EdgeRemoval<Space>::costIntervals(const EdgeRing& ring, const ElementCost<Space>& cost,
                                        bool wraps, double bound) {
@@ -174,8 +174,7 @@ void EdgeRemoval<Space>::costSectors(const EdgeRing& ring, const ElementCost<Spa
   }
 }
 
-/// Keeps the edge, with some sectors joined into one each: the best way to go once round, for each
-/// node to start from.
+/// Keeps the edge but merges some sectors: finds the best way once around, for each starting node.
 template <class Space>
 void EdgeRemoval<Space>::planFans(const EdgeRing& ring, const ElementCost<Space>& cost,
                                   double bound) {
@@ -232,7 +231,7 @@ template <class Space>
 void EdgeRemoval<Space>::put(const ElementCost<Space>& cost, NodeId a, NodeId b, NodeId c,
                              NodeId d) {
   const Corners nodes{a, b, c, d};
-  // Kept sectors may be ones that were too flat on entry.
+  // Kept sectors may have been too flat on entry.
   fresh_[freshCount_++] = {nodes, std::min(complex_.costOf(cost, nodes), kEntryCost)};
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kRepairRing = 9;
 constexpr double kRepairGain = 1e-3;    // relative, of swaps and collapses
-constexpr double kCompoundGain = 1e-2;  // of the worst of all elements touched
+constexpr double kCompoundGain = 1e-2;  // relative, of the worst of all elements touched
 constexpr std::size_t kMaxRepairCavity = 60;
 
 constexpr EdgeRemovalOptions kRepairOptions{true, kRepairGain};
@@ -21,7 +21,7 @@ bool ElementImprover<Space>::stillBad(TetId tet, const Corners& nodes) const {
   return complex_.isLive(tet) && complex_.cost(tet) > 1.0 && complex_.element(tet).nodes == nodes;
 }
 
-/// Makes a change for a trial; keeps it if what it touched is better off, by that part.
+/// Makes a trial change and keeps it if the cost of what it touched falls by that fraction.
 template <class Space>
 template <class Change>
 bool ElementImprover<Space>::attempt(double gain, Change change) {
@@ -79,7 +79,7 @@ bool ElementImprover<Space>::moveCorners(const Corners& nodes, const ElementCost
 
 template <class Space>
 bool ElementImprover<Space>::collapseCorner(const Corners& nodes, const ElementCost<Space>& cost) {
-  constexpr double kMaxLength = 2.0;  // wanted sizes
+  constexpr double kMaxLength = 2.0;  // in target lengths
   return std::any_of(nodes.begin(), nodes.end(), [&](NodeId node) {
     return collapser_.collapse(node, cost, kMaxLength, kRepairGain);
   });
@@ -103,7 +103,7 @@ bool ElementImprover<Space>::insertNode(TetId tet, const ElementCost<Space>& cos
   return false;
 }
 
-/// Of the element that an apex makes with a side.
+/// Returns the cost of the element of an apex and a face.
 template <class Space>
 typename Space::Frame ElementImprover<Space>::coneFrame(const Wanted& apex, const Corners& nodes,
                                                         std::size_t side) const {
@@ -117,8 +117,8 @@ typename Space::Frame ElementImprover<Space>::coneFrame(const Wanted& apex, cons
   }
 }
 
-/// Adds every neighbour whose common face would make an element with `place` that is worse than
-/// the limit. False where that leads to the boundary, or too far.
+/// Adds every neighbour whose common face would form an element with the apex that is worse than
+/// the limit. Returns false if that reaches the boundary or goes too far.
 template <class Space>
 bool ElementImprover<Space>::growCavity(const Vec3& place, const Wanted& wanted,
                                         const ElementCost<Space>& cost, double limit) {
@@ -164,9 +164,9 @@ bool ElementImprover<Space>::insertAt(std::span<const TetId> seeds, const Vec3& 
                                       const Wanted& wanted, const ElementCost<Space>& cost) {
   constexpr int kRounds = 3;
   constexpr int kSteps = 6;
-  constexpr double kAbsorb = 0.7;  // cone elements worse than this part of the worst go
+  constexpr double kAbsorb = 0.7;  // absorb a neighbour behind a cone element worse than this fraction of the worst
   constexpr double kTighten = 0.95;
-  constexpr double kNear = 1.05;  // as bad as what was there; a few steps more may do
+  constexpr double kNear = 1.05;  // about as bad as before; a few more steps may succeed
   inCavity_.resize(std::max(inCavity_.size(), complex_.slotCount()), 0);
   ++cavityStamp_;
   cavity_.assign(seeds.begin(), seeds.end());
@@ -213,7 +213,7 @@ bool ElementImprover<Space>::fillCavity(const Vec3& place, const Wanted& wanted,
       kept.insert(kept.end(), nodes.begin() + 1, nodes.end());
     }
   }
-  // A cavity may swallow free nodes, but not fixed ones.
+  // A cavity may remove free nodes, but not fixed ones.
   sortFew(kept);
   std::vector<NodeId> swallowed;
   for (const TetId tet : cavity_) {
@@ -240,7 +240,7 @@ bool ElementImprover<Space>::compound(TetId tet, const ElementCost<Space>& cost)
   return false;
 }
 
-/// Compound changes that begin at a neighbour.
+/// Makes compound changes that begin at a neighbour.
 template <class Space>
 bool ElementImprover<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
   const std::array<Facing, 4> sides = complex_.element(tet).across;
@@ -258,8 +258,8 @@ bool ElementImprover<Space>::detour(TetId tet, const ElementCost<Space>& cost) {
   return false;
 }
 
-/// Removes or splits the edge at whatever cost, lets the surroundings settle, and keeps the whole
-/// if its worst element is better than before.
+/// Removes or splits the edge at any cost, improves the surroundings, and keeps the result if its
+/// worst element is better than before.
 template <class Space>
 bool ElementImprover<Space>::tryCompound(TetId tet, NodeId a, NodeId b, bool split,
                                          const ElementCost<Space>& cost) {
@@ -299,7 +299,7 @@ void ElementImprover<Space>::settle(std::span<const NodeId> nodes, const Element
   moveAll();
 }
 
-/// Improves one of the few worst elements that the trial has touched, if any can be.
+/// Improves one of the few worst elements that the trial touched, if possible.
 template <class Space>
 bool ElementImprover<Space>::settleOne(const ElementCost<Space>& cost) {
   constexpr std::size_t kWorst = 4;

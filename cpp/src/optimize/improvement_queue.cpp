@@ -8,21 +8,22 @@
 namespace tetrafront {
 namespace {
 
-/// ImprovementQueue also ends when a pass has left more than this part of the bad elements that it met, and
-/// more than that part of all: in a gap or a wedge without room for nodes, what mends one spoils
-/// others.
+/// Improvement also stops if a pass leaves more than this fraction of the poor elements that it
+/// visited, and more than that fraction of all elements: in a gap or wedge without room for nodes,
+/// improving one element spoils others.
 constexpr double kMaxLeft = 0.8;
 constexpr double kFewBad = 0.005;
-/// Compound changes in one repair: so many, and one for so many elements.
+/// Compound changes per step: a fixed number, plus one per this many elements.
 constexpr std::size_t kMinCompounds = 100;
 constexpr std::size_t kElementsPerCompound = 200;
-/// Changes tried in one rescue: so many, and one for so many elements.
+/// Last-resort tries per step: a fixed number, plus one per this many elements.
 constexpr std::size_t kMinLastResortTries = 60;
 constexpr std::size_t kElementsPerLastResortTry = 1000;
 
-/// The cost, by these targets, of an element that just misses 30 or 135 degrees. Where many are to be
-/// mended, or as few as possible are to be left, all that miss those count when a repair is weighed, or
-/// one element would be paid for with many that are hardly better.
+/// Returns the cost, by these targets, of an element with an angle of just 30 or 135 degrees. If
+/// many elements are to be improved, or as few as possible should remain, all elements that miss
+/// those angles count when a change is weighed. Otherwise one element would improve at the expense
+/// of many.
 double costOfMissing(const DihedralTargets& targets) {
   return std::min(1.0, std::max(targets.least / kTargets30And135.least,
                                 targets.greatest / kTargets30And135.greatest));
@@ -93,8 +94,9 @@ void ImprovementQueue<Space>::rank() {
   stableSort(bad_, [&](TetId p, TetId q) { return complex_.cost(p) > complex_.cost(q); });
 }
 
-/// Whether its repair has failed and no element that shares a node with it has changed since: it would
-/// fail again. O(elements around), where a repair that fails takes milliseconds.
+/// Returns whether improving the element failed before and no element that shares a node with it
+/// has changed since: it would fail again. O(elements around), whereas a failing attempt takes
+/// milliseconds.
 template <class Space>
 bool ImprovementQueue<Space>::hasFailedAsItIs(TetId tet) {
   const std::uint32_t failed = failedIn_[tet.index()];
@@ -114,7 +116,7 @@ std::size_t ImprovementQueue<Space>::improveSome(std::size_t first, std::size_t 
   for (std::size_t i = first; i < last; ++i) {
     const TetId tet = bad_[i];
     if (!complex_.isLive(tet) || complex_.cost(tet) <= 1.0) continue;
-    if (complex_.changedIn(tet) == complex_.pass()) continue;  // made in this pass: in the next
+    if (complex_.changedIn(tet) == complex_.pass()) continue;  // made in this pass: leave it to the next
     failedIn_.resize(complex_.slotCount(), 0);
     if (hasFailedAsItIs(tet)) continue;
     const bool isImproved = improver_.improve(tet, cost);

@@ -8,10 +8,10 @@
 namespace tetrafront {
 namespace {
 
-/// Edges with more elements around them are not removed in a rescue.
+/// Edges with more elements around them are not removed.
 constexpr std::size_t kRescueRing = 9;
-/// A change is kept that lowers the sum of the fourth powers of costs by this share, or it is not worth
-/// the elements it spoils. Costs are 1 at the target; the share has no unit.
+/// A change must lower the sum of the fourth powers of costs by this fraction to be worth the
+/// elements that it spoils. Costs are 1 at the target, so the fraction has no unit.
 constexpr double kRescueGain = 1e-2;
 
 template <class Id>
@@ -36,7 +36,7 @@ void LastResortImprover<Space>::begin(TetId tet) {
   next_ = triedBefore();
 }
 
-/// How many changes have been tried in vain on the element as it is, with what is around it.
+/// Returns how many changes have failed on the element and its unchanged surroundings.
 template <class Space>
 std::size_t LastResortImprover<Space>::triedBefore() const {
   const auto last = std::find_if(tried_.rbegin(), tried_.rend(),
@@ -79,7 +79,7 @@ void LastResortImprover<Space>::gather() {
   edges_.erase(std::unique(edges_.begin(), edges_.end(), isSame), edges_.end());
 }
 
-/// One of the elements gathered that still has the edge, or none.
+/// Returns one of the collected elements that still has the edge, or none.
 template <class Space>
 TetId LastResortImprover<Space>::elementAt(const NearEdge& edge) const {
   const auto found = std::ranges::find_if(near_, [&](TetId tet) {
@@ -98,7 +98,7 @@ void LastResortImprover<Space>::moveAll(const std::vector<NodeId>& nodes,
   }
 }
 
-/// All nodes of what the trial has touched, and then the worst of it.
+/// Moves all nodes of what the trial touched, then improves the worst of it.
 template <class Space>
 void LastResortImprover<Space>::settle(const ElementCost<Space>& cost) {
   std::vector<NodeId> nodes;
@@ -112,7 +112,7 @@ void LastResortImprover<Space>::settle(const ElementCost<Space>& cost) {
   improver_.settle(nodes, cost);
 }
 
-/// Makes a change for a trial, and lets what it touched settle.
+/// Makes a trial change and improves what it touched.
 template <class Space>
 template <class Change>
 bool LastResortImprover<Space>::attempt(const ElementCost<Space>& cost, Change change) {
@@ -147,7 +147,7 @@ bool LastResortImprover<Space>::changeEdge(const NearEdge& edge, bool split,
 
 template <class Space>
 bool LastResortImprover<Space>::tryOne(const ElementCost<Space>& cost) {
-  constexpr double kMaxLength = 2.0;  // wanted sizes
+  constexpr double kMaxLength = 2.0;  // in target lengths
   const std::size_t collapses = 1 + 2 * edges_.size();
   if (hasImproved()) return false;
   if (tries_ == 0 || next_ == collapses + freeNodes_.size()) {

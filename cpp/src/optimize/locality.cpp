@@ -54,7 +54,7 @@ void MortonReordering::addCentroid(std::size_t element) {
   centroids_[element] = sum * 0.25;
 }
 
-/// With those of its nodes that no element before it has.
+/// Appends the element and those of its nodes that no earlier element has.
 void MortonReordering::copyElement(std::size_t element) {
   for (std::size_t k = 0; k < 4; ++k) {
     const std::size_t node = mesh_.tetrahedra[4 * element + k];

@@ -10,15 +10,15 @@ namespace {
 
 double lengthOf(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
 
-/// A move shorter than this part of an edge is not worth its star's new costs; one longer than
-/// the second counts as a change that neighbours should look at again.
+/// A move shorter than this fraction of an edge does not justify recomputing the star's costs. A
+/// move longer than the second counts as a change that neighbours should visit again.
 constexpr double kMinMove = 0.0005;
 constexpr double kChangingMove = 0.01;
-constexpr double kMinRelativeGain = 1e-6;  // relative
+constexpr double kMinRelativeGain = 1e-6;
 constexpr int kHalvings = 4;
 
-/// Of the eighth powers of the costs of all elements, in units of `scale`; kInvalidCost as soon as
-/// `bound` is reached.
+/// Returns the sum of the eighth powers of all elements' costs, in units of `scale`; kInvalidCost
+/// as soon as `bound` is reached.
 template <class Space>
 double sumOfPowers(const Hollow<Space>& hollow, const ElementCost<Space>& cost, const Vec3& apex,
                    double scale, double bound) {
@@ -34,8 +34,8 @@ double sumOfPowers(const Hollow<Space>& hollow, const ElementCost<Space>& cost, 
 
 constexpr std::size_t kMaxGradients = 24;
 
-/// The shortest vector in the convex hull of the gradients (Frank & Wolfe 1956): against it, all of
-/// them descend.
+/// Returns the shortest vector in the convex hull of the gradients (Frank & Wolfe 1956): all of
+/// them descend against it.
 Vec3 shortestInHull(const std::array<Vec3, kMaxGradients>& gradients, std::size_t count) {
   constexpr int kIterations = 40;
   constexpr double kClose = 1e-6;
@@ -58,7 +58,8 @@ Vec3 shortestInHull(const std::array<Vec3, kMaxGradients>& gradients, std::size_
 
 template <class Space>
 double Hollow<Space>::costAt(const Vec3& apex, const ElementCost<Space>& cost, double bound) {
-  // Where the worst decides, the element that was too bad last time is likeliest to be so again.
+  // If the worst element decides, first test the one that exceeded the bound last time: it is the
+  // most likely to do so again.
   if (cost.measure() == Measure::kDihedral && costOf(suspect_, apex, cost) >= bound) {
     return kInvalidCost;
   }
@@ -94,7 +95,7 @@ Vec3 circumcentreMean(const Hollow<Space>& hollow, const Vec3& apex) {
     const Vec3 v = Space::toUnit(frame, hollow.face(i)[1] - apex);
     const Vec3 w = Space::toUnit(frame, hollow.face(i)[2] - apex);
     const Vec3 vw = glm::cross(v, w);
-    // The circumcentre, seen from the apex, times the volume.
+    // The circumcentre relative to the apex, times the volume.
     const Vec3 centre = (vw * glm::dot(u, u) + glm::cross(w, u) * glm::dot(v, v) +
                          glm::cross(u, v) * glm::dot(w, w)) *
                         0.5;
@@ -125,10 +126,11 @@ bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot, 
                            glm::dot(ab, ab) + glm::dot(ac, ac) + glm::dot(bc, bc);
     const double e = squares * squares * squares / (432.0 * volume * volume);
     const double weight = squareRoot ? std::sqrt(e) : e;
-    // Gradients with respect to the place: those of unit space, through T (which is symmetric).
-    const Vec3 s = Space::toUnit(frame, (pa + pb + pc) * (2.0 / squares));  // of log squares
-    const Vec3 n = Space::toUnit(frame, normal * (1.0 / volume));           // of log volume
-    const Vec3 w = s * 3.0 - n * 2.0;                                       // of log e
+    // Gradients with respect to the position: those of unit space, mapped through T (which is
+    // symmetric).
+    const Vec3 s = Space::toUnit(frame, (pa + pb + pc) * (2.0 / squares));  // gradient of log(squares)
+    const Vec3 n = Space::toUnit(frame, normal * (1.0 / volume));           // gradient of log(volume)
+    const Vec3 w = s * 3.0 - n * 2.0;                                       // gradient of log(e)
     gradient += w * weight;
     const double k = 18.0 / squares;
     double kx = k;
@@ -156,15 +158,16 @@ bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot, 
   return glm::dot(step, gradient) < 0.0;
 }
 
-/// Where a descent is: the place, the value there, and how far the next step may go.
+/// State of a descent: position, value there, and the largest next step.
 struct Descent {
   Vec3& place;
   double& value;
   double& reach;
 };
 
-/// One step along `down`, of the unit space of the first element: halved until the value falls, and on as
-/// long as it falls further. Leaves all as it is, and returns false, where it does not.
+/// Makes one step along `down`, in the unit space of the first element: halves it until the value
+/// falls, and continues while it falls further. Returns false, and changes nothing, if it does not
+/// fall.
 template <class Space, class ValueAt>
 bool descend(Hollow<Space>& hollow, const Vec3& down, double mostReach, ValueAt valueAt,
              const Descent& at) {
@@ -194,10 +197,10 @@ bool descend(Hollow<Space>& hollow, const Vec3& down, double mostReach, ValueAt 
 template <class Space>
 bool lowerWorst(Hollow<Space>& hollow, const ElementCost<Space>& cost, int steps, Vec3& apex,
                 double& worst) {
-  constexpr double kBand = 0.85;  // elements within 15 % of the worst go along
+  constexpr double kBand = 0.85;  // include elements within 15 % of the worst
   constexpr double kFirstStep = 0.2;
   constexpr double kWorthwhile = 1e-3;
-  // Steps are taken in the unit space of any one of the elements.
+  // Steps are measured in the unit space of any of the elements.
   const auto& frame = hollow.frame(0);
   const auto back = Space::backFrom(frame);
   const double radius = hollow.meanRadius(apex, frame);
@@ -233,7 +236,7 @@ bool lowerPowers(Hollow<Space>& hollow, const ElementCost<Space>& cost, int step
   const auto back = Space::backFrom(frame);
   const double radius = hollow.meanRadius(apex, frame);
   double reach = kFirstStep * radius;
-  // In units of the worst, so that no power of a cost passes for an invalid one.
+  // In units of the worst cost, so that no power of a valid cost reaches kInvalidCost.
   const double worst = hollow.costAt(apex, cost, kInvalidCost);
   if (!(worst > 0.0) || worst >= kInvalidCost) return false;
   double here = sumOfPowers(hollow, cost, apex, worst, kInvalidCost);
@@ -302,7 +305,7 @@ bool NodeMover<Space>::improve(NodeId node, MoveKind kind, const ElementCost<Spa
   return true;
 }
 
-/// The largest of the step and its halves that lowers the cost.
+/// Tries the step and its halves until the cost falls.
 template <class Space>
 bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>& cost, double old,
                                  Vec3& place) {
@@ -320,9 +323,9 @@ bool NodeMover<Space>::stepAlong(const Vec3& direction, const ElementCost<Space>
   return false;
 }
 
-/// Sets the place, and the costs that the hollow was asked for last, which must be those there.
-/// Elements are marked as changed where their cost moved by a tenth, stars where the move was more
-/// than a small part of an edge; the rest need no second look.
+/// Sets the position and the costs that the cavity computed last, which must be those at that
+/// position. Marks elements as changed if their cost moved by a tenth, and stars if the move was
+/// longer than a small fraction of an edge; the rest need no second visit.
 template <class Space>
 void NodeMover<Space>::takePlace(NodeId node, const Vec3& place) {
   constexpr double kCostChange = 0.1;

@@ -14,24 +14,24 @@
 namespace tetrafront {
 namespace {
 
-/// In the mean over all edges, by wanted lengths: with longer ones, the body has walls of about one and
-/// a half elements, or its interior began without nodes. The sum of costs is content with fewer nodes
-/// than wanted, so that edges are split from less on.
+/// Mean relative edge length above which edges are split from a lower limit on: the body has walls
+/// of about one and a half elements, or its interior began without nodes. The sum of costs alone
+/// would accept too few nodes there.
 constexpr double kSparse = 1.13;
 constexpr double kSplitAllOfSparse = 1.4;
-/// In walls, collapses would take the new nodes away again; interiors longer than this in the mean are
-/// not walls, and have room for them.
+/// In thin walls, collapses would remove the new nodes again. Interiors with a longer mean edge are
+/// not walls and have room for them.
 constexpr double kEmpty = 1.3;
 constexpr double kMaxEdgeInWalls = 1.65;
-/// Above this many elements that miss a target, small meshes are no longer small.
+/// Number of elements that miss a target above which a mesh no longer counts as small.
 constexpr double kFewMissing = 500.0;
-/// Part of the mesh. Where repairs have changed more, as in gaps of an edge, easing goes over that
-/// again and again.
+/// Fraction of the mesh. If improvements changed more, as in gaps one edge wide, shape sweeps would
+/// visit that part again and again.
 constexpr double kMuchMended = 0.02;
 
 }  // namespace
 
-/// What is asked once per slice, whichever space shapes are judged in.
+/// Interface called once per slice, for either kind of space.
 class MeshOptimizer::Impl {
  public:
   Impl() = default;
@@ -46,8 +46,8 @@ class MeshOptimizer::Impl {
   [[nodiscard]] virtual std::size_t pointCount() const = 0;
 };
 
-/// Goes through the schedule. Each step asks the size field where it needs to, has the elements' costs
-/// computed, sees whether it is worth its while, and makes its sweeps as often as its rule says.
+/// Executes the schedule. Each step queries the size field if necessary, recomputes the elements'
+/// costs, decides whether it is worthwhile, and repeats its sweeps as its rule says.
 template <class Space>
 class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
  public:
@@ -125,7 +125,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
            (step().entry == Entry::kIfBefore && !isUnderWay_);
   }
 
-  /// The next that is not left out for what has happened before.
+  /// Advances to the next step that is not skipped.
   void turnToStep(std::size_t next) {
     step_ = next;
     while (!isDone() && isLeftOut()) ++step_;
@@ -147,8 +147,8 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   }
 
   [[nodiscard]] ElementCost<Space> costOfStep() const {
-    // A share of the squared tangents of half the angles: far more than an unchanged element, reckoned
-    // anew, can differ by, and far less than any angle that is told.
+    // Relative to the squared tangents of half the angles: far more than the recomputed cost of an
+    // unchanged element can differ, and far less than any angle that is reported.
     constexpr double kRounding = 1.0 + 1e-9;
     switch (step().costBasis) {
       case CostBasis::kAsBefore:
@@ -175,8 +175,9 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
 
   [[nodiscard]] bool isRounds() const { return step().again == Again::kWhileItGains; }
 
-  /// Nodes are not where they were, and new ones have a mean of what others were told. Where nothing is
-  /// stretched that concerns lengths only, which matter in rounds alone.
+  /// Returns whether the targets of the nodes must be queried again: nodes have moved, and new
+  /// nodes have a mean of their neighbours' targets. Without stretching this affects lengths only,
+  /// which matter in rounds alone.
   void beginRound() {
     askAnew();
     if (Space::kIsStretched) costAnew();
@@ -192,7 +193,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     toCost_ = complex_.slotCount();
   }
 
-  /// Begins the step's sweeps, or turns to the next step, now that costs are known.
+  /// Begins the step's sweeps, or the next step, now that the costs are known.
   void enter() {
     if (!isWorthwhile()) return turnToStep(step_ + 1);
     if (isRounds()) meanCost_ = meanCostOf(complex_);
@@ -206,7 +207,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
            static_cast<double>(complex_.elementCount());
   }
 
-  /// Also notes whether the step's target is given up.
+  /// Returns whether the step is worthwhile; also records whether its target is given up.
   bool isWorthwhile() {
     if (step().costBasis != CostBasis::kTargets) return true;
     const std::size_t missing = sweeps_.improvements().missing();
@@ -237,7 +238,7 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
     return done;
   }
 
-  /// The same again, or the next step.
+  /// Repeats the step or advances to the next one.
   void endSweeps() {
     ++repeats_;
     if (isAgain(sweeps_.takeChanges())) return repeat();
@@ -303,24 +304,24 @@ class MeshOptimizer::ImplIn final : public MeshOptimizer::Impl {
   std::vector<Step> schedule_;
   const SizeField& field_;
   FieldHint hint_;
-  std::size_t asked_ = 0;  ///< of the field: for nodes up to here
-  std::size_t toAsk_;      ///< for nodes up to here
+  std::size_t asked_ = 0;  ///< nodes whose targets are known
+  std::size_t toAsk_;      ///< nodes whose targets are needed
   std::size_t costed_ = 0;
   std::size_t toCost_ = 0;
   TetComplex complex_;
   Sweeps<Space> sweeps_;
   bool isBuilt_ = false;
-  std::size_t step_ = 0;     ///< of the schedule
+  std::size_t step_ = 0;     ///< index in the schedule
   bool isUnderWay_ = false;  ///< the step's sweeps have begun
-  std::size_t sweep_ = 0;    ///< of the step
+  std::size_t sweep_ = 0;    ///< index in the step
   int repeats_ = 0;          ///< of the step
-  double meanCost_ = 0.0;    ///< of the elements, when the last round ended
+  double meanCost_ = 0.0;    ///< of the elements at the end of the last round
   bool isMuchMended_ = false;
-  bool isGivenUp_ = false;              ///< the target of the last repair
-  std::uint32_t improvementBegan_ = 0;  ///< the pass; 0 before
-  std::size_t freeNodes_ = 0;           ///< when the last sweep ended: counting them is O(nodes)
+  bool isGivenUp_ = false;              ///< the target of the last improvement was given up
+  std::uint32_t improvementBegan_ = 0;  ///< pass in which improvements began; 0 before
+  std::size_t freeNodes_ = 0;           ///< at the end of the last sweep; counting them is O(nodes)
   MeshScore keptScore_;
-  std::optional<VolumeMesh> kept_;  ///< what striving began with, unless it is no worse
+  std::optional<VolumeMesh> kept_;  ///< mesh to restore unless the new one is no worse
 };
 
 MeshOptimizer::MeshOptimizer(VolumeMesh mesh, std::size_t boundaryNodes, const SizeField& field,

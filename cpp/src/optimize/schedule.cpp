@@ -5,7 +5,8 @@
 namespace tetrafront {
 namespace {
 
-/// Splits and collapses need a settled mesh between them: back to back they undo each other.
+/// Splits and collapses need a settled mesh between them: one after the other, they undo each
+/// other.
 constexpr std::array kFirst{Sweep::kSwap, Sweep::kMove, Sweep::kMove};
 constexpr std::array kRound{
     Sweep::kCollectSplits,    Sweep::kSplit,    Sweep::kSwap, Sweep::kMove, Sweep::kMove,
@@ -15,7 +16,8 @@ constexpr std::array kFast{Sweep::kSwap, Sweep::kNewton, Sweep::kSwap, Sweep::kN
                            Sweep::kSwap};
 constexpr std::array kImprove{Sweep::kCollectPoor, Sweep::kImprove};
 constexpr std::array kLastResort{Sweep::kCollectPoor, Sweep::kLastResort};
-/// Repairs insert nodes, of which some are in the way once their surroundings have settled.
+/// Improvements insert nodes, and some of these are in the way once their surroundings have
+/// settled.
 constexpr std::array kEase{Sweep::kSwap, Sweep::kMove, Sweep::kNewton, Sweep::kCollectCollapses,
                            Sweep::kCollapse};
 constexpr std::array kPolish{Sweep::kSwap, Sweep::kMove, Sweep::kNewton};
@@ -23,23 +25,25 @@ constexpr std::array kScore{Sweep::kScore};
 
 constexpr int kMaxRounds = 10;
 constexpr int kMaxThoroughRounds = 8;
-/// Rounds end when splits and collapses together are fewer than this part of the free nodes.
+/// Rounds end when splits and collapses together are fewer than this fraction of the free nodes.
 constexpr double kQuietRound = 0.1;
-/// Or when a round lowers the mean cost by less than this part: where two sheets of the boundary
-/// are near each other, splits and collapses can undo each other for ever.
+/// Rounds also end when they lower the mean cost by less than this fraction: in narrow gaps, splits
+/// and collapses can undo each other for ever.
 constexpr double kMinRoundGain = 0.01;
 constexpr double kMinStrivingGain = 0.001;
 constexpr int kImprovementPasses = 8;
-/// Where each may mend little, and meet many.
+/// Passes of steps that improve few of the many elements they visit.
 constexpr int kPatientPasses = 4;
 constexpr int kPolishPasses = 4;
 
-/// Repairs of one element in fifty that miss 18 degrees cost a surface of needles a tenth of its mean
-/// radius ratio, and leave more elements below 30 than they found: then the targets below will do.
+/// If one element in fifty misses 18 degrees, improving them costs a surface of needles a tenth of
+/// its mean radius ratio and leaves more elements below 30 than before; the lower targets are used
+/// instead.
 constexpr double kManyLow = 0.02;
-/// Of those that miss 30: where so few do, they are mended even if 18 had to be given up.
+/// If no more than this fraction misses 30 degrees, those elements are improved even if 18 was
+/// given up.
 constexpr double kManyHigh = 0.04;
-/// Small meshes are mended in no time.
+/// Small meshes take little time anyway.
 constexpr double kManyOfFew = 0.1;
 constexpr double kManyStriving = 0.01;
 
@@ -54,7 +58,7 @@ constexpr Step repairLow(const DihedralTargets& targets, Entry entry = Entry::kI
           .maxRepeats = kImprovementPasses};
 }
 
-/// Flat elements are of no use to anyone, and next to none of them need be, however many they are.
+/// Flat elements are useless, and hardly any of them is necessary, however many there are.
 constexpr Step repairFlat() {
   Step step = repairLow(kTargets2And175);
   step.many = 1.0;
@@ -103,7 +107,8 @@ constexpr std::array kMendSteps{
     kRescueStep,
     Step{.sweeps = kScore},
     ease(Entry::kAlways),
-    // Easing has changed what is around the last few: another rescue may save them.
+    // Shape sweeps have changed the surroundings of the last few elements, so another try may
+    // succeed.
     kRescueStep,
     Step{.sweeps = kScore, .entry = Entry::kIfBefore},
     ease(Entry::kIfBefore),

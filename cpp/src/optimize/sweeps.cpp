@@ -6,7 +6,7 @@
 namespace tetrafront {
 namespace {
 
-/// What one of these costs, in elements of a sweep.
+/// Cost of one such operation, in elements of a sweep.
 constexpr std::uint32_t kRepairWork = 64;
 constexpr std::uint32_t kLastResortWork = 1000;
 
@@ -125,7 +125,7 @@ void Sweeps<Space>::end() {
 template <class Space>
 void Sweeps<Space>::swap(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
-    // After a swap another element may live here: then all its edges.
+    // After a swap another element may occupy this slot: visit all its edges.
     while (swapOneEdgeOf(TetId(t))) {
     }
   }
@@ -159,7 +159,7 @@ void Sweeps<Space>::judge(std::size_t first, std::size_t last) {
   }
 }
 
-/// One try for the element whose turn it is, or the next one's turn.
+/// Makes one try on the current element, or advances to the next one.
 template <class Space>
 std::size_t Sweeps<Space>::tryLastResort() {
   using LastResort = typename ImprovementQueue<Space>::LastResort;

@@ -61,7 +61,7 @@ bool TetComplex::build(std::size_t budget) {
   return build_.step == BuildStep::kBuilt;
 }
 
-/// Copies elements and counts their sides by the least node.
+/// Copies elements and counts their faces by the lowest node.
 void TetComplex::takeElements(std::size_t first, std::size_t last) {
   for (std::size_t t = first; t < last; ++t) {
     Element& element = elements_[t];
@@ -82,8 +82,8 @@ void TetComplex::placeSides(std::size_t first, std::size_t last) {
   }
 }
 
-/// Sorts the few sides of each node and joins equal ones, but not through a wall: what two regions
-/// share is a boundary of both.
+/// Sorts the few faces of each node and links equal ones, except across an interface, which is a
+/// boundary of both regions.
 void TetComplex::matchSides(std::size_t firstNode, std::size_t lastNode) {
   for (std::size_t node = firstNode; node < lastNode; ++node) {
     const std::span sides =
@@ -274,7 +274,8 @@ void TetComplex::replace(std::span<const TetId> old, std::span<const NewElement>
   }
 }
 
-/// Joins a new element's side with the outer face or the other new element that has the same one.
+/// Links a new element's face with the outer face, or the face of another new element, that has the
+/// same nodes.
 void TetComplex::link(TetId tet, std::size_t corner) {
   Element& element = elements_[tet.index()];
   const FaceKey key = keyOf(element.nodes, corner);

@@ -11,19 +11,19 @@
 namespace tetrafront {
 namespace {
 
-constexpr double kMinCosine = 0.8660254037844387;        // of 30 degrees
-constexpr double kTwiceLeastCosine = 0.5;                // of 60 degrees
-constexpr double kGreatestCosine = -0.7071067811865476;  // of 135 degrees
-/// Of a triangle's radius ratio. No triangle forbids a single element good angles, but below this
-/// those around it leave few to be found. On five graded bodies with a few of them, 26 of the 101
-/// elements with an edge of such a triangle missed their angles after all repairs, and 5 of 48 846
-/// others.
+constexpr double kMinCosine = 0.8660254037844387;        // cosine of 30 degrees
+constexpr double kTwiceLeastCosine = 0.5;                // cosine of 60 degrees
+constexpr double kGreatestCosine = -0.7071067811865476;  // cosine of 135 degrees
+/// Radius ratio below which a triangle counts as a needle. No triangle forbids good angles by
+/// itself, but around a needle few elements can have them. On five graded bodies with a few
+/// needles, 26 of the 101 elements at an edge of one missed their angles after all improvements,
+/// and 5 of the 48 846 others.
 constexpr double kNeedle = 0.3;
-/// Of wanted lengths: in a gap narrower than this, every node put between its sheets would be too
-/// near to one of them.
+/// In target lengths: in a narrower gap, every node between the sheets would be too close to one of
+/// them.
 constexpr double kNear = 0.6;
 
-/// Square of the distance between the lines a b and c d.
+/// Returns the squared distance between the lines a b and c d.
 double squaredDistanceOfLines(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const Vec3 across = glm::cross(b - a, d - c);
   const double square = glm::dot(across, across);
@@ -32,7 +32,8 @@ double squaredDistanceOfLines(const Vec3& a, const Vec3& b, const Vec3& c, const
   return along * along / square;
 }
 
-/// Whether a tetrahedron, its corners in either order, has an angle below 30 or above 135 degrees.
+/// Returns whether a tetrahedron, in either orientation, has an angle below 30 or above 135
+/// degrees.
 bool misses(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const TetrahedronMeasures measures = measureTetrahedron(a, b, c, d);
   return measures.volume == 0.0 || measures.largestCosine > kMinCosine ||
@@ -41,10 +42,11 @@ bool misses(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 
 }  // namespace
 
-/// The boundary's edges leave two groups of the corners, near each other.
+/// Returns whether the boundary's edges divide the corners into two groups that are close to each
+/// other.
 bool joinsNearSheets(const std::array<Vec3, 4>& seen, const std::array<bool, 6>& joined) {
   constexpr double kSquare = kNear * kNear;
-  // Edge e and the one opposite, 5 - e, apart from each other.
+  // Edge e on one sheet, the opposite edge 5 - e on the other.
   for (std::size_t e = 0; e < 3; ++e) {
     const auto& [a, b, c, d] = kElementEdges[e];
     bool apart = joined[e] && joined[5 - e];
@@ -55,7 +57,7 @@ bool joinsNearSheets(const std::array<Vec3, 4>& seen, const std::array<bool, 6>&
       return true;
     }
   }
-  // A node apart from the three others.
+  // One node on one sheet, three on the other.
   for (std::size_t k = 0; k < 4; ++k) {
     bool apart = true;
     for (std::size_t e = 0; e < kElementEdges.size(); ++e) {
@@ -99,11 +101,11 @@ Vec3 BoundaryLimits::seen(std::uint32_t node, const ElementView& view) const {
   return view(Vec3(at[0], at[1], at[2]));
 }
 
-/// Of the spaces into which the triangles at edge a b divide what is around it, an element a b c d
-/// lies in one, which ends with the next triangle beyond c and the next beyond d. Where it takes less
-/// than 30 degrees, so does the element. Where it takes less than 60, either one element fills it,
-/// between those two triangles, or some element takes less than 30. If that one misses its angles,
-/// the edge forces it, or one of the others: whichever there is.
+/// The triangles at edge a b divide its surroundings into sectors. An element a b c d lies in one
+/// of them, which ends at the next triangle beyond c and beyond d. If the sector is smaller than 30
+/// degrees, so is the element's angle. If it is smaller than 60, either one element fills it, or
+/// some element in it has less than 30 degrees. If that element misses its angles, the edge forces
+/// it, or one of the others.
 bool BoundaryLimits::isForcedByEdge(std::uint32_t a, std::uint32_t b, std::uint32_t c,
                                     std::uint32_t d, const ElementView& view) const {
   const std::span<const Edge> around = edgesBetween(a, b);
@@ -119,7 +121,7 @@ bool BoundaryLimits::isForcedByEdge(std::uint32_t a, std::uint32_t b, std::uint3
   struct End {
     std::uint32_t third = 0;
     Vec3 normal{0.0};
-    double cosine = 0.0;  ///< of the angle from c; a sharp space has both ends within a right one
+    double cosine = 0.0;  ///< cosine of the angle from c; a sharp sector has both ends within a right angle
   };
   End beyondC;
   End beyondD;

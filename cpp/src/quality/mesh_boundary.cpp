@@ -11,7 +11,7 @@
 namespace tetrafront {
 namespace {
 
-/// The faces of a b c d (mesh.h) by position.
+/// The faces of a b c d (mesh.h) by index.
 using Nodes = std::array<std::uint32_t, 3>;
 
 Nodes faceOf(const VolumeMesh& mesh, std::size_t owner) {
@@ -40,7 +40,7 @@ bool BoundaryFinder::advance(std::uint32_t budget) {
   const std::size_t nodes = mesh_->points.size() / 3;
   const std::size_t faces = mesh_->tetrahedra.size();
   const std::size_t end = stage_ == Stage::kMatch ? nodes : faces;
-  // A tetrahedron has four faces; of nodes there are fewer, but each has many faces.
+  // Tetrahedra have four faces each. There are fewer nodes, but each is the lowest of many faces.
   const std::size_t share =
       stage_ == Stage::kMatch ? budget / 4 : 4 * std::min<std::size_t>(budget, faces / 4);
   const std::size_t last = next_ + std::min(end - next_, std::max(share, std::size_t{1}));
@@ -74,7 +74,7 @@ void BoundaryFinder::goOn(Stage stage) {
     faces_.resize(mesh_->tetrahedra.size());
   }
   if (stage == Stage::kMatch) {
-    // Each bucket's place has moved to its end, where the next one begins.
+    // The insertion slot of each bucket is now its end, where the next bucket begins.
     std::move_backward(begins_.begin(), begins_.end() - 1, begins_.end());
     begins_.front() = 0;
   }

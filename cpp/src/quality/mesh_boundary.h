@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The surface of a mesh that did not come with one.
+/// @file The surface of a mesh that was given without one.
 
 #include <array>
 #include <cstddef>
@@ -12,29 +12,30 @@
 
 namespace tetrafront {
 
-/// Finds the faces that only one tetrahedron has, and those between two regions, in slices.
-/// O(n log m) for faces of which at most m have their lowest node in common.
+/// Finds the faces that only one tetrahedron has, and those between two regions, in slices. O(n log
+/// m) if at most m faces share their lowest node.
 class BoundaryFinder {
  public:
-  /// Indices must be in range. `mesh` must outlive this, and not change meanwhile.
+  /// Indices must be in range. `mesh` must outlive this and must not change.
   explicit BoundaryFinder(const VolumeMesh& mesh);
 
-  /// Works on for about `budget` tetrahedra; true when finished.
+  /// Visits about `budget` tetrahedra; returns true when finished.
   bool advance(std::uint32_t budget);
 
-  /// Counter-clockwise seen from outside where elements are positively turned, in the order of their
-  /// elements; trianglePatch holds their regions. `points` stays empty. Once, after the end.
+  /// Returns the boundary, once, when finished: counter-clockwise as seen from outside if the
+  /// elements are positively oriented, in the order of the elements; trianglePatch holds their
+  /// regions. `points` is empty.
   [[nodiscard]] SurfaceMesh take() { return std::move(boundary_); }
 
-  /// Three nodes for each face between two regions, as the first of its elements has it. Once, after
-  /// the end.
+  /// Returns three nodes per face between two regions, oriented as in the first of its elements.
+  /// Once, when finished.
   [[nodiscard]] std::vector<std::uint32_t> takeWalls() { return std::move(walls_); }
 
  private:
   enum class Stage : std::uint8_t { kCount, kPlace, kMatch, kCollect, kDone };
   enum class Part : std::uint8_t { kNone, kBoundary, kWall };
 
-  /// A face by its nodes, the lowest being known from its bucket.
+  /// The two other nodes of a face; its bucket gives the lowest.
   struct Face {
     std::uint32_t middle;
     std::uint32_t highest;
@@ -51,7 +52,8 @@ class BoundaryFinder {
   const VolumeMesh* mesh_;
   Stage stage_ = Stage::kCount;
   std::size_t next_ = 0;
-  /// The faces whose lowest node is i begin at begins_[i]; while they are placed, the next one goes there.
+  /// Faces whose lowest node is i begin at begins_[i]. While faces are inserted, it is the next
+  /// free slot.
   std::vector<std::uint32_t> begins_;
   std::vector<Face> faces_;
   std::vector<Part> partOf_;  ///< by owner

@@ -46,7 +46,7 @@ void countNodes(const VolumeMesh& mesh, MeshInspection& out) {
   out.unusedNodes = static_cast<std::uint32_t>(isUsed.size()) - out.nodes;
 }
 
-/// Leaves no element with a negative volume.
+/// Flips inverted elements.
 void turnElement(VolumeMesh& mesh, std::size_t element, MeshInspection& out) {
   const auto [a, b, c, d] = cornersOf(mesh, element);
   const int sign = orient3d(a, b, c, d);
@@ -85,21 +85,21 @@ class MeshInspector::Impl {
 
   [[nodiscard]] Stage readNodes();
   void numberRegions();
-  /// Whether all are done.
+  /// Returns whether all tetrahedra are done.
   bool measureElements(std::uint32_t budget);
   void measureEdges(std::size_t element);
   void takeBoundary();
   void takeDefects();
   void beginSurvey();
 
-  VolumeMesh mesh_;  ///< its regions are positions in regionIds_
+  VolumeMesh mesh_;  ///< its regions are indices in regionIds_
   std::vector<std::uint32_t> regionIds_;
   Stage stage_ = Stage::kNodes;
   std::size_t nextElement_ = 0;
   double edgeSum_ = 0.0;
   std::optional<BoundaryFinder> boundary_;
-  SurfaceMesh surface_;    ///< the boundary with its points
-  SurfaceMesh withWalls_;  ///< the boundary, and the walls between regions
+  SurfaceMesh surface_;    ///< the boundary with its positions
+  SurfaceMesh withWalls_;  ///< the boundary and the interfaces
   std::optional<MeshVerifier> verifier_;
   std::optional<SizeField> field_;
   std::optional<QualityAnalysis> survey_;
@@ -148,7 +148,7 @@ MeshInspector::Impl::Stage MeshInspector::Impl::readNodes() {
   return Stage::kElements;
 }
 
-/// Regions may have any numbers, and statistics are kept by position.
+/// Regions may have any tag, and statistics are stored by index.
 void MeshInspector::Impl::numberRegions() {
   for (const std::uint32_t region : mesh_.regions) {
     if (regionIds_.empty() || regionIds_.back() != region) regionIds_.push_back(region);

@@ -29,7 +29,7 @@ TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3&
   const Vec3 u = b - a;
   const Vec3 v = c - a;
   const Vec3 w = d - a;
-  // Outward normals of the faces opposite to b, c, d and a, as long as twice the areas.
+  // Outward normals of the faces opposite to b, c, d and a; their lengths are twice the areas.
   const Vec3 vw = glm::cross(v, w);
   const Vec3 wu = glm::cross(w, u);
   const Vec3 uv = glm::cross(u, v);
@@ -46,7 +46,7 @@ TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3&
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = i + 1; j < 4; ++j) {
       const double product = lengths[i] * lengths[j];
-      // The angle between faces is that between one normal and the other turned round.
+      // The angle between two faces is the angle between one normal and the other one reversed.
       const double cosine = product > 0.0 ? -glm::dot(normals[i], normals[j]) / product : 1.0;
       measures.cosines[pair++] = cosine;
       measures.largestCosine = std::max(measures.largestCosine, cosine);

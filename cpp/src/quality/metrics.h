@@ -1,7 +1,6 @@
 #pragma once
 
-/// @file How good the elements are: volume, dihedral angles, radius ratio. For reports; nothing
-/// here decides anything.
+/// @file Element quality: volume, dihedral angles, radius ratio. For reports only; decides nothing.
 
 #include <array>
 #include <cstddef>
@@ -13,18 +12,18 @@
 
 namespace tetrafront {
 
-/// What measures by tangents compare dihedral angles with: 30 degrees, the least angle wanted, and
-/// 45 = 180 - 135, 135 being the greatest.
+/// Tangents that the dihedral measures compare with: 30 degrees, the smallest target angle, and 45
+/// = 180 - 135, for the largest target angle 135.
 inline constexpr double kSquaredTangentOfHalf30 = 0.07179676972449082;
 inline constexpr double kSquaredTangentOfHalf45 = 0.17157287525380988;
 
 struct TetrahedronMeasures {
   double volume = 0.0;         ///< positive if (b-a) x (c-a) . (d-a) > 0
   double radiusRatio = 0.0;    ///< 3 x inradius / circumradius, 1 if regular; 0 if flat or inverted
-  double largestCosine = 0.0;  ///< of the dihedral angles: the smallest angle's
-  double smallestCosine = 0.0;  ///< the largest angle's
-  /// Of all six, between the faces opposite kCosineFaces[i] and kCosineFaces[j] for i < j, in
-  /// lexical order.
+  double largestCosine = 0.0;  ///< cosine of the smallest dihedral angle
+  double smallestCosine = 0.0;  ///< cosine of the largest dihedral angle
+  /// Cosines of all six angles, between the faces opposite kCosineFaces[i] and kCosineFaces[j] for
+  /// i < j, in lexical order.
   std::array<double, 6> cosines{};
 };
 inline constexpr std::array<std::size_t, 4> kCosineFaces{1, 2, 3, 0};
@@ -32,14 +31,14 @@ inline constexpr std::array<std::size_t, 4> kCosineFaces{1, 2, 3, 0};
 [[nodiscard]] TetrahedronMeasures measureTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c,
                                                      const Vec3& d);
 
-/// 2 x inradius / circumradius, 1 if equilateral; 0 if two corners are at one place.
+/// Returns 2 x inradius / circumradius: 1 if equilateral, 0 if two corners coincide.
 [[nodiscard]] double triangleRadiusRatio(const Vec3& a, const Vec3& b, const Vec3& c);
 
-/// The angle, also where rounding took its cosine beyond 1. It must only ever reach a report: the
-/// arc cosine differs from library to library.
+/// Returns the angle in degrees, even if rounding moved its cosine beyond 1. For reports only: the
+/// arc cosine differs between libraries.
 [[nodiscard]] double degreesOf(double cosine);
 
-/// Gathers the QualitySummary of a mesh in slices.
+/// Computes the QualitySummary of a mesh in slices.
 class QualityMeter {
  public:
   /// Adds tetrahedra [first, last) of the mesh. About 0.1 µs each.
@@ -47,7 +46,7 @@ class QualityMeter {
 
   void add(const TetrahedronMeasures& measures);
 
-  /// All zero if nothing was added.
+  /// Returns the summary; all zero if nothing was added.
   [[nodiscard]] QualitySummary summary() const;
 
  private:

@@ -11,7 +11,7 @@ constexpr double kNearTo = 1.5;
 constexpr double kBinsPerRatio = static_cast<double>(kRatioBins);
 constexpr double kBinsPerEdge = 10.0;
 
-/// Cosines of 0, 5 .. 180 degrees: bins must not depend on how a library rounds.
+/// Cosines of 0, 5 .. 180 degrees: bins must not depend on a library's rounding.
 constexpr std::array<double, kDihedralBins + 1> kBinCosines = [] {
   constexpr std::array kQuarter{1.0,
                                 0.9961946980917455,
@@ -50,7 +50,7 @@ std::size_t linearBin(double value, double binsPerUnit, std::size_t count) {
   return bin < static_cast<double>(count) ? static_cast<std::size_t>(bin) : count - 1;
 }
 
-/// Above 1 iff an angle is beyond the wanted ones; the more, the worse.
+/// Above 1 if and only if an angle misses its target; the larger, the worse.
 double badnessOf(const TetrahedronMeasures& measures) {
   constexpr double kFlat = 1e300;
   const double c = measures.largestCosine;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Gathers everything a report says about a finished mesh (quality_statistics.h), in slices.
+/// @file Computes all statistics of a finished mesh (quality_statistics.h), in slices.
 
 #include <array>
 #include <cstdint>
@@ -18,15 +18,15 @@ namespace tetrafront {
 
 class QualityAnalysis {
  public:
-  /// `surface` has the triangles of the boundary and of walls; its nodes are the mesh's. All must
-  /// outlive this.
+  /// `surface` has the triangles of the boundary and of interfaces; its nodes are the mesh's. All
+  /// must outlive this.
   QualityAnalysis(const VolumeMesh& mesh, const SurfaceMesh& surface, const SizeField& field);
 
-  /// Works on for about `budget` elements or nodes; true when finished. O(n); about 0.5 µs for
-  /// each element.
+  /// Visits about `budget` elements or nodes; returns true when finished. O(n), about 0.5 µs per
+  /// element.
   bool advance(std::uint32_t budget);
 
-  /// In plain space. Final once finished.
+  /// Summary in plain space; final when finished.
   [[nodiscard]] QualitySummary summary() const { return meter_.summary(); }
   [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
 
@@ -53,9 +53,10 @@ class QualityAnalysis {
 
   [[nodiscard]] Vec3 pointOf(std::uint32_t node) const;
   [[nodiscard]] std::span<const std::uint32_t, 4> nodesOf(std::size_t element) const;
-  /// The corners as the size field sees them, the first in the origin; plain ones up to a factor.
+  /// The corners in the element's metric space, the first in the origin; without stretching, plain
+  /// corners up to a factor.
   [[nodiscard]] std::array<Vec3, 4> seenCorners(std::span<const std::uint32_t, 4> nodes) const;
-  /// Over the nodes, of the sizes made over the sizes wanted.
+  /// Statistics over the nodes of actual size / target size.
   [[nodiscard]] double meanLift(std::span<const std::uint32_t> nodes) const;
   [[nodiscard]] double relativeLength(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] ElementFigures figuresOf(std::uint32_t element) const;
@@ -79,16 +80,16 @@ class QualityAnalysis {
   std::size_t next_ = 0;
   QualityMeter meter_;
   QualityStatistics statistics_;
-  std::vector<double> sizes_;             ///< wanted at nodes, where nothing is stretched
-  std::vector<SymmetricTensor> tensors_;  ///< T of nodes, where something is
-  std::vector<double> lifts_;             ///< of nodes, where the field is lifted
-  /// Edges of elements by their lower node, as 6 x element + edge: those of node i begin at
+  std::vector<double> sizes_;             ///< target lengths at nodes, without stretching
+  std::vector<SymmetricTensor> tensors_;  ///< T of nodes, with stretching
+  std::vector<double> lifts_;             ///< raised size / target size at nodes, if the field is raised
+  /// Edges of elements by their lower node, as 6 x element + edge. Those of node i begin at
   /// starts_[i].
   std::vector<std::uint32_t> starts_;
   std::vector<std::uint32_t> filled_;
   std::vector<std::uint32_t> edges_;
   std::vector<std::uint32_t>
-      metBy_;  ///< of a node: the last lower node it shared an edge with, + 1
+      metBy_;  ///< per node: the last lower node that it shared an edge with, plus 1
   double sumOfEdges_ = 0.0;
   double sumOfPossible_ = 0.0;
   std::uint64_t edgeCount_ = 0;
@@ -99,8 +100,8 @@ class QualityAnalysis {
   std::vector<Ranked> worst_;
   std::vector<Ranked> missed_;
   std::vector<Ranked> worstLimited_;
-  std::vector<std::uint8_t> concerned_;  ///< nodes of those
-  BoundaryLimits limits_;                ///< of those
+  std::vector<std::uint8_t> concerned_;  ///< nodes of the elements to test
+  BoundaryLimits limits_;                ///< limits of those elements
 };
 
 }  // namespace tetrafront

@@ -15,13 +15,15 @@
 namespace tetrafront {
 namespace {
 
-/// The two volumes are sums of rounded terms; more than this share of them is a defect, and more than
-/// what rounding alone may do, which is far more of a long and thin body's volume.
+/// The two volumes are sums of rounded terms. A difference is a defect if it exceeds this fraction
+/// of them and also exceeds what rounding can cause, which is a much larger fraction for long and
+/// thin bodies.
 constexpr double kVolumeTolerance = 1e-10;
-/// Bounds rounding in the differences, products and sums of one term, and leaves room for the sum of all.
+/// Bound on the rounding error of the differences, products and sums of one term, with room for the
+/// sum of all terms.
 constexpr double kRoundingPerTerm = 16.0 * std::numeric_limits<double>::epsilon();
 
-/// Faces of tetrahedron a b c d seen from outside (mesh.h).
+/// Faces of tetrahedron a b c d as seen from outside (mesh.h).
 Vec3 pointOf(const std::vector<double>& points, std::uint32_t node) {
   const std::size_t i = 3 * std::size_t{node};
   return {points[i], points[i + 1], points[i + 2]};
@@ -31,9 +33,9 @@ double sixVolumes(const Vec3& a, const Vec3& b, const Vec3& c) {
   return glm::dot(a, glm::cross(b, c));
 }
 
-/// Equal for equal places, though 0 and -0 differ in their bits.
+/// Equal for equal positions, although 0 and -0 differ in their bits.
 std::uint64_t hashOf(const Vec3& place) {
-  // Any odd constant with well mixed bits: here 2^64 divided by the golden ratio.
+  // Any odd constant with well-mixed bits works: here 2^64 divided by the golden ratio.
   constexpr std::uint64_t kMultiplier = 0x9e3779b97f4a7c15U;
   std::uint64_t hash = 0;
   for (const double x : {place.x, place.y, place.z}) {
@@ -43,7 +45,7 @@ std::uint64_t hashOf(const Vec3& place) {
   return hash;
 }
 
-/// Nodes in ascending order, and whether an even number of exchanges led there.
+/// Nodes in ascending order, and whether the permutation is even.
 struct SortedFace {
   std::array<std::uint32_t, 3> nodes;
   bool isEven;
@@ -62,8 +64,8 @@ SortedFace sorted(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   return face;
 }
 
-/// From `origin` to the triangle, and two of its edges: of small triangles, which are many, the volume
-/// with a far origin is a small product then, and so is its rounding.
+/// Vector from `origin` to the triangle, and two of its edges. With a far origin, the volume of a
+/// small triangle is then a small product with a small rounding error; most triangles are small.
 std::array<Vec3, 3> spannedBy(const SurfaceMesh& surface, const Vec3& origin,
                               std::size_t firstCorner) {
   const Vec3 a = pointOf(surface.points, surface.triangles[firstCorner]);
@@ -82,7 +84,7 @@ std::uint64_t MeshDefects::count() const {
 MeshVerifier::MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface)
     : mesh_(mesh), surface_(surface) {}
 
-/// Tetrahedra, then triangles of the surface.
+/// Owners are tetrahedra, then triangles of the surface.
 std::size_t MeshVerifier::elementCount() const {
   return mesh_.tetrahedra.size() / 4 + surface_.triangles.size() / 3;
 }
@@ -139,7 +141,7 @@ bool MeshVerifier::advance(std::uint32_t budget) {
             [this](std::size_t a, std::size_t b) { countFaces(a, b); });
       if (stage_ != Stage::kSortFaces) break;
       layOutBuckets();
-      // Not set to zero at once: the pages of a large mesh's faces are touched slice by slice.
+      // Leave the array uninitialized: zeroing it here would touch all its pages in one slice.
       faces_ = std::make_unique_for_overwrite<Face[]>(buckets_[nodes]);
       break;
     case Stage::kSortFaces:
@@ -162,13 +164,13 @@ double MeshVerifier::fraction() const {
 
 void MeshVerifier::emptyBuckets() { buckets_.assign(mesh_.points.size() / 3 + 1, 0); }
 
-/// From counts, bucket i's at i + 1, to where each bucket begins.
+/// Turns counts (bucket i's at i + 1) into the begin of each bucket.
 void MeshVerifier::layOutBuckets() {
   for (std::size_t i = 1; i < buckets_.size(); ++i) buckets_[i] += buckets_[i - 1];
   filled_.assign(buckets_.begin(), buckets_.end() - 1);
 }
 
-/// The nodes, surface nodes, tetrahedra and triangles [first, last).
+/// Checks the numbers of nodes, surface nodes, tetrahedra and triangles in [first, last).
 void MeshVerifier::checkNumbers(std::size_t first, std::size_t last) {
   const std::size_t nodes = mesh_.points.size() / 3;
   const std::size_t surfaceNodes = std::min(nodes, surface_.points.size() / 3);
@@ -198,7 +200,7 @@ void MeshVerifier::markNodes(std::size_t first, std::size_t last) {
   for (std::size_t i = 4 * first; i < 4 * last; ++i) isUsed_[mesh_.tetrahedra[i]] = 1;
 }
 
-/// Calls use(node, bucket) for the used nodes of [first, last).
+/// Calls use(node, bucket) for the used nodes in [first, last).
 template <class Use>
 void MeshVerifier::forEachPlace(std::size_t first, std::size_t last, Use use) const {
   for (std::size_t node = first; node < last; ++node) {
@@ -232,7 +234,7 @@ void MeshVerifier::checkTetrahedra(std::size_t first, std::size_t last) {
   }
 }
 
-/// Calls use(face, owner) for the faces of elements [first, last).
+/// Calls use(face, owner) for the faces of elements in [first, last).
 template <class Use>
 void MeshVerifier::forEachFace(std::size_t first, std::size_t last, Use use) const {
   const std::size_t tetrahedra = mesh_.tetrahedra.size() / 4;
@@ -279,12 +281,12 @@ void MeshVerifier::matchFaces(std::size_t firstNode, std::size_t lastNode) {
   }
 }
 
-/// Position among the surface's triangles.
+/// Returns the index of the owner among the surface's triangles.
 std::size_t MeshVerifier::triangleOf(const Face& face) const {
   return (face.ownerAndTurn >> 1U) - mesh_.tetrahedra.size() / 4;
 }
 
-/// [first, last): everything that has one face. Tetrahedra sort before triangles.
+/// Checks the owners [first, last) of one face. Tetrahedra sort before triangles.
 void MeshVerifier::matchOne(const Face* first, const Face* last) {
   const Face* triangles = first;
   while (triangles != last && triangles->ownerAndTurn >> 1U < mesh_.tetrahedra.size() / 4)
@@ -308,7 +310,7 @@ void MeshVerifier::matchOne(const Face* first, const Face* last) {
   }
 }
 
-/// Regions end at triangles of the surface only.
+/// Checks that regions end only at triangles of the surface.
 void MeshVerifier::matchInnerRegions(const Face& one, const Face& other) {
   if (surface_.triangleRegions.empty()) return;
   const bool agree =
@@ -324,7 +326,8 @@ void MeshVerifier::matchRegion(const Face& tetrahedron, const Face& triangle) {
 }
 
 void MeshVerifier::finish() {
-  // A repeated tetrahedron leaves no face in order, so both copies are among the suspects.
+  // A duplicate tetrahedron leaves none of its faces matched, so both copies are among the
+  // suspects.
   sortUnique(suspects_);
   std::vector<std::array<std::uint32_t, 4>> keys;
   for (const std::uint32_t t : suspects_) {
@@ -350,7 +353,7 @@ void MeshVerifier::finish() {
   if (!(difference <= tolerance + volumeRounding())) defects_.wrongVolume = 1;
 }
 
-/// By how much rounding may have parted the two volumes.
+/// Returns how much the two volumes may differ through rounding.
 double MeshVerifier::volumeRounding() const {
   double products = 0.0;
   const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {

@@ -1,9 +1,8 @@
 #pragma once
 
-/// @file An independent judgement of a finished mesh. Nothing here relies on how the mesh was
-/// made: signs are exact, faces are matched by sorting, and the boundary is compared with the
-/// surface that was to be filled. Together the checks prove that the tetrahedra fill the region
-/// once and keep its boundary.
+/// @file Verifies a finished mesh, independent of how it was made: signs are exact, faces are
+/// matched by sorting, and the boundary is compared with the given surface. Together the checks
+/// prove that the tetrahedra fill the region exactly once and keep its boundary.
 
 #include <cstdint>
 #include <memory>
@@ -13,34 +12,35 @@
 
 namespace tetrafront {
 
-/// Counts of what is wrong; all zero for a good mesh.
+/// Numbers of defects; all zero for a valid mesh.
 struct MeshDefects {
-  std::uint64_t badNumbers = 0;  ///< not finite, or an index out of range; nothing else is judged
-  std::uint64_t movedNodes = 0;  ///< surface nodes that are not where, or what, they were
-  std::uint64_t coincidentNodes = 0;      ///< used nodes at the place of another
+  std::uint64_t badNumbers = 0;  ///< not finite, or an index out of range; then nothing else is checked
+  std::uint64_t movedNodes = 0;  ///< surface nodes with another position or index
+  std::uint64_t coincidentNodes = 0;      ///< used nodes at the position of another
   std::uint64_t invertedTetrahedra = 0;   ///< volume not positive, exactly
-  std::uint64_t duplicateTetrahedra = 0;  ///< with the nodes of another
-  std::uint64_t nonManifoldFaces = 0;     ///< of more than two tetrahedra
-  std::uint64_t overlappingFaces = 0;     ///< of two tetrahedra on the same side
-  std::uint64_t extraBoundaryFaces = 0;   ///< of one tetrahedron, but not in the surface
-  /// Of the surface: not boundary faces as they are turned, or walls without a tetrahedron on either
-  /// side.
+  std::uint64_t duplicateTetrahedra = 0;  ///< with the same nodes as another
+  std::uint64_t nonManifoldFaces = 0;     ///< faces of more than two tetrahedra
+  std::uint64_t overlappingFaces = 0;     ///< faces with two tetrahedra on the same side
+  std::uint64_t extraBoundaryFaces = 0;   ///< faces of one tetrahedron that are not in the surface
+  /// Triangles of the surface that are not boundary faces in their orientation, or interfaces
+  /// without a tetrahedron on either side.
   std::uint64_t missingTriangles = 0;
-  std::uint64_t wrongRegions = 0;  ///< tetrahedra that a face says are not where they are
-  std::uint64_t wrongVolume = 0;   ///< 1 if the volumes below differ
-  double meshVolume = 0.0;         ///< sum over the tetrahedra
-  double surfaceVolume = 0.0;      ///< enclosed, by the divergence theorem, walls apart
+  std::uint64_t wrongRegions = 0;  ///< tetrahedra whose region contradicts a face
+  std::uint64_t wrongVolume = 0;   ///< 1 if the two volumes below differ
+  double meshVolume = 0.0;         ///< sum of the tetrahedra's volumes
+  double surfaceVolume = 0.0;      ///< volume enclosed by the surface, by the divergence theorem, without interfaces
 
   [[nodiscard]] std::uint64_t count() const;
 };
 
-/// The check in slices. O(n log k) for n tetrahedra with k at a node; about 0.3 µs each.
+/// Verifies a mesh in slices. O(n log k) for n tetrahedra with k at a node; about 0.3 µs each.
 class MeshVerifier {
  public:
-  /// `surface` is the oriented boundary whose nodes are the mesh's first. Both must outlive this.
+  /// `surface` is the oriented boundary; its nodes are the first of the mesh. Both must outlive
+  /// this.
   MeshVerifier(const VolumeMesh& mesh, const SurfaceMesh& surface);
 
-  /// Works on for about `budget` tetrahedra; true when finished.
+  /// Visits about `budget` tetrahedra; returns true when finished.
   bool advance(std::uint32_t budget);
 
   [[nodiscard]] double fraction() const;
@@ -60,12 +60,12 @@ class MeshVerifier {
     kDone
   };
 
-  /// A face by its nodes, the lowest being known from the place in the array.
+  /// The two other nodes of a face; its slot gives the lowest.
   struct Face {
     std::uint32_t middle;
     std::uint32_t highest;
-    /// Tetrahedron, or their number plus that of a triangle, shifted left by one; the last bit tells
-    /// the turn of the sorted nodes seen from outside.
+    /// Tetrahedron, or the number of tetrahedra plus the triangle, shifted left by one. The last
+    /// bit is the orientation of the sorted nodes as seen from outside.
     std::uint32_t ownerAndTurn;
   };
 
@@ -96,17 +96,17 @@ class MeshVerifier {
   Stage stage_ = Stage::kNumbers;
   std::size_t next_ = 0;
   MeshDefects defects_;
-  /// What is in bucket i begins at buckets_[i]: the used nodes whose places hash to i; later the
+  /// Bucket i begins at buckets_[i]: first the used nodes whose positions hash to i, later the
   /// faces whose lowest node is i.
   std::vector<std::uint32_t> buckets_;
   std::vector<std::uint32_t> filled_;
   std::vector<std::uint8_t> isUsed_;
-  std::vector<std::uint32_t> places_;    ///< nodes, by bucket
-  std::unique_ptr<Face[]> faces_;        ///< by bucket
-  std::vector<std::uint32_t> suspects_;  ///< tetrahedra of faces that do not match
+  std::vector<std::uint32_t> places_;    ///< nodes by bucket
+  std::unique_ptr<Face[]> faces_;        ///< faces by bucket
+  std::vector<std::uint32_t> suspects_;  ///< tetrahedra at faces that do not match
 };
 
-/// The whole check at once.
+/// Verifies a mesh in one call.
 [[nodiscard]] MeshDefects verifyMesh(const VolumeMesh& mesh, const SurfaceMesh& surface);
 
 }  // namespace tetrafront
