@@ -9,7 +9,7 @@
 namespace tetrafront {
 namespace {
 
-/// One place in a loop where a line is walked.
+/// One use of a line in a loop.
 struct Use {
   std::uint32_t patch;
   std::uint32_t line;
@@ -17,13 +17,13 @@ struct Use {
   bool inHole;
 };
 
-/// Two patches, or one and itself, that share a line.
+/// Two patches, or one patch with itself, that share a line.
 struct Joint {
   std::uint32_t first;
   std::uint32_t second;
   std::uint32_t line;
-  bool isKnown;     ///< the loops tell how the two turn against each other
-  bool isOpposite;  ///< one of them is to be turned, if that is known
+  bool isKnown;     ///< the loops define the relative orientation of the two
+  bool isOpposite;  ///< one of them must be flipped, if isKnown
 };
 
 class ClosureCheck {
@@ -78,8 +78,8 @@ class ClosureCheck {
     }
   }
 
-  /// Which patches hang together over the chosen joints, by the lowest of them; `isTurned` tells
-  /// how they turn against it.
+  /// Finds the components over the chosen joints, by their lowest patch; `isTurned` is the
+  /// orientation of each patch relative to it.
   template <class Choose>
   std::vector<std::uint32_t> walk(Choose choose, std::vector<std::uint8_t>& isTurned) const {
     const std::size_t count = model_->patches.size();
@@ -115,7 +115,7 @@ class ClosureCheck {
     Diagnostic diagnostic;
     diagnostic.code = code;
     const std::vector<std::uint32_t>& points = model_->lines[line].points;
-    // The middle of a straight line; of any other a point on it.
+    // The midpoint of a straight line; of others, a point on it.
     const std::size_t middle = points.size() / 2;
     if (points.empty()) return diagnostic;
     const std::uint32_t from = points.size() == 2 ? points[0] : points[middle];
@@ -146,7 +146,7 @@ class ClosureCheck {
 
   const Model* model_;
   const CheckedModel* found_;
-  std::vector<std::vector<Use>> uses_;  ///< per line; duplicates at the lowest of them
+  std::vector<std::vector<Use>> uses_;  ///< per line; uses of duplicate lines are listed at the lowest of them
   std::vector<Joint> joints_;
   Closure result_;
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Do the patches close a surface, as far as the loops alone can tell?
+/// @file Checks whether the patches close a surface, as far as the loops alone show it.
 
 #include <cstdint>
 #include <vector>
@@ -11,22 +11,22 @@
 
 namespace tetrafront {
 
-/// How the patches of a model hang together.
+/// How the patches of a model are connected.
 struct Closure {
   std::vector<Diagnostic> diagnostics;
-  /// Per patch: the lowest patch that it is connected with over lines.
+  /// Per patch: the lowest patch of its component (patches connected over lines).
   std::vector<std::uint32_t> component;
-  /// Per patch: 1 if its outer loop runs against the turning of its component's lowest patch.
+  /// Per patch: 1 if its outer loop has the opposite orientation of its component's lowest patch.
   std::vector<std::uint8_t> isTurned;
-  /// Every used line has two patches, and the turning above holds over every line.
+  /// True if every used line has two patches whose orientations, as above, agree.
   bool isPlain = false;
 };
 
-/// Reports every line that only one patch uses (kOpenEdge), and patches that no turning makes agree
-/// over a line that just two of them share (kInconsistentOrientation); of holes, whose loops may turn
-/// either way, nothing is said, nor of patches that are not sound, whose loops may have a line the
-/// wrong way round. Lines with more patches are where bodies touch or walls end. References to lines
-/// that do not exist are passed over. O(model).
+/// Reports every line that only one patch uses (kOpenEdge), and patches without a consistent
+/// orientation over a line that exactly two of them share (kInconsistentOrientation). Ignores
+/// holes, whose loops may have either orientation, invalid patches, whose loops may use a line in
+/// the wrong direction, and references to missing lines. Lines with more patches are where regions
+/// touch or interfaces end. O(model).
 [[nodiscard]] Closure checkClosure(const Model& model, const CheckedModel& found);
 
 }  // namespace tetrafront

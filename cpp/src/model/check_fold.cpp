@@ -11,16 +11,16 @@ namespace {
 
 /// Cells per direction of the grid on which normals are compared.
 constexpr int kFoldCells = 16;
-/// A normal shorter than this share of the longest belongs to a degenerate corner, where it
-/// points anywhere.
+/// A normal shorter than this, relative to the longest, belongs to a degenerate corner and has no
+/// direction.
 constexpr double kMinNormal = 1e-6;
-/// Sine of 10 degrees: two lines that meet at less have no corner to speak of.
+/// Sine of 10 degrees: two lines at a smaller angle form no real corner.
 constexpr double kSmoothSine = 0.17364817766693033;
-/// A turn of the normal by more than 90 degrees that persists between parameters this many times
-/// halved is a fold and not a bend.
+/// If the normal still changes by more than 90 degrees after the parameters are halved this many
+/// times, it is a fold and not a bend.
 constexpr int kFoldHalvings = 24;
 
-/// Nodes of the cells, those on the edges of the domain included.
+/// Nodes of the cells, including those on the edges of the domain.
 class NormalGrid {
  public:
   NormalGrid(const UnitSurface& surface, SmoothCorners corners)
@@ -49,7 +49,7 @@ class NormalGrid {
     int j;
   };
 
-  /// In one row or column, between each place with a normal and the next one that has.
+  /// In one row or column, between each node with a normal and the next one with a normal.
   template <class CellAt>
   [[nodiscard]] std::optional<Vec2> findFoldAlong(int line, CellAt&& cellAt) const {
     std::optional<Vec2> before;
@@ -64,21 +64,20 @@ class NormalGrid {
     }
   }
 
-  /// Below it, a normal points anywhere.
+  /// Length below which a normal has no direction.
   [[nodiscard]] double leastNormal() const { return kMinNormal * longest_; }
 
   [[nodiscard]] bool has(int i, int j) const {
     return (isTriangle_ ? i + j : std::max(i, j)) <= kFoldCells;
   }
 
-  /// True where two lines meet, as seen in the domain, at 180 degrees or not much more or less,
-  /// if that is allowed.
+  /// Returns whether two lines meet there at about 180 degrees in the domain, if that is permitted.
   [[nodiscard]] bool isSmoothCorner(const Cell& cell) const {
-    // Those of a square; of a triangle's they are three, and (1, 1) is outside.
+    // The corners of a square. Three of them are a triangle's; (1, 1) is outside.
     const bool isCorner = cell.i % kFoldCells == 0 && cell.j % kFoldCells == 0;
     if (!smoothCorners_ || !isCorner) return false;
     const SurfacePoint point = surface_->evaluate(unitAt(cell.i, cell.j));
-    // A triangle's lines along its third side are as parallel as the two tangents are.
+    // A triangle's lines along its third side are as parallel as the two tangents.
     return glm::length(glm::cross(point.alongXi, point.alongEta)) <
            kSmoothSine * glm::length(point.alongXi) * glm::length(point.alongEta);
   }
@@ -92,8 +91,8 @@ class NormalGrid {
     return glm::cross(point.alongXi, point.alongEta);
   }
 
-  /// Where the normal turns by more than 90 degrees between the two parameters, if it still does
-  /// however near each other these are.
+  /// Finds where the normal changes by more than 90 degrees between two parameters, if it still
+  /// does so however close they are.
   [[nodiscard]] std::optional<Vec2> foldBetween(Vec2 from, Vec2 to) const {
     Vec3 normalFrom = normalAt(from);
     Vec3 normalTo = normalAt(to);
@@ -101,7 +100,7 @@ class NormalGrid {
       if (glm::dot(normalFrom, normalTo) >= 0.0) return std::nullopt;
       const Vec2 middle = 0.5 * (from + to);
       const Vec3 normal = normalAt(middle);
-      // A bend keeps its area; a fold has none where it turns.
+      // A bend keeps its area; a fold has none where the normal changes.
       if (glm::length(normal) < leastNormal()) return middle;
       if (glm::dot(normalFrom, normal) < 0.0) {
         to = middle;

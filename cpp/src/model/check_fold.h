@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Does a curved patch fold over itself? By the turns of its normal on a grid of its domain.
+/// @file Checks whether a curved patch folds, by the changes of its normal on a grid of its domain.
 
 #include <cstdint>
 #include <optional>
@@ -9,17 +9,17 @@
 
 namespace tetrafront {
 
-/// Two lines of a transfinite patch may meet smoothly at a corner, where the normal then vanishes
-/// or, for lines a little off, points the other way; that does no harm. The shape functions of an
-/// isoparametric patch fold from a corner on where a mid-point is too near.
+/// Two lines of a transfinite patch may meet smoothly at a corner. The normal then vanishes there
+/// or, if the lines are slightly off, is reversed, which is harmless. The shape functions of an
+/// isoparametric patch fold from a corner on if a mid-point is too close.
 enum class SmoothCorners : std::uint8_t { kAllowed, kFold };
 
 struct SurfaceDefect {
-  bool hasNoArea;  ///< otherwise it folds
+  bool hasNoArea;  ///< no area; otherwise it folds
   Vec3 place;
 };
 
-/// The first fault found; `extent` is the patch's size.
+/// Returns the first defect found; `extent` is the patch's size.
 [[nodiscard]] std::optional<SurfaceDefect> findSurfaceFault(const UnitSurface& surface,
                                                             SmoothCorners corners, double extent);
 

@@ -13,7 +13,7 @@ namespace tetrafront {
 
 namespace {
 
-/// Samples per line, straight ones too: in the plane of a curved patch nothing is straight.
+/// Samples per line, straight ones included: in the plane of a curved patch no line is straight.
 constexpr std::uint32_t kHoleSamples = 32;
 
 class HoleCheck {
@@ -55,8 +55,8 @@ class HoleCheck {
     return diagnostic;
   }
 
-  /// Holes share no line and no point with each other, themselves, or the outer loop, which may
-  /// well pass its own seam twice.
+  /// Checks that holes share no line or point with each other, with themselves, or with the outer
+  /// loop. The outer loop may use its own seam twice.
   [[nodiscard]] std::optional<Diagnostic> findRepetition() const {
     std::vector<LineStart> starts;
     appendStarts(*model_, drawn_->loops.front(), starts);
@@ -82,7 +82,7 @@ class HoleCheck {
     return result;
   }
 
-  /// Remembers the sample farthest from the patch.
+  /// Records the sample farthest from the patch.
   PlaneLoop layOutHole(const Loop& loop) {
     PlaneLoop result;
     worst_ = 0.0;

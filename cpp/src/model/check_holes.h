@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file What can be wrong with the holes of a curved patch whose surface is sound.
+/// @file Checks the holes of a curved patch whose surface is valid.
 
 #include <cstdint>
 #include <optional>
@@ -10,14 +10,15 @@
 
 namespace tetrafront {
 
-/// The lines of a hole may leave the patch by this share of the hole's extent. Splines and parabolas
-/// through points on a patch leave it by some per cent between the points, and nodes on such a line
-/// stay on the line, so that nothing opens; farther away, the triangles around the hole would not be
-/// the patch the user sees.
+/// Largest distance of a hole's lines from the patch, relative to the hole's extent. Splines and
+/// parabolas through points on a patch leave it by some per cent between the points. Nodes on such
+/// a line stay on the line, so the surface remains closed. With larger distances, the triangles
+/// around the hole would differ visibly from the drawn patch.
 inline constexpr double kHoleTolerance = 0.05;
 
-/// The first fault found: a line or point that the patch passes twice, a hole off the patch, loops
-/// that touch, a hole outside the outer loop or in another. `surface` is the patch's, curved.
+/// Returns the first defect found: a line or point used twice, a hole off the patch, loops that
+/// touch, a hole outside the outer loop or inside another hole. `surface` is the surface of the
+/// patch, which is curved.
 [[nodiscard]] std::optional<Diagnostic> findHoleFault(const ResolvedModel& model,
                                                       std::uint32_t patch,
                                                       const PatchSurface& surface);

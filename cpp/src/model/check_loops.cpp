@@ -12,7 +12,7 @@ namespace {
 
 /// Samples per curved line.
 constexpr std::uint32_t kLoopSamples = 32;
-/// Sides nearer than this share of the patch's extent touch.
+/// Sides closer than this, relative to the patch's extent, touch.
 constexpr double kTouching = 1e-9;
 
 /// One side of one loop.
@@ -51,7 +51,7 @@ bool sidesTouch(const Side& a, const Side& b, double tolerance) {
          squaredDistance(b.to, a.from, a.to) <= squared;
 }
 
-/// Two sides that follow each other run over each other if the second turns straight back.
+/// Consecutive sides overlap if the second one reverses the first.
 bool turnsBack(const Side& first, const Side& second, double tolerance) {
   const Vec2 a = first.from - first.to;
   const Vec2 b = second.to - second.from;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Loops of a planar patch against each other, by samples of their curves. What is finer
-/// than the samples shows when the lines are divided, where it is decided exactly.
+/// @file Checks the loops of a planar patch against each other, on samples of their curves.
+/// Contacts below the sampling are found when the lines are divided, where exact signs decide.
 
 #include <compare>
 #include <cstdint>
@@ -21,7 +21,7 @@ struct PlaneLoop {
 [[nodiscard]] PlaneLoop layOutLoop(const ResolvedModel& model, const Loop& loop,
                                    const PlanarSurface& surface);
 
-/// Where a line of a loop begins. Ordered by points, so that lines at one point are neighbours.
+/// Start of a line in a loop. Sorted by points, so that lines at one point are neighbours.
 struct LineStart {
   std::uint32_t point;
   std::uint32_t line;
@@ -29,7 +29,7 @@ struct LineStart {
 };
 void appendStarts(const ResolvedModel& model, const Loop& loop, std::vector<LineStart>& starts);
 
-/// The first point at which two lines begin, with both. O(n log n).
+/// Returns the first point at which two lines begin, with both lines. O(n log n).
 struct RepeatedPoint {
   std::uint32_t point;
   std::uint32_t firstLine;
@@ -37,18 +37,18 @@ struct RepeatedPoint {
 };
 [[nodiscard]] std::optional<RepeatedPoint> findRepeatedPoint(std::vector<LineStart> starts);
 
-/// Two lines that come nearer than rounding where they are not joined.
+/// Two lines that are closer than rounding where they are not connected.
 struct LoopContact {
   std::uint32_t firstLine;
   std::uint32_t secondLine;
   Vec2 place;
 };
-/// The first contact found; `extent` is the patch's size. O(n log n) in the samples.
+/// Returns the first contact found; `extent` is the patch's size. O(n log n) in the samples.
 [[nodiscard]] std::optional<LoopContact> findContact(std::span<const PlaneLoop> loops,
                                                      double extent);
 
-/// The first loop after loops[0] that is not inside it, or is inside another hole. The loops must
-/// not touch.
+/// Returns the first loop after loops[0] that is not inside it, or is inside another hole. The
+/// loops must not touch.
 [[nodiscard]] std::optional<std::size_t> findMisplacedHole(std::span<const PlaneLoop> loops);
 
 }  // namespace tetrafront

@@ -19,13 +19,13 @@ namespace tetrafront {
 
 namespace {
 
-/// Points nearer than this, relative to the model's extent, are at one place: no side between
-/// them could be told from rounding.
+/// Points closer than this, relative to the model's extent, have the same position: a side between
+/// them would be of the size of rounding errors.
 constexpr double kSamePlace = 1e-12;
 
-/// What a patch type asks of its outer loop.
+/// Requirements of a patch type on its outer loop.
 struct PatchRule {
-  std::uint32_t lines;  ///< 0: any number
+  std::uint32_t lines;  ///< 0 for any number
   bool parabolicOnly;
 };
 
@@ -107,7 +107,7 @@ class ModelChecker::Impl {
     samePlace_ = kSamePlace * extentOf(takesPart);
   }
 
-  /// Of a model too small to compute with, what else there is to say would be wrong.
+  /// If the model is too small to compute with, all other reports would be wrong.
   void nothingIsSound() {
     found_.usableLines.assign(model_->lines.size(), 0);
     found_.usablePatches.assign(model_->patches.size(), 0);
@@ -131,8 +131,8 @@ class ModelChecker::Impl {
       report(DiagnosticCode::kNotFinite, {{EntityKind::kPoint, farthest}}, {largest});
   }
 
-  /// The points on lines that patches walk: what lies forgotten far away makes nothing coarser. All
-  /// points where there are no such lines.
+  /// Returns the points of lines that patches use, or all points if there are no such lines.
+  /// Forgotten points far away do not coarsen the tolerances.
   [[nodiscard]] std::vector<std::uint8_t> usedPoints() const {
     std::vector<std::uint8_t> takesPart(model_->points.size(), 0);
     for (std::size_t line = 0; line < model_->lines.size(); ++line) {
@@ -156,7 +156,7 @@ class ModelChecker::Impl {
     return low ? glm::length(high - *low) : 0.0;
   }
 
-  /// Lines that patches walk, and the points at which those begin and end.
+  /// Marks the lines that patches use, and the points at which these begin and end.
   void findUsed() {
     isUsed_.assign(model_->lines.size(), 0);
     isCorner_.assign(model_->points.size(), 0);
@@ -176,7 +176,7 @@ class ModelChecker::Impl {
 
   // ---- lines -----------------------------------------------------------------------------------
 
-  /// Reports on one line; true if a curve can be built from it.
+  /// Checks one line; returns true if a curve can be built from it.
   bool checkLine(std::uint32_t line) {
     const Line& drawn = model_->lines[line];
     bool sound = true;
@@ -213,7 +213,7 @@ class ModelChecker::Impl {
     return a == b || glm::length(model_->points[a] - model_->points[b]) <= samePlace_;
   }
 
-  /// Points at one place that were reported with a line need not be reported once more.
+  /// Points with the same position that were reported with a line are not reported again.
   void nameTogether(std::uint32_t a, std::uint32_t b) {
     namedPairs_.emplace_back(std::min(a, b), std::max(a, b));
   }
@@ -236,15 +236,15 @@ class ModelChecker::Impl {
              model_->points[b]);
     };
     for (std::size_t i = 0; i + 1 < points.size(); ++i) compare(points[i], points[i + 1]);
-    // A spline may end at the very point it began at; a parabola cannot, and two points at one
-    // place leave a gap that nobody sees.
+    // A spline may end at its first point. A parabola cannot, and two points with the same position
+    // would leave an invisible gap.
     const bool closed = points.front() == points.back();
     if (points.size() > 2 && (!closed || model_->lines[line].type == LineType::kParabolic))
       compare(points.front(), points.back());
     return distinct;
   }
 
-  /// Points and lines drawn twice are harmless as long as the surface does not use both of them.
+  /// Points and lines drawn twice are harmless unless the surface uses both.
   void checkDuplicates(const ResolvedModel& resolved) {
     found_.duplicates = findDuplicates(resolved, found_.usableLines, samePlace_);
     const auto reportPair = [&](DiagnosticCode code, EntityKind kind, std::uint32_t first,
@@ -284,7 +284,7 @@ class ModelChecker::Impl {
 
   // ---- patches ---------------------------------------------------------------------------------
 
-  /// Reports on one patch; true if its surface can be evaluated.
+  /// Checks one patch; returns true if its surface can be evaluated.
   bool checkPatch(const ResolvedModel& resolved, std::uint32_t patch) {
     const Patch& drawn = model_->patches[patch];
     if (!checkLineNumbers(patch)) return false;
@@ -296,7 +296,8 @@ class ModelChecker::Impl {
     return sound && checkShape(resolved, patch);
   }
 
-  /// A loop that touches itself, or a patch that folds, because one of its lines does is no news.
+  /// If a loop intersects itself, or a patch folds, because one of its lines does, only the line is
+  /// reported.
   bool checkShape(const ResolvedModel& resolved, std::uint32_t patch) {
     const std::size_t before = found_.diagnostics.size();
     const bool sound = checkPatchShape(resolved, patch, movedPoints_, found_.diagnostics);
@@ -331,7 +332,7 @@ class ModelChecker::Impl {
     const Patch& drawn = model_->patches[patch];
     const std::size_t given = drawn.loops.empty() ? 0 : drawn.loops.front().size();
     bool fits = rule.lines == 0 ? given > 0 : given == rule.lines;
-    // A hole without lines is no hole.
+    // A hole without lines is ignored.
     for (const Loop& loop : drawn.loops) fits = fits && !loop.empty();
     if (!fits)
       report(DiagnosticCode::kWrongLineCount, {{EntityKind::kPatch, patch}},
@@ -346,7 +347,7 @@ class ModelChecker::Impl {
     return fits;
   }
 
-  /// Each line begins at the very point at which the one before ends.
+  /// Checks that each line begins at the end point of the previous one.
   bool checkChains(std::uint32_t patch) {
     bool closed = true;
     for (const Loop& loop : model_->patches[patch].loops) {
@@ -355,7 +356,7 @@ class ModelChecker::Impl {
         const std::optional<std::uint32_t> next = endOf(loop[(i + 1) % loop.size()], false);
         if (end && next && *end == *next) continue;
         closed = false;
-        if (!end || !next) continue;  // a line without points, reported as such
+        if (!end || !next) continue;  // a line without points is reported as such
         std::vector<Entity> entities{{EntityKind::kPatch, patch},
                                      {EntityKind::kLine, loop[i].line}};
         std::optional<Vec3> place;
@@ -381,10 +382,10 @@ class ModelChecker::Impl {
   std::optional<ResolvedModel> resolved_;
   double samePlace_ = 0.0;
   bool isTooSmall_ = false;
-  std::vector<std::uint8_t> isUsed_;    ///< per line: by a patch
-  std::vector<std::uint8_t> isCorner_;  ///< per point: an end of a used line
-  std::vector<std::uint8_t> crosses_;   ///< per line: itself
-  /// Points at one place, lower first, that a line's diagnostic names.
+  std::vector<std::uint8_t> isUsed_;    ///< per line: 1 if a patch uses it
+  std::vector<std::uint8_t> isCorner_;  ///< per point: 1 if it is an end of a used line
+  std::vector<std::uint8_t> crosses_;   ///< per line: 1 if it intersects itself
+  /// Points with the same position, lower first, that a line's diagnostic names.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> namedPairs_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Everything that is wrong with a drawn model, all at once, before anything is meshed.
+/// @file Finds all problems of a drawn model at once, before it is meshed.
 
 #include <cstdint>
 #include <memory>
@@ -12,22 +12,22 @@
 
 namespace tetrafront {
 
-/// What is wrong with the points, lines and patches of a model, each taken by itself; empty if
-/// nothing is. Points first, then lines, then patches, each in the model's order. Any input is
-/// accepted, also numbers out of range. O(model), curved lines counting as their samples; whether
-/// the patches close a surface is asked by checkInput().
+/// Returns the problems of each point, line and patch by itself; empty if there are none. Points
+/// come first, then lines, then patches, each in the model's order. Accepts any input, even indices
+/// out of range. O(model), where each sample of a curved line counts. checkInput() also checks
+/// whether the patches close a surface.
 [[nodiscard]] std::vector<Diagnostic> diagnoseModel(const Model& model);
 
-/// What diagnoseModel() found, and what can be drawn in spite of it.
+/// The problems of a model, and which parts of it can be drawn nevertheless.
 struct CheckedModel {
   std::vector<Diagnostic> diagnostics;
-  /// Per line: 1 if a curve can be built from it (its points exist, are finite, distinct and of
-  /// the right number), else 0.
+  /// Per line: 1 if a curve can be built from it (its points exist, are finite and distinct, and
+  /// their number is right), else 0.
   std::vector<std::uint8_t> usableLines;
-  /// Per patch: 1 if its surface can be evaluated (sound lines, closed loops, a number of lines
-  /// its type takes, some area), else 0.
+  /// Per patch: 1 if its surface can be evaluated (usable lines, closed loops, a valid number of
+  /// lines for its type, some area), else 0.
   std::vector<std::uint8_t> usablePatches;
-  /// What was drawn twice.
+  /// Points and lines that were drawn twice.
   Duplicates duplicates;
 };
 [[nodiscard]] CheckedModel checkModel(const Model& model);
@@ -41,11 +41,11 @@ class ModelChecker {
   ModelChecker& operator=(ModelChecker&&) noexcept;
   ~ModelChecker();
 
-  /// Looks at `budget` patches, after a first call that looks at points and lines; true when
+  /// Checks `budget` patches, after a first call that checks points and lines; returns true when
   /// finished.
   bool advance(std::uint32_t budget);
 
-  /// Once, when finished.
+  /// Returns the result, once, when finished.
   [[nodiscard]] CheckedModel take();
 
  private:

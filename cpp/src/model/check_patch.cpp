@@ -15,13 +15,13 @@ namespace tetrafront {
 
 namespace {
 
-/// Samples per curved line when looking for lines off the plane.
+/// Samples per curved line in the search for lines off the plane.
 constexpr std::uint32_t kPlaneSamples = 16;
-/// The mid-point of an isoparametric patch's line must lie beside the chord's middle half; nearer
-/// to one end, a straight line would run back over itself.
+/// The mid-point of an isoparametric patch's line must project into the middle half of the chord;
+/// closer to one end, a straight line would run back over itself.
 constexpr double kMidPointMargin = 0.25;
 
-/// So many points off a plane are named; more would hide the farthest ones.
+/// Number of points off a plane that are named; more would hide the farthest ones.
 constexpr std::size_t kMaxNamed = 8;
 
 class PatchCheck {
@@ -64,7 +64,7 @@ class PatchCheck {
     }
     const PlanarSurface surface(plane.origin, plane.areaVector, plane.firstDirection);
     const bool flat = checkFlatness(surface, size);
-    // Off its plane a patch's loops cannot be compared.
+    // If the loops leave the plane, they cannot be compared.
     if (flat && checkRepeatedLines()) checkLoopsApart(surface, size);
     return true;
   }
@@ -90,7 +90,7 @@ class PatchCheck {
     return false;
   }
 
-  /// Names the points that the user moved out of the plane, where that can be told.
+  /// Names the points that the user moved out of the plane, if they can be identified.
   bool reportMovedPoints(double size) {
     const MovedPoints moved = movedPoints_->find(patch_, size);
     if (moved.points.empty()) return false;
@@ -115,7 +115,7 @@ class PatchCheck {
     return lines;
   }
 
-  /// No line twice, no point passed twice.
+  /// Checks that no line or point is used twice.
   bool checkRepeatedLines() {
     std::vector<LineStart> starts;
     for (const Loop& loop : drawn_->loops) appendStarts(*model_, loop, starts);
@@ -174,7 +174,7 @@ class PatchCheck {
            drawn_->type == PatchType::kSerendipity;
   }
 
-  /// Of an isoparametric patch, the lines whose mid-points are too near one end.
+  /// Finds the lines of an isoparametric patch whose mid-points are too close to one end.
   [[nodiscard]] std::vector<std::uint32_t> offCentreLines() const {
     std::vector<std::uint32_t> lines;
     if (!isIsoparametric()) return lines;
@@ -187,8 +187,8 @@ class PatchCheck {
     return lines;
   }
 
-  /// A line used twice only as a seam, walked both ways by opposite lines of a quadrilateral (a
-  /// tube has one).
+  /// Checks that a line is used twice only as a seam: in both directions, by opposite lines of a
+  /// quadrilateral (as in a tube).
   bool checkSeams() {
     const Loop& loop = drawn_->loops.front();
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -203,8 +203,8 @@ class PatchCheck {
     return true;
   }
 
-  /// Opposite corners of a quadrilateral apart, all corners of a triangle: whatever equation (14)
-  /// makes of a closed line, it is no cone.
+  /// Checks that opposite corners of a quadrilateral, or all corners of a triangle, are distinct:
+  /// equation (14) does not make a cone from a closed line.
   bool checkCorners() {
     const Loop& loop = drawn_->loops.front();
     const std::size_t apart = loop.size() == 4 ? 2 : 1;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file What can be wrong with the shape of a patch whose lines are sound and whose loops close.
+/// @file Checks the shape of a patch with usable lines and closed loops.
 
 #include <cstdint>
 #include <vector>
@@ -11,11 +11,12 @@
 
 namespace tetrafront {
 
-/// A patch of less area than this share of its squared extent has none.
+/// Smallest area of a patch, relative to its squared extent.
 inline constexpr double kMinArea = 1e-9;
 
-/// Appends what is wrong: no area, a fold, a line off the plane, loops that touch or lie outside
-/// the first. Returns true if the surface can be evaluated. `movedPoints` is of the same model.
+/// Appends the problems found: no area, a fold, a line off the plane, loops that touch or lie
+/// outside the first one. Returns true if the surface can be evaluated. `movedPoints` must be of
+/// the same model.
 bool checkPatchShape(const ResolvedModel& model, std::uint32_t patch, MovedPointFinder& movedPoints,
                      std::vector<Diagnostic>& diagnostics);
 

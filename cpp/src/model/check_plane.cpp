@@ -1,5 +1,5 @@
-// The plane is the one of three points that has the most others on it: a least-squares plane would
-// follow the very point that was moved.
+// The plane goes through those three points with the most other points on it: a least-squares plane
+// would follow the very point that was moved.
 
 #include "model/check_plane.h"
 
@@ -16,16 +16,17 @@ namespace tetrafront {
 
 namespace {
 
-/// All triples are tried of so many points, about 500.
+/// Up to this number of points all triples are tried, about 500.
 constexpr std::size_t kFewPoints = 16;
-/// Of more points, as many triples as make about so many distances, but never fewer than 64: where
-/// a majority lies in one plane, an eighth of them are of that plane.
+/// With more points, the number of triples is chosen for about this many distances, but at least
+/// 64: if a majority lies in one plane, an eighth of the triples do.
 constexpr std::size_t kDistances = 1'000'000;
 constexpr std::size_t kFewestTriples = 64;
-/// Three points span a plane if their triangle has this share of the squared extent.
+/// Three points span a plane if the area of their triangle exceeds this, relative to the squared
+/// extent.
 constexpr double kSpanningArea = 1e-6;
 
-/// Where so many planes are as good as one another, none is the plane that was meant.
+/// If this many planes are equally good, none of them is the intended one.
 constexpr std::size_t kMaxRivals = 8;
 
 struct CandidatePlane {
@@ -34,7 +35,7 @@ struct CandidatePlane {
   bool alongAxes = false;
 };
 
-/// The points of a patch's lines, each once; none if something it refers to does not exist.
+/// Returns the points of a patch's lines, each once; none if it refers to something missing.
 std::vector<std::uint32_t> pointsOfPatch(const Model& model, const Patch& patch) {
   std::vector<std::uint32_t> points;
   for (const Loop& loop : patch.loops) {
@@ -59,11 +60,11 @@ class PlaneVote {
       extent_ = std::max(extent_, glm::length(place(i) - origin));
   }
 
-  /// The largest distance from the first point.
+  /// Returns the largest distance from the first point.
   [[nodiscard]] double extent() const { return extent_; }
 
-  /// The planes that most points agree on within the tolerance, one for each set of points off it;
-  /// of more than kMaxRivals, only so many and one.
+  /// Returns the planes with the most points within the tolerance, one for each set of points off
+  /// it; if there are more than kMaxRivals, only kMaxRivals + 1.
   std::vector<CandidatePlane> run(double tolerance) {
     tolerance_ = tolerance;
     const std::size_t count = points_.size();
@@ -134,7 +135,7 @@ MovedPoints MovedPointFinder::find(std::uint32_t patch, double extent) {
   std::vector<CandidatePlane> planes = PlaneVote(*model_, points).run(kPlaneTolerance * extent);
   if (planes.empty() || planes.size() > kMaxRivals) return {};
   const std::size_t agreeing = planes.front().agreeing;
-  // Any three points agree; of four they are as many as can be hoped for.
+  // Any three points share a plane; with four points, no more can be expected.
   const bool isMajority = 2 * agreeing > points.size() && (agreeing > 3 || points.size() == 4);
   if (!isMajority) return {};
   if (planes.size() == 1) return std::move(planes.front().moved);

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Which points keep a planar patch from being one.
+/// @file Finds the points that keep a planar patch from being planar.
 
 #include <cstdint>
 #include <vector>
@@ -9,14 +9,15 @@
 
 namespace tetrafront {
 
-/// Lines of a planar patch may leave its plane by this share of the patch's extent: coordinates
-/// typed with four digits pass. Nodes on such a line stay on the line, so nothing opens.
+/// Largest distance of a planar patch's lines from its plane, relative to the patch's extent:
+/// coordinates typed with four digits pass. Nodes on such a line stay on the line, so the surface
+/// remains closed.
 inline constexpr double kPlaneTolerance = 1e-4;
 
-/// Points off the plane that most points of a patch's lines agree on.
+/// Points off the plane that most points of a patch's lines share.
 struct MovedPoints {
-  std::vector<std::uint32_t> points;  ///< the farthest first; empty if most agree on no plane
-  double distance = 0.0;              ///< of the first, from that plane
+  std::vector<std::uint32_t> points;  ///< farthest first; empty if most points share no plane
+  double distance = 0.0;              ///< distance of the first point from that plane
 };
 
 class MovedPointFinder {
@@ -24,17 +25,17 @@ class MovedPointFinder {
   /// The model must outlive this.
   explicit MovedPointFinder(const Model& model) : model_(&model) {}
 
-  /// Of several planes as good, as four points always have, one is taken whose points belong to most
-  /// patches that are not plane, then one along the axes. `patch` must refer to points that exist,
-  /// other patches need not; `extent` is its size. The first call takes O(n log n) in the model,
-  /// others in the points of the patch.
+  /// If several planes have equally many points, as with any four points, prefers the one whose
+  /// points off it belong to the most non-planar patches, then one along the axes. `patch` must
+  /// refer to existing points; other patches need not. `extent` is its size. The first call takes
+  /// O(n log n) in the model, later ones depend on the points of the patch.
   [[nodiscard]] MovedPoints find(std::uint32_t patch, double extent);
 
  private:
   void countBentPatches();
 
   const Model* model_;
-  /// Per point: planar patches it belongs to whose points lie in no one plane. Empty until wanted.
+  /// Per point: number of its planar patches whose points share no plane. Empty until needed.
   std::vector<std::uint32_t> bentPatches_;
 };
 

@@ -1,7 +1,6 @@
-// Lines as functions of a parameter. Only + - * / sqrt are used, so that every platform places
-// the same nodes. The spline's second derivatives follow from the usual tridiagonal system for
-// continuity of the slope (any text on splines, e.g. de Boor 1978), with natural ends or, of a closed
-// line, none.
+// Lines as functions of a parameter. Only + - * / sqrt are used, so that every platform places the
+// same nodes. The spline's second derivatives solve the usual tridiagonal system for a continuous
+// slope (for example de Boor 1978), with natural ends; closed splines have no ends.
 
 #include "model/curve.h"
 
@@ -13,21 +12,21 @@ namespace tetrafront {
 
 namespace {
 
-/// Gauss-Legendre, five points: abscissae and weights for [-1, 1].
+/// Five-point Gauss-Legendre rule: abscissae and weights for [-1, 1].
 constexpr std::array<double, 5> kGaussAbscissae{-0.9061798459386640, -0.5384693101056831, 0.0,
                                                 0.5384693101056831, 0.9061798459386640};
 constexpr std::array<double, 5> kGaussWeights{0.2369268850561891, 0.4786286704993665,
                                               0.5688888888888889, 0.4786286704993665,
                                               0.2369268850561891};
-/// Pieces per smooth span over which the arc length is integrated: a parabola bent by 90 degrees
-/// is then exact to about 1e-12.
+/// Pieces per smooth span for integrating the arc length: a parabola bent by 90 degrees is then
+/// exact to about 1e-12.
 constexpr int kPiecesPerSpan = 8;
-/// Points nearer to the chord than this share of its length are on it.
+/// Points closer to the chord than this, relative to its length, lie on it.
 constexpr double kStraight = 1e-9;
 
 }  // namespace
 
-/// The equations that couple the second derivatives i - 1, i, i + 1 at the inner knots. They are
+/// Equations that couple the second derivatives i - 1, i, i + 1 at the inner knots. They are
 /// diagonally dominant, so elimination needs no pivoting.
 class Curve::SplineEquations {
  public:
@@ -37,7 +36,7 @@ class Curve::SplineEquations {
       pivots_[i] = 2.0 * (step(i - 1) + step(i)) - (i > 1 ? step(i - 1) * upper(i - 1) : 0.0);
   }
 
-  /// Right-hand sides at the inner knots become solutions; those at the ends are taken as zero.
+  /// Replaces right-hand sides at the inner knots by solutions; those at the ends are zero.
   template <class Value>
   [[nodiscard]] std::vector<Value> solve(std::vector<Value> values) const {
     const std::size_t last = values.size() - 1;
@@ -92,8 +91,8 @@ Vec3 Curve::chordSlope(std::size_t piece) const {
 }
 
 void Curve::closeSpline(const SplineEquations& equations) {
-  // One second derivative m at the seam adds a multiple of `influence` to all others; the seam's
-  // own equation then tells how much.
+  // A second derivative m at the seam adds a multiple of `influence` to all others; the equation at
+  // the seam then gives m.
   const std::size_t last = points_.size() - 1;
   const double first = knots_[1] - knots_[0];
   const double final = knots_[last] - knots_[last - 1];

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file A line made usable: position and derivative at a parameter t in [0, 1], arc length
-/// (Löhner & Parikh 1988, section 4, line types 1 to 3).
+/// @file A line that can be evaluated: position and derivative at a parameter t in [0, 1], arc
+/// length (Löhner & Parikh 1988, section 4, line types 1 to 3).
 
 #include <span>
 #include <vector>
@@ -18,15 +18,16 @@ class Curve {
     Vec3 derivative{0.0};
   };
 
-  /// `points` as many as the type asks for (see LineType), finite, successive ones distinct.
+  /// `points` must have the number of points that the type requires (see LineType), finite,
+  /// successive ones distinct.
   Curve(LineType type, std::vector<Vec3> points);
 
-  /// Bit-exact copies of the first and last point at t = 0 and t = 1.
+  /// Position at t; bit-exact copies of the first and last point at t = 0 and t = 1.
   [[nodiscard]] Vec3 position(double t) const;
   [[nodiscard]] Vec3 derivative(double t) const;
   [[nodiscard]] Sample sample(double t) const;
 
-  /// Arc length of the whole line, and between two parameters, from <= to.
+  /// Arc length of the whole line, or between two parameters, from <= to.
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] double length(double from, double to) const;
 
@@ -35,13 +36,13 @@ class Curve {
   [[nodiscard]] const Vec3& start() const { return points_.front(); }
   [[nodiscard]] const Vec3& end() const { return points_.back(); }
 
-  /// True if all points lie on the chord, up to rounding: the line is straight whatever its type.
+  /// True if all points lie on the chord, up to rounding: the line is straight, whatever its type.
   [[nodiscard]] bool isStraight() const;
 
-  /// True of a spline that ends where it begins; it passes there as smoothly as anywhere else.
+  /// True for a spline that ends where it begins; it is as smooth there as anywhere else.
   [[nodiscard]] bool isClosed() const;
 
-  /// Parameters at which the curve is less than infinitely smooth, 0 and 1 included, ascending.
+  /// Parameters at which the curve is not infinitely smooth, ascending, 0 and 1 included.
   [[nodiscard]] std::span<const double> knots() const { return knots_; }
 
  private:
@@ -56,12 +57,12 @@ class Curve {
   LineType type_;
   std::vector<Vec3> points_;
   std::vector<double> knots_;
-  std::vector<Vec3> secondDerivatives_;  ///< of a spline, one per point
+  std::vector<Vec3> secondDerivatives_;  ///< for a spline: one per point
   FlatAxes flat_;
   double length_ = 0.0;
 };
 
-/// A curve as a loop walks it: t = 0 where the loop enters.
+/// A curve in the direction of a loop: t = 0 where the loop enters.
 class OrientedCurve {
  public:
   OrientedCurve(const Curve& curve, bool reversed) : curve_(&curve), reversed_(reversed) {}

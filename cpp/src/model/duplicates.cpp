@@ -13,9 +13,9 @@
 namespace tetrafront {
 namespace {
 
-/// Parameters, in parts of the line, at which courses are compared.
+/// Parameters, as fractions of the line, at which courses are compared.
 constexpr int kCourseParts = 8;
-/// Lines whose samples are nearer than this share of their extent run along one course.
+/// Lines whose samples are closer than this, relative to their extent, have the same course.
 constexpr double kSameCourse = 1e-9;
 
 std::vector<std::uint32_t> numbersUpTo(std::size_t count) {
@@ -24,7 +24,7 @@ std::vector<std::uint32_t> numbersUpTo(std::size_t count) {
   return numbers;
 }
 
-/// Equal places first, by sorting; then those that differ by rounding, by their boxes.
+/// Finds equal positions by sorting, then those that differ by rounding, by their boxes.
 std::vector<std::uint32_t> samePlaces(const std::vector<Vec3>& points, double samePlace) {
   std::vector<std::uint32_t> result = numbersUpTo(points.size());
   std::vector<std::uint32_t> sorted;
@@ -47,7 +47,7 @@ std::vector<std::uint32_t> samePlaces(const std::vector<Vec3>& points, double sa
   }
   stableSort(distinct);
   if (distinct.empty()) return result;
-  // Relative to one of them, so that the boxes' rounding is small against the model.
+  // Relative to one of them, so that the rounding of the boxes is small compared with the model.
   const Vec3 origin = points[distinct.front()];
   std::vector<Box> boxes;
   for (const std::uint32_t point : distinct) {
@@ -80,8 +80,9 @@ bool runAlike(const Curve& a, const Curve& b) {
   return along || against;
 }
 
-/// Of lines with the same ends, ascending. Lines along one course have one middle, so only those are
-/// compared whose middles are equally far along a direction of no meaning.
+/// Compares lines with the same ends, in ascending order. Lines with the same course have the same
+/// midpoint, so only lines with midpoints at the same coordinate along an arbitrary direction are
+/// compared.
 void findAlike(const ResolvedModel& model, std::span<const std::uint32_t> lines, double samePlace,
                std::vector<std::uint32_t>& lowest) {
   struct Entry {
@@ -96,13 +97,14 @@ void findAlike(const ResolvedModel& model, std::span<const std::uint32_t> lines,
     entries.push_back({glm::dot(direction, curve.position(0.5)), i});
     longest = std::max(longest, curve.length());
   }
-  // Twice what middles may differ by: for curves by their course, for straight lines by their ends.
+  // Twice the largest difference of midpoints: for curves by their course, for straight lines by
+  // their ends.
   const double reach = 2.0 * std::max(kSameCourse * longest, samePlace);
   stableSort(entries, [](const Entry& a, const Entry& b) {
     return a.along != b.along ? a.along < b.along : a.position < b.position;
   });
   DisjointSets sets(lines.size());
-  std::vector<Entry> distinct;  // of those within reach
+  std::vector<Entry> distinct;  // distinct lines within reach
   for (const Entry& entry : entries) {
     std::erase_if(distinct, [&](const Entry& other) { return other.along < entry.along - reach; });
     const Curve& curve = model.curve(lines[entry.position]);

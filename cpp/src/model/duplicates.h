@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Points and lines that were drawn twice.
+/// @file Finds points and lines that were drawn twice.
 
 #include <cstdint>
 #include <span>
@@ -10,15 +10,15 @@
 
 namespace tetrafront {
 
-/// Per entity the lowest one that is the same: itself where there is none before it.
+/// Per entity: the lowest entity that equals it, which may be itself.
 struct Duplicates {
-  std::vector<std::uint32_t> points;  ///< at one place
-  std::vector<std::uint32_t> lines;   ///< between the same places, along the same course
+  std::vector<std::uint32_t> points;  ///< with the same position
+  std::vector<std::uint32_t> lines;   ///< with the same ends and the same course
 };
 
-/// Points that are not finite and lines that are not sound (one flag per line) are alone.
-/// `samePlace`: the distance within which places are one. O(n log n) unless many lines join the
-/// same two places and have one middle.
+/// Finds the duplicates. Points that are not finite and unusable lines (one flag per line) equal
+/// only themselves. `samePlace` is the distance within which positions count as equal. O(n log n)
+/// unless many lines have the same ends and the same midpoint.
 [[nodiscard]] Duplicates findDuplicates(const ResolvedModel& model,
                                         std::span<const std::uint8_t> usableLines,
                                         double samePlace);

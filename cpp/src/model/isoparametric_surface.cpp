@@ -1,6 +1,6 @@
-// The shape functions sum to one, so the first one need not be evaluated: positions are taken
-// relative to the first node. That also keeps a small patch far from the origin as exact as its
-// own size allows.
+// The shape functions sum to one, so the first one need not be evaluated: positions are relative to
+// the first node. This also keeps a small patch far from the origin as exact as its own size
+// permits.
 
 #include "model/isoparametric_surface.h"
 
@@ -8,7 +8,7 @@ namespace tetrafront {
 
 namespace {
 
-/// The nodes around the loop after the first: mid-point, corner, mid-point, ...
+/// The nodes around the loop after the first one: mid-point, corner, mid-point, ...
 template <std::size_t kCount>
 std::array<Vec3, kCount> offsetsFrom(const Vec3& origin, std::span<const OrientedCurve> loop) {
   std::array<Vec3, kCount> offsets;
@@ -19,7 +19,7 @@ std::array<Vec3, kCount> offsetsFrom(const Vec3& origin, std::span<const Oriente
   return offsets;
 }
 
-/// A shape function with its derivatives by xi and eta.
+/// A shape function with its derivatives with respect to xi and eta.
 struct Weight {
   double value;
   double byXi;

@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file Patches of polynomial shape functions, given by the end points and mid-points of their
-/// parabolic lines (Löhner & Parikh 1988, appendix, eq. 11-13). A line's parabola passes its
-/// mid-point at half its parameter, and so does the edge of these surfaces: edges and lines are
-/// the same curves, parameter by parameter.
+/// @file Patches with polynomial shape functions, defined by the end points and mid-points of their
+/// parabolic lines (Löhner & Parikh 1988, appendix, eq. 11-13). The parabola of a line passes its
+/// mid-point at half its parameter, and so does the edge of these surfaces: edges and lines are the
+/// same curves, parameter by parameter.
 
 #include <array>
 #include <span>
@@ -27,7 +27,7 @@ class IsoparametricTriangle {
 
  private:
   Vec3 origin_;                  ///< P1
-  std::array<Vec3, 5> offsets_;  ///< of the other nodes from P1
+  std::array<Vec3, 5> offsets_;  ///< from P1 to the other nodes
 };
 
 /// The eight-node serendipity quadrilateral, eq. (13), over the unit square.
@@ -44,7 +44,7 @@ class SerendipitySurface {
 
  private:
   Vec3 origin_;                  ///< A
-  std::array<Vec3, 7> offsets_;  ///< of the other nodes from A
+  std::array<Vec3, 7> offsets_;  ///< from A to the other nodes
 };
 
 }  // namespace tetrafront

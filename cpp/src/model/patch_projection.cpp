@@ -7,14 +7,13 @@ namespace tetrafront {
 
 namespace {
 
-/// Cells per direction of the lattice from which searches start: finer than patches people draw
-/// bend.
+/// Cells per direction of the lattice of starting points: finer than the bends of drawn patches.
 constexpr int kLattice = 24;
-/// Newton's method takes about five steps; near singular corners it is slower.
+/// Largest number of steps. Newton's method takes about five; near singular corners it is slower.
 constexpr int kMaxSteps = 40;
-/// Halvings of a step that leads away.
+/// Halvings of a step that increases the distance.
 constexpr int kMaxHalvings = 8;
-/// Steps shorter than this share of the patch's extent change nothing but rounding.
+/// Steps shorter than this, relative to the patch's extent, only change rounding.
 constexpr double kSettled = 1e-15;
 /// Keeps the system solvable where the surface is singular.
 constexpr double kMinPivot = 1e-12;
@@ -35,7 +34,7 @@ PatchProjection::PatchProjection(const PatchSurface& surface) : surface_(&surfac
     extent_ = std::max(extent_, glm::length(sample.position - samples_.front().position));
 }
 
-/// The step of the plane whose image leads nearest to the place: (J^T J) step = J^T offset.
+/// Step in the plane whose image approaches the position best: (J^T J) step = J^T offset.
 Vec2 PatchProjection::step(const Vec2& from, const Vec3& place) const {
   const SurfacePoint point = surface_->evaluate(from);
   const Vec3 offset = place - point.position;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Where on a curved patch a place in space is: the inverse of T1 (Löhner & Parikh 1988,
-/// section 5.2). Holes of curved patches are bounded by ordinary lines of space that lie on the
-/// patch; their nodes are found in its plane this way.
+/// @file Finds the parameters of a position on a curved patch: the inverse of T1 (Löhner & Parikh
+/// 1988, section 5.2). Holes in curved patches are bounded by ordinary lines in space that lie on
+/// the patch; this maps their nodes to its plane.
 
 #include <vector>
 
@@ -12,15 +12,15 @@ namespace tetrafront {
 
 class PatchProjection {
  public:
-  /// `surface` must be curved, and outlive this. O(1), some hundred places evaluated.
+  /// `surface` must be curved and must outlive this. O(1): evaluates some hundred positions.
   explicit PatchProjection(const PatchSurface& surface);
 
-  /// The place of the patch nearest to one in space, as far as Newton's method finds it from the
-  /// nearest of a lattice of samples: at places nearer to the patch than its radii of curvature, to
-  /// rounding.
+  /// Parameters of the position on the patch closest to a position in space, found by Newton's
+  /// method from the closest of a lattice of samples. Exact up to rounding if the distance is
+  /// smaller than the patch's radii of curvature.
   struct Foot {
     Vec2 plane{0.0};
-    double distance = 0.0;  ///< from the place to the patch
+    double distance = 0.0;  ///< from the position to the patch
   };
   [[nodiscard]] Foot project(const Vec3& place) const;
 
@@ -36,8 +36,8 @@ class PatchProjection {
   double extent_ = 0.0;
 };
 
-/// True if the patch has holes that only the projection lays out in its plane; those of planar
-/// patches are by PatchSurface::boundaryToPlane.
+/// Returns whether the patch has holes that need the projection; PatchSurface::boundaryToPlane maps
+/// those of planar patches.
 [[nodiscard]] inline bool hasCurvedHoles(const Patch& patch) {
   return patch.type != PatchType::kPlanar && patch.loops.size() > 1;
 }

@@ -6,8 +6,8 @@ namespace tetrafront {
 
 namespace {
 
-/// Samples per curved line for the plane of a loop; the normal of a plane curve is exact with any
-/// number, this many make its area good to about 1 %.
+/// Samples per curved line for the plane of a loop. The normal of a plane curve is exact with any
+/// number; this many give its area to about 1 %.
 constexpr std::uint32_t kSurfaceLoopSamples = 16;
 
 }  // namespace
@@ -35,7 +35,7 @@ SurfacePoint MappedSurface::evaluate(const Vec2& plane) const {
 }
 
 Vec2 MappedSurface::clamped(const Vec2& plane) const {
-  // Eta first: at a height outside the domain, xi would have no meaning.
+  // Eta first: xi is undefined at a height outside the domain.
   const Vec2 inside(plane.x, std::clamp(plane.y, 0.0, plane_.toPlane({0.0, 1.0}).y));
   const Vec2 unit = plane_.toUnit(inside);
   const Vec2 nearest = clampedToUnit(surface_.shape(), unit);
@@ -75,7 +75,7 @@ Vec2 PatchSurface::boundaryToPlane(std::size_t position, double t, const Vec3& p
 }
 
 bool PatchSurface::straightInPlane(std::size_t loop, std::size_t position) const {
-  // The border of a curved patch's domain is straight, and no line of its holes is.
+  // The border of a curved patch's domain is straight; lines of its holes are not.
   if (mapped() != nullptr) return loop == 0;
   return model_->curve(patch_->loops[loop][position]).isStraight();
 }

@@ -1,10 +1,10 @@
 #pragma once
 
-/// @file The model with its curves built, once for everybody.
+/// @file The model with all its curves, built once.
 ///
-/// A curve is built in the line's canonical direction, from the end point with the lower position
-/// to the other (of a closed line, towards the lower one of the two points next to that end), so
-/// that drawing a line the other way round moves no node, not even by rounding.
+/// A curve is built in the line's canonical direction: from the end point with the lower index to
+/// the other (for a closed line, towards the lower of the two points next to that end). Reversing a
+/// line therefore moves no node, not even by rounding.
 
 #include <cstdint>
 #include <span>
@@ -17,27 +17,27 @@ namespace tetrafront {
 
 class ResolvedModel {
  public:
-  /// `model` must have passed diagnoseModel() and must outlive this.
+  /// `model` must be free of problems (diagnoseModel()) and must outlive this.
   explicit ResolvedModel(const Model& model);
 
-  /// For a model that may have faults: lines with usableLines[line] == 0 get a stand-in, which
-  /// nobody must ask for.
+  /// For a model that may have problems: lines with usableLines[line] == 0 get a placeholder, which
+  /// must not be used.
   ResolvedModel(const Model& model, std::span<const std::uint8_t> usableLines);
 
   [[nodiscard]] const Model& model() const { return *model_; }
 
-  /// In the canonical direction.
+  /// Curve in the canonical direction.
   [[nodiscard]] const Curve& curve(std::uint32_t line) const { return curves_[line]; }
 
-  /// True if the curve runs against the line as drawn.
+  /// True if the canonical direction is opposite to the line as drawn.
   [[nodiscard]] bool flipped(std::uint32_t line) const { return flipped_[line] != 0; }
 
-  /// As a loop walks it.
+  /// Curve in the direction of a loop.
   [[nodiscard]] OrientedCurve curve(const OrientedLine& line) const {
     return {curves_[line.line], line.reversed != flipped(line.line)};
   }
 
-  /// First and last point as a loop walks the line; positions in Model::points.
+  /// First and last point of a line in the direction of a loop, as indices in Model::points.
   [[nodiscard]] std::uint32_t startPoint(const OrientedLine& line) const;
   [[nodiscard]] std::uint32_t endPoint(const OrientedLine& line) const;
 
@@ -47,7 +47,7 @@ class ResolvedModel {
   std::vector<std::uint8_t> flipped_;
 };
 
-/// The coordinates of a line's points, in its own direction. All positions must exist.
+/// Returns the positions of a line's points, in its own direction. All indices must exist.
 [[nodiscard]] std::vector<Vec3> pointsOf(const Model& model, const Line& line);
 
 }  // namespace tetrafront

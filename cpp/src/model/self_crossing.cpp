@@ -11,14 +11,15 @@
 namespace tetrafront {
 namespace {
 
-/// More comparisons than this, and so many for each piece, are only made where two passages run
-/// side by side within a tiny share of their length; such a line is let pass, for it does not cross.
+/// Limit of comparisons, plus a number per piece. More are needed only if two passages run side by
+/// side within a tiny fraction of their length; such a line passes, because it does not cross
+/// itself.
 constexpr std::size_t kMaxComparisons = 50'000;
 constexpr std::size_t kMaxComparisonsPerPiece = 200;
-/// Halvings of a piece: beyond these its ends are one place.
+/// Halvings of a piece; after these its ends coincide.
 constexpr int kMaxDepth = 48;
 
-/// One cubic piece by its control points (Bézier), which hold it in their hull.
+/// One cubic piece by its control points (Bézier); their hull contains it.
 struct Piece {
   std::array<Vec3, 4> control;
   int depth = 0;
@@ -36,7 +37,7 @@ struct Halves {
   Piece second;
 };
 
-/// De Casteljau at the middle.
+/// Halves the piece by de Casteljau's algorithm.
 Halves halve(const Piece& piece) {
   const auto& [a, b, c, d] = piece.control;
   const Vec3 ab = 0.5 * (a + b);
@@ -48,7 +49,7 @@ Halves halve(const Piece& piece) {
   return {{{a, ab, abc, middle}, piece.depth + 1}, {{middle, bcd, cd, d}, piece.depth + 1}};
 }
 
-/// True if the piece runs forward in `direction` all along.
+/// Returns whether the piece runs forward in `direction` all along.
 bool runsForward(const Piece& piece, const Vec3& direction) {
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 step = piece.control[i + 1] - piece.control[i];
@@ -108,7 +109,7 @@ class CrossingSearch {
   }
 
  private:
-  /// Relative to the start, so that the boxes' rounding is small against the line.
+  /// Relative to the start, so that the rounding of the boxes is small compared with the line.
   [[nodiscard]] std::vector<Box> boxesOfPieces() const {
     const Vec3 origin = pieces_.front().control[0];
     std::vector<Box> boxes;
@@ -123,7 +124,7 @@ class CrossingSearch {
   bool meet(std::size_t i, std::size_t k) {
     const bool follows = k == i + 1;
     const bool closes = isClosed_ && i == 0 && k + 1 == pieces_.size();
-    // Of two pieces that make up a closed line, both ends are common.
+    // Two pieces that form a closed line share both ends.
     if (follows && closes) return meetAtBothEnds(pieces_[i], pieces_[k]);
     if (follows) return meetBeyondJoint(pieces_[i], pieces_[k]);
     if (closes) return meetBeyondJoint(pieces_[k], pieces_[i]);
@@ -138,7 +139,7 @@ class CrossingSearch {
            meetBeyondJoint(halves.first, halves.second);
   }
 
-  /// The first piece ends where the second begins; do they meet anywhere else?
+  /// Returns whether two pieces meet anywhere except where the first ends and the second begins.
   bool meetBeyondJoint(const Piece& first, const Piece& second) {
     if (!spend() || first.depth > kMaxDepth) return false;
     const Vec3 direction = directionOf(first) + directionOf(second);
@@ -182,7 +183,7 @@ class CrossingSearch {
 
   [[nodiscard]] bool isSpent() const { return comparisonsLeft_ == 0; }
 
-  /// Takes one comparison from what is left; false if nothing is.
+  /// Counts one comparison; returns false if the limit is reached.
   bool spend() {
     if (isSpent()) return false;
     --comparisonsLeft_;

@@ -7,13 +7,13 @@ namespace tetrafront {
 
 namespace {
 
-/// Cosine of 20 degrees: outside 20 .. 160 degrees the plane would be so skew that rounding in
-/// it costs more than the likeness gains.
+/// Cosine of 20 degrees: outside 20 .. 160 degrees the plane would be so skewed that rounding costs
+/// more than the likeness gains.
 constexpr double kLargestCosine = 0.93969262078590838;
 
 double cosineBetween(const Vec3& a, const Vec3& b) {
   const double product = glm::length(a) * glm::length(b);
-  // A degenerate corner has no angle; a right one is as good as any.
+  // A degenerate corner has no angle; use a right angle.
   if (!(product > 0.0)) return 0.0;
   return std::clamp(glm::dot(a, b) / product, -kLargestCosine, kLargestCosine);
 }
@@ -29,8 +29,8 @@ StretchedPlane::StretchedPlane(double lengthAB, double lengthAD, double lengthDC
 StretchedPlane StretchedPlane::ofTriangle(double lengthAB, double lengthAD, double lengthBD) {
   StretchedPlane plane;
   plane.xB_ = lengthAB;
-  // The law of cosines. The angle between the lines at A would do as well but for bent ones, whose
-  // plane triangle would have one side unlike its line.
+  // Law of cosines. The angle between the lines at A would serve as well, except for curved lines,
+  // whose plane triangle would then have one side unlike its line.
   const double squares = lengthAB * lengthAB + lengthAD * lengthAD - lengthBD * lengthBD;
   plane.placeD(lengthAD,
                std::clamp(squares / (2.0 * lengthAB * lengthAD), -kLargestCosine, kLargestCosine));

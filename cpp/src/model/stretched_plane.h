@@ -1,14 +1,14 @@
 #pragma once
 
-/// @file The unit square, or triangle, stretched and sheared to resemble a surface patch in the
-/// plane (Löhner & Parikh 1988, appendix, eq. 16 and 17, figure 1). Of a triangle A B D the point C
-/// is omitted: what remains of the mapping is affine.
+/// @file The unit square or triangle, stretched and sheared to resemble a surface patch in the
+/// plane (Löhner & Parikh 1988, appendix, eq. 16 and 17, figure 1). For a triangle A B D, the point
+/// C is omitted and the mapping is affine.
 ///
-///     eta'' ^    D-----------C        A = (0, 0)      B = (x_B, 0)
-///           |   /           /         D = (x_D, y_D)  C = (x_D + |DC|, y_D)
-///           |  /           /
-///           | A---------B            The lengths are arc lengths of the patch's lines.
-///           +-----------------> xi''
+/// eta'' ^  D-----------C     A = (0, 0)        B = (x_B, 0)
+///       |  /          /      D = (x_D, y_D)    C = (x_D + |DC|, y_D)
+///       | /          /
+///       | A---------B        The lengths are arc lengths of the patch's lines.
+///       +-----------------> xi''
 
 #include "tetrafront/vec3.h"
 
@@ -16,24 +16,24 @@ namespace tetrafront {
 
 class StretchedPlane {
  public:
-  /// Lengths > 0. `tangentAlongAB` and `tangentAlongAD`: the surface's tangents at A, which give
-  /// the angle there; it is kept within 20 .. 160 degrees.
+  /// All lengths must be positive. `tangentAlongAB` and `tangentAlongAD` are the surface's tangents
+  /// at A; they define the angle there, which is limited to 20 .. 160 degrees.
   StretchedPlane(double lengthAB, double lengthAD, double lengthDC, const Vec3& tangentAlongAB,
                  const Vec3& tangentAlongAD);
-  /// The unit square itself.
+  /// Makes the unit square.
   StretchedPlane() = default;
 
-  /// For a triangular patch: the plane triangle A B D with the lengths of its three lines, where
-  /// there is one with an angle at A of 20 .. 160 degrees; lengths > 0.
+  /// For a triangular patch: the plane triangle A B D with the lengths of its three lines, if it
+  /// exists with an angle of 20 .. 160 degrees at A. All lengths must be positive.
   [[nodiscard]] static StretchedPlane ofTriangle(double lengthAB, double lengthAD, double lengthBD);
 
-  /// Eq. (16).
+  /// Maps (xi, eta) to (xi'', eta''), eq. (16).
   [[nodiscard]] Vec2 toPlane(const Vec2& unit) const;
-  /// Eq. (17), the inverse.
+  /// Maps (xi'', eta'') to (xi, eta), eq. (17), the inverse.
   [[nodiscard]] Vec2 toUnit(const Vec2& plane) const;
 
-  /// Derivatives of xi and eta by xi'' and eta'': {d xi/d xi'', d xi/d eta'', d eta/d eta''};
-  /// eta does not depend on xi''.
+  /// Derivatives of xi and eta with respect to xi'' and eta'': {d xi/d xi'', d xi/d eta'', d eta/d
+  /// eta''}; eta does not depend on xi''.
   struct Derivatives {
     double xiByXi;
     double xiByEta;

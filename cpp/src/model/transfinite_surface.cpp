@@ -11,7 +11,7 @@ SurfacePoint BarnhillGregoryNielsonSurface::evaluate(const Vec2& unit) const {
   const double xi = unit.x;
   const double eta = unit.y;
   const Vec3& p1 = lines_[0].start();
-  // A line at xi, or at 1 - xi, moves with xi; at eta, or at 1 - eta, with eta.
+  // A line at xi or 1 - xi moves with xi; a line at eta or 1 - eta moves with eta.
   const Curve::Sample f1Xi = lines_[0].sample(xi);
   const Curve::Sample f1Eta = lines_[0].sample(1.0 - eta);
   const Curve::Sample f2Xi = lines_[1].sample(1.0 - xi);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file A curved patch over the unit triangle or square, whatever its type: the step xi, eta ->
-/// x, y, z of the paper's mappings (Löhner & Parikh 1988, section 5.2 and appendix, eq. 11-15).
+/// @file A curved patch of any type over the unit triangle or square: the step xi, eta -> x, y, z
+/// of the paper's mappings (Löhner & Parikh 1988, section 5.2 and appendix, eq. 11-15).
 
 #include <cstdint>
 #include <span>
@@ -15,25 +15,25 @@ namespace tetrafront {
 /// The domain of (xi, eta). Both contain (0, 0), (1, 0) and (0, 1); the square also (1, 1).
 enum class UnitShape : std::uint8_t { kTriangle, kSquare };
 
-/// The domain of a patch type other than planar.
+/// Returns the domain of a patch type other than planar.
 [[nodiscard]] UnitShape unitShapeOf(PatchType type);
 
-/// The point of a domain nearest to `unit` along its coordinates.
+/// Returns the point of a domain closest to `unit` along its coordinates.
 [[nodiscard]] Vec2 clampedToUnit(UnitShape shape, const Vec2& unit);
 
-/// Where a loop's line number `position`, at parameter t as the loop walks it, runs along the
-/// domain's border.
+/// Maps line number `position` of a loop, at parameter t in the loop's direction, to the border of
+/// the domain.
 [[nodiscard]] Vec2 unitBorder(UnitShape shape, std::size_t position, double t);
 
 class UnitSurface {
  public:
-  /// The lines of the patch's outer loop, as it walks them; of a type and number that `type`,
-  /// which is not planar, accepts. Their curves must outlive this.
+  /// The lines of the patch's outer loop, in its direction. `type` must not be planar and must
+  /// accept their types and number. Their curves must outlive this.
   UnitSurface(PatchType type, std::span<const OrientedCurve> loop);
 
   [[nodiscard]] UnitShape shape() const { return shape_; }
 
-  /// Exact derivatives; along the border, the lines themselves.
+  /// Position and exact derivatives; along the border, those of the lines.
   [[nodiscard]] SurfacePoint evaluate(const Vec2& unit) const;
 
  private:
