@@ -132,7 +132,7 @@ int main(int argc, char** argv) {
   const tetrafront::BoundaryResult closed = tetrafront::closeBoundary(
       problem.boundary, tetrafront::BoundarySource::kGivenSurface, findings);
   const bool hasGrid = !problem.grid.nodes.empty();
-  if (!closed.valid || (hasGrid && !tetrafront::checkBackgroundGrid(problem.grid).empty())) {
+  if (!closed.isValid || (hasGrid && !tetrafront::checkBackgroundGrid(problem.grid).empty())) {
     std::fprintf(stderr, "standard input: the boundary or the background grid cannot be used\n");
     return 2;
   }

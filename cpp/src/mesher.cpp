@@ -211,7 +211,7 @@ class MeshRun::Impl {
       // How the bodies of a model are nested was told with the check of the input.
       if (found.code != DiagnosticCode::kNestedBodies || !wasReported(found.code)) report({found});
     }
-    if (!check.result().valid || anyError(diagnostics_)) return fail();
+    if (!check.result().isValid || anyError(diagnostics_)) return fail();
     if (isModel()) {
       worker_.emplace<Estimate>();
     } else {

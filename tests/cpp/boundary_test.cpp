@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "support/random.h"
-#include "support/shapes.h"
 #include "boundary/edge_table.h"
 #include "boundary/half_faces.h"
+#include "support/random.h"
+#include "support/shapes.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -41,7 +41,7 @@ Outcome close(SurfaceMesh& mesh, BoundarySource source = BoundarySource::kGivenS
   const bool hasError =
       std::any_of(outcome.diagnostics.begin(), outcome.diagnostics.end(),
                   [](const Diagnostic& d) { return d.severity == Severity::kError; });
-  EXPECT_EQ(outcome.result.valid, !hasError);
+  EXPECT_EQ(outcome.result.isValid, !hasError);
   return outcome;
 }
 
@@ -105,7 +105,7 @@ TEST(BoundaryTest, RestoresRandomlyFlippedTriangles) {
     const auto expected = turnsOf(shape.mesh);
     flipRandomly(shape.mesh, 11);
     const Outcome outcome = close(shape.mesh);
-    ASSERT_TRUE(outcome.result.valid) << shape.name;
+    ASSERT_TRUE(outcome.result.isValid) << shape.name;
     EXPECT_EQ(turnsOf(shape.mesh), expected) << shape.name;
     std::set<DiagnosticCode> codes = outcome.codes();
     codes.erase(DiagnosticCode::kNestedBodies);
@@ -125,7 +125,7 @@ TEST(BoundaryTest, RefusesPartsOfMixedTurnsWhereAskedTo) {
                         MixedOrientation::kRefuse);
     while (!check.advance(1U << 16U)) {
     }
-    EXPECT_FALSE(check.result().valid) << shape.name;
+    EXPECT_FALSE(check.result().isValid) << shape.name;
     std::set<std::uint32_t> named;
     for (const Diagnostic& found : check.diagnostics()) {
       if (found.code != DiagnosticCode::kTurnedTriangle) continue;
@@ -146,7 +146,7 @@ TEST(BoundaryTest, TakesPartsThatAreInsideOutAsAWholeInAnyCase) {
                         MixedOrientation::kRefuse);
     while (!check.advance(1U << 16U)) {
     }
-    EXPECT_TRUE(check.result().valid) << shape.name;
+    EXPECT_TRUE(check.result().isValid) << shape.name;
     EXPECT_EQ(turnsOf(shape.mesh), expected) << shape.name;
   }
 }
@@ -157,7 +157,7 @@ TEST(BoundaryTest, RestoresSurfacesTurnedInsideOut) {
     const std::size_t triangles = triangleCount(shape.mesh);
     turnInsideOut(shape.mesh);
     const Outcome outcome = close(shape.mesh);
-    ASSERT_TRUE(outcome.result.valid) << shape.name;
+    ASSERT_TRUE(outcome.result.isValid) << shape.name;
     EXPECT_EQ(turnsOf(shape.mesh), expected) << shape.name;
     double turned = 0.0;
     for (const Diagnostic& d : outcome.diagnostics) {
@@ -186,7 +186,7 @@ TEST(BoundaryTest, HoldsUnderRotationOffsetScaleAndMirror) {
     const Outcome outcome = close(mesh);
     // Rounding may make nodes coincide, or a thin plate touch itself, when a model of 1e-9 is
     // moved to 1e3; that must be said, and nothing else.
-    if (!outcome.result.valid) {
+    if (!outcome.result.isValid) {
       EXPECT_TRUE(outcome.codes().contains(DiagnosticCode::kCoincidentNodes) ||
                   outcome.codes().contains(DiagnosticCode::kSelfIntersection) ||
                   outcome.codes().contains(DiagnosticCode::kDegenerateTriangle))
@@ -202,7 +202,7 @@ TEST(BoundaryTest, CavityBelongsToTheRegionAroundIt) {
   SurfaceMesh mesh = cubeWithCubicCavity(2, 1);
   const std::size_t outer = triangleCount(gridCube(2));
   const Outcome outcome = close(mesh);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(regionOf(mesh, 0), 0U);
   EXPECT_EQ(regionOf(mesh, outer), 0U);
   EXPECT_NEAR(enclosedVolume(mesh), 1.0 - 0.125, 1e-14);
@@ -216,7 +216,7 @@ TEST(BoundaryTest, NestedShellsAlternate) {
   const std::size_t each = triangleCount(mesh) / kDepth;
   flipRandomly(mesh, 12);
   const Outcome outcome = close(mesh);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 3U);
   const std::array<std::uint32_t, kDepth> regions{0, 0, 1, 1, 2};
   for (std::size_t level = 0; level < kDepth; ++level) {
@@ -240,7 +240,7 @@ TEST(BoundaryWallsTest, EverySpaceIsARegionOfItsOwn) {
     SurfaceMesh mesh = dividedBox(counts, 2);
     const SurfaceMesh before = mesh;
     const Outcome outcome = close(mesh);
-    ASSERT_TRUE(outcome.result.valid);
+    ASSERT_TRUE(outcome.result.isValid);
     EXPECT_EQ(mesh.triangles, before.triangles) << "turned outward already, and walls stay";
     EXPECT_EQ(outcome.result.regionCount, cubes);
     ASSERT_EQ(outcome.diagnostics.size(), 1U);
@@ -263,7 +263,7 @@ TEST(BoundaryWallsTest, ManyRegionsAreFoundHoweverTheyAreTurnedAndNumbered) {
     shuffle(mesh, seed);
     flipRandomly(mesh, seed);
     const Outcome outcome = close(mesh);
-    ASSERT_TRUE(outcome.result.valid) << seed;
+    ASSERT_TRUE(outcome.result.isValid) << seed;
     EXPECT_EQ(outcome.result.regionCount, 8U) << seed;
     for (const double volume : regionVolumes(mesh)) EXPECT_NEAR(volume, 1.0, 1e-12) << seed;
     const auto sides = sidesOf(mesh);
@@ -290,7 +290,7 @@ TEST(BoundaryWallsTest, BodiesWithinRegions) {
   translate(divided, Vec3(1.25, 0.25, 0.25));
   append(mesh, divided);
   const Outcome outcome = close(mesh);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 4U);
   std::vector<double> volumes = regionVolumes(mesh);
   std::ranges::sort(volumes);
@@ -352,7 +352,7 @@ TEST(BoundaryTest, TwoCavitiesAndAnIslandInAnyOrder) {
   append(mesh, box(0.0, 1.0));       // the outside
   append(mesh, box(2.0, 3.0));       // a separate body
   const Outcome outcome = close(mesh);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 3U);
   const std::array<std::uint32_t, 5> regions{0, 1, 1, 1, 2};
   for (std::size_t shell = 0; shell < regions.size(); ++shell) {
@@ -365,7 +365,7 @@ TEST(BoundaryTest, BodiesTouchingAlongAnEdgeAreTwoRegions) {
   SurfaceMesh mesh = cubesSharingEdge();
   flipRandomly(mesh, 13);
   const Outcome outcome = close(mesh);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 2U);
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
     EXPECT_EQ(regionOf(mesh, t), t < 12 ? 0U : 1U) << "triangle " << t;
@@ -414,7 +414,7 @@ TEST(BoundaryTest, PinchedBodyIsOneRegion) {
     }
   }
   const Outcome outcome = close(mesh);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 1U);
   EXPECT_NEAR(enclosedVolume(mesh), 6.0, 1e-14);
 }
@@ -594,7 +594,7 @@ TEST(BoundaryDiagnosticsTest, TouchingCounts) {
     mesh.points[i] = std::nextafter(mesh.points[i], 3.0);
   }
   const Outcome apart = close(mesh);
-  EXPECT_TRUE(apart.result.valid);
+  EXPECT_TRUE(apart.result.isValid);
   EXPECT_EQ(apart.result.regionCount, 2U);
 }
 
@@ -628,8 +628,8 @@ TEST(BoundaryDiagnosticsTest, OneSidedSurface) {
   // Glued by itself it has one side only.
   const EdgeTable edges(mesh.triangles, 6, {});
   EXPECT_EQ(edges.edgeCount(), 15U);
-  const std::vector<std::uint32_t> shells = linkHalfFaces(mesh, edges);
-  EXPECT_EQ(std::set(shells.begin(), shells.end()), std::set{0U});
+  const std::vector<ShellId> shells = linkHalfFaces(mesh, edges);
+  EXPECT_EQ(std::set(shells.begin(), shells.end()), std::set{ShellId(0U)});
 }
 
 /// A slanted fibre, far thinner than long: its volume is small, but no rounding error.
@@ -641,7 +641,7 @@ TEST(BoundaryTest, ThinBodiesHaveAVolume) {
     mesh.points[i + 1] += 0.7 * mesh.points[i + 2];
   }
   const Outcome outcome = close(mesh);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_NEAR(outcome.result.shells.at(0).volume, kWidth * kWidth, 1e-6 * kWidth * kWidth);
 }
 
@@ -650,7 +650,7 @@ TEST(BoundaryDiagnosticsTest, NothingIsTurnedWhenThereAreErrors) {
   mesh.triangles.resize(mesh.triangles.size() - 3);
   flipRandomly(mesh, 4);
   const std::vector<std::uint32_t> before = mesh.triangles;
-  EXPECT_FALSE(close(mesh).result.valid);
+  EXPECT_FALSE(close(mesh).result.isValid);
   EXPECT_EQ(mesh.triangles, before);
 }
 
@@ -691,12 +691,11 @@ TEST(DrawnBoundaryTest, ReversedPatchesAreTurnedAndNamed) {
   SurfaceMesh mesh = drawnCube(3);
   const auto expected = turnsOf(mesh);
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
-    if (mesh.trianglePatch[t] == 1 || mesh.trianglePatch[t] == 4)
-      flipTriangle(mesh, static_cast<std::uint32_t>(t));
+    if (mesh.trianglePatch[t] == 1 || mesh.trianglePatch[t] == 4) flipTriangle(mesh, TriangleId(t));
   }
   const std::vector<std::uint32_t> patches = mesh.trianglePatch;
   const Outcome outcome = close(mesh, BoundarySource::kDrawnPatches);
-  ASSERT_TRUE(outcome.result.valid);
+  ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(turnsOf(mesh), expected);
   EXPECT_EQ(mesh.trianglePatch, patches);
   ASSERT_EQ(outcome.diagnostics.size(), 1U) << "of all of them in one";

@@ -192,7 +192,7 @@ TEST(GridFromMeshTest, WalksAreShortInTheFrontsOrderOnALargeGrid) {
   ASSERT_GT(tetrahedraOf(mesh), 20'000U);
   const SizeField field = SizeField::fromGrid(GridLocator(gridFromMesh(mesh, {})));
   std::vector<Diagnostic> diagnostics;
-  ASSERT_TRUE(closeBoundary(sphere, BoundarySource::kGivenSurface, diagnostics).valid);
+  ASSERT_TRUE(closeBoundary(sphere, BoundarySource::kGivenSurface, diagnostics).isValid);
   VolumeMesher mesher(sphere, field, {});
   while (mesher.advance(kBudget) == MeshStatus::kRunning) {
   }

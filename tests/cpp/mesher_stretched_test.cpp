@@ -139,7 +139,7 @@ TEST_P(StretchedBox, IsFilledFromAStretchedSurface) {
   std::vector<Diagnostic> diagnostics;
   const BoundaryResult closed =
       closeBoundary(mesh.surface, BoundarySource::kGivenSurface, diagnostics);
-  ASSERT_TRUE(closed.valid);
+  ASSERT_TRUE(closed.isValid);
   VolumeMesher mesher(mesh.surface, field, {});
   while (mesher.advance(kBudget) == MeshStatus::kRunning) {
   }

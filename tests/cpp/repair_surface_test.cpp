@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "repair/weld.h"
 #include "support/random.h"
 #include "support/shapes.h"
-#include "repair/weld.h"
 #include "tetrafront/surface_tools.h"
 
 namespace tetrafront::testing {
@@ -58,14 +58,13 @@ TEST(NodeWelder, WorksInSlices) {
   const SurfaceMesh soup = soupOf(geodesicSphere(5), 1e-7);
   const std::size_t nodes = soup.points.size() / 3;
   for (const double distance : {0.0, 1e-6, 0.2}) {
-    NodeWelder whole(soup.points, distance);
-    while (!whole.advance(1U << 20U)) {
-    }
-    NodeWelder sliced(soup.points, distance);
+    const auto start = [&](Work& work) { return findWeldTargets(work, soup.points, distance); };
+    Job whole(start);
+    Job sliced(start);
     std::size_t slices = 1;
     while (!sliced.advance(1)) ++slices;
     EXPECT_GT(slices, 2 * nodes);
-    EXPECT_EQ(sliced.targets(), whole.targets());
+    EXPECT_EQ(sliced.take(), whole.finish());
   }
 }
 

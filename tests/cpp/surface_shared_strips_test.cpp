@@ -114,7 +114,7 @@ void expectOneBody(const Model& model, double size) {
   EXPECT_EQ(countDoubles(mesh), 0U);
   std::vector<Diagnostic> found;
   const BoundaryResult boundary = closeBoundary(mesh, BoundarySource::kDrawnPatches, found);
-  EXPECT_TRUE(boundary.valid);
+  EXPECT_TRUE(boundary.isValid);
   EXPECT_EQ(boundary.regionCount, 1U);
   EXPECT_GT(tetrafront::enclosedVolume(mesh), 0.0);
 }

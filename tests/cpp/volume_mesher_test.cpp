@@ -55,7 +55,7 @@ Outcome fill(SurfaceMesh surface, const SizeField& field, const MeshOptions& opt
   std::vector<Diagnostic> diagnostics;
   const BoundaryResult closed =
       closeBoundary(outcome.boundary, BoundarySource::kGivenSurface, diagnostics);
-  EXPECT_TRUE(closed.valid);
+  EXPECT_TRUE(closed.isValid);
   BasicVolumeMesher<Trace> mesher(outcome.boundary, field, options);
   while (mesher.advance(budget) == MeshStatus::kRunning) {
   }

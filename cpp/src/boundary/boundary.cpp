@@ -2,278 +2,198 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
-#include "base/ids.h"
-#include "base/budget.h"
-#include "search/box_tree.h"
-#include "boundary/surface_checks.h"
 #include "boundary/edge_table.h"
+#include "boundary/half_faces.h"
 #include "boundary/self_intersection.h"
 #include "boundary/surface_access.h"
-#include "boundary/region_map.h"
-#include "boundary/half_faces.h"
+#include "search/box_tree.h"
 
 namespace tetrafront {
 namespace {
 
-/// To come to a box costs far less than to test a triangle.
-constexpr std::size_t kBoxesPerBudget = 16;
+/// Boxes per unit of budget: visiting one costs far less than testing a triangle.
+constexpr std::size_t kBoxesPerUnit = 16;
+
+/// Addresses an entry of BoundaryResult::shells.
+using BoundaryShellId = Id<BoundaryShell>;
+
+Task<BoxTree> buildTriangleTree(Work& work, const SurfaceMesh& mesh) {
+  BoxTreeBuilder builder(triangleBoxes(mesh));
+  co_await work.finish(builder, kBoxesPerUnit);
+  co_return builder.take();
+}
 
 }  // namespace
 
-class BoundaryCheck::Impl {
- public:
-  Impl(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed, MixedOrientation mixed,
-       std::size_t maxDiagnostics)
-      : mesh_(mesh),
-        source_(source),
-        enclosed_(enclosed),
-        mixed_(mixed),
-        report_(mesh, source, maxDiagnostics) {}
+BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed,
+                             MixedOrientation mixed, std::size_t maxDiagnostics)
+    : mesh_(mesh),
+      source_(source),
+      enclosed_(enclosed),
+      mixed_(mixed),
+      report_(mesh, source, maxDiagnostics),
+      job_([this](Work& work) { return run(work); }) {}
 
-  bool advance(std::uint32_t budget) {
-    switch (stage_) {
-      case Stage::kNumbers:
-        checkNumbers(mesh_, report_);
-        stage_ = report_.hasErrors() ? Stage::kReport : Stage::kTriangles;
-        break;
-      case Stage::kTriangles:
-        invalid_ = checkTriangles(mesh_, report_);
-        stage_ = Stage::kNodes;
-        break;
-      case Stage::kNodes:
-        checkCoincidentNodes(mesh_, report_);
-        stage_ = Stage::kEdges;
-        break;
-      case Stage::kEdges:
-        edges_.emplace(mesh_.triangles, mesh_.points.size() / 3, invalid_.inTopology);
-        checkEdges(mesh_, *edges_, report_);
-        stage_ = Stage::kBoxes;
-        break;
-      case Stage::kBoxes:
-        builder_.emplace(triangleBoxes(mesh_));
-        stage_ = Stage::kTree;
-        break;
-      case Stage::kTree:
-        if (!builder_->advance(scaledBudget(budget, kBoxesPerBudget))) break;
-        tree_ = builder_->take();
-        builder_.reset();
-        intersections_.emplace(mesh_, invalid_.inGeometry, tree_, report_);
-        stage_ = Stage::kIntersections;
-        break;
-      case Stage::kIntersections:
-        if (!intersections_->advance(budget)) break;
-        intersections_.reset();
-        stage_ = report_.hasErrors() ? Stage::kReport : Stage::kCells;
-        break;
-      case Stage::kCells:
-        regions_ = findRegions(mesh_, *edges_, tree_, enclosed_, report_);
-        stage_ = report_.hasErrors() ? Stage::kReport : Stage::kRegions;
-        break;
-      case Stage::kRegions:
-        orientOutward();
-        if (!report_.hasErrors()) numberRegions();
-        stage_ = Stage::kReport;
-        break;
-      case Stage::kReport:
-        result_.valid = !report_.hasErrors();
-        diagnostics_ = report_.take();
-        stage_ = Stage::kFinished;
-        break;
-      case Stage::kFinished:
-        break;
-    }
-    return stage_ == Stage::kFinished;
-  }
+Task<> BoundaryCheck::run(Work& work) {
+  co_await closeBoundary(work);
+  result_.isValid = !report_.hasErrors();
+  diagnostics_ = report_.take();
+}
 
-  [[nodiscard]] double fraction() const {
-    // Stages count alike; only the longest is looked into.
-    const auto stage = static_cast<double>(stage_);
-    const double share = stage / static_cast<double>(Stage::kFinished);
-    if (stage_ != Stage::kIntersections) return share;
-    return share + intersections_->fraction() / static_cast<double>(Stage::kFinished);
-  }
+Task<> BoundaryCheck::closeBoundary(Work& work) {
+  work.beginPart(0.02);
+  checkNumbers(mesh_, report_);
+  if (report_.hasErrors()) co_return;
+  co_await work.yield();
 
-  [[nodiscard]] const BoundaryResult& result() const { return result_; }
-  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
-  [[nodiscard]] std::vector<Diagnostic> takeDiagnostics() { return std::move(diagnostics_); }
-  [[nodiscard]] const std::vector<std::uint8_t>& withoutEdges() const {
-    return invalid_.inTopology;
-  }
+  work.beginPart(0.08);
+  invalid_ = checkTriangles(mesh_, report_);
+  co_await work.yield();
 
- private:
-  enum class Stage : std::uint8_t {
-    kNumbers,
-    kTriangles,
-    kNodes,
-    kEdges,
-    kBoxes,
-    kTree,
-    kIntersections,
-    kCells,
-    kRegions,
-    kReport,
-    kFinished
-  };
+  work.beginPart(0.16);
+  checkCoincidentNodes(mesh_, report_);
+  co_await work.yield();
 
-  void orientOutward();
-  void reportFlippedPatches(const std::vector<std::uint8_t>& isFlipped);
-  void reportFlippedComponents(const std::vector<std::uint8_t>& isFlipped);
-  [[nodiscard]] bool isWall(std::uint32_t triangle) const {
-    return regions_.isMeshedAt(frontOf(triangle)) && regions_.isMeshedAt(backOf(triangle));
-  }
-  /// Whether the triangle would be a wall if every space were filled.
-  [[nodiscard]] bool isBetweenRegions(std::uint32_t triangle) const {
-    return regions_.outerShellAt(frontOf(triangle)) != RegionMap::kUnbounded &&
-           regions_.outerShellAt(backOf(triangle)) != RegionMap::kUnbounded;
-  }
-  void numberRegions();
+  work.beginPart(0.22);
+  const EdgeTable edges(mesh_.triangles, countNodes(mesh_), invalid_.inTopology);
+  checkEdges(mesh_, edges, report_);
+  co_await work.yield();
 
-  SurfaceMesh& mesh_;
-  BoundarySource source_;
-  EnclosedBodies enclosed_;
-  MixedOrientation mixed_;
-  BoundaryReport report_;
-  Stage stage_ = Stage::kNumbers;
-  InvalidTriangles invalid_;
-  std::optional<EdgeTable> edges_;
-  std::optional<BoxTreeBuilder> builder_;
-  BoxTree tree_;
-  std::optional<SelfIntersectionCheck> intersections_;
-  RegionMap regions_;
-  BoundaryResult result_;
-  std::vector<Diagnostic> diagnostics_;
-};
+  work.beginPart(0.3);
+  const BoxTree tree = co_await buildTriangleTree(work, mesh_);
 
-/// The filled side becomes the back of each triangle. Walls, both of whose sides are filled, stay as
-/// they were drawn.
-void BoundaryCheck::Impl::orientOutward() {
-  std::vector<std::uint8_t> isFlipped(regions_.componentOf.size(), 0);
+  work.beginPart(0.85);
+  co_await checkSelfIntersections(work, mesh_, invalid_.inGeometry, tree, report_);
+  if (report_.hasErrors()) co_return;
+
+  work.beginPart(0.95);
+  RegionMap regions = findRegions(mesh_, edges, tree, enclosed_, report_);
+  if (report_.hasErrors()) co_return;
+  co_await work.yield();
+
+  orientOutward(regions);
+  if (!report_.hasErrors()) numberRegions(regions);
+}
+
+void BoundaryCheck::orientOutward(RegionMap& regions) {
+  std::vector<std::uint8_t> isFlipped(countTriangles(mesh_), 0);
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
-    if (regions_.isMeshedAt(backOf(t))) continue;
+    const TriangleId triangle(t);
+    if (regions.isMeshedAt(backOf(triangle))) continue;
     isFlipped[t] = 1;
-    flipTriangle(mesh_, t);
-    std::swap(regions_.shellOf[backOf(t)], regions_.shellOf[frontOf(t)]);
+    flipTriangle(mesh_, triangle);
+    std::swap(regions.shellOf[backOf(triangle).index()],
+              regions.shellOf[frontOf(triangle).index()]);
   }
   if (source_ == BoundarySource::kDrawnPatches) {
     reportFlippedPatches(isFlipped);
   } else {
-    reportFlippedComponents(isFlipped);
+    reportFlippedComponents(regions, isFlipped);
   }
 }
 
-void BoundaryCheck::Impl::reportFlippedPatches(const std::vector<std::uint8_t>& isFlipped) {
+void BoundaryCheck::reportFlippedPatches(const std::vector<std::uint8_t>& isFlipped) {
   std::vector<std::uint8_t> isNamed;
   std::vector<Entity> patches;
-  std::uint32_t first = 0;
+  TriangleId first;
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
     const std::uint32_t patch = mesh_.trianglePatch[t];
     if (patch >= isNamed.size()) isNamed.resize(std::size_t{patch} + 1, 0);
     if (isFlipped[t] == 0 || isNamed[patch] != 0) continue;
     isNamed[patch] = 1;
-    if (patches.empty()) first = t;
+    if (patches.empty()) first = TriangleId(t);
     patches.push_back({EntityKind::kPatch, patch});
   }
   if (patches.empty()) return;
   report_.addInformation(DiagnosticCode::kReorientedPatch, std::move(patches),
-                         report_.centroidOf(first), {});
+                         centroidOf(cornersOf(mesh_, first)), {});
 }
 
-void BoundaryCheck::Impl::reportFlippedComponents(const std::vector<std::uint8_t>& isFlipped) {
-  struct Count {
-    std::uint32_t first = 0;
-    std::uint32_t turned = 0;
-    std::uint32_t all = 0;
+void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
+                                            const std::vector<std::uint8_t>& isFlipped) {
+  struct Counts {
+    TriangleId firstFlipped;
+    std::uint32_t flipped = 0;
+    std::uint32_t all = 0;  ///< without interfaces
   };
-  std::vector<Count> counts;
+  std::vector<Counts> counts;
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
-    if (regions_.componentOf[t] == counts.size()) counts.emplace_back();
-    Count& count = counts[regions_.componentOf[t]];
-    if (!isWall(t)) ++count.all;
+    const std::size_t component = regions.componentOf[t].index();
+    if (component == counts.size()) counts.emplace_back();
+    Counts& count = counts[component];
+    if (!regions.isInterface(TriangleId(t))) ++count.all;
     if (isFlipped[t] == 0) continue;
-    if (count.turned++ == 0) count.first = t;
+    if (count.flipped++ == 0) count.firstFlipped = TriangleId(t);
   }
-  const auto isRefused = [this](const Count& count) {
-    return mixed_ == MixedOrientation::kRefuse && count.turned > 0 && count.turned < count.all;
+  const auto isRefused = [this](const Counts& count) {
+    return mixed_ == MixedOrientation::kRefuse && count.flipped > 0 && count.flipped < count.all;
   };
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
-    if (isFlipped[t] != 0 && isRefused(counts[regions_.componentOf[t]])) {
-      report_.addTriangle(DiagnosticCode::kTurnedTriangle, t, {isBetweenRegions(t) ? 1.0 : 0.0});
-    }
+    if (isFlipped[t] == 0 || !isRefused(counts[regions.componentOf[t].index()])) continue;
+    report_.addTriangle(DiagnosticCode::kTurnedTriangle, TriangleId(t),
+                        {regions.isBetweenBoundedVolumes(TriangleId(t)) ? 1.0 : 0.0});
   }
-  for (const Count& count : counts) {
-    if (count.turned == 0 || isRefused(count)) continue;
-    report_.addInformation(DiagnosticCode::kReorientedPatch, {{EntityKind::kTriangle, count.first}},
-                           report_.centroidOf(count.first),
-                           {static_cast<double>(count.turned), static_cast<double>(count.all)});
+  for (const Counts& count : counts) {
+    if (count.flipped == 0 || isRefused(count)) continue;
+    report_.addInformation(DiagnosticCode::kReorientedPatch,
+                           {{EntityKind::kTriangle, count.firstFlipped.value}},
+                           centroidOf(cornersOf(mesh_, count.firstFlipped)),
+                           {static_cast<double>(count.flipped), static_cast<double>(count.all)});
   }
 }
 
-/// Regions in order of the lowest triangles of the shells around them.
-void BoundaryCheck::Impl::numberRegions() {
-  std::vector<std::uint32_t> numberOf(regions_.shells.size(), kNoIndex);
-  std::vector<std::uint32_t> regionOf(regions_.shells.size(), SurfaceMesh::kNoRegion);
+void BoundaryCheck::numberRegions(const RegionMap& regions) {
+  const auto halfFaces = static_cast<std::uint32_t>(regions.shellOf.size());
+  std::vector<BoundaryShellId> resultShellOf(regions.shells.size());
+  std::vector<RegionId> regionOf(regions.shells.size());
   std::uint32_t cavities = 0;
-  for (std::uint32_t side = 0; side < regions_.shellOf.size(); ++side) {
-    const std::uint32_t shell = regions_.shellOf[side];
-    if (regions_.isMeshed[shell] == 0) continue;
-    if (numberOf[shell] == kNoIndex) {
-      numberOf[shell] = static_cast<std::uint32_t>(result_.shells.size());
+  for (std::uint32_t h = 0; h < halfFaces; ++h) {
+    const HalfFaceId halfFace(h);
+    const ShellId shell = regions.shellOf[h];
+    if (!regions.isMeshedAt(halfFace)) continue;
+    BoundaryShellId& resultShell = resultShellOf[shell.index()];
+    if (resultShell.isNone()) {
+      resultShell = BoundaryShellId(result_.shells.size());
       result_.shells.push_back(
-          {.firstTriangle = triangleOf(side), .volume = regions_.shells[shell].volume});
-      if (regions_.outerShellOf[shell] == shell) {
-        regionOf[shell] = result_.regionCount++;
-      } else if (!regions_.isMeshedAt(oppositeOf(side))) {
+          {.firstTriangle = triangleOf(halfFace), .volume = regions.shells[shell.index()].volume});
+      if (regions.outerShellOf[shell.index()] == shell) {
+        regionOf[shell.index()] = RegionId(result_.regionCount++);
+      } else if (!regions.isMeshedAt(oppositeOf(halfFace))) {
         ++cavities;
       }
     }
-    BoundaryShell& found = result_.shells[numberOf[shell]];
-    ++found.triangles;
-    const std::array<Vec3, 3> p = cornersOf(mesh_, triangleOf(side));
-    found.area += 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+    BoundaryShell& found = result_.shells[resultShell.index()];
+    ++found.triangleCount;
+    found.area += areaOf(cornersOf(mesh_, triangleOf(halfFace)));
   }
-  mesh_.triangleRegions.assign(regions_.shellOf.size(), SurfaceMesh::kNoRegion);
-  for (std::uint32_t side = 0; side < regions_.shellOf.size(); ++side) {
-    const std::uint32_t shell = regions_.shellOf[side];
-    if (regions_.isMeshed[shell] == 0) continue;
-    mesh_.triangleRegions[side] = regionOf[regions_.outerShellOf[shell]];
-    result_.shells[numberOf[shell]].region = mesh_.triangleRegions[side];
+  mesh_.triangleRegions.assign(halfFaces, SurfaceMesh::kNoRegion);
+  for (std::uint32_t h = 0; h < halfFaces; ++h) {
+    const HalfFaceId halfFace(h);
+    if (!regions.isMeshedAt(halfFace)) continue;
+    const RegionId region = regionOf[regions.outerShellAt(halfFace).index()];
+    mesh_.triangleRegions[h] = region.value;
+    result_.shells[resultShellOf[regions.shellOf[h].index()].index()].region = region;
   }
-  if (result_.shells.size() > 1)
+  if (result_.shells.size() > 1) {
     report_.addNesting(result_.shells[1].firstTriangle, result_.regionCount, cavities);
-  // What a given surface has in place of patches.
+  }
+  // A given surface has shells in place of patches.
   if (source_ != BoundarySource::kGivenSurface) return;
-  mesh_.trianglePatch.resize(regions_.componentOf.size());
-  for (std::uint32_t t = 0; t < mesh_.trianglePatch.size(); ++t) {
-    mesh_.trianglePatch[t] = numberOf[regions_.shellOf[backOf(t)]];
+  mesh_.trianglePatch.resize(countTriangles(mesh_));
+  for (std::uint32_t t = 0; t < countTriangles(mesh_); ++t) {
+    const ShellId shell = regions.shellOf[backOf(TriangleId(t)).index()];
+    mesh_.trianglePatch[t] = resultShellOf[shell.index()].value;
   }
 }
 
-BoundaryCheck::BoundaryCheck(SurfaceMesh& mesh, BoundarySource source, EnclosedBodies enclosed,
-                             MixedOrientation mixed, std::size_t maxDiagnostics)
-    : impl_(std::make_unique<Impl>(mesh, source, enclosed, mixed, maxDiagnostics)) {}
-BoundaryCheck::BoundaryCheck(BoundaryCheck&&) noexcept = default;
-BoundaryCheck& BoundaryCheck::operator=(BoundaryCheck&&) noexcept = default;
-BoundaryCheck::~BoundaryCheck() = default;
-
-bool BoundaryCheck::advance(std::uint32_t budget) { return impl_->advance(budget); }
-double BoundaryCheck::fraction() const { return impl_->fraction(); }
-const BoundaryResult& BoundaryCheck::result() const { return impl_->result(); }
-const std::vector<Diagnostic>& BoundaryCheck::diagnostics() const { return impl_->diagnostics(); }
-std::vector<Diagnostic> BoundaryCheck::takeDiagnostics() { return impl_->takeDiagnostics(); }
-const std::vector<std::uint8_t>& BoundaryCheck::withoutEdges() const {
-  return impl_->withoutEdges();
-}
-
-BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source, std::vector<Diagnostic>& out,
-                             EnclosedBodies enclosed) {
-  constexpr std::uint32_t kSlice = 1U << 16U;
+BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
+                             std::vector<Diagnostic>& diagnostics, EnclosedBodies enclosed) {
   BoundaryCheck check(mesh, source, enclosed);
-  while (!check.advance(kSlice)) {
-  }
-  out.insert(out.end(), check.diagnostics().begin(), check.diagnostics().end());
+  finish(check);
+  const std::vector<Diagnostic> found = check.takeDiagnostics();
+  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
   return check.result();
 }
 

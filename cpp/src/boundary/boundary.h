@@ -1,90 +1,109 @@
 #pragma once
 
-/// @file One closed, oriented boundary (between steps F2 and F3 of Löhner & Parikh 1988): finds
-/// what would keep a surface from enclosing a volume and names it, turns triangles outward
-/// whatever way they were drawn, and tells which region lies inside each. Topology is decided by
-/// exact signs; the one tolerance is the rounding of a shell's volume against zero.
+/// @file Checks that a surface is one closed boundary, orients its triangles outward, and finds the region on either
+/// side of each (between steps F2 and F3 of Löhner & Parikh 1988). Reports everything that keeps the surface from
+/// enclosing a volume. Exact signs decide the topology; the only tolerance decides whether the volume of a shell
+/// is zero.
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
+#include "base/ids.h"
+#include "base/task.h"
 #include "boundary/boundary_report.h"
+#include "boundary/region_map.h"
+#include "boundary/surface_checks.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront {
 
-/// What bounds a region from outside, or a cavity in it.
+/// The closed boundary of a region or of a cavity inside a region.
 struct BoundaryShell {
-  std::uint32_t firstTriangle = 0;
-  std::uint32_t triangles = 0;
-  std::uint32_t region = 0;
-  double volume = 0.0;  ///< enclosed; negative for a cavity
+  TriangleId firstTriangle{};
+  std::uint32_t triangleCount = 0;
+  RegionId region{};
+  double volume = 0.0;  ///< enclosed volume; negative for a cavity
   double area = 0.0;
 };
 
 struct BoundaryResult {
-  bool valid = false;
-  /// By their lowest triangles; a wall belongs to two. Empty unless valid.
+  bool isValid = false;
+  /// In the order of their first triangles; an interface belongs to two. Empty unless valid.
   std::vector<BoundaryShell> shells;
   std::uint32_t regionCount = 0;
 };
 
-/// What becomes of a part of a given surface, connected over edges, some of whose triangles face
-/// inward and others outward. Parts that are inside out as a whole are always set right.
+/// What the check does with a component of a given surface in which some triangles face inward and others outward.
+/// A component that is flipped as a whole is oriented outward in either case.
 enum class MixedOrientation : std::uint8_t {
-  kFlip,    ///< and named as information
-  kRefuse,  ///< each triangle that faces inward is an error: repair is for those who ask for it
+  kFlip,  ///< flip the triangles that face inward, and report this as information
+  kRefuse,  ///< report each triangle that faces inward as an error: only an explicit repair changes it
 };
 
-/// The check in slices. Surfaces that pass are left
-///   - with every triangle counter-clockwise seen from outside its region, whatever way it was drawn;
-///     a wall, which has a region on either side, as it was drawn;
-///   - with triangleRegions set, by the rule of region_map.h: a shell within a shell bounds a
-///     cavity, one more an island, unless such parts are to be regions of their own; bodies with a
-///     common wall are a region each;
-///   - in their order of nodes and triangles, which only ever have two nodes exchanged;
-///   - for a given surface with trianglePatch set to the shell, numbered by its lowest triangle.
-/// Any number of triangles above one may meet at an edge: bodies touch along it, or walls end there.
+/// The boundary check in slices. A valid surface is left
+///   - with every triangle counter-clockwise as seen from outside its region; an interface, which has a region on
+///     either side, keeps its orientation;
+///   - with triangleRegions set, by the rule of region_map.h;
+///   - with its nodes and triangles in their order: the check only swaps two nodes of a triangle;
+///   - for a given surface, with trianglePatch set to the index of the shell in BoundaryResult::shells.
+/// Two or more triangles may meet at an edge: regions touch there, or interfaces end.
 class BoundaryCheck {
  public:
-  /// `mesh` must outlive this, and not change meanwhile. `maxDiagnostics`: findings of each code.
+  /// `mesh` must outlive this object and not change meanwhile. `maxDiagnostics`: limit per code.
   BoundaryCheck(SurfaceMesh& mesh, BoundarySource source,
                 EnclosedBodies enclosed = EnclosedBodies::kCavities,
                 MixedOrientation mixed = MixedOrientation::kFlip,
                 std::size_t maxDiagnostics = kListedFindings);
-  BoundaryCheck(BoundaryCheck&&) noexcept;
-  BoundaryCheck& operator=(BoundaryCheck&&) noexcept;
-  ~BoundaryCheck();
 
-  /// Works on for about `budget` triangles; true when finished. O(n log n) in all for surfaces
-  /// that do not meet themselves everywhere.
-  bool advance(std::uint32_t budget);
+  /// Does work for about `budget` triangles; returns true when finished. O(n log n) in total for surfaces with few
+  /// self-intersections.
+  bool advance(std::uint32_t budget) { return job_.advance(budget); }
 
-  /// Of its own work, 0 to 1.
-  [[nodiscard]] double fraction() const;
+  /// Estimated progress, 0 to 1.
+  [[nodiscard]] double fraction() const { return job_.fraction(); }
 
-  /// Both complete once advance() has returned true. Not valid iff there is an error among the
-  /// diagnostics; the last of an error's values counts the findings of its kind.
-  [[nodiscard]] const BoundaryResult& result() const;
-  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const;
-  /// The same, and none are left here: there may be a million.
-  [[nodiscard]] std::vector<Diagnostic> takeDiagnostics();
+  /// The result and the diagnostics are complete once advance() has returned true. The result is valid unless one
+  /// of the diagnostics is an error.
+  [[nodiscard]] const BoundaryResult& result() const { return result_; }
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
+  /// Moves the diagnostics out: there may be a million.
+  [[nodiscard]] std::vector<Diagnostic> takeDiagnostics() { return std::move(diagnostics_); }
 
-  /// One flag per triangle: those that make no edges, having a node twice or the nodes of an earlier
-  /// triangle. Empty where numbers are broken.
-  [[nodiscard]] const std::vector<std::uint8_t>& withoutEdges() const;
+  /// One flag per triangle: whether it is left out of the edges, because it has a repeated node or duplicates an
+  /// earlier triangle. Empty if a number is invalid.
+  [[nodiscard]] const std::vector<std::uint8_t>& withoutEdges() const {
+    return invalid_.inTopology;
+  }
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  Task<> run(Work& work);
+  Task<> closeBoundary(Work& work);
+
+  /// Makes the meshed side the back of every triangle. Does not flip interfaces.
+  void orientOutward(RegionMap& regions);
+  void reportFlippedPatches(const std::vector<std::uint8_t>& isFlipped);
+  void reportFlippedComponents(const RegionMap& regions,
+                               const std::vector<std::uint8_t>& isFlipped);
+  /// Numbers the regions in the order of the first triangles of their outer shells.
+  void numberRegions(const RegionMap& regions);
+
+  SurfaceMesh& mesh_;
+  BoundarySource source_;
+  EnclosedBodies enclosed_;
+  MixedOrientation mixed_;
+  BoundaryReport report_;
+  InvalidTriangles invalid_;
+  BoundaryResult result_;
+  std::vector<Diagnostic> diagnostics_;
+  Job<> job_;  ///< last, because it uses the other members
 };
 
-/// The whole check at once; findings are appended to `out`.
-BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source, std::vector<Diagnostic>& out,
+/// Does the whole check in one call. Appends the diagnostics to `diagnostics`.
+BoundaryResult closeBoundary(SurfaceMesh& mesh, BoundarySource source,
+                             std::vector<Diagnostic>& diagnostics,
                              EnclosedBodies enclosed = EnclosedBodies::kCavities);
 
 }  // namespace tetrafront

@@ -1,104 +1,110 @@
 #pragma once
 
-/// @file What the boundary check has to say: names lines and patches for a drawn model, triangles
-/// for a given surface, and keeps a million findings of one kind from becoming a million messages
-/// unless they are asked for.
+/// @file The diagnostics of the boundary check. Names lines and patches for a drawn model, triangles for a given
+/// surface. Limits the number of diagnostics per code, because a badly damaged surface can have millions.
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "base/ids.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/status.h"
 #include "tetrafront/surface_tools.h"
 
 namespace tetrafront {
 
-/// Where a boundary comes from, which decides how findings are named.
+/// Origin of a boundary, which decides what diagnostics name.
 enum class BoundarySource : std::uint8_t {
   kDrawnPatches,  ///< SurfaceMesh::trianglePatch, sides and sideLine are filled
   kGivenSurface,  ///< points and triangles only
 };
 
-/// Collects findings. Of each code the first `maxDiagnostics` are kept; the last of their `values` is the
-/// number of findings of that code in all (for a drawn model: with the same entities), and after it
-/// comes a 1 where the search was ended early, so that it is at least so many. A entry in a drawn
-/// model names lines and patches first, then its triangles, up to kMaxTriangles of all findings with
-/// the same lines and patches.
+/// Collects diagnostics and keeps the first `maxDiagnostics` of each code. The last of their `values` is the total
+/// of that code; for a drawn model, the total with the same entities. If the search ended early, a 1 follows: the
+/// total is then a lower bound. A diagnostic of a drawn model names lines and patches first, then up to
+/// kMaxTriangles of the triangles concerned.
 class BoundaryReport {
  public:
   BoundaryReport(const SurfaceMesh& mesh, BoundarySource source,
                  std::size_t maxDiagnostics = kListedFindings)
       : mesh_(mesh), source_(source), maxDiagnostics_(maxDiagnostics) {}
 
-  void addNode(DiagnosticCode code, std::uint32_t node, std::vector<double> values);
-  void addNodePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b);
-  void addTriangle(DiagnosticCode code, std::uint32_t triangle, std::vector<double> values = {});
-  void addTrianglePair(DiagnosticCode code, std::uint32_t a, std::uint32_t b, const Vec3& place);
-  /// `triangles`: those that meet at the edge.
-  void addEdge(DiagnosticCode code, std::uint32_t from, std::uint32_t to,
-               std::span<const std::uint32_t> triangles);
-  /// Not counted with others of its kind.
-  void addInformation(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
+  void addNode(DiagnosticCode code, NodeId node, std::vector<double> values);
+  void addNodePair(DiagnosticCode code, NodeId a, NodeId b);
+  void addTriangle(DiagnosticCode code, TriangleId triangle, std::vector<double> values = {});
+  void addTrianglePair(DiagnosticCode code, TriangleId a, TriangleId b, const Vec3& position);
+  /// `triangles`: the triangles at the edge.
+  void addEdge(DiagnosticCode code, NodeId from, NodeId to, std::span<const TriangleId> triangles);
+  /// Adds a diagnostic of severity kInformation, without a total.
+  void addInformation(DiagnosticCode code, std::vector<Entity> entities, const Vec3& position,
                       std::vector<double> values);
-  /// Information: so many regions and cavities; `triangle` is one of the second of these.
-  void addNesting(std::uint32_t triangle, std::uint32_t regions, std::uint32_t cavities);
+  /// Reports the numbers of regions and cavities; `triangle` belongs to the second shell.
+  void addNesting(TriangleId triangle, std::uint32_t regions, std::uint32_t cavities);
   void addEmpty();
-  /// The last node or triangle is incomplete; `index` is its place.
+  /// Reports that the last node or triangle has fewer than three numbers; `index` is its index.
   void addIncomplete(EntityKind kind, std::size_t index);
 
   [[nodiscard]] bool hasErrors() const { return errors_ > 0; }
-  /// Of each code.
+  /// Maximum number of diagnostics kept of each code.
   [[nodiscard]] std::size_t maxDiagnostics() const { return maxDiagnostics_; }
-  /// There may be more findings of that code than were looked for.
-  void setIncomplete(DiagnosticCode code) { kindOf(code).setIncomplete = true; }
-  /// False if no further entry of that code will be kept: its place need not be found.
-  [[nodiscard]] bool keepsNext(DiagnosticCode code) { return kindOf(code).kept < maxDiagnostics_; }
+  /// Declares the total of a code a lower bound, because the search ended early.
+  void setLowerBound(DiagnosticCode code) { totalOf(code).isLowerBound = true; }
+  /// Returns false if no further diagnostic of this code is kept: its position need not be computed.
+  [[nodiscard]] bool canKeep(DiagnosticCode code) { return totalOf(code).kept < maxDiagnostics_; }
 
-  /// Everything, with the counts filled in.
+  /// Returns all diagnostics, complete with totals, and forgets them.
   [[nodiscard]] std::vector<Diagnostic> take();
-
-  [[nodiscard]] Vec3 centroidOf(std::uint32_t triangle) const;
 
  private:
   static constexpr std::size_t kMaxTriangles = 200;
-  static constexpr std::size_t kCodes = 64;  ///< all are below this
+  static constexpr std::size_t kCodes = 64;  ///< above all codes
   static constexpr std::size_t kNotKept = static_cast<std::size_t>(-1);
 
-  struct Kind {
-    std::uint64_t total = 0;
+  struct Total {
+    std::uint64_t reported = 0;
     std::size_t kept = 0;
-    bool setIncomplete = false;
+    bool isLowerBound = false;
   };
   struct Entry {
     Diagnostic diagnostic;
-    std::uint64_t count = 0;               ///< with the same entities; drawn models only
-    std::vector<std::uint32_t> triangles;  ///< of a drawn model, each once
-    bool isCounted = true;
+    std::uint64_t count = 0;            ///< reports with the same entities; drawn models only
+    std::vector<TriangleId> triangles;  ///< of a drawn model, without duplicates
+    bool hasTotal = true;
+  };
+  /// A side of a divided line.
+  struct Side {
+    NodeId low;
+    NodeId high;
+    LineId line;
+    friend auto operator<=>(const Side&, const Side&) = default;
   };
 
-  /// `triangles`: those concerned, where the entities are lines and patches.
-  void add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& place,
-           std::vector<double> values, std::span<const std::uint32_t> triangles = {});
-  static void addTriangles(Entry& entry, std::span<const std::uint32_t> triangles);
-  [[nodiscard]] Kind& kindOf(DiagnosticCode code) { return kinds_[static_cast<std::size_t>(code)]; }
+  /// `triangles`: the triangles concerned, if the entities are lines and patches.
+  void add(DiagnosticCode code, std::vector<Entity> entities, const Vec3& position,
+           std::vector<double> values, std::span<const TriangleId> triangles = {});
+  static void addTriangles(Entry& entry, std::span<const TriangleId> triangles);
+  [[nodiscard]] Total& totalOf(DiagnosticCode code) {
+    return totals_[static_cast<std::size_t>(code)];
+  }
   [[nodiscard]] bool isDrawn() const { return source_ == BoundarySource::kDrawnPatches; }
-  [[nodiscard]] Entity patchOf(std::uint32_t triangle) const;
-  [[nodiscard]] bool lineOf(std::uint32_t a, std::uint32_t b, std::uint32_t& line);
+  [[nodiscard]] Entity patchOf(TriangleId triangle) const;
+  /// Returns the line that has a side between the nodes, if there is one.
+  [[nodiscard]] std::optional<LineId> lineOf(NodeId a, NodeId b);
 
   const SurfaceMesh& mesh_;
   BoundarySource source_;
   std::size_t maxDiagnostics_;
   std::size_t errors_ = 0;
   std::vector<Entry> entries_;
-  std::array<Kind, kCodes> kinds_;  ///< by code
-  /// Findings of a drawn model by code and entities.
+  std::array<Total, kCodes> totals_;  ///< by code
+  /// Indices in entries_, or kNotKept, by code and entities; drawn models only.
   std::map<std::pair<DiagnosticCode, std::vector<std::uint64_t>>, std::size_t> known_;
-  /// Sides as {lower node, higher node, line}, sorted when first asked for.
-  std::vector<std::array<std::uint32_t, 3>> sides_;
+  std::vector<Side> sides_;  ///< sorted; filled at the first query
 };
 
 }  // namespace tetrafront

@@ -6,20 +6,21 @@
 
 namespace tetrafront {
 
-std::vector<std::uint32_t> cornerFans(std::span<const std::uint32_t> triangles,
-                                      const EdgeTable& edges) {
+std::vector<HalfEdgeId> cornerFans(std::span<const std::uint32_t> triangles,
+                                   const EdgeTable& edges) {
   DisjointSets fans(triangles.size());
+  const auto join = [&fans](HalfEdgeId a, HalfEdgeId b) { fans.join(a.value, b.value); };
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
-    const std::span<const std::uint32_t> halfEdges = edges.halfEdgesOf(e);
+    const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(EdgeId(e));
     if (halfEdges.size() != 2) continue;
-    std::uint32_t a = halfEdges[0];
-    std::uint32_t b = nextCorner(a);
-    if (triangles[halfEdges[0]] != triangles[halfEdges[1]]) std::swap(a, b);
-    fans.join(a, halfEdges[1]);
-    fans.join(b, nextCorner(halfEdges[1]));
+    HalfEdgeId a = halfEdges[0];
+    HalfEdgeId b = nextOf(a);
+    if (triangles[halfEdges[0].index()] != triangles[halfEdges[1].index()]) std::swap(a, b);
+    join(a, halfEdges[1]);
+    join(b, nextOf(halfEdges[1]));
   }
-  std::vector<std::uint32_t> fanOf(triangles.size());
-  for (std::uint32_t c = 0; c < fanOf.size(); ++c) fanOf[c] = fans.find(c);
+  std::vector<HalfEdgeId> fanOf(triangles.size());
+  for (std::uint32_t c = 0; c < fanOf.size(); ++c) fanOf[c] = HalfEdgeId(fans.find(c));
   return fanOf;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file The fans of triangles around the nodes of a surface: at a plain node all triangles are in
-/// one, at a pinched node the surface touches itself and there are more.
+/// @file The fans of triangles around the nodes of a surface. At a manifold node, all triangles form one fan. At a
+/// non-manifold node, where the surface touches itself, they form several.
 
 #include <cstdint>
 #include <span>
@@ -11,10 +11,10 @@
 
 namespace tetrafront {
 
-/// A number per corner (3t + k is corner k of triangle t): equal for corners of one node whose
-/// triangles are connected over edges of exactly two triangles. It is the fan's lowest corner.
-/// `edges` belongs to the triangles. O(n log n), seldom more than O(n).
-[[nodiscard]] std::vector<std::uint32_t> cornerFans(std::span<const std::uint32_t> triangles,
-                                                    const EdgeTable& edges);
+/// Returns the fan of each corner (3t + k is corner k of triangle t), identified by the lowest corner of the fan.
+/// Two corners of one node are in the same fan if their triangles are connected over edges of exactly two
+/// triangles. `edges` belongs to the triangles. O(n log n), usually O(n).
+[[nodiscard]] std::vector<HalfEdgeId> cornerFans(std::span<const std::uint32_t> triangles,
+                                                 const EdgeTable& edges);
 
 }  // namespace tetrafront

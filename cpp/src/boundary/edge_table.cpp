@@ -9,31 +9,31 @@ namespace tetrafront {
 EdgeTable::EdgeTable(std::span<const std::uint32_t> triangles, std::size_t nodeCount,
                      std::span<const std::uint8_t> ignored) {
   struct Entry {
-    std::uint32_t higher;
-    std::uint32_t halfEdge;
+    NodeId higher;
+    HalfEdgeId halfEdge;
   };
   const auto count = static_cast<std::uint32_t>(triangles.size());
-  const auto takesPart = [&](std::uint32_t h) { return ignored.empty() || ignored[h / 3] == 0; };
-  const auto lowerOf = [&](const HalfEdgeNodes& e) { return std::min(e.from, e.to); };
+  const auto isIgnored = [&](std::uint32_t h) { return !ignored.empty() && ignored[h / 3] != 0; };
+  const auto lowerOf = [&](const HalfEdgeNodes& e) { return std::min(e.from, e.to).index(); };
 
-  // A counting sort by the lower node leaves buckets of a few entries each.
-  std::vector<std::uint32_t> bucket(nodeCount + 1, 0);
+  // A counting sort by the lower node leaves runs of a few entries each.
+  std::vector<std::uint32_t> begins(nodeCount + 1, 0);
   for (std::uint32_t h = 0; h < count; ++h) {
-    if (takesPart(h)) ++bucket[lowerOf(nodesOf(triangles, h)) + 1];
+    if (!isIgnored(h)) ++begins[lowerOf(nodesOf(triangles, HalfEdgeId(h))) + 1];
   }
-  for (std::size_t i = 1; i <= nodeCount; ++i) bucket[i] += bucket[i - 1];
-  std::vector<Entry> entries(bucket[nodeCount]);
-  std::vector<std::uint32_t> next(bucket.begin(), bucket.end() - 1);
+  for (std::size_t i = 1; i <= nodeCount; ++i) begins[i] += begins[i - 1];
+  std::vector<Entry> entries(begins[nodeCount]);
+  std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
   for (std::uint32_t h = 0; h < count; ++h) {
-    if (!takesPart(h)) continue;
-    const HalfEdgeNodes e = nodesOf(triangles, h);
-    entries[next[lowerOf(e)]++] = {std::max(e.from, e.to), h};
+    if (isIgnored(h)) continue;
+    const HalfEdgeNodes e = nodesOf(triangles, HalfEdgeId(h));
+    entries[next[lowerOf(e)]++] = {std::max(e.from, e.to), HalfEdgeId(h)};
   }
 
   halfEdges_.reserve(entries.size());
   for (std::size_t node = 0; node < nodeCount; ++node) {
     const std::span<Entry> run =
-        std::span(entries).subspan(bucket[node], bucket[node + 1] - bucket[node]);
+        std::span(entries).subspan(begins[node], begins[node + 1] - begins[node]);
     sortFew(run, [](const Entry& a, const Entry& b) {
       return a.higher != b.higher ? a.higher < b.higher : a.halfEdge < b.halfEdge;
     });

@@ -1,50 +1,59 @@
 #pragma once
 
-/// @file Which triangles meet at each edge of a surface, however many they are.
+/// @file The edges of a surface, each with all its triangles, however many there are.
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/ids.h"
+
 namespace tetrafront {
 
-/// Half-edge 3t + k runs from triangles[3t + k] to triangles[3t + (k + 1) % 3].
+/// Half-edge 3t + k runs from corner k of triangle t to the next corner. The same id addresses that corner.
+using HalfEdgeId = Id<struct HalfEdgeTag>;
+
+constexpr HalfEdgeId halfEdgeOf(TriangleId triangle, std::uint32_t corner) {
+  return HalfEdgeId(3 * triangle.value + corner);
+}
+
+constexpr TriangleId triangleOf(HalfEdgeId halfEdge) { return TriangleId(halfEdge.value / 3); }
+
+/// Returns the next half-edge of the same triangle.
+constexpr HalfEdgeId nextOf(HalfEdgeId halfEdge) {
+  return HalfEdgeId(halfEdge.value % 3 == 2 ? halfEdge.value - 2 : halfEdge.value + 1);
+}
+
+struct HalfEdgeNodes {
+  NodeId from;
+  NodeId to;
+  NodeId apex;  ///< third node of the triangle
+};
+
+inline HalfEdgeNodes nodesOf(std::span<const std::uint32_t> triangles, HalfEdgeId halfEdge) {
+  const HalfEdgeId next = nextOf(halfEdge);
+  return {NodeId(triangles[halfEdge.index()]), NodeId(triangles[next.index()]),
+          NodeId(triangles[nextOf(next).index()])};
+}
+
 class EdgeTable {
  public:
-  /// Triangles marked in `ignored` (one flag each, or empty) take no part. O(triangles).
+  /// Ignores the triangles whose flag in `ignored` is set; an empty `ignored` ignores none. O(triangles).
   EdgeTable(std::span<const std::uint32_t> triangles, std::size_t nodeCount,
             std::span<const std::uint8_t> ignored);
 
+  /// Edges ascend by their lower node, then by their higher node.
   [[nodiscard]] std::size_t edgeCount() const { return begins_.size() - 1; }
 
-  /// The half-edges on one edge, in ascending order. Edges ascend by their lower, then their
-  /// higher node.
-  [[nodiscard]] std::span<const std::uint32_t> halfEdgesOf(std::size_t edge) const {
-    return std::span(halfEdges_).subspan(begins_[edge], begins_[edge + 1] - begins_[edge]);
+  /// Returns the half-edges on one edge, in ascending order.
+  [[nodiscard]] std::span<const HalfEdgeId> halfEdgesOf(EdgeId edge) const {
+    const std::uint32_t begin = begins_[edge.index()];
+    return std::span(halfEdges_).subspan(begin, begins_[edge.index() + 1] - begin);
   }
 
  private:
-  std::vector<std::uint32_t> halfEdges_;
-  std::vector<std::uint32_t> begins_;
+  std::vector<HalfEdgeId> halfEdges_;
+  std::vector<std::uint32_t> begins_;  ///< per edge and one more: index in halfEdges_
 };
-
-/// The corner, or half-edge, after this one in its triangle.
-inline std::uint32_t nextCorner(std::uint32_t corner) {
-  return corner % 3 == 2 ? corner - 2 : corner + 1;
-}
-
-/// The two nodes of a half-edge, in its direction, and the third node of its triangle.
-struct HalfEdgeNodes {
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t apex;
-};
-
-inline HalfEdgeNodes nodesOf(std::span<const std::uint32_t> triangles, std::uint32_t halfEdge) {
-  const std::uint32_t first = halfEdge - halfEdge % 3;
-  const std::uint32_t k = halfEdge - first;
-  return {triangles[halfEdge], triangles[first + (k + 1) % 3], triangles[first + (k + 2) % 3]};
-}
 
 }  // namespace tetrafront

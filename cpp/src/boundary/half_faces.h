@@ -1,46 +1,50 @@
 #pragma once
 
-/// @file The two sides of every triangle, and how they hang together around edges.
+/// @file The half-faces of a surface: every triangle has two, its back and its front.
 ///
-/// Around an edge the triangles are sorted by angle; between two neighbours in angle lies a wedge of
-/// space, and the two sides that bound it are glued. That needs neither a turning nor an even number
-/// of triangles: the connected sets of sides are the shells of the spaces that a surface divides.
+/// The triangles at an edge are sorted by angle. Between two that follow each other lies a wedge of volume, and the
+/// two half-faces that bound the wedge are linked. This needs neither consistent orientation nor an even number of
+/// triangles. The connected sets of half-faces are the shells of the volumes that the surface separates.
 
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "boundary/edge_table.h"
 #include "tetrafront/mesh.h"
 
 namespace tetrafront {
 
-/// The side from which the triangle is seen clockwise: inside, if it is turned outward.
-constexpr std::uint32_t backOf(std::uint32_t triangle) { return 2 * triangle; }
-/// The side from which it is seen counter-clockwise.
-constexpr std::uint32_t frontOf(std::uint32_t triangle) { return 2 * triangle + 1; }
-constexpr std::uint32_t oppositeOf(std::uint32_t side) { return side ^ 1U; }
-constexpr std::uint32_t triangleOf(std::uint32_t side) { return side / 2; }
+using HalfFaceId = Id<struct HalfFaceTag>;
+using ShellId = Id<struct ShellTag>;
 
-/// Sorts the half-edges of one edge by the angle of their triangles, counter-clockwise seen
-/// against the direction from the edge's lower to its higher node. No two triangles may lie in
-/// one half-plane. Exact.
-void sortByAngle(const SurfaceMesh& mesh, std::vector<std::uint32_t>& halfEdges);
+/// Triangles that are connected over edges.
+using ComponentId = Id<struct ComponentTag>;
 
-/// The shell of each side, 2 per triangle; shells count from 0 in order of their lowest sides. At an
-/// edge with one triangle its two sides are one shell. Exact. O(n log k) for k triangles at an edge.
-[[nodiscard]] std::vector<std::uint32_t> linkHalfFaces(const SurfaceMesh& mesh,
-                                                       const EdgeTable& edges);
+/// The half-face from which the triangle is seen clockwise: inside, if the triangle is oriented outward.
+constexpr HalfFaceId backOf(TriangleId triangle) { return HalfFaceId(2 * triangle.value); }
+/// The half-face from which the triangle is seen counter-clockwise.
+constexpr HalfFaceId frontOf(TriangleId triangle) { return HalfFaceId(2 * triangle.value + 1); }
+constexpr HalfFaceId oppositeOf(HalfFaceId halfFace) { return HalfFaceId(halfFace.value ^ 1U); }
+constexpr TriangleId triangleOf(HalfFaceId halfFace) { return TriangleId(halfFace.value / 2); }
 
-/// A number per triangle, equal for those connected over edges; numbers count from 0 in order of the
-/// lowest triangle.
-[[nodiscard]] std::vector<std::uint32_t> connectedComponents(const SurfaceMesh& mesh,
-                                                             const EdgeTable& edges);
+/// Sorts the half-edges of one edge by the angle of their triangles, counter-clockwise as seen when looking from
+/// the higher to the lower node of the edge. No two triangles may lie in one half-plane. Exact.
+void sortByAngle(const SurfaceMesh& mesh, std::vector<HalfEdgeId>& halfEdges);
 
-/// Turns triangles so that those with a common edge agree with the lowest of them, of a surface with at
-/// most two triangles at an edge. False, and nothing turned, if it is one-sided.
+/// Returns the shell of each half-face. Shells are numbered from 0 by their lowest half-faces. If an edge has one
+/// triangle, both half-faces of the triangle belong to one shell. Exact. O(n log k) for k triangles at an edge.
+[[nodiscard]] std::vector<ShellId> linkHalfFaces(const SurfaceMesh& mesh, const EdgeTable& edges);
+
+/// Returns the component of each triangle. Components are numbered from 0 by their lowest triangles.
+[[nodiscard]] std::vector<ComponentId> connectedComponents(const SurfaceMesh& mesh,
+                                                           const EdgeTable& edges);
+
+/// Orients the triangles of each component as its lowest triangle. At most two triangles may meet at an edge.
+/// Returns false and changes nothing if the surface is one-sided.
 [[nodiscard]] bool orientConsistently(SurfaceMesh& mesh, const EdgeTable& edges);
 
-/// Exchanges two nodes, and with them front and back.
-void flipTriangle(SurfaceMesh& mesh, std::uint32_t triangle);
+/// Reverses the orientation: swaps the second and the third node.
+void flipTriangle(SurfaceMesh& mesh, TriangleId triangle);
 
 }  // namespace tetrafront

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
 #include <span>
 
 #include "base/sort.h"
 #include "search/disjoint_sets.h"
-#include "boundary/half_faces.h"
 
 namespace tetrafront {
 namespace {
@@ -19,112 +17,123 @@ class RegionFinder {
       : mesh_(mesh), edges_(edges), tree_(tree), enclosed_(enclosed), report_(report) {}
 
   RegionMap run() {
-    regions_.componentOf = connectedComponents(mesh_, edges_);
-    regions_.shellOf = linkHalfFaces(mesh_, edges_);
-    regions_.shells = measureShells(mesh_, regions_.shellOf);
-    componentCount_ = *std::ranges::max_element(regions_.componentOf) + 1;
-    reportFlatComponents();
+    map_.componentOf = connectedComponents(mesh_, edges_);
+    map_.shellOf = linkHalfFaces(mesh_, edges_);
+    map_.shells = measureShells(mesh_, map_.shellOf);
+    componentCount_ = std::ranges::max_element(map_.componentOf)->index() + 1;
+    reportDegenerateComponents();
     if (!report_.hasErrors()) findOuterShells();
     reportDanglingSheets();
     if (!report_.hasErrors()) decideWhatIsMeshed();
-    return std::move(regions_);
+    return std::move(map_);
   }
 
  private:
-  [[nodiscard]] std::uint32_t componentOfShell(std::size_t shell) const {
-    return regions_.componentOf[triangleOf(regions_.shells[shell].firstHalfFace)];
+  [[nodiscard]] ComponentId componentOfShell(ShellId shell) const {
+    return map_.componentOf[triangleOf(map_.shells[shell.index()].firstHalfFace).index()];
   }
 
-  /// Sheets aside, which enclose nothing either.
-  void reportFlatComponents() {
+  /// Skips dangling sheets, which enclose nothing either and are reported as such.
+  void reportDegenerateComponents() {
     std::vector<std::uint8_t> isReported(componentCount_, 0);
-    for (std::size_t s = 0; s < regions_.shells.size(); ++s) {
-      const std::uint32_t side = regions_.shells[s].firstHalfFace;
-      std::uint8_t& reported = isReported[componentOfShell(s)];
-      if (!regions_.shells[s].isFlat || reported != 0) continue;
-      if (regions_.shellOf[side] == regions_.shellOf[oppositeOf(side)]) continue;
+    for (std::size_t s = 0; s < map_.shells.size(); ++s) {
+      const HalfFaceId halfFace = map_.shells[s].firstHalfFace;
+      std::uint8_t& reported = isReported[componentOfShell(ShellId(s)).index()];
+      if (!map_.shells[s].isDegenerate || reported != 0) continue;
+      if (map_.shellOf[halfFace.index()] == map_.shellOf[oppositeOf(halfFace).index()]) continue;
       reported = 1;
-      report_.addTriangle(DiagnosticCode::kZeroVolume, triangleOf(side));
+      report_.addTriangle(DiagnosticCode::kZeroVolume, triangleOf(halfFace));
     }
   }
 
-  /// A shell with a positive volume bounds a space of its own. One with a negative volume looks into
-  /// the smallest space around its part.
+  /// A shell of positive volume bounds its volume from outside. A shell of negative volume looks into the smallest
+  /// volume that contains its component.
   void findOuterShells() {
-    const std::vector<Shell>& shells = regions_.shells;
+    const std::vector<Shell>& shells = map_.shells;
     depth_.assign(componentCount_, 0);
-    std::vector<std::uint32_t> around(componentCount_, RegionMap::kUnbounded);
+    std::vector<ShellId> smallestAround(componentCount_);
     if (componentCount_ > 1) {
-      const ShellNesting nesting(mesh_, regions_.componentOf, componentCount_, regions_.shellOf,
-                                 tree_);
-      for (std::uint32_t part = 0; part < componentCount_; ++part) {
-        for (const std::uint32_t shell : nesting.around(part)) {
-          if (shells[shell].volume <= 0.0) continue;
-          ++depth_[part];
-          const bool isFirst = around[part] == RegionMap::kUnbounded;
-          if (isFirst || shells[shell].volume < shells[around[part]].volume) around[part] = shell;
+      const ShellNesting nesting(mesh_, map_.componentOf, componentCount_, map_.shellOf, tree_);
+      for (std::size_t c = 0; c < componentCount_; ++c) {
+        ShellId& smallest = smallestAround[c];
+        for (const ShellId shell : nesting.shellsAround(ComponentId(c))) {
+          const double volume = shells[shell.index()].volume;
+          if (volume <= 0.0) continue;
+          ++depth_[c];
+          if (smallest.isNone() || volume < shells[smallest.index()].volume) smallest = shell;
         }
       }
     }
-    regions_.outerShellOf.resize(shells.size());
-    for (std::uint32_t s = 0; s < shells.size(); ++s) {
-      regions_.outerShellOf[s] = shells[s].volume > 0.0 ? s : around[componentOfShell(s)];
+    map_.outerShellOf.resize(shells.size());
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+      const ShellId shell(s);
+      map_.outerShellOf[s] =
+          shells[s].volume > 0.0 ? shell : smallestAround[componentOfShell(shell).index()];
     }
   }
 
   void reportDanglingSheets() {
-    for (std::uint32_t t = 0; t < regions_.componentOf.size(); ++t) {
-      const std::uint32_t back = regions_.shellOf[backOf(t)];
-      const std::uint32_t front = regions_.shellOf[frontOf(t)];
-      const bool isKnown = !regions_.outerShellOf.empty();
-      if (back != front &&
-          !(isKnown && regions_.outerShellOf[back] == regions_.outerShellOf[front]))
-        continue;
-      report_.addTriangle(DiagnosticCode::kDanglingSheet, t);
+    const bool isNestingKnown = !map_.outerShellOf.empty();
+    for (std::uint32_t t = 0; t < map_.componentOf.size(); ++t) {
+      const ShellId back = map_.shellOf[backOf(TriangleId(t)).index()];
+      const ShellId front = map_.shellOf[frontOf(TriangleId(t)).index()];
+      const bool isSameVolume =
+          back == front ||
+          (isNestingKnown && map_.outerShellOf[back.index()] == map_.outerShellOf[front.index()]);
+      if (isSameVolume) report_.addTriangle(DiagnosticCode::kDanglingSheet, TriangleId(t));
     }
   }
 
-  /// A part with walls, or one that is to be a wall all over.
+  /// Returns one flag per component: whether every volume that the component encloses is meshed.
   [[nodiscard]] std::vector<std::uint8_t> findComponentsWithInterfaces() const {
     std::vector<std::uint8_t> hasInterfaces(componentCount_,
                                             enclosed_ == EnclosedBodies::kRegions ? 1 : 0);
     for (std::size_t e = 0; e < edges_.edgeCount(); ++e) {
-      const std::span<const std::uint32_t> halfEdges = edges_.halfEdgesOf(e);
-      if (halfEdges.size() % 2 == 1) hasInterfaces[regions_.componentOf[halfEdges[0] / 3]] = 1;
+      const std::span<const HalfEdgeId> halfEdges = edges_.halfEdgesOf(EdgeId(e));
+      if (halfEdges.size() % 2 == 0) continue;
+      hasInterfaces[map_.componentOf[triangleOf(halfEdges[0]).index()].index()] = 1;
     }
     return hasInterfaces;
   }
 
+  /// Returns the shells grouped by component, the components in the order of their depth.
+  [[nodiscard]] std::vector<ShellId> shellsFromOutside() const {
+    std::vector<ShellId> order;
+    for (std::size_t s = 0; s < map_.shells.size(); ++s) order.emplace_back(s);
+    const auto rank = [&](ShellId shell) {
+      const ComponentId component = componentOfShell(shell);
+      return std::array{depth_[component.index()], component.value, shell.value};
+    };
+    stableSort(order, [&](ShellId a, ShellId b) { return rank(a) < rank(b); });
+    return order;
+  }
+
   void decideWhatIsMeshed() {
     const std::vector<std::uint8_t> hasInterfaces = findComponentsWithInterfaces();
-    OpposedSets sets(regions_.shells.size());
-    for (std::uint32_t t = 0; t < regions_.componentOf.size(); ++t) {
-      if (hasInterfaces[regions_.componentOf[t]] != 0) continue;
-      sets.join(regions_.shellOf[backOf(t)], regions_.shellOf[frontOf(t)], true);
+    // In a component without interfaces, exactly one side of each triangle is meshed.
+    OpposedSets sets(map_.shells.size());
+    for (std::uint32_t t = 0; t < map_.componentOf.size(); ++t) {
+      if (hasInterfaces[map_.componentOf[t].index()] != 0) continue;
+      sets.join(map_.shellOf[backOf(TriangleId(t)).index()].value,
+                map_.shellOf[frontOf(TriangleId(t)).index()].value, true);
     }
-    // Shells part by part, those around others first.
-    std::vector<std::uint32_t> order(regions_.shells.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto rank = [&](std::uint32_t shell) {
-      const std::uint32_t part = componentOfShell(shell);
-      return std::array{depth_[part], part, shell};
-    };
-    stableSort(order, [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
-    regions_.isMeshed.assign(order.size(), 0);
+    const std::vector<ShellId> order = shellsFromOutside();
+    map_.isMeshed.assign(order.size(), 0);
     for (std::size_t i = 0, j = 0; i < order.size(); i = j) {
-      while (j < order.size() && componentOfShell(order[j]) == componentOfShell(order[i])) ++j;
-      const std::span<const std::uint32_t> ofPart(&order[i], j - i);
-      const std::uint32_t outer = *std::ranges::min_element(
-          ofPart, {}, [&](std::uint32_t shell) { return regions_.shells[shell].volume; });
-      const std::uint32_t cell = regions_.outerShellOf[outer];
-      const bool isMeshedAround = cell != RegionMap::kUnbounded && regions_.isMeshed[cell] != 0;
-      for (const std::uint32_t shell : ofPart) {
-        const bool isLikeOuter = sets.find(shell).isOpposite == sets.find(outer).isOpposite;
-        const bool isEnclosed = regions_.outerShellOf[shell] == shell;
-        const bool isMeshed = hasInterfaces[componentOfShell(shell)] != 0
-                                  ? isEnclosed || isMeshedAround
-                                  : isMeshedAround == isLikeOuter;
-        regions_.isMeshed[shell] = isMeshed ? 1 : 0;
+      const ComponentId component = componentOfShell(order[i]);
+      while (j < order.size() && componentOfShell(order[j]) == component) ++j;
+      const std::span<const ShellId> ofComponent(&order[i], j - i);
+      const ShellId outer = *std::ranges::min_element(
+          ofComponent, {}, [&](ShellId shell) { return map_.shells[shell.index()].volume; });
+      const ShellId around = map_.outerShellOf[outer.index()];
+      const bool isMeshedAround = !around.isNone() && map_.isMeshed[around.index()] != 0;
+      for (const ShellId shell : ofComponent) {
+        const bool isLikeOuter =
+            sets.find(shell.value).isOpposite == sets.find(outer.value).isOpposite;
+        const bool isEnclosed = map_.outerShellOf[shell.index()] == shell;
+        const bool isMeshed = hasInterfaces[component.index()] != 0 ? isEnclosed || isMeshedAround
+                                                                    : isMeshedAround == isLikeOuter;
+        map_.isMeshed[shell.index()] = isMeshed ? 1 : 0;
       }
     }
   }
@@ -134,9 +143,9 @@ class RegionFinder {
   const BoxTree& tree_;
   EnclosedBodies enclosed_;
   BoundaryReport& report_;
-  RegionMap regions_;
-  std::uint32_t componentCount_ = 0;
-  std::vector<std::uint32_t> depth_;  ///< per part: how many spaces hold it
+  RegionMap map_;
+  std::size_t componentCount_ = 0;
+  std::vector<std::uint32_t> depth_;  ///< per component: number of volumes that contain it
 };
 
 }  // namespace

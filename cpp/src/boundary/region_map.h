@@ -1,44 +1,54 @@
 #pragma once
 
-/// @file The spaces that a closed surface divides, and which of them are filled.
+/// @file The volumes that a closed surface separates, and which of them are meshed.
 ///
-/// A part of the surface that is connected over edges, all of which have an even number of triangles,
-/// is a skin: it divides what is filled from what is not, so that within a body it bounds a cavity,
-/// and within that an island. Where an odd number of triangles meet at some edge of a part, it has
-/// walls, and every space that the part encloses is filled. On wish that holds for every part.
+/// If every edge of a component has an even number of triangles, the component separates meshed from empty volume:
+/// inside a region it bounds a cavity, and inside that cavity another region. If some edge of a component has an odd
+/// number of triangles, the component contains interfaces, and every volume that it encloses is meshed.
+/// EnclosedBodies::kRegions applies the second rule to every component.
 
 #include <cstdint>
 #include <vector>
 
-#include "search/box_tree.h"
 #include "boundary/boundary_report.h"
 #include "boundary/edge_table.h"
+#include "boundary/half_faces.h"
 #include "boundary/shell_nesting.h"
+#include "search/box_tree.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
 
 namespace tetrafront {
 
 struct RegionMap {
-  std::vector<std::uint32_t> componentOf;  ///< per triangle: what it is connected with over edges
-  std::vector<std::uint32_t> shellOf;      ///< per side (half_faces.h)
+  std::vector<ComponentId> componentOf;  ///< per triangle
+  std::vector<ShellId> shellOf;          ///< per half-face
   std::vector<Shell> shells;
-  /// Per shell: the shell that bounds the same space from outside, itself if its volume is positive;
-  /// or kUnbounded.
-  std::vector<std::uint32_t> outerShellOf;
-  std::vector<std::uint8_t> isMeshed;  ///< per shell: whether the space it looks into is
+  /// Per shell: the shell that bounds the same volume from outside. This is the shell itself if its volume is
+  /// positive, and none if the volume is unbounded.
+  std::vector<ShellId> outerShellOf;
+  std::vector<std::uint8_t> isMeshed;  ///< per shell: whether the volume it bounds is meshed
 
-  static constexpr std::uint32_t kUnbounded = 0xffffffffU;
-
-  [[nodiscard]] bool isMeshedAt(std::uint32_t side) const { return isMeshed[shellOf[side]] != 0; }
-  [[nodiscard]] std::uint32_t outerShellAt(std::uint32_t side) const {
-    return outerShellOf[shellOf[side]];
+  /// Returns whether the volume that the half-face looks into is meshed.
+  [[nodiscard]] bool isMeshedAt(HalfFaceId halfFace) const {
+    return isMeshed[shellOf[halfFace.index()].index()] != 0;
+  }
+  [[nodiscard]] ShellId outerShellAt(HalfFaceId halfFace) const {
+    return outerShellOf[shellOf[halfFace.index()].index()];
+  }
+  /// Returns whether there is meshed volume on both sides of the triangle.
+  [[nodiscard]] bool isInterface(TriangleId triangle) const {
+    return isMeshedAt(backOf(triangle)) && isMeshedAt(frontOf(triangle));
+  }
+  /// Returns whether the triangle would be an interface if every bounded volume were meshed.
+  [[nodiscard]] bool isBetweenBoundedVolumes(TriangleId triangle) const {
+    return !outerShellAt(frontOf(triangle)).isNone() && !outerShellAt(backOf(triangle)).isNone();
   }
 };
 
-/// The surface must have no open edge and not meet itself. Reports kZeroVolume, and kDanglingSheet for
-/// triangles with one space on both sides; then the rest is not complete. Exact but for the signs of
-/// volumes. O(n log n).
+/// The surface must have no open edges and no self-intersections. Reports kZeroVolume, and kDanglingSheet for
+/// triangles with the same volume on both sides; the map is then incomplete. Exact except for the signs of volumes.
+/// O(n log n).
 [[nodiscard]] RegionMap findRegions(const SurfaceMesh& mesh, const EdgeTable& edges,
                                     const BoxTree& tree, EnclosedBodies enclosed,
                                     BoundaryReport& report);

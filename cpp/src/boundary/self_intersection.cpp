@@ -4,216 +4,232 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <utility>
 
-#include "base/ids.h"
 #include "base/budget.h"
 #include "base/sort.h"
+#include "boundary/surface_access.h"
+#include "boundary/triangle_pairs.h"
 #include "geom/intersect.h"
 #include "geom/measure.h"
-#include "boundary/surface_access.h"
+#include "search/incidence.h"
 
 namespace tetrafront {
 namespace {
 
-/// A look at a pair of branches costs this part of what is done for a triangle.
-constexpr std::size_t kPairsPerTriangle = 16;
+/// The search ends after this many self-intersections: some surfaces have as many as they have pairs of triangles.
+constexpr std::size_t kMaxFound = 100'000;
+/// Up to this many triangles at a node are tested in pairs without a tree.
+constexpr std::size_t kMaxWithoutTree = 16;
+/// Pairs of branches per unit of budget: separating one costs far less than testing a triangle.
+constexpr std::size_t kBranchPairsPerUnit = 16;
 
-NumberedTriangle triangleOf(const SurfaceMesh& mesh, std::uint32_t triangle) {
-  const std::size_t i = 3 * std::size_t{triangle};
-  return {{mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]},
-          cornersOf(mesh, triangle)};
-}
-
-/// kNoIndex if there is none.
-std::uint32_t lowestCommonNode(const NumberedTriangle& a, const NumberedTriangle& b) {
-  std::uint32_t lowest = kNoIndex;
-  for (const std::uint32_t node : a.nodes) {
-    if (std::ranges::count(b.nodes, node) > 0) lowest = std::min(lowest, node);
+/// Returns the lowest node of both triangles, or none.
+NodeId lowestCommonNode(const NodeTriple& a, const NodeTriple& b) {
+  NodeId lowest;
+  for (const NodeId node : a) {
+    if (std::ranges::count(b, node) > 0) lowest = std::min(lowest, node);
   }
   return lowest;
 }
 
-/// Of the directions in which the triangle is seen from its node: an arc of the unit sphere.
-Box boxOfDirections(const NumberedTriangle& triangle, std::uint32_t node) {
-  /// Of unit vectors, whose length is the scale: thousands of times the rounding of a difference and a root.
-  constexpr double kRounding = 1e-12;
+/// Returns a box around the directions in which the triangle lies as seen from its node: an arc of the unit sphere.
+Box boxOfDirections(const NumberedTriangle& triangle, NodeId node) {
+  /// Bounds the rounding error of a unit vector, a thousand times over.
+  constexpr double kUnitRounding = 1e-12;
   std::size_t k = 0;
-  while (triangle.nodes[k] != node) ++k;
+  while (triangle.nodes[k] != node.value) ++k;
   const Vec3& from = triangle.corners[k];
   const Vec3 a = triangle.corners[(k + 1) % 3] - from;
   const Vec3 b = triangle.corners[(k + 2) % 3] - from;
   const Vec3 u = a * (1.0 / glm::length(a));
   const Vec3 v = b * (1.0 / glm::length(b));
-  // Lengths beyond the reach of squares have no direction that could be trusted; not a number fails too.
-  if (!(std::fabs(glm::dot(u, u) - 1.0) < kRounding &&
-        std::fabs(glm::dot(v, v) - 1.0) < kRounding)) {
+  // If the square of a length overflows or underflows, its direction is unknown. NaN fails the comparison too.
+  if (!(std::fabs(glm::dot(u, u) - 1.0) < kUnitRounding &&
+        std::fabs(glm::dot(v, v) - 1.0) < kUnitRounding)) {
     return Box::of(Vec3(-2.0), Vec3(2.0), Vec3(2.0));
   }
-  // No arc is farther from its chord than the square of the chord divided by four.
-  const Vec3 reach(0.25 * glm::dot(v - u, v - u) + kRounding);
+  // No arc is farther from its chord than a quarter of the squared chord.
+  const Vec3 reach(0.25 * glm::dot(v - u, v - u) + kUnitRounding);
   Box box = Box::of(u, v, v);
   box.include(u, reach);
   box.include(v, reach);
   return box;
 }
 
+class SelfIntersectionFinder {
+ public:
+  SelfIntersectionFinder(const SurfaceMesh& mesh, std::span<const std::uint8_t> ignored,
+                         const BoxTree& tree, BoundaryReport& report)
+      : mesh_(mesh),
+        ignored_(ignored),
+        tree_(tree),
+        report_(report),
+        trianglesAt_(countNodes(mesh)) {}
+
+  Task<> run(Work& work) {
+    work.beginPart(0.25);
+    co_await listTrianglesAtNodes(work);
+    work.beginPart(0.5);
+    co_await testPairsAtNodes(work);
+    work.beginPart(0.95);
+    co_await testPairsWithoutCommonNode(work);
+    stableSort(found_);
+    if (hasFoundEnough()) report_.setLowerBound(DiagnosticCode::kSelfIntersection);
+    work.beginPart(1.0);
+    co_await work.forEachBlock(found_.size(), [this](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) report(found_[i]);
+    });
+  }
+
+ private:
+  struct Pair {
+    TriangleId low;
+    TriangleId high;
+    friend auto operator<=>(const Pair&, const Pair&) = default;
+  };
+  /// The triangles at a node with many, by the directions in which they lie as seen from it.
+  struct Directions {
+    explicit Directions(std::vector<Box> seen) : boxes(std::move(seen)), tree(boxes) {}
+
+    std::vector<Box> boxes;
+    BoxTree tree;
+    std::uint32_t next = 0;
+  };
+
+  [[nodiscard]] bool hasFoundEnough() const {
+    return found_.size() >= std::max(kMaxFound, report_.maxDiagnostics());
+  }
+
+  Task<> listTrianglesAtNodes(Work& work) {
+    work.beginPart(0.4);
+    co_await work.forEachBlock(mesh_.triangles.size(), [this](std::size_t first, std::size_t last) {
+      for (std::size_t h = first; h < last; ++h) {
+        if (ignored_[h / 3] == 0) trianglesAt_.count(mesh_.triangles[h]);
+      }
+    });
+    trianglesAt_.endCounting();
+    work.beginPart(1.0);
+    co_await work.forEachBlock(mesh_.triangles.size(), [this](std::size_t first, std::size_t last) {
+      for (std::size_t h = first; h < last; ++h) {
+        if (ignored_[h / 3] != 0) continue;
+        trianglesAt_.add(mesh_.triangles[h], static_cast<std::uint32_t>(h / 3));
+      }
+    });
+  }
+
+  Task<> testPairsAtNodes(Work& work) {
+    while (!testNodes(work.remaining())) {
+      work.setFraction(static_cast<double>(node_) / countNodes(mesh_));
+      co_await work.yield();
+    }
+  }
+
+  /// Tests the triangles at the next nodes; returns true when finished.
+  bool testNodes(std::uint32_t budget) {
+    while (budget > 0 && node_ < countNodes(mesh_) && !hasFoundEnough()) {
+      const bool isFew = trianglesAt_.at(node_).size() <= kMaxWithoutTree;
+      const std::uint32_t tested = isFew ? testFewAtNode() : testManyAtNode(budget);
+      budget -= std::min(tested, budget);
+      if (!directions_) ++node_;
+    }
+    return node_ == countNodes(mesh_) || hasFoundEnough();
+  }
+
+  /// Returns what the tests cost.
+  std::uint32_t testFewAtNode() {
+    const std::span<const std::uint32_t> triangles = trianglesAt_.at(node_);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      for (std::size_t j = i + 1; j < triangles.size(); ++j) {
+        testAtLowestNode(TriangleId(triangles[i]), TriangleId(triangles[j]));
+      }
+    }
+    return 1 + static_cast<std::uint32_t>(triangles.size());
+  }
+
+  /// Returns what the tests cost. Keeps `directions_` for the next slice if the budget does not suffice.
+  std::uint32_t testManyAtNode(std::uint32_t budget) {
+    const std::span<const std::uint32_t> triangles = trianglesAt_.at(node_);
+    if (!directions_) {
+      std::vector<Box> boxes;
+      boxes.reserve(triangles.size());
+      for (const std::uint32_t t : triangles) {
+        boxes.push_back(boxOfDirections(numberedTriangle(mesh_, TriangleId(t)), NodeId(node_)));
+      }
+      directions_.emplace(std::move(boxes));
+    }
+    const std::uint32_t first = directions_->next;
+    const auto count = static_cast<std::uint32_t>(triangles.size());
+    const std::uint32_t last = first + std::min(count - first, budget);
+    for (std::uint32_t i = first; i < last && !hasFoundEnough(); ++i) {
+      directions_->tree.visitOverlaps(directions_->boxes[i], [&](std::uint32_t j) {
+        if (j > i) testAtLowestNode(TriangleId(triangles[i]), TriangleId(triangles[j]));
+      });
+    }
+    directions_->next = last;
+    if (last == count) directions_.reset();
+    return last - first;
+  }
+
+  /// Tests triangles with several common nodes once, although they are visited at each of these nodes.
+  void testAtLowestNode(TriangleId a, TriangleId b) {
+    if (lowestCommonNode(nodesOf(mesh_, a), nodesOf(mesh_, b)).value == node_) test(a, b);
+  }
+
+  Task<> testPairsWithoutCommonNode(Work& work) {
+    TrianglePairs pairs(mesh_, tree_);
+    const auto visit = [this](TriangleId a, TriangleId b) {
+      if (ignored_[a.index()] == 0 && ignored_[b.index()] == 0 && !hasFoundEnough()) test(a, b);
+    };
+    while (!pairs.advance(scaledBudget(work.remaining(), kBranchPairsPerUnit), visit) &&
+           !hasFoundEnough()) {
+      work.setFraction(pairs.fraction());
+      co_await work.yield();
+    }
+  }
+
+  void test(TriangleId a, TriangleId b) {
+    if (meetImproperly(numberedTriangle(mesh_, a), numberedTriangle(mesh_, b))) {
+      found_.push_back({std::min(a, b), std::max(a, b)});
+    }
+  }
+
+  void report(const Pair& pair) {
+    const Vec3 position =
+        report_.canKeep(DiagnosticCode::kSelfIntersection)
+            ? meetingPlace(cornersOf(mesh_, pair.low), cornersOf(mesh_, pair.high))
+            : Vec3(0.0);
+    report_.addTrianglePair(DiagnosticCode::kSelfIntersection, pair.low, pair.high, position);
+  }
+
+  const SurfaceMesh& mesh_;
+  std::span<const std::uint8_t> ignored_;
+  const BoxTree& tree_;
+  BoundaryReport& report_;
+  Incidence trianglesAt_;
+  std::uint32_t node_ = 0;  ///< the next node whose triangles are tested
+  std::optional<Directions> directions_;
+  std::vector<Pair> found_;
+};
+
 }  // namespace
 
 std::vector<Box> triangleBoxes(const SurfaceMesh& mesh) {
   std::vector<Box> boxes;
-  const std::size_t count = mesh.triangles.size() / 3;
-  boxes.reserve(count);
-  for (std::uint32_t t = 0; t < count; ++t) {
-    const std::array<Vec3, 3> p = cornersOf(mesh, t);
+  boxes.reserve(countTriangles(mesh));
+  for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
+    const std::array<Vec3, 3> p = cornersOf(mesh, TriangleId(t));
     boxes.push_back(Box::of(p[0], p[1], p[2]));
   }
   return boxes;
 }
 
-SelfIntersectionCheck::SelfIntersectionCheck(const SurfaceMesh& mesh,
-                                             std::span<const std::uint8_t> ignored,
-                                             const BoxTree& tree, BoundaryReport& report)
-    : mesh_(mesh),
-      ignored_(ignored),
-      report_(report),
-      atNode_(mesh.points.size() / 3),
-      pairs_(mesh, tree) {}
-
-bool SelfIntersectionCheck::advance(std::uint32_t budget) {
-  switch (stage_) {
-    case Stage::kCount:
-      if (!listTriangles(budget)) break;
-      atNode_.endCounting();
-      next_ = 0;
-      stage_ = Stage::kList;
-      break;
-    case Stage::kList:
-      if (!listTriangles(budget)) break;
-      next_ = 0;
-      stage_ = Stage::kNodes;
-      break;
-    case Stage::kNodes:
-      if (testNodes(budget)) stage_ = Stage::kPairs;
-      break;
-    case Stage::kPairs: {
-      const bool isFinished = pairs_.advance(
-          scaledBudget(budget, kPairsPerTriangle), [this](std::uint32_t a, std::uint32_t b) {
-            if (ignored_[a] == 0 && ignored_[b] == 0 && !hasFoundEnough()) testPair(a, b);
-          });
-      if (!isFinished && !hasFoundEnough()) break;
-      next_ = 0;
-      stage_ = Stage::kReport;
-      break;
-    }
-    case Stage::kReport:
-      return report(budget);
-  }
-  return false;
-}
-
-bool SelfIntersectionCheck::listTriangles(std::uint32_t budget) {
-  const auto corners = static_cast<std::uint32_t>(mesh_.triangles.size());
-  const std::uint32_t end = next_ + std::min(corners - next_, budget);
-  for (; next_ < end; ++next_) {
-    if (ignored_[next_ / 3] != 0) continue;
-    if (stage_ == Stage::kCount) {
-      atNode_.count(mesh_.triangles[next_]);
-    } else {
-      atNode_.add(mesh_.triangles[next_], next_ / 3);
-    }
-  }
-  return next_ == corners;
-}
-
-bool SelfIntersectionCheck::testNodes(std::uint32_t budget) {
-  const auto nodes = static_cast<std::uint32_t>(mesh_.points.size() / 3);
-  while (budget > 0 && next_ < nodes && !hasFoundEnough()) {
-    const bool isFew = atNode_.at(next_).size() <= kFew;
-    const std::uint32_t done = isFew ? testFew() : testMany(budget);
-    budget -= std::min(done, budget);
-    if (!directions_) ++next_;
-  }
-  return next_ == nodes || hasFoundEnough();
-}
-
-std::uint32_t SelfIntersectionCheck::testFew() {
-  const std::span<const std::uint32_t> all = atNode_.at(next_);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (std::size_t j = i + 1; j < all.size(); ++j) testOnce(all[i], all[j]);
-  }
-  return 1 + static_cast<std::uint32_t>(all.size());
-}
-
-/// Leaves directions_ for the next slice if the budget does not do.
-std::uint32_t SelfIntersectionCheck::testMany(std::uint32_t budget) {
-  const std::span<const std::uint32_t> all = atNode_.at(next_);
-  if (!directions_) {
-    std::vector<Box> boxes;
-    boxes.reserve(all.size());
-    for (const std::uint32_t t : all) {
-      boxes.push_back(boxOfDirections(triangleOf(mesh_, t), next_));
-    }
-    directions_.emplace(std::move(boxes));
-  }
-  const std::uint32_t first = directions_->next;
-  const auto count = static_cast<std::uint32_t>(all.size());
-  const std::uint32_t end = first + std::min(count - first, budget);
-  for (std::uint32_t i = first; i < end && !hasFoundEnough(); ++i) {
-    directions_->tree.visitOverlaps(directions_->boxes[i], [&](std::uint32_t j) {
-      if (j > i) testOnce(all[i], all[j]);
-    });
-  }
-  directions_->next = end;
-  if (end == count) directions_.reset();
-  return end - first;
-}
-
-/// Triangles with several common nodes are met at each of them.
-void SelfIntersectionCheck::testOnce(std::uint32_t a, std::uint32_t b) {
-  if (lowestCommonNode(triangleOf(mesh_, a), triangleOf(mesh_, b)) == next_) testPair(a, b);
-}
-
-void SelfIntersectionCheck::testPair(std::uint32_t a, std::uint32_t b) {
-  if (meetImproperly(triangleOf(mesh_, a), triangleOf(mesh_, b))) {
-    found_.emplace_back(std::min(a, b), std::max(a, b));
-  }
-}
-
-bool SelfIntersectionCheck::report(std::uint32_t budget) {
-  if (next_ == 0) {
-    stableSort(found_);
-    if (hasFoundEnough()) report_.setIncomplete(DiagnosticCode::kSelfIntersection);
-  }
-  const auto count = static_cast<std::uint32_t>(found_.size());
-  const std::uint32_t end = next_ + std::min(count - next_, budget);
-  for (; next_ < end; ++next_) {
-    const auto& [a, b] = found_[next_];
-    const Vec3 place = report_.keepsNext(DiagnosticCode::kSelfIntersection)
-                           ? meetingPlace(cornersOf(mesh_, a), cornersOf(mesh_, b))
-                           : Vec3(0.0);
-    report_.addTrianglePair(DiagnosticCode::kSelfIntersection, a, b, place);
-  }
-  return next_ == count;
-}
-
-double SelfIntersectionCheck::fraction() const {
-  // Lists, nodes and pairs take about a quarter, a quarter and a half of the time.
-  const auto shareOf = [this](std::size_t all) {
-    return static_cast<double>(next_) / static_cast<double>(std::max(all, std::size_t{1}));
-  };
-  switch (stage_) {
-    case Stage::kCount:
-      return 0.1 * shareOf(mesh_.triangles.size());
-    case Stage::kList:
-      return 0.1 + 0.15 * shareOf(mesh_.triangles.size());
-    case Stage::kNodes:
-      return 0.25 + 0.25 * shareOf(mesh_.points.size() / 3);
-    case Stage::kPairs:
-      return 0.5 + 0.5 * pairs_.fraction();
-    case Stage::kReport:
-      return 1.0;
-  }
-  return 1.0;
+Task<> checkSelfIntersections(Work& work, const SurfaceMesh& mesh,
+                              std::span<const std::uint8_t> ignored, const BoxTree& tree,
+                              BoundaryReport& report) {
+  SelfIntersectionFinder finder(mesh, ignored, tree, report);
+  co_await finder.run(work);
 }
 
 }  // namespace tetrafront

@@ -5,21 +5,17 @@
 #include <limits>
 
 #include "base/sort.h"
-#include "geom/predicates.h"
 #include "boundary/surface_access.h"
-#include "boundary/half_faces.h"
+#include "geom/predicates.h"
 
 namespace tetrafront {
 namespace {
 
-constexpr std::uint32_t kNoComponent = 0xffffffffU;
-constexpr std::uint32_t kSeveralComponents = 0xfffffffeU;
-
-/// A volume below this share of the sum of its terms' magnitudes is rounding.
+/// A volume is degenerate up to this share of the sum of the magnitudes of its terms. Summation errors stay below.
 constexpr double kVolumeRounding = 1e-14;
 
-/// A sum that carries its rounding errors along (Neumaier 1974).
-class CarefulSum {
+/// A sum that accumulates its rounding errors separately (Neumaier 1974).
+class CompensatedSum {
  public:
   void add(double value) {
     const double sum = sum_ + value;
@@ -35,83 +31,100 @@ class CarefulSum {
 
 Vec3 magnitudes(const Vec3& v) { return {std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)}; }
 
-/// As glm::cross, but all products added up.
+/// glm::cross with all products added.
 Vec3 crossMagnitudes(const Vec3& a, const Vec3& b) {
   return {a.y * b.z + a.z * b.y, a.z * b.x + a.x * b.z, a.x * b.y + a.y * b.x};
 }
 
 Vec2 alongX(const Vec3& v) { return {v.y, v.z}; }
 
+/// Returns for each node the component that it belongs to; none if it is unused or belongs to several.
+std::vector<ComponentId> findNodeComponents(const SurfaceMesh& mesh,
+                                            std::span<const ComponentId> componentOf) {
+  std::vector<ComponentId> found(countNodes(mesh));
+  std::vector<std::uint8_t> isShared(found.size(), 0);
+  for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
+    const std::uint32_t node = mesh.triangles[h];
+    const ComponentId component = componentOf[h / 3];
+    if (!found[node].isNone() && found[node] != component) isShared[node] = 1;
+    found[node] = component;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    if (isShared[i] != 0) found[i] = {};
+  }
+  return found;
+}
+
 }  // namespace
 
-std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const std::uint32_t> shellOf) {
+std::vector<Shell> measureShells(const SurfaceMesh& mesh, std::span<const ShellId> shellOf) {
+  struct Sums {
+    CompensatedSum volume;
+    double magnitude = 0.0;
+  };
   std::vector<Shell> shells;
-  std::vector<CarefulSum> volumes;
-  std::vector<double> magnitude;
-  for (std::uint32_t side = 0; side < shellOf.size(); ++side) {
-    const std::uint32_t s = shellOf[side];
+  std::vector<Sums> sums;
+  for (std::uint32_t h = 0; h < shellOf.size(); ++h) {
+    const HalfFaceId halfFace(h);
+    const std::size_t s = shellOf[h].index();
     if (s == shells.size()) {
-      shells.push_back({side, 0.0, false});
-      volumes.emplace_back();
-      magnitude.push_back(0.0);
+      shells.push_back({.firstHalfFace = halfFace});
+      sums.emplace_back();
     }
-    const std::uint32_t t = triangleOf(side);
+    const TriangleId triangle = triangleOf(halfFace);
     const Vec3 origin = cornersOf(mesh, triangleOf(shells[s].firstHalfFace))[0];
-    const std::array<Vec3, 3> p = cornersOf(mesh, t);
-    // With edges in place of the corners, so that small triangles far from the origin round little.
+    const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
+    // Multiply edges instead of corners: small triangles far from the origin then lose little to rounding.
     const Vec3 a = p[0] - origin;
     const Vec3 b = p[1] - p[0];
     const Vec3 c = p[2] - p[0];
     const double sixVolumes = glm::dot(a, glm::cross(b, c));
-    volumes[s].add(side == backOf(t) ? sixVolumes : -sixVolumes);
-    magnitude[s] += glm::dot(magnitudes(a), crossMagnitudes(magnitudes(b), magnitudes(c)));
+    sums[s].volume.add(halfFace == backOf(triangle) ? sixVolumes : -sixVolumes);
+    sums[s].magnitude += glm::dot(magnitudes(a), crossMagnitudes(magnitudes(b), magnitudes(c)));
   }
   for (std::size_t s = 0; s < shells.size(); ++s) {
-    shells[s].volume = volumes[s].value() / 6.0;
-    shells[s].isFlat = std::fabs(volumes[s].value()) <= kVolumeRounding * magnitude[s];
+    const double sixVolumes = sums[s].volume.value();
+    shells[s].volume = sixVolumes / 6.0;
+    shells[s].isDegenerate = std::fabs(sixVolumes) <= kVolumeRounding * sums[s].magnitude;
   }
   return shells;
 }
 
-ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> componentOf,
-                           std::size_t componentCount, std::span<const std::uint32_t> shellOf,
+ShellNesting::ShellNesting(const SurfaceMesh& mesh, std::span<const ComponentId> componentOf,
+                           std::size_t componentCount, std::span<const ShellId> shellOf,
                            const BoxTree& tree)
     : mesh_(mesh),
       componentOf_(componentOf),
       shellOf_(shellOf),
       tree_(tree),
-      start_(componentCount) {
-  std::vector<std::uint32_t> componentOfNode(mesh.points.size() / 3, kNoComponent);
-  for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
-    std::uint32_t& part = componentOfNode[mesh.triangles[h]];
-    part = part == kNoComponent || part == componentOf[h / 3] ? componentOf[h / 3]
-                                                              : kSeveralComponents;
-  }
-  std::vector<std::uint8_t> hasStart(componentCount, 0);
+      starts_(componentCount) {
+  const std::vector<ComponentId> componentOfNode = findNodeComponents(mesh, componentOf);
+  std::vector<std::uint8_t> isExact(componentCount, 0);
   for (std::uint32_t t = 0; t < componentOf.size(); ++t) {
-    if (hasStart[componentOf[t]] != 0) continue;
-    const std::array<Vec3, 3> p = cornersOf(mesh, t);
-    start_[componentOf[t]] = (p[0] + p[1] + p[2]) / 3.0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (componentOfNode[mesh.triangles[3 * std::size_t{t} + k]] != componentOf[t]) continue;
-      start_[componentOf[t]] = p[k];
-      hasStart[componentOf[t]] = 1;
+    const std::size_t component = componentOf[t].index();
+    if (isExact[component] != 0) continue;
+    starts_[component] = centroidOf(cornersOf(mesh, TriangleId(t)));
+    for (const NodeId node : nodesOf(mesh, TriangleId(t))) {
+      if (componentOfNode[node.index()] != componentOf[t]) continue;
+      starts_[component] = pointOf(mesh, node);
+      isExact[component] = 1;
     }
   }
 }
 
-std::vector<std::uint32_t> ShellNesting::around(std::uint32_t part) const {
-  const Vec3& place = start_[part];
-  Box ray = Box::of(place, place, place);
+std::vector<ShellId> ShellNesting::shellsAround(ComponentId component) const {
+  const Vec3& start = starts_[component.index()];
+  Box ray = Box::of(start, start, start);
   ray.high[0] = std::numeric_limits<float>::max();
-  std::vector<std::uint32_t> crossed;
-  tree_.visitOverlaps(ray, [&](std::uint32_t t) {
-    if (componentOf_[t] == part || !isAheadOf(place, t)) return;
-    crossed.push_back(shellOf_[backOf(t)]);
-    crossed.push_back(shellOf_[frontOf(t)]);
+  std::vector<ShellId> crossed;
+  tree_.visitOverlaps(ray, [&](std::uint32_t item) {
+    const TriangleId triangle(item);
+    if (componentOf_[triangle.index()] == component || !isAheadOf(start, triangle)) return;
+    crossed.push_back(shellOf_[backOf(triangle).index()]);
+    crossed.push_back(shellOf_[frontOf(triangle).index()]);
   });
   stableSort(crossed);
-  std::vector<std::uint32_t> result;
+  std::vector<ShellId> result;
   for (std::size_t i = 0, j = 0; i < crossed.size(); i = j) {
     while (j < crossed.size() && crossed[j] == crossed[i]) ++j;
     if ((j - i) % 2 == 1) result.push_back(crossed[i]);
@@ -119,22 +132,22 @@ std::vector<std::uint32_t> ShellNesting::around(std::uint32_t part) const {
   return result;
 }
 
-/// Does the ray from `place` along x pass through the triangle? Where it would meet an edge or a
-/// node, it is moved by less than anything, the same way for all triangles: the z of `place`
-/// counts as higher than any equal one, and its y as lower.
-bool ShellNesting::isAheadOf(const Vec3& place, std::uint32_t triangle) const {
+/// Returns whether the ray from `start` along x passes through the triangle. A symbolic perturbation, the same for
+/// all triangles, keeps the ray off edges and nodes: the z of `start` counts as higher than any equal one, and its
+/// y as lower.
+bool ShellNesting::isAheadOf(const Vec3& start, TriangleId triangle) const {
   const std::array<Vec3, 3> p = cornersOf(mesh_, triangle);
   bool isInside = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3* low = &p[k];
     const Vec3* high = &p[(k + 1) % 3];
     if (low->z > high->z) std::swap(low, high);
-    if (low->z > place.z || high->z <= place.z) continue;
-    if (orient2d(alongX(*low), alongX(*high), alongX(place)) > 0) isInside = !isInside;
+    if (low->z > start.z || high->z <= start.z) continue;
+    if (orient2d(alongX(*low), alongX(*high), alongX(start)) > 0) isInside = !isInside;
   }
   if (!isInside) return false;
   const int facing = orient2d(alongX(p[0]), alongX(p[1]), alongX(p[2]));
-  return orient3d(p[0], p[1], p[2], place) * facing < 0;
+  return orient3d(p[0], p[1], p[2], start) * facing < 0;
 }
 
 }  // namespace tetrafront

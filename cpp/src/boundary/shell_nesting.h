@@ -1,52 +1,51 @@
 #pragma once
 
-/// @file Shells within shells: their volumes, and which lie around which by counting the
-/// crossings of a ray, decided by exact signs.
+/// @file Shells inside shells: their volumes, and which shells contain which. Containment is decided by counting the
+/// crossings of a ray, with exact signs.
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
+#include "boundary/half_faces.h"
 #include "search/box_tree.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/vec3.h"
 
 namespace tetrafront {
 
-/// What is known of one connected set of triangle sides (half_faces.h).
+/// A connected set of half-faces (half_faces.h).
 struct Shell {
-  std::uint32_t firstHalfFace = 0;
-  /// Enclosed; positive if the sides look inward, so that they bound a space from outside, negative
-  /// if they look outward.
+  HalfFaceId firstHalfFace{};
+  /// Enclosed volume; positive if the half-faces look inward, so that they bound a volume from outside, negative if
+  /// they look outward.
   double volume = 0.0;
-  bool isFlat = false;  ///< the volume cannot be told from 0
+  bool isDegenerate = false;  ///< volume indistinguishable from 0
 };
 
-/// `shellOf`: the shell per side, as linkHalfFaces() numbers them.
+/// Returns the shells that linkHalfFaces() numbers. `shellOf`: shell of each half-face.
 [[nodiscard]] std::vector<Shell> measureShells(const SurfaceMesh& mesh,
-                                               std::span<const std::uint32_t> shellOf);
+                                               std::span<const ShellId> shellOf);
 
 class ShellNesting {
  public:
-  /// `componentOf`: per triangle, as connectedComponents() numbers them; `shellOf`: per side. `tree` holds the
-  /// triangles' boxes. Everything must outlive this.
-  ShellNesting(const SurfaceMesh& mesh, std::span<const std::uint32_t> componentOf,
-               std::size_t componentCount, std::span<const std::uint32_t> shellOf,
-               const BoxTree& tree);
+  /// `componentOf`: component of each triangle, as connectedComponents() returns it; `shellOf`: shell of each
+  /// half-face; `tree`: tree of triangleBoxes(). Everything must outlive this object.
+  ShellNesting(const SurfaceMesh& mesh, std::span<const ComponentId> componentOf,
+               std::size_t componentCount, std::span<const ShellId> shellOf, const BoxTree& tree);
 
-  /// The shells of other parts around `part`, ascending: those that a ray from it crosses an odd
-  /// number of times. Exact, unless every node of the part is a node of others too, where the ray
-  /// begins at the rounded centre of a triangle. O(triangles near the ray).
-  [[nodiscard]] std::vector<std::uint32_t> around(std::uint32_t part) const;
+  /// Returns the shells of other components that contain this component, in ascending order: a ray from the
+  /// component crosses each of them an odd number of times. Exact, unless every node of the component belongs to
+  /// other components too; then the ray starts at the rounded centroid of a triangle. O(triangles near the ray).
+  [[nodiscard]] std::vector<ShellId> shellsAround(ComponentId component) const;
 
  private:
-  [[nodiscard]] bool isAheadOf(const Vec3& place, std::uint32_t triangle) const;
+  [[nodiscard]] bool isAheadOf(const Vec3& start, TriangleId triangle) const;
 
   const SurfaceMesh& mesh_;
-  std::span<const std::uint32_t> componentOf_;
-  std::span<const std::uint32_t> shellOf_;
+  std::span<const ComponentId> componentOf_;
+  std::span<const ShellId> shellOf_;
   const BoxTree& tree_;
-  std::vector<Vec3> start_;  ///< of each part's ray
+  std::vector<Vec3> starts_;  ///< per component: origin of its ray
 };
 
 }  // namespace tetrafront

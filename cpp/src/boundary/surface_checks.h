@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The parts of the boundary check that look at numbers and nodes before any geometry.
+/// @file The boundary check before self-intersections: numbers, triangles, nodes and edges.
 
 #include <cstdint>
 #include <vector>
@@ -10,24 +10,23 @@
 
 namespace tetrafront {
 
-/// Whole points and triangles, finite coordinates of a magnitude that exact arithmetic can bear, and
-/// indices in range. Nothing else may be asked of the mesh if this reports anything.
+/// Reports incomplete nodes and triangles, an empty surface, coordinates that are not finite or out of the range of
+/// exact arithmetic, and indices out of range. If this function reports anything, no other check may be called.
 void checkNumbers(const SurfaceMesh& mesh, BoundaryReport& report);
 
-/// One flag per triangle: set where other checks would stumble over what is reported already.
+/// One flag per triangle: set if later checks must ignore the triangle, because it is already reported.
 struct InvalidTriangles {
-  std::vector<std::uint8_t> inTopology;  ///< a repeated node, or the nodes of an earlier triangle
-  std::vector<std::uint8_t> inGeometry;  ///< those, and triangles without area
+  std::vector<std::uint8_t> inTopology;  ///< with a repeated node, or duplicates
+  std::vector<std::uint8_t> inGeometry;  ///< those in `inTopology`, and other degenerate triangles
 };
 
-/// Triangles with a repeated node or without area, and all but the first of those with the same
-/// nodes.
+/// Reports degenerate triangles, and all but the first of duplicate triangles.
 [[nodiscard]] InvalidTriangles checkTriangles(const SurfaceMesh& mesh, BoundaryReport& report);
 
-/// Two used nodes at one place.
+/// Reports used nodes with equal positions.
 void checkCoincidentNodes(const SurfaceMesh& mesh, BoundaryReport& report);
 
-/// Edges with one triangle.
+/// Reports open edges, which have one triangle.
 void checkEdges(const SurfaceMesh& mesh, const EdgeTable& edges, BoundaryReport& report);
 
 }  // namespace tetrafront

@@ -156,7 +156,7 @@ class InputChecker::Impl {
              diagnostic.code != DiagnosticCode::kDanglingSheet;
     };
     if (std::ranges::any_of(found, isPlacing)) return;
-    if (closed.valid) volume_ = enclosedVolume(surface);
+    if (closed.isValid) volume_ = enclosedVolume(surface);
     for (Diagnostic& diagnostic : found) {
       if (diagnostic.code == DiagnosticCode::kReorientedPatch) continue;
       // The samples' triangles are nobody else's.

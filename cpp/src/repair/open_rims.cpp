@@ -1,101 +1,106 @@
 #include "repair/open_rims.h"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <span>
-#include <utility>
 
 #include "base/sort.h"
 #include "boundary/corner_fans.h"
+#include "boundary/surface_access.h"
 
 namespace tetrafront {
 namespace {
 
-/// A fan and the position of an open edge at it.
-using End = std::pair<std::uint32_t, std::uint32_t>;
-
-/// Follows open edges from fan to fan: where a surface touches itself in a node, each of its fans
-/// has a rim of its own.
+/// Follows open edges from fan to fan: at a node where the surface touches itself, each fan has its own rim.
 class RimWalk {
  public:
   RimWalk(const SurfaceMesh& mesh, const EdgeTable& edges)
-      : mesh_(mesh),
-        fans_(cornerFans(mesh.triangles, edges)),
-        isOnStack_(mesh.points.size() / 3, 0) {
+      : mesh_(mesh), fans_(cornerFans(mesh.triangles, edges)), isOnStack_(countNodes(mesh), 0) {
     for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
-      const std::span<const std::uint32_t> halfEdges = edges.halfEdgesOf(e);
+      const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(EdgeId(e));
       if (halfEdges.size() == 1) open_.push_back(halfEdges[0]);
     }
-    for (std::uint32_t i = 0; i < open_.size(); ++i) {
-      ends_.push_back({fans_[open_[i]], i});
-      ends_.push_back({fans_[nextCorner(open_[i])], i});
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      ends_.push_back({firstFanOf(OpenEdgeId(i)), OpenEdgeId(i)});
+      ends_.push_back({lastFanOf(OpenEdgeId(i)), OpenEdgeId(i)});
     }
     stableSort(ends_);
-    isWalked_.assign(open_.size(), 0);
+    isVisited_.assign(open_.size(), 0);
   }
 
-  /// All closed chains, by their first open edges; open ones, which end at crowded edges, are left
-  /// out.
   [[nodiscard]] std::vector<Rim> rims() {
     std::vector<Rim> found;
-    for (std::uint32_t i = 0; i < open_.size(); ++i) {
-      if (isWalked_[i] != 0) continue;
-      if (const std::optional<Rim> chain = walkFrom(i)) splitAtRepeats(*chain, found);
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      if (isVisited_[i] != 0) continue;
+      if (const std::optional<Rim> chain = walkFrom(OpenEdgeId(i))) splitAtRepeats(*chain, found);
     }
     return found;
   }
 
  private:
-  [[nodiscard]] std::optional<Rim> walkFrom(std::uint32_t start) {
+  /// Addresses an entry of open_.
+  using OpenEdgeId = Id<struct OpenEdgeTag>;
+
+  /// An end of an open edge.
+  struct End {
+    HalfEdgeId fan;  ///< lowest corner of the fan there
+    OpenEdgeId edge;
+    friend auto operator<=>(const End&, const End&) = default;
+  };
+
+  [[nodiscard]] HalfEdgeId firstFanOf(OpenEdgeId edge) const {
+    return fans_[open_[edge.index()].index()];
+  }
+  [[nodiscard]] HalfEdgeId lastFanOf(OpenEdgeId edge) const {
+    return fans_[nextOf(open_[edge.index()]).index()];
+  }
+
+  /// Returns the closed chain that begins with an open edge, or nothing if it ends at a non-manifold edge.
+  [[nodiscard]] std::optional<Rim> walkFrom(OpenEdgeId start) {
     Rim chain;
-    std::uint32_t edge = start;
-    std::uint32_t fan = fans_[open_[start]];
+    OpenEdgeId edge = start;
+    HalfEdgeId fan = firstFanOf(start);
     do {
-      isWalked_[edge] = 1;
-      const std::uint32_t from = fans_[open_[edge]];
-      const std::uint32_t to = fans_[nextCorner(open_[edge])];
-      chain.push_back(mesh_.triangles[fan]);
-      fan = from == fan ? to : from;
-      const std::optional<std::uint32_t> next = otherAt(fan, edge);
+      isVisited_[edge.index()] = 1;
+      chain.emplace_back(mesh_.triangles[fan.index()]);
+      fan = firstFanOf(edge) == fan ? lastFanOf(edge) : firstFanOf(edge);
+      const std::optional<OpenEdgeId> next = otherAt(fan, edge);
       if (!next) return std::nullopt;
       edge = *next;
-    } while (isWalked_[edge] == 0);
+    } while (isVisited_[edge.index()] == 0);
     if (edge != start) return std::nullopt;
     return chain;
   }
 
-  /// The other open edge of a fan that has two.
-  [[nodiscard]] std::optional<std::uint32_t> otherAt(std::uint32_t fan, std::uint32_t edge) const {
-    const auto first = std::lower_bound(ends_.begin(), ends_.end(), End{fan, 0U});
-    const auto last =
-        std::upper_bound(first, ends_.end(), End{fan, std::numeric_limits<std::uint32_t>::max()});
-    if (last - first != 2) return std::nullopt;
-    return first->second == edge ? (first + 1)->second : first->second;
+  /// Returns the other open edge of a fan that has two.
+  [[nodiscard]] std::optional<OpenEdgeId> otherAt(HalfEdgeId fan, OpenEdgeId edge) const {
+    const auto ends = std::ranges::equal_range(ends_, fan, {}, &End::fan);
+    if (ends.size() != 2) return std::nullopt;
+    return ends[0].edge == edge ? ends[1].edge : ends[0].edge;
   }
 
-  /// A chain that comes by a node twice is that of two holes which touch there.
+  /// A chain that visits a node twice belongs to two holes that touch there.
   void splitAtRepeats(const Rim& chain, std::vector<Rim>& out) {
     Rim stack;
-    for (const std::uint32_t node : chain) {
-      if (isOnStack_[node] != 0) {
+    for (const NodeId node : chain) {
+      if (isOnStack_[node.index()] != 0) {
         const auto before = std::ranges::find(stack.rbegin(), stack.rend(), node).base() - 1;
         out.emplace_back(before, stack.end());
-        for (const std::uint32_t popped : out.back()) isOnStack_[popped] = 0;
+        for (const NodeId popped : out.back()) isOnStack_[popped.index()] = 0;
         stack.erase(before, stack.end());
       }
-      isOnStack_[node] = 1;
+      isOnStack_[node.index()] = 1;
       stack.push_back(node);
     }
-    for (const std::uint32_t node : stack) isOnStack_[node] = 0;
+    for (const NodeId node : stack) isOnStack_[node.index()] = 0;
     out.push_back(std::move(stack));
   }
 
   const SurfaceMesh& mesh_;
-  std::vector<std::uint32_t> fans_;
-  std::vector<std::uint32_t> open_;  ///< half-edges
-  std::vector<End> ends_;            ///< positions in open_, sorted
-  std::vector<std::uint8_t> isWalked_;
+  std::vector<HalfEdgeId> fans_;  ///< per corner
+  std::vector<HalfEdgeId> open_;
+  std::vector<End> ends_;                ///< sorted
+  std::vector<std::uint8_t> isVisited_;  ///< per entry of open_
   std::vector<std::uint8_t> isOnStack_;  ///< per node, while a chain is split
 };
 

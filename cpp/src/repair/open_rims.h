@@ -1,20 +1,21 @@
 #pragma once
 
-/// @file The rims of a surface's holes.
+/// @file The rims of the holes in a surface.
 
-#include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "boundary/edge_table.h"
 #include "tetrafront/mesh.h"
 
 namespace tetrafront {
 
-/// A closed chain of different nodes, in the direction of the half-edge it was begun with.
-using Rim = std::vector<std::uint32_t>;
+/// The nodes of a closed chain of open edges, each once, in the direction of the first half-edge.
+using Rim = std::vector<NodeId>;
 
-/// All closed chains of edges with one triangle, by their first edges; a hole that touches itself or another
-/// in a node has more than one. Chains that end at crowded edges are left out. `edges`: of `mesh`. O(n).
+/// Returns all closed chains of open edges, in the order of their first edges. A hole that touches itself or another
+/// hole in a node has several. Chains that end at non-manifold edges are left out. `edges`: edges of `mesh`.
+/// O(n log n), usually O(n).
 [[nodiscard]] std::vector<Rim> openRims(const SurfaceMesh& mesh, const EdgeTable& edges);
 
 }  // namespace tetrafront

@@ -7,18 +7,18 @@
 #include <utility>
 
 #include "base/sort.h"
-#include "geom/predicates.h"
 #include "boundary/edge_table.h"
 #include "boundary/surface_access.h"
+#include "geom/predicates.h"
 
 namespace tetrafront {
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using Edge = std::pair<NodeId, NodeId>;
 
-/// The corner of a sliver that lies between the others, none where two are at one place. On every axis
-/// places on a line either agree or follow each other as on the line.
-std::optional<std::uint32_t> middleCorner(const SurfaceMesh& mesh, std::uint32_t sliver) {
+/// Returns the corner of a sliver that lies between the other two; nothing if two have equal positions. Along each
+/// axis, collinear positions are either all equal or in their order on the line.
+std::optional<std::uint32_t> middleCorner(const SurfaceMesh& mesh, TriangleId sliver) {
   const std::array<Vec3, 3> p = cornersOf(mesh, sliver);
   for (std::uint32_t k = 0; k < 3; ++k) {
     const Vec3& a = p[(k + 1) % 3];
@@ -32,107 +32,112 @@ std::optional<std::uint32_t> middleCorner(const SurfaceMesh& mesh, std::uint32_t
   return std::nullopt;
 }
 
-/// Every split leaves one sliver less, for the halves of a triangle with area have area.
+/// Every split removes one sliver, because the halves of a triangle with area have area. So the work ends.
 class SliverSplitter {
  public:
   explicit SliverSplitter(SurfaceMesh& mesh) : mesh_(mesh) {
-    for (std::uint32_t t = 0; t < mesh.triangles.size() / 3; ++t) {
-      if (isSliver(mesh, t)) waiting_.push_back(t);
+    for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
+      if (isSliver(mesh, TriangleId(t))) waiting_.emplace_back(t);
     }
-    for (const std::uint32_t sliver : waiting_) {
-      for (std::uint32_t k = 0; k < 3; ++k) edges_.push_back(edgeOf(3 * sliver + k));
+    for (const TriangleId sliver : waiting_) {
+      for (const HalfEdgeId h : halfEdgesOf(sliver)) edges_.push_back(edgeOf(h));
     }
     sortUnique(edges_);
     halfEdges_.resize(edges_.size());
     if (edges_.empty()) return;
     for (std::uint32_t h = 0; h < mesh.triangles.size(); ++h) {
-      if (HalfEdges* known = halfEdgesAt(edgeOf(h))) known->push_back(h);
+      if (HalfEdges* known = halfEdgesAt(edgeOf(HalfEdgeId(h)))) known->emplace_back(h);
     }
-    // The last is looked at first.
+    // `waiting_` is a stack: process the first sliver first.
     std::ranges::reverse(waiting_);
   }
 
   std::vector<SliverSplit> run() {
     while (!waiting_.empty()) {
-      const std::uint32_t sliver = waiting_.back();
+      const TriangleId triangle = waiting_.back();
       waiting_.pop_back();
-      consider(sliver);
+      if (isSliver(mesh_, triangle)) splitBeside(triangle);
     }
     return std::move(splits_);
   }
 
  private:
-  using HalfEdges = std::vector<std::uint32_t>;
+  using HalfEdges = std::vector<HalfEdgeId>;
 
-  [[nodiscard]] Edge edgeOf(std::uint32_t halfEdge) const {
-    return std::minmax(mesh_.triangles[halfEdge], mesh_.triangles[nextCorner(halfEdge)]);
+  static std::array<HalfEdgeId, 3> halfEdgesOf(TriangleId triangle) {
+    return {halfEdgeOf(triangle, 0), halfEdgeOf(triangle, 1), halfEdgeOf(triangle, 2)};
   }
 
-  /// The half-edges on an edge that slivers have; null for all others.
+  [[nodiscard]] Edge edgeOf(HalfEdgeId halfEdge) const {
+    const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, halfEdge);
+    return std::minmax(nodes.from, nodes.to);
+  }
+
+  /// Returns the half-edges on an edge that a sliver had at the start; null for other edges.
   HalfEdges* halfEdgesAt(const Edge& edge) {
-    const auto at = std::ranges::lower_bound(edges_, edge);
-    if (at == edges_.end() || *at != edge) return nullptr;
-    return &halfEdges_[static_cast<std::size_t>(at - edges_.begin())];
+    const auto found = std::ranges::lower_bound(edges_, edge);
+    if (found == edges_.end() || *found != edge) return nullptr;
+    return &halfEdges_[static_cast<std::size_t>(found - edges_.begin())];
   }
 
-  void consider(std::uint32_t triangle) {
-    if (!isSliver(mesh_, triangle)) return;
-    const std::optional<std::uint32_t> middle = middleCorner(mesh_, triangle);
+  void splitBeside(TriangleId sliver) {
+    const std::optional<std::uint32_t> middle = middleCorner(mesh_, sliver);
     if (!middle) return;
-    const std::uint32_t longest = 3 * triangle + (*middle + 1) % 3;
-    const HalfEdges& on = *halfEdgesAt(edgeOf(longest));
-    if (on.size() != 2) return;
-    const std::uint32_t across = on[0] == longest ? on[1] : on[0];
-    if (!isSliver(mesh_, across / 3)) split(triangle, *middle, across);
+    const HalfEdgeId longest = halfEdgeOf(sliver, (*middle + 1) % 3);
+    const HalfEdges& onEdge = *halfEdgesAt(edgeOf(longest));
+    if (onEdge.size() != 2) return;
+    const HalfEdgeId across = onEdge[0] == longest ? onEdge[1] : onEdge[0];
+    if (!isSliver(mesh_, triangleOf(across))) split(halfEdgeOf(sliver, *middle), across);
   }
 
-  /// The other triangle is a c d, its half-edge a c that of the sliver's longest edge, on which the
-  /// middle node m lies: it becomes a m d, the sliver m c d.
-  void split(std::uint32_t sliver, std::uint32_t corner, std::uint32_t across) {
-    const std::uint32_t middle = mesh_.triangles[3 * sliver + corner];
-    const std::uint32_t other = across / 3;
+  /// `across`: half-edge a c of the other triangle a c d, on which the sliver's middle corner m lies. The other
+  /// triangle becomes a m d, the sliver m c d.
+  void split(HalfEdgeId middleCorner, HalfEdgeId across) {
+    const TriangleId sliver = triangleOf(middleCorner);
+    const TriangleId other = triangleOf(across);
+    const std::uint32_t middle = mesh_.triangles[middleCorner.index()];
     const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, across);
     unlink(sliver);
     unlink(other);
-    mesh_.triangles[nextCorner(across)] = middle;
-    const std::array<std::uint32_t, 3> half{middle, nodes.to, nodes.apex};
-    std::ranges::copy(half, &mesh_.triangles[3 * std::size_t{sliver}]);
+    mesh_.triangles[nextOf(across).index()] = middle;
+    const std::array half{middle, nodes.to.value, nodes.apex.value};
+    std::ranges::copy(half, &mesh_.triangles[3 * sliver.index()]);
     link(sliver);
     link(other);
-    splits_.push_back({sliver, other, middle});
-    wakeBeside(across);
-    wakeBeside(3 * sliver);
+    splits_.push_back({sliver, other, NodeId(middle)});
+    pushNeighbours(across);
+    pushNeighbours(halfEdgeOf(sliver, 0));
   }
 
-  void unlink(std::uint32_t triangle) {
-    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-      if (HalfEdges* on = halfEdgesAt(edgeOf(h))) std::erase(*on, h);
+  void unlink(TriangleId triangle) {
+    for (const HalfEdgeId h : halfEdgesOf(triangle)) {
+      if (HalfEdges* onEdge = halfEdgesAt(edgeOf(h))) std::erase(*onEdge, h);
     }
   }
 
-  void link(std::uint32_t triangle) {
-    for (std::uint32_t h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-      if (HalfEdges* on = halfEdgesAt(edgeOf(h))) on->push_back(h);
+  void link(TriangleId triangle) {
+    for (const HalfEdgeId h : halfEdgesOf(triangle)) {
+      if (HalfEdges* onEdge = halfEdgesAt(edgeOf(h))) onEdge->push_back(h);
     }
   }
 
-  /// Slivers on a half-edge's edge, which is no longer another sliver's, may be next.
-  void wakeBeside(std::uint32_t halfEdge) {
-    for (const std::uint32_t h : *halfEdgesAt(edgeOf(halfEdge))) {
-      if (h != halfEdge) waiting_.push_back(h / 3);
+  /// Slivers at the half-edge may be split now, because no other sliver shares their edge any more.
+  void pushNeighbours(HalfEdgeId halfEdge) {
+    for (const HalfEdgeId h : *halfEdgesAt(edgeOf(halfEdge))) {
+      if (h != halfEdge) waiting_.push_back(triangleOf(h));
     }
   }
 
   SurfaceMesh& mesh_;
-  std::vector<Edge> edges_;  ///< of all slivers there were, ascending
+  std::vector<Edge> edges_;  ///< of the slivers at the start, ascending
   std::vector<HalfEdges> halfEdges_;
-  std::vector<std::uint32_t> waiting_;
+  std::vector<TriangleId> waiting_;  ///< a stack
   std::vector<SliverSplit> splits_;
 };
 
 }  // namespace
 
-bool isSliver(const SurfaceMesh& mesh, std::uint32_t triangle) {
+bool isSliver(const SurfaceMesh& mesh, TriangleId triangle) {
   const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
   return collinear(p[0], p[1], p[2]);
 }

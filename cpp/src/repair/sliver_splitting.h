@@ -1,29 +1,28 @@
 #pragma once
 
-/// @file Triangles whose corners lie on one line, dissolved without changing the shape.
+/// @file Removes slivers, which are triangles with collinear corners, without changing the shape of the surface.
 
-#include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "tetrafront/mesh.h"
 
 namespace tetrafront {
 
-/// True if the triangle's corners lie on one line. Exact.
-[[nodiscard]] bool isSliver(const SurfaceMesh& mesh, std::uint32_t triangle);
+/// Returns whether the corners of the triangle are collinear. Exact.
+[[nodiscard]] bool isSliver(const SurfaceMesh& mesh, TriangleId triangle);
 
-/// Both triangles now are halves of `other`, divided where the node `middle` lies on its edge.
+/// The sliver and `other` are now the halves of `other`, split at the node `middle` on its edge.
 struct SliverSplit {
-  std::uint32_t sliver = 0;
-  std::uint32_t other = 0;
-  std::uint32_t middle = 0;
+  TriangleId sliver;
+  TriangleId other;
+  NodeId middle;
 };
 
-/// Takes slivers away together with the triangles beyond their longest edges: these are split at the
-/// slivers' middle corners, and the halves take both places. Slivers beside others follow once these
-/// are gone; what remains has two corners at one place, or a longest edge without just one other
-/// triangle. The splits, in the order in which they were made. Triangles with a repeated node must be
-/// gone. O(n log s) for s slivers.
+/// Splits the triangle beyond the longest edge of a sliver at the sliver's middle corner; the halves replace both
+/// triangles. Slivers next to other slivers follow once these are gone. A sliver remains if two of its corners have
+/// equal positions, or if its longest edge does not have exactly one other triangle. Triangles with a repeated node
+/// must be removed first. Returns the splits in the order in which they were made. O(n log s) for s slivers.
 std::vector<SliverSplit> splitBesideSlivers(SurfaceMesh& mesh);
 
 }  // namespace tetrafront

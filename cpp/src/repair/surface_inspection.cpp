@@ -1,14 +1,14 @@
+#include "repair/surface_inspection.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
-#include "quality/metrics.h"
 #include "boundary/boundary.h"
 #include "boundary/corner_fans.h"
 #include "boundary/edge_table.h"
 #include "boundary/surface_access.h"
-#include "tetrafront/surface_tools.h"
+#include "quality/metrics.h"
 
 namespace tetrafront {
 namespace {
@@ -16,200 +16,155 @@ namespace {
 constexpr std::size_t kMaxWorst = 10;
 
 bool hasCode(const std::vector<Diagnostic>& diagnostics, DiagnosticCode code) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [code](const Diagnostic& d) { return d.code == code; });
+  return std::ranges::any_of(diagnostics, [code](const Diagnostic& d) { return d.code == code; });
 }
 
-/// Coordinates and indices that nothing may be asked of.
+/// Returns whether coordinates or indices are invalid, so that nothing can be measured.
 bool hasInvalidNumbers(const std::vector<Diagnostic>& diagnostics) {
   return hasCode(diagnostics, DiagnosticCode::kNotFinite) ||
          hasCode(diagnostics, DiagnosticCode::kIndexOutOfRange) ||
          hasCode(diagnostics, DiagnosticCode::kEmptyModel);
 }
 
-double areaOf(const std::array<Vec3, 3>& p) {
-  return 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
-}
-
-/// Of the angle between two edges from one corner; 1 where one has no length.
+/// Returns the cosine of the angle between two edges at a corner, or 1 if an edge has no length.
 double cosineBetween(const Vec3& a, const Vec3& b) {
   const double lengths = glm::length(a) * glm::length(b);
   return lengths > 0.0 ? glm::dot(a, b) / lengths : 1.0;
 }
 
-TriangleFigures qualityOf(const SurfaceMesh& mesh, std::uint32_t triangle, double radiusRatio) {
+TriangleFigures qualityOf(const SurfaceMesh& mesh, TriangleId triangle, double radiusRatio) {
   const std::array<Vec3, 3> p = cornersOf(mesh, triangle);
   const double largestCosine =
       std::max({cosineBetween(p[1] - p[0], p[2] - p[0]), cosineBetween(p[2] - p[1], p[0] - p[1]),
                 cosineBetween(p[0] - p[2], p[1] - p[2])});
-  return {.triangle = triangle,
-          .place = (p[0] + p[1] + p[2]) / 3.0,
+  return {.triangle = triangle.value,
+          .place = centroidOf(p),
           .area = areaOf(p),
           .smallestAngle = degreesOf(largestCosine),
           .radiusRatio = radiusRatio};
 }
 
-}  // namespace
-
-class SurfaceInspector::Impl {
- public:
-  Impl(std::span<const double> points, std::span<const std::uint32_t> triangles,
-       const InspectionOptions& options) {
-    mesh_.points.assign(points.begin(), points.end());
-    mesh_.triangles.assign(triangles.begin(), triangles.end());
-    given_ = mesh_.triangles;
-    check_.emplace(mesh_, BoundarySource::kGivenSurface, options.enclosed,
-                   MixedOrientation::kRefuse, options.findings);
-  }
-
-  bool advance(std::uint32_t budget) {
-    if (isFinished_) return true;
-    if (!check_->advance(budget)) return false;
-    measure();
-    isFinished_ = true;
-    return true;
-  }
-
-  [[nodiscard]] double fraction() const { return isFinished_ ? 1.0 : check_->fraction(); }
-  [[nodiscard]] const SurfaceInspection& result() const { return result_; }
-
- private:
-  void measure();
-  void measureNodes();
-  void measureEdges(const EdgeTable& edges);
-  void countNonManifoldNodes(const EdgeTable& edges);
-  void measureTriangles();
-  void countFlippedTriangles();
-  void measureShellsAndRegions();
-
-  SurfaceMesh mesh_;
-  std::vector<std::uint32_t> given_;  ///< the triangles before the check turned some
-  std::optional<BoundaryCheck> check_;
-  bool isFinished_ = false;
-  SurfaceInspection result_;
-};
-
-void SurfaceInspector::Impl::measure() {
-  result_.diagnostics = check_->takeDiagnostics();
-  result_.isFillable = check_->result().valid;
-  if (hasInvalidNumbers(result_.diagnostics)) return;
-  result_.isEmbedded = !hasCode(result_.diagnostics, DiagnosticCode::kSelfIntersection) &&
-                       !hasCode(result_.diagnostics, DiagnosticCode::kDuplicateTriangle);
-  measureNodes();
-  // As the check has them, or the two would contradict each other.
-  const EdgeTable edges(mesh_.triangles, mesh_.points.size() / 3, check_->withoutEdges());
-  measureEdges(edges);
-  countNonManifoldNodes(edges);
-  result_.isClosed = result_.edges > 0 && result_.openEdges == 0;
-  result_.isManifold = result_.crowdedEdges == 0 && result_.pinchedNodes == 0;
-  measureTriangles();
-  countFlippedTriangles();
-  if (result_.isFillable) measureShellsAndRegions();
-}
-
-void SurfaceInspector::Impl::measureNodes() {
-  std::vector<std::uint8_t> isUsed(mesh_.points.size() / 3, 0);
-  for (const std::uint32_t node : mesh_.triangles) isUsed[node] = 1;
+void measureNodes(const SurfaceMesh& mesh, SurfaceInspection& found) {
+  std::vector<std::uint8_t> isUsed(countNodes(mesh), 0);
+  for (const std::uint32_t node : mesh.triangles) isUsed[node] = 1;
   for (std::uint32_t i = 0; i < isUsed.size(); ++i) {
     if (isUsed[i] == 0) {
-      ++result_.unusedNodes;
+      ++found.unusedNodes;
       continue;
     }
-    const Vec3 p = pointOf(mesh_, i);
-    if (result_.nodes++ == 0) result_.low = result_.high = p;
-    for (int k = 0; k < 3; ++k) {
-      result_.low[k] = std::min(result_.low[k], p[k]);
-      result_.high[k] = std::max(result_.high[k], p[k]);
-    }
+    const Vec3 p = pointOf(mesh, NodeId(i));
+    if (found.nodes++ == 0) found.low = found.high = p;
+    found.low = glm::min(found.low, p);
+    found.high = glm::max(found.high, p);
   }
 }
 
-void SurfaceInspector::Impl::measureEdges(const EdgeTable& edges) {
+void measureEdges(const SurfaceMesh& mesh, const EdgeTable& edges, SurfaceInspection& found) {
   double sum = 0.0;
   for (std::size_t e = 0; e < edges.edgeCount(); ++e) {
-    const std::span<const std::uint32_t> halfEdges = edges.halfEdgesOf(e);
-    if (halfEdges.size() == 1) ++result_.openEdges;
-    if (halfEdges.size() > 2) ++result_.crowdedEdges;
-    const HalfEdgeNodes nodes = nodesOf(mesh_.triangles, halfEdges[0]);
-    const double length = glm::length(pointOf(mesh_, nodes.to) - pointOf(mesh_, nodes.from));
+    const std::span<const HalfEdgeId> halfEdges = edges.halfEdgesOf(EdgeId(e));
+    if (halfEdges.size() == 1) ++found.openEdges;
+    if (halfEdges.size() > 2) ++found.crowdedEdges;
+    const HalfEdgeNodes nodes = nodesOf(mesh.triangles, halfEdges[0]);
+    const double length = glm::length(pointOf(mesh, nodes.to) - pointOf(mesh, nodes.from));
     sum += length;
-    result_.shortestEdge = e == 0 ? length : std::min(result_.shortestEdge, length);
-    result_.longestEdge = std::max(result_.longestEdge, length);
+    found.shortestEdge = e == 0 ? length : std::min(found.shortestEdge, length);
+    found.longestEdge = std::max(found.longestEdge, length);
   }
-  result_.edges = static_cast<std::uint32_t>(edges.edgeCount());
-  if (result_.edges > 0) result_.meanEdge = sum / result_.edges;
+  found.edges = static_cast<std::uint32_t>(edges.edgeCount());
+  if (found.edges > 0) found.meanEdge = sum / found.edges;
 }
 
-void SurfaceInspector::Impl::countNonManifoldNodes(const EdgeTable& edges) {
-  const std::vector<std::uint32_t> fans = cornerFans(mesh_.triangles, edges);
-  std::vector<std::uint8_t> fansAt(mesh_.points.size() / 3, 0);
+/// Counts the nodes with more than one fan of triangles. `withoutEdges`: flags of the triangles to ignore.
+std::uint32_t countNonManifoldNodes(const SurfaceMesh& mesh, const EdgeTable& edges,
+                                    std::span<const std::uint8_t> withoutEdges) {
+  const std::vector<HalfEdgeId> fans = cornerFans(mesh.triangles, edges);
+  std::vector<std::uint8_t> fansAt(countNodes(mesh), 0);
+  std::uint32_t nonManifold = 0;
   for (std::uint32_t c = 0; c < fans.size(); ++c) {
-    if (fans[c] != c || check_->withoutEdges()[c / 3] != 0) continue;
-    std::uint8_t& count = fansAt[mesh_.triangles[c]];
-    if (count == 1) ++result_.pinchedNodes;
+    if (fans[c] != HalfEdgeId(c) || withoutEdges[c / 3] != 0) continue;
+    std::uint8_t& count = fansAt[mesh.triangles[c]];
+    if (count == 1) ++nonManifold;
     if (count < 2) ++count;
   }
+  return nonManifold;
 }
 
-void SurfaceInspector::Impl::measureTriangles() {
+void measureTriangles(const SurfaceMesh& mesh, SurfaceInspection& found) {
   struct Ranked {
     double radiusRatio;
-    std::uint32_t triangle;
+    TriangleId triangle;
     bool operator<(const Ranked& other) const {
       return radiusRatio != other.radiusRatio ? radiusRatio < other.radiusRatio
                                               : triangle < other.triangle;
     }
   };
   std::vector<Ranked> worst;
-  result_.triangles = static_cast<std::uint32_t>(mesh_.triangles.size() / 3);
-  for (std::uint32_t t = 0; t < result_.triangles; ++t) {
-    const std::array<Vec3, 3> p = cornersOf(mesh_, t);
-    result_.area += areaOf(p);
-    const Ranked one{triangleRadiusRatio(p[0], p[1], p[2]), t};
-    if (worst.size() == kMaxWorst && !(one < worst.back())) continue;
-    worst.insert(std::upper_bound(worst.begin(), worst.end(), one), one);
+  found.triangles = countTriangles(mesh);
+  for (std::uint32_t t = 0; t < found.triangles; ++t) {
+    const std::array<Vec3, 3> p = cornersOf(mesh, TriangleId(t));
+    found.area += areaOf(p);
+    const Ranked ranked{triangleRadiusRatio(p[0], p[1], p[2]), TriangleId(t)};
+    if (worst.size() == kMaxWorst && !(ranked < worst.back())) continue;
+    worst.insert(std::upper_bound(worst.begin(), worst.end(), ranked), ranked);
     if (worst.size() > kMaxWorst) worst.pop_back();
   }
-  for (const Ranked& one : worst) {
-    result_.worst.push_back(qualityOf(mesh_, one.triangle, one.radiusRatio));
+  for (const Ranked& ranked : worst) {
+    found.worst.push_back(qualityOf(mesh, ranked.triangle, ranked.radiusRatio));
   }
 }
 
-/// None where the check went no further than to what keeps the surface from enclosing a volume.
-void SurfaceInspector::Impl::countFlippedTriangles() {
-  for (std::uint32_t t = 0; t < result_.triangles; ++t) {
-    if (given_[3 * std::size_t{t} + 1] != mesh_.triangles[3 * std::size_t{t} + 1]) {
-      ++result_.turnedTriangles;
-    }
+/// Counts the triangles that the boundary check has flipped: none if it stopped at an earlier error.
+std::uint32_t countFlippedTriangles(const SurfaceMesh& mesh,
+                                    std::span<const std::uint32_t> givenTriangles) {
+  std::uint32_t flipped = 0;
+  for (std::size_t i = 1; i < givenTriangles.size(); i += 3) {
+    if (givenTriangles[i] != mesh.triangles[i]) ++flipped;
   }
+  return flipped;
 }
 
-void SurfaceInspector::Impl::measureShellsAndRegions() {
-  const BoundaryResult& boundary = check_->result();
-  result_.regions = boundary.regionCount;
+void measureShells(const SurfaceMesh& mesh, const BoundaryResult& boundary,
+                   SurfaceInspection& found) {
+  found.regions = boundary.regionCount;
   for (const BoundaryShell& shell : boundary.shells) {
-    result_.volume += shell.volume;
-    result_.shells.push_back({.firstTriangle = shell.firstTriangle,
-                              .triangles = shell.triangles,
-                              .region = shell.region,
-                              .isCavity = shell.volume < 0.0 && !mesh_.isWall(shell.firstTriangle),
-                              .area = shell.area,
-                              .volume = std::fabs(shell.volume)});
+    const bool isInterface = mesh.isWall(shell.firstTriangle.index());
+    found.volume += shell.volume;
+    found.shells.push_back({.firstTriangle = shell.firstTriangle.value,
+                            .triangles = shell.triangleCount,
+                            .region = shell.region.value,
+                            .isCavity = shell.volume < 0.0 && !isInterface,
+                            .area = shell.area,
+                            .volume = std::fabs(shell.volume)});
   }
 }
 
-SurfaceInspector::SurfaceInspector(std::span<const double> points,
-                                   std::span<const std::uint32_t> triangles,
-                                   const InspectionOptions& options)
-    : impl_(std::make_unique<Impl>(points, triangles, options)) {}
-SurfaceInspector::SurfaceInspector(SurfaceInspector&&) noexcept = default;
-SurfaceInspector& SurfaceInspector::operator=(SurfaceInspector&&) noexcept = default;
-SurfaceInspector::~SurfaceInspector() = default;
+}  // namespace
 
-bool SurfaceInspector::advance(std::uint32_t budget) {
-  return impl_->advance(std::max(budget, 1U));
+Task<SurfaceInspection> inspectSurface(Work& work, SurfaceMesh& mesh, InspectionOptions options) {
+  const std::vector<std::uint32_t> givenTriangles = mesh.triangles;
+  BoundaryCheck check(mesh, BoundarySource::kGivenSurface, options.enclosed,
+                      MixedOrientation::kRefuse, options.findings);
+  work.beginPart(0.9);
+  co_await work.finish(check);
+
+  SurfaceInspection found;
+  found.diagnostics = check.takeDiagnostics();
+  found.isFillable = check.result().isValid;
+  if (hasInvalidNumbers(found.diagnostics)) co_return found;
+  found.isEmbedded = !hasCode(found.diagnostics, DiagnosticCode::kSelfIntersection) &&
+                     !hasCode(found.diagnostics, DiagnosticCode::kDuplicateTriangle);
+  measureNodes(mesh, found);
+  // Ignore the triangles that the check ignores; otherwise the counts would contradict its diagnostics.
+  const EdgeTable edges(mesh.triangles, countNodes(mesh), check.withoutEdges());
+  measureEdges(mesh, edges, found);
+  found.pinchedNodes = countNonManifoldNodes(mesh, edges, check.withoutEdges());
+  found.isClosed = found.edges > 0 && found.openEdges == 0;
+  found.isManifold = found.crowdedEdges == 0 && found.pinchedNodes == 0;
+  measureTriangles(mesh, found);
+  found.turnedTriangles = countFlippedTriangles(mesh, givenTriangles);
+  if (found.isFillable) measureShells(mesh, check.result(), found);
+  co_return found;
 }
-double SurfaceInspector::fraction() const { return impl_->fraction(); }
-const SurfaceInspection& SurfaceInspector::result() const { return impl_->result(); }
 
 }  // namespace tetrafront

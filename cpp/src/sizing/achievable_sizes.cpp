@@ -97,7 +97,7 @@ void AchievableSizes::look(std::uint32_t triangle) {
 }
 
 double AchievableSizes::coarsenessOf(std::uint32_t triangle) {
-  const std::array<Vec3, 3> corners = cornersOf(surface_, triangle);
+  const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(triangle));
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
@@ -159,7 +159,7 @@ bool AchievableSizes::giveWay(std::uint32_t budget) {
     if (next_ < nodes) {
       places_.push_back(points_[next_]);
     } else {
-      const std::array<Vec3, 3> corners = cornersOf(surface_, next_ - nodes);
+      const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(next_ - nodes));
       places_.push_back((corners[0] + corners[1] + corners[2]) / 3.0);
     }
     // The next place is mostly near the last one: asked from there, few sites are looked at.
@@ -177,7 +177,7 @@ std::vector<Diagnostic> AchievableSizes::diagnostics() const {
   found.severity = Severity::kWarning;
   found.entities = {{EntityKind::kTriangle, coarsest_}};
   found.hasPlace = true;
-  const std::array<Vec3, 3> corners = cornersOf(surface_, coarsest_);
+  const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(coarsest_));
   found.place = (corners[0] + corners[1] + corners[2]) / 3.0;
   found.values = {static_cast<double>(coarse_), std::min(coarseness_, 1e15)};
   return {found};

@@ -28,10 +28,10 @@ constexpr std::uint32_t kNoSlot = 0xffffffffU;
 
 ColumnSamples::ColumnSamples(const SurfaceMesh& surface, const SizeField& field)
     : surface_(surface), field_(field) {
-  low_ = high_ = pointOf(surface, surface.triangles.front());
+  low_ = high_ = pointOf(surface, NodeId(surface.triangles.front()));
   for (const std::uint32_t node : surface.triangles) {
-    low_ = glm::min(low_, pointOf(surface, node));
-    high_ = glm::max(high_, pointOf(surface, node));
+    low_ = glm::min(low_, pointOf(surface, NodeId(node)));
+    high_ = glm::max(high_, pointOf(surface, NodeId(node)));
   }
   const Vec3 extent = high_ - low_;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -89,7 +89,7 @@ double ColumnSamples::densityAtTriangles() {
   double area = 0.0;
   double integral = 0.0;
   for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
-    const std::array<Vec3, 3> corners = cornersOf(surface_, t);
+    const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(t));
     const double twiceArea =
         glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -110,7 +110,7 @@ void ColumnSamples::cross(std::uint32_t columnsPerAxis, const std::vector<std::u
 }
 
 void ColumnSamples::crossTriangle(std::uint32_t triangle) {
-  const std::array<Vec3, 3> corners = cornersOf(surface_, triangle);
+  const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(triangle));
   const auto u = static_cast<int>(axes_[0]);
   const auto v = static_cast<int>(axes_[1]);
   const auto w = static_cast<int>(axes_[2]);

@@ -35,11 +35,11 @@ double meanDensity(const Vec3& low, const Vec3& high, const SizeField& field) {
 
 double enclosedVolume(const SurfaceMesh& surface) {
   // Not the first node, which may belong to no triangle and lie far away.
-  const Vec3 origin = pointOf(surface, surface.triangles.front());
+  const Vec3 origin = pointOf(surface, NodeId(surface.triangles.front()));
   double sixVolumes = 0.0;
   for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
     if (surface.isWall(t)) continue;
-    const std::array<Vec3, 3> corners = cornersOf(surface, t);
+    const std::array<Vec3, 3> corners = cornersOf(surface, TriangleId(t));
     sixVolumes +=
         glm::dot(corners[0] - origin, glm::cross(corners[1] - origin, corners[2] - origin));
   }

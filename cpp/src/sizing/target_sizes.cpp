@@ -21,11 +21,11 @@ BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid, const MeshOption
 
 std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size) {
   std::vector<Diagnostic> found;
-  Vec3 low = pointOf(surface, surface.triangles[0]);
+  Vec3 low = pointOf(surface, NodeId(surface.triangles[0]));
   Vec3 high = low;
   for (const std::uint32_t node : surface.triangles) {
-    low = glm::min(low, pointOf(surface, node));
-    high = glm::max(high, pointOf(surface, node));
+    low = glm::min(low, pointOf(surface, NodeId(node)));
+    high = glm::max(high, pointOf(surface, NodeId(node)));
   }
   const Vec3 across = high - low;
   const double extent = std::max({across.x, across.y, across.z});
