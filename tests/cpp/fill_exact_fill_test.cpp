@@ -211,14 +211,14 @@ TEST(ExactFill, LeavesOpenOnlyWhatIsAroundPointsWithoutAPlace) {
   FillResult result;
   ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kPartial);
   ASSERT_FALSE(result.tetrahedra.empty());
-  ASSERT_EQ(result.triangleOfOpenFace.size(), result.openFaces.size());
+  ASSERT_EQ(result.facetOfOpenFace.size(), result.openFaces.size());
   const VolumeMesh mesh = meshOf(surface, result);
   SurfaceMesh filled;
   filled.points = mesh.points;
-  const std::set<std::uint32_t> open(result.openTriangles.begin(), result.openTriangles.end());
+  const std::set<FacetId> open(result.openTriangles.begin(), result.openTriangles.end());
   EXPECT_EQ(open.size(), result.openTriangles.size()) << "each once";
   for (std::uint32_t t = 0; t < surface.triangles.size() / 3; ++t) {
-    if (open.contains(t)) continue;
+    if (open.contains(FacetId(t))) continue;
     const auto first = surface.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(t);
     filled.triangles.insert(filled.triangles.end(), first, first + 3);
   }
@@ -261,7 +261,7 @@ TEST(ExactFill, TellsWhichPlaceATetrahedronIsIn) {
   const std::size_t half = surface.triangles.size() / 6;
   for (std::size_t t = 0; t < result.tetrahedra.size(); ++t) {
     const bool right = testing::pointOf(surface, result.tetrahedra[t][0].value).x > 1.5;
-    ASSERT_EQ(result.triangleOfTetrahedron[t] >= half, right);
+    ASSERT_EQ(result.facetOfTetrahedron[t].index() >= half, right);
   }
 }
 

@@ -17,8 +17,8 @@ NodeTriple cornerAt(const std::vector<NodeId>& polygon, std::size_t i) {
 
 bool BoundaryFans::describe(NodeId point, std::span<const TetId> star) {
   fans_.clear();
-  std::map<std::uint32_t, std::vector<Link>> linksOf;
-  std::map<std::uint32_t, NodeId> aboveOf;
+  std::map<FacetId, std::vector<Link>> linksOf;
+  std::map<FacetId, NodeId> aboveOf;
   for (const TetId id : star) {
     const FillTet& t = mesh_.tet(id);
     for (std::uint32_t k = 0; k < 4; ++k) {
@@ -113,7 +113,7 @@ bool BoundaryFans::triangulate(Fan& fan) const {
 bool BoundaryFans::areVisibleFrom(NodeId apex) const {
   return std::all_of(fans_.begin(), fans_.end(), [&](const Fan& fan) {
     if (std::find(fan.polygon.begin(), fan.polygon.end(), apex) != fan.polygon.end()) return true;
-    const auto& t = triangles_[fan.facet];
+    const auto& t = triangles_[fan.facet.index()];
     return mesh_.points.orient(t[0], t[1], t[2], apex) > 0;
   });
 }
@@ -146,7 +146,7 @@ std::vector<BoundaryFace> BoundaryFans::facesFor(NodeId apex) const {
 
 std::vector<NodeTriple> BoundaryFans::planes() const {
   std::vector<NodeTriple> planes;
-  for (const Fan& fan : fans_) planes.push_back(triangles_[fan.facet]);
+  for (const Fan& fan : fans_) planes.push_back(triangles_[fan.facet.index()]);
   return planes;
 }
 

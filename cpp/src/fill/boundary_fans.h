@@ -35,7 +35,7 @@ class BoundaryFans {
  private:
   /// The faces of one given triangle.
   struct Fan {
-    std::uint32_t facet = 0;
+    FacetId facet;
     std::vector<NodeId> polygon;          ///< around the point, counter-clockwise seen from inside
     NodeId above;                         ///< off the plane, inside
     std::vector<BoundaryFace> triangles;  ///< without the point

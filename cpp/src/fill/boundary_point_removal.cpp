@@ -9,8 +9,6 @@
 namespace tetrafront {
 namespace {
 
-/// Tetrahedra around a star may give way to an existing point, up to so many in all.
-constexpr std::size_t kMaxGrowth = 200;
 /// Halvings of the step inwardDirection, in doubles and then exactly.
 constexpr int kMaxHalvings = 50;
 constexpr int kMaxExactHalvings = 400;
@@ -52,12 +50,12 @@ NodeId BoundaryPointRemoval::nextToLift() {
 
 /// Points wait for an existing point as long as there is hope; only then one is lifted to a new one,
 /// which may make room for those around it.
-BoundaryPointRemoval::State BoundaryPointRemoval::step() {
+FillState BoundaryPointRemoval::step() {
   const bool lifting = nextWaiting_ == waiting_.size();
   const NodeId node = lifting ? nextToLift() : waiting_[nextWaiting_++];
-  if (node.isNone()) return State::kDone;
+  if (node.isNone()) return FillState::kDone;
   mesh_.star(node, star_);
-  if (!fans_.describe(node, star_)) return State::kFailed;
+  if (!fans_.describe(node, star_)) return FillState::kFailed;
   if (lifting ? replaceByExistingWithGrowth(node) || replaceByNew(node) : replaceByExisting(node)) {
     queueOf_[node.index()] = Queue::kNone;
     --remaining_;
@@ -67,11 +65,11 @@ BoundaryPointRemoval::State BoundaryPointRemoval::step() {
       queueTouched(star_);
     }
     sliverPoints_.clear();
-    return State::kRunning;
+    return FillState::kRunning;
   }
-  if (lifting) return State::kFailed;
+  if (lifting) return FillState::kFailed;
   postpone(node);
-  return State::kRunning;
+  return FillState::kRunning;
 }
 
 /// What did not go with the same tetrahedra around does not go now; what has others now may.
@@ -123,7 +121,7 @@ bool BoundaryPointRemoval::replaceByExisting(NodeId node) {
 bool BoundaryPointRemoval::replaceByExistingWithGrowth(NodeId node) {
   ConeRules rules;
   rules.lost = node;
-  rules.maxCavity = star_.size() + kMaxGrowth;
+  rules.maxCavity = star_.size() + kMaxCavityGrowth;
   const std::vector<NodeId> nodes = candidates(node);
   return std::any_of(nodes.begin(), nodes.end(), [&](NodeId apex) {
     const std::vector<BoundaryFace> boundary = fans_.facesFor(apex);
@@ -204,7 +202,7 @@ bool BoundaryPointRemoval::replaceByDouble(NodeId node) {
     if (tryNext(kernel.deepest(there)) || tryNext(there)) return true;
   }
   return std::ranges::any_of(
-      tried, [&](const Vec3& there) { return tryPosition(node, there, kMaxGrowth); });
+      tried, [&](const Vec3& there) { return tryPosition(node, there, kMaxCavityGrowth); });
 }
 
 /// A little way inwardDirection, however little. Such a way exists, but for doubles it may be too little.

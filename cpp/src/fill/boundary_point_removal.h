@@ -25,9 +25,8 @@ class BoundaryPointRemoval {
   BoundaryPointRemoval(FillMesh& mesh, const std::vector<NodeTriple>& triangles,
                        std::span<const NodeId> points);
 
-  enum class State : std::uint8_t { kRunning, kDone, kFailed };
   /// Deals with one point.
-  State step();
+  FillState step();
 
   /// How far it is, 0 to 1, estimated by the points left on the boundary.
   [[nodiscard]] double fraction() const;

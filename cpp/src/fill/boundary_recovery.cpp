@@ -21,10 +21,6 @@ constexpr double kSwapsEnd = 0.4;
 /// A walk around a node may go in circles; then all around the node is looked at.
 constexpr int kMaxWalkSteps = 200;
 
-std::pair<NodeId, NodeId> ordered(NodeId u, NodeId v) {
-  return u < v ? std::pair(u, v) : std::pair(v, u);
-}
-
 /// numerator / denominator in so many steps of about 50 bits each.
 Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int steps) {
   Dyadic result;
@@ -47,7 +43,7 @@ BoundaryRecovery::BoundaryRecovery(FillMesh& mesh, const std::vector<NodeTriple>
 
 void BoundaryRecovery::collectEdges(EdgeOrder order) {
   for (const auto& t : triangles_) {
-    for (std::size_t k = 0; k < 3; ++k) edgeOf_.push_back({ordered(t[k], t[(k + 1) % 3]), 0});
+    for (std::size_t k = 0; k < 3; ++k) edgeOf_.push_back({lowerFirst(t[k], t[(k + 1) % 3]), 0});
   }
   sortUnique(edgeOf_);
   for (auto& [nodes, edge] : edgeOf_) {
@@ -60,7 +56,7 @@ void BoundaryRecovery::collectEdges(EdgeOrder order) {
 
 /// By length, or as they are numbered.
 void BoundaryRecovery::sortWaiting(EdgeOrder order) {
-  if (order == EdgeOrder::kAsNumbered) return;
+  if (order == EdgeOrder::kByNodes) return;
   std::vector<double> keys;
   for (const Edge& edge : edges_) {
     const Vec3 along = mesh_.points.position(edge.to) - mesh_.points.position(edge.from);
@@ -72,16 +68,16 @@ void BoundaryRecovery::sortWaiting(EdgeOrder order) {
 
 // ---- edges ---------------------------------------------------------------------------------------
 
-BoundaryRecovery::State BoundaryRecovery::recoverNextEdge() {
+FillState BoundaryRecovery::recoverNextEdge() {
   if (nextWaiting_ == waiting_.size()) {
-    if (postponed_.empty()) return State::kDone;
+    if (postponed_.empty()) return FillState::kDone;
     beginPass();
   }
   const std::uint32_t index = waiting_[nextWaiting_++];
-  const State state = recoverEdge(edges_[index]);
-  if (state == State::kFailed) return state;
-  if (state == State::kRunning) postponed_.push_back(index);
-  return State::kRunning;
+  const FillState state = recoverEdge(edges_[index]);
+  if (state == FillState::kFailed) return state;
+  if (state == FillState::kRunning) postponed_.push_back(index);
+  return FillState::kRunning;
 }
 
 double BoundaryRecovery::edgesFraction() const {
@@ -198,43 +194,43 @@ NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
   return {};
 }
 
-BoundaryRecovery::State BoundaryRecovery::recoverEdge(Edge& edge) {
+FillState BoundaryRecovery::recoverEdge(Edge& edge) {
   edge.chain.assign(1, edge.from);
   while (edge.chain.back() != edge.to) {
     const NodeId from = edge.chain.back();
     const Hit hit = firstHit(from, edge.to);
-    if (hit.kind == Hit::Kind::kNothing) return State::kFailed;
+    if (hit.kind == Hit::Kind::kNothing) return FillState::kFailed;
     if (hit.kind == Hit::Kind::kNode) {
-      if (hit.u != edge.to) return State::kFailed;
+      if (hit.u != edge.to) return FillState::kFailed;
       constraints_.add(from, edge.to);
       edge.chain.push_back(edge.to);
       break;
     }
     if (swapAtHit(hit, from)) continue;
     const Hit back = firstHit(edge.to, from);
-    if (back.kind != Hit::Kind::kFace && back.kind != Hit::Kind::kEdge) return State::kFailed;
+    if (back.kind != Hit::Kind::kFace && back.kind != Hit::Kind::kEdge) return FillState::kFailed;
     if (swapAtHit(back, edge.to)) continue;
-    if (!maySplit_) return State::kRunning;
+    if (!maySplit_) return FillState::kRunning;
     const NodeId node = splitEdgeAt(edge, hit);
-    if (node.isNone()) return State::kFailed;
+    if (node.isNone()) return FillState::kFailed;
     boundaryPoints_.push_back(node);
     constraints_.add(from, node);
     edge.chain.push_back(node);
   }
-  return State::kDone;
+  return FillState::kDone;
 }
 
 // ---- triangles -----------------------------------------------------------------------------------
 
 std::vector<NodeId> BoundaryRecovery::chainBetween(NodeId from, NodeId to) const {
   const auto at = std::lower_bound(edgeOf_.begin(), edgeOf_.end(),
-                                   std::pair(ordered(from, to), std::uint32_t{0}));
+                                   std::pair(lowerFirst(from, to), std::uint32_t{0}));
   std::vector<NodeId> chain = edges_[at->second].chain;
   if (chain.front() != from) std::reverse(chain.begin(), chain.end());
   return chain;
 }
 
-void BoundaryRecovery::beginTriangle(std::size_t triangle) {
+void BoundaryRecovery::beginTriangle(FacetId triangle) {
   for (const NodeId node : knownSigns_) planeSigns_[node.index()] = kUnknown;
   knownSigns_.clear();
   const auto know = [&](NodeId node) {
@@ -243,7 +239,7 @@ void BoundaryRecovery::beginTriangle(std::size_t triangle) {
     knownSigns_.push_back(node);
   };
   open_.clear();
-  const auto& t = triangles_[triangle];
+  const auto& t = triangles_[triangle.index()];
   for (std::size_t k = 0; k < 3; ++k) {
     const std::vector<NodeId> chain = chainBetween(t[k], t[(k + 1) % 3]);
     for (const NodeId node : chain) know(node);
@@ -251,7 +247,7 @@ void BoundaryRecovery::beginTriangle(std::size_t triangle) {
   }
 }
 
-bool BoundaryRecovery::recoverTriangle(std::size_t triangle) {
+bool BoundaryRecovery::recoverTriangle(FacetId triangle) {
   beginTriangle(triangle);
   while (!open_.empty()) {
     if (!findFaceAt(triangle, *open_.begin())) return false;
@@ -260,12 +256,12 @@ bool BoundaryRecovery::recoverTriangle(std::size_t triangle) {
 }
 
 /// The face of the triangle on the left of an edge; or a step towards it.
-bool BoundaryRecovery::findFaceAt(std::size_t triangle, Direction edge) {
+bool BoundaryRecovery::findFaceAt(FacetId triangle, Direction edge) {
   const auto [x, y] = edge;
   const Hit hit = firstHit(x, y);
   if (hit.kind != Hit::Kind::kNode || hit.u != y) return false;
   mesh_.ring(hit.tet, x, y, tets_);
-  const auto& t = triangles_[triangle];
+  const auto& t = triangles_[triangle.index()];
   const auto planeSignOf = [&](NodeId node) -> int {
     planeSigns_.resize(mesh_.points.size(), kUnknown);
     std::int8_t& known = planeSigns_[node.index()];
@@ -298,8 +294,8 @@ bool BoundaryRecovery::findFaceAt(std::size_t triangle, Direction edge) {
   return false;
 }
 
-bool BoundaryRecovery::passCrossing(std::size_t triangle, Direction edge, NodeId below,
-                                    NodeId above, TetId tet) {
+bool BoundaryRecovery::passCrossing(FacetId triangle, Direction edge, NodeId below, NodeId above,
+                                    TetId tet) {
   std::vector<TetId> around;
   mesh_.ring(tet, below, above, around);
   ConeRules rules;
@@ -308,10 +304,10 @@ bool BoundaryRecovery::passCrossing(std::size_t triangle, Direction edge, NodeId
   return splitCrossing(triangle, below, above, around);
 }
 
-bool BoundaryRecovery::splitCrossing(std::size_t triangle, NodeId below, NodeId above,
+bool BoundaryRecovery::splitCrossing(FacetId triangle, NodeId below, NodeId above,
                                      std::span<const TetId> around) {
   ExactPoints& points = mesh_.points;
-  const auto& t = triangles_[triangle];
+  const auto& t = triangles_[triangle.index()];
   const Dyadic low = points.exactVolume(t[0], t[1], t[2], below);
   const Dyadic high = points.exactVolume(t[0], t[1], t[2], above);
   const DyadicVec3 a = points.exact(t[0]);
@@ -345,11 +341,11 @@ bool BoundaryRecovery::splitCrossing(std::size_t triangle, NodeId below, NodeId 
   return false;
 }
 
-void BoundaryRecovery::markFace(std::size_t triangle, TetId tet, NodeId x, NodeId y, NodeId w) {
+void BoundaryRecovery::markFace(FacetId triangle, TetId tet, NodeId x, NodeId y, NodeId w) {
   for (std::uint32_t k = 0; k < 4; ++k) {
     const NodeId apex = mesh_.tet(tet).nodes[k];
     if (apex != x && apex != y && apex != w) {
-      mesh_.markFacet(tet, k, static_cast<std::uint32_t>(triangle));
+      mesh_.markFacet(tet, k, triangle);
     }
   }
   close({x, y});

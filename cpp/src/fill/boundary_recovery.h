@@ -23,22 +23,20 @@ class BoundaryRecovery {
  public:
   /// In which the edges are recovered. Long edges need the most room for swaps, and edges that are
   /// there must stay, so the first order mostly makes the fewest points; but no order is best for all.
-  enum class EdgeOrder : std::uint8_t { kLongestFirst, kAsNumbered, kShortestFirst };
+  enum class EdgeOrder : std::uint8_t { kLongestFirst, kByNodes, kShortestFirst };
 
   /// `triangles` must outlive this. All their nodes must be nodes of the mesh.
   BoundaryRecovery(FillMesh& mesh, const std::vector<NodeTriple>& triangles, EdgeOrder order);
 
-  /// kFailed: the triangles meet where they should not.
-  enum class State : std::uint8_t { kRunning, kDone, kFailed };
   /// Works on one edge.
-  State recoverNextEdge();
+  FillState recoverNextEdge();
 
   /// How far the edges are, 0 to 1, estimated.
   [[nodiscard]] double edgesFraction() const;
 
   [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
   /// To be called for all triangles once the edges are done. False if it cannot be.
-  bool recoverTriangle(std::size_t triangle);
+  bool recoverTriangle(FacetId triangle);
 
   /// Points put on the boundary, in the order they were made.
   [[nodiscard]] std::span<const NodeId> boundaryPoints() const { return boundaryPoints_; }
@@ -57,13 +55,13 @@ class BoundaryRecovery {
     NodeId u;                  ///< the node, or the edge's ends
     NodeId v;
   };
-  using Direction = std::pair<NodeId, NodeId>;
+  using Direction = NodePair;  ///< an edge in the order of its ends
 
   void collectEdges(EdgeOrder order);
   void sortWaiting(EdgeOrder order);
   void beginPass();
   /// kRunning: swaps do not do it.
-  State recoverEdge(Edge& edge);
+  FillState recoverEdge(Edge& edge);
   Hit firstHit(NodeId from, NodeId towards);
   [[nodiscard]] Hit walkToHit(NodeId from, NodeId towards) const;
   Hit hitInTet(TetId tet, NodeId from, NodeId towards, std::uint32_t& away) const;
@@ -71,13 +69,12 @@ class BoundaryRecovery {
   bool swapAtHit(const Hit& hit, NodeId apex);
   NodeId splitEdgeAt(const Edge& edge, const Hit& hit);
 
-  void beginTriangle(std::size_t triangle);
+  void beginTriangle(FacetId triangle);
   [[nodiscard]] std::vector<NodeId> chainBetween(NodeId from, NodeId to) const;
-  bool findFaceAt(std::size_t triangle, Direction edge);
-  bool passCrossing(std::size_t triangle, Direction edge, NodeId below, NodeId above, TetId tet);
-  bool splitCrossing(std::size_t triangle, NodeId below, NodeId above,
-                     std::span<const TetId> around);
-  void markFace(std::size_t triangle, TetId tet, NodeId x, NodeId y, NodeId w);
+  bool findFaceAt(FacetId triangle, Direction edge);
+  bool passCrossing(FacetId triangle, Direction edge, NodeId below, NodeId above, TetId tet);
+  bool splitCrossing(FacetId triangle, NodeId below, NodeId above, std::span<const TetId> around);
+  void markFace(FacetId triangle, TetId tet, NodeId x, NodeId y, NodeId w);
   void close(Direction edge);
 
   FillMesh& mesh_;
@@ -85,9 +82,9 @@ class BoundaryRecovery {
   ConstraintEdges constraints_;
   Cone cone_;
   std::vector<Edge> edges_;
-  std::vector<std::pair<std::pair<NodeId, NodeId>, std::uint32_t>> edgeOf_;  ///< sorted
-  std::vector<std::uint32_t> waiting_;                                       ///< edges of this pass
-  std::vector<std::uint32_t> postponed_;                                     ///< to the next
+  std::vector<std::pair<NodePair, std::uint32_t>> edgeOf_;  ///< sorted
+  std::vector<std::uint32_t> waiting_;                      ///< edges of this pass
+  std::vector<std::uint32_t> postponed_;                    ///< to the next
   std::size_t nextWaiting_ = 0;
   bool maySplit_ = false;
   double passBegan_ = 0.0;  ///< on the way of the edges, 0 to 1

@@ -6,16 +6,6 @@
 #include "geom/insphere.h"
 
 namespace tetrafront {
-namespace {
-
-bool isCorner(const NodeTriple& nodes, NodeId node) {
-  return nodes[0] == node || nodes[1] == node || nodes[2] == node;
-}
-bool isCorner(const NodeQuad& nodes, NodeId node) {
-  return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
-}
-
-}  // namespace
 
 double shapeOf(const ExactPoints& points, const NodeQuad& n) {
   double squares = 0.0;
@@ -68,12 +58,12 @@ bool Cone::grow(const ConeRules& rules) {
 bool Cone::look(TetFace face, const ConeRules& rules) {
   const FillTet& t = mesh_.tet(face.tet);
   const TetFace beyond = t.across[face.corner];
-  const bool marked = t.facet[face.corner] != kNoFacet;
+  const bool marked = !t.facet[face.corner].isNone();
   if (!beyond.isNone() && mesh_.hasStamp(beyond.tet, stamp_)) return !marked;
   const NodeTriple nodes = mesh_.innerFace(face.tet, face.corner);
-  if (beyond.isNone() && isCorner(nodes, rules.lost)) return true;
+  if (beyond.isNone() && contains(nodes, rules.lost)) return true;
   const bool mayPass = !beyond.isNone() && !marked && cavity_.size() < rules.maxCavity;
-  if (isCorner(nodes, apex_)) {
+  if (contains(nodes, apex_)) {
     // Stays as a face of a new tetrahedron.
     faces_.push_back(face);
     return true;
@@ -106,15 +96,15 @@ bool Cone::collect(const ConeRules& rules) {
     const TetFace beyond = mesh_.tet(face.tet).across[face.corner];
     // Seen before the tetrahedron behind it joined.
     if (!beyond.isNone() && mesh_.hasStamp(beyond.tet, stamp_)) {
-      if (mesh_.tet(face.tet).facet[face.corner] != kNoFacet) return false;
+      if (!mesh_.tet(face.tet).facet[face.corner].isNone()) return false;
       continue;
     }
     const NodeTriple n = mesh_.innerFace(face.tet, face.corner);
-    if (!isCorner(n, apex_)) fresh_.push_back({n[0], n[1], n[2], apex_});
+    if (!contains(n, apex_)) fresh_.push_back({n[0], n[1], n[2], apex_});
   }
   for (const BoundaryFace& face : rules.boundary) {
     const auto& n = face.nodes;
-    if (isCorner(n, apex_)) continue;
+    if (contains(n, apex_)) continue;
     if (mesh_.points.orient(n[0], n[1], n[2], apex_) <= 0) return false;
     fresh_.push_back({n[0], n[1], n[2], apex_});
   }
@@ -143,7 +133,7 @@ bool Cone::losesEdges() const {
       for (std::size_t j = i + 1; j < 4; ++j) {
         if (!constraints_.contains(n[i], n[j])) continue;
         if (std::none_of(fresh_.begin(), fresh_.end(), [&](const auto& nodes) {
-              return isCorner(nodes, n[i]) && isCorner(nodes, n[j]);
+              return contains(nodes, n[i]) && contains(nodes, n[j]);
             })) {
           return true;
         }

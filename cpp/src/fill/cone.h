@@ -15,19 +15,24 @@
 
 namespace tetrafront {
 
+using NodePair = std::pair<NodeId, NodeId>;
+
+[[nodiscard]] inline NodePair lowerFirst(NodeId u, NodeId v) {
+  return u < v ? NodePair(u, v) : NodePair(v, u);
+}
+
 /// Edges that must stay, by their nodes, least first.
 class ConstraintEdges {
  public:
-  void add(NodeId u, NodeId v) { edges_.insert(ordered(u, v)); }
-  [[nodiscard]] bool contains(NodeId u, NodeId v) const { return edges_.contains(ordered(u, v)); }
+  void add(NodeId u, NodeId v) { edges_.insert(lowerFirst(u, v)); }
+  [[nodiscard]] bool contains(NodeId u, NodeId v) const {
+    return edges_.contains(lowerFirst(u, v));
+  }
   [[nodiscard]] bool empty() const { return edges_.empty(); }
   void clear() { edges_.clear(); }
 
  private:
-  static std::pair<NodeId, NodeId> ordered(NodeId u, NodeId v) {
-    return u < v ? std::pair(u, v) : std::pair(v, u);
-  }
-  std::set<std::pair<NodeId, NodeId>> edges_;
+  std::set<NodePair> edges_;
 };
 
 struct ConeRules {
@@ -40,6 +45,10 @@ struct ConeRules {
   /// The new faces around `lost` on the boundary, if it was there.
   std::span<const BoundaryFace> boundary;
 };
+
+/// Number of tetrahedra that may join a cavity to make a cone possible; more would disturb too much of
+/// the mesh around.
+inline constexpr std::size_t kMaxCavityGrowth = 200;
 
 class Cone {
  public:

@@ -1,74 +1,100 @@
 #pragma once
 
-/// @file The guaranteed fill: tetrahedra for any closed, embedded, consistently turned set of
-/// triangles, with new points inside only. All signs are exact, so nothing can go wrong but the last
-/// step, where points inside must be brought to positions that doubles can hold; where that fails, what is
-/// around these points is left open, and all else is filled.
+/// @file The exact fill: tetrahedra for any closed, embedded, consistently oriented set of triangles. New
+/// points are in the interior only. All signs are exact, so the only step that can fail is the last one,
+/// which rounds interior points to doubles. If it fails, the volume around these points is left open and
+/// everything else is filled.
 ///
-/// The nodes are put into a nearly Delaunay mesh; edges, then triangles are recovered, by swaps and,
-/// where these do not do it, points on the boundary; what is outside is dropped; and the points on the
-/// boundary are replaced by points inside, of which most then turn out not to be needed.
+/// 1. Insert the nodes into a nearly Delaunay mesh (PointInsertion).
+/// 2. Recover the edges, then the triangles, by swaps and by points on the boundary (BoundaryRecovery).
+/// 3. Drop the exterior tetrahedra (OutsideRemoval).
+/// 4. Replace the points on the boundary by interior ones (SectorSeparation, BoundaryPointRemoval).
+/// 5. Remove interior points or round them to doubles (InteriorPointRounding); most are not needed.
 
-#include <array>
 #include <cstdint>
 #include <limits>
-#include <memory>
-#include <span>
-#include <vector>
+#include <optional>
 
-#include "base/ids.h"
-#include "tetrafront/vec3.h"
+#include "fill/boundary_point_removal.h"
+#include "fill/boundary_recovery.h"
+#include "fill/fill_mesh.h"
+#include "fill/fill_result.h"
+#include "fill/interior_point_rounding.h"
+#include "fill/outside_removal.h"
+#include "fill/point_insertion.h"
+#include "fill/sector_separation.h"
 
 namespace tetrafront {
 
-/// What is to be filled. Nodes are positions in `positions`; triangles are counter-clockwise seen from
-/// where it is empty, and may bound several positions, with islands in them.
-struct FillTask {
-  std::vector<Vec3> positions;
-  std::vector<NodeTriple> triangles;
-};
-
-struct FillResult {
-  std::vector<Vec3> newPositions;  ///< of the nodes that follow those of the task
-  std::vector<NodeQuad> tetrahedra;
-  std::vector<std::uint32_t> triangleOfTetrahedron;  ///< some triangle of the position each is in
-  /// Where State::kPartial: triangles of the task that no tetrahedron has, and the faces that together
-  /// with them bound what is open, counter-clockwise seen from there, each with a triangle of its position.
-  std::vector<std::uint32_t> openTriangles;
-  std::vector<NodeTriple> openFaces;
-  std::vector<std::uint32_t> triangleOfOpenFace;
-};
-
 class ExactFill {
  public:
-  /// Orders in which the nodes can be inserted and the edges recovered: where a point inside has no
-  /// position in doubles after one of them, it mostly has after another.
+  /// Number of orders in which nodes can be inserted and edges recovered. If an interior point cannot be
+  /// rounded to doubles after one order, it mostly can after another.
   static constexpr unsigned kOrders = 6;
 
   static constexpr std::uint64_t kNoLimit = std::numeric_limits<std::uint64_t>::max();
 
-  /// `limit`: gives up after so many units of the budget of advance().
+  /// Fails after `limit` units of the budget of advance().
   explicit ExactFill(FillTask task, unsigned order = 0, std::uint64_t limit = kNoLimit);
-  ExactFill(ExactFill&&) noexcept;
-  ExactFill& operator=(ExactFill&&) noexcept;
-  ~ExactFill();
+  ExactFill(const ExactFill&) = delete;
+  ExactFill& operator=(const ExactFill&) = delete;
 
-  /// kPartial: points inside had no position in doubles; the result leaves open what is around them.
-  /// kFailed: the triangles are not the closed boundary of something, or the limit is reached; there is
-  /// no result.
-  enum class State : std::uint8_t { kRunning, kDone, kPartial, kFailed };
-  /// Works on for about `budget` times 2 microseconds, then returns; the outcome does not depend on it.
+  enum class State : std::uint8_t {
+    kRunning,
+    kDone,
+    kPartial,  ///< the volume around interior points that doubles cannot hold is left open
+    kFailed    ///< the triangles are no closed boundary, or the limit is reached; no result
+  };
+  /// Does about `budget` x 2 microseconds of work. The outcome does not depend on the budget.
   State advance(std::uint32_t budget);
 
-  /// How far it is, 0 to 1, estimated.
+  /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const;
 
-  /// Once done, in part or all.
-  [[nodiscard]] const FillResult& result() const;
+  /// Empty until the state is kDone or kPartial.
+  [[nodiscard]] const FillResult& result() const { return result_; }
 
  private:
-  class Impl;
-  std::unique_ptr<Impl> impl_;
+  enum class Stage : std::uint8_t {
+    kBegin,
+    kInsert,
+    kEdges,
+    kTriangles,
+    kDropOutside,
+    kSeparate,
+    kRemoveBoundaryPoints,
+    kRoundInteriorPoints,
+    kDone,
+    kFailed
+  };
+
+  void step();
+  void beginStage(Stage stage);
+  void failUnless(bool isGood);
+  void begin();
+  void beginRecovery();
+  void recoverEdges();
+  void beginDropping();
+  void dropOutside();
+  void separate();
+  void removeBoundaryPoints();
+  void roundInteriorPoints();
+
+  FillTask task_;
+  unsigned order_;
+  std::uint64_t limit_;
+  FillMesh mesh_;
+  FillResult result_;
+  Stage stage_ = Stage::kBegin;
+  std::size_t next_ = 0;       ///< node or triangle of the stage
+  std::uint64_t touched_ = 0;  ///< tetrahedra visited in this slice without computing a sign
+  // One of these works at a time; the next one takes over what it needs.
+  std::optional<PointInsertion> insertion_;
+  std::optional<BoundaryRecovery> recovery_;
+  std::optional<OutsideRemoval> outside_;
+  std::optional<SectorSeparation> separation_;
+  std::optional<BoundaryPointRemoval> removal_;
+  std::optional<InteriorPointRounding> rounding_;
 };
 
 }  // namespace tetrafront

@@ -45,7 +45,7 @@ int signByDoubles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, do
 }  // namespace
 
 NodeId ExactPoints::add(const Vec3& position) {
-  points_.push_back({position, 0.0, kPositionIsExact});
+  points_.push_back({position, 0.0, {}});
   return NodeId(points_.size() - 1);
 }
 
@@ -56,7 +56,7 @@ NodeId ExactPoints::add(const DyadicVec3& position) {
   constexpr double kRoundingOfDyadics = 4.0 * kRoundoff;
   const double error = kRoundingOfDyadics *
                        std::max({std::fabs(rounded.x), std::fabs(rounded.y), std::fabs(rounded.z)});
-  points_.push_back({rounded, error, static_cast<std::uint32_t>(exact_.size())});
+  points_.push_back({rounded, error, ExactId(exact_.size())});
   exact_.push_back({position, roundedOf(rest)});
   return NodeId(points_.size() - 1);
 }
@@ -68,12 +68,12 @@ NodeId ExactPoints::copy(NodeId node) {
 }
 
 void ExactPoints::move(NodeId node, const Vec3& position) {
-  points_[node.index()] = {position, 0.0, kPositionIsExact};
+  points_[node.index()] = {position, 0.0, {}};
 }
 
 DyadicVec3 ExactPoints::exact(NodeId node) const {
   const Point& point = points_[node.index()];
-  return point.exact == kPositionIsExact ? toDyadic(point.position) : exact_[point.exact].position;
+  return point.exact.isNone() ? toDyadic(point.position) : exact_[point.exact.index()].position;
 }
 
 int ExactPoints::orient(NodeId a, NodeId b, NodeId c, NodeId d) const {
@@ -92,7 +92,7 @@ int ExactPoints::orient(NodeId a, NodeId b, NodeId c, NodeId d) const {
 }
 
 Vec3 ExactPoints::remainderOf(const Point& point) const {
-  return point.exact == kPositionIsExact ? Vec3(0.0) : exact_[point.exact].rest;
+  return point.exact.isNone() ? Vec3(0.0) : exact_[point.exact.index()].rest;
 }
 
 /// As signByDoubles(), in twice the digits; `error` is that of the positions without their rests.

@@ -26,9 +26,7 @@ class ExactPoints {
   /// Where it is, rounded to doubles.
   [[nodiscard]] const Vec3& position(NodeId node) const { return points_[node.index()].position; }
   /// Is position() the exact position?
-  [[nodiscard]] bool isDouble(NodeId node) const {
-    return points_[node.index()].exact == kPositionIsExact;
-  }
+  [[nodiscard]] bool isDouble(NodeId node) const { return points_[node.index()].exact.isNone(); }
   [[nodiscard]] DyadicVec3 exact(NodeId node) const;
 
   /// Sign of (b-a) x (c-a) . (d-a), exact.
@@ -40,15 +38,15 @@ class ExactPoints {
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
-  static constexpr std::uint32_t kPositionIsExact = 0xffffffffU;
+  using ExactId = Id<struct ExactTag>;
   struct Exact {
     DyadicVec3 position;
     Vec3 rest;  ///< of it beyond what doubles hold, in doubles
   };
   struct Point {
     Vec3 position;
-    double error;         ///< no coordinate of the exact position is farther from position's
-    std::uint32_t exact;  ///< position in exact_, or kPositionIsExact
+    double error;   ///< no coordinate of the exact position is farther from position's
+    ExactId exact;  ///< index in exact_; none if the position is exact
   };
 
   [[nodiscard]] Vec3 remainderOf(const Point& point) const;

@@ -5,14 +5,6 @@
 #include "base/sort.h"
 
 namespace tetrafront {
-namespace {
-
-bool isFaceCorner(const NodeTriple& nodes, NodeId node) {
-  return nodes[0] == node || nodes[1] == node || nodes[2] == node;
-}
-
-}  // namespace
-
 void FillMesh::begin(const NodeQuad& nodes) {
   FillTet first;
   first.nodes = nodes;
@@ -51,7 +43,7 @@ void FillMesh::spread(TetId seed, const std::array<NodeId, 2>& nodes, std::vecto
   }
 }
 
-void FillMesh::markFacet(TetId tet, std::uint32_t corner, std::uint32_t facet) {
+void FillMesh::markFacet(TetId tet, std::uint32_t corner, FacetId facet) {
   FillTet& t = tets_[tet.index()];
   t.facet[corner] = facet;
   const TetFace beyond = t.across[corner];
@@ -67,7 +59,7 @@ void FillMesh::collectOuterFaces(std::span<const TetId> old, NodeId lost) {
       const TetFace beyond = t.across[k];
       if (!beyond.isNone() && hasStamp(beyond.tet, mark)) continue;
       const NodeTriple nodes = innerFace(id, k);
-      if (beyond.isNone() && isFaceCorner(nodes, lost)) continue;
+      if (beyond.isNone() && contains(nodes, lost)) continue;
       slots_.push_back({sorted(nodes), {}, beyond, t.facet[k]});
     }
   }
@@ -80,7 +72,7 @@ void FillMesh::collectFreshFaces(std::span<const NodeQuad> fresh) {
       slots_.push_back({sorted(std::array{fresh[i][c[0]], fresh[i][c[1]], fresh[i][c[2]]}),
                         {TetId(i), k},
                         {},
-                        kNoFacet});
+                        {}});
     }
   }
 }

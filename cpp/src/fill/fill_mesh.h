@@ -25,20 +25,30 @@ struct TetFace {
   [[nodiscard]] bool isNone() const { return tet.isNone(); }
 };
 
-inline constexpr std::uint32_t kNoFacet = 0xffffffffU;
+/// A triangle of the FillTask; in the mesh, the triangle that a face is part of.
+using FacetId = Id<struct FacetTag>;
+
+/// How a step of the exact fill ended.
+enum class FillState : std::uint8_t { kRunning, kDone, kFailed };
 
 struct FillTet {
   NodeQuad nodes;
   std::array<TetFace, 4> across;
-  std::array<std::uint32_t, 4> facet{kNoFacet, kNoFacet, kNoFacet,
-                                     kNoFacet};  ///< the given triangle each face is a part of
+  std::array<FacetId, 4> facet;  ///< per face: the given triangle it is part of, or none
 };
 
 /// A piece of the boundary, counter-clockwise seen from inside.
 struct BoundaryFace {
   NodeTriple nodes;
-  std::uint32_t facet;
+  FacetId facet;
 };
+
+[[nodiscard]] inline bool contains(const NodeTriple& nodes, NodeId node) {
+  return nodes[0] == node || nodes[1] == node || nodes[2] == node;
+}
+[[nodiscard]] inline bool contains(const NodeQuad& nodes, NodeId node) {
+  return nodes[0] == node || nodes[1] == node || nodes[2] == node || nodes[3] == node;
+}
 
 class FillMesh {
  public:
@@ -71,7 +81,7 @@ class FillMesh {
   }
 
   /// Marks both sides of a face as part of a given triangle.
-  void markFacet(TetId tet, std::uint32_t corner, std::uint32_t facet);
+  void markFacet(TetId tet, std::uint32_t corner, FacetId facet);
 
   /// Replaces the tetrahedra of a cavity. Faces of `fresh` that pair neither with each other nor
   /// with an outer face of the cavity must be given in `boundary`; outer faces on the boundary that
@@ -99,7 +109,7 @@ class FillMesh {
     NodeTriple key;
     TetFace face;     ///< of a fresh tetrahedron (tet: its position), or none
     TetFace outside;  ///< for an outer face: what is beyond
-    std::uint32_t facet = kNoFacet;
+    FacetId facet;
   };
 
   void spread(TetId seed, const std::array<NodeId, 2>& nodes, std::vector<TetId>& result);

@@ -7,7 +7,6 @@
 namespace tetrafront {
 namespace {
 
-constexpr std::size_t kMaxInteriorGrowth = 200;
 /// Sweeps over all points while something changes.
 constexpr int kMaxSweeps = 12;
 
@@ -25,12 +24,12 @@ bool InteriorPointRounding::allAreDoubles() const {
                      [&](NodeId node) { return mesh_.points.isDouble(node); });
 }
 
-InteriorPointRounding::State InteriorPointRounding::step() {
+FillState InteriorPointRounding::step() {
   if (next_ == points_.size()) {
     if (sweep_ > 0 && (!changed_ || sweep_ == kMaxSweeps)) {
-      return allAreDoubles() ? State::kDone : State::kFailed;
+      return allAreDoubles() ? FillState::kDone : FillState::kFailed;
     }
-    if (points_.empty()) return State::kDone;
+    if (points_.empty()) return FillState::kDone;
     ++sweep_;
     changed_ = false;
     next_ = 0;
@@ -40,13 +39,13 @@ InteriorPointRounding::State InteriorPointRounding::step() {
   if (removePoint(node)) {
     points_.erase(points_.begin() + static_cast<std::ptrdiff_t>(next_));
     changed_ = true;
-    return State::kRunning;
+    return FillState::kRunning;
   }
   const NodeId moved = movePoint(node);
   if (moved != node) changed_ = true;
   if (!mesh_.points.isDouble(moved) && slivers_.removeAt(moved, points_) > 0) changed_ = true;
   points_[next_++] = moved;
-  return State::kRunning;
+  return FillState::kRunning;
 }
 
 double InteriorPointRounding::fraction() const {
@@ -67,7 +66,7 @@ double InteriorPointRounding::minShapeAround() const {
 bool InteriorPointRounding::removePoint(NodeId node) {
   const std::vector<NodeId> candidates = mesh_.neighboursIn(star_, node);
   const double needed = mesh_.points.isDouble(node) ? minShapeAround() : -1.0;
-  for (const std::size_t growth : {std::size_t{0}, kMaxInteriorGrowth}) {
+  for (const std::size_t growth : {std::size_t{0}, kMaxCavityGrowth}) {
     ConeRules rules;
     rules.lost = node;
     rules.maxCavity = growth;
@@ -90,7 +89,7 @@ bool InteriorPointRounding::removePoint(NodeId node) {
 NodeId InteriorPointRounding::movePoint(NodeId node) {
   const NodeId moved = moveWithin(node, 0);
   if (mesh_.points.isDouble(moved)) return moved;
-  return moveWithin(node, kMaxInteriorGrowth);
+  return moveWithin(node, kMaxCavityGrowth);
 }
 
 NodeId InteriorPointRounding::moveWithin(NodeId node, std::size_t growth) {

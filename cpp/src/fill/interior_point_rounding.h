@@ -16,9 +16,8 @@ class InteriorPointRounding {
  public:
   InteriorPointRounding(FillMesh& mesh, std::span<const NodeId> interiorPoints);
 
-  enum class State : std::uint8_t { kRunning, kDone, kFailed };
   /// Deals with one point.
-  State step();
+  FillState step();
 
   /// How far it is, 0 to 1, estimated: as if all sweeps were needed.
   [[nodiscard]] double fraction() const;

@@ -17,9 +17,8 @@ class OutsideRemoval {
   /// Both must outlive this.
   OutsideRemoval(FillMesh& mesh, const std::vector<NodeTriple>& triangles);
 
-  enum class State : std::uint8_t { kRunning, kDone, kFailed };
   /// Looks at one tetrahedron; the last step drops all that are outside.
-  State step();
+  FillState step();
 
  private:
   void classify(TetId tet);

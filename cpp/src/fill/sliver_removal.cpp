@@ -15,8 +15,6 @@ constexpr double kMaxHeight = 0.1;
 constexpr double kMinHeight = 1e-11;
 /// From one try to the next.
 constexpr double kHeightFactor = 0.125;
-/// Elements that may be taken along: more would be another position's trouble.
-constexpr std::size_t kMaxRingGrowth = 200;
 
 }  // namespace
 
@@ -79,7 +77,7 @@ NodeId SliverRemoval::replace(const Edge& edge, const Edge& other) {
   const Vec3 unit = normal * (1.0 / std::sqrt(square));
   const double length = std::min(glm::length(along), glm::length(across));
   ConeRules rules;
-  rules.maxCavity = ring_.size() + kMaxRingGrowth;
+  rules.maxCavity = ring_.size() + kMaxCavityGrowth;
   for (double height = kMaxHeight; height > kMinHeight; height *= kHeightFactor) {
     for (const double off : {height * length, -height * length}) {
       const NodeId made = mesh_.points.add(start + along * t + unit * off);

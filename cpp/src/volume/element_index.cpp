@@ -45,9 +45,9 @@ std::size_t ElementIndex::build(std::size_t budget) {
 void ElementIndex::chainNew() {
   for (std::size_t e = listed_ + links_.size() / 4; e < elements_.size(); ++e) {
     for (const NodeId node : elements_.nodes[e]) {
-      if (node.index() >= firstLink_.size()) firstLink_.resize(node.index() + 1, kEnd);
+      if (node.index() >= firstLink_.size()) firstLink_.resize(node.index() + 1);
       links_.push_back(firstLink_[node.index()]);
-      firstLink_[node.index()] = static_cast<std::uint32_t>(links_.size() - 1);
+      firstLink_[node.index()] = LinkId(links_.size() - 1);
     }
   }
 }
@@ -66,8 +66,8 @@ template <class Take>
 void ElementIndex::forEachAt(NodeId node, const Take& take) const {
   for (const std::uint32_t element : lists_.at(node.value)) take(TetId(element));
   if (node.index() >= firstLink_.size()) return;
-  for (std::uint32_t link = firstLink_[node.index()]; link != kEnd; link = links_[link]) {
-    take(TetId(listed_ + link / 4));
+  for (LinkId link = firstLink_[node.index()]; !link.isNone(); link = links_[link.index()]) {
+    take(TetId(listed_ + link.index() / 4));
   }
 }
 

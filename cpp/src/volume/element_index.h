@@ -33,7 +33,7 @@ class ElementIndex {
 
  private:
   enum class Stage : std::uint8_t { kCount, kAdd, kBuilt };
-  static constexpr std::uint32_t kEnd = 0xffffffffU;
+  using LinkId = Id<struct LinkTag>;
 
   void chainNew();
   template <class Take>
@@ -42,10 +42,10 @@ class ElementIndex {
   const Elements& elements_;
   Incidence lists_;
   Stage stage_ = Stage::kBuilt;
-  std::size_t listed_ = 0;                ///< elements in the lists
-  std::size_t next_ = 0;                  ///< to be counted or added
-  std::vector<std::uint32_t> firstLink_;  ///< per node: the chain's last made link, or kEnd
-  std::vector<std::uint32_t> links_;      ///< four per chained element: the node's link before
+  std::size_t listed_ = 0;         ///< elements in the lists
+  std::size_t next_ = 0;           ///< to be counted or added
+  std::vector<LinkId> firstLink_;  ///< per node: the last link of its chain, or none
+  std::vector<LinkId> links_;  ///< four per chained element: the previous link of the node's chain
 };
 
 }  // namespace tetrafront

@@ -1,6 +1,7 @@
 #include "volume/front_advance.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "geom/measure.h"
 
@@ -113,8 +114,7 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
     culprit = around_.faceId(crossed);
     return refuse(Refusal::kCrosses);
   }
-  ExistingFaces sides{};
-  if (!isNew && !findExistingFaces(apex, sides, culprit)) return refuse(Refusal::kSameOrientation);
+  const ExistingFaces existing = findExistingFaces(apex);
   NodeId node = name;
   if (isNew) {
     const FrontFace& base = front_.face(face);
@@ -124,7 +124,7 @@ bool FrontAdvance<Trace>::tryCandidate(FaceId face, const Candidate& candidate,
     node = front_.addNode(position, nextLayer(layer), base.hint);
   }
   if constexpr (Trace::kOn) trace_.accepted(node, position);
-  accept(face, node, sides);
+  accept(face, node, existing);
   return true;
 }
 
@@ -151,34 +151,34 @@ bool FrontAdvance<Trace>::isTooCloseToFace(const Vec3& position, double distance
   return false;
 }
 
-/// The element's sides besides the base, seen from outside it: (1 2 p), (2 0 p), (0 1 p) opposite
-/// corners 0, 1, 2. As faces of the front they are turned the other way, to face the element;
-/// one turned the same way would be met from behind.
+/// The element's faces besides the base, seen from outside it, are (1 2 p), (2 0 p) and (0 1 p), opposite
+/// corners 0, 1 and 2. A face of the front there has the opposite orientation, since it looks into the
+/// element. One of the same orientation would have the element behind it, but then the element crosses the
+/// front: around an edge of an embedded closed front, faces are passed alternately in the one and in the
+/// other orientation, so that a third face lies between it and the base.
 template <class Trace>
-bool FrontAdvance<Trace>::findExistingFaces(LocalNode apex, ExistingFaces& sides,
-                                            FaceId& culprit) const {
+typename FrontAdvance<Trace>::ExistingFaces FrontAdvance<Trace>::findExistingFaces(
+    LocalNode apex) const {
+  ExistingFaces existing{};
   for (const AdjacentFace& adjacent : around_.adjacentFaces()) {
     if (adjacent.apex != apex) continue;
-    if (!adjacent.isNeighbour()) {
-      culprit = around_.faceId(adjacent.face);
-      return false;
-    }
-    sides[adjacent.third()] = around_.faceId(adjacent.face);
+    assert(adjacent.isNeighbour());
+    existing[adjacent.third()] = around_.faceId(adjacent.face);
   }
-  return true;
+  return existing;
 }
 
 template <class Trace>
-void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const ExistingFaces& sides) {
+void FrontAdvance<Trace>::accept(FaceId face, NodeId apex, const ExistingFaces& existing) {
   const FrontFace base = front_.face(face);
   const NodeTriple& n = base.nodes;
   elements_.add({n[0], n[1], n[2], apex}, base.region);
   front_.removeFace(face);
-  for (const FaceId side : sides) {
-    if (!side.isNone()) front_.removeFace(side);
+  for (const FaceId known : existing) {
+    if (!known.isNone()) front_.removeFace(known);
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!sides[i].isNone()) continue;
+    if (!existing[i].isNone()) continue;
     front_.addFace({n[(i + 1) % 3], n[(i + 2) % 3], apex}, base.region, base.hint, true);
   }
 }

@@ -64,8 +64,8 @@ class FrontAdvance {
   }
   [[nodiscard]] std::size_t firstCrossedFace(LocalNode apex);
   [[nodiscard]] bool isTooCloseToFace(const Vec3& position, double distance, FaceId& culprit);
-  bool findExistingFaces(LocalNode apex, ExistingFaces& sides, FaceId& culprit) const;
-  void accept(FaceId face, NodeId apex, const ExistingFaces& sides);
+  [[nodiscard]] ExistingFaces findExistingFaces(LocalNode apex) const;
+  void accept(FaceId face, NodeId apex, const ExistingFaces& existing);
 
   Front& front_;
   Elements& elements_;

@@ -10,27 +10,24 @@ namespace {
 constexpr std::uint32_t kMaxRings = 3;
 /// What is tried, in this order, for each number of rings. The first two close nearly all.
 constexpr std::array<RuleVariant, 6> kVariants{{
-    {1.0, kNewNodeWeight, true, false},
-    {0.8, kNewNodeWeight, true, true},
-    {1.25, kNewNodeWeight, true, false},
-    {0.65, 0.6, true, false},
-    {1.0, 0.6, true, true},
-    {1.1, 0.6, false, false},
+    {},
+    {.sizeFactor = 0.8, .smallestFirst = true},
+    {.sizeFactor = 1.25},
+    {.sizeFactor = 0.65, .newNodeWeight = 0.6},
+    {.newNodeWeight = 0.6, .smallestFirst = true},
+    {.sizeFactor = 1.1, .newNodeWeight = 0.6, .newNodes = false},
 }};
 constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
 
 /// Bounds of one attempt; costs are as FrontAdvance::step() counts them.
 constexpr std::size_t kMaxRemovedElements = 4000;
-constexpr std::uint64_t kCostPerRemovedElement = 30;
-constexpr std::uint64_t kRemeshingExtraCost = 2000;
+constexpr std::uint64_t kAttemptCostPerElement = 30;
+constexpr std::uint64_t kExtraAttemptCost = 2000;
 /// And of all attempts together, per element of the mesh: where pockets are many, or triangles are
 /// needles, the sizes asked for contradict the boundary, and trying everything everywhere would only
 /// take its time. The exact fill comes after, and the optimizer makes as much of its elements.
 constexpr std::uint64_t kTotalCostPerElement = 2;
 constexpr std::uint64_t kExtraTotalCost = 40'000;
-
-/// Touching this many faces or elements costs about as much as one step of the front.
-constexpr std::size_t kRemeshedPerStep = 4;
 
 }  // namespace
 
@@ -98,7 +95,7 @@ std::size_t LocalRemeshing<Trace>::enlargeNext(PocketSet& pockets) {
   std::vector<TetId> around = index_.around(pockets.nodes(pocket), rings, kMaxRemovedElements);
   const std::size_t touched = around.size() + pockets.faces(pocket).size();
   if (around.size() <= kMaxRemovedElements) {
-    costLeft_ = kCostPerRemovedElement * around.size() + kRemeshingExtraCost;
+    costLeft_ = kAttemptCostPerElement * around.size() + kExtraAttemptCost;
     elementsBefore_ = elements_.size();
     nodesBefore_ = front_.nodes().size();
     enlarged_.emplace(front_, elements_, pockets, pocket, std::move(around));
@@ -108,7 +105,7 @@ std::size_t LocalRemeshing<Trace>::enlargeNext(PocketSet& pockets) {
     for (const FaceId face : enlarged_->faces()) front_.requeue(face, 0);
     stage_ = Stage::kAdvance;
   }
-  const std::size_t cost = 1 + touched / kRemeshedPerStep;
+  const std::size_t cost = 1 + touched / kTouchedPerStep;
   cost_ += cost;
   return cost;
 }
@@ -147,7 +144,7 @@ std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
   const std::size_t touched =
       enlarged_->faces().size() + enlarged_->removedElements() + left.size();
   enlarged_.reset();
-  return 1 + touched / kRemeshedPerStep;
+  return 1 + touched / kTouchedPerStep;
 }
 
 template class LocalRemeshing<NullTrace>;

@@ -34,8 +34,8 @@ std::vector<FaceId> PocketFill::apply(Front& front, Elements& elements) const {
   std::uint16_t layer = 0;
   for (const NodeId node : nodes_) layer = std::max(layer, front.layer(node));
   const FieldHint hint = front.face(pocket_.faces.front()).hint;
-  const auto regionAt = [&](std::uint32_t triangle) {
-    return front.face(pocket_.faces[triangle]).region;
+  const auto regionAt = [&](FacetId facet) {
+    return front.face(pocket_.faces[facet.index()]).region;
   };
   std::vector<NodeId> nodes = nodes_;
   for (const Vec3& position : result.newPositions)
@@ -44,16 +44,16 @@ std::vector<FaceId> PocketFill::apply(Front& front, Elements& elements) const {
     const auto& n = result.tetrahedra[i];
     elements.add(
         {nodes[n[0].index()], nodes[n[1].index()], nodes[n[2].index()], nodes[n[3].index()]},
-        regionAt(result.triangleOfTetrahedron[i]));
+        regionAt(result.facetOfTetrahedron[i]));
   }
   std::vector<FaceId> open;
-  for (const std::uint32_t triangle : result.openTriangles) {
-    open.push_back(pocket_.faces[triangle]);
+  for (const FacetId triangle : result.openTriangles) {
+    open.push_back(pocket_.faces[triangle.index()]);
   }
   stableSort(open);
   std::vector<std::uint32_t> regions;
-  for (const std::uint32_t triangle : result.triangleOfOpenFace) {
-    regions.push_back(regionAt(triangle));
+  for (const FacetId facet : result.facetOfOpenFace) {
+    regions.push_back(regionAt(facet));
   }
   for (const FaceId face : pocket_.faces) {
     if (!std::binary_search(open.begin(), open.end(), face)) front.removeFace(face);

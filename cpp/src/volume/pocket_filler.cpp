@@ -15,8 +15,15 @@ struct FirstTry {
   unsigned order;
 };
 /// What is tried first. A part is taken too; what is open then goes on with the next try.
-constexpr std::array<FirstTry, 9> kFirstTries{
-    {{0, 0}, {1, 0}, {1, 1}, {1, 2}, {1, 3}, {2, 4}, {2, 5}, {4, 0}, {6, 1}}};
+constexpr std::array<FirstTry, 9> kFirstTries{{{.rings = 0, .order = 0},
+                                               {.rings = 1, .order = 0},
+                                               {.rings = 1, .order = 1},
+                                               {.rings = 1, .order = 2},
+                                               {.rings = 1, .order = 3},
+                                               {.rings = 2, .order = 4},
+                                               {.rings = 2, .order = 5},
+                                               {.rings = 4, .order = 0},
+                                               {.rings = 6, .order = 1}}};
 /// Then all orders are tried without a ring, with one, twice as many and so on; with more than so many positions are
 /// taken as wholes only. Where that does not do, they are tried once more, however long it takes.
 constexpr std::uint32_t kMaxRingsForPartialFill = 6;
@@ -25,12 +32,10 @@ constexpr std::uint32_t kMaxPartialFills = 100;
 constexpr std::uint32_t kPartialFillsPerPocket = 4;
 /// What such a try may cost, in units of ExactFill: most take a tenth. With other elements around the
 /// position what takes longer mostly takes much less.
-constexpr std::uint64_t kCostPerFace = 1000;
-constexpr std::uint64_t kExtraCost = 20'000;
+constexpr std::uint64_t kFillCostPerFace = 1000;
+constexpr std::uint64_t kExtraFillCost = 20'000;
 /// As progress sees it, a try that fails leaves so much of its pocket.
 constexpr double kRemainingAfterFailure = 0.1;
-/// Touching this many faces or elements costs about as much as one step of the front.
-constexpr std::size_t kTouchedPerStep = 4;
 
 }  // namespace
 
@@ -102,7 +107,7 @@ std::size_t PocketFiller::begin() {
     pocket.faces = enlarged_->faces();
   }
   const std::uint64_t limit = canFillPartially(now) && !now.isLastRound
-                                  ? kCostPerFace * pocket.faces.size() + kExtraCost
+                                  ? kFillCostPerFace * pocket.faces.size() + kExtraFillCost
                                   : ExactFill::kNoLimit;
   fill_.emplace(front_, std::move(pocket), now.order, limit);
   return 1 + touched / kTouchedPerStep;

@@ -12,6 +12,9 @@
 
 namespace tetrafront {
 
+/// Visiting this many faces or elements of a pocket costs about as much as one step of the front.
+inline constexpr std::size_t kTouchedPerStep = 4;
+
 using PocketId = Id<struct PocketTag>;
 
 /// The pockets of a front, each face's number known by its nodes.

@@ -5,9 +5,7 @@
 namespace tetrafront {
 namespace {
 
-/// Looking at this many active faces, or slots of faces, costs about as much as one step of the
-/// front.
-constexpr std::size_t kFacesPerStep = 4;
+/// Skipping this many free slots of faces costs about as much as one step of the front.
 constexpr std::size_t kSlotsPerStep = 1000;
 
 /// Where reopening begins and ends on the way, 0 to 1.
@@ -89,7 +87,7 @@ double Recovery<Trace>::fraction() const {
 
 template <class Trace>
 std::size_t Recovery<Trace>::scanCost() const {
-  return 1 + front_.activeCount() / kFacesPerStep + front_.slotCount() / kSlotsPerStep;
+  return 1 + front_.activeCount() / kTouchedPerStep + front_.slotCount() / kSlotsPerStep;
 }
 
 template <class Trace>

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sort.h"
+#include "volume/stall_diagnostic.h"
 
 namespace tetrafront {
 namespace {
@@ -41,9 +42,9 @@ std::vector<std::uint32_t> assignPasses(const SurfaceMesh& boundary) {
     taken.clear();
     for (; j < pairs.size() && pairs[j][0] == pairs[i][0]; ++j)
       taken.push_back(passOf[pairs[j][1]]);
-    std::uint32_t turn = 0;
-    while (std::ranges::find(taken, turn) != taken.end()) ++turn;
-    passOf[pairs[i][0]] = turn;
+    std::uint32_t pass = 0;
+    while (std::ranges::find(taken, pass) != taken.end()) ++pass;
+    passOf[pairs[i][0]] = pass;
   }
   return passOf;
 }
@@ -54,16 +55,16 @@ void append(VolumeMesh& mesh, VolumeMesh part, std::size_t boundaryNodes) {
     mesh = std::move(part);
     return;
   }
-  const auto further = static_cast<std::uint32_t>(mesh.points.size() / 3 - boundaryNodes);
-  const auto numberOf = [&](std::uint32_t node) {
-    return node < boundaryNodes ? node : node + further;
+  const auto newNodes = static_cast<std::uint32_t>(mesh.points.size() / 3 - boundaryNodes);
+  const auto indexOf = [&](std::uint32_t node) {
+    return node < boundaryNodes ? node : node + newNodes;
   };
   mesh.points.insert(mesh.points.end(),
                      part.points.begin() + static_cast<std::ptrdiff_t>(3 * boundaryNodes),
                      part.points.end());
   mesh.regions.insert(mesh.regions.end(), part.regions.begin(), part.regions.end());
-  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), numberOf);
-  std::ranges::transform(part.front, std::back_inserter(mesh.front), numberOf);
+  std::ranges::transform(part.tetrahedra, std::back_inserter(mesh.tetrahedra), indexOf);
+  std::ranges::transform(part.front, std::back_inserter(mesh.front), indexOf);
 }
 
 RecoverySummary sum(const RecoverySummary& a, const RecoverySummary& b) {
@@ -89,34 +90,36 @@ RegionMesher::RegionMesher(const SurfaceMesh& boundary, const SizeField& field,
   begin(0);
 }
 
-void RegionMesher::begin(std::uint32_t turn) {
-  pass_ = turn;
+void RegionMesher::begin(std::uint32_t pass) {
+  pass_ = pass;
   MeshOptions options = options_;
   options.maxTetrahedra -=
       std::min(options.maxTetrahedra, static_cast<std::uint32_t>(filled_.tetrahedra.size() / 4));
   current_.reset();
-  if (passCount_ > 1) passBoundary_ = boundaryOf(turn);
-  waiting_ = 0;
+  if (passCount_ > 1) passBoundary_ = boundaryOf(pass);
+  waitingFaces_ = 0;
   for (const std::uint32_t region : boundary_.triangleRegions) {
-    waiting_ += region != SurfaceMesh::kNoRegion && passOf_[region] > turn ? 1 : 0;
+    waitingFaces_ += region != SurfaceMesh::kNoRegion && passOf_[region] > pass ? 1 : 0;
   }
-  current_.emplace(passCount_ > 1 ? passBoundary_ : boundary_, field_, options);
+  current_.emplace(passCount_ > 1 ? passBoundary_.surface : boundary_, field_, options);
 }
 
-/// All nodes, and the triangles around this turn's regions, turned outward.
-SurfaceMesh RegionMesher::boundaryOf(std::uint32_t turn) const {
-  SurfaceMesh cells;
-  cells.points = boundary_.points;
-  for (std::size_t t = 0; t < boundary_.triangles.size() / 3; ++t) {
-    const std::uint32_t* nodes = &boundary_.triangles[3 * t];
-    for (std::size_t side = 0; side < 2; ++side) {
-      const std::uint32_t region = boundary_.triangleRegions[2 * t + side];
-      if (region == SurfaceMesh::kNoRegion || passOf_[region] != turn) continue;
-      cells.triangles.insert(cells.triangles.end(), {nodes[0], nodes[1 + side], nodes[2 - side]});
-      cells.triangleRegions.insert(cells.triangleRegions.end(), {region, SurfaceMesh::kNoRegion});
+RegionMesher::PassBoundary RegionMesher::boundaryOf(std::uint32_t pass) const {
+  PassBoundary result;
+  result.surface.points = boundary_.points;
+  for (std::uint32_t t = 0; t < boundary_.triangles.size() / 3; ++t) {
+    const std::uint32_t* nodes = &boundary_.triangles[3 * std::size_t{t}];
+    for (std::size_t half = 0; half < 2; ++half) {
+      const std::uint32_t region = boundary_.triangleRegions[2 * std::size_t{t} + half];
+      if (region == SurfaceMesh::kNoRegion || passOf_[region] != pass) continue;
+      result.surface.triangles.insert(result.surface.triangles.end(),
+                                      {nodes[0], nodes[1 + half], nodes[2 - half]});
+      result.surface.triangleRegions.insert(result.surface.triangleRegions.end(),
+                                            {region, SurfaceMesh::kNoRegion});
+      result.triangleOf.push_back(t);
     }
   }
-  return cells;
+  return result;
 }
 
 MeshStatus RegionMesher::advance(std::uint32_t budget) {
@@ -130,12 +133,27 @@ MeshStatus RegionMesher::advance(std::uint32_t budget) {
   return MeshStatus::kRunning;
 }
 
+/// Triangles of a pass become triangles of the whole boundary, or in a drawn model their patches.
+void RegionMesher::nameForUser(std::vector<Entity>& entities) const {
+  const bool isDrawn = !boundary_.sides.empty();
+  for (Entity& entity : entities) {
+    if (entity.kind != EntityKind::kTriangle) continue;
+    if (passCount_ > 1) entity.index = passBoundary_.triangleOf[entity.index];
+    if (isDrawn) entity = {EntityKind::kPatch, boundary_.trianglePatch[entity.index]};
+  }
+  const auto isRepeated = [](const Entity& a, const Entity& b) {
+    return a.kind == b.kind && a.index == b.index;
+  };
+  entities.erase(std::ranges::unique(entities, isRepeated).begin(), entities.end());
+}
+
 std::vector<Diagnostic> RegionMesher::diagnostics() const {
   std::vector<Diagnostic> diagnostics = current_->diagnostics();
   const std::size_t filledBefore = filled_.tetrahedra.size() / 4;
-  for (Diagnostic& one : diagnostics) {
-    if (one.code != DiagnosticCode::kTooManyElements) continue;
-    for (double& count : one.values) count += static_cast<double>(filledBefore);
+  for (Diagnostic& diagnostic : diagnostics) {
+    nameForUser(diagnostic.entities);
+    if (diagnostic.code != DiagnosticCode::kTooManyElements) continue;
+    for (double& count : diagnostic.values) count += static_cast<double>(filledBefore);
   }
   return diagnostics;
 }
@@ -158,14 +176,13 @@ double RegionMesher::openShare() const {
   return (openShareBefore_ + std::min(current_->openShare(), 1.0)) / passCount_;
 }
 
-/// Of the regions whose turn comes later: their triangles as a front sees them.
-std::vector<std::uint32_t> RegionMesher::waitingFaces() const {
+/// Returns the triangles of regions of later passes, as a front sees them.
+std::vector<std::uint32_t> RegionMesher::facesOfLaterPasses() const {
   std::vector<std::uint32_t> faces;
-  for (std::uint32_t turn = pass_ + 1; turn < passCount_; ++turn) {
-    const SurfaceMesh cells = boundaryOf(turn);
-    for (std::size_t h = 0; h < cells.triangles.size(); h += 3) {
-      faces.insert(faces.end(),
-                   {cells.triangles[h], cells.triangles[h + 2], cells.triangles[h + 1]});
+  for (std::uint32_t pass = pass_ + 1; pass < passCount_; ++pass) {
+    const SurfaceMesh surface = boundaryOf(pass).surface;
+    for (std::size_t t = 0; t < surface.triangles.size() / 3; ++t) {
+      for (const NodeId node : frontFaceOf(surface, t)) faces.push_back(node.value);
     }
   }
   return faces;
@@ -178,7 +195,7 @@ VolumeMesh RegionMesher::take() { return completed(std::exchange(filled_, {})); 
 /// With this turn's elements and the faces that wait.
 VolumeMesh RegionMesher::completed(VolumeMesh mesh) const {
   append(mesh, current_->mesh(), boundary_.points.size() / 3);
-  const std::vector<std::uint32_t> waiting = waitingFaces();
+  const std::vector<std::uint32_t> waiting = facesOfLaterPasses();
   mesh.front.insert(mesh.front.end(), waiting.begin(), waiting.end());
   return mesh;
 }

@@ -33,7 +33,7 @@ class RegionMesher {
   [[nodiscard]] std::uint32_t nodeCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
   [[nodiscard]] std::uint32_t frontFaceCount() const {
-    return current_->frontFaceCount() + waiting_;
+    return current_->frontFaceCount() + waitingFaces_;
   }
   /// Sections of the way are the front of each turn and its recovery.
   [[nodiscard]] std::uint32_t section() const {
@@ -56,9 +56,16 @@ class RegionMesher {
   [[nodiscard]] FrontCounters counters() const;
 
  private:
-  void begin(std::uint32_t turn);
-  [[nodiscard]] SurfaceMesh boundaryOf(std::uint32_t turn) const;
-  [[nodiscard]] std::vector<std::uint32_t> waitingFaces() const;
+  /// Boundary of the regions of one pass: all nodes, and the triangles around these regions.
+  struct PassBoundary {
+    SurfaceMesh surface;
+    std::vector<std::uint32_t> triangleOf;  ///< per triangle: its index in the whole boundary
+  };
+
+  void begin(std::uint32_t pass);
+  void nameForUser(std::vector<Entity>& entities) const;
+  [[nodiscard]] PassBoundary boundaryOf(std::uint32_t pass) const;
+  [[nodiscard]] std::vector<std::uint32_t> facesOfLaterPasses() const;
   [[nodiscard]] VolumeMesh completed(VolumeMesh mesh) const;
 
   const SurfaceMesh& boundary_;
@@ -67,9 +74,9 @@ class RegionMesher {
   std::vector<std::uint32_t> passOf_;  ///< per region: when it is filled
   std::uint32_t passCount_ = 1;
   std::uint32_t pass_ = 0;
-  double openShareBefore_ = 0.0;  ///< by the fronts of earlier turns, per turn at most 1
-  std::uint32_t waiting_ = 0;     ///< faces of regions whose turn comes later
-  SurfaceMesh
+  double openShareBefore_ = 0.0;    ///< by the fronts of earlier turns, per turn at most 1
+  std::uint32_t waitingFaces_ = 0;  ///< faces of regions whose turn comes later
+  PassBoundary
       passBoundary_;  ///< the boundary of this turn's regions, where there are several turns
   std::optional<VolumeMesher> current_;
   VolumeMesh filled_;  ///< by earlier turns

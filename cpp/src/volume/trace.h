@@ -14,10 +14,9 @@ namespace tetrafront {
 
 /// Why a candidate was refused.
 enum class Refusal : std::uint8_t {
-  kBehind = 0,           ///< not on the empty side of the base face
-  kCrosses = 1,          ///< the element would cross a face
-  kSameOrientation = 2,  ///< a side of the element exists already, turned the same way
-  kTooCloseToFace = 3,   ///< a new node would stand too close to a face
+  kBehind = 0,          ///< not on the empty side of the base face
+  kCrosses = 1,         ///< the element would cross a face
+  kTooCloseToFace = 2,  ///< a new node would stand too close to a face
 };
 
 /// A trace's CrossingScope lives as long as one piece of the crossing test; most take no notice.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geom/predicates.h"
+#include "volume/stall_diagnostic.h"
 
 namespace tetrafront {
 namespace {
@@ -107,13 +108,6 @@ MeshStatus BasicVolumeMesher<Trace>::advance(std::uint32_t budget) {
   return status_;
 }
 
-/// Turned: the front looks into the region.
-template <class Trace>
-NodeTriple BasicVolumeMesher<Trace>::faceOfTriangle(std::size_t triangle) const {
-  const NodeTriple n = boundaryTriangle(boundary_, triangle);
-  return {n[0], n[2], n[1]};
-}
-
 template <class Trace>
 void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
   const std::size_t count = boundary_.triangles.size() / 3;
@@ -125,8 +119,8 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
                                 glm::cross(front_.node(n[1]) - origin, front_.node(n[2]) - origin));
     // Neighbours in the list are near each other: asked in its order, walks are short.
     static_cast<void>(field_.covers(front_.node(n[0]), coverHint_));
-    front_.addFace(faceOfTriangle(nextTriangle_), boundary_.triangleRegions[2 * nextTriangle_],
-                   coverHint_, !exactFillOnly_);
+    front_.addFace(frontFaceOf(boundary_, nextTriangle_),
+                   boundary_.triangleRegions[2 * nextTriangle_], coverHint_, !exactFillOnly_);
   }
   if (nextTriangle_ == count) stage_ = Stage::kAdvance;
 }
@@ -136,16 +130,22 @@ void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
   const std::size_t triangles = boundary_.triangles.size() / 3;
   // Looked at after each step, so that where it stops does not depend on the slices.
   while (budget > 0 && stage_ == Stage::kAdvance && !front_.isQueueEmpty()) {
+    const std::size_t elementsBefore = elements_.size();
     const std::uint64_t relaxed = advance_.counters().relaxedCost;
     const std::uint32_t cost =
         advance_.step(relaxed <= kRelaxedCost.of(elements_.size(), triangles));
     budget -= std::min(cost, budget);
     frontCost_ += cost;
     if (frontCost_ > kFrontCost.of(elements_.size(), triangles)) front_.clearQueue();
+    measureNewElements();
+    progress_.recordStep(elements_.size() > elementsBefore, front_.activeCount());
     checkNewNodes();
-    if (elements_.size() > maxTetrahedra_) stopAtLimit();
+    if (stage_ == Stage::kAdvance && elements_.size() > maxTetrahedra_) stopAtLimit();
+    if (stage_ == Stage::kAdvance &&
+        progress_.isStuck(filledVolume_, enclosedVolume_, front_.extent())) {
+      stall();
+    }
   }
-  measureNewElements();
   if (stage_ == Stage::kAdvance && front_.isQueueEmpty()) beginRecovery();
 }
 
@@ -165,13 +165,12 @@ void BasicVolumeMesher<Trace>::recover(std::uint32_t budget) {
   checkNewNodes();
   if (stage_ == Stage::kFinished) return;
   if (state == State::kClosed) return finish(MeshStatus::kDone);
-  Diagnostic stall;
-  stall.code = DiagnosticCode::kStalled;
-  stall.values = {static_cast<double>(front_.activeCount())};
-  const NodeTriple n = front_.face(front_.activeFaces().front()).nodes;
-  stall.hasPlace = true;
-  stall.place = (front_.node(n[0]) + front_.node(n[1]) + front_.node(n[2])) * (1.0 / 3.0);
-  diagnostics_.push_back(std::move(stall));
+  stall();
+}
+
+template <class Trace>
+void BasicVolumeMesher<Trace>::stall() {
+  diagnostics_.push_back(describeStall(front_, boundary_));
   finish(MeshStatus::kStalled);
 }
 
@@ -186,11 +185,12 @@ void BasicVolumeMesher<Trace>::measureNewElements() {
 
 template <class Trace>
 void BasicVolumeMesher<Trace>::stopAtLimit() {
-  measureNewElements();
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   const double expected = static_cast<double>(elements_.size()) / std::max(filledFraction(), 1e-9);
   tooMany.values = {expected, static_cast<double>(maxTetrahedra_)};
+  tooMany.hasPlace = true;
+  for (const NodeId node : elements_.nodes.back()) tooMany.place += front_.node(node) * 0.25;
   diagnostics_.push_back(std::move(tooMany));
   finish(MeshStatus::kStalled);
 }
@@ -233,32 +233,33 @@ double BasicVolumeMesher<Trace>::filledFraction() const {
 
 template <class Trace>
 VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
-  constexpr std::uint32_t kUnused = 0xffffffffU;
   const std::span<const Vec3> nodes = front_.nodes();
-  std::vector<std::uint32_t> newId(nodes.size(), kUnused);
+  std::vector<NodeId> newId(nodes.size());
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     if (elements_.removed[e] != 0) continue;
-    for (const NodeId node : elements_.nodes[e]) newId[node.index()] = 0;
+    for (const NodeId node : elements_.nodes[e]) newId[node.index()] = NodeId(0U);
   }
   VolumeMesh mesh;
   mesh.points.reserve(3 * nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    if (i >= boundaryNodes_ && newId[i] == kUnused) continue;
-    newId[i] = static_cast<std::uint32_t>(mesh.points.size() / 3);
+    if (i >= boundaryNodes_ && newId[i].isNone()) continue;
+    newId[i] = NodeId(mesh.points.size() / 3);
     mesh.points.insert(mesh.points.end(), {nodes[i].x, nodes[i].y, nodes[i].z});
   }
   mesh.tetrahedra.reserve(4 * elements_.liveCount());
   mesh.regions.reserve(elements_.liveCount());
   for (std::size_t e = 0; e < elements_.size(); ++e) {
     if (elements_.removed[e] != 0) continue;
-    for (const NodeId node : elements_.nodes[e]) mesh.tetrahedra.push_back(newId[node.index()]);
+    for (const NodeId node : elements_.nodes[e])
+      mesh.tetrahedra.push_back(newId[node.index()].value);
     mesh.regions.push_back(elements_.regions[e]);
   }
   for (const FaceId face : front_.activeFaces()) {
-    for (const NodeId node : front_.face(face).nodes) mesh.front.push_back(newId[node.index()]);
+    for (const NodeId node : front_.face(face).nodes)
+      mesh.front.push_back(newId[node.index()].value);
   }
   for (std::size_t t = nextTriangle_; t < boundary_.triangles.size() / 3; ++t) {
-    for (const NodeId node : faceOfTriangle(t)) mesh.front.push_back(node.value);
+    for (const NodeId node : frontFaceOf(boundary_, t)) mesh.front.push_back(node.value);
   }
   return mesh;
 }

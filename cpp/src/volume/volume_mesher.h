@@ -14,6 +14,7 @@
 #include "volume/elements.h"
 #include "volume/front.h"
 #include "volume/front_advance.h"
+#include "volume/front_progress.h"
 #include "volume/recovery.h"
 
 namespace tetrafront {
@@ -62,13 +63,13 @@ class BasicVolumeMesher {
   enum class Stage : std::uint8_t { kSetUp, kAdvance, kRecover, kFinished };
 
   void setUp(std::uint32_t budget);
-  [[nodiscard]] NodeTriple faceOfTriangle(std::size_t triangle) const;
   void advanceFront(std::uint32_t budget);
   void beginRecovery();
   void recover(std::uint32_t budget);
   void measureNewElements();
   void checkNewNodes();
   void stopAtLimit();
+  void stall();
   void finish(MeshStatus status);
   /// Filled part of the enclosed volume, 0 to 1.
   [[nodiscard]] double filledFraction() const;
@@ -87,6 +88,7 @@ class BasicVolumeMesher {
   std::size_t boundaryNodes_;
   std::size_t checkedNodes_ = 0;
   std::uint64_t frontCost_ = 0;
+  FrontProgress progress_;
   double openShare_ = 0.0;
   std::size_t measuredElements_ = 0;
   double enclosedVolume_ = 0.0;        ///< six times
