@@ -198,7 +198,7 @@ const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       "Extend the background grid until it covers the whole model, or make a covering grid in its place.",
   },
   "too-many-elements": {
-    message: ({ main, kind, data: { expected, most } }) => {
+    message: ({ main, kind, at, data: { expected, most } }) => {
       switch (kind) {
         case "line":
           return `${main} asks for more than ${plural(most, "side")}`;
@@ -207,7 +207,7 @@ const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
         case "triangle":
           return `Refined, the surface would have ${estimated(expected, "triangle")}, the most of them in ${main}; the limit is ${most}`;
         default:
-          return `The sizes ask for ${estimated(expected, "tetrahedron")}, the limit is ${most}`;
+          return `The sizes ask for ${estimated(expected, "tetrahedron")}, the limit is ${most}${at === "" ? "" : `; the last one was made${at}`}`;
       }
     },
     remedy: ({ kind, data: { expected, most } }) => {
@@ -304,8 +304,10 @@ const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
       "Refine the surface (refineSurface(), --refine-surface on the command line), or ask for larger elements.",
   },
   stalled: {
-    message: ({ data, at }) =>
-      `The front stalled with ${plural(data.faces, "face")} that no tetrahedron completes${at}; the mesh is partial`,
+    message: ({ data, all, at }) => {
+      const beside = all(["patch", "triangle", "surface-node"], "");
+      return `The front stalled with ${plural(data.faces, "face")} that no tetrahedron completes${beside === "" ? "" : `, beside ${beside}`}${at}; the mesh is partial`;
+    },
     remedy:
       "Use sizes that change more gently there; in a given surface, a size nearer to that of its own edges.",
   },
