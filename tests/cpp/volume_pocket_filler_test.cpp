@@ -199,7 +199,7 @@ void expectPocketsEnlargeAndRestore(const SurfaceMesh& body, std::uint32_t rings
     EXPECT_EQ(opened.facesNow(fixture.front, pockets), opened.faces());
     EXPECT_EQ(opened.faces().size() + pockets.faces(other).size(), facesNow.size());
 
-    opened.close(fixture.front, fixture.elements, pockets);
+    opened.restore(fixture.front, fixture.elements, pockets);
     EXPECT_EQ(fixture.activeFaces(), facesBefore) << "around element " << e;
     EXPECT_EQ(fixture.elements.removed, removedBefore);
     EXPECT_EQ(pockets.nodes(pocket), nodes);

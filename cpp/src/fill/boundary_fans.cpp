@@ -7,7 +7,7 @@
 namespace tetrafront {
 namespace {
 
-/// Corner i of a polygon between those before and after it.
+/// Corner i of a polygon, between its neighbours.
 NodeTriple cornerAt(const std::vector<NodeId>& polygon, std::size_t i) {
   const std::size_t n = polygon.size();
   return {polygon[(i + n - 1) % n], polygon[i], polygon[(i + 1) % n]};
@@ -39,7 +39,7 @@ bool BoundaryFans::describe(NodeId point, std::span<const TetId> star) {
   return !fans_.empty();
 }
 
-/// Puts the links from node to node in their order; in a fan that ends at an edge they form no loop.
+/// Chains the links into a polygon. The polygon of a fan that ends at an edge is not a loop.
 bool BoundaryFans::chain(const std::vector<Link>& links, Fan& fan) {
   std::map<NodeId, NodeId> next;
   std::map<NodeId, NodeId> previous;
@@ -62,7 +62,8 @@ bool BoundaryFans::chain(const std::vector<Link>& links, Fan& fan) {
   return fan.polygon.size() == links.size() + (closed ? 0 : 1);
 }
 
-/// 0 for a flat corner. In doubles: which ear is cut off first is a matter of shape only.
+/// Returns the shape of an ear; 0 if it is degenerate. Computed in doubles: the order of the ears
+/// only affects shapes.
 double BoundaryFans::shapeOfEar(const NodeTriple& ear) const {
   const ExactPoints& points = mesh_.points;
   const Vec3 ab = points.position(ear[1]) - points.position(ear[0]);
@@ -73,7 +74,7 @@ double BoundaryFans::shapeOfEar(const NodeTriple& ear) const {
          (glm::dot(ab, ab) + glm::dot(bc, bc) + glm::dot(ca, ca));
 }
 
-/// By exact signs: is the corner convex, and is no other in it?
+/// Decides by exact signs whether the corner is convex and no other corner lies in its triangle.
 bool BoundaryFans::isEar(const std::vector<NodeId>& rest, std::size_t i, NodeId above) const {
   const auto turn = [&](NodeId p, NodeId q, NodeId r) {
     return mesh_.points.orient(p, q, r, above);
@@ -89,7 +90,8 @@ bool BoundaryFans::isEar(const std::vector<NodeId>& rest, std::size_t i, NodeId 
   });
 }
 
-/// Cuts off ears, the best shaped first. Corners on a straight line are corners too: they stay.
+/// Cuts off ears, the best shaped first. Corners on a straight line are nodes of the mesh and must
+/// stay.
 bool BoundaryFans::triangulate(Fan& fan) const {
   std::vector<NodeId> rest = fan.polygon;
   while (rest.size() > 2) {
@@ -108,8 +110,8 @@ bool BoundaryFans::triangulate(Fan& fan) const {
   return true;
 }
 
-/// A point in the plane of a fan can only be one of its own. Asked of the given triangle, whose nodes are
-/// doubles.
+/// A point in the plane of a fan is visible only if it belongs to the fan. The test uses the given
+/// triangle, because its nodes are doubles.
 bool BoundaryFans::areVisibleFrom(NodeId apex) const {
   return std::all_of(fans_.begin(), fans_.end(), [&](const Fan& fan) {
     if (std::find(fan.polygon.begin(), fan.polygon.end(), apex) != fan.polygon.end()) return true;

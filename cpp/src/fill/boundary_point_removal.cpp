@@ -9,7 +9,7 @@
 namespace tetrafront {
 namespace {
 
-/// Halvings of the step inwardDirection, in doubles and then exactly.
+/// Halvings of the step inwards, first in doubles, then exactly.
 constexpr int kMaxHalvings = 50;
 constexpr int kMaxExactHalvings = 400;
 
@@ -22,7 +22,8 @@ BoundaryPointRemoval::BoundaryPointRemoval(FillMesh& mesh, const std::vector<Nod
   initialCount_ = remaining_ = waiting_.size();
 }
 
-/// Most points soon find one that replaces them, and the few that must be lifted take as long: hence the root.
+/// Most points soon find a neighbour that replaces them. The few that need a new point take about
+/// as long in total: hence the square root.
 double BoundaryPointRemoval::fraction() const {
   if (initialCount_ == 0) return 1.0;
   return 1.0 - std::sqrt(static_cast<double>(remaining_) / static_cast<double>(initialCount_));
@@ -39,7 +40,7 @@ void BoundaryPointRemoval::postpone(NodeId node) {
   postponed_.push_back(node);
 }
 
-/// The one that has been postponed longest; none if none is.
+/// Returns the point that has been postponed longest, or none.
 NodeId BoundaryPointRemoval::nextToLift() {
   while (nextPostponed_ < postponed_.size()) {
     const NodeId node = postponed_[nextPostponed_++];
@@ -48,8 +49,8 @@ NodeId BoundaryPointRemoval::nextToLift() {
   return {};
 }
 
-/// Points wait for an existing point as long as there is hope; only then one is lifted to a new one,
-/// which may make room for those around it.
+/// Tries existing points first, as long as any may succeed. Only then is one point replaced by a
+/// new one, which may make it possible to replace its neighbours.
 FillState BoundaryPointRemoval::step() {
   const bool lifting = nextWaiting_ == waiting_.size();
   const NodeId node = lifting ? nextToLift() : waiting_[nextWaiting_++];
@@ -72,7 +73,8 @@ FillState BoundaryPointRemoval::step() {
   return FillState::kRunning;
 }
 
-/// What did not go with the same tetrahedra around does not go now; what has others now may.
+/// A point that failed fails again while the tetrahedra around it stay the same. Retry those whose
+/// tetrahedra have changed.
 void BoundaryPointRemoval::queueTouched(std::span<const TetId> changed) {
   queueOf_.resize(mesh_.points.size(), Queue::kNone);
   const auto touch = [&](NodeId node) {
@@ -88,7 +90,8 @@ void BoundaryPointRemoval::queueTouched(std::span<const TetId> changed) {
   }
 }
 
-// ---- by an existing point ------------------------------------------------------------------------
+// ---- replacement by an existing point
+// ------------------------------------------------------------
 
 std::vector<NodeId> BoundaryPointRemoval::candidates(NodeId node) const {
   std::vector<NodeId> nodes = mesh_.neighboursIn(star_, node);
@@ -96,7 +99,7 @@ std::vector<NodeId> BoundaryPointRemoval::candidates(NodeId node) const {
   return nodes;
 }
 
-/// By the neighbour that makes the best tetrahedra.
+/// Uses the neighbour whose worst tetrahedron has the best shape.
 bool BoundaryPointRemoval::replaceByExisting(NodeId node) {
   NodeId best;
   double bestShape = 0.0;
@@ -117,7 +120,7 @@ bool BoundaryPointRemoval::replaceByExisting(NodeId node) {
   return cone_.make(best, star_, rules);
 }
 
-/// By the first neighbour that can, if tetrahedra around the star may give way too.
+/// Uses the first neighbour that succeeds if tetrahedra around the star may join the cavity.
 bool BoundaryPointRemoval::replaceByExistingWithGrowth(NodeId node) {
   ConeRules rules;
   rules.lost = node;
@@ -130,7 +133,8 @@ bool BoundaryPointRemoval::replaceByExistingWithGrowth(NodeId node) {
   });
 }
 
-// ---- by a new point ------------------------------------------------------------------------------
+// ---- replacement by a new point
+// ------------------------------------------------------------------
 
 bool BoundaryPointRemoval::tryLast(NodeId node, std::size_t growth) {
   const std::vector<BoundaryFace> boundary = fans_.faces();
@@ -157,7 +161,7 @@ bool BoundaryPointRemoval::tryPosition(NodeId node, const DyadicVec3& position) 
   return tryLast(node, 0);
 }
 
-/// How far the farthest node around is.
+/// Returns the distance to the farthest node of the star.
 double BoundaryPointRemoval::reach(NodeId node) const {
   double farthest = 0.0;
   for (const TetId id : star_) {
@@ -205,7 +209,8 @@ bool BoundaryPointRemoval::replaceByDouble(NodeId node) {
       tried, [&](const Vec3& there) { return tryPosition(node, there, kMaxCavityGrowth); });
 }
 
-/// A little way inwardDirection, however little. Such a way exists, but for doubles it may be too little.
+/// Moves the point inwards by an exact vector, shorter and shorter. Such a move always exists, but
+/// may be too short for doubles.
 bool BoundaryPointRemoval::replaceByExact(NodeId node) {
   const std::optional<DyadicVec3> exact = exactInwardDirection(mesh_.points, fans_.planes());
   if (!exact) return false;

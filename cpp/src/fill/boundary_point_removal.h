@@ -1,10 +1,10 @@
 #pragma once
 
-/// @file Frees the boundary of the points that had to be put on it: each is replaced by a point
-/// inside, an existing one that sees all that is around it, or a new one a little way inwardDirection. The
-/// pieces of given triangles around it are triangulated anew without it, so that in the end the
-/// boundary is the given one. Existence of interior points that do: Du & Wang 2004; George, Borouchaki
-/// & Saltel 2003.
+/// @file Removes the points that had to be added on the boundary. Each is replaced by an interior
+/// point: an existing one that sees all faces around it, or a new one a short way inwards. The
+/// parts of the given triangles around it are triangulated again without it, so that in the end the
+/// boundary is the given one. That such interior points exist is shown by Du & Wang (2004) and by
+/// George, Borouchaki & Saltel (2003).
 
 #include <array>
 #include <cstdint>
@@ -20,18 +20,19 @@ namespace tetrafront {
 
 class BoundaryPointRemoval {
  public:
-  /// `triangles` gives the planes of facets; it must outlive this. The mesh must hold the inside only, and
-  /// each of `points`, those to be replaced, one piece of it.
+  /// `points` are the points to be removed. The mesh must hold interior tetrahedra only, connected
+  /// over faces around each of these points (SectorSeparation). `triangles` gives the planes of the
+  /// facets. It and the mesh must outlive this object.
   BoundaryPointRemoval(FillMesh& mesh, const std::vector<NodeTriple>& triangles,
                        std::span<const NodeId> points);
 
-  /// Deals with one point.
+  /// Tries to replace one point. kFailed does not occur in a valid mesh.
   FillState step();
 
-  /// How far it is, 0 to 1, estimated by the points left on the boundary.
+  /// Estimated progress, 0 to 1, from the number of points still on the boundary.
   [[nodiscard]] double fraction() const;
 
-  /// New points inside, in the order they were made; some may have been removed again.
+  /// New interior points in the order in which they were made; some may have been removed again.
   [[nodiscard]] std::span<const NodeId> interiorPoints() const { return interiorPoints_; }
 
  private:
@@ -54,19 +55,19 @@ class BoundaryPointRemoval {
   ConstraintEdges none_;
   Cone cone_;
   SliverRemoval slivers_;
-  BoundaryFans fans_;  ///< around the point that is dealt with
-  /// What is to be done with a node next.
+  BoundaryFans fans_;  ///< boundary around the current point
+  /// Which queue a node waits in.
   enum class Queue : std::uint8_t { kNone, kWaiting, kPostponed };
-  std::vector<Queue> queueOf_;     ///< per node
-  std::vector<NodeId> waiting_;    ///< to be tried, from nextWaiting_ on
-  std::vector<NodeId> postponed_;  ///< from nextPostponed_ on; some may have been tried again since
-  std::size_t initialCount_;       ///< of the points on the boundary at first
-  std::size_t remaining_;          ///< of them
+  std::vector<Queue> queueOf_;   ///< per node
+  std::vector<NodeId> waiting_;  ///< nodes to be tried, from nextWaiting_ on
+  /// nodes that failed, from nextPostponed_ on; outdated entries have another queueOf_
+  std::vector<NodeId> postponed_;
+  std::size_t initialCount_;  ///< number of points on the boundary at the start
+  std::size_t remaining_;     ///< number of them that are still on the boundary
   std::size_t nextWaiting_ = 0;
   std::size_t nextPostponed_ = 0;
   std::vector<NodeId> interiorPoints_;
-  std::vector<NodeId>
-      sliverPoints_;  ///< points beside flat tetrahedra around the one that is lifted
+  std::vector<NodeId> sliverPoints_;  ///< points added to remove slivers around the current point
   std::vector<TetId> star_;
 };
 

@@ -8,20 +8,21 @@
 namespace tetrafront {
 namespace {
 
-/// A swap may empty a cavity of so many tetrahedra.
+/// Maximum number of tetrahedra in the cavity of a swap.
 constexpr std::size_t kMaxSwapCavity = 150;
-/// How often a position is computed to more digits before the attempt is given up, 50 bits at a time.
+/// Number of times a position is computed to more digits, 50 bits at a time, before the attempt
+/// fails.
 constexpr int kMaxRefinements = 10;
 constexpr std::int8_t kUnknown = 2;
-/// A pass of swaps is worth another if it leaves at most so many of its edges, in tenths.
+/// Another pass of swaps follows if the last one left at most this share of its edges, in tenths.
 constexpr std::size_t kWorthAnotherPass = 9;
-/// How far the passes of swaps come on the way of the edges, 0 to 1, each half of what is left to there; the
-/// rest is for the last one, which may split.
+/// Progress over the edges, 0 to 1, that the passes of swaps approach: each covers half of the
+/// distance that is left. The rest belongs to the last pass, which may split edges.
 constexpr double kSwapsEnd = 0.4;
-/// A walk around a node may go in circles; then all around the node is looked at.
+/// A walk around a node may go in circles. After this many steps, search the whole star instead.
 constexpr int kMaxWalkSteps = 200;
 
-/// numerator / denominator in so many steps of about 50 bits each.
+/// numerator / denominator to `steps` times about 50 bits.
 Dyadic refinedQuotient(const Dyadic& numerator, const Dyadic& denominator, int steps) {
   Dyadic result;
   Dyadic rest = numerator;
@@ -54,7 +55,7 @@ void BoundaryRecovery::collectEdges(EdgeOrder order) {
   sortWaiting(order);
 }
 
-/// By length, or as they are numbered.
+/// Sorts the waiting edges by length. They already are in the order of their nodes.
 void BoundaryRecovery::sortWaiting(EdgeOrder order) {
   if (order == EdgeOrder::kByNodes) return;
   std::vector<double> keys;
@@ -66,7 +67,8 @@ void BoundaryRecovery::sortWaiting(EdgeOrder order) {
   stableSort(waiting_, [&](std::uint32_t a, std::uint32_t b) { return keys[a] < keys[b]; });
 }
 
-// ---- edges ---------------------------------------------------------------------------------------
+// ---- edges
+// ---------------------------------------------------------------------------------------
 
 FillState BoundaryRecovery::recoverNextEdge() {
   if (nextWaiting_ == waiting_.size()) {
@@ -95,7 +97,8 @@ void BoundaryRecovery::beginPass() {
   nextWaiting_ = 0;
 }
 
-/// If the tetrahedron does not hold the ray, `away` is the corner whose face is between.
+/// Intersects the ray with one tetrahedron at `from`. If the tetrahedron does not contain the start
+/// of the ray, `away` is the corner whose opposite face separates them.
 BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId towards,
                                                  std::uint32_t& away) const {
   const ExactPoints& points = mesh_.points;
@@ -121,7 +124,7 @@ BoundaryRecovery::Hit BoundaryRecovery::hitInTet(TetId tet, NodeId from, NodeId 
   return {count == 1 ? Hit::Kind::kNode : Hit::Kind::kNothing, tet, corner, ahead[0], ahead[0]};
 }
 
-/// From tetrahedron to tetrahedron around the node, towards the ray.
+/// Walks around the node, from tetrahedron to tetrahedron, towards the ray.
 BoundaryRecovery::Hit BoundaryRecovery::walkToHit(NodeId from, NodeId towards) const {
   TetId tet = mesh_.at(from);
   for (int step = 0; step < kMaxWalkSteps && !tet.isNone(); ++step) {
@@ -145,7 +148,7 @@ BoundaryRecovery::Hit BoundaryRecovery::firstHit(NodeId from, NodeId towards) {
   return {};
 }
 
-/// What has the hit position within it.
+/// Collects the tetrahedra whose interior or faces contain the hit position.
 void BoundaryRecovery::tetsAtHit(const Hit& hit, std::vector<TetId>& result) {
   if (hit.kind == Hit::Kind::kEdge) {
     mesh_.ring(hit.tet, hit.u, hit.v, result);
@@ -156,7 +159,8 @@ void BoundaryRecovery::tetsAtHit(const Hit& hit, std::vector<TetId>& result) {
   }
 }
 
-/// All around the hit becomes joined to the apex, from where the ray comes: it then passes freely.
+/// Joins the tetrahedra around the hit to the apex from which the ray starts. The ray then passes
+/// along an edge.
 bool BoundaryRecovery::swapAtHit(const Hit& hit, NodeId apex) {
   tetsAtHit(hit, tets_);
   ConeRules rules;
@@ -166,7 +170,7 @@ bool BoundaryRecovery::swapAtHit(const Hit& hit, NodeId apex) {
 
 NodeId BoundaryRecovery::splitEdgeAt(const Edge& edge, const Hit& hit) {
   ExactPoints& points = mesh_.points;
-  // Heights of the edge's ends over a plane through what was hit.
+  // Compute the heights of the edge's ends above a plane through the hit edge or face.
   NodeTriple plane = mesh_.innerFace(hit.tet, hit.corner);
   if (hit.kind == Hit::Kind::kEdge) {
     const NodeId start = mesh_.tet(hit.tet).nodes[hit.corner];
@@ -220,7 +224,8 @@ FillState BoundaryRecovery::recoverEdge(Edge& edge) {
   return FillState::kDone;
 }
 
-// ---- triangles -----------------------------------------------------------------------------------
+// ---- triangles
+// -----------------------------------------------------------------------------------
 
 std::vector<NodeId> BoundaryRecovery::chainBetween(NodeId from, NodeId to) const {
   const auto at = std::lower_bound(edgeOf_.begin(), edgeOf_.end(),
@@ -255,7 +260,7 @@ bool BoundaryRecovery::recoverTriangle(FacetId triangle) {
   return true;
 }
 
-/// The face of the triangle on the left of an edge; or a step towards it.
+/// Marks the face of the triangle to the left of an edge, or removes one obstacle to it.
 bool BoundaryRecovery::findFaceAt(FacetId triangle, Direction edge) {
   const auto [x, y] = edge;
   const Hit hit = firstHit(x, y);
@@ -272,11 +277,11 @@ bool BoundaryRecovery::findFaceAt(FacetId triangle, Direction edge) {
     return known;
   };
   for (const TetId tet : tets_) {
-    // The other two, so that x y u v is in order.
+    // u and v are the other two corners, so that x y u v is positively oriented.
     const std::uint32_t cx = mesh_.cornerOf(tet, x);
     const NodeTriple f = mesh_.innerFace(tet, cx);
     const std::size_t cy = f[0] == y ? 0 : (f[1] == y ? 1 : 2);
-    // f then x is in order, and so is x then the other way round f.
+    // (f, x) is positively oriented, and therefore also (x, f reversed).
     const NodeId u = f[(cy + 2) % 3];
     const NodeId v = f[(cy + 1) % 3];
     const int su = planeSignOf(u);
@@ -318,7 +323,8 @@ bool BoundaryRecovery::splitCrossing(FacetId triangle, NodeId below, NodeId abov
   const DyadicVec3 along = points.exact(above) - start;
   const Dyadic square = dot(normal, normal);
   for (int steps = 1; steps <= kMaxRefinements; ++steps) {
-    // Near where they meet, then into the plane by coordinates of the triangle.
+    // Find a position near the crossing, then move it into the plane by its coordinates in the
+    // triangle.
     const DyadicVec3 near = start + along * refinedQuotient(low, low - high, steps) - a;
     const Dyadic s = refinedQuotient(dot(cross(near, ac), normal), square, steps);
     const Dyadic r = refinedQuotient(dot(cross(ab, near), normal), square, steps);

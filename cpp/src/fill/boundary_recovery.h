@@ -1,11 +1,12 @@
 #pragma once
 
-/// @file Makes the given edges and triangles appear in a mesh of their nodes: each edge as a chain of
-/// edges, each triangle as a sheet of faces. Where swaps do not do it, a point is put where an edge
-/// meets a face, or a triangle an edge. With every such point one crossing is gone for good and none
-/// is made, so this ends. Points wait until swaps alone get no further: most edges that cannot be had
-/// at first can be once others are there, while pieces of split edges, which must stay, block the
-/// swaps of the rest.
+/// @file Makes the given edges and triangles appear in a mesh of their nodes: each edge as a chain
+/// of mesh edges, each triangle as a set of faces. Swaps are tried first. If they fail, a point is
+/// added where an edge meets a face, or a triangle meets an edge. Each such point removes one
+/// crossing for good and adds none, so this terminates.
+///
+/// Points are added only when passes of swaps make no more progress. Most edges that cannot be recovered at
+/// first can be later, when others are present; but the parts of a split edge must stay, and block swaps.
 
 #include <array>
 #include <cstdint>
@@ -21,46 +22,48 @@ namespace tetrafront {
 
 class BoundaryRecovery {
  public:
-  /// In which the edges are recovered. Long edges need the most room for swaps, and edges that are
-  /// there must stay, so the first order mostly makes the fewest points; but no order is best for all.
+  /// Order in which edges are recovered. Long edges need the most room for swaps, and recovered
+  /// edges must stay, so kLongestFirst mostly adds the fewest points. No order is best for all
+  /// inputs.
   enum class EdgeOrder : std::uint8_t { kLongestFirst, kByNodes, kShortestFirst };
 
-  /// `triangles` must outlive this. All their nodes must be nodes of the mesh.
+  /// `triangles` must outlive this object. Their nodes must be nodes of the mesh.
   BoundaryRecovery(FillMesh& mesh, const std::vector<NodeTriple>& triangles, EdgeOrder order);
 
-  /// Works on one edge.
+  /// Works on one edge. Returns kFailed if the triangles self-intersect.
   FillState recoverNextEdge();
 
-  /// How far the edges are, 0 to 1, estimated.
+  /// Estimated progress over the edges, 0 to 1.
   [[nodiscard]] double edgesFraction() const;
 
   [[nodiscard]] std::size_t triangleCount() const { return triangles_.size(); }
-  /// To be called for all triangles once the edges are done. False if it cannot be.
+  /// Call it for each triangle when the edges are done. Returns false if the triangles
+  /// self-intersect.
   bool recoverTriangle(FacetId triangle);
 
-  /// Points put on the boundary, in the order they were made.
+  /// Points added on the boundary, in the order in which they were made.
   [[nodiscard]] std::span<const NodeId> boundaryPoints() const { return boundaryPoints_; }
 
  private:
   struct Edge {
     NodeId from;
     NodeId to;
-    std::vector<NodeId> chain;  ///< all its nodes in order, once recovered
+    std::vector<NodeId> chain;  ///< its nodes in order, when recovered
   };
-  /// What a ray from a node meets first.
+  /// The first node, edge or face that a ray from a node meets.
   struct Hit {
     enum class Kind : std::uint8_t { kNothing, kNode, kEdge, kFace } kind = Kind::kNothing;
     TetId tet;
-    std::uint32_t corner = 0;  ///< where the ray starts
-    NodeId u;                  ///< the node, or the edge's ends
+    std::uint32_t corner = 0;  ///< of `tet`: the start of the ray
+    NodeId u;                  ///< the node hit, or with v the ends of the edge hit
     NodeId v;
   };
-  using Direction = NodePair;  ///< an edge in the order of its ends
+  using Direction = NodePair;  ///< an edge from its first to its second node
 
   void collectEdges(EdgeOrder order);
   void sortWaiting(EdgeOrder order);
   void beginPass();
-  /// kRunning: swaps do not do it.
+  /// Returns kRunning if swaps do not recover the edge.
   FillState recoverEdge(Edge& edge);
   Hit firstHit(NodeId from, NodeId towards);
   [[nodiscard]] Hit walkToHit(NodeId from, NodeId towards) const;
@@ -82,18 +85,20 @@ class BoundaryRecovery {
   ConstraintEdges constraints_;
   Cone cone_;
   std::vector<Edge> edges_;
-  std::vector<std::pair<NodePair, std::uint32_t>> edgeOf_;  ///< sorted
-  std::vector<std::uint32_t> waiting_;                      ///< edges of this pass
-  std::vector<std::uint32_t> postponed_;                    ///< to the next
+  /// ascending by nodes: index of the edge
+  std::vector<std::pair<NodePair, std::uint32_t>> edgeOf_;
+  std::vector<std::uint32_t> waiting_;    ///< edges of this pass
+  std::vector<std::uint32_t> postponed_;  ///< edges of the next pass
   std::size_t nextWaiting_ = 0;
   bool maySplit_ = false;
-  double passBegan_ = 0.0;  ///< on the way of the edges, 0 to 1
+  double passBegan_ = 0.0;  ///< progress over the edges at the start of the pass, 0 to 1
   std::vector<NodeId> boundaryPoints_;
   std::vector<TetId> tets_;
   std::vector<TetId> star_;
-  // Of the triangle at work:
-  std::set<Direction> open_;             ///< edges whose left side is not yet covered by faces
-  std::vector<std::int8_t> planeSigns_;  ///< per node; kUnknown until asked for
+  // State of the current triangle.
+  std::set<Direction> open_;  ///< edges whose left side is not covered by faces yet
+  /// per node: sign relative to the triangle's plane, or kUnknown
+  std::vector<std::int8_t> planeSigns_;
   std::vector<NodeId> knownSigns_;
 };
 

@@ -54,7 +54,8 @@ bool Cone::grow(const ConeRules& rules) {
   return true;
 }
 
-/// A face of the cavity: seen, already inside, or to be passed.
+/// Decides about one face of the cavity: it bounds the cavity, lies inside it, or the tetrahedron
+/// behind it joins.
 bool Cone::look(TetFace face, const ConeRules& rules) {
   const FillTet& t = mesh_.tet(face.tet);
   const TetFace beyond = t.across[face.corner];
@@ -64,7 +65,7 @@ bool Cone::look(TetFace face, const ConeRules& rules) {
   if (beyond.isNone() && contains(nodes, rules.lost)) return true;
   const bool mayPass = !beyond.isNone() && !marked && cavity_.size() < rules.maxCavity;
   if (contains(nodes, apex_)) {
-    // Stays as a face of a new tetrahedron.
+    // The face remains as a face of a new tetrahedron.
     faces_.push_back(face);
     return true;
   }
@@ -89,12 +90,12 @@ bool Cone::isInCircumsphere(TetFace beyond) const {
       points.position(apex_));
 }
 
-/// The new tetrahedra.
+/// Builds the new tetrahedra.
 bool Cone::collect(const ConeRules& rules) {
   fresh_.clear();
   for (const TetFace& face : faces_) {
     const TetFace beyond = mesh_.tet(face.tet).across[face.corner];
-    // Seen before the tetrahedron behind it joined.
+    // The face was visible before the tetrahedron behind it joined.
     if (!beyond.isNone() && mesh_.hasStamp(beyond.tet, stamp_)) {
       if (!mesh_.tet(face.tet).facet[face.corner].isNone()) return false;
       continue;
@@ -111,7 +112,8 @@ bool Cone::collect(const ConeRules& rules) {
   return !fresh_.empty();
 }
 
-/// A node that no outer face has would be left without a tetrahedron.
+/// Tells whether a node would be left without a tetrahedron: a node of the cavity that no outer
+/// face uses.
 bool Cone::losesNodes(NodeId lost) {
   nodeStamps_.resize(mesh_.points.size(), 0);
   for (const auto& nodes : fresh_) {

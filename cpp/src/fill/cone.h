@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file The one operation of the exact fill: a cavity emptied and joined to one point, its apex. All
-/// outer faces must be seen from the apex by exact signs, so the new tetrahedra fill the cavity. With
-/// a new point as apex this inserts it; with a node of the cavity, it swaps edges and faces, or,
-/// where the cavity is another node's star, collapses that node.
+/// @file The one operation of the exact fill: empty a cavity and join its outer faces to one point,
+/// the apex. Every outer face must be visible from the apex by exact signs, so the new tetrahedra
+/// fill the cavity. If the apex is a new point, this inserts it. If it is a node of the cavity,
+/// this swaps edges and faces. If the cavity is the star of another node, this collapses that node.
 
 #include <cstdint>
 #include <set>
@@ -21,7 +21,7 @@ using NodePair = std::pair<NodeId, NodeId>;
   return u < v ? NodePair(u, v) : NodePair(v, u);
 }
 
-/// Edges that must stay, by their nodes, least first.
+/// Edges that must stay in the mesh.
 class ConstraintEdges {
  public:
   void add(NodeId u, NodeId v) { edges_.insert(lowerFirst(u, v)); }
@@ -36,18 +36,19 @@ class ConstraintEdges {
 };
 
 struct ConeRules {
-  /// Where a face is not seen, the tetrahedron behind it may join the cavity, up to so many.
+  /// If the apex does not see a face, the tetrahedron behind it may join the cavity, up to this
+  /// total number.
   std::size_t maxCavity = 0;
-  /// Tetrahedra whose circumsphere holds the apex join too.
+  /// Tetrahedra whose circumsphere contains the apex join too.
   bool delaunay = false;
-  /// The cavity may hold this node inside; it vanishes.
+  /// A node that vanishes: the cavity may contain it in its interior or on the boundary.
   NodeId lost;
-  /// The new faces around `lost` on the boundary, if it was there.
+  /// The new boundary faces around `lost` if it was on the boundary.
   std::span<const BoundaryFace> boundary;
 };
 
-/// Number of tetrahedra that may join a cavity to make a cone possible; more would disturb too much of
-/// the mesh around.
+/// Number of tetrahedra that may join a cavity to make a cone possible. A larger cavity would
+/// disturb too much of the mesh around it.
 inline constexpr std::size_t kMaxCavityGrowth = 200;
 
 class Cone {
@@ -55,12 +56,13 @@ class Cone {
   Cone(FillMesh& mesh, const ConstraintEdges& constraints)
       : mesh_(mesh), constraints_(constraints) {}
 
-  /// Makes the change, or none and returns false. Faces marked as facets and constraint edges stay.
+  /// Makes the change, or changes nothing and returns false. Faces marked as facets and constraint
+  /// edges stay.
   bool make(NodeId apex, std::span<const TetId> cavity, const ConeRules& rules);
-  /// Would it be possible? If so, `shape` is the least shape measure of the new tetrahedra.
+  /// Returns true if the change is possible; minShape() and commit() then refer to it.
   bool plan(NodeId apex, std::span<const TetId> cavity, const ConeRules& rules);
   [[nodiscard]] double minShape() const;
-  /// Makes what plan() has found possible.
+  /// Makes the change of the last successful plan().
   bool commit();
 
  private:
@@ -79,12 +81,13 @@ class Cone {
   std::span<const BoundaryFace> boundary_;
   std::uint32_t stamp_ = 0;
   std::vector<TetId> cavity_;
-  std::vector<TetFace> faces_;  ///< of the cavity's tetrahedra, seen from the apex
+  std::vector<TetFace> faces_;  ///< of the cavity's tetrahedra, visible from the apex
   std::vector<NodeQuad> fresh_;
-  std::vector<std::uint32_t> nodeStamps_;  ///< stamp_ where a node is in fresh_
+  std::vector<std::uint32_t> nodeStamps_;  ///< stamp_ if the node is in fresh_
 };
 
-/// 12 (3V)^(2/3) / (sum of squared edges), cubed: 1 for the regular tetrahedron. In doubles.
+/// Returns the cube of the mean ratio 12 (3V)^(2/3) / (sum of squared edge lengths) in doubles, with the
+/// sign of the volume V: 1 for the regular tetrahedron, 0 for a degenerate one.
 [[nodiscard]] double shapeOf(const ExactPoints& points, const NodeQuad& nodes);
 
 }  // namespace tetrafront

@@ -12,8 +12,8 @@ constexpr std::uint64_t kSignsPerUnit = 20;
 /// Visiting this many tetrahedra sequentially costs as much as computing one sign.
 constexpr std::uint64_t kTouchedPerSign = 4;
 
-/// Where each stage ends on the progress bar, 0 to 1. Boundaries that take long consist of needles; there
-/// most of the time goes into the edges and into the points that had to be put on them.
+/// Progress at the end of each stage, 0 to 1. Slow boundaries consist of needles; there most of the
+/// time goes into the edges and into the points added on the boundary.
 constexpr double kInsertEnd = 0.1;
 constexpr double kEdgesEnd = 0.4;
 constexpr double kTrianglesEnd = 0.5;

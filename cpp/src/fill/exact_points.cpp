@@ -11,17 +11,18 @@ namespace tetrafront {
 namespace {
 
 constexpr double kRoundoff = 0x1p-53;
-/// What a sign that doubles leave open counts, in signs by doubles: what it costs by long numbers, measured,
-/// although one in twenty needs them.
+/// Cost of a sign that doubles leave open, in signs decided by doubles. It is the measured cost of
+/// long numbers, although only one such sign in twenty needs them.
 constexpr std::uint64_t kExactCost = 20;
 
 double sumOfSizes(const Vec3& v) { return std::fabs(v.x) + std::fabs(v.y) + std::fabs(v.z); }
 
 Vec3 roundedOf(const DyadicVec3& v) { return {v[0].toDouble(), v[1].toDouble(), v[2].toDouble()}; }
 
-/// The sign of a determinant of differences u, v, w, computed with a relative error of `roundoff` of the sum of its
-/// terms' sizes, if it is certain: each coordinate of the differences may be off by `error`, which can change the
-/// determinant by half of what is allowed for. 0 if it is not.
+/// Returns the sign of the determinant of the differences u, v, w if it is certain, else 0.
+/// `roundoff` is the error of the determinant relative to the sum of the sizes of its terms. Each
+/// coordinate of the differences may be off by `error`; this can change the determinant by half of
+/// what the bound allows for.
 int certainSign(double determinant, const Vec3& u, const Vec3& v, const Vec3& w, double roundoff,
                 double error) {
   const double sizeU = sumOfSizes(u) + error;
@@ -32,8 +33,9 @@ int certainSign(double determinant, const Vec3& u, const Vec3& v, const Vec3& w,
   return determinant > bound ? 1 : (determinant < -bound ? -1 : 0);
 }
 
-/// Does plain double decide the sign, for positions that may be off by `error` in each coordinate?
-/// The bound is generous: the plain evaluation's own (Shewchuk 1997, section 4), doubled.
+/// Returns the sign in plain doubles, or 0 if it is uncertain, for positions that may be off by
+/// `error` in each coordinate. The bound is twice that of the plain evaluation (Shewchuk 1997,
+/// section 4).
 int signByDoubles(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double error) {
   constexpr double kBound = 16.0 * kRoundoff;
   const Vec3 u = b - a;
@@ -95,14 +97,15 @@ Vec3 ExactPoints::remainderOf(const Point& point) const {
   return point.exact.isNone() ? Vec3(0.0) : exact_[point.exact.index()].rest;
 }
 
-/// As signByDoubles(), in twice the digits; `error` is that of the positions without their rests.
+/// As signByDoubles(), with twice the digits. `error` is the error of the positions without their
+/// remainders.
 int ExactPoints::signByTwofolds(const Point& a, const Point& b, const Point& c, const Point& d,
                                 double error) const {
   // A dozen roundings, each of a few 2^-106.
   constexpr double kBound = 0x1p-97;
-  // Rests are rounded themselves, by two units in their last position.
+  // Remainders are rounded themselves, by two units in the last place.
   constexpr double kRoundingOfRests = 0x1p-50;
-  // Of numbers so small parts may have been lost by underflow.
+  // Products of smaller numbers may lose parts by underflow.
   constexpr double kMinSize = 0x1p-250;
   const Vec3 restA = remainderOf(a);
   std::array<std::array<Twofold, 3>, 3> rows;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Points whose positions are exact although they need not be doubles, and the signs of the
-/// volumes they span.
+/// @file Points with exact positions that need not be doubles, and the signs of the volumes they
+/// span.
 
 #include <array>
 #include <cstdint>
@@ -17,35 +17,35 @@ class ExactPoints {
  public:
   NodeId add(const Vec3& position);
   NodeId add(const DyadicVec3& position);
-  /// Another point at the same position.
+  /// Adds another point at the same position.
   NodeId copy(NodeId node);
   void move(NodeId node, const Vec3& position);
   void dropLast() { points_.pop_back(); }
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
-  /// Where it is, rounded to doubles.
+  /// The position rounded to doubles.
   [[nodiscard]] const Vec3& position(NodeId node) const { return points_[node.index()].position; }
-  /// Is position() the exact position?
+  /// Returns true if position() is exact.
   [[nodiscard]] bool isDouble(NodeId node) const { return points_[node.index()].exact.isNone(); }
   [[nodiscard]] DyadicVec3 exact(NodeId node) const;
 
-  /// Sign of (b-a) x (c-a) . (d-a), exact.
+  /// Returns the exact sign of (b-a) x (c-a) . (d-a).
   [[nodiscard]] int orient(NodeId a, NodeId b, NodeId c, NodeId d) const;
-  /// Six times the volume.
+  /// Returns six times the volume.
   [[nodiscard]] Dyadic exactVolume(NodeId a, NodeId b, NodeId c, NodeId d) const;
 
-  /// Grows with the signs asked for, by what they cost; a measure of work done.
+  /// Cost of all signs computed so far; a measure of work that does not depend on the machine.
   [[nodiscard]] std::uint64_t work() const { return work_; }
 
  private:
   using ExactId = Id<struct ExactTag>;
   struct Exact {
     DyadicVec3 position;
-    Vec3 rest;  ///< of it beyond what doubles hold, in doubles
+    Vec3 rest;  ///< exact position minus rounded position, in doubles
   };
   struct Point {
     Vec3 position;
-    double error;   ///< no coordinate of the exact position is farther from position's
+    double error;   ///< largest distance of a coordinate from its exact value
     ExactId exact;  ///< index in exact_; none if the position is exact
   };
 

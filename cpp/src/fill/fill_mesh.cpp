@@ -77,7 +77,7 @@ void FillMesh::collectFreshFaces(std::span<const NodeQuad> fresh) {
   }
 }
 
-/// Each face twice, and at least once of a fresh tetrahedron.
+/// Each face must occur exactly twice, at least once in a fresh tetrahedron.
 bool FillMesh::facesPair() const {
   if (slots_.size() % 2 != 0) return false;
   for (std::size_t i = 0; i < slots_.size(); i += 2) {
@@ -124,7 +124,7 @@ bool FillMesh::replace(std::span<const TetId> old, std::span<const NodeQuad> fre
     for (const NodeId node : nodes) tetAt_[node.index()] = id;
   }
   for (std::size_t i = 0; i < slots_.size(); i += 2) {
-    // A fresh face sorts before an outer one, whose tetrahedron is none.
+    // The face of a fresh tetrahedron sorts before an outer one, whose tetrahedron is none.
     const FaceSlot& one = slots_[i];
     const FaceSlot& two = slots_[i + 1];
     const TetFace face{freshIds_[one.face.tet.index()], one.face.corner};

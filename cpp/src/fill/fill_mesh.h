@@ -1,7 +1,7 @@
 #pragma once
 
 /// @file The tetrahedra of the exact fill, with their neighbours. There is one change: the
-/// tetrahedra of a cavity out, others with the same outer faces in.
+/// tetrahedra of a cavity are replaced by others with the same outer faces.
 
 #include <array>
 #include <cstdint>
@@ -13,22 +13,22 @@
 
 namespace tetrafront {
 
-/// Corners of the face opposite corner i, counter-clockwise seen from inside: with that corner they
-/// make the tetrahedron again.
+/// Corners of the face opposite corner i, counter-clockwise seen from inside. With corner i
+/// appended, they are the tetrahedron again.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 4> kInnerCorners{
     {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
 
-/// A face of a tetrahedron: which, and the corner opposite.
+/// A face of a tetrahedron, given by its opposite corner.
 struct TetFace {
   TetId tet;
   std::uint32_t corner = 0;
   [[nodiscard]] bool isNone() const { return tet.isNone(); }
 };
 
-/// A triangle of the FillTask; in the mesh, the triangle that a face is part of.
+/// A triangle of the FillTask. In the mesh: the given triangle that a face is part of.
 using FacetId = Id<struct FacetTag>;
 
-/// How a step of the exact fill ended.
+/// Result of a step of the exact fill.
 enum class FillState : std::uint8_t { kRunning, kDone, kFailed };
 
 struct FillTet {
@@ -37,7 +37,7 @@ struct FillTet {
   std::array<FacetId, 4> facet;  ///< per face: the given triangle it is part of, or none
 };
 
-/// A piece of the boundary, counter-clockwise seen from inside.
+/// A face of the boundary, counter-clockwise seen from inside.
 struct BoundaryFace {
   NodeTriple nodes;
   FacetId facet;
@@ -54,7 +54,8 @@ class FillMesh {
  public:
   ExactPoints points;
 
-  /// The first tetrahedron; its nodes must be in order. All else comes by replace().
+  /// Creates the first tetrahedron, which must be positively oriented. All others come from
+  /// replace().
   void begin(const NodeQuad& nodes);
 
   [[nodiscard]] std::size_t slotCount() const { return tets_.size(); }
@@ -63,41 +64,44 @@ class FillMesh {
   [[nodiscard]] NodeTriple innerFace(TetId tet, std::uint32_t corner) const;
   [[nodiscard]] std::uint32_t cornerOf(TetId tet, NodeId node) const;
   [[nodiscard]] bool has(TetId tet, NodeId node) const { return cornerOf(tet, node) < 4; }
-  /// One tetrahedron at the node; none if no longer used.
+  /// Returns one tetrahedron at the node, or none if no tetrahedron uses it.
   [[nodiscard]] TetId at(NodeId node) const {
     return node.index() < tetAt_.size() ? tetAt_[node.index()] : TetId();
   }
 
-  /// The tetrahedra at a node that are joined by faces, from at(node) or from `seed` on.
+  /// Collects the tetrahedra at a node that are connected over faces, starting at at(node) or at
+  /// `seed`.
   void star(NodeId node, std::vector<TetId>& result) { spread(at(node), {node, node}, result); }
   void starFrom(TetId seed, NodeId node, std::vector<TetId>& result) {
     spread(seed, {node, node}, result);
   }
-  /// The other nodes of a star, ascending, each once.
+  /// Returns the other nodes of a star, ascending, each once.
   [[nodiscard]] std::vector<NodeId> neighboursIn(std::span<const TetId> star, NodeId node) const;
-  /// The tetrahedra at an edge of `seed` that are joined by faces.
+  /// Collects the tetrahedra at the edge u-v that are connected over faces, starting at `seed`.
   void ring(TetId seed, NodeId u, NodeId v, std::vector<TetId>& result) {
     spread(seed, {u, v}, result);
   }
 
-  /// Marks both sides of a face as part of a given triangle.
+  /// Marks both half-faces as part of a given triangle.
   void markFacet(TetId tet, std::uint32_t corner, FacetId facet);
 
-  /// Replaces the tetrahedra of a cavity. Faces of `fresh` that pair neither with each other nor
-  /// with an outer face of the cavity must be given in `boundary`; outer faces on the boundary that
-  /// contain `lost` need no partner. False, and nothing changed, if anything is left over.
+  /// Replaces the tetrahedra of a cavity. A face of `fresh` must pair with another face of `fresh`,
+  /// with an outer face of the cavity, or with a face in `boundary`. Outer faces on the boundary
+  /// that contain `lost` need no partner. If a face is left over, changes nothing and returns
+  /// false. O(n log n) in the number of faces.
   bool replace(std::span<const TetId> old, std::span<const NodeQuad> fresh, NodeId lost,
                std::span<const BoundaryFace> boundary);
 
-  /// What the last replacement has made.
+  /// The tetrahedra that the last replacement created.
   [[nodiscard]] std::span<const TetId> lastCreated() const { return freshIds_; }
 
-  /// Keeps only the tetrahedra so marked; faces between kept ones and others become boundary.
+  /// Removes the tetrahedra for which `kept` (one entry per slot) is 0; faces between kept and
+  /// removed ones become boundary.
   void keep(const std::vector<std::uint8_t>& kept);
-  /// Gives the tetrahedra of `sector` a point of their own in position of `node`.
+  /// Replaces `node` by the point `own` in the tetrahedra of `sector`.
   void separate(std::span<const TetId> sector, NodeId node, NodeId own);
 
-  /// Marks of a fresh set of tetrahedra.
+  /// Returns a new stamp, which marks no tetrahedron yet.
   std::uint32_t nextStamp() { return ++stamp_; }
   void stamp(TetId tet, std::uint32_t value) { stamps_[tet.index()] = value; }
   [[nodiscard]] bool hasStamp(TetId tet, std::uint32_t value) const {
@@ -107,8 +111,8 @@ class FillMesh {
  private:
   struct FaceSlot {
     NodeTriple key;
-    TetFace face;     ///< of a fresh tetrahedron (tet: its position), or none
-    TetFace outside;  ///< for an outer face: what is beyond
+    TetFace face;     ///< of a fresh tetrahedron (tet: its index in `fresh`), or none
+    TetFace outside;  ///< for an outer face: the half-face beyond
     FacetId facet;
   };
 

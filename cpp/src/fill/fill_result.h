@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file What the exact fill takes and what it returns.
+/// @file Input and output of the exact fill.
 
 #include <cstdint>
 #include <span>
@@ -12,15 +12,15 @@
 
 namespace tetrafront {
 
-/// The volume to be filled. Triangles index `positions`. They are counter-clockwise seen from the empty
-/// side, and may bound several pockets, also with islands in them.
+/// The volume to be filled. Triangles index `positions` and are counter-clockwise seen from the
+/// empty side. They may bound several pockets, with islands inside them.
 struct FillTask {
   std::vector<Vec3> positions;
   std::vector<NodeTriple> triangles;
 };
 
 struct FillResult {
-  std::vector<Vec3> newPositions;  ///< of the nodes that follow those of the task
+  std::vector<Vec3> newPositions;  ///< positions of the nodes that follow those of the task
   std::vector<NodeQuad> tetrahedra;
   /// Per tetrahedron: the lowest triangle of the task that bounds its pocket.
   std::vector<FacetId> facetOfTetrahedron;
@@ -34,9 +34,9 @@ struct FillResult {
   [[nodiscard]] bool isPartial() const { return !openFaces.empty() || !openTriangles.empty(); }
 };
 
-/// Reads the result from a mesh without exterior tetrahedra and without points put on the boundary. The
-/// first `givenNodes` points are those of the task; of the interior points, those that doubles cannot
-/// hold stay out, and the tetrahedra around them are left open. O(tetrahedra).
+/// Reads the result from a mesh without exterior tetrahedra and without added boundary points. The
+/// first `givenNodes` points are those of the task. Interior points that doubles cannot hold are
+/// left out, and the tetrahedra at them left open. O(tetrahedra).
 [[nodiscard]] FillResult collectResult(const FillMesh& mesh, std::size_t givenNodes,
                                        std::span<const NodeId> interiorPoints);
 

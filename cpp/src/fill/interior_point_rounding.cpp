@@ -7,7 +7,7 @@
 namespace tetrafront {
 namespace {
 
-/// Sweeps over all points while something changes.
+/// Maximum number of sweeps over all points; they end earlier if nothing changes.
 constexpr int kMaxSweeps = 12;
 
 }  // namespace
@@ -62,7 +62,8 @@ double InteriorPointRounding::minShapeAround() const {
   return least;
 }
 
-/// By the best neighbour. A point that is a double already stays unless shapes get better.
+/// Collapses the point onto the neighbour that gives the best shapes. A point that already is a
+/// double stays unless shapes improve.
 bool InteriorPointRounding::removePoint(NodeId node) {
   const std::vector<NodeId> candidates = mesh_.neighboursIn(star_, node);
   const double needed = mesh_.points.isDouble(node) ? minShapeAround() : -1.0;
@@ -84,8 +85,8 @@ bool InteriorPointRounding::removePoint(NodeId node) {
   return false;
 }
 
-/// To the best double found in its kernel. A point that has none there may take tetrahedra around its
-/// star, flat ones mostly, with it.
+/// Moves the point to the best double found in the kernel of its star. If the kernel contains none,
+/// tetrahedra around the star, mostly slivers, may join the cavity.
 NodeId InteriorPointRounding::movePoint(NodeId node) {
   const NodeId moved = moveWithin(node, 0);
   if (mesh_.points.isDouble(moved)) return moved;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Brings the points inside to positions that doubles can hold, or removes them.
+/// @file Removes the interior points or moves them to positions that doubles can hold.
 
 #include <cstdint>
 #include <span>
@@ -16,13 +16,13 @@ class InteriorPointRounding {
  public:
   InteriorPointRounding(FillMesh& mesh, std::span<const NodeId> interiorPoints);
 
-  /// Deals with one point.
+  /// Works on one point. kFailed: some points cannot be rounded.
   FillState step();
 
-  /// How far it is, 0 to 1, estimated: as if all sweeps were needed.
+  /// Estimated progress, 0 to 1, as if all sweeps were needed.
   [[nodiscard]] double fraction() const;
 
-  /// Those left, all at doubles once done.
+  /// The points that are left. When the state is kDone, doubles hold all of them.
   [[nodiscard]] const std::vector<NodeId>& points() const { return points_; }
 
  private:

@@ -5,7 +5,8 @@
 namespace tetrafront {
 namespace {
 
-/// A direction of so many digits always does but for planes that are nearly folded on each other.
+/// Maximum number of digits, in units of 53 bits. One unit suffices unless the planes are nearly
+/// folded onto each other.
 constexpr int kMaxTruncations = 8;
 
 Vec3 unitNormal(const ExactPoints& points, const NodeTriple& t) {
@@ -20,7 +21,7 @@ DyadicVec3 exactNormal(const ExactPoints& points, const NodeTriple& t) {
   return cross(points.exact(t[1]) - a, points.exact(t[2]) - a);
 }
 
-/// The leading so many times 53 bits.
+/// Returns the leading `steps` x 53 bits.
 Dyadic truncated(const Dyadic& value, int steps) {
   Dyadic result;
   Dyadic rest = value;
@@ -50,8 +51,8 @@ std::optional<DyadicVec3> exactInwardDirection(const ExactPoints& points,
   };
   DyadicVec3 plain = toDyadic(inwardDirection(points, planes));
   if (leadsIn(plain)) return plain;
-  // Of normals n, m with n.m = -c < 0, (m.m + c) n + (n.n + c) m has with each the product
-  // n.n m.m - c c > 0.
+  // For normals n, m with n.m = -c < 0, the vector (m.m + c) n + (n.n + c) m has the product
+  // (n.n)(m.m) - c^2 > 0 with each.
   const Dyadic c = dot(first, last).negated();
   const DyadicVec3 direction = first * (dot(last, last) + c) + last * (dot(first, first) + c);
   for (int steps = 1; steps <= kMaxTruncations; ++steps) {

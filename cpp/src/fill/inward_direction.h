@@ -11,12 +11,12 @@
 
 namespace tetrafront {
 
-/// The mean of the planes' normals, of unit length or zero; in doubles. `planes`: triangles,
-/// counter-clockwise seen from inside.
+/// Returns the mean of the planes' normals in doubles, of unit length or zero. `planes` are
+/// triangles, counter-clockwise seen from inside.
 [[nodiscard]] Vec3 inwardDirection(const ExactPoints& points, std::span<const NodeTriple> planes);
 
-/// A direction that leads inwardDirection from one plane or from two, by exact signs. None only where the two
-/// lie on each other, with nothing between.
+/// Returns a direction inwards from one plane or from two, by exact signs; none if the two planes
+/// are folded onto each other.
 [[nodiscard]] std::optional<DyadicVec3> exactInwardDirection(const ExactPoints& points,
                                                              std::span<const NodeTriple> planes);
 

@@ -36,7 +36,7 @@ void OutsideRemoval::classify(TetId tet) {
   }
 }
 
-/// False where it goes beyond all that there is.
+/// Returns false if the flood leaves the mesh.
 bool OutsideRemoval::flood(TetId tet) {
   const FillTet& t = mesh_.tet(tet);
   for (std::uint32_t k = 0; k < 4; ++k) {

@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file What is outside the given triangles is dropped, once all of them are faces of the mesh: floods from
-/// the tetrahedra above the triangles. Sides contradict each other only where the triangles are not the
-/// closed boundary of something.
+/// @file Drops the tetrahedra outside the given triangles, once all triangles are faces of the
+/// mesh: floods the interior from the tetrahedra above the triangles. A tetrahedron is both inside
+/// and outside only if the triangles are no closed boundary; this is an error.
 
 #include <array>
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace tetrafront {
 
 class OutsideRemoval {
  public:
-  /// Both must outlive this.
+  /// Both must outlive this object.
   OutsideRemoval(FillMesh& mesh, const std::vector<NodeTriple>& triangles);
 
-  /// Looks at one tetrahedron; the last step drops all that are outside.
+  /// Visits one tetrahedron; the last step drops all exterior ones.
   FillState step();
 
  private:
@@ -27,8 +27,8 @@ class OutsideRemoval {
   FillMesh& mesh_;
   const std::vector<NodeTriple>& triangles_;
   std::vector<std::uint8_t> inside_;  ///< per tetrahedron
-  std::vector<TetId> queue_;          ///< those inside
-  std::vector<TetId> outside_;        ///< below a triangle
+  std::vector<TetId> queue_;          ///< interior tetrahedra, in order of discovery
+  std::vector<TetId> outside_;        ///< tetrahedra below a triangle
   std::size_t nextToFind_ = 0;
   std::size_t nextToFlood_ = 0;
 };

@@ -11,11 +11,12 @@
 namespace tetrafront {
 namespace {
 
-/// The large tetrahedron's corners are so many extents away from the middle: its sides are then 4.6
-/// away, the box's corners at most 1.8.
+/// Distance of the large tetrahedron's corners from the centre, in half extents per axis. Its faces
+/// are then 4.6 half extents away, and the corners of the box at most 1.8.
 constexpr double kEnclosure = 8.0;
 
-/// Rounds come from high to low: 0 has half of all points, 1 a quarter, and so on.
+/// Round of a point. Rounds are processed from high to low: 0 has half of all points, 1 a quarter,
+/// and so on.
 unsigned roundOf(std::uint32_t point) {
   std::uint32_t hash = (point + 1) * 0x9e3779b1U;
   hash = (hash ^ (hash >> 15U)) * 0x85ebca6bU;
@@ -63,7 +64,8 @@ std::uint32_t PointInsertion::faceTowards(TetId tet, NodeId node, std::size_t fi
   return 4;
 }
 
-/// A tetrahedron that holds the point. Walks towards it; walks may run in circles, so they end.
+/// Returns a tetrahedron that contains the point, or none. Walks towards the point. A walk may go
+/// in circles; then all tetrahedra are searched.
 TetId PointInsertion::locate(NodeId node) const {
   TetId tet = mesh_.at(last_);
   const std::size_t longest = mesh_.slotCount() + 100;

@@ -1,10 +1,10 @@
 #pragma once
 
-/// @file A tetrahedral mesh of given points, Delaunay but for ties, within a large tetrahedron around
-/// them. That it is Delaunay only makes it likely that edges of the boundary are there already. The
-/// points come in rounds, each a random half of those left for later ones, along a Morton curve (Amenta,
-/// Choi & Rote 2003): in the curve's order alone each next point of a ring of needles would undo what
-/// hundreds before it have made.
+/// @file Builds a tetrahedral mesh of the given points inside a large tetrahedron. It is Delaunay
+/// except for ties; this makes it likely that edges of the boundary exist from the start. Points
+/// are inserted in rounds, each a random half of the points left for later rounds, along a Morton
+/// curve (Amenta, Choi & Rote 2003). In the order of the curve alone, each point of a ring of
+/// needles would undo what hundreds of points before it made.
 
 #include <span>
 #include <vector>
@@ -16,12 +16,12 @@ namespace tetrafront {
 
 class PointInsertion {
  public:
-  /// Puts the points 0 .. count-1 of `mesh.points` into the large tetrahedron, of which four more
-  /// points are made. At least one point must be there. Each `variant` is another order.
+  /// Prepares to insert the points 0 .. count-1 of `mesh.points` into the large tetrahedron, for
+  /// which it adds four points. At least one point must exist. Each `variant` is another order.
   PointInsertion(FillMesh& mesh, unsigned variant);
 
   [[nodiscard]] std::size_t count() const { return order_.size(); }
-  /// To be called for 0 .. count()-1. False if two points are at one position.
+  /// Call it for 0 .. count()-1. Returns false if two points have the same position.
   bool insert(std::size_t index);
 
  private:

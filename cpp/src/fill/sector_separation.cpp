@@ -31,7 +31,7 @@ std::size_t SectorSeparation::step() {
   const std::span<const TetId> tets = tetsAt_.at(node.value);
   bool first = true;
   for (const TetId tet : tets) {
-    // Already given away.
+    // The tetrahedron already has its own copy of the point.
     if (!mesh_.has(tet, node)) continue;
     mesh_.starFrom(tet, node, sector_);
     if (first && sector_.size() == tets.size()) {

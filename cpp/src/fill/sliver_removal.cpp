@@ -6,14 +6,15 @@
 namespace tetrafront {
 namespace {
 
-/// Less shape, which goes with the square of the height, than this is due to rounding: a height of 1e-10
-/// edge lengths, far above what one bit makes of a coordinate and far below any height that was drawn.
+/// A tetrahedron with a smaller shape is flat by rounding. Shape grows with the square of the
+/// height: the limit is a height of 1e-10 edge lengths, far above the last bit of a coordinate and
+/// far below the height of any intended element.
 constexpr double kMaxSliverShape = 1e-20;
-/// How far off the new point is tried, in lengths of the shorter edge: from where it still makes a fair
-/// shape down to where it would itself be as flat as what it replaces.
+/// Range of heights tried for the new point, in lengths of the shorter edge: from a fair shape down
+/// to one as flat as the sliver that it replaces.
 constexpr double kMaxHeight = 0.1;
 constexpr double kMinHeight = 1e-11;
-/// From one try to the next.
+/// Factor from one height to the next.
 constexpr double kHeightFactor = 0.125;
 
 }  // namespace
@@ -27,7 +28,7 @@ std::size_t SliverRemoval::removeAt(NodeId node, std::vector<NodeId>& made) {
   }
   std::size_t count = 0;
   for (const NodeQuad& n : flat) {
-    // The point before may have taken this one along.
+    // Removing the previous sliver may have removed this one too.
     mesh_.star(node, star_);
     const auto isStill = [&](TetId id) { return mesh_.tet(id).nodes == n; };
     if (std::none_of(star_.begin(), star_.end(), isStill)) continue;
@@ -39,7 +40,7 @@ std::size_t SliverRemoval::removeAt(NodeId node, std::vector<NodeId>& made) {
   return count;
 }
 
-/// One of the two edges that cross in the plane.
+/// Replaces one of the two opposite edges that cross in the plane.
 NodeId SliverRemoval::replaceOneOf(const NodeQuad& flat) {
   for (const auto& [one, two] : {std::pair<Edge, Edge>{{flat[0], flat[1]}, {flat[2], flat[3]}},
                                  {{flat[0], flat[2]}, {flat[1], flat[3]}},

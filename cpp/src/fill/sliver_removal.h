@@ -1,9 +1,10 @@
 #pragma once
 
-/// @file Tetrahedra whose four nodes are in one plane but for rounding leave no room for points beside
-/// them: needles of a turned flat face cross others there, one just below the other. Where two edges of
-/// such a flat one nearly meet, a new point a little off the plane takes the position of one of them, and with
-/// it of all flat ones there.
+/// @file Removes slivers: tetrahedra whose four nodes lie in one plane apart from rounding. They
+/// leave no room for points next to them. They occur on flat faces of rotated parts, where one
+/// needle crosses another that lies just below it. Where two opposite edges of a sliver nearly
+/// meet, a new point slightly off the plane replaces one of these edges, and with it all slivers at
+/// the edge.
 
 #include <array>
 #include <vector>
@@ -17,8 +18,8 @@ class SliverRemoval {
  public:
   explicit SliverRemoval(FillMesh& mesh) : mesh_(mesh), cone_(mesh, none_) {}
 
-  /// Does away with flat tetrahedra at a node, as far as possible; the new points, all inside and of
-  /// doubles, are appended. How many there are.
+  /// Removes slivers at a node as far as possible. Appends the new points, which are interior and
+  /// exact as doubles, and returns their number.
   std::size_t removeAt(NodeId node, std::vector<NodeId>& made);
 
  private:

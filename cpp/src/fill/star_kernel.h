@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Where in the empty star of a node its faces are all seen.
+/// @file The kernel of a node's star: the positions from which all its outer faces are visible.
 
 #include <array>
 #include <span>
@@ -12,19 +12,20 @@
 
 namespace tetrafront {
 
-/// Half-spaces of faces, in doubles: what is found must be checked by signs.
+/// Half-spaces of faces, in doubles. Check every result by exact signs.
 class StarKernel {
  public:
   void clear() { planes_.clear(); }
   void add(const ExactPoints& points, const NodeTriple& innerFace);
 
-  /// The position deepest inside all half-spaces, sought from `start` by steps away from the worst.
+  /// Searches from `start` for the position deepest inside all half-spaces, by steps of decreasing
+  /// length away from the worst one.
   [[nodiscard]] Vec3 deepest(const Vec3& start) const;
   [[nodiscard]] Vec3 middle() const;
 
  private:
   struct Plane {
-    Vec3 normal;  ///< of unit length, inwardDirection
+    Vec3 normal;  ///< unit length, inwards
     Vec3 position;
     Vec3 centroid;
     double size;

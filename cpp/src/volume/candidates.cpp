@@ -12,15 +12,15 @@ constexpr std::array<double, 4> kClosingFactor{1.0, cube(1.0 + kClosingBonus),
                                                cube(1.0 + 2.0 * kClosingBonus),
                                                cube(1.0 + 3.0 * kClosingBonus)};
 
-/// Does the half-plane to `apex` around the side from-to open at less than 90 degrees to the one
-/// to `third`, on the side that `normal` shows?
+/// Returns true if the half-plane from the edge from-to to `apex` forms a dihedral angle below 90
+/// degrees with the one to `third`, on the edge that `normal` points to.
 bool isWedge(const Vec3& from, const Vec3& to, const Vec3& third, const Vec3& apex,
              const Vec3& normal) {
-  const Vec3 side = to - from;
-  const double square = glm::dot(side, side);
+  const Vec3 edge = to - from;
+  const double square = glm::dot(edge, edge);
   const auto across = [&](const Vec3& position) {
     const Vec3 v = position - from;
-    return v - side * (glm::dot(v, side) / square);
+    return v - edge * (glm::dot(v, edge) / square);
   };
   const Vec3 toApex = across(apex);
   return glm::dot(across(third), toApex) > 0.0 && glm::dot(toApex, normal) > 0.0;
@@ -68,7 +68,7 @@ void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTes
                                   const EdgeNeighbours& neighbours, const RuleClass& rules) {
   const double radius = rules.searchRadius * ideal.size;
   const double radiusSquare = radius * radius;
-  const double least = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
+  const double minCubedQuality = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
   const std::size_t count = around.nodeCount();
   for (LocalNode node = 3; node < count; ++node) {
     if (crossing.isBehindBase(node)) continue;
@@ -77,11 +77,12 @@ void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTes
     const Vec3 position = around.unitPosition(node);
     const Vec3 toIdeal = position - ideal.position;
     if (!wedge && glm::dot(toIdeal, toIdeal) > radiusSquare) continue;
-    // Too flat for plain double to see its volume is fine where nothing better can be: the exact
-    // sign decides later. Four faces around such a sliver must be closable.
+    // A candidate that closes all edges fills a pocket with four faces, and no better one can
+    // exist. Accept it even if it is too flat for doubles to see its volume; the exact sign decides
+    // later.
     const bool fillsPocket = closed >= 3;
     const double quality = cubedMeanRatio(base, position);
-    if (!fillsPocket && quality < least * (wedge ? kWedgeQualityFactor : 1.0)) continue;
+    if (!fillsPocket && quality < minCubedQuality * (wedge ? kWedgeQualityFactor : 1.0)) continue;
     double score = quality * kClosingFactor[std::min<std::size_t>(closed, 3)];
     if (wedge) score += kWedgeBonus;
     if (fillsPocket) score += kPocketBonus;
@@ -91,7 +92,7 @@ void CandidateList::offerExisting(const Neighbourhood& around, const CrossingTes
 
 void CandidateList::offerNew(const Neighbourhood& around, const BaseFace& base,
                              const IdealPoint& ideal, const RuleClass& rules, double weight) {
-  const double least = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
+  const double minCubedQuality = cube(rules.minQuality) * std::min(1.0, bestCubedMeanRatio(base));
   const double* x = around.unitX();
   const double* y = around.unitY();
   const double* z = around.unitZ();
@@ -99,7 +100,7 @@ void CandidateList::offerNew(const Neighbourhood& around, const BaseFace& base,
   for (const double factor : kHeights) {
     const Vec3 position = base.centroid + base.unitNormal * (ideal.height * factor);
     const double quality = cubedMeanRatio(base, position);
-    if (!(quality > 0.0) || quality < least) continue;
+    if (!(quality > 0.0) || quality < minCubedQuality) continue;
     const double distance = rules.nodeDistance * ideal.size * factor;
     const double limit = distance * distance;
     bool isTooClose = false;

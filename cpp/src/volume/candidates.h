@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Step F5.2: which nodes are offered to complete a base face, and in which order.
+/// @file Step F5.2: which nodes are tried to complete a base face, and in which order.
 
 #include <array>
 #include <cstdint>
@@ -18,20 +18,20 @@ namespace tetrafront {
 struct Candidate {
   static constexpr LocalNode kNewNode = 0xffffffffU;
   double score;
-  LocalNode node;     ///< in the neighbourhood, or kNewNode
-  Vec3 unitPosition;  ///< in unit space
+  LocalNode node;  ///< local index, or kNewNode
+  Vec3 unitPosition;
 };
 
-/// The nodes of faces that share a side with the base face.
+/// The apexes of the faces that share an edge with the base face.
 class EdgeNeighbours {
  public:
-  /// Finds them in the neighbourhood. Faces that fold over the base with a dihedral angle below
-  /// 90 degrees on the empty side form a wedge with it; their apexes must be offered, wherever
-  /// they are. The region is made to hold those apexes; returns true if it grew, when the
-  /// neighbourhood must be gathered again.
+  /// Finds them in the neighbourhood. A face that folds over the base with a dihedral angle below
+  /// 90 degrees on the empty side forms a wedge with it. Its apex must be a candidate, wherever it
+  /// is. Extends the region to all wedge apexes; returns true if it grew, so that the neighbourhood
+  /// must be gathered again.
   bool find(const Neighbourhood& around, const BaseFace& base, SearchRegion& region);
 
-  /// How many sides of the base face a face with this apex stands on.
+  /// Returns the number of edges of the base face at which there is a face with this apex, 0 to 3.
   [[nodiscard]] std::uint8_t edgesClosedBy(LocalNode node) const { return edgesClosed_[node]; }
   [[nodiscard]] bool isWedgeApex(LocalNode node) const;
 
@@ -43,13 +43,13 @@ class EdgeNeighbours {
 
 class CandidateList {
  public:
-  /// Ranks existing nodes and, where the class allows it, new ones on the line from the base's
-  /// centroid to the ideal point.
+  /// Ranks existing nodes and, if the class permits, new ones on the line from the base's centroid
+  /// to the ideal point.
   void rank(const Neighbourhood& around, const CrossingTest& crossing, const BaseFace& base,
             const IdealPoint& ideal, const EdgeNeighbours& neighbours, const RuleClass& rules,
             const RuleVariant& variant);
 
-  /// The best of those not taken yet, or nullptr. O(number of candidates).
+  /// Returns the best candidate not returned yet, or nullptr. O(number of candidates).
   const Candidate* next();
 
  private:

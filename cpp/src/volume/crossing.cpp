@@ -7,11 +7,11 @@
 namespace tetrafront {
 namespace {
 
-// A corner is not outside its opposite side and on all others, which counts as outside for it:
-// touching in shared nodes is allowed.
+// A corner is on three planes of the element and counts as outside of them, because it may be
+// shared. It is not outside the plane of the opposite face.
 constexpr std::array<std::uint8_t, 4> kCornerMask{14, 13, 11, 7};
 
-/// Sign of the permutation that sorts four distinct numbers.
+/// Returns the sign of the permutation that sorts four distinct numbers.
 int permutationSign(int a, int b, int c, int d) {
   const std::array<int, 4> p{a, b, c, d};
   int sign = 1;
@@ -23,7 +23,7 @@ int permutationSign(int a, int b, int c, int d) {
   return sign;
 }
 
-/// The two corners besides `i` and `j`, in order.
+/// Returns the two corners other than `i` and `j`, ascending.
 std::array<int, 2> otherCorners(int i, int j) {
   std::array<int, 2> others{};
   int count = 0;
@@ -33,7 +33,7 @@ std::array<int, 2> otherCorners(int i, int j) {
   return others;
 }
 
-/// Collects signs: are there both kinds?
+/// Collects signs and tells whether both kinds occur.
 struct SignRange {
   bool anyPositive = false;
   bool anyNegative = false;
@@ -135,13 +135,13 @@ int CrossingTest::orient(LocalNode a, LocalNode b, LocalNode c, LocalNode d) con
                   around_.position(d));
 }
 
-int CrossingTest::faceSign(int side, LocalNode node) const {
-  if ((mask_[node] >> side & 1) != 0) return -1;
-  const Vec3 through = around_.position(side == 3 ? 0 : corners_[3]);
-  const double distance = glm::dot(normals_[side], around_.position(node) - through);
+int CrossingTest::faceSign(int plane, LocalNode node) const {
+  if ((mask_[node] >> plane & 1) != 0) return -1;
+  const Vec3 through = around_.position(plane == 3 ? 0 : corners_[3]);
+  const double distance = glm::dot(normals_[plane], around_.position(node) - through);
   const int sign = provenSign(distance);
   if (sign != 0) return sign;
-  switch (side) {
+  switch (plane) {
     case 0:
       return orient(node, 1, 2, corners_[3]);
     case 1:
@@ -203,9 +203,9 @@ bool CrossingTest::crossesAtEdge(const LocalTriple& face, const Shared& shared) 
       onEdge[shared[i]] = true;
     }
   }
-  // The sides that hold the common edge are those opposite the corners off it.
-  for (int side = 0; side < 4; ++side) {
-    if (!onEdge[side] && faceSign(side, third) < 0) return false;
+  // The planes that contain the common edge are those of the corners off it.
+  for (int plane = 0; plane < 4; ++plane) {
+    if (!onEdge[plane] && faceSign(plane, third) < 0) return false;
   }
   return true;
 }
@@ -219,34 +219,36 @@ bool CrossingTest::crossesAtNode(const LocalTriple& face, int faceCorner, int el
   Signs atW{};
   bool vInCone = true;
   bool wInCone = true;
-  for (int side = 0; side < 4; ++side) {
-    if (side == k) continue;
-    atV[side] = faceSign(side, v);
-    atW[side] = faceSign(side, w);
-    if (atV[side] < 0 && atW[side] < 0) return false;
-    vInCone = vInCone && atV[side] >= 0;
-    wInCone = wInCone && atW[side] >= 0;
+  for (int plane = 0; plane < 4; ++plane) {
+    if (plane == k) continue;
+    atV[plane] = faceSign(plane, v);
+    atW[plane] = faceSign(plane, w);
+    if (atV[plane] < 0 && atW[plane] < 0) return false;
+    vInCone = vInCone && atV[plane] >= 0;
+    wInCone = wInCone && atW[plane] >= 0;
   }
   if (vInCone || wInCone) return true;
-  for (int side = 0; side < 4; ++side) {
-    if (side == k) continue;
-    const std::array<int, 2> rays = otherCorners(k, side);
-    if (atV[side] == 0 && atW[side] == 0) {
-      if (sectorsOverlap(v, w, k, side, rays)) return true;
+  for (int plane = 0; plane < 4; ++plane) {
+    if (plane == k) continue;
+    const std::array<int, 2> rays = otherCorners(k, plane);
+    if (atV[plane] == 0 && atW[plane] == 0) {
+      if (sectorsOverlap(v, w, k, plane, rays)) return true;
       continue;
     }
-    // With v and w outside the cone, one of them on the side's plane keeps the sector off it.
-    if (atV[side] == 0 || atW[side] == 0 || atV[side] == atW[side]) continue;
-    // Arcs v-w and ray-ray meet iff the triples (v r0 w) (r0 w r1) (w r1 v) (r1 v r0) all turn
-    // the same way; plain "opposite signs" would also fire on antipodal arcs.
-    const int turn = atV[side] * permutationSign(k, rays[0], rays[1], side);
-    if (turn * corners[rays[0]] <= 0 && turn * corners[rays[1]] >= 0) return true;
+    // v and w are outside the cone. If one of them is on the plane, the sector does not reach the
+    // cone there.
+    if (atV[plane] == 0 || atW[plane] == 0 || atV[plane] == atW[plane]) continue;
+    // The arcs v-w and ray-ray cross iff the triples (v r0 w) (r0 w r1) (w r1 v) (r1 v r0) all have
+    // the same orientation. A plain test for opposite signs would also accept antipodal arcs.
+    const int orientation = atV[plane] * permutationSign(k, rays[0], rays[1], plane);
+    if (orientation * corners[rays[0]] <= 0 && orientation * corners[rays[1]] >= 0) return true;
   }
   return false;
 }
 
-/// v, w and the two rays from the centre are in one plane, v and w outside the rays' sector: the
-/// sectors overlap iff a ray is between v and w. The corner off that plane gives planar signs.
+/// v, w and the two rays from the centre lie in one plane, v and w outside the sector of the rays.
+/// The sectors overlap iff a ray is between v and w. The corner off that plane gives signs in the
+/// plane.
 bool CrossingTest::sectorsOverlap(LocalNode v, LocalNode w, int centre, int offPlane,
                                   const std::array<int, 2>& rays) const {
   const LocalNode x = corners_[centre];
@@ -258,7 +260,8 @@ bool CrossingTest::sectorsOverlap(LocalNode v, LocalNode w, int centre, int offP
   return vToRay * vToW >= 0 && rayToW * vToW >= 0;
 }
 
-/// For a segment whose ends are not strictly on one side of the triangle's plane, nor both on it.
+/// The ends of the segment must not be strictly on one plane of the triangle's plane, nor both on
+/// it.
 bool CrossingTest::segmentIntersectsTriangle(LocalNode from, LocalNode to,
                                              const LocalTriple& triangle) const {
   SignRange range;
@@ -270,9 +273,9 @@ bool CrossingTest::crossesApart(const LocalTriple& face, const Signs& corners) c
   std::array<Signs, 3> at{};
   for (int i = 0; i < 3; ++i) {
     bool inside = true;
-    for (int side = 0; side < 4; ++side) {
-      at[i][side] = faceSign(side, face[i]);
-      inside = inside && at[i][side] >= 0;
+    for (int plane = 0; plane < 4; ++plane) {
+      at[i][plane] = faceSign(plane, face[i]);
+      inside = inside && at[i][plane] >= 0;
     }
     if (inside) return true;
   }
@@ -280,14 +283,15 @@ bool CrossingTest::crossesApart(const LocalTriple& face, const Signs& corners) c
     const Signs& from = at[i];
     const Signs& to = at[(i + 1) % 3];
     bool separated = false;
-    for (int side = 0; side < 4; ++side) separated = separated || (from[side] < 0 && to[side] < 0);
+    for (int plane = 0; plane < 4; ++plane)
+      separated = separated || (from[plane] < 0 && to[plane] < 0);
     if (separated) continue;
-    for (int side = 0; side < 4; ++side) {
-      if (from[side] == to[side]) continue;
+    for (int plane = 0; plane < 4; ++plane) {
+      if (from[plane] == to[plane]) continue;
       LocalTriple triangle{};
       int count = 0;
       for (int k = 0; k < 4; ++k) {
-        if (k != side) triangle[count++] = corners_[k];
+        if (k != plane) triangle[count++] = corners_[k];
       }
       if (segmentIntersectsTriangle(face[i], face[(i + 1) % 3], triangle)) return true;
     }

@@ -22,7 +22,7 @@ void ElementIndex::begin(std::size_t nodeCount) {
 
 std::size_t ElementIndex::build(std::size_t budget) {
   const std::size_t left = listed_ - next_;
-  // Compared before it is multiplied: the product can exceed 32 bits.
+  // Compare before multiplying: the product can exceed 32 bits.
   const std::size_t done = left / kElementsPerStep < budget ? left : kElementsPerStep * budget;
   const std::size_t last = next_ + done;
   for (; next_ < last; ++next_) {

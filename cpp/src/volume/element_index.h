@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Which elements stand at a node, while elements are still made: those there when the index was
-/// built in flat lists, later ones in chains.
+/// @file Finds the elements at a node while elements are being made. Elements that existed when the
+/// index was built are in flat lists, later ones in chains.
 
 #include <cstddef>
 #include <cstdint>
@@ -17,17 +17,18 @@ class ElementIndex {
  public:
   explicit ElementIndex(const Elements& elements) : elements_(elements) {}
 
-  /// Begins to build it anew, for the elements there are now.
+  /// Starts to rebuild the index for the elements that exist now.
   void begin(std::size_t nodeCount);
-  /// Works on for `budget` times 100 elements; returns what it took, at least 1.
+  /// Adds about `budget` x 100 elements to the index; returns the budget it used, at least 1.
   std::size_t build(std::size_t budget);
   [[nodiscard]] bool isBuilt() const { return stage_ == Stage::kBuilt; }
 
-  /// To be called before elements from `count` on are dropped.
+  /// Call it before elements from `count` on are dropped.
   void forgetFrom(std::size_t count);
 
-  /// The elements within so many rings of elements around the nodes, in rising order, without removed
-  /// ones; no ring is begun once there are `enough`. `nodes` ascending, without repeats.
+  /// Returns the elements within `rings` rings of elements around the nodes, ascending, without
+  /// removed ones. Stops before a ring if it already has `enough` elements. `nodes` must be
+  /// ascending and unique.
   [[nodiscard]] std::vector<TetId> around(std::vector<NodeId> nodes, std::uint32_t rings,
                                           std::size_t enough);
 
@@ -42,8 +43,8 @@ class ElementIndex {
   const Elements& elements_;
   Incidence lists_;
   Stage stage_ = Stage::kBuilt;
-  std::size_t listed_ = 0;         ///< elements in the lists
-  std::size_t next_ = 0;           ///< to be counted or added
+  std::size_t listed_ = 0;         ///< number of elements in the lists
+  std::size_t next_ = 0;           ///< next element to count or add
   std::vector<LinkId> firstLink_;  ///< per node: the last link of its chain, or none
   std::vector<LinkId> links_;  ///< four per chained element: the previous link of the node's chain
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The elements made so far, in the order they were made.
+/// @file The elements made so far, in the order in which they were made.
 
 #include <cstddef>
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace tetrafront {
 
-/// Elements or nodes made by one piece of recovery: from `first` up to before `last`.
+/// Elements or nodes [first, last) made by one step of recovery.
 struct IndexRange {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -20,7 +20,7 @@ struct IndexRange {
 struct Elements {
   std::vector<NodeQuad> nodes;
   std::vector<std::uint32_t> regions;
-  /// Set where recovery has taken an element away again; such ones are dropped at the end.
+  /// Per element: 1 if recovery has removed it. Removed elements are left out of the final mesh.
   std::vector<std::uint8_t> removed;
   std::uint32_t removedCount = 0;
 
@@ -40,7 +40,7 @@ struct Elements {
     removed[element.index()] = 0;
     --removedCount;
   }
-  /// Forgets the elements from `count` on; none of them may be a removed one.
+  /// Drops the elements from `count` on; none of them may be removed ones.
   void dropFrom(std::size_t count) {
     nodes.resize(count);
     regions.resize(count);

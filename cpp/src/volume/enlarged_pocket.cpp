@@ -11,35 +11,35 @@ namespace tetrafront {
 EnlargedPocket::EnlargedPocket(Front& front, Elements& elements, PocketSet& pockets,
                                PocketId pocket, std::vector<TetId> removed)
     : removed_(std::move(removed)), touched_{pocket} {
-  // Sides that two of the elements share lie within.
-  std::map<NodeTriple, std::uint32_t> sides;
+  // Faces that two of the elements share are interior.
+  std::map<NodeTriple, std::uint32_t> regionOfOuterFace;
   for (const TetId element : removed_) {
     elements.remove(element);
-    for (const NodeTriple& side : innerFaces(elements.nodes[element.index()])) {
-      if (sides.erase(smallestFirst(reversed(side))) > 0) continue;
-      sides.emplace(smallestFirst(side), elements.regions[element.index()]);
+    for (const NodeTriple& face : innerFaces(elements.nodes[element.index()])) {
+      if (regionOfOuterFace.erase(smallestFirst(reversed(face))) > 0) continue;
+      regionOfOuterFace.emplace(smallestFirst(face), elements.regions[element.index()]);
     }
   }
-  // A face with such an element behind it has nothing on either side.
+  // An active face with a removed element behind it vanishes: both of its sides are empty.
   std::vector<FaceId> vanishing;
-  for (auto side = sides.begin(); side != sides.end();) {
-    const FaceId exposed = pockets.find(reversed(side->first));
-    if (exposed.isNone()) {
-      ++side;
+  for (auto outer = regionOfOuterFace.begin(); outer != regionOfOuterFace.end();) {
+    const FaceId active = pockets.find(reversed(outer->first));
+    if (active.isNone()) {
+      ++outer;
       continue;
     }
-    vanishing.push_back(exposed);
-    touched_.push_back(pockets.pocketOf(exposed));
-    side = sides.erase(side);
+    vanishing.push_back(active);
+    touched_.push_back(pockets.pocketOf(active));
+    outer = regionOfOuterFace.erase(outer);
   }
   stableSort(vanishing);
   sortUnique(touched_);
-  for (const PocketId number : touched_) {
-    const std::vector<FaceId> theirs = pockets.faces(number);
-    pockets.remove(number);
+  for (const PocketId pocketId : touched_) {
+    const std::vector<FaceId> theirs = pockets.faces(pocketId);
+    pockets.remove(pocketId);
     for (const FaceId face : theirs) {
       const FrontFace& f = front.face(face);
-      before_.push_back({f.nodes, f.region, f.hint, f.ruleClass, number});
+      formerFaces_.push_back({f.nodes, f.region, f.hint, f.ruleClass, pocketId});
       if (std::binary_search(vanishing.begin(), vanishing.end(), face)) {
         front.removeFace(face);
       } else {
@@ -47,8 +47,8 @@ EnlargedPocket::EnlargedPocket(Front& front, Elements& elements, PocketSet& pock
       }
     }
   }
-  for (const auto& [side, region] : sides) {
-    faces_.push_back(front.addFace(side, region, FieldHint{}, false));
+  for (const auto& [nodes, region] : regionOfOuterFace) {
+    faces_.push_back(front.addFace(nodes, region, FieldHint{}, false));
   }
   stableSort(faces_);
   box_ = front.boxOf(faces_.front());
@@ -57,7 +57,7 @@ EnlargedPocket::EnlargedPocket(Front& front, Elements& elements, PocketSet& pock
   }
 }
 
-/// Whatever is near and in no pocket.
+/// Returns the active faces in the box that belong to no pocket of the set.
 std::vector<FaceId> EnlargedPocket::facesNow(const Front& front, const PocketSet& pockets) const {
   std::vector<std::uint32_t> near;
   const std::size_t count = front.facesNear(box_, near);
@@ -70,18 +70,18 @@ std::vector<FaceId> EnlargedPocket::facesNow(const Front& front, const PocketSet
   return faces;
 }
 
-void EnlargedPocket::close(Front& front, Elements& elements, PocketSet& pockets) const {
+void EnlargedPocket::restore(Front& front, Elements& elements, PocketSet& pockets) const {
   for (const TetId element : removed_) elements.restore(element);
   for (const FaceId face : facesNow(front, pockets)) front.removeFace(face);
   std::map<PocketId, std::vector<FaceId>> faces;
-  for (const Before& b : before_) {
+  for (const FormerFace& b : formerFaces_) {
     const FaceId face = front.addFace(b.nodes, b.region, b.hint, false);
     front.setAside(face, b.ruleClass);
     faces[b.pocket].push_back(face);
   }
-  for (auto& [number, its] : faces) {
+  for (auto& [pocketId, its] : faces) {
     stableSort(its);
-    pockets.put(number, std::move(its));
+    pockets.put(pocketId, std::move(its));
   }
 }
 

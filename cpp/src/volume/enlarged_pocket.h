@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file A pocket enlarged by the elements around it, in such a way that they can be put back. All costs
-/// go by what is touched, not by what the front has elsewhere.
+/// @file A pocket enlarged by the elements around it, which can be restored. All costs depend on
+/// the elements and faces involved, not on the size of the front.
 
 #include <cstdint>
 #include <vector>
@@ -15,21 +15,23 @@ namespace tetrafront {
 
 class EnlargedPocket {
  public:
-  /// Takes elements away around a pocket. It, and others it has grown into, are no longer in the set then.
+  /// Removes the elements around a pocket. Takes the pocket, and others that it merges with, out of
+  /// the set.
   EnlargedPocket(Front& front, Elements& elements, PocketSet& pockets, PocketId pocket,
                  std::vector<TetId> removed);
 
-  /// All that bounded it when it had been opened, in the order of their ids.
+  /// The faces that bounded it after enlarging, ascending.
   [[nodiscard]] const std::vector<FaceId>& faces() const { return faces_; }
   [[nodiscard]] std::size_t removedElements() const { return removed_.size(); }
-  /// All active faces of the position as it is now, in the order of their ids.
+  /// Returns the active faces of the enlarged pocket as it is now, ascending.
   [[nodiscard]] std::vector<FaceId> facesNow(const Front& front, const PocketSet& pockets) const;
-  /// Puts all back but elements and nodes made since; pockets have their numbers again.
-  void close(Front& front, Elements& elements, PocketSet& pockets) const;
+  /// Restores elements, faces and pockets, with the same pocket ids. Elements and nodes made since
+  /// stay; the caller drops them.
+  void restore(Front& front, Elements& elements, PocketSet& pockets) const;
 
  private:
-  /// A face as it was.
-  struct Before {
+  /// A face of a pocket before enlarging.
+  struct FormerFace {
     NodeTriple nodes;
     std::uint32_t region;
     FieldHint hint;
@@ -39,8 +41,8 @@ class EnlargedPocket {
 
   std::vector<TetId> removed_;
   std::vector<FaceId> faces_;
-  std::vector<PocketId> touched_;  ///< pockets that are part of the position
-  std::vector<Before> before_;     ///< their faces
+  std::vector<PocketId> touched_;        ///< pockets that have become part of it
+  std::vector<FormerFace> formerFaces_;  ///< faces of these pockets
   Box box_{};
 };
 

@@ -7,12 +7,12 @@
 namespace tetrafront {
 namespace {
 
-// Cells somewhat wider than the typical face, so that most faces share a level.
+// Size of a grid cell: slightly above the typical face, so that most faces share a level.
 constexpr double kCellPerSize = 1.3;
 
-// Key layout, most significant first: rule class 4 bits, size bucket 8, layer 12, tile 12, fine size
-// 8, sequence 20. The paper's order has the size, 31 bits, in position of what is between class and
-// sequence.
+// Layout of a key, most significant part first: rule class 4 bits, size bucket 8, layer 12, tile
+// 12, fine size 8, sequence 20. In the paper's order, 31 bits of the size replace the parts between
+// class and sequence.
 constexpr int kClassShift = 60;
 constexpr int kBucketShift = 52;
 constexpr int kLayerShift = 40;
@@ -21,26 +21,27 @@ constexpr int kFineShift = 20;
 constexpr std::uint64_t kSequenceMask = (std::uint64_t{1} << kFineShift) - 1;
 constexpr std::uint32_t kMaxLayer = (1U << (kBucketShift - kLayerShift)) - 1;
 
-// Buckets of factor 4 (two octaves), one of them centred on the typical size.
+// Buckets span a factor of 4 (two octaves). One of them is centred on the typical size.
 constexpr std::uint32_t kBucketOctaves = 127;
 constexpr int kTypicalBucket = 63;
 
-// Edge of a tile, in sizes typical of the bucket: what is near its few hundred faces of one layer
-// fits into the cache nearest but one to the processor.
+// Edge of a tile, in typical sizes of the bucket. A tile holds a few hundred faces of one layer;
+// they and their neighbourhoods fit into the L2 cache.
 constexpr double kSizesPerTile = 8.0;
 
-// A float's bits, read as an integer, grow with its logarithm: 2^23 per octave, straight in
-// between. That orders sizes without a logarithm, whose last bit differs between C libraries.
+// The bits of a float, read as an integer, grow with its logarithm: 2^23 per octave, linearly in
+// between. They order sizes without computing a logarithm, whose last bit differs between C
+// libraries.
 constexpr int kMantissaBits = 23;
 constexpr std::uint32_t kBitsOfOne = 127U << kMantissaBits;
 
-/// log2(ratio), times 2^23, straight within octaves, with 2^0 at `offsetOctaves`; never negative.
+/// Returns about 2^23 log2(ratio), linear within octaves, plus 2^23 `offsetOctaves`; at least 0.
 std::uint32_t logBits(float ratio, std::uint32_t offsetOctaves) {
   const auto bits = std::bit_cast<std::uint32_t>(ratio) + (offsetOctaves << kMantissaBits);
   return bits < kBitsOfOne ? 0 : bits - kBitsOfOne;
 }
 
-/// 4^exponent, which is exact; for exponents from -511 to 511.
+/// Returns 4^exponent exactly, for exponents from -511 to 511.
 double powerOfFour(int exponent) {
   constexpr int kBias = 1023;
   constexpr int kDoubleMantissaBits = 52;
@@ -48,7 +49,7 @@ double powerOfFour(int exponent) {
                                << kDoubleMantissaBits);
 }
 
-/// The last four bits of `x`, two free positions after each.
+/// Spreads the last four bits of `x`, with two free bits after each.
 std::uint64_t spreadFourBits(std::uint32_t x) {
   return (x & 1U) | (x & 2U) << 2U | (x & 4U) << 4U | (x & 8U) << 6U;
 }
@@ -128,7 +129,7 @@ std::uint64_t Front::keyOf(const FrontFace& face) {
   const std::uint64_t ruleClass = static_cast<std::uint64_t>(face.ruleClass) << kClassShift;
   const std::uint64_t sequence = sequence_++ & kSequenceMask;
   if (order_ == FrontOrder::kSmallestFirst) {
-    // The float's own bits (31, as sizes are positive) above the sequence number.
+    // The bits of the float above the sequence number: 31, because sizes are positive.
     const std::uint64_t size = std::bit_cast<std::uint32_t>(face.size);
     return ruleClass | size << kFineShift | sequence;
   }
@@ -145,7 +146,7 @@ std::uint64_t Front::keyOf(const FrontFace& face) {
          tileOf(face, static_cast<int>(bucket)) << kTileShift | fine << kFineShift | sequence;
 }
 
-/// Tiles along a Morton curve that begins anew every 16 tiles.
+/// Tiles follow a Morton curve that repeats every 16 tiles.
 std::uint64_t Front::tileOf(const FrontFace& face, int bucket) const {
   const double tilesPerLength =
       powerOfFour(kTypicalBucket - bucket) / (kSizesPerTile * typicalSize_);

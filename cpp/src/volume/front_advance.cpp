@@ -8,14 +8,14 @@
 namespace tetrafront {
 namespace {
 
-/// One layer deeper, as far as the type counts.
+/// Returns the next deeper layer; the type limits it.
 std::uint16_t nextLayer(std::uint16_t layer) {
   constexpr std::uint16_t kDeepest = 0xffff;
   return layer == kDeepest ? layer : static_cast<std::uint16_t>(layer + 1);
 }
 
-/// Gathered, and tested against a candidate, these many faces make one unit of cost; about what a
-/// step looks at where triangles are well shaped.
+/// Faces per unit of cost, gathered or tested against a candidate: about what one step visits if
+/// triangles are well shaped.
 constexpr std::uint64_t kFacesPerUnit = 64;
 
 }  // namespace
@@ -77,8 +77,9 @@ void FrontAdvance<Trace>::gatherAround(const NodeTriple& nodes, const UnitSpace&
   const Vec3 idealPosition = space.toSpace(ideal.position);
   SearchRegion region(space, {front_.node(nodes[0]), front_.node(nodes[1]), front_.node(nodes[2])},
                       ideal.position, rules.searchRadius * ideal.size, front_.extent());
-  // A wedge apex may lie outside; then the region grows, as every apex that is tried must have all
-  // faces it could cross in the neighbourhood. It only grows, so this ends.
+  // A wedge apex may lie outside the region. Grow the region until it contains every wedge apex:
+  // the crossing test needs all faces that an element could cross. The region never shrinks, so the
+  // loop ends.
   do {
     around_.gather(front_, nodes, region, idealPosition);
     around_.mapTo(space);
@@ -151,11 +152,11 @@ bool FrontAdvance<Trace>::isTooCloseToFace(const Vec3& position, double distance
   return false;
 }
 
-/// The element's faces besides the base, seen from outside it, are (1 2 p), (2 0 p) and (0 1 p), opposite
-/// corners 0, 1 and 2. A face of the front there has the opposite orientation, since it looks into the
-/// element. One of the same orientation would have the element behind it, but then the element crosses the
-/// front: around an edge of an embedded closed front, faces are passed alternately in the one and in the
-/// other orientation, so that a third face lies between it and the base.
+/// Returns the faces of the front that are faces of the element. Besides the base, these are (1 2
+/// p), (2 0 p) and (0 1 p) seen from outside, opposite corners 0, 1 and 2; the front's faces there
+/// have the opposite orientation, because they look into the element.
+///
+/// A face with the same orientation cannot occur here. Around an edge of an embedded closed front, both orientations alternate. So a third face lies between the base and such a face, within the element, and the crossing test has already refused the candidate.
 template <class Trace>
 typename FrontAdvance<Trace>::ExistingFaces FrontAdvance<Trace>::findExistingFaces(
     LocalNode apex) const {

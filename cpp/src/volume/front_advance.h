@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Steps F4 to F8, one base face at a time: pick it, position the ideal point, rank the
+/// @file Steps F4 to F8 for one base face at a time: pick it, place the ideal point, rank the
 /// candidates, take the first whose element crosses nothing, update the front.
 
 #include <array>
@@ -27,17 +27,17 @@ class FrontAdvance {
     std::uint64_t gatheredFaces = 0;
     std::uint64_t candidatesTried = 0;
     std::uint64_t relaxed = 0;      ///< elements made under a class other than the strict one
-    std::uint64_t relaxedCost = 0;  ///< of the steps under such classes, as step() counts it
+    std::uint64_t relaxedCost = 0;  ///< cost of the steps under such classes, as step() returns it
   };
 
-  /// `filters`: see CrossingTest.
+  /// For `filters`, see CrossingTest.
   FrontAdvance(Front& front, Elements& elements, const SizeField& field, bool filters)
       : front_(front), elements_(elements), field_(field), crossing_(around_, filters) {}
 
-  /// Takes the next base face and completes it, or puts it back under the next rule class, or
-  /// parks it after the last. The front must have a face queued. Returns what it cost: 1 where
-  /// triangles are well shaped, more where a face has many others near it. Unless it `mayRelax`, the
-  /// strict class is the last.
+  /// Takes the next base face and completes it. If this fails, requeues the face under the next
+  /// rule class, or sets it aside after the last one. Without `mayRelax`, the strict class is the
+  /// last. The front must have a face in its queue. Returns the cost: 1 if triangles are well
+  /// shaped, more if a face has many others near it.
   std::uint32_t step(bool mayRelax = true);
 
   void setVariant(const RuleVariant& variant) { variant_ = variant; }
@@ -50,7 +50,8 @@ class FrontAdvance {
 
  private:
   using CrossingScope = typename Trace::CrossingScope;
-  /// The face that stands already on the element's side opposite base corner i, if any.
+  /// Per base corner: the face of the front that already is the element's face opposite it, or
+  /// none.
   using ExistingFaces = std::array<FaceId, 3>;
 
   bool complete(FaceId face);
@@ -76,8 +77,7 @@ class FrontAdvance {
   EdgeNeighbours neighbours_;
   CandidateList candidates_;
   Counters counters_;
-  std::uint64_t facesMasked_ =
-      0;  ///< in sight of each candidate tried, whether or not it came to them
+  std::uint64_t facesMasked_ = 0;  ///< per candidate tried: all gathered faces, tested or not
   [[no_unique_address]] Trace trace_;
 };
 

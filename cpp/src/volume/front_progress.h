@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Stops a front whose bookkeeping is broken, or whose boundary is not closed: such a front would
-/// advance for ever. A valid front never exceeds these bounds.
+/// @file Stops a front that would advance for ever, because its bookkeeping is broken or its
+/// boundary is not closed. A valid front never reaches these limits.
 
 #include <cstddef>
 #include <cstdint>
@@ -12,18 +12,18 @@ namespace tetrafront {
 
 class FrontProgress {
  public:
-  /// Records one step, after which the front has `activeFaces`.
+  /// Records one step and the number of active faces after it.
   void recordStep(bool hasMadeElement, std::uint32_t activeFaces) {
     stepsWithoutElement_ = hasMadeElement ? 0 : stepsWithoutElement_ + 1;
     activeFaces_ = activeFaces;
   }
 
-  /// True if more steps in a row have made no element than there are faces and rule classes: until the
-  /// front changes, each face can fail once under each class. Also true if the elements have more volume
-  /// than the boundary encloses; `extent` is the size of the model along its longest axis. All volumes are
-  /// in the same unit.
+  /// Returns true if too many consecutive steps have made no element: until the front changes, each
+  /// face can fail only once under each rule class. Also returns true if the elements fill more
+  /// than the boundary encloses. Both volumes are in the same unit; `extent` is the size of the
+  /// model.
   [[nodiscard]] bool isStuck(double filledVolume, double enclosedVolume, double extent) const {
-    // Far above the rounding of the sums, even if the elements are needles.
+    // Far above the rounding errors of the sums, even if the elements are needles.
     constexpr double kExcess = 0.5;
     constexpr double kExcessPerBox = 1e-9;
     return stepsWithoutElement_ > kRuleClasses.size() * activeFaces_ ||

@@ -33,7 +33,7 @@ UnitSpace unitSpaceOf(const Front& front, const NodeTriple& nodes, const SizeFie
   if (!field.isStretched()) {
     return UnitSpace::plain(field.sizeAt(lookAhead(plainBase), hint) * sizeFactor);
   }
-  // How far "a little" is depends on the stretching, so that is asked for at the centroid first.
+  // The distance ahead depends on the stretching, so query the stretching at the centroid first.
   const Vec3& origin = plainBase.centroid;
   const UnitSpace atCentroid = UnitSpace::stretched(field.tensorAt(origin, hint), origin);
   const Vec3 ahead = atCentroid.toSpace(lookAhead(describeBase(front, nodes, atCentroid)));
@@ -49,7 +49,7 @@ IdealPoint placeIdealPoint(const BaseFace& base, double targetEdge) {
   const double product =
       std::sqrt(glm::dot(ab, ab)) * std::sqrt(glm::dot(bc, bc)) * std::sqrt(glm::dot(ca, ca));
   const double maxRadius = kMaxCircumradius * h;
-  // A needle's circumradius may overflow the clamp's use only as infinity, which it handles.
+  // The quotient may overflow to infinity for a needle; the clamp handles infinity.
   const double circumradius = base.doubleArea > 0.0 ? product / (2.0 * base.doubleArea) : maxRadius;
   const double radius = std::clamp(circumradius, kMinCircumradius * h, maxRadius);
   const double height = std::max(std::sqrt(h * h - radius * radius), kMinIdealHeight * h);

@@ -8,7 +8,7 @@ namespace tetrafront {
 namespace {
 
 constexpr std::uint32_t kMaxRings = 3;
-/// What is tried, in this order, for each number of rings. The first two close nearly all.
+/// Rules tried, in this order, for each number of rings. The first two close nearly all pockets.
 constexpr std::array<RuleVariant, 6> kVariants{{
     {},
     {.sizeFactor = 0.8, .smallestFirst = true},
@@ -19,13 +19,14 @@ constexpr std::array<RuleVariant, 6> kVariants{{
 }};
 constexpr std::uint32_t kPasses = kMaxRings * kVariants.size();
 
-/// Bounds of one attempt; costs are as FrontAdvance::step() counts them.
+/// Limits of one attempt. Costs are as FrontAdvance::step() returns them.
 constexpr std::size_t kMaxRemovedElements = 4000;
 constexpr std::uint64_t kAttemptCostPerElement = 30;
 constexpr std::uint64_t kExtraAttemptCost = 2000;
-/// And of all attempts together, per element of the mesh: where pockets are many, or triangles are
-/// needles, the sizes asked for contradict the boundary, and trying everything everywhere would only
-/// take its time. The exact fill comes after, and the optimizer makes as much of its elements.
+/// Limits of all attempts together, per element of the mesh. If there are many pockets, or if
+/// triangles are needles, the target sizes contradict the boundary, and trying everything
+/// everywhere takes long without success. The exact fill follows, and the optimizer improves its
+/// elements as well.
 constexpr std::uint64_t kTotalCostPerElement = 2;
 constexpr std::uint64_t kExtraTotalCost = 40'000;
 
@@ -138,7 +139,7 @@ std::size_t LocalRemeshing<Trace>::finish(PocketSet& pockets) {
   } else {
     index_.forgetFrom(elementsBefore_);
     elements_.dropFrom(elementsBefore_);
-    enlarged_->close(front_, elements_, pockets);
+    enlarged_->restore(front_, elements_, pockets);
     front_.dropNodesFrom(nodesBefore_);
   }
   const std::size_t touched =

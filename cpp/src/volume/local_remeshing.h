@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file LocalRemeshing, Löhner's practice: the elements around a pocket are taken away, and the front tries
-/// again there under other rules. A position that does not close is put back exactly as it was.
+/// @file Local remeshing, Löhner's practice: removes the elements around a pocket and advances the
+/// front there again under other rules. A pocket that does not close is restored exactly.
 
 #include <cstdint>
 #include <optional>
@@ -23,20 +23,20 @@ class LocalRemeshing {
                  ElementIndex& index)
       : front_(front), elements_(elements), advance_(advance), order_(order), index_(index) {}
 
-  /// Works on for about `budget` steps of the front; returns what it took.
+  /// Does work that costs about `budget` steps of the front; returns the actual cost.
   std::size_t work(std::uint32_t budget, PocketSet& pockets);
-  /// All has been tried, or trying has cost too much.
+  /// Returns true if everything has been tried, or if the attempts have cost too much.
   [[nodiscard]] bool isDone() const { return stage_ == Stage::kDone; }
-  /// How far it is, 0 to 1: in tries, or in what they may cost.
+  /// Estimated progress, 0 to 1: passes done, or cost used, whichever is more.
   [[nodiscard]] double fraction() const;
-  /// The elements of each position that has closed.
+  /// The elements of each pocket that was closed.
   [[nodiscard]] std::span<const IndexRange> made() const { return made_; }
 
  private:
   enum class Stage : std::uint8_t {
     kBeginPass,
-    kIndex,    ///< the elements, once for each number of rings
-    kRemesh,   ///< choose a pocket and open the position
+    kIndex,    ///< index the elements, once for each number of rings
+    kRemesh,   ///< choose a pocket and enlarge it
     kAdvance,  ///< fill it again
     kDone
   };
@@ -53,10 +53,10 @@ class LocalRemeshing {
   FrontOrder order_;
   ElementIndex& index_;
   Stage stage_ = Stage::kBeginPass;
-  std::uint32_t pass_ = 0;  ///< one per number of rings and variant of the rules
+  std::uint32_t pass_ = 0;  ///< one pass per number of rings and rule variant
   std::size_t nextPocket_ = 0;
-  std::uint64_t cost_ = 0;  ///< of all attempts
-  // Of the attempt being made:
+  std::uint64_t cost_ = 0;  ///< total cost of all attempts
+  // State of the current attempt.
   std::optional<EnlargedPocket> enlarged_;
   std::size_t elementsBefore_ = 0;
   std::size_t nodesBefore_ = 0;

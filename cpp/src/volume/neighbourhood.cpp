@@ -25,14 +25,14 @@ Extent extentOf(std::span<const double> values, double further) {
 
 }  // namespace
 
-/// The nodes being numbered. Their count stays in a register, which a member of the neighbourhood
-/// would not.
+/// Assigns local indices to nodes. The compiler keeps its node count in a register; a member of
+/// Neighbourhood would be reloaded.
 class Neighbourhood::LocalNumbering {
  public:
   LocalNumbering(Neighbourhood& around, const Front& front)
       : around_(around),
         positions_(front.nodes().data()),
-        marks_(around.marks_.data()),
+        entries_(around.entries_.data()),
         nodeIds_(around.nodeIds_.data()),
         x_(around.x_.data()),
         y_(around.y_.data()),
@@ -40,10 +40,10 @@ class Neighbourhood::LocalNumbering {
         stamp_(around.stamp_) {}
 
   LocalNode localNode(NodeId node) {
-    Mark& mark = marks_[node.index()];
-    if (mark.stamp == stamp_) return mark.local;
+    LocalEntry& entry = entries_[node.index()];
+    if (entry.stamp == stamp_) return entry.local;
     const LocalNode local = nodes_++;
-    mark = {stamp_, local};
+    entry = {stamp_, local};
     const Vec3& position = positions_[node.index()];
     nodeIds_[local] = node;
     x_[local] = position.x;
@@ -52,7 +52,7 @@ class Neighbourhood::LocalNumbering {
     return local;
   }
 
-  /// Puts local numbers in position of the nodes of gathered face `face`.
+  /// Replaces the node ids of gathered face `face` by local indices.
   void number(std::uint32_t face) {
     LocalTriple& nodes = around_.faces_[face];
     const LocalNode a = localNode(NodeId(nodes[0]));
@@ -73,7 +73,7 @@ class Neighbourhood::LocalNumbering {
 
   Neighbourhood& around_;
   const Vec3* positions_;
-  Mark* marks_;
+  LocalEntry* entries_;
   NodeId* nodeIds_;
   double* x_;
   double* y_;
@@ -83,7 +83,7 @@ class Neighbourhood::LocalNumbering {
 };
 
 void Neighbourhood::reserve(std::size_t nodesOfFront, std::size_t faces) {
-  if (marks_.size() < nodesOfFront) marks_.resize(nodesOfFront * 3 / 2 + 64);
+  if (entries_.size() < nodesOfFront) entries_.resize(nodesOfFront * 3 / 2 + 64);
   if (faceIds_.size() >= faces) return;
   const std::size_t capacity = 2 * faces + 64;
   faceIds_.resize(capacity);
@@ -106,7 +106,8 @@ void Neighbourhood::boundErrors(const Vec3& reach) {
       kErrorPerVolume * (ex.high - ex.low) * (ey.high - ey.low) * (ez.high - ez.low);
 }
 
-/// Of the faces found, keeps those that may meet the region, in their order; returns how many.
+/// Keeps those of the faces found that may overlap the region, in their order; returns their
+/// number.
 std::size_t Neighbourhood::dropFarFaces(const Front& front, const SearchRegion& region,
                                         std::size_t count) {
   std::size_t kept = 0;
@@ -127,7 +128,7 @@ void Neighbourhood::gather(const Front& front, const NodeTriple& base, const Sea
   reserve(front.nodes().size(), count);
   adjacent_.clear();
   ++stamp_;
-  // In a loop of their own these loads do not wait for each other.
+  // A separate loop, so that these loads do not wait for each other.
   for (std::size_t i = 0; i < count; ++i) {
     const FaceId face(found_[i]);
     const NodeTriple& nodes = front.face(face).nodes;

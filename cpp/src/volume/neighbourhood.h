@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Everything around one base face, gathered once and used for all of its candidates: the
-/// active faces near it, and their nodes under local numbers with their coordinates side by side,
+/// @file The surroundings of one base face, gathered once and used for all of its candidates: the
+/// active faces near it and their nodes. Nodes have local indices and separate x, y and z arrays,
 /// so that half-space tests run in flat loops.
 
 #include <array>
@@ -16,32 +16,32 @@
 
 namespace tetrafront {
 
-/// Positions in a Neighbourhood. The base face's nodes are 0, 1, 2.
+/// Index of a node in a Neighbourhood. The base face's nodes are 0, 1 and 2.
 using LocalNode = std::uint32_t;
 using LocalTriple = std::array<LocalNode, 3>;
 
-/// A gathered face that stands on a side of the base face: it has the side's two nodes, and one more.
+/// A gathered face that shares an edge with the base face.
 struct AdjacentFace {
-  std::uint32_t face;  ///< position among the gathered ones
-  LocalNode apex;      ///< the node besides the side's
-  LocalNode from;      ///< the side, as the face walks it: after the apex come from, to
+  std::uint32_t face;  ///< local index of the face
+  LocalNode apex;      ///< the node off the edge
+  LocalNode from;      ///< the edge in the orientation of the face: apex, from, to
   LocalNode to;
 
-  /// Neighbours walk their common side in opposite directions. One that walks it as the base does
-  /// looks the other way.
+  /// Neighbours with consistent orientation pass their common edge in opposite directions. A face
+  /// that passes it in the direction of the base has its empty side on the other side.
   [[nodiscard]] bool isNeighbour() const { return from == (to + 1) % 3; }
-  /// The base node that is not on the side.
+  /// The base node that is not on the edge.
   [[nodiscard]] LocalNode third() const { return 3 - from - to; }
 };
 
 class Neighbourhood {
  public:
-  /// Gathers the active faces that may meet what is in the region. `reach` is a further position that
-  /// tests will use; it only widens the error bound.
+  /// Gathers the active faces that may overlap the region. `reach` is another position used in
+  /// tests; it only widens the error bound.
   void gather(const Front& front, const NodeTriple& base, const SearchRegion& region,
               const Vec3& reach);
 
-  /// Sets the space of unitPosition() and its kin; to be called after each gather().
+  /// Sets the space of unitPosition() and unitX() to unitZ(). Call it after each gather().
   void mapTo(const UnitSpace& space);
 
   [[nodiscard]] std::size_t nodeCount() const { return nodeCount_; }
@@ -49,14 +49,15 @@ class Neighbourhood {
   [[nodiscard]] NodeId nodeId(LocalNode local) const { return nodeIds_[local]; }
   [[nodiscard]] FaceId faceId(std::size_t local) const { return faceIds_[local]; }
   [[nodiscard]] const LocalTriple& face(std::size_t local) const { return faces_[local]; }
-  /// In the order in which they were gathered.
+  /// The adjacent faces in the order in which they were gathered.
   [[nodiscard]] std::span<const AdjacentFace> adjacentFaces() const { return adjacent_; }
   [[nodiscard]] Vec3 position(LocalNode local) const { return {x_[local], y_[local], z_[local]}; }
   [[nodiscard]] const double* x() const { return x_.data(); }
   [[nodiscard]] const double* y() const { return y_.data(); }
   [[nodiscard]] const double* z() const { return z_.data(); }
 
-  // The nodes in unit space; the same arrays as above where that is plain space.
+  // Coordinates of the nodes in unit space; without stretching, the same arrays as x(), y() and
+  // z().
   [[nodiscard]] const double* unitX() const { return unit_[0]; }
   [[nodiscard]] const double* unitY() const { return unit_[1]; }
   [[nodiscard]] const double* unitZ() const { return unit_[2]; }
@@ -64,12 +65,12 @@ class Neighbourhood {
     return {unit_[0][local], unit_[1][local], unit_[2][local]};
   }
 
-  /// A position beside the gathered nodes for a node that does not exist yet; its local number is
+  /// Stores the position of a node that does not exist yet and returns its local index,
   /// nodeCount().
   LocalNode setNewNode(const Vec3& position);
 
-  /// No orient3d determinant over these nodes is wrong by more than this, however evaluated by
-  /// three differences, a cross and a dot product.
+  /// Upper bound of the error of any orient3d determinant over these nodes, evaluated by three
+  /// differences, a cross product and a dot product.
   [[nodiscard]] double determinantError() const { return determinantError_; }
 
  private:
@@ -79,7 +80,7 @@ class Neighbourhood {
   void boundErrors(const Vec3& reach);
 
   std::vector<std::uint32_t> found_;
-  // The arrays only grow; what is in use is counted here, which spares a capacity check per entry.
+  // The arrays only grow. Their used lengths are kept here, which saves a capacity check per entry.
   std::size_t nodeCount_ = 0;
   std::size_t faceCount_ = 0;
   std::vector<FaceId> faceIds_;
@@ -91,12 +92,12 @@ class Neighbourhood {
   std::vector<double> z_;
   std::array<std::vector<double>, 3> mapped_;  ///< used in stretched spaces only
   std::array<const double*, 3> unit_{};
-  /// Local number of a node, valid where its stamp is the current one.
-  struct Mark {
+  /// Local index of a node; valid if the stamp is the current one.
+  struct LocalEntry {
     std::uint32_t stamp = 0;
     LocalNode local = 0;
   };
-  std::vector<Mark> marks_;
+  std::vector<LocalEntry> entries_;
   std::uint32_t stamp_ = 0;
   double determinantError_ = 0.0;
 };

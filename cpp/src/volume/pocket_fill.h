@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The last rung of recovery: a pocket goes to the exact fill, and what comes back into the mesh.
+/// @file Gives one pocket to the exact fill and puts the result into the mesh.
 
 #include <cstdint>
 #include <memory>
@@ -15,23 +15,23 @@ namespace tetrafront {
 
 class PocketFill {
  public:
-  /// `limit`: see ExactFill.
+  /// For `limit`, see ExactFill.
   PocketFill(const Front& front, Pocket pocket, unsigned order, std::uint64_t limit);
 
   ExactFill::State advance(std::uint32_t budget) { return fill_.advance(budget); }
 
-  /// How far it is, 0 to 1, estimated.
+  /// Estimated progress, 0 to 1.
   [[nodiscard]] double fraction() const { return fill_.fraction(); }
 
-  /// Once done, in part or all: puts the elements in, takes the pocket's faces out of the front. Returns
-  /// the faces that bound what is left open.
+  /// Call it in state kDone or kPartial. Adds the elements and removes the pocket's faces from the
+  /// front. Returns the faces that bound the volume left open, ascending.
   std::vector<FaceId> apply(Front& front, Elements& elements) const;
 
  private:
   static FillTask taskFor(const Front& front, const Pocket& pocket, std::vector<NodeId>& nodes);
 
   Pocket pocket_;
-  std::vector<NodeId> nodes_;  ///< of the front, as the fill numbers them
+  std::vector<NodeId> nodes_;  ///< per node of the fill task: its node of the front
   ExactFill fill_;
 };
 

@@ -14,7 +14,8 @@ struct FirstTry {
   std::uint32_t rings;
   unsigned order;
 };
-/// What is tried first. A part is taken too; what is open then goes on with the next try.
+/// First tries of a pocket. A partial fill is accepted; the volume that it leaves open continues
+/// with the next try.
 constexpr std::array<FirstTry, 9> kFirstTries{{{.rings = 0, .order = 0},
                                                {.rings = 1, .order = 0},
                                                {.rings = 1, .order = 1},
@@ -24,17 +25,18 @@ constexpr std::array<FirstTry, 9> kFirstTries{{{.rings = 0, .order = 0},
                                                {.rings = 2, .order = 5},
                                                {.rings = 4, .order = 0},
                                                {.rings = 6, .order = 1}}};
-/// Then all orders are tried without a ring, with one, twice as many and so on; with more than so many positions are
-/// taken as wholes only. Where that does not do, they are tried once more, however long it takes.
+/// Afterwards all orders are tried without a ring, with one ring, with twice as many and so on.
+/// With more rings than this, only complete fills are accepted. If nothing succeeds, all orders are
+/// tried once more without a cost limit.
 constexpr std::uint32_t kMaxRingsForPartialFill = 6;
-/// So many fills in part may there be, and so many more for each pocket.
+/// Maximum number of partial fills in total: a constant and a number per pocket.
 constexpr std::uint32_t kMaxPartialFills = 100;
 constexpr std::uint32_t kPartialFillsPerPocket = 4;
-/// What such a try may cost, in units of ExactFill: most take a tenth. With other elements around the
-/// position what takes longer mostly takes much less.
+/// Cost limit of a try that may end in a partial fill, in units of ExactFill. Most tries need a
+/// tenth of it. A try that exceeds it mostly costs much less with other elements around the pocket.
 constexpr std::uint64_t kFillCostPerFace = 1000;
 constexpr std::uint64_t kExtraFillCost = 20'000;
-/// As progress sees it, a try that fails leaves so much of its pocket.
+/// Share of a pocket that remains to be done after a failed try, for the estimate of progress.
 constexpr double kRemainingAfterFailure = 0.1;
 
 }  // namespace
@@ -53,27 +55,27 @@ void PocketFiller::push(PocketId pocket) {
   if (weights_.size() <= pocket.index()) weights_.resize(pocket.index() + 1);
   Weight& weight = weights_[pocket.index()];
   weight.faces = static_cast<double>(pockets_.faces(pocket).size());
-  facesInAll_ += weight.faces;
-  facesWaiting_ += weight.faces;
+  totalFaces_ += weight.faces;
+  waitingFaces_ += weight.faces;
 }
 
 void PocketFiller::pop() {
-  facesWaiting_ -= weights_[stack_.back().index()].faces;
+  waitingFaces_ -= weights_[stack_.back().index()].faces;
   stack_.pop_back();
 }
 
 double PocketFiller::fraction() const {
-  if (stack_.empty() || facesInAll_ == 0.0) return 1.0;
+  if (stack_.empty() || totalFaces_ == 0.0) return 1.0;
   const Weight& now = weights_[stack_.back().index()];
   const double tried = fill_ ? (1.0 - kRemainingAfterFailure) * fill_->fraction() : 0.0;
-  const double done = now.faces * (1.0 - now.left * (1.0 - tried));
-  return 1.0 - (facesWaiting_ - done) / facesInAll_;
+  const double done = now.faces * (1.0 - now.remaining * (1.0 - tried));
+  return 1.0 - (waitingFaces_ - done) / totalFaces_;
 }
 
 std::size_t PocketFiller::work(std::uint32_t budget) {
   if (isDone()) return 1;
   if (!fill_) return begin();
-  // What comes out is as large as the pocket, and waits for a slice of its own.
+  // Applying the result costs as much as the pocket is large, so it gets a slice of its own.
   if (fillState_ == ExactFill::State::kRunning) {
     fillState_ = fill_->advance(budget);
   } else {
@@ -82,12 +84,12 @@ std::size_t PocketFiller::work(std::uint32_t budget) {
   return budget;
 }
 
-/// Gives the next pocket to the exact fill, with the elements around it.
+/// Gives the next pocket to the exact fill, together with the elements around it.
 std::size_t PocketFiller::begin() {
   const PocketId number = stack_.back();
   Try& now = tries_[number.index()];
   Pocket pocket{pockets_.faces(number), false};
-  // Filled as part of another.
+  // The pocket was filled as part of another one.
   if (pocket.faces.empty()) {
     pop();
     return 1;
@@ -117,20 +119,20 @@ bool PocketFiller::canFillPartially(const Try& now) const {
   return now.rings <= kMaxRingsForPartialFill && partialFillsLeft_ > 0;
 }
 
-/// False if all has been tried.
+/// Returns false if everything has been tried.
 bool PocketFiller::prepareNext(Try& now) const {
-  const bool wasLater = now.step >= kFirstTries.size();
-  if (!wasLater && now.step + 1 < kFirstTries.size() && partialFillsLeft_ > 0) {
-    const FirstTry& first = kFirstTries[now.step + 1];
-    now = {now.step + 1, first.rings, first.order, kNoElements};
+  const bool wasLater = now.triesMade >= kFirstTries.size();
+  if (!wasLater && now.triesMade + 1 < kFirstTries.size() && partialFillsLeft_ > 0) {
+    const FirstTry& first = kFirstTries[now.triesMade + 1];
+    now = {now.triesMade + 1, first.rings, first.order, kNoElements};
   } else if (!wasLater) {
     now = {kFirstTries.size(), 0, 0, kNoElements};
   } else if (!now.isLargest) {
     now.rings = std::max(1U, 2 * now.rings);
   } else {
-    now = {now.step, 0, now.order + 1, kNoElements, false, now.isLastRound};
+    now = {now.triesMade, 0, now.order + 1, kNoElements, false, now.isLastRound};
     if (now.order == ExactFill::kOrders && !now.isLastRound) {
-      now = {now.step, 0, 0, kNoElements, false, true};
+      now = {now.triesMade, 0, 0, kNoElements, false, true};
     }
   }
   return now.order < ExactFill::kOrders;
@@ -148,8 +150,8 @@ void PocketFiller::finish() {
     pop();
     queueOpen(std::move(open), now);
   } else {
-    if (enlarged_) enlarged_->close(front_, elements_, pockets_);
-    weights_[number.index()].left *= kRemainingAfterFailure;
+    if (enlarged_) enlarged_->restore(front_, elements_, pockets_);
+    weights_[number.index()].remaining *= kRemainingAfterFailure;
     if (!prepareNext(now)) pop();
   }
   enlarged_.reset();
@@ -157,7 +159,7 @@ void PocketFiller::finish() {
   fillState_ = ExactFill::State::kRunning;
 }
 
-/// Returns the faces around what is left open.
+/// Returns the faces around the volume left open.
 std::vector<FaceId> PocketFiller::apply() {
   if (!enlarged_) pockets_.remove(stack_.back());
   const std::size_t elements = elements_.size();
@@ -167,8 +169,8 @@ std::vector<FaceId> PocketFiller::apply() {
   return open;
 }
 
-/// What is around points without a position in doubles: mostly little, so a ring of elements with it is
-/// little too.
+/// Queues the volume around points that doubles cannot hold. It is mostly small, so a ring of
+/// elements around it is small too.
 void PocketFiller::queueOpen(std::vector<FaceId> open, Try tried) {
   if (!prepareNext(tried)) return;
   stableSort(open);

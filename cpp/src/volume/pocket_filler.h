@@ -1,9 +1,10 @@
 #pragma once
 
-/// @file The last rung: the exact fill of one pocket after the other. Where points have no position in doubles
-/// what is around them stays open, and only that is tried again, with the elements around it and in other
-/// orders; most of it is filled so, as the mesh around is another one then. What resists is tried in ever
-/// larger positions, in the end in all that hangs together.
+/// @file The last step of recovery: the exact fill of one pocket after the other. If doubles cannot
+/// hold an interior point, the volume around it stays open. Only this volume is tried again, with
+/// the elements around it and in other orders. Mostly this succeeds, because the mesh around it is
+/// a different one. Pockets that resist are enlarged more and more, at last to everything that is
+/// connected.
 
 #include <cstdint>
 #include <limits>
@@ -20,13 +21,13 @@ namespace tetrafront {
 
 class PocketFiller {
  public:
-  /// All but the pockets left in `pockets` must be filled.
+  /// Everything except the pockets in `pockets` must be filled.
   PocketFiller(Front& front, Elements& elements, ElementIndex& index, PocketSet& pockets);
 
-  /// Works on for about `budget` steps of the front; returns what it took.
+  /// Does work that costs about `budget` steps of the front; returns the actual cost.
   std::size_t work(std::uint32_t budget);
   [[nodiscard]] bool isDone() const { return stack_.empty(); }
-  /// How far it is, 0 to 1, estimated by the faces of the pockets; falls where a pocket turns out to take more
+  /// Estimated progress, 0 to 1, from the faces of the pockets. It decreases if a pocket needs more
   /// tries.
   [[nodiscard]] double fraction() const;
 
@@ -34,24 +35,25 @@ class PocketFiller {
     IndexRange elements;
     IndexRange nodes;
   };
-  /// By each fill; larger ones may have taken it away again.
+  /// Elements and nodes made by each fill. Filling a larger pocket may have removed them again.
   [[nodiscard]] const std::vector<Made>& made() const { return made_; }
 
  private:
   static constexpr std::size_t kNoElements = std::numeric_limits<std::size_t>::max();
-  /// What is tried with a pocket.
+  /// How a pocket is tried.
   struct Try {
-    std::uint32_t step;        ///< how many of the first tries have been
-    std::uint32_t rings;       ///< of elements taken away with it
-    unsigned order;            ///< see ExactFill::kOrders
-    std::size_t removed;       ///< how many elements that were with half as many rings
+    std::uint32_t triesMade;  ///< number of first tries made
+    std::uint32_t rings;      ///< rings of elements removed with the pocket
+    unsigned order;           ///< see ExactFill::kOrders
+    /// number of elements removed in the previous try, with half as many rings
+    std::size_t removed;
     bool isLargest = false;    ///< more rings have no more elements
-    bool isLastRound = false;  ///< of all orders, whatever it costs
+    bool isLastRound = false;  ///< of all orders, without a cost limit
   };
-  /// By which progress is measured.
+  /// Share of a pocket in the estimate of progress.
   struct Weight {
     double faces = 0.0;
-    double left = 1.0;  ///< what tries that failed have left of it
+    double remaining = 1.0;  ///< share that failed tries have left to be done
   };
 
   std::size_t begin();
@@ -67,11 +69,11 @@ class PocketFiller {
   Elements& elements_;
   ElementIndex& index_;
   PocketSet& pockets_;
-  std::vector<PocketId> stack_;  ///< the next one last
+  std::vector<PocketId> stack_;  ///< the next pocket is the last entry
   std::vector<Try> tries_;       ///< per pocket
   std::vector<Weight> weights_;  ///< per pocket
-  double facesInAll_ = 0.0;      ///< of all pockets there have been
-  double facesWaiting_ = 0.0;    ///< of those in stack_
+  double totalFaces_ = 0.0;      ///< of all pockets so far
+  double waitingFaces_ = 0.0;    ///< of the pockets in stack_
   std::optional<EnlargedPocket> enlarged_;
   std::optional<PocketFill> fill_;
   ExactFill::State fillState_ = ExactFill::State::kRunning;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file The pockets of a front as recovery works on them, with their faces found by their nodes.
+/// @file The pockets of a front during recovery. Their faces can be found by their nodes.
 
 #include <cstddef>
 #include <map>
@@ -17,22 +17,22 @@ inline constexpr std::size_t kTouchedPerStep = 4;
 
 using PocketId = Id<struct PocketTag>;
 
-/// The pockets of a front, each face's number known by its nodes.
+/// Pockets with stable ids.
 class PocketSet {
  public:
   PocketSet(const Front& front, std::vector<Pocket> pockets);
 
   [[nodiscard]] std::size_t size() const { return faces_.size(); }
-  /// None, if the pocket has been filled or has become a part of another.
+  /// Ascending. Empty if the pocket has been filled or has become part of another.
   [[nodiscard]] const std::vector<FaceId>& faces(PocketId pocket) const {
     return faces_[pocket.index()];
   }
-  /// Without repeats, ascending.
+  /// Returns the nodes of its faces, ascending and unique.
   [[nodiscard]] std::vector<NodeId> nodes(PocketId pocket) const;
   PocketId add(std::vector<FaceId> faces);
-  /// Gives faces to a pocket that has none.
+  /// Assigns faces to a pocket that has none.
   void put(PocketId pocket, std::vector<FaceId> faces);
-  /// Forgets its faces, which must still be active.
+  /// Forgets the pocket's faces, which must still be active.
   void remove(PocketId pocket);
 
   [[nodiscard]] FaceId find(const NodeTriple& nodes) const;
@@ -41,7 +41,7 @@ class PocketSet {
  private:
   const Front& front_;
   std::vector<std::vector<FaceId>> faces_;
-  std::vector<PocketId> pocketOf_;  ///< per position for a face
+  std::vector<PocketId> pocketOf_;  ///< per slot of a face
   std::map<NodeTriple, FaceId> byNodes_;
 };
 

@@ -13,7 +13,7 @@
 namespace tetrafront {
 namespace {
 
-/// Six times the volume that the faces enclose, positive where they are seen from inside.
+/// Returns six times the volume that the faces enclose, positive if they are seen from inside.
 double enclosedVolume(const Front& front, const std::vector<FaceId>& faces) {
   const Vec3 origin = front.node(front.face(faces.front()).nodes[0]);
   double volume = 0.0;
@@ -28,10 +28,10 @@ double enclosedVolume(const Front& front, const std::vector<FaceId>& faces) {
 struct Component {
   std::vector<FaceId> faces;
   Box box{};
-  bool island = false;
+  bool isIsland = false;
 };
 
-bool holds(const Box& outer, const Box& inner) {
+bool encloses(const Box& outer, const Box& inner) {
   for (int k = 0; k < 3; ++k) {
     if (inner.low[k] < outer.low[k] || inner.high[k] > outer.high[k]) return false;
   }
@@ -45,7 +45,7 @@ Component describe(const Front& front, std::vector<FaceId> faces) {
   for (const FaceId face : component.faces) {
     for (const NodeId node : front.face(face).nodes) component.box.include(front.node(node));
   }
-  component.island = enclosedVolume(front, component.faces) <= 0.0;
+  component.isIsland = enclosedVolume(front, component.faces) <= 0.0;
   return component;
 }
 
@@ -73,15 +73,15 @@ std::vector<Component> findComponents(const Front& front, std::span<const FaceId
   return components;
 }
 
-/// Oriented planes of a pocket's faces with unit normals, and its extent.
+/// Planes of a pocket's faces with unit normals, its centre and its mean edge length.
 struct HalfSpaces {
   std::vector<Vec3> normals;
   std::vector<Vec3> positions;
   Vec3 centre{0.0};
   double meanEdge = 0.0;
 
-  /// The least signed distance of `p` to a plane, and which plane that is.
-  double least(const Vec3& p, std::size_t& worst) const {
+  /// Returns the smallest signed distance of `p` from a plane, and sets `worst` to that plane.
+  double minDistance(const Vec3& p, std::size_t& worst) const {
     double distance = std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < normals.size(); ++i) {
       const double d = glm::dot(normals[i], p - positions[i]);
@@ -111,7 +111,8 @@ HalfSpaces halfSpacesOf(const Front& front, const Pocket& pocket) {
   return spaces;
 }
 
-/// Seeks the position deepest inside all half-spaces: steps away from the worst one, ever shorter.
+/// Searches for the position deepest inside all half-spaces, by steps of decreasing length away
+/// from the worst one.
 Vec3 deepestPosition(const HalfSpaces& spaces) {
   constexpr int kSteps = 300;
   constexpr double kFirstStep = 0.3;  // of the mean side
@@ -119,11 +120,11 @@ Vec3 deepestPosition(const HalfSpaces& spaces) {
   Vec3 current = spaces.centre;
   Vec3 best = current;
   std::size_t worst = 0;
-  double bestDepth = spaces.least(current, worst);
+  double bestDepth = spaces.minDistance(current, worst);
   double step = kFirstStep * spaces.meanEdge;
   for (int i = 0; i < kSteps; ++i, step *= kShrink) {
     current = current + spaces.normals[worst] * step;
-    const double depth = spaces.least(current, worst);
+    const double depth = spaces.minDistance(current, worst);
     if (depth <= bestDepth) continue;
     bestDepth = depth;
     best = current;
@@ -139,7 +140,8 @@ bool isInsideElement(const Front& front, const NodeTriple& base, const Vec3& ape
          orient3d(a, p, c, apex) >= 0 && orient3d(a, b, p, apex) >= 0;
 }
 
-/// Other faces are wholly inside or wholly outside the pocket, so one node of each tells.
+/// Returns true if another face lies inside the pocket. Other faces are entirely inside or outside,
+/// so one node of each decides.
 bool hasForeignFace(const Front& front, const Pocket& pocket, const Vec3& apex) {
   Box box = front.boxOf(pocket.faces.front());
   for (const FaceId face : pocket.faces) {
@@ -168,15 +170,16 @@ std::vector<Pocket> findPockets(const Front& front, std::span<const FaceId> face
   std::vector<Component> components = findComponents(front, faces);
   DisjointSets sets(components.size());
   for (std::uint32_t i = 0; i < components.size(); ++i) {
-    if (!components[i].island) continue;
+    if (!components[i].isIsland) continue;
     for (std::uint32_t j = 0; j < components.size(); ++j) {
-      if (!components[j].island && holds(components[j].box, components[i].box)) sets.join(i, j);
+      if (!components[j].isIsland && encloses(components[j].box, components[i].box))
+        sets.join(i, j);
     }
   }
   std::map<std::uint32_t, Pocket> pockets;
   for (std::uint32_t i = 0; i < components.size(); ++i) {
     Pocket& pocket = pockets[sets.find(i)];
-    pocket.single = pocket.faces.empty() && !components[i].island;
+    pocket.isSingle = pocket.faces.empty() && !components[i].isIsland;
     pocket.faces.insert(pocket.faces.end(), components[i].faces.begin(), components[i].faces.end());
   }
   std::vector<Pocket> result;
@@ -198,7 +201,7 @@ std::optional<Vec3> findStarPoint(const Front& front, const Pocket& pocket) {
 }
 
 bool fillFromStarPoint(Front& front, Elements& elements, const Pocket& pocket) {
-  if (!pocket.single) return false;
+  if (!pocket.isSingle) return false;
   const std::optional<Vec3> position = findStarPoint(front, pocket);
   if (!position) return false;
   std::uint16_t layer = 0;

@@ -8,7 +8,7 @@ namespace {
 /// Skipping this many free slots of faces costs about as much as one step of the front.
 constexpr std::size_t kSlotsPerStep = 1000;
 
-/// Where reopening begins and ends on the way, 0 to 1.
+/// Progress at the start and at the end of local remeshing, 0 to 1.
 constexpr double kStarEnd = 0.05;
 constexpr double kRemeshEnd = 0.2;
 
@@ -45,12 +45,12 @@ std::size_t Recovery<Trace>::work(std::uint32_t budget) {
     case Stage::kStar:
       return starNext();
     case Stage::kFindRemaining:
-      left_.emplace(front_, findPockets(front_));
+      remaining_.emplace(front_, findPockets(front_));
       stage_ = Stage::kRemesh;
       if (fillOnly_) beginFill();
       return scanCost();
     case Stage::kRemesh: {
-      const std::size_t cost = remeshing_.work(budget, *left_);
+      const std::size_t cost = remeshing_.work(budget, *remaining_);
       if (remeshing_.isDone()) beginFill();
       return cost;
     }
@@ -105,7 +105,7 @@ std::size_t Recovery<Trace>::starNext() {
 
 template <class Trace>
 void Recovery<Trace>::beginFill() {
-  filler_.emplace(front_, elements_, index_, *left_);
+  filler_.emplace(front_, elements_, index_, *remaining_);
   stage_ = Stage::kFill;
 }
 
@@ -123,17 +123,17 @@ RecoverySummary Recovery<Trace>::summary() const {
     if (elements_.removed[element] != 0) continue;
     for (const NodeId node : elements_.nodes[element]) used[node.index()] = 1;
   }
-  RecoverySummary left;
-  for (const IndexRange& made : starred_) left.starred += hasLiveElement(made) ? 1 : 0;
-  for (const IndexRange& made : remeshing_.made()) left.reopened += hasLiveElement(made) ? 1 : 0;
-  if (!filler_) return left;
+  RecoverySummary counts;
+  for (const IndexRange& made : starred_) counts.starred += hasLiveElement(made) ? 1 : 0;
+  for (const IndexRange& made : remeshing_.made()) counts.reopened += hasLiveElement(made) ? 1 : 0;
+  if (!filler_) return counts;
   for (const PocketFiller::Made& made : filler_->made()) {
-    left.filled += hasLiveElement(made.elements) ? 1 : 0;
+    counts.filled += hasLiveElement(made.elements) ? 1 : 0;
     for (std::size_t node = made.nodes.first; node < made.nodes.last; ++node) {
-      left.steinerPoints += used[node];
+      counts.steinerPoints += used[node];
     }
   }
-  return left;
+  return counts;
 }
 
 template class Recovery<NullTrace>;

@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file What is done about a stall. When no face can be completed under any rule, the pockets left are
-/// closed one by one: by joining them to one interior point (star), else by reopening the position (Löhner's
-/// practice), else by the exact fill. All budgets are counts, so the outcome never depends on the
-/// machine's speed.
+/// @file Closes the pockets that a stalled front leaves. Each is joined to one interior point
+/// (star). If that fails, the elements around it are removed and the front advances again (local
+/// remeshing, Löhner's practice). The exact fill comes last. All budgets are counts, so the result
+/// does not depend on the speed of the machine.
 
 #include <cstdint>
 #include <optional>
@@ -26,47 +26,48 @@ class Recovery {
  public:
   enum class State : std::uint8_t { kRunning, kClosed, kStalled };
 
-  /// `fillOnly`: nothing but the exact fill is tried.
+  /// With `fillOnly`, only the exact fill is used.
   Recovery(Front& front, Elements& elements, FrontAdvance<Trace>& advance, FrontOrder order,
            bool fillOnly);
 
-  /// Works on for about `budget` steps of the front. To be called when nothing is queued.
+  /// Does work that costs about `budget` steps of the front. Call it when the queue of the front is
+  /// empty.
   State advance(std::uint32_t budget);
 
-  /// How far it is, and how far the exact fill is, both 0 to 1 and estimated.
+  /// Estimated progress of the recovery and of the exact fill, 0 to 1.
   [[nodiscard]] double fraction() const;
   [[nodiscard]] double exactFillFraction() const { return filler_ ? filler_->fraction() : 0.0; }
 
-  /// What the mesh as it is now has of each rung, without what a larger position has taken away again.
-  /// O(elements).
+  /// Counts what each method contributes to the mesh as it is now; elements that were removed again
+  /// do not count. O(elements).
   [[nodiscard]] RecoverySummary summary() const;
 
  private:
   enum class Stage : std::uint8_t {
     kFindPockets,
-    kStar,           ///< each pocket from one point
-    kFindRemaining,  ///< the pockets that are left
+    kStar,           ///< join each pocket to one point
+    kFindRemaining,  ///< find the pockets that are left
     kRemesh,
     kFill,
     kFinished
   };
 
-  /// One piece of work; returns what it cost, in faces taken from the front.
+  /// Does one piece of work; returns its cost in steps of the front.
   std::size_t work(std::uint32_t budget);
   [[nodiscard]] bool hasLiveElement(const IndexRange& made) const;
   std::size_t starNext();
   void beginFill();
-  /// What looking at all active faces costs, in faces taken from the front.
+  /// Cost of visiting all active faces, in steps of the front.
   [[nodiscard]] std::size_t scanCost() const;
 
   Front& front_;
   Elements& elements_;
   bool fillOnly_;
   Stage stage_ = Stage::kFindPockets;
-  std::vector<Pocket> pockets_;  ///< before any is starred
+  std::vector<Pocket> pockets_;  ///< before the stars
   std::size_t nextPocket_ = 0;
-  std::vector<IndexRange> starred_;  ///< elements of each star
-  std::optional<PocketSet> left_;    ///< the pockets that have no star
+  std::vector<IndexRange> starred_;     ///< elements of each star
+  std::optional<PocketSet> remaining_;  ///< pockets without a star
   ElementIndex index_;
   LocalRemeshing<Trace> remeshing_;
   std::optional<PocketFiller> filler_;

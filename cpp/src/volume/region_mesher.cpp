@@ -12,7 +12,8 @@
 namespace tetrafront {
 namespace {
 
-/// Regions that have a wall in common, the higher first, ascending and each pair once.
+/// Returns the pairs of regions with a common interface, the higher region first, ascending and
+/// unique.
 std::vector<std::array<std::uint32_t, 2>> interfaceNeighbours(const SurfaceMesh& boundary) {
   std::vector<std::array<std::uint32_t, 2>> pairs;
   for (std::size_t t = 0; t < boundary.triangles.size() / 3; ++t) {
@@ -33,7 +34,8 @@ std::uint32_t regionCount(const SurfaceMesh& boundary) {
   return count;
 }
 
-/// Each region in order gets the first turn that no neighbour has: nearly always two or three do.
+/// Gives each region in turn the first pass that none of its neighbours has. Two or three passes
+/// nearly always suffice.
 std::vector<std::uint32_t> assignPasses(const SurfaceMesh& boundary) {
   std::vector<std::uint32_t> passOf(regionCount(boundary), 0);
   const auto pairs = interfaceNeighbours(boundary);
@@ -49,7 +51,7 @@ std::vector<std::uint32_t> assignPasses(const SurfaceMesh& boundary) {
   return passOf;
 }
 
-/// Adds what one turn has made, whose boundary nodes are the same.
+/// Appends the mesh of one pass, which has the same boundary nodes.
 void append(VolumeMesh& mesh, VolumeMesh part, std::size_t boundaryNodes) {
   if (mesh.points.empty()) {
     mesh = std::move(part);
@@ -192,7 +194,7 @@ VolumeMesh RegionMesher::mesh() const { return completed(filled_); }
 
 VolumeMesh RegionMesher::take() { return completed(std::exchange(filled_, {})); }
 
-/// With this turn's elements and the faces that wait.
+/// Appends the elements of this pass, and the faces of later ones to the front.
 VolumeMesh RegionMesher::completed(VolumeMesh mesh) const {
   append(mesh, current_->mesh(), boundary_.points.size() / 3);
   const std::vector<std::uint32_t> waiting = facesOfLaterPasses();

@@ -1,9 +1,10 @@
 #pragma once
 
-/// @file Fills all regions of a boundary, walls between them and all. A front sees a face from one
-/// side only, so regions with a common wall are filled one after the other, each from the same nodes
-/// and triangles; the meshes fit together there, as none may change its boundary. Regions without a
-/// common wall share one front: a boundary without walls is filled as if there were none of this.
+/// @file Meshes all regions of a boundary, with the interfaces between them. A front sees a face
+/// from one side only, so regions with a common interface are meshed in different passes, from the
+/// same nodes and triangles. Their meshes fit together, because no pass changes its boundary.
+/// Regions without a common interface share one front; a boundary without interfaces needs one pass
+/// and no copies.
 
 #include <cstdint>
 #include <optional>
@@ -24,33 +25,35 @@ class RegionMesher {
   RegionMesher(const RegionMesher&) = delete;
   RegionMesher& operator=(const RegionMesher&) = delete;
 
-  /// Works on for about `budget` faces taken from the front. Ends with the first regions that cannot
-  /// be filled.
+  /// Does work that costs about `budget` steps of the front. Ends with the first pass that fails.
   MeshStatus advance(std::uint32_t budget);
 
-  /// Of kTooManyElements both values are of all regions, but for those not begun.
+  /// Triangles are those of the whole boundary. The values of kTooManyElements count all passes
+  /// begun so far.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
   [[nodiscard]] std::uint32_t nodeCount() const;
   [[nodiscard]] std::uint32_t tetrahedronCount() const;
   [[nodiscard]] std::uint32_t frontFaceCount() const {
     return current_->frontFaceCount() + waitingFaces_;
   }
-  /// Sections of the way are the front of each turn and its recovery.
+  /// Index of the current section. Each pass has two: its front and its recovery.
   [[nodiscard]] std::uint32_t section() const {
     return 2 * pass_ + (current_->isRecovering() ? 1 : 0);
   }
-  /// How far the present section is, 0 to 1, estimated.
+  /// Estimated progress of the current section, 0 to 1.
   [[nodiscard]] double sectionFraction() const;
-  /// How many of the turns will be done at its end, 0 to 1.
+  /// Share of the passes that are done when the current section ends, 0 to 1.
   [[nodiscard]] double passFractionAtSectionEnd() const { return (pass_ + 1.0) / passCount_; }
-  /// How much the fronts have left for recovery so far, in faces per triangle of the boundary, at most 1.
+  /// Faces that the fronts have left to recovery so far, per triangle of the boundary; at most 1.
   [[nodiscard]] double openShare() const;
-  /// How far the exact fill of this turn is, 0 to 1, estimated; 0 until there is one.
+  /// Estimated progress of the exact fill of this pass, 0 to 1; 0 before it starts.
   [[nodiscard]] double exactFillFraction() const { return current_->exactFillFraction(); }
 
-  /// The mesh as it stands; regions that were not begun are in its front.
+  /// Returns the mesh made so far. Its front includes the faces of regions whose pass has not
+  /// begun.
   [[nodiscard]] VolumeMesh mesh() const;
-  /// The same without a copy of what earlier turns have made; the last call but for counts.
+  /// The same without copying the mesh of earlier passes. Afterwards only recovery() and counters()
+  /// may be called.
   [[nodiscard]] VolumeMesh take();
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
@@ -71,15 +74,14 @@ class RegionMesher {
   const SurfaceMesh& boundary_;
   const SizeField& field_;
   MeshOptions options_;
-  std::vector<std::uint32_t> passOf_;  ///< per region: when it is filled
+  std::vector<std::uint32_t> passOf_;  ///< per region
   std::uint32_t passCount_ = 1;
   std::uint32_t pass_ = 0;
-  double openShareBefore_ = 0.0;    ///< by the fronts of earlier turns, per turn at most 1
-  std::uint32_t waitingFaces_ = 0;  ///< faces of regions whose turn comes later
-  PassBoundary
-      passBoundary_;  ///< the boundary of this turn's regions, where there are several turns
+  double openShareBefore_ = 0.0;    ///< sum of the open shares of earlier passes, each at most 1
+  std::uint32_t waitingFaces_ = 0;  ///< faces of regions of later passes
+  PassBoundary passBoundary_;       ///< used if there are several passes
   std::optional<VolumeMesher> current_;
-  VolumeMesh filled_;  ///< by earlier turns
+  VolumeMesh filled_;  ///< mesh of earlier passes
   RecoverySummary recovery_;
   FrontCounters counters_;
 };

@@ -1,21 +1,22 @@
 #pragma once
 
-/// @file The numbers that steer the front. Each was set by measurement on spheres, cubes, tori,
-/// thin and graded bodies, judged by what the front leaves open, its speed and the shape of the
-/// elements; lengths are in units of the local size h.
+/// @file The constants that control the front. Each was set by measurements on spheres, cubes,
+/// tori, and thin and graded models, by what the front leaves open, its speed and the element
+/// shapes. Lengths are in units of the local size h.
 
 #include <array>
 #include <cstdint>
 
 namespace tetrafront {
 
-/// How strict the front is with a face; a face that fails under one class waits in the next.
+/// How strict the front is with a face. A face that fails under one class is requeued under the
+/// next.
 struct RuleClass {
-  double searchRadius;  ///< candidates come from this far around the ideal point
-  double minQuality;    ///< least mean ratio, relative to the best that the base's shape admits
-  double faceDistance;  ///< a new node keeps this far from faces it does not touch
-  double nodeDistance;  ///< and this far from other nodes, for a full height
-  bool newNodes;        ///< may new nodes be placed at all?
+  double searchRadius;  ///< maximum distance of candidates from the ideal point
+  double minQuality;    ///< minimum mean ratio, relative to the best possible over the base
+  double faceDistance;  ///< minimum distance of a new node from faces that it does not touch
+  double nodeDistance;  ///< minimum distance of a new node from other nodes, at full height
+  bool newNodes;        ///< whether new nodes may be made
   std::uint32_t maxTries;
 };
 
@@ -52,39 +53,40 @@ inline constexpr std::array<RuleClass, 5> kRuleClasses{{
      .maxTries = 40},
 }};
 
-/// Peraire's clamp of the field's size by the base face's own, so that a jump in the field is met
-/// step by step.
+/// Peraire's clamp of the field's size by the size of the base face, so that the front follows a
+/// jump in the field step by step.
 inline constexpr double kMinSizePerBase = 0.55;
 inline constexpr double kMaxSizePerBase = 2.0;
 
-/// The field is asked this far in front of the centroid, in units of the face's size.
+/// Distance in front of the centroid at which the size field is queried, in sizes of the face.
 inline constexpr double kFieldLookAhead = 0.4;
 
-/// New edges aim at this part of the wanted length: nodes that find no room there take existing ones
-/// farther away, so that the mean edge comes out longer than the one aimed at.
+/// Edge length that new nodes aim at, per target edge length. Where a new node has no room, the
+/// element takes an existing node farther away, so the mean edge is longer than the length aimed
+/// at.
 inline constexpr double kEdgePerTarget = 0.97;
 
-/// The ideal point stands sqrt(h^2 - R^2) above the centroid, R the base's circumradius within
-/// these bounds, and never lower than the least height.
+/// The ideal point is sqrt(h^2 - R^2) above the centroid, at least the minimum height. R is the
+/// circumradius of the base, clamped to these limits.
 inline constexpr double kMinCircumradius = 0.4;
 inline constexpr double kMaxCircumradius = 0.95;
 inline constexpr double kMinIdealHeight = 0.3;
 
-/// Heights tried for a new node. Lower ones are a fallback: their weight falls with the sixth
-/// power, else sizes shrink step by step and the front dives.
+/// Heights tried for a new node, per ideal height. Lower ones are a fallback, and their weight
+/// falls with the sixth power: otherwise sizes would shrink step by step.
 inline constexpr std::array<double, 5> kHeights{1.0, 0.85, 0.7, 0.55, 0.4};
-/// Weight of a new node's mean ratio against that of existing nodes.
+/// Weight of the mean ratio of a new node relative to existing nodes.
 inline constexpr double kNewNodeWeight = 0.85;
-/// Bonus on the mean ratio per side that a candidate closes, besides the base.
+/// Bonus on the mean ratio for each edge of the base at which the candidate meets an existing face.
 inline constexpr double kClosingBonus = 0.03;
-/// The apex over a side whose dihedral angle is below 90 degrees comes first, down to this
-/// fraction of the class's cubed quality.
+/// The apex of a face with a dihedral angle below 90 degrees to the base is preferred, down to this
+/// fraction of the minimum cubed mean ratio of the class.
 inline constexpr double kWedgeQualityFactor = 0.05;
-/// Added to the score, cubed mean ratios being at most about 1, so that these go first.
+/// Added to the score. Cubed mean ratios are at most about 1, so these candidates come first.
 inline constexpr double kWedgeBonus = 1.0;
 inline constexpr double kPocketBonus = 10.0;
 
-/// Deviations from the rules for another try at a position where the front stalled.
+/// Changes to the rules for another attempt at a pocket.
 struct RuleVariant {
   double sizeFactor = 1.0;
   double newNodeWeight = kNewNodeWeight;

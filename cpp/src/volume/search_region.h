@@ -1,8 +1,9 @@
 #pragma once
 
-/// @file Where the faces around a base face are sought: a box in plain space, which the face grid is
-/// asked for, and where space is stretched a box in unit space too. A ball there is a long ellipsoid
-/// here; where it lies slanted, its box holds a hundred times as many faces as have to do with it.
+/// @file The region in which the faces around a base face are searched: a box in plain space, for
+/// the face grid, and in a stretched space also a box in unit space. A ball in unit space is a long
+/// ellipsoid in plain space. If the ellipsoid is slanted, its box contains a hundred times as many
+/// faces as are relevant.
 
 #include <algorithm>
 #include <array>
@@ -15,8 +16,9 @@ namespace tetrafront {
 
 class SearchRegion {
  public:
-  /// The corners of a base face, and what is within `radius` of `unitCentre` in `space`, which must
-  /// outlive the region. `extent`: no two positions that are asked for are further apart along any axis.
+  /// Contains the corners of a base face and the ball of `radius` around `unitCentre` in `space`,
+  /// which must outlive the region. `extent` bounds the distance between any two positions in
+  /// queries, along any axis.
   SearchRegion(const UnitSpace& space, const std::array<Vec3, 3>& corners, const Vec3& unitCentre,
                double radius, double extent)
       : space_(space), box_(Box::of(corners[0], corners[1], corners[2])) {
@@ -28,7 +30,7 @@ class SearchRegion {
     for (const Vec3& corner : corners) includeUnit(corner);
   }
 
-  /// Grows to hold the position. Returns true if it grew.
+  /// Grows to contain the position. Returns true if it grew.
   bool include(const Vec3& position) {
     const bool grewInUnitSpace = space_.isStretched() && includeUnit(position);
     return box_.include(position) || grewInUnitSpace;
@@ -36,11 +38,11 @@ class SearchRegion {
 
   [[nodiscard]] const Box& box() const { return box_; }
 
-  /// Whether the box in unit space tells more than box() does.
+  /// Returns true if the box in unit space restricts the region further than box() does.
   [[nodiscard]] bool isStretched() const { return space_.isStretched(); }
 
-  /// In a stretched space: false only where the triangle has no point in common with the convex hull
-  /// of what is in the region.
+  /// Call it in stretched spaces only. Returns false only if the triangle and the convex hull of
+  /// the region have no point in common.
   [[nodiscard]] bool mayIntersect(const Vec3& a, const Vec3& b, const Vec3& c) const {
     const Vec3 fromA = a - space_.origin();
     const Vec3 fromB = b - space_.origin();
@@ -69,7 +71,7 @@ class SearchRegion {
 
   const UnitSpace& space_;
   Box box_;
-  // Further out by what all positions may be off.
+  // Extended by the rounding error of positions.
   Vec3 unitLow_{0.0};
   Vec3 unitHigh_{0.0};
   double rounding_ = 0.0;

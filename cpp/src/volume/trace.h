@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file What the front tells about its steps, for teaching: a compile-time hook. With NullTrace
-/// every call site vanishes; the plain build carries no branch.
+/// @file Records the steps of the front for teaching, as a compile-time hook. With NullTrace every
+/// call vanishes; the normal build has no branch for it.
 
 #include <chrono>
 #include <cstdint>
@@ -12,14 +12,14 @@
 
 namespace tetrafront {
 
-/// Why a candidate was refused.
+/// Reason for refusing a candidate.
 enum class Refusal : std::uint8_t {
-  kBehind = 0,          ///< not on the empty side of the base face
+  kBehind = 0,          ///< the candidate is not on the empty side of the base face
   kCrosses = 1,         ///< the element would cross a face
-  kTooCloseToFace = 2,  ///< a new node would stand too close to a face
+  kTooCloseToFace = 2,  ///< a new node would be too close to a face
 };
 
-/// A trace's CrossingScope lives as long as one piece of the crossing test; most take no notice.
+/// A CrossingScope lives as long as one part of the crossing test. Only ClockTrace uses it.
 struct NullTrace {
   static constexpr bool kOn = false;
   struct CrossingScope {
@@ -27,11 +27,12 @@ struct NullTrace {
   };
 };
 
-/// Seconds spent in the crossing test, for the comparison with the paper's share (section 6).
+/// Time spent in the crossing test, for comparison with the paper's share (section 6).
 struct ClockTrace {
   static constexpr bool kOn = false;
   using Clock = std::chrono::steady_clock;
-  /// The test takes a microsecond or so; what takes this long was put aside for another process.
+  /// The test takes about a microsecond. A longer interval was interrupted by another process and
+  /// is not counted.
   static constexpr std::chrono::microseconds kInterrupted{200};
   class CrossingScope {
    public:
@@ -50,7 +51,8 @@ struct ClockTrace {
   Clock::duration inCrossingTest{0};
 };
 
-/// Records every step. A candidate without a number is the ideal point, or one below it.
+/// Records every step. A candidate without a node id is a new node: the ideal point or a point
+/// below it.
 struct StepTrace {
   static constexpr bool kOn = true;
   struct CrossingScope {
@@ -61,7 +63,7 @@ struct StepTrace {
     kBase = 0,       ///< subject: face, detail: rule class
     kIdeal = 1,      ///< position: the ideal point
     kRefused = 2,    ///< subject: candidate, detail: Refusal, culprit: face
-    kAccepted = 3,   ///< subject: node taken; position: where
+    kAccepted = 3,   ///< subject: node; position: of the node
     kPostponed = 4,  ///< subject: face, detail: its next rule class
   };
   struct Step {

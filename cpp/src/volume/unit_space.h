@@ -1,9 +1,10 @@
 #pragma once
 
-/// @file The space in which the element wanted at a base face is regular: the transformation T of
-/// the size tensor there, taken as constant around the face. Shapes and distances are judged in
-/// it; signs and crossings are not, since they are the same in both. Where nothing is stretched it
-/// is plain space, and the wanted edge is the size.
+/// @file Unit space: the space in which the target element at a base face is regular. It is the
+/// transformation T of the size tensor there, taken as constant around the face. Shapes and
+/// distances are measured in unit space. Signs and crossings are computed in plain space, because
+/// they are the same in both. Without stretching, unit space is plain space, and the target edge
+/// length is the size.
 
 #include <algorithm>
 #include <cmath>
@@ -16,14 +17,14 @@ namespace tetrafront {
 
 class UnitSpace {
  public:
-  /// Plain space with wanted edges of that size.
+  /// Returns plain space with this target edge length.
   static UnitSpace plain(double size) {
     UnitSpace space;
     space.targetEdge_ = size;
     return space;
   }
 
-  /// Coordinates T (x - origin), with wanted edges of length 1.
+  /// Returns the space of coordinates T (x - origin), with target edge length 1.
   static UnitSpace stretched(const SymmetricTensor& size, const Vec3& origin) {
     UnitSpace space;
     space.stretched_ = true;
@@ -42,25 +43,25 @@ class UnitSpace {
   [[nodiscard]] Vec3 toUnit(const Vec3& position) const {
     return stretched_ ? toUnit_ * (position - origin_) : position;
   }
-  /// The directions in plain space along which the unit coordinates grow, of a stretched space.
+  /// Direction in plain space along which unit coordinate `k` grows, in a stretched space.
   [[nodiscard]] Vec3 unitAxis(int k) const { return toUnit_.row(k); }
   [[nodiscard]] const Vec3& origin() const { return origin_; }
   [[nodiscard]] Vec3 toSpace(const Vec3& unit) const {
     return stretched_ ? origin_ + toSpace_ * unit : unit;
   }
 
-  /// In a stretched space: no coordinate of toUnit() is off by more than this, for positions whose
-  /// coordinates are no further than `extent` from the origin's.
+  /// In a stretched space: upper bound of the rounding error of a coordinate of toUnit(), for
+  /// positions whose coordinates differ by at most `extent` from the origin's.
   [[nodiscard]] double roundingWithin(double extent) const {
-    // Three products of a rounded difference, and two sums: less than eight roundings of each term.
+    // Three products of a rounded difference and two sums: less than eight roundings per term.
     constexpr double kPerTerm = 4.0 * std::numeric_limits<double>::epsilon();
     return kPerTerm * 3.0 * largestTerm_ * extent;
   }
 
-  /// Half the extents, in plain space, of a ball of this space.
+  /// Returns half the extents, in plain space, of a ball in this space.
   [[nodiscard]] Vec3 extentOfBall(double radius) const {
     if (!stretched_) return Vec3(radius);
-    // The image of the unit ball under a symmetric H reaches as far along axis k as row k is long.
+    // The image of the unit ball under a symmetric H extends along axis k by the length of row k.
     Vec3 extent;
     for (int k = 0; k < 3; ++k) {
       const Vec3 row = toSpace_.row(k);
@@ -75,7 +76,7 @@ class UnitSpace {
   SymmetricTensor toUnit_;
   SymmetricTensor toSpace_;
   Vec3 origin_{0.0};
-  double largestTerm_ = 0.0;  ///< of toUnit_
+  double largestTerm_ = 0.0;  ///< of toUnit_, in magnitude
 };
 
 }  // namespace tetrafront

@@ -9,11 +9,12 @@
 namespace tetrafront {
 namespace {
 
-/// What the front may cost in all, and what of it its relaxed rules, as FrontAdvance::step() counts
-/// it: per element, per triangle of the boundary, and more for small bodies. Well shaped boundaries
-/// take 1 to 2 per element. Among needles each face has hundreds of others near it, and what the rules
-/// leave there the exact fill closes for less. On a plate of a hundred ear-clipped holes a fifth, a tenth and
-/// a fortieth of kFrontCost moved the time from the front to the exact fill and gained nothing.
+/// Cost limits of the front and of its relaxed rules, as FrontAdvance::step() counts cost: per
+/// element, per triangle of the boundary, and a constant for small models. Well shaped boundaries
+/// take 1 to 2 per element. Among needles, each face has hundreds of others near it, and the exact
+/// fill closes what the rules leave there at less cost. On a plate with a hundred ear-clipped
+/// holes, a fifth, a tenth and a fortieth of kFrontCost moved time from the front to the exact fill
+/// without reducing the total.
 struct CostLimit {
   std::uint64_t perElement;
   std::uint64_t perTriangle;
@@ -35,12 +36,12 @@ NodeTriple boundaryTriangle(const SurfaceMesh& surface, std::size_t triangle) {
   return {NodeId(n[0]), NodeId(n[1]), NodeId(n[2])};
 }
 
-double rootMeanSquareSide(const SurfaceMesh& surface, std::size_t triangle) {
+double rootMeanSquareEdge(const SurfaceMesh& surface, std::size_t triangle) {
   const NodeTriple n = boundaryTriangle(surface, triangle);
   double squares = 0.0;
   for (int k = 0; k < 3; ++k) {
-    const Vec3 side = boundaryNode(surface, n[(k + 1) % 3]) - boundaryNode(surface, n[k]);
-    squares += glm::dot(side, side);
+    const Vec3 edge = boundaryNode(surface, n[(k + 1) % 3]) - boundaryNode(surface, n[k]);
+    squares += glm::dot(edge, edge);
   }
   return std::sqrt(squares / 3.0);
 }
@@ -49,7 +50,7 @@ double medianSize(const SurfaceMesh& surface) {
   std::vector<double> sizes;
   sizes.reserve(surface.triangles.size() / 3);
   for (std::size_t t = 0; t < surface.triangles.size() / 3; ++t) {
-    sizes.push_back(rootMeanSquareSide(surface, t));
+    sizes.push_back(rootMeanSquareEdge(surface, t));
   }
   if (sizes.empty()) return 1.0;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
@@ -117,7 +118,8 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
     const NodeTriple n = boundaryTriangle(boundary_, nextTriangle_);
     enclosedVolume_ += glm::dot(front_.node(n[0]) - origin,
                                 glm::cross(front_.node(n[1]) - origin, front_.node(n[2]) - origin));
-    // Neighbours in the list are near each other: asked in its order, walks are short.
+    // Query the size field in the order of the list: consecutive triangles are close to each other,
+    // so the walks are short.
     static_cast<void>(field_.covers(front_.node(n[0]), coverHint_));
     front_.addFace(frontFaceOf(boundary_, nextTriangle_),
                    boundary_.triangleRegions[2 * nextTriangle_], coverHint_, !exactFillOnly_);
@@ -128,7 +130,8 @@ void BasicVolumeMesher<Trace>::setUp(std::uint32_t budget) {
 template <class Trace>
 void BasicVolumeMesher<Trace>::advanceFront(std::uint32_t budget) {
   const std::size_t triangles = boundary_.triangles.size() / 3;
-  // Looked at after each step, so that where it stops does not depend on the slices.
+  // Check the limits after every step, so that the stopping point does not depend on the slice
+  // length.
   while (budget > 0 && stage_ == Stage::kAdvance && !front_.isQueueEmpty()) {
     const std::size_t elementsBefore = elements_.size();
     const std::uint64_t relaxed = advance_.counters().relaxedCost;
@@ -195,7 +198,7 @@ void BasicVolumeMesher<Trace>::stopAtLimit() {
   finish(MeshStatus::kStalled);
 }
 
-/// The background grid must cover what is meshed (step F1).
+/// Checks that the background grid covers each new node (step F1).
 template <class Trace>
 void BasicVolumeMesher<Trace>::checkNewNodes() {
   for (; checkedNodes_ < front_.nodes().size(); ++checkedNodes_) {
@@ -217,7 +220,8 @@ void BasicVolumeMesher<Trace>::finish(MeshStatus status) {
   stage_ = Stage::kFinished;
 }
 
-/// Among needles little is filled by the time the front has cost too much.
+/// Among needles, little volume is filled when the front reaches its cost limit, so the cost counts
+/// too.
 template <class Trace>
 double BasicVolumeMesher<Trace>::frontFraction() const {
   const std::uint64_t limit = kFrontCost.of(elements_.size(), boundary_.triangles.size() / 3);

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Fills a closed boundary with tetrahedra: sets up the front from its triangles (step F3),
-/// lets it advance, and recovers what it leaves.
+/// @file Meshes a closed boundary with tetrahedra: sets up the front from its triangles (step F3),
+/// advances it, and recovers what it leaves.
 
 #include <cstdint>
 #include <memory>
@@ -22,12 +22,12 @@ namespace tetrafront {
 template <class Trace>
 class BasicVolumeMesher {
  public:
-  /// `boundary` must be closed, embedded, turned outward and with its regions, as closeBoundary()
-  /// leaves it, and without walls (cell_mesher.h). It and `field` must outlive the mesher.
+  /// `boundary` must be closed, embedded, oriented outward and have its regions, as closeBoundary()
+  /// leaves it, but without interfaces (region_mesher.h). It and `field` must outlive the mesher.
   BasicVolumeMesher(const SurfaceMesh& boundary, const SizeField& field,
                     const MeshOptions& options);
 
-  /// Works on for about `budget` faces taken from the front.
+  /// Does work that costs about `budget` steps of the front.
   MeshStatus advance(std::uint32_t budget);
 
   [[nodiscard]] MeshStatus status() const { return status_; }
@@ -38,22 +38,23 @@ class BasicVolumeMesher {
   [[nodiscard]] std::uint32_t tetrahedronCount() const {
     return static_cast<std::uint32_t>(elements_.liveCount());
   }
-  /// With the triangles that are not in the front yet.
+  /// Includes the triangles that are not in the front yet.
   [[nodiscard]] std::uint32_t frontFaceCount() const {
     return front_.activeCount() +
            static_cast<std::uint32_t>(boundary_.triangles.size() / 3 - nextTriangle_);
   }
-  /// How far the front is on its way to where it closes or gives up, 0 to 1, estimated.
+  /// Estimated progress of the front until it closes or stalls, 0 to 1.
   [[nodiscard]] double frontFraction() const;
-  /// What the front has left is being recovered; or all is done.
+  /// Returns true when the front has ended, and after recovery too.
   [[nodiscard]] bool isRecovering() const { return stage_ >= Stage::kRecover; }
-  /// How many faces the front has left open, in triangles of the boundary; 0 until it has.
+  /// Faces that the front has left to recovery, per triangle of the boundary; 0 until it ends.
   [[nodiscard]] double openShare() const { return openShare_; }
-  /// How far recovery is, and of it the exact fill, 0 to 1, estimated.
+  /// Estimated progress of recovery and of its exact fill, 0 to 1.
   [[nodiscard]] double recoveryFraction() const { return recovery_.fraction(); }
   [[nodiscard]] double exactFillFraction() const { return recovery_.exactFillFraction(); }
 
-  /// The mesh as it stands. Nodes that no element and no boundary triangle uses are left out.
+  /// Returns the mesh made so far. Leaves out nodes that neither an element nor a boundary triangle
+  /// uses.
   [[nodiscard]] VolumeMesh mesh() const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
@@ -71,7 +72,7 @@ class BasicVolumeMesher {
   void stopAtLimit();
   void stall();
   void finish(MeshStatus status);
-  /// Filled part of the enclosed volume, 0 to 1.
+  /// Share of the enclosed volume that is filled, 0 to 1.
   [[nodiscard]] double filledFraction() const;
 
   const SurfaceMesh& boundary_;
@@ -91,9 +92,10 @@ class BasicVolumeMesher {
   FrontProgress progress_;
   double openShare_ = 0.0;
   std::size_t measuredElements_ = 0;
-  double enclosedVolume_ = 0.0;        ///< six times
-  double filledVolume_ = 0.0;          ///< six times
-  std::uint64_t exactPredicates_ = 0;  ///< others may ask for signs between two slices
+  double enclosedVolume_ = 0.0;  ///< times six
+  double filledVolume_ = 0.0;    ///< times six
+  /// counted per slice: others may compute signs between two slices
+  std::uint64_t exactPredicates_ = 0;
   FieldHint coverHint_;
   std::vector<Diagnostic> diagnostics_;
 };
