@@ -1,4 +1,4 @@
-/// The last rung alone, on all that is hard: whatever is closed and embedded must be filled.
+/// The exact fill alone, on hard inputs: it must fill every closed embedded surface.
 
 #include "fill/exact_fill.h"
 
@@ -68,7 +68,7 @@ void PrintTo(const NamedSurface& named, std::ostream* out) { *out << named.name;
 
 class EveryHardSurface : public ::testing::TestWithParam<NamedSurface> {};
 
-TEST_P(EveryHardSurface, IsFilledByTheLastRungAlone) {
+TEST_P(EveryHardSurface, IsFilledExactly) {
   const SurfaceMesh& surface = GetParam().surface;
   FillResult result;
   ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kDone);
@@ -133,8 +133,8 @@ INSTANTIATE_TEST_SUITE_P(
         NamedSurface{"blocks", testing::randomBlocks(5, 0.5, 1)}),
     [](const auto& each) { return each.param.name; });
 
-/// Points for the boundary wait until swaps get no further: else some come with every edge of a needle,
-/// and keep other edges from being swapped in.
+/// Points are added on the boundary only when swaps make no more progress. Otherwise each edge of a
+/// needle would get some, and their edges would block the swaps of others.
 TEST(ExactFill, FillsNeedlesInFewSteps) {
   SurfaceMesh surface = testing::spikySphere(8, 0.05, 1);
   testing::stretch(surface, {1.0, 1e-3, 1e-6});
@@ -145,8 +145,8 @@ TEST(ExactFill, FillsNeedlesInFewSteps) {
   EXPECT_LT(steps, 200);
 }
 
-/// Nodes of long needles are nearly on one sphere by the hundred. Where the mesh of the nodes is not
-/// Delaunay there, most edges must be recovered, and each one makes more elements.
+/// Hundreds of nodes of long needles are nearly on one sphere. If the mesh of the nodes were not
+/// Delaunay there, most edges would have to be recovered, and each would add elements.
 TEST(ExactFill, FillsRingsOfNeedlesWithFewElements) {
   const SurfaceMesh surface = rotated(testing::torus(1.0, 0.2, 4, 200));
   FillResult result;
@@ -155,16 +155,16 @@ TEST(ExactFill, FillsRingsOfNeedlesWithFewElements) {
   EXPECT_LT(result.tetrahedra.size(), 5 * testing::triangleCount(surface));
 }
 
-/// A point on the boundary that no other can replace is tried again only where something has changed.
-TEST(ExactFill, ClearsTheBoundaryOfBulgingSidesInFewSteps) {
+/// A boundary point that no other can replace is retried only when something around it has changed.
+TEST(ExactFill, RemovesPointsFromBulgingBoundariesInFewSteps) {
   std::vector<Vec2> outline;
   constexpr int kPieces = 50;
   const std::array<Vec2, 5> corners{{{0, 0}, {3, 0}, {3, 2}, {0, 2}, {0, 0}}};
-  for (std::size_t side = 0; side < 4; ++side) {
-    const Vec2 along = corners[side + 1] - corners[side];
+  for (std::size_t edge = 0; edge < 4; ++edge) {
+    const Vec2 along = corners[edge + 1] - corners[edge];
     for (int i = 0; i < kPieces; ++i) {
       const double t = static_cast<double>(i) / kPieces;
-      outline.push_back(corners[side] + along * t +
+      outline.push_back(corners[edge] + along * t +
                         Vec2(along.y, -along.x) * (4e-3 * t * (1.0 - t)));
     }
   }
@@ -176,8 +176,8 @@ TEST(ExactFill, ClearsTheBoundaryOfBulgingSidesInFewSteps) {
   EXPECT_LT(steps, 700);
 }
 
-/// Needles of the flat faces cross there in one plane but for rounding.
-TEST(ExactFill, LeavesNothingOpenInTurnedPlatesOfNeedles) {
+/// Needles of the flat faces cross each other in one plane apart from rounding.
+TEST(ExactFill, FillsRotatedPlatesOfNeedlesCompletely) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SurfaceMesh surface = testing::needlePlate(3, 24, 0.05);
     testing::rotateRandomly(surface, seed);
@@ -187,8 +187,8 @@ TEST(ExactFill, LeavesNothingOpenInTurnedPlatesOfNeedles) {
   }
 }
 
-/// The outcome of a limit is that of its count, whatever the slices.
-TEST(ExactFill, GivesUpAtItsLimit) {
+/// The limit counts work, so the outcome does not depend on the slices.
+TEST(ExactFill, FailsAtItsLimit) {
   const FillTask task = taskOf(testing::needleGear(12, 0.05));
   std::uint64_t enough = 1;
   const auto stateWith = [&](std::uint64_t limit, std::uint32_t budget) {
@@ -205,8 +205,8 @@ TEST(ExactFill, GivesUpAtItsLimit) {
   }
 }
 
-/// Where a point has no position in doubles, all but what is around it is filled.
-TEST(ExactFill, LeavesOpenOnlyWhatIsAroundPointsWithoutAPlace) {
+/// If doubles cannot hold a point, everything except the volume around it is filled.
+TEST(ExactFill, LeavesOpenOnlyTheVolumeAroundPointsThatDoublesCannotHold) {
   const SurfaceMesh surface = testing::flatPocket();
   FillResult result;
   ASSERT_EQ(fill(taskOf(surface), result), ExactFill::State::kPartial);
@@ -216,20 +216,21 @@ TEST(ExactFill, LeavesOpenOnlyWhatIsAroundPointsWithoutAPlace) {
   SurfaceMesh filled;
   filled.points = mesh.points;
   const std::set<FacetId> open(result.openTriangles.begin(), result.openTriangles.end());
-  EXPECT_EQ(open.size(), result.openTriangles.size()) << "each once";
+  EXPECT_EQ(open.size(), result.openTriangles.size()) << "each triangle once";
   for (std::uint32_t t = 0; t < surface.triangles.size() / 3; ++t) {
     if (open.contains(FacetId(t))) continue;
     const auto first = surface.triangles.begin() + 3 * static_cast<std::ptrdiff_t>(t);
     filled.triangles.insert(filled.triangles.end(), first, first + 3);
   }
-  // Seen from what is open they are counter-clockwise, and so outward for what is filled.
+  // The open faces are counter-clockwise seen from the open volume, and therefore outward for the
+  // filled one.
   for (const auto& face : result.openFaces) {
     for (const NodeId node : face) filled.triangles.push_back(node.value);
   }
   EXPECT_EQ(testing::complaintAbout(mesh, filled), "");
 }
 
-TEST(ExactFill, FillsWhateverTheOrderOfTheNodes) {
+TEST(ExactFill, FillsInEveryOrderOfTheNodes) {
   const SurfaceMesh surface = testing::randomBlocks(4, 0.5, 1);
   std::set<std::uint64_t> fingerprints;
   for (unsigned order = 0; order < ExactFill::kOrders; ++order) {
@@ -239,10 +240,10 @@ TEST(ExactFill, FillsWhateverTheOrderOfTheNodes) {
     EXPECT_EQ(testing::complaintAbout(mesh, surface), "");
     fingerprints.insert(fingerprintOf(mesh));
   }
-  EXPECT_EQ(fingerprints.size(), ExactFill::kOrders) << "orders that make no difference";
+  EXPECT_EQ(fingerprints.size(), ExactFill::kOrders) << "some orders give the same mesh";
 }
 
-TEST(ExactFill, PutsNoPointWhereNoneIsNeeded) {
+TEST(ExactFill, AddsNoUnnecessaryPoints) {
   FillResult result;
   ASSERT_EQ(fill(taskOf(testing::geodesicSphere(4)), result), ExactFill::State::kDone);
   EXPECT_TRUE(result.newPositions.empty());
@@ -250,8 +251,8 @@ TEST(ExactFill, PutsNoPointWhereNoneIsNeeded) {
   EXPECT_EQ(result.newPositions.size(), 7U) << "each prism needs one";
 }
 
-TEST(ExactFill, TellsWhichPlaceATetrahedronIsIn) {
-  // Two spheres apart: triangles of each name the tetrahedra within.
+TEST(ExactFill, NamesATriangleOfEachTetrahedronsPocket) {
+  // Two separate spheres: each tetrahedron names a triangle of its own sphere.
   SurfaceMesh surface = testing::geodesicSphere(2);
   SurfaceMesh other = testing::geodesicSphere(2);
   testing::translate(other, Vec3(3.0, 0.0, 0.0));
@@ -265,12 +266,12 @@ TEST(ExactFill, TellsWhichPlaceATetrahedronIsIn) {
   }
 }
 
-TEST(ExactFill, HasNoResultWhereTheTrianglesAreNoClosedBoundary) {
+TEST(ExactFill, HasNoResultIfTheTrianglesAreNoClosedBoundary) {
   FillTask open = taskOf(testing::gridCube(2));
   open.triangles.pop_back();
   FillResult result;
   EXPECT_EQ(fill(open, result), ExactFill::State::kFailed);
-  // A prism through a cube.
+  // A prism that crosses a cube.
   SurfaceMesh crossing = testing::gridCube(1);
   SurfaceMesh prism = testing::schoenhardtPrism(30.0);
   testing::translate(prism, Vec3(0.3, 0.4, 0.5));
@@ -294,7 +295,7 @@ TEST(ExactPoints, SignsOfConstructedPointsAreExact) {
     const NodeId d = points.add(inPlane);
     EXPECT_FALSE(points.isDouble(d));
     EXPECT_EQ(points.orient(a, b, c, d), 0);
-    // Off the plane by far less than a double's last bit.
+    // The point is off the plane by far less than the last bit of a double.
     const DyadicVec3 above = inPlane + cross(ab, ac) * Dyadic(0x1p-300);
     const NodeId e = points.add(above);
     EXPECT_EQ(points.orient(a, b, c, e), 1);
@@ -303,9 +304,10 @@ TEST(ExactPoints, SignsOfConstructedPointsAreExact) {
   }
 }
 
-/// Filters may leave a sign open, but not take a wrong one: about all the sizes at which one after the other
-/// decides, far from the origin and among points that are one but for rounding.
-TEST(ExactPoints, SignsNearAPlaneAreThoseOfTheVolume) {
+/// Filters may leave a sign open but must not return a wrong one. Tested at all heights at which
+/// one filter after the other decides, far from the origin, and for points that differ only by
+/// rounding.
+TEST(ExactPoints, SignsNearAPlaneAreExact) {
   testing::Random random(11);
   for (const double offset : {0.0, 1e6}) {
     for (int power = 20; power < 140; ++power) {
@@ -328,8 +330,8 @@ TEST(ExactPoints, SignsNearAPlaneAreThoseOfTheVolume) {
         near.push_back(pointAt(random.between(-1.0, 1.0), random.between(-1.0, 1.0), height));
       }
       for (std::size_t i = 0; i < near.size(); ++i) {
-        const int side = static_cast<int>(i / 2) - 1;
-        ASSERT_EQ(points.orient(a, b, c, near[i]), side) << "height 2^-" << power;
+        const int sign = static_cast<int>(i / 2) - 1;
+        ASSERT_EQ(points.orient(a, b, c, near[i]), sign) << "height 2^-" << power;
         for (std::size_t j = 0; j < near.size(); ++j) {
           for (const NodeId third : {a, near[(j + 1) % near.size()]}) {
             ASSERT_EQ(points.orient(near[i], near[j], third, b),
@@ -341,7 +343,7 @@ TEST(ExactPoints, SignsNearAPlaneAreThoseOfTheVolume) {
   }
 }
 
-TEST(MeshRun, FillsBySteinerPointsAloneWhenAskedTo) {
+TEST(MeshRun, UsesOnlyTheExactFillIfAsked) {
   const SurfaceMesh surface = testing::schoenhardtTower(4, 50.0);
   MeshOptions options;
   options.exactFillOnly = true;
@@ -356,7 +358,8 @@ TEST(MeshRun, FillsBySteinerPointsAloneWhenAskedTo) {
   EXPECT_EQ(run.counters().pops, 0U);
 }
 
-/// What is left open is filled with a little around it, and what that takes away is not counted.
+/// The open volume is filled together with elements around it. Points that this removes again are
+/// not counted.
 TEST(MeshRun, FillsAFlatPocketInParts) {
   const SurfaceMesh surface = testing::flatPocket();
   MeshOptions options;
@@ -368,7 +371,7 @@ TEST(MeshRun, FillsAFlatPocketInParts) {
   ASSERT_EQ(run.status(), MeshStatus::kDone);
   EXPECT_EQ(testing::complaintAbout(run.volume(), run.surface()), "");
   const std::size_t inside = (run.volume().points.size() - run.surface().points.size()) / 3;
-  EXPECT_EQ(run.recovery().steinerPoints, inside) << "of them, what was taken away again";
+  EXPECT_EQ(run.recovery().steinerPoints, inside) << "removed points must not count";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-/// The crossing test against an independent oracle: the triangle is clipped by the element's four
-/// half-spaces in exact integer arithmetic (homogeneous coordinates), and the rest is compared
-/// with what they share.
+/// Compares the crossing test with an independent oracle: the triangle is clipped by the element's
+/// four half-spaces in exact integer arithmetic (homogeneous coordinates), and the result is
+/// compared with what they share.
 
 #include "volume/crossing.h"
 
@@ -18,7 +18,7 @@ namespace {
 __extension__ using Wide = __int128;
 using Integers = std::array<Wide, 3>;
 
-/// A position x/w y/w z/w with w > 0.
+/// The position x/w y/w z/w with w > 0.
 struct Homogeneous {
   Integers x;
   Wide w;
@@ -54,7 +54,7 @@ std::vector<Homogeneous> clip(const std::vector<Homogeneous>& polygon, const Pla
     const Wide atQ = plane.at(q);
     if (atP >= 0) kept.push_back(p);
     if ((atP > 0 && atQ < 0) || (atP < 0 && atQ > 0)) {
-      // p and q weighted so that the plane's value vanishes; weights made positive.
+      // Weight p and q so that the plane's value vanishes; both weights are positive.
       const Wide s = atP > 0 ? atP : -atP;
       const Wide t = atQ > 0 ? atQ : -atQ;
       Homogeneous cut{};
@@ -69,24 +69,25 @@ std::vector<Homogeneous> clip(const std::vector<Homogeneous>& polygon, const Pla
 bool onSegment(const Homogeneous& p, const Integers& a, const Integers& b) {
   Integers ap{};
   for (int k = 0; k < 3; ++k) ap[k] = p.x[k] - a[k] * p.w;
-  const Integers turn = cross(ap, minus(b, a));
-  return turn[0] == 0 && turn[1] == 0 && turn[2] == 0;
+  const Integers area = cross(ap, minus(b, a));
+  return area[0] == 0 && area[1] == 0 && area[2] == 0;
 }
 
 bool equals(const Homogeneous& p, const Integers& a) {
   return p.x[0] == a[0] * p.w && p.x[1] == a[1] * p.w && p.x[2] == a[2] * p.w;
 }
 
-/// Do element and triangle meet outside of what they share? Positions in `points`.
+/// Returns true if element and triangle have points in common other than those they share. Both
+/// index `points`.
 bool oracle(const std::vector<Integers>& points, const std::array<int, 4>& element,
             const std::array<int, 3>& face) {
   std::vector<Homogeneous> rest;
   for (const int corner : face) rest.push_back({points[corner], 1});
-  constexpr std::array<std::array<int, 3>, 4> kInwardSides{
+  constexpr std::array<std::array<int, 3>, 4> kInwardFaces{
       {{1, 3, 2}, {0, 2, 3}, {0, 3, 1}, {0, 1, 2}}};
-  for (const auto& side : kInwardSides) {
-    rest = clip(rest, planeThrough(points[element[side[0]]], points[element[side[1]]],
-                                   points[element[side[2]]]));
+  for (const auto& inward : kInwardFaces) {
+    rest = clip(rest, planeThrough(points[element[inward[0]]], points[element[inward[1]]],
+                                   points[element[inward[2]]]));
   }
   std::vector<int> shared;
   for (const int corner : face) {
@@ -107,10 +108,10 @@ Wide sixVolumes(const std::vector<Integers>& points, const std::array<int, 4>& t
   return dot(cross(minus(points[t[1]], a), minus(points[t[2]], a)), minus(points[t[3]], a));
 }
 
-/// What the engine says, with or without its filters, through a front that holds the base and the
+/// Returns the engine's answer, with or without its filters, for a front with the base and the
 /// face.
-bool engineSays(const std::vector<Integers>& points, const std::array<int, 4>& element,
-                const std::array<int, 3>& face, bool filters) {
+bool engineAnswer(const std::vector<Integers>& points, const std::array<int, 4>& element,
+                  const std::array<int, 3>& face, bool filters) {
   Front front(1.0, Vec3(0.0), FrontOrder::kLayered);
   for (const Integers& p : points) {
     front.addNode({static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])},
@@ -139,7 +140,8 @@ bool engineSays(const std::vector<Integers>& points, const std::array<int, 4>& e
   return test.firstCrossedFace() != CrossingTest::kNoFace;
 }
 
-/// Random elements and faces over a small integer grid, where contacts of every kind abound.
+/// Tests random elements and faces over a small integer grid, where all kinds of contact are
+/// frequent.
 void compare(int sharedCount, int range, int rounds, std::uint64_t seed) {
   testing::Random random(seed);
   int crossings = 0;
@@ -166,14 +168,14 @@ void compare(int sharedCount, int range, int rounds, std::uint64_t seed) {
     if (normal == Integers{0, 0, 0}) continue;
     const bool expected = oracle(points, element, face);
     for (const bool filters : {true, false}) {
-      ASSERT_EQ(engineSays(points, element, face, filters), expected)
+      ASSERT_EQ(engineAnswer(points, element, face, filters), expected)
           << "seed " << seed << " case " << tested << " shared " << sharedCount << " filters "
           << filters;
     }
     crossings += expected ? 1 : 0;
     ++tested;
   }
-  // Both answers must have come up often, or the test would test little.
+  // Both answers must occur often, or the test would prove little.
   EXPECT_GT(crossings, rounds / 20);
   EXPECT_LT(crossings, rounds - rounds / 20);
 }
@@ -186,16 +188,16 @@ TEST(CrossingTest, DecidesFacesAtACommonNodeAsExactClippingDoes) {
   compare(1, 2, 20000, 21);
   compare(1, 9, 20000, 22);
 }
-TEST(CrossingTest, DecidesFacesAtACommonSideAsExactClippingDoes) {
+TEST(CrossingTest, DecidesFacesAtACommonEdgeAsExactClippingDoes) {
   compare(2, 2, 20000, 31);
   compare(2, 9, 20000, 32);
 }
 
-TEST(CrossingTest, LetsSidesOfTheElementPass) {
+TEST(CrossingTest, AllowsFacesOfTheElement) {
   const std::vector<Integers> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
   for (const bool filters : {true, false}) {
-    EXPECT_FALSE(engineSays(points, {0, 1, 2, 3}, {1, 0, 3}, filters));
-    EXPECT_FALSE(engineSays(points, {0, 1, 2, 3}, {3, 1, 2}, filters));
+    EXPECT_FALSE(engineAnswer(points, {0, 1, 2, 3}, {1, 0, 3}, filters));
+    EXPECT_FALSE(engineAnswer(points, {0, 1, 2, 3}, {3, 1, 2}, filters));
   }
 }
 

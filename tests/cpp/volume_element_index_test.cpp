@@ -24,7 +24,7 @@ void addRandomElements(Elements& elements, testing::Random& random, int count) {
   }
 }
 
-/// By looking at all elements.
+/// Visits all elements.
 std::vector<TetId> aroundSlowly(const Elements& elements, std::set<NodeId> nodes,
                                 std::uint32_t rings) {
   std::set<TetId> found;
@@ -43,7 +43,7 @@ std::vector<TetId> aroundSlowly(const Elements& elements, std::set<NodeId> nodes
   return {found.begin(), found.end()};
 }
 
-TEST(ElementIndex, FindsRingsOfElementsWhileOthersComeAndGo) {
+TEST(ElementIndex, FindsRingsWhileElementsAreAddedAndRemoved) {
   testing::Random random(5);
   Elements elements;
   addRandomElements(elements, random, 12);

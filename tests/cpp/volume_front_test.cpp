@@ -1,4 +1,5 @@
-/// The order in which faces leave the front. The faces here bound nothing: the order does not ask.
+/// The order in which faces become base faces. The faces here bound nothing, because the order does
+/// not depend on it.
 
 #include "volume/front.h"
 
@@ -16,7 +17,8 @@ namespace {
 
 constexpr double kSizesPerTile = 8.0;
 
-/// A right-angled triangle of that root mean square side with its first corner at `position`.
+/// Adds a right-angled triangle of this root mean square edge length with its first corner at
+/// `position`.
 FaceId addTriangle(Front& front, const Vec3& position, double size, std::uint16_t layer) {
   const double leg = size * std::sqrt(0.75);
   const NodeId a = front.addNode(position, layer);
@@ -25,7 +27,7 @@ FaceId addTriangle(Front& front, const Vec3& position, double size, std::uint16_
   return front.addFace({a, b, c}, 0, {}, true);
 }
 
-/// Triangles of one size, here and there in a cube of 48 sizes.
+/// Adds triangles of one size at random in a cube of 48 sizes.
 std::vector<FaceId> scatter(Front& front, double size, std::uint16_t layer) {
   std::mt19937 random(7);
   const auto coordinate = [&] { return 48.0 * size * (static_cast<double>(random()) / 0x1p32); };
@@ -46,8 +48,8 @@ std::array<int, 3> tileOf(const Front& front, FaceId face, double size) {
 
 class FrontOrderTest : public ::testing::TestWithParam<double> {};
 
-/// Also where faces are much smaller or larger than what is typical: tiles are theirs.
-TEST_P(FrontOrderTest, FacesOfOneSizeAndLayerLeaveTileByTile) {
+/// Tiles scale with the size bucket, so this also holds for faces far from the typical size.
+TEST_P(FrontOrderTest, TakesFacesOfOneSizeAndLayerTileByTile) {
   const double size = GetParam();
   Front front(1.0, Vec3(0.0), FrontOrder::kLayered);
   const std::size_t count = scatter(front, size, 0).size();
@@ -62,7 +64,7 @@ TEST_P(FrontOrderTest, FacesOfOneSizeAndLayerLeaveTileByTile) {
   }
   EXPECT_TRUE(front.isQueueEmpty());
   EXPECT_EQ(tiles.size(), 216U);
-  EXPECT_EQ(changes, 216) << "a tile is left only when it is empty";
+  EXPECT_EQ(changes, 216) << "the front leaves a tile only when it is empty";
 }
 
 INSTANTIATE_TEST_SUITE_P(Volume, FrontOrderTest, ::testing::Values(1.0 / 64.0, 1.0, 4096.0));

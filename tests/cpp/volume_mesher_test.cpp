@@ -1,5 +1,5 @@
-/// The volume front on closed surfaces, from the front's own side: what comes out is judged by the
-/// tests' validator, and what must not matter (slices, tracing, position, scale) is varied.
+/// The volume front on closed surfaces. The tests' validator checks the meshes, and everything that
+/// must not matter is varied: slices, tracing, position, scale.
 
 #include "volume/volume_mesher.h"
 
@@ -112,12 +112,12 @@ TEST_P(EverySurface, GivesTheSameMeshWithoutFilters) {
     constexpr std::uint64_t kEnoughForShares = 2000;
     if (filtered.counters.facesTested < kEnoughForShares) continue;
     EXPECT_LT(filtered.counters.facesAnalysed, filtered.counters.facesTested / 2);
-    // All up to and with the first that is crossed.
+    // All faces are analysed up to the first that is crossed.
     EXPECT_GT(analysed.counters.facesAnalysed, analysed.counters.facesTested / 2);
   }
 }
 
-TEST_P(EverySurface, IsFilledInThePapersOrderToo) {
+TEST_P(EverySurface, IsFilledInThePapersOrder) {
   MeshOptions options;
   options.order = FrontOrder::kSmallestFirst;
   const Outcome outcome = fillByOwnSizes(GetParam().surface, options);
@@ -154,12 +154,12 @@ INSTANTIATE_TEST_SUITE_P(
         NamedSurface{"shellsWithinShells", testing::nestedSpheres(5, 6)}),
     [](const auto& each) { return each.param.name; });
 
-TEST(VolumeMesher, NumbersRegionsByTheShellsAroundThem) {
+TEST(VolumeMesher, NumbersRegionsByTheirShells) {
   const SurfaceMesh shells = testing::nestedSpheres(3, 6);  // a shell with an island inside
   const Outcome outcome = fillByOwnSizes(shells);
   ASSERT_EQ(outcome.mesh.regions.size(), outcome.tetrahedra());
   const std::vector<Vec3> points = pointsOf({outcome.mesh.points, {}, {}, {}, {}, {}});
-  // Every element of the island is nearer to the centre than any of the shell.
+  // Every element of the island is nearer to the centre than every element of the shell.
   double shellNearest = 1.0;
   double islandFarthest = 0.0;
   for (std::size_t t = 0; t < outcome.tetrahedra(); ++t) {
@@ -201,7 +201,7 @@ TEST(VolumeMesher, ScalingByAPowerOfTwoScalesTheMesh) {
   }
 }
 
-TEST(VolumeMesher, AsksForElementsOfTheSizeOfTheField) {
+TEST(VolumeMesher, MakesElementsOfTheTargetSize) {
   const SurfaceMesh surface = testing::geodesicSphere(16);
   const double edge = 0.069;  // mean edge of that sphere's triangles
   const Outcome outcome = fill(surface, SizeField::uniform(edge));
@@ -230,16 +230,16 @@ TEST(VolumeMesher, KeepsWithinPopsAndExactPredicatesPerElement) {
   EXPECT_GT(outcome.counters.facesTested, outcome.counters.facesAnalysed);
 }
 
-TEST(VolumeMesher, StarsWhatNoExistingNodeCanClose) {
+TEST(VolumeMesher, JoinsAPocketToAStarPoint) {
   const Outcome outcome = fillByOwnSizes(testing::schoenhardtPrism(59.99));
   EXPECT_EQ(outcome.status, MeshStatus::kDone);
   EXPECT_EQ(outcome.recovery.starred, 1U);
   EXPECT_EQ(outcome.tetrahedra(), 8U) << "one element per triangle, around one interior node";
 }
 
-TEST(VolumeMesher, ReopensWhatCannotBeStarred) {
-  // Concentric spheres, coarse outside and fine inside, leave pockets that no single point sees.
-  // If a change of the rules closes them all at once, these fixtures have to be made harder.
+TEST(VolumeMesher, RemeshesPocketsWithoutAStarPoint) {
+  // Concentric spheres, coarse outside and fine inside, leave pockets without a star point. If a
+  // change of the rules closes all of them, make these fixtures harder.
   std::uint32_t reopened = 0;
   for (const auto& [coarse, fine] : {std::pair(4, 15), std::pair(5, 15)}) {
     SCOPED_TRACE(fine);
@@ -254,14 +254,14 @@ TEST(VolumeMesher, ReopensWhatCannotBeStarred) {
     reopened += outcome.recovery.reopened;
     EXPECT_GT(outcome.recovery.relaxed, 0U);
     EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
-    // Recovery too must not care how it is sliced, down to single steps.
+    // Recovery must not depend on the slices either, down to single steps.
     EXPECT_EQ(fill(surface, ownSizes(surface), {}, 1).fingerprint(), outcome.fingerprint());
   }
   EXPECT_GT(reopened, 0U);
 }
 
-TEST(VolumeMesher, FillsInAnotherOrderWhereTheFirstFails) {
-  // There is nothing around that could be taken away to make the position larger.
+TEST(VolumeMesher, FillsInAnotherOrderIfTheFirstFails) {
+  // There are no elements around the pocket that could be removed to enlarge it.
   const SurfaceMesh surface = testing::chazellePolyhedron(8, 0.001);
   MeshOptions options;
   options.exactFillOnly = true;
@@ -271,7 +271,7 @@ TEST(VolumeMesher, FillsInAnotherOrderWhereTheFirstFails) {
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
 }
 
-/// A tube as CAD systems tessellate it: walls of long needle triangles, one element thick.
+/// A tube as CAD systems tessellate it, with long needle triangles and one element thick.
 SurfaceMesh coarseTube(int sectors, double innerRadius, double length) {
   SurfaceMesh mesh;
   for (const double radius : {1.0, innerRadius}) {
@@ -301,16 +301,17 @@ SurfaceMesh coarseTube(int sectors, double innerRadius, double length) {
   return mesh;
 }
 
-TEST(VolumeMesher, FillsExactlyWhereReopeningNeedlesDoesNotPay) {
+TEST(VolumeMesher, FillsExactlyWhatLocalRemeshingOfNeedlesCannotClose) {
   const Outcome outcome = fillByOwnSizes(coarseTube(64, 0.9, 10.0));
   ASSERT_EQ(outcome.status, MeshStatus::kDone);
   EXPECT_GT(outcome.recovery.filled, 0U);
-  // Faces of needles have most of the others near them: a step looks at hundreds, and counts so.
+  // Most other faces are near a face of a needle: a step visits hundreds of them, and its cost
+  // counts them.
   EXPECT_LT(outcome.counters.facesTested, 30'000'000U);
   EXPECT_EQ(testing::complaintAbout(outcome.mesh, outcome.boundary), "");
 }
 
-/// Each face of such a body has hundreds of others near it, and the relaxed rules would look at all of
+/// Each face of this model has hundreds of others near it, and the relaxed rules would visit all of
 /// them again and again.
 TEST(VolumeMesher, LeavesNeedlesToTheExactFillBeforeTheyCostTooMuch) {
   SurfaceMesh surface = testing::spikySphere(8, 0.05, 1);
@@ -339,7 +340,7 @@ TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {
   const Outcome outcome = fill(surface, ownSizes(surface), options, 100);
   EXPECT_EQ(outcome.status, MeshStatus::kStalled);
   EXPECT_GT(outcome.tetrahedra(), 500U);
-  // The elements made and the front left bound the same space: their oriented faces cancel.
+  // The elements and the remaining front bound complementary volumes: their oriented faces cancel.
   ASSERT_FALSE(outcome.mesh.front.empty());
   double filled = 0.0;
   double left = 0.0;
@@ -361,7 +362,7 @@ TEST(VolumeMesher, StopsWithThePartialMeshWhenThereAreTooManyElements) {
   EXPECT_NEAR(filled + left, enclosed, 1e-10);
 }
 
-TEST(VolumeMesher, TracingTellsEveryStepAndChangesNothing) {
+TEST(VolumeMesher, TracingRecordsEveryStepAndChangesNothing) {
   const SurfaceMesh surface = testing::gridCube(4, testing::Diagonals::kAlternating);
   const SizeField field = ownSizes(surface);
   StepTrace trace;

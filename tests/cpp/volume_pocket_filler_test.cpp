@@ -1,5 +1,5 @@
-/// The positions of recovery without a front that advances: what is opened can be put back, and what is open is
-/// filled to the exact volume, with the boundary it had.
+/// Recovery without a front that advances: an enlarged pocket can be restored, and open pockets are
+/// filled to their exact volume, with the same boundary.
 
 #include "volume/pocket_filler.h"
 
@@ -24,7 +24,7 @@ using Faces = std::set<std::pair<NodeTriple, std::uint32_t>>;
 
 constexpr std::uint32_t kRegion = 3;
 
-/// A front that has not yet moved, and what recovery works with.
+/// A front that has not advanced yet, with the objects that recovery needs.
 struct PocketFixture {
   explicit PocketFixture(const SurfaceMesh& surface)
       : front(1.0, Vec3(-100.0), FrontOrder::kLayered), index(elements) {
@@ -43,12 +43,12 @@ struct PocketFixture {
     while (!filler.isDone()) filler.work(budget);
   }
 
-  /// Takes one element away; returns its number as a pocket.
-  PocketId emptied(TetId element, PocketSet& pockets) {
+  /// Removes one element and returns its pocket.
+  PocketId removeElement(TetId element, PocketSet& pockets) {
     elements.remove(element);
     std::vector<FaceId> faces;
-    for (const NodeTriple& side : innerFaces(elements.nodes[element.index()])) {
-      faces.push_back(front.addFace(side, kRegion, FieldHint{}, false));
+    for (const NodeTriple& face : innerFaces(elements.nodes[element.index()])) {
+      faces.push_back(front.addFace(face, kRegion, FieldHint{}, false));
     }
     std::sort(faces.begin(), faces.end());
     return pockets.add(std::move(faces));
@@ -67,7 +67,8 @@ struct PocketFixture {
   ElementIndex index;
 };
 
-/// Six times the volume a closed set of faces encloses, exactly; they are counter-clockwise seen from inside.
+/// Returns six times the volume that a closed set of faces encloses, exactly. The faces are
+/// counter-clockwise seen from inside.
 Dyadic enclosedBy(const Front& front, const Faces& faces) {
   const DyadicVec3 origin = toDyadic(Vec3(0.0));
   Dyadic sum;
@@ -83,20 +84,21 @@ Dyadic volumeOf(const Front& front, const NodeQuad& n) {
                      toDyadic(front.node(n[2])), toDyadic(front.node(n[3])));
 }
 
-/// The sides of elements that no other has, seen from inside. Fails where a side is there twice.
+/// Returns the faces that only one element has, seen from inside. Fails if two elements have the
+/// same face with the same orientation.
 Faces boundaryOf(const Elements& elements) {
-  Faces sides;
+  Faces faces;
   for (std::size_t e = 0; e < elements.size(); ++e) {
     if (elements.removed[e] != 0) continue;
-    for (const NodeTriple& side : innerFaces(elements.nodes[e])) {
-      if (sides.erase({smallestFirst(reversed(side)), elements.regions[e]}) > 0) continue;
-      EXPECT_TRUE(sides.emplace(smallestFirst(side), elements.regions[e]).second);
+    for (const NodeTriple& face : innerFaces(elements.nodes[e])) {
+      if (faces.erase({smallestFirst(reversed(face)), elements.regions[e]}) > 0) continue;
+      EXPECT_TRUE(faces.emplace(smallestFirst(face), elements.regions[e]).second);
     }
   }
-  return sides;
+  return faces;
 }
 
-/// Every edge of the faces is passed as often in the one direction as in the other.
+/// Returns true if the faces pass every edge equally often in both directions.
 bool isClosed(const Faces& faces) {
   std::map<std::pair<NodeId, NodeId>, int> passed;
   for (const auto& [n, region] : faces) {
@@ -109,7 +111,7 @@ bool isClosed(const Faces& faces) {
   return std::ranges::all_of(passed, [](const auto& edge) { return edge.second == 0; });
 }
 
-std::vector<std::pair<const char*, SurfaceMesh>> bodies() {
+std::vector<std::pair<const char*, SurfaceMesh>> hardSurfaces() {
   return {{"cube", testing::gridCube(3)},
           {"Schoenhardt's prism", testing::schoenhardtPrism(50.0)},
           {"tower", testing::schoenhardtTower(4, 45.0)},
@@ -118,9 +120,9 @@ std::vector<std::pair<const char*, SurfaceMesh>> bodies() {
 }
 
 TEST(PocketFiller, FillsTheExactVolumeAndKeepsTheBoundary) {
-  for (const auto& [name, body] : bodies()) {
+  for (const auto& [name, surface] : hardSurfaces()) {
     SCOPED_TRACE(name);
-    PocketFixture fixture(body);
+    PocketFixture fixture(surface);
     const Faces given = fixture.activeFaces();
     const Dyadic enclosed = enclosedBy(fixture.front, given);
     fixture.fill(1000);
@@ -137,11 +139,11 @@ TEST(PocketFiller, FillsTheExactVolumeAndKeepsTheBoundary) {
   }
 }
 
-TEST(PocketFiller, MakesTheSameInSlicesOfAnyLength) {
-  const SurfaceMesh body = testing::schoenhardtTower(4, 45.0);
-  PocketFixture once(body);
+TEST(PocketFiller, GivesTheSameMeshForAnySlices) {
+  const SurfaceMesh surface = testing::schoenhardtTower(4, 45.0);
+  PocketFixture once(surface);
   once.fill(1'000'000);
-  PocketFixture often(body);
+  PocketFixture often(surface);
   often.fill(1);
   EXPECT_EQ(once.elements.nodes, often.elements.nodes);
   EXPECT_EQ(once.elements.removed, often.elements.removed);
@@ -157,7 +159,7 @@ TEST(PocketFiller, ClosesAPocketAmongElements) {
   fixture.fill(1000);
   const std::size_t before = fixture.elements.liveCount();
   PocketSet pockets(fixture.front, {});
-  fixture.emptied(TetId(fixture.elements.size() / 2), pockets);
+  fixture.removeElement(TetId(fixture.elements.size() / 2), pockets);
   PocketFiller filler(fixture.front, fixture.elements, fixture.index, pockets);
   while (!filler.isDone()) filler.work(100);
   EXPECT_EQ(fixture.front.activeCount(), 0U);
@@ -167,27 +169,27 @@ TEST(PocketFiller, ClosesAPocketAmongElements) {
   EXPECT_EQ(filler.made().front().elements.last, fixture.elements.size());
 }
 
-/// Opens a fixture of so many rings around each tenth element in turn.
-void expectPocketsEnlargeAndRestore(const SurfaceMesh& body, std::uint32_t rings) {
-  PocketFixture fixture(body);
+/// Enlarges and restores a pocket by `rings` rings around every tenth element.
+void expectPocketsEnlargeAndRestore(const SurfaceMesh& surface, std::uint32_t rings) {
+  PocketFixture fixture(surface);
   fixture.fill(1000);
   for (std::size_t e = 0; e < fixture.elements.size(); e += 10) {
     if (fixture.elements.removed[e] != 0) continue;
     PocketSet pockets(fixture.front, {});
-    const PocketId pocket = fixture.emptied(TetId(e), pockets);
+    const PocketId pocket = fixture.removeElement(TetId(e), pockets);
     const PocketId other =
-        fixture.emptied(TetId(e + 1 < fixture.elements.size() ? e + 1 : 0), pockets);
+        fixture.removeElement(TetId(e + 1 < fixture.elements.size() ? e + 1 : 0), pockets);
     const Faces facesBefore = fixture.activeFaces();
     const std::vector<std::uint8_t> removedBefore = fixture.elements.removed;
     const std::vector<NodeId> nodes = pockets.nodes(pocket);
     std::vector<TetId> around = fixture.index.around(nodes, rings, fixture.elements.size());
     const std::size_t removed = around.size();
-    const EnlargedPocket opened(fixture.front, fixture.elements, pockets, pocket,
-                                std::move(around));
-    EXPECT_EQ(opened.removedElements(), removed);
+    const EnlargedPocket enlarged(fixture.front, fixture.elements, pockets, pocket,
+                                  std::move(around));
+    EXPECT_EQ(enlarged.removedElements(), removed);
     EXPECT_TRUE(pockets.faces(pocket).empty());
 
-    // All that is open is enclosed by what is active, and nothing else is.
+    // The active faces must enclose exactly the removed elements.
     const Faces facesNow = fixture.activeFaces();
     EXPECT_TRUE(isClosed(facesNow)) << "around element " << e;
     Dyadic open;
@@ -196,16 +198,16 @@ void expectPocketsEnlargeAndRestore(const SurfaceMesh& body, std::uint32_t rings
       open = open + volumeOf(fixture.front, fixture.elements.nodes[i]);
     }
     EXPECT_TRUE(enclosedBy(fixture.front, facesNow) == open) << "around element " << e;
-    EXPECT_EQ(opened.facesNow(fixture.front, pockets), opened.faces());
-    EXPECT_EQ(opened.faces().size() + pockets.faces(other).size(), facesNow.size());
+    EXPECT_EQ(enlarged.facesNow(fixture.front, pockets), enlarged.faces());
+    EXPECT_EQ(enlarged.faces().size() + pockets.faces(other).size(), facesNow.size());
 
-    opened.restore(fixture.front, fixture.elements, pockets);
+    enlarged.restore(fixture.front, fixture.elements, pockets);
     EXPECT_EQ(fixture.activeFaces(), facesBefore) << "around element " << e;
     EXPECT_EQ(fixture.elements.removed, removedBefore);
     EXPECT_EQ(pockets.nodes(pocket), nodes);
     EXPECT_EQ(pockets.faces(pocket).size() + pockets.faces(other).size(), facesBefore.size());
 
-    // For the next one.
+    // Close the pockets for the next element.
     for (const FaceId face : fixture.front.activeFaces()) fixture.front.removeFace(face);
     for (std::size_t i = e; i < fixture.elements.size(); ++i) {
       if (fixture.elements.removed[i] != 0) fixture.elements.restore(TetId(i));
@@ -214,7 +216,7 @@ void expectPocketsEnlargeAndRestore(const SurfaceMesh& body, std::uint32_t rings
   }
 }
 
-TEST(EnlargedPocket, IsBoundedByWhatItOpenedAndPutsItBack) {
+TEST(EnlargedPocket, EnclosesTheRemovedElementsAndRestoresThem) {
   for (const std::uint32_t rings : {1U, 2U, 100U}) {
     SCOPED_TRACE(rings);
     expectPocketsEnlargeAndRestore(testing::gridCube(3), rings);

@@ -1,5 +1,5 @@
-/// What the region around a base face keeps in stretched spaces: everything an element there could
-/// cross, and little else.
+/// The region around a base face in stretched spaces must keep everything that an element there
+/// could cross, and drop most other faces.
 
 #include "volume/search_region.h"
 
@@ -29,9 +29,9 @@ Triangle unitTriangle(testing::Random& random, const UnitSpace& space) {
           space.toSpace(random.inBox(1.0))};
 }
 
-/// Triangles with a point in common with an element in the region: a corner of the base, of the
-/// apex, or a position between, where all is most easily lost to rounding.
-TEST(SearchRegion, KeepsWhateverTouchesAnElement) {
+/// Each triangle has a point in common with an element in the region: a corner of the base, the
+/// apex, or a position between them, where rounding errors are most dangerous.
+TEST(SearchRegion, KeepsEverythingThatTouchesAnElement) {
   testing::Random random(5);
   for (int i = 0; i < 20000; ++i) {
     const UnitSpace space = slantedSpace(random, random.between(1.0, 200.0));
@@ -39,7 +39,7 @@ TEST(SearchRegion, KeepsWhateverTouchesAnElement) {
     SearchRegion region(space, base, random.inBox(1.0), 0.5, kExtent);
     const Vec3 apex = space.toSpace(random.inBox(3.0));
     region.include(apex);
-    EXPECT_FALSE(region.include(apex)) << "it is there already";
+    EXPECT_FALSE(region.include(apex)) << "the region already contains it";
     const std::array<Vec3, 4> touched{base[0], apex, 0.5 * (base[1] + apex),
                                       0.25 * (base[0] + base[1] + base[2] + apex)};
     const Vec3& position = touched[static_cast<std::size_t>(random.integer(0, 3))];
@@ -50,8 +50,8 @@ TEST(SearchRegion, KeepsWhateverTouchesAnElement) {
   }
 }
 
-/// Triangles in the box that the region has in plain space, few of which are near in the metric.
-TEST(SearchRegion, DropsWhatIsNearInPlainSpaceOnly) {
+/// The triangles are in the region's box in plain space, but few of them are near in the metric.
+TEST(SearchRegion, DropsTrianglesThatAreNearOnlyInPlainSpace) {
   BackgroundNode node;
   node.size = 0.1;
   node.stretching = 20.0;

@@ -76,17 +76,17 @@ double BoundaryFans::shapeOfEar(const NodeTriple& ear) const {
 
 /// Decides by exact signs whether the corner is convex and no other corner lies in its triangle.
 bool BoundaryFans::isEar(const std::vector<NodeId>& rest, std::size_t i, NodeId above) const {
-  const auto turn = [&](NodeId p, NodeId q, NodeId r) {
+  const auto orientation = [&](NodeId p, NodeId q, NodeId r) {
     return mesh_.points.orient(p, q, r, above);
   };
   const NodeTriple ear = cornerAt(rest, i);
   const NodeId a = ear[0];
   const NodeId b = ear[1];
   const NodeId c = ear[2];
-  if (turn(a, b, c) <= 0) return false;
+  if (orientation(a, b, c) <= 0) return false;
   return std::none_of(rest.begin(), rest.end(), [&](NodeId p) {
-    return p != a && p != b && p != c && turn(a, b, p) >= 0 && turn(b, c, p) >= 0 &&
-           turn(c, a, p) >= 0;
+    return p != a && p != b && p != c && orientation(a, b, p) >= 0 && orientation(b, c, p) >= 0 &&
+           orientation(c, a, p) >= 0;
   });
 }
 

@@ -146,9 +146,9 @@ bool Cone::losesEdges() const {
 }
 
 double Cone::minShape() const {
-  double least = 1.0;
-  for (const auto& nodes : fresh_) least = std::min(least, shapeOf(mesh_.points, nodes));
-  return least;
+  double smallest = 1.0;
+  for (const auto& nodes : fresh_) smallest = std::min(smallest, shapeOf(mesh_.points, nodes));
+  return smallest;
 }
 
 }  // namespace tetrafront

@@ -55,11 +55,11 @@ double InteriorPointRounding::fraction() const {
 }
 
 double InteriorPointRounding::minShapeAround() const {
-  double least = 1.0;
+  double smallest = 1.0;
   for (const TetId id : star_) {
-    least = std::min(least, shapeOf(mesh_.points, mesh_.tet(id).nodes));
+    smallest = std::min(smallest, shapeOf(mesh_.points, mesh_.tet(id).nodes));
   }
-  return least;
+  return smallest;
 }
 
 /// Collapses the point onto the neighbour that gives the best shapes. A point that already is a

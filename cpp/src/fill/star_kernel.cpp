@@ -17,14 +17,14 @@ void StarKernel::add(const ExactPoints& points, const NodeTriple& innerFace) {
 }
 
 double StarKernel::depth(const Vec3& p, std::size_t& worst) const {
-  double least = std::numeric_limits<double>::max();
+  double smallest = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < planes_.size(); ++i) {
     const double d = glm::dot(planes_[i].normal, p - planes_[i].position);
-    if (d >= least) continue;
-    least = d;
+    if (d >= smallest) continue;
+    smallest = d;
     worst = i;
   }
-  return least;
+  return smallest;
 }
 
 Vec3 StarKernel::middle() const {

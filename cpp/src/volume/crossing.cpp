@@ -33,7 +33,7 @@ std::array<int, 2> otherCorners(int i, int j) {
   return others;
 }
 
-/// Collects signs and tells whether both kinds occur.
+/// Collects signs and shows whether both occur.
 struct SignRange {
   bool anyPositive = false;
   bool anyNegative = false;

@@ -34,7 +34,7 @@ std::uint32_t regionCount(const SurfaceMesh& boundary) {
   return count;
 }
 
-/// Gives each region in turn the first pass that none of its neighbours has. Two or three passes
+/// Gives each region, in order, the first pass that none of its neighbours has. Two or three passes
 /// nearly always suffice.
 std::vector<std::uint32_t> assignPasses(const SurfaceMesh& boundary) {
   std::vector<std::uint32_t> passOf(regionCount(boundary), 0);
