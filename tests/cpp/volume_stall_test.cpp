@@ -1,0 +1,208 @@
+/// What ends a front that would advance for ever, and how a stall is described.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "boundary/boundary.h"
+#include "support/shapes.h"
+#include "volume/front_progress.h"
+#include "volume/region_mesher.h"
+#include "volume/stall_diagnostic.h"
+#include "volume/volume_mesher.h"
+
+namespace tetrafront {
+namespace {
+
+SurfaceMesh withRegions(SurfaceMesh surface) {
+  for (std::size_t t = 0; t < surface.triangles.size() / 3; ++t) {
+    surface.triangleRegions.insert(surface.triangleRegions.end(), {0, SurfaceMesh::kNoRegion});
+  }
+  return surface;
+}
+
+struct StallOutcome {
+  MeshStatus status;
+  std::vector<Diagnostic> diagnostics;
+  VolumeMesh mesh;
+};
+
+template <class Mesher>
+StallOutcome outcomeOf(Mesher& mesher, std::uint32_t budget) {
+  MeshStatus status = MeshStatus::kRunning;
+  while (status == MeshStatus::kRunning) status = mesher.advance(budget);
+  return {status, mesher.diagnostics(), mesher.mesh()};
+}
+
+StallOutcome outcomeOf(const SurfaceMesh& boundary, std::uint32_t budget = 100) {
+  const SizeField field = SizeField::uniform(0.3);
+  VolumeMesher mesher(boundary, field, {});
+  return outcomeOf(mesher, budget);
+}
+
+/// Triangles of the boundary that are still in the front.
+std::set<std::uint32_t> trianglesIn(const VolumeMesh& mesh, const SurfaceMesh& boundary) {
+  std::set<NodeTriple> front;
+  for (std::size_t i = 0; i < mesh.front.size(); i += 3) {
+    front.insert(smallestFirst(
+        {NodeId(mesh.front[i]), NodeId(mesh.front[i + 1]), NodeId(mesh.front[i + 2])}));
+  }
+  std::set<std::uint32_t> triangles;
+  for (std::uint32_t t = 0; t < boundary.triangles.size() / 3; ++t) {
+    if (front.contains(smallestFirst(frontFaceOf(boundary, t)))) triangles.insert(t);
+  }
+  return triangles;
+}
+
+TEST(FrontProgress, AllowsEachFaceOneFailurePerRuleClass) {
+  FrontProgress progress;
+  const auto isStuck = [&] { return progress.isStuck(0.0, 1.0, 1.0); };
+  constexpr std::uint32_t kFaces = 7;
+  progress.recordStep(true, kFaces);
+  for (std::size_t step = 0; step < kRuleClasses.size() * kFaces; ++step) {
+    progress.recordStep(false, kFaces);
+    ASSERT_FALSE(isStuck()) << "step " << step;
+  }
+  progress.recordStep(false, kFaces);
+  EXPECT_TRUE(isStuck());
+  progress.recordStep(true, kFaces);
+  EXPECT_FALSE(isStuck()) << "an element is progress";
+}
+
+TEST(FrontProgress, AllowsRoundingButNoOverfilling) {
+  const FrontProgress progress;
+  EXPECT_FALSE(progress.isStuck(6.0, 6.0, 1.0));
+  EXPECT_FALSE(progress.isStuck(6.0 + 1e-6, 6.0, 1.0));
+  EXPECT_TRUE(progress.isStuck(9.1, 6.0, 1.0));
+  EXPECT_FALSE(progress.isStuck(1e-10, 0.0, 1.0)) << "a flat model";
+  EXPECT_TRUE(progress.isStuck(1e-3, -6.0, 1.0)) << "an inside-out boundary";
+}
+
+TEST(VolumeMesher, StallsIfTheBoundaryFacesInward) {
+  SurfaceMesh cube = testing::gridCube(3);
+  for (std::size_t i = 0; i < cube.triangles.size(); i += 3) {
+    std::swap(cube.triangles[i], cube.triangles[i + 1]);
+  }
+  const SurfaceMesh boundary = withRegions(std::move(cube));
+  const StallOutcome outcome = outcomeOf(boundary);
+  EXPECT_EQ(outcome.status, MeshStatus::kStalled);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U);
+  EXPECT_EQ(outcome.diagnostics[0].code, DiagnosticCode::kStalled);
+  EXPECT_EQ(outcomeOf(boundary, 1).mesh.tetrahedra, outcome.mesh.tetrahedra)
+      << "the stopping point must not depend on the slices";
+}
+
+TEST(VolumeMesher, NamesWhatIsLeftIfTheBoundaryIsOpen) {
+  SurfaceMesh open = testing::gridCube(4);
+  open.triangles.resize(open.triangles.size() - 3);
+  const SurfaceMesh boundary = withRegions(std::move(open));
+  const StallOutcome outcome = outcomeOf(boundary);
+  EXPECT_EQ(outcome.status, MeshStatus::kStalled);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U);
+  const Diagnostic& stall = outcome.diagnostics[0];
+  EXPECT_EQ(stall.code, DiagnosticCode::kStalled);
+  ASSERT_EQ(stall.values.size(), 1U);
+  EXPECT_EQ(stall.values[0], static_cast<double>(outcome.mesh.front.size() / 3));
+  const std::set<std::uint32_t> left = trianglesIn(outcome.mesh, boundary);
+  ASSERT_FALSE(stall.entities.empty());
+  for (const Entity& entity : stall.entities) {
+    ASSERT_EQ(entity.kind, EntityKind::kTriangle);
+    EXPECT_TRUE(left.contains(entity.index)) << "triangle " << entity.index;
+  }
+}
+
+/// A cube that has not been touched: all triangles are left.
+TEST(StallDiagnostic, NamesTheFirstTrianglesThatAreLeft) {
+  const SurfaceMesh boundary = testing::gridCube(2);
+  Front front(0.5, Vec3(0.0), FrontOrder::kLayered);
+  for (std::uint32_t i = 0; i < testing::nodeCount(boundary); ++i) {
+    front.addNode(testing::pointOf(boundary, i), 0);
+  }
+  std::vector<FaceId> faces;
+  for (std::size_t t = 0; t < boundary.triangles.size() / 3; ++t) {
+    const NodeTriple n = frontFaceOf(boundary, t);
+    faces.push_back(front.addFace({n[1], n[2], n[0]}, 0, {}, false));
+  }
+  const Diagnostic all = describeStall(front, boundary);
+  EXPECT_EQ(all.values, std::vector<double>{static_cast<double>(faces.size())});
+  ASSERT_EQ(all.entities.size(), kMaxStalledEntities);
+  for (std::uint32_t i = 0; i < kMaxStalledEntities; ++i) {
+    EXPECT_EQ(all.entities[i].kind, EntityKind::kTriangle);
+    EXPECT_EQ(all.entities[i].index, i);
+  }
+  for (std::size_t t = 0; t + 1 < faces.size(); ++t) front.removeFace(faces[t]);
+  const Diagnostic last = describeStall(front, boundary);
+  ASSERT_EQ(last.entities.size(), 1U);
+  EXPECT_EQ(last.entities[0].index, faces.size() - 1);
+  const NodeTriple n = front.face(faces.back()).nodes;
+  const Vec3 centroid = (front.node(n[0]) + front.node(n[1]) + front.node(n[2])) / 3.0;
+  EXPECT_LT(glm::length(last.place - centroid), 1e-15);
+
+  // A face that is no triangle of the boundary: its boundary nodes are named.
+  front.removeFace(faces.back());
+  const NodeId inner = front.addNode(Vec3(0.5), 1);
+  front.addFace({n[0], inner, n[1]}, 0, {}, false);
+  const Diagnostic nodes = describeStall(front, boundary);
+  ASSERT_EQ(nodes.entities.size(), 2U);
+  EXPECT_EQ(nodes.entities[0].kind, EntityKind::kSurfaceNode);
+  EXPECT_EQ(nodes.entities[0].index, std::min(n[0], n[1]).value);
+  EXPECT_EQ(nodes.entities[1].index, std::max(n[0], n[1]).value);
+
+  front.removeFace(front.activeFaces().front());
+  EXPECT_TRUE(describeStall(front, boundary).entities.empty());
+}
+
+/// Two boxes with a common interface. The one that is meshed last lacks a triangle.
+SurfaceMesh openSecondBox() {
+  SurfaceMesh boundary = testing::dividedBox({2, 1, 1}, 3);
+  std::vector<Diagnostic> diagnostics;
+  EXPECT_TRUE(closeBoundary(boundary, BoundarySource::kGivenSurface, diagnostics).valid);
+  std::size_t hole = boundary.triangles.size() / 3;
+  while (boundary.isWall(hole - 1) || boundary.triangleRegions[2 * (hole - 1)] != 1) --hole;
+  const auto erase = [&](std::vector<std::uint32_t>& values, std::ptrdiff_t each) {
+    const auto first = values.begin() + each * static_cast<std::ptrdiff_t>(hole - 1);
+    values.erase(first, first + each);
+  };
+  erase(boundary.triangles, 3);
+  erase(boundary.triangleRegions, 2);
+  erase(boundary.trianglePatch, 1);
+  return boundary;
+}
+
+StallOutcome outcomeOfRegions(const SurfaceMesh& boundary) {
+  const SizeField field = SizeField::uniform(0.3);
+  RegionMesher mesher(boundary, field, {});
+  return outcomeOf(mesher, 100);
+}
+
+TEST(RegionMesher, NamesTrianglesOfTheWholeBoundaryInAStall) {
+  const SurfaceMesh boundary = openSecondBox();
+  const StallOutcome outcome = outcomeOfRegions(boundary);
+  EXPECT_EQ(outcome.status, MeshStatus::kStalled);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U);
+  const std::set<std::uint32_t> left = trianglesIn(outcome.mesh, boundary);
+  ASSERT_FALSE(outcome.diagnostics[0].entities.empty());
+  for (const Entity& entity : outcome.diagnostics[0].entities) {
+    ASSERT_EQ(entity.kind, EntityKind::kTriangle);
+    EXPECT_TRUE(left.contains(entity.index)) << "triangle " << entity.index;
+    EXPECT_TRUE(boundary.isWall(entity.index) || boundary.triangleRegions[2 * entity.index] == 1);
+  }
+}
+
+TEST(RegionMesher, NamesEachPatchOfADrawnModelOnceInAStall) {
+  SurfaceMesh boundary = openSecondBox();
+  boundary.sides = {0, 1};
+  for (std::uint32_t& patch : boundary.trianglePatch) patch = 42;
+  const StallOutcome outcome = outcomeOfRegions(boundary);
+  ASSERT_EQ(outcome.diagnostics.size(), 1U);
+  ASSERT_EQ(outcome.diagnostics[0].entities.size(), 1U);
+  EXPECT_EQ(outcome.diagnostics[0].entities[0].kind, EntityKind::kPatch);
+  EXPECT_EQ(outcome.diagnostics[0].entities[0].index, 42U);
+}
+
+}  // namespace
+}  // namespace tetrafront
