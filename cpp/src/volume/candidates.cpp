@@ -13,7 +13,7 @@ constexpr std::array<double, 4> kClosingFactor{1.0, cube(1.0 + kClosingBonus),
                                                cube(1.0 + 3.0 * kClosingBonus)};
 
 /// Returns true if the half-plane from the edge from-to to `apex` forms a dihedral angle below 90
-/// degrees with the one to `third`, on the edge that `normal` points to.
+/// degrees with the one to `third`, on the side that `normal` points to.
 bool isWedge(const Vec3& from, const Vec3& to, const Vec3& third, const Vec3& apex,
              const Vec3& normal) {
   const Vec3 edge = to - from;

@@ -260,7 +260,7 @@ bool CrossingTest::sectorsOverlap(LocalNode v, LocalNode w, int centre, int offP
   return vToRay * vToW >= 0 && rayToW * vToW >= 0;
 }
 
-/// The ends of the segment must not be strictly on one plane of the triangle's plane, nor both on
+/// The ends of the segment must not be strictly on one side of the triangle's plane, nor both on
 /// it.
 bool CrossingTest::segmentIntersectsTriangle(LocalNode from, LocalNode to,
                                              const LocalTriple& triangle) const {

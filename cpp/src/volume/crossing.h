@@ -80,7 +80,7 @@ class CrossingTest {
   /// Signs of the element's corners relative to the face's plane; 0 for shared corners.
   [[nodiscard]] Signs cornerSigns(const LocalTriple& face, const Shared& shared) const;
   /// Exact sign of a node relative to plane `plane` of the element, the one opposite that corner;
-  /// +1 on the element's plane.
+  /// +1 on the element's side.
   [[nodiscard]] int faceSign(int plane, LocalNode node) const;
   [[nodiscard]] int orient(LocalNode a, LocalNode b, LocalNode c, LocalNode d) const;
 

@@ -1,7 +1,6 @@
 #include "volume/front_advance.h"
 
 #include <algorithm>
-#include <cassert>
 
 #include "geom/measure.h"
 
@@ -152,19 +151,19 @@ bool FrontAdvance<Trace>::isTooCloseToFace(const Vec3& position, double distance
   return false;
 }
 
-/// Returns the faces of the front that are faces of the element. Besides the base, these are (1 2
-/// p), (2 0 p) and (0 1 p) seen from outside, opposite corners 0, 1 and 2; the front's faces there
-/// have the opposite orientation, because they look into the element.
+/// Returns the faces of the front that are faces of the element. Besides the base, the element's faces
+/// are (1 2 p), (2 0 p) and (0 1 p) seen from outside, opposite corners 0, 1 and 2. The front's faces
+/// there have the opposite orientation, because they look into the element.
 ///
-/// A face with the same orientation cannot occur here. Around an edge of an embedded closed front, both orientations alternate. So a third face lies between the base and such a face, within the element, and the crossing test has already refused the candidate.
+/// A face with the same orientation cannot occur. Around an edge of an embedded closed front, both
+/// orientations alternate. So a third face lies between the base and such a face, within the element,
+/// and the crossing test has already refused the candidate.
 template <class Trace>
 typename FrontAdvance<Trace>::ExistingFaces FrontAdvance<Trace>::findExistingFaces(
     LocalNode apex) const {
   ExistingFaces existing{};
   for (const AdjacentFace& adjacent : around_.adjacentFaces()) {
-    if (adjacent.apex != apex) continue;
-    assert(adjacent.isNeighbour());
-    existing[adjacent.third()] = around_.faceId(adjacent.face);
+    if (adjacent.apex == apex) existing[adjacent.third()] = around_.faceId(adjacent.face);
   }
   return existing;
 }
