@@ -178,7 +178,7 @@ TEST(StallDiagnostic, NamesTheFirstTrianglesThatAreLeft) {
 SurfaceMesh openSecondBox() {
   SurfaceMesh boundary = testing::dividedBox({2, 1, 1}, 3);
   std::vector<Diagnostic> diagnostics;
-  EXPECT_TRUE(closeBoundary(boundary, BoundarySource::kGivenSurface, diagnostics).valid);
+  EXPECT_TRUE(closeBoundary(boundary, BoundarySource::kGivenSurface, diagnostics).isValid);
   std::size_t hole = boundary.triangles.size() / 3;
   while (boundary.isWall(hole - 1) || boundary.triangleRegions[2 * (hole - 1)] != 1) --hole;
   const auto erase = [&](std::vector<std::uint32_t>& values, std::ptrdiff_t each) {
