@@ -83,7 +83,7 @@ export class AppPage {
 
   /** Selects an entity in the tree by kind and id, e.g. "point-2". */
   async select(key: string): Promise<void> {
-    const filter = this.page.getByLabel("Filter (name, type, number)");
+    const filter = this.page.getByLabel("Filter (name, type, id)");
     await filter.fill(key.replace("background-", "").replace("-", " "));
     await this.page.getByTestId(`tree-${key}`).click();
     await filter.fill("");

@@ -94,7 +94,7 @@ test("sizes that ask for millions of elements are told before they are taken", a
   await app.type("propose-smallest", "0.05");
   const warning = page.getByTestId("proposal-too-many");
   await expect(warning).toBeVisible();
-  await expect(page.getByTestId("propose-apply")).toHaveText("Apply all the same");
+  await expect(page.getByTestId("propose-apply")).toHaveText("Apply anyway");
   await page.getByTestId("propose-coarser").click();
   await expect(page.getByTestId("propose-apply")).toHaveText("Apply");
   const count = page.getByTestId("proposal-count");
@@ -112,8 +112,8 @@ test("a covering grid mends a place that is not covered", async ({ page }) => {
   const group = page.getByTestId("problems-outside-background-grid");
   await expect(group).toContainText("Outside background grid");
   await expect(page.getByTestId("marker-0")).toBeVisible();
-  await command(page, "Make covering grid");
-  const dialog = page.getByRole("dialog", { name: "Make covering grid" });
+  await command(page, "Create covering grid");
+  const dialog = page.getByRole("dialog", { name: "Create covering grid" });
   await dialog.getByText("One tetrahedron").click();
   await dialog.getByTestId("cover-size").fill("0.2");
   await dialog.getByTestId("cover-apply").click();
@@ -225,5 +225,5 @@ test("every patch has its figures, in a table and beside the patch", async ({ pa
   expect(ratio).toBeGreaterThan(0.85);
   await app.select("background-node-1");
   await app.type("bg-size", "0.2");
-  await expect(page.getByText("No figures: mesh the model as it now is.")).toBeVisible();
+  await expect(page.getByText("No statistics: mesh the current model.")).toBeVisible();
 });

@@ -51,7 +51,7 @@ test("menus open, walk and run by keys, and single keys rest while typing", asyn
   await expect(page.getByRole("menuitemcheckbox", { name: "Mesh" })).toBeChecked();
   await page.keyboard.press("Escape");
   const cut = page.getByTestId("cut-toggle");
-  await page.getByLabel("Filter (name, type, number)").fill("x");
+  await page.getByLabel("Filter (name, type, id)").fill("x");
   await expect(cut).not.toBeChecked();
   await page.getByTestId("viewport-canvas").focus();
   await page.keyboard.press("x");

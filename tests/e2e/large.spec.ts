@@ -44,7 +44,7 @@ test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page
   const app = new AppPage(page);
   const { tets } = await app.openCube();
   expect(tets).toBeGreaterThan(0);
-  const dialog = page.getByRole("dialog", { name: "The mesh could not be drawn" });
+  const dialog = page.getByRole("dialog", { name: "The mesh could not be shown" });
   await expect(dialog).toBeVisible();
   await dialog.getByRole("button", { name: "Close" }).last().click();
   await expect(app.viewport).toHaveAttribute("data-faces", "0");

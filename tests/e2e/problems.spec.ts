@@ -55,7 +55,7 @@ test("a value that cannot be taken stays in its field with the reason", async ({
   await page.getByTestId("bg-size").press("Escape");
   await expect(page.getByTestId("bg-size")).toHaveValue("0.16");
   await app.type("bg-size", "a tenth");
-  await expect(page.getByText("Type a number, such as 0.25 or 1/3")).toBeVisible();
+  await expect(page.getByText("Enter a number, such as 0.25 or 1/3")).toBeVisible();
 });
 
 test("deleting a point takes what is built on it, and undo brings it all back", async ({ page }) => {

@@ -23,7 +23,7 @@ test("the report's figures are on show, of all regions and of each", async ({ pa
   const panel = page.getByTestId("quality-report");
   await expect(page.getByTestId("verdict")).toContainText("Verified");
   await expect(panel.getByRole("heading", { name: "Worst 10" })).toBeVisible();
-  await expect(page.getByTestId("missed")).toHaveText(String(quality.outOfRange));
+  await expect(page.getByTestId("out-of-range")).toHaveText(String(quality.outOfRange));
   await expect(page.getByTestId("limited")).toHaveText(String(quality.limitedByBoundary.count));
   await expect(panel).toContainText(`${(100 * quality.edges.nearTarget).toFixed(1)} %`);
   const rungs = Object.values(recovery).filter((count) => count > 0).length;
@@ -62,7 +62,9 @@ test("each of the worst elements is gone to and marked", async ({ page }) => {
     const place = figures?.centroid ?? [NaN, NaN, NaN];
     const box = await app.viewport.boundingBox();
     const at = await page.evaluate((wanted) => {
-      return (window as unknown as { tetrafrontPosition: (place: unknown) => unknown }).tetrafrontPosition(wanted);
+      return (window as unknown as { tetrafrontPosition: (place: unknown) => unknown }).tetrafrontPosition(
+        wanted,
+      );
     }, place);
     // The camera has gone there: the element is in the middle of the view.
     const { x, y } = at as { x: number; y: number };
@@ -79,7 +81,7 @@ test("the settings of the mesh are obeyed, undone, and kept in the file", async 
   const app = new AppPage(page);
   const before = await app.openCube();
   await page.getByTestId("mesh-settings").locator("summary").click();
-  await page.getByRole("radiogroup", { name: "Order" }).getByText("Smallest first").click();
+  await page.getByRole("radiogroup", { name: "Front order" }).getByText("Smallest first").click();
   await page.getByRole("radiogroup", { name: "Optimization" }).getByText("0").click();
   await app.type("gradation", "0.5");
   await expect(page.getByText("Must be 0, or above 1")).toBeVisible();
@@ -105,7 +107,7 @@ test("a body within a body is a cavity, or a region if the settings say so", asy
   const hollow = await reportOf(app);
   expect(hollow.quality.regions).toHaveLength(1);
   await page.getByTestId("mesh-settings").locator("summary").click();
-  await page.getByRole("radiogroup", { name: "Enclosed" }).getByText("Regions").click();
+  await page.getByRole("radiogroup", { name: "Inner shells" }).getByText("Regions").click();
   await app.generate();
   const filled = await reportOf(app);
   const [inner, around] = [...filled.quality.regions].sort((a, b) => a.volume - b.volume);

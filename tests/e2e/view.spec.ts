@@ -152,7 +152,7 @@ test("without WebGL the page says so and still meshes", async ({ page }) => {
   });
   const app = new AppPage(page);
   await app.open();
-  await expect(page.getByRole("alert")).toContainText("This browser cannot draw the view");
+  await expect(page.getByRole("alert")).toContainText("This browser cannot show the view");
   expect((await app.mesh()).tets).toBeGreaterThan(1000);
   await expect(page.getByTestId("download")).toBeEnabled();
 });

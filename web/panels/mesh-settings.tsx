@@ -8,7 +8,7 @@ import { useApp, useProject } from "./app-context";
 
 const texts = strings.meshing;
 
-type Enclosed = NonNullable<ProjectMeshing["innerShells"]>;
+type InnerShells = NonNullable<ProjectMeshing["innerShells"]>;
 type Order = NonNullable<ProjectMeshing["order"]>;
 type Optimization = NonNullable<ProjectMeshing["optimization"]>;
 
@@ -20,13 +20,13 @@ const defaults = {
   optimization: "default",
 } as const;
 
-const enclosedBodies: readonly Enclosed[] = ["cavities", "regions"];
+const innerShellModes: readonly InnerShells[] = ["cavities", "regions"];
 const orders: readonly Order[] = ["layered", "smallest-first"];
 /** By effort: levels 0 to 3. */
 const optimizations: readonly Optimization[] = ["none", "fast", "default", "thorough"];
 
 const refuseGradation = (value: number): string | null =>
-  value === 0 || (value > 1 && value <= LIMITS.gradation) ? null : texts.badGradation;
+  value === 0 || (value > 1 && value <= LIMITS.gradation) ? null : texts.invalidGradation;
 
 /** How the mesh is made, apart from its sizes. Kept in the project file. */
 export function MeshSettings() {
@@ -35,7 +35,7 @@ export function MeshSettings() {
   const order: Order = meshing?.order ?? defaults.order;
   const optimization: Optimization = meshing?.optimization ?? defaults.optimization;
   const gradation = meshing?.gradation ?? defaults.gradation;
-  const enclosed: Enclosed = meshing?.innerShells ?? defaults.innerShells;
+  const innerShells: InnerShells = meshing?.innerShells ?? defaults.innerShells;
   // What is as it would be anyway is left out of the file.
   const set = <Field extends keyof typeof defaults>(
     field: Field,
@@ -89,18 +89,18 @@ export function MeshSettings() {
       <Text size="xs" c="dimmed" mb={6}>
         {texts.gradationHint}
       </Text>
-      <FieldRow label={texts.enclosed}>
-        <SegmentedControl<Enclosed>
+      <FieldRow label={texts.innerShells}>
+        <SegmentedControl<InnerShells>
           size="xs"
           fullWidth
-          aria-label={texts.enclosed}
-          data={enclosedBodies.map((value) => ({ value, label: texts.enclosedBodies[value] }))}
-          value={enclosed}
+          aria-label={texts.innerShells}
+          data={innerShellModes.map((value) => ({ value, label: texts.innerShellModes[value] }))}
+          value={innerShells}
           onChange={(value) => set("innerShells", value)}
         />
       </FieldRow>
       <Text size="xs" c="dimmed" mb={6}>
-        {texts.enclosedHints[enclosed]}
+        {texts.innerShellHints[innerShells]}
       </Text>
     </details>
   );

@@ -64,7 +64,7 @@ function PlaceButton({ place }: { readonly place: readonly [number, number, numb
   return (
     <UnstyledButton
       className="tf-problem-place"
-      aria-label={strings.bottom.showPlace(formatPlace(place))}
+      aria-label={strings.bottom.showPosition(formatPlace(place))}
       onClick={() => app.viewer.getState().viewer?.fitPosition(place)}
     >
       {strings.bottom.at(formatPlace(place))}

@@ -73,7 +73,7 @@ export function QualityPanel() {
       <dl className="tf-facts">
         <dt>{strings.quality.tetrahedra}</dt>
         <dd>{formatCount(report.tetrahedra)}</dd>
-        <dt>{strings.quality.points}</dt>
+        <dt>{strings.quality.nodes}</dt>
         <dd>{measured ? formatCount(report.nodes) : unmeasured}</dd>
         <dt>{strings.quality.triangles}</dt>
         <dd>{formatCount(report.triangles)}</dd>

@@ -245,7 +245,7 @@ function EdgeChart({ quality, choice }: { readonly quality: Quality; readonly ch
       valueText={(value) => value.toFixed(1)}
       noun={texts.edges}
       facts={[
-        [texts.nearWanted(nearWanted.from, nearWanted.to), formatShare(share)],
+        [texts.nearTarget(nearWanted.from, nearWanted.to), formatShare(share)],
         ...(choice === null ? [[strings.quality.mean, quality.edges.mean.toFixed(2)] as const] : []),
       ]}
     />
@@ -265,8 +265,8 @@ function KeyFigures({ quality }: { readonly quality: Quality }) {
           </dd>
         </>
       )}
-      <dt title={texts.missedHint}>{texts.missed}</dt>
-      <dd data-testid="missed">{formatCount(quality.outOfRange)}</dd>
+      <dt title={texts.outOfRangeHint}>{texts.outOfRange}</dt>
+      <dd data-testid="out-of-range">{formatCount(quality.outOfRange)}</dd>
       <dt title={texts.limitedHint}>{texts.limited}</dt>
       <dd data-testid="limited">{formatCount(quality.limitedByBoundary.count)}</dd>
     </dl>

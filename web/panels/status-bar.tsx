@@ -113,7 +113,7 @@ function MeshNumbers() {
     <div className="tf-numbers" data-stale={(stale && !progress) || undefined}>
       {points !== undefined && (
         <span className="tf-wide" data-testid="count-points">
-          {strings.status.points(formatCount(points))}
+          {strings.status.nodes(formatCount(points))}
         </span>
       )}
       {tetrahedra !== undefined && (

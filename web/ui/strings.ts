@@ -1,7 +1,7 @@
 import type { MeshReport } from "tetrafront";
 import type { DrawnKind } from "../document/entities";
 
-/** Every text of the app, in one place. The words are those of the method: point, line, patch, side … */
+/** All texts of the application. */
 
 export const entityWords: { readonly [K in DrawnKind]: { readonly one: string; readonly many: string } } = {
   point: { one: "Point", many: "Points" },
@@ -25,13 +25,13 @@ export const patchTypeNames = {
   "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson",
 } as const;
 
-/** What each type of patch is spanned by. */
+/** The lines that each type of patch needs. */
 export const patchTypeHints = {
   planar: "Any lines that lie in one plane; holes allowed.",
   coons: "Four lines of any type; opposite lines are blended. Holes allowed.",
-  "isoparametric-triangle": "Three parabolic lines: a curved triangle of six nodes. Holes allowed.",
-  serendipity: "Four parabolic lines: a curved quadrangle of eight nodes. Holes allowed.",
-  "barnhill-gregory-nielson": "Three lines of any type; the second, F2, plays another role. Holes allowed.",
+  "isoparametric-triangle": "Three parabolic lines: a curved triangle with six nodes. Holes allowed.",
+  serendipity: "Four parabolic lines: a curved quadrilateral with eight nodes. Holes allowed.",
+  "barnhill-gregory-nielson": "Three lines of any type; the second one, F2, has another role. Holes allowed.",
 } as const;
 
 export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;
@@ -50,7 +50,7 @@ export const measureNames = {
   dihedral: "Smallest dihedral angle",
 } as const;
 
-/** A code such as "loop-not-closed" as a heading. */
+/** Returns a code such as "loop-not-closed" as a heading. */
 function problemTitle(code: string): string {
   const words = code.replaceAll("-", " ");
   return words.charAt(0).toUpperCase() + words.slice(1);
@@ -59,11 +59,11 @@ function problemTitle(code: string): string {
 const counted = (count: number, one: string, many: string): string =>
   count === 1 ? `1 ${one}` : `${count.toLocaleString("en-US")} ${many}`;
 
-/** What was done where the front did not close by itself; nothing of what was not needed. */
+/** Returns a sentence for each kind of recovery that the run needed. */
 export function recoverySteps({
   relaxed,
   starred,
-  remeshed: reopened,
+  remeshed,
   filled,
   steinerPoints,
 }: MeshReport["recovery"]): readonly string[] {
@@ -72,15 +72,15 @@ export function recoverySteps({
       relaxed,
       `Relaxed: ${counted(relaxed, "element was", "elements were")} accepted by a more lenient rule.`,
     ],
-    [starred, `Starred: ${counted(starred, "pocket was", "pockets were")} filled from one point inside.`],
+    [starred, `Starred: ${counted(starred, "pocket was", "pockets were")} joined to one interior point.`],
     [
-      reopened,
-      `Reopened: ${counted(reopened, "pocket was", "pockets were")} filled after the elements around had been taken away.`,
+      remeshed,
+      `Remeshed: ${counted(remeshed, "pocket was", "pockets were")} filled after the surrounding elements were removed.`,
     ],
-    [filled, `Filled: ${counted(filled, "pocket was", "pockets were")} left to the exact fill.`],
+    [filled, `Filled: ${counted(filled, "pocket was", "pockets were")} closed by the exact fill.`],
     [
       steinerPoints,
-      `Steiner points: the exact fill added ${counted(steinerPoints, "point", "points")} inside.`,
+      `Steiner points: the exact fill added ${counted(steinerPoints, "interior point", "interior points")}.`,
     ],
   ];
   return steps.flatMap(([count, step]) => (count > 0 ? [step] : []));
@@ -92,7 +92,7 @@ export const strings = {
   menus: { file: "File", edit: "Edit", create: "Create", view: "View", mesh: "Mesh", help: "Help" },
   header: {
     palette: "Search commands",
-    paletteEmpty: "No command of that name",
+    paletteEmpty: "No command matches",
     tools: "Frequent commands",
     generate: "Generate mesh",
     generateShort: "Mesh",
@@ -106,29 +106,29 @@ export const strings = {
   tree: {
     model: "Model",
     examples: "Examples",
-    filter: "Filter (name, type, number)",
-    clearFilter: "Clear the filter",
-    nothing: "Nothing of that name.",
-    empty: "This project is empty. Begin with a point (Create menu), an example or a project file.",
+    filter: "Filter (name, type, id)",
+    clearFilter: "Clear filter",
+    nothing: "Nothing matches.",
+    empty: "This project is empty. Create a point (Create menu), or open an example or a project file.",
     add: (what: string) => `Add ${what}`,
     show: (what: string) => `Show ${what}`,
     hide: (what: string) => `Hide ${what}`,
     problems: (count: number) => (count === 1 ? "1 problem" : `${count} problems`),
   },
   gallery: {
-    intro: "Open one and it is meshed at once. Undo brings back what you had.",
+    intro: "Opening an example meshes it right away. Undo restores your project.",
     current: "open",
   },
   inspector: {
     title: "Inspector",
     display: "Display",
-    nothingSelected: "Select something in the tree or in the view to edit it.",
+    nothingSelected: "Select an entity in the tree or in the view to edit it.",
     several: (count: number) => `${count} entities selected`,
     closedChain: (count: number) => `${count} points, closed`,
     closed: "Closed",
     more: (count: number) => `and ${count} more`,
-    makeOf: "Make of the selection",
-    deleteAll: "Delete these",
+    makeOf: "Create from selection",
+    deleteAll: "Delete selection",
     name: "Name",
     position: "Position",
     size: "Size",
@@ -140,27 +140,28 @@ export const strings = {
     hole: (index: number) => `Hole ${index}`,
     usedBy: "Used by",
     project: "Project",
-    linePointsHint: "Point numbers along the line, separated by commas.",
-    loopHint: "Line numbers in walking order; a minus walks backwards.",
+    linePointsHint: "Point ids along the line, separated by commas.",
+    loopHint: "Line ids in order; a minus reverses a line.",
     lines: "Lines",
     makeSecond: (line: string) => `Make ${line} F2`,
     makeSecondShort: "make F2",
     holeHint:
-      "To cut a hole, select the lines around it as well (Ctrl click, or Select several in the Edit menu) and make a hole of them.",
+      "To cut a hole, also select the lines around it (Ctrl click, or Select several in the Edit menu), then create a hole from them.",
     secondRole:
-      "Equation (14) blends F2 with other weights than F1 and F3. Another F2 keeps the three lines but changes the surface between them.",
-    backwards: "walked backwards",
+      "Equation (14) gives F2 other weights than F1 and F3. Another F2 keeps the three lines but changes the surface between them.",
+    backwards: "reversed",
     removeHole: (index: number) => `Remove hole ${index}`,
     distance: "Distance",
     growth: "Growth",
-    place: (index: number, of: number) => (of === 1 ? "Place" : `Place ${index + 1}`),
-    sourceRule: "Elements are no larger than the size up to the distance, then grow by this much per unit.",
+    place: (index: number, of: number) => (of === 1 ? "Position" : `Position ${index + 1}`),
+    sourceRule:
+      "Limits elements to Size within Distance. Beyond it, the limit rises by Growth per unit of distance.",
     valid: "valid",
     element: (index: string) => `Tetrahedron ${index}`,
     elementNodes: "Nodes",
   },
   fields: {
-    notANumber: "Type a number, such as 0.25 or 1/3",
+    notANumber: "Enter a number, such as 0.25 or 1/3",
     aboveZero: "Must be above 0",
     atLeastOne: "Must be at least 1",
     notNegative: "Must not be below 0",
@@ -169,14 +170,14 @@ export const strings = {
     unknownLine: (id: string) => `There is no line ${id}`,
     twoPoints: "A line needs at least two points",
     oneLine: "A loop needs at least one line",
-    zeroDirection: "Needs a direction other than 0, 0, 0",
+    zeroDirection: "The direction must not be 0, 0, 0",
   },
   quality: {
     title: "Mesh quality",
     min: "min",
     mean: "mean",
     tetrahedra: "Tetrahedra",
-    points: "Points",
+    nodes: "Nodes",
     triangles: "Boundary triangles",
     volume: "Volume",
     dihedral: "Dihedral angles",
@@ -191,42 +192,43 @@ export const strings = {
   report: {
     tab: "Quality",
     title: "Quality report",
-    notFinished: "The mesh is not finished: its elements have not been measured.",
+    notFinished: "The mesh is not finished, so it has no statistics yet.",
     stretchedHint:
-      "The background grid is stretched. Bars, worst elements and missed angles are those of the elements as the grid wants them; min, max and mean those of the elements as they lie in space.",
+      "The background grid asks for stretched elements. Histograms, worst elements and missed angles are measured in its metric; min, max and mean are measured in space.",
     verdicts: { passed: "Verified", failed: "Verification failed", none: "Not verified" },
     verdictHints: {
       passed:
-        "In exact arithmetic every element has positive volume, the elements fit together face to face, and the boundary is the given one.",
+        "Verified in exact arithmetic: every element has positive volume, elements share whole faces, and the boundary is the given one.",
       failed: "",
-      none: "A mesh is verified when it is finished.",
+      none: "The mesh is verified when it is finished.",
     },
     region: "Region",
     allRegions: (tetrahedra: string) => `All regions: ${tetrahedra} tetrahedra`,
     oneRegion: (region: number, tetrahedra: string) => `Region ${region}: ${tetrahedra} tetrahedra`,
     dihedral: "Dihedral angles",
     radiusRatio: "Radius ratio",
-    edge: "Edge length by wanted length",
+    edge: "Edge length / target",
     angles: "angles",
     tetrahedra: "tetrahedra",
     edges: "edges",
     max: "max",
     bar: (count: string, noun: string, from: string, to: string) => `${count} ${noun} from ${from} to ${to}`,
-    nearWanted: (from: number, to: number) => `${from} to ${to}`,
-    volumeRatio: "Largest by smallest volume",
+    nearTarget: (from: number, to: number) => `${from} to ${to}`,
+    volumeRatio: "Volume ratio (max / min)",
     smallest: "Smallest volume",
-    missed: "Angles missed",
-    missedHint: "Tetrahedra with an angle below 30° or above 135° which the boundary does not excuse",
+    outOfRange: "Outside 30°–135°",
+    outOfRangeHint:
+      "Counts tetrahedra with a dihedral angle outside 30°–135°, except those limited by the boundary.",
     limited: "Limited by the boundary",
     limitedHint:
-      "Tetrahedra that miss their angles because they lie in a sharper edge of the boundary, at one of its needle triangles, or between two parts of it that are nearer than an element is wide.",
+      "Counts tetrahedra with a dihedral angle outside 30°–135° at a sharp boundary edge, at a needle triangle of the boundary, or in a gap narrower than an element.",
     limitedTitle: (count: string) => `Limited by the boundary: ${count}`,
     worst: (count: number) => `Worst ${count}`,
-    columns: ["Place", "Min", "Max", "Ratio"],
+    columns: ["Position", "Min", "Max", "Ratio"],
     show: (tetrahedron: string, place: string) => `Go to tetrahedron ${tetrahedron} at ${place}`,
     recovery: "How the front closed",
-    noRecovery: "By its own rules; nothing had to be recovered.",
-    all: "All figures",
+    noRecovery: "The front closed without recovery.",
+    all: "All statistics",
   },
   patches: {
     tab: "Patches",
@@ -236,9 +238,9 @@ export const strings = {
     triangles: "Triangles",
     minAngle: "Min angle",
     meanRatio: "Mean 2r/R",
-    meanEdge: "Mean edge / wanted",
+    meanEdge: "Mean edge / target",
     deviation: "Chord deviation",
-    none: "No figures: mesh the model as it now is.",
+    none: "No statistics: mesh the current model.",
   },
   display: {
     layers: "Layers",
@@ -254,10 +256,10 @@ export const strings = {
     dihedral: "Dihedral",
     edges: "Element edges",
     cut: "Cut",
-    cutOn: "Cut the mesh open",
-    cutAxis: "Cut across",
+    cutOn: "Cut mesh",
+    cutAxis: "Cut axis",
     cutPosition: "Position",
-    flip: "Other side",
+    flip: "Flip side",
   },
   create: {
     point: "New point",
@@ -267,32 +269,33 @@ export const strings = {
     add: "Add",
     addNext: "Add and next",
     added: (what: string) => `Added ${what}.`,
-    nodeHint: "It takes effect as a corner of a tetrahedron: select four nodes and press T.",
+    nodeHint: "A node takes effect as a corner of a tetrahedron: select four nodes and press T.",
     line: "New line",
     lineHint: [
-      "Select the points it runs through, in order (Ctrl click adds one), then press L for straight lines, Q for a parabola or S for a cubic spline. Shift click on the first point again closes the chain; Shift S closes a spline by itself.",
+      "Select its points in order (Ctrl click adds one). Then press L for straight lines, Q for a parabola or S for a cubic spline. Shift click the first point again to close the chain; Shift S closes a spline directly.",
     ],
     patch: "New patch",
     patchHint: [
-      "Select the lines around it, in any order (Ctrl click adds one), then press A, or choose a type in the Create menu. Several loops make a patch with holes.",
+      "Select its lines in any order (Ctrl click adds one). Then press A, or choose a type in the Create menu. Several loops make a patch with holes.",
     ],
   },
   background: {
-    cover: "Make covering grid",
-    coverHint: "A background grid around the whole model, with one element size at every node.",
+    cover: "Create covering grid",
+    coverHint: "Creates a background grid around the whole model, with the same element size at every node.",
     shape: "Shape",
     box: "Box, 5 tetrahedra",
     tetrahedron: "One tetrahedron",
-    replaces: "The present background grid is replaced; undo brings it back. Sources stay.",
-    make: "Make it",
+    replaces: "This replaces the current background grid and keeps the sources. You can undo it.",
+    make: "Create",
     cancel: "Cancel",
     apply: "Apply",
-    applyAnyway: "Apply all the same",
-    tooMany: "So many elements take minutes and gigabytes. Thin places ask for more of them than they look.",
+    applyAnyway: "Apply anyway",
+    tooMany:
+      "Meshing this many elements takes minutes and gigabytes of memory. Thin regions need more elements than it seems.",
     coarser: (count: string) => `Larger elements: fewer than ${count}`,
     backgroundFromMesh: "Use this mesh as background grid",
     propose: "Propose sizes",
-    proposeHint: "Sources of smaller size where lines and patches bend or come near each other.",
+    proposeHint: "Proposes sources with smaller sizes at curved lines and patches and in narrow gaps.",
     wishes: {
       uniform: "Largest size",
       smallest: "Smallest size",
@@ -300,60 +303,61 @@ export const strings = {
       elementsPerGap: "Elements per gap",
       growth: "Growth",
     },
-    coverToo: "Make a covering grid of the largest size",
+    coverToo: "Also create a covering grid with the largest size",
     replaceSources: (count: number) =>
-      count === 1 ? "Replace the source there is" : `Replace the ${count} sources there are`,
-    asking: "Looking at the model…",
+      count === 1 ? "Replace the existing source" : `Replace the ${count} existing sources`,
+    asking: "Analysing the model…",
     largest: "Largest size",
     smallestFound: "Smallest size",
     sources: "Sources to add",
     expected: "Expected",
     about: (count: string) => `about ${count} tetrahedra`,
-    present: "Present mesh",
+    present: "Current mesh",
     elementSize: "Element size",
     fromGrid: "Background grid",
     uniform: "Uniform",
     uniformSize: "Uniform size",
-    uniformHint: "One size everywhere; only sources make it smaller.",
+    uniformHint: "Uses one size everywhere; only sources make it smaller.",
     noGrid: "There is no background grid yet.",
     gridCounts: (nodes: string, tetrahedra: string) =>
       `${nodes} nodes, ${tetrahedra} ${tetrahedra === "1" ? "tetrahedron" : "tetrahedra"}`,
   },
   meshing: {
     title: "Mesh settings",
-    order: "Order",
+    order: "Front order",
     orders: { layered: "Layered", "smallest-first": "Smallest first" },
     orderHints: {
-      layered: "The front advances layer by layer: fastest.",
-      "smallest-first": "The smallest face of the front comes next, as in the paper.",
+      layered: "Advances the front layer by layer, which is fastest.",
+      "smallest-first": "Takes the smallest face of the front next, as in the paper.",
     },
     optimization: "Optimization",
     optimizations: { none: "None", fast: "Fast", default: "Default", thorough: "Thorough" },
     optimizationHints: {
-      none: "the elements stay as the front made them.",
-      fast: "swaps and moves, then repair of the worst.",
-      default: "splits and collapses too; angles between 30° and 135° where the boundary allows them.",
-      thorough: "repair goes on towards angles between 35° and 130°.",
+      none: "keeps the elements that the front made.",
+      fast: "swaps edges and moves nodes, then improves the worst elements.",
+      default:
+        "also splits and collapses edges; angles end between 30° and 135° where the boundary allows it.",
+      thorough: "continues towards angles between 35° and 130°.",
     },
     gradation: "Gradation",
-    gradationHint: "Most by which sizes grow from one element to the next; 0 takes them as they are.",
-    badGradation: "Must be 0, or above 1 and up to 10",
-    enclosed: "Enclosed",
-    enclosedBodies: { cavities: "Cavities", regions: "Regions" },
-    enclosedHints: {
-      cavities: "Closed patches within a body bound an empty space.",
-      regions: "Closed patches within a body bound a region of its own, meshed to fit.",
+    gradationHint: "Limits the size ratio of neighbouring elements in the background grid; 0 means no limit.",
+    invalidGradation: "Must be 0, or above 1 and up to 10",
+    innerShells: "Inner shells",
+    innerShellModes: { cavities: "Cavities", regions: "Regions" },
+    innerShellHints: {
+      cavities: "Leaves closed shells inside a region empty.",
+      regions: "Meshes closed shells inside a region as regions of their own.",
     },
   },
   regions: {
     title: "Regions",
-    hide: "Hide this region",
-    show: "Show this region",
+    hide: "Hide region",
+    show: "Show region",
   },
   triangles: {
     count: (count: string, single: boolean) => (single ? "1 triangle" : `${count} triangles`),
     one: (triangle: string) => `Triangle ${triangle}`,
-    all: "Show all of them",
+    all: "Show all",
   },
   severities: { error: "Error", warning: "Warning" },
   bottom: {
@@ -363,26 +367,26 @@ export const strings = {
     logEmpty: "The mesher's messages appear here.",
     noProblems: "No problems found.",
     show: "Show",
-    at: (place: string) => `at ${place}`,
-    showPlace: (place: string) => `Go to the place ${place}`,
+    at: (position: string) => `at ${position}`,
+    showPosition: (position: string) => `Go to ${position}`,
     count: (count: number, severity: "error" | "warning") =>
       count === 1 ? `1 ${severity}` : `${count} ${severity}s`,
   },
   viewport: {
     label: "Three-dimensional view",
-    roles: "Lines of the selected patch by their roles in equation (14)",
+    roles: "Roles of the selected patch's lines in equation (14)",
     stale: "Out of date",
     staleHint: "The model has changed since this mesh was made.",
-    update: "Mesh again",
+    update: "Remesh",
     incomplete: "Incomplete",
-    incompleteStalled: "The front stalled; what is left of it is orange.",
-    incompleteCancelled: "Cancelled; what is left of the front is orange.",
-    incompleteUnpolished: "Cancelled before the mesh was improved and verified.",
-    noWebgl: "This browser cannot draw the view",
+    incompleteStalled: "The front stalled. Its remaining faces are orange.",
+    incompleteCancelled: "Cancelled. The remaining faces of the front are orange.",
+    incompleteUnpolished: "Cancelled before optimization and verification finished.",
+    noWebgl: "This browser cannot show the view",
     noWebglHint:
-      "The view needs WebGL 2. Turn on hardware acceleration or use a current browser; everything else still works, downloads too.",
-    contextLost: "The graphics driver has reset the view",
-    contextLostHint: "It comes back by itself in a moment. Your model and mesh are safe.",
+      "The view needs WebGL 2. Turn on hardware acceleration or use a current browser. Everything else works, including downloads.",
+    contextLost: "The graphics driver reset the view",
+    contextLostHint: "The view returns in a moment. Your model and mesh are safe.",
     legend: "Colour scale",
     hints: [
       ["Drag", "orbit"],
@@ -396,18 +400,18 @@ export const strings = {
       `${name}, meshed with ${tetrahedra} tetrahedra, smallest dihedral angle ${minAngle}.`,
     summaryCut: " Cut open.",
     summaryStale: " The mesh is out of date.",
-    keys: "Arrow keys turn, Shift with arrow keys pans, plus and minus zoom.",
+    keys: "Arrow keys orbit, Shift with arrow keys pans, plus and minus zoom.",
   },
   status: {
     ready: "Ready",
     saved: "saved",
     unsaved: "unsaved changes",
-    points: (count: string) => `${count} points`,
+    nodes: (count: string) => `${count} nodes`,
     tetrahedra: (count: string) => `${count} tetrahedra`,
     minDihedral: (angle: string) => `min dihedral ${angle}`,
     front: (count: string) => `front ${count} faces`,
-    filling: "Filling what the front left",
-    exactFill: (share: string) => `exact fill ${share}`,
+    filling: "Filling remaining pockets",
+    exactFill: (fraction: string) => `exact fill ${fraction}`,
     cancel: "Cancel meshing",
     cancelling: "Cancelling…",
     progress: "Meshing progress",
@@ -419,12 +423,13 @@ export const strings = {
   },
   messages: {
     openFailed: (file: string) => `${file} could not be opened`,
-    noOpenDialog: "The browser did not open its dialog; try again, or drop the file here",
+    noOpenDialog: "The browser did not open its dialog. Try again, or drop the file here.",
     saveFailed: "The project could not be saved",
     galleryFailed: "The examples could not be loaded",
     engineFailed: "The mesher failed",
-    notDrawn: "The mesh could not be drawn",
-    partFailed: "Part of the app could not be loaded. Your model is safe; reload when there is a network.",
+    notDrawn: "The mesh could not be shown",
+    partFailed:
+      "A part of the application could not be loaded. Your model is safe. Reload the page when you are online.",
     reload: "Reload",
     downloadFailed: "The mesh could not be written",
     close: "Close",
@@ -432,17 +437,17 @@ export const strings = {
   help: {
     title: "Keyboard and mouse",
     mouse: [
-      ["Click", "select; Shift adds (in the tree: up to here), Ctrl toggles"],
-      ["Double click", "fit what is under the pointer"],
+      ["Click", "select; Shift adds (in the tree: extends to here), Ctrl toggles"],
+      ["Double click", "fit the entity under the pointer"],
       ["Left or right drag", "orbit"],
       ["Middle drag", "pan"],
-      ["Wheel", "zoom to the pointer"],
+      ["Wheel", "zoom at the pointer"],
       ["One finger, two fingers", "orbit; pan and zoom"],
     ],
     fields: [
       ["↑ ↓", "step a number; Shift × 10, Alt ÷ 10"],
-      ["Enter, Esc", "take a typed value, or give it up"],
-      ["Arrow keys", "in the view: turn; Shift pans; + − zoom"],
+      ["Enter, Esc", "apply or discard a typed value"],
+      ["Arrow keys", "in the view: orbit; Shift pans; + − zoom"],
     ],
     about:
       "Tetrafront fills shapes with tetrahedra by the advancing-front method of R. Löhner and P. Parikh, “Generation of three-dimensional unstructured grids by the advancing-front method”, Int. J. Numer. Methods Fluids 8 (1988).",
