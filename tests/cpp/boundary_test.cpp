@@ -645,6 +645,45 @@ TEST(BoundaryTest, ThinBodiesHaveAVolume) {
   EXPECT_NEAR(outcome.result.shells.at(0).volume, kWidth * kWidth, 1e-6 * kWidth * kWidth);
 }
 
+/// Four nodes that are coplanar up to one unit in the last place: the volume is a rounding error.
+TEST(BoundaryDiagnosticsTest, ZeroVolume) {
+  const Vec3 b(1.0, 0.5, 0.25);
+  const Vec3 c(0.25, 1.0, 0.5);
+  Vec3 d = 0.25 * (b + c);
+  d.z = std::nextafter(d.z, 1.0);
+  SurfaceMesh mesh = tetrahedronSurface({Vec3(0.0), b, c, d});
+  Outcome outcome = close(mesh);
+  EXPECT_EQ(outcome.codes(), std::set{DiagnosticCode::kZeroVolume});
+  EXPECT_EQ(outcome.diagnostics.size(), 1U) << "one per component";
+  d.z += 1e-12;
+  mesh = tetrahedronSurface({Vec3(0.0), b, c, d});
+  EXPECT_TRUE(close(mesh).result.isValid);
+}
+
+/// Flips the outside of two boxes with a common wall: the wall counts neither as flipped nor among all.
+TEST(BoundaryWallsTest, InterfacesDoNotCountAsTrianglesOfTheirComponent) {
+  SurfaceMesh mesh = dividedBox({2, 1, 1}, 1);
+  ASSERT_TRUE(close(mesh).result.isValid);
+  std::uint32_t outer = 0;
+  for (std::uint32_t t = 0; t < triangleCount(mesh); ++t) {
+    if (mesh.isWall(t)) continue;
+    flipTriangle(mesh, TriangleId(t));
+    ++outer;
+  }
+  EXPECT_EQ(outer, 20U);
+  SurfaceMesh flipped = mesh;
+  flipped.triangleRegions.clear();
+  flipped.trianglePatch.clear();
+  BoundaryCheck check(flipped, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
+                      MixedOrientation::kRefuse);
+  finish(check);
+  EXPECT_TRUE(check.result().isValid) << "flipped as a whole";
+  for (const Diagnostic& found : check.diagnostics()) {
+    if (found.code != DiagnosticCode::kReorientedPatch) continue;
+    EXPECT_EQ(found.values, (std::vector<double>{20.0, 20.0}));
+  }
+}
+
 TEST(BoundaryDiagnosticsTest, NothingIsTurnedWhenThereAreErrors) {
   SurfaceMesh mesh = geodesicSphere(3);
   mesh.triangles.resize(mesh.triangles.size() - 3);
@@ -741,6 +780,34 @@ TEST(DrawnBoundaryTest, OpenEdgesAreReportedOncePerLine) {
     EXPECT_EQ(d.place.z, 1.0);
   }
   EXPECT_EQ(lines.size(), 4U);
+}
+
+/// A row of squares in one patch, with a line along its lower edge.
+SurfaceMesh drawnStrip(std::uint32_t squares) {
+  SurfaceMesh mesh;
+  for (std::uint32_t i = 0; i <= squares; ++i) {
+    mesh.points.insert(mesh.points.end(), {1.0 * i, 0.0, 0.0, 1.0 * i, 1.0, 0.0});
+  }
+  for (std::uint32_t i = 0; i < squares; ++i) {
+    const std::uint32_t a = 2 * i;
+    mesh.triangles.insert(mesh.triangles.end(), {a, a + 2, a + 3, a, a + 3, a + 1});
+    mesh.trianglePatch.insert(mesh.trianglePatch.end(), {0, 0});
+    mesh.sides.insert(mesh.sides.end(), {a, a + 2});
+    mesh.sideLine.push_back(0);
+  }
+  return mesh;
+}
+
+TEST(DrawnBoundaryTest, NamesAtMostTwoHundredTrianglesButCountsAll) {
+  for (const std::uint32_t squares : {199U, 200U, 201U}) {
+    SurfaceMesh mesh = drawnStrip(squares);
+    const Outcome outcome = close(mesh, BoundarySource::kDrawnPatches);
+    ASSERT_EQ(outcome.diagnostics.size(), 2U) << "edges without a line, and edges on the line";
+    const Diagnostic& alongLine = outcome.diagnostics[1];
+    EXPECT_EQ(alongLine.entities.at(0).kind, EntityKind::kLine);
+    EXPECT_EQ(trianglesOf(alongLine, mesh).size(), std::min(squares, 200U));
+    EXPECT_EQ(alongLine.values.back(), squares);
+  }
 }
 
 TEST(DrawnBoundaryTest, IntersectingPatchesAreReportedOncePerPair) {

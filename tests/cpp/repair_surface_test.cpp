@@ -111,6 +111,18 @@ TEST(SurfaceRepair, WeldsNoChains) {
   EXPECT_EQ(result.changes.size(), 5U);
 }
 
+TEST(SurfaceRepair, WeldsNodesAtExactlyTheDistance) {
+  constexpr double kDistance = 0.5;
+  for (const double apart : {kDistance, std::nextafter(kDistance, 1.0)}) {
+    SurfaceMesh mesh;
+    mesh.points = {0.0, 0.0, 0.0, apart, 0.0, 0.0, 0.0, 9.0, 0.0};
+    mesh.triangles = {0, 1, 2};
+    const SurfaceRepair result =
+        repair(mesh, {.weldDistance = kDistance, .removesTriangles = false, .turns = false});
+    EXPECT_EQ(result.changes.size(), apart == kDistance ? 1U : 0U) << apart;
+  }
+}
+
 TEST(SurfaceRepair, WeldsIntoTheLowestNodeNearThatStays) {
   // Dense and sparse against the distance, and nodes at one place.
   for (const double distance : {0.0, 0.01, 0.1, 0.5}) {
@@ -155,6 +167,37 @@ TEST(SurfaceRepair, RemovesTrianglesThatAreNone) {
   EXPECT_EQ(result.changes[1].kind, RepairKind::kRemovedDuplicate);
   EXPECT_EQ(result.changes[1].first, count);
   EXPECT_EQ(result.changes[1].second, 0U);
+}
+
+/// Three copies of a triangle, one of them flipped: both removed ones name the first.
+TEST(SurfaceRepair, NamesTheFirstOfSeveralDuplicates) {
+  SurfaceMesh mesh = gridCube(1);
+  const std::array<std::uint32_t, 3> first{mesh.triangles[0], mesh.triangles[1], mesh.triangles[2]};
+  const auto count = static_cast<std::uint32_t>(triangleCount(mesh));
+  mesh.triangles.insert(mesh.triangles.end(), {first[1], first[2], first[0]});
+  mesh.triangles.insert(mesh.triangles.end(), {first[1], first[0], first[2]});
+  const SurfaceRepair result = repair(mesh);
+  ASSERT_EQ(result.changes.size(), 2U);
+  for (std::uint32_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(result.changes[i].kind, RepairKind::kRemovedDuplicate);
+    EXPECT_EQ(result.changes[i].first, count + i);
+    EXPECT_EQ(result.changes[i].second, 0U);
+  }
+}
+
+/// Splitting the triangle beyond a sliver produces a triangle that exists already.
+TEST(SurfaceRepair, RemovesDuplicatesThatASplitProduces) {
+  SurfaceMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0};
+  mesh.triangles = {0, 2, 1, 0, 2, 3, 0, 1, 3};
+  const SurfaceRepair result = repair(mesh, {.weldDistance = -1.0, .turns = false});
+  ASSERT_EQ(result.changes.size(), 2U);
+  EXPECT_EQ(result.changes[0].kind, RepairKind::kRemovedDuplicate);
+  EXPECT_EQ(result.changes[0].first, 2U);
+  EXPECT_EQ(result.changes[0].second, 1U);
+  EXPECT_EQ(result.changes[1].kind, RepairKind::kSplitTriangle);
+  // Both halves are parts of the triangle that was split.
+  EXPECT_EQ(result.origin, (std::vector<std::uint32_t>{1, 1}));
 }
 
 TEST(SurfaceRepair, DissolvesSliversWithoutChangingTheShape) {
@@ -232,6 +275,17 @@ TEST(SurfaceRepair, MakesAnOpenSurfaceConsistent) {
     const std::size_t next = h % 3 == 2 ? h - 2 : h + 1;
     EXPECT_EQ(++(seen[{result.triangles[h], result.triangles[next]}]), 1);
   }
+}
+
+/// Three triangles at one edge: it is unknown which two of them should agree.
+TEST(SurfaceRepair, FlipsNothingOfAnOpenSurfaceWithANonManifoldEdge) {
+  SurfaceMesh mesh;
+  mesh.points = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, -1, 0, 1, 1, 0};
+  mesh.triangles = {0, 1, 2, 0, 1, 3, 0, 1, 4, 1, 2, 5};
+  EXPECT_TRUE(repair(mesh).changes.empty());
+  // Without the third triangle, two neighbours of the first are flipped.
+  removeTriangles(mesh, {2});
+  EXPECT_EQ(kindsOf(repair(mesh))[RepairKind::kTurnedTriangle], 2);
 }
 
 TEST(SurfaceRepair, FillsHolesUpToTheGivenNumberOfEdges) {
@@ -335,6 +389,24 @@ TEST(SurfaceRepair, DropsNodesOfNoTriangle) {
   EXPECT_EQ(result.changes[0].kind, RepairKind::kDroppedNode);
   EXPECT_EQ(result.changes[0].first, 0U);
   EXPECT_EQ(result.points, gridCube(1).points);
+}
+
+TEST(SurfaceRepair, ListsChangesInTheOrderOfTheirKinds) {
+  SurfaceMesh mesh = soupOf(gridCube(2), 0.0);
+  mesh.points.insert(mesh.points.end(), {9.0, 9.0, 9.0});
+  mesh.triangles.insert(mesh.triangles.end(), {0, 0, 1});
+  mesh.triangles.insert(mesh.triangles.end(), {0, 2, 1});
+  removeTriangles(mesh, {5});
+  const SurfaceRepair result = repair(mesh, {.fillsUpTo = 3});
+  EXPECT_TRUE(std::ranges::is_sorted(result.changes, {}, &RepairChange::kind));
+  const std::map<RepairKind, int> kinds = kindsOf(result);
+  // Of the unused nodes, only the additional one is listed as removed: the others are welded.
+  const std::map<RepairKind, int> expected{{RepairKind::kWeldedNode, 3 * 48 - 26},
+                                           {RepairKind::kDroppedNode, 1},
+                                           {RepairKind::kRemovedTriangle, 1},
+                                           {RepairKind::kRemovedDuplicate, 1},
+                                           {RepairKind::kFilledHole, 1}};
+  EXPECT_EQ(kinds, expected);
 }
 
 TEST(SurfaceRepair, RefusesBrokenNumbers) {
