@@ -26,8 +26,9 @@ bool isFlat(const SurfaceMesh& mesh, std::uint32_t t) {
   return glm::length(glm::cross(p[1] - p[0], p[2] - p[0])) == 0.0;
 }
 
-/// The oracle: each triangle against each.
-std::set<Pair> pairsByHand(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& ignored) {
+/// Tests every pair of triangles; the expected result.
+std::set<Pair> allIntersectingPairs(const SurfaceMesh& mesh,
+                                    const std::vector<std::uint8_t>& ignored) {
   std::set<Pair> pairs;
   for (std::uint32_t a = 0; a < countTriangles(mesh); ++a) {
     for (std::uint32_t b = a + 1; b < countTriangles(mesh); ++b) {
@@ -41,7 +42,7 @@ std::set<Pair> pairsByHand(const SurfaceMesh& mesh, const std::vector<std::uint8
   return pairs;
 }
 
-/// In the order in which they are reported.
+/// Returns the reported pairs in their order.
 std::vector<Pair> pairsFound(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& ignored,
                              std::uint32_t budget) {
   BoundaryReport report(mesh, BoundarySource::kGivenSurface);
@@ -60,8 +61,8 @@ std::vector<Pair> pairsFound(const SurfaceMesh& mesh, const std::vector<std::uin
   return pairs;
 }
 
-/// Triangles between few places, so that they share nodes and edges, lie in one plane, are needles,
-/// and stand twenty and more at a node.
+/// Triangles between few positions, so that they share nodes and edges, are coplanar or needles, and that 20 and more
+/// meet at a node.
 SurfaceMesh tangle(Random& random) {
   SurfaceMesh mesh;
   const int nodes = random.integer(8, 24);
@@ -81,7 +82,7 @@ SurfaceMesh tangle(Random& random) {
   return mesh;
 }
 
-TEST(SelfIntersectionTest, FindsWhatEachAgainstEachFinds) {
+TEST(SelfIntersectionTest, FindsAllIntersectingPairs) {
   Random random(61);
   std::size_t found = 0;
   std::size_t clean = 0;
@@ -91,7 +92,7 @@ TEST(SelfIntersectionTest, FindsWhatEachAgainstEachFinds) {
     for (std::uint32_t t = 0; t < countTriangles(mesh); ++t) {
       ignored[t] = isFlat(mesh, t) || random.integer(0, 9) == 0 ? 1 : 0;
     }
-    const std::set<Pair> expected = pairsByHand(mesh, ignored);
+    const std::set<Pair> expected = allIntersectingPairs(mesh, ignored);
     const std::vector<Pair> pairs =
         pairsFound(mesh, ignored, 1 + static_cast<std::uint32_t>(i) % 7);
     ASSERT_EQ(pairs, std::vector<Pair>(expected.begin(), expected.end())) << i;
@@ -102,8 +103,8 @@ TEST(SelfIntersectionTest, FindsWhatEachAgainstEachFinds) {
   EXPECT_GT(clean, 1000U);
 }
 
-/// A cone, its floor a fan too, and a slanted column, both of needles.
-SurfaceMesh needleBody(std::uint32_t sides, bool isCone) {
+/// Returns a cone whose base is a fan too, or a slanted column; both consist of needles.
+SurfaceMesh needleSurface(std::uint32_t sides, bool isCone) {
   SurfaceMesh mesh;
   const auto add = [&](const Vec3& p) { mesh.points.insert(mesh.points.end(), {p.x, p.y, p.z}); };
   for (std::uint32_t i = 0; i < sides; ++i) {
@@ -128,28 +129,28 @@ SurfaceMesh needleBody(std::uint32_t sides, bool isCone) {
   return mesh;
 }
 
-TEST(SelfIntersectionTest, NeedlesAreSoundAndAHoleThroughThemIsFound) {
+TEST(SelfIntersectionTest, AcceptsNeedlesAndFindsANodePulledThroughThem) {
   for (const bool isCone : {true, false}) {
-    SurfaceMesh mesh = needleBody(60, isCone);
+    SurfaceMesh mesh = needleSurface(60, isCone);
     std::vector<std::uint8_t> ignored(countTriangles(mesh), 0);
     EXPECT_TRUE(pairsFound(mesh, ignored, 1000).empty());
-    // A node pulled through the opposite side.
+    // Pull a node through the opposite side.
     mesh.points[0] = isCone ? -1.5 : 1.0;
     mesh.points[1] = isCone ? 0.2 : 6.0;
     mesh.points[2] = isCone ? 0.0 : 8.0;
-    const std::set<Pair> expected = pairsByHand(mesh, ignored);
+    const std::set<Pair> expected = allIntersectingPairs(mesh, ignored);
     EXPECT_FALSE(expected.empty());
     EXPECT_EQ(pairsFound(mesh, ignored, 1000), std::vector<Pair>(expected.begin(), expected.end()));
   }
 }
 
-/// Pairs of tree nodes that are looked at, for each triangle: the axis-parallel boxes of a slanted
-/// column's needles all meet, and would make it a number that grows with their count.
-TEST(TrianglePairsTest, LooksAtFewPairsOfNeedles) {
+/// Counts the pairs of branches per triangle. The axis-parallel boxes of the needles of a slanted column all overlap;
+/// without boxes along the triangles, the number would grow with the number of needles.
+TEST(TrianglePairsTest, VisitsFewPairsOfNeedles) {
   for (const bool isCone : {true, false}) {
     std::vector<double> perTriangle;
     for (const std::uint32_t sides : {250U, 4000U}) {
-      const SurfaceMesh mesh = needleBody(sides, isCone);
+      const SurfaceMesh mesh = needleSurface(sides, isCone);
       const BoxTree tree(triangleBoxes(mesh));
       TrianglePairs pairs(mesh, tree);
       std::uint32_t steps = 1;
@@ -162,8 +163,8 @@ TEST(TrianglePairsTest, LooksAtFewPairsOfNeedles) {
   }
 }
 
-/// So many walls along x, and so many along y: each of the ones meets each of the others.
-SurfaceMesh crossedWalls(std::uint32_t count) {
+/// Returns `count` triangles along x and `count` along y; each of the former intersects each of the latter.
+SurfaceMesh crossingTriangles(std::uint32_t count) {
   SurfaceMesh mesh;
   const auto far = static_cast<double>(count);
   for (const bool alongX : {true, false}) {
@@ -178,12 +179,12 @@ SurfaceMesh crossedWalls(std::uint32_t count) {
   return mesh;
 }
 
-/// Of what is reported: how many are listed, and the values of each.
+/// Returns the number of diagnostics, and their distinct values.
 std::pair<std::size_t, std::set<std::vector<double>>> reportOf(const SurfaceMesh& mesh,
                                                                std::uint32_t budget,
-                                                               std::size_t listed) {
+                                                               std::size_t maxDiagnostics) {
   const std::vector<std::uint8_t> ignored(countTriangles(mesh), 0);
-  BoundaryReport report(mesh, BoundarySource::kGivenSurface, listed);
+  BoundaryReport report(mesh, BoundarySource::kGivenSurface, maxDiagnostics);
   const BoxTree tree(triangleBoxes(mesh));
   Job check([&](Work& work) { return checkSelfIntersections(work, mesh, ignored, tree, report); });
   while (!check.advance(budget)) {
@@ -194,11 +195,11 @@ std::pair<std::size_t, std::set<std::vector<double>>> reportOf(const SurfaceMesh
   return {diagnostics.size(), values};
 }
 
-TEST(SelfIntersectionTest, SaysWhetherAllHaveBeenCounted) {
-  const auto [fewListed, few] = reportOf(crossedWalls(40), 1000, 1000);
+TEST(SelfIntersectionTest, ReportsWhetherTheTotalIsALowerBound) {
+  const auto [fewListed, few] = reportOf(crossingTriangles(40), 1000, 1000);
   EXPECT_EQ(fewListed, 1000U);
   EXPECT_EQ(few, (std::set<std::vector<double>>{{1600.0}}));
-  const SurfaceMesh many = crossedWalls(330);
+  const SurfaceMesh many = crossingTriangles(330);
   const auto [manyListed, atLeast] = reportOf(many, 1000, 1000);
   EXPECT_EQ(manyListed, 1000U);
   ASSERT_EQ(atLeast.size(), 1U);
@@ -210,8 +211,8 @@ TEST(SelfIntersectionTest, SaysWhetherAllHaveBeenCounted) {
   EXPECT_EQ(reportOf(many, 7, 1000).second, atLeast);
 }
 
-TEST(SelfIntersectionTest, FindsAllWhereMoreAreToBeListedThanTheSearchWouldGoOnFor) {
-  const auto [listed, values] = reportOf(crossedWalls(330), 1000, 200'000);
+TEST(SelfIntersectionTest, FindsAllIfTheReportKeepsMoreThanTheLimitOfTheSearch) {
+  const auto [listed, values] = reportOf(crossingTriangles(330), 1000, 200'000);
   EXPECT_EQ(listed, 330U * 330U);
   EXPECT_EQ(values, (std::set<std::vector<double>>{{330.0 * 330.0}}));
 }

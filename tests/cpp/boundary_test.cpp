@@ -45,15 +45,15 @@ Outcome close(SurfaceMesh& mesh, BoundarySource source = BoundarySource::kGivenS
   return outcome;
 }
 
-/// Triangles as sets of equal turns: which node comes first does not matter.
-std::vector<std::array<std::uint32_t, 3>> turnsOf(const SurfaceMesh& mesh) {
-  std::vector<std::array<std::uint32_t, 3>> turns;
+/// Returns the nodes of each triangle in its orientation, the lowest first.
+std::vector<std::array<std::uint32_t, 3>> orientationsOf(const SurfaceMesh& mesh) {
+  std::vector<std::array<std::uint32_t, 3>> orientations;
   for (std::size_t h = 0; h < mesh.triangles.size(); h += 3) {
     std::array<std::uint32_t, 3> t{mesh.triangles[h], mesh.triangles[h + 1], mesh.triangles[h + 2]};
     std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    turns.push_back(t);
+    orientations.push_back(t);
   }
-  return turns;
+  return orientations;
 }
 
 std::uint32_t regionOf(const SurfaceMesh& mesh, std::size_t triangle) {
@@ -66,7 +66,7 @@ struct Shape {
   std::uint32_t regions;
 };
 
-std::vector<Shape> soundShapes() {
+std::vector<Shape> validShapes() {
   return {{"sphere", geodesicSphere(6), 1},
           {"latitude sphere", latitudeSphere(9, 14), 1},
           {"cube", gridCube(4, Diagonals::kParallel), 1},
@@ -85,13 +85,13 @@ std::vector<Shape> soundShapes() {
           {"nested spheres", nestedSpheres(5, 3), 3}};
 }
 
-TEST(BoundaryTest, LeavesSoundOutwardSurfacesAlone) {
-  for (Shape& shape : soundShapes()) {
+TEST(BoundaryTest, LeavesValidOutwardSurfacesUnchanged) {
+  for (Shape& shape : validShapes()) {
     const SurfaceMesh before = shape.mesh;
     const Outcome outcome = close(shape.mesh);
-    for (const Diagnostic& told : outcome.diagnostics) {
-      EXPECT_EQ(told.code, DiagnosticCode::kNestedBodies) << shape.name;
-      EXPECT_EQ(told.values.at(0), shape.regions) << shape.name;
+    for (const Diagnostic& found : outcome.diagnostics) {
+      EXPECT_EQ(found.code, DiagnosticCode::kNestedBodies) << shape.name;
+      EXPECT_EQ(found.values.at(0), shape.regions) << shape.name;
     }
     EXPECT_EQ(outcome.result.regionCount, shape.regions) << shape.name;
     EXPECT_EQ(shape.mesh.triangleRegions.size(), 2 * triangleCount(before)) << shape.name;
@@ -101,25 +101,25 @@ TEST(BoundaryTest, LeavesSoundOutwardSurfacesAlone) {
 }
 
 TEST(BoundaryTest, RestoresRandomlyFlippedTriangles) {
-  for (Shape& shape : soundShapes()) {
-    const auto expected = turnsOf(shape.mesh);
+  for (Shape& shape : validShapes()) {
+    const auto expected = orientationsOf(shape.mesh);
     flipRandomly(shape.mesh, 11);
     const Outcome outcome = close(shape.mesh);
     ASSERT_TRUE(outcome.result.isValid) << shape.name;
-    EXPECT_EQ(turnsOf(shape.mesh), expected) << shape.name;
+    EXPECT_EQ(orientationsOf(shape.mesh), expected) << shape.name;
     std::set<DiagnosticCode> codes = outcome.codes();
     codes.erase(DiagnosticCode::kNestedBodies);
     EXPECT_EQ(codes, std::set{DiagnosticCode::kReorientedPatch}) << shape.name;
   }
 }
 
-TEST(BoundaryTest, RefusesPartsOfMixedTurnsWhereAskedTo) {
-  for (Shape& shape : soundShapes()) {
-    const SurfaceMesh sound = shape.mesh;
+TEST(BoundaryTest, RefusesComponentsOfMixedOrientationOnRequest) {
+  for (Shape& shape : validShapes()) {
+    const SurfaceMesh valid = shape.mesh;
     flipRandomly(shape.mesh, 11);
     std::set<std::uint32_t> flipped;
-    for (std::uint32_t t = 0; t < triangleCount(sound); ++t) {
-      if (shape.mesh.triangles[3 * t + 1] != sound.triangles[3 * t + 1]) flipped.insert(t);
+    for (std::uint32_t t = 0; t < triangleCount(valid); ++t) {
+      if (shape.mesh.triangles[3 * t + 1] != valid.triangles[3 * t + 1]) flipped.insert(t);
     }
     BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
                         MixedOrientation::kRefuse);
@@ -138,40 +138,40 @@ TEST(BoundaryTest, RefusesPartsOfMixedTurnsWhereAskedTo) {
   }
 }
 
-TEST(BoundaryTest, TakesPartsThatAreInsideOutAsAWholeInAnyCase) {
-  for (Shape& shape : soundShapes()) {
-    const auto expected = turnsOf(shape.mesh);
+TEST(BoundaryTest, AcceptsComponentsThatAreFlippedAsAWhole) {
+  for (Shape& shape : validShapes()) {
+    const auto expected = orientationsOf(shape.mesh);
     turnInsideOut(shape.mesh);
     BoundaryCheck check(shape.mesh, BoundarySource::kGivenSurface, EnclosedBodies::kCavities,
                         MixedOrientation::kRefuse);
     while (!check.advance(1U << 16U)) {
     }
     EXPECT_TRUE(check.result().isValid) << shape.name;
-    EXPECT_EQ(turnsOf(shape.mesh), expected) << shape.name;
+    EXPECT_EQ(orientationsOf(shape.mesh), expected) << shape.name;
   }
 }
 
-TEST(BoundaryTest, RestoresSurfacesTurnedInsideOut) {
-  for (Shape& shape : soundShapes()) {
-    const auto expected = turnsOf(shape.mesh);
+TEST(BoundaryTest, OrientsFlippedSurfacesOutward) {
+  for (Shape& shape : validShapes()) {
+    const auto expected = orientationsOf(shape.mesh);
     const std::size_t triangles = triangleCount(shape.mesh);
     turnInsideOut(shape.mesh);
     const Outcome outcome = close(shape.mesh);
     ASSERT_TRUE(outcome.result.isValid) << shape.name;
-    EXPECT_EQ(turnsOf(shape.mesh), expected) << shape.name;
-    double turned = 0.0;
+    EXPECT_EQ(orientationsOf(shape.mesh), expected) << shape.name;
+    double flipped = 0.0;
     for (const Diagnostic& d : outcome.diagnostics) {
       EXPECT_EQ(d.severity, Severity::kInformation);
       if (d.code == DiagnosticCode::kNestedBodies) continue;
-      turned += d.values.at(0);
-      EXPECT_EQ(d.values.at(0), d.values.at(1)) << "all of the shell";
+      flipped += d.values.at(0);
+      EXPECT_EQ(d.values.at(0), d.values.at(1)) << "all triangles of the component";
     }
-    EXPECT_EQ(turned, static_cast<double>(triangles)) << shape.name;
+    EXPECT_EQ(flipped, static_cast<double>(triangles)) << shape.name;
   }
 }
 
-TEST(BoundaryTest, HoldsUnderRotationOffsetScaleAndMirror) {
-  const std::vector<Shape> shapes = soundShapes();
+TEST(BoundaryTest, IsInvariantUnderRotationTranslationScalingAndReflection) {
+  const std::vector<Shape> shapes = validShapes();
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     const Shape& shape = shapes[seed % shapes.size()];
     SurfaceMesh mesh = shape.mesh;
@@ -181,11 +181,11 @@ TEST(BoundaryTest, HoldsUnderRotationOffsetScaleAndMirror) {
     if (random.coin()) scale(mesh, random.coin() ? 1e9 : 1e-9);
     if (random.coin()) translate(mesh, Vec3(1e3, -1e3, 5e2));
     shuffle(mesh, seed);
-    const auto expected = turnsOf(mesh);
+    const auto expected = orientationsOf(mesh);
     flipRandomly(mesh, seed);
     const Outcome outcome = close(mesh);
-    // Rounding may make nodes coincide, or a thin plate touch itself, when a model of 1e-9 is
-    // moved to 1e3; that must be said, and nothing else.
+    // If a model of size 1e-9 is moved to 1e3, rounding can make nodes coincide or a thin plate intersect itself.
+    // The check must report this and nothing else.
     if (!outcome.result.isValid) {
       EXPECT_TRUE(outcome.codes().contains(DiagnosticCode::kCoincidentNodes) ||
                   outcome.codes().contains(DiagnosticCode::kSelfIntersection) ||
@@ -193,7 +193,7 @@ TEST(BoundaryTest, HoldsUnderRotationOffsetScaleAndMirror) {
           << shape.name << " seed " << seed;
       continue;
     }
-    EXPECT_EQ(turnsOf(mesh), expected) << shape.name << " seed " << seed;
+    EXPECT_EQ(orientationsOf(mesh), expected) << shape.name << " seed " << seed;
     EXPECT_EQ(outcome.result.regionCount, shape.regions) << shape.name << " seed " << seed;
   }
 }
@@ -210,7 +210,7 @@ TEST(BoundaryTest, CavityBelongsToTheRegionAroundIt) {
   EXPECT_EQ(mesh.trianglePatch.at(outer), 1U);
 }
 
-TEST(BoundaryTest, NestedShellsAlternate) {
+TEST(BoundaryTest, NestedShellsBoundRegionsAndCavitiesInTurn) {
   constexpr int kDepth = 5;
   SurfaceMesh mesh = nestedSpheres(kDepth, 2);
   const std::size_t each = triangleCount(mesh) / kDepth;
@@ -224,8 +224,8 @@ TEST(BoundaryTest, NestedShellsAlternate) {
   }
 }
 
-/// The unordered pairs of regions on the two sides of each triangle.
-std::multiset<std::pair<std::uint32_t, std::uint32_t>> sidesOf(const SurfaceMesh& mesh) {
+/// Returns the regions of the two half-faces of each triangle, as an unordered pair.
+std::multiset<std::pair<std::uint32_t, std::uint32_t>> halfFacesOf(const SurfaceMesh& mesh) {
   std::multiset<std::pair<std::uint32_t, std::uint32_t>> sides;
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
     sides.insert(std::minmax(mesh.triangleRegions[2 * t], mesh.triangleRegions[2 * t + 1]));
@@ -233,7 +233,7 @@ std::multiset<std::pair<std::uint32_t, std::uint32_t>> sidesOf(const SurfaceMesh
   return sides;
 }
 
-TEST(BoundaryWallsTest, EverySpaceIsARegionOfItsOwn) {
+TEST(BoundaryInterfacesTest, EveryEnclosedVolumeIsARegion) {
   for (const std::array<int, 3>& counts :
        {std::array{2, 1, 1}, std::array{2, 2, 1}, std::array{2, 2, 2}, std::array{3, 3, 3}}) {
     const std::size_t cubes = static_cast<std::size_t>(counts[0] * counts[1] * counts[2]);
@@ -241,7 +241,7 @@ TEST(BoundaryWallsTest, EverySpaceIsARegionOfItsOwn) {
     const SurfaceMesh before = mesh;
     const Outcome outcome = close(mesh);
     ASSERT_TRUE(outcome.result.isValid);
-    EXPECT_EQ(mesh.triangles, before.triangles) << "turned outward already, and walls stay";
+    EXPECT_EQ(mesh.triangles, before.triangles) << "oriented outward already, and interfaces stay";
     EXPECT_EQ(outcome.result.regionCount, cubes);
     ASSERT_EQ(outcome.diagnostics.size(), 1U);
     EXPECT_EQ(outcome.diagnostics[0].code, DiagnosticCode::kNestedBodies);
@@ -249,14 +249,14 @@ TEST(BoundaryWallsTest, EverySpaceIsARegionOfItsOwn) {
     const std::vector<double> volumes = regionVolumes(mesh);
     ASSERT_EQ(volumes.size(), cubes);
     for (const double volume : volumes) EXPECT_NEAR(volume, 1.0, 1e-12);
-    const auto sides = sidesOf(mesh);
+    const auto sides = halfFacesOf(mesh);
     for (std::uint32_t region = 0; region < cubes; ++region) {
       EXPECT_EQ(sides.count({region, region}), 0U);
     }
   }
 }
 
-TEST(BoundaryWallsTest, ManyRegionsAreFoundHoweverTheyAreTurnedAndNumbered) {
+TEST(BoundaryInterfacesTest, FindsRegionsInAnyOrientationAndNumbering) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     SurfaceMesh mesh = dividedBox({2, 2, 2}, 2);
     rotateRandomly(mesh, seed);
@@ -266,7 +266,7 @@ TEST(BoundaryWallsTest, ManyRegionsAreFoundHoweverTheyAreTurnedAndNumbered) {
     ASSERT_TRUE(outcome.result.isValid) << seed;
     EXPECT_EQ(outcome.result.regionCount, 8U) << seed;
     for (const double volume : regionVolumes(mesh)) EXPECT_NEAR(volume, 1.0, 1e-12) << seed;
-    const auto sides = sidesOf(mesh);
+    const auto sides = halfFacesOf(mesh);
     std::size_t outer = 0;
     for (std::uint32_t region = 0; region < 8; ++region)
       outer += sides.count({region, SurfaceMesh::kNoRegion});
@@ -277,9 +277,8 @@ TEST(BoundaryWallsTest, ManyRegionsAreFoundHoweverTheyAreTurnedAndNumbered) {
   }
 }
 
-/// Bodies within a body with walls: a plain one is a cavity of the region around it, one with walls is
-/// filled, and one that fills a cavity's cavity too.
-TEST(BoundaryWallsTest, BodiesWithinRegions) {
+/// Components inside regions: one without interfaces bounds a cavity, one with interfaces bounds regions.
+TEST(BoundaryInterfacesTest, ComponentsInsideRegions) {
   SurfaceMesh mesh = dividedBox({2, 1, 1}, 1);
   SurfaceMesh cavity = gridCube(1);
   scale(cavity, 0.5);
@@ -301,9 +300,9 @@ TEST(BoundaryWallsTest, BodiesWithinRegions) {
   EXPECT_NEAR(volumes[3], 1.0 - 2 * 0.015625, 1e-12);
 }
 
-TEST(BoundaryWallsTest, AWallWithAHoleIsOpen) {
+TEST(BoundaryInterfacesTest, AnInterfaceWithAHoleHasOpenEdges) {
   SurfaceMesh mesh = dividedBox({2, 1, 1}, 3);
-  // The two triangles of the wall's middle square.
+  // Remove the two triangles of the middle square of the interface.
   std::vector<std::uint32_t> kept;
   for (std::size_t h = 0; h < mesh.triangles.size(); h += 3) {
     bool isMiddle = true;
@@ -321,8 +320,8 @@ TEST(BoundaryWallsTest, AWallWithAHoleIsOpen) {
   EXPECT_EQ(outcome.diagnostics.size(), 4U);
 }
 
-/// A ring cut through once is one region still, on both sides of the cut.
-TEST(BoundaryWallsTest, ASheetWithOneSpaceOnBothSidesIsTold) {
+/// A ring with a single cut is still one region, on both sides of the cut.
+TEST(BoundaryInterfacesTest, ReportsADanglingSheet) {
   constexpr int kMinor = 6;
   SurfaceMesh inside = torus(1.0, 0.3, 12, kMinor);
   // A meridian: the nodes of largest x with y = 0.
@@ -343,14 +342,14 @@ TEST(BoundaryWallsTest, ASheetWithOneSpaceOnBothSidesIsTold) {
   EXPECT_EQ(outcome.diagnostics[0].entities.at(0).index, 2U * 12U * kMinor);
 }
 
-/// The smallest region around a cavity owns it, wherever it stands in the file.
-TEST(BoundaryTest, TwoCavitiesAndAnIslandInAnyOrder) {
+/// A cavity belongs to the smallest region around it, in any order of the triangles.
+TEST(BoundaryTest, TwoCavitiesAndARegionInsideOneOfThem) {
   const auto box = [](double from, double to) { return gridBox(Vec3(from), Vec3(to), {1, 1, 1}); };
-  SurfaceMesh mesh = box(0.6, 0.8);  // an island in the cavity below
+  SurfaceMesh mesh = box(0.6, 0.8);  // a region in the next cavity
   append(mesh, box(0.5, 0.9));       // a cavity
-  append(mesh, box(0.1, 0.2));       // another
-  append(mesh, box(0.0, 1.0));       // the outside
-  append(mesh, box(2.0, 3.0));       // a separate body
+  append(mesh, box(0.1, 0.2));       // another cavity
+  append(mesh, box(0.0, 1.0));       // the outer boundary
+  append(mesh, box(2.0, 3.0));       // a separate region
   const Outcome outcome = close(mesh);
   ASSERT_TRUE(outcome.result.isValid);
   EXPECT_EQ(outcome.result.regionCount, 3U);
@@ -361,7 +360,7 @@ TEST(BoundaryTest, TwoCavitiesAndAnIslandInAnyOrder) {
   EXPECT_NEAR(enclosedVolume(mesh), 0.008 + (1.0 - 0.064 - 0.001) + 1.0, 1e-12);
 }
 
-TEST(BoundaryTest, BodiesTouchingAlongAnEdgeAreTwoRegions) {
+TEST(BoundaryTest, CubesThatShareAnEdgeAreTwoRegions) {
   SurfaceMesh mesh = cubesSharingEdge();
   flipRandomly(mesh, 13);
   const Outcome outcome = close(mesh);
@@ -373,10 +372,9 @@ TEST(BoundaryTest, BodiesTouchingAlongAnEdgeAreTwoRegions) {
   EXPECT_NEAR(enclosedVolume(mesh), 2.0, 1e-14);
 }
 
-/// Two notches of a cube that meet in an edge leave one body, pinched there.
-TEST(BoundaryTest, PinchedBodyIsOneRegion) {
-  // A 2 x 2 x 1 block of cubes without two opposite ones, doubled by a slab below that joins the
-  // remaining two.
+/// Two notches of a cube that share an edge leave one region with a non-manifold edge.
+TEST(BoundaryTest, ARegionWithANonManifoldEdgeIsOneRegion) {
+  // Two diagonally opposite cubes on a slab of 2 x 2 cubes, which connects them.
   SurfaceMesh mesh;
   std::vector<std::array<int, 3>> cells{{0, 0, 1}, {1, 1, 1}, {0, 0, 0},
                                         {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
@@ -419,28 +417,28 @@ TEST(BoundaryTest, PinchedBodyIsOneRegion) {
   EXPECT_NEAR(enclosedVolume(mesh), 6.0, 1e-14);
 }
 
-// ---- each finding provoked --------------------------------------------------------------------
+// ---- each diagnostic provoked -----------------------------------------------------------------
 
 TEST(BoundaryDiagnosticsTest, EmptySurface) {
   SurfaceMesh mesh;
   EXPECT_EQ(close(mesh).codes(), std::set{DiagnosticCode::kEmptyModel});
 }
 
-TEST(BoundaryDiagnosticsTest, NumbersThatCannotBe) {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity(), 1e200, 1e-200}) {
+TEST(BoundaryDiagnosticsTest, CoordinatesOutOfRange) {
+  for (const double invalid : {std::numeric_limits<double>::quiet_NaN(),
+                               std::numeric_limits<double>::infinity(), 1e200, 1e-200}) {
     SurfaceMesh mesh = geodesicSphere(2);
-    mesh.points[3 * 7 + 1] = bad;
+    mesh.points[3 * 7 + 1] = invalid;
     const Outcome outcome = close(mesh);
     EXPECT_EQ(outcome.codes(), std::set{DiagnosticCode::kNotFinite});
     EXPECT_EQ(outcome.diagnostics.at(0).entities.at(0).kind, EntityKind::kSurfaceNode);
     EXPECT_EQ(outcome.diagnostics.at(0).entities.at(0).index, 7U);
   }
-  // Nothing is said of the extent where no coordinate can be computed with.
+  // If no coordinate is in range, the extent is unknown and not reported.
   SurfaceMesh huge = geodesicSphere(2);
   scale(huge, 1e150);
-  for (const Diagnostic& told : close(huge).diagnostics)
-    EXPECT_GT(std::fabs(told.values.at(0)), 1e30);
+  for (const Diagnostic& found : close(huge).diagnostics)
+    EXPECT_GT(std::fabs(found.values.at(0)), 1e30);
   SurfaceMesh tiny = geodesicSphere(2);
   scale(tiny, 1e-60);
   EXPECT_EQ(close(tiny).codes(), std::set{DiagnosticCode::kNotFinite});
@@ -455,7 +453,7 @@ TEST(BoundaryDiagnosticsTest, IndexOutOfRange) {
   EXPECT_EQ(outcome.diagnostics.at(0).values.at(0), 4000.0);
 }
 
-TEST(BoundaryDiagnosticsTest, PointsAndTrianglesOfLessThanThreeNumbers) {
+TEST(BoundaryDiagnosticsTest, IncompleteNodesAndTriangles) {
   for (const std::size_t missing : {1U, 2U}) {
     SurfaceMesh mesh = geodesicSphere(2);
     const std::size_t triangles = triangleCount(mesh);
@@ -475,7 +473,7 @@ TEST(BoundaryDiagnosticsTest, PointsAndTrianglesOfLessThanThreeNumbers) {
   }
 }
 
-TEST(BoundaryDiagnosticsTest, OpenEdgesAreCountedAndPlaced) {
+TEST(BoundaryDiagnosticsTest, CountsAndLocatesOpenEdges) {
   SurfaceMesh mesh = geodesicSphere(4);
   const std::array<std::uint32_t, 3> lost{mesh.triangles[30], mesh.triangles[31],
                                           mesh.triangles[32]};
@@ -499,7 +497,7 @@ TEST(BoundaryDiagnosticsTest, ThirdTriangleOnAnEdge) {
   mesh.triangles.insert(mesh.triangles.end(), {mesh.triangles[0], mesh.triangles[1], extra});
   const Outcome outcome = close(mesh);
   EXPECT_EQ(outcome.codes(), std::set{DiagnosticCode::kOpenEdge});
-  EXPECT_EQ(outcome.diagnostics.size(), 2U) << "the fin's own edges";
+  EXPECT_EQ(outcome.diagnostics.size(), 2U) << "the open edges of the third triangle";
 }
 
 TEST(BoundaryDiagnosticsTest, DegenerateTriangles) {
@@ -511,11 +509,11 @@ TEST(BoundaryDiagnosticsTest, DegenerateTriangles) {
   EXPECT_EQ(outcome.codes(), std::set{DiagnosticCode::kDegenerateTriangle});
   EXPECT_EQ(outcome.diagnostics.at(0).entities.at(0).index, triangleCount(mesh) - 1);
 
-  // Three nodes in one line: a T-junction filled by a triangle without area.
+  // Three collinear nodes: a T-junction closed by a degenerate triangle.
   SurfaceMesh line = tetrahedronSurface(
       {Vec3(0.0), Vec3(2.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)});
   line.points.insert(line.points.end(), {1.0, 0.0, 0.0});
-  // The edge 0 1 is divided in one of its two triangles only.
+  // Only one of the two triangles at the edge 0 1 is split.
   for (std::size_t h = 0; h < line.triangles.size(); h += 3) {
     std::array<std::uint32_t, 3> t{line.triangles[h], line.triangles[h + 1], line.triangles[h + 2]};
     std::rotate(t.begin(), std::find(t.begin(), t.end(), 0U), t.end());
@@ -527,7 +525,8 @@ TEST(BoundaryDiagnosticsTest, DegenerateTriangles) {
   }
   outcome = close(line);
   EXPECT_EQ(outcome.of(DiagnosticCode::kDegenerateTriangle).size(), 1U);
-  EXPECT_TRUE(outcome.of(DiagnosticCode::kOpenEdge).empty()) << "it closes the gap, if badly";
+  EXPECT_TRUE(outcome.of(DiagnosticCode::kOpenEdge).empty())
+      << "the degenerate triangle closes the gap";
 }
 
 TEST(BoundaryDiagnosticsTest, DuplicateTriangles) {
@@ -540,7 +539,7 @@ TEST(BoundaryDiagnosticsTest, DuplicateTriangles) {
   EXPECT_EQ(outcome.diagnostics.at(0).entities.at(1).index, triangleCount(mesh) - 1);
 }
 
-TEST(BoundaryDiagnosticsTest, UnjoinedNodes) {
+TEST(BoundaryDiagnosticsTest, CoincidentNodes) {
   SurfaceMesh mesh = gridCube(1);
   SurfaceMesh other = gridCube(1);
   translate(other, Vec3(1.0, 1.0, 1.0));
@@ -552,7 +551,7 @@ TEST(BoundaryDiagnosticsTest, UnjoinedNodes) {
   EXPECT_EQ(found[0].entities.size(), 2U);
 }
 
-TEST(BoundaryDiagnosticsTest, AFloodIsCountedAndTheFirstThousandAreListed) {
+TEST(BoundaryDiagnosticsTest, ListsTheFirstThousandSelfIntersectionsAndCountsAll) {
   SurfaceMesh mesh;
   for (int i = 0; i < 5; ++i) {
     SurfaceMesh other = geodesicSphere(14);
@@ -566,7 +565,7 @@ TEST(BoundaryDiagnosticsTest, AFloodIsCountedAndTheFirstThousandAreListed) {
   EXPECT_GT(found[0].values.back(), 1000.0);
 }
 
-TEST(BoundaryDiagnosticsTest, BodiesThatCross) {
+TEST(BoundaryDiagnosticsTest, CrossingSpheres) {
   SurfaceMesh mesh = geodesicSphere(5);
   SurfaceMesh other = geodesicSphere(5);
   translate(other, Vec3(1.3, 0.1, 0.2));
@@ -575,7 +574,7 @@ TEST(BoundaryDiagnosticsTest, BodiesThatCross) {
   EXPECT_EQ(outcome.codes(), std::set{DiagnosticCode::kSelfIntersection});
   ASSERT_GT(outcome.diagnostics.size(), 20U);
   EXPECT_EQ(outcome.diagnostics[0].values.back(), static_cast<double>(outcome.diagnostics.size()))
-      << "all are listed";
+      << "lists all of them";
   for (const Diagnostic& d : outcome.diagnostics) {
     EXPECT_NEAR(d.place.x, 0.65, 0.2);
     EXPECT_LT(d.entities.at(0).index, 500U);
@@ -583,13 +582,13 @@ TEST(BoundaryDiagnosticsTest, BodiesThatCross) {
   }
 }
 
-TEST(BoundaryDiagnosticsTest, TouchingCounts) {
-  // A corner of one box in the middle of a face of the other.
+TEST(BoundaryDiagnosticsTest, TouchingIsSelfIntersection) {
+  // A corner of the tetrahedron lies inside a face of the cube.
   SurfaceMesh mesh = gridCube(1);
   append(mesh, tetrahedronSurface({Vec3(0.6, 0.3, 1.0), Vec3(0.2, 0.2, 2.0), Vec3(0.8, 0.2, 2.0),
                                    Vec3(0.5, 0.8, 2.0)}));
   EXPECT_EQ(close(mesh).codes(), std::set{DiagnosticCode::kSelfIntersection});
-  // Lifted by one unit in the last place it is free, and a second region.
+  // Raised by one unit in the last place, the tetrahedron is a separate region.
   for (std::size_t i = 3 * 8 + 2; i < mesh.points.size(); i += 3) {
     mesh.points[i] = std::nextafter(mesh.points[i], 3.0);
   }
@@ -613,7 +612,7 @@ TEST(BoundaryDiagnosticsTest, FoldedNeighbours) {
   EXPECT_EQ(close(mesh).codes(), std::set{DiagnosticCode::kSelfIntersection});
 }
 
-/// One-sided surfaces cannot be embedded without a rim.
+/// A closed one-sided surface always intersects itself.
 TEST(BoundaryDiagnosticsTest, OneSidedSurface) {
   // The projective plane on six nodes: every edge has two triangles.
   SurfaceMesh mesh;
@@ -625,15 +624,15 @@ TEST(BoundaryDiagnosticsTest, OneSidedSurface) {
   mesh.triangles = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 5, 0, 5, 1,
                     1, 2, 4, 2, 3, 5, 3, 4, 1, 4, 5, 2, 5, 1, 3};
   EXPECT_EQ(close(mesh).codes(), std::set{DiagnosticCode::kSelfIntersection});
-  // Glued by itself it has one side only.
+  // All its half-faces belong to one shell.
   const EdgeTable edges(mesh.triangles, 6, {});
   EXPECT_EQ(edges.edgeCount(), 15U);
   const std::vector<ShellId> shells = linkHalfFaces(mesh, edges);
   EXPECT_EQ(std::set(shells.begin(), shells.end()), std::set{ShellId(0U)});
 }
 
-/// A slanted fibre, far thinner than long: its volume is small, but no rounding error.
-TEST(BoundaryTest, ThinBodiesHaveAVolume) {
+/// A slanted fibre, much thinner than long: its volume is small, but above the rounding error.
+TEST(BoundaryTest, ThinRegionsHaveAVolume) {
   constexpr double kWidth = 1e-7;
   SurfaceMesh mesh = gridBox(Vec3(0.0), Vec3(kWidth, kWidth, 1.0), {1, 1, 2000});
   for (std::size_t i = 0; i < mesh.points.size(); i += 3) {
@@ -661,7 +660,7 @@ TEST(BoundaryDiagnosticsTest, ZeroVolume) {
 }
 
 /// Flips the outside of two boxes with a common wall: the wall counts neither as flipped nor among all.
-TEST(BoundaryWallsTest, InterfacesDoNotCountAsTrianglesOfTheirComponent) {
+TEST(BoundaryInterfacesTest, InterfacesDoNotCountAsTrianglesOfTheirComponent) {
   SurfaceMesh mesh = dividedBox({2, 1, 1}, 1);
   ASSERT_TRUE(close(mesh).result.isValid);
   std::uint32_t outer = 0;
@@ -684,7 +683,7 @@ TEST(BoundaryWallsTest, InterfacesDoNotCountAsTrianglesOfTheirComponent) {
   }
 }
 
-TEST(BoundaryDiagnosticsTest, NothingIsTurnedWhenThereAreErrors) {
+TEST(BoundaryDiagnosticsTest, FlipsNothingIfThereAreErrors) {
   SurfaceMesh mesh = geodesicSphere(3);
   mesh.triangles.resize(mesh.triangles.size() - 3);
   flipRandomly(mesh, 4);
@@ -693,7 +692,7 @@ TEST(BoundaryDiagnosticsTest, NothingIsTurnedWhenThereAreErrors) {
   EXPECT_EQ(mesh.triangles, before);
 }
 
-// ---- drawn models: lines and patches are named ---------------------------------------------------
+// ---- drawn models: diagnostics name lines and patches ---------------------------------------------------
 
 /// The unit cube as six patches of n x n squares, numbered -x +x -y +y -z +z, and its twelve
 /// lines, each with its sides.
@@ -726,18 +725,18 @@ SurfaceMesh drawnCube(int n) {
   return mesh;
 }
 
-TEST(DrawnBoundaryTest, ReversedPatchesAreTurnedAndNamed) {
+TEST(DrawnBoundaryTest, FlipsAndNamesReversedPatches) {
   SurfaceMesh mesh = drawnCube(3);
-  const auto expected = turnsOf(mesh);
+  const auto expected = orientationsOf(mesh);
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
     if (mesh.trianglePatch[t] == 1 || mesh.trianglePatch[t] == 4) flipTriangle(mesh, TriangleId(t));
   }
   const std::vector<std::uint32_t> patches = mesh.trianglePatch;
   const Outcome outcome = close(mesh, BoundarySource::kDrawnPatches);
   ASSERT_TRUE(outcome.result.isValid);
-  EXPECT_EQ(turnsOf(mesh), expected);
+  EXPECT_EQ(orientationsOf(mesh), expected);
   EXPECT_EQ(mesh.trianglePatch, patches);
-  ASSERT_EQ(outcome.diagnostics.size(), 1U) << "of all of them in one";
+  ASSERT_EQ(outcome.diagnostics.size(), 1U) << "one for all patches";
   EXPECT_EQ(outcome.diagnostics[0].code, DiagnosticCode::kReorientedPatch);
   ASSERT_EQ(outcome.diagnostics[0].entities.size(), 2U);
   for (const auto& [at, patch] : {std::pair{0U, 1U}, {1U, 4U}}) {
@@ -746,11 +745,12 @@ TEST(DrawnBoundaryTest, ReversedPatchesAreTurnedAndNamed) {
   }
 }
 
-/// The triangles that a finding names behind its lines and patches, each once, all of its patches.
-std::vector<std::uint32_t> trianglesOf(const Diagnostic& finding, const SurfaceMesh& mesh) {
+/// Returns the triangles that a diagnostic names after its lines and patches, and expects that they belong to these
+/// patches and are distinct.
+std::vector<std::uint32_t> trianglesOf(const Diagnostic& diagnostic, const SurfaceMesh& mesh) {
   std::set<std::uint32_t> patches;
   std::vector<std::uint32_t> triangles;
-  for (const Entity& entity : finding.entities) {
+  for (const Entity& entity : diagnostic.entities) {
     if (entity.kind == EntityKind::kPatch) patches.insert(entity.index);
     if (entity.kind == EntityKind::kTriangle) triangles.push_back(entity.index);
   }
@@ -774,7 +774,7 @@ TEST(DrawnBoundaryTest, OpenEdgesAreReportedOncePerLine) {
     ASSERT_EQ(d.entities.size(), 5U);
     EXPECT_EQ(d.entities[0].kind, EntityKind::kLine);
     EXPECT_EQ(d.entities[1].kind, EntityKind::kPatch);
-    EXPECT_EQ(trianglesOf(d, mesh).size(), 3U) << "one at each side of the line";
+    EXPECT_EQ(trianglesOf(d, mesh).size(), 3U) << "one for each side of the line";
     lines.insert(d.entities[0].index);
     EXPECT_EQ(d.values.back(), 3.0) << "sides of the line";
     EXPECT_EQ(d.place.z, 1.0);
@@ -812,7 +812,7 @@ TEST(DrawnBoundaryTest, NamesAtMostTwoHundredTrianglesButCountsAll) {
 
 TEST(DrawnBoundaryTest, IntersectingPatchesAreReportedOncePerPair) {
   SurfaceMesh mesh = drawnCube(4);
-  // A second, smaller cube of patches 6 to 11 pokes through the upper side of the first.
+  // A second, smaller cube with the patches 6 to 11 crosses the top of the first.
   SurfaceMesh second = drawnCube(4);
   scale(second, 0.5);
   translate(second, Vec3(0.21, 0.22, 0.7));
@@ -833,7 +833,7 @@ TEST(DrawnBoundaryTest, IntersectingPatchesAreReportedOncePerPair) {
   }
 }
 
-TEST(BoundaryTest, SlicesGiveTheSameAsOneRun) {
+TEST(BoundaryTest, DoesNotDependOnTheSlices) {
   SurfaceMesh whole = cubeWithSphericalCavity(6, 5);
   flipRandomly(whole, 21);
   SurfaceMesh sliced = whole;

@@ -52,7 +52,7 @@ TEST(SurfaceInspection, MeasuresAUnitCube) {
   EXPECT_TRUE(found.diagnostics.empty());
 }
 
-TEST(SurfaceInspection, TellsBodiesFromCavities) {
+TEST(SurfaceInspection, DistinguishesRegionsAndCavities) {
   const SurfaceInspection found = inspect(nestedSpheres(3, 2));
   EXPECT_EQ(found.regions, 2U);
   ASSERT_EQ(found.shells.size(), 3U);
@@ -65,7 +65,7 @@ TEST(SurfaceInspection, TellsBodiesFromCavities) {
               found.shells[0].volume - found.shells[1].volume + found.shells[2].volume, 1e-12);
 }
 
-TEST(SurfaceInspection, TakesFacesBetweenRegionsEitherWayRound) {
+TEST(SurfaceInspection, AcceptsInterfacesInEitherOrientation) {
   SurfaceMesh spheres = nestedSpheres(3, 2);
   const std::size_t last = spheres.triangles.size() - 3;
   std::swap(spheres.triangles[last], spheres.triangles[last + 1]);
@@ -75,7 +75,7 @@ TEST(SurfaceInspection, TakesFacesBetweenRegionsEitherWayRound) {
   while (!asRegions.advance(1000)) {
   }
   EXPECT_TRUE(asRegions.result().isFillable);
-  // Three regions; each of the two walls is there from either side, and no side is a void.
+  // Three regions; each of the two interfaces belongs to two shells, and none bounds a cavity.
   EXPECT_EQ(asRegions.result().regions, 3U);
   EXPECT_EQ(asRegions.result().shells.size(), 5U);
   for (const ShellFigures& shell : asRegions.result().shells) EXPECT_FALSE(shell.isCavity);
@@ -93,8 +93,8 @@ TEST(SurfaceInspection, CountsOpenEdges) {
   EXPECT_TRUE(found.shells.empty());
 }
 
-TEST(SurfaceInspection, CountsOpenEdgesAsItsProblemsDo) {
-  // A triangle twice, and none beside it: its free edge has two triangles by number.
+TEST(SurfaceInspection, CountsOpenEdgesAsItsDiagnosticsDo) {
+  // A duplicate triangle next to a missing one: with the duplicate, the open edge would have two triangles.
   SurfaceMesh mesh = gridCube(2);
   const std::array<std::uint32_t, 3> again{mesh.triangles[3], mesh.triangles[5], mesh.triangles[4]};
   mesh.triangles.insert(mesh.triangles.end(), again.begin(), again.end());
@@ -111,7 +111,7 @@ TEST(SurfaceInspection, CountsOpenEdgesAsItsProblemsDo) {
   EXPECT_EQ(found.crowdedEdges + found.pinchedNodes, 0U);
 }
 
-TEST(SurfaceInspection, SeesBodiesThatTouch) {
+TEST(SurfaceInspection, CountsNonManifoldEdgesAndNodes) {
   const SurfaceInspection edge = inspect(cubesSharingEdge());
   EXPECT_TRUE(edge.isFillable && edge.isClosed);
   EXPECT_FALSE(edge.isManifold);
@@ -124,7 +124,7 @@ TEST(SurfaceInspection, SeesBodiesThatTouch) {
   EXPECT_EQ(node.pinchedNodes, 1U);
 }
 
-TEST(SurfaceInspection, SeesSurfacesThatCutThemselves) {
+TEST(SurfaceInspection, FindsSelfIntersections) {
   SurfaceMesh mesh = gridCube(1);
   SurfaceMesh other = gridCube(1);
   translate(other, Vec3(0.5, 0.25, 0.125));
@@ -135,19 +135,19 @@ TEST(SurfaceInspection, SeesSurfacesThatCutThemselves) {
   EXPECT_NEAR(found.area, 12.0, 1e-13);
 }
 
-TEST(SurfaceInspection, CountsTrianglesToBeTurned) {
+TEST(SurfaceInspection, CountsFlippedTriangles) {
   SurfaceMesh mesh = geodesicSphere(3);
   std::swap(mesh.triangles[7], mesh.triangles[8]);
   EXPECT_EQ(inspect(mesh).turnedTriangles, 1U);
-  EXPECT_FALSE(inspect(mesh).isFillable) << "unless a repair is asked for";
+  EXPECT_FALSE(inspect(mesh).isFillable) << "only an explicit repair may flip single triangles";
   turnInsideOut(mesh);
   EXPECT_EQ(inspect(mesh).turnedTriangles, triangleCount(mesh) - 1);
   std::swap(mesh.triangles[7], mesh.triangles[8]);
   EXPECT_EQ(inspect(mesh).turnedTriangles, triangleCount(mesh));
-  EXPECT_TRUE(inspect(mesh).isFillable) << "a whole part has no sides to choose from";
+  EXPECT_TRUE(inspect(mesh).isFillable) << "flipped as a whole";
 }
 
-TEST(SurfaceInspection, KeepsAwayFromBrokenNumbers) {
+TEST(SurfaceInspection, ReportsInvalidNumbersAndMeasuresNothing) {
   SurfaceMesh mesh = gridCube(1);
   mesh.triangles[4] = 1000;
   const SurfaceInspection found = inspect(mesh);
@@ -160,7 +160,7 @@ TEST(SurfaceInspection, KeepsAwayFromBrokenNumbers) {
   EXPECT_EQ(inspect(mesh).triangles, 0U);
 }
 
-TEST(SurfaceInspection, NamesANodeOrTriangleThatIsCutOffByItsPlace) {
+TEST(SurfaceInspection, NamesIncompleteNodesAndTrianglesByTheirIndex) {
   SurfaceMesh mesh = gridCube(1);
   const auto nodes = static_cast<std::uint32_t>(mesh.points.size() / 3);
   const std::uint32_t triangles = triangleCount(mesh);
@@ -168,18 +168,18 @@ TEST(SurfaceInspection, NamesANodeOrTriangleThatIsCutOffByItsPlace) {
   mesh.triangles.push_back(0);
   const SurfaceInspection found = inspect(mesh);
   ASSERT_EQ(found.diagnostics.size(), 2U);
-  const std::array wanted{Entity{EntityKind::kSurfaceNode, nodes},
-                          Entity{EntityKind::kTriangle, triangles}};
+  const std::array expected{Entity{EntityKind::kSurfaceNode, nodes},
+                            Entity{EntityKind::kTriangle, triangles}};
   for (std::size_t i = 0; i < 2; ++i) {
     const Diagnostic& cut = found.diagnostics[i];
     EXPECT_EQ(cut.code, DiagnosticCode::kIndexOutOfRange);
-    EXPECT_EQ(cut.entities.at(0).kind, wanted[i].kind);
-    EXPECT_EQ(cut.entities.at(0).index, wanted[i].index);
-    EXPECT_EQ(cut.values.at(0), static_cast<double>(wanted[i].index));
+    EXPECT_EQ(cut.entities.at(0).kind, expected[i].kind);
+    EXPECT_EQ(cut.entities.at(0).index, expected[i].index);
+    EXPECT_EQ(cut.values.at(0), static_cast<double>(expected[i].index));
   }
 }
 
-/// So many pairs of needles far from each other, triangles 2i and 2i + 1, that go through one another.
+/// Returns pairs of needles, triangles 2i and 2i + 1, that intersect each other and are far from other pairs.
 SurfaceMesh crossingNeedles(std::uint32_t pairs) {
   SurfaceMesh mesh;
   for (std::uint32_t i = 0; i < pairs; ++i) {
@@ -194,11 +194,11 @@ SurfaceMesh crossingNeedles(std::uint32_t pairs) {
   return mesh;
 }
 
-TEST(SurfaceInspection, ListsAsManyFindingsAsAreAskedForAndCountsAll) {
+TEST(SurfaceInspection, ListsAtMostTheGivenNumberOfDiagnosticsAndCountsAll) {
   constexpr std::uint32_t kPairs = 3000;
   const SurfaceMesh mesh = crossingNeedles(kPairs);
-  for (const std::uint32_t wanted : {1U, 1000U, kPairs, 2 * kPairs}) {
-    const SurfaceInspection found = inspect(mesh, 256, {.findings = wanted});
+  for (const std::uint32_t limit : {1U, 1000U, kPairs, 2 * kPairs}) {
+    const SurfaceInspection found = inspect(mesh, 256, {.findings = limit});
     std::uint32_t pairs = 0;
     std::uint32_t edges = 0;
     for (const Diagnostic& d : found.diagnostics) {
@@ -213,12 +213,12 @@ TEST(SurfaceInspection, ListsAsManyFindingsAsAreAskedForAndCountsAll) {
       EXPECT_EQ(d.values, std::vector<double>{kPairs});
       ++pairs;
     }
-    EXPECT_EQ(pairs, std::min(wanted, kPairs));
-    EXPECT_EQ(edges, std::min(wanted, 6 * kPairs));
+    EXPECT_EQ(pairs, std::min(limit, kPairs));
+    EXPECT_EQ(edges, std::min(limit, 6 * kPairs));
   }
 }
 
-TEST(SurfaceInspection, DoesNotDependOnItsSlices) {
+TEST(SurfaceInspection, DoesNotDependOnTheSlices) {
   SurfaceMesh mesh = cubeWithSphericalCavity(4, 3);
   shuffle(mesh, 5);
   const SurfaceInspection whole = inspect(mesh);
@@ -228,7 +228,7 @@ TEST(SurfaceInspection, DoesNotDependOnItsSlices) {
   EXPECT_EQ(whole.worst[0].triangle, sliced.worst[0].triangle);
 }
 
-TEST(SurfaceInspection, EndsWhateverBudgetItGets) {
+TEST(SurfaceInspection, EndsWithABudgetOfZero) {
   const SurfaceMesh mesh = gridCube(1);
   SurfaceInspector inspector(mesh.points, mesh.triangles);
   int calls = 0;
@@ -237,7 +237,7 @@ TEST(SurfaceInspection, EndsWhateverBudgetItGets) {
   EXPECT_TRUE(inspector.result().isFillable);
 }
 
-TEST(SurfaceInspection, PutsTheWorstTriangleFirst) {
+TEST(SurfaceInspection, ListsTheWorstTriangleFirst) {
   SurfaceMesh mesh = gridCube(3);
   const auto moved = std::find(mesh.points.begin(), mesh.points.end(), 1.0 / 3.0);
   ASSERT_NE(moved, mesh.points.end());

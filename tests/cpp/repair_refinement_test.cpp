@@ -1,4 +1,4 @@
-/// Given surfaces divided until their triangles fit the sizes wanted.
+/// @file Refinement of given surfaces until their triangles fit the target sizes.
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ double smallestAngle(const SurfaceMesh& mesh) {
   return smallest * 180.0 / 3.14159265358979323846;
 }
 
-/// By edge, how many triangles there are.
+/// Returns the number of triangles at each edge.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> edgesOf(const SurfaceMesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (std::size_t h = 0; h < mesh.triangles.size(); ++h) {
@@ -71,7 +71,7 @@ std::map<std::pair<std::uint32_t, std::uint32_t>, int> edgesOf(const SurfaceMesh
   return edges;
 }
 
-/// The parts of each given triangle lie in it, are turned as it is, and cover it.
+/// Expects that the parts of each given triangle lie in it, have its orientation and cover it.
 void expectSameShape(const SurfaceMesh& given, const SurfaceRefinement& refined) {
   const SurfaceMesh mesh = surfaceOf(refined);
   ASSERT_EQ(refined.origin.size(), triangleCount(mesh));
@@ -110,7 +110,7 @@ MeshRun filled(const SurfaceMesh& surface, const BackgroundGrid& grid, const Mes
   return run;
 }
 
-/// A drum whose lids are fans of needles around a node on the rim.
+/// Returns a drum whose lids are fans of needles around a node of the rim.
 SurfaceMesh drumOfNeedles(std::uint32_t sectors) {
   SurfaceMesh mesh;
   for (std::uint32_t i = 0; i < sectors; ++i) {
@@ -129,7 +129,7 @@ SurfaceMesh drumOfNeedles(std::uint32_t sectors) {
   return mesh;
 }
 
-TEST(SurfaceRefiner, MakesACubeOfTwelveTrianglesFitForAnySize) {
+TEST(SurfaceRefiner, RefinesACubeOfTwelveTrianglesToAnySize) {
   const SurfaceMesh cube = gridCube(1);
   for (const double size : {0.31, 0.15, 0.1}) {
     const SurfaceRefinement refined = refine(cube, {}, sized(size));
@@ -150,7 +150,7 @@ TEST(SurfaceRefiner, MakesACubeOfTwelveTrianglesFitForAnySize) {
   }
 }
 
-TEST(SurfaceRefiner, LeavesWhatIsFineEnough) {
+TEST(SurfaceRefiner, LeavesAFineSurfaceUnchanged) {
   const SurfaceMesh sphere = geodesicSphere(6);
   for (const SurfaceRefinement& refined : {refine(sphere, {}, sized(0.2)), refine(sphere, {}),
                                            refine(sphere, sourceAt(Vec3(0), 0.2, 0))}) {
@@ -161,7 +161,7 @@ TEST(SurfaceRefiner, LeavesWhatIsFineEnough) {
   }
 }
 
-TEST(SurfaceRefiner, KeepsAnglesAboveHalfOfWhatTheyWere) {
+TEST(SurfaceRefiner, KeepsAnglesAboveHalfOfTheGivenOnes) {
   const SurfaceMesh drum = drumOfNeedles(40);
   const double before = smallestAngle(drum);
   for (const double size : {0.4, 0.2}) {
@@ -174,8 +174,8 @@ TEST(SurfaceRefiner, KeepsAnglesAboveHalfOfWhatTheyWere) {
   }
 }
 
-/// Edges of three and four triangles, in walls.
-TEST(SurfaceRefiner, HalvesTheEdgesOfWallsInAllTheirTriangles) {
+/// Interfaces have edges with three and four triangles.
+TEST(SurfaceRefiner, BisectsEdgesInAllTheirTriangles) {
   const SurfaceMesh divided = dividedBox({2, 2, 1}, 1);
   const BackgroundGrid grid = sourceAt(Vec3(1.0, 1.0, 0.5), 0.1, 0.1);
   const SurfaceRefinement refined = refine(divided, grid);
@@ -192,8 +192,8 @@ TEST(SurfaceRefiner, HalvesTheEdgesOfWallsInAllTheirTriangles) {
   }
 }
 
-/// Neither near a node nor near an edge.
-TEST(SurfaceRefiner, FindsASmallSourceWithinATriangle) {
+/// The source is near no node and no edge.
+TEST(SurfaceRefiner, FindsASmallSourceInsideATriangle) {
   const SurfaceMesh cube = gridCube(1);
   const Vec3 within(0.37, 0.13, 0.0);
   const SurfaceRefinement refined = refine(cube, sourceAt(within, 0.01, 0.02));
@@ -210,7 +210,7 @@ TEST(SurfaceRefiner, FindsASmallSourceWithinATriangle) {
   EXPECT_LT(triangleCount(mesh), 3000U);
 }
 
-TEST(SurfaceRefiner, AsksStretchedGridsInTheDirectionOfTheEdge) {
+TEST(SurfaceRefiner, MeasuresEdgesInTheMetricOfAStretchedGrid) {
   const SurfaceMesh cube = gridCube(1);
   BackgroundGrid grid = boxGrid(Vec3(-2.0), Vec3(2.0), [](const Vec3&) { return 0.1; });
   for (BackgroundNode& node : grid.nodes) {
@@ -230,7 +230,7 @@ TEST(SurfaceRefiner, AsksStretchedGridsInTheDirectionOfTheEdge) {
   EXPECT_LT(3 * triangleCount(mesh), triangleCount(surfaceOf(refine(cube, {}, sized(0.1)))) * 2);
 }
 
-TEST(SurfaceRefiner, DoesNotDependOnHowTheWorkIsSliced) {
+TEST(SurfaceRefiner, DoesNotDependOnTheSlices) {
   const SurfaceMesh drum = drumOfNeedles(12);
   const BackgroundGrid grid = sourceAt(Vec3(0.3, 0.2, 1.0), 0.02, 0.1);
   const SurfaceRefinement whole = refine(drum, grid);
@@ -241,7 +241,7 @@ TEST(SurfaceRefiner, DoesNotDependOnHowTheWorkIsSliced) {
   EXPECT_EQ(sliced.origin, whole.origin);
 }
 
-TEST(SurfaceRefiner, RefusesWhatNobodyCouldFill) {
+TEST(SurfaceRefiner, RefusesTooManyTriangles) {
   const SurfaceMesh cube = gridCube(1);
   for (const double size : {1e-5, 1e-200}) {
     const SurfaceRefinement refined = refine(cube, {}, sized(size));
@@ -251,7 +251,7 @@ TEST(SurfaceRefiner, RefusesWhatNobodyCouldFill) {
     EXPECT_GT(refined.diagnostics[0].values[0], 1e10);
     EXPECT_TRUE(refined.triangles.empty());
   }
-  // A source so small that no sample sees it: found on the way.
+  // The samples miss a source this small; the refinement finds it.
   MeshOptions few;
   few.maxTetrahedra = 4000;
   const SurfaceRefinement refined = refine(cube, sourceAt(Vec3(0.37, 0.13, 0.0), 1e-6, 0.01), few);
@@ -259,7 +259,7 @@ TEST(SurfaceRefiner, RefusesWhatNobodyCouldFill) {
   EXPECT_EQ(refined.diagnostics[0].code, DiagnosticCode::kTooManyElements);
 }
 
-TEST(SurfaceRefiner, RefusesWhatNobodyCouldFillInsideBeforeItDivides) {
+TEST(SurfaceRefiner, RefusesTooManyTetrahedraBeforeItRefines) {
   const SurfaceMesh cube = gridCube(1);
   MeshOptions options = sized(0.02);
   const double expected = 8.485281374238571 / (0.02 * 0.02 * 0.02);
@@ -269,7 +269,7 @@ TEST(SurfaceRefiner, RefusesWhatNobodyCouldFillInsideBeforeItDivides) {
   std::uint32_t steps = 0;
   SurfaceRefiner refiner(cube.points, cube.triangles, {}, options, 1.0);
   while (!refiner.advance(1U)) ++steps;
-  EXPECT_LT(steps, 100U) << "as many edges would have been halved";
+  EXPECT_LT(steps, 100U) << "refused before it bisects an edge";
   const SurfaceRefinement& refused = refiner.result();
   ASSERT_EQ(refused.diagnostics.size(), 1U);
   EXPECT_EQ(refused.diagnostics[0].code, DiagnosticCode::kTooManyElements);
@@ -283,7 +283,7 @@ TEST(SurfaceRefiner, RefusesWhatNobodyCouldFillInsideBeforeItDivides) {
   EXPECT_TRUE(fitting.result().diagnostics.empty());
 }
 
-TEST(SurfaceRefiner, RefusesNoSurfaceThatIsFineEnough) {
+TEST(SurfaceRefiner, AcceptsAnySurfaceThatIsFineEnough) {
   const SurfaceMesh sphere = geodesicSphere(8);
   const auto triangles = static_cast<std::uint32_t>(sphere.triangles.size() / 3);
   MeshOptions few = sized(0.3);
@@ -296,7 +296,7 @@ TEST(SurfaceRefiner, RefusesNoSurfaceThatIsFineEnough) {
   EXPECT_EQ(refine(sphere, {}, few).diagnostics.size(), 1U);
 }
 
-TEST(SurfaceRefiner, NamesWhatIsBroken) {
+TEST(SurfaceRefiner, ReportsInvalidInput) {
   SurfaceMesh cube = gridCube(1);
   cube.triangles[1] = cube.triangles[0];
   EXPECT_EQ(refine(cube, {}, sized(0.1)).diagnostics.at(0).code,

@@ -33,7 +33,7 @@ std::map<RepairKind, int> kindsOf(const SurfaceRepair& repair) {
   return kinds;
 }
 
-/// Every triangle with nodes of its own, as in an STL file, each moved by up to `noise`.
+/// Returns the surface with separate nodes for every triangle, as in an STL file, each moved by up to noise / 2.
 SurfaceMesh soupOf(const SurfaceMesh& mesh, double noise) {
   SurfaceMesh soup;
   Random random(7);
@@ -53,8 +53,8 @@ void removeTriangles(SurfaceMesh& mesh, std::vector<std::size_t> which) {
   }
 }
 
-/// Sorting included; and the slices do not matter.
-TEST(NodeWelder, WorksInSlices) {
+/// Sorting is sliced too, and the result does not depend on the slices.
+TEST(Weld, WorksInSlices) {
   const SurfaceMesh soup = soupOf(geodesicSphere(5), 1e-7);
   const std::size_t nodes = soup.points.size() / 3;
   for (const double distance : {0.0, 1e-6, 0.2}) {
@@ -68,7 +68,7 @@ TEST(NodeWelder, WorksInSlices) {
   }
 }
 
-TEST(SurfaceRepair, LeavesASoundSurfaceAsItIs) {
+TEST(SurfaceRepair, LeavesAValidSurfaceUnchanged) {
   SurfaceMesh mesh = cubeWithSphericalCavity(3, 2);
   shuffle(mesh, 3);
   const SurfaceRepair result = repair(mesh, {.fillsUpTo = 50});
@@ -93,8 +93,8 @@ TEST(SurfaceRepair, WeldsASoup) {
   EXPECT_TRUE(repair(noisy, {.weldDistance = -1.0, .turns = false}).changes.empty());
 }
 
-TEST(SurfaceRepair, WeldsNoChains) {
-  // Each is near the one before, the last far from the first.
+TEST(SurfaceRepair, DoesNotCollapseChains) {
+  // Each node is close to the one before; the last is far from the first.
   SurfaceMesh mesh;
   for (int i = 0; i < 10; ++i) mesh.points.insert(mesh.points.end(), {0.6 * i, 0.0, 0.0});
   mesh.points.insert(mesh.points.end(), {0.0, 9.0, 0.0});
@@ -123,8 +123,8 @@ TEST(SurfaceRepair, WeldsNodesAtExactlyTheDistance) {
   }
 }
 
-TEST(SurfaceRepair, WeldsIntoTheLowestNodeNearThatStays) {
-  // Dense and sparse against the distance, and nodes at one place.
+TEST(SurfaceRepair, WeldsToTheLowestKeptNodeWithinTheDistance) {
+  // Nodes that are dense and sparse relative to the distance, and nodes with equal positions.
   for (const double distance : {0.0, 0.01, 0.1, 0.5}) {
     SurfaceMesh mesh;
     Random random(3);
@@ -153,7 +153,7 @@ TEST(SurfaceRepair, WeldsIntoTheLowestNodeNearThatStays) {
   }
 }
 
-TEST(SurfaceRepair, RemovesTrianglesThatAreNone) {
+TEST(SurfaceRepair, RemovesDegenerateAndDuplicateTriangles) {
   SurfaceMesh mesh = gridCube(2);
   const auto count = static_cast<std::uint32_t>(triangleCount(mesh));
   const std::array<std::uint32_t, 3> first{mesh.triangles[0], mesh.triangles[1], mesh.triangles[2]};
@@ -200,9 +200,8 @@ TEST(SurfaceRepair, RemovesDuplicatesThatASplitProduces) {
   EXPECT_EQ(result.origin, (std::vector<std::uint32_t>{1, 1}));
 }
 
-TEST(SurfaceRepair, DissolvesSliversWithoutChangingTheShape) {
-  // A node in the middle of an edge of one triangle, closed by a sliver on the edge; and once more
-  // with a chain of slivers.
+TEST(SurfaceRepair, SplitsSliversWithoutChangingTheShape) {
+  // Put a node on an edge of one triangle and close the gap by a sliver, at five triangles.
   SurfaceMesh mesh = gridCube(1);
   for (int i = 0; i < 5; ++i) {
     const std::size_t h = 3 * static_cast<std::size_t>(i);
@@ -224,9 +223,9 @@ TEST(SurfaceRepair, DissolvesSliversWithoutChangingTheShape) {
   EXPECT_EQ(kindsOf(result)[RepairKind::kFilledHole], 0);
 }
 
-TEST(SurfaceRepair, DissolvesLongChainsOfSlivers) {
-  // One side of a tetrahedron is divided at an edge, that beside it is not; between them a fan of
-  // slivers, of which only the last has a neighbour with area.
+TEST(SurfaceRepair, SplitsLongChainsOfSlivers) {
+  // One face of a tetrahedron is divided along an edge, the adjacent face is not. Between them lies a fan of slivers,
+  // of which only the last has a neighbour with area.
   constexpr std::uint32_t kCount = 100;
   SurfaceMesh mesh;
   for (std::uint32_t i = 0; i <= kCount; ++i) {
@@ -249,7 +248,7 @@ TEST(SurfaceRepair, DissolvesLongChainsOfSlivers) {
   EXPECT_NEAR(found.volume, kCount / 6.0, 1e-9);
 }
 
-TEST(SurfaceRepair, TurnsTrianglesOutward) {
+TEST(SurfaceRepair, OrientsTrianglesOutward) {
   SurfaceMesh mesh = cubeWithSphericalCavity(3, 2);
   SurfaceMesh mixed = mesh;
   flipRandomly(mixed, 11);
@@ -263,13 +262,13 @@ TEST(SurfaceRepair, TurnsTrianglesOutward) {
   EXPECT_EQ(repair(mixed, {.turns = false}).triangles, mixed.triangles);
 }
 
-TEST(SurfaceRepair, MakesAnOpenSurfaceConsistent) {
+TEST(SurfaceRepair, OrientsAnOpenSurfaceConsistently) {
   SurfaceMesh mesh = gridCube(3);
   removeTriangles(mesh, {0, 20});
   flipRandomly(mesh, 5);
   const SurfaceRepair result = repair(mesh);
   EXPECT_FALSE(inspect(result).isClosed);
-  // Every half-edge has its opposite or none of its own direction.
+  // No two triangles have a half-edge in the same direction.
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> seen;
   for (std::size_t h = 0; h < result.triangles.size(); ++h) {
     const std::size_t next = h % 3 == 2 ? h - 2 : h + 1;
@@ -290,7 +289,7 @@ TEST(SurfaceRepair, FlipsNothingOfAnOpenSurfaceWithANonManifoldEdge) {
 
 TEST(SurfaceRepair, FillsHolesUpToTheGivenNumberOfEdges) {
   SurfaceMesh mesh = gridCube(4);
-  // A hole of three edges and one of four.
+  // One hole has three edges, another one four.
   removeTriangles(mesh, {0, 100, 101});
   const SurfaceRepair small = repair(mesh, {.fillsUpTo = 3});
   EXPECT_EQ(inspect(small).openEdges, 4U);
@@ -318,8 +317,8 @@ TEST(SurfaceRepair, FillsManyHolesOneByOne) {
   EXPECT_GT(calls, filled);
 }
 
-TEST(SurfaceRepair, FillsHolesThatTouchInANode) {
-  // Two triangles of a sphere that share one node only.
+TEST(SurfaceRepair, FillsHolesThatShareANode) {
+  // Remove two triangles of a sphere that share a node.
   const SurfaceMesh sphere = geodesicSphere(3);
   const std::uint32_t node = sphere.triangles[0];
   std::vector<std::size_t> around;
@@ -335,8 +334,8 @@ TEST(SurfaceRepair, FillsHolesThatTouchInANode) {
   }
 }
 
-TEST(SurfaceRepair, ClosesALargeHoleWithTheLeastArea) {
-  // The open top of a box, its rim of 32 edges: the flat lid is the least.
+TEST(SurfaceRepair, FillsALargeHoleWithTheLeastArea) {
+  // The open top of a box has a rim of 32 edges; the flat lid has the least area.
   SurfaceMesh mesh = gridCube(8);
   std::vector<std::size_t> top;
   for (std::size_t t = 0; t < triangleCount(mesh); ++t) {
@@ -354,8 +353,8 @@ TEST(SurfaceRepair, ClosesALargeHoleWithTheLeastArea) {
   EXPECT_NEAR(found.volume, 1.0, 1e-13);
 }
 
-/// A box without a lid, one corner of its rim lifted by a fifth, and a spike on its floor. Of the two lids that
-/// the rim has, the one of less area is at height 1 over the spike, the other at 1.1.
+/// Returns an open box with one corner of its rim raised by 0.2 and a spike on its floor. The rim has two
+/// triangulations: the one of less area passes the spike at height 1, the other at height 1.1.
 SurfaceMesh boxWithSpike(double height) {
   SurfaceMesh mesh;
   mesh.points = {0, 0, 0, 1, 0, 0, 1,   1, 0, 0, 1,   0,   0,     0,
@@ -365,7 +364,7 @@ SurfaceMesh boxWithSpike(double height) {
   return mesh;
 }
 
-TEST(SurfaceRepair, ClosesAHoleWhereTheSurfaceIsNotInTheWay) {
+TEST(SurfaceRepair, FillsAHoleWithoutIntersectingTheSurface) {
   const SurfaceInspection low = inspect(repair(boxWithSpike(0.9), {.fillsUpTo = 4}));
   EXPECT_TRUE(low.isFillable);
   EXPECT_NEAR(low.volume, 1.0 + 0.2 / 6.0 - 0.3, 1e-14);
@@ -374,13 +373,13 @@ TEST(SurfaceRepair, ClosesAHoleWhereTheSurfaceIsNotInTheWay) {
   EXPECT_NEAR(high.volume, 1.0 + 0.2 / 3.0 - 0.35, 1e-14);
 }
 
-TEST(SurfaceRepair, LeavesAHoleThatNoTrianglesCloseWithoutCuttingTheSurface) {
+TEST(SurfaceRepair, LeavesAHoleOpenIfEveryFillingIntersectsTheSurface) {
   const SurfaceRepair result = repair(boxWithSpike(1.15), {.fillsUpTo = 4});
   EXPECT_EQ(inspect(result).openEdges, 4U);
   EXPECT_TRUE(result.changes.empty());
 }
 
-TEST(SurfaceRepair, DropsNodesOfNoTriangle) {
+TEST(SurfaceRepair, RemovesUnusedNodes) {
   SurfaceMesh mesh = gridCube(1);
   mesh.points.insert(mesh.points.begin(), {9.0, 9.0, 9.0});
   for (std::uint32_t& node : mesh.triangles) ++node;
@@ -409,7 +408,7 @@ TEST(SurfaceRepair, ListsChangesInTheOrderOfTheirKinds) {
   EXPECT_EQ(kinds, expected);
 }
 
-TEST(SurfaceRepair, RefusesBrokenNumbers) {
+TEST(SurfaceRepair, RefusesInvalidNumbers) {
   SurfaceMesh mesh = gridCube(1);
   mesh.triangles[0] = 99;
   const SurfaceRepair result = repair(mesh);
@@ -417,7 +416,7 @@ TEST(SurfaceRepair, RefusesBrokenNumbers) {
   ASSERT_EQ(result.diagnostics.size(), 1U);
 }
 
-TEST(SurfaceRepair, SurvivesRuins) {
+TEST(SurfaceRepair, AcceptsBadlyDamagedSurfaces) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Random random(seed);
     SurfaceMesh mesh = gridCube(2);
