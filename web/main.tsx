@@ -4,7 +4,7 @@ import "@mantine/spotlight/styles.css";
 import "./ui/styles/index.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
-import { createApp } from "./app/app";
+import { createApp, type Intent } from "./app/create-app";
 import type { DrawnKind } from "./document/entities";
 import { Page } from "./panels/page";
 import { listenForPalette } from "./panels/palette";
@@ -14,7 +14,19 @@ listenForPalette();
 
 const query = new URLSearchParams(window.location.search);
 const still = query.get("test") === "1";
-const app = await createApp(still, query.get("model"));
+const app = await createApp({
+  autosave: "main",
+  generate: true,
+  intent: intentOf(query.get("model")),
+  still,
+});
+
+/** The address decides what is opened, but a reload continues with the document that came of it. */
+function intentOf(model: string | null): Intent {
+  const [navigation] = performance.getEntriesByType("navigation") as PerformanceNavigationTiming[];
+  const isNew = navigation?.type === "navigate";
+  return model !== null && isNew ? { kind: "model", id: model } : { kind: "continue", otherwise: model };
+}
 
 if (still) {
   // For tests: returns where a position, or the middle of an entity, appears in the view.
@@ -39,4 +51,3 @@ if (root) {
     </MantineProvider>,
   );
 }
-void app.run.generate();

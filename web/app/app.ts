@@ -1,97 +1,44 @@
-import { createMesher, type Mesher } from "tetrafront";
+import type { Mesher } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { Autosave, type Kept } from "../session/autosave";
-import { contentKey } from "../document/content-key";
-import { emptyProject } from "../document/edits";
-import { loadGallery, loadModel, type Gallery } from "../session/gallery";
-import { PreviewFeed } from "../session/preview";
-import { ProblemList } from "../session/problems";
-import { MeshRun, regionCount } from "../session/run";
-import { ViewStore } from "../document/selection";
+import type { Gallery } from "../session/gallery";
+import { Session, type SessionOptions } from "../session/session";
 import { createShell, type Shell } from "../session/shell";
-import { DocumentStore } from "../session/document-store";
-import { strings } from "../ui/strings";
 import { MeshQueryClient } from "../viewer/mesh-query-client";
 import type { Viewer } from "../viewer/viewer";
 
-/** Everything the panels and commands work with. Made once, when the page has loaded. */
-export interface App {
-  readonly documents: DocumentStore;
-  readonly mesher: Promise<Mesher>;
-  readonly view: ViewStore;
-  readonly run: MeshRun;
-  readonly previews: PreviewFeed;
-  readonly problems: ProblemList;
-  readonly autosave: Autosave;
-  readonly shell: Shell;
+export interface PageOptions {
   readonly gallery: Gallery;
-  /** Looks through the mesh on show. */
-  readonly meshQueries: MeshQueryClient;
-  /** The view, while there is one: no WebGL, no view. */
-  readonly viewer: StoreApi<{ readonly viewer: Viewer | null }>;
-  /** The file that Save writes to without asking. */
-  readonly file: { handle: FileSystemFileHandle | null };
-  /** `?test=1`: no motion, no multisampling. */
+  /** Mesh every project that is opened. */
+  readonly generate: boolean;
+  /** No motion and no multisampling, so that tests get the same pictures every time. */
   readonly still: boolean;
 }
 
-const noGallery: Gallery = { opening: "", models: [] };
+/** A session with all that surrounds it on a page: everything that panels and commands work with. */
+export class App extends Session {
+  /** Makes covering grids and proposes sizes. Runs have a mesher of their own, so that neither waits. */
+  readonly mesher: Promise<Mesher>;
+  readonly shell: Shell = createShell();
+  readonly gallery: Gallery;
+  /** Answers queries about the mesh on show. */
+  readonly meshQueries = new MeshQueryClient();
+  /** The view; null without WebGL. */
+  readonly viewer: StoreApi<{ readonly viewer: Viewer | null }> = createStore<{
+    readonly viewer: Viewer | null;
+  }>(() => ({ viewer: null }));
+  readonly generate: boolean;
+  readonly still: boolean;
 
-async function firstProject(autosave: Autosave, gallery: Gallery, wanted: string | null): Promise<Kept> {
-  const kept = await autosave.load();
-  if (kept) return kept;
-  const opening = gallery.models.find(({ id }) => id === (wanted ?? gallery.opening));
-  const project = opening ? await loadModel(opening) : emptyProject("Untitled");
-  return { project, savedKey: contentKey(project) };
-}
-
-/**
- * Loads what was last worked on, else the model that the address names, else the opening model, and
- * wires the rooms together.
- */
-export async function createApp(still: boolean, model: string | null): Promise<App> {
-  const mesher = createMesher();
-  // Runs and previews report the failure; here it only must not count as unhandled.
-  mesher.catch(() => undefined);
-  const shell = createShell();
-  const fail = (error: unknown): void =>
-    shell.setState({ message: { title: strings.messages.galleryFailed, lines: [String(error)] } });
-  const gallery = await loadGallery().catch((error: unknown) => {
-    fail(error);
-    return noGallery;
-  });
-  const documents = new DocumentStore(emptyProject("Untitled"));
-  const autosave = new Autosave(documents);
-  const start = await firstProject(autosave, gallery, model).catch((error: unknown) => {
-    fail(error);
-    return null;
-  });
-  if (start) documents.restore(start.project, start.savedKey);
-  autosave.follow();
-  const run = new MeshRun(documents, mesher);
-  const previews = new PreviewFeed(documents, mesher);
-  const view = new ViewStore();
-  const problems = new ProblemList(documents, previews, run);
-  run.state.subscribe((state, before) => {
-    if (state.mesh !== before.mesh || state.outcome !== before.outcome) view.unmark();
-    if (regionCount(state) !== regionCount(before)) view.showAllRegions();
-    const failed =
-      state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";
-    if (failed) shell.setState({ bottomTab: "problems" });
-  });
-  return {
-    documents,
-    mesher,
-    view,
-    run,
-    previews,
-    problems,
-    autosave,
-    shell,
-    gallery,
-    meshQueries: new MeshQueryClient(),
-    viewer: createStore<{ readonly viewer: Viewer | null }>(() => ({ viewer: null })),
-    file: { handle: null },
-    still,
-  };
+  constructor(session: SessionOptions, { gallery, generate, still }: PageOptions) {
+    super(session);
+    this.mesher = session.previewMesher;
+    this.gallery = gallery;
+    this.generate = generate;
+    this.still = still;
+    this.run.state.subscribe((state, before) => {
+      const hasFailed =
+        state.outcome !== before.outcome && state.outcome?.result.report.status === "invalid-input";
+      if (hasFailed) this.shell.setState({ bottomTab: "problems" });
+    });
+  }
 }

@@ -32,6 +32,11 @@ export const fileMenu: readonly Command[] = [
     keys: ["mod+O"],
     inFields: true,
   }),
+  define("file", 0)("recent", "Open recent…", (app) => app.shell.setState({ dialog: "recent" }), {
+    keys: ["mod+shift+O"],
+    inFields: true,
+    enabled: (app) => app.library !== null,
+  }),
   define("file", 0)("examples", "Open example…", (app) =>
     app.shell.setState({ leftTab: "examples", drawer: "left" }),
   ),

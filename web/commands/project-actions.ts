@@ -1,53 +1,99 @@
 import type { Project } from "tetrafront";
 import type { App } from "../app/app";
 import { emptyProject } from "../document/create";
+import type { OpenFailure } from "../session/document-library";
+import {
+  hasUnsavedChanges,
+  settledProject,
+  type DocumentState,
+  type ProjectFile,
+} from "../session/document-store";
 import { openProjectFile, readProjectFile, saveProjectFile, type OpenResult } from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
+import { hideNotice, showNotice } from "../session/shell";
 import { strings } from "../ui/strings";
-import { showMessage } from "./messages";
+import { showFailure, showMessage } from "./messages";
 
-/** Shows another project in place of the present one. Undoable. */
-function showProject(app: App, project: Project, label: string): void {
-  app.documents.open(project, label);
-  app.run.forgetOthers();
-  app.file.handle = null;
-  app.view.reset();
-  app.view.setCut({ enabled: false });
-  app.viewer.getState().viewer?.reset();
-  app.shell.setState({ drawer: null, leftTab: "model", message: null });
+/**
+ * Whatever is opened takes the place of the document before, which stays in the browser's storage with all its steps
+ * of undo. If no file holds its changes, a notice offers to reopen it.
+ */
+
+/** Opens a project as a new document and meshes it. */
+export function openProject(app: App, project: Project, file: ProjectFile | null = null): void {
+  finishOpening(app, app.showProject(project, file));
+  meshOpened(app);
 }
 
-/** Shows another project and meshes it at once. Undoable. */
-export function openProject(app: App, project: Project): void {
-  showProject(app, project, `Open ${project.name}`);
-  void app.run.restart();
-}
-
-/** An empty project, to draw in. Undoable. */
+/** Opens an empty project, to draw in. */
 export function newProject(app: App): void {
+  finishOpening(app, app.showProject(emptyProject()));
   app.run.cancel();
-  showProject(app, emptyProject(), "New project");
 }
 
 export async function openExample(app: App, model: GalleryModel): Promise<void> {
   try {
     openProject(app, await loadModel(model));
   } catch (error) {
-    showMessage(app, strings.messages.openFailed(model.title), [String(error)]);
+    showFailure(app, strings.messages.openFailed(model.title), error);
   }
 }
 
+/** Opens a document that the browser has kept, with its steps of undo. */
+export async function openRecent(app: App, id: string, name: string): Promise<void> {
+  try {
+    const opened = await app.showRecent(id);
+    if (typeof opened === "string") {
+      showMessage(app, strings.messages.openFailed(name), [failureTexts[opened]]);
+      return;
+    }
+    finishOpening(app, opened);
+    meshOpened(app);
+  } catch (error) {
+    showFailure(app, strings.messages.openFailed(name), error);
+  }
+}
+
+const failureTexts: { readonly [F in OpenFailure]: string } = strings.recent.failures;
+
+async function reopen(app: App, document: DocumentState): Promise<void> {
+  finishOpening(app, await app.showAgain(document));
+  meshOpened(app);
+}
+
+function finishOpening(app: App, before: DocumentState): void {
+  app.viewer.getState().viewer?.reset();
+  app.shell.setState({ drawer: null, dialog: null, leftTab: "model", message: null });
+  if (!hasUnsavedChanges(before)) hideNotice(app.shell, "document-left");
+  else {
+    showNotice(app.shell, {
+      key: "document-left",
+      tone: "information",
+      text: strings.notices.documentLeft(settledProject(before).name),
+      action: { label: strings.notices.reopen, run: () => void reopen(app, before) },
+    });
+  }
+}
+
+/** A mesh made from this project before is on show already. */
+function meshOpened(app: App): void {
+  if (!app.generate) return;
+  if (app.run.state.getState().mesh) app.run.cancel();
+  else void app.run.restart();
+}
+
 function takeOpened(app: App, result: OpenResult): void {
-  if (result.kind === "opened") openProject(app, result.project);
-  else if (result.kind === "failed")
+  if (result.kind === "opened") openProject(app, result.project, result.file);
+  else if (result.kind === "failed") {
     showMessage(app, strings.messages.openFailed(result.fileName), result.reasons);
+  }
 }
 
 export async function openFromDialog(app: App): Promise<void> {
   try {
     takeOpened(app, await openProjectFile());
   } catch (error) {
-    showMessage(app, strings.messages.noOpenDialog, [String(error)]);
+    showFailure(app, strings.messages.noOpenDialog, error);
   }
 }
 
@@ -55,14 +101,14 @@ export async function openDropped(app: App, file: File): Promise<void> {
   takeOpened(app, await readProjectFile(file));
 }
 
-/** Saves into the file saved before, or asks for one. */
+/** Saves to the document's file; without one, or if `askForName` is set, asks the user for a file. */
 export async function save(app: App, askForName: boolean): Promise<void> {
   try {
-    const saved = await saveProjectFile(app.documents.project, askForName ? null : app.file.handle);
-    if (!saved) return;
-    app.file.handle = saved.handle;
-    app.documents.markSaved();
+    const state = app.documents.state.getState();
+    const project = settledProject(state);
+    const saved = await saveProjectFile(project, askForName ? null : state.file);
+    if (saved) app.documents.markSaved(state.id, project, saved.file);
   } catch (error) {
-    showMessage(app, strings.messages.saveFailed, [String(error)]);
+    showFailure(app, strings.messages.saveFailed, error);
   }
 }

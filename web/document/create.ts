@@ -21,10 +21,11 @@ type Place = readonly [number, number, number];
 const refuse = (reason: string): Offer => ({ possible: false, reason });
 const offer = (creation: Creation): Offer => ({ possible: true, creation });
 
-export function emptyProject(): Project {
+/** Returns a project with nothing in it but a name. */
+export function emptyProject(name = "Untitled"): Project {
   const drawn = { points: [], lines: [], patches: [] };
   const background = { nodes: [], tetrahedra: [] };
-  return { format: "tetrafront-project", version: 2, name: "Untitled", ...drawn, background };
+  return { format: "tetrafront-project", version: 2, name, ...drawn, background };
 }
 
 /** Ids are never used again while something with a higher one exists. */

@@ -315,16 +315,3 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
     ],
   };
 }
-
-/** A project with nothing in it but a name. */
-export function emptyProject(name: string): Project {
-  return {
-    format: "tetrafront-project",
-    version: 2,
-    name,
-    points: [],
-    lines: [],
-    patches: [],
-    background: { nodes: [], tetrahedra: [] },
-  };
-}

@@ -65,9 +65,9 @@ export function entityName(project: Project, entity: Entity): string | undefined
   return record && "name" in record ? record.name : undefined;
 }
 
-/** Position of each id in its list: the engine speaks of positions, the project file of ids. */
-export function positionsById(project: Project, kind: DrawnKind): ReadonlyMap<number, number> {
-  return new Map(recordsOf(project, kind).map((record, position) => [record.id, position]));
+/** Index of each id in its list: the engine addresses entities by index, the project file by id. */
+export function indexById(project: Project, kind: DrawnKind): ReadonlyMap<number, number> {
+  return new Map(recordsOf(project, kind).map((record, index) => [record.id, index]));
 }
 
 /** The entities built directly on this one: lines of a point, patches of a line. */

@@ -1,5 +1,5 @@
 import type { ProjectBackground } from "tetrafront";
-import { prepareKeys } from "./content-key";
+import { prepareKeys } from "./content-keys";
 import { unpackGrid, type PackedGrid } from "./packed-grid";
 
 /**

@@ -1,5 +1,6 @@
 import { createContext, useContext } from "react";
 import { useStore } from "zustand";
+import { createStore } from "zustand/vanilla";
 import type { App } from "../app/app";
 import { hasUnsavedChanges, type DocumentState } from "../session/document-store";
 import type { ProblemState } from "../session/problems";
@@ -51,7 +52,14 @@ export function useShell<T>(select: (state: ShellState) => T): T {
   return useStore(useApp().shell, select);
 }
 
+const neverPending = createStore(() => ({ pending: false }));
+
+/** Is there a change that the browser does not keep yet? */
+export function useAutosavePending(): boolean {
+  return useStore(useApp().autosave?.state ?? neverPending, (state) => state.pending);
+}
+
 export function useStale(): boolean {
-  const project = useProject();
-  return useRun((state) => isStale(state, project));
+  const document = useDocument((state) => state);
+  return useRun((state) => isStale(state, document));
 }

@@ -15,7 +15,6 @@ const Overlays = lazy(() => import("./overlays"));
 export function Page({ app }: { readonly app: App }) {
   useCommandHotkeys(app);
   useHeldKeys(app);
-  useLeaveGuard(app);
   useEffect(fetchAhead, []);
   const dropping = useFileDrop(app);
   return (
@@ -40,29 +39,6 @@ function useHeldKeys({ documents }: App): void {
     for (const end of ["keyup", "pointerdown", "blur"]) window.addEventListener(end, release, options);
     return () => life.abort();
   }, [documents]);
-}
-
-/** Writes the document away when the page is left, and warns only while that is not done. */
-function useLeaveGuard(app: App): void {
-  useEffect(() => {
-    const flush = (): void => void app.autosave.flush();
-    const flushHidden = (): void => {
-      if (document.visibilityState === "hidden") flush();
-    };
-    const warn = (event: BeforeUnloadEvent): void => {
-      if (!app.autosave.state.getState().pending) return;
-      void app.autosave.flush();
-      event.preventDefault();
-    };
-    document.addEventListener("visibilitychange", flushHidden);
-    window.addEventListener("pagehide", flush);
-    window.addEventListener("beforeunload", warn);
-    return () => {
-      document.removeEventListener("visibilitychange", flushHidden);
-      window.removeEventListener("pagehide", flush);
-      window.removeEventListener("beforeunload", warn);
-    };
-  }, [app]);
 }
 
 /** A project file dropped anywhere on the page is opened. True while one hovers above it. */

@@ -1,6 +1,6 @@
 import { useLayoutEffect, useRef } from "react";
 import { useStore } from "zustand";
-import { findRecord, positionsById } from "../document/entities";
+import { findRecord, indexById } from "../document/entities";
 import { strings } from "../ui/strings";
 import type { Viewer } from "../viewer/viewer";
 import { useApp, useView } from "./app-context";
@@ -22,7 +22,7 @@ export function PatchMarks({ viewer }: { readonly viewer: Viewer }) {
   const [loop = []] = patch?.type === "barnhill-gregory-nielson" ? patch.loops : [];
   const marks: { name: string; line: number; place: Place }[] = [];
   if (project && preview && loop.length === 3) {
-    const positions = positionsById(project, "line");
+    const positions = indexById(project, "line");
     loop.forEach((step, index) => {
       const position = positions.get(Math.abs(step)) ?? -1;
       const first = preview.lineOffsets[position] ?? 0;

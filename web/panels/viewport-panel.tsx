@@ -1,6 +1,5 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
-import { useStore } from "zustand";
 import { describeMesh } from "./mesh-summary";
 import { strings } from "../ui/strings";
 import { viewerColors } from "../ui/theme";
@@ -9,7 +8,7 @@ import { SelectTool, type Hover } from "../tools/select-tool";
 import { ToolController } from "../tools/tool-controller";
 import { followSession, shownState } from "../viewer/follow-session";
 import { Viewer } from "../viewer/viewer";
-import { useApp, useProject, useRun, useStale, useView } from "./app-context";
+import { useApp, useAutosavePending, useProject, useRun, useStale, useView } from "./app-context";
 import { HoverLabel } from "./hover-label";
 import { PatchMarks } from "./patch-marks";
 import { ProblemMarkers } from "./problem-markers";
@@ -131,9 +130,8 @@ function ViewState({ container }: { readonly container: React.RefObject<HTMLDivE
   const mesh = useRun((state) => state.mesh);
   const busy = useRun((state) => state.busy);
   const front = useRun((state) => state.progress?.frontFaces ?? (state.mesh?.volume.front.length ?? 0) / 3);
-  const app = useApp();
   const stale = useStale();
-  const pending = useStore(app.autosave.state, (state) => state.pending);
+  const pending = useAutosavePending();
   useEffect(() => {
     const data = container.current?.dataset;
     if (!data) return;

@@ -1,164 +1,148 @@
-import { openDB, type DBSchema, type IDBPDatabase } from "idb";
-import { parseProject, type Project } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { manyTetrahedra } from "../document/engine-input";
-import { documentGrid } from "../document/large-grid";
-import { packedGrid, type PackedGrid } from "../document/packed-grid";
-import type { DocumentState, DocumentStore } from "./document-store";
+import { isUntouched, type DocumentState, type DocumentStore } from "./document-store";
+import type { DocumentStorage } from "./document-storage";
+import { keptDocument } from "./kept-document";
 
-interface Saved {
-  /** The project's JSON; earlier versions kept the project itself, which took its time. */
-  readonly text?: string;
-  /** Nodes and tetrahedra of the background grid, where they are many; the text then has none. */
-  readonly grid?: PackedGrid;
-  readonly project?: Project;
-  readonly savedKey: string;
-  /** Earlier versions kept the uniform size beside the project. */
-  readonly uniformSize?: number | null;
-  /** Milliseconds since 1970. */
-  readonly at: number;
+export interface AutosaveState {
+  /** Is there a change that the storage does not hold yet? Leaving the page then deserves a warning. */
+  readonly pending: boolean;
+  /** Why the last attempt failed; null if it succeeded. */
+  readonly failure: string | null;
 }
 
-export interface Kept {
-  readonly project: Project;
-  readonly savedKey: string;
-}
+/** From a change to its writing, at least: the page shows the change first. Milliseconds. */
+const minDelay = 20;
+/** Writing a large project blocks the page: wait for this multiple of the time that the last writing took. */
+const delayPerWritingTime = 4;
+/** From one failed attempt to the next. It doubles with each further failure. */
+const retryDelay = { first: 500, max: 30_000 };
 
-interface AutosaveSchema extends DBSchema {
-  versions: { key: number; value: Saved };
-}
-
-type Database = IDBPDatabase<AutosaveSchema>;
-
-/** The browser keeps this many states of the document of each tab, and of all tabs together. */
-const ringLength = 5;
-const allLength = 15;
-const idleMs = 1000;
-
-/** Keys are microseconds since 1970: the newest has the highest. */
-const newKey = (after: number): number => Math.max(after + 1, Date.now() * 1000);
-
-/** The keys of what this tab has written; they outlive a reload, but not the tab. */
-class OwnKeys {
-  static readonly #name = "tetrafront-versions";
-
-  read(): number[] {
-    try {
-      const keys: unknown = JSON.parse(sessionStorage.getItem(OwnKeys.#name) ?? "[]");
-      return Array.isArray(keys) ? keys.filter((key) => typeof key === "number") : [];
-    } catch {
-      return [];
-    }
-  }
-
-  write(keys: readonly number[]): void {
-    try {
-      sessionStorage.setItem(OwnKeys.#name, JSON.stringify(keys));
-    } catch {
-      // Without it a reload shows what was written last, by whichever tab.
-    }
-  }
+/** The part of the window and its document that tells when the page is being left. */
+export interface PageEvents {
+  readonly window: Pick<EventTarget, "addEventListener" | "removeEventListener">;
+  readonly document: Pick<EventTarget, "addEventListener" | "removeEventListener"> & {
+    readonly visibilityState: DocumentVisibilityState;
+  };
 }
 
 /**
- * Writes the document to IndexedDB a second after the last change, and at once when the page is being
- * left. Each tab comes back to its own document; a new one begins with the newest of all. A browser
- * without storage (private mode) loses only this safety net.
+ * Writes the open document to the browser's storage: a few milliseconds after each change, at once when the page is
+ * being left, and again and again if the storage fails. A document that is no longer open stays in the queue until
+ * it is written.
  */
 export class Autosave {
   readonly #documents: DocumentStore;
-  readonly #ownKeys = new OwnKeys();
-  readonly #opening: Promise<Database | null>;
-  #database: Database | null = null;
-  /** What has been written, or is being written. */
-  #kept: DocumentState | null = null;
+  readonly #storage: DocumentStorage;
+  /** States to be written, by document. */
+  readonly #queue = new Map<string, DocumentState>();
+  /** The state last put into the queue. */
+  #noted: DocumentState | null = null;
+  #running = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
-  /** `pending`: there is a change that no storage holds yet; leaving the page deserves a warning. */
-  readonly state: StoreApi<{ readonly pending: boolean }> = createStore<{ readonly pending: boolean }>(
-    () => ({ pending: false }),
-  );
+  #lastWritingTime = 0;
+  #failures = 0;
+  readonly state: StoreApi<AutosaveState> = createStore<AutosaveState>(() => ({
+    pending: false,
+    failure: null,
+  }));
 
-  constructor(documents: DocumentStore, databaseName = "tetrafront") {
+  constructor(documents: DocumentStore, storage: DocumentStorage) {
     this.#documents = documents;
-    this.#opening = openDB<AutosaveSchema>(databaseName, 1, {
-      upgrade: (database) => {
-        database.createObjectStore("versions", { autoIncrement: true });
-      },
-    }).catch(() => null);
-    void this.#opening.then((database) => (this.#database = database));
+    this.#storage = storage;
   }
 
-  /** The newest state this tab has kept, else any tab, or null; one that no longer reads is passed over. */
-  async load(): Promise<Kept | null> {
-    const database = await this.#opening;
-    if (!database) return null;
-    const all = await database.getAllKeys("versions");
-    for (const key of [...this.#ownKeys.read().reverse(), ...all.reverse()]) {
-      const version = await database.get("versions", key);
-      const project = version ? await readKept(version) : null;
-      if (version && project) return { project, savedKey: version.savedKey };
-    }
-    return null;
-  }
-
-  /** Begins to follow the document. Returns the way to stop. */
+  /** Writes the open document and all its changes from now on. Returns a function that stops this. */
   follow(): () => void {
-    return this.#documents.state.subscribe(() => {
-      this.state.setState({ pending: true });
-      if (this.#timer !== null) clearTimeout(this.#timer);
-      this.#timer = setTimeout(() => void this.flush(), idleMs);
-    });
+    this.#note(this.#documents.state.getState());
+    return this.#documents.state.subscribe((state) => this.#note(state));
   }
 
-  /**
-   * Writes what is not yet written. The transaction is complete when this returns, though not its
-   * answer: what is written while the page is being left is kept.
-   */
+  /** Writes at once when the page is hidden or left, and warns of leaving while a change is not written. */
+  followPage({ window, document }: PageEvents): () => void {
+    const flush = (): void => void this.flush();
+    const flushIfHidden = (): void => {
+      if (document.visibilityState === "hidden") flush();
+    };
+    const warn = (event: Event): void => {
+      flush();
+      if (this.state.getState().pending) event.preventDefault();
+    };
+    window.addEventListener("pagehide", flush);
+    window.addEventListener("beforeunload", warn);
+    document.addEventListener("visibilitychange", flushIfHidden);
+    return () => {
+      window.removeEventListener("pagehide", flush);
+      window.removeEventListener("beforeunload", warn);
+      document.removeEventListener("visibilitychange", flushIfHidden);
+    };
+  }
+
+  /** Writes what is not written yet. All transactions are issued before this returns. */
   async flush(): Promise<void> {
     if (this.#timer !== null) clearTimeout(this.#timer);
     this.#timer = null;
-    const database = this.#database;
-    const state = this.#documents.state.getState();
-    if (!database || !this.state.getState().pending || state === this.#kept) return;
-    this.#kept = state;
-    const { history, savedKey } = state;
-    const own = this.#ownKeys.read();
-    const key = newKey(own.at(-1) ?? 0);
-    const written = this.#written(history.present.project);
+    const states = [...this.#queue.values()];
+    this.#queue.clear();
+    await Promise.all(states.map((state) => this.#write(state)));
+  }
+
+  /** Does not write a document any more that is about to be removed from the storage. */
+  forget(id: string): void {
+    this.#queue.delete(id);
+    this.#update();
+  }
+
+  #note(state: DocumentState): void {
+    if (state.gestureStart !== null || isSame(state, this.#noted)) return;
+    this.#noted = state;
+    this.#queue.set(state.id, state);
+    this.#update();
+    this.#schedule(Math.max(minDelay, delayPerWritingTime * this.#lastWritingTime));
+  }
+
+  #schedule(delay: number): void {
+    if (this.#timer !== null || this.#running > 0) return;
+    this.#timer = setTimeout(() => void this.flush(), delay);
+  }
+
+  async #write(state: DocumentState): Promise<void> {
+    const started = performance.now();
+    this.#running += 1;
     try {
-      const transaction = database.transaction("versions", "readwrite");
-      const added = transaction.store.add({ ...written, savedKey, at: Date.now() }, key);
-      transaction.commit();
-      this.#ownKeys.write([...own, key].slice(-ringLength));
-      await Promise.all([added, transaction.done]);
-      this.state.setState({ pending: this.#documents.state.getState() !== state });
-      await prune(database, own.slice(0, 1 - ringLength));
-    } catch {
-      this.#kept = null;
+      const isListed = state.file !== null || !isUntouched(state);
+      await this.#storage.write(keptDocument(state, Date.now(), isListed));
+      this.#failures = 0;
+      this.#update(null);
+    } catch (error) {
+      this.#failures += 1;
+      // A later change of the same document takes its place.
+      if (!this.#queue.has(state.id)) this.#queue.set(state.id, state);
+      this.#update(error instanceof Error ? error.message : String(error));
+    } finally {
+      this.#running -= 1;
+      this.#lastWritingTime = performance.now() - started;
+      this.#update();
+      if (this.#queue.size > 0) this.#schedule(this.#nextDelay());
     }
   }
 
-  /** The project to be written. */
-  #written({ background, ...rest }: Project): Pick<Saved, "text" | "grid"> {
-    if (background.tetrahedra.length <= manyTetrahedra)
-      return { text: JSON.stringify({ ...rest, background }) };
-    const text = JSON.stringify({ ...rest, background: { ...background, nodes: [], tetrahedra: [] } });
-    return { text, grid: packedGrid(background) };
+  #nextDelay(): number {
+    if (this.#failures === 0) return Math.max(minDelay, delayPerWritingTime * this.#lastWritingTime);
+    return Math.min(retryDelay.max, retryDelay.first * 2 ** (this.#failures - 1));
+  }
+
+  #update(failure: string | null = this.state.getState().failure): void {
+    const pending = this.#queue.size > 0 || this.#running > 0;
+    const before = this.state.getState();
+    if (pending !== before.pending || failure !== before.failure) this.state.setState({ pending, failure });
   }
 }
 
-/** Takes away these states, and the oldest of all tabs. */
-async function prune(database: Database, keys: readonly number[]): Promise<void> {
-  const { store, done } = database.transaction("versions", "readwrite");
-  const all = await store.getAllKeys();
-  await Promise.all([...keys, ...all.slice(0, -allLength)].map((key) => store.delete(key)));
-  await done;
-}
-
-async function readKept({ text, grid, project, uniformSize = null }: Saved): Promise<Project | null> {
-  const read = parseProject(text === undefined ? project : JSON.parse(text));
-  if (!read.success) return null;
-  const { value } = read;
-  if (uniformSize !== null) return { ...value, meshing: { size: uniformSize } };
-  return grid ? { ...value, background: { ...value.background, ...(await documentGrid(grid)) } } : value;
+function isSame(state: DocumentState, other: DocumentState | null): boolean {
+  return (
+    state.id === other?.id &&
+    state.history === other.history &&
+    state.savedKey === other.savedKey &&
+    state.file === other.file
+  );
 }

@@ -1,9 +1,15 @@
 import type { Project } from "tetrafront";
-import { writeProjectBlob, readProjectBlob } from "../workers/project-files";
+import { readProjectBlob, writeProjectBlob } from "../workers/project-files";
+import type { ProjectFile } from "./document-store";
 
-/** What opening a file came to. `cancelled` means that the user closed the dialog. */
+/** Result of opening a file. `cancelled` means that the user closed the dialog. */
 export type OpenResult =
-  | { readonly kind: "opened"; readonly project: Project; readonly fileName: string }
+  | {
+      readonly kind: "opened";
+      readonly project: Project;
+      /** Null if the browser does not let the app write to the file. */
+      readonly file: ProjectFile | null;
+    }
   | { readonly kind: "cancelled" }
   | { readonly kind: "failed"; readonly fileName: string; readonly reasons: readonly string[] };
 
@@ -20,10 +26,14 @@ const isAbort = (error: unknown): boolean => isNamed(error, "AbortError");
 /** Browsers open a dialog only right after a click or a key: its code must be there by then. */
 export const loadFileDialogs = () => import("browser-fs-access");
 
+/** The dialogs of some browsers add a handle that can be written to. */
+type OpenedFile = File & { readonly handle?: FileSystemFileHandle };
+
+/** Number of open dialogs. */
 let openDialogs = 0;
 
 /** Reads a project file, from the dialog or dropped on the page. */
-export async function readProjectFile(file: File): Promise<OpenResult> {
+export async function readProjectFile(file: OpenedFile): Promise<OpenResult> {
   try {
     return await projectIn(file);
   } catch (error) {
@@ -32,11 +42,14 @@ export async function readProjectFile(file: File): Promise<OpenResult> {
   }
 }
 
-async function projectIn(file: File): Promise<OpenResult> {
+async function projectIn(file: OpenedFile): Promise<OpenResult> {
   const mesh = await meshFileReasons(file.name);
   if (mesh !== undefined) return { kind: "failed", fileName: file.name, reasons: mesh };
   const read = await readProjectBlob(file);
-  if (read.success) return { kind: "opened", project: read.value, fileName: file.name };
+  if (read.success) {
+    const { handle, lastModified } = file;
+    return { kind: "opened", project: read.value, file: handle ? { handle, lastModified } : null };
+  }
   const reasons = read.problems.map(({ message, remedy, line }) =>
     line === undefined ? `${message}. ${remedy}` : `Line ${line}: ${message}. ${remedy}`,
   );
@@ -82,23 +95,42 @@ export function fileStem(name: string): string {
   return stem === "" ? "untitled" : stem;
 }
 
-/** Saves under a name the user chooses, or into the file saved before. Null if the user thought better. */
+/**
+ * Saves to a file, or without one asks the user for it. A file that was changed on disk since this document last read
+ * or wrote it is not overwritten: the user is asked for another. Returns null if the user closes the dialog.
+ */
 export async function saveProjectFile(
   project: Project,
-  handle: FileSystemFileHandle | null,
-): Promise<{ readonly handle: FileSystemFileHandle | null } | null> {
+  file: ProjectFile | null,
+): Promise<{ readonly file: ProjectFile | null } | null> {
   try {
     const { fileSave } = await loadFileDialogs();
-    const saved = await fileSave(
+    const handle = await fileSave(
       // A promise: the browser lets the user choose a file only right after a click.
       writeProjectBlob(project),
       { ...projectFile, fileName: `${fileStem(project.name)}.json` },
-      handle,
+      file && (await isWritable(file)) ? file.handle : null,
     );
-    return { handle: saved };
+    // Without a handle, the browser has downloaded the project.
+    return { file: handle ? { handle, lastModified: (await handle.getFile()).lastModified } : null };
   } catch (error) {
     if (isAbort(error)) return null;
     throw error;
+  }
+}
+
+/** A handle as Chromium has it: after a reload, the user must allow each file again. */
+type AskingHandle = FileSystemFileHandle & {
+  readonly requestPermission?: (options: { readonly mode: "readwrite" }) => Promise<PermissionState>;
+};
+
+async function isWritable({ handle, lastModified }: ProjectFile): Promise<boolean> {
+  try {
+    const permission = await (handle as AskingHandle).requestPermission?.({ mode: "readwrite" });
+    return permission !== "denied" && (await handle.getFile()).lastModified === lastModified;
+  } catch {
+    // The file was moved or deleted.
+    return false;
   }
 }
 

@@ -1,8 +1,8 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import type { PreviewFeed } from "./preview";
 import type { MeshRun } from "./run";
-import { contentKey } from "../document/content-key";
-import type { DocumentStore } from "./document-store";
+import { meshKey } from "../document/content-keys";
+import { settledProject, type DocumentStore } from "./document-store";
 import { problemsByEntity, toProblems, type Problem } from "../document/validate";
 
 export interface ProblemState {
@@ -10,7 +10,7 @@ export interface ProblemState {
   readonly byEntity: ReadonlyMap<string, readonly Problem[]>;
 }
 
-/** What is wrong with the project as it now is: what the check says, and what the last run said. */
+/** The problems of the present project, found by the check and by the last run. */
 export class ProblemList {
   readonly state: StoreApi<ProblemState> = createStore<ProblemState>(() => ({
     problems: [],
@@ -19,21 +19,20 @@ export class ProblemList {
 
   constructor(documents: DocumentStore, previews: PreviewFeed, run: MeshRun) {
     const update = (): void => {
-      const { project } = documents;
+      const project = settledProject(documents.state.getState());
       const { preview, project: previewed } = previews.state.getState();
       const { outcome } = run.state.getState();
-      const key = contentKey(project);
-      // While the check of an edit is under way the old findings stay, so that nothing flickers.
-      const current = previewed !== null && contentKey(previewed) === key;
+      // Keep the old problems while the check of an edit runs, so that the list does not flicker.
+      const current = previewed === project;
       if (!current && previewed !== null && previews.busy) return;
       const problems = toProblems(project, [
         ...(current ? (preview?.diagnostics ?? []) : []),
-        // A run looks closer.
-        ...(outcome?.key === key ? outcome.result.report.diagnostics : []),
+        // A run finds more than the check does.
+        ...(outcome?.key === meshKey(project) ? outcome.result.report.diagnostics : []),
       ]);
       this.state.setState({ problems, byEntity: problemsByEntity(problems) });
     };
-    documents.onProject(update);
+    documents.onSettled(update);
     previews.state.subscribe(update);
     run.state.subscribe((state, before) => {
       if (state.outcome !== before.outcome) update();

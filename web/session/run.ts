@@ -1,8 +1,8 @@
-import { type Mesher, type MeshResult, type Progress, type Project } from "tetrafront";
+import { type Mesher, type MeshResult, type Progress } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
-import { contentKey } from "../document/content-key";
+import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
-import type { DocumentStore } from "./document-store";
+import { settledProject, type DocumentState, type DocumentStore } from "./document-store";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
 
@@ -21,7 +21,7 @@ export interface RunState {
   readonly progress: Progress | null;
   /** The mesh on show, whatever project it belongs to. */
   readonly mesh: MeshResult | null;
-  /** Key of the document that `mesh` was made from. */
+  /** Key of the project that `mesh` was made from. */
   readonly meshKey: string | null;
   /** The last run's answer: unlike `mesh` it may hold no mesh but only diagnostics. */
   readonly outcome: { readonly key: string; readonly result: MeshResult } | null;
@@ -76,7 +76,7 @@ export class MeshRun {
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
     this.#documents = documents;
     this.#mesher = mesher;
-    documents.onProject((project) => this.#showCached(contentKey(project)));
+    documents.onSettled((project) => this.#showCached(meshKey(project)));
   }
 
   /** Meshes the present project; a run under way is left alone. Resolves when the run is over. */
@@ -88,7 +88,7 @@ export class MeshRun {
   async #mesh(): Promise<void> {
     const abort = new AbortController();
     this.#abort = abort;
-    const { project } = this.#documents;
+    const project = settledProject(this.#documents.state.getState());
     this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
     // Of the run, not of the page: what the page hears late did not happen late.
     let elapsedSeconds = 0;
@@ -105,7 +105,7 @@ export class MeshRun {
         },
       });
       elapsedSeconds = result.report.seconds.total;
-      this.#finish(contentKey(project), result, log);
+      this.#finish(meshKey(project), result, log);
     } catch (error) {
       const failure = error instanceof Error ? error.message : String(error);
       this.state.setState({ failure });
@@ -118,7 +118,7 @@ export class MeshRun {
 
   /** Takes the mesh off show, and what was said of it, if they are of another state of the document. */
   forgetOthers(): void {
-    const key = contentKey(this.#documents.project);
+    const key = meshKey(settledProject(this.#documents.state.getState()));
     const { mesh, outcome } = this.state.getState();
     if (mesh && this.state.getState().meshKey !== key) this.state.setState({ mesh: null, meshKey: null });
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
@@ -213,7 +213,9 @@ export function regionCount({ mesh }: RunState): number {
   return mesh?.report.quality.regions.length ?? 0;
 }
 
-/** Is the mesh on show that of another state of the document? */
-export function isStale(run: RunState, project: Project): boolean {
-  return run.mesh !== null && run.meshKey !== contentKey(project);
+/** Was the mesh on show made from another state of the document? During a gesture, no key is computed. */
+export function isStale(run: RunState, document: DocumentState): boolean {
+  if (run.mesh === null) return false;
+  const project = settledProject(document);
+  return project !== document.history.present.project || run.meshKey !== meshKey(project);
 }

@@ -29,3 +29,21 @@ export function formatShare(share: number): string {
 export function formatAngle(degrees: number): string {
   return `${degrees.toFixed(1)}°`;
 }
+
+const units = [
+  ["minute", 60],
+  ["hour", 24],
+  ["day", 7],
+] as const;
+
+/** A time of the past, both in milliseconds since 1970: "now", "5 minutes ago", "yesterday", then the date. */
+export function formatTime(at: number, now: number): string {
+  const relative = new Intl.RelativeTimeFormat("en", { numeric: "auto" });
+  let amount = Math.floor(Math.max(0, now - at) / 60_000);
+  if (amount === 0) return relative.format(0, "second");
+  for (const [unit, count] of units) {
+    if (amount < count) return relative.format(-amount, unit);
+    amount = Math.floor(amount / count);
+  }
+  return new Intl.DateTimeFormat("en", { dateStyle: "medium" }).format(at);
+}

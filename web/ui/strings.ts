@@ -116,7 +116,7 @@ export const strings = {
     problems: (count: number) => (count === 1 ? "1 problem" : `${count} problems`),
   },
   gallery: {
-    intro: "Opening an example meshes it right away. Undo restores your project.",
+    intro: "Opening an example meshes it right away. Your project stays under File ▸ Open recent.",
     current: "open",
   },
   inspector: {
@@ -433,6 +433,28 @@ export const strings = {
     reload: "Reload",
     downloadFailed: "The mesh could not be written",
     close: "Close",
+  },
+  notices: {
+    label: "Notices",
+    documentLeft: (name: string) => `“${name}” is kept under File ▸ Open recent.`,
+    reopen: "Reopen",
+    autosaveFailed: (reason: string) =>
+      `The browser could not keep your changes: ${reason}. Save the project to a file; the app keeps trying.`,
+    retry: "Try again",
+    dismiss: "Dismiss",
+  },
+  recent: {
+    title: "Open recent",
+    hint: "This browser keeps every project that you change, with its steps of undo.",
+    none: "No project has been changed yet.",
+    open: "Open now",
+    loading: "Reading the list",
+    remove: (name: string) => `Remove “${name}”`,
+    failures: {
+      "open-in-another-tab": "The project is open in another tab.",
+      missing: "The browser does not keep the project any more.",
+      unreadable: "The kept project cannot be read.",
+    },
   },
   help: {
     title: "Keyboard and mouse",

@@ -1,6 +1,6 @@
 import type { Project } from "tetrafront";
 import type { Entity } from "../document/entities";
-import { findRecord, positionsById } from "../document/entities";
+import { findRecord, indexById } from "../document/entities";
 import type { Position } from "./position";
 import type { SampledProject } from "./scene-state";
 
@@ -87,7 +87,7 @@ export function entityBounds(entity: Entity, project: Project, preview: SampledP
 }
 
 function addSamples({ kind, id }: Entity, { samples, project }: SampledProject, bounds: Bounds): void {
-  const index = positionsById(project, kind).get(id);
+  const index = indexById(project, kind).get(id);
   if (index === undefined) return;
   if (kind === "line") {
     const { linePoints, lineOffsets } = samples;

@@ -30,7 +30,7 @@ export function shownState(stores: SessionStores): ShownState {
 /** Shows every change of the stores. Returns a function that ends this. */
 export function followSession(stores: SessionStores, viewer: Viewer): () => void {
   const stops = [
-    stores.documents.onProject(() => viewer.show(projectState(stores))),
+    stores.documents.state.subscribe(() => viewer.show(projectState(stores))),
     stores.previews.state.subscribe(() => viewer.show(previewState(stores))),
     stores.run.state.subscribe(() => viewer.show(runState(stores))),
     stores.problems.state.subscribe(() => viewer.show(problemState(stores))),
@@ -41,7 +41,7 @@ export function followSession(stores: SessionStores, viewer: Viewer): () => void
 
 function projectState({ documents, run }: SessionStores) {
   const { project } = documents;
-  return { project, isMeshStale: isStale(run.state.getState(), project) };
+  return { project, isMeshStale: isStale(run.state.getState(), documents.state.getState()) };
 }
 
 function previewState({ previews }: SessionStores): { readonly preview: SampledProject | null } {
@@ -53,7 +53,7 @@ function runState({ documents, run }: SessionStores) {
   const state = run.state.getState();
   return {
     mesh: state.mesh,
-    isMeshStale: isStale(state, documents.project),
+    isMeshStale: isStale(state, documents.state.getState()),
     checkedSurface: state.outcome?.result.surface ?? null,
     front: null,
   };

@@ -1,6 +1,7 @@
 import type { Mesher } from "tetrafront";
 import { expect, it } from "vitest";
-import { emptyProject, renameProject } from "../../../web/document/edits";
+import { emptyProject } from "../../../web/document/create";
+import { renameProject } from "../../../web/document/edits";
 import { PreviewFeed } from "../../../web/session/preview";
 import { DocumentStore } from "../../../web/session/document-store";
 

@@ -1,6 +1,6 @@
 import { describe, expect, it } from "vitest";
 import { createMesher, type Mesher, type Phase, type Progress } from "tetrafront";
-import { emptyProject } from "../../../web/document/edits";
+import { emptyProject } from "../../../web/document/create";
 import { MeshRun, type LogLine } from "../../../web/session/run";
 import { DocumentStore } from "../../../web/session/document-store";
 

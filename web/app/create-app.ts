@@ -1,0 +1,102 @@
+import { createMesher, type Project } from "tetrafront";
+import { emptyProject } from "../document/create";
+import { DocumentLibrary, type LockedDocument } from "../session/document-library";
+import { BrowserLocks } from "../session/document-locks";
+import { BrowserStorage } from "../session/document-storage";
+import { newDocument } from "../session/document-store";
+import { loadGallery, loadModel, type Gallery } from "../session/gallery";
+import { hideNotice, showNotice } from "../session/shell";
+import { BrowserTabMemory } from "../session/tab-memory";
+import { strings } from "../ui/strings";
+import { App } from "./app";
+
+/** What a new app shows first. */
+export type Intent =
+  /** The document of this tab before a reload, or the one used last; without any, a model of the gallery. */
+  | { readonly kind: "continue"; readonly otherwise: string | null }
+  /** A model of the gallery, whatever was open before. */
+  | { readonly kind: "model"; readonly id: string }
+  | { readonly kind: "project"; readonly project: Project };
+
+export interface AppOptions {
+  /**
+   * Under this name, the tab remembers which document the app has open; the browser keeps all documents. Two apps on
+   * one page need different names. Null keeps nothing.
+   */
+  readonly autosave: string | null;
+  /** Mesh every project that is opened, the first one too. */
+  readonly generate: boolean;
+  readonly intent: Intent;
+  /** No motion and no multisampling, so that tests get the same pictures every time. */
+  readonly still?: boolean;
+}
+
+const noGallery: Gallery = { opening: "", models: [] };
+
+/** Makes an app with its own documents, meshers and workers. Several apps can live on one page. */
+export async function createApp({ autosave, generate, intent, still = false }: AppOptions): Promise<App> {
+  // One mesher for runs and one for everything else, so that neither waits for the other.
+  const [mesher, previewMesher] = [createMesher(), createMesher()];
+  // Runs and previews report a failure themselves; here it must only not count as unhandled.
+  for (const starting of [mesher, previewMesher]) starting.catch(() => undefined);
+  const failures: string[] = [];
+  const noteFailure = (error: unknown): void => void failures.push(String(error));
+
+  const library =
+    autosave === null
+      ? null
+      : new DocumentLibrary(new BrowserStorage(), new BrowserLocks(), new BrowserTabMemory(autosave));
+  const gallery = await loadGallery().catch((error: unknown) => {
+    noteFailure(error);
+    return noGallery;
+  });
+  const first = await firstDocument(library, gallery, intent).catch((error: unknown) => {
+    noteFailure(error);
+    return { document: newDocument(emptyProject()) };
+  });
+
+  const app = new App({ first, mesher, previewMesher, library }, { gallery, generate, still });
+  if (failures.length > 0) {
+    app.shell.setState({ message: { title: strings.messages.galleryFailed, lines: failures } });
+  }
+  keepDocuments(app);
+  if (generate) void app.run.generate();
+  return app;
+}
+
+async function firstDocument(
+  library: DocumentLibrary | null,
+  gallery: Gallery,
+  intent: Intent,
+): Promise<Pick<LockedDocument, "document"> & Partial<LockedDocument>> {
+  if (intent.kind === "project") return { document: newDocument(intent.project) };
+  if (intent.kind === "continue") {
+    // Without storage, for example in a private window, there is nothing to continue.
+    const resumed = await library?.resume().catch(() => null);
+    if (resumed) return resumed;
+  }
+  const wanted = (intent.kind === "model" ? intent.id : intent.otherwise) ?? gallery.opening;
+  const model =
+    gallery.models.find(({ id }) => id === wanted) ?? gallery.models.find(({ id }) => id === gallery.opening);
+  return { document: newDocument(model ? await loadModel(model) : emptyProject()) };
+}
+
+/** Keeps the documents of an app until the page is left. */
+function keepDocuments({ autosave, library, shell }: App): void {
+  if (!autosave || !library) return;
+  autosave.follow();
+  autosave.followPage({ window, document });
+  autosave.state.subscribe(({ failure }, before) => {
+    if (failure === before.failure) return;
+    if (failure === null) hideNotice(shell, "autosave-failed");
+    else {
+      showNotice(shell, {
+        key: "autosave-failed",
+        tone: "warning",
+        text: strings.notices.autosaveFailed(failure),
+        action: { label: strings.notices.retry, run: () => void autosave.flush() },
+      });
+    }
+  });
+  library.clean().catch(() => undefined);
+}

@@ -1,0 +1,179 @@
+import type {
+  Project,
+  ProjectLine,
+  ProjectMeshing,
+  ProjectPatch,
+  ProjectPoint,
+  ProjectSource,
+} from "tetrafront";
+import { addReal, Hash, hashText } from "./hash";
+import { numbersPerNode, packedNodes, packedTetrahedra, partsOf } from "./packed-grid";
+import { forEachInSlices } from "./slices";
+
+/**
+ * Keys that are equal for projects of equal content, whatever their identity: `documentKey` tells whether a file
+ * holds the project, `meshKey` whether a mesh was made from it. Each list is hashed once and remembered, so that
+ * moving a point costs nothing for a large background grid.
+ */
+
+/** Long lists are hashed number by number, without a text in between. */
+function hashNodes(nodes: Project["background"]["nodes"]): string {
+  const hash = new Hash();
+  const packed = packedNodes(nodes);
+  for (let first = 0; first < packed.length; first += numbersPerNode) addNode(hash, packed, first);
+  return hash.text;
+}
+
+function addNode(hash: Hash, packed: Float64Array, first: number): void {
+  hash.add(packed[first] ?? 0);
+  const { stretching, direction } = partsOf(packed, first);
+  hash.add((stretching ? 1 : 0) + (direction ? 2 : 0));
+  for (let k = 1; k < 5; ++k) addReal(hash, packed[first + k] ?? 0);
+  if (stretching) addReal(hash, packed[first + 5] ?? 0);
+  if (direction) for (let k = 6; k < 9; ++k) addReal(hash, packed[first + k] ?? 0);
+}
+
+function hashTetrahedra(tetrahedra: Project["background"]["tetrahedra"]): string {
+  const hash = new Hash();
+  const packed = packedTetrahedra(tetrahedra);
+  for (let i = 0; i < packed.length; ++i) hash.add(packed[i] ?? 0);
+  return hash.text;
+}
+
+/** Hashes the lists of a large grid in slices, so that later keys of projects with this grid take no time. */
+export async function prepareKeys({
+  nodes,
+  tetrahedra,
+}: Pick<Project["background"], "nodes" | "tetrahedra">) {
+  const ofNodes = new Hash();
+  const packed = packedNodes(nodes);
+  await forEachInSlices(nodes.length, (i) => addNode(ofNodes, packed, numbersPerNode * i));
+  gridHashes.set(nodes, ofNodes.text);
+  const ofTetrahedra = new Hash();
+  const ids = packedTetrahedra(tetrahedra);
+  await forEachInSlices(ids.length, (i) => ofTetrahedra.add(ids[i] ?? 0));
+  gridHashes.set(tetrahedra, ofTetrahedra.text);
+}
+
+/** All fields of a record, each once; a field added to the schema is an error here until it is listed. */
+const fieldsOf = <Record>(fields: { readonly [Field in keyof Required<Record>]: true }): string[] =>
+  Object.keys(fields);
+
+const pointFields = fieldsOf<ProjectPoint>({ id: true, name: true, at: true });
+const lineFields = fieldsOf<ProjectLine>({ id: true, name: true, type: true, points: true });
+const patchFields = fieldsOf<ProjectPatch>({ id: true, name: true, type: true, loops: true });
+const sourceFields = fieldsOf<ProjectSource>({
+  id: true,
+  name: true,
+  type: true,
+  places: true,
+  size: true,
+  distance: true,
+  growth: true,
+});
+const meshingFields = fieldsOf<ProjectMeshing>({
+  size: true,
+  gradation: true,
+  enclosed: true,
+  order: true,
+  optimization: true,
+});
+
+const withoutName = (fields: readonly string[]): string[] => fields.filter((field) => field !== "name");
+
+/** Hashes records field by field in the given order, whatever the order of the fields in a record. */
+const hashRecords = (records: readonly object[], fields: string[]): string =>
+  hashText(JSON.stringify(records, fields));
+
+/** Returns what `compute` makes of an object; computes it once per object. */
+function remembering<In extends object, Out>(compute: (input: In) => Out): (input: In) => Out {
+  const known = new WeakMap<In, Out>();
+  return (input) => {
+    let output = known.get(input);
+    if (output === undefined) {
+      output = compute(input);
+      known.set(input, output);
+    }
+    return output;
+  };
+}
+
+/** Hashes of the lists of background grids. */
+const gridHashes = new WeakMap<object, string>();
+
+function gridHash<List extends object>(list: List, compute: (list: List) => string): string {
+  const hash = gridHashes.get(list) ?? compute(list);
+  gridHashes.set(list, hash);
+  return hash;
+}
+
+const hashesOf = {
+  points: remembering((list: readonly ProjectPoint[]) => hashRecords(list, pointFields)),
+  lines: remembering((list: readonly ProjectLine[]) => hashRecords(list, lineFields)),
+  patches: remembering((list: readonly ProjectPatch[]) => hashRecords(list, patchFields)),
+  sources: remembering((list: readonly ProjectSource[]) => hashRecords(list, sourceFields)),
+};
+
+const namelessHashesOf = {
+  lines: remembering((list: readonly ProjectLine[]) => hashRecords(list, withoutName(lineFields))),
+  patches: remembering((list: readonly ProjectPatch[]) => hashRecords(list, withoutName(patchFields))),
+  sources: remembering((list: readonly ProjectSource[]) => hashRecords(list, withoutName(sourceFields))),
+};
+
+const usedPoints = remembering(
+  (lines: readonly ProjectLine[]) => new Set(lines.flatMap(({ points }) => points)),
+);
+
+/** The hash of the points that lines use, per list of points for the lines it was computed with. */
+const usedPointHashes = new WeakMap<object, { readonly lines: object; readonly hash: string }>();
+
+function usedPointHash({ points, lines }: Project): string {
+  const known = usedPointHashes.get(points);
+  if (known?.lines === lines) return known.hash;
+  const used = usedPoints(lines);
+  const hash = hashRecords(
+    points.filter(({ id }) => used.has(id)),
+    withoutName(pointFields),
+  );
+  usedPointHashes.set(points, { lines, hash });
+  return hash;
+}
+
+const noSources: readonly ProjectSource[] = [];
+
+/** The part of both keys that names and points do not enter. */
+function sizeParts({ background, meshing = {} }: Project): readonly (string | number)[] {
+  const { nodes, tetrahedra, overhang = 0 } = background;
+  return [
+    JSON.stringify(meshing, meshingFields),
+    overhang,
+    gridHash(nodes, hashNodes),
+    gridHash(tetrahedra, hashTetrahedra),
+  ];
+}
+
+/** Returns the key of everything that a project file holds. */
+export const documentKey = remembering((project: Project): string => {
+  const { points, lines, patches, background, meshing: _, ...head } = project;
+  const { points: ofPoints, lines: ofLines, patches: ofPatches, sources: ofSources } = hashesOf;
+  return [
+    JSON.stringify(head, Object.keys(head).sort()),
+    ...sizeParts(project),
+    ofPoints(points),
+    ofLines(lines),
+    ofPatches(patches),
+    ofSources(background.sources ?? noSources),
+  ].join(" ");
+});
+
+/** Returns the key of everything that a mesh depends on: no names, and no points that no line uses. */
+export const meshKey = remembering((project: Project): string => {
+  const { lines, patches, background } = project;
+  return [
+    ...sizeParts(project),
+    usedPointHash(project),
+    namelessHashesOf.lines(lines),
+    namelessHashesOf.patches(patches),
+    namelessHashesOf.sources(background.sources ?? noSources),
+  ].join(" ");
+});

@@ -1,0 +1,104 @@
+import { openDB, type DBSchema, type IDBPDatabase } from "idb";
+import type { DocumentSummary, KeptDocument } from "./kept-document";
+
+/** Where documents are kept between visits, each under its id. */
+export interface DocumentStorage {
+  /** Returns the listed documents, the one changed last first. */
+  readonly list: () => Promise<readonly DocumentSummary[]>;
+  /** Returns the ids of documents that are as they were opened: nobody misses them. */
+  readonly listUntouched: () => Promise<readonly string[]>;
+  readonly read: (id: string) => Promise<KeptDocument | undefined>;
+  /**
+   * Writes a document in place of its earlier state. If the storage is open, the whole transaction is issued before
+   * this returns, so that it completes even if the page is closed.
+   */
+  readonly write: (document: KeptDocument) => Promise<void>;
+  readonly remove: (ids: readonly string[]) => Promise<void>;
+}
+
+interface Schema extends DBSchema {
+  documents: {
+    key: string;
+    value: KeptDocument;
+    /** Holds all that a list needs, so that no document has to be read for it. */
+    indexes: { recent: [listed: number, at: number, name: string] };
+  };
+}
+
+const databaseVersion = 2;
+
+/** Documents in IndexedDB, one record each. If the database cannot be opened, the next call tries again. */
+export class BrowserStorage implements DocumentStorage {
+  readonly #name: string;
+  #opening: Promise<IDBPDatabase<Schema>> | null = null;
+  #database: IDBPDatabase<Schema> | null = null;
+
+  constructor(name = "tetrafront") {
+    this.#name = name;
+  }
+
+  async list(): Promise<readonly DocumentSummary[]> {
+    const summaries: DocumentSummary[] = [];
+    const index = (await this.#open()).transaction("documents").store.index("recent");
+    for (
+      let cursor = await index.openKeyCursor(IDBKeyRange.lowerBound([1]), "prev");
+      cursor;
+      cursor = await cursor.continue()
+    ) {
+      const [, at, name] = cursor.key;
+      summaries.push({ id: cursor.primaryKey, at, name });
+    }
+    return summaries;
+  }
+
+  async listUntouched(): Promise<readonly string[]> {
+    return (await this.#open()).getAllKeysFromIndex("documents", "recent", IDBKeyRange.upperBound([1], true));
+  }
+
+  async read(id: string): Promise<KeptDocument | undefined> {
+    return (await this.#open()).get("documents", id);
+  }
+
+  async write(document: KeptDocument): Promise<void> {
+    const database = this.#database ?? (await this.#open());
+    const transaction = database.transaction("documents", "readwrite");
+    const put = transaction.store.put(document);
+    transaction.commit();
+    await Promise.all([put, transaction.done]);
+  }
+
+  async remove(ids: readonly string[]): Promise<void> {
+    if (ids.length === 0) return;
+    const transaction = (await this.#open()).transaction("documents", "readwrite");
+    await Promise.all([...ids.map((id) => transaction.store.delete(id)), transaction.done]);
+  }
+
+  #open(): Promise<IDBPDatabase<Schema>> {
+    this.#opening ??= this.#openDatabase().catch((error: unknown) => {
+      this.#opening = null;
+      throw error;
+    });
+    return this.#opening;
+  }
+
+  async #openDatabase(): Promise<IDBPDatabase<Schema>> {
+    const forget = (): void => {
+      this.#opening = null;
+      this.#database = null;
+    };
+    this.#database = await openDB<Schema>(this.#name, databaseVersion, {
+      upgrade: (database) => {
+        for (const name of database.objectStoreNames) database.deleteObjectStore(name);
+        const store = database.createObjectStore("documents", { keyPath: "id" });
+        store.createIndex("recent", ["listed", "at", "name"]);
+      },
+      // A newer version of the app, or the user, wants to change or delete the database.
+      blocking: () => {
+        this.#database?.close();
+        forget();
+      },
+      terminated: forget,
+    });
+    return this.#database;
+  }
+}

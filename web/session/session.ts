@@ -1,0 +1,92 @@
+import type { Mesher, Project } from "tetrafront";
+import { ViewStore } from "../document/selection";
+import { Autosave } from "./autosave";
+import type { DocumentLibrary, LockedDocument, OpenFailure } from "./document-library";
+import {
+  DocumentStore,
+  isUntouched,
+  newDocument,
+  type DocumentState,
+  type OpenDocument,
+  type ProjectFile,
+} from "./document-store";
+import { PreviewFeed } from "./preview";
+import { ProblemList } from "./problems";
+import { MeshRun, regionCount } from "./run";
+
+export interface SessionOptions {
+  /** The document that is open at first, and how to release its lock if it has one. */
+  readonly first: { readonly document: OpenDocument; readonly release?: () => void };
+  /** Makes meshes. */
+  readonly mesher: Promise<Mesher>;
+  /** Answers small questions, for example previews: they never wait for a run. */
+  readonly previewMesher: Promise<Mesher>;
+  /** Where documents are kept; null keeps nothing. */
+  readonly library: DocumentLibrary | null;
+}
+
+/** An open document with its selection, mesh, preview and problems, and its place in the browser's storage. */
+export class Session {
+  readonly documents: DocumentStore;
+  readonly view = new ViewStore();
+  readonly run: MeshRun;
+  readonly previews: PreviewFeed;
+  readonly problems: ProblemList;
+  readonly library: DocumentLibrary | null;
+  readonly autosave: Autosave | null;
+
+  constructor({ first: { document, release }, mesher, previewMesher, library }: SessionOptions) {
+    this.documents = new DocumentStore(document.history.present.project);
+    this.documents.show(document);
+    library?.keepOpen(document.id, release);
+    this.run = new MeshRun(this.documents, mesher);
+    this.previews = new PreviewFeed(this.documents, previewMesher);
+    this.problems = new ProblemList(this.documents, this.previews, this.run);
+    this.library = library;
+    this.autosave = library && new Autosave(this.documents, library.storage);
+    this.run.state.subscribe((state, before) => {
+      if (state.mesh !== before.mesh || state.outcome !== before.outcome) this.view.unmark();
+      if (regionCount(state) !== regionCount(before)) this.view.showAllRegions();
+    });
+  }
+
+  /** Shows a project as a new document. Returns the document before, which Recent lists if it was changed. */
+  showProject(project: Project, file: ProjectFile | null = null): DocumentState {
+    return this.#show(newDocument(project, file));
+  }
+
+  /** Shows a document from the library. Returns the document before, or why it cannot be shown. */
+  async showRecent(id: string): Promise<DocumentState | OpenFailure> {
+    if (!this.library) return "missing";
+    const taken = await this.library.take(id);
+    return typeof taken === "string" ? taken : this.showLocked(taken);
+  }
+
+  /** Shows a document again that `showProject` or `showRecent` has returned, with all its steps of undo. */
+  async showAgain(document: OpenDocument): Promise<DocumentState> {
+    if (!this.library) return this.#show(document);
+    return this.showLocked(await this.library.retake(document));
+  }
+
+  showLocked({ document, release }: LockedDocument): DocumentState {
+    return this.#show(document, release);
+  }
+
+  #show(document: OpenDocument, release?: () => void): DocumentState {
+    const before = this.documents.show(document);
+    this.#leave(before);
+    this.library?.keepOpen(document.id, release);
+    this.run.forgetOthers();
+    this.view.reset();
+    this.view.setCut({ enabled: false });
+    return before;
+  }
+
+  /** Keeps the document that is about to be replaced, unless it is as it was opened from the gallery. */
+  #leave(state: DocumentState): void {
+    if (state.file === null && isUntouched(state)) {
+      this.autosave?.forget(state.id);
+      this.library?.storage.remove([state.id]).catch(() => undefined);
+    } else void this.autosave?.flush();
+  }
+}
