@@ -20,8 +20,8 @@ export interface LockedDocument {
 
 /** More than Recent needs to list; older documents are removed. */
 export const maxListedDocuments = 100;
-/** The page before a reload releases its lock within this time. Milliseconds. */
-const reloadPatience = 1000;
+/** A lock is released within this time, by this tab or by the page before a reload. Milliseconds. */
+const releaseTime = 1000;
 
 /**
  * The documents that the browser keeps. No two tabs have the same one open: each tab has its own id in its memory
@@ -33,6 +33,9 @@ export class DocumentLibrary {
   readonly #tab: TabMemory;
   /** The document that this tab has open, and how to release its lock. */
   #open: { readonly id: string; readonly release: Promise<(() => void) | null> } | null = null;
+
+  /** Resolves when the lock of the document before is released. */
+  #released: Promise<void> = Promise.resolve();
 
   constructor(storage: DocumentStorage, locks: DocumentLocks, tab: TabMemory) {
     this.storage = storage;
@@ -50,8 +53,8 @@ export class DocumentLibrary {
   }
 
   /** Reads and locks a document. The caller either keeps it open with `keepOpen` or releases the lock. */
-  async take(id: string, patience = 0): Promise<LockedDocument | OpenFailure> {
-    const release = await this.#locks.acquire(id, patience);
+  async take(id: string): Promise<LockedDocument | OpenFailure> {
+    const release = await this.#acquire(id);
     if (!release) return "open-in-another-tab";
     const document = await this.#read(id).catch((): OpenFailure => "unreadable");
     if (typeof document !== "string") return { document, release };
@@ -61,10 +64,13 @@ export class DocumentLibrary {
 
   /** Locks a document that is in memory already. If another tab has it open by now, returns a copy of it. */
   async retake(document: OpenDocument): Promise<LockedDocument> {
-    const release = await this.#locks.acquire(document.id);
+    const release = await this.#acquire(document.id);
     if (release) return { document, release };
     const copy = { ...document, id: newDocumentId() };
-    return { document: copy, release: (await this.#locks.acquire(copy.id)) ?? (() => undefined) };
+    return {
+      document: copy,
+      release: (await this.#locks.acquire(copy.id, releaseTime)) ?? (() => undefined),
+    };
   }
 
   /**
@@ -74,7 +80,7 @@ export class DocumentLibrary {
   async resume(): Promise<LockedDocument | null> {
     const own = this.#tab.read();
     if (own === null) return this.#takeLast();
-    const taken = await this.take(own, reloadPatience);
+    const taken = await this.take(own);
     if (typeof taken !== "string") return taken;
     // A duplicated tab has the memory of the first one.
     return taken === "open-in-another-tab" ? this.#copy(own) : null;
@@ -83,9 +89,9 @@ export class DocumentLibrary {
   /** Notes that this tab has a document open, and no longer the one before. Without a `release`, locks it. */
   keepOpen(id: string, release?: () => void): void {
     const before = this.#open;
-    this.#open = { id, release: release ? Promise.resolve(release) : this.#locks.acquire(id) };
+    this.#open = { id, release: release ? Promise.resolve(release) : this.#locks.acquire(id, releaseTime) };
     this.#tab.write(id);
-    void before?.release.then((releaseBefore) => releaseBefore?.());
+    if (before) this.#released = before.release.then((releaseBefore) => releaseBefore?.());
   }
 
   /** Removes documents that are as they were opened, and the oldest ones beyond the limit, unless a tab has them open. */
@@ -97,6 +103,12 @@ export class DocumentLibrary {
     ]);
     const surplus = [...untouched, ...listed.slice(maxListedDocuments).map(({ id }) => id)];
     await this.storage.remove(surplus.filter((id) => !openIds.has(id) && id !== this.#open?.id));
+  }
+
+  /** The document that this tab has just closed can be opened again at once. */
+  async #acquire(id: string): Promise<(() => void) | null> {
+    await this.#released;
+    return this.#locks.acquire(id, releaseTime);
   }
 
   async #takeLast(): Promise<LockedDocument | null> {

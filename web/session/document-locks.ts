@@ -2,9 +2,9 @@
 export interface DocumentLocks {
   /**
    * Marks a document as open here. Returns a function that ends this, or null if another tab has the document open.
-   * Waits `patience` milliseconds for a tab that is about to close, for example after a reload.
+   * Waits up to `patience` milliseconds for a tab that is about to close it.
    */
-  readonly acquire: (id: string, patience?: number) => Promise<(() => void) | null>;
+  readonly acquire: (id: string, patience: number) => Promise<(() => void) | null>;
   /** Returns the ids of the documents that are open, in this tab or another. */
   readonly openIds: () => Promise<ReadonlySet<string>>;
 }
@@ -14,19 +14,15 @@ const noLock = (): void => undefined;
 
 /** Web Locks: the browser releases them when a tab is closed or crashes. Without them, every document is free. */
 export class BrowserLocks implements DocumentLocks {
-  readonly #manager: LockManager | undefined = globalThis.navigator?.locks as LockManager | undefined;
+  readonly #manager: LockManager | undefined = "locks" in navigator ? navigator.locks : undefined;
 
-  acquire(id: string, patience = 0): Promise<(() => void) | null> {
+  acquire(id: string, patience: number): Promise<(() => void) | null> {
     const manager = this.#manager;
     if (!manager) return Promise.resolve(noLock);
-    const options: LockOptions =
-      patience > 0 ? { signal: AbortSignal.timeout(patience) } : { ifAvailable: true };
+    const options = { signal: AbortSignal.timeout(patience) };
     return new Promise((resolve) => {
       manager
-        .request(`${prefix}${id}`, options, (lock) => {
-          if (!lock) return resolve(null);
-          return new Promise<void>((release) => resolve(release));
-        })
+        .request(`${prefix}${id}`, options, () => new Promise<void>((release) => resolve(release)))
         // The signal has ended the wait.
         .catch(() => resolve(null));
     });

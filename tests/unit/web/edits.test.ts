@@ -11,7 +11,7 @@ import {
   setNodeDirection,
   setNodeStretching,
 } from "../../../web/document/edits";
-import { contentKey } from "../../../web/document/content-key";
+import { documentKey } from "../../../web/document/content-keys";
 import { DocumentStore, hasUnsavedChanges } from "../../../web/session/document-store";
 import { toProblems } from "../../../web/document/validate";
 import { cubeProject } from "../../support/projects";
@@ -60,14 +60,14 @@ describe("the document", () => {
         const documents = new DocumentStore(project, () => 0);
         documents.edit(deleteEntities(project, [{ kind, id }]));
         expect(parseProject(documents.project).success).toBe(true);
-        expect(contentKey(documents.project)).not.toBe(contentKey(project));
+        expect(documentKey(documents.project)).not.toBe(documentKey(project));
         documents.undo();
         expect(documents.project).toEqual(project);
       }
     }
   });
 
-  it("knows what a file holds, across undo and opening", () => {
+  it("knows what a file holds, across undo and redo", () => {
     const documents = new DocumentStore(cubeProject(), () => 0);
     const unsaved = () => hasUnsavedChanges(documents.state.getState());
     expect(unsaved()).toBe(false);
@@ -76,7 +76,9 @@ describe("the document", () => {
     documents.undo();
     expect(unsaved()).toBe(false);
     documents.redo();
-    documents.open({ ...cubeProject(), name: "another" }, "Open another");
+    expect(unsaved()).toBe(true);
+    const { id } = documents.state.getState();
+    documents.markSaved(id, documents.project, null);
     expect(unsaved()).toBe(false);
     documents.undo();
     expect(unsaved()).toBe(true);

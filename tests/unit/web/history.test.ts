@@ -1,6 +1,14 @@
 import { describe, expect, it } from "vitest";
 import type { Edit } from "../../../web/document/edit";
-import { commit, redo, startHistory, undo } from "../../../web/session/history";
+import {
+  addStep,
+  commit,
+  maxHistoryBytes,
+  redo,
+  startHistory,
+  stepFrom,
+  undo,
+} from "../../../web/session/history";
 
 interface State {
   readonly a: number;
@@ -69,6 +77,79 @@ describe("history", () => {
     history = commit(history, set(4, "b"), 15_000, true);
     expect(history.past).toHaveLength(2);
     expect(undo(undo(history)).present.a).toBe(0);
+  });
+
+  it("does not merge into a step that the user has gone back to while a redo waits", () => {
+    let history = commit(startHistory<State>({ a: 0, list: [] }), set(1, "a"), 0);
+    history = commit(history, set(2, "b"), 100);
+    history = commit(undo(history), set(3, "a"), 200);
+    expect(history.past).toHaveLength(2);
+    expect(history.future).toEqual([]);
+    expect(undo(history).present.a).toBe(1);
+    expect(redo(undo(history)).present.a).toBe(3);
+  });
+
+  it("does not merge into a step that was redone", () => {
+    let history = commit(startHistory<State>({ a: 0, list: [] }), set(1, "a"), 0);
+    history = commit(redo(undo(history)), set(2, "a"), 100);
+    expect(undo(history).present.a).toBe(1);
+  });
+
+  it("keeps one value of a field that a held key changes, and all parts of other merged edits", () => {
+    let history = startHistory<State>({ a: 0, list: [] });
+    for (let a = 1; a <= 1000; ++a) history = commit(history, set(a, "a"), a, true);
+    expect(history.past[0]?.forward).toHaveLength(1);
+    expect(undo(history).present.a).toBe(0);
+    expect(redo(undo(history)).present.a).toBe(1000);
+
+    const shorten = (length: number): Edit<State> => ({
+      label: "Shorten",
+      mergeKey: "list",
+      change: ({ list }) => void list.splice(length),
+    });
+    history = commit(startHistory<State>({ a: 0, list: [1, 2, 3, 4, 5] }), shorten(3), 0);
+    history = commit(history, shorten(1), 1);
+    expect(history.past).toHaveLength(1);
+    expect(undo(history).present.list).toEqual([1, 2, 3, 4, 5]);
+    expect(redo(undo(history)).present.list).toEqual([1]);
+  });
+
+  it("drops the oldest steps beyond its limit of memory, however many or few they are", () => {
+    // A character takes two bytes, in the patch that sets the text and in the one that restores the text before.
+    const stepBytes = maxHistoryBytes / 16;
+    const write = (i: number): Edit<{ readonly text: string }> => ({
+      label: `Write ${i}`,
+      replace: [[["text"], String(i).padEnd(stepBytes / 4)]],
+    });
+    let history = startHistory({ text: "".padEnd(stepBytes / 4) });
+    for (let i = 1; i <= 40; ++i) history = commit(history, write(i), 1000 * i);
+    expect(history.past.length).toBeGreaterThanOrEqual(14);
+    expect(history.past.length).toBeLessThanOrEqual(16);
+    expect(history.past.at(-1)?.label).toBe("Write 40");
+    expect(history.past[0]?.label).toBe(`Write ${41 - history.past.length}`);
+    const bytes = history.past.reduce((sum, entry) => sum + entry.bytes, 0);
+    expect(bytes).toBeLessThanOrEqual(maxHistoryBytes);
+
+    let small = startHistory<State>({ a: 0, list: [] });
+    for (let i = 1; i <= 2000; ++i) small = commit(small, set(i), 1000 * i);
+    expect(small.past).toHaveLength(2000);
+  });
+
+  it("keeps the last step even if it alone exceeds the limit", () => {
+    const text = "".padEnd(maxHistoryBytes);
+    let history = commit(startHistory({ text: "before" }), { label: "Small", replace: [[["text"], "x"]] }, 0);
+    history = commit(history, { label: "Huge", replace: [[["text"], text]] }, 1000);
+    expect(history.past.map(({ label }) => label)).toEqual(["Huge"]);
+    expect(undo(history).present.text).toBe("x");
+  });
+
+  it("adds a step that was made outside as one entry, and none if it changes nothing", () => {
+    const history = startHistory<State>({ a: 0, list: [] });
+    const moved = addStep(history, "Drag", stepFrom(history.present, set(7)), 0);
+    expect(moved.present.a).toBe(7);
+    expect(moved.past.map(({ label }) => label)).toEqual(["Drag"]);
+    expect(undo(moved).present).toEqual(history.present);
+    expect(addStep(history, "Drag", stepFrom(history.present, set(0)), 0)).toBe(history);
   });
 
   it("forgets what was undone once something else is done", () => {

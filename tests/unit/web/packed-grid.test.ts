@@ -1,6 +1,6 @@
 import { backgroundArrays, projectBackground, type ProjectBackground } from "tetrafront";
 import { describe, expect, it } from "vitest";
-import { contentKey } from "../../../web/document/content-key";
+import { documentKey } from "../../../web/document/content-keys";
 import { documentGrid } from "../../../web/document/large-grid";
 import {
   engineGrid,
@@ -34,10 +34,10 @@ describe("a packed grid", () => {
     const { nodes, tetrahedra } = await documentGrid(packedGrid(project.background));
     expect(nodes).not.toBe(project.background.nodes);
     const same = { ...project, background: { nodes, tetrahedra, overhang: 0.25 } };
-    expect(contentKey(same)).toBe(contentKey(project));
+    expect(documentKey(same)).toBe(documentKey(project));
     const other = nodes.map((node, i) => (i === 0 ? { ...node, size: node.size + 1e-15 } : node));
-    expect(contentKey({ ...same, background: { ...same.background, nodes: other } })).not.toBe(
-      contentKey(project),
+    expect(documentKey({ ...same, background: { ...same.background, nodes: other } })).not.toBe(
+      documentKey(project),
     );
   });
 

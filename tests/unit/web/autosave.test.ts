@@ -1,0 +1,173 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import { moveEntity, renameProject } from "../../../web/document/edits";
+import { Autosave } from "../../../web/session/autosave";
+import { DocumentStore, newDocument } from "../../../web/session/document-store";
+import { cubeProject } from "../../support/projects";
+import { MemoryStorage } from "./storage-doubles";
+
+beforeEach(() => void vi.useFakeTimers());
+afterEach(() => void vi.useRealTimers());
+
+/** Longer than an edit waits for its writing. */
+const shortly = 50;
+
+function following() {
+  const documents = new DocumentStore(cubeProject(), () => 0);
+  const storage = new MemoryStorage();
+  const autosave = new Autosave(documents, storage);
+  autosave.follow();
+  const keptName = (id = documents.state.getState().id) => storage.documents.get(id)?.name;
+  return { documents, storage, autosave, keptName };
+}
+
+/** A page whose events are dispatched by hand. */
+function fakePage(autosave: Autosave) {
+  const window = new EventTarget();
+  const visible: { visibilityState: DocumentVisibilityState } = { visibilityState: "visible" };
+  const document = Object.assign(new EventTarget(), visible);
+  const stop = autosave.followPage({ window, document });
+  return { window, document, stop };
+}
+
+describe("autosave", () => {
+  it("writes a document when it is opened, and again within a few milliseconds of each edit", async () => {
+    const { documents, autosave, keptName } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(keptName()).toBe("Unit cube");
+    documents.edit(renameProject("edited"));
+    expect(autosave.state.getState().pending).toBe(true);
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(keptName()).toBe("edited");
+    expect(autosave.state.getState()).toEqual({ pending: false, failure: null });
+    documents.undo();
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(keptName()).toBe("Unit cube");
+  });
+
+  it("writes a burst of edits once, and does not wait for its end", async () => {
+    const { documents, storage, keptName } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    const before = storage.writes;
+    for (let i = 0; i < 10; ++i) documents.edit(renameProject(`name ${i}`));
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(storage.writes).toBe(before + 1);
+    for (let i = 0; i < 100; ++i) {
+      documents.edit(renameProject(`name ${i}`));
+      await vi.advanceTimersByTimeAsync(10);
+    }
+    expect(keptName()).not.toBe("name 9");
+  });
+
+  it.each(["pagehide", "beforeunload"])("writes at once on %s alone", async (event) => {
+    const { documents, autosave, storage, keptName } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    const { window, stop } = fakePage(autosave);
+    documents.edit(renameProject("last edit"));
+    const before = storage.writes;
+    window.dispatchEvent(new Event(event, { cancelable: true }));
+    // A page that is being left runs no timers any more.
+    expect(storage.writes).toBe(before + 1);
+    expect(keptName()).toBe("last edit");
+    stop();
+    documents.edit(renameProject("after"));
+    window.dispatchEvent(new Event(event));
+    expect(keptName()).toBe("last edit");
+  });
+
+  it("writes at once when the page is hidden, but not when it is shown", async () => {
+    const { documents, autosave, keptName } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    const { document } = fakePage(autosave);
+    documents.edit(renameProject("last edit"));
+    document.dispatchEvent(new Event("visibilitychange"));
+    expect(keptName()).toBe("Unit cube");
+    document.visibilityState = "hidden";
+    document.dispatchEvent(new Event("visibilitychange"));
+    expect(keptName()).toBe("last edit");
+  });
+
+  it("warns of leaving only while a change is not written", async () => {
+    const { documents, autosave } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    const { window } = fakePage(autosave);
+    const leave = (): boolean => !window.dispatchEvent(new Event("beforeunload", { cancelable: true }));
+    expect(leave()).toBe(false);
+    documents.edit(renameProject("edited"));
+    expect(leave()).toBe(true);
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(leave()).toBe(false);
+  });
+
+  it("says when the storage fails, tries again by itself and says when it has succeeded", async () => {
+    const { documents, storage, autosave, keptName } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    storage.failure = "no space";
+    documents.edit(renameProject("kept in the end"));
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(autosave.state.getState()).toEqual({ pending: true, failure: "no space" });
+    await vi.advanceTimersByTimeAsync(60_000);
+    const attempts = storage.writes;
+    expect(attempts).toBeGreaterThan(5);
+    // The time between attempts grows, but stays below a minute.
+    expect(attempts).toBeLessThan(15);
+    storage.failure = null;
+    await vi.advanceTimersByTimeAsync(60_000);
+    expect(keptName()).toBe("kept in the end");
+    expect(autosave.state.getState()).toEqual({ pending: false, failure: null });
+  });
+
+  it("keeps a document in its queue that is not open any more, until the storage works again", async () => {
+    const { documents, storage, keptName } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    storage.failure = "no space";
+    documents.edit(renameProject("left behind"));
+    await vi.advanceTimersByTimeAsync(shortly);
+    const { id } = documents.show(newDocument({ ...cubeProject(), name: "next" }));
+    await vi.advanceTimersByTimeAsync(shortly);
+    storage.failure = null;
+    await vi.advanceTimersByTimeAsync(60_000);
+    expect(keptName(id)).toBe("left behind");
+    expect(keptName()).toBe("next");
+  });
+
+  it("does not let an older state of a document overwrite a newer one after a failure", async () => {
+    const { documents, storage, autosave, keptName } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    storage.failure = "no space";
+    documents.edit(renameProject("older"));
+    const failing = autosave.flush();
+    documents.edit(renameProject("newer"));
+    await failing;
+    storage.failure = null;
+    await vi.advanceTimersByTimeAsync(60_000);
+    expect(keptName()).toBe("newer");
+  });
+
+  it("writes a gesture when it ends, and nothing of one that is cancelled", async () => {
+    const { documents, storage } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    const before = storage.writes;
+    const cancelled = documents.begin("Drag");
+    cancelled.update(moveEntity("point", 1, 0, 5));
+    await vi.advanceTimersByTimeAsync(shortly);
+    cancelled.cancel();
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(storage.writes).toBe(before);
+    const gesture = documents.begin("Drag");
+    gesture.update(moveEntity("point", 1, 0, 6));
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(storage.writes).toBe(before);
+    gesture.commit();
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(storage.writes).toBe(before + 1);
+  });
+
+  it("lists a document from its first change on", async () => {
+    const { documents, storage } = following();
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(await storage.list()).toEqual([]);
+    documents.edit(renameProject("edited"));
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect((await storage.list()).map(({ name }) => name)).toEqual(["edited"]);
+  });
+});

@@ -1,0 +1,242 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from "vitest";
+import type { Mesher } from "tetrafront";
+import { App } from "../../../web/app/app";
+import { DOWNLOADS } from "../../../web/commands/file-menu";
+import { newProject, openProject, openRecent, save } from "../../../web/commands/project-actions";
+import { commandNamed, commands, keyNames, runCommand } from "../../../web/commands/registry";
+import { moveEntity, renameProject } from "../../../web/document/edits";
+import { DocumentLibrary } from "../../../web/session/document-library";
+import { newDocument } from "../../../web/session/document-store";
+import { cubeProject } from "../../support/projects";
+import { MemoryLocks, MemoryStorage, MemoryTab } from "./storage-doubles";
+
+const saved: { readonly name: string; readonly file: string | undefined }[] = [];
+/** Last change of each file on the disk, by name. */
+const disk = new Map<string, number>();
+let chosenFile = "chosen.json";
+
+const handleOf = (name: string) =>
+  ({
+    name,
+    getFile: () => Promise.resolve({ lastModified: disk.get(name) }),
+  }) as unknown as FileSystemFileHandle;
+
+vi.mock("browser-fs-access", () => ({
+  fileSave: async (blob: Promise<Blob>, _options: unknown, handle: FileSystemFileHandle | null) => {
+    const { name } = JSON.parse(await (await blob).text()) as { readonly name: string };
+    saved.push({ name, file: handle?.name });
+    const written = handle ?? handleOf(chosenFile);
+    disk.set(written.name, (disk.get(written.name) ?? 0) + 1);
+    return written;
+  },
+}));
+
+/** A mesher whose runs and previews never end. */
+const busyMesher = Promise.resolve({
+  meshProject: () => new Promise(() => undefined),
+  previewProject: () => new Promise(() => undefined),
+} as unknown as Mesher);
+
+function openApp(storage = new MemoryStorage(), locks = new MemoryLocks()) {
+  const library = new DocumentLibrary(storage, locks, new MemoryTab());
+  const first = { document: newDocument({ ...cubeProject(), name: "A" }) };
+  const app = new App(
+    { first, mesher: busyMesher, previewMesher: busyMesher, library },
+    { gallery: { opening: "", models: [] }, generate: false, still: true },
+  );
+  app.autosave?.follow();
+  const run = (id: string): void => runCommand(app, commandNamed(id));
+  return { app, storage, locks, run };
+}
+
+const noticeKeys = (app: App) => app.shell.getState().notices.map(({ key }) => key);
+const labels = (app: App) => app.documents.state.getState().history.past.map(({ label }) => label);
+
+beforeEach(() => {
+  vi.stubGlobal(
+    "Worker",
+    class {
+      postMessage(): void {
+        // Nothing answers.
+      }
+      terminate(): void {
+        // Nothing runs.
+      }
+    },
+  );
+  saved.length = 0;
+  disk.clear();
+});
+afterEach(() => void vi.unstubAllGlobals());
+
+describe("the commands", () => {
+  it("have one id and different keys each", () => {
+    const ids = commands.map(({ id }) => id);
+    expect(new Set(ids).size).toBe(ids.length);
+    const keys = commands.flatMap((command) => command.keys.map((key) => key.toLowerCase()));
+    expect(new Set(keys).size).toBe(keys.length);
+    for (const id of DOWNLOADS) expect(commandNamed(id).menu).toBe("file");
+    expect(() => commandNamed("none")).toThrow('There is no command "none"');
+  });
+
+  it("that work in text fields have a modifier or are no character", () => {
+    for (const { keys, inFields } of commands) {
+      if (inFields) for (const key of keys) expect(key).toMatch(/^mod\+|Escape$/);
+    }
+  });
+
+  it("keep the sections of a menu together", () => {
+    for (const menu of ["file", "edit", "create", "view", "mesh", "help"]) {
+      const sections = commands.filter((command) => command.menu === menu).map(({ section }) => section);
+      expect(sections.length).toBeGreaterThan(0);
+      expect(sections).toEqual([...sections].sort((a, b) => a - b));
+    }
+  });
+
+  it("do nothing while they are disabled", () => {
+    const { app, run } = openApp();
+    const { history } = app.documents.state.getState();
+    for (const id of ["undo", "redo", "delete", "deselect", "hide"]) {
+      expect(commandNamed(id).enabled(app)).toBe(false);
+      run(id);
+    }
+    expect(app.documents.state.getState().history).toBe(history);
+  });
+
+  it("name the step that they undo or redo", () => {
+    const { app, run } = openApp();
+    app.documents.edit(renameProject("renamed"));
+    expect(commandNamed("undo").label(app)).toBe("Undo: Rename project");
+    run("undo");
+    expect(commandNamed("undo").label(app)).toBe("Undo");
+    expect(commandNamed("redo").label(app)).toBe("Redo: Rename project");
+    run("redo");
+    expect(app.documents.project.name).toBe("renamed");
+  });
+
+  it("show their keys as they are printed on a keyboard", () => {
+    expect(keyNames("mod+shift+Z")).toEqual(["Ctrl", "Shift", "Z"]);
+    expect(keyNames("Escape")).toEqual(["Esc"]);
+  });
+
+  it("delete what is selected with what is built on it, and select nothing", () => {
+    const { app, run } = openApp();
+    app.view.selectAll([{ kind: "point", id: 1 }]);
+    run("delete");
+    expect(app.documents.project.lines).toHaveLength(9);
+    expect(app.view.state.getState().selection).toEqual([]);
+  });
+});
+
+describe("opening another project", () => {
+  it("offers to reopen one with changes that no file holds, with all its steps of undo", async () => {
+    const { app } = openApp();
+    app.documents.edit(moveEntity("point", 1, 0, -2));
+    app.documents.edit(renameProject("changed"));
+    openProject(app, { ...cubeProject(), name: "B" });
+    expect(app.documents.project.name).toBe("B");
+    expect(labels(app)).toEqual([]);
+    const [notice] = app.shell.getState().notices;
+    expect(notice?.text).toContain("changed");
+    notice?.action.run();
+    await vi.waitFor(() => expect(app.documents.project.name).toBe("changed"));
+    expect(labels(app)).toEqual(["Move point 1", "Rename project"]);
+  });
+
+  it("says nothing of a project without changes, and does not keep it", async () => {
+    const { app, storage } = openApp();
+    await app.autosave?.flush();
+    const { id } = app.documents.state.getState();
+    expect(storage.documents.has(id)).toBe(true);
+    newProject(app);
+    expect(noticeKeys(app)).toEqual([]);
+    await app.autosave?.flush();
+    expect(storage.documents.has(id)).toBe(false);
+  });
+
+  it("keeps every changed project for Recent, whichever is opened next", async () => {
+    const { app, storage } = openApp();
+    for (const name of ["one", "two", "three"]) {
+      app.documents.edit(renameProject(name));
+      newProject(app);
+    }
+    await app.autosave?.flush();
+    expect((await storage.list()).map(({ name }) => name).sort()).toEqual(["one", "three", "two"]);
+    const two = [...storage.documents.values()].find(({ name }) => name === "two");
+    await openRecent(app, two?.id ?? "", "two");
+    expect(app.documents.project.name).toBe("two");
+    expect(labels(app)).toEqual(["Rename project"]);
+  });
+
+  it("refuses a project that another tab has open", async () => {
+    const { app, storage, locks } = openApp();
+    const other = openApp(storage, locks).app;
+    other.documents.edit(renameProject("elsewhere"));
+    await other.autosave?.flush();
+    await openRecent(app, other.documents.state.getState().id, "elsewhere");
+    expect(app.shell.getState().message?.lines).toEqual(["The project is open in another tab."]);
+    expect(app.documents.project.name).toBe("A");
+  });
+});
+
+describe("saving", () => {
+  it("never writes a project into the file of another", async () => {
+    const { app } = openApp();
+    chosenFile = "a.json";
+    await save(app, true);
+    openProject(app, { ...cubeProject(), name: "B" });
+    app.documents.undo();
+    chosenFile = "b.json";
+    await save(app, false);
+    expect(saved).toEqual([
+      { name: "A", file: undefined },
+      { name: "B", file: undefined },
+    ]);
+    await save(app, false);
+    expect(saved.at(-1)).toEqual({ name: "B", file: "b.json" });
+  });
+
+  it("goes to the file of a document that is reopened", async () => {
+    const { app } = openApp();
+    chosenFile = "a.json";
+    await save(app, true);
+    app.documents.edit(renameProject("A changed"));
+    const { id } = app.documents.state.getState();
+    newProject(app);
+    app.shell.getState().notices[0]?.action.run();
+    await vi.waitFor(() => expect(app.documents.state.getState().id).toBe(id));
+    await save(app, false);
+    expect(saved.at(-1)).toEqual({ name: "A changed", file: "a.json" });
+  });
+
+  it("asks for a file again if another program has changed the file", async () => {
+    const { app } = openApp();
+    chosenFile = "a.json";
+    await save(app, true);
+    disk.set("a.json", 1000);
+    await save(app, false);
+    expect(saved.at(-1)).toEqual({ name: "A", file: undefined });
+  });
+
+  it("marks what was written as saved, not what was edited meanwhile", async () => {
+    const { app } = openApp();
+    const saving = save(app, true);
+    app.documents.edit(renameProject("edited meanwhile"));
+    await saving;
+    const { savedKey } = app.documents.state.getState();
+    app.documents.undo();
+    expect(newDocument(app.documents.project).savedKey).toBe(savedKey);
+  });
+});
+
+describe("two apps on one page", () => {
+  it("have documents, selections and steps of undo of their own", () => {
+    const [first, second] = [openApp().app, openApp().app];
+    first.documents.edit(renameProject("first"));
+    first.view.selectAll([{ kind: "point", id: 1 }]);
+    expect(second.documents.project.name).toBe("A");
+    expect(labels(second)).toEqual([]);
+    expect(second.view.state.getState().selection).toEqual([]);
+    expect(first.documents.state.getState().id).not.toBe(second.documents.state.getState().id);
+  });
+});

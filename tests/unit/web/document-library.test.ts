@@ -1,0 +1,142 @@
+import { describe, expect, it } from "vitest";
+import { DocumentLibrary, maxListedDocuments } from "../../../web/session/document-library";
+import { newDocument } from "../../../web/session/document-store";
+import { keptDocument } from "../../../web/session/kept-document";
+import { cubeProject } from "../../support/projects";
+import { MemoryLocks, MemoryStorage, MemoryTab } from "./storage-doubles";
+
+/** A browser with any number of tabs. */
+function browser() {
+  const storage = new MemoryStorage();
+  const locks = new MemoryLocks();
+  const openTab = (memory = new MemoryTab()) => ({
+    memory,
+    library: new DocumentLibrary(storage, locks, memory),
+  });
+  const keep = async (name: string, at: number, isListed = true): Promise<string> => {
+    const document = keptDocument(newDocument({ ...cubeProject(), name }), at, isListed);
+    await storage.write(document);
+    return document.id;
+  };
+  /** The tab is gone; its memory stays if it is reloaded. */
+  const close = ({ memory }: { readonly memory: MemoryTab }): void => void locks.held.delete(memory.id ?? "");
+  return { storage, locks, openTab, keep, close };
+}
+
+const nameOf = (opened: Awaited<ReturnType<DocumentLibrary["resume"]>>): string | undefined =>
+  opened?.document.history.present.project.name;
+
+describe("the library of kept documents", () => {
+  it("gives four reloaded tabs their own documents, in any order and whichever was changed last", async () => {
+    const { openTab, keep, close } = browser();
+    const tabs = await Promise.all(
+      ["a", "b", "c", "d"].map(async (name, i) => {
+        const tab = openTab();
+        tab.library.keepOpen(await keep(name, i));
+        return tab;
+      }),
+    );
+    tabs.forEach(close);
+    const names: (string | undefined)[] = [];
+    for (const { memory } of [...tabs].reverse()) {
+      const { library } = openTab(memory);
+      const resumed = await library.resume();
+      if (resumed) library.keepOpen(resumed.document.id, resumed.release);
+      names.push(nameOf(resumed));
+    }
+    expect(names).toEqual(["d", "c", "b", "a"]);
+  });
+
+  it("continues in a new tab with the document used last, but only if no other tab is open", async () => {
+    const { openTab, keep, close } = browser();
+    await keep("older", 1);
+    const last = await keep("last", 2);
+    const first = openTab();
+    const resumed = await first.library.resume();
+    expect(nameOf(resumed)).toBe("last");
+    if (resumed) first.library.keepOpen(resumed.document.id, resumed.release);
+    const second = openTab();
+    expect(await second.library.resume()).toBeNull();
+    expect(await second.library.take(last)).toBe("open-in-another-tab");
+    close(first);
+    expect(nameOf(await second.library.resume())).toBe("last");
+  });
+
+  it("gives a duplicated tab a copy of its own", async () => {
+    const { openTab, keep } = browser();
+    const id = await keep("original", 1);
+    const first = openTab();
+    first.library.keepOpen(id);
+    const duplicate = openTab(Object.assign(new MemoryTab(), { id }));
+    const resumed = await duplicate.library.resume();
+    expect(nameOf(resumed)).toBe("original");
+    expect(resumed?.document.id).not.toBe(id);
+  });
+
+  it("gives a copy of a document that is to be shown again if another tab has opened it meanwhile", async () => {
+    const { openTab } = browser();
+    const document = newDocument(cubeProject());
+    const [first, second] = [openTab(), openTab()];
+    const taken = await first.library.retake(document);
+    expect(taken.document).toBe(document);
+    const copy = await second.library.retake(document);
+    expect(copy.document.id).not.toBe(document.id);
+    expect(copy.document.history).toBe(document.history);
+    taken.release();
+    expect((await second.library.retake(document)).document).toBe(document);
+  });
+
+  it("releases a document when another one is opened", async () => {
+    const { openTab, keep, locks } = browser();
+    const [a, b] = [await keep("a", 1), await keep("b", 2)];
+    const { library } = openTab();
+    library.keepOpen(a);
+    library.keepOpen(b);
+    await Promise.resolve();
+    await Promise.resolve();
+    expect([...locks.held]).toEqual([b]);
+  });
+
+  it("lists changed documents only, the last first, and says which are open", async () => {
+    const { openTab, keep } = browser();
+    const a = await keep("a", 1);
+    await keep("b", 3);
+    await keep("untouched", 2, false);
+    const { library } = openTab();
+    library.keepOpen(a);
+    const listed = (await library.list()).map(({ name, isOpen }) => [name, isOpen]);
+    expect(listed).toEqual([
+      ["b", false],
+      ["a", true],
+    ]);
+  });
+
+  it("removes untouched documents and the oldest beyond its limit, but none that is open", async () => {
+    const { openTab, keep, storage } = browser();
+    const oldest = await keep("oldest", 0);
+    await keep("second", 1);
+    for (let i = 0; i < maxListedDocuments; ++i) await keep(`document ${i}`, 10 + i);
+    await keep("untouched", 5, false);
+    const open = await keep("untouched and open", 5, false);
+    const [first, second] = [openTab(), openTab()];
+    first.library.keepOpen(oldest);
+    second.library.keepOpen(open);
+    await first.library.clean();
+    const names = [...storage.documents.values()].map(({ name }) => name);
+    expect(names).toHaveLength(maxListedDocuments + 2);
+    expect(names).toEqual(expect.arrayContaining(["oldest", "untouched and open", "document 0"]));
+    expect(names).not.toContain("second");
+    expect(names).not.toContain("untouched");
+  });
+
+  it("says why a document cannot be opened, and leaves it free", async () => {
+    const { openTab, storage, locks, keep } = browser();
+    const { library } = openTab();
+    expect(await library.take("unknown")).toBe("missing");
+    const id = await keep("damaged", 1);
+    const kept = storage.documents.get(id);
+    if (kept) storage.documents.set(id, { ...kept, text: "{ not JSON" });
+    expect(await library.take(id)).toBe("unreadable");
+    expect(locks.held.size).toBe(0);
+  });
+});

@@ -1,0 +1,172 @@
+import { afterEach, describe, expect, it, vi } from "vitest";
+import { moveEntity, renameProject } from "../../../web/document/edits";
+import {
+  DocumentStore,
+  hasUnsavedChanges,
+  isUntouched,
+  newDocument,
+  settledProject,
+  type ProjectFile,
+} from "../../../web/session/document-store";
+import { isStale, type RunState } from "../../../web/session/run";
+import { cubeProject } from "../../support/projects";
+
+afterEach(() => vi.restoreAllMocks());
+
+const project = cubeProject();
+const [first] = project.points;
+const id = first?.id ?? 0;
+const moveTo = (x: number) => moveEntity("point", id, 0, x);
+const xOf = (documents: DocumentStore): number | undefined => documents.project.points[0]?.at[0];
+
+function opened() {
+  const documents = new DocumentStore(project, () => 0);
+  const past = () => documents.state.getState().history.past.map(({ label }) => label);
+  return { documents, past };
+}
+
+describe("a gesture", () => {
+  it("shows every update and is one step of undo", () => {
+    const { documents, past } = opened();
+    const gesture = documents.begin("Drag");
+    for (let i = 1; i <= 50; ++i) {
+      gesture.update(moveTo(i));
+      expect(xOf(documents)).toBe(i);
+    }
+    expect(past()).toEqual([]);
+    gesture.commit();
+    expect(past()).toEqual(["Drag"]);
+    expect(xOf(documents)).toBe(50);
+    documents.undo();
+    expect(documents.project).toEqual(project);
+    documents.redo();
+    expect(xOf(documents)).toBe(50);
+  });
+
+  it("applies each update to the project as it was at the beginning", () => {
+    const { documents } = opened();
+    const gesture = documents.begin("Drag");
+    const shift = {
+      change: ({ project: draft }: { project: { points: { at: number[] }[] } }) => {
+        const at = draft.points[0]?.at;
+        if (at) at[0] = (at[0] ?? 0) + 1;
+      },
+    };
+    gesture.update(shift);
+    gesture.update(shift);
+    expect(xOf(documents)).toBe((first?.at[0] ?? 0) + 1);
+  });
+
+  it("restores the project and all steps of undo and redo when it is cancelled", () => {
+    const { documents } = opened();
+    documents.edit(renameProject("before"));
+    documents.edit(renameProject("after"));
+    documents.undo();
+    const { history } = documents.state.getState();
+    const gesture = documents.begin("Drag");
+    gesture.update(moveTo(9));
+    gesture.cancel();
+    expect(documents.state.getState().history).toBe(history);
+    expect(documents.state.getState().gestureStart).toBeNull();
+  });
+
+  it("is cancelled by undo, which takes no further step back", () => {
+    const { documents, past } = opened();
+    documents.edit(renameProject("before"));
+    documents.begin("Drag").update(moveTo(9));
+    documents.undo();
+    expect(past()).toEqual(["Rename project"]);
+    expect(xOf(documents)).toBe(first?.at[0]);
+  });
+
+  it("is committed by an edit or another gesture, and its handle does nothing any more", () => {
+    const { documents, past } = opened();
+    const early = documents.begin("Drag");
+    early.update(moveTo(5));
+    documents.edit(renameProject("renamed"));
+    expect(past()).toEqual(["Drag", "Rename project"]);
+    early.update(moveTo(6));
+    early.cancel();
+    expect(xOf(documents)).toBe(5);
+    documents.begin("Second").update(moveTo(7));
+    documents.begin("Third").commit();
+    expect(past()).toEqual(["Drag", "Rename project", "Second"]);
+  });
+
+  it("leaves nothing behind if it changes nothing", () => {
+    const { documents } = opened();
+    const { history } = documents.state.getState();
+    documents.begin("Click").commit();
+    expect(documents.state.getState().history).toBe(history);
+  });
+
+  it("computes no key until it ends: the mesh counts as out of date and the project as unsaved", () => {
+    const { documents } = opened();
+    const run = { mesh: {}, meshKey: "key" } as unknown as RunState;
+    const settled: unknown[] = [];
+    documents.onSettled((changed) => settled.push(changed));
+    const gesture = documents.begin("Drag");
+    const stringify = vi.spyOn(JSON, "stringify");
+    for (let i = 1; i <= 20; ++i) {
+      gesture.update(moveTo(i));
+      expect(isStale(run, documents.state.getState())).toBe(true);
+      expect(hasUnsavedChanges(documents.state.getState())).toBe(true);
+      expect(settledProject(documents.state.getState())).toBe(project);
+    }
+    expect(stringify).not.toHaveBeenCalled();
+    expect(settled).toEqual([]);
+    gesture.commit();
+    expect(settled).toEqual([documents.project]);
+  });
+});
+
+describe("the identity of a document", () => {
+  const fileOf = (name: string): ProjectFile => ({
+    handle: { name } as FileSystemFileHandle,
+    lastModified: 1,
+  });
+  const stateOf = (documents: DocumentStore) => documents.state.getState();
+
+  it("belongs to one document with its file and its steps of undo: none leads to another document", () => {
+    const { documents } = opened();
+    documents.edit(moveTo(1));
+    const a = stateOf(documents);
+    documents.markSaved(a.id, documents.project, fileOf("a.json"));
+    const before = documents.show(newDocument({ ...project, name: "B" }));
+    expect(before.file?.handle.name).toBe("a.json");
+    expect(stateOf(documents).id).not.toBe(a.id);
+    expect(stateOf(documents).file).toBeNull();
+    documents.undo();
+    expect(documents.project.name).toBe("B");
+    documents.show(before);
+    expect(stateOf(documents).file?.handle.name).toBe("a.json");
+    documents.undo();
+    expect(documents.project).toEqual(project);
+  });
+
+  it("keeps a file that was saved late from becoming the file of the document shown meanwhile", () => {
+    const { documents } = opened();
+    const { id: saving } = stateOf(documents);
+    documents.show(newDocument({ ...project, name: "B" }));
+    documents.markSaved(saving, project, fileOf("a.json"));
+    expect(stateOf(documents).file).toBeNull();
+  });
+
+  it("counts an edit made while the file was written as unsaved", () => {
+    const { documents } = opened();
+    const written = documents.project;
+    documents.edit(moveTo(3));
+    documents.markSaved(stateOf(documents).id, written, fileOf("a.json"));
+    expect(hasUnsavedChanges(stateOf(documents))).toBe(true);
+    documents.undo();
+    expect(hasUnsavedChanges(stateOf(documents))).toBe(false);
+  });
+
+  it("is untouched until the first edit, and again never after it, even undone", () => {
+    const { documents } = opened();
+    expect(isUntouched(stateOf(documents))).toBe(true);
+    documents.edit(moveTo(3));
+    documents.undo();
+    expect(isUntouched(stateOf(documents))).toBe(false);
+  });
+});

@@ -1,0 +1,101 @@
+import { describe, expect, it } from "vitest";
+import type { Project } from "tetrafront";
+import { renameProject, scaleSizes } from "../../../web/document/edits";
+import { DocumentStore, hasUnsavedChanges, newDocument } from "../../../web/session/document-store";
+import { keptDocument, maxKeptHistoryBytes, openKept } from "../../../web/session/kept-document";
+import { cubeProject } from "../../support/projects";
+
+/** Keeps the document, loads it in another page and opens it there. */
+async function reloaded(documents: DocumentStore): Promise<DocumentStore> {
+  const kept = structuredClone(keptDocument(documents.state.getState(), 0, true));
+  const opened = await openKept(kept);
+  if (!opened) throw new Error("The kept document cannot be read");
+  const others = new DocumentStore(cubeProject());
+  others.show(opened);
+  return others;
+}
+
+const labels = (documents: DocumentStore) => {
+  const { past, future } = documents.state.getState().history;
+  return { past: past.map(({ label }) => label), future: future.map(({ label }) => label) };
+};
+
+/** A cube whose background grid is so large that it is kept as arrays. */
+function largeProject(): Project {
+  const cube = cubeProject();
+  const [tetrahedron] = cube.background.tetrahedra;
+  if (!tetrahedron) throw new Error("The cube has no tetrahedra");
+  return {
+    ...cube,
+    background: { ...cube.background, tetrahedra: Array.from({ length: 3000 }, () => tetrahedron) },
+  };
+}
+
+describe("a kept document", () => {
+  it("comes back with its steps of undo and redo, its id and what its file holds", async () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    const { id } = documents.state.getState();
+    for (const name of ["first", "second", "third"]) documents.edit(renameProject(name));
+    documents.edit(scaleSizes(documents.project, 0.5));
+    documents.markSaved(id, documents.project, null);
+    documents.undo();
+    documents.undo();
+    const others = await reloaded(documents);
+    expect(others.state.getState().id).toBe(id);
+    expect(others.project).toEqual(documents.project);
+    expect(labels(others)).toEqual(labels(documents));
+    expect(hasUnsavedChanges(others.state.getState())).toBe(true);
+    others.redo();
+    others.redo();
+    expect(hasUnsavedChanges(others.state.getState())).toBe(false);
+    for (let i = 0; i < 4; ++i) others.undo();
+    expect(others.project).toEqual(cubeProject());
+  });
+
+  it("keeps large background grids, and the steps around them", async () => {
+    const documents = new DocumentStore(largeProject(), () => 0);
+    documents.edit(renameProject("large"));
+    const kept = keptDocument(documents.state.getState(), 0, true);
+    expect(kept.grid?.tetrahedra).toHaveLength(4 * 3000);
+    const others = await reloaded(documents);
+    expect(others.project).toEqual(documents.project);
+    others.undo();
+    expect(others.project.name).toBe("Unit cube");
+  });
+
+  it("drops steps beyond its limit, those furthest from the present first", async () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    documents.edit(renameProject("small"));
+    documents.edit(renameProject("x".repeat(maxKeptHistoryBytes)));
+    documents.edit(renameProject("next"));
+    documents.edit(renameProject("last"));
+    documents.undo();
+    const others = await reloaded(documents);
+    expect(labels(others)).toEqual({ past: [], future: ["Rename project"] });
+    others.redo();
+    expect(others.project.name).toBe("last");
+  });
+
+  it("never merges an edit after the reload into a step from before it", async () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    documents.edit({ ...renameProject("before"), mergeKey: "name" });
+    const others = await reloaded(documents);
+    others.edit({ ...renameProject("after"), mergeKey: "name" });
+    others.undo();
+    expect(others.project.name).toBe("before");
+  });
+
+  it("opens without its steps if they refer to another version of the project file", async () => {
+    const documents = new DocumentStore(cubeProject(), () => 0);
+    documents.edit(renameProject("edited"));
+    const kept = keptDocument(documents.state.getState(), 0, true);
+    const opened = await openKept({ ...kept, version: kept.version - 1 });
+    expect(opened?.history.past).toEqual([]);
+    expect(opened?.history.present.project.name).toBe("edited");
+  });
+
+  it("is refused if its project cannot be read", async () => {
+    const kept = keptDocument(newDocument(cubeProject()), 0, true);
+    expect(await openKept({ ...kept, text: "{}" })).toBeNull();
+  });
+});

@@ -1,0 +1,67 @@
+import type { DocumentLocks } from "../../../web/session/document-locks";
+import type { DocumentStorage } from "../../../web/session/document-storage";
+import type { KeptDocument } from "../../../web/session/kept-document";
+import type { TabMemory } from "../../../web/session/tab-memory";
+
+/** Holds documents as IndexedDB does: as copies, in the order of their writing. */
+export class MemoryStorage implements DocumentStorage {
+  readonly documents = new Map<string, KeptDocument>();
+  /** Number of calls of `write`. */
+  writes = 0;
+  /** Reason of the failure of each write, until it is reset. */
+  failure: string | null = null;
+
+  list() {
+    const listed = [...this.documents.values()].filter((document) => document.listed === 1);
+    return Promise.resolve(listed.sort((a, b) => b.at - a.at));
+  }
+
+  listUntouched() {
+    return Promise.resolve(
+      [...this.documents.values()].filter(({ listed }) => listed === 0).map(({ id }) => id),
+    );
+  }
+
+  read(id: string) {
+    return Promise.resolve(structuredClone(this.documents.get(id)));
+  }
+
+  write(document: KeptDocument): Promise<void> {
+    this.writes += 1;
+    if (this.failure !== null) return Promise.reject(new Error(this.failure));
+    this.documents.set(document.id, structuredClone(document));
+    return Promise.resolve();
+  }
+
+  remove(ids: readonly string[]): Promise<void> {
+    for (const id of ids) this.documents.delete(id);
+    return Promise.resolve();
+  }
+}
+
+/** The locks of a browser with several tabs. */
+export class MemoryLocks implements DocumentLocks {
+  readonly held = new Set<string>();
+
+  acquire(id: string) {
+    if (this.held.has(id)) return Promise.resolve(null);
+    this.held.add(id);
+    return Promise.resolve(() => void this.held.delete(id));
+  }
+
+  openIds() {
+    return Promise.resolve(new Set(this.held));
+  }
+}
+
+export class MemoryTab implements TabMemory {
+  id: string | null = null;
+
+  read(): string | null {
+    return this.id;
+  }
+
+  write(id: string): void {
+    this.id = id;
+  }
+}
