@@ -1,7 +1,7 @@
 import { DoubleSide, FrontSide, Ray, Vector3 } from "three";
 import { describe, expect, it } from "vitest";
 import type { Project } from "tetrafront";
-import { emptyProject } from "../../../web/document/edits";
+import { emptyProject } from "../../../web/document/create";
 import { hitTest } from "../../../web/viewer/hit-test";
 import { DotsLayer } from "../../../web/viewer/layers/dots-layer";
 import type { Hit, HittableLayer } from "../../../web/viewer/layers/layer";

@@ -1,7 +1,7 @@
 import type { BufferAttribute, Mesh, Points } from "three";
 import { describe, expect, it, vi } from "vitest";
 import type { MeshResult, Project } from "tetrafront";
-import { emptyProject } from "../../../web/document/edits";
+import { emptyProject } from "../../../web/document/create";
 import { stateCodes } from "../../../web/viewer/draw-state";
 import { DotsLayer } from "../../../web/viewer/layers/dots-layer";
 import { FrontLayer } from "../../../web/viewer/layers/front-layer";

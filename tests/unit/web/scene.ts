@@ -1,6 +1,6 @@
 import { PerspectiveCamera, Vector3 } from "three";
 import type { ProjectPreview } from "tetrafront";
-import { emptyProject } from "../../../web/document/edits";
+import { emptyProject } from "../../../web/document/create";
 import { ViewStore } from "../../../web/document/selection";
 import { viewerColors } from "../../../web/ui/theme";
 import type { Layer } from "../../../web/viewer/layers/layer";
