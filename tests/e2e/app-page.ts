@@ -22,8 +22,15 @@ export class AppPage {
   readonly page: Page;
   readonly viewport: Locator;
 
-  constructor(page: Page) {
+  readonly #filePickers: boolean;
+
+  /**
+   * Native file dialogs are out of a test's reach: the app uses downloads and inputs. With `filePickers`, its dialogs
+   * choose files of the page's private folder instead: `window.chosenFile` names the next one.
+   */
+  constructor(page: Page, { filePickers = false }: { readonly filePickers?: boolean } = {}) {
     this.page = page;
+    this.#filePickers = filePickers;
     this.viewport = page.getByTestId("viewport");
   }
 
@@ -31,10 +38,10 @@ export class AppPage {
   async open(scheme: "dark" | "light" = "dark", model?: string): Promise<MeshState> {
     await this.page.addInitScript((wanted) => {
       localStorage.setItem("mantine-color-scheme-value", wanted);
-      // Native file dialogs are out of a test's reach; without them the app uses downloads and inputs.
       Reflect.deleteProperty(window, "showOpenFilePicker");
       Reflect.deleteProperty(window, "showSaveFilePicker");
     }, scheme);
+    if (this.#filePickers) await this.page.addInitScript(choosePrivateFiles);
     await this.page.goto(model === undefined ? "./?test=1" : `./?test=1&model=${model}`);
     return this.meshed();
   }
@@ -75,6 +82,11 @@ export class AppPage {
 
   /** Opens a project through the file dialog's stand-in. */
   async openFile(name: string, content: string): Promise<void> {
+    if (this.#filePickers) {
+      await this.page.evaluate(writeChosenFile, [name, content] as const);
+      await this.page.keyboard.press("Control+o");
+      return;
+    }
     const choosing = this.page.waitForEvent("filechooser");
     await this.page.keyboard.press("Control+o");
     const chooser = await choosing;
@@ -104,6 +116,24 @@ export class AppPage {
   async colours(): Promise<number> {
     return countColours(await this.viewport.screenshot());
   }
+}
+
+/** Runs in the page: file dialogs that choose `window.chosenFile` without asking. */
+function choosePrivateFiles(): void {
+  const choose = async (): Promise<FileSystemFileHandle> => {
+    const { chosenFile } = window as unknown as { readonly chosenFile: string };
+    return (await navigator.storage.getDirectory()).getFileHandle(chosenFile, { create: true });
+  };
+  Object.assign(window, { showOpenFilePicker: async () => [await choose()], showSaveFilePicker: choose });
+}
+
+/** Runs in the page: writes a file and makes it the next one to be chosen. */
+async function writeChosenFile([name, content]: readonly [string, string]): Promise<void> {
+  const handle = await (await navigator.storage.getDirectory()).getFileHandle(name, { create: true });
+  const stream = await handle.createWritable();
+  await stream.write(content);
+  await stream.close();
+  Object.assign(window, { chosenFile: name });
 }
 
 /** Waits until a frame later than the given one has been drawn. */

@@ -104,7 +104,7 @@ test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page })
 
 test("a new project is empty, and what is drawn in it is seen", async ({ page }) => {
   const app = new AppPage(page);
-  const before = await app.openCube();
+  await app.openCube();
   await page.getByRole("menuitem", { name: "File" }).click();
   await page.getByRole("menuitem", { name: "New project" }).click();
   await expect(page.getByTestId("project-name")).toHaveValue("Untitled");
@@ -121,8 +121,69 @@ test("a new project is empty, and what is drawn in it is seen", async ({ page })
   await nextFrame(app.viewport, () => page.keyboard.press("a"));
   await page.keyboard.press("Escape");
   await expect.poll(() => app.colours()).toBeGreaterThan(points);
-  for (let i = 0; i < 7; ++i) await page.getByTestId("undo").click();
-  expect(await app.meshed()).toEqual(before);
+  for (let i = 0; i < 6; ++i) await page.getByTestId("undo").click();
+  await expect(page.getByTestId("model-tree")).toContainText("This project is empty.");
+  // No step of undo leads to another project.
+  await expect(page.getByTestId("undo")).toBeDisabled();
+});
+
+for (const button of ["add", "add-next"]) {
+  test(`a new point is not added with the button ${button} while a number is invalid`, async ({ page }) => {
+    const app = new AppPage(page);
+    await app.openCube();
+    await page.keyboard.press("p");
+    const dialog = page.getByRole("dialog", { name: "New point" });
+    for (const field of ["new-x", "new-y", "new-z"]) {
+      const input = dialog.getByTestId(field);
+      const before = await input.inputValue();
+      await input.fill("12abc");
+      await dialog.getByTestId(button).click();
+      await expect(dialog).toContainText("Type a number");
+      await expect(input).toBeFocused();
+      await input.press("Enter");
+      await expect(dialog).toBeVisible();
+      await expect(input).toHaveValue("12abc");
+      await input.fill(before);
+    }
+    await dialog.getByTestId("new-x").fill("7.5");
+    await dialog.getByTestId("new-x").press("Enter");
+    await expect(dialog).toBeHidden();
+    await expect(page.getByTestId("at-x")).toHaveValue("7.5");
+    await page.getByRole("button", { name: "Undo: Add point 9" }).click();
+    await expect(page.getByTestId("undo")).toBeDisabled();
+  });
+}
+
+test("no dialog for sizes applies while a number is invalid, and Enter applies", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const runCommand = async (name: string): Promise<void> => {
+    await page.keyboard.press("Control+k");
+    await page.getByRole("textbox", { name: "Search commands" }).fill(name);
+    await page.keyboard.press("Enter");
+  };
+  for (const { command, field, apply } of [
+    { command: "Make covering grid", field: "cover-size", apply: "cover-apply" },
+    { command: "Propose sizes", field: "propose-uniform", apply: "propose-apply" },
+  ]) {
+    await runCommand(command);
+    const input = page.getByTestId(field);
+    const before = await input.inputValue();
+    await expect(page.getByTestId(apply)).toBeEnabled();
+    for (const invalid of ["0.2x", "-1"]) {
+      await input.fill(invalid);
+      await page.getByTestId(apply).click();
+      await expect(input).toBeFocused();
+      await expect(input).toHaveAttribute("aria-invalid", "true");
+    }
+    await expect(page.getByTestId("undo")).toBeDisabled();
+    await input.fill(before);
+    await input.press("Enter");
+    await expect(input).toBeHidden();
+    await expect(page.getByTestId("undo")).toBeEnabled();
+    await page.getByTestId("undo").click();
+    await expect(page.getByTestId("undo")).toBeDisabled();
+  }
 });
 
 test("what cannot be made of the selection is told with the reason", async ({ page }) => {

@@ -76,11 +76,17 @@ test("the arrow keys step a number, and holding them is one step of undo", async
   await app.select("background-node-1");
   const size = page.getByTestId("bg-size");
   await size.focus();
+  // Each key comes 0.7 s after the one before, as on a slow page: later than edits merge by themselves.
+  await page.evaluate(() => {
+    const now = performance.now.bind(performance);
+    let delay = 0;
+    window.addEventListener("keydown", () => (delay += 700), { capture: true });
+    performance.now = () => now() + delay;
+  });
   // Down three times without a release between: the second and third are the repeats of a key that is held.
   for (const value of ["0.15", "0.14", "0.13"]) {
     await page.keyboard.down("ArrowDown");
     await expect(size).toHaveValue(value);
-    await page.waitForTimeout(700);
   }
   await page.keyboard.up("ArrowDown");
   await page.getByTestId("undo").click();

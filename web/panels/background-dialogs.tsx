@@ -3,6 +3,7 @@ import { useEffect, useState } from "react";
 import type { SizeProposal } from "tetrafront";
 import { applyProposal, coverModel, likelySize } from "../commands/background-actions";
 import { estimateTetrahedra } from "../document/estimate";
+import { ApplyButton, DialogForm } from "../ui/dialog-form";
 import { FieldRow } from "../ui/field-row";
 import { formatCount, formatShort } from "../ui/format";
 import { FramedDialog } from "../ui/framed-dialog";
@@ -30,7 +31,12 @@ function CoverForm({ onClose }: { readonly onClose: () => void }) {
   const [shape, setShape] = useState<"box" | "tetrahedron">("box");
   const [size, setSize] = useState(() => likelySize(app));
   return (
-    <>
+    <DialogForm
+      onApply={() => {
+        onClose();
+        void coverModel(app, { size, shape });
+      }}
+    >
       <Text size="sm" c="dimmed" mb={8}>
         {texts.coverHint}
       </Text>
@@ -66,18 +72,9 @@ function CoverForm({ onClose }: { readonly onClose: () => void }) {
         <Button size="xs" variant="default" onClick={onClose}>
           {texts.cancel}
         </Button>
-        <Button
-          size="xs"
-          data-testid="cover-apply"
-          onClick={() => {
-            onClose();
-            void coverModel(app, { size, shape });
-          }}
-        >
-          {texts.make}
-        </Button>
+        <ApplyButton data-testid="cover-apply">{texts.make}</ApplyButton>
       </Group>
-    </>
+    </DialogForm>
   );
 }
 
@@ -136,6 +133,8 @@ const coarser =
   };
 
 interface Answer {
+  /** What the answer belongs to: it does not hold for other wishes. */
+  readonly wishes: Wishes;
   readonly proposal: SizeProposal;
   readonly tetrahedra: number | null;
 }
@@ -152,9 +151,15 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
   const [cover, setCover] = useState(true);
   const [replaceSources, setReplaceSources] = useState(true);
   const { answer, failure } = useProposal(wishes);
+  const apply = (): void => {
+    // A value that was committed just now has no answer yet.
+    if (!answer) return;
+    onClose();
+    void applyProposal(app, answer.proposal, { cover, replaceSources });
+  };
   const tooMany = (answer?.tetrahedra ?? 0) > mostTetrahedra;
   return (
-    <>
+    <DialogForm onApply={apply}>
       <Text size="sm" c="dimmed" mb={8}>
         {texts.proposeHint}
       </Text>
@@ -205,20 +210,15 @@ function ProposeForm({ onClose }: { readonly onClose: () => void }) {
         <Button size="xs" variant="default" onClick={onClose}>
           {texts.cancel}
         </Button>
-        <Button
-          size="xs"
+        <ApplyButton
           data-testid="propose-apply"
           disabled={answer === null}
           {...(tooMany && { color: "orange" })}
-          onClick={() => {
-            onClose();
-            if (answer) void applyProposal(app, answer.proposal, { cover, replaceSources });
-          }}
         >
           {tooMany ? texts.applyAnyway : texts.apply}
-        </Button>
+        </ApplyButton>
       </Group>
-    </>
+    </DialogForm>
   );
 }
 
@@ -235,9 +235,8 @@ function useProposal(wishes: Wishes): { readonly answer: Answer | null; readonly
       const tetrahedra = preview
         ? await estimateTetrahedra(preview, proposal.size, proposal.sources, () => stopped)
         : null;
-      if (!stopped) setAnswer({ proposal, tetrahedra });
+      if (!stopped) setAnswer({ wishes, proposal, tetrahedra });
     };
-    setAnswer(null);
     setFailure(null);
     ask().catch((error: unknown) => {
       if (!stopped) setFailure(error instanceof Error ? error.message : String(error));
@@ -246,7 +245,7 @@ function useProposal(wishes: Wishes): { readonly answer: Answer | null; readonly
       stopped = true;
     };
   }, [app, wishes]);
-  return { answer, failure };
+  return { answer: answer?.wishes === wishes ? answer : null, failure };
 }
 
 interface ProposalSummaryProps {

@@ -1,8 +1,9 @@
-import { Button, Group, Text } from "@mantine/core";
+import { Group, Text } from "@mantine/core";
 import { useRef, useState } from "react";
 import { create } from "../commands/creation-actions";
 import { addBackgroundNode, addPoint } from "../document/create";
 import { recordsOf } from "../document/entities";
+import { ApplyButton, DialogForm } from "../ui/dialog-form";
 import { FieldRow } from "../ui/field-row";
 import { FramedDialog } from "../ui/framed-dialog";
 import { NumberField } from "../ui/number-field";
@@ -39,27 +40,31 @@ function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
   const [place, setPlace] = useState<Place>(() => last?.position ?? [0, 0, 0]);
   const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
   const [added, setAdded] = useState<string | null>(null);
-  const form = useRef<HTMLFormElement>(null);
-  const toFirstField = (): void => form.current?.querySelector("input")?.focus();
-  const add = (): void => {
+  const fields = useRef<HTMLDivElement>(null);
+  const toFirstField = (): void => fields.current?.querySelector("input")?.focus();
+  const add = (action: string): void => {
     const present = app.documents.project;
     const creation = kind === "point" ? addPoint(present, place) : addBackgroundNode(present, place, size);
     create(app, creation);
     const [entity] = creation.entities;
     setAdded(entity ? `${entityWords[kind].one.toLowerCase()} ${entity.id}` : null);
+    if (action === "next") toFirstField();
+    else app.shell.setState({ dialog: null });
   };
   return (
-    <form ref={form} onSubmit={(event) => event.preventDefault()}>
-      <FieldRow label={strings.create.position}>
-        <PlaceFields
-          label={strings.create.position}
-          place={place}
-          step={stepFor(project)}
-          testId="new"
-          first
-          onCommit={(axis, value) => setPlace(([x, y, z]) => placeWith([x, y, z], axis, value))}
-        />
-      </FieldRow>
+    <DialogForm onApply={add}>
+      <div ref={fields}>
+        <FieldRow label={strings.create.position}>
+          <PlaceFields
+            label={strings.create.position}
+            place={place}
+            step={stepFor(project)}
+            testId="new"
+            first
+            onCommit={(axis, value) => setPlace(([x, y, z]) => placeWith([x, y, z], axis, value))}
+          />
+        </FieldRow>
+      </div>
       {kind === "background-node" && (
         <>
           <FieldRow label={strings.create.size}>
@@ -81,29 +86,12 @@ function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
         {added !== null && strings.create.added(added)}
       </Text>
       <Group justify="flex-end" gap="xs" mt={8}>
-        <Button
-          size="xs"
-          variant="default"
-          data-testid="add-next"
-          onClick={() => {
-            add();
-            toFirstField();
-          }}
-        >
+        <ApplyButton action="next" data-testid="add-next">
           {strings.create.addNext}
-        </Button>
-        <Button
-          size="xs"
-          data-testid="add"
-          onClick={() => {
-            add();
-            app.shell.setState({ dialog: null });
-          }}
-        >
-          {strings.create.add}
-        </Button>
+        </ApplyButton>
+        <ApplyButton data-testid="add">{strings.create.add}</ApplyButton>
       </Group>
-    </form>
+    </DialogForm>
   );
 }
 

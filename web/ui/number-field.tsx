@@ -1,5 +1,6 @@
 import { TextInput, type TextInputProps } from "@mantine/core";
-import { useState, type KeyboardEvent, type ReactNode } from "react";
+import { useRef, useState, type KeyboardEvent, type ReactNode } from "react";
+import { useFormField } from "./dialog-form";
 import { readNumber } from "./expression";
 import { formatNumber } from "./format";
 import { strings } from "./strings";
@@ -37,21 +38,24 @@ export function NumberField(props: NumberFieldProps) {
   const { label, value, step, refuse, onCommit, testId } = props;
   const [draft, setDraft] = useState<string | null>(null);
   const [error, setError] = useState<string | null>(null);
+  const input = useRef<HTMLInputElement>(null);
 
-  const take = (next: number | null): void => {
+  const take = (next: number | null): boolean => {
     const reason = next === null ? strings.fields.notANumber : (refuse?.(next) ?? null);
     setError(reason);
-    if (next === null || reason !== null) return;
+    if (next === null || reason !== null) return false;
     setDraft(null);
     if (next !== value) onCommit(next);
+    return true;
   };
-  const commit = (): void => {
-    if (draft === null) return;
-    if (draft.trim() === formatNumber(value)) {
-      setDraft(null);
-      setError(null);
-    } else take(readNumber(draft));
+  const commit = (): boolean => {
+    if (draft === null) return true;
+    if (draft.trim() !== formatNumber(value)) return take(readNumber(draft));
+    setDraft(null);
+    setError(null);
+    return true;
   };
+  useFormField({ commit, focus: () => input.current?.focus() });
   const onKeyDown = (event: KeyboardEvent<HTMLInputElement>): void => {
     const direction = directions[event.key];
     if (direction !== undefined) {
@@ -75,6 +79,7 @@ export function NumberField(props: NumberFieldProps) {
   return (
     <TextInput
       {...sections}
+      ref={input}
       size="xs"
       aria-label={label}
       role="spinbutton"

@@ -1,0 +1,217 @@
+import { expect, test, type Page } from "@playwright/test";
+import { AppPage, sampleProject } from "./app-page";
+
+const projectName = (page: Page) => page.getByTestId("project-name");
+
+async function renameProject(page: Page, name: string): Promise<void> {
+  await projectName(page).fill(name);
+  await projectName(page).press("Enter");
+}
+
+async function openRecentDialog(page: Page) {
+  await page.keyboard.press("Control+Shift+O");
+  const dialog = page.getByRole("dialog", { name: "Open recent" });
+  await expect(dialog).toBeVisible();
+  return dialog;
+}
+
+async function kept(app: AppPage): Promise<void> {
+  await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
+}
+
+test("opening an example keeps unsaved changes: a notice reopens them with their steps of undo", async ({
+  page,
+}) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.select("background-node-1");
+  await app.type("bg-size", "0.3");
+  const edited = await app.generate();
+  await app.openExample("plate-with-hole");
+  const notice = page.getByTestId("notice-document-left");
+  await expect(notice).toContainText("“Unit cube” is kept");
+  await notice.getByRole("button", { name: "Reopen" }).click();
+  await expect(projectName(page)).toHaveValue("Unit cube");
+  expect(await app.meshed()).toEqual(edited);
+  await page.getByRole("button", { name: "Undo: Set size of background node 1" }).click();
+  await app.select("background-node-1");
+  await expect(page.getByTestId("bg-size")).toHaveValue("0.16");
+});
+
+test("a project without changes is left without a word", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.openExample("plate-with-hole");
+  await expect(page.getByTestId("notice-document-left")).toBeHidden();
+  const dialog = await openRecentDialog(page);
+  await expect(dialog).toContainText("No project has been changed yet.");
+});
+
+test("Recent lists changed projects, the last first, opens them and removes them", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  for (const name of ["first", "second"]) {
+    await renameProject(page, name);
+    await page.getByRole("menuitem", { name: "File" }).click();
+    await page.getByRole("menuitem", { name: "New project" }).click();
+    await expect(projectName(page)).toHaveValue("Untitled");
+  }
+  const dialog = await openRecentDialog(page);
+  const rows = dialog.getByRole("listitem");
+  await expect(rows).toHaveText([/^second/, /^first/]);
+  await rows.nth(1).getByRole("button", { name: "first" }).first().click();
+  await expect(dialog).toBeHidden();
+  await expect(projectName(page)).toHaveValue("first");
+  await expect(page.getByRole("button", { name: "Undo: Rename project" })).toBeEnabled();
+  await openRecentDialog(page);
+  await expect(rows.nth(0)).toContainText("Open now");
+  await dialog.getByRole("button", { name: "Remove “second”" }).click();
+  await expect(rows).toHaveText([/^first/]);
+});
+
+test("a reload keeps the project with its steps of undo and redo", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await app.select("background-node-1");
+  for (const size of ["0.3", "0.25", "0.2"]) {
+    await app.type("bg-size", size);
+    await kept(app);
+  }
+  await page.getByTestId("undo").click();
+  await kept(app);
+  await page.reload();
+  await app.select("background-node-1");
+  const size = page.getByTestId("bg-size");
+  await expect(size).toHaveValue("0.25");
+  await page.getByTestId("redo").click();
+  await expect(size).toHaveValue("0.2");
+  for (let i = 0; i < 3; ++i) await page.getByTestId("undo").click();
+  await expect(size).toHaveValue("0.16");
+  await expect(page.getByTestId("undo")).toBeDisabled();
+});
+
+test("an edit survives although the page dies a tenth of a second later", async ({ page, context }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await kept(app);
+  const client = await context.newCDPSession(page);
+  const crashed = page.waitForEvent("crash");
+  await renameProject(page, "edited at the last moment");
+  // The time that the promise is about.
+  await page.waitForTimeout(100);
+  client.send("Page.crash").catch(() => undefined);
+  await crashed;
+  const after = await context.newPage();
+  await after.goto("./?test=1");
+  await expect(projectName(after)).toHaveValue("edited at the last moment");
+  await after.getByRole("button", { name: "Undo: Rename project" }).click();
+  await expect(projectName(after)).toHaveValue("Unit cube");
+});
+
+test("four tabs keep their own projects over a reload, the idle one too", async ({ page, context }) => {
+  const tabs: AppPage[] = [];
+  for (const name of ["one", "two", "three", "four"]) {
+    const app = new AppPage(tabs.length === 0 ? page : await context.newPage());
+    await app.openCube();
+    await renameProject(app.page, name);
+    await kept(app);
+    tabs.push(app);
+  }
+  // The first tab is idle while the others go on.
+  for (const app of tabs.slice(1)) {
+    await app.select("background-node-1");
+    for (const size of ["0.3", "0.25", "0.2", "0.15"]) await app.type("bg-size", size);
+    await kept(app);
+  }
+  for (const { page: tab } of tabs) await tab.reload();
+  for (const [i, name] of ["one", "two", "three", "four"].entries()) {
+    const tab = tabs[i]?.page;
+    if (tab) await expect(projectName(tab)).toHaveValue(name);
+  }
+});
+
+test("a new tab does not take over the project of another", async ({ page, context }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await renameProject(page, "mine");
+  await kept(app);
+  const other = new AppPage(await context.newPage());
+  await other.open();
+  await expect(projectName(other.page)).toHaveValue("Engine intake");
+  const dialog = await openRecentDialog(other.page);
+  await expect(dialog.getByRole("listitem")).toHaveText([/^mine.*Open now/]);
+});
+
+test("the address decides what is opened, a reload continues with what came of it", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await renameProject(page, "my cube");
+  await kept(app);
+  await page.goto("./?test=1&model=plate-with-hole");
+  await expect(projectName(page)).toHaveValue("Plate with a hole");
+  await renameProject(page, "my plate");
+  await kept(app);
+  await page.reload();
+  await expect(projectName(page)).toHaveValue("my plate");
+  const dialog = await openRecentDialog(page);
+  await expect(dialog.getByRole("listitem")).toHaveText([/^my plate/, /^my cube/]);
+});
+
+test("a failed autosave is told, tried again and its success shown", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await kept(app);
+  await page.evaluate(() => {
+    const store = IDBObjectStore.prototype;
+    const put = Object.getOwnPropertyDescriptor(store, "put") ?? {};
+    store.put = () => {
+      throw new DOMException("The disk is full", "QuotaExceededError");
+    };
+    Object.assign(window, { repair: () => Object.defineProperty(store, "put", put) });
+  });
+  await renameProject(page, "kept in the end");
+  const notice = page.getByTestId("notice-autosave-failed");
+  await expect(notice).toContainText("The disk is full");
+  await expect(app.viewport).toHaveAttribute("data-autosaved", "false");
+  await page.evaluate(() => (window as unknown as { repair: () => void }).repair());
+  await expect(notice).toBeHidden();
+  await kept(app);
+  await page.reload();
+  await expect(projectName(page)).toHaveValue("kept in the end");
+});
+
+test("saving never writes a project into the file of another, also after a reload", async ({ page }) => {
+  const app = new AppPage(page, { filePickers: true });
+  await app.openCube();
+  const files = () =>
+    page.evaluate(async () => {
+      const folder = await navigator.storage.getDirectory();
+      const names: Record<string, string> = {};
+      for await (const [name, handle] of folder as unknown as AsyncIterable<[string, FileSystemFileHandle]>) {
+        const { name: project } = JSON.parse(await (await handle.getFile()).text()) as { name: string };
+        names[name] = project;
+      }
+      return names;
+    });
+  const chooseNext = (name: string) =>
+    page.evaluate((chosen) => Object.assign(window, { chosenFile: chosen }), name);
+
+  await renameProject(page, "A");
+  await chooseNext("a.json");
+  await page.keyboard.press("Control+Shift+S");
+  await expect(page.getByTestId("saved-state")).toHaveText("saved");
+  await app.openFile("b.json", JSON.stringify({ ...sampleProject("unit-cube"), name: "B" }));
+  await expect(projectName(page)).toHaveValue("B");
+  await renameProject(page, "B changed");
+  await chooseNext("b-copy.json");
+  await page.keyboard.press("Control+Shift+S");
+  await expect.poll(files).toEqual({ "a.json": "A", "b.json": "B", "b-copy.json": "B changed" });
+
+  await renameProject(page, "B again");
+  await kept(app);
+  await page.reload();
+  await expect(projectName(page)).toHaveValue("B again");
+  await page.getByTestId("viewport-canvas").focus();
+  await page.keyboard.press("Control+s");
+  await expect.poll(files).toEqual({ "a.json": "A", "b.json": "B", "b-copy.json": "B again" });
+});
