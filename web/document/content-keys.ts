@@ -59,14 +59,14 @@ export async function prepareKeys({
 const fieldsOf = <Record>(fields: { readonly [Field in keyof Required<Record>]: true }): string[] =>
   Object.keys(fields);
 
-const pointFields = fieldsOf<ProjectPoint>({ id: true, name: true, at: true });
+const pointFields = fieldsOf<ProjectPoint>({ id: true, name: true, position: true });
 const lineFields = fieldsOf<ProjectLine>({ id: true, name: true, type: true, points: true });
 const patchFields = fieldsOf<ProjectPatch>({ id: true, name: true, type: true, loops: true });
 const sourceFields = fieldsOf<ProjectSource>({
   id: true,
   name: true,
   type: true,
-  places: true,
+  positions: true,
   size: true,
   distance: true,
   growth: true,
@@ -74,7 +74,7 @@ const sourceFields = fieldsOf<ProjectSource>({
 const meshingFields = fieldsOf<ProjectMeshing>({
   size: true,
   gradation: true,
-  enclosed: true,
+  innerShells: true,
   order: true,
   optimization: true,
 });
@@ -143,10 +143,10 @@ const noSources: readonly ProjectSource[] = [];
 
 /** The part of both keys that names and points do not enter. */
 function sizeParts({ background, meshing = {} }: Project): readonly (string | number)[] {
-  const { nodes, tetrahedra, overhang = 0 } = background;
+  const { nodes, tetrahedra, coverageMargin = 0 } = background;
   return [
     JSON.stringify(meshing, meshingFields),
-    overhang,
+    coverageMargin,
     gridHash(nodes, hashNodes),
     gridHash(tetrahedra, hashTetrahedra),
   ];

@@ -17,7 +17,7 @@ const project = cubeProject();
 const [first] = project.points;
 const id = first?.id ?? 0;
 const moveTo = (x: number) => moveEntity("point", id, 0, x);
-const xOf = (documents: DocumentStore): number | undefined => documents.project.points[0]?.at[0];
+const xOf = (documents: DocumentStore): number | undefined => documents.project.points[0]?.position[0];
 
 function opened() {
   const documents = new DocumentStore(project, () => 0);
@@ -47,14 +47,14 @@ describe("a gesture", () => {
     const { documents } = opened();
     const gesture = documents.begin("Drag");
     const shift = {
-      change: ({ project: draft }: { project: { points: { at: number[] }[] } }) => {
-        const at = draft.points[0]?.at;
-        if (at) at[0] = (at[0] ?? 0) + 1;
+      change: ({ project: draft }: { project: { points: { position: number[] }[] } }) => {
+        const position = draft.points[0]?.position;
+        if (position) position[0] = (position[0] ?? 0) + 1;
       },
     };
     gesture.update(shift);
     gesture.update(shift);
-    expect(xOf(documents)).toBe((first?.at[0] ?? 0) + 1);
+    expect(xOf(documents)).toBe((first?.position[0] ?? 0) + 1);
   });
 
   it("restores the project and all steps of undo and redo when it is cancelled", () => {
@@ -76,7 +76,7 @@ describe("a gesture", () => {
     documents.begin("Drag").update(moveTo(9));
     documents.undo();
     expect(past()).toEqual(["Rename project"]);
-    expect(xOf(documents)).toBe(first?.at[0]);
+    expect(xOf(documents)).toBe(first?.position[0]);
   });
 
   it("is committed by an edit or another gesture, and its handle does nothing any more", () => {
