@@ -27,9 +27,9 @@ const Vec3 kCentroid(0.5, kTriangleHeight / 3.0, 0.0);
 /// A front with an equilateral base face of edge 1 in the plane z = 0, whose empty side is above.
 struct BaseFixture {
   BaseFixture() {
-    a = front.addNode({0.0, 0.0, 0.0}, 3);
+    a = front.addNode({0.0, 0.0, 0.0}, 4);
     b = front.addNode({1.0, 0.0, 0.0}, 5);
-    c = front.addNode({0.5, kTriangleHeight, 0.0}, 4);
+    c = front.addNode({0.5, kTriangleHeight, 0.0}, 3);
     base = front.addFace({a, b, c}, kRegion, {}, true);
     const NodeTriple nodes{a, b, c};
     const BaseFace face = describeBase(front, nodes, space);
@@ -150,6 +150,18 @@ TEST(Candidates, GetABonusForEachFaceTheyMeet) {
   EXPECT_NEAR(meets->score / isLoose->score, std::pow(1.0 + kClosingBonus, 3), 1e-9);
 }
 
+/// Equal scores are ordered by index, so that the result does not depend on the sorting method.
+TEST(Candidates, AreOrderedByIndexIfTheirScoresAreEqual) {
+  BaseFixture fixture;
+  const Vec3 position = kCentroid + Vec3(0.0, 0.0, 0.9);
+  for (int i = 0; i < 3; ++i) fixture.addLooseNode(position);
+  const std::vector<Candidate> ranked = fixture.candidates(kStrict);
+  ASSERT_GE(ranked.size(), 3U);
+  EXPECT_EQ(ranked[0].score, ranked[2].score);
+  EXPECT_LT(ranked[0].node, ranked[1].node);
+  EXPECT_LT(ranked[1].node, ranked[2].node);
+}
+
 /// The apex of a face that folds over the base at 60 degrees, far beyond the search radius.
 TEST(Candidates, BeginWithTheApexOfAWedge) {
   BaseFixture fixture;
@@ -258,6 +270,24 @@ TEST(FrontAdvance, RequeuesAFaceUnderMoreLenientRules) {
   for (const StepTrace::Step& step : fixture.stepsOf(Event::kRefused)) {
     EXPECT_NE(step.detail, static_cast<std::uint32_t>(Refusal::kBehind));
   }
+}
+
+/// A large face close above the base, whose own nodes no rule class reaches.
+TEST(FrontAdvance, SetsAFaceAsideAfterTheLastRuleClass) {
+  AdvanceFixture fixture;
+  Front& front = fixture.front;
+  const NodeId p = front.addNode({-12.0, -10.0, 0.01}, 0);
+  const NodeId q = front.addNode({0.0, 14.0, 0.01}, 0);
+  const NodeId r = front.addNode({12.0, -10.0, 0.01}, 0);
+  front.addFace({p, q, r}, BaseFixture::kRegion, {}, false);
+  for (std::size_t next = 1; next <= kRuleClasses.size(); ++next) {
+    ASSERT_FALSE(front.isQueueEmpty());
+    fixture.advance.step();
+    EXPECT_EQ(front.face(fixture.base).ruleClass, next);
+  }
+  EXPECT_TRUE(front.isQueueEmpty());
+  EXPECT_TRUE(front.face(fixture.base).active);
+  EXPECT_EQ(fixture.elements.size(), 0U);
 }
 
 TEST(FrontAdvance, SetsARelaxedFaceAsideIfItMayNotRelax) {
