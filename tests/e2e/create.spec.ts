@@ -163,7 +163,7 @@ test("no dialog for sizes applies while a number is invalid, and Enter applies",
     await page.keyboard.press("Enter");
   };
   for (const { command, field, apply } of [
-    { command: "Make covering grid", field: "cover-size", apply: "cover-apply" },
+    { command: "Create covering grid", field: "cover-size", apply: "cover-apply" },
     { command: "Propose sizes", field: "propose-uniform", apply: "propose-apply" },
   ]) {
     await runCommand(command);

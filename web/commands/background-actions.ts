@@ -6,14 +6,14 @@ import { packArrays } from "../document/packed-grid";
 import { rangeAlong, smallestSize } from "../document/extent";
 import { strings } from "../ui/strings";
 
-/** What commands and dialogs do to the background grid with the engine's help. */
+/** Actions on the background grid that need the engine. */
 
 function fail(app: App, title: string, error: unknown): void {
   const reason = error instanceof Error ? error.message : String(error);
   app.shell.setState({ message: { title, lines: [reason] } });
 }
 
-/** Puts a grid of one size around the model, in place of the present one. */
+/** Replaces the background grid by one of uniform size around the model. */
 export async function coverModel(app: App, options: CoverOptions): Promise<void> {
   try {
     const mesher = await app.mesher;
@@ -25,7 +25,7 @@ export async function coverModel(app: App, options: CoverOptions): Promise<void>
   }
 }
 
-/** Takes the mesh on show as background grid, with the sizes of its own edges. */
+/** Makes the mesh on show the background grid, with sizes from its edges. */
 export async function takeBackgroundFromMesh(app: App): Promise<void> {
   const { mesh } = app.run.state.getState();
   if (!mesh) return;
@@ -44,13 +44,13 @@ export async function takeBackgroundFromMesh(app: App): Promise<void> {
 }
 
 export interface ProposalUse {
-  /** A covering grid of the proposed size takes the place of the present grid. */
+  /** Replace the grid by a covering grid of the proposed size. */
   readonly cover: boolean;
-  /** The proposed sources take the place of the present ones; else they come on top. */
+  /** Replace the present sources instead of adding to them. */
   readonly replaceSources: boolean;
 }
 
-/** The project's sources with those proposed, under ids of their own. */
+/** Returns the present sources and the proposed ones, which get new ids. */
 export function mergeSources(
   present: readonly ProjectSource[],
   proposed: readonly ProjectSource[],
@@ -79,7 +79,7 @@ export async function applyProposal(app: App, proposal: SizeProposal, use: Propo
   }
 }
 
-/** A size to begin with where none has been given: a round twentieth of the model. */
+/** Returns a first size for the user to change: the smallest of the grid, else about a twentieth of the model. */
 export function likelySize(app: App): number {
   const { project } = app.documents;
   const extents = [0, 1, 2].map((axis) => {
@@ -90,7 +90,7 @@ export function likelySize(app: App): number {
   return Number(rough.toPrecision(2));
 }
 
-/** Switches between one size everywhere and the sizes of the background grid. */
+/** Switches between a uniform size and the sizes of the background grid. */
 export function toggleUniformSize(app: App): void {
   const on = app.documents.project.meshing?.size === undefined;
   app.documents.edit(setMeshing("size", on ? likelySize(app) : null));

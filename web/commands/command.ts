@@ -2,19 +2,19 @@ import type { App } from "../app/app";
 
 export type MenuName = "file" | "edit" | "create" | "view" | "mesh" | "help";
 
-/** One thing the user can do: menu, palette, hotkeys and help all read this table. */
+/** An action of the user. Menus, palette, hotkeys and help all come from these records. */
 export interface Command {
   readonly id: string;
   readonly menu: MenuName;
-  /** Items of a menu with different sections are set apart. */
+  /** A menu draws a divider between different sections. */
   readonly section: number;
   readonly label: (app: App) => string;
   /** In Mantine's notation, e.g. "mod+Z". The first is shown. */
   readonly keys: readonly string[];
-  /** Hotkey works even while a text field has the focus. */
+  /** Do the keys work while a text field has the focus? */
   readonly inFields: boolean;
   readonly enabled: (app: App) => boolean;
-  /** For commands that switch something: is it on? */
+  /** For commands that toggle something: is it on? Else null. */
   readonly checked: ((app: App) => boolean) | null;
   readonly run: (app: App) => void;
 }

@@ -14,14 +14,14 @@ import {
 } from "../document/create";
 import type { Entity } from "../document/entities";
 
-/** What can be made of the selection: a command each, and a button in the inspector. */
+/** Creates something from the selection. Each maker is a command and a button in the inspector. */
 export interface Maker {
   readonly id: string;
   readonly label: string;
   readonly key: string | null;
-  /** The kind of what it is made of; the inspector offers what fits the selection. */
+  /** Kind of the selected entities that it needs; the inspector shows only the makers that fit the selection. */
   readonly from: Entity["kind"];
-  /** Not worth an explanation where it cannot be made. */
+  /** Show no reason in the inspector if nothing can be created. */
   readonly quiet: boolean;
   readonly offer: (project: Project, selection: readonly Entity[]) => Offer;
 }
@@ -95,13 +95,13 @@ const commandOf = (maker: Maker, section: number): Command =>
     maker.key === null ? {} : { keys: [maker.key] },
   );
 
-/** Makes it of what is selected, or tells what must be selected first. */
+/** Runs a maker on the selection, or shows what to select first. */
 export function make(app: App, maker: Maker): void {
   const { selection } = app.view.state.getState();
   takeOffer(app, maker.label, maker.offer(app.documents.project, selection));
 }
 
-/** Makes the first of several things that the selection allows; else tells how to select for one. */
+/** Runs the first maker that the selection fits, or shows a hint if it fits none. */
 export function makeOrTell(
   app: App,
   candidates: readonly Maker[],
@@ -125,7 +125,7 @@ const sourceMaker = (type: SourceType): Maker => ({
   offer: (project, selection) => offerSource(project, selection, type),
 });
 
-/** Of selected points; the commands of the same name also work without a selection. */
+/** Need selected points. The commands of the same names also work without a selection. */
 export const sourceMakers: readonly Maker[] = [
   sourceMaker("point"),
   sourceMaker("segment"),

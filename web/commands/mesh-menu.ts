@@ -5,7 +5,7 @@ import { define, type Command } from "./command";
 
 const isBusy = (app: App): boolean => app.run.state.getState().busy;
 
-/** Factors on all sizes of the background grid. */
+/** Factors for all sizes. */
 const finer = 0.8;
 const coarser = 1.25;
 
@@ -26,7 +26,7 @@ export const meshMenu: readonly Command[] = [
   define("mesh", 1)("coarsen", "Make all sizes coarser (× 1.25)", (app) =>
     app.documents.edit(scaleSizes(app.documents.project, coarser)),
   ),
-  define("mesh", 2)("cover", "Make covering grid…", (app) => app.shell.setState({ dialog: "cover" })),
+  define("mesh", 2)("cover", "Create covering grid…", (app) => app.shell.setState({ dialog: "cover" })),
   define("mesh", 2)(
     "background-from-mesh",
     "Use this mesh as background grid",

@@ -17,14 +17,14 @@ export function showEntities(app: App, entities: readonly Entity[]): void {
   app.viewer.getState().viewer?.fit(entities);
 }
 
-/** Selects the first entity that a problem is about and moves the view to its place. */
+/** Selects the first entity of a problem and moves the view to its position. */
 export function showProblem(app: App, problem: Problem): void {
   if (problem.entities.length > 0) showEntities(app, problem.entities.slice(0, 1));
   if (problem.code === "outside-background-grid") app.view.setLayer("background", true);
   if (problem.place) app.viewer.getState().viewer?.fitPosition(problem.place);
 }
 
-/** Marks an element of the mesh on show and moves the view to it. */
+/** Highlights an element of the mesh on show and moves the view to it. */
 export function showElement(app: App, tetrahedron: number): void {
   app.view.setLayer("mesh", true);
   app.view.selectElement(tetrahedron);
@@ -32,7 +32,7 @@ export function showElement(app: App, tetrahedron: number): void {
   app.viewer.getState().viewer?.fitSelectedFaces();
 }
 
-/** Marks triangles of the boundary that the last run has refused, and moves the view to them. */
+/** Highlights triangles of the surface that the last run rejected, and moves the view to them. */
 export function showTriangles(app: App, triangles: readonly number[]): void {
   app.view.markTriangles(triangles);
   app.shell.setState({ drawer: null });

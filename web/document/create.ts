@@ -5,13 +5,13 @@ import { orderLoops } from "./loops";
 import { likelyPatchType, patchMisfit } from "./patch-rules";
 import type { ProjectEdit } from "./edit";
 
-/** Something new in the project: the edit that adds it, and what is new. */
+/** An edit that adds entities to the project, and the entities that it adds. */
 export interface Creation {
   readonly edit: ProjectEdit;
   readonly entities: readonly Entity[];
 }
 
-/** What could be made of a selection, or why it cannot. */
+/** What can be created from a selection, or why nothing can. */
 export type Offer =
   | { readonly possible: true; readonly creation: Creation }
   | { readonly possible: false; readonly reason: string };
@@ -28,7 +28,7 @@ export function emptyProject(name = "Untitled"): Project {
   return { format: "tetrafront-project", version: 2, name, ...drawn, background };
 }
 
-/** Ids are never used again while something with a higher one exists. */
+/** Returns an id above all ids of a kind: an id is not reused while a higher one exists. */
 export function nextId(project: Project, kind: DrawnKind): number {
   return recordsOf(project, kind).reduce((highest, { id }) => Math.max(highest, id), 0) + 1;
 }
@@ -77,7 +77,7 @@ function addLines(project: Project, type: LineType, chains: readonly (readonly n
   };
 }
 
-/** A spline through the selected points and back to the first of them. */
+/** Offers a closed spline through the selected points. */
 export function offerClosedSpline(project: Project, selection: readonly Entity[]): Offer {
   const points = [...new Set(idsOf(selection, "point"))];
   const [first] = points;
@@ -110,7 +110,7 @@ export function offerLine(project: Project, selection: readonly Entity[], type: 
   }
 }
 
-/** A patch of a type, or of the likeliest type, within the selected lines. */
+/** Offers a patch of a type, or of the most likely type, bounded by the selected lines. */
 export function offerPatch(project: Project, selection: readonly Entity[], type: PatchType | null): Offer {
   const found = orderLoops(project, idsOf(selection, "line"));
   if (!found.success) return refuse(found.reason);
@@ -130,7 +130,7 @@ export function offerPatch(project: Project, selection: readonly Entity[], type:
   });
 }
 
-/** The selected lines as one or more holes of the one selected patch. */
+/** Offers the loops of the selected lines as holes of the selected patch. */
 export function offerHole(project: Project, selection: readonly Entity[]): Offer {
   const [patchId, ...others] = idsOf(selection, "patch");
   const patch = patchId === undefined ? undefined : findRecord(project, "patch", patchId);
@@ -153,7 +153,7 @@ export function offerHole(project: Project, selection: readonly Entity[]): Offer
   });
 }
 
-/** One tetrahedron of the background grid between four selected nodes. */
+/** Offers a tetrahedron of the background grid with the four selected nodes. */
 export function offerTetrahedron(project: Project, selection: readonly Entity[]): Offer {
   const nodes = idsOf(selection, "background-node");
   const [a, b, c, d] = nodes;
@@ -173,12 +173,12 @@ export function offerTetrahedron(project: Project, selection: readonly Entity[])
   });
 }
 
-/** How many corners a source has. */
+/** Number of corners of a source. */
 const cornersOf: { readonly [T in SourceType]: number } = { point: 1, segment: 2, triangle: 3 };
-/** A new source asks for this share of the smallest size so far, and of the model's extent without any. */
+/** Size of a new source, relative to the smallest size in the grid; without a grid, to the extent of the model. */
 const sourceShare = 0.5;
 const extentShare = 0.025;
-/** Its size holds this many elements away from it. */
+/** Distance of a new source, in elements of its size. */
 const elementsAround = 2;
 
 interface Box {
@@ -194,7 +194,7 @@ function boxOf(project: Project): Box {
   return { centre: [x, y, z], extent: Math.max(...ranges.map(([low, high]) => high - low)) || 1 };
 }
 
-/** The places selected, in order: of points and background nodes, and of the ends of lines. */
+/** Returns the positions of selected points and background nodes, and of the ends of selected lines, in order. */
 function selectedPlaces(project: Project, selection: readonly Entity[]): Place[] {
   return selection.flatMap(({ kind, id }) => {
     switch (kind) {
@@ -217,7 +217,7 @@ function selectedPlaces(project: Project, selection: readonly Entity[]): Place[]
   });
 }
 
-/** A source at the selected places, or without such, in the middle of the model. */
+/** Adds a source at the selected positions, or in the middle of the model if their number does not fit. */
 export function addSource(project: Project, selection: readonly Entity[], type: SourceType): Creation {
   const id = nextId(project, "source");
   const { centre, extent } = boxOf(project);
@@ -247,7 +247,7 @@ export function addSource(project: Project, selection: readonly Entity[], type: 
   };
 }
 
-/** A source at the selected places, if there are as many as it has corners. */
+/** Offers a source at the selected positions, if there is one for each of its corners. */
 export function offerSource(project: Project, selection: readonly Entity[], type: SourceType): Offer {
   const wanted = cornersOf[type];
   if (selectedPlaces(project, selection).length === wanted) return offer(addSource(project, selection, type));

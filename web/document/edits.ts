@@ -4,8 +4,8 @@ import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities
 import type { DocumentContent, ProjectEdit } from "./edit";
 
 /**
- * Every change a user can make to the project, as a named edit for the history. An edit of an
- * entity that is not there changes nothing.
+ * All changes that a user can make to the project, as named edits for the history. An edit of a missing entity
+ * changes nothing.
  */
 
 export type Axis = 0 | 1 | 2;
@@ -36,8 +36,8 @@ function listOf(project: ProjectDraft, kind: DrawnKind): { id: number; name?: st
 }
 
 /**
- * The draft of the record with an id. It is looked for in the list itself, for a draft's list makes a
- * draft of everything looked at: a moment for one node, a second for a hundred thousand.
+ * Returns the draft of the record with an id. Searches the original list: a draft of a list makes a draft of every
+ * record visited, which takes a second for a hundred thousand nodes.
  */
 function recordOf<Item extends { readonly id: number }>(list: Item[], id: number): Item | undefined {
   const records = isDraft(list) ? original(list) : list;
@@ -61,7 +61,7 @@ export function moveEntity(
   };
 }
 
-/** Names a point, line, patch or source; an empty name takes the name away. */
+/** Names a point, line, patch or source; an empty name removes the name. */
 export function renameEntity(entity: Entity, name: string): ProjectEdit {
   return {
     label: `Rename ${kindWords[entity.kind]} ${entity.id}`,
@@ -167,7 +167,7 @@ function sourceOf({ background }: ProjectDraft, id: number) {
   return background.sources && recordOf(background.sources, id);
 }
 
-/** What a source says of sizes. */
+/** A number of a source that determines sizes. */
 export type SourceField = "size" | "distance" | "growth";
 
 export function setSourceField(id: number, field: SourceField, value: number): ProjectEdit {
@@ -181,7 +181,7 @@ export function setSourceField(id: number, field: SourceField, value: number): P
   };
 }
 
-/** Moves one of a source's places along one axis. */
+/** Moves one corner of a source along one axis. */
 export function moveSource(id: number, place: number, axis: Axis, value: number): ProjectEdit {
   return {
     label: `Move source ${id}`,
@@ -193,7 +193,7 @@ export function moveSource(id: number, place: number, axis: Axis, value: number)
   };
 }
 
-/** The settings with another value in one field; null takes it away, and the last one all of them. */
+/** Returns the settings with a new value in one field. Null removes the field; without fields, the result is undefined. */
 function changed<Field extends keyof ProjectMeshing>(
   { meshing }: Project,
   field: Field,
@@ -212,7 +212,7 @@ const settingLabels: { readonly [Field in keyof ProjectMeshing]-?: string } = {
   optimization: "Set optimization",
 };
 
-/** How the project is to be meshed; null takes the setting away, so that the default holds. */
+/** Changes a mesh setting of the project; null removes it, so that the default applies. */
 export function setMeshing<Field extends keyof ProjectMeshing>(
   field: Field,
   value: ProjectMeshing[Field] | null,
@@ -228,12 +228,12 @@ export function setMeshing<Field extends keyof ProjectMeshing>(
   };
 }
 
-/** Other sources, in a background grid that stays; one size everywhere remains so. */
+/** Replaces the sources and keeps the background grid. A uniform size stays in force. */
 export function replaceSources(label: string, background: ProjectBackground): ProjectEdit {
   return { label, replace: [[["project", "background"], background]] };
 }
 
-/** Another background grid, sources and all, which takes the place of one size everywhere. */
+/** Replaces the background grid with its sources. It also replaces a uniform size. */
 export function replaceBackground(
   label: string,
   project: Project,
@@ -248,7 +248,7 @@ export function replaceBackground(
   };
 }
 
-/** Multiplies every size: of background nodes, of sources, everywhere. Coarser above 1, finer below. */
+/** Multiplies all sizes: of background nodes, of sources, and the uniform one. Above 1, the mesh gets coarser. */
 export function scaleSizes({ background, meshing }: Project, factor: number): ProjectEdit {
   const scaled = <Item extends { readonly size: number }>(list: readonly Item[]): readonly Item[] =>
     list.map((item) => ({ ...item, size: factor * item.size }));
@@ -266,7 +266,7 @@ export function scaleSizes({ background, meshing }: Project, factor: number): Pr
   };
 }
 
-/** The given entities with everything built on them, directly or not. */
+/** Returns the given entities and all that depend on them, directly or indirectly. */
 export function withDependents(project: Project, entities: readonly Entity[]): Entity[] {
   const found = new Map<string, Entity>();
   const visit = (entity: Entity): void => {
@@ -278,7 +278,7 @@ export function withDependents(project: Project, entities: readonly Entity[]): E
   return [...found.values()];
 }
 
-/** Takes entities away, and with them what is built on them: no reference is left dangling. */
+/** Deletes entities and everything that depends on them, so that no reference becomes invalid. */
 export function deleteEntities(project: Project, entities: readonly Entity[]): ProjectEdit {
   const doomed = withDependents(project, entities);
   const [first] = entities;
@@ -287,7 +287,7 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
     entities.length === 1 && first ? `${kindWords[first.kind]} ${first.id}` : `${entities.length} entities`;
   const keysOf = (wanted: DrawnKind): ReadonlySet<number> =>
     new Set(doomed.flatMap(({ kind, id }) => (kind === wanted ? [id] : [])));
-  /** The list itself if nothing in it goes: what stays the same is shared. */
+  /** Returns the same list if nothing is removed, so that unchanged lists stay shared. */
   const without = <Item>(list: readonly Item[], goes: (item: Item) => boolean): readonly Item[] =>
     list.some(goes) ? list.filter((item) => !goes(item)) : list;
   const rest = <Item extends { readonly id: number }>(list: readonly Item[], kind: DrawnKind) => {

@@ -5,8 +5,8 @@ import { engineGrid } from "./packed-grid";
 export const manyTetrahedra = 2000;
 
 /**
- * What the engine is to look at, and with which options. A project is looked through node by node, flat arrays
- * are not. Where one size holds everywhere the grid stays behind; sources hold all the same.
+ * Returns a project as the engine takes it fastest, with the options that go with it. A project is checked node by
+ * node, flat arrays are not. With a uniform size, a large grid is left out; its sources still apply.
  */
 export function engineInput(project: Project): [Project, { readonly background?: BackgroundArrays }] {
   const { background, meshing } = project;

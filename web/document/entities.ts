@@ -7,7 +7,7 @@ import type {
   ProjectSource,
 } from "tetrafront";
 
-/** What the user draws, and what tree, view and inspector can select. */
+/** Kinds of entities that the user draws and selects in tree, view and inspector. */
 export type DrawnKind = "point" | "line" | "patch" | "background-node" | "source";
 
 /** One drawn entity, by its id in the project file. */
@@ -16,7 +16,7 @@ export interface Entity {
   readonly id: number;
 }
 
-/** In the order in which the tree lists them. */
+/** All kinds, in the order of the tree. */
 export const drawnKinds: readonly DrawnKind[] = ["point", "line", "patch", "background-node", "source"];
 
 /** A string that identifies the entity in sets, maps and test ids, e.g. "point-12". */
@@ -50,7 +50,7 @@ export function recordsOf<K extends DrawnKind>(project: Project, kind: K): reado
   return lists[kind];
 }
 
-/** The record of an entity, or undefined if the project has none (any more). Linear in the list. */
+/** Returns the record of an entity, or undefined if the project has none. O(length of the list). */
 export function findRecord<K extends DrawnKind>(
   project: Project,
   kind: K,

@@ -1,8 +1,8 @@
 import type { Project } from "tetrafront";
 
-/** Figures over lists of any length: none of them spreads a list into arguments. */
+/** Extrema of lists of any length. No list is spread into arguments: long ones would overflow the stack. */
 
-/** The lowest and the highest coordinate along an axis; infinite and turned round without places. */
+/** Returns the lowest and the highest coordinate along an axis; [Infinity, -Infinity] for an empty list. */
 export function rangeAlong(
   places: Iterable<{ readonly position: readonly number[] }>,
   axis: number,
@@ -17,7 +17,7 @@ export function rangeAlong(
   return [low, high];
 }
 
-/** The smallest size above 0 of the background grid's nodes; undefined without any. */
+/** Returns the smallest positive size of the nodes of the background grid; undefined without any. */
 export function smallestSize({ background }: Project): number | undefined {
   const smallest = background.nodes.reduce(
     (least, { size }) => (size > 0 && size < least ? size : least),

@@ -3,8 +3,8 @@ import { prepareKeys } from "./content-keys";
 import { unpackGrid, type PackedGrid } from "./packed-grid";
 
 /**
- * A grid as the document has it, with everything known of it that a look at each node or tetrahedron finds: what
- * opens it afterwards is done at once, whatever its size. The page goes on in between.
+ * Unpacks a grid in slices and hashes its lists, so that opening a project with this grid afterwards takes no time,
+ * whatever its size.
  */
 export async function documentGrid(
   grid: PackedGrid,

@@ -9,7 +9,7 @@ export type LoopSearch =
 
 const endsOf = ({ points }: ProjectLine): readonly [number, number] => [points[0] ?? 0, points.at(-1) ?? 0];
 
-/** Half-open chains leave points where another number than two of the lines meet. */
+/** Finds an end point that does not belong to exactly two of the lines, and returns why; null if there is none. */
 function findLooseEnd(lines: readonly ProjectLine[]): string | null {
   const meetings = new Map<number, number>();
   for (const line of lines) {
@@ -85,7 +85,7 @@ function extentOf(project: Project, loop: readonly number[]): number {
 
 /**
  * Puts lines, given in any order and direction, into closed loops. Each loop begins with the line
- * given first. The loop that reaches furthest is the outer one. A tube's two rims and the line between
+ * given first. The loop with the largest bounding box is the outer one. A tube's two rims and the line between
  * them are one loop. Quadratic in the number of lines.
  */
 export function orderLoops(project: Project, lineIds: readonly number[]): LoopSearch {
@@ -104,7 +104,7 @@ export function orderLoops(project: Project, lineIds: readonly number[]): LoopSe
   return { success: true, loops: first ? [first, ...loops] : loops };
 }
 
-/** The loop turned so that the line at a position comes second: F2 of equation (14). */
+/** Rotates a loop so that the line at an index becomes the second one: F2 of equation (14). */
 export function turnToSecond(loop: readonly number[], position: number): number[] {
   const first = (position + loop.length - 1) % loop.length;
   return [...loop.slice(first), ...loop.slice(0, first)];

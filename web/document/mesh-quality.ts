@@ -9,21 +9,21 @@ export const bestValue: { readonly [M in QualityMeasure]: number } = {
   dihedral: 70.528779,
 };
 
-/** Where the colour scale begins; anything worse has its darkest colour. */
+/** Where the colour scale begins. All lower values have its darkest colour. */
 export const worstShown: { readonly [M in QualityMeasure]: number } = {
   "radius-ratio": 0.2,
   dihedral: 10,
 };
 
-/** A value's place on the colour scale, 0 to 1 where it is within. */
+/** Returns where a value lies on the colour scale: 0 to 1 if it is within the scale. */
 export function placeOnScale(value: number, measure: QualityMeasure): number {
   return (value - worstShown[measure]) / (bestValue[measure] - worstShown[measure]);
 }
 
-/** What is measured of a mesh. */
+/** The part of a mesh that quality depends on. */
 export type Elements = Pick<VolumeMesh, "points" | "tetrahedra">;
 
-/** The measure of one tetrahedron, by its position in the mesh. */
+/** Returns the quality of one tetrahedron, given its index in the mesh. */
 export function qualityOf(mesh: Elements, measure: QualityMeasure, tetrahedron: number): number {
   return functionOf(measure)(mesh, tetrahedron);
 }
@@ -40,7 +40,7 @@ function functionOf(measure: QualityMeasure): (mesh: Elements, tetrahedron: numb
   return measure === "radius-ratio" ? radiusRatio : smallestDihedral;
 }
 
-/** Of one element at a time. */
+/** Scratch memory, for one element at a time. */
 const edges = new Float64Array(9);
 const normals = new Float64Array(12);
 
@@ -90,7 +90,7 @@ function radiusRatio(mesh: Elements, tetrahedron: number): number {
   return (6 * sixVolumes * sixVolumes) / (doubleArea * numerator);
 }
 
-/** The smallest of the six angles between faces, in degrees. */
+/** Returns the smallest of the six dihedral angles, in degrees. */
 function smallestDihedral(mesh: Elements, tetrahedron: number): number {
   findEdges(mesh, tetrahedron);
   findNormals();
@@ -136,7 +136,7 @@ export interface Histogram {
   readonly mean: number;
 }
 
-/** How the measures of tetrahedra are spread. */
+/** Returns the distribution of the values. */
 export function histogramOf(values: Float32Array, measure: QualityMeasure, barCount: number): Histogram {
   const best = bestValue[measure];
   const bars = new Array<number>(barCount).fill(0);

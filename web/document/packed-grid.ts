@@ -5,11 +5,11 @@ type Nodes = Project["background"]["nodes"];
 type Tetrahedra = Project["background"]["tetrahedra"];
 
 /**
- * A background grid as flat arrays. Whatever looks at a whole grid looks at these: they are made once for each
- * list, and a browser hands them on, stores them and goes through them a hundred times as fast as objects.
+ * A background grid as flat arrays. Everything that visits a whole grid uses them. They are made once per list, and
+ * a browser transfers, stores and visits them about a hundred times as fast as objects.
  */
 export interface PackedGrid {
-  /** Per node: id, x y z, size, stretching, direction x y z; not a number where there is none. */
+  /** Per node: id, x y z, size, stretching, direction x y z; NaN for a missing value. */
   readonly nodes: Float64Array;
   /** Four node ids per tetrahedron. */
   readonly tetrahedra: Float64Array;
@@ -24,12 +24,12 @@ const arraysOf = new WeakMap<
   { readonly nodes: Float64Array; readonly arrays: BackgroundArrays }
 >();
 
-/** The same array every time for the same list. */
+/** Returns the same array every time for the same list. */
 export function packedNodes(nodes: Nodes): Float64Array {
   return remembered(nodesOf, nodes, packNodes);
 }
 
-/** The same array every time for the same list. */
+/** Returns the same array every time for the same list. */
 export function packedTetrahedra(tetrahedra: Tetrahedra): Float64Array {
   return remembered(tetrahedraOf, tetrahedra, packTetrahedra);
 }
@@ -71,7 +71,7 @@ function packTetrahedra(tetrahedra: Tetrahedra): Float64Array {
   return packed;
 }
 
-/** Which of its optional parts the node has that begins there. */
+/** Returns which optional values the node at an offset has. */
 export function partsOf(
   nodes: Float64Array,
   first: number,
@@ -137,7 +137,7 @@ export function engineGrid(background: ProjectBackground): BackgroundArrays {
   const { nodes, tetrahedra } = packedGrid(background);
   const known = arraysOf.get(tetrahedra);
   if (known?.nodes === nodes) return { ...known.arrays, coverageMargin: background.coverageMargin };
-  // Another size or place of a node leaves the tetrahedra.
+  // Only sizes or positions have changed: the node indices of the tetrahedra still hold.
   const positions =
     known && sameIds(known.nodes, nodes) ? known.arrays.tetrahedra : nodePositions(nodes, tetrahedra);
   const arrays = { ...nodeArrays(nodes), tetrahedra: positions };
@@ -176,7 +176,7 @@ function nodePositions(nodes: Float64Array, tetrahedra: Float64Array): Uint32Arr
   return positions;
 }
 
-/** Tells the position of the node with an id; of an id that is not there, one that the engine tells is not. */
+/** Returns a function that finds the index of a node by id. For an unknown id, the engine reports the index. */
 function positionFinder(nodes: Float64Array): (id: number) => number {
   const nowhere = 0x7fffffff;
   const count = nodes.length / numbersPerNode;

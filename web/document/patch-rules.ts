@@ -1,7 +1,7 @@
 import type { LineType, PatchType, Project } from "tetrafront";
 import { entityName, findRecord } from "./entities";
 
-/** What the outer loop of a patch type must be made of (Löhner & Parikh 1988, equations 11–15). */
+/** Requirements on the outer loop of a patch type (Löhner & Parikh 1988, equations 11–15). */
 export interface PatchRule {
   /** Number of lines in the outer loop; null: any. */
   readonly lines: number | null;
@@ -23,7 +23,7 @@ export const patchTypes = Object.keys(patchRules) as PatchType[];
 
 const countWords: Readonly<Record<number, string>> = { 3: "three", 4: "four" };
 
-/** Why loops cannot span a patch of a type, in one sentence; null if nothing speaks against it. */
+/** Returns why loops cannot bound a patch of a type, in one sentence; null if they can. */
 export function patchMisfit(
   project: Project,
   type: PatchType,
@@ -54,10 +54,10 @@ const cross = (a: Vector, b: Vector): Vector => [
 ];
 const dot = (a: Vector, b: Vector): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-/** Points this much of their extent off a plane, and no more, count as lying in it. */
+/** Points are planar if their distance from a plane, relative to their extent, is at most this. */
 const planarity = 1e-9;
 
-/** Do all points of the loops' lines lie in one plane? A guess for the type; the engine judges. */
+/** Do all points of the loops' lines lie in one plane? This only proposes a type; the engine checks it. */
 export function liesInPlane(project: Project, loops: readonly (readonly number[])[]): boolean {
   const ids = new Set(
     loops.flat().flatMap((step) => findRecord(project, "line", Math.abs(step))?.points ?? []),
@@ -74,7 +74,7 @@ export function liesInPlane(project: Project, loops: readonly (readonly number[]
   return arms.every((arm) => Math.abs(dot(arm, normal)) <= planarity * reach);
 }
 
-/** The type a user most likely wants for these loops. */
+/** Returns the most likely patch type for these loops. */
 export function likelyPatchType(project: Project, loops: readonly (readonly number[])[]): PatchType {
   if (liesInPlane(project, loops)) return "planar";
   const fitting = (["isoparametric-triangle", "barnhill-gregory-nielson", "coons"] as const).find(

@@ -1,14 +1,14 @@
 import type { QualityReport } from "tetrafront";
 
-/** The measures of which a report has a histogram for each region. */
+/** Measures for which a report has a histogram per region. */
 export type CountedMeasure = "dihedral" | "radiusRatio" | "edge";
 
-/** Edges of these lengths by the wanted ones are as asked for. */
+/** Edges are near the target if edge length / target length is in this range. */
 export const nearWanted = { from: 0.6, to: 1.5 } as const;
 /** Dihedral angles, in degrees, that the optimizer strives for. */
 export const wantedAngles = { from: 30, to: 135 } as const;
 
-/** What is shown of a report: one region, by its number, or null for all of them together. */
+/** The part of a report that is shown: the id of a region, or null for all regions. */
 export type RegionChoice = number | null;
 
 /** The counts of one region, or of all together. */
@@ -24,7 +24,7 @@ export function countsOf(
   );
 }
 
-/** The share of what is counted in bins between two values, both on the edge of bins. */
+/** Returns the fraction of the counts between two values, both at the edge of a bin. */
 export function shareBetween(
   counts: readonly number[],
   binWidth: number,

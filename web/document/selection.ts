@@ -1,7 +1,7 @@
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { entityKey, sameEntity, type Entity } from "./entities";
 
-/** Everything about looking that is never undone: selection, visibility, cut, shading. */
+/** The state of the view, which undo does not change: selection, visibility, cut, shading. */
 
 export type Layer = "points" | "lines" | "patches" | "background" | "sources" | "mesh";
 export type CutAxis = "x" | "y" | "z";
@@ -17,22 +17,22 @@ export interface Cut {
 }
 
 export interface ViewState {
-  /** In the order in which they were selected. Points that end where they begin are a closed chain. */
+  /** In the order of selection. A chain of points is closed if its last point is the first one again. */
   readonly selection: readonly Entity[];
   readonly hover: Entity | null;
-  /** A tetrahedron picked on a cut or in a list, by its position in the mesh. */
+  /** Index of a tetrahedron picked on a cut or in a list. */
   readonly element: number | null;
-  /** Triangles of a faulty boundary picked in a list, by their position in the last run's surface. */
+  /** Indices of triangles picked in a list of problems, in the surface of the last run. */
   readonly triangles: readonly number[];
   /** Keys of the entities that are not drawn. */
   readonly hidden: ReadonlySet<string>;
   readonly layers: Readonly<Record<Layer, boolean>>;
-  /** Regions of the mesh that are not drawn, by their numbers. */
+  /** Ids of the regions of the mesh that are not drawn. */
   readonly hiddenRegions: ReadonlySet<number>;
   readonly cut: Cut;
   readonly shading: Shading;
   readonly edges: boolean;
-  /** Every click toggles, as if Ctrl were held: for fingers, and for whoever likes it. */
+  /** Every click toggles, as if Ctrl were held: for touch screens. */
   readonly several: boolean;
 }
 
@@ -51,7 +51,7 @@ const initialView: ViewState = {
   several: false,
 };
 
-/** Points in a chain, selected one by one, that ends at its first again. */
+/** Is the selection a chain of points whose last point is the first one again? */
 export function isClosedChain(selection: readonly Entity[]): boolean {
   const [first, ...rest] = selection;
   return first !== undefined && rest.length >= 3 && sameEntity(first, rest.at(-1) ?? null);
@@ -92,13 +92,13 @@ export class ViewStore {
     this.state.setState({ selection: [], ...nothingMarked });
   }
 
-  /** Selects these and nothing else. */
+  /** Selects the given entities and nothing else. */
   selectAll(entities: readonly Entity[]): void {
     this.state.setState({ selection: entities, ...nothingMarked });
     for (const { kind } of entities) this.reveal(kind);
   }
 
-  /** Switches on the layer of what is off by default. */
+  /** Shows the layer of a kind that is hidden by default. */
   reveal(kind: Entity["kind"]): void {
     if (kind === "background-node") this.setLayer("background", true);
     if (kind === "source") this.setLayer("sources", true);
@@ -108,7 +108,7 @@ export class ViewStore {
     this.state.setState({ ...nothingMarked, element, selection: [] });
   }
 
-  /** The mesh or boundary that had the marked element or triangles is gone. */
+  /** Removes the highlight of an element or of triangles: their mesh is no longer shown. */
   unmark(): void {
     const { element, triangles } = this.state.getState();
     if (element !== null || triangles.length > 0) this.state.setState(nothingMarked);
@@ -139,7 +139,7 @@ export class ViewStore {
     });
   }
 
-  /** The mesh on show has other regions than the one before. */
+  /** Shows all regions, because the regions of the new mesh are others. */
   showAllRegions(): void {
     if (this.state.getState().hiddenRegions.size > 0) this.state.setState({ hiddenRegions: new Set() });
   }
@@ -172,7 +172,7 @@ export class ViewStore {
     }));
   }
 
-  /** Forgets what belonged to another project. */
+  /** Resets everything that refers to entities of the project, before another one is shown. */
   reset(): void {
     this.state.setState({
       selection: [],

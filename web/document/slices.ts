@@ -1,12 +1,12 @@
-/** Work between two looks at the page, in milliseconds. */
+/** Longest work before the page gets control back, in milliseconds. */
 export const sliceMs = 8;
-/** Steps between two looks at the clock. */
+/** Number of steps between two readings of the clock. */
 const stepsPerLook = 256;
 
-/** Resolves once the page has done what was waiting. */
+/** Resolves after the page has handled its pending events. */
 export const nextTurn = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 0));
 
-/** Calls `step` for 0, 1, 2 … `count` - 1, and lets the page go on in between. */
+/** Calls `step` for 0, 1, 2 … `count` - 1, and yields to the page in between. */
 export async function forEachInSlices(count: number, step: (index: number) => void): Promise<void> {
   let resumed = performance.now();
   for (let i = 0; i < count; ++i) {

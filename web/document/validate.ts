@@ -1,7 +1,7 @@
 import type { Diagnostic, EntityRef, Project } from "tetrafront";
 import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "./entities";
 
-/** Something wrong with the project or its mesh, tied to what the user can select. */
+/** A problem of the project or its mesh, with the entities to select. */
 export interface Problem {
   /** Stable while the problem stays the same. */
   readonly key: string;
@@ -10,7 +10,7 @@ export interface Problem {
   readonly message: string;
   readonly remedy: string;
   readonly entities: readonly Entity[];
-  /** Of the boundary that the last run has refused. */
+  /** Indices of triangles in the surface that the last run rejected. */
   readonly triangles: readonly number[];
   readonly place: readonly [number, number, number] | null;
 }
@@ -19,7 +19,7 @@ function isDrawn(kind: EntityRef["kind"]): kind is DrawnKind {
   return (drawnKinds as readonly string[]).includes(kind);
 }
 
-/** What can be selected to show the subject of a diagnostic; of a background tetrahedron, its nodes. */
+/** Returns the entities to select for the subject of a diagnostic: for a background tetrahedron, its nodes. */
 function toEntities(project: Project, { kind, index, id }: EntityRef): Entity[] {
   if (kind === "background-tetrahedron") {
     const nodes = project.background.tetrahedra[index] ?? [];
@@ -54,15 +54,15 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
   return [...problems.values()].sort((a, b) => rank[a.severity] - rank[b.severity]);
 }
 
-/** What is to be pointed out in the view. */
+/** Entities and triangles to emphasize in the view. */
 export interface Faults {
-  /** Of the boundary that the last run has refused. */
+  /** Indices of triangles in the surface that the last run rejected. */
   readonly triangles: readonly number[];
-  /** Ids of patches that are at fault as a whole. */
+  /** Ids of patches that are invalid as a whole. */
   readonly patches: ReadonlySet<number>;
 }
 
-/** What errors blame: triangles where they name any, else the patches that they are about. */
+/** Returns the defects that errors name: their triangles if there are any, else their patches. */
 export function faultsOf(problems: readonly Problem[]): Faults {
   const errors = problems.filter(({ severity }) => severity === "error");
   const aboutPatches = errors.filter(
@@ -75,7 +75,7 @@ export function faultsOf(problems: readonly Problem[]): Faults {
   };
 }
 
-/** The problems of each entity, by entity key. */
+/** Returns the problems of each entity, by entity key. */
 export function problemsByEntity(problems: readonly Problem[]): ReadonlyMap<string, readonly Problem[]> {
   const byEntity = new Map<string, Problem[]>();
   for (const problem of problems) {
@@ -93,7 +93,7 @@ export interface ProblemGroup {
   readonly problems: readonly Problem[];
 }
 
-/** Problems of one code together, in the order in which the codes come. */
+/** Groups problems by severity and code, in the order of their first occurrence. */
 export function groupProblems(problems: readonly Problem[]): readonly ProblemGroup[] {
   const groups = new Map<string, Problem[]>();
   for (const problem of problems) {

@@ -15,8 +15,8 @@ function applyOne(container: Container, key: string | number, op: string, value:
 }
 
 /**
- * The state after patches. What they do not touch is shared with the state before, and what they put
- * in is taken as it is, for states never change: the time does not depend on the size of either.
+ * Returns the state after patches. Unchanged parts are shared with the state before, and new values are stored without
+ * a copy: states never change. The cost does not depend on the size of the state or of the values.
  */
 export function applyPatches<State extends object>(state: State, patches: Patches): State {
   const root = { state } as Container;

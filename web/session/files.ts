@@ -37,7 +37,7 @@ export async function readProjectFile(file: OpenedFile): Promise<OpenResult> {
   try {
     return await projectIn(file);
   } catch (error) {
-    // A folder, say, or a part of the app that does not come.
+    // For example a folder, or a part of the app that could not be loaded.
     return { kind: "failed", fileName: file.name, reasons: [String(error)] };
   }
 }
@@ -56,7 +56,7 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
   return { kind: "failed", fileName: file.name, reasons };
 }
 
-/** What to tell of a file that holds a mesh, by its name: the app draws and opens projects. */
+/** Returns what to do with a mesh file, judged by its name; undefined for other files. The app opens projects only. */
 async function meshFileReasons(fileName: string): Promise<readonly string[] | undefined> {
   if (/\.json$/i.test(fileName)) return undefined;
   const { formatOf } = await import("./mesh-formats");
@@ -70,7 +70,7 @@ async function meshFileReasons(fileName: string): Promise<readonly string[] | un
   return [what, command];
 }
 
-/** Asks the user for a file. Asked again while the dialog is open, browsers refuse: that changes nothing. */
+/** Asks the user for a file. A second request while the dialog is open counts as cancelled: browsers refuse it. */
 export async function openProjectFile(): Promise<OpenResult> {
   openDialogs += 1;
   try {
@@ -85,7 +85,7 @@ export async function openProjectFile(): Promise<OpenResult> {
   }
 }
 
-/** So that no file name, with any ending, has more than the 255 bytes that file systems take. */
+/** Limit that keeps every file name, with any extension, within the 255 bytes of file systems. */
 const LONGEST_STEM = 60;
 
 /** "Engine intake" as "engine-intake". */
@@ -134,7 +134,7 @@ async function isWritable({ handle, lastModified }: ProjectFile): Promise<boolea
   }
 }
 
-/** Hands a file to the browser's downloads. */
+/** Downloads a file. */
 export function download(parts: BlobPart[], fileName: string, type: string): void {
   const url = URL.createObjectURL(new Blob(parts, { type }));
   const anchor = document.createElement("a");

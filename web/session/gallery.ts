@@ -11,13 +11,13 @@ export interface GalleryModel {
   readonly file: string;
 }
 
-/** A heading of the gallery with what is under it. */
+/** The models under one heading of the gallery. */
 export interface GalleryGroup {
   readonly title: string;
   readonly models: readonly GalleryModel[];
 }
 
-/** The easiest first; groups of other names follow in the order of the list. */
+/** Order of the headings, the easiest first. Other groups follow in the order of the list. */
 const groupOrder = [
   "First steps",
   "Curved patches",

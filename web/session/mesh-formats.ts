@@ -1,2 +1,2 @@
-/** Loaded when a file is to be opened that is no project by its name. */
+/** Loaded on demand, when the name of an opened file is not that of a project. */
 export { formatOf } from "tetrafront";

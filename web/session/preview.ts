@@ -12,8 +12,9 @@ export interface PreviewState {
 }
 
 /**
- * Keeps the shape of lines and patches, and the list of what is wrong with them, up to date with the
- * document. One question at a time, given up for a newer one, but never two before there is an answer.
+ * Keeps the samples of lines and patches and the diagnostics of the check up to date with the document. Makes one
+ * request at a time. A newer project cancels the request, but never twice in a row, so that continuous edits still
+ * get previews.
  */
 export class PreviewFeed {
   readonly state: StoreApi<PreviewState> = createStore<PreviewState>(() => ({
@@ -23,9 +24,9 @@ export class PreviewFeed {
   }));
   readonly #mesher: Promise<Mesher>;
   #wanted: Project | null = null;
-  /** Gives up the question that is being asked; null while none is. */
+  /** Cancels the active request; null without one. */
   #abort: AbortController | null = null;
-  /** Since the last answer. Once only: else edits without a pause would never be answered. */
+  /** Has a request been cancelled since the last answer? Then the next one runs to its end. */
   #hasGivenUp = false;
 
   constructor(documents: DocumentStore, mesher: Promise<Mesher>) {
@@ -34,7 +35,7 @@ export class PreviewFeed {
     this.request(documents.project);
   }
 
-  /** Is an answer about the document's present state still to come? */
+  /** Is a request active? */
   get busy(): boolean {
     return this.#abort !== null;
   }

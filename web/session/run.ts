@@ -16,14 +16,14 @@ export interface LogLine {
 
 export interface RunState {
   readonly busy: boolean;
-  /** Between the click on Cancel and the worker's answer. */
+  /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
   readonly progress: Progress | null;
   /** The mesh on show, whatever project it belongs to. */
   readonly mesh: MeshResult | null;
   /** Key of the project that `mesh` was made from. */
   readonly meshKey: string | null;
-  /** The last run's answer: unlike `mesh` it may hold no mesh but only diagnostics. */
+  /** Result of the last run. Unlike `mesh`, it may hold diagnostics only. */
   readonly outcome: { readonly key: string; readonly result: MeshResult } | null;
   /** The engine itself failed, e.g. could not be loaded or ran out of memory. */
   readonly failure: string | null;
@@ -47,8 +47,8 @@ const cachedMeshes = 4;
 const maxCachedTetrahedra = 400_000;
 const maxLogLines = 400;
 /**
- * Between two shows of the progress: this share of what the run has taken, and seconds at least and at most.
- * What a show costs, a browser without graphics hardware takes from the mesher.
+ * Time between two updates of the progress on the page: a fraction of the elapsed time, within limits in seconds.
+ * Without graphics hardware, each update takes time from the mesher.
  */
 const progressWait = { share: 0.04, least: 0.1, most: 1 };
 
@@ -63,7 +63,7 @@ const phaseTexts: { readonly [P in Progress["phase"]]: string } = {
 
 const count = (value: number): string => value.toLocaleString("en-US");
 
-/** Runs the mesher on the document's project, one run at a time, and keeps what came of it. */
+/** Meshes the project of the document, one run at a time, and keeps the results. */
 export class MeshRun {
   readonly state: StoreApi<RunState> = createStore<RunState>(() => emptyRun);
   readonly #documents: DocumentStore;
@@ -79,7 +79,7 @@ export class MeshRun {
     documents.onSettled((project) => this.#showCached(meshKey(project)));
   }
 
-  /** Meshes the present project; a run under way is left alone. Resolves when the run is over. */
+  /** Meshes the present project, unless a run is active. Resolves when the run has ended. */
   generate(): Promise<void> {
     if (!this.#abort) this.#running = this.#mesh();
     return this.#running;
@@ -90,7 +90,7 @@ export class MeshRun {
     this.#abort = abort;
     const project = settledProject(this.#documents.state.getState());
     this.state.setState({ busy: true, cancelling: false, progress: null, failure: null, log: [] });
-    // Of the run, not of the page: what the page hears late did not happen late.
+    // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
     log("information", `Meshing “${project.name}”`);
@@ -116,7 +116,7 @@ export class MeshRun {
     }
   }
 
-  /** Takes the mesh off show, and what was said of it, if they are of another state of the document. */
+  /** Hides the mesh and the log if they belong to another state of the document. */
   forgetOthers(): void {
     const key = meshKey(settledProject(this.#documents.state.getState()));
     const { mesh, outcome } = this.state.getState();
@@ -124,7 +124,7 @@ export class MeshRun {
     if (outcome && outcome.key !== key) this.state.setState({ outcome: null, failure: null, log: [] });
   }
 
-  /** Meshes the present project, giving up a run under way. */
+  /** Cancels the active run and meshes the present project. */
   async restart(): Promise<void> {
     this.cancel();
     await this.#running;
@@ -183,7 +183,7 @@ export class MeshRun {
   }
 }
 
-/** Is the progress to be shown, after the one shown before? */
+/** Is it time to show the progress again? A new phase is shown at once. */
 function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): boolean {
   if (before?.phase !== phase) return true;
   const { share, least, most } = progressWait;
@@ -205,10 +205,10 @@ function summary({ report }: MeshResult): string {
   }
 }
 
-/** With a full stop, unless it ends in some other mark. */
+/** Adds a full stop, unless the text ends with a punctuation mark. */
 const sentence = (text: string): string => (/[.!?…]$/.test(text) ? text : `${text}.`);
 
-/** Of the mesh on show, if it is finished. */
+/** Returns the number of regions of the mesh on show; 0 before it is finished. */
 export function regionCount({ mesh }: RunState): number {
   return mesh?.report.quality.regions.length ?? 0;
 }
