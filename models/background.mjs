@@ -1,12 +1,12 @@
-/** Background grids of few tetrahedra. */
+/** Background grids with few tetrahedra. */
 
-/** The faces of a box by their corners, whose bits 0, 1, 2 say high in x, y, z. */
+/** Faces of a box by their corners; bits 0, 1, 2 of a corner mean high in x, y, z. */
 const boxCorners = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]]; // prettier-ignore
 
 /**
- * Prisms between sections of corresponding nodes, each of three tetrahedra. A section is a list of
- * { position, size } (and stretching, direction); `triangles` are positions in it, ascending, so that
- * neighbouring prisms cut their common side the same way.
+ * Prisms of three tetrahedra between sections of corresponding nodes. A section is a list of { position, size }
+ * (optionally stretching and direction). `triangles` holds ascending indices in it, so that neighbouring prisms
+ * divide their common face in the same way.
  */
 export const prisms = (builder, sections, triangles) => {
   const ids = sections.map((section) =>
@@ -23,8 +23,8 @@ export const prisms = (builder, sections, triangles) => {
 };
 
 /**
- * A row of boxes along x, each of six tetrahedra. Every station is { x, size } (and stretching,
- * direction); the boxes reach over the given ranges of y and z.
+ * A row of boxes along x, each of six tetrahedra. Each station is { x, size } (optionally stretching and
+ * direction); the boxes cover the given ranges of y and z.
  */
 export const boxRow = (builder, stations, [y0, y1], [z0, z1]) => {
   const corners = [[y0, z0], [y1, z0], [y0, z1], [y1, z1]]; // prettier-ignore
@@ -35,8 +35,8 @@ export const boxRow = (builder, stations, [y0, y1], [z0, z1]) => {
 };
 
 /**
- * Half a row of prisms along an axis at y = 0: every station is { x, z, inner, outer, reach }, the size
- * on the axis, and the size `reach` away from it below, beside and above.
+ * Half a row of prisms along an axis at y = 0. Each station is { x, z, inner, outer, reach }: the size on the
+ * axis, and the size at distance `reach` below, beside and above it.
  */
 export const halfPrismsAlongAxis = (builder, stations) => {
   const sections = stations.map(({ x, z = 0, inner, outer, reach }) => [
@@ -53,7 +53,7 @@ export const singleTetrahedron = (builder, nodes) => {
   builder.tetrahedron(...nodes.map(({ position, size, ...more }) => builder.node(position, size, more)));
 };
 
-/** One tetrahedron of one size, its right corner below the origin of the first octant. */
+/** One tetrahedron of uniform size, with its right-angled corner below the origin of the first octant. */
 export const uniform = (builder, corner, reach, size) => {
   const along = (k) => corner.map((c, i) => (i === k ? c + reach : c));
   singleTetrahedron(
@@ -62,7 +62,7 @@ export const uniform = (builder, corner, reach, size) => {
   );
 };
 
-/** Prisms along a middle line: every section has its node there first, then four around it. */
+/** Prisms along a centre line: each section has its node there first, then four nodes around it. */
 export const fanPrisms = (builder, sections) =>
   prisms(builder, sections, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 4]]); // prettier-ignore
 

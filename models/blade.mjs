@@ -10,7 +10,7 @@ const camber = 0.14;
 const edgeRadius = 0.06;
 const fullness = 0.03; // half thickness added at mid chord
 
-/** A place of the section: how far along the chord, and on which side of the camber line, -1 to 1. */
+/** A position in the section: along the chord, and across it, from -1 to 1 of the half thickness. */
 function onSection(s, side) {
   const slope = 4 * camber * (1 - 2 * s);
   const scale = 1 / Math.sqrt(1 + slope * slope);
@@ -24,7 +24,7 @@ function edgeSection(end, fromSide) {
   const [first, last] = [onSection(end, fromSide), onSection(end, -fromSide)];
   const centre = [0, 1].map((k) => (first[k] + last[k]) / 2);
   const arm = [0, 1].map((k) => first[k] - centre[k]);
-  // Seen from above the section is walked counter-clockwise, so the arm turns to the left.
+  // Seen from above, the section runs counter-clockwise, so the offset points to the left.
   return spread(0, 180, 5).map((degrees) => {
     const angle = (degrees * Math.PI) / 180;
     const [cosine, sine] = [Math.cos(angle), Math.sin(angle)];
@@ -40,7 +40,7 @@ const outline = {
   "leading edge": edgeSection(0, 1),
 };
 
-/** A place of the section, turned and tapered as at the part t of the span. */
+/** A position in the section, rotated and tapered as at fraction t of the span. */
 function lifted([x, y], t) {
   const angle = (twist * smoothStep(t) * Math.PI) / 180;
   const scale = 1 - taper * t;

@@ -1,11 +1,11 @@
-/** Cavities, bodies within bodies, bodies beside bodies. */
+/** Cavities, regions inside regions, regions side by side. */
 import { boxStar, uniform } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
 import { arc, box, circle, onCircle, quarters, scaledTo, skin, unitMiddle, xAxis, yAxis, zAxis } from "./shapes.mjs"; // prettier-ignore
 
 const negative = (axis) => axis.map((c) => -c);
 
-/** Eight octants. The quarter of the equator is the second line of each, F2 in equation 14. */
+/** Eight octants. The quarter of the equator is the second line of each, F2 in equation (14). */
 function octants(builder, radius) {
   const quarter = (from, to, name) => builder.spline(arc([0, 0, 0], radius, from, to, 0, 90, 7), name);
   for (const [pole, label] of [
@@ -21,7 +21,7 @@ function octants(builder, radius) {
         quarter(from, to, `equator ${q + 1}`),
         quarter(to, pole, `${label} meridian ${((q + 1) % 4) + 1}`),
       ];
-      // Seen from inside the ball: the material is outside it.
+      // Ordered as seen from inside the ball: the material is outside it.
       const name = `ball ${label} ${q + 1}`;
       builder.patch("barnhill-gregory-nielson", name, label === "upper" ? turned(loop) : loop);
     });
@@ -43,7 +43,7 @@ const icosahedron = [-1, 1].flatMap(
   [-golden, golden].flatMap((b) => [[0, a, b], [a, b, 0], [b, 0, a]].map((at) => scaledTo(at, 1))), // prettier-ignore
 );
 
-/** Its faces, counter-clockwise seen from outside: the triples of corners that are neighbours. */
+/** Its faces, counter-clockwise as seen from outside: triples of neighbouring corners. */
 function icosahedronFaces() {
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]; // prettier-ignore
@@ -61,7 +61,7 @@ function icosahedronFaces() {
   return faces;
 }
 
-/** A ball of twenty isoparametric triangles with the middles of their edges on the sphere. */
+/** A ball of twenty isoparametric triangles with the mid-points of their edges on the sphere. */
 function ball(builder, radius, label, materialInside) {
   icosahedronFaces().forEach((corners, f) => {
     const loop = corners.map((from, i) => {

@@ -1,12 +1,12 @@
-/** An angle bracket with bores; sources make the elements smaller around these and in the fillet. */
+/** An angle bracket with bores; sources make the elements smaller around the bores and in the fillet. */
 import { uniform } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
 import { circle, onCircle, quarters, skin, xAxis, yAxis, zAxis } from "./shapes.mjs";
 
 const width = 1.2;
 const thickness = 0.22;
-const fillet = 0.5; // where the round between the plates begins, from the outer faces
-/** The outline in the plane of x and z, counter-clockwise seen from the front. */
+const fillet = 0.5; // start of the fillet between the plates, from the outer faces
+/** The outline in the plane of x and z, counter-clockwise as seen from the front. */
 const outline = [[0, 0], [2, 0], [2, thickness], [fillet, thickness], [thickness, fillet], [thickness, 1.6], [0, 1.6]]; // prettier-ignore
 const faces = ["base bottom", "base end", "base top", "fillet", "upright front", "upright end", "upright back"]; // prettier-ignore
 const bores = [
@@ -36,7 +36,7 @@ function bracket() {
       const [nextX, nextZ] = outline[(i + 1) % outline.length];
       const name = `${label} ${faces[i]}`;
       if (faces[i] !== "fillet") return builder.straight([x, y, z], [nextX, y, nextZ], name);
-      // The point of a quarter circle's middle, between the ends of the plates' inner faces.
+      // The mid-point of a quarter circle between the ends of the plates' inner faces.
       const middle = thickness + (fillet - thickness) * (1 - Math.SQRT1_2);
       return builder.parabola([x, y, z], [middle, y, middle], [nextX, y, nextZ], name);
     });

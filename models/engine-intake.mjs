@@ -11,11 +11,11 @@ const roundFrom = 3.2; // the section is a circle from here on
 const length = 5;
 const outletRadius = 0.95;
 const noseAt = 2.3;
-const shoulderAt = 3.1; // where the elliptic nose ends
+const shoulderAt = 3.1; // end of the elliptic nose
 const shoulderRadius = 0.36;
 const hubRadius = 0.46;
 
-/** Places along a quarter of an ellipse in the plane of the axis and `across`, from tip to shoulder. */
+/** Positions along a quarter of an ellipse in the plane of the axis and `across`, from tip to shoulder. */
 const noseProfile = (across) =>
   spread(0, 90, 7).map((degrees) => {
     const angle = (degrees * Math.PI) / 180;
@@ -29,7 +29,7 @@ const bodyProfile = (across) =>
     return across.map((c, k) => c * radius + (k === 0 ? shoulderAt + (length - shoulderAt) * t : 0));
   });
 
-/** From the corners of the inlet to the places on the circle that answer to them. */
+/** From the corners of the inlet to the corresponding positions on the circle. */
 function ductEdges(builder) {
   const corners = [[0, -1], [1, -1], [1, 1], [0, 1]]; // prettier-ignore
   const names = ["keel", "lower edge", "upper edge", "crown"];
@@ -88,8 +88,8 @@ function centrebody(builder) {
   const ribs = [down, yAxis, zAxis].map((across, i) =>
     builder.spline(bodyProfile(across), `centrebody ${["below", "beside", "above"][i]}`),
   );
-  // The quarter of the shoulder opposite the tip is the second line: the one that eq. (14) treats
-  // differently from the other two.
+  // The quarter of the shoulder opposite the tip is the second line, which eq. (14) treats differently from the
+  // other two.
   builder.patch("barnhill-gregory-nielson", "nose below", [noseDown, shoulder[0], -noseSide]);
   builder.patch("barnhill-gregory-nielson", "nose above", [noseSide, shoulder[1], -noseUp]);
   ruledRow(builder, shoulder, hub, ribs, ["centrebody below", "centrebody above"], materialAround);

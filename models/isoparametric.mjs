@@ -3,7 +3,7 @@ import { singleTetrahedron, uniform } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
 import { onCircle, ruledRow, scaledTo, unitMiddle, xAxis, yAxis } from "./shapes.mjs";
 
-/** A straight edge of an isoparametric patch is a parabola through its middle. */
+/** A straight edge of an isoparametric patch is a parabola through its midpoint. */
 const straightParabola = (builder, from, to, name) =>
   builder.parabola(from, from.map((c, k) => (c + to[k]) / 2), to, name); // prettier-ignore
 
@@ -40,7 +40,7 @@ function barrel() {
   return builder;
 }
 
-/** Upright on its three feet: the diagonal of the first octant becomes z. */
+/** Rotated to stand on its three feet: the diagonal of the first octant becomes z. */
 const upright = ([x, y, z]) => [
   (x - y) / Math.sqrt(2),
   (x + y - 2 * z) / Math.sqrt(6),

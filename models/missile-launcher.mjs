@@ -1,7 +1,7 @@
 /**
- * Löhner & Parikh 1988, section 7.2: a generic missile launcher. Half the air around a missile that
- * hangs on its rail under a pylon; the symmetry plane y = 0 closes it. The nose points against the
- * flow, to -x, and the ceiling is the lower side of a wing.
+ * Löhner & Parikh 1988, section 7.2: a generic missile launcher. Half of the air around a missile that hangs on a
+ * rail under a pylon; the symmetry plane y = 0 closes it. The nose points against the flow, to -x, and the ceiling
+ * is the lower side of a wing.
  */
 import { halfPrismsAlongAxis } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
@@ -14,7 +14,7 @@ const railTo = 2.7;
 const finFrom = 3.0;
 const finTo = 3.7;
 const tail = 3.9;
-// The rail's side meets the missile in a straight line; 3-4-5 makes its height exact.
+// The rail's side meets the missile in a straight line; a 3-4-5 triangle makes its height exact.
 const railHalf = 0.15;
 const railAngle = (Math.acos(railHalf / radius) * 180) / Math.PI;
 const railTop = 0.42;
@@ -24,7 +24,7 @@ const outside = { fromX: -1.6, toX: 6, side: 2.2, floor: -1.7 };
 const finSpan = 0.42;
 const finHalfThickness = 0.03;
 
-/** Angles of the seams that run along the missile: below, beside, at the rail's side, above. */
+/** Angles of the seams along the missile: below, beside, at the rail's side, above. */
 const seams = [-90, 0, railAngle, 90];
 const strips = ["below", "beside", "above"];
 const at = (x, degrees, r = radius) => onCircle([x, 0, 0], r, yAxis, zAxis, degrees);
@@ -55,15 +55,15 @@ function nose(builder, shoulder) {
 }
 
 /**
- * A fin on the seam at an angle: its root opens from the seam on the given sides (-1, 1) and closes
- * again; its other edges are sharp. Returns the outline in the seam's plane and the roots by side.
+ * A fin on the seam at an angle. Its root opens from the seam on the given sides (-1, 1) and closes again; its
+ * other edges are sharp. Returns the outline in the seam's plane and the roots by side.
  */
 function fin(builder, degrees, sides, label) {
   const outer = radius + finSpan;
   const tipFrom = finFrom + 0.36;
   const [front, back] = [at(finFrom, degrees), at(finTo, degrees)];
-  // Both tip corners are blunt: in a sharp one, a triangle of the edges' nodes alone would be the
-  // same on both sides of the fin.
+  // Both tip corners are blunt: in a sharp corner, both sides of the fin would have the same triangle of edge
+  // nodes.
   const tipTo = finTo - 0.14;
   const [tipFront, tipBack] = [at(tipFrom, degrees, outer), at(tipTo, degrees, outer)];
   const outline = [
@@ -108,7 +108,7 @@ function missile(builder) {
   ruledRow(builder, rings[0], rings[1], front, names("front body"), materialAround);
   ruledRow(builder, rings[1], rings[2], middle, names("rail body").slice(0, 2), materialAround);
   ruledRow(builder, rings[2], rings[3], rear, names("rear body"), materialAround);
-  // Between the fins a strip is bounded by their roots.
+  // Between the fins, their roots bound a strip.
   const rows = [
     [belowFin.roots[1], sideFin.roots[-1]],
     [sideFin.roots[1], finSeam],

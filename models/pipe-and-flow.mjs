@@ -1,4 +1,4 @@
-/** A pipe and the flow within: two regions that share a wall. */
+/** A pipe and the flow inside: two regions with an interface. */
 import { uniform } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
 import { circle, quarters, skin, yAxis, zAxis } from "./shapes.mjs";
@@ -23,7 +23,7 @@ function pipeAndFlow() {
   const outer = sectionsOf(radii.outer, "outer");
   tube(inner, "wall");
   tube(outer, "outside");
-  // Counter-clockwise seen against the x axis, so the far ends are turned outward as they are.
+  // Counter-clockwise as seen against the x axis, so the far ends face outward already.
   [
     ["inlet", turned],
     ["outlet", (loop) => loop],

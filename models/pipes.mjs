@@ -7,13 +7,13 @@ const radius = 0.45;
 const stemLength = 2;
 const branchLength = 1.7;
 
-/** In the plane y = 0, from the angle against x. */
+/** A position in the plane y = 0, by its angle to x. */
 const direction = (degrees) => {
   const angle = (degrees * Math.PI) / 180;
   return [Math.cos(angle), 0, Math.sin(angle)];
 };
 
-/** The quarter of an ellipse in which two tubes meet, from y = side * radius to the bisector. */
+/** The quarter of an ellipse where two tubes meet, from y = side * radius to the bisector. */
 const mitre = (builder, bisector, side, label) => {
   const reach = radius / Math.sin(Math.PI / 3);
   const places = spread(0, 90, 6).map((degrees) => {
@@ -25,8 +25,8 @@ const mitre = (builder, bisector, side, label) => {
 };
 
 /**
- * A tube along an angle: its ring and its junction of four quarters each, beginning at the front and
- * going to the side that is 90 degrees behind.
+ * A tube at an angle: its ring and its junction have four quarters each, starting at the front and continuing to
+ * the side that is 90 degrees behind.
  */
 function tube(builder, { name, degrees, length }) {
   const along = direction(degrees);

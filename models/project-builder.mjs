@@ -2,13 +2,13 @@ const decimals = 6;
 const round = (value) => Number(value.toFixed(decimals)) + 0;
 const rounded = (at) => at.map(round);
 
-/** The same loop walked the other way: a patch is drawn counter-clockwise seen from outside. */
+/** The same loop in the other direction. A patch is drawn counter-clockwise as seen from outside. */
 export const turned = (loop) => loop.toReversed().map((step) => -step);
 
 /**
- * Collects the entities of a project under running ids. Equal points and equal lines are made once,
- * so that patches which meet share them. Coordinates are rounded: the files read well, and the result
- * does not depend on the platform's sine.
+ * Collects the entities of a project under consecutive ids. Equal points and equal lines are made once, so patches
+ * that touch share them. Coordinates are rounded: the files are easy to read, and the result does not depend on
+ * the platform's sine.
  */
 export class ProjectBuilder {
   points = [];
@@ -32,7 +32,7 @@ export class ProjectBuilder {
     return id;
   }
 
-  /** The id of the line through these places, negative if it was drawn the other way round. */
+  /** Returns the id of the line through these positions, negative if it was drawn in the other direction. */
   line(type, places, name) {
     const ids = places.map((at) => this.point(at));
     const forward = this.#lineOf.get(ids.join(" "));
@@ -57,7 +57,7 @@ export class ProjectBuilder {
     return this.line("parabolic", [from, middle, to], name);
   }
 
-  /** The straight lines around a polygon, closed. */
+  /** Returns the straight lines of a closed polygon. */
   polygon(places, label) {
     return places.map((at, i) =>
       this.straight(at, places[(i + 1) % places.length], label && `${label} ${i + 1}`),
@@ -76,7 +76,7 @@ export class ProjectBuilder {
     this.patch("coons", name, ...loops);
   }
 
-  /** A node of the background grid; `more` may give its stretching and direction. */
+  /** Adds a node of the background grid; `more` may give its stretching and direction. */
   node(at, size, more = {}) {
     const id = this.nodes.length + 1;
     this.nodes.push({ id, position: rounded(at), size: round(size), ...more });
@@ -87,7 +87,7 @@ export class ProjectBuilder {
     this.tetrahedra.push(nodes);
   }
 
-  /** A source of size at one, two or three places (a point, a segment, a triangle). */
+  /** Adds a source at one, two or three positions (a point, a segment, a triangle). */
   source(name, places, size, more = {}) {
     const type = ["point", "segment", "triangle"][places.length - 1];
     this.sources.push({
@@ -100,7 +100,7 @@ export class ProjectBuilder {
     });
   }
 
-  /** The project file, one entity per row. */
+  /** Returns the text of the project file, one entity per line. */
   toText(name, description) {
     const row = (entity) => `    ${JSON.stringify(entity)}`;
     const list = (entities) => `[\n${entities.map(row).join(",\n")}\n  ]`;

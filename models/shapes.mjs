@@ -1,4 +1,4 @@
-/** Places and lines that several models are drawn from. */
+/** Positions and lines that several models use. */
 import { turned } from "./project-builder.mjs";
 
 export const xAxis = [1, 0, 0];
@@ -9,25 +9,25 @@ export const nextQuarter = (quarter) => (quarter + 1) % 4;
 
 const radians = (degrees) => (degrees * Math.PI) / 180;
 
-/** From 0 to 1 with no slope at either end. */
+/** Rises from 0 to 1 with zero slope at both ends. */
 export const smoothStep = (t) => t * t * (3 - 2 * t);
 
-/** Evenly spaced numbers from one to another, both included. */
+/** Evenly spaced numbers, both ends included. */
 export const spread = (from, to, count) =>
   Array.from({ length: count }, (_, i) => from + ((to - from) * i) / (count - 1));
 
-/** The place at an angle on a circle around a centre, in the plane of two unit axes. */
+/** The position at an angle on a circle around a centre, in the plane of two unit axes. */
 export const onCircle = (centre, radius, across, up, degrees) => {
   const cosine = Math.cos(radians(degrees));
   const sine = Math.sin(radians(degrees));
   return centre.map((c, k) => c + radius * (cosine * across[k] + sine * up[k]));
 };
 
-/** Places on a circle, from one angle to another. */
+/** Positions on a circle, from one angle to another. */
 export const arc = (centre, radius, across, up, fromDegrees, toDegrees, count) =>
   spread(fromDegrees, toDegrees, count).map((degrees) => onCircle(centre, radius, across, up, degrees));
 
-/** Four lines of a closed section, one per quarter, beginning on the diagonal below right. */
+/** Four lines of a closed section, one per quarter, starting on the diagonal below right. */
 export const circle = (builder, centre, radius, across, up, label) =>
   quarters.map((q) =>
     builder.spline(arc(centre, radius, across, up, 90 * q - 45, 90 * q + 45, 5), `${label} arc ${q + 1}`),
@@ -35,13 +35,13 @@ export const circle = (builder, centre, radius, across, up, label) =>
 
 export const square = (builder, corners, label) => builder.polygon(corners, `${label} edge`);
 
-/** A place in the same direction from the origin, at this distance. */
+/** The position in the same direction from the origin, at this distance. */
 export const scaledTo = (at, radius) => {
   const length = Math.hypot(...at);
   return at.map((c) => (c * radius) / length);
 };
 
-/** On the unit sphere, half-way between two places. */
+/** The position on the unit sphere half-way between two others. */
 export const unitMiddle = (a, b) =>
   scaledTo(
     a.map((c, k) => c + b[k]),
@@ -52,8 +52,9 @@ export const unitMiddle = (a, b) =>
 export const materialAround = { materialInside: false };
 
 /**
- * Four-sided patches between two sections of as many lines, joined by lengthwise lines; closed where
- * there are as many of these as lines in a section, else open with one more. `names` has one per patch.
+ * Four-sided patches between two sections with the same number of lines, connected by lengthwise lines. The row is
+ * closed if it has as many of these as a section has lines, and open with one more. `names` has one name per
+ * patch.
  */
 export const ruledRow = (
   builder,
@@ -84,10 +85,7 @@ const boxFaces = {
   top: [4, 5, 7, 6],
 };
 
-/**
- * Six planar patches around the box between two corners. `holes` gives further loops by the name of a
- * face.
- */
+/** Six planar patches around the box between two corners. `holes` gives further loops by the name of a face. */
 export const box = (builder, low, high, label, { holes = {}, materialInside = true } = {}) => {
   const corner = (code) => [0, 1, 2].map((k) => ((code >> k) & 1 ? high[k] : low[k]));
   for (const [face, codes] of Object.entries(boxFaces)) {

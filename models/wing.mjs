@@ -3,7 +3,7 @@ import { fanPrisms } from "./background.mjs";
 import { ProjectBuilder, turned } from "./project-builder.mjs";
 import { box } from "./shapes.mjs";
 
-const thickness = 0.14; // of the root chord
+const thickness = 0.14; // relative to the root chord
 const span = 2;
 const tipFrom = 0.7;
 const tipTo = 1.15;
@@ -16,7 +16,7 @@ const halfThickness = (x) =>
 
 const stations = [0, 0.01, 0.05, 0.12, 0.25, 0.42, 0.62, 0.82, 1];
 
-/** One side of the wing's section between its leading and its trailing edge at a part of the span. */
+/** One side of the wing's section between its leading and trailing edge at a fraction of the span. */
 function section(builder, t, side, label) {
   const from = tipFrom * t;
   const chord = 1 + (tipTo - tipFrom - 1) * t;

@@ -1,5 +1,5 @@
-// npm run bench [NAME...]: builds the engine natively and to WebAssembly and runs tests/bench/NAME.mjs
-// (default: all), one after the other. A benchmark finds the native program in TETRAFRONT_FILL.
+// npm run bench [NAME...]: builds the engine natively and to WebAssembly and runs tests/bench/NAME.mjs (default:
+// all) one after the other. TETRAFRONT_FILL gives a benchmark the path of the native program.
 import { readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { build } from "./build.mjs";
@@ -9,7 +9,7 @@ import { setup } from "./setup.mjs";
 
 const folder = inRoot("tests", "bench");
 
-/** Modules that export something are helpers of the benchmarks beside them. */
+/** Modules that export something are helpers of benchmarks. */
 function isBenchmark(name) {
   return name.endsWith(".mjs") && !/^export /m.test(readFileSync(path.join(folder, name), "utf8"));
 }

@@ -1,4 +1,4 @@
-// npm run clean: removes what the builds made; node_modules and .toolchain stay.
+// npm run clean: removes all build results; keeps node_modules and .toolchain.
 import { rmSync } from "node:fs";
 import { inRoot } from "./lib/paths.mjs";
 

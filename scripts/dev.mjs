@@ -1,4 +1,4 @@
-// npm run dev: vite's development server on the sources of web/; the engine and the package are built first.
+// npm run dev: builds the engine and the package, then serves the sources of web/ with Vite's development server.
 import { build } from "./build.mjs";
 import { inRoot } from "./lib/paths.mjs";
 import { main } from "./lib/run.mjs";

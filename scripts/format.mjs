@@ -1,5 +1,5 @@
-// Formats everything (--write) or tells what is not formatted (--check, the default): TypeScript, JSON and
-// Markdown by Prettier, C++ by clang-format, both from the lockfile so that every machine agrees.
+// Formats all files (--write) or lists those that are not formatted (--check, the default): TypeScript, JSON and
+// Markdown with Prettier, C++ with clang-format. Both come from the lockfile, so all machines agree.
 import { readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -13,7 +13,7 @@ export function cppFiles() {
   return filesUnder(places).filter((file) => /\.(h|cpp)$/.test(file));
 }
 
-/** Returns whether all was formatted already; with `write` it is afterwards. */
+/** Returns whether all files were formatted already; `write` formats them. */
 export async function formatScript(write) {
   const prettier = inRoot("node_modules", ".bin", "prettier");
   const args = [write ? "--write" : "--check", "--log-level", "warn", "."];

@@ -1,12 +1,13 @@
-// npm run fuzz [COUNT]: ruined surfaces, and ruined files of every format, as many as one likes (default 20 000 each):
-// seeded ones through the package and, where clang has libFuzzer, surfaces that it finds by their coverage of the engine.
+// npm run fuzz [COUNT]: meshes COUNT (default 20 000) damaged surfaces and reads as many damaged files of every
+// format. The seeded ones run through the package. If clang has libFuzzer, it also searches for surfaces by
+// coverage of the engine.
 import { build } from "./build.mjs";
 import { fuzzSurfaces } from "./lib/fuzzer.mjs";
 import { inRoot } from "./lib/paths.mjs";
 import { main, must, say, UserError } from "./lib/run.mjs";
 import { findFuzzer } from "./lib/tools.mjs";
 
-/** Under sanitizers some tens of surfaces a second are filled; so long and no longer. */
+/** Time limit: under sanitizers the engine meshes some tens of surfaces per second. */
 const MOST_SECONDS = 600;
 
 await main(async () => {

@@ -1,6 +1,6 @@
 /**
- * Writes the sample projects of public/models and their list, public/index.json. Run it after changing
- * a shape: `npm run models`. The shapes are drawn in models, one file per family.
+ * npm run models: writes the sample projects to public/models and their list to public/index.json. Run it after
+ * you change a shape. The builders are in models/, one file per family.
  */
 import { mkdirSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -19,7 +19,7 @@ import { models as wing } from "../models/wing.mjs";
 
 const opening = "engine-intake";
 
-/** In the order of the gallery; a group's models stand together. */
+/** Models in the order of the gallery; the models of a group are consecutive. */
 const models = [
   ...engineIntake,
   ...missileLauncher,

@@ -1,6 +1,6 @@
 /**
- * Draws the pictures of the gallery, public/thumbnails/<id>.webp, with the built site in Chromium:
- * `node scripts/make-thumbnails.mjs [id …]`. Run it after a model or the look of the view has changed.
+ * Renders the pictures of the gallery, public/thumbnails/<id>.webp, with the built site in Chromium: `node
+ * scripts/make-thumbnails.mjs [id …]`. Run it after you change a model or the look of the view.
  */
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -10,11 +10,11 @@ import { inRoot } from "./lib/paths.mjs";
 import { main } from "./lib/run.mjs";
 import { findChromium } from "./lib/tools.mjs";
 
-/** The view is drawn larger and reduced, which smooths its edges. */
+/** The view is rendered larger and then reduced, which smooths its edges. */
 const size = { width: 240, height: 150 };
 const reduction = 4;
 const quality = 0.7;
-/** Pressed in the view: a small picture needs no margin. */
+/** Keys pressed in the view: a small picture needs no margin. */
 const closer = ["+", "+"];
 const launchArguments = [
   "--no-sandbox",
@@ -25,7 +25,7 @@ const launchArguments = [
   "--use-angle=swiftshader",
   "--enable-unsafe-swiftshader",
 ];
-/** Only the picture, on nothing: the gallery puts its own ground behind it. */
+/** Hides everything but the picture, on a transparent background; the gallery adds its own. */
 const style = `
   .tf-canvas-box { position: fixed; inset: 0; z-index: 9; }
   html, body, .tf-page, .tf-view { background: transparent !important; }

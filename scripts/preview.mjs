@@ -1,5 +1,5 @@
-// Serves the built site. PORT (default 4173) and HOST (default 127.0.0.1) choose where; a busy port is
-// passed over for the next free one, unless TETRAFRONT_STRICT_PORT is set.
+// npm run preview: serves the built site. PORT (default 4173) and HOST (default 127.0.0.1) select the address. If
+// the port is busy, the next free one is used, unless TETRAFRONT_STRICT_PORT is set.
 import { existsSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { inRoot } from "./lib/paths.mjs";

@@ -1,5 +1,6 @@
-// Makes a fresh clone ready: npm packages, Emscripten, GLM and, for the tests, a native compiler,
-// GoogleTest, clang-tidy, Chromium and, where they can be had, Python packages. Needs nothing but Node; free when everything is there.
+// npm run setup: installs what a fresh clone needs: npm packages, Emscripten, GLM and, for the tests, a native
+// compiler, GoogleTest, clang-tidy, Chromium and, if available, Python packages. Requires only Node. Takes no time
+// if everything is installed.
 import { lstatSync, mkdirSync, readlinkSync, rmSync, symlinkSync } from "node:fs";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
@@ -11,9 +12,9 @@ import { glmFolder } from "./lib/paths.mjs";
 import { main, say, UserError } from "./lib/run.mjs";
 import { findChromium, findCompiler, findGoogleTest, findSystemGlm, findTidy, which } from "./lib/tools.mjs";
 
-const kLeastNode = 20;
+const kMinNode = 20;
 
-/** What every build needs, and what each purpose adds. `find` is asked again after installing. */
+/** What every build needs, and what each purpose adds. `find` runs again after an installation. */
 const needs = {
   build: [
     { what: "CMake", debian: "cmake", find: () => which("cmake") },
@@ -29,12 +30,12 @@ const needs = {
 };
 
 /**
- * @param purposes which of "native" (compile for this machine) and "tests" are wanted beside the build.
- * @returns the tools that were found: `{ emscripten, compiler, chromium }`.
+ * @param purposes "native" (compile for this machine), "tests", both or none, in addition to the build.
+ * @returns the tools found: `{ emscripten, compiler, chromium }`.
  */
 export async function setup(purposes = ["native", "tests"]) {
-  if (Number(process.versions.node.split(".")[0]) < kLeastNode) {
-    throw new UserError(`Node ${kLeastNode} or later is needed; this is ${process.version}`);
+  if (Number(process.versions.node.split(".")[0]) < kMinNode) {
+    throw new UserError(`Node ${kMinNode} or later is needed; this is ${process.version}`);
   }
   if (process.env.CHROMIUM && purposes.includes("tests") && !findChromium()) {
     throw new UserError(`CHROMIUM=${process.env.CHROMIUM} is not a program: correct or unset it`);
@@ -53,8 +54,8 @@ export async function setup(purposes = ["native", "tests"]) {
 }
 
 /**
- * One folder with nothing but GLM, for both compilers: the system's whole include folder would
- * mix the native C library into the WebAssembly build.
+ * Links one folder that contains only GLM, for both compilers: the system's whole include folder would mix the
+ * native C library into the WebAssembly build.
  */
 async function ensureGlm(emscriptenFolder) {
   const find = () => glmBesideEmscripten(emscriptenFolder) ?? findSystemGlm();

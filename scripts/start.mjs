@@ -1,4 +1,4 @@
-// npm start: from a fresh clone to the running site.
+// npm start: sets up, builds and serves the site.
 import { build } from "./build.mjs";
 import { main } from "./lib/run.mjs";
 import { preview } from "./preview.mjs";

@@ -4,8 +4,8 @@ import { must, say, UserError } from "./run.mjs";
 import { which } from "./tools.mjs";
 
 /**
- * Installs Debian packages when this process may; otherwise stops with the one line the user must run.
- * @param missing what was not found: `{ what, debian }`, `what` in words, `debian` the package's name.
+ * Installs Debian packages if this process may; otherwise stops with the line that the user must run.
+ * @param missing what was not found: `{ what, debian }`, the description and the name of the package.
  */
 export async function installMissing(missing) {
   if (missing.length === 0) return;

@@ -2,8 +2,8 @@ import { existsSync, readFileSync } from "node:fs";
 import path from "node:path";
 import { root } from "./paths.mjs";
 
-// Reads the reports of the test programs into `{ passed, failed, failures }`. A test that was skipped counts
-// as failed: a test that does not run proves nothing. A missing report, from a crash, is one failure.
+// Reads the reports of the test programs into `{ passed, failed, failures }`. A skipped test counts as failed,
+// because it proves nothing. A missing report, for example after a crash, counts as one failure.
 
 const crashed = (what) => ({
   passed: 0,
@@ -25,7 +25,7 @@ function tally(tests) {
   return { passed: tests.length - bad.length, failed: bad.length, failures: bad.map((test) => test.name) };
 }
 
-/** GoogleTest's --gtest_output=json. */
+/** Reads GoogleTest's --gtest_output=json. */
 export function countGoogleTest(file) {
   const report = read(file);
   if (!report) return crashed("GoogleTest");
@@ -38,7 +38,7 @@ export function countGoogleTest(file) {
   return tally(tests);
 }
 
-/** vitest's json reporter; a file that does not load is one failure. */
+/** Reads vitest's JSON report; a file that does not load is one failure. */
 export function countVitest(file) {
   const report = read(file);
   if (!report) return crashed("vitest");
@@ -50,7 +50,7 @@ export function countVitest(file) {
   return tally(tests);
 }
 
-/** Playwright's json reporter; errors outside tests, as of the web server, are failures too. */
+/** Reads Playwright's JSON report; errors outside tests, for example of the web server, are failures too. */
 export function countPlaywright(file) {
   const report = read(file);
   if (!report) return crashed("Playwright");

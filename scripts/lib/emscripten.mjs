@@ -4,7 +4,7 @@ import { inRoot, toolchain } from "./paths.mjs";
 import { output, run, say, UserError } from "./run.mjs";
 import { atLeast, versionIn, which } from "./tools.mjs";
 
-const kLeast = [3, 1, 69];
+const kMinVersion = [3, 1, 69];
 const kEmsdkVersion = "3.1.69";
 const kEmsdkUrl = "https://github.com/emscripten-core/emsdk.git";
 const kEmsdkStore = "https://storage.googleapis.com/webassembly/";
@@ -13,9 +13,9 @@ const emsdkFolder = path.join(toolchain, "emsdk");
 const emsdkEmcc = path.join(emsdkFolder, "upstream", "emscripten", "emcc");
 
 /**
- * Emscripten: `{ folder, env }`, where `folder` holds emcc and `env` is what its programs need.
- * In order: a new enough emcc on PATH; what an earlier run installed; emsdk where it can be downloaded;
- * Debian's packages unpacked privately.
+ * Returns Emscripten as `{ folder, env }`: the folder of emcc, and the environment that its programs need. Tries,
+ * in this order: a recent emcc on PATH; what an earlier run installed; emsdk, if it can be downloaded; Debian's
+ * packages, unpacked privately.
  */
 export async function ensureEmscripten() {
   const onPath = which("emcc");
@@ -27,10 +27,10 @@ export async function ensureEmscripten() {
 
 function isNewEnough(emcc, env) {
   const version = versionIn(output(emcc, ["--version"], { env }));
-  return version !== undefined && atLeast(version, kLeast);
+  return version !== undefined && atLeast(version, kMinVersion);
 }
 
-/** A left-over EM_CONFIG, of an emsdk on this machine for example, would override the private one. */
+/** An EM_CONFIG left over from an emsdk on this machine would override the private one. */
 const privateEnv = { EM_CONFIG: undefined, EMSDK: undefined };
 
 function emsdk() {
@@ -87,13 +87,13 @@ async function debian() {
   return { folder: folder.trim(), env: privateEnv };
 }
 
-/** The GLM headers that come with the private Emscripten, or undefined. */
+/** Returns the folder of the GLM headers that come with the private Emscripten, or undefined. */
 export function glmBesideEmscripten(folder) {
   const include = path.resolve(folder, "..", "..", "include");
   return existsSync(path.join(include, "glm", "glm.hpp")) ? include : undefined;
 }
 
-/** CMake's toolchain file of the Emscripten in `folder`. */
+/** Returns CMake's toolchain file of the Emscripten in `folder`. */
 export function emscriptenToolchainFile(folder) {
   return path.join(folder, "cmake", "Modules", "Platform", "Emscripten.cmake");
 }

@@ -2,7 +2,9 @@ import { existsSync, mkdirSync, readdirSync, readFileSync, statSync, writeFileSy
 import { createHash } from "node:crypto";
 import path from "node:path";
 
-/** All files under the given files and folders, in a fixed order, without node_modules and build output. */
+/**
+ * Returns all files under the given files and folders, in a fixed order, without node_modules and build results.
+ */
 export function filesUnder(places, { skip = ["node_modules", "dist"] } = {}) {
   const found = [];
   const visit = (place) => {
@@ -17,14 +19,14 @@ export function filesUnder(places, { skip = ["node_modules", "dist"] } = {}) {
   return found;
 }
 
-/** One hash over the names and contents of files: equal exactly when nothing changed. */
+/** Returns one hash over the names and contents of files. */
 export function hashOf(files) {
   const hash = createHash("sha256");
   for (const file of files) hash.update(file).update("\0").update(readFileSync(file)).update("\0");
   return hash.digest("hex");
 }
 
-/** Does `stampFile` say that the same inputs were dealt with before? */
+/** Returns whether `stampFile` records the same inputs. */
 export function isFresh(stampFile, hash) {
   return existsSync(stampFile) && readFileSync(stampFile, "utf8") === hash;
 }

@@ -4,9 +4,9 @@ import { buildFolders } from "./paths.mjs";
 import { run } from "./run.mjs";
 
 /**
- * Lets libFuzzer look for surfaces that reach new code; what has is kept from one run to the next. Ends after so many
- * surfaces or seconds, whichever comes first, or with the first that the engine does not survive. Returns the exit
- * status; the program must be built.
+ * Runs libFuzzer on surfaces; keeps those that reach new code from one run to the next. Ends after `count`
+ * surfaces or `seconds`, whichever comes first, or at the first surface that crashes the engine. Returns the exit
+ * status. The program must be built.
  */
 export async function fuzzSurfaces({ count, seconds }) {
   const corpus = path.join(buildFolders.fuzz, "corpus");

@@ -1,10 +1,13 @@
-// What only one process at a time may do, whatever becomes of the others.
+// Work that only one process at a time may do, even if a process dies meanwhile.
 import { linkSync, readFileSync, renameSync, rmSync, writeFileSync } from "node:fs";
 import { setTimeout as sleep } from "node:timers/promises";
 
 const LOOK_AGAIN_MS = 100;
 
-/** Runs `work` while the file `lock` names this process. Waits for the one that it names; a dead one's is taken over. */
+/**
+ * Runs `work` while the file `lock` names this process. Waits for the process that it names; takes over the lock
+ * of a dead one.
+ */
 export async function withLock(lock, work) {
   const own = `${lock}.${process.pid}`;
   writeFileSync(own, String(process.pid));
@@ -22,7 +25,7 @@ export async function withLock(lock, work) {
   }
 }
 
-/** A link appears whole, or not at all where the name is taken. */
+/** Creating a link is atomic and fails if the name exists. */
 function isTaken(own, lock) {
   try {
     linkSync(own, lock);
@@ -33,7 +36,10 @@ function isTaken(own, lock) {
   }
 }
 
-/** Whether the lock was that of a dead process and is no more. Of two who find it so, one moves it aside. */
+/**
+ * Returns whether the lock belonged to a dead process and is now free. If two processes notice this, only one
+ * moves the lock aside.
+ */
 function isFreed(lock, own) {
   const owner = ownerOf(lock);
   if (owner === undefined || isAlive(owner)) return owner === undefined;
@@ -43,7 +49,7 @@ function isFreed(lock, own) {
   } catch {
     return true;
   }
-  // Between the two looks another may have taken it: that one gets it back.
+  // If another process took the lock between the two checks, it gets the lock back.
   if (ownerOf(aside) !== owner) isTaken(aside, lock);
   rmSync(aside, { force: true });
   return true;

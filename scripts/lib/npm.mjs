@@ -6,7 +6,7 @@ import { must, say } from "./run.mjs";
 
 const stampFile = inRoot("node_modules", ".installed-from");
 
-/** Installs the npm packages from the lockfile, unless node_modules already holds just them. */
+/** Installs the npm packages of the lockfile, unless node_modules contains exactly those. */
 export async function ensurePackages() {
   const stamp = lockStamp();
   if (existsSync(stampFile) && readFileSync(stampFile, "utf8") === stamp) return;
@@ -15,14 +15,14 @@ export async function ensurePackages() {
     return;
   }
   say("setup: installing npm packages from package-lock.json");
-  // Browsers come from the system: Playwright must not fetch its own.
+  // Playwright must not download a browser; the system provides one.
   const env = { PLAYWRIGHT_SKIP_BROWSER_DOWNLOAD: "1" };
   const npm = process.platform === "win32" ? "npm.cmd" : "npm";
   await must(npm, ["ci", "--no-audit", "--no-fund", "--loglevel=error"], { env, quietOut: true });
   writeFileSync(stampFile, lockStamp());
 }
 
-/** The lockfile and the platform: native parts of a package differ between platforms. */
+/** Hash of the lockfile, and the platform: native parts of a package differ between platforms. */
 function lockStamp() {
   const lock = createHash("sha256")
     .update(readFileSync(inRoot("package-lock.json")))
@@ -30,7 +30,9 @@ function lockStamp() {
   return `${lock} ${process.platform} ${process.arch}\n`;
 }
 
-/** After `npm install NAME` by hand the tree is right without a reinstallation: npm's own record tells. */
+/**
+ * After a manual `npm install NAME` the packages are right without a reinstallation; npm's own record shows it.
+ */
 function holdsLocked() {
   const record = inRoot("node_modules", ".package-lock.json");
   if (!existsSync(record)) return false;

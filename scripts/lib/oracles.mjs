@@ -1,14 +1,14 @@
 import { spawnSync } from "node:child_process";
 import { pythonProgram } from "./python.mjs";
 
-/** Python packages that judge what is written, and what they judge; the tests do without those that are missing. */
+/** Python packages that check our files, and what they check; without a package, the tests skip these checks. */
 const ORACLES = [
   { module: "meshio", pip: "meshio", judges: "meshio reads the files written here, and its own are read" },
   { module: "gmsh", pip: "gmsh", judges: "Gmsh reads the files written here" },
   { module: "skfem", pip: "scikit-fem", judges: "finite elements converge on the meshes (examples/heat)" },
 ];
 
-/** One line for each test against another program that did not run, with what to install. */
+/** Returns one line for each check that did not run, with what to install. */
 export function untestedOracles() {
   const python = pythonProgram();
   return ORACLES.filter(({ module }) => spawnSync(python, ["-c", `import ${module}`]).status !== 0).map(

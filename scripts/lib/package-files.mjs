@@ -4,12 +4,12 @@ import { pathToFileURL } from "node:url";
 import { filesUnder, hashOf, isFresh, markFresh } from "./fresh.mjs";
 import { inRoot } from "./paths.mjs";
 
-/** In dist, but compiled of no TypeScript. */
+/** Files in dist that are not compiled from TypeScript. */
 const EMSCRIPTENS = new Set(
   ["engine.js", "engine.d.ts", "engine.wasm"].map((name) => path.join("engine", name)),
 );
 
-/** Removes what earlier sources were compiled to: the compiler leaves it, and npm would pack it. */
+/** Removes the output of deleted sources: the compiler keeps it, and npm would pack it. */
 export function dropOrphans() {
   const dist = inRoot("wasm", "dist");
   for (const file of filesUnder([dist], { skip: [] })) {
@@ -21,20 +21,20 @@ export function dropOrphans() {
   }
 }
 
-/** The schema of project files as JSON Schema (draft 2020-12), for editors and other programs. */
+/** Writes the schema of project files as JSON Schema (draft 2020-12), for editors and other programs. */
 export async function writeProjectSchema() {
   const { toJsonSchema } = await import("@valibot/to-json-schema");
   const { projectSchema } = await import(pathToFileURL(inRoot("wasm", "dist", "project", "schema.js")).href);
   const schema = toJsonSchema(projectSchema, {
     target: "draft-2020-12",
     typeMode: "input",
-    // JSON has no other numbers, and knows nothing of references.
+    // JSON has only finite numbers and no references.
     ignoreActions: ["finite", "raw_check", "readonly"],
   });
   writeFileSync(inRoot("wasm", "dist", "project.schema.json"), `${JSON.stringify(schema, undefined, 2)}\n`);
 }
 
-/** Minifies the engine's loader where Emscripten has left it, unless it is minified already. */
+/** Minifies the engine's loader, unless it is minified already. */
 export async function minifyLoader() {
   const loader = inRoot("wasm", "dist", "engine", "engine.js");
   const stamp = inRoot("wasm", "dist", ".minified");
@@ -49,12 +49,12 @@ export async function minifyLoader() {
   markFresh(stamp, hashOf([loader]));
 }
 
-/** Makes one script of all that only the command line loads, minified; its map leads to the sources as before. */
+/** Bundles everything that only the command line loads into one minified script, with a source map. */
 export async function bundleCommandLine() {
   const { build } = await import("esbuild");
   const folder = inRoot("wasm", "dist", "cli");
   await build({
-    // From the sources: the compiler writes anew only what has changed.
+    // Bundle the sources: the compiler rewrites only files that changed.
     entryPoints: [inRoot("wasm", "src", "cli", "main.ts")],
     outfile: path.join(folder, "main.js"),
     bundle: true,
@@ -81,9 +81,9 @@ export async function bundleCommandLine() {
 }
 
 /**
- * Bundles the package for pages without a bundler: wasm/dist/page holds the API and the worker with all
- * they import, formats in files of their own that are fetched when needed. The engine and its loader stay those in
- * wasm/dist/engine, where the .wasm is beside them.
+ * Bundles the package for pages without a bundler: wasm/dist/page holds the API and the worker with all their
+ * imports, and formats in files of their own, which are fetched when needed. The engine and its loader stay in
+ * wasm/dist/engine, next to the .wasm file.
  */
 export async function bundlePages() {
   const { build } = await import("esbuild");
@@ -100,14 +100,14 @@ export async function bundlePages() {
     target: "es2022",
     minify: true,
     sourcemap: true,
-    // They point at the files of the package.
+    // The source maps point at the files of the package.
     sourcesContent: false,
     logLevel: "warning",
     plugins: [
       {
         name: "engine-beside",
         setup({ onResolve, onLoad }) {
-          // They are for the JSON Schema, which is made already.
+          // The words are only for the JSON Schema, which is written already.
           onLoad({ filter: /\/project\/words\.js$/ }, () => ({ contents: "export const WORDS = {};" }));
           onResolve({ filter: /\/loader\.js$/ }, () => ({
             path: "../engine/loader.js",
@@ -126,8 +126,9 @@ export async function bundlePages() {
 }
 
 /**
- * Replaces the hashes in the names of chunks: there are hundreds of them in the files, and nothing compresses them. By words
- * of their length, or the source maps would be wrong. Files of a package need no hashes, for its entries have none.
+ * Replaces the hashes in the names of chunks by words of the same length, so that the source maps remain valid.
+ * The files contain hundreds of these hashes, and hashes do not compress. A package needs none, because its entry
+ * points have none.
  */
 function plainChunkNames(files) {
   const chunks = files.filter((name) => CHUNK.test(name) && !name.endsWith(".map")).sort();

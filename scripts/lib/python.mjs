@@ -1,4 +1,5 @@
-// Python with the packages that judge what is written: meshio, Gmsh, scikit-fem. Tests do without what is missing, and say so.
+// Python with the packages that check our files: meshio, Gmsh, scikit-fem. The tests run without missing packages
+// and report it.
 import { createHash } from "node:crypto";
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -12,7 +13,10 @@ const own = path.join(
   folder,
   ...(process.platform === "win32" ? ["Scripts", "python.exe"] : ["bin", "python"]),
 );
-/** Files of pinned packages, each for itself: Gmsh is not built for every machine. `debian` is what it may lack. */
+/**
+ * Files of pinned packages, installed separately because Gmsh is not built for every machine. `debian` lists the
+ * system packages that it may need.
+ */
 const PARTS = [
   { name: "python-fem", module: "skfem" },
   { name: "python-gmsh", module: "gmsh", debian: ["libglu1-mesa", "libxcursor1", "libxft2", "libxinerama1"] },
@@ -26,18 +30,18 @@ const PIP = [
   "--only-binary=:all:",
   "--retries=1",
 ];
-/** Where the network is quick all of it takes a quarter of a minute. */
+/** Time limit per step; on a fast network all steps take about 15 s. */
 const LIMIT_MS = 120_000;
 
-/** The Python that TETRAFRONT_PYTHON names, else our own where there is one, else the system's. */
+/** Returns the Python that TETRAFRONT_PYTHON names, otherwise our own if it exists, otherwise the system's. */
 export function pythonProgram() {
   return process.env.TETRAFRONT_PYTHON ?? (existsSync(stampOf(PARTS[0].name)) ? own : "python3");
 }
 
 /**
- * Makes a Python environment with the packages below .toolchain, unless it is there or TETRAFRONT_PYTHON names one. Of
- * several setups at once one makes it, and the others wait. What cannot be had is said here, and again where the tests
- * end; nothing fails for it.
+ * Creates a Python environment with the packages under .toolchain, unless it exists or TETRAFRONT_PYTHON names
+ * one. If several setups run at once, one creates it and the others wait. A package that cannot be installed is
+ * reported here and at the end of the tests, but nothing fails.
  */
 export async function ensurePython() {
   if (process.env.TETRAFRONT_PYTHON !== undefined || whatIsMissing().missing.length === 0) return;
@@ -74,7 +78,7 @@ async function makeEnvironment() {
   return (await make()) || ((await addDebian(["python3-venv"])) && (await make()));
 }
 
-/** Whether the system's packages could be installed: only where this process may. */
+/** Installs system packages if this process may; returns whether it did. */
 async function addDebian(packages) {
   if (process.getuid?.() !== 0 || !which("apt-get") || packages.length === 0) return false;
   const install = ["install", "-y", "-q", "--no-install-recommends", ...packages];

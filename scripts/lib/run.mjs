@@ -4,10 +4,10 @@ import { availableParallelism } from "node:os";
 import path from "node:path";
 import { root } from "./paths.mjs";
 
-/** How many processes at once: the processors there are, or TETRAFRONT_JOBS where they are shared. */
+/** Number of parallel processes: the number of processors, or TETRAFRONT_JOBS. */
 export const jobs = Number(process.env.TETRAFRONT_JOBS) || availableParallelism();
 
-/** What `work` answers for each item, in their order; `jobs` items at a time. */
+/** Runs `work` on each item, `jobs` items at a time; returns the results in the order of the items. */
 export async function inParallel(items, work) {
   const answers = Array.from(items, () => undefined);
   const queue = [...items.entries()];
@@ -21,12 +21,12 @@ export async function inParallel(items, work) {
   return answers;
 }
 
-/** Something the user must read and act on: printed without a stack. */
+/** An error that the user must act on: printed without a stack. */
 export class UserError extends Error {}
 
 /**
- * Runs a program with its output on our terminal; resolves with the exit status (a signal counts as 1).
- * `quietOut` sends its standard output to standard error, `log` both to a file instead; `timeout` is in milliseconds.
+ * Runs a program with its output on our terminal; resolves with the exit status (1 for a signal). `quietOut`
+ * redirects its standard output to standard error, `log` both to a file; `timeout` is in milliseconds.
  */
 export async function run(program, args, { cwd = root, env = {}, quietOut = false, log, timeout } = {}) {
   if (log) mkdirSync(path.dirname(log), { recursive: true });
@@ -47,7 +47,7 @@ export async function run(program, args, { cwd = root, env = {}, quietOut = fals
   }
 }
 
-/** As `run`, but a status other than 0 throws. */
+/** As `run`, but throws unless the status is 0. */
 export async function must(program, args, options = {}) {
   const status = await run(program, args, options);
   if (status === 0) return;
@@ -55,13 +55,13 @@ export async function must(program, args, options = {}) {
   throw new UserError(`${[program, ...args].join(" ")} failed with status ${status}`);
 }
 
-/** Runs a program that is expected to be quick; returns its output, or undefined when it fails. */
+/** Runs a short program; returns its output, or undefined if it fails. */
 export function output(program, args, { cwd = root, env = {}, timeout = 60_000 } = {}) {
   const result = spawnSync(program, args, { cwd, env: merged(env), encoding: "utf8", timeout });
   return result.status === 0 ? `${result.stdout}` : undefined;
 }
 
-/** Our environment with changes on top; a change to `undefined` removes the variable. */
+/** Returns our environment with changes; a change to `undefined` removes the variable. */
 function merged(changes) {
   const env = { ...process.env, ...changes };
   for (const [name, value] of Object.entries(changes)) if (value === undefined) delete env[name];

@@ -2,7 +2,7 @@ import { existsSync, mkdirSync, rmSync } from "node:fs";
 import { createServer } from "node:net";
 import path from "node:path";
 import { formatCpp, formatScript } from "../format.mjs";
-import { wrongIncludes } from "./arrows.mjs";
+import { wrongIncludes } from "./dependencies.mjs";
 import { wrongCoroutines } from "./coroutines.mjs";
 import { countGoogleTest, countPlaywright, countVitest, sum } from "./counts.mjs";
 import { fuzzSurfaces } from "./fuzzer.mjs";

@@ -3,7 +3,7 @@ import { homedir } from "node:os";
 import path from "node:path";
 import { output } from "./run.mjs";
 
-/** The full path of a program on PATH, or undefined. */
+/** Returns the full path of a program on PATH, or undefined. */
 export function which(...names) {
   for (const name of names) {
     for (const folder of (process.env.PATH ?? "").split(path.delimiter)) {
@@ -23,13 +23,13 @@ function isExecutable(file) {
   }
 }
 
-/** First "1.2.3"-like version in a text as numbers, or undefined. */
+/** Returns the first version like "1.2.3" in a text as numbers, or undefined. */
 export function versionIn(text) {
   const match = /(\d+)\.(\d+)(?:\.(\d+))?/.exec(text ?? "");
   return match ? [Number(match[1]), Number(match[2]), Number(match[3] ?? 0)] : undefined;
 }
 
-/** Is `version` at least `least`? Both as [major, minor, patch]. */
+/** Returns whether `version` is at least `least`; both are [major, minor, patch]. */
 export function atLeast(version, least) {
   for (let i = 0; i < least.length; i += 1) {
     if (version[i] !== least[i]) return version[i] > least[i];
@@ -37,7 +37,7 @@ export function atLeast(version, least) {
   return true;
 }
 
-/** A native compiler able to build the engine: C++20 with <span>, <bit>, <numbers>. */
+/** Returns a native compiler that can build the engine (C++20 with <span>, <bit>, <numbers>), or undefined. */
 export function findCompiler() {
   const wanted = process.env.CXX ? [process.env.CXX] : ["g++", "clang++", "c++"];
   for (const name of wanted) {
@@ -50,7 +50,10 @@ export function findCompiler() {
   return undefined;
 }
 
-/** clang-tidy 19, or another that knows C++20's ranges (from 16 on); findings differ between versions. */
+/**
+ * Returns clang-tidy 19, or another one from version 16 on, which knows C++20's ranges. Findings differ between
+ * versions.
+ */
 export function findTidy() {
   const exact = which("clang-tidy-19");
   if (exact) return exact;
@@ -59,7 +62,7 @@ export function findTidy() {
   return version && atLeast(version, [16, 0, 0]) ? other : undefined;
 }
 
-/** A clang with libFuzzer's runtime, or undefined. */
+/** Returns a clang with libFuzzer's runtime, or undefined. */
 export function findFuzzer() {
   const versions = Array.from({ length: 10 }, (_, i) => `clang++-${23 - i}`);
   const names = process.env.CXX ? [process.env.CXX] : ["clang++", ...versions];
@@ -68,7 +71,7 @@ export function findFuzzer() {
     .find((program) => program !== undefined && linksFuzzer(program));
 }
 
-/** Whether clang knows the way to the runtime: it prints the bare name of a file that it does not find. */
+/** Returns whether clang finds the runtime: it prints only the file name if it does not. */
 function linksFuzzer(program) {
   const machine = { x64: "x86_64", arm64: "aarch64" }[process.arch] ?? process.arch;
   const names = [`libclang_rt.fuzzer-${machine}.a`, "libclang_rt.fuzzer.a", "libclang_rt.fuzzer_osx.a"];
@@ -78,14 +81,14 @@ function linksFuzzer(program) {
   });
 }
 
-/** GoogleTest where CMake's find_package looks for it: the prefix, or undefined. */
+/** Returns the prefix of a GoogleTest that CMake's find_package finds, or undefined. */
 export function findGoogleTest() {
   const own = [process.env.GTest_ROOT, ...(process.env.CMAKE_PREFIX_PATH ?? "").split(path.delimiter)];
   const prefixes = [...own.filter(Boolean), "/usr", "/usr/local", "/opt/homebrew", "/opt/local"];
   return prefixes.find((prefix) => existsSync(path.join(prefix, "include", "gtest", "gtest.h")));
 }
 
-/** Folder that holds glm/glm.hpp of the system, or undefined. */
+/** Returns the system's folder that contains glm/glm.hpp, or undefined. */
 export function findSystemGlm() {
   const own = process.env.GLM_INCLUDE ? [process.env.GLM_INCLUDE] : [];
   const folders = [
@@ -98,7 +101,9 @@ export function findSystemGlm() {
   return folders.find((folder) => existsSync(path.join(folder, "glm", "glm.hpp")));
 }
 
-/** Chromium for the end-to-end tests: $CHROMIUM, PATH, the usual places, Playwright's cache. */
+/**
+ * Returns Chromium for the end-to-end tests: $CHROMIUM, on PATH, in the usual folders, or in Playwright's cache.
+ */
 export function findChromium() {
   const named = process.env.CHROMIUM;
   if (named) return isExecutable(named) ? named : undefined;

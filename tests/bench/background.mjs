@@ -1,6 +1,6 @@
-// What a large background grid costs: tetrahedra per second of the volume front in a unit cube, with a
-// uniform size, a covering grid of one tetrahedron, and a generated mesh of about 100 k tetrahedra as
-// grid, for a model and for a given surface; and how long it takes to make a grid of a mesh.
+// Cost of a large background grid: tetrahedra per second of the front in a unit cube, with a uniform size, a
+// covering grid of one tetrahedron, and a generated mesh of about 100 000 tetrahedra as grid, for a model and for
+// a given surface; and the time to make a grid from a mesh.
 import { createMesher } from "tetrafront";
 
 const SIZE = 0.0425; // about 110 k tetrahedra in the unit cube
@@ -41,7 +41,7 @@ function cube() {
   };
 }
 
-/** The fastest of some runs; ends the benchmark where one is not done. */
+/** Returns the fastest of several runs; ends the benchmark if a run is not done. */
 async function best(run) {
   let least;
   for (let i = 0; i < REPEATS; ++i) {

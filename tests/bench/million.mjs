@@ -1,7 +1,7 @@
-// A million tetrahedra, optimized, in Node and in a tab of Chromium: the unit cube, with a size small enough.
-// Seconds are the clock's, of the whole run as its user sees it. In the tab the built site meshes a project
-// that was opened from a file; then its user looks at the mesh from all sides. The longest task of the page's
-// main thread tells how long it did not respond; the browser notes tasks of 50 ms and more.
+// A million tetrahedra, optimized, in Node and in a tab of Chromium: the unit cube with a small size. Seconds are
+// wall-clock time of the whole run. In the tab, the built site meshes a project opened from a file, and the user
+// looks at the mesh from all sides. The longest task of the page's main thread shows how long the page did not
+// respond; the browser reports tasks of 50 ms and more.
 import { spawn } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { chromium } from "@playwright/test";
@@ -9,10 +9,10 @@ import { createMesher, readProject, writeProject } from "tetrafront";
 import config from "../../playwright.config.mjs";
 import { inRoot } from "../../scripts/lib/paths.mjs";
 
-const SIZE = 0.0193; // in a cube of 1: a little more than a million
+const SIZE = 0.0193; // a little more than a million elements in the unit cube
 const ENOUGH = 1_000_000;
 const WAIT_MS = 600_000;
-/** What an action sets off has begun by then, and its tasks are counted until nothing has moved for as long. */
+/** An action's work has begun after this time; its tasks are counted until nothing has moved for as long. */
 const SETTLE_MS = 1000;
 const LOAD_MS = 3000;
 
@@ -58,7 +58,7 @@ async function withSite(work) {
   }
 }
 
-/** Has the browser note the tasks of the page that are too long. */
+/** Makes the browser record the page's long tasks. */
 function noteLongTasks(page) {
   return page.addInitScript(() => {
     Reflect.deleteProperty(globalThis, "showOpenFilePicker");
@@ -72,14 +72,14 @@ function noteLongTasks(page) {
 
 const now = (page) => page.evaluate(() => performance.now());
 
-/** The longest task since a moment, in milliseconds; 0 for none that the browser notes. */
+/** Returns the longest recorded task since a time, in milliseconds; 0 for none. */
 async function longestSince(page, began) {
   const tasks = await page.evaluate(() => globalThis.longTasks);
   const during = tasks.filter(({ startTime }) => startTime >= began).map(({ duration }) => duration);
   return Math.max(0, ...during);
 }
 
-/** Resolves when the mesh on show is that of the project and has more elements. */
+/** Resolves when the view shows the project's mesh with more elements. */
 function meshed(page, least) {
   return page.waitForFunction(
     (wanted) => {
@@ -115,7 +115,7 @@ async function meshProject(page, project) {
   };
 }
 
-/** What a user does with a mesh on show. */
+/** What a user does with the mesh in the view. */
 const ACTIONS = [
   ["turn the view", (page) => page.keyboard.press("1")],
   ["switch the cut on", (page) => page.getByTestId("cut-toggle").press("Space")],

@@ -1,7 +1,6 @@
-// The two examples of Löhner & Parikh 1988, section 7, beside what the paper prints: the figures of
-// docs/PAPER.md. Counts and element volumes are of the whole run with default options; the rates and
-// the share of the crossing test are of the front alone, natively, in both orders of the front. Seconds
-// are the processor's.
+// The two examples of Löhner & Parikh 1988, section 7, beside the printed values: the numbers of docs/PAPER.md.
+// Counts and element volumes come from the whole run with default options. The rates and the share of the crossing
+// test are those of the front alone, natively, in both orders. Seconds are processor time.
 import { readFileSync } from "node:fs";
 import { createMesher, readProject } from "tetrafront";
 import { volumeRange } from "./support/element-volumes.mjs";

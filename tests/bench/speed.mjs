@@ -1,7 +1,6 @@
-// The table of docs/BENCHMARKS.md: the front alone and with its optimizer, natively and as WebAssembly, from
-// 10 k to a million tetrahedra; growth, memory, the share of the crossing check; and other meshers on the
-// same triangles, where they are installed. Prints Markdown; exits with 1 where native and WebAssembly
-// differ in a bit.
+// The tables of docs/BENCHMARKS.md: the front alone and with the optimizer, natively and as WebAssembly, from ten
+// thousand to a million tetrahedra; growth, memory and the share of the crossing test; and other meshers on the
+// same triangles, if they are installed. Prints Markdown. Exits with 1 if native and WebAssembly differ in a bit.
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { arch, cpus, tmpdir } from "node:os";
 import path from "node:path";
@@ -9,9 +8,9 @@ import { clockFront, fillAsWebAssembly, fillNatively } from "./support/engines.m
 import { geodesicSphere, toOff } from "./support/geodesic-sphere.mjs";
 import { availablePeers, INSTALL, runPeer } from "./support/peers.mjs";
 
-/** Divisions of the icosahedron's sides, for about so many thousand tetrahedra. */
+/** Subdivisions of the icosahedron's edges for about this many thousand tetrahedra. */
 const SPHERES = { 10: 9, 100: 19, 300: 27, 1000: 41 };
-const REFERENCE = 100; // where ours stand beside others
+const REFERENCE = 100; // the size at which other meshers are compared
 const PEERS = {
   "netgen-front": "Netgen, front (`delaunay=False`)",
   "netgen-front-optimized": "the same, optimized",
@@ -45,7 +44,7 @@ const seconds = (value) => value.toPrecision(3);
 const degrees = (value) => `${value.toFixed(1)}°`;
 const times = (value) => `${value.toPrecision(3)} ×`;
 
-/** How the time grows with the number of tetrahedra: time ~ count^exponent, from first to last. */
+/** How the time grows with the number of tetrahedra: time ~ count^exponent, from smallest to largest. */
 function exponent(runs, secondsOf) {
   const [first, last] = [runs[0], runs[runs.length - 1]];
   return Math.log(secondsOf(last) / secondsOf(first)) / Math.log(last.tetrahedra / first.tetrahedra);
@@ -54,7 +53,7 @@ function exponent(runs, secondsOf) {
 const front = (run) => run.volumeSeconds;
 const optimized = (run) => run.volumeSeconds + run.optimizeSeconds;
 
-/** All runs of ours on one sphere, and whether native and WebAssembly agree. */
+/** Our runs on one sphere, and whether native and WebAssembly agree. */
 function runOurs({ thousands, file }) {
   const native = { front: fillNatively(file, "none"), optimized: fillNatively(file, "default") };
   const wasm = { front: fillAsWebAssembly(file, "none"), optimized: fillAsWebAssembly(file, "default") };
@@ -72,9 +71,9 @@ function showSizes(runs) {
       (secondsOf(native[kind]) / secondsOf(wasm[kind])).toFixed(2),
       seconds(native[kind].seconds),
       seconds(wasm[kind].seconds),
-      // Reading a small surface may take more than its mesh does.
+      // Reading a small surface may need more memory than its mesh.
       native[kind].bytes > 0 ? Math.round(native[kind].bytes / native[kind].tetrahedra) : "–",
-      // The memory it begins with is enough for small meshes.
+      // Its initial memory suffices for small meshes.
       wasm[kind].bytes > wasm[kind].initialBytes ? Math.round(wasm[kind].bytes / wasm[kind].tetrahedra) : "–",
       isSame ? "yes" : "**no**",
     ]);
