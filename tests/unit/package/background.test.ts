@@ -355,7 +355,7 @@ describe("a background grid of arrays", () => {
         }),
       },
       "invalid-arrays",
-      /"point" has 1 place, here are 2/,
+      /"point" has 1 position, here are 2/,
     ],
     ["together with a size", { background: around(0.3), size: 0.2 }, "invalid-option", /both/i],
     ["that is no object", { background: null }, "invalid-arrays", /not Float64Arrays/],

@@ -201,7 +201,7 @@ describe("check", () => {
       const args = ["check", "core.off", "--enclosed", meaning, "--json"];
       const { code, stdout } = await tetrafront(folder.path, args);
       expect(code).toBe(0);
-      expect(JSON.parse(stdout)).toMatchObject({ inspection: { bodies, cavities: 2 - bodies } });
+      expect(JSON.parse(stdout)).toMatchObject({ inspection: { regions: bodies, cavities: 2 - bodies } });
     }
   });
 
@@ -382,8 +382,8 @@ describe("convert, info and stats", () => {
     const info = await tetrafront(folder.path, ["info", "part.msh", "--json"]);
     expect(JSON.parse(info.stdout)).toMatchObject({ tetrahedra, box: { low: [0, 0, 0], high: [1, 2, 3] } });
     const stats = await tetrafront(folder.path, ["stats", "part.msh", "--json"]);
-    const found = JSON.parse(stats.stdout) as MeshReport & { boundaryTriangles: number; isSound: boolean };
-    expect(found).toMatchObject({ isSound: true, tetrahedra, boundaryTriangles: box.triangles.length / 3 });
+    const found = JSON.parse(stats.stdout) as MeshReport & { boundaryTriangles: number; isValid: boolean };
+    expect(found).toMatchObject({ isValid: true, tetrahedra, boundaryTriangles: box.triangles.length / 3 });
     expect(found.dihedral.min).toBeCloseTo(dihedral.min, 9);
     expect(found.volume).toBeCloseTo(6, 12);
     const text = await tetrafront(folder.path, ["stats", "part.vtu"]);
@@ -417,7 +417,11 @@ describe("convert, info and stats", () => {
       /note/,
     );
     const stats = await tetrafront(folder.path, ["stats", "mixed.mesh", "--json"]);
-    expect(JSON.parse(stats.stdout)).toMatchObject({ isSound: false, turnedTetrahedra: 1, turnedInFile: 1 });
+    expect(JSON.parse(stats.stdout)).toMatchObject({
+      isValid: false,
+      invertedTetrahedra: 1,
+      turnedInFile: 1,
+    });
     const check = await tetrafront(folder.path, ["check", "mixed.mesh"]);
     expect(check.stderr).toMatch(/error: mixed\.mesh: 1 tetrahedron turned inside out: 1 \(counted from 0\)/);
     expect(check.code).toBe(2);
@@ -426,7 +430,7 @@ describe("convert, info and stats", () => {
     const alike = await tetrafront(folder.path, ["check", "alike.mesh"]);
     expect(alike.stderr).toMatch(/note: alike\.mesh: all tetrahedra have negative volumes/i);
     expect(alike.code).toBe(0);
-    expect((await meshIn("a.vtu")).turnedTetrahedra).toBe(0);
+    expect((await meshIn("a.vtu")).invertedTetrahedra).toBe(0);
   });
 
   test("refuse what they cannot do in one line", async () => {

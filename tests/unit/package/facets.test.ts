@@ -93,7 +93,7 @@ describe("facets of a .poly", () => {
     const surface = await surfaceOf(polyFile(places.map(move), [...caps, ...outside, ...walls]));
     const { surface: oriented } = await mesher.repairSurface(surface);
     const found = await mesher.inspectSurface(oriented);
-    expect(found).toMatchObject({ isFillable: true, bodies: 1, cavities: 0 });
+    expect(found).toMatchObject({ isFillable: true, regions: 1, cavities: 0 });
     // 16 of the plate without the tubes, and the tubes' edges divide what is around them.
     expect(enclosedVolume(oriented)).toBeCloseTo(13, 12);
     expect(found.area).toBeCloseTo(2 * 13 + 16 + 12, 12);
@@ -103,7 +103,7 @@ describe("facets of a .poly", () => {
     const caps = [{ rings: rings(BOTTOM), holes: [] }, { rings: rings(TOP) }];
     const surface = await surfaceOf(polyFile(places, [...caps, ...outside]));
     const found = await mesher.inspectSurface(surface);
-    expect(found).toMatchObject({ isFillable: true, bodies: 1, nodes: 32 });
+    expect(found).toMatchObject({ isFillable: true, regions: 1, nodes: 32 });
     expect(enclosedVolume(surface)).toBeCloseTo(16, 12);
   });
 

@@ -43,7 +43,7 @@ describe("the inspection of a surface", () => {
       isClosed: true,
       isManifold: true,
       isEmbedded: true,
-      bodies: 1,
+      regions: 1,
       cavities: 0,
       box: { low: [0, 0, 0], high: [1, 2, 3] },
       diagnostics: [],
@@ -83,7 +83,7 @@ describe("the inspection of a surface", () => {
   test("lists no other numbers of findings", async () => {
     for (const findings of [0, -1, 1.5, NaN, LIMITS.maxDiagnostics + 1, "all" as unknown as number]) {
       await expect(mesher.inspectSurface(box, { maxDiagnostics: findings })).rejects.toMatchObject({
-        data: { diagnostics: [{ code: "invalid-option", data: { option: "findings" } }] },
+        data: { diagnostics: [{ code: "invalid-option", data: { option: "maxDiagnostics" } }] },
       });
     }
   });
@@ -116,7 +116,7 @@ describe("the inspection of a surface", () => {
     for (const core of [inside, turned(inside)]) {
       const surface = joined(outside, core);
       const found = await mesher.inspectSurface(surface, { innerShells: "regions" });
-      expect(found).toMatchObject({ isFillable: true, bodies: 2, cavities: 0 });
+      expect(found).toMatchObject({ isFillable: true, regions: 2, cavities: 0 });
       expect(found.volume).toBeCloseTo(8, 12);
       const { report } = await mesher.fillSurface(surface, { innerShells: "regions" });
       expect(report.diagnostics).toEqual(found.diagnostics);
@@ -124,7 +124,7 @@ describe("the inspection of a surface", () => {
     const asCavity = await mesher.inspectSurface(joined(outside, turned(inside)), {
       innerShells: "cavities",
     });
-    expect(asCavity).toMatchObject({ isFillable: true, bodies: 1, cavities: 1 });
+    expect(asCavity).toMatchObject({ isFillable: true, regions: 1, cavities: 1 });
     expect(asCavity.volume).toBeCloseTo(7, 12);
   });
 
@@ -244,7 +244,7 @@ describe("a repair", () => {
     expect([report.status, codes(report.diagnostics)]).toEqual(["invalid-input", errors]);
     expect(report.diagnostics[0]?.remedy).toMatch(/--repair/);
     const found = await mesher.inspectSurface(given);
-    expect(found).toMatchObject({ isFillable: false, isClosed: true, isManifold: true, turnedTriangles: 3 });
+    expect(found).toMatchObject({ isFillable: false, isClosed: true, isManifold: true, flippedTriangles: 3 });
     expect(codes(found.diagnostics)).toEqual(errors);
     const { surface, changes } = await mesher.repairSurface(given);
     expect(changes.map((change) => (change.kind === "flipped-triangle" ? change.triangle : -1))).toEqual(
@@ -259,7 +259,7 @@ describe("a repair", () => {
     expect((await mesher.repairSurface(given, { innerShells: "regions" })).changes).toEqual([]);
     const { changes } = await mesher.repairSurface(given);
     expect(changes.map(({ kind }) => kind)).toEqual(
-      Array.from({ length: inside.triangles.length / 3 }, () => "turned-triangle"),
+      Array.from({ length: inside.triangles.length / 3 }, () => "flipped-triangle"),
     );
   });
 
@@ -342,7 +342,7 @@ describe("the refinement of a surface", () => {
     ]);
     expect(nodeOrigin.filter((from) => from === NO_ORIGIN)).toHaveLength(splitEdges);
     const found = await mesher.inspectSurface(surface);
-    expect(found).toMatchObject({ isFillable: true, volume: 1, bodies: 1 });
+    expect(found).toMatchObject({ isFillable: true, volume: 1, regions: 1 });
     expect(found.area).toBeCloseTo(6, 12);
     const { report } = await mesher.fillSurface(surface, options);
     expect(report.diagnostics).toEqual([]);
@@ -474,7 +474,12 @@ test("elements that a file has inverted are turned where they are read, and told
       [...tetrahedra.subarray(12, 16)].sort(),
     );
     const found = await mesher.inspectMesh({ ...read.value, regions: undefined });
-    expect(found).toMatchObject({ isSound: false, turnedTetrahedra: 3, flatTetrahedra: 0, overlaps: 0 });
+    expect(found).toMatchObject({
+      isValid: false,
+      invertedTetrahedra: 3,
+      degenerateTetrahedra: 0,
+      overlappingFaces: 0,
+    });
   }
   const all = await readMesh(
     file(() => true),
@@ -482,7 +487,7 @@ test("elements that a file has inverted are turned where they are read, and told
   );
   if (!all.success) throw new Error(all.problems[0].message);
   expect(await mesher.inspectMesh({ ...all.value, regions: undefined })).toMatchObject({
-    isSound: true,
-    turnedTetrahedra: 0,
+    isValid: true,
+    invertedTetrahedra: 0,
   });
 });

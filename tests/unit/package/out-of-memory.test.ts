@@ -77,7 +77,7 @@ test("a run beside a question too large for the memory is rejected with where it
 });
 
 test("a question too large for the memory is refused, and the next one is answered", async () => {
-  const [failure, isSound] = await withLittleMemory<[Told, boolean]>(`
+  const [failure, isValid] = await withLittleMemory<[Told, boolean]>(`
     const count = 1_000_000;
     const mesh = {
       points: Float64Array.of(0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1),
@@ -85,12 +85,12 @@ test("a question too large for the memory is refused, and the next one is answer
     };
     const failure = await mesher.inspectMesh(mesh).catch(told);
     const one = { ...mesh, tetrahedra: mesh.tetrahedra.slice(0, 4) };
-    return [failure, (await mesher.inspectMesh(one)).isSound];`);
+    return [failure, (await mesher.inspectMesh(one)).isValid];`);
   expect(failure).toMatchObject({ code: "out-of-memory", data: { tetrahedra: 0 } });
   expect(failure.message).toMatch(
     /^The engine's memory of \d+ MB did not suffice: it ran out\. Give a smaller/,
   );
-  expect(isSound).toBe(true);
+  expect(isValid).toBe(true);
 });
 
 test("a surface too large for the memory is refused with how many triangles fit, and so many are taken", async () => {

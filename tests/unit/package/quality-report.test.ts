@@ -78,7 +78,7 @@ describe("the quality report", () => {
     const { report } = await mesher.fillSurface(sharp, { optimization: "none" });
     const { worst, ...counts } = report.quality.limitedByBoundary;
     expect(report.tetrahedra).toBe(1);
-    expect(counts).toEqual({ count: 1, edges: 1, needles: 0, sheets: 0 });
+    expect(counts).toEqual({ count: 1, edges: 1, needles: 0, narrowGaps: 0 });
     expect(report.quality.outOfRange).toBe(0);
     expect(worst[0]?.dihedral.min).toBeCloseTo((Math.atan2(0.2, 0.98) * 180) / Math.PI, 9);
   });
