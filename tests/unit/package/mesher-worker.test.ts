@@ -190,6 +190,7 @@ describe("a worker that fails", () => {
           id: idOf(worker),
           reason: "out-of-memory",
           message: "out of memory",
+          isEngineLost: false,
           bytes: 2 ** 32,
         }),
       "out-of-memory",
@@ -202,6 +203,7 @@ describe("a worker that fails", () => {
           id: idOf(worker),
           reason: "engine-failed",
           message: "trap",
+          isEngineLost: true,
           bytes: 0,
         }),
       "engine-failed",
@@ -283,12 +285,60 @@ test("a run beside a question that runs out of memory is rejected with where the
     elapsedSeconds: 1,
   };
   worker.reply({ kind: "progress", id: idOf(worker), progress: { ...stood, ...figures } });
-  const failure = { kind: "failure", reason: "out-of-memory", message: "out of memory" } as const;
+  const failure = {
+    kind: "failure",
+    reason: "out-of-memory",
+    message: "out of memory",
+    isEngineLost: false,
+  } as const;
   worker.reply({ ...failure, id: idOf(worker, 1), bytes: 2 ** 32 });
   await expect(run).rejects.toMatchObject({ data: { ...stood, bytes: 2 ** 32, sizeFactor: 2.2 } });
   await expect(preview).rejects.toMatchObject({
     data: { bytes: 2 ** 32, phase: undefined, tetrahedra: 0 },
   });
+});
+
+describe("the failure of a question that was abandoned", () => {
+  async function abandonedBesideRun() {
+    const mesher = await readyMesher();
+    const worker = workerNumber(0);
+    const run = mesher.fillSurface(boxSurface(1));
+    const stop = new AbortController();
+    const inspection = mesher.inspectSurface(boxSurface(1), {}, { signal: stop.signal });
+    stop.abort();
+    await expect(inspection).rejects.toMatchObject({ code: "cancelled" });
+    const failure = { kind: "failure", id: idOf(worker, 1), reason: "out-of-memory", bytes: 9 } as const;
+    return { worker, run, failure: { ...failure, message: "out of memory" } };
+  }
+
+  test("leaves the active run alone", async () => {
+    const { worker, run, failure } = await abandonedBesideRun();
+    worker.reply({ ...failure, isEngineLost: false });
+    expect(worker.terminated).toBe(false);
+    worker.reply({ kind: "result", id: idOf(worker), result: resultWith("own") });
+    expect((await run).report.fingerprint).toBe("own");
+  });
+
+  test("rejects the active run if the engine is lost", async () => {
+    const { worker, run, failure } = await abandonedBesideRun();
+    worker.reply({ ...failure, reason: "engine-failed", isEngineLost: true });
+    await expect(run).rejects.toMatchObject({ code: "engine-failed" });
+    expect(worker.terminated).toBe(true);
+  });
+});
+
+test("an answer of another kind than its question is not taken for it", async () => {
+  const mesher = await readyMesher();
+  const worker = workerNumber(0);
+  const settled = vi.fn();
+  const proposal = mesher.proposeSizes(cubeProject()).finally(settled);
+  const grid = { points: noPoints, sizes: noPoints, tetrahedra: none };
+  worker.reply({ kind: "answer", id: idOf(worker), question: "cover", answer: grid });
+  await new Promise((resolve) => setTimeout(resolve, 0));
+  expect(settled).not.toHaveBeenCalled();
+  const answer = { size: 2, sourceTypes: new Uint8Array(), sourceValues: noPoints };
+  worker.reply({ kind: "answer", id: idOf(worker), question: "propose", answer });
+  expect(await proposal).toEqual({ size: 2, sources: [] });
 });
 
 describe("a worker that is asked to cancel", () => {
@@ -329,7 +379,12 @@ describe("a worker that is asked to cancel", () => {
       patchTriangles: none,
       patchOffsets: none,
     };
-    fresh.reply({ kind: "answer", id: idOf(fresh), answer: { ...arrays, diagnostics: nothingToSay } });
+    fresh.reply({
+      kind: "answer",
+      id: idOf(fresh),
+      question: "preview",
+      answer: { ...arrays, diagnostics: nothingToSay },
+    });
     expect((await preview).diagnostics).toEqual([]);
   });
 

@@ -67,10 +67,11 @@ import {
   type EntityNamer,
 } from "../project/arrays.js";
 import type { Project, ProjectBackground } from "../project/schema.js";
-import type { Answers, EngineResult, Question, Request } from "../engine/protocol.js";
+import type { Answer, AnswerTo, Answers, EngineResult, Question, Request } from "../engine/protocol.js";
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { surfaceNamer } from "./surface-numbers.js";
 import { buffersOf } from "../engine/transfer.js";
+import { reportProgress, type ProgressListener } from "./progress.js";
 import type {
   AbortControl,
   BackgroundArrays,
@@ -119,14 +120,7 @@ export async function createMesher(control: AbortControl = {}): Promise<Mesher> 
 }
 
 type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
-interface Waiting {
-  /** What a callback of the caller throws is the caller's own. */
-  readonly reject: (failure: unknown) => void;
-  /** Not called again once it has failed. */
-  onProgress: RunControl["onProgress"];
-}
-
-interface Job extends Waiting {
+interface Job extends ProgressListener {
   readonly request: RunRequest;
   /** Of the given surface; the request itself is handed to the worker. */
   readonly triangles: number;
@@ -145,9 +139,9 @@ interface Cancelled {
 /** Why a call is rejected, a run with where it stood, as far as that was heard of. */
 type FailureAt = (progress: Progress | undefined) => MesherError;
 
-interface OpenQuestion extends Waiting {
+interface OpenQuestion extends ProgressListener {
   readonly question: Question;
-  readonly resolve: (answer: Answers[keyof Answers]) => void;
+  readonly receive: (reply: Answer) => void;
 }
 
 class WorkerMesher implements Mesher {
@@ -403,7 +397,7 @@ class WorkerMesher implements Mesher {
         this.#questions.set(question.id, {
           question,
           onProgress,
-          resolve: (answer) => resolve(answer as Answers[Kind]),
+          receive: (reply) => isAnswerTo(question.kind, reply) && resolve(reply.answer),
           reject,
         });
         this.#worker.post(question, []);
@@ -511,9 +505,7 @@ class WorkerMesher implements Mesher {
       case "failure":
         return this.#failAll(reply);
       case "answer":
-        this.#questions.get(reply.id)?.resolve(reply.answer);
-        this.#questions.delete(reply.id);
-        return this.#updateKeepAlive();
+        return this.#receiveAnswer(reply);
       case "progress":
       case "stopping":
       case "result":
@@ -521,7 +513,18 @@ class WorkerMesher implements Mesher {
     }
   }
 
+  #receiveAnswer(reply: Answer): void {
+    const open = this.#questions.get(reply.id);
+    if (open?.question.kind !== reply.question) return;
+    this.#questions.delete(reply.id);
+    open.receive(reply);
+    this.#updateKeepAlive();
+  }
+
+  /** The failure of a call that nobody waits for is ignored, unless it takes the engine with it. */
   #failAll(reply: Extract<WorkReply, { kind: "failure" }>): void {
+    const isAwaited = this.#active?.request.id === reply.id || this.#questions.has(reply.id);
+    if (!isAwaited && !reply.isEngineLost) return;
     const question = this.#questions.get(reply.id)?.question;
     const triangles = question === undefined ? (this.#active?.triangles ?? 0) : trianglesIn(question);
     this.#replaceWorker((progress) => failureError(reply, progress, triangles));
@@ -530,14 +533,14 @@ class WorkerMesher implements Mesher {
   #receiveForRun(reply: Extract<WorkReply, { kind: "progress" | "stopping" | "result" }>): void {
     const open = this.#questions.get(reply.id);
     if (open !== undefined && reply.kind === "progress") {
-      return tellProgress(open, reply.progress, (failure) => this.#abandon(reply.id, failure));
+      return reportProgress(open, reply.progress, (failure) => this.#abandon(reply.id, failure));
     }
     const job = this.#active;
     if (job?.request.id !== reply.id) return;
     switch (reply.kind) {
       case "progress":
         job.progress = reply.progress;
-        return tellProgress(job, reply.progress, (failure) => {
+        return reportProgress(job, reply.progress, (failure) => {
           job.reject(failure);
           this.#cancel(job);
         });
@@ -574,22 +577,11 @@ class WorkerMesher implements Mesher {
   }
 }
 
+function isAnswerTo<Kind extends keyof Answers>(kind: Kind, reply: Answer): reply is Answer & AnswerTo<Kind> {
+  return reply.question === kind;
+}
+
 /** Of the surface that a request brings; 0 without one. */
 function trianglesIn(request: Request): number {
   return "triangles" in request ? request.triangles.length / 3 : 0;
-}
-
-/** A callback that throws, or whose promise is rejected, fails once and is not called again. */
-function tellProgress(waiting: Waiting, progress: Progress, onFailure: (failure: unknown) => void): void {
-  const fail = (failure: unknown) => {
-    if (waiting.onProgress === undefined) return;
-    waiting.onProgress = undefined;
-    onFailure(failure);
-  };
-  try {
-    const told: unknown = waiting.onProgress?.(progress);
-    if (told instanceof Promise) told.catch(fail);
-  } catch (failure) {
-    fail(failure);
-  }
 }

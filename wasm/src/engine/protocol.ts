@@ -186,6 +186,15 @@ export interface Answers {
   readonly "inspect-mesh": EngineVolumeInspection;
 }
 
+/** The answer to a question, which names its kind. */
+export type AnswerTo<Kind extends keyof Answers> = {
+  readonly kind: "answer";
+  readonly id: number;
+  readonly question: Kind;
+  readonly answer: Answers[Kind];
+};
+export type Answer = { [Kind in keyof Answers]: AnswerTo<Kind> }[keyof Answers];
+
 export type FailureReason = "out-of-memory" | "engine-failed";
 
 export type Reply =
@@ -195,13 +204,18 @@ export type Reply =
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }
   | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }
-  | { readonly kind: "answer"; readonly id: number; readonly answer: Answers[keyof Answers] }
-  /** The worker must be replaced: after a trap its heap cannot be trusted, and a full heap never shrinks. */
+  | Answer
+  /**
+   * The call of that id failed. If somebody still waits for it, the sender replaces the worker, because a full heap never
+   * shrinks. If nobody does, the other calls go on, unless the engine is lost.
+   */
   | {
       readonly kind: "failure";
       readonly id: number;
       readonly reason: FailureReason;
       readonly message: string;
+      /** The engine trapped instead of reporting its failure: its heap cannot be trusted any more. */
+      readonly isEngineLost: boolean;
       /** What the engine had of the machine's memory. */
       readonly bytes: number;
     }

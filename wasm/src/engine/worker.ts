@@ -2,7 +2,7 @@
 import { workerPort } from "#worker-port";
 
 import { loadEngine, type Engine, type EngineRun, type EngineTool } from "./loader.js";
-import type { CompiledEngine, EngineResult, FailureReason, Question, Request } from "./protocol.js";
+import type { Answer, CompiledEngine, EngineResult, FailureReason, Question, Request } from "./protocol.js";
 import { qualityReport } from "./quality-report.js";
 import { RunClock } from "./run-clock.js";
 import { runInSlices, workInSlices, type SliceControl } from "./slices.js";
@@ -74,7 +74,7 @@ async function answer(engine: Engine, question: Question): Promise<void> {
   running.add(id);
   try {
     await workerPort.letRequestsIn();
-    if (!cancelled.has(id)) await work(id, toolFor(engine, question));
+    if (!cancelled.has(id)) await work(question, toolFor(engine, question));
   } finally {
     running.delete(id);
     cancelled.delete(id);
@@ -113,7 +113,7 @@ function toolFor(engine: Engine, question: Question): EngineTool | null {
   }
 }
 
-async function work(id: number, tool: EngineTool | null): Promise<void> {
+async function work({ id, kind }: Question, tool: EngineTool | null): Promise<void> {
   if (tool === null) throw new EngineFailure("the engine gave no tool");
   try {
     assertHealthy(tool);
@@ -122,7 +122,7 @@ async function work(id: number, tool: EngineTool | null): Promise<void> {
     const answer = tool.result();
     assertHealthy(tool);
     const parts = "diagnostics" in answer ? [answer, answer.diagnostics] : [answer];
-    workerPort.post({ kind: "answer", id, answer }, buffersOf(...parts));
+    workerPort.post({ kind: "answer", id, question: kind, answer } as Answer, buffersOf(...parts));
   } finally {
     tool.delete();
   }
@@ -186,5 +186,6 @@ function assertHealthy(run: { failure(): string }): void {
 function replyFailure(engine: Engine, id: number, failure: unknown): void {
   const reason = failure instanceof EngineFailure ? failure.reason : "engine-failed";
   const message = failure instanceof Error ? failure.message : String(failure);
-  workerPort.post({ kind: "failure", id, reason, message, bytes: engine.memoryBytes() });
+  const isEngineLost = !(failure instanceof EngineFailure);
+  workerPort.post({ kind: "failure", id, reason, message, isEngineLost, bytes: engine.memoryBytes() });
 }
