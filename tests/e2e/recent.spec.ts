@@ -72,21 +72,17 @@ test("Recent lists changed projects, the last first, opens them and removes them
 test("a reload keeps the project with its steps of undo and redo", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
-  await app.select("background-node-1");
-  for (const size of ["0.3", "0.25", "0.2"]) {
-    await app.type("bg-size", size);
-    await kept(app);
-  }
+  for (const name of ["one", "two", "three"]) await renameProject(page, name);
   await page.getByTestId("undo").click();
   await kept(app);
   await page.reload();
-  await app.select("background-node-1");
-  const size = page.getByTestId("bg-size");
-  await expect(size).toHaveValue("0.25");
+  await expect(projectName(page)).toHaveValue("two");
   await page.getByTestId("redo").click();
-  await expect(size).toHaveValue("0.2");
-  for (let i = 0; i < 3; ++i) await page.getByTestId("undo").click();
-  await expect(size).toHaveValue("0.16");
+  await expect(projectName(page)).toHaveValue("three");
+  for (const name of ["two", "one", "Unit cube"]) {
+    await page.getByTestId("undo").click();
+    await expect(projectName(page)).toHaveValue(name);
+  }
   await expect(page.getByTestId("undo")).toBeDisabled();
 });
 
