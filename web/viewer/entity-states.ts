@@ -39,17 +39,21 @@ export class EntityStates {
     return this.#attribute;
   }
 
-  /** Assigns vertices to records. The attribute is replaced only if the number of vertices changes. */
-  assign(records: readonly Identified[], offsets: ArrayLike<number>): void {
+  /**
+   * Assigns vertices to records. The attribute is replaced only if the number of vertices changes. Returns whether the
+   * record at each index still owns the same vertices.
+   */
+  assign(records: readonly Identified[], offsets: ArrayLike<number>): boolean {
     const vertices = offsets[records.length] ?? 0;
-    const sameVertices = this.#attribute.count === vertices && sameNumbers(this.#offsets, offsets);
+    const sameVertices = sameNumbers(this.#offsets, offsets);
     const isSame = sameVertices && sameIds(this.#records, records);
     this.#records = records;
-    if (isSame) return;
+    if (isSame) return true;
     this.#offsets = offsets;
     this.#indexById = null;
     this.#shown = null;
     if (this.#attribute.count !== vertices) this.#attribute = this.#createAttribute(vertices);
+    return sameVertices;
   }
 
   /** Writes the states that differ from those shown. */

@@ -3,6 +3,7 @@ import { copyForTransfer } from "../workers/transfer";
 import { WorkerClient } from "../workers/worker-client";
 import type { DrawnFaces, QueriedMesh, ViewOptions } from "./mesh-queries";
 import type { MeshQueryProtocol } from "./mesh-query-protocol";
+import type { SerializedTree } from "./triangle-tree";
 
 const startWorker = (): Worker =>
   new Worker(new URL("./mesh-query-worker.ts", import.meta.url), {
@@ -33,6 +34,11 @@ export class MeshQueryClient {
   /** Returns the distribution of a quality measure over the elements. */
   histogram(mesh: QueriedMesh, measure: QualityMeasure, barCount: number): Promise<Histogram> {
     return this.#query(mesh, () => this.#worker.call("histogram", { measure, barCount }));
+  }
+
+  /** Builds a tree for hit tests over any triangles, x y z of three corners each. Takes over the array. */
+  treeOf(corners: Float32Array<ArrayBuffer>): Promise<SerializedTree> {
+    return this.#worker.call("tree", corners, [corners.buffer]);
   }
 
   /** Frees the worker's copy of the mesh. */

@@ -16,5 +16,11 @@ serveCalls<MeshQueryProtocol>({
     const { faces, onBoundary, corners, values } = answer;
     return { answer, transfer: [faces.buffer, onBoundary.buffer, corners.buffer, values.buffer] };
   },
+  tree: async (corners) => {
+    // The library is large, and no picture needs it.
+    const { buildTree } = await import("./triangle-tree");
+    const answer = buildTree(corners);
+    return { answer, transfer: answer.roots };
+  },
   histogram: ({ measure, barCount }) => ({ answer: queries.histogram(measure, barCount) }),
 });

@@ -11,14 +11,6 @@ export interface SampledProject {
   readonly project: Project;
 }
 
-/** Faces of the front. */
-export interface FrontFaces {
-  /** x y z per node. */
-  readonly points: Float64Array;
-  /** Three indices of nodes per face. */
-  readonly triangles: Uint32Array;
-}
-
 export interface Viewport {
   /** CSS pixels. */
   readonly width: number;
@@ -34,8 +26,8 @@ export interface ShownState extends ViewState {
   readonly mesh: MeshResult | null;
   /** The mesh belongs to an earlier state of the project. */
   readonly isMeshStale: boolean;
-  /** The front of the run in progress; null before it advances, and without a run. */
-  readonly front: FrontFaces | null;
+  /** Faces of the front of the current run, x y z of three corners each; null if it has not advanced, and without a run. */
+  readonly front: Float64Array | null;
   /** The boundary that the last run checked; `triangles` and `defects` refer to it. */
   readonly checkedSurface: SurfaceMesh | null;
   readonly defects: Faults;

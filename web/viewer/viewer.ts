@@ -62,7 +62,7 @@ export class Viewer {
   #cube: ViewCube | null = null;
   #isDisposed = false;
   readonly #mesh: MeshLayer;
-  readonly #patches = new PatchesLayer();
+  readonly #patches: PatchesLayer;
   readonly #lines = new LinesLayer();
   readonly #points = new DotsLayer({
     kind: "point",
@@ -96,6 +96,7 @@ export class Viewer {
     this.#view = new ViewCamera(canvas, options.motion);
     this.#loop = new FrameLoop((seconds) => this.#draw(seconds));
     this.#loop.onDrawn(() => events.onFrame(this.#loop.frames));
+    this.#patches = new PatchesLayer((corners) => options.meshQueries.treeOf(corners));
     this.#mesh = new MeshLayer(options.meshQueries, {
       onChange: () => this.#meshChanged(),
       onFailure: events.onFailure,

@@ -11,8 +11,8 @@ import { SourcesLayer } from "../../../web/viewer/layers/sources-layer";
 import { PatchFinder } from "../../../web/viewer/patch-finder";
 import { Screen } from "../../../web/viewer/screen";
 import type { SceneState } from "../../../web/viewer/scene-state";
-import { TriangleTree } from "../../../web/viewer/triangle-tree";
-import { frontCamera, preview, sceneState, show, viewport } from "./scene";
+import { buildTree, TriangleTree } from "../../../web/viewer/triangle-tree";
+import { frontCamera, noTree, preview, sceneState, show, viewport } from "./scene";
 
 const camera = frontCamera();
 const centre = { x: 100, y: 50 };
@@ -70,7 +70,7 @@ function pick(at: { x: number; y: number }, change: Partial<SceneState> = {}, so
     records: (state) => state.project.points,
     positions: (point) => [point.position],
   });
-  const [lines, patches, sources] = [new LinesLayer(), new PatchesLayer(), new SourcesLayer()];
+  const [lines, patches, sources] = [new LinesLayer(), new PatchesLayer(noTree), new SourcesLayer()];
   const state = { ...base, ...change };
   for (const layer of [points, lines, patches, sources]) show(layer, state);
   return hitTest({ solid, onSurfaces: [points, sources, lines], translucent: patches }, camera, viewport, at);
@@ -115,7 +115,7 @@ describe("hit test", () => {
     const local = frontCamera();
     local.position.y -= 5;
     local.updateMatrixWorld();
-    const patches = new PatchesLayer();
+    const patches = new PatchesLayer(noTree);
     show(patches, { ...base, origin });
     const order = { solid: nothing, onSurfaces: [], translucent: patches };
     const hit = hitTest(order, local, viewport, at(-3, 0.5, 2));
@@ -176,6 +176,15 @@ describe("TriangleTree", () => {
     expect(tree.firstHit(ray, FrontSide)).toMatchObject({ triangle: 0, distance: 5 });
     expect(tree.firstHit(ray, DoubleSide, (triangle) => triangle !== 1)?.triangle).toBe(0);
     expect(tree.firstHit(new Ray(ray.origin, new Vector3(1, 0, 0)), DoubleSide)).toBeNull();
+  });
+
+  it("takes the tree that a worker builds, and builds its own without one", async () => {
+    const [prepared, failed] = [new TriangleTree(corners), new TriangleTree(corners)];
+    await prepared.prepare((copy) => Promise.resolve(structuredClone(buildTree(copy))));
+    await failed.prepare(() => Promise.reject(new Error("no memory")));
+    for (const searched of [prepared, failed]) {
+      expect(searched.firstHit(ray, DoubleSide)).toMatchObject({ triangle: 1, distance: 4 });
+    }
   });
 
   it("finds nothing without triangles", () => {

@@ -1,6 +1,6 @@
 import type { BufferAttribute, Mesh, Points } from "three";
 import { describe, expect, it, vi } from "vitest";
-import type { MeshResult, Project } from "tetrafront";
+import type { MeshResult, Project, ProjectSource } from "tetrafront";
 import { emptyProject } from "../../../web/document/create";
 import { stateCodes } from "../../../web/viewer/draw-state";
 import { DotsLayer } from "../../../web/viewer/layers/dots-layer";
@@ -9,10 +9,12 @@ import type { Layer } from "../../../web/viewer/layers/layer";
 import { LinesLayer } from "../../../web/viewer/layers/lines-layer";
 import { MeshLayer } from "../../../web/viewer/layers/mesh-layer";
 import { PatchesLayer } from "../../../web/viewer/layers/patches-layer";
+import { SourcesLayer } from "../../../web/viewer/layers/sources-layer";
+import type { SceneState } from "../../../web/viewer/scene-state";
 import type { DrawnFaces, QueriedMesh } from "../../../web/viewer/mesh-queries";
 import type { MeshQueryClient } from "../../../web/viewer/mesh-query-client";
 import { gridMesh } from "./grid-mesh";
-import { change, preview, sceneState, show } from "./scene";
+import { change, noTree, preview, sceneState, show } from "./scene";
 
 const { normal, hover, selected, hidden } = stateCodes;
 
@@ -66,7 +68,7 @@ describe.each([
   ["lines", () => new LinesLayer(), { kind: "line", id: 6 }, [normal, normal, hover]],
   [
     "patches",
-    () => new PatchesLayer(),
+    () => new PatchesLayer(noTree),
     { kind: "patch", id: 9 },
     [normal, normal, normal, hover, hover, hover],
   ],
@@ -124,6 +126,24 @@ describe("the layer of points", () => {
     expect([...(attributes(layer)["position"]?.array ?? [])].slice(6)).toEqual([9, 9, 9]);
   });
 
+  it("writes all positions if records exchange the numbers of their dots", () => {
+    const layer = new SourcesLayer();
+    const at = (x: number) => [x, 0, 0] as const;
+    const withSources = (...places: (readonly (readonly [number, number, number])[])[]): SceneState => {
+      const sources = places.map((list, i) => ({ id: i + 1, type: list.length === 1 ? ("point" as const) : ("segment" as const), size: 1, positions: list })); // prettier-ignore
+      const kept = [sources[0], unchanged, sources[1]] as ProjectSource[];
+      const background = { ...project.background, sources: kept };
+      return { ...start, project: { ...project, background }, layers: { ...start.layers, sources: true } };
+    };
+    const unchanged: ProjectSource = { id: 9, type: "point", size: 1, positions: [at(5)] };
+    const before = withSources([at(1), at(2)], [at(3)]);
+    show(layer, before);
+    change(layer, before, withSources([at(1)], [at(3), at(4)]));
+    const dots = layer.root.children.at(-1) as Points;
+    const { array } = dots.geometry.getAttribute("position");
+    expect([...array].filter((_, i) => i % 3 === 0)).toEqual([1, 5, 3, 4]);
+  });
+
   it("draws relative to the origin", () => {
     const layer = pointsLayer();
     show(layer, start, { ...start, origin: [1, 1, 1] });
@@ -133,7 +153,7 @@ describe("the layer of points", () => {
 
 describe("the layer of patches", () => {
   it("draws a patch under the pointer in a pass of its own, and a selected one also behind others", () => {
-    const layer = new PatchesLayer();
+    const layer = new PatchesLayer(noTree);
     const visible = (): boolean[] => layer.root.children.map((pass) => pass.visible);
     show(layer, start);
     expect(visible()).toEqual([true, false, false]);
@@ -149,7 +169,8 @@ describe("the layer of patches", () => {
 
 describe("the layer of the front", () => {
   const points = Float64Array.from([1, 0, 0, 2, 0, 0, 1, 1, 0, 1, 0, 1]);
-  const front = (...triangles: number[]) => ({ points, triangles: Uint32Array.from(triangles) });
+  const front = (...nodes: number[]) =>
+    Float64Array.from(nodes.flatMap((node) => [...points.subarray(3 * node, 3 * node + 3)]));
 
   it("reuses its buffer for a front that is no larger", () => {
     const layer = new FrontLayer();
@@ -188,6 +209,7 @@ describe("the layer of the mesh", () => {
         return new Promise<DrawnFaces>((resolve, reject) => answers.push({ resolve, reject }));
       },
       release: () => undefined,
+      treeOf: noTree,
     };
     const reasons: string[] = [];
     const layer = new MeshLayer(queries as unknown as MeshQueryClient, {
@@ -245,7 +267,7 @@ describe("the layer of the mesh", () => {
     show(layer, shown);
     answers[0]?.resolve(faces);
     await vi.waitFor(() => expect(layer.root.visible).toBe(true));
-    const front = { points: new Float64Array(), triangles: new Uint32Array() };
+    const front = new Float64Array();
     change(layer, shown, { ...shown, front });
     expect(layer.root.visible).toBe(false);
     change(layer, { ...shown, front }, shown);

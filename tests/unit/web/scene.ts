@@ -66,3 +66,6 @@ export function preview(
     patchOffsets: offsets(patches, 9),
   } as unknown as ProjectPreview;
 }
+
+/** Stands for a worker that never answers. */
+export const noTree = (): Promise<never> => new Promise<never>(() => undefined);

@@ -87,9 +87,7 @@ export class DotsLayer<Record extends Dotted> implements HittableLayer {
     if (records === this.#records && origin === this.#origin) return;
     const before = origin === this.#origin ? this.#records : [];
     const offsets = offsetsOf(records, (record) => this.#options.positions(record).length);
-    const isSameSize = 3 * (offsets[records.length] ?? 0) === this.#position.array.length;
-    this.#states.assign(records, offsets);
-    const isInPlace = isSameSize && before.length === records.length;
+    const isInPlace = this.#states.assign(records, offsets) && before.length === records.length;
     if (!isInPlace) this.#allocate(offsets[records.length] ?? 0);
     const array = this.#position.array;
     records.forEach((record, i) => {

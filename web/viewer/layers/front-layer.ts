@@ -3,7 +3,7 @@ import { BufferAttribute, BufferGeometry, Mesh } from "three";
 import { createFacetMaterial } from "../materials/facet-material";
 import { setColor } from "../materials/uniforms";
 import type { Position } from "../position";
-import type { FrontFaces, SceneChanges, SceneState } from "../scene-state";
+import type { SceneChanges } from "../scene-state";
 import type { Layer } from "./layer";
 
 /** The buffer grows by this factor when it is too small. */
@@ -36,17 +36,15 @@ export class FrontLayer implements Layer {
     this.#material.dispose();
   }
 
-  #write({ points, triangles }: FrontFaces, origin: Position): void {
-    if (3 * triangles.length > this.#position.array.length)
-      this.#allocate(Math.ceil(growth * triangles.length));
-    const corners = this.#position.array;
-    let at = 0;
-    for (const node of triangles) {
-      for (let k = 0; k < 3; ++k) corners[at++] = (points[3 * node + k] ?? 0) - (origin[k] ?? 0);
-    }
-    this.#geometry.setDrawRange(0, triangles.length);
+  /** @param corners x y z of three corners per face, in model coordinates. */
+  #write(corners: Float64Array, origin: Position): void {
+    if (corners.length > this.#position.array.length)
+      this.#allocate(Math.ceil((growth * corners.length) / 3));
+    const local = this.#position.array;
+    for (let i = 0; i < corners.length; ++i) local[i] = (corners[i] ?? 0) - (origin[i % 3] ?? 0);
+    this.#geometry.setDrawRange(0, corners.length / 3);
     this.#position.clearUpdateRanges();
-    this.#position.addUpdateRange(0, at);
+    this.#position.addUpdateRange(0, corners.length);
     this.#position.needsUpdate = true;
   }
 
@@ -57,14 +55,18 @@ export class FrontLayer implements Layer {
   }
 }
 
-/** Returns the front that an incomplete run left; without tetrahedra, that is the boundary. */
-function remainingFront(mesh: SceneState["mesh"]): FrontFaces {
+/** Returns the corners of the front that an incomplete run left; without tetrahedra, those of the boundary. */
+function remainingFront(mesh: MeshResult | null): Float64Array {
   const isIncomplete = mesh?.report.status === "stalled" || mesh?.report.status === "cancelled";
-  if (!mesh || !isIncomplete) return { points: new Float64Array(), triangles: new Uint32Array() };
-  return frontOf(mesh);
+  if (!mesh || !isIncomplete) return new Float64Array();
+  const { volume, surface } = mesh;
+  return volume.tetrahedra.length === 0
+    ? cornersOf(surface.points, surface.triangles)
+    : cornersOf(volume.points, volume.front);
 }
 
-function frontOf({ volume, surface }: MeshResult): FrontFaces {
-  if (volume.tetrahedra.length === 0) return { points: surface.points, triangles: surface.triangles };
-  return { points: volume.points, triangles: volume.front };
+function cornersOf(points: Float64Array, triangles: Uint32Array): Float64Array {
+  const corners = new Float64Array(3 * triangles.length);
+  triangles.forEach((node, i) => corners.set(points.subarray(3 * node, 3 * node + 3), 3 * i));
+  return corners;
 }

@@ -185,6 +185,8 @@ export class MeshLayer implements HittableLayer {
     if (values.length > 0) this.root.geometry.setAttribute("value", new BufferAttribute(values, 1));
     this.#setVisibility();
     this.#move();
+    // Not while a cut moves: the next faces would wait for the tree.
+    if (this.isCurrent) void this.#drawn.tree?.prepare((copy) => this.#queries.treeOf(copy));
     this.#events.onChange();
   }
 

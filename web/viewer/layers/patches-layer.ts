@@ -5,7 +5,7 @@ import { createPatchMaterial } from "../materials/patch-material";
 import type { Position } from "../position";
 import type { SampledProject, SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
-import { TriangleTree } from "../triangle-tree";
+import { TriangleTree, type SerializedTree } from "../triangle-tree";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";
 
 /** Over a mesh the patches only hint at the boundary; alone they are the model. */
@@ -13,6 +13,8 @@ const opacityOverMesh = 0.14;
 const opacityAlone = 0.42;
 /** Behind other surfaces. */
 const opacityBehind = 0.16;
+
+type BuildTree = (corners: Float32Array<ArrayBuffer>) => Promise<SerializedTree>;
 
 /** The model's patches as sampled by the engine: one buffer of triangles, drawn by three passes. */
 export class PatchesLayer implements HittableLayer {
@@ -47,8 +49,11 @@ export class PatchesLayer implements HittableLayer {
   #corners = new Float32Array();
   #tree = new TriangleTree(this.#corners);
   #origin: Position = [0, 0, 0];
+  readonly #buildTree: BuildTree;
 
-  constructor() {
+  /** @param buildTree builds trees for hit tests in a worker. */
+  constructor(buildTree: BuildTree) {
+    this.#buildTree = buildTree;
     this.#meshes.forEach((mesh, pass) => {
       mesh.frustumCulled = false;
       mesh.renderOrder = 1 + pass;
@@ -67,7 +72,8 @@ export class PatchesLayer implements HittableLayer {
       }
     }
     if (changes.has("layers", "mesh", "front")) {
-      const hasMesh = state.front !== null || (state.mesh?.volume.tetrahedra.length ?? 0) > 0;
+      // A closed front has no faces: then nothing is drawn but the patches.
+      const hasMesh = (state.front ?? state.mesh?.volume.tetrahedra ?? []).length > 0;
       const opacity = state.layers.mesh && hasMesh ? opacityOverMesh : opacityAlone;
       for (const drawn of ["normal", "hover", "selected", "defective"] as const) {
         setStateScale(this.#plain, drawn, opacity);
@@ -110,6 +116,7 @@ export class PatchesLayer implements HittableLayer {
         this.#corners[3 * corner + k] = (patchPoints[node + k] ?? 0) - (origin[k] ?? 0);
     }
     this.#tree = new TriangleTree(this.#corners);
+    if (this.root.visible) void this.#tree.prepare(this.#buildTree);
     const position = this.#geometry.getAttribute("position") as BufferAttribute | undefined;
     if (position) position.needsUpdate = true;
   }
