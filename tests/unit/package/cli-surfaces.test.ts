@@ -430,7 +430,7 @@ describe("convert, info and stats", () => {
     const alike = await tetrafront(folder.path, ["check", "alike.mesh"]);
     expect(alike.stderr).toMatch(/note: alike\.mesh: all tetrahedra have negative volumes/i);
     expect(alike.code).toBe(0);
-    expect((await meshIn("a.vtu")).invertedTetrahedra).toBe(0);
+    expect((await meshIn("a.vtu")).turnedTetrahedra).toBe(0);
   });
 
   test("refuse what they cannot do in one line", async () => {

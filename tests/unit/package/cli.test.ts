@@ -62,7 +62,7 @@ describe("meshing", () => {
     expect(Math.abs(meshVolume(volume) / enclosedVolume(surface) - 1)).toBeLessThan(1e-10);
     expect(reportIn("r.json")).toMatchObject({
       status: "done",
-      points: volume.points.length / 3,
+      nodes: volume.points.length / 3,
       tetrahedra: volume.tetrahedra.length / 4,
       triangles: surface.triangles.length / 3,
       diagnostics: [],
