@@ -15,10 +15,6 @@
 namespace tetrafront::testing {
 namespace {
 
-constexpr std::array<PatchType, 4> kCurvedTypes{
-    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
-    PatchType::kCoons};
-
 /// Of a patch in the plane z = 0, the share of its domain that is turned the other way than most.
 double turnedShare(const Model& model) {
   constexpr int kCells = 150;

@@ -14,12 +14,6 @@
 namespace tetrafront::testing {
 namespace {
 
-constexpr double kBend = 0.3;
-
-constexpr std::array<PatchType, 4> kCurvedTypes{
-    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
-    PatchType::kCoons};
-
 TEST(ModelStretchedPlane, InverseUndoesTheMapping) {
   Random random(11);
   for (int i = 0; i < 1000; ++i) {
@@ -99,7 +93,7 @@ TEST(ModelMapped, TangentsAreTheLimitOfDifferences) {
   constexpr double kStep = 1e-6;
   for (const PatchType type : kCurvedTypes) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const Model model = randomCurvedModel(type, seed, kBend);
+      const Model model = randomCurvedModel(type, seed, kTypicalBend);
       const ResolvedModel resolved(model);
       const PatchSurface surface(resolved, model.patches.front());
       const Vec2 at = surface.mapped()->stretchedPlane().toPlane({0.37, 0.41});
@@ -117,7 +111,7 @@ TEST(ModelMapped, TangentsAreTheLimitOfDifferences) {
 TEST(ModelMapped, LinesLieOnTheBorderOfThePlane) {
   for (const PatchType type : kCurvedTypes) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const Model model = randomCurvedModel(type, seed, kBend);
+      const Model model = randomCurvedModel(type, seed, kTypicalBend);
       const ResolvedModel resolved(model);
       const PatchSurface surface(resolved, model.patches.front());
       const Loop& loop = model.patches.front().loops.front();
@@ -136,7 +130,7 @@ TEST(ModelMapped, LinesLieOnTheBorderOfThePlane) {
 
 TEST(ModelMapped, PlacesOutsideAreClampedToTheDomain) {
   for (const PatchType type : kCurvedTypes) {
-    const Model model = randomCurvedModel(type, 3, kBend);
+    const Model model = randomCurvedModel(type, 3, kTypicalBend);
     const ResolvedModel resolved(model);
     const PatchSurface surface(resolved, model.patches.front());
     const StretchedPlane& plane = surface.mapped()->stretchedPlane();
@@ -184,7 +178,7 @@ TEST(ModelPlanar, LoopPlaneHasTheLoopsAreaAndTurning) {
 }
 
 TEST(ModelResolved, DrawingALineBackwardChangesNoBit) {
-  Model model = randomCoonsModel(5, kBend);
+  Model model = randomCoonsModel(5, kTypicalBend);
   Model turned = model;
   for (Line& line : turned.lines) std::ranges::reverse(line.points);
   for (OrientedLine& line : turned.patches.front().loops.front()) line.reversed = !line.reversed;

@@ -16,12 +16,7 @@
 namespace tetrafront::testing {
 namespace {
 
-constexpr double kBend = 0.3;
 constexpr std::uint64_t kSeeds = 50;
-constexpr std::array<PatchType, 4> kCurvedTypes{
-    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
-    PatchType::kCoons};
-
 /// Models reach from about -1 to 4.
 constexpr double kSize = 4.0;
 constexpr double kExact = 1e-13 * kSize;
@@ -54,7 +49,7 @@ void forManyPatches(Examine&& examine) {
       SCOPED_TRACE("type " + std::to_string(static_cast<int>(type)) + " seed " +
                    std::to_string(seed));
       Random random(seed + 1000);
-      examine(randomCurvedModel(type, seed, kBend), random);
+      examine(randomCurvedModel(type, seed, kTypicalBend), random);
     }
   }
 }

@@ -16,6 +16,7 @@
 
 #include "support/models.h"
 #include "support/shapes.h"
+#include "support/slow_dihedral.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront::testing {
@@ -46,14 +47,6 @@ std::array<Vec3, 4> cornersOf(const VolumeMesh& mesh, std::size_t t) {
     corners[k] = {at[0], at[1], at[2]};
   }
   return corners;
-}
-
-/// At edge a b, between the half-planes through c and through d.
-double slowDihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 axis = glm::normalize(b - a);
-  const Vec3 u = (c - a) - glm::dot(c - a, axis) * axis;
-  const Vec3 v = (d - a) - glm::dot(d - a, axis) * axis;
-  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180.0 / std::numbers::pi;
 }
 
 std::array<double, 6> slowDihedrals(const std::array<Vec3, 4>& p) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "support/random.h"
+#include "support/slow_dihedral.h"
 #include "support/tet_grids.h"
 
 namespace tetrafront::testing {
@@ -21,15 +22,6 @@ double degrees(double cosine) { return std::acos(cosine) * 180.0 / std::numbers:
 
 const Corners kRegular{Vec3(1.0, 1.0, 1.0), Vec3(-1.0, -1.0, 1.0), Vec3(-1.0, 1.0, -1.0),
                        Vec3(1.0, -1.0, -1.0)};
-
-/// The angle between the half-planes over edge a b through c and through d, in the plane across
-/// the edge: nothing of the engine's formula.
-double slowDihedral(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 axis = glm::normalize(b - a);
-  const Vec3 u = (c - a) - glm::dot(c - a, axis) * axis;
-  const Vec3 v = (d - a) - glm::dot(d - a, axis) * axis;
-  return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v)) * 180.0 / std::numbers::pi;
-}
 
 double area(const Vec3& a, const Vec3& b, const Vec3& c) {
   // Heron, from the three lengths.

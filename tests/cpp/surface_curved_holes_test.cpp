@@ -24,10 +24,6 @@
 namespace tetrafront::testing {
 namespace {
 
-constexpr std::array<PatchType, 4> kCurvedTypes{
-    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
-    PatchType::kCoons};
-
 /// Adds a hole to a curved patch: a closed line whose points are those of the patch at `units`,
 /// moved off it by `lift` along the normal.
 void addHole(Model& model, const std::vector<Vec2>& units, double lift = 0.0) {

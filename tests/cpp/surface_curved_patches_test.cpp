@@ -19,10 +19,6 @@
 namespace tetrafront::testing {
 namespace {
 
-constexpr std::array<PatchType, 4> kCurvedTypes{
-    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
-    PatchType::kCoons};
-
 SurfaceMesh meshOf(const Model& model, const SizeField& field) {
   EXPECT_TRUE(diagnoseModel(model).empty());
   SurfaceMesher mesher(model, field);

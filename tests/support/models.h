@@ -43,6 +43,14 @@ Model randomCoonsModel(std::uint64_t seed, double bend);
 /// A triangular patch of either type, likewise; the lines of an isoparametric one are parabolic.
 Model randomTriangleModel(PatchType type, std::uint64_t seed, double bend);
 
+/// All patch types except the planar one.
+inline constexpr std::array<PatchType, 4> kCurvedTypes{
+    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
+    PatchType::kCoons};
+
+/// Bend of random models: clearly curved, without folds.
+inline constexpr double kTypicalBend = 0.3;
+
 /// A patch of any type but planar; as randomCoonsModel() and randomTriangleModel().
 Model randomCurvedModel(PatchType type, std::uint64_t seed, double bend);
 
