@@ -116,9 +116,9 @@ TEST(GridLocatorTest, IsBuiltInSlices) {
       grid.nodes[i].stretching = stretching;
       if (i % 5 == 0) grid.nodes[i].size *= 0.1;
     }
-    constexpr double kGrowth = 0.3;
-    const GridLocator whole(grid, kGrowth);
-    GridLocatorBuilder builder(grid, kGrowth);
+    constexpr double kGridGrowth = 0.3;
+    const GridLocator whole(grid, kGridGrowth);
+    GridLocatorBuilder builder(grid, kGridGrowth);
     std::size_t slices = 1;
     while (!builder.advance(1)) ++slices;
     EXPECT_GT(slices, 2 * grid.tetrahedra.size());

@@ -69,10 +69,10 @@ TEST(SizeOctreeTest, SitesAgreeWithBruteForce) {
   const std::vector<Vec3> points = pointsOf(mesh);
   const std::vector<double> sizes = averagedEdgeLengths(points, mesh.triangles);
   SizeSites sites(points, sizes, 0.3);
-  constexpr std::size_t kBudget = 100;
+  constexpr std::size_t kOctreeBudget = 100;
   std::size_t calls = 1;
-  while (!sites.advance(kBudget)) ++calls;
-  EXPECT_GE(calls * kBudget, 12 * points.size()) << "no call comes to more";
+  while (!sites.advance(kOctreeBudget)) ++calls;
+  EXPECT_GE(calls * kOctreeBudget, 12 * points.size()) << "no call comes to more";
   Random random(301);
   for (int i = 0; i < 500; ++i) {
     const Vec3 place = random.inBox(8.0) - Vec3(0.0, 0.0, 3.0);
