@@ -209,7 +209,7 @@ class MeshRun::Impl {
     if (!check.advance(budget)) return;
     for (const Diagnostic& found : check.diagnostics()) {
       // How the bodies of a model are nested was told with the check of the input.
-      if (found.code != DiagnosticCode::kNestedBodies || !wasReported(found.code)) report({found});
+      if (found.code != DiagnosticCode::kNestedRegions || !wasReported(found.code)) report({found});
     }
     if (!check.result().isValid || anyError(diagnostics_)) return fail();
     if (isModel()) {

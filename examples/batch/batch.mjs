@@ -49,7 +49,7 @@ function work() {
 
 async function meshed(mesher, input, output) {
   const read = await readSurface(createReadStream(input), { fileName: input });
-  if (!read.success) return { status: "unreadable", message: read.problems[0].message };
+  if (!read.success) return { status: "unreadable", message: read.errors[0].message };
   const mesh = await mesher.fillSurface(read.value);
   const { status, tetrahedra } = mesh.report;
   if (status !== "done") return { status, message: mesh.report.diagnostics[0]?.message };

@@ -5,7 +5,7 @@ import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
 
 const [, , input, output] = process.argv;
 const read = await readSurface(createReadStream(input), { fileName: input });
-if (!read.success) throw new Error(read.problems[0].message);
+if (!read.success) throw new Error(read.errors[0].message);
 
 const mesher = await createMesher();
 const mesh = await mesher.fillSurface(read.value);

@@ -18,7 +18,7 @@ const LOAD_MS = 3000;
 
 function load() {
   const read = readProject(readFileSync(inRoot("public", "models", "unit-cube.json"), "utf8"));
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   const { background, ...project } = read.value;
   return {
     ...project,

@@ -26,7 +26,7 @@ const printedFaces = "about 40";
 function load(id) {
   const file = new URL(`../../public/models/${id}.json`, import.meta.url);
   const read = readProject(readFileSync(file, "utf8"));
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 

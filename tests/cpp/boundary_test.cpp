@@ -90,7 +90,7 @@ TEST(BoundaryTest, LeavesValidOutwardSurfacesUnchanged) {
     const SurfaceMesh before = shape.mesh;
     const Outcome outcome = close(shape.mesh);
     for (const Diagnostic& found : outcome.diagnostics) {
-      EXPECT_EQ(found.code, DiagnosticCode::kNestedBodies) << shape.name;
+      EXPECT_EQ(found.code, DiagnosticCode::kNestedRegions) << shape.name;
       EXPECT_EQ(found.values.at(0), shape.regions) << shape.name;
     }
     EXPECT_EQ(outcome.result.regionCount, shape.regions) << shape.name;
@@ -108,7 +108,7 @@ TEST(BoundaryTest, RestoresRandomlyFlippedTriangles) {
     ASSERT_TRUE(outcome.result.isValid) << shape.name;
     EXPECT_EQ(orientationsOf(shape.mesh), expected) << shape.name;
     std::set<DiagnosticCode> codes = outcome.codes();
-    codes.erase(DiagnosticCode::kNestedBodies);
+    codes.erase(DiagnosticCode::kNestedRegions);
     EXPECT_EQ(codes, std::set{DiagnosticCode::kReorientedPatch}) << shape.name;
   }
 }
@@ -128,7 +128,7 @@ TEST(BoundaryTest, RefusesComponentsOfMixedOrientationOnRequest) {
     EXPECT_FALSE(check.result().isValid) << shape.name;
     std::set<std::uint32_t> named;
     for (const Diagnostic& found : check.diagnostics()) {
-      if (found.code != DiagnosticCode::kTurnedTriangle) continue;
+      if (found.code != DiagnosticCode::kFlippedTriangle) continue;
       EXPECT_EQ(found.severity, Severity::kError);
       EXPECT_EQ(found.values.back(), static_cast<double>(flipped.size())) << shape.name;
       ASSERT_EQ(found.entities.size(), 1U);
@@ -162,7 +162,7 @@ TEST(BoundaryTest, OrientsFlippedSurfacesOutward) {
     double flipped = 0.0;
     for (const Diagnostic& d : outcome.diagnostics) {
       EXPECT_EQ(d.severity, Severity::kInformation);
-      if (d.code == DiagnosticCode::kNestedBodies) continue;
+      if (d.code == DiagnosticCode::kNestedRegions) continue;
       flipped += d.values.at(0);
       EXPECT_EQ(d.values.at(0), d.values.at(1)) << "all triangles of the component";
     }
@@ -244,7 +244,7 @@ TEST(BoundaryInterfacesTest, EveryEnclosedVolumeIsARegion) {
     EXPECT_EQ(mesh.triangles, before.triangles) << "oriented outward already, and interfaces stay";
     EXPECT_EQ(outcome.result.regionCount, cubes);
     ASSERT_EQ(outcome.diagnostics.size(), 1U);
-    EXPECT_EQ(outcome.diagnostics[0].code, DiagnosticCode::kNestedBodies);
+    EXPECT_EQ(outcome.diagnostics[0].code, DiagnosticCode::kNestedRegions);
     EXPECT_EQ(outcome.diagnostics[0].values, (std::vector{static_cast<double>(cubes), 0.0}));
     const std::vector<double> volumes = regionVolumes(mesh);
     ASSERT_EQ(volumes.size(), cubes);

@@ -170,7 +170,7 @@ TEST(BackgroundGridCheckTest, FindsTheSameInSlices) {
   const std::vector<Diagnostic> sliced = check.take();
   const std::vector<Diagnostic> whole = checkBackgroundGrid(grid);
   ASSERT_EQ(codesOf(grid),
-            (std::vector{DiagnosticCode::kBadSize, DiagnosticCode::kIndexOutOfRange,
+            (std::vector{DiagnosticCode::kSizeOutOfRange, DiagnosticCode::kIndexOutOfRange,
                          DiagnosticCode::kIndexOutOfRange, DiagnosticCode::kDuplicateTriangle,
                          DiagnosticCode::kDuplicateTriangle}));
   ASSERT_EQ(sliced.size(), whole.size());
@@ -188,7 +188,7 @@ TEST(BackgroundGridCheckTest, NamesTheNodeAndItsValue) {
     grid.nodes[5].size = size;
     const std::vector<Diagnostic> found = checkBackgroundGrid(grid);
     ASSERT_EQ(found.size(), 1U);
-    EXPECT_EQ(found[0].code, DiagnosticCode::kBadSize);
+    EXPECT_EQ(found[0].code, DiagnosticCode::kSizeOutOfRange);
     EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kBackgroundNode);
     EXPECT_EQ(found[0].entities.at(0).index, 5U);
     EXPECT_TRUE(found[0].hasPlace);
@@ -217,7 +217,7 @@ TEST(BackgroundGridCheckTest, RefusesSizesThatVanishBesideTheGrid) {
   grid.nodes[5].size = 1e-13;
   grid.sources[1].size = 1e-13;
   const std::vector<Diagnostic> found = checkBackgroundGrid(grid);
-  ASSERT_EQ(codesOf(grid), std::vector(2, DiagnosticCode::kBadSize));
+  ASSERT_EQ(codesOf(grid), std::vector(2, DiagnosticCode::kSizeOutOfRange));
   EXPECT_EQ(found[0].entities.at(0).kind, EntityKind::kBackgroundNode);
   EXPECT_EQ(found[0].entities.at(0).index, 5U);
   EXPECT_EQ(found[1].entities.at(0).kind, EntityKind::kSource);
@@ -233,7 +233,7 @@ TEST(BackgroundGridCheckTest, RefusesBadStretching) {
   grid.nodes[3].direction = Vec3(0.0);
   grid.nodes[4].direction = Vec3(0.0);  // not stretched, so its direction does not matter
   grid.nodes[5].stretching = 1e200;
-  EXPECT_EQ(codesOf(grid), std::vector(4, DiagnosticCode::kBadStretching));
+  EXPECT_EQ(codesOf(grid), std::vector(4, DiagnosticCode::kStretchingOutOfRange));
 }
 
 TEST(BackgroundGridCheckTest, ReportsEverythingAtOnce) {
@@ -245,7 +245,7 @@ TEST(BackgroundGridCheckTest, ReportsEverythingAtOnce) {
   std::swap(grid.tetrahedra.back()[0], grid.tetrahedra.back()[2]);
   EXPECT_EQ(codesOf(grid),
             (std::vector{DiagnosticCode::kNotFinite, DiagnosticCode::kIndexOutOfRange,
-                         DiagnosticCode::kFlatBackgroundTetrahedron,
+                         DiagnosticCode::kDegenerateBackgroundTetrahedron,
                          DiagnosticCode::kDuplicateTriangle}));
 }
 

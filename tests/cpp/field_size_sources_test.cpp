@@ -129,7 +129,7 @@ TEST(SizeSourcesTest, ChecksNameTheSourceAndItsNumbers) {
   const std::vector<Diagnostic> found = checkSizeSources(bad);
   ASSERT_EQ(found.size(), bad.size());
   for (std::uint32_t i = 0; i < found.size(); ++i) {
-    EXPECT_EQ(found[i].code, DiagnosticCode::kBadSource);
+    EXPECT_EQ(found[i].code, DiagnosticCode::kSourceOutOfRange);
     EXPECT_EQ(found[i].entities.at(0).kind, EntityKind::kSource);
     EXPECT_EQ(found[i].entities.at(0).index, i);
     EXPECT_EQ(found[i].values.size(), 3U);
@@ -158,7 +158,7 @@ TEST(SizeSourcesTest, AreCheckedWithTheirGrid) {
   BackgroundGrid grid = boxGrid(Vec3(0.0), Vec3(1.0), [](const Vec3&) { return 0.3; });
   grid.sources.push_back(pointSource(Vec3(0.5), -1.0, 0.0, 0.3));
   ASSERT_EQ(checkBackgroundGrid(grid).size(), 1U);
-  EXPECT_EQ(checkBackgroundGrid(grid)[0].code, DiagnosticCode::kBadSource);
+  EXPECT_EQ(checkBackgroundGrid(grid)[0].code, DiagnosticCode::kSourceOutOfRange);
 }
 
 }  // namespace

@@ -186,7 +186,7 @@ void damageGrid(Random& random, BackgroundGrid& grid) {
 /// What an error of these codes is about; the others may be about the whole.
 bool concernsEntities(DiagnosticCode code) {
   return code != DiagnosticCode::kEmptyModel && code != DiagnosticCode::kEmptyBackgroundGrid &&
-         code != DiagnosticCode::kTooManyElements && code != DiagnosticCode::kBadOption &&
+         code != DiagnosticCode::kTooManyElements && code != DiagnosticCode::kOptionOutOfRange &&
          code != DiagnosticCode::kSizeTooLarge && code != DiagnosticCode::kStalled;
 }
 

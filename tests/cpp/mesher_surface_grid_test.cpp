@@ -215,7 +215,7 @@ TEST(SurfaceWithGrid, IsToldWhatIsWrongWithBoth) {
   grid.nodes[3].size = -1.0;
   const MeshRun run = filled(open, grid);
   ASSERT_EQ(run.status(), MeshStatus::kInvalidInput);
-  EXPECT_EQ(run.diagnostics().front().code, DiagnosticCode::kBadSize);
+  EXPECT_EQ(run.diagnostics().front().code, DiagnosticCode::kSizeOutOfRange);
   EXPECT_EQ(run.diagnostics().back().code, DiagnosticCode::kOpenEdge);
 }
 

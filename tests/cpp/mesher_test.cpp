@@ -32,7 +32,7 @@ TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
       MeshRun run(surface.points, surface.triangles, options);
       ASSERT_EQ(run.advance(1), MeshStatus::kInvalidInput) << which << " " << bad;
       ASSERT_EQ(run.diagnostics().size(), 1U);
-      EXPECT_EQ(run.diagnostics()[0].code, DiagnosticCode::kBadOption);
+      EXPECT_EQ(run.diagnostics()[0].code, DiagnosticCode::kOptionOutOfRange);
       EXPECT_EQ(run.diagnostics()[0].values[0], which);
     }
   }

@@ -97,7 +97,7 @@ TEST(MeshWalls, TwoBoxesShareOnePatch) {
   const MeshRun run = meshed(dividedBoxModel({2, 1, 1}), 0.3);
   for (const double volume : soundVolumes(run, 2)) EXPECT_NEAR(volume, 1.0, 1e-12);
   const auto told =
-      std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedBodies, &Diagnostic::code);
+      std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedRegions, &Diagnostic::code);
   ASSERT_NE(told, run.diagnostics().end());
   EXPECT_EQ(told->values, (std::vector{2.0, 0.0}));
 }
@@ -301,7 +301,7 @@ TEST(MeshWalls, EnclosedBodiesCanBeRegions) {
   const SurfaceMesh surface = run.surface();
   for (std::uint32_t t = 0; t < surface.triangles.size() / 3; ++t)
     EXPECT_EQ(surface.isWall(t), t >= trianglesEach) << t;
-  const auto nesting = std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedBodies,
+  const auto nesting = std::ranges::find(run.diagnostics(), DiagnosticCode::kNestedRegions,
                                          [](const Diagnostic& told) { return told.code; });
   ASSERT_NE(nesting, run.diagnostics().end());
   EXPECT_EQ(nesting->values, (std::vector<double>{kDepth, 0.0})) << "regions, cavities";

@@ -199,18 +199,18 @@ TEST(ModelCheck, OneOpenLineIsNoLoop) {
 TEST(ModelCheck, LoopTouchesItself) {
   // A bow tie of unequal wings; a hole across the edge; a hole touching it; a line used twice.
   const Model bowTie = polygonModel({{{0, 0, 0}, {3, 1, 0}, {3, 0, 0}, {0, 2, 0}}});
-  EXPECT_EQ(onlyFault(bowTie).code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_EQ(onlyFault(bowTie).code, DiagnosticCode::kLoopsIntersect);
   const Model crossing =
       polygonModel({squareCorners({0, 0, 0}, 2.0), squareCorners({1.5, 0.5, 0}, 1.0)});
   const Diagnostic fault = onlyFault(crossing);
-  EXPECT_EQ(fault.code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_EQ(fault.code, DiagnosticCode::kLoopsIntersect);
   EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
   const Model touching =
       polygonModel({squareCorners({0, 0, 0}, 2.0), {{2, 1, 0}, {1, 0.5, 0}, {1, 1.5, 0}}});
-  EXPECT_EQ(onlyFault(touching).code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_EQ(onlyFault(touching).code, DiagnosticCode::kLoopsIntersect);
   const Model spike =
       polygonModel({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}}});
-  EXPECT_EQ(onlyFault(spike).code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_EQ(onlyFault(spike).code, DiagnosticCode::kLoopsIntersect);
 }
 
 TEST(ModelCheck, HoleOutside) {
@@ -376,7 +376,7 @@ TEST(ModelCheck, MidPointNearAnEndFoldsAnIsoparametricPatch) {
       }
       const Diagnostic fault = onlyFault(builder.model);
       // Along its chord the line itself runs back.
-      EXPECT_EQ(fault.code, lift == 0.0 ? DiagnosticCode::kLineCrossesItself
+      EXPECT_EQ(fault.code, lift == 0.0 ? DiagnosticCode::kLineSelfIntersection
                                         : DiagnosticCode::kDegeneratePatch);
       EXPECT_TRUE(names(fault, EntityKind::kLine, 1));
       EXPECT_EQ(fault.entities.size(), lift == 0.0 ? 1U : 2U);
@@ -390,7 +390,7 @@ TEST(ModelCheck, TrianglesHaveThreeCorners) {
   const Loop base = builder.circle({0, 0, 0}, 1.0, 1);
   const OrientedLine seam = builder.straight({1, 0, 0}, {0, 0, 1.5});
   builder.patch(PatchType::kBarnhillGregoryNielson, {{base[0], seam, {seam.line, true}}});
-  EXPECT_EQ(onlyFault(builder.model).code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_EQ(onlyFault(builder.model).code, DiagnosticCode::kLoopsIntersect);
 }
 
 TEST(ModelCheck, SharpBendOfACoonsPatchIsNoFold) {

@@ -149,7 +149,7 @@ TEST(SelfCrossing, LineThatEndsOnItselfIsReportedWithItsPlace) {
   std::vector<Diagnostic> found = diagnoseModel(builder.model);
   std::erase_if(found, [](const Diagnostic& d) { return d.code == DiagnosticCode::kEmptyModel; });
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].code, DiagnosticCode::kLineCrossesItself);
+  EXPECT_EQ(found[0].code, DiagnosticCode::kLineSelfIntersection);
   EXPECT_EQ(found[0].severity, Severity::kWarning) << "no patch uses it";
   EXPECT_TRUE(found[0].hasPlace);
   EXPECT_LT(glm::length(found[0].place - Vec3(1, 0, 0)), 1e-6);

@@ -106,7 +106,7 @@ TEST(PatchesMeet, BoxesThatCrossNameEveryPairAndAPlace) {
       both(boxModel({0, 0, 0}, {1, 1, 1}), boxModel({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
   const std::vector<Diagnostic> found = foundIn(model);
   // The right face of the first is pierced by the four long faces of the second.
-  ASSERT_EQ(countOf(found, DiagnosticCode::kPatchesMeet), 4U);
+  ASSERT_EQ(countOf(found, DiagnosticCode::kPatchesIntersect), 4U);
   EXPECT_EQ(errorsAmong(found).size(), 4U);
   for (const Diagnostic& meeting : found) {
     ASSERT_EQ(meeting.entities.size(), 2U);
@@ -129,14 +129,14 @@ TEST(PatchesMeet, TheTipThatTouchesIsThePlace) {
   for (std::size_t k = 0; k < 3; ++k)
     builder.patch(PatchType::kPlanar, {builder.polygon({base[k], base[(k + 1) % 3], tip})});
   const std::vector<Diagnostic> found = foundIn(builder.model);
-  ASSERT_EQ(countOf(found, DiagnosticCode::kPatchesMeet), 3U);
+  ASSERT_EQ(countOf(found, DiagnosticCode::kPatchesIntersect), 3U);
   for (const Diagnostic& meeting : found) EXPECT_LT(glm::length(meeting.place - tip), 1e-12);
 }
 
 TEST(PatchesMeet, ABoxStandingOnAnotherOverlapsIt) {
   const Model model = both(boxModel({0, 0, 0}, {2, 2, 1}), boxModel({0.5, 0.5, 1}, {1.5, 1.5, 2}));
   const std::vector<Diagnostic> found = foundIn(model);
-  EXPECT_GE(countOf(found, DiagnosticCode::kPatchesMeet), 1U);
+  EXPECT_GE(countOf(found, DiagnosticCode::kPatchesIntersect), 1U);
   EXPECT_TRUE(std::ranges::any_of(found, [](const Diagnostic& meeting) {
     return meeting.entities[0].index == 1 && meeting.entities[1].index == 6;
   })) << "the top of the one and the bottom of the other";
@@ -146,7 +146,7 @@ TEST(PatchesMeet, CurvedPatchesThatCrossALittleAreFound) {
   for (const double depth : {0.2, 0.02}) {
     const Model model =
         both(tube(1.0, 0.0, 2.0), boxModel({1.0 - depth, -0.5, 0.5}, {3, 0.5, 1.5}));
-    EXPECT_GE(countOf(foundIn(model), DiagnosticCode::kPatchesMeet), 1U) << depth;
+    EXPECT_GE(countOf(foundIn(model), DiagnosticCode::kPatchesIntersect), 1U) << depth;
   }
 }
 
@@ -180,7 +180,7 @@ TEST(PatchesMeet, PatchesDrawnManyTimesOverAreToldUpToABound) {
   model.patches.insert(model.patches.end(), 200, face);
   const std::vector<Diagnostic> found = previewModel(model, {}, {.size = 0.5}).diagnostics;
   const auto meeting =
-      std::ranges::count(found, DiagnosticCode::kPatchesMeet, [](const auto& d) { return d.code; });
+      std::ranges::count(found, DiagnosticCode::kPatchesIntersect, [](const auto& d) { return d.code; });
   EXPECT_EQ(meeting, 1000);  // of 20 100 pairs
 }
 
@@ -198,7 +198,7 @@ TEST(PatchesMeet, TouchingInACommonLineOrPointIsFine) {
   face(p(0, 1, 0), p(1, 1, 0), p(1, 1, 1), p(0, 1, 1));
   face(p(0, 0, 0), p(0, 1, 0), p(0, 1, 1), p(0, 0, 1));
   face(p(1, 0, 0), p(1, 1, 0), p(1, 1, 1), p(1, 0, 1));
-  EXPECT_EQ(countOf(foundIn(builder.model), DiagnosticCode::kPatchesMeet), 0U);
+  EXPECT_EQ(countOf(foundIn(builder.model), DiagnosticCode::kPatchesIntersect), 0U);
 }
 
 // ---- bodies, sizes, counts ---------------------------------------------------------------------
@@ -207,7 +207,7 @@ TEST(ExamineInput, NestedBodiesAreToldWithTheirRegionsAndCavities) {
   const Model hollow = both(boxModel({0, 0, 0}, {4, 4, 4}), boxModel({1, 1, 1}, {3, 3, 3}));
   std::vector<Diagnostic> found = foundIn(hollow);
   ASSERT_EQ(found.size(), 1U);
-  EXPECT_EQ(found[0].code, DiagnosticCode::kNestedBodies);
+  EXPECT_EQ(found[0].code, DiagnosticCode::kNestedRegions);
   EXPECT_EQ(found[0].severity, Severity::kInformation);
   EXPECT_EQ(found[0].values, (std::vector<double>{1.0, 1.0}));
   found = foundIn(both(hollow, boxModel({1.5, 1.5, 1.5}, {2.5, 2.5, 2.5})));
@@ -285,15 +285,15 @@ TEST(ExamineInput, NoFindingHidesAnother) {
        {DiagnosticCode::kNotFinite, DiagnosticCode::kDuplicatePoints,
         DiagnosticCode::kZeroLengthLine, DiagnosticCode::kIndexOutOfRange,
         DiagnosticCode::kDuplicateLines, DiagnosticCode::kWrongLineCount,
-        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge, DiagnosticCode::kPatchesMeet,
+        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge, DiagnosticCode::kPatchesIntersect,
         DiagnosticCode::kOutsideBackgroundGrid})
     EXPECT_GE(countOf(found, code), 1U) << static_cast<int>(code);
   grid.nodes[2].size = 0.0;
   MeshOptions options;
   options.growth = -1.0;
   const std::vector<Diagnostic> worse = checkInput(ruin(), grid, options).preview.diagnostics;
-  EXPECT_EQ(countOf(worse, DiagnosticCode::kBadSize), 1U);
-  EXPECT_EQ(countOf(worse, DiagnosticCode::kBadOption), 1U);
+  EXPECT_EQ(countOf(worse, DiagnosticCode::kSizeOutOfRange), 1U);
+  EXPECT_EQ(countOf(worse, DiagnosticCode::kOptionOutOfRange), 1U);
   EXPECT_EQ(the(DiagnosticCode::kDuplicateLines, worse).severity, Severity::kWarning);
 }
 

@@ -89,7 +89,7 @@ TEST(SurfacePreview, TellsAboutTheGridToo) {
   broken.nodes[3].size = -1.0;
   const ModelPreview preview = previewModel(boxModel({0, 0, 0}, {1, 1, 1}), broken);
   ASSERT_FALSE(preview.diagnostics.empty());
-  EXPECT_EQ(preview.diagnostics.back().code, DiagnosticCode::kBadSize);
+  EXPECT_EQ(preview.diagnostics.back().code, DiagnosticCode::kSizeOutOfRange);
 }
 
 TEST(SurfacePreview, SaysNothingOfTheGridButItsSourcesWhereTheSizeIsUniform) {
@@ -101,7 +101,7 @@ TEST(SurfacePreview, SaysNothingOfTheGridButItsSourcesWhereTheSizeIsUniform) {
   broken.sources.emplace_back();
   const ModelPreview preview = previewModel(box, broken, {.size = 0.25});
   ASSERT_EQ(preview.diagnostics.size(), 1U);
-  EXPECT_EQ(preview.diagnostics[0].code, DiagnosticCode::kBadSource);
+  EXPECT_EQ(preview.diagnostics[0].code, DiagnosticCode::kSourceOutOfRange);
 }
 
 TEST(SurfacePreview, SurvivesAnyInput) {

@@ -304,7 +304,7 @@ TEST(SurfaceRefiner, ReportsInvalidInput) {
   cube.triangles[1] = 99;
   EXPECT_EQ(refine(cube, {}, sized(0.1)).diagnostics.at(0).code, DiagnosticCode::kIndexOutOfRange);
   EXPECT_EQ(refine(gridCube(1), sourceAt(Vec3(0), -1.0, 0)).diagnostics.at(0).code,
-            DiagnosticCode::kBadSource);
+            DiagnosticCode::kSourceOutOfRange);
 }
 
 }  // namespace

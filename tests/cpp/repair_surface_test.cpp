@@ -284,7 +284,7 @@ TEST(SurfaceRepair, FlipsNothingOfAnOpenSurfaceWithANonManifoldEdge) {
   EXPECT_TRUE(repair(mesh).changes.empty());
   // Without the third triangle, two neighbours of the first are flipped.
   removeTriangles(mesh, {2});
-  EXPECT_EQ(kindsOf(repair(mesh))[RepairKind::kTurnedTriangle], 2);
+  EXPECT_EQ(kindsOf(repair(mesh))[RepairKind::kFlippedTriangle], 2);
 }
 
 TEST(SurfaceRepair, FillsHolesUpToTheGivenNumberOfEdges) {

@@ -190,7 +190,7 @@ TEST(SurfaceCurvedHoles, HolesThatTouchOrLieElsewhereAreReported) {
   Model touching = member.model;
   addRoundHole(touching, {0.4, 0.5}, 0.15);
   addRoundHole(touching, {0.6, 0.5}, 0.15);
-  EXPECT_EQ(codesOf(touching), std::vector{DiagnosticCode::kLoopTouchesItself});
+  EXPECT_EQ(codesOf(touching), std::vector{DiagnosticCode::kLoopsIntersect});
   Model nested = member.model;
   addRoundHole(nested, {0.5, 0.5}, 0.3);
   addRoundHole(nested, {0.5, 0.5}, 0.1);
@@ -198,7 +198,7 @@ TEST(SurfaceCurvedHoles, HolesThatTouchOrLieElsewhereAreReported) {
   Model twice = member.model;
   addRoundHole(twice, {0.5, 0.5}, 0.2);
   twice.patches.front().loops.push_back(twice.patches.front().loops.back());
-  EXPECT_EQ(codesOf(twice), std::vector{DiagnosticCode::kLoopTouchesItself});
+  EXPECT_EQ(codesOf(twice), std::vector{DiagnosticCode::kLoopsIntersect});
 }
 
 TEST(SurfaceCurvedHoles, CoarseSidesAreHalvedUntilLoopsAreSimple) {

@@ -311,7 +311,7 @@ TEST(SurfaceMesher, ReportsLinesThatTouchWhereSamplesCannotSee) {
   while (status == MeshStatus::kRunning) status = mesher.advance(100);
   EXPECT_EQ(status, MeshStatus::kInvalidInput);
   ASSERT_FALSE(mesher.diagnostics().empty());
-  EXPECT_EQ(mesher.diagnostics().front().code, DiagnosticCode::kLoopTouchesItself);
+  EXPECT_EQ(mesher.diagnostics().front().code, DiagnosticCode::kLoopsIntersect);
   EXPECT_EQ(mesher.diagnostics().front().entities.front().kind, EntityKind::kPatch);
 }
 

@@ -13,7 +13,7 @@ const modelsFolder = new URL("../../public/models/", import.meta.url);
 
 export function sampleProject(id: string): Project {
   const read = readProject(readFileSync(new URL(`${id}.json`, modelsFolder), "utf8"));
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 

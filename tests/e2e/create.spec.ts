@@ -9,7 +9,7 @@ import { AppPage, nextFrame, sampleProject } from "./app-page";
 async function savedProject(page: Page): Promise<Project> {
   const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press("Control+s")]);
   const read = readProject(await readFile(await download.path(), "utf8"));
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 

@@ -4,7 +4,7 @@
  *     import { createMesher, fileMeshOf, readSurface, writeMesh } from "tetrafront";
  */
 export { ENGINE_CODES } from "./diagnostics/codes.js";
-export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadPlace } from "./diagnostics/data.js";
+export type { Counted, DiagnosticData, DiagnosticNumbers, NoData, ReadLocation } from "./diagnostics/data.js";
 export type { DiagnosticCode, EngineCode, ErrorCode, PackageCode } from "./diagnostics/codes.js";
 export type { ByteSource } from "./formats/byte-source.js";
 export type {
@@ -20,15 +20,9 @@ export type {
   WrittenFile,
 } from "./formats/file-format.js";
 export type { Part } from "./formats/bytes.js";
-export { extensionsThat, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
-export {
-  fileMeshOf,
-  patchNames,
-  type FileGroup,
-  type FileMesh,
-  type NameSource,
-  type NodeData,
-} from "./formats/file-mesh.js";
+export { extensionsFor, FILE_FORMATS, formatOf } from "./formats/file-formats.js";
+export type { FileGroup, FileMesh, NodeData, SurfaceRegions } from "./formats/file-mesh.js";
+export { fileMeshOf, patchNames, type NameSource } from "./api/generated-mesh.js";
 export {
   readMesh,
   readSurface,
@@ -39,8 +33,7 @@ export {
   type WriteProgress,
 } from "./formats/mesh-files.js";
 export type { SurfaceFile } from "./formats/surface-file.js";
-export type { SurfaceRegions } from "./formats/region-names.js";
-export { unusedData, volumeBackground } from "./formats/volume-background.js";
+export { unusedData, volumeBackground } from "./api/volume-background.js";
 export type { VolumeFile } from "./formats/volume-file.js";
 export { backgroundArrays, projectBackground } from "./project/grid-arrays.js";
 export {
@@ -84,7 +77,7 @@ export type {
   SourceId,
   SourceType,
 } from "./project/schema.js";
-export type { ReadCode, ReadProblem, ReadResult } from "./formats/read-result.js";
+export type { ReadCode, ReadError, ReadResult } from "./formats/read-result.js";
 export { repairedSurface } from "./api/repaired-surface.js";
 export { NO_ORIGIN } from "./api/surface-numbers.js";
 export type {

@@ -50,7 +50,7 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
     const { handle, lastModified } = file;
     return { kind: "opened", project: read.value, file: handle ? { handle, lastModified } : null };
   }
-  const reasons = read.problems.map(({ message, remedy, line }) =>
+  const reasons = read.errors.map(({ message, remedy, line }) =>
     line === undefined ? `${message}. ${remedy}` : `Line ${line}: ${message}. ${remedy}`,
   );
   return { kind: "failed", fileName: file.name, reasons };
@@ -61,10 +61,10 @@ async function meshFileReasons(fileName: string): Promise<readonly string[] | un
   if (/\.json$/i.test(fileName)) return undefined;
   const { formatOf } = await import("./mesh-formats");
   const format = formatOf(fileName);
-  if (format === undefined || format.reads.length === 0) return undefined;
+  if (format === undefined || format.readable.length === 0) return undefined;
   const what = `This is a mesh in the format ${format.name}. The application opens projects, which are drawn in it.`;
   const quoted = fileName.replaceAll('"', "");
-  const command = format.reads.includes("surface")
+  const command = format.readable.includes("surface")
     ? `Fill the surface on the command line: npx tetrafront mesh "${quoted}" -o "${quoted.replace(/\.[^.]*$/, "")}.vtu"`
     : `See what is in it on the command line: npx tetrafront info "${quoted}"`;
   return [what, command];

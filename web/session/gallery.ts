@@ -55,5 +55,5 @@ export async function loadGallery(): Promise<Gallery> {
 export async function loadModel(model: GalleryModel): Promise<Project> {
   const read = parseProject(await fetchJson(model.file));
   if (read.success) return read.value;
-  throw new Error(`${model.file}: ${read.problems[0].message}`);
+  throw new Error(`${model.file}: ${read.errors[0].message}`);
 }

@@ -59,24 +59,24 @@ enum class DiagnosticCode : std::uint16_t {
   kWrongLineCount = 5,     ///< patch; values: lines given in its outer loop, lines wanted
   kWrongLineType = 6,      ///< patch and line: the patch type does not accept this line type
   kLoopNotClosed = 7,      ///< patch, line, point: the chain breaks after the line
-  kLoopTouchesItself = 8,  ///< patch, line(s): loop crosses or touches itself or another loop
+  kLoopsIntersect = 8,  ///< patch, line(s): loop crosses or touches itself or another loop
   kNotPlanar = 9,    ///< planar patch, line(s), point(s) moved; values: distance from the plane
   kEmptyModel = 12,  ///< no patch, or no triangle
   kDegeneratePatch = 13,    ///< patch whose surface has no area or folds over itself
   kHoleOutside = 14,        ///< patch, line: a hole outside the outer loop or in a hole
-  kBadOption = 15,          ///< values: which (0 size, 1 growth, 2 gradation), what was given
-  kLineCrossesItself = 16,  ///< line, also one that runs back over itself; place
-  kPatchesMeet = 17,        ///< two patches that overlap or cross away from common lines; place
+  kOptionOutOfRange = 15,          ///< values: which (0 size, 1 growth, 2 gradation), what was given
+  kLineSelfIntersection = 16,  ///< line, also one that runs back over itself; place
+  kPatchesIntersect = 17,        ///< two patches that overlap or cross away from common lines; place
   kHoleOffPatch = 18,       ///< curved patch, line of a hole that is not on it; values: distance
   kDuplicateLines = 19,     ///< two lines of the same course; a warning unless patches use both
   // Background grid
   kEmptyBackgroundGrid = 20,
-  kBadSize = 21,        ///< node; values: size
-  kBadStretching = 22,  ///< node; values: stretching
-  kFlatBackgroundTetrahedron = 23,
+  kSizeOutOfRange = 21,        ///< node; values: size
+  kStretchingOutOfRange = 22,  ///< node; values: stretching
+  kDegenerateBackgroundTetrahedron = 23,
   kOutsideBackgroundGrid = 24,  ///< place (and line or patch): the grid does not cover the domain
   kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
-  kBadSource = 26,              ///< source; values: size, distance, growth
+  kSourceOutOfRange = 26,              ///< source; values: size, distance, growth
   kDuplicatePoints = 27,        ///< two points at one place; a warning unless patches use both
   kSizeTooLarge = 28,           ///< warning; values: the size, smallest in a model, and the extent
   // Closed boundary
@@ -91,8 +91,8 @@ enum class DiagnosticCode : std::uint16_t {
   kReorientedPatch = 47,  ///< information: patch, or whole part of a given surface, drawn inside
                           ///< out and turned round; values of the latter: triangles turned, all
   kCoincidentNodes = 48,  ///< two nodes at one place that are not joined
-  kNestedBodies = 49,     ///< information; values: number of regions, of cavities
-  kTurnedTriangle = 50,  ///< triangle of a given surface that faces inward where others of its part
+  kNestedRegions = 49,     ///< information; values: number of regions, of cavities
+  kFlippedTriangle = 50,  ///< triangle of a given surface that faces inward where others of its part
                          ///< face outward; values: 1 where it would be a wall if
                          ///< EnclosedBodies were kRegions, else 0; number of such triangles
   kCoarseSurface = 51,   ///< warning; triangle of a given surface with the longest edges in wanted

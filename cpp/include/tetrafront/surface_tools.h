@@ -124,7 +124,7 @@ enum class RepairKind : std::uint8_t {
   /// where the middle corner lies on it. The shape is the same.
   kSplitTriangle = 4,
   kFilledHole = 5,      ///< with `second` triangles, from `first` of the result on
-  kTurnedTriangle = 6,  ///< `first`
+  kFlippedTriangle = 6,  ///< `first`
 };
 
 /// Numbers are those of the given surface, but for the triangles of filled holes.

@@ -132,7 +132,7 @@ void BoundaryCheck::reportFlippedComponents(const RegionMap& regions,
   };
   for (std::uint32_t t = 0; t < isFlipped.size(); ++t) {
     if (isFlipped[t] == 0 || !isRefused(counts[regions.componentOf[t].index()])) continue;
-    report_.addTriangle(DiagnosticCode::kTurnedTriangle, TriangleId(t),
+    report_.addTriangle(DiagnosticCode::kFlippedTriangle, TriangleId(t),
                         {regions.isBetweenBoundedVolumes(TriangleId(t)) ? 1.0 : 0.0});
   }
   for (const Counts& count : counts) {

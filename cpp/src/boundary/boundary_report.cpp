@@ -140,7 +140,7 @@ void BoundaryReport::addInformation(DiagnosticCode code, std::vector<Entity> ent
 
 void BoundaryReport::addNesting(TriangleId triangle, std::uint32_t regions,
                                 std::uint32_t cavities) {
-  addInformation(DiagnosticCode::kNestedBodies,
+  addInformation(DiagnosticCode::kNestedRegions,
                  {isDrawn() ? patchOf(triangle) : entityOf(triangle)},
                  centroidOf(cornersOf(mesh_, triangle)),
                  {static_cast<double>(regions), static_cast<double>(cavities)});

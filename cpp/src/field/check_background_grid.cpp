@@ -48,11 +48,11 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
   if (!isFinite(node.position))
     report(DiagnosticCode::kNotFinite, {refusedCoordinate(node.position)});
   if (!(node.size > 0.0 && node.size >= smallest && node.size <= kLargestCoordinate))
-    report(DiagnosticCode::kBadSize, {node.size});
+    report(DiagnosticCode::kSizeOutOfRange, {node.size});
   if (!(node.stretching >= 1.0 && node.stretching <= kMostStretching)) {
-    report(DiagnosticCode::kBadStretching, {node.stretching});
+    report(DiagnosticCode::kStretchingOutOfRange, {node.stretching});
   } else if (node.stretching > 1.0 && (!isFinite(node.direction) || node.direction == Vec3(0.0))) {
-    report(DiagnosticCode::kBadStretching, {node.stretching});
+    report(DiagnosticCode::kStretchingOutOfRange, {node.stretching});
   }
 }
 
@@ -60,7 +60,7 @@ void checkNode(const BackgroundNode& node, std::uint32_t index, double smallest,
 void checkSourceSize(const SizeSource& source, std::uint32_t index, double smallest,
                      std::vector<Diagnostic>& found) {
   if (!(source.size > 0.0 && source.size < smallest)) return;
-  found.push_back(about(DiagnosticCode::kBadSize, EntityKind::kSource, index));
+  found.push_back(about(DiagnosticCode::kSizeOutOfRange, EntityKind::kSource, index));
   found.back().values = {source.size};
 }
 
@@ -91,7 +91,7 @@ void checkTetrahedron(const BackgroundGrid& grid, std::uint32_t t, std::vector<D
   }
   if (!isFlat(corners)) return;
   found.push_back(
-      about(DiagnosticCode::kFlatBackgroundTetrahedron, EntityKind::kBackgroundTetrahedron, t));
+      about(DiagnosticCode::kDegenerateBackgroundTetrahedron, EntityKind::kBackgroundTetrahedron, t));
   found.back().hasPlace = true;
   found.back().place = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }

@@ -152,7 +152,7 @@ std::vector<Diagnostic> checkSizeSources(std::span<const SizeSource> sources) {
                        source.growth >= 0.0 && source.growth <= kMostGrowth &&
                        source.type <= SourceType::kTriangle;
     if (sound) continue;
-    Diagnostic& bad = report(DiagnosticCode::kBadSource, i);
+    Diagnostic& bad = report(DiagnosticCode::kSourceOutOfRange, i);
     bad.values = {source.size, source.distance, source.growth};
     if (refused != end) continue;
     bad.hasPlace = true;

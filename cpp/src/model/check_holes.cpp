@@ -34,7 +34,7 @@ class HoleCheck {
         return fault(DiagnosticCode::kHoleOffPatch, {worstLine_}, worstPlace_, {worst_});
     }
     if (const std::optional<LoopContact> contact = findContact(loops, extentInPlane(loops)))
-      return fault(DiagnosticCode::kLoopTouchesItself, {contact->firstLine, contact->secondLine},
+      return fault(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
                    surface_->evaluate(contact->place).position);
     if (const std::optional<std::size_t> hole = findMisplacedHole(loops))
       return fault(DiagnosticCode::kHoleOutside, {drawn_->loops[*hole].front().line},
@@ -67,7 +67,7 @@ class HoleCheck {
       appendStarts(*model_, hole, starts);
     const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
     if (!twice) return std::nullopt;
-    return fault(DiagnosticCode::kLoopTouchesItself, {twice->firstLine, twice->secondLine},
+    return fault(DiagnosticCode::kLoopsIntersect, {twice->firstLine, twice->secondLine},
                  model_->model().points[twice->point]);
   }
 

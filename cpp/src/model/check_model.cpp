@@ -277,7 +277,7 @@ class ModelChecker::Impl {
       const std::optional<Vec3> place = findSelfCrossing(resolved.curve(line));
       if (!place) continue;
       crosses_[line] = 1;
-      report(DiagnosticCode::kLineCrossesItself, {{EntityKind::kLine, line}}, {}, place);
+      report(DiagnosticCode::kLineSelfIntersection, {{EntityKind::kLine, line}}, {}, place);
       if (isUsed_[line] == 0) found_.diagnostics.back().severity = Severity::kWarning;
     }
   }
@@ -302,7 +302,7 @@ class ModelChecker::Impl {
     const std::size_t before = found_.diagnostics.size();
     const bool sound = checkPatchShape(resolved, patch, movedPoints_, found_.diagnostics);
     const auto isKnown = [&](const Diagnostic& diagnostic) {
-      const bool isAboutLines = diagnostic.code == DiagnosticCode::kLoopTouchesItself ||
+      const bool isAboutLines = diagnostic.code == DiagnosticCode::kLoopsIntersect ||
                                 diagnostic.code == DiagnosticCode::kDegeneratePatch;
       return isAboutLines && diagnostic.entities.size() > 1 &&
              std::ranges::all_of(diagnostic.entities, [&](const Entity& entity) {

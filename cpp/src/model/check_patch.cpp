@@ -123,12 +123,12 @@ class PatchCheck {
     for (const LineStart& start : starts) lines.push_back(start.line);
     stableSort(lines);
     if (const auto twice = std::ranges::adjacent_find(lines); twice != lines.end()) {
-      report(DiagnosticCode::kLoopTouchesItself, {*twice}, model_->curve(*twice).start());
+      report(DiagnosticCode::kLoopsIntersect, {*twice}, model_->curve(*twice).start());
       return false;
     }
     const std::optional<RepeatedPoint> twice = findRepeatedPoint(std::move(starts));
     if (!twice) return true;
-    report(DiagnosticCode::kLoopTouchesItself, {twice->firstLine, twice->secondLine},
+    report(DiagnosticCode::kLoopsIntersect, {twice->firstLine, twice->secondLine},
            model_->model().points[twice->point]);
     return false;
   }
@@ -137,7 +137,7 @@ class PatchCheck {
     std::vector<PlaneLoop> loops;
     for (const Loop& loop : drawn_->loops) loops.push_back(layOutLoop(*model_, loop, surface));
     if (const std::optional<LoopContact> contact = findContact(loops, size)) {
-      report(DiagnosticCode::kLoopTouchesItself, {contact->firstLine, contact->secondLine},
+      report(DiagnosticCode::kLoopsIntersect, {contact->firstLine, contact->secondLine},
              surface.evaluate(contact->place).position);
       return;
     }
@@ -195,7 +195,7 @@ class PatchCheck {
       for (std::size_t k = i + 1; k < loop.size(); ++k) {
         const bool seam = loop.size() == 4 && k == i + 2 && loop[i].reversed != loop[k].reversed;
         if (loop[i].line != loop[k].line || seam) continue;
-        report(DiagnosticCode::kLoopTouchesItself, {loop[i].line},
+        report(DiagnosticCode::kLoopsIntersect, {loop[i].line},
                model_->curve(loop[i].line).start());
         return false;
       }
@@ -211,7 +211,7 @@ class PatchCheck {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       const std::size_t k = (i + apart) % loop.size();
       if (model_->startPoint(loop[i]) != model_->startPoint(loop[k])) continue;
-      report(DiagnosticCode::kLoopTouchesItself, {loop[i].line, loop[k].line},
+      report(DiagnosticCode::kLoopsIntersect, {loop[i].line, loop[k].line},
              model_->curve(loop[i]).start());
       return false;
     }

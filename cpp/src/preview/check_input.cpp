@@ -288,7 +288,7 @@ std::vector<Diagnostic> checkOptions(const MeshOptions& options) {
   for (std::size_t i = 0; i < given.size(); ++i) {
     if (sound[i]) continue;
     Diagnostic bad;
-    bad.code = DiagnosticCode::kBadOption;
+    bad.code = DiagnosticCode::kOptionOutOfRange;
     bad.values = {static_cast<double>(i), given[i]};
     found.push_back(std::move(bad));
   }

@@ -220,7 +220,7 @@ class MeetingSearch {
 
   void report(std::uint32_t a, std::uint32_t b, const Vec3& place) {
     Diagnostic& meeting = diagnostics_.emplace_back();
-    meeting.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesMeet;
+    meeting.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesIntersect;
     meeting.entities = {{EntityKind::kPatch, a}};
     if (a != b) meeting.entities.push_back({EntityKind::kPatch, b});
     meeting.hasPlace = true;

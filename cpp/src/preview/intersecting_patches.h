@@ -9,7 +9,7 @@
 
 namespace tetrafront {
 
-/// One diagnostic per pair of patches (kPatchesMeet), or per patch that cuts itself
+/// One diagnostic per pair of patches (kPatchesIntersect), or per patch that cuts itself
 /// (kSelfIntersection), with a place. Triangles of the sampled patches are tested exactly, and told
 /// by their nodes what they share; where bent patches are concerned, a finding must persist as they
 /// are sampled more and more finely, so that patches that only come near each other are not

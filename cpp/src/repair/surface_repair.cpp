@@ -207,7 +207,7 @@ Task<> RepairedSurface::orient(Work& work) {
   for (std::uint32_t t = 0; t < countTriangles(mesh_); ++t) {
     const std::size_t second = 3 * std::size_t{t} + 1;
     const bool isFlipped = mesh_.triangles[second] != oriented.triangles[second];
-    if (isFlipped && !origin_[t].isNone()) addAt(RepairKind::kTurnedTriangle, TriangleId(t));
+    if (isFlipped && !origin_[t].isNone()) addAt(RepairKind::kFlippedTriangle, TriangleId(t));
   }
   mesh_.triangles = std::move(oriented.triangles);
 }

@@ -359,7 +359,7 @@ void SurfaceMesher::Impl::halveSides() {
 void SurfaceMesher::Impl::reportFaulty(std::uint32_t patch, const PatchBoundary& boundary,
                                        const std::vector<std::uint32_t>& faulty) {
   Diagnostic diagnostic;
-  diagnostic.code = DiagnosticCode::kLoopTouchesItself;
+  diagnostic.code = DiagnosticCode::kLoopsIntersect;
   diagnostic.entities = {{EntityKind::kPatch, patch}};
   std::vector<std::uint32_t> lines;
   for (const std::uint32_t side : faulty) lines.push_back(boundary.origins[side].line);

@@ -20,7 +20,7 @@ const gallery = JSON.parse(readFileSync(new URL("index.json", publicFolder), "ut
 
 function load(file: string): Project {
   const read = readProject(readFileSync(new URL(file, publicFolder), "utf8"));
-  if (!read.success) throw new Error(`${file}: ${read.problems[0].message}`);
+  if (!read.success) throw new Error(`${file}: ${read.errors[0].message}`);
   return read.value;
 }
 

@@ -56,7 +56,7 @@ const elements = new TextEncoder().encode("1 4 0\n1 1 2 3 4\n");
 const readOptions = { fileName: "a.off", openOther: () => Promise.resolve(undefined), ...control };
 
 const functions: Readonly<Record<string, Arguments>> = {
-  extensionsThat: { can: "reads", contents: "surface" },
+  extensionsFor: { action: "read", contents: "surface" },
   formatOf: { fileName: "a.off" },
   fileMeshOf: { mesh: meshed, names: { project, surface: { ...surfaceFile, surfaceRegions } } },
   patchNames: { project },
@@ -160,7 +160,7 @@ const ENGINE: readonly string[] = Object.values(api.ENGINE_CODES);
 const OTHERS: readonly string[] = [
   ...["invalid-argument", "invalid-arrays", "invalid-option", "invalid-project", "not-a-project"],
   ...["unknown-format", "empty-file", "malformed-file", "missing-file", "no-triangles", "no-tetrahedra"],
-  ...["invalid-sizes", "later-version", "unsound-mesh"],
+  ...["invalid-sizes", "later-version", "invalid-mesh"],
 ];
 
 interface Told {
@@ -170,7 +170,7 @@ interface Told {
 
 /** Wherever an answer has what is wrong. */
 interface Answer {
-  readonly problems?: readonly Told[];
+  readonly errors?: readonly Told[];
   readonly diagnostics?: readonly api.Diagnostic[];
   readonly report?: api.MeshReport;
 }
@@ -180,7 +180,7 @@ async function complaintOf(call: () => unknown): Promise<readonly Told[] | undef
   try {
     const made = (await call()) as Answer | undefined;
     const diagnostics = made?.report?.diagnostics ?? made?.diagnostics;
-    const found = made?.problems ?? diagnostics?.filter(({ severity }) => severity === "error");
+    const found = made?.errors ?? diagnostics?.filter(({ severity }) => severity === "error");
     return found?.length === 0 ? undefined : found;
   } catch (failure) {
     if (!(failure instanceof api.MesherError) || failure.code !== "invalid-input") throw failure;
@@ -203,7 +203,7 @@ test("all functions are listed", () => {
 
 /** What every message about an argument has in it, where that is not its name. */
 const SAID_AS: Readonly<Record<string, RegExp>> = {
-  fileName: /name/i,
+  fileName: /name|extension/i,
   value: /project/,
   text: /project/,
   volume: /mesh|volume/,

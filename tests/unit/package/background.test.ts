@@ -83,7 +83,7 @@ describe("a source of size", () => {
     const { report } = await mesher.meshProject(withSources(cubeProject(), lip));
     expect(report.status).toBe("invalid-input");
     expect(report.diagnostics).toMatchObject([
-      { code: "bad-source", entities: [{ kind: "source", index: 0, id: 1, label: 'source "lip"' }] },
+      { code: "source-out-of-range", entities: [{ kind: "source", index: 0, id: 1, label: 'source "lip"' }] },
     ]);
     expect(report.diagnostics[0]?.message).toMatch(/^Source "lip" has the size 0/);
   });
@@ -371,11 +371,11 @@ describe("a background grid of arrays", () => {
       "invalid-arrays",
       /fit/,
     ],
-    ["with a size of 0", { background: around(0) }, "bad-size", /^Background node 0 .*size 0/],
+    ["with a size of 0", { background: around(0) }, "size-out-of-range", /^Background node 0 .*size 0/],
     [
       "with a stretching of 0",
       { background: around(1, { stretchings: new Float64Array(4) }) },
-      "bad-stretching",
+      "stretching-out-of-range",
       /node 0 .*stretching 0/,
     ],
     [

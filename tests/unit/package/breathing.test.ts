@@ -84,7 +84,7 @@ describe.each(["ascii", "binary", "appended"] as const)("a VTU file whose arrays
 
   test("is read right", async () => {
     const read = await readVolume(bytes, { fileName: "a.vtu" });
-    if (!read.success) throw new Error(read.problems[0].message);
+    if (!read.success) throw new Error(read.errors[0].message);
     expect(read.value.tetrahedra).toHaveLength(80_000);
     expect(read.value.points.at(-1)).toBe(1);
   });
@@ -120,12 +120,12 @@ test("an array in one compressed block is inflated in steps", () => {
   });
 });
 
-const WRITABLE = FILE_FORMATS.filter(({ writes }) => writes.length > 0).map(
+const WRITABLE = FILE_FORMATS.filter(({ writable }) => writable.length > 0).map(
   (format) => [format.extensions[0], format] as const,
 );
 
 describe.each(WRITABLE)("a mesh written as %s", (extension, format) => {
-  const mesh = format.writes.includes("volume") ? block : surface;
+  const mesh = format.writable.includes("volume") ? block : surface;
   const rows = (mesh.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
 
   test("is laid out in steps: about as many as its progress counts with, none of them large", async () => {

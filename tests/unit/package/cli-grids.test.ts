@@ -17,7 +17,7 @@ const bare: Project = { ...cubeProject(), background: { nodes: [], tetrahedra: [
 
 function projectIn(name: string): Project {
   const read = readProject(readFileSync(inFolder(name), "utf8"));
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
@@ -141,7 +141,7 @@ describe("check", () => {
       diagnostics: Diagnostic[];
     };
     const codes = diagnostics.map(({ code }) => code);
-    expect(codes).toEqual(expect.arrayContaining(["loop-not-closed", "bad-source"]));
+    expect(codes).toEqual(expect.arrayContaining(["loop-not-closed", "source-out-of-range"]));
     expect(errors).toBe(diagnostics.filter(({ severity }) => severity === "error").length);
   });
 
@@ -245,7 +245,7 @@ describe("what is said", () => {
     expect(code).toBe(2);
     const lines = stderr.trimEnd().split("\n");
     expect(lines.filter((line) => line.includes("has the element size -1"))).toHaveLength(5);
-    expect(lines.at(-1)).toBe('tetrafront: error: cube.json: and 3 more of the kind "bad-size".');
+    expect(lines.at(-1)).toBe('tetrafront: error: cube.json: and 3 more of the kind "size-out-of-range".');
     const { diagnostics } = JSON.parse(readFileSync(inFolder("r.json"), "utf8")) as MeshReport;
     expect(diagnostics).toHaveLength(8);
   });

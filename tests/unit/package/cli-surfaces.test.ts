@@ -28,7 +28,7 @@ const jsonIn = (name: string): unknown => JSON.parse(readFileSync(inFolder(name)
 
 async function meshIn(name: string): Promise<FileMesh> {
   const read = await readMesh(readFileSync(inFolder(name)), { fileName: name });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
@@ -430,7 +430,7 @@ describe("convert, info and stats", () => {
     const alike = await tetrafront(folder.path, ["check", "alike.mesh"]);
     expect(alike.stderr).toMatch(/note: alike\.mesh: all tetrahedra have negative volumes/i);
     expect(alike.code).toBe(0);
-    expect((await meshIn("a.vtu")).turnedTetrahedra).toBe(0);
+    expect((await meshIn("a.vtu")).reversedTetrahedra).toBe(0);
   });
 
   test("refuse what they cannot do in one line", async () => {

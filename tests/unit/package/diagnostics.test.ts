@@ -49,7 +49,7 @@ describe.each(Object.entries(ENGINE_CODES))("code %s, %s,", (code, name) => {
       expect(said.message).toMatch(/^[A-Z][^\n]*[^.\s]$/);
       expect(said.message).not.toMatch(/undefined|NaN|null|object/);
       expect(said.remedy).toMatch(
-        ["reoriented-patch", "nested-bodies"].includes(name) ? /^$/ : /^[A-Z].*\.$/,
+        ["reoriented-patch", "nested-regions"].includes(name) ? /^$/ : /^[A-Z].*\.$/,
       );
     }
   });
@@ -89,10 +89,10 @@ describe("the data of a diagnostic", () => {
     describeDiagnostic({ ...bare, code, values: Float64Array.from(values) }, nameByPosition).data;
 
   test("are the engine's numbers by their names, as far as it gave them", () => {
-    expect(told(25, 3e7, 2e7)).toEqual({ expected: 3e7, most: 2e7 });
+    expect(told(25, 3e7, 2e7)).toEqual({ expected: 3e7, limit: 2e7 });
     expect(told(43, 12)).toEqual({ count: 12 });
-    expect(told(43, 12, 1)).toEqual({ count: 12, isLeast: true });
-    expect(told(50, 0, 3)).toEqual({ isBetweenSpaces: false, count: 3 });
+    expect(told(43, 12, 1)).toEqual({ count: 12, isLowerBound: true });
+    expect(told(50, 0, 3)).toEqual({ isBetweenRegions: false, count: 3 });
     expect(told(15, 1, -2)).toEqual({ option: "growth", given: -2 });
     expect(told(12)).toEqual({});
   });
@@ -102,12 +102,12 @@ describe("the data of a diagnostic", () => {
     expectTypeOf<DiagnosticOf<"invalid-option">["data"]["option"]>().toBeString();
     const optionOf = (found: Diagnostic) => {
       switch (found.code) {
-        case "bad-option":
+        case "option-out-of-range":
           return found.data.option;
         case "invalid-option":
           return found.data.option;
         case "too-many-elements":
-          return found.data.expected / found.data.most;
+          return found.data.expected / found.data.limit;
         case "malformed-file":
           return found.data.line;
         default:
@@ -135,7 +135,7 @@ test("diagnostics come out of the engine's arrays as they were put in, at once o
   ]);
   expect(indices).toEqual([[7], [], [1, 2], [3, 4]]);
   expect(told.map(({ position }) => position)).toEqual([[1, 2, 3], undefined, [4, 5, 6], undefined]);
-  expect(told.map(({ data }) => data)).toEqual([{ count: 9 }, {}, { count: 100, isLeast: true }, {}]);
+  expect(told.map(({ data }) => data)).toEqual([{ count: 9 }, {}, { count: 100, isLowerBound: true }, {}]);
   expect(told.map(({ severity }) => severity)).toEqual(["error", "error", "error", "warning"]);
   expect(stepsOf(arrays)).toEqual([1, told]);
 });
@@ -183,12 +183,12 @@ describe("of one thing it is said in the singular:", () => {
 });
 
 test("the remedy of turned triangles tells of regions where these would take them", () => {
-  const remedy = (isBetweenSpaces: number) =>
+  const remedy = (isBetweenRegions: number) =>
     describeDiagnostic(
-      { ...bare, code: 50, entities: Uint32Array.of(5, 1), values: Float64Array.of(isBetweenSpaces, 3) },
+      { ...bare, code: 50, entities: Uint32Array.of(5, 1), values: Float64Array.of(isBetweenRegions, 3) },
       nameByPosition,
     ).remedy;
-  expect(remedy(1)).toMatch(/--repair.*--enclosed regions/);
+  expect(remedy(1)).toMatch(/--repair.*--inner-shells regions/);
   expect(remedy(0)).toMatch(/--repair/);
   expect(remedy(0)).not.toMatch(/regions/);
 });
@@ -199,7 +199,7 @@ test("a coordinate too large to compute with is not said to be no number", () =>
       { ...bare, code: 0, entities: Uint32Array.of(0, 0), values: Float64Array.of(value) },
       nameByPosition,
     ).message;
-  expect(said(-1e200)).toMatch(/has the coordinate -1e\+200, too large/);
+  expect(said(-1e200)).toMatch(/has the coordinate -1e\+200, whose magnitude/);
   expect(said(NaN)).toMatch(/not a finite number$/);
 });
 
@@ -209,18 +209,18 @@ test("pairs of triangles that meet are counted, and said to be more where the co
       { ...bare, code: 43, entities: Uint32Array.of(5, 3, 5, 8), values: Float64Array.from(values) },
       nameByPosition,
     ).message;
-  expect(told(1)).toMatch(/triangle 3 .*and triangle 8 meet$/);
-  expect(told(1600)).toMatch(/meet \(1600 pairs of triangles in all\)$/);
-  expect(told(100000, 1)).toMatch(/meet \(at least 100000 pairs of triangles in all\)$/);
+  expect(told(1)).toMatch(/triangle 3 .*and triangle 8 intersect$/);
+  expect(told(1600)).toMatch(/intersect \(1600 pairs of triangles in all\)$/);
+  expect(told(100000, 1)).toMatch(/intersect \(at least 100000 pairs of triangles in all\)$/);
 });
 
 test("an estimate beyond counting is told as such, and gives no factor", () => {
   const told = (estimate: number) =>
     describeDiagnostic({ ...bare, code: 25, values: Float64Array.of(estimate, 2e7) }, nameByPosition);
-  expect(told(1.6e8).remedy).toBe("Ask for elements at least 2.0 times as large.");
-  expect(told(1.6e8).message).toMatch(/ask for about 160000000 /);
-  expect(told(1e15).remedy).toBe("Ask for far larger elements.");
-  expect(told(1e15).message).toMatch(/ask for more than 1000000000000000 /);
+  expect(told(1.6e8).remedy).toBe("Use elements at least 2.0 times as large.");
+  expect(told(1.6e8).message).toMatch(/require about 160000000 /);
+  expect(told(1e15).remedy).toBe("Use far larger elements.");
+  expect(told(1e15).message).toMatch(/require more than 1000000000000000 /);
 });
 
 test("entities have the names the user gave them, else their ids", () => {
@@ -231,7 +231,7 @@ test("entities have the names the user gave them, else their ids", () => {
     projectNamer({ ...cube, lines }),
   );
   expect(said.message).toBe(
-    'A loop of patch "right" is not closed: it breaks after line "lip" at (1, 0.5, 0.333333)',
+    'A loop of patch "right" is not closed: the next line does not begin where line "lip" ends at (1, 0.5, 0.333333)',
   );
   expect(said.entities).toEqual([
     { kind: "patch", index: 5, id: 6, label: 'patch "right"' },
@@ -255,7 +255,7 @@ test("what is named by its position says once how positions are counted", () => 
     describeDiagnostic({ ...bare, code, entities: Uint32Array.from(entities) }, name).message;
   const triangle = ENTITY_KINDS.indexOf("triangle");
   expect(said(44, [triangle, 1, triangle, 12])).toBe(
-    "Triangle 1 (counted from 0) and triangle 12 lie on one another",
+    "Triangle 1 (counted from 0) and triangle 12 are duplicates",
   );
   const line = ENTITY_KINDS.indexOf("line");
   expect(said(4, [line, 2], projectNamer(cubeProject()))).toBe("Line 3 has no length");

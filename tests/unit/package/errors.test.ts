@@ -11,7 +11,7 @@ import {
   writeMesh,
   type ErrorCode,
   type Mesher,
-  type ReadProblem,
+  type ReadError,
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
@@ -39,10 +39,10 @@ const CODES: readonly ErrorCode[] = [
 async function codesOf(call: () => unknown): Promise<readonly (string | undefined)[]> {
   try {
     const told = (await call()) as {
-      readonly problems?: readonly ReadProblem[];
-      readonly report?: { readonly diagnostics: readonly ReadProblem[] };
+      readonly errors?: readonly ReadError[];
+      readonly report?: { readonly diagnostics: readonly ReadError[] };
     };
-    return (told.problems ?? told.report?.diagnostics ?? [{ code: undefined }]).map(({ code }) => code);
+    return (told.errors ?? told.report?.diagnostics ?? [{ code: undefined }]).map(({ code }) => code);
   } catch (failure) {
     if (!(failure instanceof MesherError) || failure.code !== "invalid-input") return [undefined];
     return failure.data.diagnostics.map(({ code }) => code);
@@ -139,26 +139,26 @@ element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_head
 3 4294967296 1 2\n0 0 0\n1 0 0\n0 1 0\n`;
 
   test.each<[string, string, string, number, RegExp]>([
-    ["a word among coordinates", "a.vtu", vtu("0 x 0", "0 1 2 3"), 7, /"x" is not a finite number/],
-    ["too few coordinates", "a.vtu", vtu("", "0 1 2 3"), 4, /3 points, 4 are announced/],
-    ["a corner that is no node", "a.vtu", vtu("0 1 0", "0 1 2 9"), 11, /no node of its piece: 9/],
-    ["a count that is none", "a.vtu", vtu("0 1 0", "0 1 2 3", '"many"'), 2, /NumberOfPoints is "many"/],
+    ["a word among coordinates", "a.vtu", vtu("0 x 0", "0 1 2 3"), 7, /found "x"/],
+    ["too few coordinates", "a.vtu", vtu("", "0 1 2 3"), 4, /3 points, but announces 4/],
+    ["a corner that is no node", "a.vtu", vtu("0 1 0", "0 1 2 9"), 11, /refers to node 9, which its piece/],
     [
-      "no count",
+      "a count that is none",
       "a.vtu",
-      vtu("0 1 0", "", '"4"').replace(/NumberOfPoints="4"/, ""),
+      vtu("0 1 0", "0 1 2 3", '"many"'),
       2,
-      /not say its NumberOf/,
+      /NumberOfPoints .*, found "many"/,
     ],
-    ["a corner of legacy VTK", "a.vtk", vtk("4 0 1 2 9"), 8, /corner that is no node: 9/],
-    ["a corner of PLY", "a.ply", ply, 14, /face 1 has the corner 7/],
-    ["a corner of PLY before its point", "a.ply", plyBefore, 11, /face 1 has the corner 4294967296/],
+    ["no count", "a.vtu", vtu("0 1 0", "", '"4"').replace(/NumberOfPoints="4"/, ""), 2, /has no NumberOf/],
+    ["a corner of legacy VTK", "a.vtk", vtk("4 0 1 2 9"), 8, /refers to node 9, which does not exist/],
+    ["a corner of PLY", "a.ply", ply, 14, /face 1 .*has corner 7/],
+    ["a corner of PLY before its point", "a.ply", plyBefore, 11, /face 1 .*has corner 4294967296/],
     ["a beginning of something else", "a.msh", "hello\nthere\n", 1, /does not begin with/],
-    ["text that is no STL", "a.stl", "hello\n".repeat(99), 1, /does not begin with "solid"/],
+    ["text that is no STL", "a.stl", "hello\n".repeat(99), 1, /must begin with "solid"/],
   ])("%s", async (_, fileName, file, line, message) => {
     const read = await readMesh(new TextEncoder().encode(file), { fileName });
     if (read.success) throw new Error("it could be read");
-    const [problem] = read.problems;
+    const [problem] = read.errors;
     expect(problem.message).toMatch(message);
     expect(problem).toMatchObject({ code: "malformed-file", fileName, line });
     expect(problem.message.startsWith(`line ${line}: `)).toBe(true);
@@ -172,17 +172,17 @@ element vertex 3\nproperty float x\nproperty float y\nproperty float z\nend_head
     bytes.fill(255, begin + 40, begin + 60);
     const read = await readMesh(bytes, { fileName: "a.vtu" });
     if (read.success) throw new Error("it could be read");
-    expect(read.problems[0]).toMatchObject({ code: "malformed-file", offset: begin });
-    expect(read.problems[0].message).toMatch(`byte ${begin}: `);
+    expect(read.errors[0]).toMatchObject({ code: "malformed-file", offset: begin });
+    expect(read.errors[0].message).toMatch(`byte ${begin}: `);
   });
 
   test("the file, where it is another than the one given", async () => {
     const node = new TextEncoder().encode("3 3 0 0\n1 0 0 0\n2 1 x 0\n");
     const openOther = () => Promise.resolve(node);
     const read = await readMesh(new TextEncoder().encode("0 0\n"), { fileName: "a.face", openOther });
-    expect(read).toMatchObject({ success: false, problems: [{ fileName: "a.node", line: 3 }] });
+    expect(read).toMatchObject({ success: false, errors: [{ fileName: "a.node", line: 3 }] });
     const alone = await readMesh(new TextEncoder().encode("0 0\n"), { fileName: "a.face" });
-    expect(alone).toMatchObject({ success: false, problems: [{ fileName: "a.face", code: "missing-file" }] });
+    expect(alone).toMatchObject({ success: false, errors: [{ fileName: "a.face", code: "missing-file" }] });
   });
 });
 
@@ -191,7 +191,7 @@ test("an option of a reader that does not exist is refused by name", async () =>
   for (const read of [readSurface, readMesh, readVolume]) {
     expect(await read(new Uint8Array(9), options)).toMatchObject({
       success: false,
-      problems: [{ code: "invalid-argument", message: 'there is no option "weld"' }],
+      errors: [{ code: "invalid-argument", message: 'unknown option "weld"' }],
     });
   }
 });
@@ -200,7 +200,7 @@ test("an option of the writer that does not exist is refused by name", async () 
   const options = { signal: undefined, onProgres: () => undefined };
   const refused = await writeMesh(block, "a.su2", options).catch((failure: unknown) => failure);
   expect(refused).toMatchObject({
-    data: { diagnostics: [{ code: "invalid-argument", message: 'There is no option "onProgres"' }] },
+    data: { diagnostics: [{ code: "invalid-argument", message: 'Unknown option "onProgres"' }] },
   });
 });
 

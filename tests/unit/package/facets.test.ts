@@ -32,7 +32,7 @@ function polyFile(places: readonly Place[], facets: readonly Facet[], marks = "0
 
 async function surfaceOf(file: Uint8Array): Promise<SurfaceFile> {
   const read = await readSurface(file, { fileName: "a.poly" });
-  if (!read.success) throw new Error(`${read.problems[0].message}. ${read.problems[0].remedy}`);
+  if (!read.success) throw new Error(`${read.errors[0].message}. ${read.errors[0].remedy}`);
   return read.value;
 }
 
@@ -127,7 +127,7 @@ describe("facets of a .poly", () => {
     const crossing = boxes(cube, square(3.5, 1));
     const file = polyFile(crossing, [{ rings: [BOTTOM, shifted(BOTTOM, 1)], holes: [[3.7, 1.5, 0]] }]);
     await expect(surfaceOf(file)).rejects.toThrow(
-      /facet 0 \(counted from 0\) .* cross or have no area\. Save it as polygons that do not cross/,
+      /facet 0 \(counted from 0\) .* intersect or have no area\. Save it as polygons that do not intersect/,
     );
   });
 });
@@ -139,8 +139,8 @@ test("points that mark holes and regions of the whole are told with what stands 
     polyFile(places, facets, "1\n1 .5 .5 .5\n2\n1 .1 .1 .1 7 0\n2 .2 .2 .2 8 0\n"),
   );
   expect(notes).toMatchObject([
-    expect.stringMatching(/^1 hole point passed over: .*leave out the facets/),
-    expect.stringMatching(/^2 region points passed over: regions are numbered$/),
+    expect.stringMatching(/^1 hole point ignored: .*leave out the facets/),
+    expect.stringMatching(/^2 region points ignored: regions are numbered$/),
   ]);
   expect((await surfaceOf(polyFile(places, facets))).notes).toBeUndefined();
   expect((await surfaceOf(polyFile(places, facets, ""))).notes).toBeUndefined();

@@ -8,7 +8,7 @@ const CORNERS = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
 
 async function patchesOf(obj: string): Promise<(string | undefined)[]> {
   const read = await readSurface(new TextEncoder().encode(obj), { fileName: "a.obj" });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   const { trianglePatch, patches } = read.value;
   return Array.from(trianglePatch, (patch) => patches[patch]?.name);
 }

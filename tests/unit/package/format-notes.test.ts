@@ -32,7 +32,7 @@ test.each(["a.stl", "a.glb"])("%s: points that single precision makes one are co
   expect(await notesOf(surfaceMesh(2), fileName)).toBe("");
   // Of two corners that differ in x alone one is left.
   const told = await notesOf(surfaceMesh(2, 1e9), fileName);
-  const lost = Number(/^(\d+) points came to lie on others/.exec(told)?.[1]);
+  const lost = Number(/^(\d+) points became equal to others/.exec(told)?.[1]);
   expect(lost).toBe(cube.points.length / 3 - distinct(surfaceMesh(2, 1e9).points));
 });
 

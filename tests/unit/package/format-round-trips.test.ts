@@ -43,7 +43,7 @@ async function readBack(fileName: string): Promise<FileMesh> {
     fileName,
     openOther: (name) => Promise.resolve(written.get(name)),
   });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
@@ -74,7 +74,7 @@ test.each([".vtu", ".vtk", ".msh", ".msh2", ".mesh"])(
   async (extension) => {
     const fileName = `part${extension}`;
     const read = await readSurface(await only(fileName), { fileName });
-    if (!read.success) throw new Error(read.problems[0].message);
+    if (!read.success) throw new Error(read.errors[0].message);
     expect(read.value.points.length / 3).toBe(26);
     const { status } = (await filled(read.value)).report;
     expect([read.value.triangles.length, status]).toEqual([mesh.triangles.length, "done"]);
@@ -92,7 +92,7 @@ async function filled(surface: SurfaceInput): Promise<MeshResult> {
 
 test("patches of a given surface are those of the mesh that fills it, triangle for triangle", async () => {
   const read = await readSurface(await only("part.msh"), { fileName: "part.msh" });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   // Turned inside out: the mesher turns it back, and must not mix up its triangles.
   const given = {
     ...read.value,
@@ -450,8 +450,8 @@ test("a zip holds TetGen's three files, the same as beside each other", async ()
 });
 
 test("the same mesh gives the same bytes in every format", async () => {
-  for (const { extensions, writes } of FILE_FORMATS) {
-    if (writes.length === 0) continue;
+  for (const { extensions, writable } of FILE_FORMATS) {
+    if (writable.length === 0) continue;
     expect(await files(`a${extensions[0]}`)).toEqual(await files(`a${extensions[0]}`));
   }
 });
@@ -465,8 +465,8 @@ test("a mesh of nothing can be written in every format", async () => {
     tetrahedra: new Uint32Array(),
     tetrahedronRegion: new Uint32Array(),
   };
-  for (const { extensions, writes } of FILE_FORMATS) {
-    if (writes.length > 0) expect((await writeMesh(empty, `a${extensions[0]}`)).length).toBeGreaterThan(0);
+  for (const { extensions, writable } of FILE_FORMATS) {
+    if (writable.length > 0) expect((await writeMesh(empty, `a${extensions[0]}`)).length).toBeGreaterThan(0);
   }
 });
 
@@ -490,9 +490,9 @@ describe("extensions", () => {
   });
 
   test("are those that the code of the format can do", async () => {
-    for (const { reads, writes, load } of FILE_FORMATS) {
+    for (const { readable, writable, load } of FILE_FORMATS) {
       const { read, write } = await load();
-      expect([read !== undefined, write !== undefined]).toEqual([reads.length > 0, writes.length > 0]);
+      expect([read !== undefined, write !== undefined]).toEqual([readable.length > 0, writable.length > 0]);
     }
   });
 });
@@ -502,8 +502,8 @@ test("a volume of tetrahedra only is no surface, and the remedy is named", async
   for (const extension of [".vtu", ".vtk", ".msh", ".msh2", ".mesh"]) {
     const file = await only(`part${extension}`, bare);
     const read = await readSurface(file, { fileName: `part${extension}` });
-    expect(read.success ? "" : read.problems[0].message).toMatch(/48 tetrahedra and no triangle/);
-    expect(read.success ? "" : read.problems[0].remedy).toMatch(/boundary's triangles/);
+    expect(read.success ? "" : read.errors[0].message).toMatch(/48 tetrahedra but no triangles/);
+    expect(read.success ? "" : read.errors[0].remedy).toMatch(/triangles of the boundary/);
   }
 });
 
@@ -523,7 +523,7 @@ test("deflate of another program is read in VTP", async () => {
 <CellData><DataArray type="Int32" Name="patch" ${numbers(Int32Array.of(9, 1, 2, 3))}</DataArray></CellData>
 </Piece></PolyData></VTKFile>`;
   const read = await readSurface(new TextEncoder().encode(file), { fileName: "part.vtp" });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   expect(taggedElements(read.value.triangles, 3, read.value.trianglePatch, read.value.patches)).toEqual(
     ["1: 0 3 2", "1: 0 2 1", "2: 0 4 3", "3: 0 1 4", "3: 4 1 2"].sort(),
   );

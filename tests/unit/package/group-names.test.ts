@@ -23,7 +23,7 @@ async function again(mesh: FileMesh, fileName: string): Promise<{ read: FileMesh
     fileName,
     openOther: (name) => Promise.resolve(others.get(name)),
   });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return {
     read: read.value,
     notes: files.flatMap(({ notes }) => notes.map(({ message }) => message)).join("\n"),
@@ -44,7 +44,7 @@ function byTriangle({ points, triangles, trianglePatch, patches }: FileMesh): st
 const regionsOf = ({ tetrahedronRegion, regions }: FileMesh) =>
   Array.from(tetrahedronRegion, (region) => regions[region]?.name);
 
-const both = FILE_FORMATS.filter(({ reads, writes }) => reads.length > 0 && writes.length > 0);
+const both = FILE_FORMATS.filter(({ readable, writable }) => readable.length > 0 && writable.length > 0);
 
 /** So long that they fit into neither a title nor a header. */
 const long = (group: { readonly name: string; readonly tag: number }) => ({
@@ -52,9 +52,9 @@ const long = (group: { readonly name: string; readonly tag: number }) => ({
   name: `${group.name} ${"very ".repeat(12)}long`,
 });
 
-describe.each(both.map(({ name, extensions, writes }) => [name, extensions[0], writes] as const))(
+describe.each(both.map(({ name, extensions, writable }) => [name, extensions[0], writable] as const))(
   "%s",
-  (_, extension, writes) => {
+  (_, extension, writable) => {
     const fileName = `a${extension}`;
 
     test("gives names back, or says that it has no place for them", async () => {
@@ -82,12 +82,12 @@ describe.each(both.map(({ name, extensions, writes }) => [name, extensions[0], w
             ),
           );
         expect(plain(byTriangle(read))).toEqual(plain(byTriangle(mesh)));
-        if (writes.includes("volume")) expect(regionsOf(read)).toEqual(regionsOf(mesh));
+        if (writable.includes("volume")) expect(regionsOf(read)).toEqual(regionsOf(mesh));
       }
     });
 
     test("gives regions' names back beside the one name of a patch", async () => {
-      if (!writes.includes("volume")) return;
+      if (!writable.includes("volume")) return;
       const one = {
         ...named,
         patches: [{ name: "skin", tag: 1 }],
@@ -126,7 +126,7 @@ describe.each(both.map(({ name, extensions, writes }) => [name, extensions[0], w
       const { read, notes } = await again(mesh, fileName);
       const names = new Set(Array.from(read.trianglePatch, (patch) => read.patches[patch]?.name ?? ""));
       const isKept = [...names].every((name) => / *end of \d$/.test(name.replaceAll("_", " ")));
-      if (!isKept) expect(notes).toMatch(/cut|left out|written as the format takes them/);
+      if (!isKept) expect(notes).toMatch(/truncated|left out|changed to what the format permits|takes them/);
       if (!isKept)
         for (const { tag } of named.patches) expect(notes).toMatch(new RegExp(`\\b${tag}\\b|end of`));
     });

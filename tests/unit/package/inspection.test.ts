@@ -217,8 +217,8 @@ test("triangles between two spaces that are turned are told of regions, which ta
   triangles.set([inside.triangles[1] ?? 0, inside.triangles[0] ?? 0], 0);
   const nested = joined(box, { points: inside.points, triangles });
   const { diagnostics } = await mesher.inspectSurface(nested);
-  expect(new Set(diagnostics.map(({ code }) => code))).toEqual(new Set(["turned-triangle"]));
-  for (const { remedy } of diagnostics) expect(remedy).toMatch(/--enclosed regions/);
+  expect(new Set(diagnostics.map(({ code }) => code))).toEqual(new Set(["flipped-triangle"]));
+  for (const { remedy } of diagnostics) expect(remedy).toMatch(/--inner-shells regions/);
   expect((await mesher.inspectSurface(nested, { innerShells: "regions" })).isFillable).toBe(true);
 });
 
@@ -239,7 +239,7 @@ describe("a repair", () => {
     const given = { points: box.points, triangles };
     const codes = (found: readonly Diagnostic[]) =>
       found.map(({ code, entities }) => [code, entities[0]?.index]);
-    const errors = wrong.map((t) => ["turned-triangle", t]);
+    const errors = wrong.map((t) => ["flipped-triangle", t]);
     const { report } = await mesher.fillSurface(given);
     expect([report.status, codes(report.diagnostics)]).toEqual(["invalid-input", errors]);
     expect(report.diagnostics[0]?.remedy).toMatch(/--repair/);
@@ -414,9 +414,9 @@ describe("a size that asks for too many elements", () => {
     const found = report.diagnostics.at(-1);
     if (found?.code !== "too-many-elements") throw new Error(`told is ${found?.code}`);
     const factor = Number(/at least ([\d.]+) times as large/.exec(found.remedy)?.[1]);
-    const { expected, most } = found.data;
-    expect(expected / factor ** 3).toBeLessThanOrEqual(most);
-    expect(expected / (factor - 0.2) ** 3).toBeGreaterThan(most);
+    const { expected, limit } = found.data;
+    expect(expected / factor ** 3).toBeLessThanOrEqual(limit);
+    expect(expected / (factor - 0.2) ** 3).toBeGreaterThan(limit);
     expect((await mesher.fillSurface(box)).report.status).toBe("done");
   });
 });
@@ -468,7 +468,7 @@ test("elements that a file has inverted are turned where they are read, and told
       file((t) => inverted.includes(t) !== most),
       { fileName: "a.mesh" },
     );
-    if (!read.success) throw new Error(read.problems[0].message);
+    if (!read.success) throw new Error(read.errors[0].message);
     expect([...(read.value.invertedTetrahedra ?? [])]).toEqual(inverted);
     expect([...read.value.tetrahedra.subarray(12, 16)].sort()).toEqual(
       [...tetrahedra.subarray(12, 16)].sort(),
@@ -485,7 +485,7 @@ test("elements that a file has inverted are turned where they are read, and told
     file(() => true),
     { fileName: "a.mesh" },
   );
-  if (!all.success) throw new Error(all.problems[0].message);
+  if (!all.success) throw new Error(all.errors[0].message);
   expect(await mesher.inspectMesh({ ...all.value, regions: undefined })).toMatchObject({
     isValid: true,
     invertedTetrahedra: 0,

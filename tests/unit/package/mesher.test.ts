@@ -164,7 +164,7 @@ describe("a project is meshed:", () => {
   test("the example of docs/FORMAT.md", async () => {
     const text = readFileSync(new URL("../../../docs/FORMAT.md", import.meta.url), "utf8");
     const read = readProject(/```json\n([^]*?)```/.exec(text)?.[1] ?? "");
-    if (!read.success) throw new Error(read.problems[0].message);
+    if (!read.success) throw new Error(read.errors[0].message);
     const result = await mesher.meshProject(read.value);
     expectValid(result);
     expect(Math.abs(result.report.volume - 8 / 6)).toBeLessThan(1e-12);
@@ -297,7 +297,7 @@ describe("bad input is a result, and says what is wrong:", () => {
           nodes: cube.background.nodes.map((n) => (n.id === 4 ? { ...n, size: 0 } : n)),
         },
       })),
-      "bad-size",
+      "size-out-of-range",
       /^Background node 4 /,
     ],
     [

@@ -183,7 +183,7 @@ if (programs.includes("meshio")) {
       const answer = run(["-c", convert, await save(source), target, options]);
       expect(answer).not.toMatch(/^failed/);
       const read = await readMesh(readFileSync(target), { fileName });
-      if (!read.success) throw new Error(read.problems[0].message);
+      if (!read.success) throw new Error(read.errors[0].message);
       const found: FileMesh = read.value;
       // meshio writes twelve digits in text.
       found.points.forEach((value, i) => expect(value).toBeCloseTo(mesh.points[i] ?? NaN, 11));

@@ -98,7 +98,7 @@ describe("installed into an empty folder", () => {
       import type { MesherError } from "tetrafront/page";
       export const filled = async (mesher: Mesher, bytes: Uint8Array): Promise<number> => {
         const read = await readSurface(bytes, { fileName: "part.stl" });
-        return read.success ? (await mesher.fillSurface(read.value)).volume.regions.length : read.problems.length;
+        return read.success ? (await mesher.fillSurface(read.value)).volume.regions.length : read.errors.length;
       };
       export const own = createMesher().catch((failure: MesherError) => failure.code);`;
     writeFileSync(path.join(fresh.folder, "program.ts"), program);

@@ -31,7 +31,7 @@ function expectReadable(text: string): void {
 
 function messagesOf(read: ReadResult<unknown>): readonly string[] {
   if (read.success) throw new Error("it was read");
-  return read.problems.map(({ message }) => message);
+  return read.errors.map(({ message }) => message);
 }
 
 test.each([

@@ -269,7 +269,7 @@ test(`${FILES} damaged files are refused or checked, by name`, { timeout: 600_00
     const read = damagedFile(seed);
     if (!read.success) {
       refused++;
-      for (const { message, remedy } of read.problems) {
+      for (const { message, remedy } of read.errors) {
         if (!/\S/.test(message) || !/\.$/.test(remedy))
           complaints.push(`seed ${seed}: refused without words`);
       }

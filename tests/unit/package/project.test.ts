@@ -17,7 +17,7 @@ import { checkProject } from "../../../wasm/src/api/input-checks.js";
 function problem(value: unknown): { path: string | undefined; message: string } {
   const read = parseProject(value);
   if (read.success) throw new Error("the project was accepted");
-  const [{ path, message, remedy }] = read.problems;
+  const [{ path, message, remedy }] = read.errors;
   expect(remedy).toMatch(/\.$/);
   return { path, message };
 }
@@ -142,7 +142,7 @@ describe("numbers that the engine would refuse are refused with their field, and
       const read = parseProject(damaged((cube) => set(cube, value)));
       expect(read.success).toBe(isTaken);
       if (read.success) continue;
-      expect(read.problems[0].message).toBe(`${path}: expected at most ${most}`);
+      expect(read.errors[0].message).toBe(`${path}: expected at most ${most}`);
     }
   });
 });
@@ -265,14 +265,14 @@ describe("a project that is damaged is refused with the path of the damage:", ()
     const read = parseProject({ format: "tetrafront-project", version: 3, shapes: [] });
     expect(read).toMatchObject({
       success: false,
-      problems: [{ path: "version", remedy: "Update Tetrafront." }],
+      errors: [{ path: "version", remedy: "Update Tetrafront." }],
     });
-    expect(read.success ? 0 : read.problems.length).toBe(1);
+    expect(read.success ? 0 : read.errors.length).toBe(1);
   });
 
   test("every problem is told, not the first alone", () => {
     const read = parseProject(damaged((c) => c.points.forEach((point) => (point.position = [1, 2]))));
-    expect(read.success ? [] : read.problems.map(({ path }) => path)).toEqual(
+    expect(read.success ? [] : read.errors.map(({ path }) => path)).toEqual(
       [0, 1, 2, 3, 4, 5, 6, 7].map((i) => `points[${i}].position[2]`),
     );
   });
@@ -336,12 +336,12 @@ describe("a project of version 1", () => {
 describe("text that is no JSON", () => {
   test("is refused with its line", () => {
     const read = readProject('{\n  "format": "tetrafront-project",\n  "version": 1\n  "name": "x"\n}');
-    expect(read).toMatchObject({ success: false, problems: [{ line: 4 }] });
+    expect(read).toMatchObject({ success: false, errors: [{ line: 4 }] });
   });
 
   test.each(["", "  \n"])("that is empty (%j) is told to be empty", (text) => {
     expect(readProject(text)).toMatchObject({
-      problems: [{ message: expect.stringMatching(/empty/) as string }],
+      errors: [{ message: expect.stringMatching(/empty/) as string }],
     });
   });
 });

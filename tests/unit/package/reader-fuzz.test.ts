@@ -124,7 +124,7 @@ const samples: readonly Sample[] = [
 
 test("every format that is read is damaged below", () => {
   const damaged = new Set(samples.map(([, fileName]) => formatOf(fileName)?.id));
-  expect(FILE_FORMATS.filter(({ reads, id }) => reads.length > 0 && !damaged.has(id))).toEqual([]);
+  expect(FILE_FORMATS.filter(({ readable, id }) => readable.length > 0 && !damaged.has(id))).toEqual([]);
 });
 
 /** Counts the bytes of the arrays that are made while a function runs. */
@@ -172,7 +172,7 @@ describe.each(samples)("%s", (_, fileName, load) => {
     const [file, others] = await load();
     const openOther = (name: string): Promise<ByteSource | undefined> => Promise.resolve(others.get(name));
     const whole = await readMesh(file, { fileName, openOther });
-    expect(whole.success ? "" : whole.problems[0].message).toBe("");
+    expect(whole.success ? "" : whole.errors[0].message).toBe("");
     let refused = 0;
     const seeds = seedsOf(fileName);
     for (let seed = 1; seed <= seeds; seed++) {
@@ -186,7 +186,7 @@ describe.each(samples)("%s", (_, fileName, load) => {
       if (result?.success === true) expect(isWhole(result.value), `seed ${seed}`).toBe(true);
       else {
         refused++;
-        const [problem] = result?.problems ?? [];
+        const [problem] = result?.errors ?? [];
         const isTold = /\S/.test(problem?.message ?? "") && /^[A-Z].*\.$/.test(problem?.remedy ?? "");
         expect(isTold, `seed ${seed}: ${problem?.message}`).toBe(true);
         // All the rest of a file may make sense without the points that another has to tell.
@@ -214,7 +214,7 @@ test("damaged projects, seeds 1 to 300, are read or refused with a remedy", () =
     const result = readProject(text.decode(mutated(file, randomSource(seed))));
     if (result.success) continue;
     refused++;
-    for (const { message, remedy } of result.problems) {
+    for (const { message, remedy } of result.errors) {
       expect(message, `seed ${seed}`).toMatch(/\S/);
       expect(remedy, `seed ${seed}`).toMatch(/\.$/);
     }
@@ -225,7 +225,7 @@ test("damaged projects, seeds 1 to 300, are read or refused with a remedy", () =
 describe("hostile files are refused at once:", () => {
   const problemOf = async (fileName: string, file: Uint8Array) => {
     const read = await readSurface(file, { fileName });
-    return read.success ? "" : read.problems[0].message;
+    return read.success ? "" : read.errors[0].message;
   };
 
   test("many arrays that share the same packed bytes", async () => {

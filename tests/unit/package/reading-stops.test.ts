@@ -115,14 +115,14 @@ test("text of STL that ends within its solid was cut off", async () => {
   const whole = await readSurface(bytesOf(`solid a\n${facet}endsolid a\n`), { fileName: "a.stl" });
   expect(whole.success).toBe(true);
   const cut = await readSurface(bytesOf(`solid a\n${facet}`), { fileName: "a.stl" });
-  expect(!cut.success && cut.problems[0].message).toMatch(/cut off/);
+  expect(!cut.success && cut.errors[0].message).toMatch(/truncated/);
 });
 
 test("volumeBackground hears a signal", async () => {
   const elements = bytesOf("1 4 0\n1 1 2 3 4\n");
   const openOther = (name: string) => Promise.resolve(name.endsWith(".node") ? NODES : undefined);
   const volume = await readVolume(elements, { fileName: "a.ele", openOther });
-  if (!volume.success) throw new Error(volume.problems[0].message);
+  if (!volume.success) throw new Error(volume.errors[0].message);
   const mesher = await createMesher();
   const control = { signal: AbortSignal.abort() };
   await expect(volumeBackground(mesher, volume.value, control)).rejects.toMatchObject({ code: "cancelled" });

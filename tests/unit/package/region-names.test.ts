@@ -11,7 +11,7 @@ import {
 } from "tetrafront";
 import { afterAll, beforeAll, describe, expect, test } from "vitest";
 
-import { leftOutLines } from "../../../wasm/src/cli/tables.js";
+import { unmeshedLines } from "../../../wasm/src/cli/tables.js";
 import { blockMesh } from "../../support/block-mesh.js";
 import { cavitySurface } from "../../support/surfaces.js";
 
@@ -64,7 +64,7 @@ async function readAs(
 ): Promise<SurfaceFile> {
   const source = typeof bytes === "string" ? new TextEncoder().encode(bytes) : bytes;
   const read = await readSurface(source, { fileName, openOther });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
@@ -177,7 +177,7 @@ describe("from a Gmsh file of surfaces alone", () => {
     expect(mesh.regions).toEqual([{ name: "core", tag: 9 }]);
     const file = await readAs(old('2\n3 9 "core"\n3 4 "other"'), "a.msh");
     expect((await filled(file)).regions).toEqual([{ name: "region 1", tag: 1 }]);
-    expect(file.unplacedRegions).toEqual(["core", "other"]);
+    expect(file.unlocatedRegions).toEqual(["core", "other"]);
   });
 });
 
@@ -208,9 +208,9 @@ test("regions of the file that are not filled are told", () => {
     { name: "water", tag: 9 },
   ];
   const surfaceRegions = { regions: [steel, water], triangleRegions: new Uint32Array() };
-  expect(leftOutLines({ surfaceRegions }, { regions: [water] })).toEqual([
-    expect.stringMatching(/"steel"\. --enclosed regions/),
+  expect(unmeshedLines({ surfaceRegions }, { regions: [water] })).toEqual([
+    expect.stringMatching(/"steel"; --inner-shells regions/),
   ]);
-  expect(leftOutLines({ surfaceRegions }, { regions: [water, steel] })).toEqual([]);
-  expect(leftOutLines({}, { regions: [water] })).toEqual([]);
+  expect(unmeshedLines({ surfaceRegions }, { regions: [water, steel] })).toEqual([]);
+  expect(unmeshedLines({}, { regions: [water] })).toEqual([]);
 });

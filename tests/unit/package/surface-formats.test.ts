@@ -23,15 +23,15 @@ const readPly = reader("a.PLY");
 
 async function surfaceIn(reading: Reading): Promise<SurfaceFile> {
   const read = await reading;
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
 async function problemIn(reading: Reading) {
   const read = await reading;
   if (read.success) throw new Error("the file was accepted");
-  expect(read.problems[0].remedy).toMatch(/^[A-Z].*\.$/);
-  return read.problems[0];
+  expect(read.errors[0].remedy).toMatch(/^[A-Z].*\.$/);
+  return read.errors[0];
 }
 
 /** Triangles by the coordinates of their corners: independent of the numbering of nodes. */
@@ -129,7 +129,7 @@ describe("STL", () => {
 
   test("another kind of file is refused", async () => {
     expect((await problemIn(readStl(bytes("<html><body>Not found</body></html>")))).message).toMatch(
-      /too few/,
+      /too short/,
     );
     expect((await problemIn(readStl(bytes("solid\nThis is a text about solid things.\n")))).message).toMatch(
       /"This"/,
@@ -298,11 +298,11 @@ describe("OBJ", () => {
     [
       "a corner that is not there yet",
       "v 0 0 0\nf 1 2 3\nv 1 0 0\nv 0 1 0\n",
-      /line 2: "2" is no corner among the 1/,
+      /line 2: "2" is not a valid corner: the file has 1 point/,
     ],
-    ["a corner 0", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", /line 4: "0" is no corner/],
+    ["a corner 0", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", /line 4: "0" is not a valid corner/],
     ["two corners", "v 0 0 0\nv 1 0 0\nf 1 2\n", /line 3: a face has 2 corners/],
-    ["a coordinate that is none", "v 0 0 zero\n", /line 1: "zero"/],
+    ["a coordinate that is none", "v 0 0 zero\n", /line 1: .*found "zero"/],
     ["a curved surface", "v 0 0 0\ncstype bezier\n", /line 2: "cstype"/],
     ["a bow tie", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n", /cannot be cut into triangles/],
   ])("of %s is refused", async (_, file, message) => {
@@ -333,26 +333,26 @@ end_header\n`;
   test.each<[string, string, RegExp]>([
     ["nothing", "", /empty/],
     ["another kind", "solid\n", /begin with "ply"/],
-    ["half a header", "ply\nformat ascii 1.0\n", /ends before "end_header"/],
+    ["half a header", "ply\nformat ascii 1.0\n", /expected "end_header", found the end/],
     ["a format unheard of", head("ebcdic", 1), /"ebcdic"/],
     ["numbers unheard of", head("ascii", 1).replace("property float x", "property half x"), /"half"/],
-    ["points without z", `${head("ascii", 1).replace("float z", "float w")}${rows}7\n`, /no x, y and z/],
+    ["points without z", `${head("ascii", 1).replace("float z", "float w")}${rows}7\n`, /lack x, y or z/],
     [
       "a corner too many",
       `${head("ascii", 1)}${rows.replace("4 0 3 2 1", "3 0 3 9")}7\n`,
-      /corner 9 of 5 points/,
+      /has corner 9, but the file has 5 points/,
     ],
     [
       "faces that are not there",
       `${head("ascii", 4_000_000)}${rows}`,
-      /the file ends where a property should be/,
+      /expected a property, found the end of the file/,
     ],
     ["points that break off", `${head("ascii", 1)}0 0 0 1`, /./],
-    ["another surface", `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`, /another surface/],
+    ["another surface", `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`, /a second surface/],
     [
       "another surface with CRLF",
       `${head("ascii", 1)}${rows}7\n${head("ascii", 1)}`.replaceAll("\n", "\r\n"),
-      /another surface/,
+      /a second surface/,
     ],
   ])("of %s is refused", async (_, file, message) => {
     expect((await problemIn(readPly(bytes(file)))).message).toMatch(message);

@@ -95,7 +95,7 @@ describe("ruined surfaces", () => {
           "duplicate-triangle",
           "degenerate-triangle",
           "coincident-nodes",
-          "turned-triangle",
+          "flipped-triangle",
         ] as const) {
           expect(left.has(code), `seed ${seed}: ${code}`).toBe(false);
         }

@@ -1,5 +1,5 @@
 /** Text as editors and shells leave it: byte-order marks, line ends of any kind, files joined to one. */
-import { extensionsThat, FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
+import { extensionsFor, FILE_FORMATS, readMesh, writeMesh, type FileMesh } from "tetrafront";
 import { describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
@@ -74,12 +74,12 @@ async function meshIn(extension: string, change: (text: string) => string): Prom
     fileName: `a${extension}`,
     openOther: (name) => Promise.resolve(name === "a.node" ? encode(NODES) : undefined),
   });
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
 test("there is a text for every format of surfaces", () => {
-  expect(Object.keys(TEXTS).sort()).toEqual([...extensionsThat("reads", "surface")].sort());
+  expect(Object.keys(TEXTS).sort()).toEqual([...extensionsFor("read", "surface")].sort());
 });
 
 describe.each(Object.keys(TEXTS))("text of %s", (extension) => {
@@ -131,7 +131,7 @@ test.each([".obj", ".stl"])("files %s joined to one are read to the end", async 
 
 test.each(["-3", "0.5", "x"])("a VTK XML file with NumberOfCells='%s' is refused", async (count) => {
   const change = (text: string) => text.replace('NumberOfCells="4"', `NumberOfCells="${count}"`);
-  await expect(meshIn(".vtu", change)).rejects.toThrow(/line 5: NumberOfCells is/);
+  await expect(meshIn(".vtu", change)).rejects.toThrow(/line 5: NumberOfCells must be/);
 });
 
 test("OFF may begin with its numbers", async () => {
@@ -171,6 +171,6 @@ describe("binary numbers behind lines that end with carriage returns alone are r
   ])("in %s", async (extension, bytes) => {
     expect(FILE_FORMATS.some(({ extensions }) => extensions.includes(extension))).toBe(true);
     const read = await readMesh(await bytes(), { fileName: `a${extension}` });
-    expect(read.success ? "read" : read.problems[0].message).toMatch(/carriage returns alone/);
+    expect(read.success ? "read" : read.errors[0].message).toMatch(/lone carriage return/);
   });
 });

@@ -31,7 +31,7 @@ function binaryText(text: string): DataView {
 
 async function read(bytes: Uint8Array): Promise<FileMesh> {
   const result = await readMesh(bytes, { fileName: "a.vtk" });
-  if (!result.success) throw new Error(result.problems[0].message);
+  if (!result.success) throw new Error(result.errors[0].message);
   return result.value;
 }
 
@@ -114,13 +114,13 @@ test("cell data are those of lines, polygons and strips, in whatever order these
 });
 
 test.each([
-  ["too few numbers at nodes", "POINT_DATA 3\n", /line \d+: the file has 4 points, and data of 3/],
+  ["too few numbers at nodes", "POINT_DATA 3\n", /line \d+: the file has 4 points, but data for 3/],
   [
     "an array of other length",
     "POINT_DATA 4\nFIELD a 1\nsize 1 3 int\n1 2 3\n",
-    /"size" has 3 rows where 4 points are/,
+    /"size" has 3 rows, but the number of points is 4/,
   ],
-  ["too few groups", "CELL_DATA 0\nFIELD a 1\nregion 1 0 int\n", /cell 0 .* has no number "region"/],
+  ["too few groups", "CELL_DATA 0\nFIELD a 1\nregion 1 0 int\n", /cell 0 .* has no value of "region"/],
 ])("%s are refused", async (_, data, message) => {
   const mesh = `POINTS 4 double\n${POINTS.join(" ")}\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n`;
   await expect(read(file("ASCII", "UNSTRUCTURED_GRID", mesh, data))).rejects.toThrow(message);

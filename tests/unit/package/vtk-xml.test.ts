@@ -36,13 +36,13 @@ const volume = (file: string | Uint8Array) =>
   readVolume(typeof file === "string" ? encoder.encode(file) : file, { fileName: "a.vtu" });
 
 function valueOf<T>(read: ReadResult<T>): T {
-  if (!read.success) throw new Error(read.problems[0].message);
+  if (!read.success) throw new Error(read.errors[0].message);
   return read.value;
 }
 
 const problemOf = async (file: string | Uint8Array): Promise<string> => {
   const read = await volume(file);
-  return read.success ? "it could be read" : read.problems[0].message;
+  return read.success ? "it could be read" : read.errors[0].message;
 };
 
 test("no text is made of what may be longer than the longest text", async () => {
@@ -82,12 +82,12 @@ test("a piece that has no numbers of a name has none at its nodes, and loses tho
 
 test("numbers at nodes that are too few, or of other components in another piece, are refused by name", async () => {
   expect(await problemOf(vtu(piece({ pointData: array("size", "1 2 3") })))).toMatch(
-    /line 8: "size" has 3 numbers where 4 points have 1 each/,
+    /line 8: "size" has 3 values, but 4 points need 1 each/,
   );
   const [one, two] = ["1 2 3 4", "1 2 3 4 5 6 7 8"].map((numbers, i) =>
     piece({ pointData: array("size", numbers, `NumberOfComponents="${i + 1}"`) }),
   );
-  expect(await problemOf(vtu(`${one}${two}`))).toMatch(/line 14: "size" has 8 numbers where 4 points have 1/);
+  expect(await problemOf(vtu(`${one}${two}`))).toMatch(/line 14: "size" has 8 values, but 4 points need 1/);
   const none = piece({ pointData: array("size", "1 2 3 4", 'NumberOfComponents="some"') });
   expect(await problemOf(vtu(none))).toMatch(/line 8: NumberOfComponents is "some"/);
 });
@@ -96,7 +96,7 @@ test("a cell without a number of its group is refused", async () => {
   const read = await readMesh(encoder.encode(vtu(piece({ cellData: array("region", "") }))), {
     fileName: "a.vtu",
   });
-  expect(read.success ? "" : read.problems[0].message).toMatch(/cell 0 .* has no number "region"/);
+  expect(read.success ? "" : read.errors[0].message).toMatch(/cell 0 .* has no value of "region"/);
 });
 
 test("names are UTF-8 with entities, comments hold no tags, and arrays of no use to a mesh may be anything", async () => {

@@ -27,7 +27,7 @@ const SOURCES_WANTED = "Give sources as a project has them: id, type, places and
 export function checkProject(project: unknown): Diagnostic[] {
   const parsed = checkedProject(project);
   if (parsed.success) return [];
-  return parsed.problems.map((problem) => readDiagnostic({ ...problem, code: "invalid-project" }));
+  return parsed.errors.map((error) => readDiagnostic({ ...error, code: "invalid-project" }));
 }
 
 export function checkControl(control: RunControl): Diagnostic[] {

@@ -2,6 +2,7 @@
  * Given surfaces and meshes before anything is done with them: what is there, what is wrong, and what
  * was repaired on request. The engine's answers, put into names.
  */
+import { needleWarnings } from "../diagnostics/quality-warnings.js";
 import { describeAll, describeInSteps } from "../diagnostics/sentences.js";
 import type { Engine } from "../engine/loader.js";
 import type { Steps } from "../formats/steps.js";
@@ -148,7 +149,7 @@ export interface SurfaceRefinement {
 
 /** What `inspectMesh` finds. */
 export interface MeshInspection {
-  /** None of the counts of faults below is above 0. */
+  /** None of the counts of defects below is above 0. */
   readonly isValid: boolean;
   /** That elements use. */
   readonly nodes: number;
@@ -194,7 +195,12 @@ export type EngineVolumeInspection = ResultOf<"inspectMesh">;
 const SHELL_STRIDE = 6;
 const TRIANGLE_STRIDE = 7;
 
-export function* describedInspection(found: EngineInspection, name: EntityNamer): Steps<SurfaceInspection> {
+export function* describedInspection(
+  found: EngineInspection,
+  surface: SurfaceInput,
+  name: EntityNamer,
+): Steps<SurfaceInspection> {
+  const warnings = found.isFillable ? yield* needleWarnings(surface) : [];
   const { regions, box, diagnostics, shells, worst, edgeLengths, ...rest } = found;
   const described = rowsOf(shells, SHELL_STRIDE).map(shellFigures);
   return {
@@ -205,7 +211,7 @@ export function* describedInspection(found: EngineInspection, name: EntityNamer)
     edgeLengths: lengthsOf(edgeLengths),
     shells: described,
     worst: rowsOf(worst, TRIANGLE_STRIDE).map(triangleFigures),
-    diagnostics: yield* describeInSteps(diagnostics, name),
+    diagnostics: [...(yield* describeInSteps(diagnostics, name)), ...warnings],
   };
 }
 
@@ -257,13 +263,13 @@ const CHANGES: readonly ((first: number, second: number) => WithoutPosition<Repa
 export function describedMesh(found: EngineVolumeInspection, inverted = 0): MeshInspection {
   const { quality, statistics, edgeLengths, boundary, boundaryRegion, ...rest } = found;
   const { isReadable: _, nodes, unusedNodes, tetrahedra, ...counts } = rest;
-  const faults = { ...counts, invertedTetrahedra: counts.invertedTetrahedra + inverted };
+  const defects = { ...counts, invertedTetrahedra: counts.invertedTetrahedra + inverted };
   return {
-    isValid: Object.values(faults).every((count) => count === 0),
+    isValid: Object.values(defects).every((count) => count === 0),
     nodes,
     unusedNodes,
     tetrahedra,
-    ...faults,
+    ...defects,
     edgeLengths: lengthsOf(edgeLengths),
     dihedral: { min: quality.minDihedral, max: quality.maxDihedral },
     radiusRatio: { min: quality.minRadiusRatio, mean: quality.meanRadiusRatio },

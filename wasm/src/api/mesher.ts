@@ -293,7 +293,7 @@ class WorkerMesher implements Mesher {
       ...engineInspectionOptions(options),
     } as const;
     const found = await this.#ask(question, control);
-    return inSteps(describedInspection(found, surfaceNamer(surface)), control.signal);
+    return inSteps(describedInspection(found, surface, surfaceNamer(surface)), control.signal);
   }
 
   async repairSurface(

@@ -1,5 +1,6 @@
 /** The patches of a surface from a file, carried over its repair. */
-import { countOf, type FileGroup } from "../formats/file-mesh.js";
+import type { FileGroup } from "../formats/file-mesh.js";
+import { countOf } from "../formats/groups.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { arrayOf, checkArgument, objectOf } from "../base/argument-checks.js";
 import { hasPatches } from "../formats/mesh-checks.js";

@@ -1,4 +1,5 @@
 /** Puts results together: figures from the engine, diagnostics in words; and results without a mesh. */
+import { poorElementWarnings } from "../diagnostics/quality-warnings.js";
 import { describeAll } from "../diagnostics/sentences.js";
 import type { EntityNamer } from "../project/arrays.js";
 import type { EnginePreview, EngineResult } from "../engine/protocol.js";
@@ -11,7 +12,11 @@ export function describedResult(result: EngineResult, name: EntityNamer): MeshRe
   return {
     surface,
     volume,
-    report: { status, ...figures, diagnostics: describeAll(result.diagnostics, name) },
+    report: {
+      status,
+      ...figures,
+      diagnostics: [...describeAll(result.diagnostics, name), ...poorElementWarnings(figures.quality)],
+    },
   };
 }
 

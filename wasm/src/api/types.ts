@@ -257,7 +257,7 @@ export interface DiagnosticOf<Code extends DiagnosticCode> {
 /**
  * One thing that is wrong, or worth knowing: what, where, and what to do. Its `code` tells of what type its `data` are.
  *
- *     if (found.code === "too-many-elements") retry(Math.cbrt(found.data.expected / found.data.most));
+ *     if (found.code === "too-many-elements") retry(Math.cbrt(found.data.expected / found.data.limit));
  */
 export type Diagnostic = { [Code in DiagnosticCode]: DiagnosticOf<Code> }[DiagnosticCode];
 

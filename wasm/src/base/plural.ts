@@ -5,7 +5,8 @@ export function plural(count: number | string, noun: string): string {
   return `${count} ${String(count) === "1" ? noun : pluralOf(noun)}`;
 }
 
-function pluralOf(noun: string): string {
+/** The noun in the plural. */
+export function pluralOf(noun: string): string {
   if (noun.endsWith("hedron")) return `${noun.slice(0, -2)}a`;
   if (noun.endsWith("y")) return `${noun.slice(0, -1)}ies`;
   return noun.endsWith("ch") ? `${noun}es` : `${noun}s`;

@@ -1,18 +1,21 @@
-/** Many files by one command: each in a process of its own, so that one failure is one failure. */
+/** Runs a command on many files, each in a process of its own, so that a failure affects one file only. */
 import { spawn, type ChildProcess } from "node:child_process";
 import { stat } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath } from "node:url";
 
-import { FileProblem, nameless, STANDARD_STREAM } from "./files.js";
-import { ExitCode, say } from "./messages.js";
+import { FileError, emptyName, STANDARD_STREAM } from "./files.js";
+import { ExitCode, print } from "./messages.js";
 import { BatchBar } from "./progress-bar.js";
 import { extensionOf } from "../formats/file-formats.js";
 import { plural } from "../base/plural.js";
 
 const GLOB = /[*?[\]{}]/;
 
-/** The files meant, each once: patterns that the shell left alone are expanded, in alphabetical order. */
+/**
+ * Returns the input files without repetition. Expands patterns that the shell left unexpanded, in alphabetical
+ * order.
+ */
 export async function expandInputs(inputs: readonly string[]): Promise<string[]> {
   const files = await Promise.all(inputs.map(expand));
   const places = new Map<string, string>();
@@ -24,7 +27,7 @@ export async function expandInputs(inputs: readonly string[]): Promise<string[]>
 }
 
 async function expand(input: string): Promise<readonly string[]> {
-  if (input === "") throw nameless();
+  if (input === "") throw emptyName();
   const isFile = await stat(input).then(
     () => true,
     () => false,
@@ -34,15 +37,15 @@ async function expand(input: string): Promise<readonly string[]> {
   const { folder, pattern } = splitPattern(input);
   const found = await glob(pattern, { cwd: folder || ".", expandDirectories: false });
   if (found.length === 0) {
-    throw new FileProblem(input, "no file matches this pattern", "Check the path and the pattern.");
+    throw new FileError(input, "no file matches this pattern", "Check the path and the pattern.");
   }
   return found.map((name) => folder + name).sort();
 }
 
 /**
- * The folder that a pattern names in plain words, with a slash at its end if it is not "", and the pattern in it:
- * a folder's name may hold brackets, which mean something in patterns. On Windows a backslash parts folders as a
- * slash does; elsewhere it takes the meaning from the character behind it.
+ * Splits a pattern into its literal folder, with a slash at its end unless it is empty, and the rest: the name of a
+ * folder may contain brackets, which have a meaning in patterns. On Windows, a backslash separates folders like a
+ * slash; elsewhere it escapes the next character.
  */
 export function splitPattern(
   input: string,
@@ -54,27 +57,27 @@ export function splitPattern(
   return { folder: folder.join(""), pattern: steps.slice(first).join("/") };
 }
 
-/** Stands for the input's name without folder and extension, in the name of an output. */
+/** Placeholder in the name of an output for the input's name without folder and extension. */
 const NAME = "{name}";
 
-/** Throws a FileProblem where the name of an output has something in braces that stands for nothing. */
+/** Throws a FileError if the name of an output contains an unknown placeholder in braces. */
 export function checkPlaceholders(output: string, known: readonly string[] = [NAME]): void {
   const unknown = output.match(/\{[^{}]*\}/g)?.find((word) => !known.includes(word));
   if (unknown === undefined) return;
   const remedy =
     known.length === 0
-      ? "Give a name without braces: there is one report for all inputs."
-      : `Give ${known.join(" or ")}, the input's name without folder and extension, or no braces.`;
-  throw new FileProblem(output, `${unknown} stands for nothing here`, remedy);
+      ? "Use a name without braces: there is one report for all inputs."
+      : `Use ${known.join(" or ")}, the name of the input without folder and extension, or no braces.`;
+  throw new FileError(output, `unknown placeholder ${unknown}`, remedy);
 }
 
-/** Where the output of one of many inputs goes. Throws a FileProblem where the name cannot tell them apart. */
+/** Returns the output of one of many inputs. Throws a FileError if all inputs would have the same output. */
 export function outputFor(input: string, output: string): string {
   if (output.includes(NAME)) return output.replaceAll(NAME, () => nameOf(input));
-  throw new FileProblem(
+  throw new FileError(
     output,
-    "several inputs would go into one output",
-    `Put ${NAME} into its name, for example "meshes/${NAME}.vtu".`,
+    "several inputs would have the same output",
+    `Add ${NAME} to its name, for example "meshes/${NAME}.vtu".`,
   );
 }
 
@@ -91,13 +94,13 @@ export interface Task {
 export interface TaskResult {
   readonly input: string;
   readonly exitCode: number;
-  /** What the command said on standard output. */
+  /** What the command wrote to standard output. */
   readonly stdout: string;
 }
 
 /**
- * Runs the tasks, `jobs` at a time. Results and messages come in the order of the tasks: those of one wait until
- * all before it have ended.
+ * Runs the tasks, `jobs` at a time. Results and messages appear in the order of the tasks: those of a task wait
+ * until all earlier tasks have ended.
  */
 export async function runTasks(
   tasks: readonly Task[],
@@ -109,16 +112,17 @@ export async function runTasks(
   const messages: string[] = [];
   let next = 0;
   let told = 0;
-  const tellInOrder = () => {
+  const printInOrder = () => {
     for (let said = messages[told]; said !== undefined; said = messages[++told]) {
       if (said === "") continue;
       if (bar === undefined) process.stderr.write(said);
-      else bar.say(said);
+      else bar.print(said);
     }
   };
   const children = new Set<ChildProcess>();
   let isStopped = false;
-  // Of a terminal all hear the first: told by the other signal, none hears one twice, which would end it at once.
+  // A terminal sends the first signal to all processes. Send the children the other signal, because the same signal
+  // received twice would end them immediately.
   const stopBy = (other: NodeJS.Signals) => () => {
     isStopped = true;
     for (const child of children) child.kill(other);
@@ -133,21 +137,21 @@ export async function runTasks(
       results[at] = result;
       messages[at] = stderr;
       bar?.advance();
-      tellInOrder();
+      printInOrder();
     }
   };
   await Promise.all(Array.from({ length: Math.min(jobs, tasks.length) }, work));
   process.off("SIGINT", onInterrupt).off("SIGTERM", onEnd);
   bar?.stop();
-  // What was not begun was not completed.
+  // Tasks that were not started count as not completed.
   const all = tasks.map(
     ({ input }, at) => results[at] ?? { input, exitCode: ExitCode.notCompleted, stdout: "" },
   );
-  if (!isQuiet) say(summaryOf(all));
+  if (!isQuiet) print(summaryOf(all));
   return all;
 }
 
-/** As the worst of them. */
+/** Returns the highest exit code. */
 export function exitCodeOf(results: readonly TaskResult[]): number {
   return Math.max(ExitCode.meshed, ...results.map(({ exitCode }) => exitCode));
 }
@@ -155,7 +159,7 @@ export function exitCodeOf(results: readonly TaskResult[]): number {
 function summaryOf(results: readonly TaskResult[]): string {
   const count = (code: number) => results.filter(({ exitCode }) => exitCode === code).length;
   const bad = results.length - count(ExitCode.meshed) - count(ExitCode.notCompleted);
-  return `${plural(results.length, "file")}: ${count(ExitCode.meshed)} done, ${count(ExitCode.notCompleted)} not completed, ${bad} bad`;
+  return `${plural(results.length, "file")}: ${count(ExitCode.meshed)} done, ${count(ExitCode.notCompleted)} not completed, ${bad} invalid`;
 }
 
 const PROGRAM = fileURLToPath(new URL("../../bin/tetrafront.mjs", import.meta.url));
@@ -179,7 +183,10 @@ function runTask(
     );
     child.on("close", (code, signal) => {
       if (code !== null) return end(code);
-      end(ExitCode.notCompleted, `tetrafront: error: ${input}: its process was ended by ${signal ?? "?"}.\n`);
+      end(
+        ExitCode.notCompleted,
+        `tetrafront: error: ${input}: its process was ended by ${signal ?? "an unknown signal"}.\n`,
+      );
     });
   });
 }

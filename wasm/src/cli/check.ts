@@ -1,4 +1,4 @@
-/** `tetrafront check`: everything that is wrong with a project, a surface or a mesh, without meshing it. */
+/** `tetrafront check`: lists all problems of a project, a surface or a mesh, without meshing it. */
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { isProject, numberIn, readMeshFile, readProjectFile, refuseOptions } from "./input.js";
@@ -10,11 +10,11 @@ import {
   countOf,
   ExitCode,
   jsonPieces,
-  say,
-  tell,
+  print,
+  printDiagnostics,
 } from "./messages.js";
-import { refuseRepair, repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./repair.js";
-import { meshLines, otherWay, readingLines, surfaceLines } from "./tables.js";
+import { refuseRepair, repaired, repairOptions, printChanges, type RepairCommandOptions } from "./repair.js";
+import { meshLines, oppositeOrderLines, readingLines, surfaceLines } from "./tables.js";
 import { invalidOption, packageDiagnostic } from "../diagnostics/package-diagnostic.js";
 import type { FileMesh } from "../formats/file-mesh.js";
 import { listed } from "../formats/groups.js";
@@ -28,14 +28,14 @@ import type { Diagnostic, Mesher } from "../api/types.js";
 export interface CheckCommandOptions extends RepairCommandOptions {
   readonly size?: string;
   /** A number, or `all`. */
-  readonly findings?: string;
+  readonly maxDiagnostics?: string;
   readonly from?: string;
   readonly json?: boolean;
   readonly quiet?: boolean;
 }
 
-/** What was found, as `--json` has it. */
-type Findings =
+/** Result of a check, as printed by `--json`. */
+type CheckResult =
   | { readonly kind: "project"; readonly diagnostics: readonly Diagnostic[] }
   | {
       readonly kind: "surface";
@@ -48,7 +48,7 @@ type Findings =
       readonly diagnostics: readonly Diagnostic[];
       readonly inspection: Omit<MeshInspection, "boundary" | "quality">;
     }
-  /** It could not even be read. */
+  /** The input could not be read. */
   | {
       readonly kind: "none";
       readonly diagnostics: readonly Diagnostic[];
@@ -56,56 +56,59 @@ type Findings =
       /** Not the input failed, but the engine. */ readonly isEngine?: true;
     };
 
-/** In lines of text, unless `--findings` asks for more or fewer. */
-const TOLD_PER_CODE = 50;
+/** Largest number of text lines per code, unless `--max-diagnostics` is given. */
+const MAX_PER_CODE = 50;
 
 /** Runs the command; resolves with the exit code. */
 export async function checkFile(input: string, options: CheckCommandOptions): Promise<number> {
-  const findings = await found(input, options);
-  const { diagnostics } = findings;
+  const result = await checked(input, options);
+  const { diagnostics } = result;
   const errors = countOf(diagnostics, "error");
   const isQuiet = options.quiet === true;
   if (options.json === true) {
-    const { subject: _, isEngine: __, ...told } = { subject: "", isEngine: false, ...findings };
-    for (const piece of jsonPieces({ input, errors, ...told })) await writeToStandardOutput(piece);
+    const { subject: _, isEngine: __, ...printed } = { subject: "", isEngine: false, ...result };
+    for (const piece of jsonPieces({ input, errors, ...printed })) await writeToStandardOutput(piece);
   } else {
-    if (!isQuiet) tellFigures(input, findings);
-    const subject = findings.kind === "none" ? findings.subject : input;
-    const asked = findings.kind === "surface" ? findingsAsked(options) : undefined;
-    tell(subject, diagnostics, { isQuiet, perCode: asked ?? TOLD_PER_CODE });
-    if (!isQuiet) say(`${input}: ${counted(diagnostics)}`);
+    if (!isQuiet) printStatistics(input, result);
+    const subject = result.kind === "none" ? result.subject : input;
+    const perCode = result.kind === "surface" ? maxDiagnosticsOf(options) : undefined;
+    printDiagnostics(subject, diagnostics, { isQuiet, perCode: perCode ?? MAX_PER_CODE });
+    if (!isQuiet) print(`${input}: ${counted(diagnostics)}`);
   }
-  if (findings.kind === "none" && findings.isEngine === true) return ExitCode.notCompleted;
+  if (result.kind === "none" && result.isEngine === true) return ExitCode.notCompleted;
   return errors > 0 ? ExitCode.badInput : ExitCode.meshed;
 }
 
-function tellFigures(input: string, findings: Findings): void {
-  if (findings.kind === "surface") {
-    if (findings.changes !== undefined) tellChanges(input, findings.changes);
-    for (const line of surfaceLines(findings.inspection)) say(`${input}: ${line}`);
+function printStatistics(input: string, result: CheckResult): void {
+  if (result.kind === "surface") {
+    if (result.changes !== undefined) printChanges(input, result.changes);
+    for (const line of surfaceLines(result.inspection)) print(`${input}: ${line}`);
   }
-  if (findings.kind === "mesh") for (const line of meshLines(findings.inspection)) say(`${input}: ${line}`);
+  if (result.kind === "mesh") for (const line of meshLines(result.inspection)) print(`${input}: ${line}`);
 }
 
-/** Of each code so many; undefined where nothing is said of it. What is no number is left for the check of options. */
-function findingsAsked({ findings }: CheckCommandOptions): number | undefined {
-  return findings === "all" ? LIMITS.maxDiagnostics : numberIn(findings);
+/**
+ * Returns the value of `--max-diagnostics`, undefined if it is not given. The check of options rejects what is not
+ * a number.
+ */
+function maxDiagnosticsOf({ maxDiagnostics }: CheckCommandOptions): number | undefined {
+  return maxDiagnostics === "all" ? LIMITS.maxDiagnostics : numberIn(maxDiagnostics);
 }
 
-async function found(input: string, options: CheckCommandOptions): Promise<Findings> {
+async function checked(input: string, options: CheckCommandOptions): Promise<CheckResult> {
   try {
     const size = numberIn(options.size);
-    const { enclosed } = options;
+    const { innerShells } = options;
     refuseOptions([
-      ...checkPreviewOptions({ size, innerShells: enclosed }),
-      ...checkInspectionOptions({ maxDiagnostics: findingsAsked(options) }),
+      ...checkPreviewOptions({ size, innerShells }),
+      ...checkInspectionOptions({ maxDiagnostics: maxDiagnosticsOf(options) }),
     ]);
     if (isProject(input, options.from)) {
-      refuseOption("--findings", options.findings, "surfaces", "a project");
+      refuseOption("--max-diagnostics", options.maxDiagnostics, "surfaces", "a project");
       refuseRepair(repairOptions(options), "a project");
       const project = await readProjectFile(input, options.from);
       const { diagnostics } = await withMesher((mesher) =>
-        mesher.previewProject(project, { size, innerShells: enclosed }),
+        mesher.previewProject(project, { size, innerShells }),
       );
       return { kind: "project", diagnostics };
     }
@@ -119,14 +122,14 @@ async function found(input: string, options: CheckCommandOptions): Promise<Findi
   }
 }
 
-async function inspected(mesher: Mesher, input: string, options: CheckCommandOptions): Promise<Findings> {
+async function inspected(mesher: Mesher, input: string, options: CheckCommandOptions): Promise<CheckResult> {
   const wanted = repairOptions(options);
   const mesh = await readMeshFile(input, options.from);
   refuseOption("--size", options.size, "projects", mesh.tetrahedra.length > 0 ? "a mesh" : "a surface");
   if (mesh.tetrahedra.length > 0) {
     refuseRepair(wanted, "a mesh of tetrahedra");
-    refuseOption("--enclosed", options.enclosed, "surfaces and projects", "a mesh of tetrahedra");
-    refuseOption("--findings", options.findings, "surfaces", "a mesh of tetrahedra");
+    refuseOption("--inner-shells", options.innerShells, "surfaces and projects", "a mesh of tetrahedra");
+    refuseOption("--max-diagnostics", options.maxDiagnostics, "surfaces", "a mesh of tetrahedra");
     const {
       boundary: _,
       quality: __,
@@ -135,59 +138,90 @@ async function inspected(mesher: Mesher, input: string, options: CheckCommandOpt
       ...mesh,
       regions: mesh.tetrahedronRegion,
     });
-    return { kind: "mesh", diagnostics: [...faultsOf(inspection, mesh), ...notes(mesh)], inspection };
+    return { kind: "mesh", diagnostics: [...defectsOf(inspection, mesh), ...notes(mesh)], inspection };
   }
   if (mesh.triangles.length === 0) {
-    const nothing = packageDiagnostic("no-triangles", "the file holds no triangle and no tetrahedron", "");
+    const nothing = packageDiagnostic(
+      "no-triangles",
+      "the file contains no triangles and no tetrahedra",
+      "Use a file with a surface or a volume mesh.",
+    );
     throw new BadInput(input, [nothing]);
   }
   const { surface, changes } = await repaired(mesher, await inSteps(surfaceOf(mesh)), wanted);
-  const judged = { innerShells: options.enclosed, maxDiagnostics: findingsAsked(options) };
-  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, judged);
+  const { innerShells } = options;
+  const inspectionOptions = { innerShells, maxDiagnostics: maxDiagnosticsOf(options) };
+  const { diagnostics, ...inspection } = await mesher.inspectSurface(surface, inspectionOptions);
   return { kind: "surface", diagnostics: [...diagnostics, ...notes(mesh)], changes, inspection };
 }
 
-/** What is no fault of the file, but should be known. */
+/** Notes about the file that are not problems. */
 function notes(mesh: FileMesh): Diagnostic[] {
-  return [...otherWay(mesh), ...readingLines(mesh)].map((line) =>
+  return [...oppositeOrderLines(mesh), ...readingLines(mesh)].map((line) =>
     packageDiagnostic("left-out", line, "", "information"),
   );
 }
 
-/** Throws a BadInput where an option is given that says nothing of such input. */
+/** Throws a BadInput if an option is given that does not apply to the input. */
 function refuseOption(option: string, value: string | undefined, meantFor: string, what: string): void {
   if (value === undefined) return;
-  const message = `${option} is for ${meantFor}, and this is ${what}`;
-  refuseOptions([invalidOption(option, message, "Leave it out.")]);
+  const message = `${option} is for ${meantFor}, but the input is ${what}`;
+  refuseOptions([invalidOption(option, message, `Omit ${option}.`)]);
 }
 
 const NONE = new Uint32Array();
 
-/** What is unsound in a mesh, in sentences. */
-function faultsOf(
+/** Describes the defects of a mesh. */
+function defectsOf(
   found: Omit<MeshInspection, "boundary" | "quality">,
   { invertedTetrahedra = NONE }: FileMesh,
 ): Diagnostic[] {
-  // The reader, which has turned them, knows which; of others only their number is known.
+  // The reader knows which tetrahedra are inverted if it reversed their nodes; otherwise only their number is
+  // known.
   const isKnown = invertedTetrahedra.length === found.invertedTetrahedra;
   const which = isKnown ? `: ${listed(Array.from(invertedTetrahedra, String))} (counted from 0)` : "";
 
-  const faults: readonly (readonly [number, string, string, string])[] = [
-    [found.invertedTetrahedra, "tetrahedron", `turned inside out${which}`, "Exchange two nodes of each."],
-    [found.degenerateTetrahedra, "tetrahedron", "without volume", "Mesh the body again."],
-    [found.duplicateTetrahedra, "tetrahedron", "with the nodes of another", "Remove all but one."],
-    [found.nonManifoldFaces, "face", "of more than two tetrahedra", "Mesh the body again."],
-    [found.overlappingFaces, "face", "with both tetrahedra on one side", "Mesh the body again."],
-    [found.coincidentNodes, "node", "at the place of another", "Weld what lies at one place."],
+  const defects: readonly (readonly [number, string, string, string])[] = [
+    [
+      found.invertedTetrahedra,
+      "tetrahedron",
+      `with negative volume (inverted)${which}`,
+      "Swap two nodes of each.",
+    ],
+    [found.degenerateTetrahedra, "tetrahedron", "without volume (degenerate)", "Mesh the region again."],
+    [
+      found.duplicateTetrahedra,
+      "tetrahedron",
+      "with the same nodes as another (duplicate)",
+      "Remove all but one.",
+    ],
+    [
+      found.nonManifoldFaces,
+      "face",
+      "with more than two tetrahedra (non-manifold)",
+      "Mesh the region again.",
+    ],
+    [
+      found.overlappingFaces,
+      "face",
+      "with both tetrahedra on the same side (overlapping)",
+      "Mesh the region again.",
+    ],
+    [
+      found.coincidentNodes,
+      "node",
+      "with the same position as another (coincident)",
+      "Weld nodes with the same position.",
+    ],
   ];
-  return faults
+  return defects
     .filter(([count]) => count > 0)
     .map(([count, noun, words, remedy]) =>
-      packageDiagnostic("unsound-mesh", `${plural(count, noun)} ${words}`, remedy),
+      packageDiagnostic("invalid-mesh", `${plural(count, noun)} ${words}`, remedy),
     );
 }
 
-/** "2 errors, 1 warning", or "no problems". */
+/** Summarizes diagnostics: "2 errors, 1 warning", or "no problems". */
 function counted(diagnostics: readonly Diagnostic[]): string {
   const parts = (["error", "warning"] as const).flatMap((severity) => {
     const count = countOf(diagnostics, severity);

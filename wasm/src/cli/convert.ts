@@ -1,25 +1,29 @@
-/** `tetrafront convert`: one mesh file into another format; of a volume mesh its boundary, if that is all it takes. */
-import { FileProblem, refuseFolder, writeOutput } from "./files.js";
+/**
+ * `tetrafront convert`: converts a mesh file to another format; of a volume mesh the boundary, if the format stores
+ * surfaces only.
+ */
+import { FileError, refuseFolder, writeOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, readMeshFile } from "./input.js";
-import { ExitCode, say, tell, toldFailure } from "./messages.js";
-import { checkApart, checkWritable, inputFiles, outputFiles } from "./places.js";
-import { refuseRepair, repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./repair.js";
-import { mixedTurns, readingLines } from "./tables.js";
+import { ExitCode, print, printDiagnostics, reportFailure } from "./messages.js";
+import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
+import { refuseRepair, repaired, repairOptions, printChanges, type RepairCommandOptions } from "./repair.js";
+import { mixedOrientationLines, readingLines } from "./tables.js";
 import { boundaryOf } from "../formats/boundary.js";
 import type { Contents, WrittenFile } from "../formats/file-format.js";
-import { extensionOf, extensionsThat, formatOf } from "../formats/file-formats.js";
-import { numbered, type FileMesh } from "../formats/file-mesh.js";
-import { leftData } from "../formats/held.js";
+import { extensionOf, extensionsFor, formatOf } from "../formats/file-formats.js";
+import type { FileMesh } from "../formats/file-mesh.js";
+import { numbered } from "../formats/groups.js";
+import { omittedDataMessage } from "../formats/format-limits.js";
 import { writeMesh } from "../formats/mesh-files.js";
 import { inSteps } from "../formats/steps.js";
 import { surfaceOf, type SurfaceFile } from "../formats/surface-file.js";
-import { misfits, tetFaces } from "../formats/tet-faces.js";
+import { findDefects, tetFaces } from "../formats/tet-faces.js";
 import type { RepairOptions } from "../api/inspection.js";
 import { plural } from "../base/plural.js";
 import type { Diagnostic } from "../api/types.js";
 
-/** As commander hands them over. */
+/** Options as commander passes them. */
 export interface ConvertCommandOptions extends RepairCommandOptions {
   readonly output: string;
   readonly from?: string;
@@ -35,56 +39,54 @@ export async function convertFile(input: string, options: ConvertCommandOptions)
     await refuseFolder(output);
     const name = writableName(output, options.to, ["surface", "volume"]);
     const written = outputFiles(output, options.to);
-    await checkApart(inputFiles(input, options.from), written);
+    await checkNoOverwrite(inputFiles(input, options.from), written);
     await checkWritable(written);
     const given = await readMeshFile(input, options.from);
     const mesh = await prepared(given, { input, output, name, repair, isQuiet });
     await writeAll(await writeMesh(mesh, name), { input, output, name, isQuiet });
     if (!isQuiet) {
       const faces = await inSteps(tetFaces(mesh));
-      tell(input, (await inSteps(misfits(mesh, faces))).map(asWarning), { isQuiet });
+      printDiagnostics(input, (await inSteps(findDefects(mesh, faces))).map(asWarning), { isQuiet });
       const left = [...given.nodeData.keys()].filter((key) => !mesh.nodeData.has(key));
-      if (left.length > 0) say(`note: ${input}: ${leftData(left)}`);
-      const notes = [...mixedTurns(given), ...readingLines(given)];
-      for (const line of notes) say(`note: ${input}: ${line}`);
-      say(`${input}: ${contentsOf(mesh)} -> ${output}`);
+      if (left.length > 0) print(`note: ${input}: ${omittedDataMessage(left)}`);
+      const notes = [...mixedOrientationLines(given), ...readingLines(given)];
+      for (const line of notes) print(`note: ${input}: ${line}`);
+      print(`${input}: ${contentsOf(mesh)} -> ${output}`);
     }
     return ExitCode.meshed;
   } catch (failure) {
-    return toldFailure(failure, input);
+    return reportFailure(failure, input);
   }
 }
 
-/** The name that tells the output's format. Throws a FileProblem where none of `contents` can be written as that. */
+/** Returns a name with the output's extension. Throws a FileError if the format cannot write any of `contents`. */
 export function writableName(output: string, to: string | undefined, contents: readonly Contents[]): string {
   const name = formatName(output, to);
-  if (contents.some((held) => formatOf(name)?.writes.includes(held))) return name;
-  const known = new Set(contents.flatMap((held) => extensionsThat("writes", held)));
+  if (contents.some((held) => formatOf(name)?.writable.includes(held))) return name;
+  const known = new Set(contents.flatMap((held) => extensionsFor("write", held)));
   const extension = extensionOf(name);
-  throw new FileProblem(
+  throw new FileError(
     output,
-    extension === ""
-      ? "the name has no extension to tell the format"
-      : `"${extension}" is no format that can be written here`,
-    `Give a name that ends in ${[...known].join(" or ")}, or say it by --to.`,
+    extension === "" ? "the name has no extension" : `"${extension}" files cannot be written here`,
+    `Use a name that ends in ${[...known].join(" or ")}, or set the format with --to.`,
   );
 }
 
-/** Where a mesh goes, and what is told of it. */
+/** Destination of a mesh. */
 export interface Destination {
   readonly input: string;
   readonly output: string;
-  /** Tells the output's format. */
+  /** Name whose extension selects the format. */
   readonly name: string;
   readonly isQuiet: boolean;
 }
 
-/** Writes the files of one mesh, and says what its format left out. */
+/** Writes the files of one mesh, and prints what its format cannot store. */
 export async function writeAll(
   files: readonly WrittenFile[],
   { input, output, name, isQuiet }: Destination,
 ): Promise<void> {
-  for (const { notes } of files) tell(input, notes, { isQuiet });
+  for (const { notes } of files) printDiagnostics(input, notes, { isQuiet });
   for (const { fileName, bytes } of files) await writeOutput(fileName === name ? output : fileName, bytes);
 }
 
@@ -94,16 +96,16 @@ interface Conversion extends Destination {
 
 async function prepared(mesh: FileMesh, conversion: Conversion): Promise<FileMesh> {
   const { output, name, repair } = conversion;
-  const writes = formatOf(name)?.writes ?? [];
+  const writes = formatOf(name)?.writable ?? [];
   if (mesh.tetrahedra.length > 0) {
     if (writes.includes("volume")) refuseRepair(repair, "a mesh of tetrahedra");
     const whole = mesh.triangles.length > 0 ? mesh : await withBoundary(mesh);
     return writes.includes("volume") ? whole : surfaceFrom(await inSteps(boundaryOf(whole)), conversion);
   }
   if (!writes.includes("surface")) {
-    const known = extensionsThat("writes", "surface").join(", ");
-    const remedy = known === "" ? "Mesh it." : `Mesh it, or give a name that ends in one of ${known}.`;
-    throw new FileProblem(output, "a surface cannot be written in a format of volume meshes", remedy);
+    const known = extensionsFor("write", "surface").join(", ");
+    const remedy = `Mesh it with "tetrafront mesh", or use a name that ends in one of ${known}.`;
+    throw new FileError(output, "the format stores volume meshes, but the input is a surface", remedy);
   }
   return surfaceFrom(mesh, conversion);
 }
@@ -112,23 +114,23 @@ async function surfaceFrom(mesh: FileMesh, { input, repair, isQuiet }: Conversio
   const given = await inSteps(surfaceOf(mesh));
   if (repair === undefined) return welded(mesh, given);
   const { surface, changes } = await withMesher((mesher) => repaired(mesher, given, repair));
-  if (!isQuiet && changes !== undefined) tellChanges(input, changes);
+  if (!isQuiet && changes !== undefined) printChanges(input, changes);
   return { ...mesh, ...surface, nodeData: new Map() };
 }
 
-/** A format whose faces need not fit together takes such a mesh, but hardly any program can use it. */
+/** The format stores such a mesh, but hardly any program can use it. */
 function asWarning(fault: Diagnostic): Diagnostic {
   return { ...fault, severity: "warning" };
 }
 
-/** Triangles that share places share nodes; that is what formats with nodes are for. */
+/** Triangles that share positions share nodes, as formats with nodes expect. */
 function welded(mesh: FileMesh, surface: SurfaceFile): FileMesh {
   const { points, triangles, trianglePatch, patches } = surface;
   const isSame = points.length === mesh.points.length;
   return { ...mesh, points, triangles, trianglePatch, patches, nodeData: isSame ? mesh.nodeData : new Map() };
 }
 
-/** With the faces of one element as its triangles, one patch for each region. */
+/** Adds the boundary faces as triangles, one patch per region. */
 async function withBoundary(mesh: FileMesh): Promise<FileMesh> {
   const regions = mesh.tetrahedronRegion;
   const { boundary } = await withMesher((mesher) => mesher.inspectMesh({ ...mesh, regions }));

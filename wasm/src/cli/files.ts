@@ -1,13 +1,14 @@
-/** Files as the command line meets them: every way to fail gets one line with a remedy. */
+/** Files of the command line: every failure becomes one line with a remedy. */
 import { randomUUID } from "node:crypto";
-import { constants, createReadStream, rmSync } from "node:fs";
+import { constants, createReadStream, fstatSync, rmSync, writeFileSync, type Stats } from "node:fs";
 import { access, lstat, open, readFile, realpath, rename, rm, stat } from "node:fs/promises";
 import path from "node:path";
+import { isatty } from "node:tty";
 
 import { allBytes } from "../formats/byte-source.js";
 
-/** A failure of a file, told to the user and ending the command. */
-export class FileProblem extends Error {
+/** Failure of a file operation; ends the command with a message. */
+export class FileError extends Error {
   constructor(
     readonly file: string,
     message: string,
@@ -17,87 +18,91 @@ export class FileProblem extends Error {
   }
 }
 
-/** In place of a file's name: standard input, or standard output. */
+/** Failure to write a file after its content was made. */
+export class WriteError extends FileError {}
+
+/** Name that stands for standard input or standard output. */
 export const STANDARD_STREAM = "-";
 
-/** The bytes of a file. Throws a FileProblem. */
+/** Returns the bytes of a file. Throws a FileError. */
 export async function readInput(file: string): Promise<Uint8Array> {
   if (file === STANDARD_STREAM) return allBytes(piecesOfInput(file));
   try {
     return await readFile(file);
   } catch (failure) {
-    throw inputProblem(file, failure);
+    throw inputError(file, failure);
   }
 }
 
-/** The bytes of a file, piece by piece. Throws a FileProblem while they are read. */
+/** Yields the bytes of a file piece by piece. Throws a FileError while reading. */
 export async function* piecesOfInput(file: string): AsyncGenerator<Uint8Array, void> {
   const stream =
     file === STANDARD_STREAM ? process.stdin : createReadStream(file, { highWaterMark: PIECE_BYTES });
   try {
     for await (const piece of stream) yield piece as Buffer;
   } catch (failure) {
-    throw codeOf(failure) === "" ? failure : inputProblem(file, failure);
+    throw codeOf(failure) === "" ? failure : inputError(file, failure);
   }
 }
 
-/** Few calls of the system, little memory. */
+/** Large enough for few system calls, small enough for little memory. */
 const PIECE_BYTES = 1 << 20;
 
-/** The file of this name beside another, for formats of several files; undefined where there is none. */
+/** Opens the file of this name next to another, for formats of several files; undefined if there is none. */
 export async function openBeside(file: string, name: string): Promise<AsyncIterable<Uint8Array> | undefined> {
   const other = path.join(path.dirname(file), path.basename(name));
   return (await statOf(other))?.isFile() === true ? piecesOfInput(other) : undefined;
 }
 
-/** An empty word, as scripts make of a variable that is not set. */
-export function nameless(): FileProblem {
-  return new FileProblem('""', "this is no name of a file", "Give one, or - for a stream.");
+/** Error for an empty name, which scripts pass for an unset variable. */
+export function emptyName(): FileError {
+  return new FileError('""', "the file name is empty", "Use the name of a file, or - for a stream.");
 }
 
-/** Whether there is a file to read at all. Throws a FileProblem. */
+/** Throws a FileError if there is no such file. */
 export async function checkInput(file: string): Promise<void> {
   if (file === STANDARD_STREAM) return;
-  if (file === "") throw nameless();
+  if (file === "") throw emptyName();
   try {
-    if ((await stat(file)).isDirectory()) throw folderProblem(file);
+    if ((await stat(file)).isDirectory()) throw folderError(file);
   } catch (failure) {
-    throw failure instanceof FileProblem ? failure : inputProblem(file, failure);
+    throw failure instanceof FileError ? failure : inputError(file, failure);
   }
 }
 
-function folderProblem(folder: string): FileProblem {
-  const several = `what takes several files takes a pattern too, such as '${path.join(folder, "*.stl")}'`;
-  return new FileProblem(folder, "this is a folder", `Give a file in it; ${several}.`);
+function folderError(folder: string): FileError {
+  const pattern = `'${path.join(folder, "*.stl")}'`;
+  const remedy = `Use a file in it; commands for several files also accept patterns such as ${pattern}.`;
+  return new FileError(folder, "this is a folder", remedy);
 }
 
-function inputProblem(file: string, failure: unknown): FileProblem {
+function inputError(file: string, failure: unknown): FileError {
   switch (codeOf(failure)) {
     case "ENOENT":
     case "ENOTDIR":
-      return new FileProblem(file, "there is no such file", "Check the path.");
+      return new FileError(file, "there is no such file", "Check the path.");
     case "EISDIR":
-      return folderProblem(file);
+      return folderError(file);
     case "EACCES":
     case "EPERM":
-      return new FileProblem(file, "the file may not be read", "Change its permissions.");
+      return new FileError(file, "permission to read the file is denied", "Change its permissions.");
     default:
-      return new FileProblem(
+      return new FileError(
         file,
         `the file cannot be read (${reasonOf(failure)})`,
-        "Try another copy of it.",
+        "Try another copy of the file.",
       );
   }
 }
 
-/** Throws a FileProblem where nothing, or a folder, is given as a file to write. */
+/** Throws a FileError if the name of an output is empty or a folder. */
 export async function refuseFolder(file: string): Promise<void> {
-  if (file === "") throw nameless();
+  if (file === "") throw emptyName();
   if (file === STANDARD_STREAM || (await statOf(file))?.isDirectory() !== true) return;
-  throw new FileProblem(file, "this is a folder", "Give the name of a file in it.");
+  throw new FileError(file, "this is a folder", "Use the name of a file in it.");
 }
 
-/** Finds out before hours of meshing whether a file can be written. Throws a FileProblem. */
+/** Checks before hours of meshing whether a file can be written. Throws a FileError. */
 export async function checkOutput(file: string): Promise<void> {
   if (file === STANDARD_STREAM) return;
   await refuseFolder(file);
@@ -105,39 +110,39 @@ export async function checkOutput(file: string): Promise<void> {
   const folder = path.dirname(file);
   const place = await statOf(folder);
   if (place?.isDirectory() !== true) {
-    throw new FileProblem(file, `there is no folder ${folder} to write to`, "Create it, or choose another.");
+    throw new FileError(file, `the folder ${folder} does not exist`, "Create it, or choose another.");
   }
-  if (found === undefined || found.isFile()) return tryPlace(file, found !== undefined);
+  if (found === undefined || found.isFile()) return tryFolder(file, found !== undefined);
   const mayWrite = await access(file, constants.W_OK).then(
     () => true,
     () => false,
   );
   if (!mayWrite) {
-    throw new FileProblem(
+    throw new FileError(
       file,
-      "this place may not be written to",
-      "Choose another, or change its permissions.",
+      "permission to write is denied",
+      "Choose another file, or change its permissions.",
     );
   }
 }
 
-/** Makes the file that writeOutput() would make first, and removes it: permissions do not tell all. */
-async function tryPlace(file: string, exists: boolean): Promise<void> {
+/** Creates and removes the temporary file that writeOutput() would create first: permissions alone do not decide. */
+async function tryFolder(file: string, exists: boolean): Promise<void> {
   try {
     const temporary = temporaryFor(exists ? await realpath(file) : file);
     await writeTo(temporary, "", "wx");
     await rm(temporary, { force: true });
     if (!exists) await tryName(file);
   } catch (failure) {
-    throw new FileProblem(
+    throw new FileError(
       file,
-      `this place may not be written to (${reasonOf(failure)})`,
-      "Choose another, or change its permissions.",
+      `the file cannot be written (${reasonOf(failure)})`,
+      "Choose another file, or change the permissions of its folder.",
     );
   }
 }
 
-/** The file's own name may be too long, or one that the file system does not take. */
+/** Checks the file's own name, which may be too long or not permitted by the file system. */
 async function tryName(file: string): Promise<void> {
   try {
     await lstat(file);
@@ -146,96 +151,125 @@ async function tryName(file: string): Promise<void> {
   }
 }
 
-/** Of a name that no run had before, for in a container all have one number; short, however long the file's is. */
+/** Returns a unique name, because process ids repeat in containers; it is short even if the file's name is long. */
 function temporaryFor(target: string): string {
   return path.join(path.dirname(target), `.${randomUUID()}.part`);
 }
 
 /**
- * Writes a file so that nobody ever sees half of it: beside it first, then renamed. Devices and pipes,
- * which must not be replaced, are written to directly. Throws a FileProblem.
+ * Writes a file so that no program ever sees a part of it: to a temporary file next to it, which is then renamed. A
+ * replaced file keeps its permissions. Devices and pipes must not be replaced and are written to directly. Throws a
+ * FileError.
  */
 export async function writeOutput(file: string, content: string | Uint8Array): Promise<void> {
   if (file === STANDARD_STREAM) return writeToStandardOutput(content);
   const found = await statOf(file);
   try {
     if (found !== undefined && !found.isFile()) return await writeTo(file, content, "w");
-    // Through a link to the file itself, or the link would be replaced.
+    // Resolve links, or the link would be replaced.
     const target = found === undefined ? file : await realpath(file);
+    const mode = found === undefined ? undefined : found.mode & PERMISSIONS;
     await unlessInterrupted(temporaryFor(target), async (temporary) => {
-      await writeTo(temporary, content, "wx");
+      await writeTo(temporary, content, "wx", mode);
       await rename(temporary, target);
     });
   } catch (failure) {
-    throw new FileProblem(file, `the file cannot be written (${reasonOf(failure)})`, "Choose another place.");
+    throw new WriteError(
+      file,
+      `the file cannot be written (${reasonOf(failure)})`,
+      "Choose another folder, or free space on the disk.",
+    );
   }
 }
 
-/** Those that are being written now. */
+/** Bits of a file's mode without those of its type. */
+const PERMISSIONS = 0o7777;
+
+/** Temporary files that are being written. */
 const temporaries = new Set<string>();
 
-/** Leaves no temporary file behind, whether the work is done, has failed or is ended by a signal. */
+/** Removes the temporary file when the work is done, has failed or is ended by a signal. */
 async function unlessInterrupted(
   temporary: string,
   work: (temporary: string) => Promise<void>,
 ): Promise<void> {
-  if (temporaries.size === 0) process.on("SIGINT", endWithout).on("SIGTERM", endWithout);
+  if (temporaries.size === 0) process.on("SIGINT", endBySignal).on("SIGTERM", endBySignal);
   temporaries.add(temporary);
   try {
     await work(temporary);
   } finally {
     await rm(temporary, { force: true });
     temporaries.delete(temporary);
-    if (temporaries.size === 0) process.off("SIGINT", endWithout).off("SIGTERM", endWithout);
+    if (temporaries.size === 0) process.off("SIGINT", endBySignal).off("SIGTERM", endBySignal);
   }
 }
 
-/** The signal ends the process as it would have; where somebody else hears it, it is for that one to say when. */
-function endWithout(signal: NodeJS.Signals): void {
+/** Lets the signal end the process as usual. If another listener is present, that listener decides. */
+function endBySignal(signal: NodeJS.Signals): void {
   if (process.listenerCount(signal) > 1) return;
   for (const temporary of temporaries) rmSync(temporary, { force: true });
-  process.off(signal, endWithout);
+  process.off(signal, endBySignal);
   process.kill(process.pid, signal);
 }
 
-/** Raised where the reader of standard output has gone: nobody is left to be told anything. */
+/** Thrown if the reader of standard output has closed the pipe; no message can reach it. */
 export class ClosedPipe extends Error {}
 
-/** Throws a ClosedPipe, or a FileProblem where it cannot be written to for another reason. */
-export function writeToStandardOutput(content: string | Uint8Array): Promise<void> {
+/** Writes all of the content. Throws a ClosedPipe, or a WriteError if writing fails for another reason. */
+export async function writeToStandardOutput(content: string | Uint8Array): Promise<void> {
+  try {
+    if (isSynchronous(process.stdout.fd)) writeFileSync(process.stdout.fd, Buffer.from(content));
+    else await written(process.stdout, content);
+  } catch (failure) {
+    if (codeOf(failure) === "EPIPE") throw new ClosedPipe();
+    throw new WriteError(
+      "standard output",
+      `writing failed (${reasonOf(failure)})`,
+      "Free space on the disk, or let the next program read all of the output.",
+    );
+  }
+}
+
+/**
+ * Returns whether Node writes to this descriptor synchronously, as to files and devices other than terminals. Its stream
+ * then ignores a write that stores a part of the content only, as the last one on a full disk does.
+ */
+function isSynchronous(descriptor: number): boolean {
+  const found = fstatSync(descriptor);
+  return found.isFile() || (found.isCharacterDevice() && !isatty(descriptor));
+}
+
+function written(stream: NodeJS.WritableStream, content: string | Uint8Array): Promise<void> {
   return new Promise((resolve, reject) => {
-    process.stdout.write(content, (failure) => {
-      if (failure == null) return resolve();
-      if (codeOf(failure) === "EPIPE") return reject(new ClosedPipe());
-      reject(
-        new FileProblem(
-          "standard output",
-          `it cannot be written to (${reasonOf(failure)})`,
-          "Let the next program read it all.",
-        ),
-      );
-    });
+    stream.write(content, (failure) => (failure == null ? resolve() : reject(failure)));
   });
 }
 
-async function writeTo(file: string, content: string | Uint8Array, flags: "w" | "wx"): Promise<void> {
+/** `mode`: permissions of the new file, if they are not the usual ones. */
+async function writeTo(
+  file: string,
+  content: string | Uint8Array,
+  flags: "w" | "wx",
+  mode?: number,
+): Promise<void> {
   const handle = await open(file, flags);
   try {
+    if (mode !== undefined) await handle.chmod(mode);
     await handle.writeFile(content);
   } finally {
     await handle.close();
   }
 }
 
-async function statOf(file: string): Promise<Awaited<ReturnType<typeof stat>> | undefined> {
+async function statOf(file: string): Promise<Stats | undefined> {
   return stat(file).catch(() => undefined);
 }
 
 /**
- * The same for all names of one place, whether or not a file is there yet; undefined for devices and pipes,
- * where nothing is replaced.
+ * Returns an identity that is equal for all names of one file, whether or not the file exists; undefined for
+ * devices and pipes, which are never replaced.
  */
-export async function placeOf(file: string): Promise<string | undefined> {
+export async function fileIdentity(file: string): Promise<string | undefined> {
   if (file === STANDARD_STREAM) return STANDARD_STREAM;
   const found = await statOf(file);
   if (found !== undefined) return found.isFile() ? `${found.dev} ${found.ino}` : undefined;

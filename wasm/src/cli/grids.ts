@@ -1,7 +1,7 @@
-/** `tetrafront cover` and `tetrafront propose`: project files with a background grid put into them. */
-import { checkOutput, FileProblem, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
+/** `tetrafront cover` and `tetrafront propose`: write projects with a new background grid. */
+import { checkOutput, FileError, refuseFolder, STANDARD_STREAM, writeOutput } from "./files.js";
 import { numberIn, PROJECT_EXTENSION, readProjectFile, refuseOptions } from "./input.js";
-import { ExitCode, say, toldFailure } from "./messages.js";
+import { ExitCode, print, reportFailure } from "./messages.js";
 import { extensionOf } from "../formats/file-formats.js";
 import { createMesher } from "../api/mesher.js";
 import { checkCoverOptions, checkProposalOptions, type CoverShape } from "../api/options.js";
@@ -10,7 +10,7 @@ import { writeProject } from "../project/project.js";
 import type { Project, ProjectBackground, ProjectSource } from "../project/schema.js";
 import type { CoverOptions, Mesher, ProposalOptions } from "../api/types.js";
 
-/** As commander hands them over: numbers are still text. */
+/** Options as commander passes them: numbers are still text. */
 interface CommonOptions {
   readonly output: string;
   readonly shape?: CoverShape;
@@ -67,13 +67,13 @@ export function proposeForFile(input: string, options: ProposeCommandOptions): P
   });
 }
 
-/** The grid takes the place of one size everywhere, too, which would go before it. */
+/** Also removes the project's uniform size, which would take precedence over the grid. */
 function withGrid(project: Project, background: ProjectBackground): Project {
   const { size: _, ...meshing } = project.meshing ?? {};
   return { ...project, background, meshing: Object.keys(meshing).length > 0 ? meshing : undefined };
 }
 
-/** The sources there were, then those proposed that are not among them, with ids after theirs. */
+/** Returns the old sources and those proposed ones that are new, with ids after the old ones. */
 function withNewIds(old: readonly ProjectSource[], proposed: readonly ProjectSource[]): ProjectSource[] {
   const last = old.reduce((most, { id }) => Math.max(most, id), 0);
   const asText = ({ id: _, ...source }: ProjectSource) =>
@@ -99,14 +99,14 @@ async function rewritten(
 ): Promise<number> {
   try {
     refuseOptions(check());
-    await checkProjectPlace(options.output);
+    await checkProjectPath(options.output);
     const project = await readProjectFile(input, input === STANDARD_STREAM ? "json" : undefined);
     const changed = await withMesher((mesher) => change(mesher, project));
     await writeOutput(options.output, writeProject(changed));
-    if (options.quiet !== true) say(summary(input, changed, options.output));
+    if (options.quiet !== true) print(summary(input, changed, options.output));
     return ExitCode.meshed;
   } catch (failure) {
-    return toldFailure(failure, input);
+    return reportFailure(failure, input);
   }
 }
 
@@ -119,14 +119,10 @@ export async function withMesher<T>(use: (mesher: Mesher) => Promise<T>): Promis
   }
 }
 
-async function checkProjectPlace(output: string): Promise<void> {
+async function checkProjectPath(output: string): Promise<void> {
   await refuseFolder(output);
   if (output !== STANDARD_STREAM && extensionOf(output) !== PROJECT_EXTENSION) {
-    throw new FileProblem(
-      output,
-      "this is no name for a project",
-      `Give a name that ends in ${PROJECT_EXTENSION}.`,
-    );
+    throw new FileError(output, "the output is a project", `Use a name that ends in ${PROJECT_EXTENSION}.`);
   }
   await checkOutput(output);
 }

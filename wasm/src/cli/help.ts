@@ -1,59 +1,59 @@
-/** What `tetrafront COMMAND --help` teaches below the options. */
+/** Help texts below the options of each command. */
 import type { Contents } from "../formats/file-format.js";
 import { FILE_FORMATS } from "../formats/file-formats.js";
 
-/** One line per format that can be read, or written, as any of such contents. */
-function formatLines(can: "reads" | "writes", ...contents: readonly Contents[]): string {
-  return FILE_FORMATS.filter((format) => contents.some((held) => format[can].includes(held)))
+/** Returns one line per format that can read, or write, any of the contents. */
+function formatLines(list: "readable" | "writable", ...contents: readonly Contents[]): string {
+  return FILE_FORMATS.filter((format) => contents.some((held) => format[list].includes(held)))
     .map(({ name, extensions }) => `  ${extensions.join(", ").padEnd(21)} ${name}`)
     .join("\n");
 }
 
 const EXIT_CODES_HELP = `
 Exit code
-  0  done    1  not completed: stalled, cancelled, out of memory, not written    2  bad input
-  Of many inputs, the highest. Ctrl C cancels a mesh being made, with its report (1); it ends all else, and leaves no
-  half-written file (130; 143 where the process is told to end).`;
+  0  done    1  not completed: stalled, cancelled, out of memory, not written    2  invalid input
+  With several inputs, the highest of their codes. Ctrl-C during meshing cancels the mesh and still writes the
+  report (1). Otherwise it ends the command without a partial file (130; SIGTERM: 143).`;
 
 const READING_HELP = `
-Formats: those that \`tetrafront convert --help\` lists as input; - is standard input.`;
+Formats: the input formats of \`tetrafront convert --help\`; - is standard input.`;
 
-/** What the figures of a mesh say. */
-const FIGURES_HELP = `
-Figures
-  Dihedral angles, between the faces of an element, are best near 70.5 degrees; from 30 to 135 is good.
-  The radius ratio, three times the inscribed radius by the circumscribed one, is 1 for the regular
-  tetrahedron and 0 for a flat one.`;
+/** Explains the quality measures. */
+const QUALITY_HELP = `
+Quality
+  Dihedral angles, between two faces of an element, are best near 70.5 degrees; 30 to 135 degrees are good.
+  The radius ratio, three times the inscribed radius / circumscribed radius, is 1 for the regular
+  tetrahedron and 0 for a degenerate one.`;
 
 export const meshHelp = () => `
 Input
-  .json                 a Tetrafront project: points, lines, patches, background grid
-${formatLines("reads", "surface")}
-  -                     standard input, with --format to tell its format
+  .json                 Tetrafront project: points, lines, patches, background grid
+${formatLines("readable", "surface")}
+  -                     standard input; set its format with --format
 
 Output
-${formatLines("writes", "volume")}
-  -                     standard output, with --format to tell its format
+${formatLines("writable", "volume")}
+  -                     standard output; set its format with --format
 
-Sizes of elements
-  Lengths are edges of elements, in the units of the file, which need no name.
-  Of a project as it says; of a surface from its own edges, growing inwards by --grading up to --size.
-  --background takes them from a mesh with sizes at its nodes (named "size"; "stretching" and
-  "direction" too, else from its own edges) or from a project. --source makes them smaller around a place.
+Element sizes
+  A size is an edge length in the unit of the file. A project defines its own sizes. For a surface, sizes
+  start at its edges and grow inwards by --growth up to --size. --background takes the sizes from a project,
+  or from a mesh with node values "size" (also "stretching" and "direction"; without "size", its edges).
+  --source limits the sizes around a position.
 
-  A surface is kept triangle for triangle: beside triangles larger than wanted elements are as large, and
-  sizes fall inwards by --grading (at most 0.5 per unit of distance), as they grow from triangles that are
-  smaller than a background's sizes. You are told of triangles that are too large;
-  --refine-surface divides them first, and leaves the shape as it is.
+  The mesh keeps every triangle of a surface. Elements next to triangles above the target size are therefore
+  too large; the sizes decrease inwards by --growth, at most 0.5 per unit of distance. A warning reports such
+  triangles. --refine-surface splits them first and keeps the shape.
 
-Shapes of elements
-  --optimize none leaves the mesh as the front made it; fast, default and thorough work on it ever longer.
-${FIGURES_HELP}
+Element shapes
+  --optimize none keeps the mesh as the front made it. fast, default and thorough improve it, each taking
+  longer. --require-angle makes a mesh with a smaller dihedral angle fail with exit code 1.
+${QUALITY_HELP}
 
-Surfaces that cannot be filled
-  \`tetrafront check\` tells why. Nothing is repaired unless you ask: --repair joins nodes at the same
-  place, removes triangles without area and duplicates, and turns triangles outward; --weld joins nodes
-  within a distance, --fill-holes closes small holes. Every change is listed, and in the report.
+Surfaces with problems
+  \`tetrafront check\` lists the problems of a surface. Nothing is repaired unless you ask for it. --repair welds
+  coincident nodes, removes degenerate and duplicate triangles, and flips triangles outward. --weld also welds
+  nodes within a distance, --fill-holes also closes small holes. Messages and the report list every change.
 ${EXIT_CODES_HELP}
 
 Examples
@@ -62,39 +62,40 @@ Examples
   tetrafront mesh part.stl -o part.vtu --source 0,0,1,0.01,0.2 --refine-surface
   tetrafront mesh scan.ply -o scan.vtu --weld 1e-6 --fill-holes 20
   tetrafront mesh duct.json -o finer.vtu --background sizes.vtu
+  tetrafront mesh part.stl -o part.vtu --optimize thorough --require-angle 10
   tetrafront mesh 'parts/*.stl' -o 'meshes/{name}.vtu' --jobs 4 --report all.json
   cat part.stl | tetrafront mesh - --format stl -o part.vtu
   tetrafront mesh part.stl -o - --format vtu > part.vtu
 `;
 
 export const checkHelp = () => `
-Tells of a surface whether it is closed, manifold and free of crossings, its bodies and cavities, area,
-volume, edges and worst triangles; of a project what would keep it from being meshed; of a mesh whether
-its elements fit together. Each problem has its ids, counted from 0, and its place.
+For a surface, prints whether it is closed, manifold and without self-intersections; its regions and cavities,
+area, volume, edges and worst triangles. For a project, lists what prevents meshing. For a mesh, checks whether
+its elements fit together. Each problem states its indices, counted from 0, and its position.
 ${READING_HELP}
 
 Exit code
-  0  nothing keeps it from being meshed or used    1  out of memory    2  something does, or it cannot be read
-  Of many inputs, the highest.
+  0  can be meshed or used    1  out of memory, not written    2  has errors, or cannot be read
+  With several inputs, the highest of their codes.
 
 Examples
   tetrafront check part.stl
   tetrafront check part.stl --json | jq .inspection.openEdges
-  tetrafront check scan.stl --findings all --json        # every one, not the first thousand of each kind
-  tetrafront check part.stl --repair --fill-holes 10     # what would be changed, and what then remains
-  tetrafront check parts.stl --enclosed regions          # bodies within others are bodies too
+  tetrafront check scan.stl --max-diagnostics all --json  # every problem, not the first thousand of each kind
+  tetrafront check part.stl --repair --fill-holes 10      # lists the repairs, and the problems that remain
+  tetrafront check parts.stl --inner-shells regions       # shells inside regions bound regions too
   tetrafront check duct.json --size 0.1
   tetrafront check 'parts/*.stl' --jobs 4
 `;
 
 export const convertHelp = () => `
 Input
-${formatLines("reads", "surface", "volume")}
+${formatLines("readable", "surface", "volume")}
 
 Output
-${formatLines("writes", "surface", "volume")}
+${formatLines("writable", "surface", "volume")}
 
-A volume mesh in a format of surfaces is its boundary. Triangles are joined at the same places.
+Formats for surfaces get the boundary of a volume mesh. Triangles with equal corner positions share nodes.
 ${EXIT_CODES_HELP}
 
 Examples
@@ -113,8 +114,8 @@ Examples
   tetrafront info part.msh --json | jq '.patches[].name'
 `;
 
-export const STATS_HELP = `${FIGURES_HELP}
-  In --json there are histograms of both and of the lengths of edges, per region, and the worst elements.
+export const STATS_HELP = `${QUALITY_HELP}
+  --json adds histograms of both and of the edge lengths, per region, and the worst elements.
 ${READING_HELP}
 ${EXIT_CODES_HELP}
 
@@ -124,8 +125,8 @@ Examples
 `;
 
 export const COVER_HELP = `
-A background grid tells at its nodes how large elements are to be; without one a project has no sizes.
-Edit the sizes in the application or the file, or let \`tetrafront propose\` add sources to it.
+A background grid defines the element size at its nodes. Edit the sizes in the app or in the file, or let
+\`tetrafront propose\` add sources.
 ${EXIT_CODES_HELP}
 
 Examples
@@ -134,7 +135,7 @@ Examples
 `;
 
 export const PROPOSE_HELP = `
-The output is a project to be looked at, changed and meshed; the input stays as it is.
+The output is a project that you can inspect, change and mesh; the input is not changed.
 ${EXIT_CODES_HELP}
 
 Examples
@@ -144,9 +145,9 @@ Examples
 `;
 
 export const PROGRAM_HELP = `
-Begin with
-  tetrafront check part.stl              what is there, and what is wrong
-  tetrafront mesh part.stl -o part.vtu   tetrahedra in it
-  tetrafront stats part.vtu              how good they are
+Start with
+  tetrafront check part.stl              list the problems of a surface
+  tetrafront mesh part.stl -o part.vtu   fill it with tetrahedra
+  tetrafront stats part.vtu              print the quality of the mesh
 
-Each command explains itself: tetrafront mesh --help`;
+Help on a command: tetrafront mesh --help`;

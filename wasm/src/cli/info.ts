@@ -1,16 +1,23 @@
-/** `tetrafront info`, what a file holds, and `tetrafront stats`, how good its elements are. */
+/** `tetrafront info` prints the contents of a file; `tetrafront stats` prints the quality of its elements. */
 import { writeToStandardOutput } from "./files.js";
 import { withMesher } from "./grids.js";
 import { formatName, isProject, readMeshFile, readProjectFile } from "./input.js";
-import { BadInput, ExitCode, toldFailure } from "./messages.js";
-import { boxText, meshLines, mixedTurns, otherWay, qualityLines, readingLines } from "./tables.js";
+import { BadInput, ExitCode, reportFailure } from "./messages.js";
+import {
+  boxText,
+  meshLines,
+  mixedOrientationLines,
+  oppositeOrderLines,
+  qualityLines,
+  readingLines,
+} from "./tables.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
 import { formatOf } from "../formats/file-formats.js";
 import type { FileGroup, FileMesh } from "../formats/file-mesh.js";
 import { plural } from "../base/plural.js";
 import type { Project } from "../project/schema.js";
 
-/** As commander hands them over. */
+/** Options as commander passes them. */
 export interface InfoCommandOptions {
   readonly from?: string;
   readonly json?: boolean;
@@ -28,7 +35,12 @@ export function infoOnFile(input: string, options: InfoCommandOptions): Promise<
     const held = { format, ...meshContents(mesh) };
     return {
       json: held,
-      lines: [...contentLines(held), ...otherWay(mesh), ...mixedTurns(mesh), ...readingLines(mesh)],
+      lines: [
+        ...contentLines(held),
+        ...oppositeOrderLines(mesh),
+        ...mixedOrientationLines(mesh),
+        ...readingLines(mesh),
+      ],
     };
   });
 }
@@ -38,24 +50,24 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
   return answered(input, options, async () => {
     const mesh = await readMeshFile(input, options.from);
     if (mesh.tetrahedra.length === 0) {
-      const remedy = "Give a volume mesh; of a surface `tetrafront check` tells the figures.";
-      const none = packageDiagnostic("no-tetrahedra", "the file holds no tetrahedron", remedy);
+      const remedy = "Use a volume mesh; `tetrafront check` prints the statistics of a surface.";
+      const none = packageDiagnostic("no-tetrahedra", "the file contains no tetrahedra", remedy);
       throw new BadInput(input, [none]);
     }
     const found = await withMesher((mesher) =>
       mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),
     );
     const { boundary, ...figures } = found;
-    const turnedInFile = mesh.turnedTetrahedra ?? 0;
+    const turnedInFile = mesh.reversedTetrahedra ?? 0;
     const json = { ...figures, turnedInFile, boundaryTriangles: boundary.triangles.length / 3 };
-    const faults = found.isValid ? [] : ["the mesh is not sound: `tetrafront check` tells why"];
+    const defects = found.isValid ? [] : ["the mesh is invalid: `tetrafront check` lists its problems"];
     const lines = [
       ...meshLines(found),
       ...qualityLines(found.quality),
-      ...otherWay(mesh),
-      ...mixedTurns(mesh),
+      ...oppositeOrderLines(mesh),
+      ...mixedOrientationLines(mesh),
       ...readingLines(mesh),
-      ...faults,
+      ...defects,
     ];
     return { json, lines };
   });
@@ -80,7 +92,7 @@ async function answered(
     await writeToStandardOutput(`${text}\n`);
     return ExitCode.meshed;
   } catch (failure) {
-    return toldFailure(failure, input);
+    return reportFailure(failure, input);
   }
 }
 
@@ -118,7 +130,7 @@ function meshContents(mesh: FileMesh) {
     triangles: mesh.triangles.length / 3,
     patches: heldGroups(mesh.patches, mesh.trianglePatch),
     tetrahedra: mesh.tetrahedra.length / 4,
-    turnedInFile: mesh.turnedTetrahedra ?? 0,
+    turnedInFile: mesh.reversedTetrahedra ?? 0,
     inverted: mesh.invertedTetrahedra?.length ?? 0,
     regions: heldGroups(mesh.regions, mesh.tetrahedronRegion),
     nodeData: [...mesh.nodeData].map(([name, { components }]) => ({ name, components })),
@@ -153,8 +165,6 @@ function contentLines(held: { readonly format: string } & ReturnType<typeof mesh
     ...groups("patch", held.patches),
     plural(held.tetrahedra, "tetrahedron"),
     ...groups("region", held.regions),
-    ...held.nodeData.map(
-      ({ name, components }) => `at the nodes "${name}", ${plural(components, "number")} each`,
-    ),
+    ...held.nodeData.map(({ name, components }) => `values at the nodes "${name}": ${components} per node`),
   ];
 }

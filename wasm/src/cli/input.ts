@@ -1,14 +1,14 @@
-/** What the command line reads: options that are numbers, projects, surfaces, background grids. */
-import { checkInput, FileProblem, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
+/** Reads the input of commands: numbers in options, projects, surfaces, background grids. */
+import { checkInput, FileError, openBeside, piecesOfInput, readInput, STANDARD_STREAM } from "./files.js";
 import { BadInput, unreadable } from "./messages.js";
-import { extensionOf, extensionsThat, FILE_FORMATS } from "../formats/file-formats.js";
+import { extensionOf, extensionsFor, FILE_FORMATS } from "../formats/file-formats.js";
 import type { FileMesh } from "../formats/file-mesh.js";
 import { readMesh, readSurface, readVolume, type ReadFileOptions } from "../formats/mesh-files.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { VolumeFile } from "../formats/volume-file.js";
 import { backgroundArrays } from "../project/grid-arrays.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { volumeBackground } from "../formats/volume-background.js";
+import { volumeBackground } from "../api/volume-background.js";
 import { readProject } from "../project/project.js";
 import type { Project } from "../project/schema.js";
 import type { ReadResult } from "../formats/read-result.js";
@@ -20,55 +20,55 @@ export type Input =
   | { readonly kind: "project"; readonly project: Project }
   | { readonly kind: "surface"; readonly surface: SurfaceFile };
 
-/** A background grid as its file has it; a mesh becomes one only with a mesher's help. */
+/** Background grid as its file stores it; a mesh becomes a grid with the help of a mesher. */
 export type GridInput =
   | { readonly kind: "project"; readonly background: BackgroundArrays }
   | { readonly kind: "volume"; readonly volume: VolumeFile };
 
-/** A number as people write it: 0x10, 1_000 and the empty word are none. */
+/** Decimal notation; 0x10, 1_000 and the empty word are not numbers. */
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
-/** The number in an option's text; what is none is left for the check of options to refuse. */
+/** Returns the number in an option's text. If there is none, returns the text, which the check of options rejects. */
 export function numberIn(text: string | undefined): number | undefined {
   if (text === undefined) return undefined;
   const word = text.trim();
   return DECIMAL.test(word) ? Number(word) : (word as unknown as number);
 }
 
-/** Throws what the check of options found. */
+/** Throws the problems found by a check of options. */
 export function refuseOptions(wrong: readonly Diagnostic[]): void {
   if (wrong.length > 0) throw new BadInput("command line", wrong);
 }
 
-/** How people name formats: by extension with or without its dot, or by the format's short name. */
+/** Returns the extension of a format, given as an extension with or without its dot, or by the format's id. */
 export function extensionOfFormat(format: string): string {
   const word = format.toLowerCase();
   const dotted = word.startsWith(".") ? word : `.${word}`;
   if (dotted === PROJECT_EXTENSION) return PROJECT_EXTENSION;
   const known = FILE_FORMATS.find(({ id, extensions }) => id === word || extensions.includes(dotted));
   if (known !== undefined) return known.extensions.includes(dotted) ? dotted : known.extensions[0];
-  throw new FileProblem(
+  throw new FileError(
     format || '""',
-    "there is no such format",
-    `Give one of ${FILE_FORMATS.map(({ id }) => id).join(", ")}, or an extension.`,
+    "unknown format",
+    `Use one of ${FILE_FORMATS.map(({ id }) => id).join(", ")}, or an extension.`,
   );
 }
 
-/** A name that tells the format of `file`, which its own does not if it is a stream. */
+/** Returns a name whose extension selects the format of `file`; a stream needs `format`. */
 export function formatName(file: string, format: string | undefined): string {
   if (format !== undefined)
     return `${file === STANDARD_STREAM ? "stream" : file}${extensionOfFormat(format)}`;
   if (file !== STANDARD_STREAM) return file;
-  throw new FileProblem(
+  throw new FileError(
     "-",
-    "a stream has no name to tell its format",
-    "Say it by --format, or by --from and --to where input and output are streams.",
+    "the format of a stream must be given",
+    "Use --format, or --from and --to if both input and output are streams.",
   );
 }
 
 export async function readModel(input: string, from?: string): Promise<Input> {
   const name = formatName(input, from);
-  const known = [PROJECT_EXTENSION, ...extensionsThat("reads", "surface")];
+  const known = [PROJECT_EXTENSION, ...extensionsFor("read", "surface")];
   const extension = await checkedExtension(input, name, known, OR_FROM);
   if (extension === PROJECT_EXTENSION) {
     return { kind: "project", project: await readProjectFile(input, from) };
@@ -77,15 +77,15 @@ export async function readModel(input: string, from?: string): Promise<Input> {
   return { kind: "surface", surface: valueOf(input, read, name) };
 }
 
-/** All that a mesh file holds, nothing welded. */
+/** Reads all contents of a mesh file without welding. */
 export async function readMeshFile(input: string, from?: string): Promise<FileMesh> {
   const name = formatName(input, from);
-  const known = new Set([...extensionsThat("reads", "surface"), ...extensionsThat("reads", "volume")]);
+  const known = new Set([...extensionsFor("read", "surface"), ...extensionsFor("read", "volume")]);
   await checkedExtension(input, name, [...known], OR_FROM);
   return valueOf(input, await readMesh(piecesOfInput(input), openedAs(input, name)), name);
 }
 
-/** Whether the input is a project: its name, or the format given, tells. */
+/** Returns whether the input is a project, by its name or the given format. */
 export function isProject(input: string, from?: string): boolean {
   return extensionOf(formatName(input, from)) === PROJECT_EXTENSION;
 }
@@ -97,12 +97,12 @@ export async function readProjectFile(input: string, from?: string): Promise<Pro
 
 const withoutSizes = packageDiagnostic(
   "unreadable-input",
-  "the project tells no sizes: it has neither a background grid nor sources",
-  "Give one that has, or a volume mesh; `tetrafront cover` and `tetrafront propose` make sizes for a project.",
+  "the project has no sizes: it has neither a background grid nor sources",
+  "Use a project with sizes, or a volume mesh; `tetrafront cover` and `tetrafront propose` add sizes to a project.",
 );
 
 export async function readGrid(file: string): Promise<GridInput> {
-  const known = [PROJECT_EXTENSION, ...extensionsThat("reads", "volume")];
+  const known = [PROJECT_EXTENSION, ...extensionsFor("read", "volume")];
   const extension = await checkedExtension(file, file, known);
   if (extension === PROJECT_EXTENSION) {
     const { background } = await readProjectFile(file);
@@ -117,14 +117,14 @@ export async function readGrid(file: string): Promise<GridInput> {
   };
 }
 
-/** Throws a BadInput about the file where the numbers at its nodes are no sizes. */
+/** Returns the arrays of a grid. Throws a BadInput about its file if the values at its nodes are not valid sizes. */
 export async function gridArrays(mesher: Mesher, file: string, grid: GridInput): Promise<BackgroundArrays> {
   if (grid.kind === "project") return grid.background;
   const read = await volumeBackground(mesher, grid.volume);
   if (!read.success)
     throw new BadInput(
       file,
-      read.problems.map((problem) => unreadable(problem)),
+      read.errors.map((error) => unreadable(error)),
     );
   return read.value;
 }
@@ -133,9 +133,12 @@ function openedAs(file: string, fileName: string): ReadFileOptions {
   return { fileName, openOther: (name) => openBeside(file, name) };
 }
 
-const OR_FROM = ", or tell the format by --from";
+const OR_FROM = ", or set the format with --from";
 
-/** Of the name that tells the format of `file`. Throws a FileProblem, first where there is no such file. */
+/**
+ * Returns the extension of `name`, which selects the format of `file`. Throws a FileError if it is not in `known`;
+ * first if there is no such file.
+ */
 async function checkedExtension(
   file: string,
   name: string,
@@ -145,10 +148,10 @@ async function checkedExtension(
   const extension = extensionOf(name);
   if (known.includes(extension)) return extension;
   await checkInput(file);
-  throw new FileProblem(
+  throw new FileError(
     file,
-    extension === "" ? "the name has no extension to tell the format" : `"${extension}" cannot be read`,
-    `Give a file that ends in ${known.length > 1 ? "one of " : ""}${known.join(", ")}${otherwise}.`,
+    extension === "" ? "the name has no extension" : `"${extension}" files cannot be read here`,
+    `Use a file whose name ends in ${known.length > 1 ? "one of " : ""}${known.join(", ")}${otherwise}.`,
   );
 }
 
@@ -156,6 +159,6 @@ function valueOf<T>(file: string, read: ReadResult<T>, readAs?: string): T {
   if (read.success) return read.value;
   throw new BadInput(
     file,
-    read.problems.map((problem) => unreadable(problem, readAs)),
+    read.errors.map((error) => unreadable(error, readAs)),
   );
 }

@@ -1,4 +1,4 @@
-/** The command line: what `tetrafront` understands. What its commands do is in mesh.ts and others. */
+/** The command line: options and arguments of `tetrafront` and its commands. Each command has a file of its own. */
 import { readFileSync } from "node:fs";
 
 import { availableParallelism } from "node:os";
@@ -15,7 +15,7 @@ import {
 } from "./batch.js";
 import { checkFile, type CheckCommandOptions } from "./check.js";
 import { convertFile, type ConvertCommandOptions } from "./convert.js";
-import { ClosedPipe, FileProblem, STANDARD_STREAM, writeOutput } from "./files.js";
+import { ClosedPipe, FileError, STANDARD_STREAM, writeOutput } from "./files.js";
 import { coverFile, proposeForFile, type CoverCommandOptions, type ProposeCommandOptions } from "./grids.js";
 import {
   checkHelp,
@@ -30,8 +30,8 @@ import {
 import { infoOnFile, statsOfFile, type InfoCommandOptions } from "./info.js";
 import { numberIn } from "./input.js";
 import { meshFile, type MeshCommandOptions } from "./mesh.js";
-import { BadInput, ExitCode, toldFailure } from "./messages.js";
-import { checkApart, inputFiles, outputFiles } from "./places.js";
+import { BadInput, ExitCode, reportFailure } from "./messages.js";
+import { checkNoOverwrite, inputFiles, outputFiles } from "./paths.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
 import {
   COVER_SHAPES,
@@ -50,7 +50,8 @@ import {
 
 /** Runs the command line; resolves with the exit code. Messages go to stderr. */
 export async function main(args: readonly string[]): Promise<number> {
-  // Their failures come back to those who write; the events would end the process with a trace.
+  // Write failures are returned to the writer; without a listener, the error event would end the process with a
+  // trace.
   for (const stream of [process.stdout, process.stderr]) stream.on("error", () => undefined);
   let exitCode: number = ExitCode.meshed;
   const program = commandLine(args, (code) => (exitCode = code));
@@ -100,23 +101,28 @@ interface BatchOptions {
 }
 
 const withJobs = (command: Command): Command =>
-  command.option("-j, --jobs <count>", "of many inputs, so many at a time (default: one per processor)");
+  command.option(
+    "-j, --jobs <count>",
+    "process at most this many inputs at once (default: one per processor)",
+  );
 
 const fromOption = (): Option =>
-  new Option("--from <format>", "the input's format, where its name does not tell");
-/** Where only one of input and output is a stream, one word is enough. */
+  new Option("--from <format>", "input format, if its extension does not decide");
+/** One option suffices if only the input or only the output is a stream. */
 const formatOption = (): Option =>
-  new Option("--format <format>", "of the stream; --from and --to tell it of both");
-const toOption = (): Option =>
-  new Option("--to <format>", "the output's format, where its name does not tell");
+  new Option("--format <format>", "format of the stream; for two streams use --from and --to");
+const toOption = (): Option => new Option("--to <format>", "output format, if its extension does not decide");
 
 const withRepair = (command: Command): Command =>
   command
-    .option("--repair", "join nodes at one place, drop triangles without area or twice there, turn them")
-    .option("--weld <distance>", "repair, and join nodes no further apart than this")
-    .option("--fill-holes <edges>", "repair, and fill holes of up to so many edges");
+    .option(
+      "--repair",
+      "weld coincident nodes, remove degenerate and duplicate triangles, flip triangles outward",
+    )
+    .option("--weld <distance>", "repair, and weld nodes within this distance")
+    .option("--fill-holes <edges>", "repair, and fill holes of at most this many edges");
 
-/** One input is done here, several in processes of their own. */
+/** Runs one input in this process, several in processes of their own. */
 async function forEach<Options extends BatchOptions>(
   inputs: readonly string[],
   command: Command,
@@ -130,7 +136,11 @@ async function forEach<Options extends BatchOptions>(
     const files = await expandInputs(inputs);
     const [only] = files;
     if (files.length > 1 && files.includes(STANDARD_STREAM)) {
-      throw new FileProblem("-", "standard input is given among other inputs", "Give it alone.");
+      throw new FileError(
+        "-",
+        "standard input cannot be combined with other inputs",
+        "Use it as the only input.",
+      );
     }
     if (files.length === 1 && only !== undefined) {
       const { output } = options;
@@ -141,7 +151,7 @@ async function forEach<Options extends BatchOptions>(
     }
     return await batch(files, command, options, jobs);
   } catch (failure) {
-    return toldFailure(failure, inputs[0] ?? "");
+    return reportFailure(failure, inputs[0] ?? "");
   }
 }
 
@@ -171,7 +181,7 @@ async function batch(
 ): Promise<number> {
   const { output, report, from, to } = options;
   const outputs = output === undefined ? [] : files.map((file) => outputFor(file, output));
-  await checkApart(
+  await checkNoOverwrite(
     files.flatMap((file) => inputFiles(file, from, `the input ${file}`)),
     [
       ...outputs.flatMap((file, i) => outputFiles(file, to, `the output of ${files[i]}`)),
@@ -204,11 +214,15 @@ function jsonOf({ stdout }: TaskResult): string[] {
 function jobsOf(text: string | undefined): number {
   const jobs = text === undefined ? availableParallelism() : numberIn(text);
   if (Number.isInteger(jobs) && Number(jobs) >= 1) return Number(jobs);
-  const wrong = invalidOption("--jobs", `the number of jobs is "${text}"`, "Give a whole number from 1.");
+  const wrong = invalidOption(
+    "--jobs",
+    `the number of jobs is "${text}"`,
+    "Use a whole number of at least 1.",
+  );
   throw new BadInput("command line", [wrong]);
 }
 
-/** The options as they were given, but for those that are the batch's own, and with this output. */
+/** Returns the options as given, without those of the batch, and with this output. */
 function givenOptions(command: Command, output: string | undefined): string[] {
   const own = new Set(["jobs", "report"]);
   return command.options.flatMap((option) => {
@@ -216,66 +230,63 @@ function givenOptions(command: Command, output: string | undefined): string[] {
     const value = command.getOptionValue(name) as GivenValue;
     const { long } = option;
     if (own.has(name) || value === undefined || long == null) return [];
-    // --no-x is given where x is false, --x where it is true.
+    // --no-x sets x to false, --x to true.
     if (typeof value === "boolean") return value === option.negate ? [] : [long];
     if (typeof value !== "string") return value.flatMap((one) => [long, one]);
     return [long, name === "output" ? (output ?? value) : value];
   });
 }
 
-/** All options here are words, words that may be repeated, or flags. */
+/** Every option here is a word, a repeatable word or a flag. */
 type GivenValue = string | readonly string[] | boolean | undefined;
 
 function addMesh(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("mesh")
-    .description("Fill closed surfaces, or mesh projects, with tetrahedra.")
+    .description("Mesh projects, or the inside of closed surfaces, with tetrahedra.")
     .argument("<input...>", "surfaces or projects; patterns such as 'parts/*.stl' are expanded")
-    .requiredOption("-o, --output <file>", "where the mesh goes; for many inputs with {name} in it")
+    .requiredOption("-o, --output <file>", "output file; for several inputs, its name must contain {name}")
     .addOption(formatOption())
     .addOption(fromOption())
     .addOption(toOption())
     .option(
       "-s, --size <length>",
-      "one element size: replaces a project's background grid, and is the largest within a surface",
+      "uniform element size for a project (replaces its background grid); largest size for a surface",
     )
     .option(
-      "-g, --grading <rate>",
-      `growth of the size away from a given surface (default ${DEFAULT_GROWTH})`,
+      "-g, --growth <rate>",
+      `growth of the size per unit of distance from a given surface (default ${DEFAULT_GROWTH})`,
     )
-    .addOption(new Option("--growth <rate>", "the older name of --grading").hideHelp())
     .addOption(
       new Option(
         "--source <x,y,z,size[,distance[,growth]]>",
-        "elements no larger than size up to a distance from a place, growing beyond; may be repeated",
+        "limit the size up to a distance from a position, growing beyond it; repeatable",
       ).argParser((text: string, before: string[] | undefined) => [...(before ?? []), text]),
     )
-    .option("-b, --background <file>", "sizes from this background grid instead")
-    .option(
-      "--refine-surface",
-      "divide a surface's triangles that are larger than the elements wanted there, first",
-    )
+    .option("-b, --background <file>", "take the sizes from this background grid")
+    .option("--refine-surface", "first split triangles of a surface that are larger than the target size")
     .option(
       "--gradation <ratio>",
-      `the most by which a grid's sizes grow from element to element; 0: as they are (default ${DEFAULT_GRADATION})`,
+      `largest size ratio of neighbouring elements of a grid; 0 for no limit (default ${DEFAULT_GRADATION})`,
     )
-    .addOption(enclosedOption())
+    .addOption(innerShellsOption())
     .addOption(
       new Option(
         "--order <order>",
-        `in which order faces leave the front (default ${DEFAULT_ORDER})`,
+        `order in which faces leave the front (default ${DEFAULT_ORDER})`,
       ).choices(Object.keys(FRONT_ORDERS)),
     )
-    .option("--no-filters", "analyse all faces around each new element: the same mesh, slower")
+    .option("--no-filters", "test all faces around each new element; slower, gives the same mesh")
     .addOption(
       new Option(
         "--optimize <level>",
-        `work on the shape of the elements after the front (default ${DEFAULT_OPTIMIZATION})`,
+        `effort on the shape of the elements after the front (default ${DEFAULT_OPTIMIZATION})`,
       ).choices(Object.keys(OPTIMIZATIONS)),
     );
   withJobs(withRepair(command))
-    .option("-r, --report <file>", "write figures and diagnostics as JSON; - for standard output")
-    .option("-k, --keep-partial", "write what exists even if the mesh is not complete")
+    .option("--require-angle <degrees>", "exit with 1 if the smallest dihedral angle is below this")
+    .option("-r, --report <file>", "write statistics and diagnostics as JSON; - for standard output")
+    .option("-k, --keep-partial", "write the mesh even if it is partial")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", meshHelp)
     .action(async (inputs: string[]) =>
@@ -286,9 +297,9 @@ function addMesh(program: Command, setExitCode: SetExitCode): void {
 function addConvert(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("convert")
-    .description("Write surfaces or meshes in another format.")
+    .description("Convert surfaces or meshes to another format.")
     .argument("<input...>", "surfaces or meshes")
-    .requiredOption("-o, --output <file>", "where it goes; for many inputs with {name} in it")
+    .requiredOption("-o, --output <file>", "output file; for several inputs, its name must contain {name}")
     .addOption(formatOption())
     .addOption(fromOption())
     .addOption(toOption());
@@ -303,12 +314,14 @@ function addConvert(program: Command, setExitCode: SetExitCode): void {
 function addInfo(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("info")
-    .description("Tell what files hold: points, triangles, tetrahedra, patches, regions, numbers at nodes.")
+    .description(
+      "Print the contents of files: points, triangles, tetrahedra, patches, regions, values at nodes.",
+    )
     .argument("<input...>", "projects, surfaces or meshes");
   withJobs(command)
     .addOption(formatOption())
     .addOption(fromOption())
-    .option("--json", "as JSON")
+    .option("--json", "print JSON")
     .addHelpText("after", INFO_HELP)
     .action(async (inputs: string[]) =>
       setExitCode(await forEach<InfoCommandOptions>(inputs, command, infoOnFile)),
@@ -318,12 +331,12 @@ function addInfo(program: Command, setExitCode: SetExitCode): void {
 function addStats(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("stats")
-    .description("Tell how good the elements of meshes are, whoever made them.")
+    .description("Print the quality of the elements of volume meshes from any program.")
     .argument("<input...>", "volume meshes");
   withJobs(command)
     .addOption(formatOption())
     .addOption(fromOption())
-    .option("--json", "as JSON")
+    .option("--json", "print JSON")
     .addHelpText("after", STATS_HELP)
     .action(async (inputs: string[]) =>
       setExitCode(await forEach<InfoCommandOptions>(inputs, command, statsOfFile)),
@@ -331,19 +344,19 @@ function addStats(program: Command, setExitCode: SetExitCode): void {
 }
 
 const shapeOption = (): Option =>
-  new Option("--shape <shape>", `of the grid (default ${DEFAULT_COVER_SHAPE})`).choices(
+  new Option("--shape <shape>", `shape of the grid (default ${DEFAULT_COVER_SHAPE})`).choices(
     Object.keys(COVER_SHAPES),
   );
 
 function addCover(program: Command, setExitCode: SetExitCode): void {
   program
     .command("cover")
-    .description("Put a background grid of one size around a project; its sources stay.")
+    .description("Add a background grid of uniform size to a project; its sources are kept.")
     .argument("<project>", "project (.json)")
-    .requiredOption("-o, --output <file>", "where the project with its grid goes (.json)")
+    .requiredOption("-o, --output <file>", "output project (.json)")
     .option(
       "-s, --size <length>",
-      "element size (default the project's one size, else a twentieth of the model's diagonal)",
+      "element size (default: uniform size of the project, else 1/20 of the model's diagonal)",
     )
     .addOption(shapeOption())
     .option("-q, --quiet", "print errors only")
@@ -358,18 +371,24 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
   program
     .command("propose")
     .description(
-      "Propose sizes from a project's shape: sources along bends and in narrow gaps, added to those it has, and a covering grid.",
+      "Propose sizes for the shape of a project: adds sources at curved lines and patches and in narrow gaps, and a covering grid.",
     )
     .argument("<project>", "project (.json)")
-    .requiredOption("-o, --output <file>", "where the project with its sizes goes (.json)")
+    .requiredOption("-o, --output <file>", "output project (.json)")
     .option(
       "--uniform <length>",
-      "the largest size (default the project's one size, else a twentieth of the model's diagonal)",
+      "largest size (default: uniform size of the project, else 1/20 of the model's diagonal)",
     )
-    .option("--smallest <length>", "no size below this (default a fiftieth of the largest)")
-    .option("--per-circle <count>", `elements around a full turn (default ${elementsPerCircle}; 0: any)`)
-    .option("--per-gap <count>", `elements between opposite patches (default ${elementsPerGap}; 0: any)`)
-    .option("-g, --growth <rate>", `growth of the size away from sources (default ${growth})`)
+    .option("--smallest <length>", "smallest size (default: 1/50 of the largest)")
+    .option(
+      "--per-circle <count>",
+      `elements around a full circle; 0 for no limit (default ${elementsPerCircle})`,
+    )
+    .option(
+      "--per-gap <count>",
+      `elements between opposite patches; 0 for no limit (default ${elementsPerGap})`,
+    )
+    .option("-g, --growth <rate>", `growth of the size per unit of distance from sources (default ${growth})`)
     .addOption(shapeOption())
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", PROPOSE_HELP)
@@ -378,28 +397,31 @@ function addPropose(program: Command, setExitCode: SetExitCode): void {
     );
 }
 
-function enclosedOption(): Option {
+function innerShellsOption(): Option {
   return new Option(
-    "--enclosed <meaning>",
-    `what closed parts within a body bound: empty spaces, or regions meshed too (default ${DEFAULT_INNER_SHELLS})`,
+    "--inner-shells <meaning>",
+    `leave closed shells inside a region empty, or mesh them as regions (default ${DEFAULT_INNER_SHELLS})`,
   ).choices(Object.keys(INNER_SHELLS));
 }
 
 function addCheck(program: Command, setExitCode: SetExitCode): void {
   const command = program
     .command("check")
-    .description("List everything that is wrong with projects, surfaces or meshes.")
+    .description("List all problems of projects, surfaces or meshes.")
     .argument("<input...>", "projects, surfaces or meshes")
-    .option("-s, --size <length>", "the size a project will be meshed with; its grid is not checked")
-    .addOption(enclosedOption())
     .option(
-      "--findings <count>",
-      `list so many problems of each kind of a surface, or all (default ${DEFAULT_MAX_DIAGNOSTICS}; as text the first 50)`,
+      "-s, --size <length>",
+      "uniform size that a project will be meshed with; its grid is then not checked",
+    )
+    .addOption(innerShellsOption())
+    .option(
+      "--max-diagnostics <count>",
+      `list at most this many problems of each kind of a surface, or all (default ${DEFAULT_MAX_DIAGNOSTICS}; as text 50)`,
     )
     .addOption(formatOption())
     .addOption(fromOption());
   withJobs(withRepair(command))
-    .option("--json", "findings and figures as JSON, on standard output")
+    .option("--json", "print problems and statistics as JSON")
     .option("-q, --quiet", "print errors only")
     .addHelpText("after", checkHelp)
     .action(async (inputs: string[]) =>
@@ -407,7 +429,7 @@ function addCheck(program: Command, setExitCode: SetExitCode): void {
     );
 }
 
-/** Commander's complaints, with a remedy, as one line like all others. */
+/** Formats commander's messages as one line with a remedy, like all others. */
 function oneLine(message: string, program: Command, args: readonly string[]): string {
   const text = message.trim().replace(/\s*\n\s*/g, " ");
   const command = program.commands.find((known) => known.name() === args[0]);

@@ -1,6 +1,6 @@
-/** `tetrafront mesh`: reads, meshes, writes, and says what happened. */
+/** `tetrafront mesh`: reads, meshes and writes; prints a summary. */
 import { writableName, writeAll } from "./convert.js";
-import { checkOutput, FileProblem, refuseFolder, writeOutput } from "./files.js";
+import { checkOutput, FileError, refuseFolder, writeOutput } from "./files.js";
 import {
   gridArrays,
   numberIn,
@@ -10,14 +10,14 @@ import {
   type GridInput,
   type Input,
 } from "./input.js";
-import { asBadInput, asEngineFailure, BadInput, ExitCode, say, tell } from "./messages.js";
-import { checkApart, checkWritable, inputFiles, outputFiles } from "./places.js";
-import { leftOutLines, readingLines, unusedLines } from "./tables.js";
+import { asBadInput, asEngineFailure, BadInput, ExitCode, print, printDiagnostics } from "./messages.js";
+import { checkNoOverwrite, checkWritable, inputFiles, outputFiles } from "./paths.js";
+import { unmeshedLines, readingLines, unusedLines } from "./tables.js";
 import { ProgressBar } from "./progress-bar.js";
-import { refuseRepair, repaired, repairOptions, tellChanges, type RepairCommandOptions } from "./repair.js";
+import { refuseRepair, repaired, repairOptions, printChanges, type RepairCommandOptions } from "./repair.js";
 import { invalidOption } from "../diagnostics/package-diagnostic.js";
-import { fileMeshOf } from "../formats/file-mesh.js";
 import { writeMesh } from "../formats/mesh-files.js";
+import { fileMeshOf } from "../api/generated-mesh.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import { withMesher } from "./grids.js";
 import type { RepairChange, RepairOptions } from "../api/inspection.js";
@@ -42,14 +42,12 @@ import type {
   RunControl,
 } from "../api/types.js";
 
-/** As commander hands them over: numbers are still text. */
+/** Options as commander passes them: numbers are still text. */
 export interface MeshCommandOptions extends RepairCommandOptions {
   readonly output: string;
   readonly from?: string;
   readonly to?: string;
   readonly size?: string;
-  readonly grading?: string;
-  /** The older name of `grading`. */
   readonly growth?: string;
   readonly source?: readonly string[];
   readonly gradation?: string;
@@ -59,6 +57,8 @@ export interface MeshCommandOptions extends RepairCommandOptions {
   /** False after --no-filters. */
   readonly filters: boolean;
   readonly optimize?: Optimization;
+  /** Degrees. */
+  readonly requireAngle?: string;
   readonly report?: string;
   readonly keepPartial?: boolean;
   readonly quiet?: boolean;
@@ -71,20 +71,20 @@ const EXIT_CODES: Readonly<Record<MeshStatus, number>> = {
   "invalid-input": ExitCode.badInput,
 };
 
-/** What became of a command. */
+/** Result of a command. */
 interface Outcome {
   readonly report: MeshReport;
   readonly exitCode: number;
-  /** The file the mesh is in, if any. */
+  /** File that contains the mesh, if any. */
   readonly written: string | null;
-  /** Of the surface, where a repair was asked for. */
+  /** Changes of the surface, if a repair was requested. */
   readonly changes?: readonly RepairChange[] | undefined;
   readonly refinement?: RefinementFigures | undefined;
 }
 
-/** What became of the surface, where its refinement was asked for. */
+/** Result of a requested refinement of the surface. */
 interface RefinementFigures {
-  /** Triangles before and after. */
+  /** Number of triangles before and after. */
   readonly given: number;
   readonly triangles: number;
   readonly splitEdges: number;
@@ -93,8 +93,8 @@ interface RefinementFigures {
 /** Runs the command; resolves with the exit code. */
 export async function meshFile(input: string, options: MeshCommandOptions): Promise<number> {
   const whereFailed = (failure: unknown) => failed(failure, input, options.background);
-  const place = await checkReportPlace(input, options).catch(whereFailed);
-  // Without a place for it there will be no report, not even about that.
+  const place = await checkReportPath(input, options).catch(whereFailed);
+  // If the report cannot be written, that failure is not reported in it either.
   if (place !== undefined) return place.exitCode;
   const outcome = await meshAndWrite(input, options).catch(whereFailed);
   const { changes, refinement, written } = outcome;
@@ -104,37 +104,38 @@ export async function meshFile(input: string, options: MeshCommandOptions): Prom
   return isOut ? outcome.exitCode : ExitCode.notCompleted;
 }
 
-const refinedProject = invalidOption(
+const projectRefinement = invalidOption(
   "--refine-surface",
-  "--refine-surface is for surfaces, and this is a project",
-  "Leave it out: patches are meshed to the sizes wanted.",
+  "--refine-surface is for surfaces, but the input is a project",
+  "Omit it: patches are meshed with the target sizes.",
 );
 
-const gradedProject = invalidOption(
-  "--grading",
-  "--grading is for surfaces, and this is a project",
-  "Leave it out: sizes grow as the project's grid, or its sources, say.",
+const projectGrowth = invalidOption(
+  "--growth",
+  "--growth is for surfaces, but the input is a project",
+  "Omit it: the background grid and the sources of the project define the growth.",
 );
 
 async function meshAndWrite(input: string, options: MeshCommandOptions): Promise<Outcome> {
   const isQuiet = options.quiet === true;
   const meshOptions = readOptions(options);
+  const requiredAngle = requiredAngleOf(options);
   const repair = repairOptions(options);
-  await checkMeshPlace(input, options);
+  await checkMeshPaths(input, options);
   const given = await readModel(input, options.from);
   if (given.kind === "project") {
-    if (options.refineSurface === true) refuseOptions([refinedProject]);
-    if ((options.grading ?? options.growth) !== undefined) refuseOptions([gradedProject]);
+    if (options.refineSurface === true) refuseOptions([projectRefinement]);
+    if (options.growth !== undefined) refuseOptions([projectGrowth]);
     refuseRepair(repair, "a project");
   }
   const grid = options.background === undefined ? undefined : await readGrid(options.background);
   if (grid?.kind === "volume" && !isQuiet) {
-    for (const line of unusedLines(grid.volume)) say(`note: ${options.background}: ${line}`);
+    for (const line of unusedLines(grid.volume)) print(`note: ${options.background}: ${line}`);
   }
   const { model, changes } = await withRepair(given, repair);
-  if (changes !== undefined && !isQuiet) tellChanges(input, changes);
+  if (changes !== undefined && !isQuiet) printChanges(input, changes);
   if (given.kind === "surface" && !isQuiet) {
-    for (const line of readingLines(given.surface)) say(`note: ${input}: ${line}`);
+    for (const line of readingLines(given.surface)) print(`note: ${input}: ${line}`);
   }
   const isRefined = options.refineSurface === true;
   const {
@@ -146,19 +147,26 @@ async function meshAndWrite(input: string, options: MeshCommandOptions): Promise
     isRefined,
     given: grid && { file: options.background ?? "", grid },
   });
-  if (refinement !== undefined && !isQuiet) tellRefinement(input, refinement);
+  if (refinement !== undefined && !isQuiet) printRefinement(input, refinement);
   const { report } = result;
-  tellOf({ input, background: options.background }, report.diagnostics, isQuiet);
+  printWithGrid({ input, background: options.background }, report.diagnostics, isQuiet);
   const isWanted = mayWrite(result, options);
   const written = isWanted && (await writeResult(input, options, result, meshed)) ? options.output : null;
-  if (!isQuiet && report.status !== "invalid-input") say(summary(input, report, written, options));
+  if (!isQuiet && report.status !== "invalid-input") print(summary(input, report, written, options));
   const isLost = isWanted && written === null;
-  const exitCode = isLost ? ExitCode.notCompleted : EXIT_CODES[report.status];
+  const isPoor = report.status === "done" && report.dihedral.min < requiredAngle;
+  if (isPoor) printPoor(input, report, requiredAngle);
+  const exitCode = isLost || isPoor ? ExitCode.notCompleted : EXIT_CODES[report.status];
   return { report, written, exitCode, changes, refinement };
 }
 
-/** What is wrong with the background grid is told of its own file. */
-function tellOf(
+function printPoor(input: string, { dihedral }: MeshReport, required: number): void {
+  const found = `the smallest dihedral angle is ${dihedral.min.toFixed(2)}°, but --require-angle asks for ${required}°`;
+  print(`error: ${input}: ${found}. Use --optimize thorough, or a surface without needles and narrow gaps.`);
+}
+
+/** Prints diagnostics about the background grid with the name of its own file. */
+function printWithGrid(
   { input, background }: { readonly input: string; readonly background: string | undefined },
   diagnostics: readonly Diagnostic[],
   isQuiet: boolean,
@@ -166,17 +174,17 @@ function tellOf(
   const isOfGrid = ({ code, entities: [first] }: Diagnostic) =>
     background !== undefined &&
     (code === "empty-background-grid" || first?.kind.startsWith("background-") === true);
-  tell(background ?? input, diagnostics.filter(isOfGrid), { isQuiet });
-  tell(
+  printDiagnostics(background ?? input, diagnostics.filter(isOfGrid), { isQuiet });
+  printDiagnostics(
     input,
     diagnostics.filter((found) => !isOfGrid(found)),
     { isQuiet },
   );
 }
 
-function tellRefinement(input: string, { given, triangles, splitEdges }: RefinementFigures): void {
-  say(
-    `${input}: refined: ${plural(given, "triangle")} before, ${triangles} after; halved ${plural(splitEdges, "edge")}.`,
+function printRefinement(input: string, { given, triangles, splitEdges }: RefinementFigures): void {
+  print(
+    `${input}: refined: ${plural(given, "triangle")} before, ${triangles} after, ${plural(splitEdges, "edge")} split`,
   );
 }
 
@@ -189,16 +197,16 @@ async function withRepair(
   return { model: { kind: "surface", surface }, changes };
 }
 
-/** What to report of a run that threw; the messages are out by then. Our own mistakes pass through. */
+/** Returns the outcome of a run that threw, after printing its messages. Our own mistakes pass through. */
 function failed(failure: unknown, input: string, background: string | undefined): Outcome {
   const bad = asBadInput(failure, input);
   if (bad !== undefined) {
-    tellOf({ input: bad.subject, background }, bad.diagnostics, true);
+    printWithGrid({ input: bad.subject, background }, bad.diagnostics, true);
     return badInput(bad.diagnostics);
   }
   const engine = asEngineFailure(failure);
   if (engine === undefined) throw failure;
-  tell(input, [engine], { isQuiet: true });
+  printDiagnostics(input, [engine], { isQuiet: true });
   return { report: emptyReport("stalled", [engine]), exitCode: ExitCode.notCompleted, written: null };
 }
 
@@ -209,9 +217,9 @@ function badInput(diagnostics: readonly Diagnostic[]): Outcome {
 function readOptions(options: MeshCommandOptions): MeshOptions {
   const meshOptions: MeshOptions = {
     size: numberIn(options.size),
-    growth: numberIn(options.grading ?? options.growth),
+    growth: numberIn(options.growth),
     gradation: numberIn(options.gradation),
-    innerShells: options.enclosed,
+    innerShells: options.innerShells,
     order: options.order,
     filters: options.filters,
     optimization: options.optimize,
@@ -219,14 +227,26 @@ function readOptions(options: MeshCommandOptions): MeshOptions {
   };
   const wrong = checkOptions(meshOptions);
   if (options.size !== undefined && options.background !== undefined) {
-    const message = "both --size and --background are given";
-    wrong.push(invalidOption("--background", message, "Give one of them."));
+    const message = "--size and --background exclude each other";
+    wrong.push(invalidOption("--background", message, "Use one of them."));
   }
   refuseOptions(wrong);
   return meshOptions;
 }
 
-/** Sources of size as a background grid without nodes, which leaves all else as it is. */
+/** Dihedral angle of the regular tetrahedron, in degrees, rounded down: the limit of any mesh. */
+const MAX_REQUIRED_ANGLE = 70;
+
+/** Returns the angle of `--require-angle` in degrees, 0 if it is not given. Throws a BadInput. */
+function requiredAngleOf({ requireAngle }: MeshCommandOptions): number {
+  const angle = Number(numberIn(requireAngle) ?? 0);
+  if (angle >= 0 && angle <= MAX_REQUIRED_ANGLE) return angle;
+  const message = `the required angle is "${requireAngle}"`;
+  const remedy = `Use an angle from 0 to ${MAX_REQUIRED_ANGLE} degrees.`;
+  throw new BadInput("command line", [invalidOption("--require-angle", message, remedy)]);
+}
+
+/** Returns the sources as a background grid without nodes, which has no other effect. */
 function sourcesIn(texts: readonly string[] | undefined): Pick<MeshOptions, "background"> {
   if (texts === undefined) return {};
   const none = new Float64Array();
@@ -234,28 +254,29 @@ function sourcesIn(texts: readonly string[] | undefined): Pick<MeshOptions, "bac
   return { background: { points: none, sizes: none, tetrahedra: new Uint32Array(), sources } };
 }
 
-/** `x,y,z,size[,distance[,growth]]`. Throws a BadInput. */
+/** Parses `x,y,z,size[,distance[,growth]]`. Throws a BadInput. */
 function sourceIn(text: string, index: number): ProjectSource {
   const numbers = text.split(",").map(numberIn);
   const [x, y, z, size, distance, growth] = numbers;
   if (numbers.length > 6 || x === undefined || y === undefined || z === undefined || size === undefined) {
-    const remedy = "Give x,y,z,size, then a distance and a growth if need be: --source 0,0,1,0.05,0.2";
-    throw new BadInput("command line", [invalidOption("--source", `the source is "${text}"`, remedy)]);
+    const remedy =
+      "Use x,y,z,size and optionally a distance and a growth, for example --source 0,0,1,0.05,0.2.";
+    throw new BadInput("command line", [invalidOption("--source", `invalid source "${text}"`, remedy)]);
   }
   return { id: index + 1, type: "point", positions: [[x, y, z]], size, distance, growth };
 }
 
-async function checkMeshPlace(input: string, options: MeshCommandOptions): Promise<void> {
+async function checkMeshPaths(input: string, options: MeshCommandOptions): Promise<void> {
   const { output, from, to, background } = options;
   await refuseFolder(output);
   writableName(output, to, ["volume"]);
   const written = outputFiles(output, to, "the mesh");
   const grid = background === undefined ? [] : inputFiles(background, undefined, "the background grid");
-  await checkApart([...inputFiles(input, from), ...grid], written);
+  await checkNoOverwrite([...inputFiles(input, from), ...grid], written);
   await checkWritable(written);
 }
 
-async function checkReportPlace(input: string, options: MeshCommandOptions): Promise<undefined> {
+async function checkReportPath(input: string, options: MeshCommandOptions): Promise<undefined> {
   const { report, output, background, from, to } = options;
   if (report === undefined) return;
   await checkOutput(report);
@@ -264,10 +285,10 @@ async function checkReportPlace(input: string, options: MeshCommandOptions): Pro
     ...inputFiles(input, from),
     ...(background === undefined ? [] : inputFiles(background, undefined, "the background grid")),
   ];
-  await checkApart(kept, [{ words: "the report", file: report }]);
+  await checkNoOverwrite(kept, [{ words: "the report", file: report }]);
 }
 
-/** A background grid still to be made of what its file holds. */
+/** Background grid in the form of its file. */
 interface GivenGrid {
   readonly file: string;
   readonly grid: GridInput;
@@ -279,7 +300,7 @@ interface MeshingOptions {
   readonly given: GivenGrid | undefined;
 }
 
-/** A mesh, and what was meshed in the end. */
+/** Result, and the model that was meshed after repair and refinement. */
 interface Meshed {
   readonly result: MeshResult;
   readonly model: Input;
@@ -292,10 +313,10 @@ async function mesh(
   { isQuiet, isRefined, given }: MeshingOptions,
 ): Promise<Meshed> {
   const stop = new AbortController();
-  // Once: who asks again while the mesher stops wants to be out at once, and gets the default.
+  // Listen once: a second signal takes the default action and ends the process immediately.
   const onSignal = () => stop.abort();
   process.once("SIGINT", onSignal).once("SIGTERM", onSignal);
-  // A failure to load leaves neither a bar nor a hidden cursor behind.
+  // A failure to load must not leave a progress bar or a hidden cursor behind.
   const mesher = await createMesher().catch((failure: unknown) => {
     process.off("SIGINT", onSignal).off("SIGTERM", onSignal);
     throw failure;
@@ -309,11 +330,11 @@ async function mesh(
       return { result: await mesher.meshProject(model.project, all, control), model };
     }
     if (!isRefined) return { result: await mesher.fillSurface(model.surface, all, control), model };
-    // Told in the numbers of what was given.
+    // Inspect before refining, so that diagnostics use the triangle indices of the given surface.
     const { innerShells } = options;
     const found = await mesher.inspectSurface(model.surface, { innerShells }, control);
     if (!found.isFillable) return { result: emptyResult("invalid-input", found.diagnostics), model };
-    // Samples tell the inside by how triangles are turned.
+    // The volume helps to estimate the number of elements only if the orientation of all triangles is known.
     const volume = found.flippedTriangles > 0 ? undefined : found.volume;
     const { surface, figures } = await refined(mesher, model.surface, { ...all, volume }, control);
     const result = await mesher.fillSurface(surface, all, control);
@@ -365,7 +386,7 @@ async function writeResult(
   const name = writableName(output, to, ["volume"]);
   const mesh = fileMeshOf(result, model);
   if (!isQuiet && model.kind === "surface") {
-    for (const line of leftOutLines(model.surface, mesh)) say(`note: ${input}: ${line}`);
+    for (const line of unmeshedLines(model.surface, mesh)) print(`note: ${input}: ${line}`);
   }
   const files = await writeMesh(mesh, name);
   return succeeds(() => writeAll(files, { input, output, name, isQuiet }));
@@ -378,14 +399,14 @@ async function writeReport(file: string, report: CommandReport): Promise<boolean
   return succeeds(() => writeOutput(file, text));
 }
 
-/** Whether it could be written; if not, the user is told. */
+/** Returns whether writing succeeded; if not, prints the failure. */
 async function succeeds(write: () => Promise<void>): Promise<boolean> {
   try {
     await write();
     return true;
   } catch (failure) {
-    if (!(failure instanceof FileProblem)) throw failure;
-    say(`error: ${failure.file}: ${failure.message}. ${failure.remedy}`);
+    if (!(failure instanceof FileError)) throw failure;
+    print(`error: ${failure.file}: ${failure.message}. ${failure.remedy}`);
     return false;
   }
 }
@@ -404,11 +425,11 @@ function summary(
   ];
   const figures = [
     plural(tetrahedra, "tetrahedron"),
-    plural(nodes, "point"),
+    plural(nodes, "node"),
     ...(tetrahedra > 0 ? shapes : []),
-    ...(status === "done" ? [`mean edge ${quality.edges.mean.toFixed(2)} of the wanted`] : []),
-    ...(outOfRange > 0 ? [`${outOfRange} beyond 30° to 135°`] : []),
-    ...(limited.count > 0 ? [`${limited.count} so because of the boundary`] : []),
+    ...(status === "done" ? [`mean edge ${quality.edges.mean.toFixed(2)} of the target`] : []),
+    ...(outOfRange > 0 ? [`${outOfRange} outside 30° to 135°`] : []),
+    ...(limited.count > 0 ? [`${limited.count} of them limited by the boundary`] : []),
     `${seconds.total.toFixed(2)} s`,
   ].join(", ");
   const where = written ?? unwritten();
@@ -416,7 +437,7 @@ function summary(
 
   function unwritten(): string {
     if (status === "done") return "not written";
-    if (tetrahedra === 0) return "nothing to write";
-    return keepPartial === true ? "not written" : "not written; --keep-partial writes what exists";
+    if (tetrahedra === 0) return "no mesh to write";
+    return keepPartial === true ? "not written" : "not written; --keep-partial writes the partial mesh";
   }
 }

@@ -1,17 +1,17 @@
-/** What the command line says, and how its commands end. */
-import { FileProblem } from "./files.js";
+/** Messages and exit codes of the command line. */
+import { FileError, WriteError } from "./files.js";
 import { packageDiagnostic, printable, readDiagnostic } from "../diagnostics/package-diagnostic.js";
 import { MesherError } from "../diagnostics/mesher-error.js";
-import type { ReadProblem } from "../formats/read-result.js";
+import type { ReadError } from "../formats/read-result.js";
 import type { Diagnostic } from "../api/types.js";
 
-/** 141 is what shells report of programs that write to a pipe which nobody reads: 128 and the signal's number. */
+/** Shells report 141 for a program that writes to a pipe without a reader: 128 plus the number of the signal. */
 export const ExitCode = { meshed: 0, notCompleted: 1, badInput: 2, closedPipe: 141 } as const;
 
-/** Raised where the input is bad; becomes messages, a report, and exit code 2. */
+/** Thrown for invalid input; becomes messages, a report, and exit code 2. */
 export class BadInput extends Error {
   constructor(
-    /** What the messages are about: a file or an option. */
+    /** Subject of the messages: a file or an option. */
     readonly subject: string,
     readonly diagnostics: readonly Diagnostic[],
   ) {
@@ -19,10 +19,10 @@ export class BadInput extends Error {
   }
 }
 
-/** Input that cannot be used, as diagnostics and what they are about; undefined for other failures. */
+/** Returns a failure caused by the input, with its diagnostics and subject; undefined for other failures. */
 export function asBadInput(failure: unknown, input: string): BadInput | undefined {
   if (failure instanceof BadInput) return failure;
-  if (failure instanceof FileProblem) {
+  if (failure instanceof FileError) {
     const { file, message, remedy } = failure;
     return new BadInput(file, [packageDiagnostic("unreadable-input", message, remedy)]);
   }
@@ -32,7 +32,7 @@ export function asBadInput(failure: unknown, input: string): BadInput | undefine
   return undefined;
 }
 
-/** What the engine could not do, as a diagnostic; undefined for other failures. */
+/** Returns a failure of the engine as a diagnostic; undefined for other failures. */
 export function asEngineFailure(failure: unknown): Diagnostic | undefined {
   if (!(failure instanceof MesherError)) return undefined;
   const { code, message } = failure;
@@ -40,40 +40,44 @@ export function asEngineFailure(failure: unknown): Diagnostic | undefined {
   return isEngine ? packageDiagnostic(code, message.replace(/\.$/, ""), "") : undefined;
 }
 
-/** Tells of bad input, or of what the engine could not do; the exit code. Our own mistakes pass through. */
-export function toldFailure(failure: unknown, input: string): number {
+/** Prints invalid input or a failure of the engine; returns the exit code. Our own mistakes pass through. */
+export function reportFailure(failure: unknown, input: string): number {
   const engine = asEngineFailure(failure);
   const bad = engine === undefined ? asBadInput(failure, input) : new BadInput(input, [engine]);
   if (bad === undefined) throw failure;
-  tell(bad.subject, bad.diagnostics, { isQuiet: true });
-  return engine === undefined ? ExitCode.badInput : ExitCode.notCompleted;
+  printDiagnostics(bad.subject, bad.diagnostics, { isQuiet: true });
+  return engine === undefined && !(failure instanceof WriteError) ? ExitCode.badInput : ExitCode.notCompleted;
 }
 
-/** `readAs`: the name of the file that was given; a problem of another beside it names that. */
-export function unreadable(problem: ReadProblem, readAs?: string): Diagnostic {
-  const { message, line, fileName } = problem;
+/** `readAs`: name of the given file. An error in another file next to it names that file. */
+export function unreadable(error: ReadError, readAs?: string): Diagnostic {
+  const { message, line, fileName } = error;
   const other = fileName === undefined || readAs === undefined || fileName === readAs ? "" : `${fileName}: `;
   const place = line === undefined || message.startsWith("line ") ? "" : `line ${line}: `;
-  return readDiagnostic({ ...problem, message: `${other}${place}${message}` });
+  return readDiagnostic({ ...error, message: `${other}${place}${message}` });
 }
 
-/** Of one code no more than these are told: more of the same teach nothing and hide the others. */
-const TOLD_PER_CODE = 5;
+/** Largest number of lines per code: more of the same would hide the others. */
+const MAX_PER_CODE = 5;
 
-interface TellOptions {
-  /** Leaves the errors. */
+interface PrintOptions {
+  /** Whether to print errors only. */
   readonly isQuiet: boolean;
   readonly perCode?: number;
 }
 
-/** One line per diagnostic, those of one code together, in the order in which codes first appear. */
-export function tell(subject: string, diagnostics: readonly Diagnostic[], options: TellOptions): void {
-  const { isQuiet, perCode = TOLD_PER_CODE } = options;
+/** Prints one line per diagnostic, grouped by code in the order in which the codes first appear. */
+export function printDiagnostics(
+  subject: string,
+  diagnostics: readonly Diagnostic[],
+  options: PrintOptions,
+): void {
+  const { isQuiet, perCode = MAX_PER_CODE } = options;
   const told = diagnostics.filter(({ severity }) => !isQuiet || severity === "error");
-  for (const group of byKind(told)) tellGroup(subject, group, perCode);
+  for (const group of byKind(told)) printGroup(subject, group, perCode);
 }
 
-/** Those of one severity and code together, in the order in which these first appear. */
+/** Groups diagnostics by severity and code, in the order of first appearance. */
 function byKind(diagnostics: readonly Diagnostic[]): Iterable<readonly Diagnostic[]> {
   const groups = new Map<string, Diagnostic[]>();
   for (const diagnostic of diagnostics) {
@@ -85,15 +89,15 @@ function byKind(diagnostics: readonly Diagnostic[]): Iterable<readonly Diagnosti
   return groups.values();
 }
 
-/** How many findings of this severity there are, with those that are not told one by one. */
+/** Returns the number of problems of this severity, including those that are not listed individually. */
 export function countOf(diagnostics: readonly Diagnostic[], wanted: Diagnostic["severity"]): number {
   const found = diagnostics.filter(({ severity }) => severity === wanted);
   return [...byKind(found)].reduce((sum, group) => sum + allOfAKind(group), 0);
 }
 
 /**
- * How many findings of one kind there are in all, of which these are told one by one: of a given surface each says so,
- * of a drawing it counts those at its own lines and patches.
+ * Returns the total number of problems of one kind, of which some are listed: each diagnostic of a given surface
+ * states it; of a drawing, each counts those at its own lines and patches.
  */
 function allOfAKind(group: readonly Diagnostic[]): number {
   const [first] = group;
@@ -101,18 +105,18 @@ function allOfAKind(group: readonly Diagnostic[]): number {
   return Math.max(group.length, first.data.count ?? 0);
 }
 
-/** Whether it is about a given surface, whose triangles and nodes have no names. */
+/** Returns whether it is about a given surface, whose triangles and nodes have no names. */
 function isOfSurface({ entities }: Diagnostic): boolean {
   return entities.every(({ kind }) => kind === "triangle" || kind === "surface-node");
 }
 
-/** What has neither name nor place and reads the same but for its numbers is one line with a count. */
-function tellGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
+/** Merges lines that differ in their numbers only, if they have neither name nor position, into one with a count. */
+function printGroup(subject: string, group: readonly Diagnostic[], perCode: number): void {
   const lines = new Map<string, { readonly line: string; count: number }>();
   for (const diagnostic of group) {
     const { severity, code, message, remedy, position } = diagnostic;
     const line = `${WORDS[severity]}: ${subject}: ${message}. ${remedy}`.trimEnd();
-    // Coordinates that cannot be computed with are no place either.
+    // Coordinates that are not finite are not a position either.
     const isAlike = isOfSurface(diagnostic) && (position === undefined || code === "not-finite");
     const key = isAlike ? message.replace(/[-+\d.e]*\d/g, "#") : line;
     const known = lines.get(key);
@@ -121,19 +125,19 @@ function tellGroup(subject: string, group: readonly Diagnostic[], perCode: numbe
   }
   let rest = allOfAKind(group);
   for (const { line, count } of [...lines.values()].slice(0, perCode)) {
-    say(count === 1 ? line : `${line} (and ${count - 1} more like it)`);
+    print(count === 1 ? line : `${line} (and ${count - 1} similar)`);
     rest -= count;
   }
   const [first] = group;
   if (first !== undefined && rest > 0) {
-    say(`${WORDS[first.severity]}: ${subject}: and ${rest} more of the kind "${first.code}".`);
+    print(`${WORDS[first.severity]}: ${subject}: and ${rest} more "${first.code}".`);
   }
 }
 
-/** So many diagnostics are one piece of JSON: a million of them would be too long for one string. */
+/** Diagnostics per piece of JSON: a million of them would exceed the longest string. */
 const PIECE = 1000;
 
-/** As JSON.stringify has it, in lines, the diagnostics last. */
+/** Yields the text of JSON.stringify in pieces, with the diagnostics last. */
 export function* jsonPieces<Told extends { readonly diagnostics: readonly Diagnostic[] }>({
   diagnostics,
   ...rest
@@ -157,6 +161,6 @@ const WORDS: Readonly<Record<Diagnostic["severity"], string>> = {
   information: "note",
 };
 
-export function say(line: string): void {
+export function print(line: string): void {
   process.stderr.write(`tetrafront: ${printable(line)}\n`);
 }

@@ -2,7 +2,7 @@ import { MultiBar, Presets, SingleBar } from "cli-progress";
 
 import type { Progress } from "../api/types.js";
 
-/** A progress bar on stderr, for terminals. */
+/** Progress bar on stderr, for terminals. */
 export class ProgressBar {
   readonly #bar = new SingleBar(
     {
@@ -10,7 +10,7 @@ export class ProgressBar {
       stream: process.stderr,
       clearOnComplete: true,
       hideCursor: true,
-      // Interrupting is the command's own business.
+      // The command handles signals itself.
       gracefulExit: false,
     },
     Presets.shades_classic,
@@ -23,8 +23,8 @@ export class ProgressBar {
   update({ fraction, phase, tetrahedra, frontFaces, exactFillFraction }: Progress): void {
     const left =
       exactFillFraction > 0
-        ? `exact fill of what the front left: ${(100 * exactFillFraction).toFixed(1)} %`
-        : `${String(frontFaces)} faces in the front`;
+        ? `exact fill of remaining pockets: ${(100 * exactFillFraction).toFixed(1)} %`
+        : `${String(frontFaces)} front faces`;
     this.#bar.update(fraction, { phase: phase.padEnd("surface".length), tetrahedra, left });
   }
 
@@ -33,7 +33,7 @@ export class ProgressBar {
   }
 }
 
-/** How many files of a batch are through, with messages above it. */
+/** Progress bar for a batch of files, with messages above it. */
 export class BatchBar {
   readonly #bars = new MultiBar(
     {
@@ -55,7 +55,7 @@ export class BatchBar {
     this.#bar.increment();
   }
 
-  say(lines: string): void {
+  print(lines: string): void {
     this.#bars.log(lines);
   }
 

@@ -1,7 +1,7 @@
-/** Repairs that the command line was asked for, and the list of what they changed. */
+/** Repairs requested on the command line, and the list of their changes. */
 import { numberIn, refuseOptions } from "./input.js";
-import { say } from "./messages.js";
-import { placeText } from "./tables.js";
+import { print } from "./messages.js";
+import { positionText } from "./tables.js";
 import type { SurfaceFile } from "../formats/surface-file.js";
 import type { RepairChange, RepairOptions } from "../api/inspection.js";
 import { checkRepairOptions } from "../api/options.js";
@@ -10,38 +10,38 @@ import { plural } from "../base/plural.js";
 import { repairedSurface } from "../api/repaired-surface.js";
 import type { InnerShells, Mesher } from "../api/types.js";
 
-/** As commander hands them over. */
+/** Options as commander passes them. */
 export interface RepairCommandOptions {
   readonly repair?: boolean;
   readonly weld?: string;
   readonly fillHoles?: string;
-  readonly enclosed?: InnerShells;
+  readonly innerShells?: InnerShells;
 }
 
 export interface RepairedSurface {
   readonly surface: SurfaceFile;
-  /** Undefined where no repair was asked for. */
+  /** Undefined if no repair was requested. */
   readonly changes?: readonly RepairChange[];
 }
 
-/** The options of a repair, undefined where none is asked for. Throws a BadInput. */
+/** Returns the options of a repair, undefined if none is requested. Throws a BadInput. */
 export function repairOptions(given: RepairCommandOptions): RepairOptions | undefined {
-  const { repair = false, weld, fillHoles, enclosed } = given;
+  const { repair = false, weld, fillHoles, innerShells } = given;
   if (!repair && weld === undefined && fillHoles === undefined) return undefined;
   const options: RepairOptions = {
     ...(weld === undefined ? {} : { weld: numberIn(weld) }),
     ...(fillHoles === undefined ? {} : { fillHoles: numberIn(fillHoles) }),
-    innerShells: enclosed,
+    innerShells,
   };
   refuseOptions(checkRepairOptions(options));
   return options;
 }
 
-/** Throws a BadInput where repairs are asked for of what is no surface. */
+/** Throws a BadInput if a repair is requested for input that is not a surface. */
 export function refuseRepair(options: RepairOptions | undefined, what: string): void {
   if (options === undefined) return;
-  const message = `repairs are for surfaces, and this is ${what}`;
-  const remedy = "Leave --repair, --weld and --fill-holes out.";
+  const message = `repairs are for surfaces, but the input is ${what}`;
+  const remedy = "Omit --repair, --weld and --fill-holes.";
   refuseOptions([invalidOption("--repair", message, remedy)]);
 }
 
@@ -55,12 +55,12 @@ export async function repaired(
   return { surface: repairedSurface(given, repair), changes: repair.changes };
 }
 
-/** Of one kind no more than these; `--json` and `--report` have all. */
-const TOLD_PER_KIND = 20;
+/** Largest number of lines per kind of change; `--json` and `--report` list all. */
+const MAX_PER_KIND = 20;
 
-/** One line per change, and one for each kind of which there are more. */
-export function tellChanges(input: string, changes: readonly RepairChange[]): void {
-  if (changes.length === 0) return say(`repair: ${input}: nothing to change.`);
+/** Prints one line per change, and one per kind that has more. */
+export function printChanges(input: string, changes: readonly RepairChange[]): void {
+  if (changes.length === 0) return print(`repair: ${input}: nothing to repair`);
   const kinds = new Map<RepairChange["kind"], RepairChange[]>();
   for (const change of changes) {
     const known = kinds.get(change.kind);
@@ -68,32 +68,32 @@ export function tellChanges(input: string, changes: readonly RepairChange[]): vo
     else known.push(change);
   }
   for (const [kind, all] of kinds) {
-    for (const change of all.slice(0, TOLD_PER_KIND)) say(`repair: ${input}: ${sentenceOf(change)}.`);
-    const rest = all.length - TOLD_PER_KIND;
-    if (rest > 0) say(`repair: ${input}: and ${rest} more of the kind "${kind}".`);
+    for (const change of all.slice(0, MAX_PER_KIND)) print(`repair: ${input}: ${sentenceOf(change)}.`);
+    const rest = all.length - MAX_PER_KIND;
+    if (rest > 0) print(`repair: ${input}: and ${rest} more "${kind}".`);
   }
 }
 
-/** What was changed, with ids and place. */
+/** Describes a change with ids and position. */
 export function sentenceOf(change: RepairChange): string {
-  return `${words()} at ${placeText(change.position)}`;
+  return `${words()} at ${positionText(change.position)}`;
 
   function words(): string {
     switch (change.kind) {
       case "welded-node":
-        return `node ${change.node} is now node ${change.into}`;
+        return `welded node ${change.node} to node ${change.into}`;
       case "removed-node":
-        return `dropped node ${change.node}, which no triangle uses`;
+        return `removed node ${change.node}, which no triangle uses`;
       case "removed-triangle":
         return `removed triangle ${change.triangle}, which has no area`;
       case "removed-duplicate":
-        return `removed triangle ${change.triangle}, which has the corners of triangle ${change.sameAs}`;
+        return `removed triangle ${change.triangle}, a duplicate of triangle ${change.sameAs}`;
       case "split-triangle":
-        return `split triangle ${change.beyond} in place of triangle ${change.triangle}, which has no area`;
+        return `split triangle ${change.beyond} to replace triangle ${change.triangle}, which has no area`;
       case "filled-hole":
-        return `filled a hole with ${plural(change.triangles, "triangle")} from ${change.firstTriangle} on`;
+        return `filled a hole with ${plural(change.triangles, "triangle")}, from triangle ${change.firstTriangle} on`;
       case "flipped-triangle":
-        return `turned triangle ${change.triangle}`;
+        return `flipped triangle ${change.triangle}`;
     }
   }
 }

@@ -2,8 +2,8 @@ import type { MesherErrorCode } from "./mesher-error.js";
 import type { ReadCode } from "../formats/read-result.js";
 
 /**
- * The stable names of everything a run can complain about. The numbers are those of the engine's
- * `DiagnosticCode` (cpp/include/tetrafront/status.h), which a test compares with this table.
+ * Stable names of all problems that the engine reports. The numbers are those of the engine's `DiagnosticCode`
+ * (cpp/include/tetrafront/status.h).
  */
 export const ENGINE_CODES = {
   0: "not-finite",
@@ -14,23 +14,23 @@ export const ENGINE_CODES = {
   5: "wrong-line-count",
   6: "wrong-line-type",
   7: "loop-not-closed",
-  8: "loop-touches-itself",
+  8: "loops-intersect",
   9: "not-planar",
   12: "empty-model",
   13: "degenerate-patch",
   14: "hole-outside",
-  15: "bad-option",
-  16: "line-crosses-itself",
-  17: "patches-meet",
+  15: "option-out-of-range",
+  16: "line-self-intersection",
+  17: "patches-intersect",
   18: "hole-off-patch",
   19: "duplicate-lines",
   20: "empty-background-grid",
-  21: "bad-size",
-  22: "bad-stretching",
-  23: "flat-background-tetrahedron",
+  21: "size-out-of-range",
+  22: "stretching-out-of-range",
+  23: "degenerate-background-tetrahedron",
   24: "outside-background-grid",
   25: "too-many-elements",
-  26: "bad-source",
+  26: "source-out-of-range",
   27: "duplicate-points",
   28: "size-too-large",
   40: "open-edge",
@@ -42,45 +42,49 @@ export const ENGINE_CODES = {
   46: "zero-volume",
   47: "reoriented-patch",
   48: "coincident-nodes",
-  49: "nested-bodies",
-  50: "turned-triangle",
+  49: "nested-regions",
+  50: "flipped-triangle",
   51: "coarse-surface",
   60: "stalled",
   61: "verification-failed",
 } as const;
 
-/** The options that `bad-option` is about, by the engine's numbers. */
+/** Options that `option-out-of-range` is about, by the engine's numbers. */
 export const ENGINE_OPTIONS = ["size", "growth", "gradation"] as const;
 
-/** What the engine finds. */
+/** Code of a diagnostic of the engine. */
 export type EngineCode = (typeof ENGINE_CODES)[keyof typeof ENGINE_CODES];
 
-/** What the package and its command line find themselves. */
+/** Code of a diagnostic of the package or its command line. */
 export type PackageCode =
-  /** An option is out of range. */
+  /** An option is invalid. */
   | "invalid-option"
-  /** The arrays of a surface or a mesh do not fit together. */
+  /** The arrays of a surface or a mesh are inconsistent. */
   | "invalid-arrays"
-  /** A mesh whose elements do not fit together. */
-  | "unsound-mesh"
-  /** A format has no place for something, which is not in the file. */
+  /** The elements of a mesh do not fit together. */
+  | "invalid-mesh"
+  /** Many triangles of a surface are needles or caps. */
+  | "needle-surface"
+  /** Many elements of a mesh have small dihedral angles. */
+  | "poor-elements"
+  /** A format cannot store some content, which is not in the file. */
   | "left-out"
-  /** A file could not be opened or written, or holds nothing that a command could use. */
+  /** A file could not be opened or written, or has no content that a command can use. */
   | "unreadable-input"
-  /** The memory did not suffice. */
+  /** The engine ran out of memory. */
   | "out-of-memory"
-  /** The worker or the engine cannot be had. */
+  /** The worker or the engine could not be loaded. */
   | "engine-not-loaded"
-  /** Our own mistake. */
+  /** A mistake of Tetrafront. */
   | "engine-failed";
 
-/** Everything that can be found in what is given, by its stable name. */
+/** Code of every diagnostic. */
 export type DiagnosticCode = EngineCode | PackageCode | ReadCode;
 
-/** Everything that can go wrong at all: the codes of diagnostics, of reading, and of calls that are rejected. */
+/** Code of every error: of diagnostics, of reading, and of rejected calls. */
 export type ErrorCode = DiagnosticCode | MesherErrorCode;
 
-/** The name of an engine code; undefined for a number the engine does not use. */
+/** Returns the name of an engine code; undefined for a number that the engine does not use. */
 export function engineCodeName(code: number): EngineCode | undefined {
   return (ENGINE_CODES as Readonly<Record<number, EngineCode>>)[code];
 }

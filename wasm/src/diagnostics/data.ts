@@ -1,124 +1,147 @@
 import type { DiagnosticCode, EngineCode, ENGINE_OPTIONS } from "./codes.js";
-import type { ReadCode, ReadProblem } from "../formats/read-result.js";
+import type { ReadCode, ReadError } from "../formats/read-result.js";
 
-/** Nothing but what the sentence says. */
+/** No data beyond the message. */
 export type NoData = Readonly<Record<string, never>>;
 
-/** How many findings there are in all, of which a thousand are told one by one unless more are asked for; of a drawing, how many at these entities. */
+/**
+ * Total number of such problems; a limited number of them is listed individually. For a drawing, the number at
+ * these entities.
+ */
 export interface Counted {
   readonly count: number;
 }
 
-/** Where the path, the line or the offset of a read problem is known. */
-export type ReadPlace = Pick<ReadProblem, "fileName" | "path" | "line" | "offset">;
+/** Path, line or offset of a read error, if known. */
+export type ReadLocation = Pick<ReadError, "fileName" | "path" | "line" | "offset">;
 
-/** What comes with each code that has numbers of its own; lengths are in model units. */
+/** Data of each code that has any; lengths are in model units. */
 export interface DiagnosticNumbers {
-  /** The one that cannot be computed with, NaN and infinities too; 0 where all points lie at the origin. */
+  /** `coordinate`: the invalid coordinate, which may be NaN or infinite; 0 if all points lie at the origin. */
   readonly "not-finite": Partial<Counted> & { readonly coordinate: number };
-  /** The number that nothing has; `count` for surfaces. */
+  /** `index`: the index that does not exist. `count`: for surfaces only. */
   readonly "index-out-of-range": Partial<Counted> & { readonly index: number };
-  /** As many as the line has. */
+  /** `points`: number of points of the line. */
   readonly "wrong-point-count": { readonly points: number };
-  /** As many as the outer loop has, and as its patch's type takes. */
-  readonly "wrong-line-count": { readonly lines: number; readonly wanted: number };
-  /** The farthest from the plane. */
+  /** `lines`: number of lines of the outer loop. `required`: number that the type of the patch requires. */
+  readonly "wrong-line-count": { readonly lines: number; readonly required: number };
+  /** `distance`: largest distance from the plane. */
   readonly "not-planar": { readonly distance: number };
-  /** The farthest from the patch. */
+  /** `distance`: largest distance from the patch. */
   readonly "hole-off-patch": { readonly distance: number };
-  /** An option as it reached the engine. */
-  readonly "bad-option": { readonly option: (typeof ENGINE_OPTIONS)[number]; readonly given: number };
-  /** 1: each pair of patches is told by itself. */
-  readonly "patches-meet": Counted;
-  /** Places in all, where they were counted. */
+  /** `given`: value as it reached the engine. */
+  readonly "option-out-of-range": {
+    readonly option: (typeof ENGINE_OPTIONS)[number];
+    readonly given: number;
+  };
+  /** Always 1: each pair of patches has its own diagnostic. */
+  readonly "patches-intersect": Counted;
+  /** `count`: number of positions outside, if they were counted. */
   readonly "outside-background-grid": Partial<Counted>;
-  /** Expected by the sizes, and the most that are tried: tetrahedra, or triangles where one is named. */
-  readonly "too-many-elements": { readonly expected: number; readonly most: number };
+  /**
+   * `expected`: estimated number, of tetrahedra, or of triangles if a triangle is named. `limit`: largest permitted
+   * number.
+   */
+  readonly "too-many-elements": { readonly expected: number; readonly limit: number };
   /** As given. */
-  readonly "bad-size": { readonly size: number };
+  readonly "size-out-of-range": { readonly size: number };
   /** As given. */
-  readonly "bad-stretching": { readonly stretching: number };
-  /** As given, or their defaults. */
-  readonly "bad-source": { readonly size: number; readonly distance: number; readonly growth: number };
-  /** The smallest size, and the model's largest extent. */
+  readonly "stretching-out-of-range": { readonly stretching: number };
+  /** As given, or the defaults. */
+  readonly "source-out-of-range": {
+    readonly size: number;
+    readonly distance: number;
+    readonly growth: number;
+  };
+  /** `size`: smallest size. `extent`: largest extent of the model. */
   readonly "size-too-large": { readonly size: number; readonly extent: number };
-  /** Open edges. */
+  /** Number of open edges. */
   readonly "open-edge": Counted;
-  /** Their triangles. */
+  /** Number of triangles of the sheets. */
   readonly "dangling-sheet": Counted;
-  /** Places where a part cannot be turned. */
+  /** Number of edges at which a component cannot be oriented. */
   readonly "inconsistent-orientation": Counted;
-  /** Pairs of triangles in all; at least so many where the search `isLeast`, ended early. */
-  readonly "self-intersection": Counted & { readonly isLeast?: boolean };
-  /** Not of tetrahedra of a background grid. */
+  /** Number of pairs of triangles; a lower bound if `isLowerBound`, because the search was ended early. */
+  readonly "self-intersection": Counted & { readonly isLowerBound?: boolean };
+  /** Without `count` for tetrahedra of a background grid. */
   readonly "duplicate-triangle": Partial<Counted>;
-  /** Such triangles. */
+  /** Number of such triangles. */
   readonly "degenerate-triangle": Counted;
-  /** Shells that enclose nothing. */
+  /** Number of shells that enclose nothing. */
   readonly "zero-volume": Counted;
-  /** Pairs of nodes. */
+  /** Number of pairs of nodes. */
   readonly "coincident-nodes": Counted;
-  /** Of a part of a given surface: its triangles that were turned, and all. */
-  readonly "reoriented-patch": { readonly turned?: number; readonly triangles?: number };
+  /** For a component of a given surface: number of its flipped triangles, and of all its triangles. */
+  readonly "reoriented-patch": { readonly flipped?: number; readonly triangles?: number };
   /** As the mesh will have them. */
-  readonly "nested-bodies": { readonly regions: number; readonly cavities: number };
-  /** `isBetweenSpaces`: filling regions (`enclosed`) would take it as a wall. */
-  readonly "turned-triangle": Counted & { readonly isBetweenSpaces: boolean };
-  /** With edges more than twice as long as wanted; the longest by its wanted length. */
-  readonly "coarse-surface": { readonly triangles: number; readonly longest: number };
-  /** Left in the front. */
+  readonly "nested-regions": { readonly regions: number; readonly cavities: number };
+  /** `isBetweenRegions`: with `innerShells: "regions"`, the triangle would be an interface. */
+  readonly "flipped-triangle": Counted & { readonly isBetweenRegions: boolean };
+  /**
+   * `triangles`: number of triangles with edges above twice the target length. `lengthRatio`: longest edge / target
+   * length there.
+   */
+  readonly "coarse-surface": { readonly triangles: number; readonly lengthRatio: number };
+  /** `faces`: number of faces left in the front. */
   readonly stalled: { readonly faces: number };
-  /** Places where the check failed. */
+  /** Number of failed checks. */
   readonly "verification-failed": Counted;
-  /** The option's name, as the call or the command line knows it; `options` for all of them, `control` for the last argument. */
+  /** `count`: number of needles and caps. `triangles`: number of all triangles. */
+  readonly "needle-surface": Counted & { readonly triangles: number };
+  /** `count`: number of elements with a dihedral angle below 10°. `tetrahedra`: number of all elements. */
+  readonly "poor-elements": Counted & { readonly tetrahedra: number };
+  /**
+   * Name of the option in the call or on the command line; `options` for all of them, `control` for the last
+   * argument.
+   */
   readonly "invalid-option": { readonly option: string };
 }
 
-/** What comes with a diagnostic of each code. */
+/** Data of a diagnostic, by code. */
 export type DiagnosticData = {
   readonly [Code in DiagnosticCode]: Code extends keyof DiagnosticNumbers
     ? DiagnosticNumbers[Code]
     : Code extends ReadCode
-      ? ReadPlace
+      ? ReadLocation
       : NoData;
 };
 
-/** The names of numbers, with a `?` behind those that may be missing. */
+/** Names of the data, with a `?` appended if they are optional. */
 type NameIn<Data> = {
   [Name in keyof Data & string]-?: object extends Pick<Data, Name> ? `${Name}?` : Name;
 }[keyof Data & string];
 
 /**
- * The names of the engine's numbers, in its order; those of `is…` are 1 or 0, and those with a `?`, which come last,
- * may be missing.
+ * Names of the engine's values, in its order. Names that begin with "is" are 1 or 0. Names with a `?` come last and
+ * are optional.
  */
 export const ENGINE_DATA: Readonly<Partial<Record<EngineCode, readonly string[]>>> = {
   "not-finite": ["coordinate", "count?"],
   "index-out-of-range": ["index", "count?"],
   "wrong-point-count": ["points"],
-  "wrong-line-count": ["lines", "wanted"],
+  "wrong-line-count": ["lines", "required"],
   "not-planar": ["distance"],
   "hole-off-patch": ["distance"],
-  "bad-option": ["option", "given"],
-  "patches-meet": ["count"],
+  "option-out-of-range": ["option", "given"],
+  "patches-intersect": ["count"],
   "outside-background-grid": ["count?"],
-  "too-many-elements": ["expected", "most"],
-  "bad-size": ["size"],
-  "bad-stretching": ["stretching"],
-  "bad-source": ["size", "distance", "growth"],
+  "too-many-elements": ["expected", "limit"],
+  "size-out-of-range": ["size"],
+  "stretching-out-of-range": ["stretching"],
+  "source-out-of-range": ["size", "distance", "growth"],
   "size-too-large": ["size", "extent"],
   "open-edge": ["count"],
   "dangling-sheet": ["count"],
   "inconsistent-orientation": ["count"],
-  "self-intersection": ["count", "isLeast?"],
+  "self-intersection": ["count", "isLowerBound?"],
   "duplicate-triangle": ["count?"],
   "degenerate-triangle": ["count"],
   "zero-volume": ["count"],
   "coincident-nodes": ["count"],
-  "reoriented-patch": ["turned?", "triangles?"],
-  "nested-bodies": ["regions", "cavities"],
-  "turned-triangle": ["isBetweenSpaces", "count"],
-  "coarse-surface": ["triangles", "longest"],
+  "reoriented-patch": ["flipped?", "triangles?"],
+  "nested-regions": ["regions", "cavities"],
+  "flipped-triangle": ["isBetweenRegions", "count"],
+  "coarse-surface": ["triangles", "lengthRatio"],
   stalled: ["faces"],
   "verification-failed": ["count"],
 } satisfies {

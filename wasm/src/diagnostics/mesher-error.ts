@@ -1,56 +1,59 @@
-/** Why a call of the package is rejected. */
+/** Errors with which calls of the package reject. */
 import { plural } from "../base/plural.js";
 import type { Reply } from "../engine/protocol.js";
 import type { Diagnostic, Phase, Progress } from "../api/types.js";
 
-/** What comes with each code of a `MesherError`. */
+/** Data of a `MesherError`, by code. */
 export interface MesherErrorData {
-  /** What was given makes no sense; `diagnostics` say what and what to do. At least one. */
+  /** An argument is invalid; `diagnostics` has at least one entry, with remedies. */
   readonly "invalid-input": { readonly diagnostics: readonly Diagnostic[] };
   /**
-   * The signal was aborted before the answer came, or before the call; `reason` is the signal's, as is the error's
-   * `cause`. Whatever asynchronous function is given a signal rejects so. Runs alone do not: `meshProject` and
-   * `fillSurface` give a result of the status `cancelled`, with what exists.
+   * The signal was aborted before the call or before its result. `reason` is the reason of the signal, as is
+   * `cause` of the error. Every asynchronous function with a signal rejects in this way, except that `meshProject`
+   * and `fillSurface` return a result of status `cancelled` with the mesh made so far.
    */
   readonly cancelled: { readonly reason: unknown };
-  /** The mesher was disposed of, before the call or, where it `wasUnderWay`, during it. */
+  /** The mesher was disposed of before the call or, if `wasUnderWay`, during it. */
   readonly disposed: { readonly wasUnderWay: boolean };
-  /** The memory of the engine did not suffice. The mesher has replaced it and goes on. */
+  /** The engine ran out of memory. The mesher has replaced its engine and remains usable. */
   readonly "out-of-memory": OutOfMemory;
   /**
-   * The worker or the engine could not be had: from where and why, as far as that is known, and what to do. Where a
-   * worker had to be replaced it is every call that was under way, waited or is made afterwards that rejects so. The
-   * mesher is disposed of; another try begins with `createMesher`.
+   * The worker or the engine could not be loaded: from where and why, as far as known, and what to do. If a worker
+   * had to be replaced, all pending and later calls reject with this error. The mesher is then disposed of; use
+   * `createMesher` to try again.
    */
   readonly "engine-not-loaded": {
     readonly what: "worker" | "engine";
     readonly reason: string;
     readonly remedy: string;
   };
-  /** Our own mistake, in the engine's words. The mesher has replaced its engine and goes on. */
+  /** A mistake of Tetrafront, in the words of the engine. The mesher has replaced its engine and remains usable. */
   readonly "engine-failed": { readonly reason: string };
 }
 
-/** The codes of calls that are rejected; `MesherErrorData` has what each means, and what comes with it. */
+/** Codes of rejected calls; see `MesherErrorData` for their meaning and data. */
 export type MesherErrorCode = keyof MesherErrorData;
 
 /** Where memory ran out, and what would fit. */
 export interface OutOfMemory {
-  /** What the engine had of the machine's memory. A browser tab or Node gives it at most 4 GB. */
+  /** Memory that the engine had, in bytes. A browser tab or Node gives it at most 4 GB. */
   readonly bytes: number;
-  /** Of a run; undefined for other calls. */
+  /** Phase of a run; undefined for other calls. */
   readonly phase: Phase | undefined;
-  /** Made until then. */
+  /** Number of tetrahedra made so far. */
   readonly tetrahedra: number;
-  /** As many as the sizes ask for; 0 where that was not known yet. */
+  /** Number of tetrahedra that the sizes ask for; 0 if it was not known yet. */
   readonly expectedTetrahedra: number;
-  /** Elements so many times as large are likely to fit; undefined where nothing tells. */
+  /** Factor by which elements should be larger to fit into memory; undefined if unknown. */
   readonly sizeFactor: number | undefined;
-  /** About so many triangles of a given surface would fit; undefined where it has no more, or none is given. */
+  /**
+   * Approximate number of triangles of a given surface that would fit; undefined if the surface has no more, or
+   * there is none.
+   */
   readonly fittingTriangles: number | undefined;
 }
 
-/** A `MesherError` of one code. */
+/** `MesherError` of one code. */
 export interface MesherErrorOf<Code extends MesherErrorCode> extends Error {
   readonly name: "MesherError";
   readonly code: Code;
@@ -58,16 +61,16 @@ export interface MesherErrorOf<Code extends MesherErrorCode> extends Error {
 }
 
 /**
- * Why a call was rejected: its `code` tells of what type its `data` are. Runs never are because of bad input, which is
- * a result; calls whose result has no place for diagnostics are, with code `invalid-input`.
+ * Error with which a call rejects; its `code` determines the type of `data`. Runs do not reject because of invalid
+ * input, which is a result. Calls whose result has no diagnostics reject with code `invalid-input`.
  *
  *     if (failure instanceof MesherError && failure.code === "out-of-memory") retry(failure.data.sizeFactor);
  */
 export type MesherError = { [Code in MesherErrorCode]: MesherErrorOf<Code> }[MesherErrorCode];
 
-/** The class of all of them. */
+/** Class of all `MesherError`s. */
 export const MesherError: {
-  /** `options`: with the cause, if there is one. */
+  /** `options`: may contain the cause. */
   new <Code extends MesherErrorCode>(
     code: Code,
     message: string,
@@ -87,14 +90,14 @@ export const MesherError: {
   }
 };
 
-/** Throws where there is anything in the list; the message is that of the first. */
+/** Throws if there are diagnostics; the message is that of the first. */
 export function refuse(diagnostics: readonly Diagnostic[]): void {
   const [first] = diagnostics;
   if (first === undefined) return;
   throw new MesherError("invalid-input", `${first.message}. ${first.remedy}`, { diagnostics });
 }
 
-/** Of a signal that is aborted. */
+/** Error for an aborted signal. */
 export function cancelledError({ reason }: { readonly reason: unknown }): MesherError {
   const message = "The signal was aborted before the answer came";
   return new MesherError("cancelled", message, { reason }, { cause: reason });
@@ -104,7 +107,7 @@ export function disposedError(wasUnderWay: boolean): MesherError {
   return new MesherError("disposed", "The mesher was disposed of", { wasUnderWay });
 }
 
-/** `reason`: where it was looked for and why it is not there. */
+/** `reason`: where the file was looked for, and why it could not be loaded. */
 export function notLoadedError(what: "worker" | "engine", reason: string, remedy: string): MesherError {
   const thing = what === "worker" ? "The engine's worker" : "The engine";
   const data = { what, reason, remedy };
@@ -116,8 +119,8 @@ export function crashError(reason: string): MesherError {
 }
 
 /**
- * `progress`: of the run that is rejected, which need not be what failed. `triangles`: of the surface that was given to
- * what failed, 0 if none was.
+ * `progress`: of the rejected run, which need not be the call that failed. `triangles`: number of triangles of the
+ * surface given to the failed call, 0 if there was none.
  */
 export function failureError(
   { reason, message, bytes }: Extract<Reply, { kind: "failure" }>,
@@ -136,17 +139,20 @@ export function failureError(
   return new MesherError(reason, outOfMemoryText(figures), figures);
 }
 
-/** What the engine takes for each triangle of a surface until the first tetrahedron is made, as measured, at most. */
+/** Largest measured memory per triangle of a surface until the first tetrahedron is made, in bytes. */
 const BYTES_PER_TRIANGLE = 300;
 
-/** The number of elements falls with the cube of their size. Room is left for what follows the front. */
+/**
+ * Returns the size factor: the number of elements is proportional to 1 / size³. The margin is for the stages after
+ * the front.
+ */
 function sizeFactorFor(made: number, expected: number): number | undefined {
   if (made === 0 || expected === 0) return undefined;
   const factor = ROOM * Math.cbrt(Math.max(1, expected / made));
   return Math.ceil(10 * factor) / 10;
 }
 
-/** As a factor of the size: the memory of a third more elements. */
+/** Margin of the size factor; it saves the memory of a third of the elements. */
 const ROOM = 1.1;
 
 function outOfMemoryText(figures: OutOfMemory): string {

@@ -1,11 +1,11 @@
-/** What the package finds itself, apart from the engine's sentences, which not everyone needs to load. */
+/** Diagnostics of the package itself. They are separate from the engine's sentences, which not every caller loads. */
 import type { DiagnosticCode, EngineCode } from "./codes.js";
-import type { ReadProblem } from "../formats/read-result.js";
+import type { ReadError } from "../formats/read-result.js";
 import type { Diagnostic, DiagnosticOf, Severity } from "../api/types.js";
 
-/** A diagnostic that the package raises itself, about no entity in particular. */
+/** Returns a diagnostic of the package about no particular entity. */
 export function packageDiagnostic(
-  code: Exclude<DiagnosticCode, EngineCode | "invalid-option">,
+  code: Exclude<DiagnosticCode, EngineCode | "invalid-option" | "needle-surface" | "poor-elements">,
   message: string,
   remedy: string,
   severity: Severity = "error",
@@ -13,7 +13,7 @@ export function packageDiagnostic(
   return { code, severity, message: sentence(message), remedy, entities: [], data: {} };
 }
 
-/** `option`: its name where it was given, `options` for all of them. */
+/** `option`: its name as given, or `options` for all of them. */
 export function invalidOption(
   option: string,
   message: string,
@@ -23,12 +23,12 @@ export function invalidOption(
   return { code, severity: "error", message: sentence(message), remedy, entities: [], data: { option } };
 }
 
-/** Why something could not be read, where one problem is told among others. */
-export function readDiagnostic({ code, message, remedy, ...place }: ReadProblem): Diagnostic {
+/** Returns a read error as a diagnostic, for use in a list of diagnostics. */
+export function readDiagnostic({ code, message, remedy, ...place }: ReadError): Diagnostic {
   return { ...packageDiagnostic(code, message, remedy), data: place } as Diagnostic;
 }
 
-/** Readable signs only, and a capital to begin with; a path such as `points[8].id` at the beginning stays as it is. */
+/** Makes a message printable and capitalizes its first word; a path such as `points[8].id` at the beginning is kept. */
 export function sentence(message: string): string {
   return printable(message).replace(
     /^[a-z]+(?=[ ,])/,
@@ -36,12 +36,12 @@ export function sentence(message: string): string {
   );
 }
 
-/** Control characters, ends of lines and paragraphs, and what turns the direction of what follows. */
+/** Control characters, ends of lines and paragraphs, and characters that change the direction of text. */
 const UNPRINTABLE = /[\p{Cc}\u2028\u2029\u200e\u200f\u202a-\u202e\u2066-\u2069]/gu;
 
 /**
- * The text with `\u001b` and the like in place of what is no character to read: a name in a file may hold any, and a
- * terminal obeys them.
+ * Escapes unprintable characters as `\u001b` and the like: a name in a file may contain any, and a terminal would
+ * obey them.
  */
 export function printable(text: string): string {
   return text.replace(

@@ -1,32 +1,32 @@
 /**
- * What the engine found, said in sentences: the entities by the names the user gave them, the place,
- * the numbers, and what to do about it.
+ * Turns diagnostics of the engine into sentences: the entities by the names that the user gave them, the position,
+ * the numbers, and the remedy.
  */
 import { ENGINE_OPTIONS, engineCodeName, type EngineCode } from "./codes.js";
 import { ENGINE_DATA, type DiagnosticData } from "./data.js";
 import type { DiagnosticArrays } from "../engine/loader.js";
-import { BREATH, type Steps } from "../formats/steps.js";
+import { PAUSE, type Steps } from "../formats/steps.js";
 import { sentence } from "./package-diagnostic.js";
 import { plural } from "../base/plural.js";
 import type { EntityNamer } from "../project/arrays.js";
 import type { Diagnostic, DiagnosticOf, EntityKind, EntityRef, Severity } from "../api/types.js";
 
-/** A diagnostic as it leaves the engine. */
+/** Diagnostic as the engine returns it. */
 export interface EngineDiagnostic {
   readonly code: number;
   /** 0 information, 1 warning, 2 error. */
   readonly severity: number;
-  /** Kind and position per entity, the most telling first. */
+  /** Kind and index per entity, the most relevant first. */
   readonly entities: Uint32Array;
-  /** x y z, or nothing. */
+  /** x y z, or empty. */
   readonly place: Float64Array;
   readonly values: Float64Array;
 }
 
-/** The engine's numbers of severities. */
+/** Severities by the engine's numbers. */
 export const SEVERITIES: readonly Severity[] = ["information", "warning", "error"];
 
-/** The engine's numbers of entity kinds (cpp/include/tetrafront/status.h). */
+/** Entity kinds by the engine's numbers (cpp/include/tetrafront/status.h). */
 export const ENTITY_KINDS: readonly EntityKind[] = [
   "point",
   "line",
@@ -38,20 +38,20 @@ export const ENTITY_KINDS: readonly EntityKind[] = [
   "source",
 ];
 
-/** What a sentence is made from. */
+/** Input of a sentence. */
 interface Subject<Code extends EngineCode> {
   readonly data: DiagnosticData[Code];
-  /** The first entity of that kind by name, else e.g. "a line". */
+  /** Label of the first entity of that kind, else for example "a line". */
   readonly the: (kind: EntityKind) => string;
-  /** All entities of these kinds, "patch 1 and patch 2"; else `otherwise`. */
+  /** Labels of all entities of these kinds, "patch 1 and patch 2"; else `otherwise`. */
   readonly all: (kinds: readonly EntityKind[], otherwise: string) => string;
-  /** How many different entities of these kinds there are. */
+  /** Number of different entities of these kinds. */
   readonly count: (kinds: readonly EntityKind[]) => number;
-  /** " at (1, 2, 3)", or nothing. */
+  /** " at (1, 2, 3)", or empty. */
   readonly at: string;
-  /** The entity the diagnostic names first, else "the model". */
+  /** Label of the first entity, else "the model". */
   readonly main: string;
-  /** Its kind, if there is one. */
+  /** Kind of the first entity, if there is one. */
   readonly kind: EntityKind | undefined;
   /** Whether lines or patches are involved, which a given surface does not have. */
   readonly drawn: boolean;
@@ -64,30 +64,30 @@ interface Sentence<Code extends EngineCode> {
 
 const SHELL_KINDS: readonly EntityKind[] = ["patch", "triangle", "surface-node"];
 
-/** One entry per engine code: the compiler refuses a table with a gap. */
+/** One entry per engine code: the compiler rejects a table with a gap. */
 const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   "not-finite": {
     message: ({ main, data: { coordinate } }) => {
       if (coordinate === 0) return "All points lie at the origin";
       return Number.isFinite(coordinate)
-        ? `${main} has the coordinate ${short(coordinate)}, too large or too small to compute with`
+        ? `${main} has the coordinate ${short(coordinate)}, whose magnitude is too large or too small`
         : `${main} has a coordinate that is not a finite number`;
     },
     remedy:
-      "Give finite coordinates, not beyond 1e30, and 0 for those below 1e-75; scale a model that is all below 1e-30.",
+      "Use finite coordinates with magnitudes from 1e-75 to 1e30, or 0. If all of them are below 1e-30, scale the model up.",
   },
   "index-out-of-range": {
-    message: ({ main, data }) => `${main} refers to number ${data.index}, which does not exist`,
-    remedy: "Refer to something that exists, or remove the reference.",
+    message: ({ main, data }) => `${main} refers to index ${data.index}, which does not exist`,
+    remedy: "Correct the index, or remove the reference.",
   },
   "wrong-point-count": {
     message: ({ the, data }) =>
-      `${the("line")} has ${plural(data.points, "point")}, which does not fit its type`,
-    remedy: "Give a straight line two points, a parabolic line three, a spline four or more.",
+      `${the("line")} has ${plural(data.points, "point")}, which its type does not permit`,
+    remedy: "Use two points for a straight line, three for a parabolic line, and at least four for a spline.",
   },
   "coincident-points": {
     message: ({ the, all, at }) =>
-      `${the("line")} runs through ${all(["point"], "two points")} at one place${at}`,
+      `${the("line")} has ${all(["point"], "two points")} at the same position${at}`,
     remedy: "Move one of the points, or remove it from the line.",
   },
   "zero-length-line": {
@@ -96,234 +96,239 @@ const SENTENCES: { readonly [Code in EngineCode]: Sentence<Code> } = {
   },
   "wrong-line-count": {
     message: ({ the, data }) =>
-      `${the("patch")} has ${plural(data.lines, "line")} in its outer loop, its type takes ${data.wanted}`,
-    remedy: "Change the patch's type, or join or split lines until the number fits.",
+      `${the("patch")} has ${plural(data.lines, "line")} in its outer loop, but its type requires ${data.required}`,
+    remedy: "Change the patch's type, or join or split lines until it has the required number.",
   },
   "wrong-line-type": {
-    message: ({ the }) => `${the("patch")} takes parabolic lines only, and ${the("line")} is not`,
+    message: ({ the }) => `${the("patch")} requires parabolic lines, but ${the("line")} is not parabolic`,
     remedy:
-      "Make the line parabolic, with the point it passes at its middle (the mid-point keeps a straight line straight), or give the patch a type that takes any line.",
+      "Make the line parabolic by adding its middle point (the mid-point of a straight line keeps it straight), or choose a patch type that permits any line.",
   },
   "loop-not-closed": {
-    message: ({ the, at }) => `A loop of ${the("patch")} is not closed: it breaks after ${the("line")}${at}`,
-    remedy: "Let the next line begin where this one ends; a minus sign walks a line backwards.",
+    message: ({ the, at }) =>
+      `A loop of ${the("patch")} is not closed: the next line does not begin where ${the("line")} ends${at}`,
+    remedy: "Continue the loop with a line that begins where this one ends; a negative id reverses a line.",
   },
-  "loop-touches-itself": {
-    message: ({ the, all, at }) => `A loop of ${the("patch")} crosses or touches itself${along(all)}${at}`,
-    remedy: "Move the lines apart, or split the patch where they meet.",
+  "loops-intersect": {
+    message: ({ the, all, at }) => `Loops of ${the("patch")} cross or touch${along(all)}${at}`,
+    remedy: "Move the lines apart, or split the patch where they touch.",
   },
   "not-planar": {
     message: ({ the, all, data, at }) =>
-      `${the("patch")} is planar, but its plane misses ${all(["point"], the("line"))} by ${short(data.distance)}${at}`,
-    remedy: "Move the points into the plane, or give the patch a type that is curved.",
+      `${the("patch")} is planar, but ${all(["point"], the("line"))} is ${short(data.distance)} away from its plane${at}`,
+    remedy: "Move the points into the plane, or choose a curved patch type.",
   },
   "empty-model": {
     message: () => "There is nothing to mesh: the model has no surface",
-    remedy: "Draw patches, or give triangles, that enclose a region.",
+    remedy: "Add patches or triangles that enclose a region.",
   },
   "degenerate-patch": {
     message: ({ the, all, at }) => {
       const lines = all(["line"], "");
-      const cause = lines === "" ? "" : `: a mid-point is too near one end of ${lines}`;
+      const cause = lines === "" ? "" : `: the middle point of ${lines} is too close to one end`;
       return `${the("patch")} has no area or folds over itself${at}${cause}`;
     },
     remedy: ({ all }) =>
       all(["line"], "") === ""
-        ? "Move its points so that it spreads out, or split it into simpler patches."
+        ? "Move its points apart so that it has area everywhere, or split it into simpler patches."
         : "Move the middle point of the line into the middle half of its length.",
   },
   "hole-outside": {
     message: ({ the, at }) =>
-      `The hole of ${the("patch")} that begins with ${the("line")} is not inside its outer loop, or lies in another hole${at}`,
+      `The hole of ${the("patch")} that begins with ${the("line")} is outside the outer loop or inside another hole${at}`,
     remedy: "Move the hole into the patch, or list the outermost loop first.",
   },
   "hole-off-patch": {
     message: ({ the, data, at }) =>
-      `${the("line")} bounds a hole of ${the("patch")}, but leaves the patch by ${short(data.distance)}${at}`,
-    remedy: "Draw the line through points on the patch, the more the stronger it is curved.",
+      `${the("line")} bounds a hole of ${the("patch")}, but is up to ${short(data.distance)} away from the patch${at}`,
+    remedy: "Draw the line through points on the patch; the more it is curved, the more points it needs.",
   },
-  "bad-option": {
-    message: ({ data }) => `The ${data.option} is ${short(data.given)}`,
+  "option-out-of-range": {
+    message: ({ data }) => `The ${data.option} is ${short(data.given)}, which is out of range`,
     remedy:
-      "Give a size above 0 and up to 1e30, a growth from 0 to 10, and a gradation of 0, or above 1 and up to 10.",
+      "Use a size above 0 and up to 1e30, a growth from 0 to 10, and a gradation of 0, or above 1 and up to 10.",
   },
-  "line-crosses-itself": {
-    message: ({ the, at }) => `${the("line")} crosses or runs over itself${at}`,
-    remedy: "Move its points, or split it into lines that meet at a common point.",
+  "line-self-intersection": {
+    message: ({ the, at }) => `${the("line")} crosses or overlaps itself${at}`,
+    remedy: "Move its points, or split it into lines that share a point.",
   },
-  "patches-meet": {
-    message: ({ all, at }) => `${all(["patch"], "Two patches")} overlap or cross each other${at}`,
+  "patches-intersect": {
+    message: ({ all, at }) => `${all(["patch"], "Two patches")} intersect or overlap${at}`,
     remedy:
-      "Move them apart, or cut both along a common line; leave out what lies inside, unless it is a wall between two regions.",
+      "Move them apart, or split both along a common line. Remove parts that lie inside, unless they are interfaces between two regions.",
   },
   "duplicate-lines": {
-    message: ({ all, at }) => `${all(["line"], "Two lines")} run along the same course${at}`,
-    remedy: "Let all patches use one of them, and delete the other.",
+    message: ({ all, at }) => `${all(["line"], "Two lines")} are identical${at}`,
+    remedy: "Use one of them in all patches, and delete the other.",
   },
   "duplicate-points": {
-    message: ({ all, at }) => `${all(["point"], "Two points")} lie at one place${at}`,
-    remedy: "Let all lines use one of them, and delete the other.",
+    message: ({ all, at }) => `${all(["point"], "Two points")} have the same position${at}`,
+    remedy: "Use one of them in all lines, and delete the other.",
   },
   "size-too-large": {
     message: ({ data }) =>
-      `An element size, ${short(data.size)}, is larger than the whole model, ${short(data.extent)}`,
+      `An element size, ${short(data.size)}, is larger than the model, ${short(data.extent)}`,
     remedy:
-      "Give a smaller size: lines and patches are followed only roughly, and a given surface's own edges tell the sizes in it.",
+      "Use a smaller size: large elements follow lines and patches only roughly, and in a given surface the sizes follow its own edges.",
   },
-  "nested-bodies": {
+  "nested-regions": {
     message: ({ data: { regions, cavities } }) =>
       `The model has ${plural(regions, "region")}${cavities === 0 ? "" : ` and ${plural(cavities, "cavity")}`}`,
     remedy: "",
   },
   "empty-background-grid": {
-    message: () => "The project has no background grid, so no element size is known",
+    message: () => "The project has no background grid, so the element sizes are unknown",
     remedy:
-      "Give a uniform element size (--size on the command line), or make a background grid that covers the model.",
+      "Set a uniform element size (--size on the command line), or create a background grid that covers the model.",
   },
-  "bad-size": {
-    message: ({ main, data }) => `${main} has the element size ${short(data.size)}`,
-    remedy: "Give a size above 0, not below 1e-12 of the extent of the background grid, and up to 1e30.",
+  "size-out-of-range": {
+    message: ({ main, data }) => `${main} has the element size ${short(data.size)}, which is out of range`,
+    remedy: "Use a size above 0, of at least 1e-12 of the extent of the background grid and at most 1e30.",
   },
-  "bad-stretching": {
-    message: ({ main, data }) => `${main} has the stretching ${short(data.stretching)}`,
-    remedy: "Give a stretching from 1 (none) to 1e6, and a direction that is not zero.",
+  "stretching-out-of-range": {
+    message: ({ main, data }) =>
+      `${main} has the stretching ${short(data.stretching)} or no direction, which is invalid`,
+    remedy: "Use a stretching from 1 (none) to 1e6, and a direction that is not zero.",
   },
-  "flat-background-tetrahedron": {
+  "degenerate-background-tetrahedron": {
     message: ({ the, at }) => `${the("background-tetrahedron")} has no volume${at}`,
-    remedy: "Move one of its nodes out of the plane of the others, or remove it.",
+    remedy: "Move one of its nodes out of the plane of the others, or remove the tetrahedron.",
   },
   "outside-background-grid": {
-    message: ({ main, at }) => `${main} lies outside the background grid${at}`,
-    remedy:
-      "Extend the background grid until it covers the whole model, or make a covering grid in its place.",
+    message: ({ main, at }) => `${main} is outside the background grid${at}`,
+    remedy: "Extend the background grid until it covers the model, or replace it by a covering grid.",
   },
   "too-many-elements": {
-    message: ({ main, kind, at, data: { expected, most } }) => {
+    message: ({ main, kind, at, data: { expected, limit } }) => {
       switch (kind) {
         case "line":
-          return `${main} asks for more than ${plural(most, "side")}`;
+          return `${main} needs more than ${plural(limit, "side")}, the limit`;
         case "patch":
-          return `${main} asks for more than ${plural(most, "triangle")}`;
+          return `${main} needs more than ${plural(limit, "triangle")}, the limit`;
         case "triangle":
-          return `Refined, the surface would have ${estimated(expected, "triangle")}, the most of them in ${main}; the limit is ${most}`;
+          return `The refined surface would have ${estimated(expected, "triangle")}, most of them in ${main}; the limit is ${limit}`;
         default:
-          return `The sizes ask for ${estimated(expected, "tetrahedron")}, the limit is ${most}${at === "" ? "" : `; the last one was made${at}`}`;
+          return `The sizes require ${estimated(expected, "tetrahedron")}; the limit is ${limit}${at === "" ? "" : `, reached${at}`}`;
       }
     },
-    remedy: ({ kind, data: { expected, most } }) => {
-      // Where lines or patches alone are too many, the estimate is of those, not of the tetrahedra.
-      const factor = kind === undefined ? Math.cbrt(expected / most) : NaN;
-      if (!(factor > 1)) return "Ask for larger elements.";
-      if (isBeyondCounting(expected)) return "Ask for far larger elements.";
-      return `Ask for elements at least ${(Math.ceil(10 * factor) / 10).toFixed(1)} times as large.`;
+    remedy: ({ kind, data: { expected, limit } }) => {
+      // If lines or patches alone are too many, the estimate counts those and not the tetrahedra.
+      const factor = kind === undefined ? Math.cbrt(expected / limit) : NaN;
+      if (!(factor > 1)) return "Use larger elements.";
+      if (isBeyondCounting(expected)) return "Use far larger elements.";
+      return `Use elements at least ${(Math.ceil(10 * factor) / 10).toFixed(1)} times as large.`;
     },
   },
-  "bad-source": {
+  "source-out-of-range": {
     message: ({ main, data }) =>
-      `${main} has the size ${short(data.size)}, the distance ${short(data.distance)} and the growth ${short(data.growth)}`,
-    remedy: "Give a size from 1e-30 to 1e30, a distance of 0 or more, and a growth from 0 to 10.",
+      `${main} has the size ${short(data.size)}, the distance ${short(data.distance)} and the growth ${short(data.growth)}; at least one is out of range`,
+    remedy: "Use a size from 1e-30 to 1e30, a distance of at least 0, and a growth from 0 to 10.",
   },
   "open-edge": {
     message: ({ all, at, data }) =>
-      `The surface is not closed: one side is missing at ${all(["line", "patch", "triangle"], "an edge")}${at}${total(data.count, "open edge")}`,
+      `The surface is not closed at ${all(["line", "patch", "triangle"], "an edge")}${at}${total(data.count, "open edge")}`,
     remedy: ({ drawn }) =>
       drawn
-        ? "Add the patch that is missing there, or let its neighbour use the same line. A wall must end at lines of other patches all round."
-        : "Close the gap in the surface; at least two triangles must meet at every edge. A repair joins points that are nearly in one place (--weld, or repairSurface), and fills holes (--fill-holes).",
+        ? "Add the missing patch, or use the same line in the neighbouring patch. Every line of an interface must belong to other patches too."
+        : "Close the surface: every edge needs at least two triangles. To weld nodes within a distance, use --weld or repairSurface(); to fill holes, use --fill-holes.",
   },
   "dangling-sheet": {
     message: ({ all, at }) =>
-      `${all(SHELL_KINDS, "A sheet")} separates nothing: the same space lies on both sides${at}`,
+      `${all(SHELL_KINDS, "A sheet")} separates nothing: the same volume is on both sides${at}`,
     remedy: ({ drawn }) =>
       drawn
-        ? "Remove the patch, or add others until it closes a space of its own."
-        : "Remove the sheet, or close a space with it.",
+        ? "Remove the patch, or add others until it encloses a region."
+        : "Remove the sheet, or extend it until it encloses a region.",
   },
   "inconsistent-orientation": {
     message: ({ all, at }) =>
-      `${all(SHELL_KINDS, "A part of the surface")} cannot be turned so that all of its shell faces outward${at}`,
-    remedy: "A closed surface has an inside and an outside: remove the twist, as of a Möbius band.",
+      `${all(SHELL_KINDS, "A component of the surface")} cannot be oriented consistently with its neighbours${at}`,
+    remedy: "Remove the twist, as in a Möbius strip: a closed surface needs an inside and an outside.",
   },
   "self-intersection": {
     message: ({ all, count, at, data }) => {
-      const meet =
+      const pair =
         count(SHELL_KINDS) === 1
-          ? `${all(SHELL_KINDS, "")} crosses itself`
-          : `${all(SHELL_KINDS, "two triangles")} meet`;
-      return `The surface cuts itself: ${meet}${at}${totalOfPairs(data.count, data.isLeast === true)}`;
+          ? `${all(SHELL_KINDS, "")} intersects itself`
+          : `${all(SHELL_KINDS, "two triangles")} intersect`;
+      return `The surface intersects itself: ${pair}${at}${totalOfPairs(data.count, data.isLowerBound === true)}`;
     },
     remedy: ({ drawn }) =>
       drawn
-        ? "Move the patches apart, or use smaller elements where they bend close to each other."
-        : "Repair the surface so that triangles meet only in shared corners and edges.",
+        ? "Move the patches apart, or use smaller elements where curved patches are close to each other."
+        : "Change the surface so that triangles have only shared nodes and edges in common.",
   },
   "duplicate-triangle": {
-    message: ({ all, at }) => `${all(SHELL_KINDS, "Two triangles")} lie on one another${at}`,
+    message: ({ all, at }) => `${all(SHELL_KINDS, "Two triangles")} are duplicates${at}`,
     remedy: ({ drawn }) =>
       drawn
         ? "Remove one of them."
-        : "Remove one of them, also where two bodies meet: one wall is enough. A repair does so and lists each: --repair, or repairSurface.",
+        : "Remove one of them, also between two regions, where one interface is enough: --repair or repairSurface() removes duplicates and lists each change.",
   },
   "degenerate-triangle": {
-    message: ({ all, at }) => `${all(["triangle", "patch"], "A triangle")} has corners on one line${at}`,
-    remedy: "Remove it by merging its corners, or move one of them.",
+    message: ({ all, at }) =>
+      `${all(["triangle", "patch"], "A triangle")} is degenerate: its corners lie on a line${at}`,
+    remedy: "Merge two of its corners, or move one of them.",
   },
   "zero-volume": {
-    message: ({ all, at }) => `${all(SHELL_KINDS, "A shell")} belongs to a shell that encloses nothing${at}`,
+    message: ({ all, at }) =>
+      `${all(SHELL_KINDS, "A triangle")} belongs to a shell that encloses no volume${at}`,
     remedy: "Remove the flat shell, or move its corners apart.",
   },
   "reoriented-patch": {
     message: ({ all, count, data: { triangles }, main }) => {
       if (triangles !== undefined) {
-        return `The part of the surface with ${main} is inside out: the mesh has all of its ${plural(triangles, "triangle")} turned outward`;
+        return `The component of the surface with ${main} was inside out: in the mesh, its ${plural(triangles, "triangle")} ${triangles === 1 ? "faces" : "face"} outward`;
       }
-      const [were, have] = count(["patch"]) > 1 ? ["were", "have"] : ["was", "has"];
-      return `${all(["patch"], "A patch")} ${were} drawn inside out and ${have} been turned round`;
+      const were = count(["patch"]) > 1 ? "were" : "was";
+      return `${all(["patch"], "A patch")} ${were} drawn inside out; in the mesh, the orientation is corrected`;
     },
     remedy: "",
   },
-  "turned-triangle": {
-    message: ({ main, at }) => `${main} faces inward, but others of its part of the surface outward${at}`,
+  "flipped-triangle": {
+    message: ({ main, at }) => `${main} faces inward, but other triangles of its component face outward${at}`,
     remedy: ({ data }) =>
-      `Turn it round; a repair does so and lists each: --repair, or repairSurface.${
-        data.isBetweenSpaces
-          ? " Where spaces on both of its sides are to be meshed, fill regions: --enclosed regions, or enclosed."
+      `Flip it: --repair or repairSurface() flips such triangles and lists each change.${
+        data.isBetweenRegions
+          ? " To mesh the volumes on both of its sides, use --inner-shells regions, or innerShells."
           : ""
       }`,
   },
   "coincident-nodes": {
     message: ({ all, at }) =>
-      `${all(["point", "surface-node", "line", "patch"], "Two nodes")} lie at one place without being joined${at}`,
+      `${all(["point", "surface-node", "line", "patch"], "Two nodes")} have the same position but are not the same node${at}`,
     remedy: ({ drawn }) =>
-      drawn ? "Use one point in both lines, or move them apart." : "Weld the corners, or move them apart.",
+      drawn
+        ? "Use one point in both lines, or move them apart."
+        : "Weld them (--weld or repairSurface()), or move them apart.",
   },
   "coarse-surface": {
-    message: ({ the, at, data: { triangles, longest } }) =>
-      `${the("triangle")}${at} has an edge ${short(longest)} times as long as wanted there, ${triangles === 1 ? "alone" : `one of ${triangles} triangles`} with edges more than twice as long: beside them elements are as large`,
-    remedy:
-      "Refine the surface (refineSurface(), --refine-surface on the command line), or ask for larger elements.",
+    message: ({ the, at, data: { triangles, lengthRatio } }) =>
+      `${the("triangle")}${at} has an edge ${short(lengthRatio)} times the target length${triangles === 1 ? "" : `; ${triangles} triangles have edges above twice the target length`}, and elements next to ${triangles === 1 ? "it" : "them"} will be as large`,
+    remedy: "Refine the surface (--refine-surface or refineSurface()), or use larger elements.",
   },
   stalled: {
     message: ({ data, all, at }) => {
-      const beside = all(["patch", "triangle", "surface-node"], "");
-      return `The front stalled with ${plural(data.faces, "face")} that no tetrahedron completes${beside === "" ? "" : `, beside ${beside}`}${at}; the mesh is partial`;
+      const neighbours = all(["patch", "triangle", "surface-node"], "");
+      const where = neighbours === "" ? at : ` next to ${neighbours}${at}`;
+      return `The front stalled${where} with ${plural(data.faces, "face")} that no tetrahedron can complete; the mesh is partial`;
     },
     remedy:
-      "Use sizes that change more gently there; in a given surface, a size nearer to that of its own edges.",
+      "Use sizes that vary more gradually there; in a given surface, use sizes closer to its edge lengths.",
   },
   "verification-failed": {
     message: ({ data, at }) =>
-      `The finished mesh failed its own check in ${plural(data.count, "place")}${at}`,
-    remedy: "This is a mistake in Tetrafront: please report it with the model.",
+      `The finished mesh failed ${plural(data.count, "check")} of its verification${at}`,
+    remedy: "Report this error of Tetrafront, together with the model.",
   },
 };
 
-/** Whether an estimate is the engine's largest, which stands for all above it (`counted` there). */
+/** Returns whether an estimate is the engine's largest value, which stands for all above it (`counted` there). */
 function isBeyondCounting(estimate: number): boolean {
   return estimate >= 1e15;
 }
 
-/** "about 30000000 tetrahedra". */
+/** Returns text such as "about 30000000 tetrahedra". */
 function estimated(count: number, noun: string): string {
   return `${isBeyondCounting(count) ? "more than" : "about"} ${plural(short(count), noun)}`;
 }
@@ -337,16 +342,16 @@ function total(count: number, noun: string): string {
   return count === 1 ? "" : ` (${plural(count, noun)} in all)`;
 }
 
-/** `isLeast`: the search was ended before all were found. */
-function totalOfPairs(count: number, isLeast: boolean): string {
+/** `isLowerBound`: the search was ended before all pairs were found. */
+function totalOfPairs(count: number, isLowerBound: boolean): string {
   if (count === 1) return "";
-  return ` (${isLeast ? "at least " : ""}${count} pairs of triangles in all)`;
+  return ` (${isLowerBound ? "at least " : ""}${count} pairs of triangles in all)`;
 }
 
-/** Per diagnostic in `heads`: code, severity, number of entities, 1 with a place, number of values. */
+/** Numbers per diagnostic in `heads`: code, severity, number of entities, 1 if it has a position, number of values. */
 const HEAD_STRIDE = 5;
 
-/** The engine's diagnostics one by one. */
+/** Yields the diagnostics of the engine one by one. */
 export function* unpacked({
   heads,
   entities,
@@ -369,29 +374,29 @@ export function* unpacked({
   }
 }
 
-/** All that the engine has to say, in sentences. */
+/** Describes all diagnostics of the engine. */
 export function describeAll(arrays: DiagnosticArrays, name: EntityNamer): Diagnostic[] {
   return Array.from(unpacked(arrays), (raw) => describeDiagnostic(raw, name));
 }
 
-/** Sentences per step, of some ten microseconds each. */
-const SENTENCES_PER_STEP = 256;
+/** Number of sentences per slice, at about ten microseconds each. */
+const SENTENCES_PER_SLICE = 256;
 
-/** As `describeAll`, in steps: of a ruined surface there may be a million. */
+/** Describes all diagnostics in slices: a badly damaged surface may have a million. */
 export function* describeInSteps(arrays: DiagnosticArrays, name: EntityNamer): Steps<Diagnostic[]> {
   const described: Diagnostic[] = [];
   for (const raw of unpacked(arrays)) {
     described.push(describeDiagnostic(raw, name));
-    if (described.length % SENTENCES_PER_STEP === 0) yield BREATH;
+    if (described.length % SENTENCES_PER_SLICE === 0) yield PAUSE;
   }
   return described;
 }
 
-/** Composes the sentences for one diagnostic of the engine. */
+/** Describes one diagnostic of the engine. */
 export function describeDiagnostic(raw: EngineDiagnostic, name: EntityNamer): Diagnostic {
   const code = engineCodeName(raw.code);
-  if (code === undefined) throw new Error(`the engine has a diagnostic ${raw.code} that nobody knows`);
-  // Of the union that the codes make up, which cannot be told from one type for all codes.
+  if (code === undefined) throw new Error(`the engine returned the unknown diagnostic code ${raw.code}`);
+  // The compiler cannot infer the union over all codes from the type for one code.
   return describedAs(code, raw, name) as Diagnostic;
 }
 
@@ -416,31 +421,31 @@ function describedAs<Code extends EngineCode>(
   };
 }
 
-/** The engine's numbers by their names. Throws where it gave too few. */
+/** Returns the engine's values by name. Throws if one is missing. */
 function dataOf<Code extends EngineCode>(code: Code, values: Float64Array): DiagnosticData[Code] {
   const data: Record<string, unknown> = {};
   ENGINE_DATA[code]?.forEach((entry, i) => {
     const name = entry.replace(/\?$/, "");
     const value = values[i];
     if (value === undefined) {
-      if (name === entry) throw new Error(`the engine gave no ${name} with ${code}`);
+      if (name === entry) throw new Error(`the engine returned no ${name} with ${code}`);
     } else if (name === "option") {
       data[name] = ENGINE_OPTIONS[value];
     } else {
       data[name] = name.startsWith("is") ? value === 1 : value;
     }
   });
-  // That the names are those of the type is what their table is checked for.
+  // `ENGINE_DATA` is checked against this type.
   return data as DiagnosticData[Code];
 }
 
-/** Where something is named by its position, the first such name tells how positions are counted. */
+/** Adds to the first label with an index that indices count from 0. */
 function withCounting(message: string, entities: readonly EntityRef[]): string {
   const places = entities
     .filter(({ id }) => id === undefined)
     .flatMap(({ label }) => {
       let at = message.indexOf(label);
-      // "triangle 1" is not named by "triangle 12".
+      // "triangle 1" also begins "triangle 12".
       while (at >= 0 && /\d/.test(message.charAt(at + label.length))) at = message.indexOf(label, at + 1);
       return at < 0 ? [] : [at + label.length];
     });
@@ -464,10 +469,10 @@ function subjectOf<Code extends EngineCode>(
   data: DiagnosticData[Code],
 ): Subject<Code> {
   const drawn = entities.some(({ kind }) => kind === "line" || kind === "patch" || kind === "point");
-  // Of a drawing its lines and patches are told; which triangles these have is left to the entities.
-  const isTold = (kind: EntityKind) => !drawn || kind !== "triangle";
+  // Messages about a drawing name lines and patches, not the triangles that they have.
+  const isNamed = (kind: EntityKind) => !drawn || kind !== "triangle";
   const labels = (kinds: readonly EntityKind[]) =>
-    entities.filter(({ kind }) => kinds.includes(kind) && isTold(kind)).map(({ label }) => label);
+    entities.filter(({ kind }) => kinds.includes(kind) && isNamed(kind)).map(({ label }) => label);
   return {
     data,
     the: (kind) => labels([kind])[0] ?? `a ${kind.replace("-", " ")}`,
@@ -480,17 +485,17 @@ function subjectOf<Code extends EngineCode>(
   };
 }
 
-/** More names than these are counted. */
-const MOST_NAMES = 8;
+/** Largest number of names in a message; of more, the rest is counted. */
+const MAX_NAMES = 8;
 
 function joined(labels: readonly string[]): string | undefined {
   if (labels.length < 2) return labels[0];
-  const named = labels.length > MOST_NAMES ? MOST_NAMES - 1 : labels.length - 1;
+  const named = labels.length > MAX_NAMES ? MAX_NAMES - 1 : labels.length - 1;
   const last = named + 1 < labels.length ? `${labels.length - named} more` : (labels[named] ?? "");
   return `${labels.slice(0, named).join(", ")} and ${last}`;
 }
 
-/** Counts in full, else six significant digits: enough to find the place, short enough to read. */
+/** Formats whole numbers in full, others with six significant digits. */
 function short(value: number): string {
   return Number.isSafeInteger(value) ? String(value) : String(Number(value.toPrecision(6)));
 }

@@ -1,8 +1,8 @@
 /**
- * Abaqus and CalculiX `.inp`: tetrahedra C3D4 in one element set and solid section per region, with the
- * region's name as material, and per patch a node set and a surface of element faces: boundary conditions
- * and loads refer to these by name. Walls between regions have a surface for either side. What a material is made of is
- * left to the user.
+ * Writes Abaqus and CalculiX `.inp` files: C3D4 tetrahedra in one element set and solid section per region, whose
+ * name is the material's name; per patch, a node set and a surface of element faces. Boundary conditions and loads
+ * refer to these names. An interface between regions gets one surface per side. Material properties are left to the
+ * user.
  */
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -12,14 +12,14 @@ import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { stepwise } from "./steps.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
-/** By the corner opposite; Abaqus numbers faces by their corners: S1 is 1 2 3, S2 1 2 4, S3 2 3 4, S4 1 3 4. */
-const SIDE_OPPOSITE = ["S3", "S4", "S2", "S1"];
-/** No data line may have more numbers. */
+/** Abaqus face names by the opposite corner: S1 has the corners 1 2 3, S2 1 2 4, S3 2 3 4, S4 1 3 4. */
+const FACE_OPPOSITE = ["S3", "S4", "S2", "S1"];
+/** Largest number of entries on a data line. */
 const PER_LINE = 16;
-/** Names of 80 characters with a letter set before and `_FACES` behind. */
-const NAMING: Naming = { plain: plainName, longest: 72, isCaseless: true };
+/** Abaqus allows 80 characters, of which a leading `N_` and a trailing `_FACES` may need 8. */
+const NAMING: Naming = { toPlain: plainName, maxBytes: 72, isCaseInsensitive: true };
 
-/** The bytes of an Abaqus input file. Triangles of no tetrahedron are in the node sets only. */
+/** Returns the bytes of an Abaqus input file. Triangles without a tetrahedron appear in the node sets only. */
 export function* writeAbaqus(mesh: FileMesh, note: Note): Generator<Part, void> {
   const regions = yield* regionGroups(mesh, { ...NAMING, note });
   const patches = yield* patchGroups(mesh, { ...NAMING, note });
@@ -34,13 +34,13 @@ export function* writeAbaqus(mesh: FileMesh, note: Note): Generator<Part, void> 
   ];
 }
 
-/** A letter, then letters, digits and underscores: what every reader of the format takes. */
+/** Returns a letter followed by letters, digits and underscores, which every reader of the format accepts. */
 function plainName(name: string): string {
   const plain = name.replace(/[^A-Za-z0-9_]+/g, "_");
   return /^[A-Za-z]/.test(plain) ? plain : `N_${plain}`;
 }
 
-/** Elements are numbered from 1 through the regions, as `elementNumbers` says. */
+/** Numbers the elements from 1, region by region, as `elementNumbers` does. */
 function elementSets(regions: readonly Group[]): Part[] {
   let number = 1;
   return regions.flatMap(({ name, nodes }) => [
@@ -61,20 +61,20 @@ function nodeSets(patches: readonly Group[]): string[] {
 function* surfaces(mesh: FileMesh, patches: readonly Group[]): Generator<Part, void> {
   const { faceOfTriangle, twin } = yield* tetFaces(mesh);
   const numbers = elementNumbers(mesh);
-  /** By patch: the faces that its triangles look out of, and those on the other side of walls. */
-  const sides = mesh.patches.map(() => ({ FACES: [] as string[], BACK: [] as string[] }));
-  const line = (face: number) => `${numbers[face >>> 2]}, ${SIDE_OPPOSITE[face & 3] ?? "S1"}\n`;
+  /** Per patch: the element faces oriented as its triangles, and those of the elements across an interface. */
+  const faces = mesh.patches.map(() => ({ FACES: [] as string[], BACK: [] as string[] }));
+  const line = (face: number) => `${numbers[face >>> 2]}, ${FACE_OPPOSITE[face & 3] ?? "S1"}\n`;
   yield* stepwise(faceOfTriangle.length, (t) => {
     const face = faceOfTriangle[t] ?? NONE;
     if (face === NONE) return;
-    const own = sides[mesh.trianglePatch[t] ?? 0];
+    const own = faces[mesh.trianglePatch[t] ?? 0];
     const other = twin[face] ?? NONE;
     own?.FACES.push(line(face));
     if (other !== NONE) own?.BACK.push(line(other));
   });
-  // Patches without triangles have no group, and no lines here.
+  // Skip patches without triangles: they have no group, so `patches` does not list them.
   const used = usedGroups(mesh.trianglePatch, mesh.patches);
-  const filled = sides.filter((_, patch) => used.has(patch));
+  const filled = faces.filter((_, patch) => used.has(patch));
   yield patches.flatMap(({ name }, p) =>
     Object.entries(filled[p] ?? {}).flatMap(([side, lines]) =>
       lines.length === 0 ? [] : [`*SURFACE, NAME=${name}_${side}, TYPE=ELEMENT\n${lines.join("")}`],
@@ -82,7 +82,7 @@ function* surfaces(mesh: FileMesh, patches: readonly Group[]): Generator<Part, v
   );
 }
 
-/** The number of each tetrahedron when they are written region by region, from 1. */
+/** Returns the number of each tetrahedron, from 1, when they are written region by region. */
 export function elementNumbers({ tetrahedronRegion, regions }: FileMesh): Uint32Array {
   const next = new Uint32Array(regions.length + 1);
   for (const region of tetrahedronRegion) next[region + 1] = (next[region + 1] ?? 0) + 1;

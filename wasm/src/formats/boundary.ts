@@ -1,8 +1,8 @@
-/** The triangles of a mesh with only the points they use, for formats that hold surfaces. */
+/** Extracts the triangles of a mesh with the points they use, for formats that hold surfaces only. */
 import type { FileMesh } from "./file-mesh.js";
 import { stepwise, type Steps } from "./steps.js";
 
-/** The same mesh without tetrahedra; nodes keep their order. */
+/** Returns the mesh without tetrahedra and unused nodes; the order of nodes is kept. */
 export function* boundaryOf(mesh: FileMesh): Steps<FileMesh> {
   const { points, triangles } = mesh;
   const numbers = new Uint32Array(points.length / 3);
@@ -37,7 +37,7 @@ const NO_VOLUME = {
   nodeData: new Map(),
 } satisfies Partial<FileMesh>;
 
-/** A colour per patch: its own, or one of a row that eyes tell apart (Okabe and Ito), again and again. */
+/** Returns a colour per patch: its own, or one of a cyclic list of distinguishable colours (Okabe and Ito). */
 export function colorsOf({ patches }: FileMesh): (readonly [number, number, number])[] {
   return patches.map(({ color }, p) => color ?? DISTINCT[p % DISTINCT.length] ?? [0.5, 0.5, 0.5]);
 }

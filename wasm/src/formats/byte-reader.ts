@@ -1,44 +1,45 @@
 /**
- * Walks through a file while it arrives. A window on it is kept in memory: `fill` makes it reach at least
- * LOOKAHEAD bytes ahead, or to the end of the file; all other calls are plain functions on the window, so
- * that a number costs no promise. Readers call `fill` where `isLow` says so, once per entry (a point, a face).
+ * Reads numbers, words and lines from a file while it arrives. It keeps a window of the file in memory. `fill`
+ * extends the window to at least LOOKAHEAD bytes ahead, or to the end of the file. All other methods work on the
+ * window synchronously, so that reading a number needs no promise. A reader calls `fill` when `isLow` is true, once
+ * per entry (a point, a face).
  *
- * Lines end with a line feed, a carriage return or both. A byte-order mark of UTF-8 before a word or a line is white
- * space: files begin with one, and where such files were joined it stands inside.
+ * A line ends with a line feed, a carriage return, or both. A UTF-8 byte-order mark before a word or a line counts
+ * as white space: files begin with it, and concatenated files contain it.
  */
-import { failureAt, ReadFailure, type FilePlace } from "./read-result.js";
+import { failureAt, ReadFailure, type FileLocation } from "./read-result.js";
 import { piecesOf, type ByteSource } from "./byte-source.js";
 import { decimalIn, otherNumber } from "./decimal.js";
-import { Breather } from "./steps.js";
+import { Yielder } from "./steps.js";
 
 const LINE_FEED = 10;
 const CARRIAGE_RETURN = 13;
 const SPACE = 32;
-/** The byte-order mark in UTF-8. */
+/** Byte-order mark in UTF-8. */
 const MARK = [0xef, 0xbb, 0xbf] as const;
-/** An entry of a file may be as long as this; a face of ten thousand corners is. */
+/** Longest entry of a file, in bytes; a face of ten thousand corners fits. */
 const LOOKAHEAD = 1 << 18;
-/** As much is asked for at once, so that what is left of the window is seldom moved. */
+/** Bytes requested at once, so that the rest of the window is rarely copied. */
 const WINDOW = 1 << 19;
-/** Digits, signs, the point. */
+/** Digits, signs and the decimal point. */
 const NUMBER_BEGINS = new TextEncoder().encode("0123456789+-.");
-/** From here on a byte is part of a character of several, in UTF-8. */
+/** Smallest byte that is part of a multi-byte UTF-8 character. */
 const FIRST_OF_SEVERAL = 0x80;
-/** Longer comments are no words to anyone. */
-const HEARD = 1 << 12;
-/** No more of a word than a reader of messages can use. */
+/** Longer comments are not passed to `onComment`, in bytes. */
+const MAX_COMMENT_BYTES = 1 << 12;
+/** Largest number of characters of a word quoted in a message. */
 const SHOWN = 24;
 
 export interface ByteReaderOptions {
-  /** What `fail` advises. */
+  /** Advice given with every failure. */
   readonly remedy: string;
-  /** A character that hides the rest of its line. */
+  /** Character that starts a comment, which ends with its line. */
   readonly comment?: string;
-  /** A character that, as the last of a line, continues it on the next; not in comments. */
+  /** Character that, at the end of a line, continues the line on the next one. It has no effect in comments. */
   readonly continuation?: string;
-  /** Is told what stands behind it, where that is short. */
-  readonly heard?: (comment: string) => void;
-  /** Ends the reading behind entries that took long (`rest`). */
+  /** Called with the text of each comment below MAX_COMMENT_BYTES, without the comment character. */
+  readonly onComment?: (comment: string) => void;
+  /** Aborting it cancels reading after an entry that took long (`requestYield`). */
   readonly signal?: AbortSignal | undefined;
 }
 
@@ -47,36 +48,36 @@ export class ByteReader {
   #bytes: Uint8Array<ArrayBuffer> = new Uint8Array();
   #view = new DataView(new ArrayBuffer(0));
   #at = 0;
-  /** Bytes of the file before the window. */
+  /** Number of bytes of the file before the window. */
   #before = 0;
   #line = 1;
-  /** The line of what was read last. */
+  /** Line of the item read last. */
   #lastLine = 1;
-  /** Whether all that was read is text, whose places are best told by their lines. */
+  /** Whether everything read so far is text; locations are then given as lines. */
   #isText = true;
-  /** Whether a line that was read ended with a carriage return alone. */
+  /** Whether a line read so far ended with a lone carriage return. */
   #hasLoneReturns = false;
   #isWhole = false;
-  /** Whether others are to run before the next entry. */
-  #isTired = false;
-  readonly #breather: Breather;
+  /** Whether to yield before the next entry. */
+  #mustYield = false;
+  readonly #yielder: Yielder;
   readonly #pieces: AsyncIterator<Uint8Array>;
   readonly #comment: number;
   readonly #continuation: number;
   readonly #remedy: string;
-  readonly #heard: ByteReaderOptions["heard"];
+  readonly #onComment: ByteReaderOptions["onComment"];
 
   private constructor(source: ByteSource, options: ByteReaderOptions) {
-    const { remedy, comment, continuation, heard, signal } = options;
-    this.#breather = new Breather(signal);
+    const { remedy, comment, continuation, onComment, signal } = options;
+    this.#yielder = new Yielder(signal);
     this.#pieces = piecesOf(source);
     this.#comment = comment?.charCodeAt(0) ?? NaN;
     this.#continuation = continuation?.charCodeAt(0) ?? NaN;
     this.#remedy = remedy;
-    this.#heard = heard;
+    this.#onComment = onComment;
   }
 
-  /** Runs `read` on a file and lets go of the file whatever happens. An empty file is a failure. */
+  /** Runs `read` on a file and releases the file in any case. Throws a ReadFailure if the file is empty. */
   static async over<T>(
     source: ByteSource,
     options: ByteReaderOptions,
@@ -96,43 +97,43 @@ export class ByteReader {
   }
 
   get isLow(): boolean {
-    return this.#isTired || this.#isShort;
+    return this.#mustYield || this.#isShort;
   }
 
   get #isShort(): boolean {
     return !this.#isWhole && this.#bytes.length - this.#at < LOOKAHEAD;
   }
 
-  /** Says that an entry took long: the next `fill` lets others run, and ends the reading where it is cancelled. */
-  readonly rest = (): void => {
-    this.#isTired = true;
+  /** Requests a pause after an entry that took long: the next `fill` yields, and rejects if reading was cancelled. */
+  readonly requestYield = (): void => {
+    this.#mustYield = true;
   };
 
-  /** No byte is left. */
+  /** Whether every byte has been read. */
   get isAtEnd(): boolean {
     return this.#isWhole && this.#at === this.#bytes.length;
   }
 
-  /** Bytes from the begin of the file. */
+  /** Number of bytes from the beginning of the file. */
   get offset(): number {
     return this.#before + this.#at;
   }
 
-  /** Bytes in the window from here on. */
+  /** Number of unread bytes in the window. */
   get ahead(): number {
     return this.#bytes.length - this.#at;
   }
 
-  /** Moves on over so many bytes. */
+  /** Skips the given number of bytes. */
   skip(bytes: number): void {
     this.#advance(bytes);
   }
 
-  /** Makes the window reach far enough for the next entry. */
+  /** Extends the window far enough for the next entry. */
   async fill(): Promise<void> {
-    if (this.#isTired) {
-      this.#isTired = false;
-      await this.#breather.breathe();
+    if (this.#mustYield) {
+      this.#mustYield = false;
+      await this.#yielder.yield();
     }
     if (!this.#isShort) return;
     const parts: Uint8Array[] = [this.#bytes.subarray(this.#at)];
@@ -152,7 +153,10 @@ export class ByteReader {
     this.#view = new DataView(this.#bytes.buffer, this.#bytes.byteOffset, length);
   }
 
-  /** The next `count` bytes; fewer at the end of the file. Memory grows with the file, not with `count`. */
+  /**
+   * Reads the next `count` bytes, or fewer at the end of the file. Memory use grows with the file, not with
+   * `count`.
+   */
   async bytes(count: number): Promise<Uint8Array<ArrayBuffer>> {
     this.#leaveText();
     const parts: Uint8Array[] = [];
@@ -168,30 +172,33 @@ export class ByteReader {
     return concatenated(parts, length);
   }
 
-  /** What is in the window from here on, up to `count` bytes, without moving. */
+  /** Returns up to `count` unread bytes of the window without consuming them. */
   peek(count: number): Uint8Array {
     return this.#bytes.subarray(this.#at, this.#at + count);
   }
 
-  /** The next word, in this line or a later one; empty at the end of the file. */
+  /** Reads the next word of this line or a later one; empty at the end of the file. */
   word(): string {
     this.#skipBlanks(true);
     return this.#text(this.#wordEnd());
   }
 
-  /** The next word of this line; empty at its end. */
+  /** Reads the next word of this line; empty at the end of the line. */
   wordInLine(): string {
     this.#skipBlanks(false);
     return this.#text(this.#wordEnd());
   }
 
-  /** Whether the next word, in this line or a later one, begins like a number. */
+  /** Returns whether the next word, in this line or a later one, begins like a number. */
   startsNumber(): boolean {
     this.#skipBlanks(true);
     return NUMBER_BEGINS.includes(this.#bytes[this.#at] ?? 0);
   }
 
-  /** Moves behind the next word if it is this one (in small letters here), in capitals or not. */
+  /**
+   * Consumes the next word if it equals `word`, which is in lower case, ignoring the case in the file. Returns
+   * whether it did.
+   */
   accepts(word: string): boolean {
     this.#skipBlanks(true);
     const end = this.#wordEnd();
@@ -205,50 +212,51 @@ export class ByteReader {
     return true;
   }
 
-  /** As `accepts`, but any other word is a failure. */
+  /** Consumes the next word like `accepts`; any other word is a failure. */
   expect(word: string): void {
     if (this.accepts(word)) return;
-    const found = this.#shown();
-    this.fail(
-      found === "" ? `the file ends where "${word}" should be` : `"${found}" where "${word}" should be`,
-    );
+    this.fail(`expected "${word}", found ${this.#shown()}`);
   }
 
   /**
-   * The next word as a number, a finite one unless it `mayBeNone`, as values at nodes may; `what` names it where it is
-   * missing or is none.
+   * Reads the next word as a finite number. With `mayBeNone`, as for values at nodes, NaN and infinities are
+   * accepted. `what` names the number in messages.
    */
   number(what: string, mayBeNone = false): number {
     this.#skipBlanks(true);
     const end = this.#wordEnd();
-    if (end === this.#at) this.fail(`the file ends where ${what} should be`);
+    if (end === this.#at) this.fail(`expected ${what}, found the end of the file`);
     let value: number | undefined = decimalIn(this.#bytes, this.#at, end);
     if (!Number.isFinite(value)) value = mayBeNone ? otherNumber(this.#bytes, this.#at, end) : undefined;
-    if (value === undefined) return this.fail(`"${this.#shown()}" is not a finite number (${what})`);
+    if (value === undefined)
+      return this.fail(`expected ${what}, found ${this.#shown()}, which is not a finite number`);
     this.#at = end;
     return value;
   }
 
-  /** The next word as a whole number from 0 to `limit` - 1. */
+  /** Reads the next word as a whole number from 0 to `limit` - 1. */
   index(what: string, limit: number): number {
     const value = this.number(what);
     return Number.isInteger(value) && value >= 0 && value < limit
       ? value
-      : this.fail(`${value} is not a whole number from 0 to ${limit - 1} (${what})`);
+      : this.fail(`expected ${what} (a whole number from 0 to ${limit - 1}), found ${value}`);
   }
 
-  /** Whether a word is left in this line. */
+  /** Returns whether this line has another word. */
   hasWordInLine(): boolean {
     this.#skipBlanks(false);
     return this.#wordEnd() > this.#at;
   }
 
-  /** Skips blanks and comments up to the next word, or until more of the file should be there: `fill`, and call again. */
+  /**
+   * Skips blanks and comments up to the next word. It may stop early when the window is low: call `fill`, then call
+   * it again.
+   */
   skipComments(): void {
     this.#skipBlanks(true, true);
   }
 
-  /** Skips what is left of this line, and the lines that continue it. */
+  /** Skips the rest of this line and the lines that continue it. */
   skipLine(): void {
     for (;;) {
       const begin = this.#at;
@@ -261,7 +269,7 @@ export class ByteReader {
     }
   }
 
-  /** The rest of this line without blanks (for `trim` a byte-order mark is one) around it; the place is then the begin of the next. */
+  /** Reads the rest of this line and moves to the next one. Removes white space and byte-order marks from both ends. */
   line(): string {
     const end = this.#lineEnd();
     const text = textOf(this.#bytes.subarray(this.#at, end));
@@ -271,15 +279,15 @@ export class ByteReader {
     return text.trim();
   }
 
-  /** Moves behind the line end that closes the words before binary numbers. */
+  /** Consumes the line end between a text header and binary numbers. */
   endLine(): void {
     this.#skipBlanks(false);
-    if (!this.#isLineEnd(this.#at)) this.fail("the line should end here");
+    if (!this.#isLineEnd(this.#at)) this.fail(`expected the end of the line, found ${this.#shown()}`);
     this.#passLineEnd();
     this.#lastLine = this.#line++;
   }
 
-  /** Moves behind the next place where the file says `text`, and the rest of that line. */
+  /** Moves past the next occurrence of `text` and the rest of its line. */
   async skipPast(text: string): Promise<void> {
     const wanted = new TextEncoder().encode(text);
     for (;;) {
@@ -291,13 +299,13 @@ export class ByteReader {
         this.skipLine();
         return;
       }
-      // The begin of the text may stand at the window's end.
+      // Keep the bytes at the end of the window that may be the beginning of `text`.
       this.#moveTo(Math.max(this.#at, this.#bytes.length - wanted.length + 1));
-      if (this.#isWhole) this.fail(`the file ends where "${text}" should be`);
+      if (this.#isWhole) this.fail(`expected "${text}", found the end of the file`);
     }
   }
 
-  /** A whole number of 1, 2, 4 or 8 bytes; the last is exact up to 2^53 only. */
+  /** Reads a whole number of 1, 2, 4 or 8 bytes. Numbers of 8 bytes are exact up to 2^53. */
   integer(bytes: 1 | 2 | 4 | 8, isSigned: boolean): number {
     const at = this.#advance(bytes);
     const little = this.isLittleEndian;
@@ -320,22 +328,27 @@ export class ByteReader {
       : this.#view.getFloat64(at, this.isLittleEndian);
   }
 
-  /** `count` if it is one that can be; that so many items follow is seen only when they do. */
+  /**
+   * Returns `count` if it is a whole number of at least 0; any other value is a failure. The file may still hold
+   * fewer items.
+   */
   count(count: number, what: string): number {
-    if (Number.isNaN(count)) this.fail(`the number of ${what} should be here`);
-    return Number.isSafeInteger(count) && count >= 0 ? count : this.fail(`${count} is no number of ${what}`);
+    if (Number.isNaN(count)) this.fail(`expected the number of ${what}`);
+    return Number.isSafeInteger(count) && count >= 0
+      ? count
+      : this.fail(`expected the number of ${what}, found ${count}`);
   }
 
-  /** Where the reader is, for what is judged only later. */
-  get place(): FilePlace {
+  /** Current location, for problems that are detected later. */
+  get location(): FileLocation {
     return this.#isText ? { line: this.#lastLine } : { offset: this.offset };
   }
 
-  fail(message: string, place = this.place, remedy = this.#remedy): never {
-    throw failureAt(place, message, remedy);
+  fail(message: string, location = this.location, remedy = this.#remedy): never {
+    throw failureAt(location, message, remedy);
   }
 
-  /** Moves on within the window over lines that are not looked at. */
+  /** Moves within the window over lines that are not parsed. */
   #moveTo(at: number): void {
     if (this.#isText) {
       for (let end = this.#at; end < at; end++) if (this.#isLineEnd(end)) this.#line++;
@@ -344,13 +357,13 @@ export class ByteReader {
     this.#lastLine = this.#line;
   }
 
-  /** A carriage return before a line feed is a blank. */
+  /** A carriage return before a line feed counts as a blank. */
   #isLineEnd(at: number): boolean {
     const byte = this.#bytes[at];
     return byte === LINE_FEED || (byte === CARRIAGE_RETURN && this.#bytes[at + 1] !== LINE_FEED);
   }
 
-  /** Whether the byte here continues its line on the next. */
+  /** Returns whether the byte at `at` continues its line on the next one. */
   #isContinued(at: number): boolean {
     const after = this.#bytes[at + 1];
     return this.#bytes[at] === this.#continuation && (after === LINE_FEED || after === CARRIAGE_RETURN);
@@ -360,12 +373,12 @@ export class ByteReader {
     if (this.#bytes[this.#at++] === CARRIAGE_RETURN) this.#hasLoneReturns = true;
   }
 
-  /** From here on numbers are binary. */
+  /** Marks the following numbers as binary. */
   #leaveText(): void {
     if (!this.#isText) return;
     if (this.#hasLoneReturns) {
-      // The first byte of a number may be a line feed: the two would be taken for one line end.
-      this.fail("binary numbers cannot follow lines that end with carriage returns alone");
+      // The first byte of a number may be a line feed, and would then be taken for the second half of a line end.
+      this.fail("binary numbers must not follow lines that end with a lone carriage return");
     }
     this.#isText = false;
   }
@@ -398,7 +411,7 @@ export class ByteReader {
         if (byte !== this.#comment) break;
         const begin = this.#at + 1;
         this.#at = this.#lineEnd();
-        if (this.#at - begin < HEARD) this.#heard?.(textOf(bytes.subarray(begin, this.#at)));
+        if (this.#at - begin < MAX_COMMENT_BYTES) this.#onComment?.(textOf(bytes.subarray(begin, this.#at)));
         if (mayPause && this.isLow) break;
         this.#at--;
       } else if ((byte === LINE_FEED || byte === CARRIAGE_RETURN) && this.#isLineEnd(this.#at)) {
@@ -426,12 +439,12 @@ export class ByteReader {
   #lineEnd(): number {
     let end = this.#at;
     while (end < this.#bytes.length && !this.#isLineEnd(end)) end++;
-    // What follows the last byte is not known.
+    // A carriage return as the last byte of the window may be followed by a line feed.
     if (end + 1 >= this.#bytes.length && this.#bytes[end] !== LINE_FEED) this.#checkEdge();
     return end;
   }
 
-  /** The end of the window must be that of the file. */
+  /** Throws a ReadFailure if an entry reaches the end of the window before the end of the file. */
   #checkEdge(): void {
     if (!this.#isWhole) this.fail(`a line or an entry is longer than ${LOOKAHEAD} bytes`);
   }
@@ -448,11 +461,12 @@ export class ByteReader {
     return text;
   }
 
-  /** The word here, shortened, for a message. */
+  /** Returns the current word in quotes, shortened for a message. */
   #shown(): string {
     const end = this.#wordEnd();
     const text = String.fromCharCode(...this.#bytes.subarray(this.#at, Math.min(end, this.#at + SHOWN)));
-    return end - this.#at > SHOWN ? `${text}…` : text;
+    if (text === "") return "the end of the file";
+    return end - this.#at > SHOWN ? `"${text}…"` : `"${text}"`;
   }
 }
 
@@ -460,12 +474,12 @@ function startsWithMark(bytes: Uint8Array, at = 0): boolean {
   return MARK.every((byte, i) => bytes[at + i] === byte);
 }
 
-/** Every byte leaves something, for "" means that there was none. */
+/** Decodes UTF-8. Invalid bytes become replacement characters, so that the text is empty only if there are no bytes. */
 function textOf(bytes: Uint8Array): string {
   return new TextDecoder("utf-8", { ignoreBOM: true }).decode(bytes);
 }
 
-/** Where these bytes are next, or -1. */
+/** Returns the index of the next occurrence of `wanted` from `from` on, or -1. */
 export function indexOf(bytes: Uint8Array, wanted: Uint8Array, from: number): number {
   const first = wanted[0] ?? 0;
   for (let at = bytes.indexOf(first, from); at >= 0; at = bytes.indexOf(first, at + 1)) {
@@ -484,5 +498,5 @@ function concatenated(parts: readonly Uint8Array[], length: number): Uint8Array<
   return joined;
 }
 
-/** Of text, for what its first line should have said. */
-export const FIRST_LINE: FilePlace = { line: 1 };
+/** Location for problems of a file's first line. */
+export const FIRST_LINE: FileLocation = { line: 1 };

@@ -1,10 +1,10 @@
-/** Where the bytes of a file come from: all at once, or piece by piece while it is read. */
+/** Sources of the bytes of a file: all at once, or piece by piece while the file is read. */
 import { isA, isArrayOf, isDetached } from "../base/argument-checks.js";
 import { throwIfCancelled, untilCancelled } from "../base/cancelling.js";
 import { ReadFailure } from "./read-result.js";
-import { Breather } from "./steps.js";
+import { Yielder } from "./steps.js";
 
-/** A Node stream is an AsyncIterable, a browser's File is a Blob, `fetch(…).body` is a ReadableStream. */
+/** A Node stream is an AsyncIterable, a browser's File is a Blob, and `fetch(…).body` is a ReadableStream. */
 export type ByteSource =
   | Uint8Array
   | ArrayBuffer
@@ -13,27 +13,27 @@ export type ByteSource =
   | AsyncIterable<Uint8Array>
   | Iterable<Uint8Array>;
 
-/** What is in memory already is handed on in pieces of this size, between which others may run. */
+/** Bytes in memory are processed in pieces of this size; other work may run between two pieces. */
 const PIECE_BYTES = 1 << 16;
 
 /**
- * The pieces in order. Lets timers and messages in between them, also where all bytes are at hand. The signal cancels
- * them, also while one is waited for.
+ * Yields the pieces in order. Timers and messages run between them, even if all bytes are in memory. Aborting the
+ * signal cancels the iteration, also while a piece is awaited.
  */
 export async function* piecesOf(source: ByteSource, signal?: AbortSignal): AsyncGenerator<Uint8Array, void> {
-  const breather = new Breather(signal);
+  const yielder = new Yielder(signal);
   const pieces = rawPiecesOf(source);
-  for await (const piece of signal === undefined ? pieces : heeding(pieces, signal)) {
-    if (!isArrayOf(Uint8Array, piece)) throw noBytes("what it gives is no Uint8Array");
-    // Decoders of text take nothing that others may change meanwhile.
+  for await (const piece of signal === undefined ? pieces : cancellable(pieces, signal)) {
+    if (!isArrayOf(Uint8Array, piece)) throw unreadableSource("it yields a value that is not a Uint8Array");
+    // Copy bytes of shared memory: text decoders reject buffers that another thread could change.
     yield isA("ArrayBuffer", piece.buffer) ? piece : piece.slice();
-    if (breather.isDue) await breather.breathe();
+    if (yielder.isDue) await yielder.yield();
   }
 }
 
 type Pieces = AsyncIterable<Uint8Array> | Iterable<Uint8Array>;
 
-async function* heeding(pieces: Pieces, signal: AbortSignal): AsyncGenerator<Uint8Array, void> {
+async function* cancellable(pieces: Pieces, signal: AbortSignal): AsyncGenerator<Uint8Array, void> {
   const iterator =
     Symbol.asyncIterator in pieces ? pieces[Symbol.asyncIterator]() : pieces[Symbol.iterator]();
   let isOver = false;
@@ -46,13 +46,16 @@ async function* heeding(pieces: Pieces, signal: AbortSignal): AsyncGenerator<Uin
     }
   } finally {
     if (!isOver && !signal.aborted) await iterator.return?.();
-    // What was asked for may never come, and a generator ends no sooner.
-    else if (!isOver) letGo(pieces, iterator);
+    // The pending piece may never arrive, and a generator does not return before it does.
+    else if (!isOver) release(pieces, iterator);
   }
 }
 
-/** Without waiting for it. A stream of Node is destroyed: its iterator would end only with its next piece. */
-function letGo(pieces: Pieces, iterator: AsyncIterator<unknown> | Iterator<unknown>): void {
+/**
+ * Releases the source without waiting. A Node stream is destroyed, because its iterator returns only with its next
+ * piece.
+ */
+function release(pieces: Pieces, iterator: AsyncIterator<unknown> | Iterator<unknown>): void {
   if ("destroy" in pieces && typeof pieces.destroy === "function") (pieces.destroy as () => void)();
   Promise.resolve(iterator.return?.()).catch(() => undefined);
 }
@@ -60,14 +63,14 @@ function letGo(pieces: Pieces, iterator: AsyncIterator<unknown> | Iterator<unkno
 function rawPiecesOf(source: ByteSource): Pieces {
   if (isArrayOf(Uint8Array, source)) return cut(source);
   if (isBuffer(source)) {
-    if (isDetached(source)) throw noBytes("it was transferred");
+    if (isDetached(source)) throw unreadableSource("its buffer was transferred");
     return cut(new Uint8Array(source));
   }
   if (isBlob(source)) return fromStream(source.stream());
   return "getReader" in source ? fromStream(source) : source;
 }
 
-/** Throws a ReadFailure where this cannot be read from, as callers without type checks may give anything. */
+/** Throws a ReadFailure if `source` is not readable; callers without type checks may pass anything. */
 export function checkSource(source: unknown): asserts source is ByteSource {
   const isObject = typeof source === "object" && source !== null;
   const isSource =
@@ -79,23 +82,23 @@ export function checkSource(source: unknown): asserts source is ByteSource {
       "getReader" in source ||
       Symbol.asyncIterator in source ||
       Symbol.iterator in source);
-  if (!isSource) throw noBytes(`it is ${isObject ? "an object without bytes" : typeof source}`);
+  if (!isSource) throw unreadableSource(`it is ${isObject ? "an object without bytes" : typeof source}`);
 }
 
 function isBuffer(source: object): source is ArrayBuffer {
   return isA("ArrayBuffer", source);
 }
 
-/** By what it does: one of another realm, such as a frame's or a test environment's, has another constructor. */
+/** Tests by method: a Blob of another realm, such as a frame or a test environment, has another constructor. */
 function isBlob(source: object): source is Blob {
   return "stream" in source && typeof source.stream === "function";
 }
 
-function noBytes(why: string): ReadFailure {
+function unreadableSource(why: string): ReadFailure {
   return new ReadFailure({
     code: "invalid-argument",
-    message: `the source cannot be read: ${why}`,
-    remedy: "Give a Uint8Array, an ArrayBuffer, a Blob, or a stream or iterable of Uint8Arrays.",
+    message: `the source is not readable: ${why}`,
+    remedy: "Pass a Uint8Array, an ArrayBuffer, a Blob, or a stream or iterable of Uint8Arrays.",
   });
 }
 
@@ -105,7 +108,7 @@ function* cut(bytes: Uint8Array): Generator<Uint8Array, void> {
   }
 }
 
-/** Streams are not iterable in every browser. Whoever stops early cancels the stream. */
+/** Reads a stream by its reader, because not every browser can iterate streams. Stopping early cancels the stream. */
 function fromStream(stream: ReadableStream<Uint8Array>): AsyncIterable<Uint8Array> {
   return {
     [Symbol.asyncIterator]: () => {
@@ -121,7 +124,7 @@ function fromStream(stream: ReadableStream<Uint8Array>): AsyncIterable<Uint8Arra
   };
 }
 
-/** All bytes together, for formats whose parts refer to places further on. */
+/** Collects all bytes, for formats whose parts refer to later offsets. */
 export async function allBytes(source: ByteSource): Promise<Uint8Array> {
   if (isArrayOf(Uint8Array, source) && isA("ArrayBuffer", source.buffer)) return source;
   const pieces: Uint8Array[] = [];
@@ -140,13 +143,13 @@ export async function allBytes(source: ByteSource): Promise<Uint8Array> {
 }
 
 export interface Watch {
-  /** Called with the number of bytes so far, once per piece. */
+  /** Called after each piece with the number of bytes so far. */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting cancels the reading. */
+  /** Aborting it cancels reading. */
   readonly signal?: AbortSignal | undefined;
 }
 
-/** The same bytes of one file or several, with someone who watches them all go by. */
+/** Returns a function that wraps sources so that their bytes, of all files together, are reported to `onProgress`. */
 export function watcher({ onProgress, signal }: Watch): (source: ByteSource) => ByteSource {
   if (onProgress === undefined && signal === undefined) return (source) => source;
   let bytes = 0;

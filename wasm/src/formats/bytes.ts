@@ -1,9 +1,12 @@
 import { inPieces } from "./steps.js";
 
-/** What files are made of, in order; rows of numbers are made while they are written. Numbers stand in the machine's byte order. */
+/**
+ * Content of a file, in order. Rows of numbers are generated while they are written; numeric arrays are in the byte
+ * order of the machine.
+ */
 export type Part = string | ArrayBufferView | Iterable<Part>;
 
-/** The bytes of the parts, piece by piece. */
+/** Yields the bytes of the parts, piece by piece. */
 export function* piecesIn(parts: Iterable<Part>): Generator<Uint8Array, void> {
   const encoder = new TextEncoder();
   for (const part of parts) {
@@ -13,25 +16,25 @@ export function* piecesIn(parts: Iterable<Part>): Generator<Uint8Array, void> {
   }
 }
 
-/** All of them in one array. */
+/** Returns the bytes of all parts in one array. */
 export function joinBytes(parts: Iterable<Part>): Uint8Array<ArrayBuffer> {
   return joined([...piecesIn(parts)]);
 }
 
 export function joined(pieces: readonly Uint8Array[]): Uint8Array<ArrayBuffer> {
   const all = new Uint8Array(pieces.reduce((sum, { length }) => sum + length, 0));
-  let position = 0;
+  let end = 0;
   for (const piece of pieces) {
-    all.set(piece, position);
-    position += piece.length;
+    all.set(piece, end);
+    end += piece.length;
   }
   return all;
 }
 
-/** Whether the machine writes the low byte first; file headers say so. */
+/** Whether the machine stores the low byte first; file headers state it. */
 export const IS_LITTLE_ENDIAN = new Uint8Array(Uint16Array.of(1).buffer)[0] === 1;
 
-/** Unsigned 32-bit numbers as 64-bit ones, in the machine's byte order. */
+/** Returns unsigned 32-bit numbers as 64-bit numbers, in the byte order of the machine. */
 export function widened(values: ArrayLike<number>): Uint32Array {
   const low = IS_LITTLE_ENDIAN ? 0 : 1;
   const wide = new Uint32Array(2 * values.length);
@@ -47,7 +50,7 @@ export function bigEndianDoubles(values: Float64Array): Part {
   });
 }
 
-/** `first`: is added to each, for nodes that count from 1. */
+/** Writes `values` as 32-bit integers. `first` is added to each, for nodes numbered from 1. */
 export function bigEndianInts(values: ArrayLike<number>, first = 0): Part {
   return inPieces(values.length, (begin, end) => {
     const view = new DataView(new ArrayBuffer(4 * (end - begin)));

@@ -1,27 +1,27 @@
 /**
- * Boxes around the parts of a closed chain in the plane, in its order: what is near in the chain is near in the plane, so
- * that halves of halves of it make a tree without any sorting.
+ * Tree of bounding boxes over the items of a closed chain in the plane. Items that are neighbours in the chain are
+ * close in the plane, so repeated halving of the chain gives a good tree without sorting.
  */
 
-/** Items below the lowest boxes. */
+/** Number of items below a leaf. */
 const LEAF = 4;
-/** Numbers of a box: lowest x y, highest x y; where nothing is in it, the lowest are above the highest. */
+/** Numbers per box: lowest x y, highest x y. In an empty box the lowest exceed the highest. */
 const BOX = 4;
 export const EMPTY_BOX = [Infinity, Infinity, -Infinity, -Infinity] as const;
 
-/** How many comparisons are left; below 0 the work is given up. */
+/** Number of comparisons left; below 0 the operation gives up. */
 export interface Work {
   left: number;
 }
 
 export class ChainTree {
-  /** Per item. */
+  /** One box per item. */
   readonly #items: Float64Array;
-  /** Node n has the children 2 n and 2 n + 1; leaves are the last half. */
+  /** Boxes of the nodes. Node n has the children 2 n and 2 n + 1; the second half of the nodes are leaves. */
   readonly #nodes: Float64Array;
   readonly #leaves: number;
 
-  /** The boxes of the items, four numbers each, which become the tree's own. O(n). */
+  /** Builds the tree from four numbers per item. Takes ownership of `boxes`. O(n). */
   constructor(boxes: Float64Array) {
     this.#items = boxes;
     let leaves = 1;
@@ -31,14 +31,14 @@ export class ChainTree {
     for (let node = 2 * leaves - 1; node > 0; node--) this.#fit(node);
   }
 
-  /** Takes an item out. O(log n). */
+  /** Removes an item. O(log n). */
   drop(item: number): void {
     this.#items.set(EMPTY_BOX, BOX * item);
-    // As far up as it was at the edge of a box.
+    // Update the ancestors until one does not change.
     for (let node = this.#leaves + Math.floor(item / LEAF); node > 0 && this.#fit(node); node >>= 1);
   }
 
-  /** Whether some item whose box meets this one passes the test; also where work runs out. */
+  /** Returns whether an item whose box intersects `box` passes the test, or the work limit is reached. */
   someMeeting(box: Float64Array, work: Work, test: (item: number) => boolean): boolean {
     const visit = (node: number): boolean => {
       if (--work.left < 0) return true;
@@ -54,7 +54,7 @@ export class ChainTree {
     return visit(1);
   }
 
-  /** Whether two different items whose boxes meet pass the test; also where work runs out. */
+  /** Returns whether two different items whose boxes intersect pass the test, or the work limit is reached. */
   somePair(work: Work, test: (one: number, other: number) => boolean): boolean {
     const visit = (one: number, other: number): boolean => {
       if (--work.left < 0) return true;
@@ -66,7 +66,7 @@ export class ChainTree {
         visit(low, left) ||
         visit(high, right) ||
         visit(low, right) ||
-        // Of a node with itself each pair of its halves is met once.
+        // For a node paired with itself, visit each pair of its halves once.
         (one !== other && visit(high, left))
       );
     };
@@ -95,7 +95,7 @@ export class ChainTree {
     return [begin, Math.min(begin + LEAF, this.#items.length / BOX)];
   }
 
-  /** The box around what is below a node; whether that changed it. */
+  /** Recomputes the box of a node; returns whether it changed. */
   #fit(node: number): boolean {
     if (node < this.#leaves) return this.#fitAround(node, this.#nodes, 2 * node, 2 * node + 2);
     const [begin, end] = this.#itemsOf(node);

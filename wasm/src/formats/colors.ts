@@ -1,8 +1,8 @@
-/** Faces of one colour are a patch: in formats without names it is all that tells them apart. */
+/** Groups faces into patches by colour, in formats where colours are the only way to distinguish patches. */
 import type { ByteReader } from "./byte-reader.js";
 import type { GroupList } from "./mesh-builder.js";
 
-/** What is left of a line as numbers, up to four of them; what is no number ends them. */
+/** Reads up to four numbers from the rest of the line; stops at the first word that is not a number. */
 export function numbersInLine(reader: ByteReader): number[] {
   const numbers: number[] = [];
   for (let word = reader.wordInLine(); word !== "" && numbers.length < 4; word = reader.wordInLine()) {
@@ -13,7 +13,10 @@ export function numbersInLine(reader: ByteReader): number[] {
   return numbers;
 }
 
-/** The patch of a colour: red, green, blue and maybe more from 0 to 255, or, where one has a fraction, to 1. */
+/**
+ * Returns the patch of a colour. The colour is red, green, blue and optional further numbers, from 0 to 255, or
+ * from 0 to 1 if a component has a fraction. A single number is an index of a colour table.
+ */
 export function colorPatch(patches: GroupList, numbers: readonly number[]): number {
   const [red, green, blue] = numbers;
   if (red === undefined) return patches.of("surface", () => ({ name: "surface", tag: 1 }));
@@ -27,7 +30,7 @@ export function colorPatch(patches: GroupList, numbers: readonly number[]): numb
   return patches.named(hexOf(color), color);
 }
 
-/** "#ff8000". */
+/** Returns a colour as text such as "#ff8000". */
 export function hexOf(color: readonly number[]): string {
   return `#${color
     .map((value) =>

@@ -1,13 +1,13 @@
 import { tooManyNumbers } from "./read-result.js";
 
-/** Numbers collected one by one, in pages: growing moves nothing, and memory follows what was collected. */
+/** Collects numbers one by one in pages, so that growing copies nothing and memory use is proportional to the count. */
 
 type Numbers = Float64Array | Uint32Array;
 
 const PAGE_BITS = 13;
 const PAGE = 1 << PAGE_BITS;
-/** Positions are 32-bit numbers, the largest of which stands for none. */
-const MOST = 0xfffffffe;
+/** Indices are 32-bit numbers, the largest of which means "none". */
+const MAX_COUNT = 0xfffffffe;
 
 export class Column<T extends Numbers> {
   readonly #pages: T[] = [];
@@ -15,12 +15,12 @@ export class Column<T extends Numbers> {
   #filled = PAGE;
   readonly #type: new (length: number) => T;
 
-  readonly #most: number;
+  readonly #max: number;
 
-  /** Throws a ReadFailure where it should hold more than so many. */
-  constructor(type: new (length: number) => T, most = MOST) {
+  /** Throws a ReadFailure when more than `max` numbers are pushed. */
+  constructor(type: new (length: number) => T, max = MAX_COUNT) {
     this.#type = type;
-    this.#most = most;
+    this.#max = max;
     this.#last = new type(0);
   }
 
@@ -37,7 +37,7 @@ export class Column<T extends Numbers> {
     return this.#pages[index >>> PAGE_BITS]?.[index & (PAGE - 1)] ?? 0;
   }
 
-  /** All of them in one array; the column is empty afterwards. */
+  /** Returns all numbers in one array and empties the column. */
   taken(): T {
     const { length } = this;
     const all = new this.#type(length);
@@ -51,7 +51,7 @@ export class Column<T extends Numbers> {
   }
 
   #turnPage(): void {
-    if (this.length >= this.#most) throw tooManyNumbers(this.#most);
+    if (this.length >= this.#max) throw tooManyNumbers(this.#max);
     this.#last = new this.#type(PAGE);
     this.#pages.push(this.#last);
     this.#filled = 0;

@@ -1,16 +1,19 @@
-/** Numbers in the bytes of a text file, without making a string of each. */
+/** Parses decimal numbers in the bytes of a text file without creating a string for each. */
 
 const ZERO = 48;
 const PLUS = 43;
 const MINUS = 45;
 const POINT = 46;
-/** Whole numbers of so many digits are doubles, and so are the powers of ten below: one rounding is left. */
+/**
+ * Whole numbers of up to this many digits, and the powers of ten below, are exact doubles: only one rounding
+ * remains.
+ */
 const EXACT_DIGITS = 15;
 const POWERS = Float64Array.from({ length: 23 }, (_, i) => Number(`1e${i}`));
 
 /**
- * The double nearest to the decimal in bytes[begin..end), as `Number` reads it; NaN where it is none.
- * Short decimals are one exact quotient or product of doubles (Clinger 1990); others go to `Number`.
+ * Returns the double nearest to the decimal in bytes[begin..end), like `Number`; NaN if it is not a decimal. A
+ * short decimal is one exact quotient or product of doubles (Clinger 1990); any other is passed to `Number`.
  */
 export function decimalIn(bytes: Uint8Array, begin: number, end: number): number {
   let at = begin;
@@ -43,7 +46,7 @@ export function decimalIn(bytes: Uint8Array, begin: number, end: number): number
   return sign === MINUS ? -value : value;
 }
 
-/** The whole number behind an "e", of up to three digits; else NaN. */
+/** Parses an exponent of up to three digits, with its "e"; NaN if it is invalid. */
 function exponentIn(bytes: Uint8Array, begin: number, end: number): number {
   // "E" and "e" differ in one bit.
   if (((bytes[begin] ?? 0) | 32) !== 101) return NaN;
@@ -60,24 +63,24 @@ function exponentIn(bytes: Uint8Array, begin: number, end: number): number {
   return sign === MINUS ? -value : value;
 }
 
-/** As C and C++ write what is no number, or without bounds; undefined for any other word. */
+/** Parses the words that C and C++ write for NaN and infinities; undefined for any other word. */
 export function otherNumber(bytes: Uint8Array, begin: number, end: number): number | undefined {
-  const word = String.fromCharCode(...bytes.subarray(begin, Math.min(end, begin + LONGEST_OTHER)));
+  const word = String.fromCharCode(...bytes.subarray(begin, Math.min(end, begin + MAX_OTHER_LENGTH)));
   const [, sign, kind] = OTHER.exec(word) ?? [];
   if (kind === undefined) return undefined;
   return kind.toLowerCase().startsWith("nan") ? NaN : Number(`${sign}Infinity`);
 }
 
-/** One more than "-infinity" has; "nan(" may go on for long. */
-const LONGEST_OTHER = 10;
+/** One more than the length of "-infinity"; "nan(…" may be of any length. */
+const MAX_OTHER_LENGTH = 10;
 const OTHER = /^([+-]?)(nan|nan\(.*|inf|infinity)$/i;
 
-/** No decimal of use is longer: 767 digits decide every double. */
-const LONGEST = 1100;
+/** Longer words are rejected: 767 digits decide every double. */
+const MAX_DECIMAL_LENGTH = 1100;
 const DECIMAL = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 function slowly(bytes: Uint8Array, begin: number, end: number): number {
-  if (end - begin > LONGEST) return NaN;
+  if (end - begin > MAX_DECIMAL_LENGTH) return NaN;
   const text = String.fromCharCode(...bytes.subarray(begin, end));
   return DECIMAL.test(text) ? Number(text) : NaN;
 }

@@ -1,23 +1,23 @@
-/** Numbered items by their worth, the best first; of equal ones the lowest number. */
+/** Priority queue of numbered items: highest priority first; of equal priorities the lowest number. */
 
 export class EarQueue {
-  /** A heap (Williams 1964) of items as they were put; those put again stay in it, out of date. */
-  readonly #heap: { readonly item: number; readonly worth: number; readonly turn: number }[] = [];
+  /** Binary heap (Williams 1964) of all entries ever put; an entry is outdated if its item was put again. */
+  readonly #heap: { readonly item: number; readonly priority: number; readonly version: number }[] = [];
   /** Per item: how often it was put. */
-  readonly #turns: Uint32Array;
+  readonly #versions: Uint32Array;
 
   constructor(count: number) {
-    this.#turns = new Uint32Array(count);
+    this.#versions = new Uint32Array(count);
   }
 
-  /** In place of the item's earlier worth; only what is above 0 is ever taken. O(log n). */
-  put(item: number, worth: number): void {
-    const turn = (this.#turns[item] ?? 0) + 1;
-    this.#turns[item] = turn;
-    if (!(worth > 0)) return;
+  /** Sets the priority of an item. Items with a priority of 0 or less are never taken. O(log n). */
+  put(item: number, priority: number): void {
+    const version = (this.#versions[item] ?? 0) + 1;
+    this.#versions[item] = version;
+    if (!(priority > 0)) return;
     const heap = this.#heap;
     let at = heap.length;
-    const entry = { item, worth, turn };
+    const entry = { item, priority, version };
     for (heap.push(entry); at > 0;) {
       const above = (at - 1) >> 1;
       const other = heap[above] ?? entry;
@@ -28,11 +28,11 @@ export class EarQueue {
     heap[at] = entry;
   }
 
-  /** The best, which is in no more; undefined where there is none. */
+  /** Removes and returns the item of highest priority; undefined if the queue is empty. */
   take(): number | undefined {
     for (;;) {
       const first = this.#pop();
-      if (first === undefined || this.#turns[first.item] === first.turn) return first?.item;
+      if (first === undefined || this.#versions[first.item] === first.version) return first?.item;
     }
   }
 
@@ -58,9 +58,9 @@ export class EarQueue {
 
 interface Ranked {
   readonly item: number;
-  readonly worth: number;
+  readonly priority: number;
 }
 
 function isBefore(one: Ranked, other: Ranked): boolean {
-  return one.worth !== other.worth ? one.worth > other.worth : one.item < other.item;
+  return one.priority !== other.priority ? one.priority > other.priority : one.item < other.item;
 }

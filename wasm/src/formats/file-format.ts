@@ -1,4 +1,7 @@
-/** What a file format is to the rest of the package. Each has one file, named after it, and one row in file-formats.ts. */
+/**
+ * Interface between a file format and the rest of the package. Each format has one file, named after it, and one
+ * entry in file-formats.ts.
+ */
 import type { Diagnostic } from "../api/types.js";
 import type { Part } from "./bytes.js";
 import type { ByteSource } from "./byte-source.js";
@@ -7,66 +10,75 @@ import type { FileMesh } from "./file-mesh.js";
 /** Triangles, or tetrahedra with their boundary. */
 export type Contents = "surface" | "volume";
 
-/** A name and what is to be in it, made while it is written. */
+/** Name of a file, and its content, generated while it is written. */
 export interface FileParts {
   readonly fileName: string;
   readonly parts: Iterable<Part>;
 }
 
-/** One of the files that a mesh becomes: most formats have one, some several. */
+/** One of the files of a written mesh: most formats have one, some have several. */
 export interface WrittenFile {
   readonly fileName: string;
   readonly bytes: Uint8Array<ArrayBuffer>;
-  /** What the format has no place for and is not in the file, in sentences; with the first of several files. */
+  /** One diagnostic per kind of content that the format cannot store; attached to the first file. */
   readonly notes: readonly Diagnostic[];
 }
 
-/** Takes what a writer leaves out, as a sentence. */
+/** Receives a sentence about content that a writer leaves out. */
 export type Note = (message: string) => void;
 
-/** The files beside the one that is read, by name; undefined where there is none. */
+/** Opens a file next to the one being read, by name; undefined if there is none. */
 export type OpenOther = (fileName: string) => Promise<ByteSource | undefined>;
 
-/** What a reader knows beside the bytes. */
+/** Input of a reader besides the bytes. */
 export interface ReadContext {
   readonly fileName: string;
   readonly openOther: OpenOther;
-  /** Heard between the steps of work on bytes that were read; readers of pieces hear it by their source. */
+  /** Checked between two slices of work after the bytes were read; readers of pieces are cancelled by their source. */
   readonly signal?: AbortSignal | undefined;
-  /** For readers with an `arrival`: told the share that is done, 0 to 1, of the work that comes behind it. */
+  /**
+   * For readers with an `arrival`: called with the fraction, 0 to 1, of the work that follows the arrival of the
+   * bytes.
+   */
   readonly onWork?: ((fraction: number) => void) | undefined;
 }
 
-/** Rejects with an Error where the file cannot be read; `readMesh` gives code, place and remedy as a result. */
+/**
+ * Rejects with an Error if the file cannot be read; `readMesh` turns it into a result with code, location and
+ * remedy.
+ */
 export type MeshReader = (source: ByteSource, context: ReadContext) => Promise<FileMesh>;
-/** Gives the files of a mesh; the first has the name given. Throws a MesherError where the format cannot hold it. */
+/**
+ * Returns the files of a mesh; the first has the given name. Throws a MesherError if the format cannot hold the
+ * mesh.
+ */
 export type MeshWriter = (mesh: FileMesh, fileName: string, note: Note) => readonly FileParts[];
 
-/** What reads and writes a format, once it is fetched. */
+/** Code of a format, loaded on demand. */
 export interface FormatCode {
   readonly read?: MeshReader;
   readonly write?: MeshWriter;
   /**
-   * Of readers that gather all bytes first: the share of the whole work that is done then, for the progress. They tell
-   * of the rest by `onWork`.
+   * For readers that collect all bytes first: the fraction of the total work done by then. They report the rest to
+   * `onWork`.
    */
   readonly arrival?: number;
-  /** How often the writer goes through the nodes and elements, roughly, where that is not about four times: its progress is estimated by that. */
+  /** Approximate number of passes of the writer over nodes and elements, for the progress estimate; 4 if omitted. */
   readonly passes?: number;
 }
 
-/** One format of files, as `FILE_FORMATS` lists it. */
+/** File format, as listed in `FILE_FORMATS`. */
 export interface FileFormat {
-  /** Short and stable, e.g. "gmsh2". */
+  /** Short and stable, for example "gmsh2". */
   readonly id: string;
-  /** As people call it, e.g. "Gmsh 2.2". */
+  /** Name for users, for example "Gmsh 2.2". */
   readonly name: string;
-  /** In lower case with their dots; the first is the usual one. No two formats share one. */
+  /** In lower case, with their dots; the first is the usual one. No two formats share an extension. */
   readonly extensions: readonly [string, ...string[]];
-  /** Extensions of the files that a mesh is spread over, beside the one that is named. */
-  readonly beside?: readonly string[];
-  readonly reads: readonly Contents[];
-  readonly writes: readonly Contents[];
-  /** The code of the format, fetched when it is first needed. */
+  /** Extensions of all files of a mesh, for formats that use several files. */
+  readonly companions?: readonly string[];
+  readonly readable: readonly Contents[];
+  readonly writable: readonly Contents[];
+  /** Loads the code of the format on first use. */
   readonly load: () => Promise<FormatCode>;
 }

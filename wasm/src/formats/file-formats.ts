@@ -1,12 +1,12 @@
 /**
- * The file formats, one row each: the only place where a format is registered. Command line, app and
- * documents take names and extensions from here; the code of a format is fetched when it is first needed.
+ * The list of file formats: the only place where a format is registered. The command line, the app and the
+ * documents take names and extensions from here. The code of a format is loaded on first use.
  */
 import { aString, checkArgument, oneOf } from "../base/argument-checks.js";
 import type { Part } from "./bytes.js";
 import type { Contents, FileFormat, FormatCode, MeshWriter, Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { heldOf, type Held } from "./held.js";
+import { fitToFormat, type FormatLimits } from "./format-limits.js";
 
 /** Every format that can be read or written. */
 export const FILE_FORMATS: readonly FileFormat[] = [
@@ -14,82 +14,82 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "stl",
     name: "STL",
     extensions: [".stl"],
-    reads: ["surface"],
-    writes: ["surface"],
+    readable: ["surface"],
+    writable: ["surface"],
     load: async () => ({
       read: (await import("./stl.js")).readStl,
-      write: one((await import("./stl-writer.js")).writeStl),
+      write: singleFile((await import("./stl-writer.js")).writeStl),
     }),
   },
   {
     id: "off",
     name: "OFF",
     extensions: [".off"],
-    reads: ["surface"],
-    writes: ["surface"],
+    readable: ["surface"],
+    writable: ["surface"],
     load: async () => ({
       read: (await import("./off.js")).readOff,
-      write: one((await import("./off-writer.js")).writeOff, { lowestTag: 0 }),
+      write: singleFile((await import("./off-writer.js")).writeOff, { minTag: 0 }),
     }),
   },
   {
     id: "obj",
     name: "OBJ",
     extensions: [".obj"],
-    reads: ["surface"],
-    writes: ["surface"],
+    readable: ["surface"],
+    writable: ["surface"],
     load: async () => ({
       read: (await import("./obj.js")).readObj,
-      write: one((await import("./obj-writer.js")).writeObj),
+      write: singleFile((await import("./obj-writer.js")).writeObj),
     }),
   },
   {
     id: "ply",
     name: "PLY",
     extensions: [".ply"],
-    reads: ["surface"],
-    writes: ["surface"],
+    readable: ["surface"],
+    writable: ["surface"],
     load: async () => ({
       read: (await import("./ply.js")).readPly,
-      write: one((await import("./ply-writer.js")).writePly, { lowestTag: 0 }),
+      write: singleFile((await import("./ply-writer.js")).writePly, { minTag: 0 }),
     }),
   },
   {
     id: "glb",
     name: "glTF binary",
     extensions: [".glb"],
-    reads: [],
-    writes: ["surface"],
-    load: async () => ({ write: one((await import("./glb.js")).writeGlb) }),
+    readable: [],
+    writable: ["surface"],
+    load: async () => ({ write: singleFile((await import("./glb.js")).writeGlb) }),
   },
   {
     id: "vtu",
     name: "VTU",
     extensions: [".vtu"],
-    reads: ["surface", "volume"],
-    writes: ["volume"],
+    readable: ["surface", "volume"],
+    writable: ["volume"],
     load: async () => ({
       ...(await vtkXml()),
-      write: one((await import("./vtu.js")).writeVtu, { lowestTag: 0, takesData: () => true }),
+      write: singleFile((await import("./vtu.js")).writeVtu, { minTag: 0, canHoldData: () => true }),
     }),
   },
   {
     id: "vtp",
     name: "VTP",
     extensions: [".vtp"],
-    reads: ["surface"],
-    writes: [],
+    readable: ["surface"],
+    writable: [],
     load: vtkXml,
   },
   {
     id: "gmsh",
     name: "Gmsh 4.1",
     extensions: [".msh"],
-    reads: ["surface", "volume"],
-    writes: ["volume"],
+    readable: ["surface", "volume"],
+    writable: ["volume"],
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
-      write: one((await import("./msh.js")).writeMsh, { lowestTag: 1, takesData: isGmshData }),
+      write: singleFile((await import("./msh.js")).writeMsh, GMSH_LIMITS),
       passes: 11,
     }),
   },
@@ -97,24 +97,24 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "gmsh2",
     name: "Gmsh 2.2",
     extensions: [".msh2"],
-    reads: ["surface", "volume"],
-    writes: ["volume"],
+    readable: ["surface", "volume"],
+    writable: ["volume"],
     load: async () => ({
       read: (await import("./msh-reader.js")).readMsh,
-      write: one((await import("./msh2.js")).writeMsh2, { lowestTag: 1, takesData: isGmshData }),
+      write: singleFile((await import("./msh2.js")).writeMsh2, GMSH_LIMITS),
     }),
   },
   {
     id: "vtk",
     name: "legacy VTK",
     extensions: [".vtk"],
-    reads: ["surface", "volume"],
-    writes: ["volume"],
+    readable: ["surface", "volume"],
+    writable: ["volume"],
     load: async () => ({
       read: (await import("./vtk-reader.js")).readVtk,
-      write: one((await import("./vtk.js")).writeVtk, {
-        lowestTag: 0,
-        takesData: (components) => components <= 9,
+      write: singleFile((await import("./vtk.js")).writeVtk, {
+        minTag: 0,
+        canHoldData: (components) => components <= 9,
       }),
     }),
   },
@@ -122,11 +122,11 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "medit",
     name: "Medit",
     extensions: [".mesh"],
-    reads: ["surface", "volume"],
-    writes: ["volume"],
+    readable: ["surface", "volume"],
+    writable: ["volume"],
     load: async () => ({
       read: (await import("./medit-reader.js")).readMedit,
-      write: one((await import("./medit.js")).writeMedit, { lowestTag: 0 }),
+      write: singleFile((await import("./medit.js")).writeMedit, { minTag: 0 }),
       passes: 2,
     }),
   },
@@ -134,45 +134,48 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "su2",
     name: "SU2",
     extensions: [".su2"],
-    reads: [],
-    writes: ["volume"],
-    load: async () => ({ write: one((await import("./su2.js")).writeSu2), passes: 12 }),
+    readable: [],
+    writable: ["volume"],
+    load: async () => ({ write: singleFile((await import("./su2.js")).writeSu2), passes: 12 }),
   },
   {
     id: "abaqus",
     name: "Abaqus",
     extensions: [".inp"],
-    reads: [],
-    writes: ["volume"],
-    load: async () => ({ write: one((await import("./abaqus.js")).writeAbaqus), passes: 9 }),
+    readable: [],
+    writable: ["volume"],
+    load: async () => ({ write: singleFile((await import("./abaqus.js")).writeAbaqus), passes: 9 }),
   },
   {
     id: "nastran",
     name: "Nastran",
     extensions: [".bdf", ".nas"],
-    reads: [],
-    writes: ["volume"],
+    readable: [],
+    writable: ["volume"],
     load: async () => {
       const { NASTRAN_NUMBERS, writeNastran } = await import("./nastran.js");
-      return { write: one(writeNastran, NASTRAN_NUMBERS) };
+      return { write: singleFile(writeNastran, NASTRAN_NUMBERS) };
     },
   },
   {
     id: "ugrid",
     name: "UGRID",
     extensions: [".ugrid"],
-    reads: [],
-    writes: ["volume"],
-    load: async () => ({ write: one((await import("./ugrid.js")).writeUgrid, { lowestTag: 1 }), passes: 12 }),
+    readable: [],
+    writable: ["volume"],
+    load: async () => ({
+      write: singleFile((await import("./ugrid.js")).writeUgrid, { minTag: 1 }),
+      passes: 12,
+    }),
   },
   {
     id: "ugrid-binary",
     name: "UGRID binary",
     extensions: [".b8.ugrid"],
-    reads: [],
-    writes: ["volume"],
+    readable: [],
+    writable: ["volume"],
     load: async () => ({
-      write: one((await import("./ugrid.js")).writeUgridBinary, { lowestTag: 1 }),
+      write: singleFile((await import("./ugrid.js")).writeUgridBinary, { minTag: 1 }),
       passes: 14,
     }),
   },
@@ -180,20 +183,20 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "openfoam",
     name: "OpenFOAM",
     extensions: [".foam.zip"],
-    reads: [],
-    writes: ["volume"],
-    load: async () => ({ write: one((await import("./openfoam.js")).writeOpenFoam), passes: 32 }),
+    readable: [],
+    writable: ["volume"],
+    load: async () => ({ write: singleFile((await import("./openfoam.js")).writeOpenFoam), passes: 32 }),
   },
   {
     id: "tetgen",
     name: "TetGen",
     extensions: [".node", ".ele"],
-    beside: [".node", ".ele", ".face"],
-    reads: ["volume"],
-    writes: ["volume"],
+    companions: [".node", ".ele", ".face"],
+    readable: ["volume"],
+    writable: ["volume"],
     load: async () => ({
       read: (await import("./tetgen-reader.js")).readTetgen,
-      write: holding({ lowestTag: 0 }, (await import("./tetgen.js")).writeTetgen),
+      write: withLimits({ minTag: 0 }, (await import("./tetgen.js")).writeTetgen),
       passes: 2,
     }),
   },
@@ -201,10 +204,10 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "tetgen-zip",
     name: "TetGen zip",
     extensions: [".tetgen.zip"],
-    reads: [],
-    writes: ["volume"],
+    readable: [],
+    writable: ["volume"],
     load: async () => ({
-      write: one((await import("./tetgen.js")).writeTetgenZip, { lowestTag: 0 }),
+      write: singleFile((await import("./tetgen.js")).writeTetgenZip, { minTag: 0 }),
       passes: 6,
     }),
   },
@@ -212,16 +215,16 @@ export const FILE_FORMATS: readonly FileFormat[] = [
     id: "tetgen-surface",
     name: "TetGen surface",
     extensions: [".smesh", ".poly", ".face"],
-    beside: [".node"],
-    reads: ["surface"],
-    writes: [],
+    companions: [".node"],
+    readable: ["surface"],
+    writable: [],
     load: async () => ({ read: (await import("./tetgen-reader.js")).readTetgen }),
   },
 ];
 
 /**
- * The format that the name of a file tells by its end; the longest that fits, in capitals or not. Throws a `MesherError`
- * where it is no name.
+ * Returns the format of a file by its extension, ignoring case; the longest matching extension decides. Throws a
+ * `MesherError` if `fileName` is not a string.
  */
 export function formatOf(fileName: string): FileFormat | undefined {
   checkArgument("fileName", fileName, aString);
@@ -229,7 +232,7 @@ export function formatOf(fileName: string): FileFormat | undefined {
   return FILE_FORMATS.find(({ extensions }) => extensions.includes(end));
 }
 
-/** The end of a file name that tells its format, else what follows its last dot, in lower case with its dot. */
+/** Returns the extension that decides the format, else the text from the last dot on; in lower case, with its dot. */
 export function extensionOf(fileName: string): string {
   const name = fileName.toLowerCase();
   const known = FILE_FORMATS.flatMap(({ extensions }) => extensions)
@@ -238,21 +241,25 @@ export function extensionOf(fileName: string): string {
   return known[0] ?? /\.[^./\\]+$/.exec(name)?.[0] ?? "";
 }
 
-/** The files of a mesh in the format of this name, which is the first: mostly it is the only one. */
+/** Returns the files of a mesh of this name: the given one first, then its companions in formats of several files. */
 export function filesOf(fileName: string): readonly string[] {
   const end = extensionOf(fileName);
   const stem = fileName.slice(0, fileName.length - end.length);
-  const others = formatOf(fileName)?.beside?.filter((extension) => extension !== end) ?? [];
+  const others = formatOf(fileName)?.companions?.filter((extension) => extension !== end) ?? [];
   return [fileName, ...others.map((extension) => stem + extension)];
 }
 
-/** Extensions of the formats from which such meshes can be read, or as which they can be written. */
-export function extensionsThat(can: "reads" | "writes", contents: Contents): readonly string[] {
-  checkArgument("can", can, oneOf(["reads", "writes"]));
+/**
+ * Extensions of the formats that can read, or write, surfaces or volumes. Throws a `MesherError` for other
+ * arguments.
+ */
+export function extensionsFor(action: "read" | "write", contents: Contents): readonly string[] {
+  checkArgument("action", action, oneOf(["read", "write"]));
   checkArgument("contents", contents, oneOf(["surface", "volume"]));
-  return FILE_FORMATS.filter((format) => format[can].includes(contents)).flatMap(
-    ({ extensions }) => extensions,
+  const formats = FILE_FORMATS.filter(({ readable, writable }) =>
+    (action === "read" ? readable : writable).includes(contents),
   );
+  return formats.flatMap(({ extensions }) => extensions);
 }
 
 async function vtkXml(): Promise<FormatCode> {
@@ -260,19 +267,24 @@ async function vtkXml(): Promise<FormatCode> {
   return { read: readVtkXml, arrival: ARRIVAL };
 }
 
-/** Scalars, vectors and tensors. */
-function isGmshData(components: number): boolean {
-  return [1, 3, 9].includes(components);
-}
+/**
+ * Gmsh permits a patch and a region with one tag, but programs that read its files look tags up without the dimension.
+ * Node values are scalars, vectors or tensors.
+ */
+const GMSH_LIMITS: FormatLimits = {
+  minTag: 1,
+  hasSharedTags: true,
+  canHoldData: (components) => [1, 3, 9].includes(components),
+};
 
-/** For formats of one file. */
-function one(
+/** Makes a writer of a single file. */
+function singleFile(
   write: (mesh: FileMesh, note: Note, fileName: string) => Iterable<Part>,
-  held: Held = {},
+  limits: FormatLimits = {},
 ): MeshWriter {
-  return holding(held, (mesh, fileName, note) => [{ fileName, parts: write(mesh, note, fileName) }]);
+  return withLimits(limits, (mesh, fileName, note) => [{ fileName, parts: write(mesh, note, fileName) }]);
 }
 
-function holding(held: Held, write: MeshWriter): MeshWriter {
-  return (mesh, fileName, note) => write(heldOf(mesh, held, note), fileName, note);
+function withLimits(limits: FormatLimits, write: MeshWriter): MeshWriter {
+  return (mesh, fileName, note) => write(fitToFormat(mesh, limits, note), fileName, note);
 }

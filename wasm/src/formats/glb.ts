@@ -1,6 +1,6 @@
 /**
- * glTF 2.0 as one binary file (GLB): the boundary with one primitive and material per patch, named after it.
- * Coordinates are float32, as the format has it, and the axes are those of the mesh.
+ * Writes glTF 2.0 as a binary file (GLB): the boundary, with one primitive and material per patch, named after the
+ * patch. Coordinates are float32, as the format requires; the axes are those of the mesh.
  */
 import { boundaryOf, colorsOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
@@ -13,29 +13,29 @@ const MAGIC = 0x46546c67;
 const VERSION = 2;
 const JSON_CHUNK = 0x4e4f534a;
 const BINARY_CHUNK = 0x004e4942;
-/** OpenGL's numbers: what a buffer is for, and what its numbers are. */
+/** OpenGL constants: the purpose of a buffer, and the type of its numbers. */
 const ARRAY_BUFFER = 34962;
 const ELEMENT_ARRAY_BUFFER = 34963;
 const FLOAT = 5126;
 const UNSIGNED_INT = 5125;
 
-/** The bytes of a GLB file. A surface without triangles is a scene without a mesh. */
+/** Returns the bytes of a GLB file. A surface without triangles becomes a scene without a mesh. */
 export function* writeGlb(mesh: FileMesh, note: Note): Generator<Part, void> {
   const surface = yield* boundaryOf(mesh);
   yield* noteMerged(surface.points, note);
   const groups = yield* patchGroups(surface, { note });
-  const places = littleEndian(surface.points, (view, at, value) => view.setFloat32(at, value, true));
+  const positions = littleEndian(surface.points, (view, at, value) => view.setFloat32(at, value, true));
   const indices = groups.map(({ nodes }) =>
     littleEndian(nodes, (view, at, value) => view.setUint32(at, value, true)),
   );
   const json = padded(JSON.stringify(description(surface, groups)));
-  const length = [places, ...indices].reduce((sum, part) => sum + part.byteLength, 0);
+  const length = [positions, ...indices].reduce((sum, part) => sum + part.byteLength, 0);
   const hasBinary = length > 0;
   yield [
     words(MAGIC, VERSION, 12 + 8 + json.length + (hasBinary ? 8 + length : 0)),
     words(json.length, JSON_CHUNK),
     json,
-    ...(hasBinary ? [words(length, BINARY_CHUNK), places, ...indices] : []),
+    ...(hasBinary ? [words(length, BINARY_CHUNK), positions, ...indices] : []),
   ];
 }
 
@@ -44,9 +44,9 @@ function description(surface: FileMesh, groups: readonly Group[]): object {
   if (groups.length === 0) return { asset, scene: 0, scenes: [{}] };
   const used = usedGroups(surface.trianglePatch, surface.patches);
   const colors = colorsOf(surface).filter((_, patch) => used.has(patch));
-  const placeBytes = 4 * surface.points.length;
+  const positionBytes = 4 * surface.points.length;
   const counts = groups.map(({ nodes }) => nodes.length);
-  let end = placeBytes;
+  let end = positionBytes;
   const begins = counts.map((count) => (end += 4 * count) - 4 * count);
   return {
     asset,
@@ -83,7 +83,7 @@ function description(surface: FileMesh, groups: readonly Group[]): object {
       })),
     ],
     bufferViews: [
-      { buffer: 0, byteOffset: 0, byteLength: placeBytes, target: ARRAY_BUFFER },
+      { buffer: 0, byteOffset: 0, byteLength: positionBytes, target: ARRAY_BUFFER },
       ...counts.map((count, g) => ({
         buffer: 0,
         byteOffset: begins[g],
@@ -95,7 +95,7 @@ function description(surface: FileMesh, groups: readonly Group[]): object {
   };
 }
 
-/** As float32, which the numbers in the file are. */
+/** Rounded to float32, like the coordinates in the file. */
 function extent(points: Float64Array): { min: number[]; max: number[] } {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
@@ -106,7 +106,7 @@ function extent(points: Float64Array): { min: number[]; max: number[] } {
   return { min, max };
 }
 
-/** Four bytes per value. */
+/** Packs values of four bytes each. */
 function littleEndian(
   values: Float64Array | Uint32Array,
   set: (view: DataView, at: number, value: number) => void,
@@ -120,7 +120,7 @@ function words(...values: number[]): DataView {
   return littleEndian(Uint32Array.from(values), (view, at, value) => view.setUint32(at, value, true));
 }
 
-/** Chunks are multiples of four bytes; JSON is filled with blanks. */
+/** Pads JSON with blanks: the size of a chunk is a multiple of four bytes. */
 function padded(json: string): Uint8Array {
   const bytes = new TextEncoder().encode(json);
   const filled = new Uint8Array(4 * Math.ceil(bytes.length / 4)).fill(32);

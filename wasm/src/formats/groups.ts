@@ -1,9 +1,9 @@
-/** Triangles by patch and tetrahedra by region, with names: what other programs put conditions on. */
+/** Triangles by patch and tetrahedra by region, with names: the groups that other programs assign conditions to. */
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { stepwise, type Steps } from "./steps.js";
 
-/** With Gmsh's numbers of element types; its node order is ours. */
+/** Gmsh's element types; its node order equals ours. */
 export const TRIANGLE = { type: 2, dimension: 2, nodes: 3 } as const;
 export const TETRAHEDRON = { type: 4, dimension: 3, nodes: 4 } as const;
 export type ElementKind = typeof TRIANGLE | typeof TETRAHEDRON;
@@ -11,29 +11,39 @@ export type ElementKind = typeof TRIANGLE | typeof TETRAHEDRON;
 /** Elements of one entity, in the order of the mesh. */
 export interface Group {
   readonly kind: ElementKind;
-  /** As `heldOf` leaves it: the only one of its kind with it. */
+  /** Unique among the groups of its kind, by `fitToFormat`. */
   readonly tag: number;
-  /** The only one of its kind with it; without quotes and line ends. */
+  /** Unique among the groups of its kind; without quotes and line ends. */
   readonly name: string;
-  /** Node positions of all its elements. */
+  /** Node indices of all its elements. */
   readonly nodes: Uint32Array;
 }
 
-/** What a format asks of names. */
+/** Requirements of a format on names. */
 export interface Naming {
-  /** Writes a name as the format can; never the same for two names that end in different numbers. */
-  readonly plain?: (name: string) => string;
-  /** In bytes of UTF-8, before `plain`: longer names lose their ends. */
-  readonly longest?: number;
-  /** Whether capitals and small letters are the same to it. */
-  readonly isCaseless?: boolean;
-  /** Is told of names that are written otherwise than they were given. */
+  /** Converts a name to permitted characters. Names with different trailing numbers must stay different. */
+  readonly toPlain?: (name: string) => string;
+  /** Largest number of UTF-8 bytes before `toPlain`; longer names are truncated. */
+  readonly maxBytes?: number;
+  /** Whether the format ignores the case of letters. */
+  readonly isCaseInsensitive?: boolean;
+  /** Receives a sentence about names that were changed. */
   readonly note?: Note;
 }
 
+/** Returns groups with the given names, or named "word 1", "word 2", …, with tags from 1. */
+export function numbered(word: string, count: number, names: readonly string[] = []): FileGroup[] {
+  return Array.from({ length: count }, (_, i) => ({ name: names[i] ?? `${word} ${i + 1}`, tag: i + 1 }));
+}
+
+/** Returns the number of groups that the indices refer to: the largest index plus 1. */
+export function countOf(indices: Uint32Array): number {
+  return indices.reduce((count, index) => Math.max(count, index + 1), 0);
+}
+
 /**
- * The positions of groups that own an element, in order. O(n), and some hundred times faster than a set made of the
- * owners, one by one.
+ * Returns the indices of the groups that own an element, in ascending order. O(n), and about a hundred times faster
+ * than a set built from the owners one by one.
  */
 export function usedGroups(owners: Uint32Array, groups: readonly FileGroup[]): ReadonlySet<number> {
   const isUsed = new Uint8Array(groups.length);
@@ -41,17 +51,17 @@ export function usedGroups(owners: Uint32Array, groups: readonly FileGroup[]): R
   return new Set(groups.flatMap((_, g) => (isUsed[g] === 1 ? [g] : [])));
 }
 
-/** The triangles by patch; patches without triangles get no group. O(n). */
+/** Returns the triangles by patch; patches without triangles have no group. O(n). */
 export function patchGroups(mesh: FileMesh, naming?: Naming): Steps<Group[]> {
   return groupsOf(TRIANGLE, mesh.triangles, mesh.trianglePatch, mesh.patches, "patch", naming);
 }
 
-/** The tetrahedra by region, as `patchGroups`. */
+/** Returns the tetrahedra by region; regions without tetrahedra have no group. O(n). */
 export function regionGroups(mesh: FileMesh, naming?: Naming): Steps<Group[]> {
   return groupsOf(TETRAHEDRON, mesh.tetrahedra, mesh.tetrahedronRegion, mesh.regions, "region", naming);
 }
 
-/** Splits elements by owner, keeping their order. */
+/** Splits elements by owner; the order is kept. */
 function* groupsOf(
   kind: ElementKind,
   nodes: Uint32Array,
@@ -77,36 +87,36 @@ function* groupsOf(
     if (own.length === 0) return [];
     const group = groups[owner] ?? { name: "", tag: 0 };
     const name = uniqueName(group.name, `${word} ${owner + 1}`, taken, naming);
-    if (name !== group.name && !isPlain(group)) changed.push(`"${group.name}" as "${name}"`);
+    if (name !== group.name && !hasGenericName(group)) changed.push(`"${group.name}" as "${name}"`);
     return [{ kind, tag: group.tag, name, nodes: own }];
   });
   if (changed.length > 0) {
     naming.note?.(
-      `names of ${word === "patch" ? "patches" : "regions"} are written as the format takes them: ${listed(changed)}`,
+      `names of ${word === "patch" ? "patches" : "regions"} changed to what the format permits: ${listed(changed)}`,
     );
   }
   return named;
 }
 
-/** In a note no more than these are named: a mesh may have as many groups as triangles. */
-const MOST_NAMED = 10;
+/** Largest number of names in a message: a mesh may have as many groups as triangles. */
+const MAX_LISTED = 10;
 
-/** "a, b and 3 more". */
+/** Joins items for a message: "a, b and 3 more". */
 export function listed(items: readonly string[]): string {
-  const more = items.length - MOST_NAMED;
-  return `${items.slice(0, MOST_NAMED).join(", ")}${more > 0 ? ` and ${more} more` : ""}`;
+  const more = items.length - MAX_LISTED;
+  return `${items.slice(0, MAX_LISTED).join(", ")}${more > 0 ? ` and ${more} more` : ""}`;
 }
 
 function uniqueName(
   given: string | undefined,
   otherwise: string,
   taken: Set<string>,
-  { plain = (name) => name, longest = Infinity, isCaseless = false }: Naming,
+  { toPlain = (name) => name, maxBytes = Infinity, isCaseInsensitive = false }: Naming,
 ): string {
   const own = (given ?? "").replace(/["\r\n]/g, "'").trim();
   const named = (begin: string, end: string): string =>
-    plain(shortened(begin, longest - utf8.encode(end).length) + end);
-  const key = (name: string): string => (isCaseless ? name.toLowerCase() : name);
+    toPlain(shortened(begin, maxBytes - utf8.encode(end).length) + end);
+  const key = (name: string): string => (isCaseInsensitive ? name.toLowerCase() : name);
   let name = own === "" ? named("", otherwise) : named(own, "");
   for (let copy = 1; taken.has(key(name)); copy++) {
     name = named(own, copy === 1 ? ` (${otherwise})` : ` (${otherwise}) ${copy}`);
@@ -117,25 +127,27 @@ function uniqueName(
 
 const utf8 = new TextEncoder();
 
-/** As much of a text as fits into so many bytes, without half characters. */
+/** Returns the longest prefix of a text that fits into the given number of UTF-8 bytes. */
 export function shortened(text: string, bytes: number): string {
   if (utf8.encode(text).length <= bytes) return text;
   return text.slice(0, utf8.encodeInto(text, new Uint8Array(bytes)).read).trimEnd();
 }
 
-/** A name that says no more than the number does. */
-export function isPlain({ name, tag }: FileGroup): boolean {
+/** Returns whether a group's name carries no more information than its tag. */
+export function hasGenericName({ name, tag }: FileGroup): boolean {
   return (
     ["", "surface", String(tag)].includes(name) || /^(patch|shell|region|boundary|entity) \d+$/.test(name)
   );
 }
 
-/** For formats without a place for names. `numbers`: what the file has instead. */
+/** Reports the names that a format without names drops. `tags`: the numbers written to the file. */
 export function noteNames(
   groups: readonly FileGroup[],
   note: Note,
   numbers = groups.map(({ tag }) => tag),
 ): void {
-  const named = groups.flatMap((group, g) => (isPlain(group) ? [] : [`${numbers[g]} for "${group.name}"`]));
-  if (named.length > 0) note(`names are left out, their numbers stand for them: ${listed(named)}`);
+  const named = groups.flatMap((group, g) =>
+    hasGenericName(group) ? [] : [`${numbers[g]} for "${group.name}"`],
+  );
+  if (named.length > 0) note(`names are left out; in the file, their numbers are: ${listed(named)}`);
 }

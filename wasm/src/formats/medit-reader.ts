@@ -1,6 +1,6 @@
 /**
- * Reads Medit `.mesh` files (text): triangles and quadrilaterals with their reference as patch, tetrahedra
- * with theirs as region. Edges, corners, normals and the like are passed over.
+ * Reads Medit `.mesh` files (text): triangles and quadrilaterals with their reference as patch, tetrahedra with
+ * their reference as region. Other sections, such as edges, corners and normals, are skipped.
  */
 import { ByteReader } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
@@ -9,9 +9,9 @@ import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
-const REMEDY = "Save the mesh again as a Medit file in text form, with triangles or linear tetrahedra.";
+const REMEDY = "Save the mesh again as a Medit text file with triangles or linear tetrahedra.";
 
-/** Passed over: numbers up to the next word, so many per entry as the program that wrote them knows. */
+/** Sections to skip: numbers up to the next word. Their count per entry depends on the program that wrote the file. */
 const SKIPPED = new Set([
   ...["edges", "corners", "ridges", "tangents", "normals", "boundingbox", "angleofcornerbound"],
   ...["requiredvertices", "requirededges", "requiredtriangles", "requiredquadrilaterals"],
@@ -27,13 +27,13 @@ const SKIPPED = new Set([
   ...["paralleltriangles", "parallelvertices", "iterations", "time", "solatvertices", "solatedges"],
   ...["solattriangles", "solattetrahedra", "solatquadrilaterals", "domain", "incidents", "version"],
 ]);
-/** Elements that are not linear triangles and tetrahedra; none of them may be there. */
+/** Elements other than linear triangles and tetrahedra; a file with any of them is rejected. */
 const OTHERS =
   /^(hexahedra|hexaedra|prisms|pyramids|(triangles|tetrahedra|hexahedra|prisms|pyramids)[pq][2-4]|quadrilaterals[pq][2-4])$/;
 
 export function readMedit(source: ByteSource): Promise<FileMesh> {
   const names = new NameLines();
-  const options = { remedy: REMEDY, comment: "#", heard: names.hear };
+  const options = { remedy: REMEDY, comment: "#", onComment: names.readComment };
   return ByteReader.over(source, options, async (reader) => {
     reader.expect("meshversionformatted");
     reader.number("the version");
@@ -41,7 +41,7 @@ export function readMedit(source: ByteSource): Promise<FileMesh> {
     for (;;) {
       await reader.fill();
       const word = reader.word().toLowerCase();
-      if (word === "" || word === "end") return names.given(builder.mesh());
+      if (word === "" || word === "end") return names.applyTo(builder.mesh());
       await readSection(reader, word, builder);
     }
   });
@@ -54,7 +54,7 @@ async function readSection(reader: ByteReader, word: string, builder: MeshBuilde
       return;
     case "vertices":
       if (builder.pointCount > 0)
-        reader.fail("there is a second section of vertices: the file holds several meshes");
+        reader.fail("the file has a second section of vertices, so it holds several meshes");
       return eachEntry(reader, () => {
         const [x, y, z] = [0, 1, 2].map(() => reader.number("a coordinate"));
         builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
@@ -74,9 +74,9 @@ async function readSection(reader: ByteReader, word: string, builder: MeshBuilde
       return skipQuoted(reader);
     default:
       if (SKIPPED.has(word)) return skipNumbers(reader);
-      if (!OTHERS.test(word)) reader.fail(`"${word.slice(0, 24)}" is not a section`);
+      if (!OTHERS.test(word)) reader.fail(`unknown section "${word.slice(0, 24)}"`);
       return eachEntry(reader, () =>
-        reader.fail(`${word} cannot be read, only linear triangles and tetrahedra`),
+        reader.fail(`the file has ${word}; only linear triangles and tetrahedra are supported`),
       );
   }
 
@@ -92,10 +92,10 @@ async function skipNumbers(reader: ByteReader): Promise<void> {
   }
 }
 
-/** Words from one that begins with a quote to one that ends with it. */
+/** Skips words from an opening quote to the closing one. */
 function skipQuoted(reader: ByteReader): void {
   let word = reader.word();
-  if (!word.startsWith('"')) reader.fail("a text in quotes should be here");
+  if (!word.startsWith('"')) reader.fail(`expected a text in quotes, found "${word.slice(0, 24)}"`);
   if (word === '"') word = reader.word();
   while (word !== "" && !word.endsWith('"')) word = reader.word();
 }
@@ -110,7 +110,7 @@ async function eachEntry(reader: ByteReader, readEntry: () => void): Promise<voi
 
 function cornerIn(reader: ByteReader, builder: MeshBuilder): number {
   const corner = reader.index("a corner, counted from 1", builder.pointCount + 1);
-  return corner > 0 ? corner - 1 : reader.fail("a corner is 0, they are counted from 1");
+  return corner > 0 ? corner - 1 : reader.fail("a corner is 0, but corners are counted from 1");
 }
 
 function addPolygon(reader: ByteReader, builder: MeshBuilder, size: number): void {

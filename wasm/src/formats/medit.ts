@@ -1,6 +1,6 @@
 /**
- * Medit `.mesh` files, as text: the tetrahedra with their region as reference, and the triangles of the
- * boundary with their patch as reference; comments tell the names.
+ * Writes Medit `.mesh` files (text): the tetrahedra with their region as reference, and the triangles of the
+ * boundary with their patch as reference. Comments hold the names.
  */
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -8,7 +8,7 @@ import type { FileGroup, FileMesh } from "./file-mesh.js";
 import { allNameLines } from "./name-lines.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 
-/** The bytes of a Medit file. */
+/** Returns the bytes of a Medit file. */
 export function writeMedit(mesh: FileMesh, note: Note): Part[] {
   const { points } = mesh;
   return [
@@ -22,7 +22,7 @@ export function writeMedit(mesh: FileMesh, note: Note): Part[] {
   ];
 }
 
-/** Corners from 1, then the reference. */
+/** Each line has the corners, counted from 1, and the reference. */
 function elements(
   name: string,
   nodes: Uint32Array,

@@ -1,10 +1,10 @@
-/** What formats lose of coordinates. */
+/** Detects points that a format's precision makes equal. */
 import { plural } from "../base/plural.js";
 import type { Note } from "./file-format.js";
 import { stepwise, type Steps } from "./steps.js";
 import { PointWelder } from "./weld.js";
 
-/** Tells how many of different points are equal as they are `written`: as float32 if not given. O(n) expected. */
+/** Reports how many different points become equal in `written`, by default float32. O(n) expected. */
 export function* noteMerged(
   points: Float64Array,
   note: Note,
@@ -12,7 +12,7 @@ export function* noteMerged(
   why = "the format has single precision",
 ): Steps<void> {
   const lost = (yield* differentOf(points)) - (yield* differentOf(written));
-  if (lost > 0) note(`${plural(lost, "point")} came to lie on others, for ${why}`);
+  if (lost > 0) note(`${plural(lost, "point")} became equal to others: ${why}`);
 }
 
 function* differentOf(points: Float64Array | Float32Array): Steps<number> {

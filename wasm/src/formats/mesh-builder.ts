@@ -1,20 +1,20 @@
-/** Collects what a reader finds. */
+/** Collects the points, elements and groups found by a reader. */
 import { Column } from "./column.js";
 import { facetPolygons } from "./facets.js";
 import type { FileGroup, FileMesh, NodeData } from "./file-mesh.js";
-import { addPolygon, ClippingBudget, type Triple } from "./polygons.js";
+import { addPolygon, ClippingBudget, type Position3 } from "./polygons.js";
 import { sixfoldVolume } from "./sixfold-volume.js";
 import { PointWelder } from "./weld.js";
 
-/** Groups in order of first appearance, by whatever the format tells them apart by. */
+/** Groups in order of first appearance, identified by a key of the format. */
 export class GroupList {
-  readonly #positions = new Map<string | number, number>();
+  readonly #indices = new Map<string | number, number>();
   readonly #groups: FileGroup[] = [];
-  /** Positions of the groups that the file tells apart by their numbers. */
+  /** Indices of the groups that the file identifies by tag. */
   readonly #tagged = new Set<number>();
   readonly #word: string;
 
-  /** `word` names groups that have no name: "patch 7" by its tag. */
+  /** `word` names groups without a name: "patch 7" by its tag. */
   constructor(word: string) {
     this.#word = word;
   }
@@ -23,12 +23,12 @@ export class GroupList {
     return this.#groups.length;
   }
 
-  /** The position of the group of this key, if there is one. */
+  /** Returns the index of the group with this key; undefined if there is none. */
   known(key: string | number): number | undefined {
-    return this.#positions.get(key);
+    return this.#indices.get(key);
   }
 
-  /** The position of a group told by its number. */
+  /** Returns the index of the group with this tag; adds it if it is new. */
   tagged(tag: number, name?: string): number {
     return this.of(tag, () => {
       this.#tagged.add(this.#groups.length);
@@ -36,22 +36,19 @@ export class GroupList {
     });
   }
 
-  /** The position of a group told by its name; numbered from 1 in order. */
+  /** Returns the index of the group with this name; adds it if it is new. New groups are numbered from 1. */
   named(name: string, color?: FileGroup["color"]): number {
     return this.of(name, () => ({ name, tag: this.#groups.length + 1, color }));
   }
 
   of(key: string | number, make: () => FileGroup): number {
-    const known = this.#positions.get(key);
+    const known = this.#indices.get(key);
     if (known !== undefined) return known;
-    this.#positions.set(key, this.#groups.length);
+    this.#indices.set(key, this.#groups.length);
     return this.#groups.push(make()) - 1;
   }
 
-  /**
-   * With the names that the file gives to numbers elsewhere. Those are of groups told by their numbers alone; where
-   * there are such, all others have numbers that are none of theirs.
-   */
+  /** Returns the groups. `names` apply to groups identified by tag. Other groups get tags that differ from those. */
   groups(names: ReadonlyMap<number, string> = new Map()): readonly FileGroup[] {
     const taken = new Set(this.#groups.filter((_, g) => this.#tagged.has(g)).map(({ tag }) => tag));
     let free = 1;
@@ -60,32 +57,32 @@ export class GroupList {
       taken.add(tag);
       return tag;
     };
-    return this.#groups.map((group, position) =>
-      this.#tagged.has(position)
+    return this.#groups.map((group, index) =>
+      this.#tagged.has(index)
         ? { ...group, name: names.get(group.tag) ?? group.name }
         : { ...group, tag: numberFor(group.tag) },
     );
   }
 }
 
-/** Which way round a file counts the nodes of its tetrahedra. */
-class Turns {
-  turned = 0;
-  /** Of each of two ways: the tetrahedra that are so beyond doubt. */
-  readonly #upright = new Column(Uint32Array);
-  readonly #upsideDown = new Column(Uint32Array);
+/** Node order of a file's tetrahedra: positive or negative volume. */
+class Orientations {
+  reversed = 0;
+  /** Tetrahedra whose sign is certain. */
+  readonly #positive = new Column(Uint32Array);
+  readonly #negative = new Column(Uint32Array);
   #count = 0;
 
-  add(isTurned: boolean, isSure: boolean): void {
-    if (isTurned) this.turned++;
-    if (isSure) (isTurned ? this.#upsideDown : this.#upright).push(this.#count);
+  add(isReversed: boolean, isSure: boolean): void {
+    if (isReversed) this.reversed++;
+    if (isSure) (isReversed ? this.#negative : this.#positive).push(this.#count);
     this.#count++;
   }
 
-  /** Those that are turned against most; of as many each way, those with negative volumes. */
+  /** Returns the tetrahedra in the minority; in a tie, those of negative volume. */
   inverted(): Uint32Array {
-    const isUpright = this.#upright.length >= this.#upsideDown.length;
-    return (isUpright ? this.#upsideDown : this.#upright).taken();
+    const isMostlyPositive = this.#positive.length >= this.#negative.length;
+    return (isMostlyPositive ? this.#negative : this.#positive).taken();
   }
 }
 
@@ -99,12 +96,12 @@ export class MeshBuilder {
   readonly #tetrahedra = new Column(Uint32Array);
   readonly #tetrahedronRegion = new Column(Uint32Array);
   readonly #welder: PointWelder | undefined;
-  /** Called where cutting polygons has taken a while, for others to run. */
+  /** Called after cutting polygons has taken a while, so that other work can run. */
   onLongWork: () => void = () => undefined;
   readonly #clipping = new ClippingBudget(() => this.onLongWork());
-  readonly #turns = new Turns();
+  readonly #orientations = new Orientations();
 
-  /** `isSoup`: the file repeats its points, which are welded as they come (`addCorner`). */
+  /** `isSoup`: the file repeats its points; `addCorner` welds them as they arrive. */
   constructor(isSoup = false) {
     this.#welder = isSoup ? new PointWelder() : undefined;
   }
@@ -123,7 +120,7 @@ export class MeshBuilder {
     this.#points.push(z);
   }
 
-  /** A corner of a soup; its node. */
+  /** Adds a corner of a triangle soup; returns its node. */
   addCorner(x: number, y: number, z: number): number {
     return this.#welder?.add(x, y, z) ?? 0;
   }
@@ -135,13 +132,16 @@ export class MeshBuilder {
     this.#trianglePatch.push(patch);
   }
 
-  /** Several polygons of one plane, around each other or not; else as `addPolygon`. */
-  addFacet(rings: readonly (readonly number[])[], holes: readonly Triple[], patch: number): boolean {
+  /**
+   * Adds polygons in one plane, nested or not. Returns false, and may have added some of them, if they cannot be
+   * cut safely.
+   */
+  addFacet(rings: readonly (readonly number[])[], holes: readonly Position3[], patch: number): boolean {
     const polygons = facetPolygons(rings, holes, this.#points, this.#clipping);
     return polygons?.every((corners) => this.addPolygon(corners, patch)) === true;
   }
 
-  /** Cut into triangles; false, and nothing added, if that cannot be done safely. All nodes must be there. */
+  /** Adds a polygon as triangles. Returns false, and adds nothing, if it cannot be cut safely. All nodes must exist. */
   addPolygon(corners: readonly number[], patch: number): boolean {
     const [a = 0, b = 0, c = 0] = corners;
     if (corners.length === 3) {
@@ -156,19 +156,22 @@ export class MeshBuilder {
     return true;
   }
 
-  /** Turned so that (b-a)×(c-a)·(d-a) is not below 0; formats differ in that. All nodes must be there. */
+  /**
+   * Adds a tetrahedron; swaps two nodes if (b-a)×(c-a)·(d-a) is negative, because formats differ in node order. All
+   * nodes must exist.
+   */
   addTetrahedron(a: number, b: number, c: number, d: number, region: number): void {
     const { volume, isSure } = sixfoldVolume(this.#points, a, b, c, d);
-    const isTurned = volume < 0;
-    this.#turns.add(isTurned, isSure && volume !== 0);
-    this.#tetrahedra.push(isTurned ? b : a);
-    this.#tetrahedra.push(isTurned ? a : b);
+    const isReversed = volume < 0;
+    this.#orientations.add(isReversed, isSure && volume !== 0);
+    this.#tetrahedra.push(isReversed ? b : a);
+    this.#tetrahedra.push(isReversed ? a : b);
     this.#tetrahedra.push(c);
     this.#tetrahedra.push(d);
     this.#tetrahedronRegion.push(region);
   }
 
-  /** Everything collected; the builder is empty afterwards. Names by tag where the file has them. */
+  /** Returns the collected mesh and empties the builder. `names` by tag, if the file has them. */
   mesh(
     names: {
       readonly patches?: ReadonlyMap<number, string>;
@@ -183,8 +186,8 @@ export class MeshBuilder {
       patches: this.patches.groups(names.patches),
       tetrahedra: this.#tetrahedra.taken(),
       tetrahedronRegion: this.#tetrahedronRegion.taken(),
-      turnedTetrahedra: this.#turns.turned,
-      invertedTetrahedra: this.#turns.inverted(),
+      reversedTetrahedra: this.#orientations.reversed,
+      invertedTetrahedra: this.#orientations.inverted(),
       regions: this.regions.groups(names.regions),
       nodeData: this.nodeData,
     };

@@ -1,4 +1,4 @@
-/** Whether the arrays of a mesh fit together, before a writer walks through them. */
+/** Checks the structure of a mesh before a writer uses it. */
 import {
   aNumber,
   arrayOf,
@@ -13,18 +13,17 @@ import {
   type Check,
 } from "../base/argument-checks.js";
 import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
-import { plural } from "../base/plural.js";
+import { plural, pluralOf } from "../base/plural.js";
 import type { Diagnostic } from "../api/types.js";
 import { NO_REGION } from "../base/interfaces.js";
-import type { FileMesh, NodeData } from "./file-mesh.js";
-import type { SurfaceRegions } from "./region-names.js";
+import type { FileMesh, NodeData, SurfaceRegions } from "./file-mesh.js";
 import { firstOf, type Steps } from "./steps.js";
 
 const checkGroup = objectOf({ name: aString, tag: aNumber, color: orNothing(listOf(aNumber)) });
 
 const areRegions = objectOf({ regions: listOf(checkGroup), triangleRegions: arrayOf(Uint32Array, 2) });
 
-/** A surface of a file beside its points and triangles: what its patches and regions are. */
+/** Checks the patches and regions of a file's surface. */
 export const hasPatches: Check = objectOf({
   trianglePatch: arrayOf(Uint32Array),
   patches: listOf(checkGroup),
@@ -36,35 +35,38 @@ function wildRegion({ regions, triangleRegions }: SurfaceRegions): string | unde
   return wild < 0 ? undefined : `.triangleRegions[${wild}] is ${triangleRegions[wild]} of ${regions.length}`;
 }
 
-/** The form alone; callers without type checks may give anything. Empty where all is well. */
+/**
+ * Checks types, lengths and indices, because callers without type checks may pass anything. Returns no diagnostic
+ * if they are valid.
+ */
 export function* checkFileMesh(mesh: FileMesh): Steps<Diagnostic[]> {
   const given: unknown = mesh;
   const what = yield* faultIn(typeof given === "object" && given !== null ? given : {});
   if (what === undefined) return [];
-  const remedy = "Give a mesh as readMesh and fileMeshOf make it.";
-  return [packageDiagnostic("invalid-arrays", `the mesh cannot be written: ${what}`, remedy)];
+  const remedy = "Pass a mesh from readMesh or fileMeshOf.";
+  return [packageDiagnostic("invalid-arrays", `the mesh is invalid: ${what}`, remedy)];
 }
 
 function* faultIn({ points, nodeData, ...rest }: Partial<FileMesh>): Steps<string | undefined> {
   if (!isArrayOf(Float64Array, points) || points.length % 3 !== 0 || isDetached(points)) {
-    return "its points are no Float64Array of x y z each";
+    return "points is not a Float64Array with x y z per node";
   }
-  if (!isA("Map", nodeData)) return "it has no map of numbers at the nodes";
+  if (!isA("Map", nodeData)) return "nodeData is not a Map";
   const count = points.length / 3;
   const wild = yield* firstOf(points, (value) => !Number.isFinite(value));
-  if (wild >= 0) return `node ${Math.floor(wild / 3)} has no finite place`;
+  if (wild >= 0) return `node ${Math.floor(wild / 3)} has a coordinate that is not finite`;
   const data = [...(nodeData as ReadonlyMap<unknown, unknown>)].find(
     ([name, given]) => !isData(name, given, count),
   );
   if (data !== undefined)
-    return `its numbers ${shown(data[0])} are not so many for each of ${plural(count, "node")}`;
+    return `nodeData ${shown(data[0])} does not have \`components\` values for each of ${plural(count, "node")}`;
   return (
     (yield* faultOf("triangle", 3, count, rest.triangles, rest.trianglePatch, rest.patches)) ??
     (yield* faultOf("tetrahedron", 4, count, rest.tetrahedra, rest.tetrahedronRegion, rest.regions))
   );
 }
 
-/** A name, and as many numbers for every node as are said. */
+/** Returns whether the entry has a name and the stated number of values per node. */
 function isData(name: unknown, given: unknown, count: number): boolean {
   if (typeof name !== "string" || aNodeData(given) !== undefined) return false;
   const { components, values } = given as NodeData;
@@ -85,13 +87,16 @@ function* faultOf(
     !(isArrayOf(Uint32Array, nodes) && isArrayOf(Uint32Array, owners) && Array.isArray(groups)) ||
     isDetached(nodes)
   ) {
-    return `a ${word}'s nodes or groups are no Uint32Array, or the groups have no list`;
+    return `the nodes or group indices of the ${pluralOf(word)} are not a Uint32Array, or their groups are not an array`;
   }
-  if (nodes.length !== width * owners.length) return `there is not one group per ${word}`;
+  if (nodes.length !== width * owners.length) return `there must be one group index per ${word}`;
   const wild = yield* firstOf(nodes, (node) => node >= count);
-  if (wild >= 0) return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]} of ${count}`;
+  if (wild >= 0)
+    return `${word} ${Math.floor(wild / width)} refers to node ${nodes[wild]}, but the number of nodes is ${count}`;
   const named = groups.findIndex((group) => checkGroup(group) !== undefined);
-  if (named >= 0) return `group ${named} of its ${word}s has no name or no number`;
+  if (named >= 0) return `group ${named} of the ${pluralOf(word)} has no valid name, tag or color`;
   const lost = yield* firstOf(owners, (owner) => owner >= groups.length);
-  return lost < 0 ? undefined : `${word} ${lost} is of group ${owners[lost]} of ${groups.length}`;
+  return lost < 0
+    ? undefined
+    : `${word} ${lost} refers to group ${owners[lost]}, but the number of groups is ${groups.length}`;
 }

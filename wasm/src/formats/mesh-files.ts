@@ -1,4 +1,4 @@
-/** Reading and writing mesh files of any format: the file's name tells which. */
+/** Reads and writes mesh files; the extension of the file name selects the format. */
 import { aFunction, checkArgument, objectOf, orNothing, shown } from "../base/argument-checks.js";
 import { throwIfCancelled, untilCancelled } from "../base/cancelling.js";
 import { refuse } from "../diagnostics/mesher-error.js";
@@ -8,48 +8,51 @@ import type { Diagnostic } from "../api/types.js";
 import { joined, piecesIn } from "./bytes.js";
 import { checkSource, watcher, type ByteSource } from "./byte-source.js";
 import type { Contents, FileFormat, FileParts, OpenOther, WrittenFile } from "./file-format.js";
-import { extensionsThat, formatOf } from "./file-formats.js";
+import { extensionsFor, formatOf } from "./file-formats.js";
 import type { FileMesh } from "./file-mesh.js";
 import { checkFileMesh } from "./mesh-checks.js";
-import { Breather, inSteps, STEP } from "./steps.js";
+import { Yielder, inSteps, STEP } from "./steps.js";
 import { surfaceOf, type SurfaceFile } from "./surface-file.js";
 import { volumeOf, type VolumeFile } from "./volume-file.js";
 
-/** How a file is read. */
+/** Options for reading a file. */
 export interface ReadFileOptions {
-  /** Its extension tells the format. */
+  /** Name of the file; its extension selects the format. */
   readonly fileName: string;
-  /** Gives the other files of formats that have several, such as TetGen's `.node` beside its `.face`. */
+  /** Opens the other files of a format with several, such as TetGen's `.node` next to a `.face`. */
   readonly openOther?: OpenOther | undefined;
   /**
-   * Called with the number of bytes read so far, of all files together, once per piece. Of formats that can only be
-   * decoded as a whole (VTU, VTP) bytes count in part when they arrive, and in full when they are decoded.
+   * Called after each piece with the number of bytes read so far, of all files together. For VTU and VTP, which are
+   * decoded as a whole, bytes count in part when they arrive and in full when they are decoded.
    */
   readonly onProgress?: ((bytes: number) => void) | undefined;
-  /** Aborting rejects with a `MesherError` of the code `cancelled`, also while bytes are waited for; the source is let go of. */
+  /**
+   * Aborting it rejects with a `MesherError` of code `cancelled`, also while bytes are awaited, and releases the
+   * source.
+   */
   readonly signal?: AbortSignal | undefined;
 }
 
-/** How far the writing of a mesh is. */
+/** Progress of writing a mesh. */
 export interface WriteProgress {
-  /** Of the whole, 0 to 1, estimated, never decreasing. */
+  /** Estimated fraction of the work done, 0 to 1; never decreases. */
   readonly fraction: number;
-  /** Made so far, in all files together. */
+  /** Bytes generated so far, in all files together. */
   readonly bytes: number;
 }
 
-/** How a file is written. */
+/** Options for writing a file. */
 export interface WriteFileOptions {
   /** Called every few milliseconds, and at the end. */
   readonly onProgress?: ((progress: WriteProgress) => void) | undefined;
-  /** Aborting rejects with a `MesherError` of the code `cancelled`; it is heard every few milliseconds. */
+  /** Aborting it rejects with a `MesherError` of code `cancelled`, within a few milliseconds. */
   readonly signal?: AbortSignal | undefined;
 }
 
 /**
- * The triangles of a file with their patches; polygons are cut into triangles. Points of equal coordinates
- * become one; `repairSurface` with `weld` joins points within a tolerance. A file that holds tetrahedra only
- * is refused: their outside is not taken silently.
+ * Reads the triangles of a file with their patches. Polygons are cut into triangles. Points with equal coordinates
+ * become one node; to weld points within a distance, use `repairSurface` with `weld`. A file with tetrahedra but no
+ * triangles is rejected: its boundary is not extracted unasked.
  *
  *     const read = await readSurface(file.stream(), { fileName: file.name });
  *     if (read.success) await mesher.fillSurface(read.value);
@@ -60,23 +63,22 @@ export function readSurface(source: ByteSource, options: ReadFileOptions): Promi
   );
 }
 
-/** The tetrahedra of a file with the nodes they use and the numbers at these. */
+/** Reads the tetrahedra of a file, with the nodes they use and the values at these nodes. */
 export function readVolume(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<VolumeFile>> {
   return asResult(async () => inSteps(volumeOf(await readAny(source, options, ["volume"])), options.signal));
 }
 
-/** All triangles and tetrahedra of a file as they are in it, nothing welded. */
+/** Reads all triangles and tetrahedra of a file without welding. */
 export function readMesh(source: ByteSource, options: ReadFileOptions): Promise<ReadResult<FileMesh>> {
   return asResult(() => readAny(source, options, ["surface", "volume"]));
 }
 
 /**
- * The files that a mesh becomes in the format of this name: one, or several beside each other, with notes of what the
- * format has no place for. Formats that hold surfaces only get the triangles. Works in steps of a few milliseconds, between
- * which others run. Rejects with a `MesherError` of the code
- * `invalid-input`, whose diagnostics are `unknown-format` where the name tells no format that can be written
- * (`formatOf` tells beforehand), `invalid-arrays` where the arrays do not fit together, and `unsound-mesh` where the
- * elements do not and the format is for solvers that need it.
+ * Writes a mesh in the format selected by `fileName`. Returns one or several files, with notes about content that
+ * the format cannot store. Formats for surfaces get the triangles only. Works in slices of a few milliseconds.
+ * Rejects with a `MesherError` of code `invalid-input` and one of these diagnostics: `unknown-format` if no
+ * writable format has this extension (`formatOf` tells beforehand); `invalid-arrays` if lengths or indices are
+ * inconsistent; `invalid-mesh` if the format is for solvers and the elements do not fit together.
  */
 export async function writeMesh(
   mesh: FileMesh,
@@ -91,11 +93,11 @@ export async function writeMesh(
   const { signal } = options;
   throwIfCancelled(signal);
   const format = typeof fileName === "string" ? formatOf(fileName) : undefined;
-  const { write, passes = USUAL_PASSES } = (await format?.load()) ?? {};
+  const { write, passes = DEFAULT_PASSES } = (await format?.load()) ?? {};
   if (write === undefined) {
-    const message = `the name ${shown(fileName)} tells no format that can be written`;
-    const known = [...extensionsThat("writes", "volume"), ...extensionsThat("writes", "surface")];
-    const remedy = `Give a name that ends in one of ${known.join(", ")}.`;
+    const message = `no format that can be written has the extension of ${shown(fileName)}`;
+    const known = [...extensionsFor("write", "volume"), ...extensionsFor("write", "surface")];
+    const remedy = `Use a name that ends in one of ${known.join(", ")}.`;
     refuse([packageDiagnostic("unknown-format", message, remedy)]);
     return [];
   }
@@ -105,22 +107,22 @@ export async function writeMesh(
     notes.push(packageDiagnostic("left-out", message, "", "information")),
   );
   const rows = (mesh.points.length + mesh.triangles.length) / 3 + mesh.tetrahedra.length / 4;
-  const contents = await gathered(files, options, (passes * rows) / STEP);
+  const contents = await generated(files, options, (passes * rows) / STEP);
   return contents.map((content, f) => ({ ...content, notes: f === 0 ? notes : [] }));
 }
 
-/** Of writers that say nothing else. */
-const USUAL_PASSES = 4;
-/** What is told before the end: more than was expected may still come. */
-const NEARLY_ALL = 0.99;
+/** Number of passes over nodes and elements for writers that do not state it. */
+const DEFAULT_PASSES = 4;
+/** Largest fraction reported before the end, as the estimate may be too low. */
+const MAX_ESTIMATE = 0.99;
 
-/** The bytes of the files. Lets others in between their pieces, of which so many are `expected`. */
-async function gathered(
+/** Generates the bytes of the files. Yields between their pieces, of which about `expected` come. */
+async function generated(
   files: readonly FileParts[],
   { signal, onProgress }: WriteFileOptions,
   expected: number,
 ): Promise<Omit<WrittenFile, "notes">[]> {
-  const breather = new Breather(signal);
+  const yielder = new Yielder(signal);
   const contents: Omit<WrittenFile, "notes">[] = [];
   let [steps, bytes] = [0, 0];
   for (const { fileName, parts } of files) {
@@ -129,9 +131,9 @@ async function gathered(
       steps++;
       bytes += piece.length;
       if (piece.length > 0) pieces.push(piece);
-      if (!breather.isDue) continue;
-      onProgress?.({ fraction: Math.min(NEARLY_ALL, steps / expected), bytes });
-      await breather.breathe();
+      if (!yielder.isDue) continue;
+      onProgress?.({ fraction: Math.min(MAX_ESTIMATE, steps / expected), bytes });
+      await yielder.yield();
     }
     contents.push({ fileName, bytes: joined(pieces) });
   }
@@ -148,7 +150,8 @@ async function readAny(
   const { fileName, signal, openOther = () => Promise.resolve(undefined) } = checkedOptions(options);
   throwIfCancelled(signal);
   const format = formatOf(fileName);
-  if (!format?.reads.some((held) => contents.includes(held))) throw unknownFormat(fileName, format, contents);
+  if (!format?.readable.some((held) => contents.includes(held)))
+    throw unknownFormat(fileName, format, contents);
   const { read, arrival = 1 } = await format.load();
   if (read === undefined) throw unknownFormat(fileName, format, contents);
   try {
@@ -174,18 +177,18 @@ async function readAny(
 const WRITE_OPTIONS = ["onProgress", "signal"] satisfies (keyof WriteFileOptions)[];
 const READ_OPTIONS = ["fileName", "openOther", ...WRITE_OPTIONS] satisfies (keyof ReadFileOptions)[];
 
-/** An option that there is none of would do nothing without a word. */
+/** Reports an unknown option, which would otherwise be ignored silently. */
 function unknownOption(
   options: object,
   known: readonly string[],
 ): { readonly message: string; readonly remedy: string } | undefined {
   const unknown = Object.keys(options).find((name) => !known.includes(name));
   if (unknown === undefined) return undefined;
-  return { message: `there is no option "${unknown}"`, remedy: remedyOf(known) };
+  return { message: `unknown option "${unknown}"`, remedy: remedyOf(known) };
 }
 
 function remedyOf(known: readonly string[]): string {
-  return `Correct it: the options are ${known.join(", ")}.`;
+  return `Use only these options: ${known.join(", ")}.`;
 }
 
 const aWatch = {
@@ -207,8 +210,8 @@ function checkedOptions(options: ReadFileOptions): ReadFileOptions {
   }
   throw new ReadFailure({
     code: "invalid-argument",
-    message: "the options give no name of the file, by which its format is told",
-    remedy: 'Give options with a name: { fileName: "part.stl" }.',
+    message: "options.fileName is missing; its extension selects the format",
+    remedy: 'Pass a file name, for example { fileName: "part.stl" }.',
   });
 }
 
@@ -220,14 +223,14 @@ function unknownFormat(
   const what = contents.length === 1 ? contents[0] : "mesh";
   const message =
     format === undefined
-      ? `the name "${fileName}" tells no known format`
-      : `${format.name} files cannot be read as a ${what}`;
-  const known = [...new Set(contents.flatMap((held) => extensionsThat("reads", held)))];
-  const remedy = `Give a file that ends in one of ${known.join(", ")}.`;
+      ? `no known format has the extension of "${fileName}"`
+      : `${format.name} files cannot be read as ${what === "mesh" ? "meshes" : `${what}s`}`;
+  const known = [...new Set(contents.flatMap((held) => extensionsFor("read", held)))];
+  const remedy = `Use a file whose name ends in one of ${known.join(", ")}.`;
   return new ReadFailure({ code: "unknown-format", message, remedy, fileName });
 }
 
-/** What callers without type checks open may be anything. */
+/** Checks what `openOther` returns, because callers without type checks may return anything. */
 function checkedOpening(openOther: OpenOther): OpenOther {
   return async (name) => {
     const source = await openOther(name);

@@ -1,4 +1,4 @@
-/** The entities of a Gmsh 4.1 file, which tell the physical groups of elements and the surfaces around volumes. */
+/** Entities of a Gmsh 4.1 file. They hold the physical groups of elements and the surfaces that bound volumes. */
 import type { ByteReader } from "./byte-reader.js";
 import type { MshNumbers } from "./msh-numbers.js";
 import type { MshVolumes } from "./msh-volumes.js";
@@ -16,20 +16,20 @@ export class MshEntities {
     this.#volumes = volumes;
   }
 
-  /** Physical tags of an entity; the first counts. */
+  /** Returns the physical tags of an entity; elements belong to the first. */
   groupsOf(dimension: number, tag: number): readonly number[] {
     return this.#physical.get(`${dimension} ${tag}`) ?? [];
   }
 
-  /** The section `$Entities`. */
+  /** Reads the section `$Entities`. */
   async read(): Promise<void> {
     this.#reader.endLine();
     await this.#eachEntity(() => undefined);
   }
 
   /**
-   * The section `$PartitionedEntities`: what a mesh was cut into, entities of their own with the physical groups of what
-   * they are part of.
+   * Reads the section `$PartitionedEntities`: the entities of a partitioned mesh. They inherit the physical groups
+   * of their parents.
    */
   async readPartitioned(): Promise<void> {
     const numbers = this.#numbers;
@@ -43,7 +43,7 @@ export class MshEntities {
     });
   }
 
-  /** `readParent`: what stands behind the tag; gives the physical groups for entities that have none of their own. */
+  /** `readParent` reads the numbers after the tag and returns the physical groups to inherit. */
   async #eachEntity(readParent: ReadParent): Promise<void> {
     const counts = [0, 1, 2, 3].map(() => this.#numbers.count("entities"));
     for (const [dimension, count] of counts.entries()) {
@@ -63,7 +63,7 @@ export class MshEntities {
     const groups: number[] = [];
     for (let left = numbers.count("physical groups"); left > 0; left--) {
       if (this.#reader.isLow) await this.#reader.fill();
-      // Below 0 where the entity is turned in its group.
+      // Negative if the entity has the opposite orientation in its group.
       groups.push(Math.abs(numbers.int()));
     }
     if (groups.length > 0) this.#physical.set(`${dimension} ${tag}`, groups);

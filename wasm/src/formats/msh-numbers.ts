@@ -1,10 +1,10 @@
-/** Numbers of a Gmsh file, whose widths depend on its version and on whether it is text. */
+/** Reads the numbers of a Gmsh file. Their widths depend on the version and on whether the file is text. */
 import type { ByteReader } from "./byte-reader.js";
 
 export class MshNumbers {
   readonly #reader: ByteReader;
   readonly isBinary: boolean;
-  /** Version 4.1, which lists nodes and elements in blocks by their entities; else 2.2. */
+  /** Whether the file has version 4.1, with nodes and elements in blocks by entity; otherwise it has version 2.2. */
   readonly hasBlocks: boolean;
 
   constructor(reader: ByteReader, isBinary: boolean, hasBlocks: boolean) {
@@ -17,7 +17,7 @@ export class MshNumbers {
     return this.isBinary ? this.#reader.integer(4, true) : this.#reader.number("a number");
   }
 
-  /** A count, or the tag of a node or an element: of 8 bytes in version 4.1. */
+  /** Reads a count, or the tag of a node or element; 8 bytes in version 4.1. */
   size(): number {
     if (!this.isBinary) return this.#reader.number("a number");
     return this.hasBlocks ? this.#reader.integer(8, false) : this.#reader.integer(4, true);
@@ -27,12 +27,12 @@ export class MshNumbers {
     return this.isBinary ? this.#reader.float(8) : this.#reader.number("a coordinate");
   }
 
-  /** A number at a node, which may be none. */
+  /** Reads a value at a node, which may be NaN or infinite. */
   value(): number {
     return this.isBinary ? this.#reader.float(8) : this.#reader.number("a value", true);
   }
 
-  /** A `size` that there can be so many of `what`. */
+  /** Reads a `size` that is a valid number of items. `what` names them in messages. */
   count(what: string): number {
     return this.#reader.count(this.size(), what);
   }

@@ -1,25 +1,26 @@
 /**
- * Reads Gmsh's MSH files, versions 4.1 and 2.2, binary and text: those this package writes, Gmsh's own and
- * meshio's. Triangles and quadrilaterals go to patches, tetrahedra to regions, by their physical group or,
- * without one, their entity; numbers at nodes are kept. Points, lines and other sections are passed over.
+ * Reads Gmsh's MSH files, versions 4.1 and 2.2, binary and text, as written by this package, Gmsh and meshio. The
+ * patch of a triangle or quadrilateral, and the region of a tetrahedron, is its physical group or, without one, its
+ * entity. Values at nodes are kept. Points, lines and other sections are skipped.
  */
+import { plural } from "../base/plural.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import type { FileMesh } from "./file-mesh.js";
-import { LostGroups } from "./lost-groups.js";
+import { ExtraGroups } from "./extra-groups.js";
 import { MeshBuilder, type GroupList } from "./mesh-builder.js";
 import { MshEntities } from "./msh-entities.js";
 import { MshNumbers } from "./msh-numbers.js";
 import { MshVolumes } from "./msh-volumes.js";
 import { NodeTags } from "./node-tags.js";
 import { UNCUT } from "./polygons.js";
-import { RepeatedElements } from "./repeated-elements.js";
+import { DuplicateElements } from "./duplicate-elements.js";
 
 const REMEDY = "Save the mesh again as MSH 4.1 or 2.2 with linear triangles and tetrahedra, or as .vtu.";
 const TRIANGLE = 2;
 const QUADRILATERAL = 3;
 const TETRAHEDRON = 4;
-/** Nodes per element of the types that can be read; points and lines are passed over. */
+/** Nodes per element of the supported types; points and lines are skipped. */
 const WIDTHS: ReadonlyMap<number, number> = new Map([
   [1, 2],
   [TRIANGLE, 3],
@@ -28,9 +29,9 @@ const WIDTHS: ReadonlyMap<number, number> = new Map([
   [8, 3],
   [15, 1],
 ]);
-/** No node has more numbers: a tensor has nine. */
+/** Largest number of values per node: a tensor has nine. */
 const MAX_COMPONENTS = 9;
-/** Each takes memory for all nodes, however few numbers it has. */
+/** Largest number of `$NodeData` sections: each needs memory for all nodes, however few values it has. */
 const MAX_DATA = 16;
 
 export function readMsh(source: ByteSource): Promise<FileMesh> {
@@ -39,7 +40,7 @@ export function readMsh(source: ByteSource): Promise<FileMesh> {
   );
 }
 
-/** The first section, which tells how numbers are written. */
+/** Reads the first section, which states how numbers are encoded. */
 async function readFormat(reader: ByteReader): Promise<MshNumbers> {
   if (reader.line() !== "$MeshFormat") {
     reader.fail('the file does not begin with "$MeshFormat"', FIRST_LINE);
@@ -47,16 +48,18 @@ async function readFormat(reader: ByteReader): Promise<MshNumbers> {
   const format = reader.line();
   const [version, kind, size] = format.split(/\s+/);
   if ((version !== "4.1" && version !== "2.2") || size !== "8") {
-    reader.fail(`the format is "${format.slice(0, 24)}", versions 4.1 and 2.2 of size 8 can be read`);
+    reader.fail(
+      `the format is "${format.slice(0, 24)}"; only versions 4.1 and 2.2 with data size 8 are supported`,
+    );
   }
   const isBinary = kind === "1";
-  // The number 1, in the byte order of all that follow.
+  // The number 1, in the byte order of the file.
   if (isBinary) reader.isLittleEndian = reader.integer(4, true) === 1;
   await reader.skipPast("$EndMeshFormat");
   return new MshNumbers(reader, isBinary, version === "4.1");
 }
 
-/** Of an element in version 2.2: its physical group and its entity, 0 for none. */
+/** Tags of an element in version 2.2: physical group and entity, 0 for none. */
 type Tags = readonly [number, number];
 
 class MshReader {
@@ -68,13 +71,13 @@ class MshReader {
   /** Names of physical groups by tag, of surfaces and of volumes. */
   readonly #names = { patches: new Map<number, string>(), regions: new Map<number, string>() };
   readonly #volumes = new MshVolumes();
-  readonly #lost = new LostGroups();
+  readonly #extraGroups = new ExtraGroups();
   #sectionsOfData = 0;
-  /** Nodes of the sections before this one. */
+  /** Number of nodes of all earlier `$Nodes` sections. */
   #nodesBefore = 0;
-  readonly #listed = new Map<number, RepeatedElements>();
-  #repeatedTetrahedra = 0;
-  #repeatedTriangles = 0;
+  readonly #listed = new Map<number, DuplicateElements>();
+  #duplicateTetrahedra = 0;
+  #duplicateTriangles = 0;
 
   constructor(reader: ByteReader, numbers: MshNumbers) {
     this.#reader = reader;
@@ -82,7 +85,7 @@ class MshReader {
     this.#entities = new MshEntities(reader, numbers, this.#volumes);
   }
 
-  /** The sections behind that of the format. */
+  /** Reads the sections after the format. */
   async read(): Promise<FileMesh> {
     for (;;) {
       await this.#reader.fill();
@@ -97,15 +100,15 @@ class MshReader {
     const mesh = this.#builder.mesh(this.#names);
     const surfaceRegions = this.#volumes.regions(mesh, this.#names.regions);
     const isLost = surfaceRegions === undefined && mesh.regions.length === 0 && this.#names.regions.size > 0;
-    const unplacedRegions = isLost ? [...this.#names.regions.values()] : undefined;
-    const notes = this.#lost.notes({ 2: this.#names.patches, 3: this.#names.regions });
+    const unlocatedRegions = isLost ? [...this.#names.regions.values()] : undefined;
+    const notes = this.#extraGroups.notes({ 2: this.#names.patches, 3: this.#names.regions });
     return {
       format: `Gmsh ${this.#numbers.hasBlocks ? "4.1" : "2.2"}`,
       ...mesh,
       surfaceRegions,
-      unplacedRegions,
-      repeatedTetrahedra: this.#repeatedTetrahedra,
-      repeatedTriangles: this.#repeatedTriangles,
+      unlocatedRegions,
+      duplicateTetrahedra: this.#duplicateTetrahedra,
+      duplicateTriangles: this.#duplicateTriangles,
       ...(notes.length > 0 && { notes }),
     };
   }
@@ -135,7 +138,7 @@ class MshReader {
       case "$NodeData":
         return this.#readNodeData();
       default:
-        if (!section.startsWith("$")) this.#reader.fail(`"${section.slice(0, 24)}" is not a section`);
+        if (!section.startsWith("$")) this.#reader.fail(`unknown section "${section.slice(0, 24)}"`);
     }
   }
 
@@ -146,27 +149,30 @@ class MshReader {
     for (let i = 0; i < count; i++) {
       await reader.fill();
       const [, dimension, tag, name] = /^(\d+)\s+(\d+)\s+"(.*)"$/.exec(reader.line()) ?? [];
-      if (name === undefined) reader.fail("a physical name is not written as dimension, tag and name");
+      if (name === undefined) reader.fail("expected a physical name as dimension, tag and name in quotes");
       if (dimension === "2") this.#names.patches.set(Number(tag), name ?? "");
       if (dimension === "3") this.#names.regions.set(Number(tag), name ?? "");
     }
   }
 
-  /** Sections may be repeated, with other nodes; where they have the same, a mesh stands behind another. */
+  /**
+   * Starts a node section. There may be several with different nodes; a repeated node means that the file holds
+   * several meshes.
+   */
   #beginNodes(): void {
     this.#nodesBefore = this.#builder.pointCount;
-    if (this.#builder.nodeData.size > 0) this.#reader.fail("nodes stand behind the numbers at nodes");
+    if (this.#builder.nodeData.size > 0) this.#reader.fail("a section of nodes follows the values at nodes");
   }
 
   #addNode(tag: number): void {
-    const known = this.#nodesBefore > 0 ? this.#nodes.positionOf(tag) : undefined;
+    const known = this.#nodesBefore > 0 ? this.#nodes.indexOf(tag) : undefined;
     if (known !== undefined && known < this.#nodesBefore) {
-      this.#reader.fail(`node ${tag} is in two sections $Nodes: the file holds several meshes`);
+      this.#reader.fail(`node ${tag} is in two sections $Nodes, so the file holds several meshes`);
     }
     this.#nodes.add(tag);
     const [x, y, z] = [this.#numbers.double(), this.#numbers.double(), this.#numbers.double()];
     if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
-      this.#reader.fail(`node ${tag} has no finite place`);
+      this.#reader.fail(`node ${tag} has a coordinate that is not finite`);
     }
     this.#builder.addPoint(x, y, z);
   }
@@ -193,7 +199,7 @@ class MshReader {
     }
   }
 
-  /** `isParametric`: behind the place stand a dimension and an entity, and where the node is on its line or face. */
+  /** `isParametric`: after the coordinates follow a dimension, an entity, and the parameters on it. */
   async #readNodeList(isParametric: boolean): Promise<void> {
     const count = this.#reader.count(Number(this.#reader.line()), "nodes");
     for (let i = 0; i < count; i++) {
@@ -206,15 +212,16 @@ class MshReader {
     }
   }
 
-  /** The next numbers are tags of the nodes of an element. */
+  /** Reads the node tags of an element and adds it. */
   #readElement(type: number, group: (groups: GroupList) => number, tags?: Tags): void {
     const corners = Array.from({ length: this.#width(type) }, () => this.#numbers.size());
     if (type !== TRIANGLE && type !== QUADRILATERAL && type !== TETRAHEDRON) return;
     const nodes = corners.map(
       (tag) =>
-        this.#nodes.positionOf(tag) ?? this.#reader.fail(`an element has a corner that is no node: ${tag}`),
+        this.#nodes.indexOf(tag) ??
+        this.#reader.fail(`an element refers to node ${tag}, which does not exist`),
     );
-    if (tags !== undefined && this.#isRepeated(type, tags, nodes)) return;
+    if (tags !== undefined && this.#isDuplicate(type, tags, nodes)) return;
     if (type === TETRAHEDRON) {
       const [a = 0, b = 0, c = 0, d = 0] = nodes;
       this.#builder.addTetrahedron(a, b, c, d, group(this.#builder.regions));
@@ -228,30 +235,32 @@ class MshReader {
   }
 
   /**
-   * Version 2.2 lists an element once for each of its physical groups, and walls for each of their volumes: the first
-   * counts. A tetrahedron that is there twice in one group is a fault, which the checks of meshes tell.
+   * Version 2.2 lists an element once per physical group, and an interface once per volume: the first listing
+   * counts. A tetrahedron listed twice in one group is kept twice, so that the checks of meshes report it.
    */
-  #isRepeated(type: number, [physical]: Tags, nodes: readonly number[]): boolean {
-    const listed = this.#listed.get(type) ?? new RepeatedElements();
+  #isDuplicate(type: number, [physical]: Tags, nodes: readonly number[]): boolean {
+    const listed = this.#listed.get(type) ?? new DuplicateElements();
     this.#listed.set(type, listed);
     const first = listed.firstGroup(nodes, physical);
-    const isRepeated = first !== undefined && (type !== TETRAHEDRON || first !== physical);
-    if (isRepeated && physical > 0 && first !== physical) {
-      this.#lost.add(type === TETRAHEDRON ? 3 : 2, physical, 1);
+    const isDuplicate = first !== undefined && (type !== TETRAHEDRON || first !== physical);
+    if (isDuplicate && physical > 0 && first !== physical) {
+      this.#extraGroups.add(type === TETRAHEDRON ? 3 : 2, physical, 1);
     }
-    if (isRepeated && type === TETRAHEDRON) this.#repeatedTetrahedra++;
-    else if (isRepeated) this.#repeatedTriangles++;
-    return isRepeated;
+    if (isDuplicate && type === TETRAHEDRON) this.#duplicateTetrahedra++;
+    else if (isDuplicate) this.#duplicateTriangles++;
+    return isDuplicate;
   }
 
   #width(type: number): number {
     return (
       WIDTHS.get(type) ??
-      this.#reader.fail(`elements of type ${type} cannot be read, only linear triangles and tetrahedra`)
+      this.#reader.fail(
+        `the file has elements of type ${type}; only linear triangles and tetrahedra are supported`,
+      )
     );
   }
 
-  /** By its physical group where it has one, else by its entity. */
+  /** Selects the group of an element: its physical group if it has one, else its entity. */
   #groupOf(physical: number, entity: number): (groups: GroupList) => number {
     return (groups) =>
       physical > 0
@@ -270,7 +279,7 @@ class MshReader {
       const count = this.#numbers.count("elements");
       const [first = 0, ...others] = this.#entities.groupsOf(dimension, entity);
       const group = this.#groupOf(first, entity);
-      for (const other of others) if (count > 0) this.#lost.add(dimension, other, count);
+      for (const other of others) if (count > 0) this.#extraGroups.add(dimension, other, count);
       if (dimension === 2) this.#volumes.trianglesFollow(this.#builder.triangleCount, entity);
       for (let e = 0; e < count; e++) {
         if (this.#reader.isLow) await this.#reader.fill();
@@ -280,7 +289,7 @@ class MshReader {
     }
   }
 
-  /** Version 2.2, binary: runs of elements of one type. */
+  /** Reads elements of version 2.2, binary: runs of elements of one type. */
   async #readElementRuns(): Promise<void> {
     const total = this.#reader.count(Number(this.#reader.line()), "elements");
     for (let read = 0; read < total;) {
@@ -307,7 +316,7 @@ class MshReader {
     }
   }
 
-  /** Physical group, entity, and whatever else. */
+  /** Reads the tags of an element: physical group, entity, and others that are ignored. */
   async #readTags(count: number): Promise<Tags> {
     let [physical, entity] = [0, 0];
     for (let i = 0; i < count; i++) {
@@ -325,16 +334,21 @@ class MshReader {
     const strings = await this.#readLines("names");
     await this.#readLines("times");
     const [, width, rows] = (await this.#readLines("numbers")).map(Number);
-    const components = this.#reader.count(width ?? NaN, "numbers per node");
+    const components = this.#reader.count(width ?? NaN, "values per node");
     if (components === 0 || components > MAX_COMPONENTS) {
-      reader.fail(`${components} numbers per node cannot be read`);
+      reader.fail(
+        `the file has ${plural(components, "value")} per node; only 1 to ${MAX_COMPONENTS} are supported`,
+      );
     }
     const count = this.#reader.count(rows ?? NaN, "values");
-    if (++this.#sectionsOfData > MAX_DATA) reader.fail(`more than ${MAX_DATA} sections of numbers at nodes`);
+    if (++this.#sectionsOfData > MAX_DATA)
+      reader.fail(`the file has more than ${MAX_DATA} sections of values at nodes`);
     const values = new Float64Array(components * this.#builder.pointCount).fill(NaN);
     for (let r = 0; r < count; r++) {
       if (reader.isLow) await reader.fill();
-      const node = this.#nodes.positionOf(this.#numbers.int()) ?? reader.fail("a value belongs to no node");
+      const node =
+        this.#nodes.indexOf(this.#numbers.int()) ??
+        reader.fail("a value refers to a node that does not exist");
       for (let i = 0; i < components; i++) {
         values[components * node + i] = this.#numbers.value();
       }
@@ -343,13 +357,13 @@ class MshReader {
     this.#builder.nodeData.set(name, { components, values });
   }
 
-  /** Their number in one line, then each in its own. */
+  /** Reads a count in one line, then that number of lines. */
   async #readLines(what: string): Promise<string[]> {
     const count = this.#reader.count(Number(this.#reader.line()), what);
     const lines: string[] = [];
     for (let i = 0; i < count; i++) {
       await this.#reader.fill();
-      if (this.#reader.isAtEnd) this.#reader.fail(`the file ends where ${what} should be`);
+      if (this.#reader.isAtEnd) this.#reader.fail(`expected ${what}, found the end of the file`);
       lines.push(this.#reader.line());
     }
     return lines;

@@ -1,16 +1,15 @@
-/** Volumes of Gmsh's model in files that hold its surfaces alone: by the surfaces that bound them, or by their name. */
+/** Volumes of a Gmsh model in a file that holds its surfaces only, found by the surfaces that bound them or by name. */
 import { NO_REGION } from "../base/interfaces.js";
-import type { FileMesh } from "./file-mesh.js";
+import type { FileMesh, SurfaceRegions } from "./file-mesh.js";
 import { GroupList } from "./mesh-builder.js";
-import type { SurfaceRegions } from "./region-names.js";
 
 export class MshVolumes {
-  /** Physical groups of volumes, by the surface that bounds them. */
+  /** Physical groups of volumes, by the tag of the bounding surface. */
   readonly #groups = new Map<number, number[]>();
-  /** Where the triangles of each surface begin, as they come. */
+  /** First triangle of each surface, in file order. */
   readonly #runs: { readonly begin: number; readonly surface: number }[] = [];
 
-  /** A volume of this physical group is on one side of this surface; its sign says on which. */
+  /** Records that a volume of this physical group is on one side of this surface. The sign states the side. */
   bound(surface: number, group: number): void {
     const tag = Math.abs(surface);
     const known = this.#groups.get(tag);
@@ -18,12 +17,15 @@ export class MshVolumes {
     else if (known.length < 2) known.push(group);
   }
 
-  /** The triangles from the one of this number on are of this surface. */
+  /** Records that the triangles from index `begin` on belong to this surface. */
   trianglesFollow(begin: number, surface: number): void {
     this.#runs.push({ begin, surface });
   }
 
-  /** Undefined where the file tells nothing. Without volumes a single name is that of all. */
+  /**
+   * Returns the regions on the sides of the triangles; undefined if the file defines none. If it defines no
+   * volumes, a single name applies to all.
+   */
   regions(
     { triangles }: Pick<FileMesh, "triangles">,
     names: ReadonlyMap<number, string>,

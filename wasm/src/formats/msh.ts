@@ -1,7 +1,7 @@
 /**
- * Gmsh MSH 4.1, binary: coordinates come back bit for bit. One surface entity and physical group per
- * patch, with its triangles, and one volume entity and physical group per region, with its tetrahedra;
- * the groups carry the user's names, for boundary conditions.
+ * Writes Gmsh MSH 4.1, binary: coordinates survive a round trip bit for bit. There is one surface entity and
+ * physical group per patch, with its triangles, and one volume entity and physical group per region, with its
+ * tetrahedra. The groups carry the user's names, for boundary conditions.
  */
 import { IS_LITTLE_ENDIAN, widened, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -9,17 +9,17 @@ import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group, type Naming } from "./groups.js";
 import { inPieces, stepwise, type Steps } from "./steps.js";
 
-/** Gmsh reads no file in which a name is longer. */
-export const GMSH_NAMING: Naming = { longest: 127 };
+/** Gmsh rejects files with longer names, in bytes. */
+export const GMSH_NAMING: Naming = { maxBytes: 127 };
 
-/** The bytes of an MSH file. */
+/** Returns the bytes of an MSH file. */
 export function* writeMsh(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
   const patches = yield* patchGroups(mesh, { ...GMSH_NAMING, note });
   const regions = yield* regionGroups(mesh, { ...GMSH_NAMING, note });
   const groups = [...patches, ...regions];
   yield [
-    // 1: binary, 8: bytes of a size_t; the number 1 that follows tells the byte order.
+    // 1: binary; 8: bytes of a size_t. The number 1 that follows shows the byte order.
     "$MeshFormat\n4.1 1 8\n",
     Int32Array.of(1),
     "\n$EndMeshFormat\n",
@@ -35,7 +35,7 @@ export function* writeMsh(mesh: FileMesh, note: Note): Generator<Part, void> {
   ];
 }
 
-/** One section per name, with the nodes that have numbers; in both versions of the format. */
+/** Returns one section per name with the nodes that have values; the same in both versions of the format. */
 export function* nodeDataSections({ nodeData }: FileMesh): Generator<Part, void> {
   for (const [name, { components, values }] of nodeData) {
     const rows: number[] = [];
@@ -52,13 +52,13 @@ export function* nodeDataSections({ nodeData }: FileMesh): Generator<Part, void>
         view.setFloat64(width * r + 4 + 8 * i, values[components * node + i] ?? NaN, IS_LITTLE_ENDIAN);
       }
     });
-    // A name, a time, and three numbers: the step of time, numbers per node, nodes.
+    // One name, one time, and three numbers: time step, values per node, nodes.
     const title = `"${name.replace(/["\r\n]/g, "'")}"`;
     yield [`$NodeData\n1\n${title}\n1\n0\n3\n0\n${components}\n${rows.length}\n`, view, "\n$EndNodeData\n"];
   }
 }
 
-/** The section that tells the names of patches and regions. */
+/** Returns the section with the names of patches and regions. */
 export function physicalNames(groups: readonly Group[]): string {
   const lines = groups.map(({ kind, tag, name }) => `${kind.dimension} ${tag} "${name}"\n`);
   return `$PhysicalNames\n${groups.length}\n${lines.join("")}$EndPhysicalNames\n`;
@@ -72,7 +72,7 @@ function* entities(
   yield widened([0, 0, patches.length, regions.length]);
   for (const { tag, nodes } of [...patches, ...regions]) {
     const box = yield* boundingBox(nodes, points);
-    // No bounding entities are told: solvers do not need them, and a free surface has none.
+    // List no bounding entities: solvers do not need them, and a free surface has none.
     yield [Int32Array.of(tag), box, widened([1]), Int32Array.of(tag), widened([0])];
   }
 }
@@ -90,7 +90,7 @@ function* boundingBox(nodes: Uint32Array, points: Float64Array): Steps<Float64Ar
   return box;
 }
 
-/** All nodes in one block of the last entity; tags from 1 in the order of the mesh. */
+/** Puts all nodes into one block of the last entity; tags count from 1 in the order of the mesh. */
 function nodes(points: Float64Array, groups: readonly Group[]): ArrayBufferView[] {
   const count = points.length / 3;
   const owner = groups.at(-1);

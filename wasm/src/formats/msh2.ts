@@ -1,6 +1,6 @@
 /**
- * Gmsh MSH 2.2, binary, which older programs read: every element has its patch or region as physical group
- * and as entity; the groups carry the names.
+ * Writes Gmsh MSH 2.2, binary, for older programs. Every element has its patch or region as physical group and as
+ * entity; the groups carry the names.
  */
 import { IS_LITTLE_ENDIAN, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -12,7 +12,7 @@ import { inPieces } from "./steps.js";
 /** A number, then x y z. */
 const NODE_BYTES = 4 + 3 * 8;
 
-/** The bytes of an MSH file. */
+/** Returns the bytes of an MSH file. */
 export function* writeMsh2(mesh: FileMesh, note: Note): Generator<Part, void> {
   const groups = [
     ...(yield* patchGroups(mesh, { ...GMSH_NAMING, note })),
@@ -20,7 +20,7 @@ export function* writeMsh2(mesh: FileMesh, note: Note): Generator<Part, void> {
   ];
   const total = groups.reduce((sum, { kind, nodes }) => sum + nodes.length / kind.nodes, 0);
   yield [
-    // 1: binary, 8: bytes of a coordinate; the number 1 that follows tells the byte order.
+    // 1: binary; 8: bytes of a coordinate. The number 1 that follows shows the byte order.
     "$MeshFormat\n2.2 1 8\n",
     Int32Array.of(1),
     "\n$EndMeshFormat\n",
@@ -47,7 +47,7 @@ function nodes(points: Float64Array): Part {
   });
 }
 
-/** One run per group: type, number of elements and of tags, then number, tags and nodes of each. */
+/** Writes one run per group: type, number of elements and of tags; then number, tags and nodes of each element. */
 function* elements(groups: readonly Group[]): Generator<Part, void> {
   let number = 1;
   for (const { kind, tag, nodes: corners } of groups) {

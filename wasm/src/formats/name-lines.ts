@@ -1,18 +1,18 @@
 /**
- * Names of patches and regions as lines of text: "patch 4 inlet". Formats that know numbers alone keep them where they
- * have a place for any text, such as comments, which other programs pass over.
+ * Names of patches and regions as lines of text: "patch 4 inlet". Formats that store only numbers keep these lines
+ * in text that other programs ignore, such as comments.
  */
 import type { Note } from "./file-format.js";
 import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { isPlain, listed, shortened, usedGroups } from "./groups.js";
+import { hasGenericName, listed, shortened, usedGroups } from "./groups.js";
 import { GroupList } from "./mesh-builder.js";
 
-/** In bytes: no line is longer than readers of comments look at. */
-const LONGEST = 500;
+/** Longest line in bytes; readers inspect no longer comments. */
+const MAX_LINE_BYTES = 500;
 
 /**
- * One line per group with elements whose name says more than its number; without line ends. Of a group without any, a
- * reader would take the name for that of another.
+ * Returns one line per group that has elements and an informative name; without line ends. Groups without elements
+ * are skipped: a reader would take their name for that of another group.
  */
 export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note): string[] {
   const [groups, owners] =
@@ -20,35 +20,39 @@ export function nameLines(word: "patch" | "region", mesh: FileMesh, note: Note):
   const used = usedGroups(owners, groups);
   const cut: string[] = [];
   const lines = groups.flatMap((group, g) => {
-    if (isPlain(group) || !used.has(g)) return [];
+    if (hasGenericName(group) || !used.has(g)) return [];
     const whole = `${word} ${group.tag} ${group.name.replace(/\s+/g, " ").trim()}`;
-    const line = shortened(whole, LONGEST);
-    if (line !== whole) cut.push(`that of ${word} ${group.tag}`);
+    const line = shortened(whole, MAX_LINE_BYTES);
+    if (line !== whole) cut.push(`${word} ${group.tag}`);
     return [line];
   });
-  if (cut.length > 0) note(`names too long for a comment's line of ${LONGEST} bytes are cut: ${listed(cut)}`);
+  if (cut.length > 0)
+    note(`names are truncated to fit into comment lines of ${MAX_LINE_BYTES} bytes: ${listed(cut)}`);
   return lines;
 }
 
-/** The lines of patches and regions. */
+/** Returns the lines of patches and regions. */
 export function allNameLines(mesh: FileMesh, note: Note): string[] {
   return [...nameLines("patch", mesh, note), ...nameLines("region", mesh, note)];
 }
 
-/** The names that a file tells in such lines; all other lines are passed over. */
+/** Collects the names that such lines in a file define; other lines are ignored. */
 export class NameLines {
   readonly patches = new Map<number, string>();
   readonly regions = new Map<number, string>();
 
-  readonly hear: (line: string) => void = (line) => this.hearName(line);
+  readonly readComment: (line: string) => void = (line) => this.readName(line);
 
-  protected hearName(line: string): void {
+  protected readName(line: string): void {
     const [, word, tag, name = ""] = /^\s*(patch|region) (\d+) (.*\S)\s*$/.exec(line) ?? [];
     if (word !== undefined) (word === "patch" ? this.patches : this.regions).set(Number(tag), name);
   }
 
-  /** A mesh with the names; where both have but one patch, that is meant. */
-  given(mesh: FileMesh): FileMesh {
+  /**
+   * Returns the mesh with the names. If the mesh and the lines have one patch each, the name applies whatever the
+   * tag.
+   */
+  applyTo(mesh: FileMesh): FileMesh {
     const { patches, regions } = mesh;
     const [only, ...others] = this.patches;
     const isOne = only !== undefined && others.length === 0 && patches.length === 1;
@@ -62,17 +66,20 @@ export class NameLines {
   }
 }
 
-/** Between lines where a format has but one line for all. */
+/** Separates the lines where a format has only one line for all. */
 export const NAME_BREAK = "; ";
 
 export const STL_TITLE = "binary STL";
-/** Begins a header of STL that tells the patches by name, in the order of their numbers. */
+/** Beginning of an STL header that lists the names of the patches in the order of their numbers. */
 export const STL_NAMES = `${STL_TITLE}: `;
 
-/** So many ranges of faces are in one line. */
+/** Largest number of face ranges per line. */
 const RANGES_PER_LINE = 100;
 
-/** "faces of patch 4: 0-11 20-20", for formats that say nothing of their faces; none where there is one patch. */
+/**
+ * Returns lines such as "faces of patch 4: 0-11 20-20", for formats that store nothing per face; none for a single
+ * patch.
+ */
 export function faceLines(owners: Uint32Array, groups: readonly FileGroup[]): string[] {
   if (groups.length < 2) return [];
   const ranges = groups.map((): string[] => []);
@@ -89,28 +96,31 @@ export function faceLines(owners: Uint32Array, groups: readonly FileGroup[]): st
   });
 }
 
-/** Hears the lines of `faceLines`, with those of names. */
+/** Collects the lines of `faceLines`, besides those of names. */
 export class FaceLines extends NameLines {
   readonly #ranges: (readonly [tag: number, begin: number, end: number])[] = [];
 
-  override readonly hear = (line: string): void => {
-    this.hearName(line);
+  override readonly readComment = (line: string): void => {
+    this.readName(line);
     const [, tag, ranges = ""] = /^\s*faces of patch (\d+): ([\d -]+)$/.exec(line) ?? [];
     for (const [, begin, end] of ranges.matchAll(/(\d+)-(\d+)/g)) {
       this.#ranges.push([Number(tag), Number(begin), Number(end)]);
     }
   };
 
-  /** With the patches, where the lines are of all its faces and none is told twice; polygons had other numbers. */
-  override given(mesh: FileMesh): FileMesh {
+  /**
+   * Also assigns the patches if the lines cover every face exactly once; otherwise they were written for other
+   * polygons.
+   */
+  override applyTo(mesh: FileMesh): FileMesh {
     const count = mesh.trianglePatch.length;
     const told = this.#ranges.reduce((sum, [, begin, end]) => sum + end + 1 - begin, 0);
     const isWhole = told === count && this.#ranges.every(([, begin, end]) => begin <= end && end < count);
-    if (!isWhole || count === 0) return super.given(mesh);
+    if (!isWhole || count === 0) return super.applyTo(mesh);
     const patches = new GroupList("patch");
     const trianglePatch = new Uint32Array(count).fill(count);
     for (const [tag, begin, end] of this.#ranges) trianglePatch.fill(patches.tagged(tag), begin, end + 1);
-    if (trianglePatch.includes(count)) return super.given(mesh);
-    return super.given({ ...mesh, trianglePatch, patches: patches.groups() });
+    if (trianglePatch.includes(count)) return super.applyTo(mesh);
+    return super.applyTo({ ...mesh, trianglePatch, patches: patches.groups() });
   }
 }

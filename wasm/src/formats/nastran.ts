@@ -1,26 +1,26 @@
 /**
- * Nastran bulk data: GRID points in wide fields of 16 characters, which hold at least ten digits; a CTETRA
- * property PSOLID with a material of the same number per region, and CTRIA3 shells with a PSHELL property
- * of no stiffness per patch. Names are comments, as the format has none. What a material is made of is left to
- * the user.
+ * Writes Nastran bulk data: GRID points in wide fields of 16 characters, which hold at least ten digits; per
+ * region, CTETRA elements with a PSOLID property and a material of the same number; per patch, CTRIA3 shells with a
+ * PSHELL property without stiffness. Names are comments, because the format has none. Material properties are left
+ * to the user.
  */
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, type Group } from "./groups.js";
-import type { Held } from "./held.js";
+import type { FormatLimits } from "./format-limits.js";
 import { noteMerged } from "./merged-points.js";
 import { numberRows } from "./number-rows.js";
 import { stepwise } from "./steps.js";
 
-/** Properties of shells and solids have their numbers from one set, of eight digits each. */
-export const NASTRAN_NUMBERS: Held = { lowestTag: 1, highestTag: 99_999_999, sharesTags: true };
+/** Properties of shells and solids share one set of numbers, of at most eight digits. */
+export const NASTRAN_NUMBERS: FormatLimits = { minTag: 1, maxTag: 99_999_999, hasSharedTags: true };
 
-/** The bytes of a bulk data file. Properties have the numbers of their patches and regions. */
+/** Returns the bytes of a bulk data file. Properties have the tags of their patches and regions. */
 export function* writeNastran(mesh: FileMesh, note: Note): Generator<Part, void> {
   const written = new Float64Array(mesh.points.length);
   yield* stepwise(written.length, (i) => (written[i] = Number(wide(mesh.points[i] ?? 0))));
-  yield* noteMerged(mesh.points, note, written, `the format has ${WIDE} characters for a coordinate`);
+  yield* noteMerged(mesh.points, note, written, `the format has ${WIDE} characters per coordinate`);
   const regions = yield* regionGroups(mesh, { note });
   const patches = yield* patchGroups(mesh, { note });
   yield [
@@ -47,12 +47,12 @@ function cards(groups: readonly Group[]): Part[] {
   });
 }
 
-/** A whole number in a narrow field; up to 99 999 999 fit. */
+/** Formats a whole number for a narrow field; the largest is 99 999 999. */
 function field(value: number): string {
   return String(value).padEnd(8);
 }
 
-/** Number and coordinates in two lines of wide fields. */
+/** Formats a number and coordinates as two lines of wide fields. */
 function gridCard(number: number, point: ArrayLike<number>): string {
   const [x, y, z] = [0, 1, 2].map((axis) => wide(point[axis] ?? 0));
   return `GRID*   ${String(number).padEnd(16)}${"".padEnd(16)}${x}${y}*\n*       ${z}`;
@@ -60,7 +60,10 @@ function gridCard(number: number, point: ArrayLike<number>): string {
 
 const WIDE = 16;
 
-/** As many digits as fit into 16 characters with a point, which a real number must have. */
+/**
+ * Formats a number with as many digits as fit into 16 characters, with the decimal point that a real number
+ * requires.
+ */
 function wide(value: number): string {
   for (let digits = 17; digits > 1; digits--) {
     const text = real(Number(value.toPrecision(digits)));

@@ -1,11 +1,11 @@
-/** Positions of nodes by the numbers that a file gives them: most files count from 1, any number may come. */
+/** Maps the node tags of a file to node indices: most files count from 1, but any tag may occur. */
 export class NodeTags {
   #count = 0;
-  /** All nodes so far are numbered from this one on, without a gap, unless there is a map. */
+  /** While there is no map, all tags so far are consecutive from this one on. */
   #first = 1;
   #map: Map<number, number> | undefined;
 
-  /** The next node has this number; where two have it, the last counts. */
+  /** Assigns this tag to the next node. If a tag occurs twice, the last node counts. */
   add(tag: number): void {
     if (this.#count === 0) this.#first = tag;
     if (this.#map === undefined && tag !== this.#first + this.#count) this.#map = this.#listed();
@@ -13,10 +13,10 @@ export class NodeTags {
     this.#count++;
   }
 
-  positionOf(tag: number): number | undefined {
+  indexOf(tag: number): number | undefined {
     if (this.#map !== undefined) return this.#map.get(tag);
-    const position = tag - this.#first;
-    return Number.isInteger(position) && position >= 0 && position < this.#count ? position : undefined;
+    const index = tag - this.#first;
+    return Number.isInteger(index) && index >= 0 && index < this.#count ? index : undefined;
   }
 
   #listed(): Map<number, number> {

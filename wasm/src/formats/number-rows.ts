@@ -2,7 +2,10 @@ import { inPieces } from "./steps.js";
 
 type Numbers = Float64Array | Uint32Array | Int32Array | Uint8Array;
 
-/** One line per `width` values, as `line` puts it, made while they are asked for, a step at a time. */
+/**
+ * Yields one line per `width` values, formatted by `line`; the lines are made when they are requested, a slice at a
+ * time.
+ */
 export function numberRows(
   values: Numbers,
   width: number,
@@ -17,14 +20,14 @@ export function numberRows(
   });
 }
 
-/** The nodes of a row, counted from 1. */
+/** Formats the nodes of a row, counted from 1. */
 export function fromOne(row: Numbers, separator = " "): string {
   let text = "";
   for (let i = 0; i < row.length; i++) text += `${i === 0 ? "" : separator}${(row[i] ?? 0) + 1}`;
   return text;
 }
 
-/** The doubles of a row as decimals that give them back bit for bit, the sign of zero too. */
+/** Formats doubles as decimals that restore them bit for bit, including the sign of zero. */
 export function coordinates(row: Numbers, separator = " "): string {
   let text = "";
   for (let i = 0; i < row.length; i++) {

@@ -1,8 +1,8 @@
 /**
- * OBJ (Wavefront), as text: `v` and `f` count, a corner being the first number of its group. The material in
- * use is the patch of a face; where groups (or objects) divide what is of one material, they are the patches, and a group
- * of several materials is one patch for each. Normals, texture coordinates, lines and points are
- * read over; a backslash at the end of a line continues it; polygons are cut into triangles; curves and surfaces that need more than corners are refused.
+ * Reads OBJ (Wavefront, text): `v`, and the first index of each corner in `f`. The patch of a face is its material.
+ * If groups (or objects) divide a material, they are the patches; a group with several materials becomes one patch
+ * per material. Normals, texture coordinates, lines and points are skipped. A backslash at the end of a line
+ * continues it. Polygons are cut into triangles. Free-form curves and surfaces are rejected.
  */
 import { plural } from "../base/plural.js";
 import { ByteReader } from "./byte-reader.js";
@@ -13,14 +13,14 @@ import { GroupList, MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OBJ file of triangles.";
-/** Words that begin free-form geometry, which a mesh would be missing. */
+/** Keywords of free-form geometry, without which the mesh would be incomplete. */
 const FREE_FORM = new Set(["curv", "curv2", "surf", "cstype", "deg", "bmat"]);
 
 export function readObj(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
   const options = { remedy: REMEDY, comment: "#", continuation: "\\", signal };
   return ByteReader.over(source, options, async (reader) => {
     const builder = new MeshBuilder();
-    builder.onLongWork = reader.rest;
+    builder.onLongWork = reader.requestYield;
     const kinds = new Kinds(builder.patches);
     const group = { material: "", name: "" };
     for (;;) {
@@ -32,23 +32,24 @@ export function readObj(source: ByteSource, { signal }: Pick<ReadContext, "signa
         readFace(reader, builder, kinds.patchOf(group));
       } else if (word === "usemtl") group.material = nameIn(reader);
       else if (word === "g" || word === "o") group.name = nameIn(reader);
-      else if (FREE_FORM.has(word)) reader.fail(`"${word}" begins a curve or surface that is no polygon`);
-      // A weight or colour after a point, and everything that is neither.
+      else if (FREE_FORM.has(word))
+        reader.fail(`"${word}" begins a free-form curve or surface; only polygons are supported`);
+      // Skip a weight or colour after a point, and all other statements.
       reader.skipLine();
     }
-    if (builder.triangleCount === 0) reader.fail("the file has no face");
+    if (builder.triangleCount === 0) reader.fail("the file has no faces");
     const mesh = builder.mesh();
     return { ...mesh, ...kinds.named(mesh) };
   });
 }
 
-/** What is told of a face. */
+/** Material and group of a face. */
 interface Kind {
   readonly material: string;
   readonly name: string;
 }
 
-/** The pairs of group and material that the faces have. */
+/** Combinations of group and material that the faces have. */
 class Kinds {
   readonly #patches: GroupList;
   readonly #kinds: Kind[] = [];
@@ -64,21 +65,21 @@ class Kinds {
     });
   }
 
-  /** Kinds that end with the same name, as a group and a material may, are one patch. */
+  /** Merges combinations that end up with the same name, as a group and a material may. */
   named({ trianglePatch }: FileMesh): Pick<FileMesh, "trianglePatch" | "patches"> {
     const [materials, names] = [new Map<string, number>(), new Map<string, number>()];
     for (const { material, name } of this.#kinds) {
       materials.set(material, (materials.get(material) ?? 0) + 1);
       names.set(name, (names.get(name) ?? 0) + 1);
     }
-    // A group divides a material that stands beside several.
+    // If a material occurs in several groups, the groups are the patches.
     const isByGroup = [...materials].some(([material, count]) => material !== "" && count > 1);
     const patches = new GroupList("patch");
     const taken = new Set<string>();
-    const positions = this.#kinds.map(({ material, name }) => {
+    const indices = this.#kinds.map(({ material, name }) => {
       const isPair = isByGroup && material !== "" && name !== "" && (names.get(name) ?? 0) > 1;
       const single = (isByGroup && name) || material || name || "surface";
-      // Words of a group and of a material beside each other may read the same for two pairs.
+      // Joining group and material by a space could give two pairs the same key.
       const key = isPair ? `${name}\n${material}` : single;
       return patches.of(key, () => {
         const own = unused(isPair ? `${name} ${material}` : single, taken);
@@ -86,13 +87,13 @@ class Kinds {
       });
     });
     return {
-      trianglePatch: trianglePatch.map((kind) => positions[kind] ?? 0),
+      trianglePatch: trianglePatch.map((kind) => indices[kind] ?? 0),
       patches: patches.groups(),
     };
   }
 }
 
-/** The name, or with a number behind it where another has it. */
+/** Returns the name, with a number appended if it is taken. */
 function unused(name: string, taken: Set<string>): string {
   let own = name;
   for (let copy = 2; taken.has(own); copy++) own = `${name} (${copy})`;
@@ -117,10 +118,12 @@ function readFace(reader: ByteReader, builder: MeshBuilder, patch: number): void
   const corners: number[] = [];
   for (let word = reader.wordInLine(); word !== ""; word = reader.wordInLine()) {
     const given = Number(word.split("/")[0]);
-    // From 1; below 0 they count backwards from the last point so far.
+    // Corners count from 1; negative ones count backwards from the last point so far.
     const corner = given < 0 ? count + given : given - 1;
     if (word.startsWith("/") || !Number.isInteger(corner) || corner < 0 || corner >= count) {
-      reader.fail(`"${word.slice(0, 24)}" is no corner among the ${plural(count, "point")} so far`);
+      reader.fail(
+        `"${word.slice(0, 24)}" is not a valid corner: the file has ${plural(count, "point")} so far`,
+      );
     }
     corners.push(corner);
   }

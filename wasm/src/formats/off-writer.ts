@@ -1,7 +1,7 @@
 /**
- * OFF, as text: the boundary, points and triangles alone. Colours of faces would tell patches apart, but many
- * programs read three corners and nothing else from a face's line, and refuse or garble the rest: they are told by
- * comments at the end, where nobody else looks.
+ * Writes OFF (text): the points and triangles of the boundary. Face colours could identify patches, but many
+ * programs read three corners per line and reject or garble the rest. Patches are therefore listed in comments at
+ * the end.
  */
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
@@ -10,7 +10,7 @@ import type { FileMesh } from "./file-mesh.js";
 import { faceLines, nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
-/** The bytes of an OFF file. */
+/** Returns the bytes of an OFF file. */
 export function* writeOff(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points, triangles, trianglePatch, patches } = yield* boundaryOf(mesh);
   yield [

@@ -1,6 +1,6 @@
 /**
- * OFF (Geomview's object file format), as text or binary: corners by number, `#` begins a comment. Normals and texture
- * coordinates of the variants are read over; faces of one colour are a patch; polygons are cut into triangles.
+ * Reads OFF (Geomview's object file format), text or binary; `#` begins a comment. Normals and texture coordinates
+ * of the variants are skipped. Faces of one colour become a patch. Polygons are cut into triangles.
  */
 import { plural } from "../base/plural.js";
 import { ByteReader } from "./byte-reader.js";
@@ -13,20 +13,20 @@ import { FaceLines } from "./name-lines.js";
 import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as an OFF file in text form.";
-/** Behind the first word; then all numbers have four bytes, high byte first. */
+/** Follows the first word of a binary file, whose numbers have four bytes, high byte first. */
 const BINARY = /^[ \t]+BINARY[ \t\r\n]/;
-/** Three numbers and the blanks around them are no longer. */
+/** Enough bytes for the three counts and the blanks around them. */
 const COUNTS_BYTES = 64;
-/** More than these would be written as a triangle soup of a different format, or are garbage. */
+/** Larger counts indicate a damaged file. */
 const MAX_COUNT = 0x7fffffff;
 
 export function readOff(source: ByteSource, { signal }: Pick<ReadContext, "signal"> = {}): Promise<FileMesh> {
   const lines = new FaceLines();
-  const options = { remedy: REMEDY, comment: "#", heard: lines.hear, signal };
+  const options = { remedy: REMEDY, comment: "#", onComment: lines.readComment, signal };
   return ByteReader.over(source, options, async (reader) => {
     const { extras, isBinary } = readHeader(reader);
     const builder = new MeshBuilder();
-    builder.onLongWork = reader.rest;
+    builder.onLongWork = reader.requestYield;
     if (isBinary) {
       await readBinary(reader, builder, extras);
       return builder.mesh();
@@ -49,18 +49,18 @@ export function readOff(source: ByteSource, { signal }: Pick<ReadContext, "signa
       await reader.fill();
       reader.skipComments();
     }
-    if (/OFF$/.test(reader.word())) reader.fail("another surface begins behind this one");
-    return lines.given(builder.mesh());
+    if (/OFF$/.test(reader.word())) reader.fail("a second surface follows the first one");
+    return lines.applyTo(builder.mesh());
   });
 }
 
 interface OffHeader {
-  /** How many numbers a point has beyond x y z. */
+  /** Number of values per point besides x y z. */
   readonly extras: number;
   readonly isBinary: boolean;
 }
 
-/** Files may leave the word out and begin with their numbers. */
+/** Reads the header. Files may omit the word OFF and begin with the counts. */
 function readHeader(reader: ByteReader): OffHeader {
   reader.skipComments();
   if (/^\d+\s+\d+\s+\d+\s/.test(String.fromCharCode(...reader.peek(COUNTS_BYTES)))) {
@@ -70,7 +70,7 @@ function readHeader(reader: ByteReader): OffHeader {
   const variant = /^(ST)?(C)?(N)?(4)?(n)?OFF$/.exec(word);
   if (variant === null) return reader.fail('the file does not begin with "OFF"');
   if (variant[4] !== undefined || variant[5] !== undefined) {
-    return reader.fail(`"${word}" has points of other than three dimensions`);
+    return reader.fail(`"${word}" files have points that are not three-dimensional`);
   }
   const [, texture, color, normal] = variant;
   const extras =
@@ -91,7 +91,7 @@ async function readBinary(reader: ByteReader, builder: MeshBuilder, extras: numb
   for (let i = 0; i < pointCount; i++) {
     if (reader.isLow) await reader.fill();
     const [x = NaN, y = NaN, z = NaN] = Array.from({ length: 3 + extras }, () => reader.float(4));
-    if (!Number.isFinite(x + y + z)) reader.fail(`point ${i} has no finite place`);
+    if (!Number.isFinite(x + y + z)) reader.fail(`point ${i} has a coordinate that is not finite`);
     builder.addPoint(x, y, z);
   }
   for (let f = 0; f < faceCount; f++) {
@@ -102,12 +102,14 @@ async function readBinary(reader: ByteReader, builder: MeshBuilder, extras: numb
     for (let i = 0; i < size; i++) {
       const corner = reader.integer(4, true);
       if (!(corner >= 0 && corner < pointCount)) {
-        reader.fail(`face ${f} has the corner ${corner} of ${plural(pointCount, "point")}, counted from 0`);
+        reader.fail(
+          `face ${f} (counted from 0) has corner ${corner}, but the file has ${plural(pointCount, "point")}`,
+        );
       }
       corners.push(corner);
     }
     const colors = integer("numbers of a colour");
-    if (colors > 4) reader.fail(`the colour of face ${f} has ${colors} numbers`);
+    if (colors > 4) reader.fail(`the colour of face ${f} has ${colors} components; the limit is 4`);
     const patch = colorPatch(
       builder.patches,
       Array.from({ length: colors }, () => reader.float(4)),
@@ -121,7 +123,7 @@ function readFace(reader: ByteReader, builder: MeshBuilder, f: number): void {
   if (size < 3) reader.fail(`face ${f} has ${plural(size, "corner")}`);
   const corners: number[] = [];
   for (let i = 0; i < size; i++) corners.push(reader.index(`a corner of face ${f}`, builder.pointCount));
-  // A colour may follow: one number of a table, or three or four, from 0 to 1 or from 0 to 255.
+  // A colour may follow: an index of a colour table, or three or four components from 0 to 1 or from 0 to 255.
   const patch = colorPatch(builder.patches, numbersInLine(reader));
   if (!builder.addPolygon(corners, patch)) {
     reader.fail(`face ${f} ${UNCUT}`);

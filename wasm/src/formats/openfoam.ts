@@ -1,20 +1,21 @@
 /**
- * OpenFOAM: the folder `constant/polyMesh` in a zip, to be unpacked in a case. Faces in OpenFOAM's order:
- * the inner ones first, cell by cell towards higher neighbours (upper triangular), their normals pointing
- * from the lower cell to the higher; then the faces of each patch, pointing outward. Regions are cell zones;
- * patches between two regions are face zones; faces of no patch, as a partial mesh has, are in `defaultFaces`.
+ * Writes OpenFOAM: the folder `constant/polyMesh` in a zip, to be unpacked in a case. Faces are in OpenFOAM's
+ * order. Inner faces come first, cell by cell towards higher neighbours (upper triangular); their normals point
+ * from the lower to the higher cell. The faces of each patch follow; their normals point outward. Regions are cell
+ * zones, and patches between two regions are face zones. Faces without a patch, as in a partial mesh, form
+ * `defaultFaces`.
  */
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { patchGroups, regionGroups, usedGroups } from "./groups.js";
 import { coordinates, numberRows } from "./number-rows.js";
-import { noteLoose, noteNameless, noteRepeated } from "./outer-faces.js";
-import { BREATH, stepwise, type Steps } from "./steps.js";
-import { cornersOf, NONE, soundFaces, type TetFaces } from "./tet-faces.js";
+import { noteFreeTriangles, noteUnnamedFaces, noteDuplicates } from "./outer-faces.js";
+import { PAUSE, stepwise, type Steps } from "./steps.js";
+import { cornersOf, NONE, validFaces, type TetFaces } from "./tet-faces.js";
 import { zipped } from "./zip.js";
 
-/** A patch or a face zone: `positions` among all faces. */
+/** Consecutive faces of a patch. */
 interface FaceRange {
   readonly name: string;
   readonly begin: number;
@@ -24,16 +25,16 @@ interface FaceRange {
 interface PolyMesh {
   /** Faces 4 t + f of tetrahedra, in OpenFOAM's order. */
   readonly faces: Uint32Array;
-  /** Per inner face, which come first. */
+  /** Per inner face, in the same order. */
   readonly neighbours: Uint32Array;
   readonly patches: readonly FaceRange[];
   readonly zones: readonly { readonly name: string; readonly faces: Uint32Array }[];
 }
 
-/** The bytes of the zip. */
+/** Returns the bytes of the zip. */
 export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void> {
   const poly = yield* polyMesh(mesh, note);
-  yield BREATH;
+  yield PAUSE;
   const owners = poly.faces.map((face) => face >>> 2);
   const counts =
     `note "nPoints:${mesh.points.length / 3} nCells:${mesh.tetrahedra.length / 4} ` +
@@ -63,19 +64,19 @@ export function* writeOpenFoam(mesh: FileMesh, note: Note): Generator<Part, void
 }
 
 function* polyMesh(mesh: FileMesh, note: Note): Steps<PolyMesh> {
-  const found = yield* soundFaces(mesh);
-  noteLoose(found.faceOfTriangle.filter((face) => face === NONE).length, note);
-  const isRepeated = (t: number, face: number) => face !== NONE && found.triangle[face] !== t;
-  noteRepeated(found.faceOfTriangle.filter((face, t) => isRepeated(t, face)).length, note);
+  const found = yield* validFaces(mesh);
+  noteFreeTriangles(found.faceOfTriangle.filter((face) => face === NONE).length, note);
+  const isDuplicate = (t: number, face: number) => face !== NONE && found.triangle[face] !== t;
+  noteDuplicates(found.faceOfTriangle.filter((face, t) => isDuplicate(t, face)).length, note);
   const inner = yield* innerFaces(found.twin);
   const outside: number[] = [];
-  let positions: Uint32Array | undefined;
+  let indices: Uint32Array | undefined;
   const patches: FaceRange[] = [];
   const zones: { name: string; faces: Uint32Array }[] = [];
   const names = yield* namesOf(mesh, note);
   const byPatch = yield* membersOf(mesh.trianglePatch, mesh.patches.length);
   byPatch.forEach((own, patch) => {
-    const kept = own.filter((t) => !isRepeated(t, found.faceOfTriangle[t] ?? NONE));
+    const kept = own.filter((t) => !isDuplicate(t, found.faceOfTriangle[t] ?? NONE));
     const sides = kept.map((t) => found.faceOfTriangle[t] ?? NONE).filter((face) => face !== NONE);
     const outer = sides.filter((face) => found.twin[face] === NONE);
     const between = sides.filter((face) => found.twin[face] !== NONE);
@@ -85,32 +86,32 @@ function* polyMesh(mesh: FileMesh, note: Note): Steps<PolyMesh> {
     }
     for (const face of outer) outside.push(face);
     if (between.length === 0) return;
-    const known = (positions ??= positionsOf(inner, found.twin.length));
-    const zone = Uint32Array.from(between, (face) => known[lowerSide(face, found.twin)] ?? 0);
+    const known = (indices ??= indexByFace(inner, found.twin.length));
+    const zone = Uint32Array.from(between, (face) => known[lowerHalfFace(face, found.twin)] ?? 0);
     zones.push({ name, faces: zone.sort() });
   });
-  const nameless = yield* namelessFaces(found);
-  if (nameless.length > 0) {
+  const unnamed = yield* unnamedFaces(found);
+  if (unnamed.length > 0) {
     const name = "defaultFaces";
-    patches.push({ name, begin: inner.length + outside.length, count: nameless.length });
-    noteNameless(nameless.length, name, note);
+    patches.push({ name, begin: inner.length + outside.length, count: unnamed.length });
+    noteUnnamedFaces(unnamed.length, name, note);
   }
-  yield BREATH;
-  const faces = new Uint32Array(inner.length + outside.length + nameless.length);
+  yield PAUSE;
+  const faces = new Uint32Array(inner.length + outside.length + unnamed.length);
   faces.set(inner);
   faces.set(outside, inner.length);
-  faces.set(nameless, inner.length + outside.length);
-  yield BREATH;
+  faces.set(unnamed, inner.length + outside.length);
+  yield PAUSE;
   const neighbours = inner.map((face) => (found.twin[face] ?? 0) >>> 2);
   return { faces, neighbours, patches, zones };
 }
 
-/** Of the two sides of an inner face that of the lower cell. */
-function lowerSide(face: number, twin: Uint32Array): number {
+/** Returns, of the two half-faces of an inner face, the one of the lower cell. */
+function lowerHalfFace(face: number, twin: Uint32Array): number {
   return Math.min(face, twin[face] ?? face);
 }
 
-/** Cell by cell, towards the higher neighbours in their order. */
+/** Returns the inner faces cell by cell, ordered by their higher neighbour. */
 function* innerFaces(twin: Uint32Array): Steps<Uint32Array> {
   const inner = new Uint32Array(twin.length / 2);
   let count = 0;
@@ -126,33 +127,33 @@ function* innerFaces(twin: Uint32Array): Steps<Uint32Array> {
   return inner.subarray(0, count);
 }
 
-/** By face: its position among these, of which each is there once. */
-function positionsOf(faces: Uint32Array, faceCount: number): Uint32Array {
-  const positions = new Uint32Array(faceCount);
-  faces.forEach((face, position) => (positions[face] = position));
-  return positions;
+/** Inverts a list of distinct faces: index in the list by face. */
+function indexByFace(faces: Uint32Array, faceCount: number): Uint32Array {
+  const indices = new Uint32Array(faceCount);
+  faces.forEach((face, index) => (indices[face] = index));
+  return indices;
 }
 
-/** Faces of one tetrahedron on which no triangle lies. */
-function* namelessFaces({ twin, triangle }: TetFaces): Steps<number[]> {
-  const nameless: number[] = [];
+/** Returns the faces of exactly one tetrahedron without a triangle. */
+function* unnamedFaces({ twin, triangle }: TetFaces): Steps<number[]> {
+  const unnamed: number[] = [];
   yield* stepwise(twin.length, (face) => {
-    if (twin[face] === NONE && triangle[face] === NONE) nameless.push(face);
+    if (twin[face] === NONE && triangle[face] === NONE) unnamed.push(face);
   });
-  return nameless;
+  return unnamed;
 }
 
-/** The elements of each of so many groups, in their order. */
+/** Returns the elements of each group, in their order. */
 function* membersOf(owners: Uint32Array, groups: number): Steps<number[][]> {
   const members = Array.from({ length: groups }, (): number[] => []);
   yield* stepwise(owners.length, (element) => members[owners[element] ?? 0]?.push(element));
   return members;
 }
 
-/** Words as OpenFOAM takes them, by position of the patch; patches without triangles have none. */
+/** Returns names that OpenFOAM accepts, by patch index; undefined for patches without triangles. */
 function* namesOf(mesh: FileMesh, note: Note): Steps<(string | undefined)[]> {
   const used = usedGroups(mesh.trianglePatch, mesh.patches);
-  const names = (yield* patchGroups(mesh, { plain: word, note })).map(({ name }) => name);
+  const names = (yield* patchGroups(mesh, { toPlain: word, note })).map(({ name }) => name);
   return mesh.patches.map((_, patch) => (used.has(patch) ? names.shift() : undefined));
 }
 
@@ -195,7 +196,7 @@ function zoneEntry({ name, faces }: { readonly name: string; readonly faces: Uin
 function* cellZones(mesh: FileMesh, note: Note): Steps<Part> {
   const cells = yield* membersOf(mesh.tetrahedronRegion, mesh.regions.length);
   const filled = cells.filter((own) => own.length > 0);
-  const groups = yield* regionGroups(mesh, { plain: word, note });
+  const groups = yield* regionGroups(mesh, { toPlain: word, note });
   const entries = groups.map(({ name }, r): Part => {
     const own = Uint32Array.from(filled[r] ?? []);
     return [`${name}\n{\ntype cellZone;\ncellLabels List<label> ${own.length}\n(\n`, labels(own), ");\n}\n"];

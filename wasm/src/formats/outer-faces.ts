@@ -1,31 +1,34 @@
 /**
- * The boundary as solvers take it: each face of one tetrahedron once, outward, in a patch. Walls between regions, which
- * have an element on either side, are no boundary; nor are triangles without any.
+ * Boundary as solvers need it: each face of exactly one tetrahedron once, facing outward, in a patch. Interfaces,
+ * with an element on each side, and triangles without an element are left out.
  */
 import { plural } from "../base/plural.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { listed } from "./groups.js";
 import { stepwise, type Steps } from "./steps.js";
-import { cornersOf, NONE, soundFaces } from "./tet-faces.js";
+import { cornersOf, NONE, validFaces } from "./tet-faces.js";
 
-/** For faces that no patch has, as in a partial mesh. */
-export const NAMELESS = "unnamed faces";
+/** Name of the patch for boundary faces without a triangle, as in a partial mesh. */
+export const UNNAMED_FACES = "unnamed faces";
 
-/** The mesh with these triangles alone. Throws a MesherError where its elements do not fit together. */
+/**
+ * Returns the mesh with the boundary faces as its triangles. Throws a MesherError if its elements do not fit
+ * together.
+ */
 export function* withOuterFaces(mesh: FileMesh, note: Note): Steps<FileMesh> {
   const { tetrahedra, trianglePatch, patches } = mesh;
-  const { twin, triangle, faceOfTriangle } = yield* soundFaces(mesh);
+  const { twin, triangle, faceOfTriangle } = yield* validFaces(mesh);
   const faces: number[] = [];
   const owners: number[] = [];
-  const walls: number[] = [];
+  const interfaces: number[] = [];
   let lost = 0;
   let repeated = 0;
   yield* stepwise(faceOfTriangle.length, (t) => {
     const face = faceOfTriangle[t] ?? NONE;
     if (face === NONE) lost++;
     else if (triangle[face] !== t) repeated++;
-    else if (twin[face] !== NONE) walls.push(t);
+    else if (twin[face] !== NONE) interfaces.push(t);
     else {
       faces.push(face);
       owners.push(trianglePatch[t] ?? 0);
@@ -37,10 +40,10 @@ export function* withOuterFaces(mesh: FileMesh, note: Note): Steps<FileMesh> {
     faces.push(face);
     owners.push(patches.length);
   });
-  noteWalls(mesh, walls, note);
-  noteLoose(lost, note);
-  noteRepeated(repeated, note);
-  if (faces.length > named) noteNameless(faces.length - named, NAMELESS, note);
+  noteInterfaces(mesh, interfaces, note);
+  noteFreeTriangles(lost, note);
+  noteDuplicates(repeated, note);
+  if (faces.length > named) noteUnnamedFaces(faces.length - named, UNNAMED_FACES, note);
   const triangles = new Uint32Array(3 * faces.length);
   yield* stepwise(faces.length, (t) => triangles.set(cornersOf(tetrahedra, faces[t] ?? 0), 3 * t));
   const lastTag = patches.reduce((most, { tag }) => Math.max(most, tag), 0);
@@ -48,31 +51,35 @@ export function* withOuterFaces(mesh: FileMesh, note: Note): Steps<FileMesh> {
     ...mesh,
     triangles,
     trianglePatch: Uint32Array.from(owners),
-    patches: [...patches, { name: NAMELESS, tag: lastTag + 1 }],
+    patches: [...patches, { name: UNNAMED_FACES, tag: lastTag + 1 }],
   };
 }
 
-function noteWalls({ trianglePatch, patches }: FileMesh, walls: readonly number[], note: Note): void {
-  if (walls.length === 0) return;
-  const names = new Set(walls.map((t) => `"${patches[trianglePatch[t] ?? 0]?.name ?? ""}"`));
+function noteInterfaces(
+  { trianglePatch, patches }: FileMesh,
+  interfaces: readonly number[],
+  note: Note,
+): void {
+  if (interfaces.length === 0) return;
+  const names = new Set(interfaces.map((t) => `"${patches[trianglePatch[t] ?? 0]?.name ?? ""}"`));
   note(
-    `left out: ${plural(walls.length, "triangle")} with a tetrahedron on either side, of ${listed([...names])}, ` +
-      "for the format has faces on the boundary alone",
+    `left out: ${plural(interfaces.length, "triangle")} with a tetrahedron on both sides, of ${listed([...names])}: ` +
+      "the format stores boundary faces only",
   );
 }
 
-export function noteLoose(count: number, note: Note): void {
-  if (count > 0) note(`left out: ${plural(count, "triangle")} on no tetrahedron`);
+export function noteFreeTriangles(count: number, note: Note): void {
+  if (count > 0) note(`left out: ${plural(count, "triangle")} without a tetrahedron`);
 }
 
-export function noteRepeated(count: number, note: Note): void {
-  if (count > 0) note(`left out: ${plural(count, "triangle")} in the place of another`);
+export function noteDuplicates(count: number, note: Note): void {
+  if (count > 0) note(`left out: ${plural(count, "duplicate triangle")}`);
 }
 
-export function noteNameless(count: number, patch: string, note: Note): void {
-  note(`put into "${patch}": ${plural(count, "face")} of one tetrahedron and no patch`);
+export function noteUnnamedFaces(count: number, patch: string, note: Note): void {
+  note(`added to "${patch}": ${plural(count, "boundary face")} without a patch`);
 }
 
 export function noteRegions({ regions }: FileMesh, note: Note): void {
-  if (regions.length > 1) note(`the ${regions.length} regions are told apart no more: the format has none`);
+  if (regions.length > 1) note(`the ${regions.length} regions are merged: the format cannot store regions`);
 }

@@ -1,6 +1,6 @@
 /**
- * PLY, as text: points and triangles, and, where there are several patches, with each triangle the number and
- * the colour of its patch. Text, because Gmsh reads no other, and meshio no numbers of faces in binary files.
+ * Writes PLY (text): points and triangles; if there are several patches, each triangle has the number and colour of
+ * its patch. Text, because Gmsh reads no binary PLY, and meshio reads no face properties in binary files.
  */
 import { boundaryOf, colorsOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
@@ -9,7 +9,7 @@ import type { FileMesh } from "./file-mesh.js";
 import { nameLines } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 
-/** The bytes of a PLY file. */
+/** Returns the bytes of a PLY file. */
 export function* writePly(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points, triangles, trianglePatch, patches } = yield* boundaryOf(mesh);
   const hasPatches = patches.length > 1;

@@ -1,7 +1,7 @@
 /**
- * PLY (Stanford polygon format), text and binary of either byte order: x y z of `vertex` and the corners of
- * `face` count. Faces are put into patches by their number `patch`, whose names comments may tell, else by their
- * colour; all other properties and elements are read over. Polygons and strips are cut into triangles.
+ * Reads PLY (Stanford polygon format), text and binary of either byte order: x y z of `vertex`, and the corners of
+ * `face`. The patch of a face is its property `patch`, whose names comments may define, else its colour. Other
+ * properties and elements are skipped. Polygons and strips are cut into triangles.
  */
 import { plural } from "../base/plural.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
@@ -16,7 +16,7 @@ import { UNCUT } from "./polygons.js";
 
 const REMEDY = "Export the surface again as a PLY file of triangles.";
 
-/** Bytes of the types, by both of their names; "f" for floating point, "u" for unsigned. */
+/** Bytes of the types, by both of their names; "i" signed, "u" unsigned, "f" floating point. */
 const TYPES: ReadonlyMap<string, { readonly bytes: 1 | 2 | 4 | 8; readonly kind: "i" | "u" | "f" }> = new Map(
   (
     [
@@ -38,7 +38,7 @@ type ReadNumber = (type: string) => number;
 interface Property {
   readonly name: string;
   readonly type: string;
-  /** Of the number of items; undefined where the property is a single number. */
+  /** Type of the number of items; undefined if the property is a single number. */
   readonly countType: string | undefined;
 }
 
@@ -48,7 +48,7 @@ interface Element {
   readonly properties: Property[];
 }
 
-/** Faces that came before the points which they are cut by. */
+/** Faces that precede the points needed to cut them. */
 class EarlyFaces {
   readonly #sizes = new Column(Uint32Array);
   readonly #corners = new Column(Uint32Array);
@@ -72,9 +72,9 @@ interface PlyReading {
   readonly reader: ByteReader;
   readonly read: ReadNumber;
   readonly builder: MeshBuilder;
-  /** So many points the header announces. */
+  /** Number of points announced by the header. */
   readonly points: number;
-  /** Undefined once the points are there. */
+  /** Undefined once all points are known. */
   early: EarlyFaces | undefined;
   faces: number;
 }
@@ -85,7 +85,7 @@ export function readPly(source: ByteSource, { signal }: Pick<ReadContext, "signa
     const names = new NameLines();
     const { elements, read } = readHeader(reader, names);
     const builder = new MeshBuilder();
-    builder.onLongWork = reader.rest;
+    builder.onLongWork = reader.requestYield;
     const early = new EarlyFaces();
     const isOfPoints = ({ name }: Element) => name === "vertex";
     const points = elements.filter(isOfPoints).reduce((sum, { count }) => sum + count, 0);
@@ -95,12 +95,12 @@ export function readPly(source: ByteSource, { signal }: Pick<ReadContext, "signa
       if (e === elements.findLastIndex(isOfPoints)) reading.early = undefined;
     }
     early.addTo(builder, reader);
-    if (reading.faces === 0) reader.fail("the file has no face");
+    if (reading.faces === 0) reader.fail("the file has no faces");
     await reader.fill();
     if (/^\s*ply\r?\n/.test(String.fromCharCode(...reader.peek(8)))) {
-      reader.fail("another surface begins behind this one");
+      reader.fail("a second surface follows the first one");
     }
-    return names.given(builder.mesh());
+    return names.applyTo(builder.mesh());
   });
 }
 
@@ -108,30 +108,30 @@ function readHeader(reader: ByteReader, names: NameLines): { elements: Element[]
   const elements: Element[] = [];
   let read: ReadNumber | undefined;
   for (;;) {
-    if (reader.isAtEnd) reader.fail('the file ends before "end_header"');
+    if (reader.isAtEnd) reader.fail('expected "end_header", found the end of the file');
     const line = reader.line();
     const [word, ...rest] = line.split(/\s+/);
     if (word === "end_header") break;
-    if (word === "comment") names.hear(line.slice("comment".length));
+    if (word === "comment") names.readComment(line.slice("comment".length));
     else if (word === "format") read = readerFor(reader, rest[0] ?? "");
     else if (word === "element") {
       const count = reader.count(Number(rest[1]), "elements");
       elements.push({ name: rest[0] ?? "", count, properties: [] });
     } else if (word === "property") {
-      const owner = elements.at(-1) ?? reader.fail("a property belongs to no element");
+      const owner = elements.at(-1) ?? reader.fail("a property is not preceded by an element");
       owner.properties.push(propertyIn(reader, rest));
     }
   }
-  // Without properties an element takes no room, and any number of them says nothing.
+  // Drop elements without properties: they occupy no bytes.
   const held = elements.filter(({ properties }) => properties.length > 0);
-  return { elements: held, read: read ?? reader.fail("the file does not say its format") };
+  return { elements: held, read: read ?? reader.fail("the header does not state the format") };
 }
 
 function propertyIn(reader: ByteReader, words: readonly string[]): Property {
   const isList = words[0] === "list";
   const [countType, type = "", name = ""] = isList ? words.slice(1) : [undefined, ...words];
   for (const used of isList ? [countType ?? "", type] : [type]) {
-    if (!TYPES.has(used)) reader.fail(`numbers of type "${used.slice(0, 24)}" cannot be read`);
+    if (!TYPES.has(used)) reader.fail(`unknown number type "${used.slice(0, 24)}"`);
   }
   return { name, type, countType };
 }
@@ -148,18 +148,18 @@ function readerFor(reader: ByteReader, format: string): ReadNumber {
         return kind === "f" ? reader.float(bytes === 4 ? 4 : 8) : reader.integer(bytes, kind === "i");
       };
     default:
-      return reader.fail(`the format "${format.slice(0, 24)}" cannot be read`);
+      return reader.fail(`unknown format "${format.slice(0, 24)}"`);
   }
 }
 
 async function readElement(reading: PlyReading, { name, count, properties }: Element): Promise<void> {
   const { reader, read, builder } = reading;
-  const position = (wanted: string) => properties.findIndex((property) => property.name === wanted);
-  const axes = ["x", "y", "z"].map(position);
-  if (name === "vertex" && axes.includes(-1)) reader.fail("the points have no x, y and z");
+  const indexOf = (name: string) => properties.findIndex((property) => property.name === name);
+  const axes = ["x", "y", "z"].map(indexOf);
+  if (name === "vertex" && axes.includes(-1)) reader.fail("the points lack x, y or z");
   const corners = properties.findIndex((property) => /^vertex_(index|indices)$/.test(property.name));
-  const patch = position("patch");
-  const colors = ["red", "green", "blue"].map(position);
+  const patch = indexOf("patch");
+  const colors = ["red", "green", "blue"].map(indexOf);
   const values = new Float64Array(properties.length);
   const patchOf = (): number => {
     if (patch >= 0) return builder.patches.tagged(values[patch] ?? 0);
@@ -182,7 +182,7 @@ async function readElement(reading: PlyReading, { name, count, properties }: Ele
     if (name !== "vertex") continue;
     const [x, y, z] = axes.map((axis) => values[axis] ?? NaN);
     if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
-      reader.fail(`point ${e} has no finite place`);
+      reader.fail(`point ${e} has a coordinate that is not finite`);
     }
     builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
   }
@@ -197,8 +197,8 @@ async function skipList(reader: ByteReader, { type, countType }: Property, read:
 }
 
 /**
- * Strips in one list, each ended by -1: every corner makes a triangle with the two before it, which turn the other way
- * in every second one. Where two are the same there is none.
+ * Reads strips in one list, each ended by -1. Each corner forms a triangle with the two before it; every other
+ * triangle has the opposite orientation. A triangle with two equal corners is skipped.
  */
 async function readStrips(reading: PlyReading, { type, countType }: Property): Promise<void> {
   const { reader, read, builder, early } = reading;
@@ -223,7 +223,9 @@ async function readStrips(reading: PlyReading, { type, countType }: Property): P
 
 function checkCorner({ reader, faces, points }: PlyReading, corner: number): void {
   if (Number.isInteger(corner) && corner >= 0 && corner < points) return;
-  reader.fail(`face ${faces} has the corner ${corner} of ${plural(points, "point")}, counted from 0`);
+  reader.fail(
+    `face ${faces} (counted from 0) has corner ${corner}, but the file has ${plural(points, "point")}`,
+  );
 }
 
 function readCorners(reading: PlyReading, { type, countType }: Property): number[] {

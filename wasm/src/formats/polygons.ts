@@ -1,27 +1,29 @@
 /**
- * Polygons of files cut into triangles: those that lie around their first corner, as convex ones do, from there,
- * which changes nothing about a plane one; others by clipping ears (Meisters 1975), the best first, in the plane of the
- * two axes that shows them largest. Every corner stays one, also on a straight edge, where the faces beside may have
- * theirs; that is why no library for the drawing of polygons does this, for those leave such corners out.
+ * Cuts polygons of files into triangles. A polygon that is star-shaped about its first corner, such as a convex
+ * one, becomes a fan, which does not change a plane polygon. Others are cut by ear clipping (Meisters 1975), best
+ * ear first, in the coordinate plane in which they appear largest. Every corner remains a node, also on a straight
+ * edge, where neighbouring faces may have theirs. Libraries that triangulate polygons for drawing drop such
+ * corners, so none is used.
  */
 import { ChainTree, EMPTY_BOX, type Work } from "./chain-tree.js";
 import { EarQueue } from "./ear-queue.js";
 import type { Coordinates } from "./sixfold-volume.js";
 
-export type Triple = readonly [number, number, number];
-/** In a plane. */
-export type Place = readonly [number, number];
+export type Position3 = readonly [number, number, number];
+/** Position in a plane. */
+export type Position2 = readonly [number, number];
 
-/** What the readers say where there are no such triangles. */
-export const UNCUT = "cannot be cut into triangles: it crosses itself, has no area, or has too many corners";
+/** Message of readers about polygons that cannot be cut. */
+export const UNCUT =
+  "cannot be cut into triangles: it intersects itself, has no area, or has too many corners";
 
-/** Twice the area of a triangle, relative to products of its coordinates, below which rounding has its sign. */
+/** Below this multiple of the products of coordinates, rounding decides the sign of an area. */
 const ROUNDING = 1e-14;
 
 /**
- * Adds the triangles of a polygon of three or more corners. False, and nothing added, where that cannot be done
- * safely: it crosses itself, has no area, or takes more work than is allowed. O(n) around the first corner, else
- * O(n log n) for n corners as they come, and never more than the budget has.
+ * Adds the triangles of a polygon of three or more corners. Returns false, and adds nothing, if this cannot be done
+ * safely: the polygon intersects itself, has no area, or needs more work than allowed. A fan costs O(n). Ear
+ * clipping costs O(n log n) for typical polygons of n corners, and never exceeds the budget.
  */
 export function addPolygon(
   corners: readonly number[],
@@ -29,15 +31,15 @@ export function addPolygon(
   triangles: number[],
   budget = new ClippingBudget(),
 ): boolean {
-  if (corners.length === 3 || isFan(corners, points)) {
+  if (corners.length === 3 || canFan(corners, points)) {
     for (let i = 2; i < corners.length; i++) {
       triangles.push(corners[0] ?? 0, corners[i - 1] ?? 0, corners[i] ?? 0);
     }
     return true;
   }
-  const places = flattened(corners, points);
+  const positions = flattened(corners, points);
   const ears = budget.spend(corners.length, (work) =>
-    crossesItself(places, work) ? undefined : clippedEars(places, work),
+    crossesItself(positions, work) ? undefined : clippedEars(positions, work),
   );
   if (ears === undefined) return false;
   for (const corner of ears) triangles.push(corners[corner] ?? 0);
@@ -45,23 +47,24 @@ export function addPolygon(
 }
 
 /**
- * How much clipping a file may ask for. Usual polygons take some dozens of steps for each corner, which are as free as the
- * reading of their text; hostile ones take as many as there are pairs of corners, up to a second or some for the file.
+ * Limits the cost of ear clipping per file. Typical polygons need a few dozen steps per corner, which are free like
+ * the parsing of their text. Malicious ones need a step per pair of corners; the budget limits them to about a
+ * second per file.
  */
 export class ClippingBudget {
-  #left = 4 * MOST_FOR_POLYGON;
+  #left = 4 * MAX_POLYGON_WORK;
   #sinceRest = 0;
   readonly #onLongWork: () => void;
 
-  /** `onLongWork` is called behind polygons that took some milliseconds together. */
+  /** `onLongWork` is called after polygons that took a few milliseconds together. */
   constructor(onLongWork: () => void = () => undefined) {
     this.#onLongWork = onLongWork;
   }
 
-  /** What `use` gives, which takes its steps from the budget. */
+  /** Returns the result of `use`, which takes its steps from the budget. */
   spend<T>(corners: number, use: (work: Work) => T): T {
     const free = FREE_PER_CORNER * corners;
-    const work = { left: free + Math.min(this.#left, MOST_FOR_POLYGON) };
+    const work = { left: free + Math.min(this.#left, MAX_POLYGON_WORK) };
     const given = work.left;
     const result = use(work);
     const used = given - work.left;
@@ -76,64 +79,82 @@ export class ClippingBudget {
 }
 
 const FREE_PER_CORNER = 200;
-const MOST_FOR_POLYGON = 2e7;
-/** Some milliseconds. */
+const MAX_POLYGON_WORK = 2e7;
+/** Number of steps that take a few milliseconds. */
 const LONG_WORK = 1e5;
 
-/** Whether all triangles from the first corner turn as the whole polygon does, less than once around it together. */
-function isFan(corners: readonly number[], points: Coordinates): boolean {
-  const places = corners.map((corner) => placeOf(points, corner));
-  const [first = ORIGIN, second = ORIGIN] = places;
+/**
+ * Returns whether every triangle of the fan from the first corner is oriented as the polygon, and the fan spans
+ * less than a full turn.
+ */
+function canFan(corners: readonly number[], points: Coordinates): boolean {
+  const positions = corners.map((corner) => positionOf(points, corner));
+  const [first = ORIGIN, second = ORIGIN] = positions;
   const whole = wholeNormal(corners, points);
-  const turnOf = (a: Triple, b: Triple) => {
+  const areaAlongNormal = (a: Position3, b: Position3) => {
     const n = normal(first, a, b);
     return n[0] * whole[0] + n[1] * whole[1] + n[2] * whole[2];
   };
   let isPastHalf = false;
-  return places.every((place, i) => {
+  return positions.every((position, i) => {
     if (i < 2) return true;
-    const side = turnOf(second, place);
+    const side = areaAlongNormal(second, position);
     if (isPastHalf && side >= 0) return false;
     isPastHalf ||= side < 0;
-    return turnOf(places[i - 1] ?? ORIGIN, place) > 0;
+    return areaAlongNormal(positions[i - 1] ?? ORIGIN, position) > 0;
   });
 }
 
-const ORIGIN: Triple = [0, 0, 0];
+const ORIGIN: Position3 = [0, 0, 0];
 
-/** Seen along the axis nearest to the polygon's normal, so that it runs counter-clockwise. */
-function flattened(corners: readonly number[], points: Coordinates): readonly Place[] {
+/**
+ * Projects the corners along the coordinate axis nearest to the polygon's normal, so that they run
+ * counter-clockwise.
+ */
+function flattened(corners: readonly number[], points: Coordinates): readonly Position2[] {
   const view = flatView(corners, points);
-  return corners.map((corner) => view(placeOf(points, corner)));
+  return corners.map((corner) => view(positionOf(points, corner)));
 }
 
-/** How places in the polygon's plane are seen so. */
-export function flatView(corners: readonly number[], points: Coordinates): (place: Triple) => Place {
+/** Returns the projection that `flattened` uses for this polygon. */
+export function flatView(
+  corners: readonly number[],
+  points: Coordinates,
+): (position: Position3) => Position2 {
   const whole = wholeNormal(corners, points);
   const [x, y, z] = whole.map(Math.abs) as [number, number, number];
   const axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
   const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
   const isSeenFromBehind = whole[axis] < 0;
-  return (place) => {
-    const [first, second] = [place[u] ?? 0, place[v] ?? 0];
+  return (position) => {
+    const [first, second] = [position[u] ?? 0, position[v] ?? 0];
     return isSeenFromBehind ? [second, first] : [first, second];
   };
 }
 
-/** Whether two edges cross within both; ears would be found all the same, one over another. So where work runs out. */
-function crossesItself(places: readonly Place[], work: Work): boolean {
-  const begin = (i: number): Place => places[i] ?? [0, 0];
-  const end = (i: number): Place => begin(i + 1 === places.length ? 0 : i + 1);
-  const boxes = new Float64Array(4 * places.length);
-  places.forEach((_, i) => setBox(boxes, 4 * i, begin(i), end(i)));
+/**
+ * Returns whether two edges cross in their interiors; ear clipping would not notice and make overlapping triangles.
+ * Also true if the work limit is reached.
+ */
+function crossesItself(positions: readonly Position2[], work: Work): boolean {
+  const begin = (i: number): Position2 => positions[i] ?? [0, 0];
+  const end = (i: number): Position2 => begin(i + 1 === positions.length ? 0 : i + 1);
+  const boxes = new Float64Array(4 * positions.length);
+  positions.forEach((_, i) => setBox(boxes, 4 * i, begin(i), end(i)));
   return new ChainTree(boxes).somePair(work, (i, j) => {
     const [a, b, c, d] = [begin(i), end(i), begin(j), end(j)];
     return isBetween(a, b, c, d) && isBetween(c, d, a, b);
   });
 }
 
-/** Lowest x y, highest x y of up to three places, from position `at` on. */
-function setBox(boxes: Float64Array, at: number, p: Place, q: Place = p, r: Place = q): Float64Array {
+/** Sets the box of up to three positions: lowest x y, highest x y, from index `at` on. */
+function setBox(
+  boxes: Float64Array,
+  at: number,
+  p: Position2,
+  q: Position2 = p,
+  r: Position2 = q,
+): Float64Array {
   boxes[at] = Math.min(p[0], q[0], r[0]);
   boxes[at + 1] = Math.min(p[1], q[1], r[1]);
   boxes[at + 2] = Math.max(p[0], q[0], r[0]);
@@ -141,95 +162,100 @@ function setBox(boxes: Float64Array, at: number, p: Place, q: Place = p, r: Plac
   return boxes;
 }
 
-/** Whether the line through a and b has c on one side and d on the other. */
-function isBetween(a: Place, b: Place, c: Place, d: Place): boolean {
-  const [left, right] = [turn(a, b, c), turn(a, b, d)];
+/** Returns whether the line through a and b separates c and d. */
+function isBetween(a: Position2, b: Position2, c: Position2, d: Position2): boolean {
+  const [left, right] = [doubledArea(a, b, c), doubledArea(a, b, d)];
   return (left > 0 && right < 0) || (left < 0 && right > 0);
 }
 
 /**
- * Positions of corners, three for each triangle, counter-clockwise; undefined where no ear is left. A triangle is an ear
- * where no corner at which the polygon is not convex lies in it; corners only ever become convex while others go.
+ * Returns three corner indices per triangle, counter-clockwise; undefined if no ear is left. A corner is an ear if
+ * its triangle contains no reflex corner. While others are removed, a corner may become convex, but never reflex.
  */
-function clippedEars(places: readonly Place[], work: Work): number[] | undefined {
-  const count = places.length;
-  const next = places.map((_, i) => (i + 1) % count);
-  const before = places.map((_, i) => (i + count - 1) % count);
-  const at = (corner: number): Place => places[corner] ?? [0, 0];
-  const turnAt = (i: number): number => turn(at(before[i] ?? 0), at(i), at(next[i] ?? 0));
+function clippedEars(positions: readonly Position2[], work: Work): number[] | undefined {
+  const count = positions.length;
+  const next = positions.map((_, i) => (i + 1) % count);
+  const before = positions.map((_, i) => (i + count - 1) % count);
+  const at = (corner: number): Position2 => positions[corner] ?? [0, 0];
+  const areaAt = (i: number): number => doubledArea(at(before[i] ?? 0), at(i), at(next[i] ?? 0));
   const boxes = new Float64Array(4 * count);
-  places.forEach((place, i) => {
-    if (turnAt(i) > 0) boxes.set(EMPTY_BOX, 4 * i);
-    else setBox(boxes, 4 * i, place);
+  positions.forEach((position, i) => {
+    if (areaAt(i) > 0) boxes.set(EMPTY_BOX, 4 * i);
+    else setBox(boxes, 4 * i, position);
   });
   const blocking = new ChainTree(boxes);
   const around = new Float64Array(4);
   const queue = new EarQueue(count);
-  places.forEach((_, i) => queue.put(i, worthAt(i)));
+  positions.forEach((_, i) => queue.put(i, priorityOf(i)));
   const ears: number[] = [];
   for (let left = count; left > 2;) {
     const best = queue.take();
     if (best === undefined || work.left < 0) return undefined;
     const [a, b] = [before[best] ?? 0, next[best] ?? 0];
-    // What is in the way stays so until a neighbour goes, with which the corner comes back.
+    // A blocked ear stays blocked until a neighbour is removed, which puts it into the queue again.
     if (left > 3 && isBlocked(at(a), at(best), at(b))) continue;
     ears.push(a, best, b);
     next[a] = b;
     before[b] = a;
     left--;
     for (const corner of [a, b]) {
-      if (turnAt(corner) > 0) blocking.drop(corner);
-      queue.put(corner, worthAt(corner));
+      if (areaAt(corner) > 0) blocking.drop(corner);
+      queue.put(corner, priorityOf(corner));
     }
   }
   return ears;
 
-  /** How good the triangle at a corner is; not above 0 where it turns the other way or is none. */
-  function worthAt(corner: number): number {
+  /** Returns the quality of the triangle at a corner; 0 or less if the corner is reflex or the triangle degenerate. */
+  function priorityOf(corner: number): number {
     const [p, q, r] = [at(before[corner] ?? 0), at(corner), at(next[corner] ?? 0)];
-    return turn(p, q, r) / Math.max(squared(p, q), squared(q, r), squared(r, p));
+    return doubledArea(p, q, r) / Math.max(squared(p, q), squared(q, r), squared(r, p));
   }
 
-  function isBlocked(p: Place, q: Place, r: Place): boolean {
+  function isBlocked(p: Position2, q: Position2, r: Position2): boolean {
     return blocking.someMeeting(setBox(around, 0, p, q, r), work, (i) => {
-      const place = at(i);
-      const isCorner = isSame(place, p) || isSame(place, q) || isSame(place, r);
-      return !isCorner && turn(p, q, place) >= 0 && turn(q, r, place) >= 0 && turn(r, p, place) >= 0;
+      const position = at(i);
+      const isCorner = isSame(position, p) || isSame(position, q) || isSame(position, r);
+      return (
+        !isCorner &&
+        doubledArea(p, q, position) >= 0 &&
+        doubledArea(q, r, position) >= 0 &&
+        doubledArea(r, p, position) >= 0
+      );
     });
   }
 }
 
-/** Twice the area of a triangle, above 0 where it runs counter-clockwise; 0 where rounding has the sign. */
-export function turn(a: Place, b: Place, c: Place): number {
+/** Returns twice the area of a triangle, positive if counter-clockwise; 0 if rounding decides the sign. */
+export function doubledArea(a: Position2, b: Position2, c: Position2): number {
   const left = (b[0] - a[0]) * (c[1] - a[1]);
   const right = (b[1] - a[1]) * (c[0] - a[0]);
   return Math.abs(left - right) > ROUNDING * (Math.abs(left) + Math.abs(right)) ? left - right : 0;
 }
 
-function isSame(a: Place, b: Place): boolean {
+function isSame(a: Position2, b: Position2): boolean {
   return a[0] === b[0] && a[1] === b[1];
 }
 
-function squared(a: Place, b: Place): number {
+function squared(a: Position2, b: Position2): number {
   return (b[0] - a[0]) ** 2 + (b[1] - a[1]) ** 2;
 }
 
-/** Twice the polygon's area, along its normal. */
-function wholeNormal(corners: readonly number[], points: Coordinates): Triple {
-  const first = placeOf(points, corners[0] ?? 0);
+/** Returns the normal of the polygon, twice its area long. */
+function wholeNormal(corners: readonly number[], points: Coordinates): Position3 {
+  const first = positionOf(points, corners[0] ?? 0);
   let [x, y, z] = [0, 0, 0];
   for (let i = 2; i < corners.length; i++) {
-    const n = normal(first, placeOf(points, corners[i - 1] ?? 0), placeOf(points, corners[i] ?? 0));
+    const n = normal(first, positionOf(points, corners[i - 1] ?? 0), positionOf(points, corners[i] ?? 0));
     [x, y, z] = [x + n[0], y + n[1], z + n[2]];
   }
   return [x, y, z];
 }
 
-function placeOf(points: Coordinates, corner: number): Triple {
+function positionOf(points: Coordinates, corner: number): Position3 {
   return [points.at(3 * corner) ?? 0, points.at(3 * corner + 1) ?? 0, points.at(3 * corner + 2) ?? 0];
 }
 
-function normal(a: Triple, b: Triple, c: Triple): Triple {
+function normal(a: Position3, b: Position3, c: Position3): Position3 {
   const [ux, uy, uz] = [b[0] - a[0], b[1] - a[1], b[2] - a[2]];
   const [vx, vy, vz] = [c[0] - a[0], c[1] - a[1], c[2] - a[2]];
   return [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];

@@ -1,26 +1,22 @@
 /**
- * Regions of a file carried over to the mesh that is made within its triangles: each of the new regions is the one
- * that the file has beside most of its triangles.
+ * Transfers the regions of a file to the mesh generated inside its triangles: each new region becomes the file's
+ * region next to most of its triangles.
  */
 import { NO_REGION } from "../base/interfaces.js";
 import type { MeshResult } from "../api/types.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { isPlain } from "./groups.js";
+import type { FileMesh, SurfaceRegions } from "./file-mesh.js";
+import { hasGenericName } from "./groups.js";
 import { stepwise, type Steps } from "./steps.js";
 import { NONE, tetFaces } from "./tet-faces.js";
 
-/** What a file says of the spaces on the sides of its triangles. */
-export interface SurfaceRegions {
-  readonly regions: readonly FileGroup[];
-  /** Two per triangle, in either order: positions in `regions` of what is on its sides, `NO_REGION` for nothing. */
-  readonly triangleRegions: Uint32Array;
-}
-
-/** Of the file's own volumes, else of its tetrahedra; undefined where they are told by nothing. O(n) expected. */
+/**
+ * Returns the regions on the sides of the triangles, from the file's volumes or else its tetrahedra; undefined if
+ * the file has neither. O(n) expected.
+ */
 export function* surfaceRegionsOf(mesh: FileMesh): Steps<SurfaceRegions | undefined> {
   const { regions, tetrahedronRegion, surfaceRegions } = mesh;
   if (mesh.tetrahedra.length === 0) return surfaceRegions;
-  if (regions.length === 1 && regions.every(isPlain)) return undefined;
+  if (regions.length === 1 && regions.every(hasGenericName)) return undefined;
   const { faceOfTriangle, twin } = yield* tetFaces(mesh);
   const regionAt = (face: number) =>
     face === NONE ? NO_REGION : (tetrahedronRegion[face >>> 2] ?? NO_REGION);
@@ -33,7 +29,7 @@ export function* surfaceRegionsOf(mesh: FileMesh): Steps<SurfaceRegions | undefi
   return { regions, triangleRegions };
 }
 
-/** The regions of a mesh within that surface, each with the number and name of the one it is. */
+/** Returns the regions of a mesh generated from the surface, with the tags and names of their matches. */
 export function carriedRegions(
   { surface, volume }: Pick<MeshResult, "surface" | "volume">,
   given: SurfaceRegions,
@@ -44,12 +40,12 @@ export function carriedRegions(
   const regions = used.flatMap((region) => given.regions[region] ?? []);
   const lastTag = regions.reduce((most, { tag }) => Math.max(most, tag), 0);
   let added = 0;
-  const positions = found.map((region, own) => {
+  const indices = found.map((region, own) => {
     if (region !== NO_REGION) return used.indexOf(region);
     regions.push({ name: `region ${own + 1}`, tag: lastTag + ++added });
     return regions.length - 1;
   });
-  return { regions, tetrahedronRegion: volume.regions.map((region) => positions[region] ?? 0) };
+  return { regions, tetrahedronRegion: volume.regions.map((region) => indices[region] ?? 0) };
 }
 
 /** Triangles with the same regions on their sides, in the mesh and in the file. */
@@ -59,7 +55,7 @@ interface Interface {
   triangles: number;
 }
 
-/** There are as many as pairs of regions that touch, however many triangles. */
+/** Returns one entry per pair of touching regions, however many triangles they share. */
 function interfacesOf(sides: Uint32Array, given: Uint32Array): Interface[] {
   const found = new Map<string, Interface>();
   let [last, lastSide]: [Interface | undefined, number] = [undefined, 0];
@@ -83,11 +79,11 @@ function interfacesOf(sides: Uint32Array, given: Uint32Array): Interface[] {
   return [...found.values()];
 }
 
-/** Per region of the mesh the given one, or NO_REGION. */
+/** Returns the matching region of the file per region of the mesh, or NO_REGION. */
 function matches(sides: Uint32Array, given: SurfaceRegions, count: number): number[] {
   const found = Array.from({ length: count }, () => NO_REGION);
   let open = interfacesOf(sides, given.triangleRegions);
-  // What is behind a wall is known once what is in front of it is.
+  // Repeat: a match on one side of an interface determines the region on the other side.
   for (let isChanged = true; isChanged;) {
     const votes = new Map<number, Map<number, number>>();
     open = open.filter(({ own }) => own.some((region) => found[region] === NO_REGION));
@@ -110,7 +106,10 @@ function matches(sides: Uint32Array, given: SurfaceRegions, count: number): numb
 const isRegion = (region: number | undefined): region is number =>
   region !== undefined && region !== NO_REGION;
 
-/** The one region of the mesh that is not known yet, and what is left for it; nothing where that is not clear. */
+/**
+ * Returns the only unmatched region of the mesh at an interface and its only candidate; empty if they are not
+ * unique.
+ */
 function onlyPair(
   own: readonly number[],
   theirs: readonly number[],
@@ -118,8 +117,8 @@ function onlyPair(
 ): readonly [] | readonly [number, number] {
   const left = [...theirs];
   const open = own.filter((region) => {
-    const place = left.indexOf(found[region] ?? NO_REGION);
-    if (place >= 0) left.splice(place, 1);
+    const slot = left.indexOf(found[region] ?? NO_REGION);
+    if (slot >= 0) left.splice(slot, 1);
     return found[region] === NO_REGION;
   });
   const [region, match] = [open[0], left[0]];

@@ -1,6 +1,6 @@
-/** How a tetrahedron is turned, as far as doubles tell. */
+/** Signed volume of a tetrahedron in double precision, with an error bound. */
 
-/** x y z per node, to be looked up by position. */
+/** x y z per node, accessed by index. */
 export interface Coordinates {
   at(index: number): number | undefined;
 }
@@ -8,14 +8,14 @@ export interface Coordinates {
 export interface SixfoldVolume {
   /** (b−a) × (c−a) · (d−a). */
   readonly volume: number;
-  /** Whether the sign of the volume is beyond doubt, or it is exactly 0. */
+  /** Whether the sign of the volume is certain, or the volume is exactly 0. */
   readonly isSure: boolean;
 }
 
-/** Shewchuk's bound for the sign of a determinant of differences, rounded up. */
+/** Shewchuk's error bound for the sign of a determinant of differences, rounded up. */
 const ROUNDING = 8e-16;
 
-/** Of the tetrahedron with these nodes. */
+/** Returns six times the signed volume of the tetrahedron with these nodes. */
 export function sixfoldVolume(
   points: Coordinates,
   a: number,

@@ -1,20 +1,20 @@
-/** Long work in steps, between which others run, and the signal of the work is heard. */
+/** Long work in slices: it yields between them, so that other work can run and a cancellation takes effect. */
 import { throwIfCancelled } from "../base/cancelling.js";
 
-/** Between two steps. Among the parts of a file it has no bytes. */
-export const BREATH = "";
+/** Yielded between two slices. It is an empty part of a file. */
+export const PAUSE = "";
 
-/** Work that lets others run wherever it yields. */
-export type Steps<T> = Generator<typeof BREATH, T, void>;
+/** Work that may be paused wherever it yields. */
+export type Steps<T> = Generator<typeof PAUSE, T, void>;
 
-/** So many rows, nodes or elements are a step: a few milliseconds of work. */
+/** Number of rows, nodes or elements per slice: a few milliseconds of work. */
 export const STEP = 1 << 12;
 
-/** Longest time without letting others run, in milliseconds. */
-const BREATH_MS = 12;
+/** Longest time without yielding, in milliseconds. */
+const MAX_SLICE_MS = 12;
 
-/** Lets others run every few milliseconds, and hears its signal then. */
-export class Breather {
+/** Yields to other work every few milliseconds and then checks for cancellation. */
+export class Yielder {
   #last = performance.now();
   readonly #signal: AbortSignal | undefined;
 
@@ -23,28 +23,28 @@ export class Breather {
   }
 
   get isDue(): boolean {
-    return performance.now() - this.#last >= BREATH_MS;
+    return performance.now() - this.#last >= MAX_SLICE_MS;
   }
 
-  /** Rejects with a `MesherError` where the signal is aborted. */
-  async breathe(): Promise<void> {
+  /** Lets pending timers and messages run. Rejects with a `MesherError` if the signal is aborted. */
+  async yield(): Promise<void> {
     await new Promise((resolve) => setTimeout(resolve));
     throwIfCancelled(this.#signal);
     this.#last = performance.now();
   }
 }
 
-/** The result of the work, while others run between its steps. */
+/** Returns the result of the work; other work may run between its slices. */
 export async function inSteps<T>(work: Steps<T>, signal?: AbortSignal): Promise<T> {
-  const breather = new Breather(signal);
+  const yielder = new Yielder(signal);
   for (;;) {
     const step = work.next();
     if (step.done === true) return step.value;
-    if (breather.isDue) await breather.breathe();
+    if (yielder.isDue) await yielder.yield();
   }
 }
 
-/** Calls `work` with ranges that cover 0 to `count` - 1 in order. */
+/** Calls `work` with consecutive ranges that cover 0 to `count` - 1. */
 export function* inRanges(
   count: number,
   work: (begin: number, end: number) => void,
@@ -52,11 +52,11 @@ export function* inRanges(
 ): Steps<void> {
   for (let begin = 0; begin < count; begin += size) {
     work(begin, Math.min(begin + size, count));
-    yield BREATH;
+    yield PAUSE;
   }
 }
 
-/** What `piece` makes of ranges that cover 0 to `count` - 1 in order. */
+/** Yields the result of `piece` for consecutive ranges that cover 0 to `count` - 1. */
 export function* inPieces<Piece>(
   count: number,
   piece: (begin: number, end: number) => Piece,
@@ -71,12 +71,12 @@ export function stepwise(count: number, each: (index: number) => void): Steps<vo
   });
 }
 
-/** The first value that passes, by its index, or -1. */
+/** Returns the index of the first value that passes the test, or -1. */
 export function* firstOf<T>(values: ArrayLike<T>, test: (value: T) => boolean): Steps<number> {
   for (let begin = 0; begin < values.length; begin += STEP) {
     const end = Math.min(begin + STEP, values.length);
     for (let i = begin; i < end; i++) if (test(values[i] as T)) return i;
-    yield BREATH;
+    yield PAUSE;
   }
   return -1;
 }

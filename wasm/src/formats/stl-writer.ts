@@ -1,12 +1,13 @@
 /**
- * Binary STL: the triangles with their normals, as float32, and the number of their patch as attribute, 0 where it is the
- * only one and says nothing. Names are in the header, in the order of the numbers, where all fit into its 80 bytes.
+ * Writes binary STL: the triangles with their normals, as float32, and the tag of their patch as attribute; 0 if
+ * there is a single patch with a generic name. The header lists the names in the order of the tags, if all fit into
+ * its 80 bytes.
  */
 import { boundaryOf } from "./boundary.js";
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
-import { isPlain, listed, noteNames, usedGroups } from "./groups.js";
+import { hasGenericName, listed, noteNames, usedGroups } from "./groups.js";
 import { NAME_BREAK, STL_NAMES, STL_TITLE } from "./name-lines.js";
 import { noteMerged } from "./merged-points.js";
 import { stepwise } from "./steps.js";
@@ -14,10 +15,13 @@ import { stepwise } from "./steps.js";
 const HEADER_TEXT = 80;
 const HEADER_BYTES = 84;
 const TRIANGLE_BYTES = 50;
-/** Those that readers take for a colour have the highest bit set; 0 is none. */
-const MOST_ATTRIBUTES = 0x7fff;
+/** Largest attribute: readers interpret a set highest bit as a colour. */
+const MAX_ATTRIBUTE = 0x7fff;
 
-/** The bytes of an STL file. Patches beyond 32767 are one, and points lose their later digits. */
+/**
+ * Returns the bytes of an STL file. Patches beyond 32767 share the attribute 0, and coordinates are rounded to
+ * float32.
+ */
 export function* writeStl(given: FileMesh, note: Note): Generator<Part, void> {
   const mesh = yield* boundaryOf(given);
   const { points, triangles, trianglePatch } = mesh;
@@ -43,33 +47,36 @@ export function* writeStl(given: FileMesh, note: Note): Generator<Part, void> {
 }
 
 /**
- * Per patch: its number, where the format can hold those of all that have triangles, else from 1 on in their order, and 0
- * beyond the last.
+ * Returns the attribute per patch: the tags if all are unique and permitted, else numbers from 1 in order, and 0
+ * beyond the largest.
  */
 function attributesOf({ patches, trianglePatch }: FileMesh, note: Note): Uint16Array {
   const attributes = new Uint16Array(patches.length);
   const [first] = patches;
-  if (patches.length === 1 && first?.tag === 1 && isPlain(first)) return attributes;
+  if (patches.length === 1 && first?.tag === 1 && hasGenericName(first)) return attributes;
   const used = [...usedGroups(trianglePatch, patches)];
   const tags = used.map((patch) => patches[patch]?.tag ?? NaN);
-  const isHeld = tags.every((tag) => Number.isInteger(tag) && tag >= 1 && tag <= MOST_ATTRIBUTES);
+  const isHeld = tags.every((tag) => Number.isInteger(tag) && tag >= 1 && tag <= MAX_ATTRIBUTE);
   const isKept = isHeld && new Set(tags).size === tags.length;
   const changed = used.flatMap((patch, u) => {
     const tag = tags[u] ?? 0;
-    const attribute = isKept ? tag : u < MOST_ATTRIBUTES ? u + 1 : 0;
+    const attribute = isKept ? tag : u < MAX_ATTRIBUTE ? u + 1 : 0;
     attributes[patch] = attribute;
     return attribute === tag ? [] : [`${tag} as ${attribute}`];
   });
   if (changed.length > 0) {
     note(
-      `numbers of patches are written otherwise, for the format takes whole ones from 1 to ${MOST_ATTRIBUTES}, each once: ` +
-        listed(changed),
+      `numbers of patches changed, because the format requires a different whole number from 1 to ${MAX_ATTRIBUTE} ` +
+        `for each: ${listed(changed)}`,
     );
   }
   return attributes;
 }
 
-/** Never the word "solid" at its begin, which begins text, and no zero, nor "COLOR=", which has a meaning. */
+/**
+ * The header must not begin with "solid", which begins text files, nor contain zero bytes or "COLOR=", which have a
+ * meaning.
+ */
 function header({ patches, trianglePatch }: FileMesh, attributes: Uint16Array, note: Note): Uint8Array {
   const used = [...usedGroups(trianglePatch, patches)].sort(
     (a, b) => (attributes[a] ?? 0) - (attributes[b] ?? 0),
@@ -78,12 +85,12 @@ function header({ patches, trianglePatch }: FileMesh, attributes: Uint16Array, n
   const text = `${STL_NAMES}${names.join(NAME_BREAK)}`;
   const bytes = new TextEncoder().encode(text);
   const isTold = names.every((name) => name !== "" && !/;|\s$|[\r\n]/.test(name)) && !text.includes("COLOR=");
-  if (isTold && bytes.length <= HEADER_TEXT && !patches.every(isPlain)) return bytes;
+  if (isTold && bytes.length <= HEADER_TEXT && !patches.every(hasGenericName)) return bytes;
   noteNames(patches, note, [...attributes]);
   return new TextEncoder().encode(STL_TITLE);
 }
 
-/** Of length 1; zero where the triangle has no area. */
+/** Returns the unit normal; zero if the triangle has no area. */
 function normalOf(corners: readonly ArrayLike<number>[]): number[] {
   const side = (to: number, axis: number) => (corners[to]?.[axis] ?? 0) - (corners[0]?.[axis] ?? 0);
   const cross = [0, 1, 2].map((axis) => {

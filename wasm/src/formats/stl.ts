@@ -1,8 +1,8 @@
 /**
- * STL, binary and ASCII: triangle soup, whose equal corners are welded exactly while they arrive. A file is
- * text if it begins with "solid" and has no zero byte near its begin: some binary files begin with that
- * word too, but all of them have zeros in the number of triangles. Solids become patches, and so do the attributes of
- * binary triangles, as numbers or, where file or triangle say so, as colours; normals are not used.
+ * Reads STL, binary and ASCII: triangle soup, whose equal corners are welded exactly while they arrive. A file is
+ * text if it begins with "solid" and its first kilobyte contains no zero byte. Some binary files begin with that
+ * word too, but all of them have zeros in the triangle count. Patches are the solids of a text file and the
+ * attributes of a binary one, which are colours if the file or the triangle says so. Normals are ignored.
  */
 import { plural } from "../base/plural.js";
 import { failureAt, ReadFailure } from "./read-result.js";
@@ -18,12 +18,12 @@ const COUNT_BYTES = 4;
 /** Normal and three corners as float32, and two bytes of attributes. */
 const TRIANGLE_BYTES = 50;
 const NORMAL_BYTES = 12;
-/** How much of a file is looked at to tell text from binary. */
+/** Number of bytes inspected to distinguish text from binary. */
 const SNIFFED_BYTES = 1024;
-/** Triangles between two looks at the window. */
+/** Number of triangles between two checks of the window. */
 const BATCH = 1024;
 
-const REMEDY = "Export the surface again; the file is damaged or is not STL.";
+const REMEDY = "Export the surface again; the file is damaged or not STL.";
 
 export function readStl(source: ByteSource): Promise<FileMesh> {
   return ByteReader.over(source, { remedy: REMEDY }, (reader) => {
@@ -31,10 +31,10 @@ export function readStl(source: ByteSource): Promise<FileMesh> {
     const startsLikeText = /^\s*solid/i.test(new TextDecoder().decode(head.subarray(0, HEADER_BYTES)));
     if (startsLikeText && !head.includes(0)) return readText(reader);
     if (head.length < HEADER_BYTES + COUNT_BYTES) {
-      throw failureAt({ offset: head.length }, "the file ends here, with too few bytes for STL", REMEDY);
+      throw failureAt({ offset: head.length }, "the file is too short for STL", REMEDY);
     }
     if (!head.includes(0)) {
-      reader.fail('this is text, but not an STL file: it does not begin with "solid"', FIRST_LINE);
+      reader.fail('a text STL file must begin with "solid"', FIRST_LINE);
     }
     return readBinary(reader);
   });
@@ -51,16 +51,16 @@ async function readBinary(reader: ByteReader): Promise<FileMesh> {
     readTriangle(reader, builder, attributes);
   }
   await reader.fill();
-  // Zeros fill up blocks; anything else is what a wrong number would leave out.
+  // Trailing zeros are padding. Any other trailing triangle means that the count in the header is too small.
   if (reader.ahead >= TRIANGLE_BYTES && reader.peek(TRIANGLE_BYTES).some((byte) => byte !== 0)) {
-    reader.fail(`the file goes on behind the ${plural(count, "triangle")} it announces`);
+    reader.fail(`the file continues after the ${plural(count, "triangle")} that its header announces`);
   }
   return attributes.named(builder.mesh(), head);
 }
 
 function tooShort(length: number, count: number): ReadFailure {
   const needed = HEADER_BYTES + COUNT_BYTES + TRIANGLE_BYTES * count;
-  const message = `the file ends at byte ${length}, of ${needed} for the ${plural(count, "triangle")} it announces`;
+  const message = `the file ends at byte ${length}; the ${plural(count, "triangle")} that its header announces need ${needed} bytes`;
   return new ReadFailure({ message, remedy: REMEDY, offset: length });
 }
 
@@ -77,17 +77,17 @@ function readCorner(reader: ByteReader, builder: MeshBuilder): number {
   const y = reader.float(4);
   const z = reader.float(4);
   if (!(Number.isFinite(x) && Number.isFinite(y) && Number.isFinite(z))) {
-    reader.fail("a corner has no finite place");
+    reader.fail("a corner has a coordinate that is not finite");
   }
   return builder.addCorner(x, y, z);
 }
 
 type Color = readonly [number, number, number];
 
-/** What Magics writes into the header before the colour of all triangles that have none of their own. */
+/** Magics writes this to the header, before the colour of all triangles without their own. */
 const OBJECT_COLOR = "COLOR=";
 
-/** As three bytes behind those words; undefined in files of other programs. */
+/** Reads the three bytes after the keyword; undefined in files of other programs. */
 function objectColor(head: Uint8Array): Color | undefined {
   const at = indexOf(head, new TextEncoder().encode(OBJECT_COLOR), 0);
   if (at < 0) return undefined;
@@ -97,7 +97,7 @@ function objectColor(head: Uint8Array): Color | undefined {
 
 const COLOR_BIT = 0x8000;
 
-/** What the two bytes of a triangle say. */
+/** Interprets the two attribute bytes of triangles. */
 class Attributes {
   readonly #patches: GroupList;
   readonly #objectColor: Color | undefined;
@@ -123,8 +123,8 @@ class Attributes {
   }
 
   /**
-   * Where bit 15 is set, as VisCAM does: blue in the lowest five bits, green, red. In files of Magics a set bit means
-   * the object's colour, and other bits than 0 without it red in the lowest five, green, blue.
+   * VisCAM: if bit 15 is set, the lowest five bits are blue, then green and red. Magics: if bit 15 is set, the
+   * colour is the object's; otherwise, unless all bits are 0, the lowest five bits are red, then green and blue.
    */
   #colorOf(attribute: number): Color | undefined {
     const isSet = attribute >= COLOR_BIT;
@@ -138,7 +138,7 @@ class Attributes {
     return attribute === 0 ? undefined : [low, middle, high];
   }
 
-  /** With the names that our own files have in their header, in the order of the attributes. */
+  /** Adds the names that this package writes to the header, in the order of the attributes. */
   named(mesh: FileMesh, head: Uint8Array): FileMesh {
     const title = new TextDecoder().decode(head).replace(/\0+$/, "");
     if (!title.startsWith(STL_NAMES)) return mesh;
@@ -160,7 +160,7 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
     if (reader.isLow) await reader.fill();
     if (reader.accepts("facet")) readFacet(reader, builder, patch);
     else if (reader.accepts("solid")) {
-      // What follows is a name, which may hold any words.
+      // The rest of the line is a name, which may contain any words.
       isOpen = true;
       patch = builder.patches.named(reader.line() || `solid ${builder.patches.length + 1}`);
     } else if (reader.accepts("endsolid")) {
@@ -169,16 +169,16 @@ async function readText(reader: ByteReader): Promise<FileMesh> {
     } else {
       const word = reader.word();
       if (word === "" && isOpen)
-        reader.fail('the file ends where "facet" or "endsolid" should be: it was cut off');
+        reader.fail('expected "facet" or "endsolid", found the end of the file: it is truncated');
       if (word === "") return builder.mesh();
-      reader.fail(`"${word.slice(0, 24)}" where "facet" or "endsolid" should be`);
+      reader.fail(`expected "facet" or "endsolid", found "${word.slice(0, 24)}"`);
     }
   }
 }
 
 function readFacet(reader: ByteReader, builder: MeshBuilder, patch: number): void {
   reader.expect("normal");
-  // The normal follows from the corners; here it may be anything, as some programs write NaN.
+  // Skip the normal: it follows from the corners, and some programs write NaN.
   for (let i = 0; i < 3; i++) reader.word();
   reader.expect("outer");
   reader.expect("loop");

@@ -1,6 +1,7 @@
 /**
- * SU2 meshes, as text: the tetrahedra, and one marker per patch with its triangles on the boundary. A marker's
- * name has underscores for all that ends or splits names in SU2's configurations. Regions and walls between them have no place in the format.
+ * Writes SU2 meshes (text): the tetrahedra, and one marker per patch with its triangles on the boundary. In names,
+ * underscores replace the characters that end or split names in SU2's configuration files. The format cannot store
+ * regions and the interfaces between them.
  */
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -9,13 +10,13 @@ import { patchGroups, type Naming } from "./groups.js";
 import { coordinates, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 
-/** VTK's numbers of cells, which SU2 uses; its node orders are ours. */
+/** VTK's cell types, which SU2 uses; its node orders equal ours. */
 const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
-/** SU2 hands names from process to process in 200 bytes, a zero behind them. */
-const NAMING: Naming = { plain: plainName, longest: 199 };
+/** SU2 exchanges names between processes in buffers of 200 bytes, including a final zero. */
+const NAMING: Naming = { toPlain: plainName, maxBytes: 199 };
 
-/** The bytes of an SU2 file. */
+/** Returns the bytes of an SU2 file. */
 export function* writeSu2(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points, tetrahedra } = mesh;
   const markers = yield* patchGroups(yield* withOuterFaces(mesh, note), { ...NAMING, note });
@@ -33,7 +34,10 @@ export function* writeSu2(mesh: FileMesh, note: Note): Generator<Part, void> {
   ];
 }
 
-/** Letters and digits of any script; a list of markers may say NONE for no marker at all. */
+/**
+ * Keeps letters and digits of any script. NONE must not be a name: in a list of markers it means that there is
+ * none.
+ */
 function plainName(name: string): string {
   const plain = name.replace(/[^\p{L}\p{M}\p{N}_.+-]+/gu, "_");
   return plain.toUpperCase() === "NONE" ? `${plain}_` : plain;

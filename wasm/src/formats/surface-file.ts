@@ -1,49 +1,52 @@
-/** Surfaces from files: the triangles of a mesh file, welded. */
+/** Surfaces from files: the triangles of a mesh file, welded exactly. */
 import { plural } from "../base/plural.js";
 import { ReadFailure } from "./read-result.js";
 import type { SurfaceInput } from "../api/types.js";
 import { boundaryOf } from "./boundary.js";
-import type { FileGroup, FileMesh } from "./file-mesh.js";
-import { surfaceRegionsOf, type SurfaceRegions } from "./region-names.js";
+import type { FileGroup, FileMesh, SurfaceRegions } from "./file-mesh.js";
+import { surfaceRegionsOf } from "./region-names.js";
 import { stepwise, type Steps } from "./steps.js";
 import { weldPoints } from "./weld.js";
 
 export interface SurfaceFile extends SurfaceInput {
-  /** Per triangle: position in `patches`. */
+  /** Per triangle: index in `patches`. */
   readonly trianglePatch: Uint32Array;
-  /** Tags, colours, solids or groups of the file; one patch where it tells none. */
+  /** Tags, colours, solids or groups of the file; one patch if it has none. */
   readonly patches: readonly FileGroup[];
-  /** Regions that the file tells of, by tetrahedra or, in Gmsh's files, by volumes; undefined where it does not. */
+  /**
+   * Regions on the sides of the triangles, from tetrahedra or, in Gmsh files, from volumes; undefined if the file
+   * has neither.
+   */
   readonly surfaceRegions?: SurfaceRegions | undefined;
-  /** Names of regions of which the file does not tell where they are, and which are lost therefore. */
-  readonly unplacedRegions?: readonly string[] | undefined;
-  /** What else of the file is passed over, in sentences. */
+  /** Names of regions whose location the file does not define; they are lost. */
+  readonly unlocatedRegions?: readonly string[] | undefined;
+  /** Sentences about other content of the file that was ignored. */
   readonly notes?: readonly string[] | undefined;
-  /** So many times the file lists a triangle again; it is held once, in its first group. */
-  readonly repeatedTriangles?: number | undefined;
+  /** Number of repeated listings of a triangle. It is kept once, in its first group. */
+  readonly duplicateTriangles?: number | undefined;
 }
 
-/** The triangles of a file, and of its points those they use. Throws a ReadFailure where there are none. */
+/** Returns the triangles of a file with the points they use. Throws a ReadFailure if there are no triangles. */
 export function* surfaceOf(mesh: FileMesh): Steps<SurfaceFile> {
   if (mesh.triangles.length === 0) throw noTriangles(mesh.tetrahedra.length / 4);
-  const { trianglePatch, patches, notes, unplacedRegions, repeatedTriangles = 0 } = mesh;
+  const { trianglePatch, patches, notes, unlocatedRegions, duplicateTriangles = 0 } = mesh;
   const surfaceRegions = yield* surfaceRegionsOf(mesh);
   return {
     ...(yield* exactlyWelded(yield* boundaryOf(mesh))),
     trianglePatch,
     patches,
     ...(surfaceRegions && { surfaceRegions }),
-    ...(unplacedRegions && { unplacedRegions }),
+    ...(unlocatedRegions && { unlocatedRegions }),
     ...(notes && { notes }),
-    ...(repeatedTriangles > 0 && { repeatedTriangles }),
+    ...(duplicateTriangles > 0 && { duplicateTriangles }),
   };
 }
 
 function* exactlyWelded({ points: given, triangles, isWelded }: FileMesh): Steps<SurfaceInput> {
   if (isWelded === true) return { points: given, triangles };
-  const { points, positions } = yield* weldPoints(given);
+  const { points, indices } = yield* weldPoints(given);
   const welded = new Uint32Array(triangles.length);
-  yield* stepwise(welded.length, (i) => (welded[i] = positions[triangles[i] ?? 0] ?? 0));
+  yield* stepwise(welded.length, (i) => (welded[i] = indices[triangles[i] ?? 0] ?? 0));
   return { points, triangles: welded };
 }
 
@@ -51,12 +54,13 @@ function noTriangles(tetrahedra: number): ReadFailure {
   return tetrahedra === 0
     ? new ReadFailure({
         code: "no-triangles",
-        message: "the file holds no triangle",
+        message: "the file contains no triangles",
         remedy: "Export the surface as triangles.",
       })
     : new ReadFailure({
         code: "no-triangles",
-        message: `the file holds ${plural(tetrahedra, "tetrahedron")} and no triangle; an outside is not taken for a surface`,
-        remedy: "Write the boundary's triangles into the file too, or give it as background grid.",
+        message: `the file contains ${plural(tetrahedra, "tetrahedron")} but no triangles`,
+        remedy:
+          "Add the triangles of the boundary to the file (`tetrafront convert` extracts them), or use the file as background grid.",
       });
 }

@@ -1,8 +1,8 @@
 /**
- * Reads TetGen's files, text of numbers with `#` comments: `.smesh` and `.poly`, which may hold their points
- * or leave them to the `.node` file beside; `.face` and `.ele`, which always need it. Facets are polygons with
- * a boundary marker as patch, in a `.poly` several that may leave holes; tetrahedra have a region attribute. Points that
- * mark holes and regions of the whole are passed over.
+ * Reads TetGen's files, which hold numbers and `#` comments. `.smesh` and `.poly` contain their points or leave
+ * them to the `.node` file next to them; `.face` and `.ele` always need it. Facets are polygons with a boundary
+ * marker as patch; a facet of a `.poly` may have several polygons and holes. Tetrahedra have a region attribute.
+ * Points that mark holes and regions of the whole are skipped.
  */
 import { plural } from "../base/plural.js";
 import { failureIn, ReadFailure } from "./read-result.js";
@@ -12,16 +12,16 @@ import type { OpenOther, ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
 import { MeshBuilder } from "./mesh-builder.js";
 import { NameLines } from "./name-lines.js";
-import { UNCUT, type Triple } from "./polygons.js";
+import { UNCUT, type Position3 } from "./polygons.js";
 
-const REMEDY = "Give TetGen's .node file beside the file, or save the surface again as .smesh.";
+const REMEDY = "Put TetGen's .node file next to the file, or save the surface again as .smesh.";
 const MAX_COUNT = 0x7fffffff;
 
-/** The points in a builder, and the number that the file gives to the first. */
+/** Points in a builder, and the number of the first point in the file. */
 interface Points {
   readonly builder: MeshBuilder;
   first: number;
-  /** What comments tell. */
+  /** Names from comments. */
   readonly names: NameLines;
   readonly signal: AbortSignal | undefined;
 }
@@ -56,7 +56,7 @@ export async function readTetgen(
         notes = await noteMarks(reader);
       });
   }
-  const mesh = points.names.given(points.builder.mesh());
+  const mesh = points.names.applyTo(points.builder.mesh());
   return notes.length > 0 ? { ...mesh, notes } : mesh;
 }
 
@@ -65,16 +65,20 @@ function overFile<T>(
   { names, builder, signal }: Points,
   read: (reader: ByteReader) => Promise<T>,
 ): Promise<T> {
-  return ByteReader.over(source, { remedy: REMEDY, comment: "#", heard: names.hear, signal }, (reader) => {
-    builder.onLongWork = reader.rest;
-    return read(reader);
-  });
+  return ByteReader.over(
+    source,
+    { remedy: REMEDY, comment: "#", onComment: names.readComment, signal },
+    (reader) => {
+      builder.onLongWork = reader.requestYield;
+      return read(reader);
+    },
+  );
 }
 
 async function readNodeFile(stem: string, openOther: OpenOther, points: Points): Promise<void> {
   const isThere = await readIfThere(stem, "node", openOther, points, (reader) => readNodes(reader, points));
   if (isThere) return;
-  const message = `the points are in another file, ${stem}.node, which is not there`;
+  const message = `the points are in another file, ${stem}.node, which is missing`;
   throw new ReadFailure({ code: "missing-file", message, remedy: REMEDY });
 }
 
@@ -96,7 +100,7 @@ async function readIfThere(
   return true;
 }
 
-/** Number, x y z, attributes, marker. Returns how many were announced. */
+/** Reads number, x y z, attributes and marker of each point. Returns the announced number of points. */
 async function readNodes(reader: ByteReader, points: Points): Promise<number> {
   const count = reader.index("the number of points", MAX_COUNT);
   if (count > 0 && reader.index("the dimension", 4) !== 3)
@@ -106,10 +110,10 @@ async function readNodes(reader: ByteReader, points: Points): Promise<number> {
     if (reader.isLow) await reader.fill();
     const number = reader.index("the number of a point", MAX_COUNT);
     if (i === 0) points.first = number;
-    if (number !== points.first + i) reader.fail(`point ${number} should be number ${points.first + i}`);
+    if (number !== points.first + i) reader.fail(`expected point ${points.first + i}, found ${number}`);
     const [x, y, z] = [0, 1, 2].map(() => reader.number("a coordinate"));
     points.builder.addPoint(x ?? 0, y ?? 0, z ?? 0);
-    // Attributes and a marker may follow.
+    // Skip attributes and a marker.
     reader.skipLine();
   }
   return count;
@@ -117,10 +121,10 @@ async function readNodes(reader: ByteReader, points: Points): Promise<number> {
 
 function cornerIn(reader: ByteReader, { builder, first }: Points): number {
   const number = reader.index("a corner", first + builder.pointCount);
-  return number >= first ? number - first : reader.fail(`there is no point ${number}`);
+  return number >= first ? number - first : reader.fail(`point ${number} does not exist`);
 }
 
-/** The next whole number of this line, or 0 at its end. */
+/** Reads the next whole number of this line; 0 at its end. */
 function markerIn(reader: ByteReader): number {
   return reader.hasWordInLine() ? reader.number("a marker") : 0;
 }
@@ -140,7 +144,8 @@ async function readFaces(reader: ByteReader, points: Points): Promise<void> {
 
 async function readElements(reader: ByteReader, points: Points): Promise<void> {
   const count = reader.index("the number of tetrahedra", MAX_COUNT);
-  if (markerIn(reader) > 4) reader.fail("tetrahedra of more than four nodes cannot be read");
+  if (markerIn(reader) > 4)
+    reader.fail("the tetrahedra have more than four nodes; only linear tetrahedra are supported");
   reader.skipLine();
   for (let t = 0; t < count; t++) {
     if (reader.isLow) await reader.fill();
@@ -152,7 +157,7 @@ async function readElements(reader: ByteReader, points: Points): Promise<void> {
   }
 }
 
-/** In a `.smesh` one polygon per facet; in a `.poly` several, and points in those that are left out. */
+/** Reads facets. In a `.smesh`, a facet is one polygon; in a `.poly` it has several, and points that mark holes. */
 async function readFacets(reader: ByteReader, points: Points, isPoly: boolean): Promise<void> {
   const count = reader.index("the number of facets", MAX_COUNT);
   const hasMarkers = markerIn(reader) > 0;
@@ -172,11 +177,11 @@ async function readFacet(reader: ByteReader, points: Points, f: number, hasMarke
   for (let p = 0; p < polygons; p++) {
     if (reader.isLow) await reader.fill();
     const corners = cornersIn(reader, points);
-    // Segments and single points within a facet are no surface.
+    // Segments and single points inside a facet have no area.
     if (corners.length > 2) rings.push(corners);
     reader.skipLine();
   }
-  const marks: Triple[] = [];
+  const marks: Position3[] = [];
   for (let h = 0; h < holes; h++) {
     if (reader.isLow) await reader.fill();
     marks.push(markIn(reader));
@@ -186,9 +191,9 @@ async function readFacet(reader: ByteReader, points: Points, f: number, hasMarke
   reader.fail(
     rings.length === 1 && holes === 0
       ? `facet ${f} (counted from 0) ${UNCUT}`
-      : `facet ${f} (counted from 0) cannot be cut into triangles: its polygons cross or have no area`,
-    reader.place,
-    "Save it as polygons that do not cross, or as triangles.",
+      : `facet ${f} (counted from 0) cannot be cut into triangles: its polygons intersect or have no area`,
+    reader.location,
+    "Save it as polygons that do not intersect, or as triangles.",
   );
 }
 
@@ -207,10 +212,10 @@ function cornersIn(reader: ByteReader, points: Points): number[] {
   return corners;
 }
 
-/** The place of a point that marks something, behind its number. */
-function markIn(reader: ByteReader): Triple {
+/** Reads the position of a marking point, after its number. */
+function markIn(reader: ByteReader): Position3 {
   reader.number("the number of a hole");
-  const mark: Triple = [
+  const mark: Position3 = [
     reader.number("a coordinate"),
     reader.number("a coordinate"),
     reader.number("a coordinate"),
@@ -219,7 +224,7 @@ function markIn(reader: ByteReader): Triple {
   return mark;
 }
 
-/** What the points behind the facets mark is not known here. */
+/** Reports the skipped points that mark holes and regions. */
 async function noteMarks(reader: ByteReader): Promise<string[]> {
   const holes = await passMarks(reader);
   const regions = await passMarks(reader);
@@ -227,13 +232,13 @@ async function noteMarks(reader: ByteReader): Promise<string[]> {
     ...(holes === 0
       ? []
       : [
-          `${plural(holes, "hole point")} passed over: closed parts within a body stay empty, all other spaces are filled; leave out the facets around a space that is to stay empty`,
+          `${plural(holes, "hole point")} ignored: closed shells inside a region stay empty, all other volumes are meshed; to keep a volume empty, leave out the facets around it`,
         ]),
-    ...(regions === 0 ? [] : [`${plural(regions, "region point")} passed over: regions are numbered`]),
+    ...(regions === 0 ? [] : [`${plural(regions, "region point")} ignored: regions are numbered`]),
   ];
 }
 
-/** How many points such a section has; 0 where the file ends before it. */
+/** Skips a section of marking points. Returns their number, 0 if the file ends before the section. */
 async function passMarks(reader: ByteReader): Promise<number> {
   await reader.fill();
   if (!reader.startsNumber()) return 0;

@@ -1,6 +1,7 @@
 /**
- * TetGen's three files, as text: `.node` with the points, `.ele` with the tetrahedra and their region as
- * attribute, `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments tell names.
+ * Writes TetGen's three files (text): `.node` with the points, `.ele` with the tetrahedra and their region as
+ * attribute, and `.face` with the boundary's triangles and their patch as marker. Numbers count from 1; comments
+ * hold names.
  */
 import type { Part } from "./bytes.js";
 import type { FileParts, Note } from "./file-format.js";
@@ -9,7 +10,7 @@ import { nameLines } from "./name-lines.js";
 import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { zipped } from "./zip.js";
 
-/** Three files of one stem. */
+/** Returns three files with the same stem. */
 export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): readonly FileParts[] {
   const stem = fileName.replace(/\.[^.]*$/, "");
   return [
@@ -19,7 +20,7 @@ export function writeTetgen(mesh: FileMesh, fileName: string, note: Note): reado
   ];
 }
 
-/** The three files in one zip. */
+/** Returns the three files in one zip. */
 export function* writeTetgenZip(mesh: FileMesh, note: Note, fileName: string): Generator<Part, void> {
   const [base = ""] = /[^/\\]*$/.exec(fileName) ?? [];
   const files = writeTetgen(mesh, `${base.replace(/(\.tetgen)?\.zip$/i, "")}.node`, note);
@@ -55,7 +56,7 @@ function comments(...lines: readonly (string | readonly string[])[]): string[] {
   return lines.flat().map((line) => `# ${line}\n`);
 }
 
-/** Number, corners from 1, tag. */
+/** Each line has the number, the corners counted from 1, and the tag. */
 function rows(nodes: Uint32Array, width: number, owners: Uint32Array, groups: readonly FileGroup[]): Part {
   return numberRows(nodes, width, (row, e) => `${e + 1} ${fromOne(row)} ${groups[owners[e] ?? 0]?.tag ?? 0}`);
 }

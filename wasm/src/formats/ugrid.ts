@@ -1,7 +1,7 @@
 /**
- * UGRID (AFLR, FUN3D, Kestrel): the boundary triangles, seen from outside counter-clockwise, with the number
- * of their patch, and the tetrahedra. As text (`.ugrid`) or as high-byte-first numbers (`.b8.ugrid`). The
- * format has no names and no regions; patches are numbered as everywhere else.
+ * Writes UGRID (AFLR, FUN3D, Kestrel): the boundary triangles, counter-clockwise seen from outside, with the tag of
+ * their patch, and the tetrahedra. The files are text (`.ugrid`) or binary with the high byte first (`.b8.ugrid`).
+ * The format has no names and no regions.
  */
 import { bigEndianDoubles, bigEndianInts, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -11,7 +11,7 @@ import { coordinates, fromOne, numberRows } from "./number-rows.js";
 import { noteRegions, withOuterFaces } from "./outer-faces.js";
 import type { Steps } from "./steps.js";
 
-/** The bytes of a UGRID file as text. */
+/** Returns the bytes of a UGRID file as text. */
 export function* writeUgrid(given: FileMesh, note: Note): Generator<Part, void> {
   const mesh = yield* boundedMesh(given, note);
   yield [
@@ -23,7 +23,7 @@ export function* writeUgrid(given: FileMesh, note: Note): Generator<Part, void> 
   ];
 }
 
-/** The bytes of a UGRID file as numbers, high byte first. */
+/** Returns the bytes of a binary UGRID file, high byte first. */
 export function* writeUgridBinary(given: FileMesh, note: Note): Generator<Part, void> {
   const mesh = yield* boundedMesh(given, note);
   yield [

@@ -1,32 +1,32 @@
-/** Volumes from files, to be background grids: tetrahedra, and whatever numbers their nodes carry. */
+/** Volumes from files, for use as background grids: tetrahedra and the values at their nodes. */
 import { ReadFailure } from "./read-result.js";
 import type { FileMesh, NodeData } from "./file-mesh.js";
 import { stepwise, type Steps } from "./steps.js";
 
-/** Every node belongs to a tetrahedron. */
+/** Tetrahedra and their nodes; every node belongs to a tetrahedron. */
 export interface VolumeFile {
   /** x y z per node. */
   readonly points: Float64Array;
-  /** Four node positions per tetrahedron. */
+  /** Four node indices per tetrahedron. */
   readonly tetrahedra: Uint32Array;
   /** By name, as in the file. */
   readonly nodeData: ReadonlyMap<string, NodeData>;
 }
 
 /**
- * The tetrahedra of a file with the nodes they use, in the order of the file. Throws a ReadFailure where there are none,
- * or where a corner is no node. O(n).
+ * Returns the tetrahedra of a file with the nodes they use, in file order. Throws a ReadFailure if there are none
+ * or if a corner is not a node. O(n).
  */
 export function* volumeOf({ points, tetrahedra, nodeData }: FileMesh): Steps<VolumeFile> {
-  const remedy = "Give a file with linear tetrahedra.";
+  const remedy = "Use a file with linear tetrahedra.";
   if (tetrahedra.length === 0) {
-    throw new ReadFailure({ code: "no-tetrahedra", message: "the file holds no tetrahedron", remedy });
+    throw new ReadFailure({ code: "no-tetrahedra", message: "the file contains no tetrahedra", remedy });
   }
   const numbers = new Uint32Array(points.length / 3).fill(UNUSED);
   yield* stepwise(tetrahedra.length, (i) => {
     const node = tetrahedra[i] ?? 0;
     if (node >= numbers.length) {
-      const message = `tetrahedron ${Math.floor(i / 4)} (counted from 0) has a corner that is no node`;
+      const message = `tetrahedron ${Math.floor(i / 4)} (counted from 0) refers to a node that does not exist`;
       throw new ReadFailure({ message, remedy });
     }
     numbers[node] = 0;
@@ -44,10 +44,10 @@ export function* volumeOf({ points, tetrahedra, nodeData }: FileMesh): Steps<Vol
   return { points: yield* rowsKept(points, 3, numbers, count), tetrahedra: renumbered, nodeData: kept };
 }
 
-/** In place of the number of a node. */
+/** Marks a node without an index. */
 const UNUSED = 0xffffffff;
 
-/** The rows of `count` nodes that have a number, which are in order. */
+/** Returns the rows of the nodes that have an index, in order; `count` is their number. */
 function* rowsKept(
   values: Float64Array,
   stride: number,

@@ -1,4 +1,4 @@
-/** The arrays of VTK's XML files: text, base64 or raw bytes, whole or in blocks compressed with zlib. */
+/** Decodes the arrays of VTK's XML files: text, base64 or raw bytes, whole or in blocks compressed with zlib. */
 import { Unzlib } from "fflate";
 
 import { decimalIn, otherNumber } from "./decimal.js";
@@ -6,53 +6,53 @@ import { inRanges, stepwise, type Steps } from "./steps.js";
 
 export interface ArrayCoding {
   readonly isLittleEndian: boolean;
-  /** Bytes of the numbers that tell lengths: 4 or 8. */
+  /** Bytes per length in array headers: 4 or 8. */
   readonly headerBytes: number;
   readonly isCompressed: boolean;
   readonly appended: Uint8Array | undefined;
-  /** Whether the appended data are text in base64; else they are raw. */
+  /** Whether the appended data are text in base64; otherwise they are raw. */
   readonly isBase64: boolean;
-  /** Where the next array begins, by where one does; the last one has none. */
+  /** Offset of the next array by the offset of an array; the last array has none. */
   readonly nextOffsets: ReadonlyMap<number, number>;
-  /** What may still be unpacked, in bytes. */
+  /** Number of bytes that may still be unpacked. */
   readonly budget: UnpackingBudget;
-  /** `within`: so many characters or bytes from the array's begin. */
+  /** `within`: number of characters or bytes from the beginning of the array. */
   readonly fail: ArrayFail;
 }
 
 export type ArrayFail = (message: string, within?: number) => never;
 
 /**
- * Arrays may share their bytes, and zlib packs a thousandfold: without a bound a small file could fill any
- * memory. Files that hold meshes stay far below it.
+ * Arrays may share their bytes, and zlib compresses up to a thousandfold. Without a limit, a small file could fill
+ * any memory. Real mesh files stay far below the limit.
  */
 export class UnpackingBudget {
   #left: number;
 
   constructor(fileBytes: number) {
-    this.#left = MOST_UNPACKED_ANYWAY + MOST_UNPACKED_PER_BYTE * fileBytes;
+    this.#left = MIN_UNPACKED_LIMIT + MAX_UNPACKED_PER_BYTE * fileBytes;
   }
 
   spend(bytes: number, fail: ArrayFail): void {
     this.#left -= bytes;
-    if (this.#left < 0) fail("the arrays unpack to far more than such a file can hold");
+    if (this.#left < 0) fail("the arrays unpack to far more data than a file of this size can hold");
   }
 }
 
-/** Characters are slow to decode, and every file has room for them once. */
+/** Bytes charged per character: base64 is slow to decode, and no real file decodes its bytes more than a few times. */
 const COST_OF_BASE64 = 64;
-const MOST_UNPACKED_ANYWAY = 1 << 20;
-const MOST_UNPACKED_PER_BYTE = 256;
+const MIN_UNPACKED_LIMIT = 1 << 20;
+const MAX_UNPACKED_PER_BYTE = 256;
 
 export interface CodedArray {
-  /** VTK's name of the type of its numbers. */
+  /** VTK's name of the number type. */
   readonly type: string;
   readonly format: string;
-  /** In the appended data. */
+  /** Offset in the appended data. */
   readonly offset: number;
-  /** What stands between its tags. */
+  /** Bytes between the tags. */
   readonly content: Uint8Array;
-  /** Whether some of its numbers may be none, or without bounds. */
+  /** Whether the values may be NaN or infinite. */
   readonly mayBeNone: boolean;
 }
 
@@ -71,19 +71,19 @@ const NUMBERS: Readonly<Record<string, { readonly bytes: number; readonly get: G
   Float64: { bytes: 8, get: (view, at, little) => view.getFloat64(at, little) },
 };
 
-/** zlib does not compress by more than about this factor: larger claims are not believed. */
+/** Approximate upper bound of zlib's compression ratio; larger claims are rejected. */
 const MAX_RATIO = 1100;
 
-/** Whether arrays of this type can be read; those of text and of single bits cannot. */
+/** Returns whether arrays of this type can be read; text and single bits cannot. */
 export function isReadable(type: string): boolean {
   return Object.hasOwn(NUMBERS, type);
 }
 
-/** The numbers of an array. Calls `coding.fail` where they cannot be read. */
+/** Returns the numbers of an array. Calls `coding.fail` if they cannot be read. */
 export function* decodeArray(coding: ArrayCoding, array: CodedArray): Steps<Float64Array> {
   if (array.format === "ascii") return yield* textNumbers(coding, array);
   const number = Object.hasOwn(NUMBERS, array.type) ? NUMBERS[array.type] : undefined;
-  if (number === undefined) return coding.fail(`numbers of type "${array.type}" cannot be read`);
+  if (number === undefined) return coding.fail(`unknown number type "${array.type}"`);
   const encoded = yield* encodedBytes(coding, array);
   const bytes = yield* contentOf(coding, encoded);
   coding.budget.spend((8 * bytes.length) / number.bytes, coding.fail);
@@ -107,7 +107,7 @@ function* textNumbers({ fail }: ArrayCoding, { content, mayBeNone }: CodedArray)
     const other = isNone && mayBeNone ? otherNumber(content, begin, at) : undefined;
     if (isNone && other === undefined) {
       const word = new TextDecoder().decode(content.subarray(begin, Math.min(at, begin + SHOWN)));
-      fail(`"${word}" is not a finite number`, begin);
+      fail(`expected a finite number, found "${word}"`, begin);
     }
     values[i] = other ?? value;
   });
@@ -127,7 +127,7 @@ function* wordCount(content: Uint8Array): Steps<number> {
   return count;
 }
 
-/** As many bytes are a step. */
+/** Number of bytes per slice. */
 const STEP_BYTES = 1 << 16;
 
 function isBlank(content: Uint8Array, at: number): boolean {
@@ -136,16 +136,16 @@ function isBlank(content: Uint8Array, at: number): boolean {
 
 const SPACE = 32;
 
-/** The bytes from the array's length on; what follows the array may be among them. */
+/** Returns the bytes from the array's length on; bytes after the array may follow. */
 function* encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedArray): Steps<Uint8Array> {
   const { appended, isBase64, nextOffsets, budget, fail } = coding;
   if (format === "binary") return yield* fromBase64(content, fail);
   if (format !== "appended" || appended === undefined) {
-    return fail(`the format "${format}" of an array cannot be read`);
+    return fail(`an array has the unknown format "${format}"`);
   }
-  if (Number.isNaN(offset)) return fail("an array does not say where in the appended data it begins");
+  if (Number.isNaN(offset)) return fail("an array has no offset in the appended data");
   if (!(Number.isInteger(offset) && offset >= 0 && offset < appended.length)) {
-    return fail(`an array begins ${offset} bytes into ${appended.length} bytes of appended data`);
+    return fail(`an array begins at offset ${offset}, but the appended data has ${appended.length} bytes`);
   }
   if (!isBase64) return appended.subarray(offset);
   const text = appended.subarray(offset, nextOffsets.get(offset));
@@ -153,15 +153,15 @@ function* encodedBytes(coding: ArrayCoding, { format, offset, content }: CodedAr
   return yield* fromBase64(text, fail);
 }
 
-/** Base64 in one or more padded pieces, up to the first character that is none of it. */
+/** Decodes base64 in one or more padded pieces, up to the first other character. */
 function* fromBase64(text: Uint8Array, fail: ArrayFail): Steps<Uint8Array> {
   const bytes = new Uint8Array(Math.ceil((3 * text.length) / 4));
   let length = 0;
-  /** The last bits, and how many characters this piece has. */
+  /** The latest bits, and the number of characters in this piece. */
   let bits = 0;
   let characters = 0;
   const endPiece = () => {
-    if (characters % 4 === 1) fail("an array is not in base64");
+    if (characters % 4 === 1) fail("an array is not valid base64");
     characters = 0;
   };
   let isOver = false;
@@ -171,7 +171,7 @@ function* fromBase64(text: Uint8Array, fail: ArrayFail): Steps<Uint8Array> {
       const value = BASE64[byte] ?? NONE;
       if (value < NONE) {
         bits = (bits << 6) | value;
-        // Three bytes of four characters; the first one gives none.
+        // Four characters give three bytes; the first character completes none.
         if (characters++ % 4 > 0) bytes[length++] = bits >> (2 * (3 - ((characters - 1) % 4)));
       } else if (byte === EQUALS) endPiece();
       else isOver = !isBlank(text, at);
@@ -195,7 +195,7 @@ function* contentOf(coding: ArrayCoding, bytes: Uint8Array): Steps<Uint8Array> {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const header = (index: number): number => {
     const at = headerBytes * index;
-    if (at + headerBytes > bytes.length) return fail("an array ends before its length");
+    if (at + headerBytes > bytes.length) return fail("an array ends before its length is stated");
     return headerBytes === 8
       ? Number(view.getBigUint64(at, isLittleEndian))
       : view.getUint32(at, isLittleEndian);
@@ -203,18 +203,21 @@ function* contentOf(coding: ArrayCoding, bytes: Uint8Array): Steps<Uint8Array> {
   const piece = (begin: number, length: number): Uint8Array =>
     begin + length <= bytes.length
       ? bytes.subarray(begin, begin + length)
-      : fail(`an array of ${length} bytes has only ${bytes.length - begin}`);
+      : fail(`an array announces ${length} bytes, but only ${bytes.length - begin} follow`);
   if (!isCompressed) return piece(headerBytes, header(0));
   const blocks = header(0);
   if (blocks === 0) return new Uint8Array();
   if (blocks * headerBytes > bytes.length)
-    return fail(`an array of ${blocks} blocks has ${bytes.length} bytes`);
+    return fail(`an array announces ${blocks} blocks, but has only ${bytes.length} bytes`);
   const lastLength = header(2);
   const lengthOf = (block: number) => (block === blocks - 1 && lastLength !== 0 ? lastLength : header(1));
   let total = 0;
   for (let b = 0; b < blocks; b++) {
     const [packed, length] = [header(3 + b), lengthOf(b)];
-    if (length > MAX_RATIO * packed) return fail(`a block of ${packed} bytes claims to hold ${length}`);
+    if (length > MAX_RATIO * packed)
+      return fail(
+        `a compressed block of ${packed} bytes announces ${length} bytes, more than zlib can compress`,
+      );
     total += length;
   }
   budget.spend(total, fail);
@@ -230,7 +233,7 @@ function* contentOf(coding: ArrayCoding, bytes: Uint8Array): Steps<Uint8Array> {
   return content;
 }
 
-/** Undoes zlib. The length is known beforehand; a block of any other length or sum is damaged. */
+/** Decompresses a zlib block. A block of another length or checksum than announced is damaged. */
 function* inflate(packed: Uint8Array, block: Uint8Array, fail: ArrayFail): Steps<void> {
   if (packed.length < 4) return fail("a compressed block is damaged");
   let end = 0;
@@ -247,15 +250,16 @@ function* inflate(packed: Uint8Array, block: Uint8Array, fail: ArrayFail): Steps
   } catch {
     return fail("a compressed block is damaged");
   }
-  if (end !== block.length) return fail(`a block holds other than the ${block.length} bytes it announces`);
+  if (end !== block.length)
+    return fail(`a compressed block does not contain the ${block.length} bytes it announces`);
   const view = new DataView(packed.buffer, packed.byteOffset + packed.length - 4);
   if (view.getUint32(0) !== sum.value) fail("a compressed block is damaged");
 }
 
-/** As many bytes are a step of inflating: at most a thousandfold comes out of them. */
+/** Number of compressed bytes per slice; they expand at most a thousandfold. */
 const PACKED_STEP = 1 << 13;
 
-/** zlib's sum of bytes (RFC 1950), which fflate does not compare. */
+/** zlib's checksum (RFC 1950), which fflate does not verify. */
 class Adler32 {
   #low = 1;
   #high = 0;
@@ -265,7 +269,7 @@ class Adler32 {
     for (let i = 0; i < bytes.length; i++) {
       low += bytes[i] ?? 0;
       high += low;
-      // So often that both stay whole numbers of 32 bits.
+      // Often enough that both stay below 2^32.
       if ((i & 2047) === 2047) [low, high] = [low % ADLER, high % ADLER];
     }
     [this.#low, this.#high] = [low % ADLER, high % ADLER];

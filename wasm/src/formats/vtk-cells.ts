@@ -1,8 +1,8 @@
-/** VTK's cells: triangles, polygons and tetrahedra become ours, vertices and lines are passed over. */
+/** VTK's cells: adds triangles, polygons and tetrahedra; skips vertices and lines. */
 import { plural } from "../base/plural.js";
 import type { MeshBuilder } from "./mesh-builder.js";
 import { UNCUT } from "./polygons.js";
-import { BREATH, STEP, type Steps } from "./steps.js";
+import { PAUSE, STEP, type Steps } from "./steps.js";
 
 const VTK_TRIANGLE = 5;
 const VTK_STRIP = 6;
@@ -10,21 +10,21 @@ const VTK_POLYGON = 7;
 const VTK_PIXEL = 8;
 const VTK_QUAD = 9;
 const VTK_TETRA = 10;
-/** Vertices and lines, and cells of nothing. */
+/** Vertices, lines and empty cells. */
 const THIN_CELLS = new Set([0, 1, 2, 3, 4, 21, 35]);
 
-/** Names under which programs keep what cells belong to: this one, Gmsh and Medit by way of meshio, VMTK. */
+/** Names under which programs store the group of a cell: this package, Gmsh and Medit through meshio, VMTK. */
 export const PATCH_ARRAYS = ["patch", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags", "region"];
 export const REGION_ARRAYS = ["region", "gmsh:physical", "medit:ref", "CellEntityIds", "cell_tags"];
 
-/** One number per cell, by name; undefined where there are none. */
+/** Returns one number per cell, by array name; undefined if there is no such array. */
 export type CellNumbers = (name: string) => Float64Array | undefined;
 export type Fail = (message: string) => never;
 
 export interface Cells {
   readonly builder: MeshBuilder;
   readonly fail: Fail;
-  /** Its patch as triangle, its region as tetrahedron. */
+  /** Patch of a cell that is a triangle; region of a cell that is a tetrahedron. */
   readonly patchOf: (cell: number) => number;
   readonly regionOf: (cell: number) => number;
 }
@@ -39,7 +39,7 @@ export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Ce
   };
   const [patch, region] = [find(PATCH_ARRAYS), find(REGION_ARRAYS)];
   const tagOf = (found: NonNullable<typeof patch>, cell: number): number =>
-    found.numbers[cell] ?? fail(`cell ${cell} (counted from 0) has no number "${found.name}"`);
+    found.numbers[cell] ?? fail(`cell ${cell} (counted from 0) has no value of "${found.name}"`);
   return {
     builder,
     fail,
@@ -51,7 +51,7 @@ export function cellsOf(builder: MeshBuilder, data: CellNumbers, fail: Fail): Ce
   };
 }
 
-/** Calls `each` with the numbers of cells in order; also behind polygons that took long others may run. */
+/** Calls `each` with all cell numbers in order. Also yields after polygons that took long. */
 export function* cellwise(builder: MeshBuilder, count: number, each: (cell: number) => void): Steps<void> {
   const work = { isLong: false };
   builder.onLongWork = () => (work.isLong = true);
@@ -59,7 +59,7 @@ export function* cellwise(builder: MeshBuilder, count: number, each: (cell: numb
     each(cell);
     if (!work.isLong && (cell + 1) % STEP !== 0) continue;
     work.isLong = false;
-    yield BREATH;
+    yield PAUSE;
   }
 }
 
@@ -68,12 +68,12 @@ export function addCell(cells: Cells, type: number, nodes: readonly number[], ce
   const { builder, fail } = cells;
   if (THIN_CELLS.has(type)) return;
   const wild = nodes.find((node) => !(Number.isInteger(node) && node >= 0 && node < builder.pointCount));
-  if (wild !== undefined) fail(`cell ${cell} (counted from 0) has a corner that is no node: ${wild}`);
+  if (wild !== undefined) fail(`cell ${cell} (counted from 0) refers to node ${wild}, which does not exist`);
   const [a = 0, b = 0, c = 0, d = 0] = nodes;
   switch (type) {
     case VTK_TETRA:
       if (nodes.length !== 4)
-        fail(`cell ${cell} (counted from 0) is a tetrahedron of ${plural(nodes.length, "corner")}`);
+        fail(`cell ${cell} (counted from 0) is a tetrahedron with ${plural(nodes.length, "corner")}`);
       builder.addTetrahedron(a, b, c, d, cells.regionOf(cell));
       break;
     case VTK_STRIP:
@@ -88,7 +88,9 @@ export function addCell(cells: Cells, type: number, nodes: readonly number[], ce
       addPolygonCell(cells, [a, b, d, c], cell);
       break;
     default:
-      fail(`cells of type ${type} cannot be read, only triangles, polygons and linear tetrahedra`);
+      fail(
+        `the file has cells of type ${type}; only triangles, polygons and linear tetrahedra are supported`,
+      );
   }
 }
 
@@ -99,7 +101,7 @@ function addPolygonCell({ builder, fail, patchOf }: Cells, nodes: readonly numbe
   }
 }
 
-/** Each corner makes a triangle with the two before it, every other one turned. */
+/** Each corner forms a triangle with the two before it; every other triangle has the opposite orientation. */
 function addStrip({ builder, patchOf }: Cells, nodes: readonly number[], cell: number): void {
   for (let i = 2; i < nodes.length; i++) {
     const [a = 0, b = 0, c = 0] = nodes.slice(i - 2, i + 1);

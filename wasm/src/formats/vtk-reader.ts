@@ -1,9 +1,9 @@
 /**
- * Reads legacy VTK files, binary and ASCII, versions 1 to 5.1: polygons and unstructured grids, as this
- * package, meshio, VTK and ParaView write them. The numbers `patch` and `region` of cells tell their groups.
+ * Reads legacy VTK files, binary and ASCII, versions 1 to 5.1: polygons and unstructured grids, as written by this
+ * package, meshio, VTK and ParaView. The cell arrays `patch` and `region` define the groups.
  */
 import { plural } from "../base/plural.js";
-import type { FilePlace } from "./read-result.js";
+import type { FileLocation } from "./read-result.js";
 import { ByteReader, FIRST_LINE } from "./byte-reader.js";
 import type { ByteSource } from "./byte-source.js";
 import { Column } from "./column.js";
@@ -18,7 +18,7 @@ const REMEDY = "Save the mesh again as legacy .vtk with triangles or linear tetr
 const VTK_VERTEX = 1;
 const VTK_STRIP = 6;
 const VTK_POLYGON = 7;
-/** In the order in which VTK counts their cells, wherever they stand. */
+/** In the order in which VTK numbers the cells, regardless of the order of the sections. */
 const POLYGON_SECTIONS: ReadonlyMap<string, number> = new Map([
   ["VERTICES", VTK_VERTEX],
   ["LINES", VTK_VERTEX],
@@ -26,7 +26,7 @@ const POLYGON_SECTIONS: ReadonlyMap<string, number> = new Map([
   ["TRIANGLE_STRIPS", VTK_STRIP],
 ]);
 
-/** Binary numbers are high byte first; of kind "b" eight are in a byte. */
+/** Binary numbers have the high byte first; kind "b" packs eight into a byte. */
 const TYPES: Readonly<
   Record<string, { readonly bytes: 1 | 2 | 4 | 8; readonly kind: "i" | "u" | "f" | "b" }>
 > = {
@@ -46,13 +46,13 @@ const TYPES: Readonly<
   float: { bytes: 4, kind: "f" },
   double: { bytes: 8, kind: "f" },
 };
-/** No attribute has more numbers per cell or point. */
+/** Largest number of values per cell or point. */
 const MAX_COMPONENTS = 9;
 
 /** Nodes of cell c: nodes[offsets[c]..offsets[c + 1]]. */
 interface CellList {
-  /** Of its begin. */
-  readonly place: FilePlace;
+  /** Beginning of the list. */
+  readonly location: FileLocation;
   readonly offsets: Float64Array;
   readonly nodes: Float64Array;
 }
@@ -73,9 +73,9 @@ class VtkReader {
   }[] = [];
   #types: Float64Array = new Float64Array();
   #isBinary = false;
-  /** Since version 5 cells have offsets and connectivity of their own. */
+  /** Whether cells have separate offsets and connectivity, as from version 5 on. */
   #hasOffsets = false;
-  /** Rows of the attributes that follow, and what they are of. */
+  /** Number of rows of the following attributes, and the items they belong to. */
   #rows = 0;
   #attributesOf: "dataset" | "cells" | "points" = "dataset";
 
@@ -95,7 +95,7 @@ class VtkReader {
       await this.#readSection(word);
     }
     await inSteps(this.#addCells(), this.#signal);
-    return this.#names.given(this.#builder.mesh());
+    return this.#names.applyTo(this.#builder.mesh());
   }
 
   #readHead(): void {
@@ -103,15 +103,16 @@ class VtkReader {
     const version = /^# vtk datafile version (\d+)/i.exec(reader.line());
     if (version === null) return reader.fail('the file does not begin with "# vtk DataFile"', FIRST_LINE);
     this.#hasOffsets = Number(version[1]) >= 5;
-    for (const line of reader.line().split(NAME_BREAK)) this.#names.hear(line);
+    for (const line of reader.line().split(NAME_BREAK)) this.#names.readComment(line);
     const coding = reader.line().toUpperCase();
-    if (coding !== "ASCII" && coding !== "BINARY") reader.fail(`"${coding.slice(0, 24)}" is no coding`);
+    if (coding !== "ASCII" && coding !== "BINARY")
+      reader.fail(`expected "ASCII" or "BINARY", found "${coding.slice(0, 24)}"`);
     this.#isBinary = coding === "BINARY";
     reader.isLittleEndian = false;
     reader.expect("dataset");
     const kind = reader.word().toUpperCase();
     if (kind !== "UNSTRUCTURED_GRID" && kind !== "POLYDATA") {
-      reader.fail(`a dataset "${kind.slice(0, 24)}" has no triangles and tetrahedra`);
+      reader.fail(`expected the dataset "UNSTRUCTURED_GRID" or "POLYDATA", found "${kind.slice(0, 24)}"`);
     }
   }
 
@@ -159,7 +160,7 @@ class VtkReader {
       case "METADATA":
         return this.#skipMetadata();
       default:
-        return reader.fail(`"${section.slice(0, 24)}" is not a section`);
+        return reader.fail(`unknown section "${section.slice(0, 24)}"`);
     }
   }
 
@@ -168,7 +169,7 @@ class VtkReader {
     this.#rows = this.#size();
     const { pointCount } = this.#builder;
     if (section === "POINT_DATA" && this.#rows !== pointCount) {
-      this.#reader.fail(`the file has ${plural(pointCount, "point")}, and data of ${this.#rows}`);
+      this.#reader.fail(`the file has ${plural(pointCount, "point")}, but data for ${this.#rows}`);
     }
   }
 
@@ -182,11 +183,11 @@ class VtkReader {
     return column.taken();
   }
 
-  /** The words of this line are over; `count` numbers follow. */
+  /** Ends the current line and reads `count` numbers. */
   async #eachNumber(type: string, count: number, use: (value: number) => void): Promise<void> {
     const reader = this.#reader;
     const { bytes, kind } =
-      TYPES[type.toLowerCase()] ?? reader.fail(`numbers of type "${type.slice(0, 24)}" cannot be read`);
+      TYPES[type.toLowerCase()] ?? reader.fail(`unknown number type "${type.slice(0, 24)}"`);
     const mayBeNone = this.#attributesOf === "points";
     if (this.#isBinary) reader.endLine();
     let bits = 0;
@@ -206,14 +207,17 @@ class VtkReader {
     return this.#eachNumber("unsigned_char", count, () => undefined);
   }
 
-  /** In text one line for each, else its length before each, whose first two bits tell how long the length is. */
+  /**
+   * Skips strings: one per line in text; otherwise each after its length, whose first two bits state the size of
+   * the length.
+   */
   async #skipStrings(count: number): Promise<void> {
     const reader = this.#reader;
     if (this.#isBinary) reader.endLine();
     else reader.line();
     for (let i = 0; i < count; i++) {
       await reader.fill();
-      if (reader.isAtEnd) reader.fail("the file ends where text should be");
+      if (reader.isAtEnd) reader.fail("expected text, found the end of the file");
       if (!this.#isBinary) {
         reader.line();
         continue;
@@ -226,35 +230,37 @@ class VtkReader {
 
   async #readPoints(): Promise<void> {
     const count = this.#size();
-    const place: number[] = [];
+    const position: number[] = [];
     await this.#eachNumber(this.#reader.word(), 3 * count, (value) => {
       if (!Number.isFinite(value)) {
-        this.#reader.fail(`point ${this.#builder.pointCount} (counted from 0) has no finite place`);
+        this.#reader.fail(
+          `point ${this.#builder.pointCount} (counted from 0) has a coordinate that is not finite`,
+        );
       }
-      if (place.push(value) < 3) return;
-      const [x = 0, y = 0, z = 0] = place;
+      if (position.push(value) < 3) return;
+      const [x = 0, y = 0, z = 0] = position;
       this.#builder.addPoint(x, y, z);
-      place.length = 0;
+      position.length = 0;
     });
   }
 
   async #readList(): Promise<CellList> {
-    const { place } = this.#reader;
+    const { location } = this.#reader;
     const count = this.#size();
     const total = this.#size();
     if (!this.#hasOffsets) {
-      const split = this.#splitList(place, count, await this.#numbers("int", total));
+      const split = this.#splitList(location, count, await this.#numbers("int", total));
       return inSteps(split, this.#signal);
     }
-    if (count === 0) return { place, offsets: new Float64Array(), nodes: new Float64Array() };
+    if (count === 0) return { location, offsets: new Float64Array(), nodes: new Float64Array() };
     this.#reader.expect("offsets");
     const offsets = await this.#numbers(this.#reader.word(), count);
     this.#reader.expect("connectivity");
-    return { place, offsets, nodes: await this.#numbers(this.#reader.word(), total) };
+    return { location, offsets, nodes: await this.#numbers(this.#reader.word(), total) };
   }
 
-  /** Cells with their number of nodes before each. */
-  *#splitList(place: FilePlace, count: number, values: Float64Array): Steps<CellList> {
+  /** Splits a list in which each cell is preceded by its number of nodes. */
+  *#splitList(location: FileLocation, count: number, values: Float64Array): Steps<CellList> {
     const offsets: number[] = [0];
     const nodes = new Float64Array(Math.max(0, values.length - count));
     let at = 0;
@@ -262,16 +268,16 @@ class VtkReader {
       const size = values[at] ?? NaN;
       const isListed = Number.isInteger(size) && size >= 0 && at - cell + size <= nodes.length;
       if (!isListed || at + 1 + size > values.length) {
-        this.#reader.fail(`cell ${cell} (counted from 0) has no corners`, place);
+        this.#reader.fail(`cell ${cell} (counted from 0) has an invalid list of corners`, location);
       }
       nodes.set(values.subarray(at + 1, at + 1 + size), at - cell);
       at += 1 + size;
       offsets.push(at - cell - 1);
     });
-    return { place, offsets: Float64Array.from(offsets), nodes };
+    return { location, offsets: Float64Array.from(offsets), nodes };
   }
 
-  /** By a name whose blanks and the like stand as %20. */
+  /** Stores an array under its name, in which blanks and similar characters are encoded like %20. */
   #keep(name: string, components: number, values: Float64Array): void {
     const plain = name.replace(/(?:%[0-9a-f]{2})+/gi, (codes) =>
       new TextDecoder().decode(Uint8Array.from(codes.slice(1).split("%"), (code) => parseInt(code, 16))),
@@ -292,7 +298,9 @@ class VtkReader {
 
   #componentCount(): number {
     const count = this.#size();
-    return count <= MAX_COMPONENTS ? count : this.#reader.fail(`${count} numbers per row cannot be read`);
+    return count <= MAX_COMPONENTS
+      ? count
+      : this.#reader.fail(`the file has ${count} values per row; the limit is ${MAX_COMPONENTS}`);
   }
 
   async #readAttribute(components: number, name = this.#reader.word()): Promise<void> {
@@ -312,7 +320,9 @@ class VtkReader {
       const type = reader.word();
       const isOfMesh = this.#attributesOf !== "dataset";
       if (isOfMesh && rows !== this.#rows) {
-        reader.fail(`"${name.slice(0, 24)}" has ${rows} rows where ${this.#rows} ${this.#attributesOf} are`);
+        reader.fail(
+          `"${name.slice(0, 24)}" has ${plural(rows, "row")}, but the number of ${this.#attributesOf} is ${this.#rows}`,
+        );
       }
       if (/string$/i.test(type)) await this.#skipStrings(components * rows);
       else if (isOfMesh && components <= MAX_COMPONENTS) {
@@ -321,7 +331,7 @@ class VtkReader {
     }
   }
 
-  /** Lines up to an empty one. */
+  /** Skips lines up to an empty one. */
   #skipMetadata(): void {
     this.#reader.line();
     while (!this.#reader.isAtEnd && this.#reader.line() !== "");
@@ -332,17 +342,17 @@ class VtkReader {
     const order = [...POLYGON_SECTIONS.keys()];
     this.#lists.sort((a, b) => order.indexOf(a.section) - order.indexOf(b.section));
     for (const { list, type } of this.#lists) {
-      const { place, offsets, nodes } = list;
-      const fail = (message: string): never => this.#reader.fail(message, place);
+      const { location, offsets, nodes } = list;
+      const fail = (message: string): never => this.#reader.fail(message, location);
       const cells = cellsOf(this.#builder, (name) => this.#cellData.get(name), fail);
       const count = Math.max(0, offsets.length - 1);
       if (type === undefined && this.#types.length !== count) {
-        fail(`the file has ${plural(count, "cell")}, and ${plural(this.#types.length, "type")} of cells`);
+        fail(`the file has ${plural(count, "cell")}, but ${plural(this.#types.length, "cell type")}`);
       }
       yield* cellwise(this.#builder, count, (cell) => {
         const [begin = 0, end = 0] = offsets.subarray(cell, cell + 2);
         if (!(begin >= 0 && begin <= end && end <= nodes.length))
-          fail(`cell ${cell} (counted from 0) has no corners`);
+          fail(`cell ${cell} (counted from 0) has an invalid list of corners`);
         addCell(cells, type ?? this.#types[cell] ?? 0, [...nodes.subarray(begin, end)], first + cell);
       });
       first += count;

@@ -1,31 +1,31 @@
 /**
- * The tags of a VTU or VTP file, found in its bytes: no text is made of what stands between them, which may be longer
- * than the longest text.
+ * Finds the tags of a VTU or VTP file in its bytes. It does not decode the text between them, which may exceed the
+ * longest possible string.
  */
 import { failureAt } from "./read-result.js";
 import { indexOf } from "./byte-reader.js";
 
 const REMEDY = "Save the mesh again as .vtu or .vtp with triangles or linear tetrahedra.";
-/** Sections in which arrays are looked for. Those of cells in polygon files are named by their kind. */
+/** Sections whose arrays are read. In polygon files, the sections of cells are named by kind. */
 const SECTIONS = new Set(["Points", "Cells", "Verts", "Lines", "Strips", "Polys", "PointData", "CellData"]);
 
-/** A tag, in whose values there may be what ends it elsewhere. */
+/** A tag; its quoted values may contain ">". */
 const TAG = /^<(\/?)([A-Za-z]+)((?:"[^"<]*"|'[^'<]*'|[^<>"'])*)>$/;
 const [LESS, GREATER, QUOTE, APOSTROPHE] = [60, 62, 34, 39];
 
 export type Attributes = ReadonlyMap<string, string>;
 
-/** An array before its numbers are read. */
+/** Array whose numbers have not been read yet. */
 export interface FoundArray {
   readonly section: string;
   readonly attributes: Attributes;
-  /** What stands between its tags, and where that begins. */
+  /** Bytes between its tags, and their offset. */
   readonly content: Uint8Array;
   readonly at: number;
 }
 
 export interface Piece {
-  /** Where its tag begins. */
+  /** Offset of its tag. */
   readonly at: number;
   readonly attributes: Attributes;
   readonly arrays: FoundArray[];
@@ -34,11 +34,11 @@ export interface Piece {
 export interface Head {
   readonly file: Attributes;
   readonly pieces: readonly Piece[];
-  /** What follows the underscore of the appended data, and whether it is base64. */
+  /** Offset after the underscore of the appended data, and their encoding. */
   readonly appended: { readonly begin: number; readonly isBase64: boolean } | undefined;
 }
 
-/** Throws a ReadFailure where these are no bytes of such a file. */
+/** Throws a ReadFailure if the bytes are not a file of these formats. */
 export function readHead(bytes: Uint8Array): Head {
   let file: Attributes | undefined;
   const pieces: Piece[] = [];
@@ -73,21 +73,17 @@ function checkedHead(
 ): Head {
   const type = file?.get("type");
   if (file === undefined || (type !== "UnstructuredGrid" && type !== "PolyData"))
-    return failIn(
-      bytes,
-      "this is neither a VTU nor a VTP file: it has no unstructured grid and no polygons",
-      0,
-    );
-  if (pieces.length === 0) return failIn(bytes, "the file has no piece", bytes.length, appended?.begin);
+    return failIn(bytes, "the file is neither VTU nor VTP: it has no unstructured grid and no polygons", 0);
+  if (pieces.length === 0) return failIn(bytes, "the file has no pieces", bytes.length, appended?.begin);
   const compressor = file.get("compressor");
   if (compressor !== undefined && compressor !== "vtkZLibDataCompressor") {
-    const message = `the compressor ${compressor} is not known, only vtkZLibDataCompressor`;
+    const message = `unknown compressor "${compressor}"; only vtkZLibDataCompressor is supported`;
     failIn(bytes, message, indexOf(bytes, encoded("<VTKFile"), 0));
   }
   return { file, pieces, appended };
 }
 
-/** `at`: a byte, told as its line up to where data that are no text begin. */
+/** Fails at byte `at`. The message states its line, or its offset if it is in the binary data. */
 export function failIn(bytes: Uint8Array, message: string, at: number, dataBegin = Infinity): never {
   throw failureAt(at < dataBegin ? { line: lineAt(bytes, at) } : { offset: at }, message, REMEDY);
 }
@@ -109,7 +105,7 @@ interface Tag {
   readonly rest: string;
 }
 
-/** Those of elements, in order; comments are passed over. O(n), of which most is spent in looking for "<". */
+/** Yields the tags of elements in order; skips comments. O(n), dominated by the search for "<". */
 function* tagsIn(bytes: Uint8Array): Generator<Tag> {
   const decoder = new TextDecoder();
   for (let at = bytes.indexOf(LESS); at >= 0;) {
@@ -127,7 +123,7 @@ function* tagsIn(bytes: Uint8Array): Generator<Tag> {
   }
 }
 
-/** Where the next ">" outside of quotes is, or the next "<", or the end. */
+/** Returns the offset of the next ">" outside quotes, of the next "<", or of the end. */
 function tagEnd(bytes: Uint8Array, from: number): number {
   let quote = 0;
   for (let at = from; at < bytes.length; at++) {
@@ -139,7 +135,7 @@ function tagEnd(bytes: Uint8Array, from: number): number {
   return bytes.length;
 }
 
-/** name="value" pairs, or name='value'. */
+/** Parses name="value" and name='value' pairs. */
 function attributesIn(text: string): Attributes {
   const pairs = text.matchAll(/([^\s="']{1,100})\s*=\s*(?:"([^"]*)"|'([^']*)')/g);
   return new Map(

@@ -1,8 +1,9 @@
 /**
- * Reads VTU and VTP files (VTK XML unstructured grids and polygons) as this package, meshio and ParaView
- * write them: pieces one after the other; arrays as text, in base64 or appended; compressed with zlib or not.
- * The numbers `patch` and `region` of cells tell their groups; vertices and lines are passed over.
+ * Reads VTU and VTP files (VTK XML unstructured grids and polygons), as written by this package, meshio and
+ * ParaView: several pieces; arrays as text, base64 or appended data, compressed with zlib or not. The cell arrays
+ * `patch` and `region` define the groups. Vertices and lines are skipped.
  */
+import { plural } from "../base/plural.js";
 import { allBytes, type ByteSource } from "./byte-source.js";
 import type { ReadContext } from "./file-format.js";
 import type { FileMesh } from "./file-mesh.js";
@@ -24,10 +25,10 @@ import { failIn, readHead, unescaped, type FoundArray, type Head, type Piece } f
 const VTK_POLYGON = 7;
 const VTK_STRIP = 6;
 
-/** Of the whole work, roughly, what is done when the bytes are there. */
+/** Approximate fraction of the total work done when all bytes have arrived. */
 export const ARRIVAL = 0.25;
 
-/** A file whose tags are known. */
+/** File whose tags have been parsed. */
 class XmlFile {
   readonly head: Head;
   readonly #bytes: Uint8Array;
@@ -44,16 +45,19 @@ class XmlFile {
     this.#work = this.head.pieces.reduce((sum, { arrays }) => sum + arrays.length + 1, 0);
   }
 
-  /** Tells that so much of the work is done, of which an array is 1, as are the cells of a piece. Not all, before the end. */
+  /**
+   * Reports progress. An array counts 1, and so do the cells of a piece. The reported fraction stays below 1 until
+   * the end.
+   */
   did(work: number): void {
     this.#done += work;
-    this.#onWork?.(Math.min(NEARLY_ALL, this.#done / this.#work));
+    this.#onWork?.(Math.min(MAX_ESTIMATE, this.#done / this.#work));
   }
 
-  /** The numbers of an array. */
+  /** Returns the numbers of an array. */
   *numbers(found: FoundArray): Steps<Float64Array> {
     const { section, attributes, content } = found;
-    const fail: ArrayFail = (message, within = 0) => this.fail(message, this.placeOf(found) + within);
+    const fail: ArrayFail = (message, within = 0) => this.fail(message, this.offsetOf(found) + within);
     const values = yield* decodeArray(
       { ...this.#coding, fail },
       {
@@ -68,15 +72,15 @@ class XmlFile {
     return values;
   }
 
-  /** Where its values begin; of appended ones that is at their offset. */
-  placeOf({ attributes, at }: FoundArray): number {
+  /** Returns the offset at which the values begin, also for appended data. */
+  offsetOf({ attributes, at }: FoundArray): number {
     const { appended } = this.head;
     const offset = Number(attributes.get("offset") ?? NaN);
     const begin = (appended?.begin ?? NaN) + offset;
     return attributes.get("format") === "appended" && begin < this.#bytes.length ? begin : at;
   }
 
-  /** The array of this name in a section; the first one for the name "". */
+  /** Returns the array of this name in a section; the first one for the name "". */
   arrayOf(piece: Piece, section: string, name: string): FoundArray {
     return (
       piece.arrays.find(
@@ -85,17 +89,17 @@ class XmlFile {
     );
   }
 
-  /** So many bytes are taken beside those of arrays. */
+  /** Charges bytes other than those of arrays to the budget. */
   spend(bytes: number, found: FoundArray): void {
-    this.#coding.budget.spend(bytes, (message) => this.fail(message, this.placeOf(found)));
+    this.#coding.budget.spend(bytes, (message) => this.fail(message, this.offsetOf(found)));
   }
 
-  /** Names that comments tell before the first piece. */
+  /** Returns the names defined in comments before the first piece. */
   names(): NameLines {
     const names = new NameLines();
     const begin = new TextDecoder().decode(this.#bytes.subarray(0, this.head.pieces[0]?.at));
     for (const [, line = ""] of begin.matchAll(/<!--([^<>]{1,4000})-->/g)) {
-      names.hear(unescaped(line));
+      names.readComment(unescaped(line));
     }
     return names;
   }
@@ -105,7 +109,7 @@ class XmlFile {
   }
 }
 
-const NEARLY_ALL = 0.99;
+const MAX_ESTIMATE = 0.99;
 
 export async function readVtkXml(source: ByteSource, { signal, onWork }: ReadContext): Promise<FileMesh> {
   const mesh = await inSteps(meshIn(await allBytes(source), onWork), signal);
@@ -120,7 +124,7 @@ function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<FileMe
   for (const piece of file.head.pieces) {
     const firstNode = builder.pointCount;
     yield* addPoints(piece, file, builder);
-    // A piece may be empty where others are not.
+    // A piece may be empty even if others are not.
     if (builder.pointCount === firstNode) continue;
     const reading = { piece, file, builder, firstNode, pointCount: builder.pointCount - firstNode };
     held.push(reading);
@@ -128,15 +132,15 @@ function* meshIn(bytes: Uint8Array, onWork: ReadContext["onWork"]): Steps<FileMe
     else yield* addCells(reading);
   }
   yield* addPointData(held, file, builder);
-  return file.names().given(builder.mesh());
+  return file.names().applyTo(builder.mesh());
 }
 
-/** A piece whose points are there. */
+/** Piece whose points have been added. */
 interface PieceReading {
   readonly piece: Piece;
   readonly file: XmlFile;
   readonly builder: MeshBuilder;
-  /** Of the piece; its cells count from there. */
+  /** First node of the piece; node indices of its cells are relative to it. */
   readonly firstNode: number;
   readonly pointCount: number;
 }
@@ -145,16 +149,17 @@ function* addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): Steps<vo
   for (const [name, value] of piece.attributes)
     if (name.startsWith("NumberOf")) checkCount(piece, file, name, value);
   const announced = piece.attributes.get("NumberOfPoints");
-  if (announced === undefined) return file.fail("the piece does not say its NumberOfPoints", piece.at);
+  if (announced === undefined) return file.fail("the piece has no NumberOfPoints", piece.at);
   const count = Number(announced);
   if (count === 0) return;
   const array = file.arrayOf(piece, "Points", "");
   const points = yield* file.numbers(array);
-  const at = file.placeOf(array);
+  const at = file.offsetOf(array);
   if (points.length !== 3 * count)
-    file.fail(`there are ${points.length / 3} points, ${count} are announced`, at);
+    file.fail(`the piece has ${plural(points.length / 3, "point")}, but announces ${count}`, at);
   const wild = yield* firstOf(points, (value) => !Number.isFinite(value));
-  if (wild >= 0) file.fail(`point ${Math.floor(wild / 3)} (counted from 0) has no finite place`, at);
+  if (wild >= 0)
+    file.fail(`point ${Math.floor(wild / 3)} (counted from 0) has a coordinate that is not finite`, at);
   yield* stepwise(count, (p) =>
     builder.addPoint(points[3 * p] ?? 0, points[3 * p + 1] ?? 0, points[3 * p + 2] ?? 0),
   );
@@ -163,10 +168,10 @@ function* addPoints(piece: Piece, file: XmlFile, builder: MeshBuilder): Steps<vo
 function checkCount(piece: Piece, file: XmlFile, name: string, value: string): void {
   const count = Number(value);
   if (Number.isSafeInteger(count) && count >= 0) return;
-  file.fail(`${name} is "${value.slice(0, 24)}", which is no whole number of 0 or more`, piece.at);
+  file.fail(`${name} must be a whole number of at least 0, found "${value.slice(0, 24)}"`, piece.at);
 }
 
-/** The numbers at nodes by name, piece after piece; NaN at those of a piece that has none where others do. */
+/** Reads the values at nodes by name, piece by piece; NaN at nodes of a piece that lacks them. */
 function* addPointData(held: readonly PieceReading[], file: XmlFile, builder: MeshBuilder): Steps<void> {
   const told = held.map(({ piece }) => pointArrays(piece));
   for (const [name, first] of told.flatMap((arrays) => [...arrays])) {
@@ -190,7 +195,10 @@ function componentsOf({ attributes, at }: FoundArray, file: XmlFile): number {
   const word = attributes.get("NumberOfComponents") ?? "1";
   const count = Number(word);
   if (Number.isSafeInteger(count) && count > 0) return count;
-  return file.fail(`NumberOfComponents is "${word.slice(0, 24)}", which is no whole number above 0`, at);
+  return file.fail(
+    `NumberOfComponents must be a whole number of at least 1, found "${word.slice(0, 24)}"`,
+    at,
+  );
 }
 
 interface PointNumbers {
@@ -207,8 +215,8 @@ function* pointNumbers(
   if (values.length === components * pointCount) return values;
   const name = found.attributes.get("Name") ?? "";
   return file.fail(
-    `"${name}" has ${values.length} numbers where ${pointCount} points have ${components} each`,
-    file.placeOf(found),
+    `"${name}" has ${values.length} values, but ${pointCount} points need ${components} each`,
+    file.offsetOf(found),
   );
 }
 
@@ -232,7 +240,7 @@ function joinedNumbers(parts: readonly Float64Array[]): Float64Array {
   return joined;
 }
 
-/** Arrays of one number per cell; only those are read that tell patches or regions. */
+/** Reads arrays with one number per cell, but only those that define patches or regions. */
 function* cellData({ piece, file }: PieceReading): Steps<CellNumbers> {
   const isTaken = (found: FoundArray, name: string) =>
     found.section === "CellData" &&
@@ -254,13 +262,13 @@ function* addCells(reading: PieceReading): Steps<void> {
   const typeOf = yield* file.numbers(types);
   const section = yield* sectionOf(reading, "Cells");
   if (section.offsets.length !== typeOf.length) {
-    file.fail("the cells have more or fewer types than offsets", file.placeOf(types));
+    file.fail("the cells have different numbers of types and offsets", file.offsetOf(types));
   }
   const cells = cellsOf(builder, yield* cellData(reading), section.fail);
   yield* eachCell(reading, section, (nodes, cell) => addCell(cells, typeOf[cell] ?? 0, nodes, cell));
 }
 
-/** The cells of a polygon file are numbered through vertices, lines, strips, polygons in VTK's order. */
+/** In polygon files, cells are numbered through vertices, lines, strips and polygons in VTK's order. */
 function* addPolygons(reading: PieceReading): Steps<void> {
   const { piece, builder } = reading;
   const data = yield* cellData(reading);
@@ -277,17 +285,17 @@ function* addPolygons(reading: PieceReading): Steps<void> {
   }
 }
 
-/** Cells by their nodes, which are `connectivity` up to the next offset. */
+/** Cells by their nodes: `connectivity` up to the next offset. */
 interface CellSection {
   readonly offsets: Float64Array;
   readonly connectivity: Float64Array;
-  /** Tells where the nodes of its cells begin. */
+  /** Fails at the offset at which the nodes of its cells begin. */
   readonly fail: Fail;
 }
 
 function* sectionOf({ piece, file }: PieceReading, name: string): Steps<CellSection> {
   const nodes = file.arrayOf(piece, name, "connectivity");
-  const fail: Fail = (message) => file.fail(message, file.placeOf(nodes));
+  const fail: Fail = (message) => file.fail(message, file.offsetOf(nodes));
   return {
     offsets: yield* file.numbers(file.arrayOf(piece, name, "offsets")),
     connectivity: yield* file.numbers(nodes),
@@ -295,7 +303,7 @@ function* sectionOf({ piece, file }: PieceReading, name: string): Steps<CellSect
   };
 }
 
-/** The cells of a section by their nodes in the whole mesh; cells count from 0 in the section. */
+/** Calls `use` with the nodes in the whole mesh of each cell; cells count from 0 in the section. */
 function* eachCell(
   { file, builder, firstNode }: PieceReading,
   { offsets, connectivity, fail }: CellSection,
@@ -303,11 +311,12 @@ function* eachCell(
 ): Steps<void> {
   const count = builder.pointCount - firstNode;
   const wild = yield* firstOf(connectivity, (node) => !(Number.isInteger(node) && node >= 0 && node < count));
-  if (wild >= 0) fail(`a cell has a corner that is no node of its piece: ${connectivity[wild]}`);
+  if (wild >= 0) fail(`a cell refers to node ${connectivity[wild]}, which its piece does not have`);
   let begin = 0;
   yield* cellwise(builder, offsets.length, (cell) => {
     const end = offsets[cell] ?? NaN;
-    if (!(end >= begin && end <= connectivity.length)) fail(`cell ${cell} (counted from 0) has no corners`);
+    if (!(end >= begin && end <= connectivity.length))
+      fail(`cell ${cell} (counted from 0) has an invalid list of corners`);
     use(
       Array.from(connectivity.subarray(begin, end), (node) => firstNode + node),
       cell,

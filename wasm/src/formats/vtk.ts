@@ -1,7 +1,7 @@
 /**
- * Legacy VTK files, which nearly every program that knows VTK reads: as VTU an unstructured grid of the
- * tetrahedra and the boundary's triangles with `region` and `patch` as cell data. As text, with each cell behind the
- * number of its nodes: Gmsh reads no other form. Names are in the title, where all of them fit.
+ * Writes legacy VTK files, which nearly every program that supports VTK reads: like VTU, an unstructured grid of
+ * the tetrahedra and the boundary's triangles, with `region` and `patch` as cell data. Text in the old form, with
+ * the number of nodes before each cell, because Gmsh reads no other. The title holds the names, if all fit.
  */
 import type { Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
@@ -11,11 +11,11 @@ import { allNameLines, NAME_BREAK } from "./name-lines.js";
 import { coordinates, numberRows } from "./number-rows.js";
 import { stepwise, type Steps } from "./steps.js";
 
-/** VTK's numbers of linear cells; their node orders are ours. */
+/** VTK's types of linear cells; their node orders equal ours. */
 const VTK_TRIANGLE = 5;
 const VTK_TETRA = 10;
 
-/** The bytes of a legacy VTK file. */
+/** Returns the bytes of a legacy VTK file. */
 export function* writeVtk(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points, tetrahedra, triangles } = mesh;
   const { types, regions, patches } = yield* vtkCellData(mesh);
@@ -37,7 +37,7 @@ export function* writeVtk(mesh: FileMesh, note: Note): Generator<Part, void> {
   ];
 }
 
-/** Numbers at the nodes, under names in which what ends or splits words stands as %20. */
+/** Writes the values at the nodes. In their names, blanks and other separators are encoded like %20. */
 function pointData({ points, nodeData }: FileMesh): Part[] {
   if (nodeData.size === 0) return [];
   const count = points.length / 3;
@@ -54,7 +54,7 @@ function nameWord(name: string): string {
   return name === "" ? "numbers" : name.replace(/[^!#$&-~]+/g, codes);
 }
 
-/** Up to 255 bytes in one line. */
+/** Returns a title line of at most 255 bytes. */
 function title(mesh: FileMesh, note: Note): string {
   const cut: string[] = [];
   const lines = allNameLines(mesh, (message) => cut.push(message));
@@ -66,10 +66,10 @@ function title(mesh: FileMesh, note: Note): string {
   return "Tetrafront";
 }
 
-/** What either VTK format tells of its cells: the tetrahedra, then the triangles. */
+/** Cell data of both VTK formats: the tetrahedra, then the triangles. */
 export interface VtkCellData {
   readonly types: Uint8Array;
-  /** Per cell the number of its region or patch; 0 for those of the other kind. */
+  /** Per cell: the tag of its region or patch; 0 for cells of the other kind. */
   readonly regions: Int32Array;
   readonly patches: Int32Array;
 }

@@ -1,21 +1,22 @@
 /**
- * VTU (VTK XML unstructured grid), which ParaView, VTK and meshio read: float64 points, the tetrahedra and
- * behind them the boundary's triangles as cells; as cell data the number of their `region` and `patch`, 0
- * where a cell has none, and comments with their names. The arrays are appended raw and compressed with zlib, as ParaView writes them:
- * coordinates come back bit for bit.
+ * Writes VTU (VTK XML unstructured grid), which ParaView, VTK and meshio read: float64 points, then the tetrahedra and
+ * the boundary's triangles as cells. Cell data hold the tags `region` and `patch`, 0 for a cell without one. Names are
+ * in comments, for Tetrafront, and in field data, for other programs. The arrays are appended raw and compressed with
+ * zlib, as ParaView writes them; coordinates survive a round trip bit for bit.
  */
 import { zlibSync } from "fflate";
 
 import { IS_LITTLE_ENDIAN, joinBytes, widened, type Part } from "./bytes.js";
 import type { Note } from "./file-format.js";
-import type { FileMesh } from "./file-mesh.js";
+import type { FileGroup, FileMesh } from "./file-mesh.js";
+import { hasGenericName, usedGroups } from "./groups.js";
 import { allNameLines } from "./name-lines.js";
-import { BREATH, stepwise, type Steps } from "./steps.js";
+import { PAUSE, stepwise, type Steps } from "./steps.js";
 import { vtkCellData } from "./vtk.js";
 
-/** Blocks are compressed one by one; readers hold one of them at a time. */
+/** Blocks are compressed one by one; readers keep one of them in memory at a time. */
 const BLOCK_BYTES = 1 << 16;
-/** Mesh data gains little from more. */
+/** Higher levels hardly compress mesh data better. */
 const LEVEL = 4;
 
 interface DataArray {
@@ -23,7 +24,7 @@ interface DataArray {
   readonly values: Float64Array | Int32Array | Uint8Array;
 }
 
-/** The bytes of a VTU file. */
+/** Returns the bytes of a VTU file. */
 export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
   const { points } = mesh;
   const { connectivity, offsets } = yield* cellNodes(mesh);
@@ -52,6 +53,7 @@ export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
     `<VTKFile type="UnstructuredGrid" version="1.0" byte_order="${order}" header_type="UInt64" compressor="vtkZLibDataCompressor">`,
     ...allNameLines(mesh, note).map((line) => `<!-- ${escaped(line)} -->`),
     "<UnstructuredGrid>",
+    ...fieldData(mesh),
     `<Piece NumberOfPoints="${points.length / 3}" NumberOfCells="${types.length}">`,
     `<Points>${pointTag}</Points>`,
     `<Cells>${connectivityTag}${offsetTag}${typeTag}</Cells>`,
@@ -65,7 +67,30 @@ export function* writeVtu(mesh: FileMesh, note: Note): Generator<Part, void> {
   yield* [head, ...packed.reverse(), "\n</AppendedData>\n</VTKFile>\n"];
 }
 
-/** The nodes of the cells one after the other, and where those of each end. */
+/**
+ * Returns an array with the tag and the dimension of each named group. ParaView displays it, and meshio keeps the
+ * physical names of Gmsh files in the same form.
+ */
+function fieldData(mesh: FileMesh): string[] {
+  const taken = new Set<string>();
+  const arrays = (word: string, dimension: number, groups: readonly FileGroup[], owners: Uint32Array) => {
+    const used = usedGroups(owners, groups);
+    return groups.flatMap((group, g) => {
+      if (hasGenericName(group) || !used.has(g)) return [];
+      const name = taken.has(group.name) ? `${group.name} (${word} ${group.tag})` : group.name;
+      taken.add(name);
+      const attributes = `type="Int32" Name="${inQuotes(name)}" NumberOfTuples="2" format="ascii"`;
+      return [`<DataArray ${attributes}>${group.tag} ${dimension}</DataArray>`];
+    });
+  };
+  const named = [
+    ...arrays("patch", 2, mesh.patches, mesh.trianglePatch),
+    ...arrays("region", 3, mesh.regions, mesh.tetrahedronRegion),
+  ];
+  return named.length > 0 ? ["<FieldData>", ...named, "</FieldData>"] : [];
+}
+
+/** Returns the nodes of all cells, and the end of each cell among them. */
 function* cellNodes({
   tetrahedra,
   triangles,
@@ -86,19 +111,22 @@ function inQuotes(name: string): string {
   return name.replace(/[&<>"\t\r\n]/g, codes);
 }
 
-/** As text of a comment, in which two hyphens must not follow each other. */
+/** Escapes the text of a comment, which must not contain two consecutive hyphens. */
 function escaped(line: string): string {
   const entities: Readonly<Record<string, string>> = { "&": "&amp;", "<": "&lt;", ">": "&gt;", "-": "&#45;" };
   return line.replace(/[&<>]|-(?=-|$)/g, (found) => entities[found] ?? found);
 }
 
-/** Numbers of blocks, bytes of a block, bytes of a shorter last one, bytes of each when packed; the blocks. */
+/**
+ * Returns the number of blocks, the bytes of a block, the bytes of a shorter last block, the compressed size of
+ * each block, and the blocks.
+ */
 function* compressed(values: ArrayBufferView): Generator<Part, Uint8Array> {
   const bytes = new Uint8Array(values.buffer, values.byteOffset, values.byteLength);
   const blocks: Uint8Array[] = [];
   for (let at = 0; at < bytes.length; at += BLOCK_BYTES) {
     blocks.push(zlibSync(bytes.subarray(at, at + BLOCK_BYTES), { level: LEVEL }));
-    yield BREATH;
+    yield PAUSE;
   }
   const header = [
     blocks.length,
@@ -110,9 +138,10 @@ function* compressed(values: ArrayBufferView): Generator<Part, Uint8Array> {
 }
 
 /**
- * One element per array, with the place of its values after the underscore: those of the last array come first. meshio
- * (5.3) takes arrays by their places while it gives them new ones, from the first values on, and of two with one place the
- * first array: as it has none of the new places in front of those it looks for, it never takes another's.
+ * Returns one element per array with the offset of its values after the underscore; the values of the last array
+ * come first. meshio (5.3) finds arrays by offset while it assigns new offsets from the first values on, and if two
+ * arrays have the same offset, it takes the first. In this order no new offset equals the old offset of an array
+ * that it has yet to find, so it never takes the wrong one.
  */
 function arrayTags(arrays: readonly DataArray[], packed: readonly Uint8Array[]): readonly string[] {
   let offset = packed.reduce((sum, { length }) => sum + length, 0);

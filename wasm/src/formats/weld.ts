@@ -1,38 +1,38 @@
-/** Exact welding: points with the same three coordinates become one. No tolerance; -0 equals 0. */
+/** Exact welding: points with the same three coordinates become one. There is no tolerance; -0 equals 0. */
 import { tooManyNumbers } from "./read-result.js";
 import { stepwise, type Steps } from "./steps.js";
 
-/** Positions are 32-bit numbers, of which this is none. */
+/** Indices are 32-bit numbers; this one means "none". */
 const EMPTY = 0xffffffff;
-/** Tables grow one by one, so that no single growth takes long, however many points there are. */
+/** Tables grow independently, so that a single growth never takes long, however many points there are. */
 const TABLE_BITS = 8;
-const FEWEST_SLOTS = 8;
+const MIN_SLOTS = 8;
 const PAGE_BITS = 12;
 const PAGE = 1 << PAGE_BITS;
 
-/** Welds points while they arrive. O(1) expected for each: open addressing over the bits of the coordinates. */
+/** Welds points while they arrive. O(1) expected per point: open addressing by the bits of the coordinates. */
 export class PointWelder {
   /** x y z of point p in page p >> PAGE_BITS. */
   readonly #pages: Float64Array[] = [];
   #count = 0;
-  /** Chosen by the highest bits of a point's hash; the lowest ones choose the slot. */
+  /** The highest bits of a point's hash select the table, the lowest ones the slot. */
   readonly #tables: Uint32Array[] = [];
   readonly #filled = new Uint32Array(1 << TABLE_BITS);
   readonly #key = new Float64Array(3);
   readonly #bits = new Uint32Array(this.#key.buffer);
 
-  /** The number of different points so far. */
+  /** Number of different points so far. */
   get count(): number {
     return this.#count;
   }
 
-  /** The position of this finite point among the different ones, in order of first appearance. */
+  /** Returns the index of this finite point among the different ones, in order of first appearance. */
   add(givenX: number, givenY: number, givenZ: number): number {
-    // Adding 0 turns -0 into 0 and leaves every other value alone.
+    // Adding 0 turns -0 into 0 and keeps every other value.
     const [x, y, z] = [givenX + 0, givenY + 0, givenZ + 0];
     const hash = this.#hash(x, y, z);
     const t = hash >>> (32 - TABLE_BITS);
-    const table = this.#tables[t] ?? this.#newTable(t, FEWEST_SLOTS);
+    const table = this.#tables[t] ?? this.#newTable(t, MIN_SLOTS);
     const mask = table.length - 1;
     for (let slot = hash & mask; ; slot = (slot + 1) & mask) {
       const known = table[slot] ?? EMPTY;
@@ -50,7 +50,7 @@ export class PointWelder {
     }
   }
 
-  /** x y z of the different points; nothing can be added afterwards. */
+  /** Returns x y z of the different points; no point can be added afterwards. */
   taken(): Float64Array {
     this.#tables.length = 0;
     const length = 3 * this.#count;
@@ -75,7 +75,7 @@ export class PointWelder {
   }
 
   #newPage(): void {
-    // So are positions of coordinates.
+    // Coordinates are addressed by 32-bit indices too.
     if (3 * (this.#count + PAGE) > EMPTY) throw tooManyNumbers(EMPTY);
     this.#pages.push(new Float64Array(3 * PAGE));
   }
@@ -113,16 +113,16 @@ export class PointWelder {
 export interface WeldedPoints {
   /** x y z of the different points, in order of first appearance. */
   readonly points: Float64Array;
-  /** Per given point: its position in `points`. */
-  readonly positions: Uint32Array;
+  /** Per given point: its index in `points`. */
+  readonly indices: Uint32Array;
 }
 
 /** Welds x y z triples. O(n) expected. */
 export function* weldPoints(given: Float64Array): Steps<WeldedPoints> {
   const welder = new PointWelder();
-  const positions = new Uint32Array(given.length / 3);
-  yield* stepwise(positions.length, (i) => {
-    positions[i] = welder.add(given[3 * i] ?? 0, given[3 * i + 1] ?? 0, given[3 * i + 2] ?? 0);
+  const indices = new Uint32Array(given.length / 3);
+  yield* stepwise(indices.length, (i) => {
+    indices[i] = welder.add(given[3 * i] ?? 0, given[3 * i + 1] ?? 0, given[3 * i + 2] ?? 0);
   });
-  return { points: welder.taken(), positions };
+  return { points: welder.taken(), indices };
 }

@@ -1,18 +1,18 @@
-/** Zip files, compressed while their parts are made. */
+/** Writes zip files; the content is compressed while it is generated. */
 import { Zip, ZipDeflate } from "fflate";
 
 import { piecesIn, type Part } from "./bytes.js";
 import type { FileParts } from "./file-format.js";
-import { BREATH } from "./steps.js";
+import { PAUSE } from "./steps.js";
 
-/** So that a zip has the same bytes whenever it is made; the first day that a zip can name. */
+/** Fixed date, so that equal contents give equal bytes: the first day that a zip can store. */
 const MADE = new Date(1980, 0, 1);
-/** Fast; the text of a mesh shrinks to a fourth even so. */
+/** Fast, and still compresses the text of a mesh to a quarter. */
 const LEVEL = 1;
-/** As much is compressed in one step. */
+/** Number of bytes compressed per slice. */
 const STEP_BYTES = 1 << 16;
 
-/** The bytes of a zip of these files, of which never more is held than is being compressed. */
+/** Returns the bytes of a zip of these files; only the part being compressed is in memory. */
 export function* zipped(files: Iterable<FileParts>): Generator<Part, void> {
   let made: Uint8Array[] = [];
   const zip = new Zip((_, bytes) => made.push(bytes));
@@ -22,7 +22,7 @@ export function* zipped(files: Iterable<FileParts>): Generator<Part, void> {
     zip.add(file);
     for (const piece of piecesIn(parts)) {
       for (let at = 0; at < piece.length; at += STEP_BYTES) file.push(piece.subarray(at, at + STEP_BYTES));
-      yield BREATH;
+      yield PAUSE;
       yield* made;
       made = [];
     }

@@ -63,7 +63,7 @@ export function withMissingId(diagnostic: Diagnostic, project: Referring): Diagn
   if (diagnostic.code !== "index-out-of-range" || entity === undefined) return diagnostic;
   const missing = missingBelow(entity, project);
   if (missing === undefined) return diagnostic;
-  return { ...diagnostic, message: diagnostic.message.replace(/number \d+/, missing) };
+  return { ...diagnostic, message: diagnostic.message.replace(/index \d+/, missing) };
 }
 
 function missingBelow({ kind, index, id }: EntityRef, project: Referring): string | undefined {

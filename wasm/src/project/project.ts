@@ -10,10 +10,10 @@ import {
 import { PROJECT_VERSION, upgraded } from "./versions.js";
 import { refuse } from "../diagnostics/mesher-error.js";
 import { packageDiagnostic, printable } from "../diagnostics/package-diagnostic.js";
-import type { ReadProblem, ReadResult } from "../formats/read-result.js";
+import type { ReadError, ReadResult } from "../formats/read-result.js";
 
-/** More problems than this help nobody; the first ones usually cause the rest. */
-const MAX_PROBLEMS = 20;
+/** Largest number of reported errors; the first ones usually cause the rest. */
+const MAX_ERRORS = 20;
 
 /**
  * Checks that a value is a project: structure, finite numbers, unique ids, references that exist. Upgrades projects of
@@ -29,7 +29,7 @@ export function checkedProject(value: unknown): ReadResult<Project> {
   if (headProblem !== undefined) return refused(headProblem);
   const parsed = parsedProject(value);
   if ("value" in parsed) return { success: true, value: parsed.value };
-  const [first, ...rest] = parsed.problems.slice(0, MAX_PROBLEMS).map(invalidProject);
+  const [first, ...rest] = parsed.problems.slice(0, MAX_ERRORS).map(invalidProject);
   return refused(first ?? notAProject("it does not follow the schema"), ...rest);
 }
 
@@ -48,10 +48,10 @@ export function readProject(text: string): ReadResult<Project> {
   return parseProject(value);
 }
 
-function refused(...problems: [ReadProblem, ...ReadProblem[]]): ReadResult<never> {
-  const [first, ...rest] = problems;
-  const shown = (problem: ReadProblem) => ({ ...problem, message: printable(problem.message) });
-  return { success: false, problems: [shown(first), ...rest.map(shown)] };
+function refused(...errors: [ReadError, ...ReadError[]]): ReadResult<never> {
+  const [first, ...rest] = errors;
+  const shown = (error: ReadError) => ({ ...error, message: printable(error.message) });
+  return { success: false, errors: [shown(first), ...rest.map(shown)] };
 }
 
 /**
@@ -112,7 +112,7 @@ function rows(list: readonly unknown[], indent: string): string {
 }
 
 /** Format and version first: with another version every other complaint would mislead. */
-function checkHead(value: unknown): ReadProblem | undefined {
+function checkHead(value: unknown): ReadError | undefined {
   if (typeof value !== "object" || value === null || Array.isArray(value)) {
     return notAProject("it holds no JSON object");
   }
@@ -137,7 +137,7 @@ function checkHead(value: unknown): ReadProblem | undefined {
   return undefined;
 }
 
-function notAProject(why: string): ReadProblem {
+function notAProject(why: string): ReadError {
   return {
     code: "not-a-project",
     message: `this is not a Tetrafront project: ${why}`,
@@ -145,7 +145,7 @@ function notAProject(why: string): ReadProblem {
   };
 }
 
-function describeSyntaxError(text: string, failure: unknown): ReadProblem {
+function describeSyntaxError(text: string, failure: unknown): ReadError {
   const reason = failure instanceof Error ? failure.message : String(failure);
   const position = /position (\d+)/.exec(reason)?.[1];
   const offset = position === undefined ? undefined : Number(position);
@@ -157,7 +157,7 @@ function describeSyntaxError(text: string, failure: unknown): ReadProblem {
   };
 }
 
-function invalidProject({ path, message }: SchemaProblem): ReadProblem {
+function invalidProject({ path, message }: SchemaProblem): ReadError {
   return {
     code: "invalid-project",
     message: path === "" ? message : `${path}: ${message}`,

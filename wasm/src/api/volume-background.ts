@@ -1,12 +1,12 @@
-/** A volume mesh from a file as background grid. */
+/** Background grid from a volume mesh of a file. */
 import { aFunction, aMap, arrayOf, checkArgument, objectOf, orNothing } from "../base/argument-checks.js";
 import { throwIfCancelled } from "../base/cancelling.js";
-import { checkControl, checkVolume } from "../api/input-checks.js";
+import { checkControl, checkVolume } from "./input-checks.js";
 import { MesherError, refuse } from "../diagnostics/mesher-error.js";
-import type { ReadResult } from "./read-result.js";
-import type { BackgroundArrays, Mesher, RunControl } from "../api/types.js";
-import type { NodeData } from "./file-mesh.js";
-import type { VolumeFile } from "./volume-file.js";
+import type { ReadResult } from "../formats/read-result.js";
+import type { BackgroundArrays, Mesher, RunControl } from "./types.js";
+import type { NodeData } from "../formats/file-mesh.js";
+import type { VolumeFile } from "../formats/volume-file.js";
 
 /**
  * The sizes at the nodes if the file has them under the name `size`, else sizes from the mesh's own
@@ -24,9 +24,10 @@ export async function volumeBackground(
   refuse(checkVolume(volume, undefined));
   checkArgument("volume", volume, objectOf({ nodeData: aMap }));
   const count = volume.points.length / 3;
-  const problem = (message: string) => {
-    const remedy = "Give the nodes one size, and one stretching and three numbers of direction, or none.";
-    return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] } as const;
+  const failed = (message: string) => {
+    const remedy =
+      "Store one size per node, and one stretching and a direction of three components, or neither.";
+    return { success: false, errors: [{ code: "invalid-sizes", message, remedy }] } as const;
   };
   const of = (name: string) => {
     const values = dataOf(volume, name)?.values;
@@ -34,10 +35,11 @@ export async function volumeBackground(
     return values;
   };
   const [sizes, stretchings, directions] = [of("size"), of("stretching"), of("direction")];
-  if (sizes !== undefined && sizes.length !== count) return problem("the nodes have more than one size");
+  if (sizes !== undefined && sizes.length !== count) return failed("`size` must have one value per node");
   if (stretchings !== undefined) {
-    if (stretchings.length !== count) return problem("the nodes have more than one stretching");
-    if (directions?.length !== 3 * count) return problem("the nodes have a stretching, but no direction");
+    if (stretchings.length !== count) return failed("`stretching` must have one value per node");
+    if (directions?.length !== 3 * count)
+      return failed("`stretching` needs `direction` with three values per node");
   }
   try {
     const grid = await mesher.backgroundFromMesh(volume, { sizes }, control);
@@ -47,11 +49,14 @@ export async function volumeBackground(
     const [first] = failure.data.diagnostics;
     if (first === undefined) throw failure;
     const { message, remedy } = first;
-    return { success: false, problems: [{ code: "invalid-sizes", message, remedy }] };
+    return { success: false, errors: [{ code: "invalid-sizes", message, remedy }] };
   }
 }
 
-/** The key of numbers at nodes by this name, in capitals or not where that leaves one. */
+/**
+ * Returns the name of the node values that equals `name`, or differs from it in case only and is the only such
+ * name.
+ */
 function keyOf({ nodeData }: Pick<VolumeFile, "nodeData">, name: string): string | undefined {
   if (nodeData.has(name)) return name;
   const alike = [...nodeData.keys()].filter((key) => key.toLowerCase() === name);
@@ -63,8 +68,8 @@ function dataOf(volume: VolumeFile, name: string): NodeData | undefined {
 }
 
 /**
- * Names of the numbers at the nodes that `volumeBackground` has no use for, in the order of the file. Throws a
- * `MesherError` where it is no volume.
+ * Returns the names of the node values that `volumeBackground` does not use, in file order. Throws a `MesherError`
+ * if `volume` is invalid.
  */
 export function unusedData(volume: Pick<VolumeFile, "nodeData">): string[] {
   checkArgument("volume", volume, objectOf({ nodeData: aMap }));

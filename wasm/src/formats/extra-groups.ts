@@ -1,20 +1,23 @@
-/** Physical groups that elements of Gmsh's files have beside the one that counts. */
+/**
+ * Counts memberships of elements in further physical groups of a Gmsh file, which are dropped: an element belongs
+ * to its first group only.
+ */
 import { plural } from "../base/plural.js";
 import { listed } from "./groups.js";
 
-interface LostGroup {
+interface ExtraGroup {
   readonly dimension: number;
   readonly tag: number;
   elements: number;
 }
 
-/** The only numbers of dimensions here: of triangles and tetrahedra. */
+/** By dimension; only triangles and tetrahedra are read. */
 const NOUNS: Readonly<Record<number, string>> = { 2: "triangle", 3: "tetrahedron" };
 
-export class LostGroups {
-  readonly #groups = new Map<string, LostGroup>();
+export class ExtraGroups {
+  readonly #groups = new Map<string, ExtraGroup>();
 
-  /** So many elements of this dimension are in that group, too. */
+  /** Counts elements of this dimension that also belong to the group of this tag. */
   add(dimension: number, tag: number, elements: number): void {
     const key = `${dimension} ${tag}`;
     const known = this.#groups.get(key);
@@ -22,18 +25,16 @@ export class LostGroups {
     else known.elements += elements;
   }
 
-  /** One sentence for each dimension, naming the groups. */
+  /** Returns one sentence per dimension that names the groups. */
   notes(names: Readonly<Record<number, ReadonlyMap<number, string>>>): string[] {
     return [2, 3].flatMap((dimension) => {
-      const lost = [...this.#groups.values()].filter((group) => group.dimension === dimension);
-      if (lost.length === 0) return [];
-      const told = lost.map(({ tag, elements }) => {
+      const extra = [...this.#groups.values()].filter((group) => group.dimension === dimension);
+      if (extra.length === 0) return [];
+      const dropped = extra.map(({ tag, elements }) => {
         const name = names[dimension]?.get(tag);
         return `${plural(elements, NOUNS[dimension] ?? "element")} of ${name === undefined ? `group ${tag}` : `"${name}"`}`;
       });
-      return [
-        `elements in several physical groups are in their first alone, and lost to others: ${listed(told)}`,
-      ];
+      return [`elements in several physical groups stay only in their first; dropped: ${listed(dropped)}`];
     });
   }
 }

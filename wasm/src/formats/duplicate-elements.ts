@@ -1,16 +1,16 @@
-/** Elements that a file lists more than once, as Gmsh 2.2 does for each of their physical groups. */
+/** Finds elements that a file lists more than once, as Gmsh 2.2 does for each of their physical groups. */
 import { Column } from "./column.js";
 import { PointWelder } from "./weld.js";
 
-/** Tells elements of one width apart by their nodes, in whatever order. O(1) expected for each, exact. */
-export class RepeatedElements {
-  /** Of sorted nodes three by three: equal ones are found as equal points are. */
+/** Identifies elements of one kind by their set of nodes. O(1) expected per element; exact. */
+export class DuplicateElements {
+  /** Sorted node triples, identified in the same way as equal points. */
   readonly #triples = new PointWelder();
-  /** A tetrahedron is one of the triples and a fourth node. */
+  /** A tetrahedron is a triple and its fourth node. */
   readonly #pairs = new PointWelder();
   readonly #groups = new Column(Float64Array);
 
-  /** The group of the first element with these three or four nodes; undefined where this is it. */
+  /** Returns the group of the first element with these three or four nodes; undefined if this is the first. */
   firstGroup(nodes: readonly number[], group: number): number | undefined {
     const [a = 0, b = 0, c = 0, d] = [...nodes].sort((one, other) => one - other);
     const triple = this.#triples.add(a, b, c);

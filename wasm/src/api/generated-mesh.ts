@@ -1,0 +1,110 @@
+/** Converts a generated mesh to the mesh of a file, with the names of its patches and regions. */
+import {
+  aNumber,
+  arrayOf,
+  aString,
+  checkArgument,
+  listOf,
+  objectOf,
+  orNothing,
+  type Check,
+} from "../base/argument-checks.js";
+import { refuse } from "../diagnostics/mesher-error.js";
+import { packageDiagnostic } from "../diagnostics/package-diagnostic.js";
+import { plural } from "../base/plural.js";
+import type { Project } from "../project/schema.js";
+import type { MeshResult } from "./types.js";
+import type { FileMesh } from "../formats/file-mesh.js";
+import { countOf, hasGenericName, numbered } from "../formats/groups.js";
+import { hasPatches } from "../formats/mesh-checks.js";
+import { carriedRegions } from "../formats/region-names.js";
+
+/** Source of the names of a generated mesh. */
+export interface NameSource {
+  /** Project that was meshed. */
+  readonly project?: Project | undefined;
+  /**
+   * Surface that was meshed, as returned by `readSurface`. If its only patch has no name, the shells are used
+   * instead.
+   */
+  readonly surface?: Pick<FileMesh, "trianglePatch" | "patches" | "surfaceRegions"> | undefined;
+}
+
+/**
+ * Returns a generated mesh, ready to be written. Its patches are those of the project (named, else "patch 12" by
+ * id), those of the given surface, or its shells. Its regions are those of the surface's file, else numbered. A
+ * partial mesh yields a partial file. Throws a `MesherError` if an argument is invalid or the surface has a
+ * different number of triangles than the mesh.
+ */
+export function fileMeshOf(mesh: Pick<MeshResult, "surface" | "volume">, names: NameSource = {}): FileMesh {
+  checkArgument("mesh", mesh, aMeshResult);
+  checkArgument("names", names, aNameSource);
+  const { surface, volume } = mesh;
+  const { project, surface: given } = names;
+  const patchLimit = Math.max(surface.trianglePatch.length, project?.patches.length ?? 0);
+  checkArgument("mesh.surface.trianglePatch", surface.trianglePatch, indicesBelow(patchLimit));
+  // A partial mesh may contain elements of the last of many regions only.
+  const regionLimit = Math.max(volume.regions.length, surface.trianglePatch.length);
+  checkArgument("mesh.volume.regions", volume.regions, indicesBelow(regionLimit));
+  checkSameSurface(surface.trianglePatch.length, given);
+  const isSame = given !== undefined && given.trianglePatch.length === surface.trianglePatch.length;
+  const isKept = isSame && (given.patches.length > 1 || !given.patches.every(hasGenericName));
+  const regionCount = countOf(volume.regions);
+  const carried =
+    isSame && given.surfaceRegions !== undefined
+      ? carriedRegions(mesh, given.surfaceRegions, regionCount)
+      : undefined;
+  const trianglePatch = isKept ? given.trianglePatch : surface.trianglePatch;
+  const word = project === undefined ? "shell" : "patch";
+  return {
+    points: volume.points.length > 0 ? volume.points : surface.points,
+    triangles: surface.triangles,
+    trianglePatch,
+    patches: isKept ? given.patches : numbered(word, countOf(trianglePatch), project && patchNames(project)),
+    tetrahedra: volume.tetrahedra,
+    tetrahedronRegion: carried?.tetrahedronRegion ?? volume.regions,
+    regions: carried?.regions ?? numbered("region", regionCount),
+    nodeData: new Map(),
+  };
+}
+
+/** Rejects a surface with other triangles: its patches would be lost or assigned to the wrong triangles. */
+function checkSameSurface(triangles: number, given: NameSource["surface"]): void {
+  if (given === undefined || triangles === 0 || given.trianglePatch.length === triangles) return;
+  if (given.patches.length <= 1 && given.patches.every(hasGenericName) && given.surfaceRegions === undefined)
+    return;
+  const message = `the surface has ${plural(given.trianglePatch.length, "triangle")}, the surface of the mesh ${triangles}`;
+  const remedy =
+    "Pass the surface that was meshed; if it was repaired or refined, pass the result of repairedSurface.";
+  refuse([packageDiagnostic("invalid-arrays", message, remedy)]);
+}
+
+const aProject = objectOf({ patches: listOf(objectOf({ id: aNumber, name: orNothing(aString) })) });
+const aNameSource = objectOf({ project: orNothing(aProject), surface: orNothing(hasPatches) });
+const aMeshResult = objectOf({
+  surface: objectOf({
+    points: arrayOf(Float64Array, 3),
+    triangles: arrayOf(Uint32Array, 3),
+    trianglePatch: arrayOf(Uint32Array),
+    triangleRegions: arrayOf(Uint32Array, 2),
+  }),
+  volume: objectOf({
+    points: arrayOf(Float64Array, 3),
+    tetrahedra: arrayOf(Uint32Array, 4),
+    regions: arrayOf(Uint32Array),
+  }),
+});
+
+/** A valid mesh has no more groups than elements, triangles, or patches of its project. */
+function indicesBelow(limit: number): Check {
+  return (indices) => (countOf(indices as Uint32Array) > limit ? ` has an index beyond ${limit}` : undefined);
+}
+
+/**
+ * Returns the name of each patch in a file: its own, or one made of its id. Throws a `MesherError` if `project` is
+ * invalid.
+ */
+export function patchNames(project: Project): string[] {
+  checkArgument("project", project, aProject);
+  return project.patches.map(({ id, name }) => (name === undefined || name === "" ? `patch ${id}` : name));
+}

@@ -1,0 +1,74 @@
+/** Warnings about the shapes of a surface's triangles and of a mesh's elements. */
+import type { Diagnostic, DiagnosticOf, QualityReport, SurfaceInput } from "../api/types.js";
+import { plural } from "../base/plural.js";
+import { stepwise, type Steps } from "../formats/steps.js";
+
+/** Needles and caps, as the engine's statistics count them (quality_statistics.h). */
+const NEEDLE_RADIUS_RATIO = 0.3;
+/** Share of needles above which they shape a large part of the mesh: each has several elements next to it. */
+const MAX_NEEDLES = 0.1;
+/** Smallest dihedral angle, in degrees, that finite elements tolerate well. */
+const POOR_ANGLE = 10;
+/** Share of poor elements above which a mesh is of little use, however good the others are. */
+const MAX_POOR = 0.01;
+
+/** Returns a warning if more than a tenth of the triangles are needles or caps. O(n). */
+export function* needleWarnings({ points, triangles }: SurfaceInput): Steps<Diagnostic[]> {
+  let count = 0;
+  const all = triangles.length / 3;
+  yield* stepwise(all, (t) => {
+    if (radiusRatio(points, triangles.subarray(3 * t, 3 * t + 3)) < NEEDLE_RADIUS_RATIO) count++;
+  });
+  if (count <= MAX_NEEDLES * all) return [];
+  const warning: DiagnosticOf<"needle-surface"> = {
+    code: "needle-surface",
+    severity: "warning",
+    message: `${shareOf(count, all, "triangle")} needles or caps; elements next to them will have small angles`,
+    remedy:
+      "Export the surface with more uniform triangles, or split its long edges with --refine-surface and a small --size.",
+    entities: [],
+    data: { count, triangles: all },
+  };
+  return [warning];
+}
+
+/** Returns a warning if more than one element in a hundred has a dihedral angle below 10°. */
+export function poorElementWarnings({ regions, binWidths, limitedByBoundary }: QualityReport): Diagnostic[] {
+  const bins = POOR_ANGLE / binWidths.dihedral;
+  const all = regions.reduce((sum, { tetrahedra }) => sum + tetrahedra, 0);
+  const count = regions.reduce(
+    (sum, { smallestDihedral }) => sum + smallestDihedral.slice(0, bins).reduce((a, b) => a + b, 0),
+    0,
+  );
+  if (count <= MAX_POOR * all) return [];
+  const { edges, needles, narrowGaps } = limitedByBoundary;
+  const isByNeedles = needles > edges + narrowGaps;
+  const warning: DiagnosticOf<"poor-elements"> = {
+    code: "poor-elements",
+    severity: "warning",
+    message: `${shareOf(count, all, "tetrahedron")} poor: their smallest dihedral angle is below ${POOR_ANGLE}°`,
+    remedy: isByNeedles
+      ? "Replace the needle triangles of the surface: export it with more uniform triangles, or use --refine-surface."
+      : "Use smaller elements in narrow gaps and at sharp edges, or --optimize thorough.",
+    entities: [],
+    data: { count, tetrahedra: all },
+  };
+  return [warning];
+}
+
+/** Returns "1 of 8 triangles (13 %) is" or "3 of 8 triangles (38 %) are". */
+function shareOf(count: number, all: number, noun: string): string {
+  return `${count} of ${plural(all, noun)} (${Math.round((100 * count) / all)} %) ${count === 1 ? "is" : "are"}`;
+}
+
+/** Returns 2 × inradius / circumradius: 1 for the equilateral triangle, 0 without area or of invalid nodes. */
+function radiusRatio(points: Float64Array, [a = 0, b = 0, c = 0]: Uint32Array): number {
+  const [p, q, r] = [distance(points, a, b), distance(points, b, c), distance(points, c, a)];
+  const product = (q + r - p) * (r + p - q) * (p + q - r);
+  return product > 0 ? product / (p * q * r) : 0;
+}
+
+function distance(points: Float64Array, a: number, b: number): number {
+  const along = (axis: number) => (points[3 * b + axis] ?? 0) - (points[3 * a + axis] ?? 0);
+  return Math.hypot(along(0), along(1), along(2));
+}
