@@ -25,7 +25,7 @@ const SIZE = /from 1e-30 to 1e30/;
 test.each<[readonly string[], RegExp]>([
   [[...MESH, "--size", "1e300"], SIZE],
   [[...MESH, "--size", "1e-300"], SIZE],
-  [[...MESH, "--grading", "99"], /growth from 0 to 10/],
+  [[...MESH, "--growth", "99"], /growth from 0 to 10/],
   [[...MESH, "--gradation", "99"], /above 1 and up to 10/],
   [[...MESH, "--source", "0,0,0,1e300"], /sources\[0\]\.size: expected at most 1e\+30/],
   [[...MESH, "--source", "0,0,0,1,1e300"], /sources\[0\]\.distance: expected at most 1e\+30/],
@@ -36,16 +36,16 @@ test.each<[readonly string[], RegExp]>([
   [[...PROPOSE, "--uniform", "1e300"], SIZE],
   [[...PROPOSE, "--per-circle", "1e300"], /from 0 to 1000/],
   [[...PROPOSE, "--growth", "99"], /from 0 to 10/],
-  [["mesh", ".", "-o", "x.vtu"], /\.: This is a folder\. Give a file in it.*'\*\.stl'/],
-  [["mesh", "cube.json", "-o", "parts"], /parts: This is a folder\. Give the name of a file in it/],
+  [["mesh", ".", "-o", "x.vtu"], /\.: This is a folder\. Use a file in it.*'\*\.stl'/],
+  [["mesh", "cube.json", "-o", "parts"], /parts: This is a folder\. Use the name of a file in it/],
   [["convert", "part.off", "-o", "parts"], /parts: This is a folder/],
   [["cover", "cube.json", "-o", "parts"], /parts: This is a folder/],
   [["mesh", "part.off", "-o", "x.vtu", "--background", "parts"], /parts: This is a folder/],
   [["check", "parts"], /parts: This is a folder/],
   [["stats", "missing.xyz"], /missing\.xyz: There is no such file/],
-  [["mesh", "", "-o", "x.vtu"], /"": This is no name of a file/],
-  [["mesh", "part.off", "-o", ""], /"": This is no name of a file/],
-  [["mesh", "part.off", "-o", "x.vtu", "--from", ""], /"": There is no such format/],
+  [["mesh", "", "-o", "x.vtu"], /"": The file name is empty/],
+  [["mesh", "part.off", "-o", ""], /"": The file name is empty/],
+  [["mesh", "part.off", "-o", "x.vtu", "--from", ""], /"": Unknown format/],
 ])("%j", async (args, message) => {
   const { code, stderr } = await tetrafront(folder.path, args);
   expect(stderr).toMatch(message);

@@ -1,5 +1,5 @@
 /** Files are written beside their place first, whatever other runs have left there and however long their names are. */
-import { readdirSync, readFileSync, writeFileSync } from "node:fs";
+import { chmodSync, readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
 import { setTimeout as sleep } from "node:timers/promises";
 
@@ -24,6 +24,14 @@ test("a name as long as file systems have them can be written", async () => {
   await checkOutput(path.join(folder.path, name));
   await writeOutput(path.join(folder.path, name), "whole");
   expect(readdirSync(folder.path)).toEqual([name]);
+});
+
+test("a file that is replaced keeps its permissions", async () => {
+  const file = path.join(folder.path, "a.vtu");
+  writeFileSync(file, "old");
+  chmodSync(file, 0o660);
+  await writeOutput(file, "new");
+  expect(statSync(file).mode & 0o777).toBe(0o660);
 });
 
 test("a signal while a file is written ends the program as it would, and leaves nothing of the file", async () => {

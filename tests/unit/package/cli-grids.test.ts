@@ -67,7 +67,11 @@ describe("cover", () => {
     ["a shape unheard of", ["bare.json", "-o", "out.json", "--shape", "ball"], /cover --help/],
     ["an output that is no project", ["bare.json", "-o", "out.vtu"], /ends in \.json/],
     ["an output in no folder", ["bare.json", "-o", "none/out.json"], /no folder/],
-    ["a surface", ["cube.off", "-o", "out.json"], /"\.off" cannot be read\. Give a file that ends in \.json/],
+    [
+      "a surface",
+      ["cube.off", "-o", "out.json"],
+      /"\.off" files cannot be read here\. Use a file whose name ends in \.json/,
+    ],
     ["an empty project", ["empty.json", "-o", "out.json"], /nothing to cover/],
   ])("refuses %s", async (_, args, message) => {
     save("bare.json", writeProject(bare));
@@ -215,12 +219,20 @@ describe("mesh --background", () => {
   });
 
   test.each<[string, string[], RegExp]>([
-    ["together with a size", ["--background", "grid.json", "--size", "0.2"], /Both --size and --background/],
+    [
+      "together with a size",
+      ["--background", "grid.json", "--size", "0.2"],
+      /--size and --background exclude each other/,
+    ],
     ["that is not there", ["--background", "none.vtu"], /none\.vtu: There is no such file/],
-    ["of another kind", ["--background", "cube.off"], /"\.off" cannot be read.*\.json, \.vtu, \.msh/],
+    [
+      "of another kind",
+      ["--background", "cube.off"],
+      /"\.off" files cannot be read here.*\.json, \.vtu, \.msh/,
+    ],
     ["that is broken", ["--background", "broken.msh"], /broken\.msh: Line 1: the file does not begin with/],
     ["that does not cover", ["--background", "far.json"], /outside the background grid/],
-    ["that tells no sizes", ["--background", "bare.json"], /bare\.json: The project tells no sizes/],
+    ["that tells no sizes", ["--background", "bare.json"], /bare\.json: The project has no sizes/],
   ])("%s is refused", async (_, args, message) => {
     save("bare.json", writeProject(bare));
     save("grid.json", writeProject(cubeProject()));
@@ -254,7 +266,7 @@ describe("what is said", () => {
     save("turned.off", offFile(turned(sphereSurface(4))));
     const told = await run("mesh", "turned.off", "-o", "out.vtu");
     expect(told.stderr).toMatch(
-      /note: turned\.off: The part of the surface with triangle 0 .*is inside out.* all of its \d+ triangles/,
+      /note: turned\.off: The component of the surface with triangle 0 .*was inside out.* its \d+ triangles/,
     );
     expect((await run("mesh", "turned.off", "-o", "out.vtu", "--quiet")).stderr).toBe("");
   });
@@ -277,7 +289,7 @@ describe("what is said", () => {
   test("of text that is no STL is that it is none", async () => {
     save("part.stl", `OFF\n${"0 0 0\n".repeat(40)}`);
     expect((await run("mesh", "part.stl", "-o", "out.vtu")).stderr).toMatch(
-      /part\.stl: Line 1: this is text, but not an STL file/,
+      /part\.stl: Line 1: a text STL file must begin with "solid"/,
     );
   });
 
@@ -294,7 +306,7 @@ describe("what is said", () => {
       "r.json",
     );
     expect(code).toBe(2);
-    expect(stderr).toMatch(/may not be written to \(ENAMETOOLONG\)/);
+    expect(stderr).toMatch(/cannot be written \(ENAMETOOLONG\)/);
     expect((JSON.parse(readFileSync(inFolder("r.json"), "utf8")) as MeshReport).seconds.total).toBe(0);
   });
 });

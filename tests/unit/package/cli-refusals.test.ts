@@ -28,16 +28,16 @@ describe("options that would be passed over", () => {
   test.each([
     [["convert", "block.vtu", "-o", "again.msh", "--repair"], /repairs are for surfaces/i],
     [["check", "box.stl", "--size", "0.1"], /--size is for projects/],
-    [["check", "block.vtu", "--enclosed", "regions"], /--enclosed is for/],
-    [["check", "block.vtu", "--findings", "9"], /--findings is for surfaces/],
-    [["check", "cube.json", "--findings", "all"], /--findings is for surfaces/],
+    [["check", "block.vtu", "--inner-shells", "regions"], /--inner-shells is for/],
+    [["check", "block.vtu", "--max-diagnostics", "9"], /--max-diagnostics is for surfaces/],
+    [["check", "cube.json", "--max-diagnostics", "all"], /--max-diagnostics is for surfaces/],
     [
-      ["check", "box.stl", "--findings", "0"],
+      ["check", "box.stl", "--max-diagnostics", "0"],
       /number of findings to list is 0\. Give a whole number from 1 to 1000000/,
     ],
-    [["check", "box.stl", "--findings", "some"], /number of findings to list is "some"/],
-    [["mesh", "cube.json", "-o", "cube.vtu", "--grading", "0.1"], /--grading is for surfaces/],
-    [["check", "-", "box.stl"], /standard input is given among other inputs/i],
+    [["check", "box.stl", "--max-diagnostics", "some"], /number of findings to list is "some"/],
+    [["mesh", "cube.json", "-o", "cube.vtu", "--growth", "0.1"], /--growth is for surfaces/],
+    [["check", "-", "box.stl"], /standard input cannot be combined/i],
   ])("%j", async (args, words) => {
     const { code, stderr } = await run(...args);
     expect(stderr).toMatch(words);
@@ -80,7 +80,7 @@ test("a batch that is stopped ends its processes and still reports", async () =>
     started: (child) => setTimeout(() => child.kill("SIGTERM"), 3000),
   });
   expect(code).toBe(1);
-  expect(stderr).toMatch(/3 files: 0 done, 3 not completed, 0 bad/);
+  expect(stderr).toMatch(/3 files: 0 done, 3 not completed, 0 invalid/);
   const reports = JSON.parse(readFileSync(inFolder("all.json"), "utf8")) as { status: string }[];
   // Those that had begun; the third never did.
   expect(reports.length).toBeLessThan(3);

@@ -190,7 +190,7 @@ describe("bad input ends with code 2 and one line:", () => {
     ["an empty STL file", "empty.stl", /empty/],
     ["an empty OFF file", "empty.off", /empty/],
     ["an empty project", "empty.json", /empty/],
-    ["an extension nobody knows", "cube.step", /"\.step" cannot be read.*\.json, \.stl, \.off/],
+    ["an extension nobody knows", "cube.step", /"\.step" files cannot be read here.*\.json, \.stl, \.off/],
     ["no extension", "cube", /no extension/],
     ["a file that breaks off", "short.stl", /ends at byte 300/],
     ["text that is no JSON", "broken.json", /line 2/i],
@@ -245,9 +245,9 @@ describe("bad input ends with code 2 and one line:", () => {
   test.each<[string, string[], RegExp]>([
     ["an unknown output format", ["cube.off", "-o", "out.stl"], /\.vtu or \.msh/],
     ["an output without extension", ["cube.off", "-o", "out"], /no extension/],
-    ["an output in no folder", ["cube.off", "-o", "none/out.vtu"], /no folder none/],
+    ["an output in no folder", ["cube.off", "-o", "none/out.vtu"], /folder none does not exist/],
     ["an output that is a folder", ["cube.off", "-o", "taken.vtu"], /folder/],
-    ["a report in no folder", ["cube.off", "-o", "out.vtu", "--report", "none/r.json"], /no folder none/],
+    ["a report in no folder", ["cube.off", "-o", "out.vtu", "--report", "none/r.json"], /folder none does not exist/],
     [
       "a report in place of the input",
       ["cube.off", "-o", "out.vtu", "--report", "./cube.off"],
@@ -283,7 +283,7 @@ test("--help teaches, --version tells, both with code 0", async () => {
   for (const word of [
     "--output",
     "--size",
-    "--grading",
+    "--growth",
     "--order",
     "--no-filters",
     "--report",

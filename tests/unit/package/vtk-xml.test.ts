@@ -89,7 +89,7 @@ test("numbers at nodes that are too few, or of other components in another piece
   );
   expect(await problemOf(vtu(`${one}${two}`))).toMatch(/line 14: "size" has 8 values, but 4 points need 1/);
   const none = piece({ pointData: array("size", "1 2 3 4", 'NumberOfComponents="some"') });
-  expect(await problemOf(vtu(none))).toMatch(/line 8: NumberOfComponents is "some"/);
+  expect(await problemOf(vtu(none))).toMatch(/line 8: NumberOfComponents must be .*"some"/);
 });
 
 test("a cell without a number of its group is refused", async () => {
