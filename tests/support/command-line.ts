@@ -41,3 +41,16 @@ export function tetrafront(
     started?.(child);
   });
 }
+
+/** Environment in which a program, or its parent, gets a signal as soon as its mesh has tetrahedra. */
+export function signalAtProgress(
+  signal: NodeJS.Signals,
+  target: "program" | "parent",
+): Record<string, string> {
+  const hook = new URL("./signal-at-progress.mjs", import.meta.url).href;
+  return {
+    NODE_OPTIONS: `--import "${hook}"`,
+    TETRAFRONT_TEST_SIGNAL: signal,
+    TETRAFRONT_TEST_TARGET: target,
+  };
+}

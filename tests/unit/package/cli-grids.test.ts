@@ -66,7 +66,7 @@ describe("cover", () => {
     ["a size that is none", ["bare.json", "-o", "out.json", "--size", "no"], /size is "no"\. Give /],
     ["a shape unheard of", ["bare.json", "-o", "out.json", "--shape", "ball"], /cover --help/],
     ["an output that is no project", ["bare.json", "-o", "out.vtu"], /ends in \.json/],
-    ["an output in no folder", ["bare.json", "-o", "none/out.json"], /no folder/],
+    ["an output in no folder", ["bare.json", "-o", "none/out.json"], /folder none does not exist/],
     [
       "a surface",
       ["cube.off", "-o", "out.json"],
@@ -257,7 +257,7 @@ describe("what is said", () => {
     expect(code).toBe(2);
     const lines = stderr.trimEnd().split("\n");
     expect(lines.filter((line) => line.includes("has the element size -1"))).toHaveLength(5);
-    expect(lines.at(-1)).toBe('tetrafront: error: cube.json: and 3 more of the kind "size-out-of-range".');
+    expect(lines.at(-1)).toBe('tetrafront: error: cube.json: and 3 more "size-out-of-range".');
     const { diagnostics } = JSON.parse(readFileSync(inFolder("r.json"), "utf8")) as MeshReport;
     expect(diagnostics).toHaveLength(8);
   });

@@ -5,7 +5,7 @@ import { writeMesh, writeProject, type FileMesh } from "tetrafront";
 import { beforeEach, describe, expect, test } from "vitest";
 
 import { blockMesh } from "../../support/block-mesh.js";
-import { tetrafront } from "../../support/command-line.js";
+import { signalAtProgress, tetrafront } from "../../support/command-line.js";
 import { cubeProject } from "../../support/projects.js";
 import { stlBinary } from "../../support/surface-files.js";
 import { boxSurface } from "../../support/surfaces.js";
@@ -77,7 +77,7 @@ test("a batch that is stopped ends its processes and still reports", async () =>
   for (const name of ["a.stl", "b.stl", "c.stl"]) save(name, stlBinary(boxSurface(1)));
   const args = ["mesh", "a.stl", "b.stl", "c.stl", "-o", "{name}.vtu", "-j", "2", "--report", "all.json"];
   const { code, stderr } = await tetrafront(folder.path, [...args, "--size", "0.008", "--refine-surface"], {
-    started: (child) => setTimeout(() => child.kill("SIGTERM"), 3000),
+    env: signalAtProgress("SIGTERM", "parent"),
   });
   expect(code).toBe(1);
   expect(stderr).toMatch(/3 files: 0 done, 3 not completed, 0 invalid/);

@@ -155,7 +155,7 @@ describe("check", () => {
     const tiny = points.filter(
       (_, i) => i % 3 === 0 && points.subarray(i, i + 3).some((x) => x !== 0),
     ).length;
-    expect(stderr).toMatch(`(and ${tiny - 1} more like it)`);
+    expect(stderr).toMatch(`(and ${tiny - 1} similar)`);
   });
 
   test("counts what is not listed any more, too", async () => {
@@ -198,14 +198,14 @@ describe("check", () => {
   test("says what enclosed parts are taken for", async () => {
     const inside = boxSurface(1, [0.25, 0.25, 0.25], [0.75, 0.75, 0.75]);
     writeFileSync(path.join(folder.path, "core.off"), offFile(joined(boxSurface(2), inside)));
-    for (const [meaning, bodies] of [
+    for (const [meaning, regions] of [
       ["regions", 2],
       ["cavities", 1],
     ] as const) {
       const args = ["check", "core.off", "--inner-shells", meaning, "--json"];
       const { code, stdout } = await tetrafront(folder.path, args);
       expect(code).toBe(0);
-      expect(JSON.parse(stdout)).toMatchObject({ inspection: { regions: bodies, cavities: 2 - bodies } });
+      expect(JSON.parse(stdout)).toMatchObject({ inspection: { regions, cavities: 2 - regions } });
     }
   });
 
@@ -214,7 +214,7 @@ describe("check", () => {
     const { code, stderr } = await tetrafront(folder.path, ["check", "part.off"]);
     expect(code).toBe(0);
     expect(stderr).toContain("part.off: closed, manifold, without self-intersections\n");
-    expect(stderr).toContain("part.off: 1 body, 1 cavity\n");
+    expect(stderr).toContain("part.off: 1 region, 1 cavity\n");
     expect(stderr).toContain("part.off: no problems\n");
   });
 
@@ -238,7 +238,7 @@ describe("check", () => {
     save("open.off", file);
     const { code, stderr } = await tetrafront(folder.path, ["check", "open.off", "--fill-holes", "3"]);
     expect(code).toBe(0);
-    expect(stderr).toContain("repair: open.off: filled a hole with 1 triangle from ");
+    expect(stderr).toContain("repair: open.off: filled a hole with 1 triangle, from ");
     expect(stderr).toContain("no problems");
     expect(new Uint8Array(readFileSync(inFolder("open.off")))).toEqual(new Uint8Array(file));
   });
@@ -424,7 +424,7 @@ describe("convert, info and stats", () => {
     expect(JSON.parse(stats.stdout)).toMatchObject({
       isValid: false,
       invertedTetrahedra: 1,
-      turnedInFile: 1,
+      reversedInFile: 1,
     });
     const check = await tetrafront(folder.path, ["check", "mixed.mesh"]);
     expect(check.stderr).toMatch(
@@ -491,7 +491,7 @@ describe("what would be written over is refused before any work:", () => {
     [
       "a word in braces that stands for nothing",
       ["mesh", "a.off", "-o", "{foo}.vtu"],
-      /\{foo\}.*Give \{name\}/,
+      /\{foo\}.*Use \{name\}/,
     ],
     ["one in a report's name", ["mesh", "a.off", "-o", "a.vtu", "-r", "{name}.json"], /one report for all/],
     ["no number of jobs, with one input", ["check", "a.off", "-j", "0"], /number of jobs is "0"/],

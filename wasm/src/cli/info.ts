@@ -58,8 +58,8 @@ export function statsOfFile(input: string, options: InfoCommandOptions): Promise
       mesher.inspectMesh({ ...mesh, regions: mesh.tetrahedronRegion }),
     );
     const { boundary, ...figures } = found;
-    const turnedInFile = mesh.reversedTetrahedra ?? 0;
-    const json = { ...figures, turnedInFile, boundaryTriangles: boundary.triangles.length / 3 };
+    const reversedInFile = mesh.reversedTetrahedra ?? 0;
+    const json = { ...figures, reversedInFile, boundaryTriangles: boundary.triangles.length / 3 };
     const defects = found.isValid ? [] : ["the mesh is invalid: `tetrafront check` lists its problems"];
     const lines = [
       ...meshLines(found),
@@ -130,7 +130,7 @@ function meshContents(mesh: FileMesh) {
     triangles: mesh.triangles.length / 3,
     patches: heldGroups(mesh.patches, mesh.trianglePatch),
     tetrahedra: mesh.tetrahedra.length / 4,
-    turnedInFile: mesh.reversedTetrahedra ?? 0,
+    reversedInFile: mesh.reversedTetrahedra ?? 0,
     inverted: mesh.invertedTetrahedra?.length ?? 0,
     regions: heldGroups(mesh.regions, mesh.tetrahedronRegion),
     nodeData: [...mesh.nodeData].map(([name, { components }]) => ({ name, components })),
