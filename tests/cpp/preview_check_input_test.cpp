@@ -179,8 +179,8 @@ TEST(PatchesMeet, PatchesDrawnManyTimesOverAreToldUpToABound) {
   const Patch face = model.patches.front();
   model.patches.insert(model.patches.end(), 200, face);
   const std::vector<Diagnostic> found = previewModel(model, {}, {.size = 0.5}).diagnostics;
-  const auto meeting =
-      std::ranges::count(found, DiagnosticCode::kPatchesIntersect, [](const auto& d) { return d.code; });
+  const auto meeting = std::ranges::count(found, DiagnosticCode::kPatchesIntersect,
+                                          [](const auto& d) { return d.code; });
   EXPECT_EQ(meeting, 1000);  // of 20 100 pairs
 }
 
@@ -285,8 +285,8 @@ TEST(ExamineInput, NoFindingHidesAnother) {
        {DiagnosticCode::kNotFinite, DiagnosticCode::kDuplicatePoints,
         DiagnosticCode::kZeroLengthLine, DiagnosticCode::kIndexOutOfRange,
         DiagnosticCode::kDuplicateLines, DiagnosticCode::kWrongLineCount,
-        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge, DiagnosticCode::kPatchesIntersect,
-        DiagnosticCode::kOutsideBackgroundGrid})
+        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge,
+        DiagnosticCode::kPatchesIntersect, DiagnosticCode::kOutsideBackgroundGrid})
     EXPECT_GE(countOf(found, code), 1U) << static_cast<int>(code);
   grid.nodes[2].size = 0.0;
   MeshOptions options;

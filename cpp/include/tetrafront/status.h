@@ -50,25 +50,25 @@ struct Entity {
 /// what the user called things; `values` holds the numbers the sentence needs, in the order given.
 enum class DiagnosticCode : std::uint16_t {
   // Model
-  kNotFinite = 0,          ///< entity: point, node or surface node with a NaN or infinity
-  kIndexOutOfRange = 1,    ///< entity refers to something that does not exist, or is cut off
-                           ///< itself; values: the index of what does not exist
-  kWrongPointCount = 2,    ///< line; values: points given
-  kCoincidentPoints = 3,   ///< two points of one line at the same place
-  kZeroLengthLine = 4,     ///< line
-  kWrongLineCount = 5,     ///< patch; values: lines given in its outer loop, lines wanted
-  kWrongLineType = 6,      ///< patch and line: the patch type does not accept this line type
-  kLoopNotClosed = 7,      ///< patch, line, point: the chain breaks after the line
-  kLoopsIntersect = 8,  ///< patch, line(s): loop crosses or touches itself or another loop
+  kNotFinite = 0,         ///< entity: point, node or surface node with a NaN or infinity
+  kIndexOutOfRange = 1,   ///< entity refers to something that does not exist, or is cut off
+                          ///< itself; values: the index of what does not exist
+  kWrongPointCount = 2,   ///< line; values: points given
+  kCoincidentPoints = 3,  ///< two points of one line at the same place
+  kZeroLengthLine = 4,    ///< line
+  kWrongLineCount = 5,    ///< patch; values: lines given in its outer loop, lines wanted
+  kWrongLineType = 6,     ///< patch and line: the patch type does not accept this line type
+  kLoopNotClosed = 7,     ///< patch, line, point: the chain breaks after the line
+  kLoopsIntersect = 8,    ///< patch, line(s): loop crosses or touches itself or another loop
   kNotPlanar = 9,    ///< planar patch, line(s), point(s) moved; values: distance from the plane
   kEmptyModel = 12,  ///< no patch, or no triangle
-  kDegeneratePatch = 13,    ///< patch whose surface has no area or folds over itself
-  kHoleOutside = 14,        ///< patch, line: a hole outside the outer loop or in a hole
-  kOptionOutOfRange = 15,          ///< values: which (0 size, 1 growth, 2 gradation), what was given
+  kDegeneratePatch = 13,       ///< patch whose surface has no area or folds over itself
+  kHoleOutside = 14,           ///< patch, line: a hole outside the outer loop or in a hole
+  kOptionOutOfRange = 15,      ///< values: which (0 size, 1 growth, 2 gradation), what was given
   kLineSelfIntersection = 16,  ///< line, also one that runs back over itself; place
-  kPatchesIntersect = 17,        ///< two patches that overlap or cross away from common lines; place
-  kHoleOffPatch = 18,       ///< curved patch, line of a hole that is not on it; values: distance
-  kDuplicateLines = 19,     ///< two lines of the same course; a warning unless patches use both
+  kPatchesIntersect = 17,      ///< two patches that overlap or cross away from common lines; place
+  kHoleOffPatch = 18,          ///< curved patch, line of a hole that is not on it; values: distance
+  kDuplicateLines = 19,        ///< two lines of the same course; a warning unless patches use both
   // Background grid
   kEmptyBackgroundGrid = 20,
   kSizeOutOfRange = 21,        ///< node; values: size
@@ -76,7 +76,7 @@ enum class DiagnosticCode : std::uint16_t {
   kDegenerateBackgroundTetrahedron = 23,
   kOutsideBackgroundGrid = 24,  ///< place (and line or patch): the grid does not cover the domain
   kTooManyElements = 25,        ///< values: estimated tetrahedra, limit
-  kSourceOutOfRange = 26,              ///< source; values: size, distance, growth
+  kSourceOutOfRange = 26,       ///< source; values: size, distance, growth
   kDuplicatePoints = 27,        ///< two points at one place; a warning unless patches use both
   kSizeTooLarge = 28,           ///< warning; values: the size, smallest in a model, and the extent
   // Closed boundary
@@ -91,13 +91,14 @@ enum class DiagnosticCode : std::uint16_t {
   kReorientedPatch = 47,  ///< information: patch, or whole part of a given surface, drawn inside
                           ///< out and turned round; values of the latter: triangles turned, all
   kCoincidentNodes = 48,  ///< two nodes at one place that are not joined
-  kNestedRegions = 49,     ///< information; values: number of regions, of cavities
-  kFlippedTriangle = 50,  ///< triangle of a given surface that faces inward where others of its part
-                         ///< face outward; values: 1 where it would be a wall if
-                         ///< EnclosedBodies were kRegions, else 0; number of such triangles
-  kCoarseSurface = 51,   ///< warning; triangle of a given surface with the longest edges in wanted
-                         ///< lengths, place; values: number of triangles with edges more than twice
-                         ///< as long as wanted, wanted lengths of the longest
+  kNestedRegions = 49,    ///< information; values: number of regions, of cavities
+  kFlippedTriangle =
+      50,               ///< triangle of a given surface that faces inward where others of its part
+                        ///< face outward; values: 1 where it would be a wall if
+                        ///< EnclosedBodies were kRegions, else 0; number of such triangles
+  kCoarseSurface = 51,  ///< warning; triangle of a given surface with the longest edges in wanted
+                        ///< lengths, place; values: number of triangles with edges more than twice
+                        ///< as long as wanted, wanted lengths of the longest
   // Volume
   kStalled = 60,             ///< values: faces left in the front
   kVerificationFailed = 61,  ///< values: failing elements; our own mistake, never the user's

@@ -123,7 +123,7 @@ enum class RepairKind : std::uint8_t {
   /// Triangle `first` had its corners on one line: `second` beyond its longest edge was split
   /// where the middle corner lies on it. The shape is the same.
   kSplitTriangle = 4,
-  kFilledHole = 5,      ///< with `second` triangles, from `first` of the result on
+  kFilledHole = 5,       ///< with `second` triangles, from `first` of the result on
   kFlippedTriangle = 6,  ///< `first`
 };
 

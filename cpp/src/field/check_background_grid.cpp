@@ -90,8 +90,8 @@ void checkTetrahedron(const BackgroundGrid& grid, std::uint32_t t, std::vector<D
     if (!isFinite(corners[i])) return;  // reported with the node
   }
   if (!isFlat(corners)) return;
-  found.push_back(
-      about(DiagnosticCode::kDegenerateBackgroundTetrahedron, EntityKind::kBackgroundTetrahedron, t));
+  found.push_back(about(DiagnosticCode::kDegenerateBackgroundTetrahedron,
+                        EntityKind::kBackgroundTetrahedron, t));
   found.back().hasPlace = true;
   found.back().place = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
 }

@@ -74,7 +74,9 @@ test("numbers that are not so many, and nodes without a place, are refused", asy
   await expect(writeMesh(short, "a.vtu")).rejects.toThrow(/nodeData "size"/);
   const points = block.points.slice();
   points[3 * 5 + 1] = NaN;
-  await expect(writeMesh({ ...block, points }, "a.vtu")).rejects.toThrow(/node 5 has a coordinate that is not finite/);
+  await expect(writeMesh({ ...block, points }, "a.vtu")).rejects.toThrow(
+    /node 5 has a coordinate that is not finite/,
+  );
 });
 
 test("regions between the triangles of a surface are told to be left out", async () => {
