@@ -99,7 +99,7 @@ test("each triangle of a boundary that cuts itself is listed with its place, and
   await app.openFile("crescent.json", JSON.stringify(crescent));
   const group = page.getByTestId("problems-self-intersection");
   const first = group.locator("[data-code=self-intersection]").first();
-  await expect(first).toContainText("The surface cuts itself: patch");
+  await expect(first).toContainText("The surface intersects itself: patch");
   await first.getByTestId("triangles").locator("summary").click();
   const rows = first.getByRole("listitem");
   expect(await rows.count()).toBeGreaterThan(1);
