@@ -138,16 +138,16 @@ TEST(SurfaceLineMesher, ReportsWhereALineLeavesTheGrid) {
   const Curve curve(LineType::kStraight, {{0.5, 0.5, 0.5}, {0.5, 0.5, 1.5}});
   const LineDivision division = divideLine(curve, field, 1);
   EXPECT_EQ(division.status, LineDivisionStatus::kOutsideGrid);
-  EXPECT_GT(division.place.z, 1.0);
-  EXPECT_LT(division.place.z, 1.2);
+  EXPECT_GT(division.position.z, 1.0);
+  EXPECT_LT(division.position.z, 1.2);
 }
 
 TEST(SurfaceLineMesher, RefusesAnAbsurdSize) {
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {1, 0, 0}});
   const LineDivision division = divideLine(curve, SizeField::uniform(1e-9), 1);
   EXPECT_EQ(division.status, LineDivisionStatus::kTooManySides);
-  EXPECT_NEAR(division.wantedSides, 1e9, 1e5);
-  EXPECT_LT(division.place.x, 1e-4) << "without walking the million sides that there may be";
+  EXPECT_NEAR(division.requiredSides, 1e9, 1e5);
+  EXPECT_LT(division.position.x, 1e-4) << "without walking the million sides that there may be";
 }
 
 TEST(SurfaceLineMesher, LongWalksGoOnThroughSmallSizesAtASinglePlace) {
@@ -174,9 +174,9 @@ TEST(SurfaceLineMesher, RefusesASizeThatNoParameterCanTellFromZero) {
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {2, 0, 0}});
   const LineDivision division = divideLine(curve, SizeField::fromGrid(GridLocator(grid)), 1);
   ASSERT_EQ(division.status, LineDivisionStatus::kTooManySides);
-  EXPECT_NEAR(division.place.x, 1.0, 1e-9);
-  EXPECT_GE(division.wantedSides, kMaxSidesPerLine);
-  EXPECT_TRUE(std::isfinite(division.wantedSides));
+  EXPECT_NEAR(division.position.x, 1.0, 1e-9);
+  EXPECT_GE(division.requiredSides, kMaxSidesPerLine);
+  EXPECT_TRUE(std::isfinite(division.requiredSides));
 }
 
 TEST(SurfaceLineMesher, HalvedSideHasItsNodeInTheMiddle) {

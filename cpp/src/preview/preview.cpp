@@ -6,7 +6,6 @@
 #include <limits>
 #include <utility>
 
-#include "base/ids.h"
 #include "model/check_model.h"
 #include "model/patch_projection.h"
 #include "preview/model_sampling.h"
@@ -112,15 +111,15 @@ class SurfaceSampler::Impl {
   /// Points at one place are one node, and so are those of lines drawn twice.
   void numberNodes(std::uint32_t line, std::uint32_t first) {
     const std::vector<std::uint32_t>& points = model_->lines[line].points;
-    std::vector<std::uint32_t>& nodes = lines_.nodes[line];
+    std::vector<NodeId>& nodes = lines_.nodes[line];
     nodes.resize(lines_.divisions[line].nodes.size());
     const auto [from, to] = std::minmax(points.front(), points.back());
-    nodes.front() = found_->duplicates.points[from];
-    nodes.back() = found_->duplicates.points[to];
+    nodes.front() = NodeId(found_->duplicates.points[from]);
+    nodes.back() = NodeId(found_->duplicates.points[to]);
     const std::size_t inner = nodes.size() - 2;
     const int way = first == line ? 0 : directionAlong(line, first);
     for (std::size_t i = 1; i <= inner; ++i) {
-      if (way == 0) nodes[i] = nextNode_++;
+      if (way == 0) nodes[i] = NodeId(nextNode_++);
       if (way > 0) nodes[i] = lines_.nodes[first][i];
       if (way < 0) nodes[i] = lines_.nodes[first][inner + 1 - i];
     }
@@ -197,7 +196,7 @@ class SurfaceSampler::Impl {
                  glm::length(sampleAt(sampled_.preview.patchPoints, point) - place) <= tolerance;
         for (int axis = 0; axis < 3; ++axis)
           sampled_.preview.patchPoints[3 * std::size_t{point} + axis] = place[axis];
-        sampled_.nodes[point] = lines_.nodes[walked.line][node];
+        sampled_.nodes[point] = lines_.nodes[walked.line][node].value;
       }
     }
     return joined;
@@ -223,12 +222,13 @@ class SurfaceSampler::Impl {
     PlanarFront front(metric, mesh);
     if (front.advance(kFrontBudget) != MeshStatus::kDone) return;
     const std::uint32_t first = nextPoint();
-    for (std::size_t i = 0; i < mesh.places.size(); ++i) {
-      const std::uint32_t node = mesh.aliases[i];
-      addPoint(mesh.places[i], node == kNoIndex ? nextNode_++ : node);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      const NodeId node = mesh.surfaceNodes[i];
+      addPoint(mesh.positions[i], node.isNone() ? nextNode_++ : node.value);
     }
-    for (const std::uint32_t node : mesh.triangles)
-      sampled_.preview.patchTriangles.push_back(first + node);
+    for (const PlanarMesh::Triangle& triangle : mesh.triangles)
+      for (const PlanarNodeId node : triangle)
+        sampled_.preview.patchTriangles.push_back(first + node.value);
     sampled_.isJoined[number] = 1;
   }
 

@@ -1,8 +1,7 @@
-// Sides on a line. The walk S1-S4 of the paper steps along the line, each side as long as the
-// field asks at its middle. It rarely ends at the line's end, so its steps only serve as the grid
-// on which the metric length lambda(t) = integral of |x'| / size is tabulated; the sides are then
-// equal increments of lambda, a whole number of which make up the line. Every side is stretched
-// or shrunk by the same factor this way, rather than the last one alone.
+// The walk S1-S4 of the paper steps along a line; each step is as long as the target size at its middle. The last
+// step rarely ends at the end of the line. The steps therefore only serve as stations at which the metric length
+// lambda(t) = integral of |x'| / size is tabulated. The sides are equal increments of lambda, so that all of them are
+// stretched or shrunk by the same factor, and not the last one alone.
 
 #include "surface/line_mesher.h"
 
@@ -13,26 +12,25 @@ namespace tetrafront {
 
 namespace {
 
-/// Step S3: two steps are "about equal" below this relative difference.
+/// Relative difference below which two steps are "about equal" (step S3).
 constexpr double kStepTolerance = 1e-3;
-/// The averaging of S3 halves the error each time on a smooth field; if it has not settled after
-/// this many rounds it is cycling across a steep change of size, and bisection takes over.
+/// In a smooth field, each averaging of S3 halves the error. If it has not converged after this many rounds, it
+/// oscillates across a steep change of size, and bisection follows.
 constexpr int kMaxAverages = 20;
 constexpr int kMaxBisections = 40;
-/// No step passes more than this much of the parameter, so that a coarse field still sees a
-/// line's bends.
-constexpr double kLongestStep = 1.0 / 16.0;
-/// Simpson's rule and its halves must agree to this, in sides.
+/// Limit of a step's parameter range, so that the bends of a line are sampled even in a coarse field.
+constexpr double kMaxStep = 1.0 / 16.0;
+/// Simpson's rule over a step and over its halves must agree within this number of sides.
 constexpr double kLengthTolerance = 1e-5;
 constexpr int kMaxHalvings = 10;
 
-/// A walk that has become so long looks ahead once, at so many places: whether the rest alone asks for
-/// so many times the most sides there may be.
+/// A walk with this many stations samples the rest of the line once, at kSamplesAhead parameters. It gives up if the
+/// rest alone requires kCertainlyTooMany times the limit of sides.
 constexpr std::size_t kLongTable = 1U << 14U;
-constexpr int kPlacesAhead = 1024;
+constexpr int kSamplesAhead = 1024;
 constexpr double kCertainlyTooMany = 4.0;
 
-/// One entry of the table of metric length: at t, lambda so far and its rate.
+/// An entry of the table of metric lengths: lambda at t, and its derivative.
 struct Station {
   double t;
   double lambda;
@@ -43,7 +41,7 @@ class LineWalker {
  public:
   LineWalker(const Curve& curve, const SizeField& field) : curve_(&curve), field_(&field) {}
 
-  /// Wanted length of a side along the line.
+  /// Target length of a side at t.
   [[nodiscard]] double sizeAt(double t) {
     if (!field_->isStretched()) return field_->sizeAt(curve_->position(t), hint_);
     const Curve::Sample at = curve_->sample(t);
@@ -51,40 +49,40 @@ class LineWalker {
         glm::length(field_->tensorAt(at.position, hint_).inverse() * at.derivative);
     return sides > 0.0 ? glm::length(at.derivative) / sides : field_->sizeAt(at.position, hint_);
   }
-  [[nodiscard]] bool covers(const Vec3& place) { return field_->covers(place, hint_); }
+  [[nodiscard]] bool covers(const Vec3& position) { return field_->covers(position, hint_); }
 
   /// d lambda / dt: sides per unit of the parameter.
   [[nodiscard]] double rateAt(double t) { return glm::length(curve_->derivative(t)) / sizeAt(t); }
 
-  /// S1-S3: the parameter at which the side begun at t ends.
+  /// Returns the parameter at which a side that begins at t ends (S1-S3).
   double step(double t) {
     const double speed = glm::length(curve_->derivative(t));
     const double start = sizeAt(t);
-    if (start >= kLongestStep * speed) return t + kLongestStep;
+    if (start >= kMaxStep * speed) return t + kMaxStep;
     const double length = settleLength(t, speed, start);
     const double middleSpeed =
         glm::length(curve_->derivative(std::min(1.0, t + 0.5 * length / speed)));
-    if (length >= kLongestStep * middleSpeed) return t + kLongestStep;
+    if (length >= kMaxStep * middleSpeed) return t + kMaxStep;
     return t + length / middleSpeed;
   }
 
  private:
-  /// Size asked for at the middle of a tentative side of `length` (S2).
-  double corrected(double t, double speed, double length) {
+  /// Target size at the middle of a tentative side of `length` (S2).
+  double sizeAtMiddle(double t, double speed, double length) {
     return sizeAt(std::min(1.0, t + 0.5 * length / speed));
   }
 
   double settleLength(double t, double speed, double length) {
     double tooShort = 0.0;
-    double tooLong = kLongestStep * speed;
+    double tooLong = kMaxStep * speed;
     for (int round = 0; round < kMaxAverages + kMaxBisections; ++round) {
-      const double wanted = corrected(t, speed, length);
-      if (std::fabs(wanted - length) <= kStepTolerance * length) break;
-      if (wanted > length)
+      const double target = sizeAtMiddle(t, speed, length);
+      if (std::fabs(target - length) <= kStepTolerance * length) break;
+      if (target > length)
         tooShort = std::max(tooShort, length);
       else
         tooLong = std::min(tooLong, length);
-      length = 0.5 * (round < kMaxAverages ? length + wanted : tooShort + tooLong);
+      length = 0.5 * (round < kMaxAverages ? length + target : tooShort + tooLong);
     }
     return length;
   }
@@ -94,7 +92,7 @@ class LineWalker {
   FieldHint hint_;
 };
 
-/// Adds stations up to `to`, halving until Simpson's rule is accurate.
+/// Adds stations up to `to`. Halves the interval until Simpson's rule is accurate.
 void integrate(LineWalker& walker, double to, double rateTo, int depth,
                std::vector<Station>& table) {
   const Station from = table.back();
@@ -114,13 +112,13 @@ void integrate(LineWalker& walker, double to, double rateTo, int depth,
   integrate(walker, to, rateTo, depth + 1, table);
 }
 
-/// Of the sides from t to the end, at least about so many. The lesser of neighbouring rates counts, as a
-/// place may lie on a source of a size that nothing around it has.
-double leastSidesFrom(LineWalker& walker, double t) {
-  const double width = (1.0 - t) / kPlacesAhead;
+/// Returns a lower estimate of the number of sides from t to the end. Uses the lower rate of two neighbouring samples:
+/// a single sample may lie on a source whose size occurs nowhere around it.
+double minSidesFrom(LineWalker& walker, double t) {
+  const double width = (1.0 - t) / kSamplesAhead;
   double before = walker.rateAt(t);
   double sides = 0.0;
-  for (int i = 1; i <= kPlacesAhead; ++i) {
+  for (int i = 1; i <= kSamplesAhead; ++i) {
     const double rate = walker.rateAt(std::min(1.0, t + i * width));
     sides += width * std::min(before, rate);
     before = rate;
@@ -128,21 +126,20 @@ double leastSidesFrom(LineWalker& walker, double t) {
   return sides;
 }
 
-/// The table of metric length over the walk's steps; false if there are too many, or one is too
-/// short to move the parameter at all.
+/// Tabulates the metric length over the steps of the walk. Returns false if there are too many steps, or if one is too
+/// short to change the parameter.
 bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& table) {
   table.push_back({0.0, 0.0, walker.rateAt(0.0)});
   std::size_t nextKnot = 1;
-  bool hasLooked = false;
+  bool hasSampledAhead = false;
   while (table.back().t < 1.0) {
-    if (!hasLooked && table.size() > kLongTable) {
-      hasLooked = true;
-      if (leastSidesFrom(walker, table.back().t) > kCertainlyTooMany * kMaxSidesPerLine)
-        return false;
+    if (!hasSampledAhead && table.size() > kLongTable) {
+      hasSampledAhead = true;
+      if (minSidesFrom(walker, table.back().t) > kCertainlyTooMany * kMaxSidesPerLine) return false;
     }
     const double knot = curve.knots()[nextKnot];
     double to = walker.step(table.back().t);
-    // A step that would leave a sliver before the knot takes it in.
+    // Extend a step that would leave a tiny interval before the knot.
     if (to >= knot - 1e-3 * (knot - table.back().t)) {
       to = knot;
       nextKnot = std::min(nextKnot + 1, curve.knots().size() - 1);
@@ -154,15 +151,15 @@ bool tabulate(LineWalker& walker, const Curve& curve, std::vector<Station>& tabl
   return true;
 }
 
-/// Of a table that was given up: the sides of the whole line if it went on as it did up to there,
-/// or as it is just there, whichever are more.
-double sidesAsked(const Station& last) {
+/// Estimates the sides of the whole line from the last station of an incomplete table: by the mean rate up to there,
+/// or by the rate there, whichever gives more.
+double estimateSides(const Station& last) {
   const double soFar = last.t > 0.0 ? last.lambda / last.t : 0.0;
   return std::max({soFar, last.rate, static_cast<double>(kMaxSidesPerLine)});
 }
 
-/// The first station that the background grid does not cover; stations are never farther apart
-/// than sides. Null if all are covered.
+/// Returns the first station that the background grid does not cover; null if it covers all of them. The distance
+/// between stations is at most the length of a side.
 const Station* firstOutside(LineWalker& walker, const Curve& curve,
                             const std::vector<Station>& table) {
   for (const Station& station : table)
@@ -170,15 +167,15 @@ const Station* firstOutside(LineWalker& walker, const Curve& curve,
   return nullptr;
 }
 
-/// The parameter at which lambda reaches `target` between two stations: the rate is taken as
-/// linear between them, so lambda is a monotone parabola.
+/// Returns the parameter at which lambda reaches `target` between two stations. The rate is taken as linear between
+/// them, so lambda is a monotone parabola.
 double invert(const Station& from, const Station& to, double target) {
-  const double share = (target - from.lambda) / (to.lambda - from.lambda);
-  const double area = share * 0.5 * (from.rate + to.rate);
+  const double fraction = (target - from.lambda) / (to.lambda - from.lambda);
+  const double area = fraction * 0.5 * (from.rate + to.rate);
   const double root =
       std::sqrt(std::max(0.0, from.rate * from.rate + 2.0 * (to.rate - from.rate) * area));
   const double sum = from.rate + root;
-  const double u = sum > 0.0 ? 2.0 * area / sum : share;
+  const double u = sum > 0.0 ? 2.0 * area / sum : fraction;
   return from.t + std::clamp(u, 0.0, 1.0) * (to.t - from.t);
 }
 
@@ -197,24 +194,24 @@ std::vector<double> equalIncrements(const std::vector<Station>& table, std::uint
 
 }  // namespace
 
-LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_t minimumSides) {
+LineDivision divideLine(const Curve& curve, const SizeField& field, std::uint32_t minSides) {
   LineDivision division;
   LineWalker walker(curve, field);
   std::vector<Station> table;
   if (!tabulate(walker, curve, table)) {
     division.status = LineDivisionStatus::kTooManySides;
-    division.place = curve.position(table.back().t);
-    division.wantedSides = sidesAsked(table.back());
+    division.position = curve.position(table.back().t);
+    division.requiredSides = estimateSides(table.back());
     return division;
   }
   division.length = table.back().lambda;
-  const auto wanted = static_cast<std::uint32_t>(division.length + 0.5);
-  division.parameters = equalIncrements(table, std::max({wanted, minimumSides, 1U}));
+  const auto targetSides = static_cast<std::uint32_t>(division.length + 0.5);
+  division.parameters = equalIncrements(table, std::max({targetSides, minSides, 1U}));
   division.nodes.reserve(division.parameters.size());
   for (const double t : division.parameters) division.nodes.push_back(curve.position(t));
   if (const Station* outside = firstOutside(walker, curve, table)) {
     division.status = LineDivisionStatus::kOutsideGrid;
-    division.place = curve.position(outside->t);
+    division.position = curve.position(outside->t);
   }
   return division;
 }
@@ -223,7 +220,7 @@ void halveSide(const Curve& curve, std::size_t side, LineDivision& division) {
   const double from = division.parameters[side];
   const double to = division.parameters[side + 1];
   const double half = 0.5 * curve.length(from, to);
-  // A few bisections suffice: the middle need not be exact, only the same for everybody.
+  // A few bisections suffice. The midpoint need not be exact, but every patch on this line must get the same one.
   double low = from;
   double high = to;
   for (int round = 0; round < 20; ++round) {
@@ -231,9 +228,9 @@ void halveSide(const Curve& curve, std::size_t side, LineDivision& division) {
     (curve.length(from, middle) < half ? low : high) = middle;
   }
   const double t = 0.5 * (low + high);
-  const auto place = static_cast<std::ptrdiff_t>(side) + 1;
-  division.parameters.insert(division.parameters.begin() + place, t);
-  division.nodes.insert(division.nodes.begin() + place, curve.position(t));
+  const auto index = static_cast<std::ptrdiff_t>(side) + 1;
+  division.parameters.insert(division.parameters.begin() + index, t);
+  division.nodes.insert(division.nodes.begin() + index, curve.position(t));
 }
 
 }  // namespace tetrafront

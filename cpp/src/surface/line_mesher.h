@@ -12,34 +12,33 @@ namespace tetrafront {
 
 enum class LineDivisionStatus : std::uint8_t {
   kDivided = 0,
-  kOutsideGrid = 1,   ///< the line leaves the background grid at `place`
-  kTooManySides = 2,  ///< more sides asked for than kMaxSidesPerLine
+  kOutsideGrid = 1,   ///< the line leaves the background grid at `position`
+  kTooManySides = 2,  ///< the sizes require more than kMaxSidesPerLine sides
 };
 
-/// The nodes of a divided line, both ends included: parameters[i] and nodes[i] belong together
-/// and ascend from t = 0 to t = 1; the ends are bit-exact copies of the curve's.
+/// The nodes of a divided line, including both ends. parameters[i] belongs to nodes[i]; parameters ascend from 0 to
+/// 1, and the ends are bit-exact copies of the curve's.
 struct LineDivision {
   LineDivisionStatus status = LineDivisionStatus::kDivided;
   std::vector<double> parameters;
   std::vector<Vec3> nodes;
-  double length = 0.0;       ///< of the line, in wanted sizes
-  Vec3 place{0.0};           ///< where, unless divided
-  double wantedSides = 0.0;  ///< of kTooManySides: about how many the sizes ask for, at least
+  double length = 0.0;         ///< of the line, in target sizes
+  Vec3 position{0.0};          ///< where the division failed, unless kDivided
+  double requiredSides = 0.0;  ///< of kTooManySides: lower estimate of the number of sides
 
   [[nodiscard]] std::size_t sideCount() const { return nodes.empty() ? 0 : nodes.size() - 1; }
 };
 
-/// More than this on one line is a slip in a size, not a wish.
+/// Limit of the sides of one line. More of them mean that a size was mistyped.
 inline constexpr std::uint32_t kMaxSidesPerLine = 1'000'000;
 
-/// Divides `curve` so that each side is about as long as the field asks at its middle, and the
-/// last ends at the curve's end. With l the line's length measured in wanted sizes, the number of
-/// sides is the larger of `minimumSides` and l rounded: where that is l rounded, no side differs
-/// from the wish by more than 1/3 (2 sides or more by 1/4). O(sides).
+/// Divides `curve` so that each side is about as long as the target size at its middle. Let l be the length of the
+/// line in target sizes. The number of sides is l rounded, but at least `minSides`. If it is l rounded, the length of
+/// each side differs from the target size by at most 1/3, and by at most 1/4 if there are 2 sides or more. O(sides).
 [[nodiscard]] LineDivision divideLine(const Curve& curve, const SizeField& field,
-                                      std::uint32_t minimumSides);
+                                      std::uint32_t minSides);
 
-/// Puts a node in the middle, by arc length, of side `side`.
+/// Adds a node in the middle, by arc length, of side `side`.
 void halveSide(const Curve& curve, std::size_t side, LineDivision& division);
 
 }  // namespace tetrafront

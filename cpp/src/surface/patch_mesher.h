@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Triangulates one patch (Löhner & Parikh 1988, section 5.2): front in the plane,
-/// improvement, nodes on the surface.
+/// @file Triangulates one patch (Löhner & Parikh 1988, section 5.2): advances a front in the plane, improves the
+/// triangulation, and places its nodes on the surface.
 
 #include <cstdint>
 
@@ -11,7 +11,7 @@
 
 namespace tetrafront {
 
-/// A patch with more triangles than this is a slip in a size, not a wish.
+/// Limit of the triangles of one patch. More of them mean that a size was mistyped.
 inline constexpr std::size_t kMaxTrianglesPerPatch = 10'000'000;
 
 class PatchMesher {
@@ -21,13 +21,15 @@ class PatchMesher {
   PatchMesher(const PatchMesher&) = delete;
   PatchMesher& operator=(const PatchMesher&) = delete;
 
-  /// Works on; `budget` counts sides taken from the front, or nodes and triangles improved.
-  /// kDone, or kStalled if the front did not close (a fold in the patch's plane).
+  /// Takes about `budget` edges from the front, or improves as many nodes and triangles. Returns kDone, or kStalled
+  /// if the front did not close (the patch folds over itself in its plane) or has too many triangles.
   MeshStatus advance(std::uint32_t budget);
 
   /// Complete after kDone. Interior nodes follow the boundary's.
   [[nodiscard]] const PlanarMesh& mesh() const { return mesh_; }
-  [[nodiscard]] bool tooMany() const { return mesh_.triangles.size() / 3 > kMaxTrianglesPerPatch; }
+  [[nodiscard]] bool hasTooManyTriangles() const {
+    return mesh_.triangles.size() > kMaxTrianglesPerPatch;
+  }
 
  private:
   MeshStatus work(std::uint32_t budget);
@@ -36,7 +38,7 @@ class PatchMesher {
   PlanarMesh mesh_;
   PlanarFront front_;
   PlanarOptimizer optimizer_;
-  bool covered_ = false;
+  bool isCovered_ = false;
 };
 
 }  // namespace tetrafront

@@ -4,18 +4,18 @@ namespace tetrafront {
 
 namespace {
 
-/// Smallest ratio of G's eigenvalues: elements of the plane may be stretched 100:1 to become
-/// equilateral in space; beyond, the patch is degenerate there and shape has no meaning.
-constexpr double kSmallestEigenvalueRatio = 1e-4;
+/// Smallest ratio of G's eigenvalues: a triangle of the plane may be stretched 100:1 to become equilateral in
+/// space. Beyond this ratio the patch is degenerate, and the shape of a triangle has no meaning.
+constexpr double kMinEigenvalueRatio = 1e-4;
 
-/// Keeps a metric from becoming singular; `scale` stands for all of it where it vanishes.
-Metric2 madeRegular(Metric2 metric, double scale) {
+/// Returns a metric that is not singular. A zero metric becomes `scale` times the identity.
+Metric2 regularized(Metric2 metric, double scale) {
   const double trace = metric.xx + metric.yy;
   if (!(trace > 0.0)) return {scale, 0.0, scale};
-  // det / trace^2 is about the ratio of the eigenvalues where that is small.
-  if (metric.determinant() < kSmallestEigenvalueRatio * trace * trace) {
-    metric.xx += kSmallestEigenvalueRatio * trace;
-    metric.yy += kSmallestEigenvalueRatio * trace;
+  // det / trace^2 is about the ratio of the eigenvalues if this ratio is small.
+  if (metric.determinant() < kMinEigenvalueRatio * trace * trace) {
+    metric.xx += kMinEigenvalueRatio * trace;
+    metric.yy += kMinEigenvalueRatio * trace;
   }
   return metric;
 }
@@ -24,7 +24,7 @@ Metric2 madeRegular(Metric2 metric, double scale) {
 
 Metric2 planeMetric(const SurfacePoint& point, double size) {
   const double scale = 1.0 / (size * size);
-  return madeRegular({scale * glm::dot(point.alongXi, point.alongXi),
+  return regularized({scale * glm::dot(point.alongXi, point.alongXi),
                       scale * glm::dot(point.alongXi, point.alongEta),
                       scale * glm::dot(point.alongEta, point.alongEta)},
                      scale);
@@ -41,16 +41,16 @@ PlaneSample PatchMetric::sample(const Vec2& plane, FieldHint& hint) const {
   const Vec3 eta = toUnit * point.alongEta;
   const double size = field_->sizeAt(point.position, hint);
   const Metric2 metric{glm::dot(xi, xi), glm::dot(xi, eta), glm::dot(eta, eta)};
-  return {point.position, madeRegular(metric, 1.0 / (size * size)), size};
+  return {point.position, regularized(metric, 1.0 / (size * size)), size};
 }
 
-LocalSpace PatchMetric::spaceAt(const Vec3& place, double size, FieldHint& hint) const {
+LocalSpace PatchMetric::spaceAt(const Vec3& position, double size, FieldHint& hint) const {
   LocalSpace local;
-  local.wantedSide = size;
+  local.targetLength = size;
   if (!field_->isStretched()) return local;
   local.isStretched = true;
-  local.wantedSide = 1.0;
-  local.toSpace = field_->tensorAt(place, hint);
+  local.targetLength = 1.0;
+  local.toSpace = field_->tensorAt(position, hint);
   local.toUnit = local.toSpace.inverse();
   return local;
 }

@@ -1,9 +1,9 @@
 #pragma once
 
-/// @file Sizes in a patch's plane (Löhner & Parikh 1988, section 5.2, T1-T3). With J the
-/// derivative of the surface by the plane's coordinates and M the metric asked for in space, a
-/// step d of the plane is as long in space, counted in wanted sizes, as sqrt(d . G d) with
-/// G = J^T M J. The front works in G, so T2 and T3 are exact however unlike its patch a plane is.
+/// @file Target sizes in a patch's plane (Löhner & Parikh 1988, section 5.2, T1-T3). Let J be the derivative of
+/// the surface with respect to the plane's coordinates, and M the target metric in space. A step d of the plane
+/// then has the length sqrt(d . G d) in space, in target sizes, with G = J^T M J. The front works in G. T2 and
+/// T3 are therefore exact, however much the plane differs from the patch.
 
 #include "field/size_field.h"
 #include "model/patch_surface.h"
@@ -23,22 +23,23 @@ struct Metric2 {
   [[nodiscard]] double determinant() const { return xx * yy - xy * xy; }
 };
 
-/// Everything the front wants to know about a place of the plane.
+/// The surface and the target size at a position of the plane.
 struct PlaneSample {
   Vec3 position{0.0};
   Metric2 metric;
-  double size = 1.0;  ///< wanted edge length in space
+  double size = 1.0;  ///< target edge length in space
 };
 
-/// G for the tangents and size at a place. Where the tangents are nearly parallel, as at a corner
-/// at which two lines of a Coons patch meet smoothly, G is kept from becoming singular.
+/// Returns G for the tangents of `point` and a size without direction. If the tangents are nearly parallel, as at
+/// a corner at which two lines of a Coons patch join smoothly, G is kept from becoming singular.
 [[nodiscard]] Metric2 planeMetric(const SurfacePoint& point, double size);
 
-/// Where sizes depend on the direction: a linear map of space after which the triangle wanted at a
-/// place is equilateral with side 1, and its inverse. Where they do not, nothing is mapped.
+/// Space as the size field stretches it near a position. `toUnit` maps the target triangle to an equilateral one
+/// with edges of length 1, and `toSpace` is its inverse. If sizes do not depend on the direction, nothing is
+/// mapped, and the target edge length is the size.
 struct LocalSpace {
   bool isStretched = false;
-  double wantedSide = 1.0;
+  double targetLength = 1.0;  ///< of an edge, after mapping
   SymmetricTensor toUnit;
   SymmetricTensor toSpace;
 
@@ -54,11 +55,8 @@ class PatchMetric {
 
   [[nodiscard]] PlaneSample sample(const Vec2& plane, FieldHint& hint) const;
 
-  /// For shapes at `place`, where `size` is the size without direction.
-  [[nodiscard]] LocalSpace spaceAt(const Vec3& place, double size, FieldHint& hint) const;
-  [[nodiscard]] bool covers(const Vec3& place, FieldHint& hint) const {
-    return field_->covers(place, hint);
-  }
+  /// Returns the local space at `position`. `size` is the size there if the field is not stretched.
+  [[nodiscard]] LocalSpace spaceAt(const Vec3& position, double size, FieldHint& hint) const;
   [[nodiscard]] const PatchSurface& surface() const { return *surface_; }
 
  private:

@@ -10,33 +10,34 @@ namespace tetrafront {
 
 namespace {
 
-/// The sine of the angle between two tangents below which they span no plane to measure from.
+/// If the sine of the angle between two tangents is smaller, they define no tangent plane.
 constexpr double kParallel = 1e-9;
 
-/// Sums over the triangles.
+/// Sums and extrema over the triangles.
 class Summary {
  public:
   Summary(const PatchMetric& metric, const PlanarMesh& mesh) : metric_(&metric), mesh_(&mesh) {}
 
-  void addTriangle(const std::array<std::uint32_t, 3>& nodes) {
+  void addTriangle(const PlanarMesh::Triangle& nodes) {
     std::array<Vec3, 3> corners;
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_->places[nodes[k]];
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = mesh_->positionOf(nodes[k]);
     addShape(corners);
-    deviate((mesh_->plane[nodes[0]] + mesh_->plane[nodes[1]] + mesh_->plane[nodes[2]]) / 3.0,
-            (corners[0] + corners[1] + corners[2]) / 3.0);
+    addDeviation(
+        (mesh_->planeOf(nodes[0]) + mesh_->planeOf(nodes[1]) + mesh_->planeOf(nodes[2])) / 3.0,
+        (corners[0] + corners[1] + corners[2]) / 3.0);
     for (std::size_t k = 0; k < 3; ++k) addEdge(nodes[(k + 1) % 3], nodes[(k + 2) % 3]);
     ++triangles_;
   }
 
-  /// Inner edges are met from both sides, those of the boundary once.
-  void addBoundarySide(std::uint32_t from, std::uint32_t to) {
-    edgeSum_ += metricLength(from, to);
+  /// Adds a side once more: triangles visit interior edges twice, but sides once.
+  void addBoundarySide(const PlanarMesh::Side& side) {
+    edgeSum_ += metricLength(side.from, side.to);
     ++edgeCount_;
   }
 
-  [[nodiscard]] PatchSummary result(std::uint32_t patch) const {
+  [[nodiscard]] PatchSummary result(PatchId patch) const {
     PatchSummary summary;
-    summary.patch = patch;
+    summary.patch = patch.value;
     summary.triangles = triangles_;
     if (triangles_ == 0) return summary;
     summary.minAngle = degreesOf(largestCosine_);
@@ -58,28 +59,29 @@ class Summary {
     }
   }
 
-  void addEdge(std::uint32_t from, std::uint32_t to) {
+  void addEdge(PlanarNodeId from, PlanarNodeId to) {
     edgeSum_ += metricLength(from, to);
     ++edgeCount_;
-    // The other triangle has the edge the other way round, unless there is none.
-    if (from > to && from >= mesh_->boundaryCount) return;
-    deviate(0.5 * (mesh_->plane[from] + mesh_->plane[to]),
-            0.5 * (mesh_->places[from] + mesh_->places[to]));
+    // The other triangle visits the edge in the opposite direction; a side has no other triangle.
+    if (from > to && !mesh_->isBoundary(from)) return;
+    addDeviation(0.5 * (mesh_->planeOf(from) + mesh_->planeOf(to)),
+                 0.5 * (mesh_->positionOf(from) + mesh_->positionOf(to)));
   }
 
-  [[nodiscard]] double metricLength(std::uint32_t from, std::uint32_t to) {
-    const Vec3 edge = mesh_->places[to] - mesh_->places[from];
-    const double size = 0.5 * (mesh_->sizes[from] + mesh_->sizes[to]);
-    const Vec3 middle = 0.5 * (mesh_->places[from] + mesh_->places[to]);
+  [[nodiscard]] double metricLength(PlanarNodeId from, PlanarNodeId to) {
+    const Vec3 edge = mesh_->positionOf(to) - mesh_->positionOf(from);
+    const double size = 0.5 * (mesh_->sizeOf(from) + mesh_->sizeOf(to));
+    const Vec3 middle = 0.5 * (mesh_->positionOf(from) + mesh_->positionOf(to));
     const LocalSpace local = metric_->spaceAt(middle, size, hint_);
-    return glm::length(local.unit(edge)) / local.wantedSide;
+    return glm::length(local.unit(edge)) / local.targetLength;
   }
 
-  /// Distance of `place` from the tangent plane where the surface is nearest, up to terms of
-  /// fourth order in the edge length: `plane` is off that point by second order at most.
-  void deviate(const Vec2& plane, const Vec3& place) {
+  /// Measures the distance of `position` from the surface as the distance from the tangent plane at `plane`. The
+  /// nearest point of the surface differs from that at `plane` in second order of the edge length, so the error is
+  /// of fourth order.
+  void addDeviation(const Vec2& plane, const Vec3& position) {
     const SurfacePoint point = metric_->surface().evaluate(plane);
-    const Vec3 offset = place - point.position;
+    const Vec3 offset = position - point.position;
     const Vec3 normal = glm::cross(point.alongXi, point.alongEta);
     const double length = glm::length(normal);
     const double tangents = glm::length(point.alongXi) * glm::length(point.alongEta);
@@ -101,13 +103,10 @@ class Summary {
 
 }  // namespace
 
-PatchSummary summarizePatch(const PatchMetric& metric, const PlanarMesh& mesh,
-                            std::uint32_t patch) {
+PatchSummary summarizePatch(const PatchMetric& metric, const PlanarMesh& mesh, PatchId patch) {
   Summary summary(metric, mesh);
-  for (std::size_t i = 0; i + 2 < mesh.triangles.size(); i += 3)
-    summary.addTriangle({mesh.triangles[i], mesh.triangles[i + 1], mesh.triangles[i + 2]});
-  for (std::size_t i = 0; i + 1 < mesh.sides.size(); i += 2)
-    summary.addBoundarySide(mesh.sides[i], mesh.sides[i + 1]);
+  for (const PlanarMesh::Triangle& triangle : mesh.triangles) summary.addTriangle(triangle);
+  for (const PlanarMesh::Side& side : mesh.sides) summary.addBoundarySide(side);
   return summary.result(patch);
 }
 

@@ -1,8 +1,6 @@
 #pragma once
 
-/// @file How good one patch's triangulation is, for the report.
-
-#include <cstdint>
+/// @file Statistics of one patch's triangulation, for the report.
 
 #include "surface/patch_metric.h"
 #include "surface/planar_mesh.h"
@@ -10,9 +8,9 @@
 
 namespace tetrafront {
 
-/// Measures a complete triangulation of patch number `patch`. O(triangles), five places of the
-/// surface evaluated for every two triangles.
+/// Measures a complete triangulation of `patch`. O(triangles); evaluates the surface about five times for every
+/// two triangles.
 [[nodiscard]] PatchSummary summarizePatch(const PatchMetric& metric, const PlanarMesh& mesh,
-                                          std::uint32_t patch);
+                                          PatchId patch);
 
 }  // namespace tetrafront

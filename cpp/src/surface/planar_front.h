@@ -1,13 +1,12 @@
 #pragma once
 
-/// @file The 2-D advancing front of a patch (Löhner & Parikh 1988, section 5.2): steps F4-F9 of
-/// section 2 with sides for faces and triangles for tetrahedra, in the patch's plane.
+/// @file The 2-D advancing front of a patch (Löhner & Parikh 1988, section 5.2): steps F4-F9 of section 2 in
+/// the patch's plane, with edges in place of faces and triangles in place of tetrahedra.
 ///
-/// What may meet is decided by exact turns and shared node numbers, never by a tolerance, so the
-/// unmeshed part of the plane is always a polygon with holes whose sides do not cross. Every such
-/// polygon can be triangulated without new nodes: for a side that no good triangle completes,
-/// candidates are sought ever farther away, at last among all nodes of the front, where one must
-/// pass. The front therefore always closes.
+/// Exact orientations and node indices decide whether edges intersect, never a tolerance. The unmeshed part of
+/// the plane is therefore always a polygon with holes whose edges do not cross, and each such polygon can be
+/// triangulated without new nodes. If no good triangle completes an edge, the search for candidates is widened,
+/// at last to all nodes of the front, where at least one candidate passes. The front therefore always closes.
 
 #include <cstdint>
 #include <vector>
@@ -22,58 +21,54 @@ namespace tetrafront {
 
 class PlanarFront {
  public:
-  /// `mesh` holds the boundary's nodes and sides, which must form simple closed loops with the
-  /// patch on their left; triangles and interior nodes are added to it. Both must outlive this.
+  /// `mesh` holds the boundary's nodes and sides. The sides must form simple closed loops with the patch on
+  /// their left. The front adds triangles and interior nodes. Both arguments must outlive this.
   PlanarFront(const PatchMetric& metric, PlanarMesh& mesh);
 
-  /// Takes about `budget` sides from the front. kDone: the patch is covered. kStalled: the loops
-  /// were not simple after all; what exists is kept.
+  /// Takes about `budget` edges from the front. Returns kDone if the patch is covered, and kStalled if the loops
+  /// were not simple; the triangles made so far remain.
   MeshStatus advance(std::uint32_t budget);
 
-  /// Sides still on the front.
-  [[nodiscard]] std::size_t size() const { return heap_.size(); }
-
  private:
-  /// One directed side; the unmeshed part of the plane is on its left.
-  struct Side {
-    std::uint32_t from;
-    std::uint32_t to;
-    std::uint16_t layer;
-    std::uint8_t pass;  ///< how often it was put back
+  /// A directed edge of the front; the unmeshed part of the plane is on its left.
+  struct Edge {
+    PlanarNodeId from;
+    PlanarNodeId to;
+    std::uint16_t layer = 0;
+    std::uint8_t pass = 0;  ///< number of failed attempts to complete it
   };
-  /// A place offered to complete the base side; a node of the front or the ideal point.
+  /// A node of the front that may complete the base edge; none for the ideal point.
   struct Candidate {
     double rank;
-    std::uint32_t node;
+    PlanarNodeId node;
   };
-  /// The base side and what is known around it.
+  /// The base edge and the target triangle on it.
   struct Base {
     std::uint32_t id;
-    Side side;
-    PlaneSample sample;  ///< near the centre of the triangle to be
-    double length;       ///< in the metric
-    double wanted;       ///< length of the two new sides, in the metric
+    Edge edge;
+    PlaneSample sample;   ///< near the centre of the target triangle
+    double length;        ///< of the edge, in the metric
+    double targetLength;  ///< of the two new edges, in the metric
     Vec2 middle;
-    Vec2 inward;  ///< one unit of the metric, across the side into the unmeshed part
+    Vec2 inward;  ///< of length 1 in the metric, normal to the edge, into the unmeshed part
     Vec2 ideal;
   };
 
-  void addSide(std::uint32_t from, std::uint32_t to, std::uint16_t layer);
-  void removeSide(std::uint32_t id);
-  [[nodiscard]] std::uint64_t keyOf(const Side& side, double size);
-  bool completeSide(std::uint32_t id);
-  [[nodiscard]] Base examine(std::uint32_t id);
-  void placeIdealPoint(Base& base, double height) const;
+  void addEdge(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer);
+  void removeEdge(std::uint32_t id);
+  [[nodiscard]] std::uint64_t keyOf(const Edge& edge);
+  bool completeEdge(std::uint32_t id);
+  [[nodiscard]] Base makeBase(std::uint32_t id);
   void gather(const Base& base);
   void rankCandidates(const Base& base);
   bool tryCandidates(const Base& base);
   bool tryNewNode(const Base& base);
-  [[nodiscard]] bool tooClose(const Base& base) const;
-  [[nodiscard]] bool crossesFront(const Base& base, std::uint32_t apex) const;
-  [[nodiscard]] bool sideBlocks(std::uint32_t a, std::uint32_t b, std::uint32_t apex,
-                                const Side& side) const;
-  void accept(const Base& base, std::uint32_t apex);
-  void closeOrAdd(std::uint32_t from, std::uint32_t to, std::uint16_t layer);
+  [[nodiscard]] bool isTooClose(const Base& base) const;
+  [[nodiscard]] bool crossesFront(const Base& base, PlanarNodeId apex) const;
+  [[nodiscard]] bool isBlockedBy(const Edge& edge, PlanarNodeId a, PlanarNodeId b,
+                                 PlanarNodeId apex) const;
+  void accept(const Base& base, PlanarNodeId apex);
+  void closeOrAdd(PlanarNodeId from, PlanarNodeId to, std::uint16_t layer);
   [[nodiscard]] double distance(const Base& base, const Vec2& a, const Vec2& b) const;
   [[nodiscard]] double shape(const Base& base, const Vec2& apex) const;
 
@@ -82,14 +77,14 @@ class PlanarFront {
   IndexedHeap heap_;
   Quadtree tree_;
   PlaneBox region_;
-  std::vector<Side> sides_;
-  std::vector<std::uint32_t> freeSides_;
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> freeEdges_;
   std::uint32_t sequence_ = 0;
   FieldHint hint_;
-  bool stalled_ = false;
-  // Scratch of the current base side.
-  std::vector<std::uint32_t> near_;
-  std::vector<std::uint32_t> nearNodes_;
+  bool hasStalled_ = false;
+  // Scratch of the current base edge.
+  std::vector<std::uint32_t> nearEdges_;
+  std::vector<PlanarNodeId> nearNodes_;
   std::vector<std::uint32_t> stamps_;
   std::uint32_t stamp_ = 0;
   std::vector<Candidate> candidates_;

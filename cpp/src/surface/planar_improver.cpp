@@ -3,153 +3,157 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
-#include "base/ids.h"
 #include "base/sort.h"
+#include "surface/triangle_shape.h"
 
 namespace tetrafront {
 
 namespace {
 
-/// An edge shorter than this share of the wanted length makes one of its nodes needless.
+/// An interior node with an edge shorter than this is needless; length / target length.
 constexpr double kShortEdge = 0.6;
-/// Nodes with fewer triangles are needless: their angles are too wide.
+/// An interior node with fewer triangles is needless: its angles are too wide.
 constexpr std::size_t kFewTriangles = 5;
-/// No removal makes an edge longer than this, in wanted lengths, unless there was a longer one.
-constexpr double kLongestMade = 1.4;
-/// Edges longer than this are divided.
+/// The removal of a node must not make an edge longer than this, unless the node had a longer one; length /
+/// target length.
+constexpr double kMaxEdgeOfFan = 1.4;
+/// Longer edges are split; length / target length.
 constexpr double kLongEdge = 1.6;
-/// Triangles of a smaller angle than about 33 degrees are repaired.
+/// Triangles with a smaller angle, about 33 degrees, are improved.
 constexpr double kPoorSine = 0.54;
-/// Angles wider than 25 degrees are good enough to be traded for a node less.
+/// Sine of 25 degrees. An angle this wide is good enough if the change also removes a node or splits a long edge.
 constexpr double kFairSine = 0.42261826174069944;
-/// A repair must raise the smallest sine by this.
+/// A change must raise the smallest sine by this much.
 constexpr double kMinSineGain = 0.01;
-/// A change must not turn a triangle's normal by more than 60 degrees from what was there.
+/// A change must not rotate a triangle's normal by more than 60 degrees: the cosine of this angle.
 constexpr double kSharpFoldCosine = 0.5;
-/// Where along the line between the diamond's far corners a new node is tried.
-constexpr std::array<double, 3> kSplitShares{0.5, 0.35, 0.65};
+/// Positions tried for a new node on the way from the middle of the edge to the middle of the opposite corners.
+constexpr std::array<double, 3> kSplitFractions{0.5, 0.35, 0.65};
 
 }  // namespace
 
 PlanarImprover::PlanarImprover(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links,
                                PlanarMoves& moves)
     : metric_(&metric), mesh_(&mesh), links_(&links), moves_(&moves) {
-  std::vector<std::uint32_t> nodes(mesh.aliases.begin(), mesh.aliases.begin() + mesh.boundaryCount);
+  std::vector<NodeId> nodes(mesh.surfaceNodes.begin(),
+                            mesh.surfaceNodes.begin() + mesh.boundaryCount);
   stableSort(nodes);
   hasSeam_ = std::ranges::adjacent_find(nodes) != nodes.end();
 }
 
 // ---- measures ----------------------------------------------------------------------------------
 
-LocalSpace PlanarImprover::localAt(std::uint32_t node) {
-  return metric_->spaceAt(mesh_->places[node], mesh_->sizes[node], hint_);
+LocalSpace PlanarImprover::localSpaceAt(PlanarNodeId node) {
+  return metric_->spaceAt(mesh_->positionOf(node), mesh_->sizeOf(node), hint_);
 }
 
-double PlanarImprover::sine(const LocalSpace& local, std::uint32_t a, std::uint32_t b,
-                            std::uint32_t c) const {
-  return triangleSine(local.unit(mesh_->places[a]), local.unit(mesh_->places[b]),
-                      local.unit(mesh_->places[c]));
+double PlanarImprover::sine(const LocalSpace& local, PlanarNodeId a, PlanarNodeId b,
+                            PlanarNodeId c) const {
+  return triangleSine(local.unit(mesh_->positionOf(a)), local.unit(mesh_->positionOf(b)),
+                      local.unit(mesh_->positionOf(c)));
 }
 
-double PlanarImprover::length(const LocalSpace& local, std::uint32_t a, std::uint32_t b) const {
-  return glm::length(local.unit(mesh_->places[b] - mesh_->places[a])) / local.wantedSide;
+/// Length of an edge / target length.
+double PlanarImprover::length(const LocalSpace& local, PlanarNodeId a, PlanarNodeId b) const {
+  return glm::length(local.unit(mesh_->positionOf(b) - mesh_->positionOf(a))) / local.targetLength;
 }
 
-double PlanarImprover::starSine(const LocalSpace& local, std::uint32_t centre) const {
-  double least = 1.0;
+double PlanarImprover::starSine(const LocalSpace& local, PlanarNodeId centre) const {
+  double smallest = 1.0;
   for (std::size_t i = 0; i < star_.ring.size(); ++i)
-    least = std::min(least,
-                     sine(local, centre, star_.ring[i], star_.ring[(i + 1) % star_.ring.size()]));
-  return least;
+    smallest = std::min(
+        smallest, sine(local, centre, star_.ring[i], star_.ring[(i + 1) % star_.ring.size()]));
+  return smallest;
 }
 
-/// The smallest sine of the star's triangles if `centre` were drawn into ring[into]; below zero if
-/// one of them would turn the wrong way, or fold, or join what must not be joined.
-double PlanarImprover::fanSine(const LocalSpace& local, std::uint32_t centre,
-                               std::size_t into) const {
-  const std::vector<std::uint32_t>& ring = star_.ring;
+/// Returns the smallest sine of the fan that collapsing `centre` into ring[target] would make. Returns -1 if a
+/// triangle would be flipped or folded, or if an edge would connect nodes that must not be connected.
+double PlanarImprover::fanSine(const LocalSpace& local, PlanarNodeId centre,
+                               std::size_t target) const {
+  const std::vector<PlanarNodeId>& ring = star_.ring;
   const std::size_t count = ring.size();
-  const auto normal = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    return glm::cross(mesh_->places[b] - mesh_->places[a], mesh_->places[c] - mesh_->places[a]);
+  const auto normal = [&](PlanarNodeId a, PlanarNodeId b, PlanarNodeId c) {
+    return glm::cross(mesh_->positionOf(b) - mesh_->positionOf(a),
+                      mesh_->positionOf(c) - mesh_->positionOf(a));
   };
   Vec3 mean(0.0);
   for (std::size_t i = 0; i < count; ++i) mean += normal(centre, ring[i], ring[(i + 1) % count]);
-  double least = 1.0;
+  double smallest = 1.0;
   for (std::size_t step = 1; step + 1 < count; ++step) {
-    const std::uint32_t from = ring[(into + step) % count];
-    const std::uint32_t to = ring[(into + step + 1) % count];
-    if (mesh_->turn(ring[into], from, to) <= 0) return -1.0;
-    if (step > 1 && !mesh_->mayJoin(ring[into], from)) return -1.0;
-    const Vec3 turned = normal(ring[into], from, to);
-    if (glm::dot(turned, mean) < kSharpFoldCosine * glm::length(turned) * glm::length(mean))
-      return -1.0;
-    least = std::min(least, sine(local, ring[into], from, to));
+    const PlanarNodeId from = ring[(target + step) % count];
+    const PlanarNodeId to = ring[(target + step + 1) % count];
+    if (mesh_->orientation(ring[target], from, to) <= 0) return -1.0;
+    if (step > 1 && !mesh_->canConnect(ring[target], from)) return -1.0;
+    const Vec3 made = normal(ring[target], from, to);
+    if (glm::dot(made, mean) < kSharpFoldCosine * glm::length(made) * glm::length(mean)) return -1.0;
+    smallest = std::min(smallest, sine(local, ring[target], from, to));
   }
-  return least;
+  return smallest;
 }
 
-double PlanarImprover::longestOfFan(const LocalSpace& local, std::size_t into) const {
+double PlanarImprover::longestOfFan(const LocalSpace& local, std::size_t target) const {
   double longest = 0.0;
-  for (const std::uint32_t node : star_.ring)
-    longest = std::max(longest, length(local, star_.ring[into], node));
+  for (const PlanarNodeId node : star_.ring)
+    longest = std::max(longest, length(local, star_.ring[target], node));
   return longest;
 }
 
-/// Across a seam, a node must not be joined to both images of another, nor to its own: on a patch
-/// with a seam, nodes that have a neighbour on the boundary stay.
-bool PlanarImprover::mayRemove() const {
-  return !hasSeam_ || std::ranges::all_of(star_.ring, [&](std::uint32_t node) {
-    return node >= mesh_->boundaryCount;
-  });
+/// On a patch with a seam, keeps nodes that have a neighbour on the boundary. Otherwise a boundary node could be
+/// connected to itself, or to both copies of another one, across the seam.
+bool PlanarImprover::canRemoveCentre() const {
+  return !hasSeam_ || std::ranges::none_of(
+                          star_.ring, [&](PlanarNodeId node) { return mesh_->isBoundary(node); });
 }
 
-// ---- edges that must not be ----------------------------------------------------------------------
+// ---- forbidden edges ---------------------------------------------------------------------------
 
-void PlanarImprover::part(std::uint32_t triangle) {
+void PlanarImprover::splitForbiddenEdges(PlanarTriangleId triangle) {
   const auto isForbidden = [&](std::uint32_t k) {
-    return links_->neighbour(triangle, k) != kNoIndex &&
-           !mesh_->mayJoin(links_->node(triangle, (k + 1) % 3),
-                           links_->node(triangle, (k + 2) % 3));
+    return !links_->neighbour(triangle, k).isNone() &&
+           !mesh_->canConnect(links_->node(triangle, (k + 1) % 3),
+                              links_->node(triangle, (k + 2) % 3));
   };
-  // What is left of the triangle after a division is examined anew, the rest of it in its turn.
   for (std::uint32_t k = 0; k < 3; ++k) {
     if (!isForbidden(k)) continue;
-    const PlanarLinks::Diamond sides = links_->diamond(triangle, k);
-    const Vec2 middle = 0.5 * (mesh_->plane[sides.a] + mesh_->plane[sides.b]);
-    if (splitSine(localAt(sides.a), sides, middle) < 0.0) continue;
-    addAndSplit(triangle, k, middle);
-    part(triangle);
+    const PlanarLinks::Diamond diamond = links_->diamond(triangle, k);
+    const Vec2 middle = 0.5 * (mesh_->planeOf(diamond.a) + mesh_->planeOf(diamond.b));
+    if (splitSine(localSpaceAt(diamond.a), diamond, middle) < 0.0) continue;
+    splitAt(triangle, k, middle);
+    // The sweep visits the new triangles later, but not again the one that kept the index.
+    splitForbiddenEdges(triangle);
     return;
   }
 }
 
-void PlanarImprover::partLoneTriangle() {
+void PlanarImprover::splitLoneTriangle() {
   constexpr double kThird = 1.0 / 3.0;
-  if (links_->triangleCount() != 1 || mesh_->mayJoin(links_->node(0, 0), links_->node(0, 1)) ||
-      mesh_->mayJoin(links_->node(0, 1), links_->node(0, 2)))
+  constexpr PlanarTriangleId kOnly(0U);
+  if (links_->triangleCount() != 1 ||
+      mesh_->canConnect(links_->node(kOnly, 0), links_->node(kOnly, 1)) ||
+      mesh_->canConnect(links_->node(kOnly, 1), links_->node(kOnly, 2)))
     return;
   Vec2 centre(0.0);
-  for (std::uint32_t k = 0; k < 3; ++k) centre += kThird * mesh_->plane[links_->node(0, k)];
-  links_->insert(0, addNode(centre));
+  for (std::uint32_t k = 0; k < 3; ++k) centre += kThird * mesh_->planeOf(links_->node(kOnly, k));
+  links_->insert(kOnly, addNode(centre));
 }
 
 // ---- lengths -----------------------------------------------------------------------------------
 
-void PlanarImprover::thin(std::uint32_t node) {
+void PlanarImprover::removeIfNeedless(PlanarNodeId node) {
   if (!links_->collectStar(node, star_)) return;
-  const LocalSpace local = localAt(node);
+  const LocalSpace local = localSpaceAt(node);
   double shortest = 1.0;
-  double longest = kLongestMade;
-  for (const std::uint32_t other : star_.ring) {
+  double longest = kMaxEdgeOfFan;
+  for (const PlanarNodeId other : star_.ring) {
     shortest = std::min(shortest, length(local, node, other));
     longest = std::max(longest, length(local, node, other));
   }
   if (shortest >= kShortEdge && star_.ring.size() >= kFewTriangles) return;
-  const double before = std::min(starSine(local, node), kFairSine);
-  if (!mayRemove()) return;
+  if (!canRemoveCentre()) return;
   std::size_t best = star_.ring.size();
-  double bestSine = before;
+  double bestSine = std::min(starSine(local, node), kFairSine);
   for (std::size_t i = 0; i < star_.ring.size(); ++i) {
     if (longestOfFan(local, i) > longest) continue;
     const double after = fanSine(local, node, i);
@@ -160,120 +164,129 @@ void PlanarImprover::thin(std::uint32_t node) {
   if (best < star_.ring.size()) links_->collapse(node, star_, best);
 }
 
-void PlanarImprover::refine(std::uint32_t triangle) {
+void PlanarImprover::splitLongEdge(PlanarTriangleId triangle) {
   if (!links_->isAlive(triangle)) return;
-  const LocalSpace local = localAt(links_->node(triangle, 0));
+  constexpr std::uint32_t kNoCorner = 3;
+  const LocalSpace local = localSpaceAt(links_->node(triangle, 0));
   double longest = kLongEdge;
-  std::uint32_t side = 3;
+  std::uint32_t corner = kNoCorner;
   for (std::uint32_t k = 0; k < 3; ++k) {
     const double found =
         length(local, links_->node(triangle, (k + 1) % 3), links_->node(triangle, (k + 2) % 3));
-    if (found <= longest || links_->neighbour(triangle, k) == kNoIndex) continue;
+    if (found <= longest || links_->neighbour(triangle, k).isNone()) continue;
     longest = found;
-    side = k;
+    corner = k;
   }
-  if (side == 3) return;
-  const PlanarLinks::Diamond sides = links_->diamond(triangle, side);
-  const Vec2 middle = 0.5 * (mesh_->plane[sides.a] + mesh_->plane[sides.b]);
-  const double before = std::min(
-      {sine(local, sides.c, sides.a, sides.b), sine(local, sides.d, sides.b, sides.a), kFairSine});
-  if (splitSine(local, sides, middle) > before) addAndSplit(triangle, side, middle);
+  if (corner == kNoCorner) return;
+  const PlanarLinks::Diamond diamond = links_->diamond(triangle, corner);
+  const auto& [other, a, b, c, d] = diamond;
+  const Vec2 middle = 0.5 * (mesh_->planeOf(a) + mesh_->planeOf(b));
+  const double before = std::min({sine(local, c, a, b), sine(local, d, b, a), kFairSine});
+  if (splitSine(local, diamond, middle) > before) splitAt(triangle, corner, middle);
 }
 
 // ---- angles ------------------------------------------------------------------------------------
 
-void PlanarImprover::repair(std::uint32_t triangle) {
+void PlanarImprover::widenSmallAngle(PlanarTriangleId triangle) {
   if (!links_->isAlive(triangle)) return;
-  const std::array<std::uint32_t, 3> nodes{links_->node(triangle, 0), links_->node(triangle, 1),
-                                           links_->node(triangle, 2)};
-  const double before = sine(localAt(nodes[0]), nodes[0], nodes[1], nodes[2]);
+  const PlanarMesh::Triangle nodes = mesh_->triangles[triangle.index()];
+  const double before = sine(localSpaceAt(nodes[0]), nodes[0], nodes[1], nodes[2]);
   if (before >= kPoorSine) return;
   Change best;
   best.sine = before + kMinSineGain;
   for (std::uint32_t k = 0; k < 3; ++k) {
-    if (links_->neighbour(triangle, k) == kNoIndex) continue;
+    if (links_->neighbour(triangle, k).isNone()) continue;
     considerFlip(triangle, k, best);
     considerSplit(triangle, k, best);
   }
-  for (const std::uint32_t node : nodes) considerCollapses(node, best);
+  for (const PlanarNodeId node : nodes) considerCollapses(node, best);
   if (best.kind != Change::Kind::kNone) {
-    make(best);
+    apply(best);
     return;
   }
-  for (const std::uint32_t node : nodes) moves_->widen(node);
+  for (const PlanarNodeId node : nodes) moves_->widenAngles(node);
 }
 
-void PlanarImprover::considerFlip(std::uint32_t t, std::uint32_t k, Change& best) {
+void PlanarImprover::considerFlip(PlanarTriangleId t, std::uint32_t k, Change& best) {
   const auto [other, a, b, c, d] = links_->diamond(t, k);
-  if (!mesh_->mayJoin(c, d)) return;
-  const LocalSpace local = localAt(a);
+  if (!mesh_->canConnect(c, d)) return;
+  const LocalSpace local = localSpaceAt(a);
   const double after = std::min(sine(local, c, a, d), sine(local, c, d, b));
-  if (after <= best.sine || mesh_->turn(c, a, d) <= 0 || mesh_->turn(c, d, b) <= 0) return;
-  const auto& places = mesh_->places;
-  if (foldCosine(places[c], places[d], places[b], places[a]) < kSharpFoldCosine) return;
-  best = {Change::Kind::kFlip, after, t, k, Vec2(0.0)};
+  if (after <= best.sine || mesh_->orientation(c, a, d) <= 0 || mesh_->orientation(c, d, b) <= 0)
+    return;
+  if (foldCosine(mesh_->positionOf(c), mesh_->positionOf(d), mesh_->positionOf(b),
+                 mesh_->positionOf(a)) < kSharpFoldCosine)
+    return;
+  best = {.kind = Change::Kind::kFlip, .sine = after, .triangle = t, .corner = k};
 }
 
-void PlanarImprover::considerCollapses(std::uint32_t node, Change& best) {
-  if (!links_->collectStar(node, star_) || !mayRemove()) return;
-  const LocalSpace local = localAt(node);
+void PlanarImprover::considerCollapses(PlanarNodeId node, Change& best) {
+  if (!links_->collectStar(node, star_) || !canRemoveCentre()) return;
+  const LocalSpace local = localSpaceAt(node);
   const double before = starSine(local, node);
   for (std::size_t i = 0; i < star_.ring.size(); ++i) {
     if (longestOfFan(local, i) > kLongEdge) continue;
     const double after = fanSine(local, node, i);
     if (after > best.sine && after > before + kMinSineGain)
-      best = {Change::Kind::kCollapse, after, node, static_cast<std::uint32_t>(i), Vec2(0.0)};
+      best = {.kind = Change::Kind::kCollapse, .sine = after, .node = node, .target = i};
   }
 }
 
-void PlanarImprover::considerSplit(std::uint32_t t, std::uint32_t k, Change& best) {
-  const PlanarLinks::Diamond sides = links_->diamond(t, k);
-  const LocalSpace local = localAt(sides.a);
-  // Two short sides more help nobody.
-  if (length(local, sides.a, sides.b) < 2.0 * kShortEdge) return;
-  const Vec2 middle = 0.5 * (mesh_->plane[sides.a] + mesh_->plane[sides.b]);
-  const Vec2 across = 0.5 * (mesh_->plane[sides.c] + mesh_->plane[sides.d]);
-  for (const double share : kSplitShares) {
-    const Vec2 at = middle + share * (across - middle);
-    const double after = splitSine(local, sides, at);
-    if (after > best.sine) best = {Change::Kind::kSplit, after, t, k, at};
+void PlanarImprover::considerSplit(PlanarTriangleId t, std::uint32_t k, Change& best) {
+  const PlanarLinks::Diamond diamond = links_->diamond(t, k);
+  const LocalSpace local = localSpaceAt(diamond.a);
+  // The two halves must not be short edges.
+  if (length(local, diamond.a, diamond.b) < 2.0 * kShortEdge) return;
+  const Vec2 middle = 0.5 * (mesh_->planeOf(diamond.a) + mesh_->planeOf(diamond.b));
+  const Vec2 across = 0.5 * (mesh_->planeOf(diamond.c) + mesh_->planeOf(diamond.d));
+  for (const double fraction : kSplitFractions) {
+    const Vec2 at = middle + fraction * (across - middle);
+    const double after = splitSine(local, diamond, at);
+    if (after > best.sine)
+      best = {
+          .kind = Change::Kind::kSplit, .sine = after, .triangle = t, .corner = k, .position = at};
   }
 }
 
-double PlanarImprover::splitSine(const LocalSpace& local, const PlanarLinks::Diamond& sides,
+/// Returns the smallest sine of the four triangles that a node at `at` would make; -1 if one would be flipped.
+double PlanarImprover::splitSine(const LocalSpace& local, const PlanarLinks::Diamond& diamond,
                                  const Vec2& at) {
-  const std::uint32_t node = addNode(at);
-  double least = 1.0;
-  for (const auto& [from, to] : {std::pair{sides.c, sides.a}, std::pair{sides.a, sides.d},
-                                 std::pair{sides.d, sides.b}, std::pair{sides.b, sides.c}})
-    least = mesh_->turn(node, from, to) > 0 ? std::min(least, sine(local, node, from, to)) : -1.0;
-  mesh_->dropLastNode();
-  return least;
+  const auto& [other, a, b, c, d] = diamond;
+  const PlanarNodeId node = addNode(at);
+  double smallest = 1.0;
+  for (const auto& [from, to] :
+       {std::pair{c, a}, std::pair{a, d}, std::pair{d, b}, std::pair{b, c}})
+    smallest = mesh_->orientation(node, from, to) > 0
+                   ? std::min(smallest, sine(local, node, from, to))
+                   : -1.0;
+  mesh_->removeLastNode();
+  return smallest;
 }
 
-void PlanarImprover::make(const Change& change) {
+void PlanarImprover::apply(const Change& change) {
   switch (change.kind) {
     case Change::Kind::kFlip:
-      links_->flip(change.at, change.corner);
+      links_->flip(change.triangle, change.corner);
       break;
     case Change::Kind::kCollapse:
-      if (links_->collectStar(change.at, star_)) links_->collapse(change.at, star_, change.corner);
+      if (links_->collectStar(change.node, star_))
+        links_->collapse(change.node, star_, change.target);
       break;
     case Change::Kind::kSplit:
-      addAndSplit(change.at, change.corner, change.place);
+      splitAt(change.triangle, change.corner, change.position);
       break;
     case Change::Kind::kNone:
       break;
   }
 }
 
-void PlanarImprover::addAndSplit(std::uint32_t t, std::uint32_t k, const Vec2& at) {
-  const std::uint32_t node = addNode(at);
+void PlanarImprover::splitAt(PlanarTriangleId t, std::uint32_t k, const Vec2& at) {
+  const PlanarNodeId node = addNode(at);
   links_->split(t, k, node);
   moves_->smooth(node);
 }
 
-std::uint32_t PlanarImprover::addNode(const Vec2& at) {
+PlanarNodeId PlanarImprover::addNode(const Vec2& at) {
   const PlaneSample sample = metric_->sample(at, hint_);
   return mesh_->addNode(at, sample.position, sample.size);
 }

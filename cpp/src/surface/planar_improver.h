@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Changes of a patch's triangulation where it is not as wanted: needless nodes are removed,
-/// sides much too long are divided, and triangles of small angles are replaced by better ones. Each
-/// change is judged by the triangles it removes and those it makes, in space.
+/// @file Local improvements of a patch's triangulation: removes needless nodes, splits edges that are much too
+/// long, and improves triangles with small angles. Each change is accepted by the shapes, in space, of the
+/// triangles that it removes and of those that it makes.
 
 #include <cstdint>
 
@@ -15,55 +15,56 @@ namespace tetrafront {
 
 class PlanarImprover {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive this.
   PlanarImprover(const PatchMetric& metric, PlanarMesh& mesh, PlanarLinks& links,
                  PlanarMoves& moves);
 
-  /// Divides the triangle's inner edges that join nodes which must not be.
-  void part(std::uint32_t triangle);
+  /// Splits the interior edges of a triangle that connect nodes which PlanarMesh::canConnect() forbids.
+  void splitForbiddenEdges(PlanarTriangleId triangle);
 
-  /// If the patch is one triangle and must be no other patch's too: divides it. The node belongs
-  /// where it is put, and must not be moved or removed after that.
-  void partLoneTriangle();
+  /// Splits the only triangle of a patch at its centre if no two of its nodes may be connected. The new node must
+  /// not be moved or removed later.
+  void splitLoneTriangle();
 
-  /// Draws an inner node into a neighbour if it has an edge much shorter than wanted, or fewer
-  /// than five triangles, and neither shapes nor lengths suffer.
-  void thin(std::uint32_t node);
+  /// Collapses an interior node into a neighbour if it has an edge much shorter than the target length or fewer
+  /// than five triangles, and if neither shapes nor lengths become worse.
+  void removeIfNeedless(PlanarNodeId node);
 
-  /// Divides the longest side of a triangle if that is much longer than wanted.
-  void refine(std::uint32_t triangle);
+  /// Splits the longest edge of a triangle if it is much longer than the target length.
+  void splitLongEdge(PlanarTriangleId triangle);
 
-  /// Betters a triangle with a small angle by the best of: a side flipped, a node of its removed,
-  /// a side divided; else its nodes are moved.
-  void repair(std::uint32_t triangle);
+  /// Improves a triangle with a small angle by the best of: an edge flip, the removal of one of its nodes, an
+  /// edge split. If there is none, moves its nodes.
+  void widenSmallAngle(PlanarTriangleId triangle);
 
  private:
-  /// A change and the smallest sine of the triangles it leaves.
   struct Change {
     enum class Kind : std::uint8_t { kNone, kFlip, kCollapse, kSplit };
     Kind kind = Kind::kNone;
-    double sine = 0.0;
-    std::uint32_t at = 0;      ///< triangle, or node to be removed
-    std::uint32_t corner = 0;  ///< of the triangle, or position in the node's ring
-    Vec2 place{0.0};           ///< of a node to be added
+    double sine = 0.0;            ///< of the smallest angle that the change makes
+    PlanarTriangleId triangle{};  ///< of kFlip and kSplit
+    std::uint32_t corner = 0;     ///< of the triangle, opposite the edge
+    PlanarNodeId node{};          ///< of kCollapse: the node to be removed
+    std::size_t target = 0;       ///< of kCollapse: entry of the node's ring
+    Vec2 position{0.0};           ///< of kSplit: of the new node, in the plane
   };
 
-  [[nodiscard]] LocalSpace localAt(std::uint32_t node);
-  [[nodiscard]] double sine(const LocalSpace& local, std::uint32_t a, std::uint32_t b,
-                            std::uint32_t c) const;
-  [[nodiscard]] double length(const LocalSpace& local, std::uint32_t a, std::uint32_t b) const;
-  [[nodiscard]] double starSine(const LocalSpace& local, std::uint32_t centre) const;
-  [[nodiscard]] double fanSine(const LocalSpace& local, std::uint32_t centre,
-                               std::size_t into) const;
-  [[nodiscard]] double longestOfFan(const LocalSpace& local, std::size_t into) const;
-  [[nodiscard]] bool mayRemove() const;
-  void considerFlip(std::uint32_t t, std::uint32_t k, Change& best);
-  void considerCollapses(std::uint32_t node, Change& best);
-  void considerSplit(std::uint32_t t, std::uint32_t k, Change& best);
-  double splitSine(const LocalSpace& local, const PlanarLinks::Diamond& sides, const Vec2& at);
-  void make(const Change& change);
-  void addAndSplit(std::uint32_t t, std::uint32_t k, const Vec2& at);
-  std::uint32_t addNode(const Vec2& at);
+  [[nodiscard]] LocalSpace localSpaceAt(PlanarNodeId node);
+  [[nodiscard]] double sine(const LocalSpace& local, PlanarNodeId a, PlanarNodeId b,
+                            PlanarNodeId c) const;
+  [[nodiscard]] double length(const LocalSpace& local, PlanarNodeId a, PlanarNodeId b) const;
+  [[nodiscard]] double starSine(const LocalSpace& local, PlanarNodeId centre) const;
+  [[nodiscard]] double fanSine(const LocalSpace& local, PlanarNodeId centre,
+                               std::size_t target) const;
+  [[nodiscard]] double longestOfFan(const LocalSpace& local, std::size_t target) const;
+  [[nodiscard]] bool canRemoveCentre() const;
+  void considerFlip(PlanarTriangleId t, std::uint32_t k, Change& best);
+  void considerCollapses(PlanarNodeId node, Change& best);
+  void considerSplit(PlanarTriangleId t, std::uint32_t k, Change& best);
+  double splitSine(const LocalSpace& local, const PlanarLinks::Diamond& diamond, const Vec2& at);
+  void apply(const Change& change);
+  void splitAt(PlanarTriangleId t, std::uint32_t k, const Vec2& at);
+  PlanarNodeId addNode(const Vec2& at);
 
   const PatchMetric* metric_;
   PlanarMesh* mesh_;

@@ -1,15 +1,13 @@
 #pragma once
 
-/// @file Which triangles of a patch's triangulation are neighbours, and the changes that keep
-/// it a triangulation: a side flipped, an inner node drawn into one of its neighbours, a side or a
-/// triangle divided. Who calls for a change has made sure, by exact turns, that the triangles it
-/// makes turn counter-clockwise.
+/// @file Neighbours of the triangles of one patch, and the changes that keep the triangulation valid: edge
+/// flip, collapse of an interior node, split of an edge, split of a triangle. The caller checks by exact
+/// orientations that the new triangles are counter-clockwise.
 
 #include <array>
 #include <cstdint>
 #include <vector>
 
-#include "base/ids.h"
 #include "surface/planar_mesh.h"
 
 namespace tetrafront {
@@ -22,66 +20,70 @@ class PlanarLinks {
   /// Finds all neighbours of a complete triangulation. O(triangles).
   void build();
 
-  /// Triangles there are or were; those that collapses removed are not alive.
+  /// Number of triangles, including removed ones.
   [[nodiscard]] std::uint32_t triangleCount() const {
     return static_cast<std::uint32_t>(neighbours_.size());
   }
-  [[nodiscard]] bool isAlive(std::uint32_t triangle) const { return node(triangle, 0) != kNoIndex; }
-  [[nodiscard]] std::uint32_t node(std::uint32_t triangle, std::uint32_t corner) const {
-    return mesh_->triangles[3 * std::size_t{triangle} + corner];
+  /// False if a collapse removed the triangle.
+  [[nodiscard]] bool isAlive(PlanarTriangleId triangle) const {
+    return !node(triangle, 0).isNone();
   }
-  /// The triangle across from corner `corner`; kNoIndex at the boundary.
-  [[nodiscard]] std::uint32_t neighbour(std::uint32_t triangle, std::uint32_t corner) const {
-    return neighbours_[triangle][corner];
+  [[nodiscard]] PlanarNodeId node(PlanarTriangleId triangle, std::uint32_t corner) const {
+    return mesh_->triangles[triangle.index()][corner];
   }
-  /// Which corner of the triangle the node `wanted` is.
-  [[nodiscard]] std::uint32_t corner(std::uint32_t triangle, std::uint32_t wanted) const;
-  /// One of the node's triangles; kNoIndex if it was drawn into another.
-  [[nodiscard]] std::uint32_t triangleOf(std::uint32_t node) const { return triangleOf_[node]; }
+  /// The triangle across the edge opposite `corner`; none at the boundary.
+  [[nodiscard]] PlanarTriangleId neighbour(PlanarTriangleId triangle, std::uint32_t corner) const {
+    return neighbours_[triangle.index()][corner];
+  }
+  /// The corner, 0 to 2, at which the triangle has the node.
+  [[nodiscard]] std::uint32_t cornerOf(PlanarTriangleId triangle, PlanarNodeId node) const;
+  /// One of the node's triangles; none if the node was removed.
+  [[nodiscard]] PlanarTriangleId triangleOf(PlanarNodeId node) const {
+    return triangleOf_[node.index()];
+  }
 
-  /// The triangles around an inner node, counter-clockwise, and the nodes around it: triangle i
-  /// has ring[i] and ring[i + 1].
+  /// The triangles around an interior node and the nodes around it, both counter-clockwise. Triangle i has
+  /// the nodes ring[i] and ring[i + 1].
   struct Star {
-    std::vector<std::uint32_t> ring;
-    std::vector<std::uint32_t> triangles;
+    std::vector<PlanarNodeId> ring;
+    std::vector<PlanarTriangleId> triangles;
   };
-  /// False if the node lies on the boundary or is gone; the star is then unspecified.
-  [[nodiscard]] bool collectStar(std::uint32_t centre, Star& star) const;
+  /// Returns false if the node lies on the boundary or was removed; the star is then unspecified.
+  [[nodiscard]] bool collectStar(PlanarNodeId centre, Star& star) const;
 
-  /// The four nodes at a side a b between t = (c a b) and its neighbour (d b a).
+  /// The nodes of two neighbouring triangles: t = (c a b), and `other` = (d b a).
   struct Diamond {
-    std::uint32_t other;
-    std::uint32_t a;
-    std::uint32_t b;
-    std::uint32_t c;
-    std::uint32_t d;
+    PlanarTriangleId other;
+    PlanarNodeId a;
+    PlanarNodeId b;
+    PlanarNodeId c;
+    PlanarNodeId d;
   };
-  /// Of the side across from corner k of t, which must have a neighbour.
-  [[nodiscard]] Diamond diamond(std::uint32_t t, std::uint32_t k) const;
+  /// The diamond around the edge opposite corner k of t, which must have a neighbour.
+  [[nodiscard]] Diamond diamond(PlanarTriangleId t, std::uint32_t k) const;
 
-  /// Replaces the side a b by c d; t becomes (c a d), the other (c d b).
-  void flip(std::uint32_t t, std::uint32_t k);
-  /// Replaces the star of `centre` by the fan from ring[into].
-  void collapse(std::uint32_t centre, const Star& star, std::size_t into);
-  /// Divides the side across from corner k of t by `middle`, a node without triangles.
-  void split(std::uint32_t t, std::uint32_t k, std::uint32_t middle);
-  /// Divides t into three by `centre`, a node without triangles.
-  void insert(std::uint32_t t, std::uint32_t centre);
+  /// Replaces the edge a b by c d; t becomes (c a d), the other triangle (c d b).
+  void flip(PlanarTriangleId t, std::uint32_t k);
+  /// Replaces the star of `centre` by the fan from ring[target].
+  void collapse(PlanarNodeId centre, const Star& star, std::size_t target);
+  /// Splits the edge opposite corner k of t at `middle`, a node without triangles.
+  void split(PlanarTriangleId t, std::uint32_t k, PlanarNodeId middle);
+  /// Splits t into three triangles around `centre`, a node without triangles.
+  void insert(PlanarTriangleId t, PlanarNodeId centre);
 
-  /// Takes dead triangles and nodes out of the mesh; the rest keeps its order. The links are
-  /// spent after that.
+  /// Removes dead triangles and nodes from the mesh and keeps the order of the others. The links are invalid
+  /// afterwards.
   void compact();
 
  private:
-  using Neighbours = std::array<std::uint32_t, 3>;
-  void put(std::uint32_t triangle, const std::array<std::uint32_t, 3>& nodes,
-           const Neighbours& around);
-  void replaceNeighbour(std::uint32_t triangle, std::uint32_t old, std::uint32_t now);
-  std::uint32_t addTriangle();
+  using Neighbours = std::array<PlanarTriangleId, 3>;
+  void put(PlanarTriangleId triangle, const PlanarMesh::Triangle& nodes, const Neighbours& around);
+  void replaceNeighbour(PlanarTriangleId triangle, PlanarTriangleId old, PlanarTriangleId now);
+  PlanarTriangleId addTriangle();
 
   PlanarMesh* mesh_;
   std::vector<Neighbours> neighbours_;
-  std::vector<std::uint32_t> triangleOf_;
+  std::vector<PlanarTriangleId> triangleOf_;
 };
 
 }  // namespace tetrafront

@@ -1,10 +1,8 @@
 #pragma once
 
-/// @file One patch's triangulation while it is made, in the plane and in space at once.
+/// @file The triangulation of one patch while it is made, in the patch's plane and in space at once.
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -14,150 +12,129 @@
 
 namespace tetrafront {
 
+/// A node of one patch's triangulation. NodeId is the same node in the whole surface.
+using PlanarNodeId = Id<struct PlanarNodeTag>;
+/// A triangle of one patch's triangulation.
+using PlanarTriangleId = Id<struct PlanarTriangleTag>;
+/// An infinite straight line of the plane that straight lines of the patch's boundary lie on.
+using CarrierId = Id<struct CarrierTag>;
+
 struct PlanarMesh {
-  /// Up to two straight lines of the plane a node lies on; nodes of one such line are collinear
-  /// by decree, as their coordinates are so only up to rounding.
-  using Straights = std::array<std::uint32_t, 2>;
+  /// Three nodes, counter-clockwise in the plane.
+  using Triangle = std::array<PlanarNodeId, 3>;
+  /// The carriers of a node, at most two.
+  using Carriers = std::array<CarrierId, 2>;
+  /// A side of the boundary; the patch is on its left.
+  struct Side {
+    PlanarNodeId from;
+    PlanarNodeId to;
+  };
 
-  std::vector<Vec2> plane;    ///< per node: place in the plane
-  std::vector<Vec3> places;   ///< per node: place in space
-  std::vector<double> sizes;  ///< per node: wanted edge length
-  std::vector<Straights> straights;
-  /// Per node: which node of the whole surface it is. A patch whose first and last line are one
-  /// (a seam) shows some nodes twice in its plane. kNoIndex for interior nodes.
-  std::vector<std::uint32_t> aliases;
-  /// Per boundary node: 1 if no inner edge may join it to another such node. Empty: none are.
-  std::vector<std::uint8_t> parted;
-  std::uint32_t boundaryCount = 0;       ///< nodes 0 .. boundaryCount-1 lie on the patch's lines
-  std::vector<std::uint32_t> sides;      ///< two nodes per boundary side, the patch on its left
-  std::vector<std::uint32_t> triangles;  ///< three nodes each, counter-clockwise in the plane
+  std::vector<Vec2> plane;      ///< per node: position in the plane
+  std::vector<Vec3> positions;  ///< per node: position in space
+  std::vector<double> sizes;    ///< per node: target edge length in space
+  /// Per node: nodes of one carrier count as collinear. Their coordinates are so only up to rounding.
+  std::vector<Carriers> carriers;
+  /// Per node: its index in the whole surface; none for interior nodes. If the first and the last line of
+  /// a patch are the same line (a seam), the nodes of that line occur twice in the plane.
+  std::vector<NodeId> surfaceNodes;
+  /// Per boundary node: 1 if no interior edge may connect it to another node marked 1. May be empty: all 0.
+  std::vector<std::uint8_t> separated;
+  std::uint32_t boundaryCount = 0;  ///< nodes 0 .. boundaryCount-1 lie on the patch's lines
+  std::vector<Side> sides;          ///< node i is an end of side i
+  std::vector<Triangle> triangles;
 
-  std::uint32_t addNode(const Vec2& at, const Vec3& place, double size) {
-    plane.push_back(at);
-    places.push_back(place);
+  /// Appends an interior node without triangles.
+  PlanarNodeId addNode(const Vec2& inPlane, const Vec3& position, double size) {
+    plane.push_back(inPlane);
+    positions.push_back(position);
     sizes.push_back(size);
-    straights.push_back({kNoIndex, kNoIndex});
-    aliases.push_back(kNoIndex);
-    return static_cast<std::uint32_t>(plane.size() - 1);
+    carriers.emplace_back();
+    surfaceNodes.emplace_back();
+    return PlanarNodeId(plane.size() - 1);
   }
 
-  void dropLastNode() {
+  void removeLastNode() {
     plane.pop_back();
-    places.pop_back();
+    positions.pop_back();
     sizes.pop_back();
-    straights.pop_back();
-    aliases.pop_back();
+    carriers.pop_back();
+    surfaceNodes.pop_back();
   }
 
-  [[nodiscard]] bool onStraight(std::uint32_t node, std::uint32_t straight) const {
-    return straights[node][0] == straight || straights[node][1] == straight;
-  }
+  [[nodiscard]] const Vec2& planeOf(PlanarNodeId node) const { return plane[node.index()]; }
+  [[nodiscard]] const Vec3& positionOf(PlanarNodeId node) const { return positions[node.index()]; }
+  [[nodiscard]] double sizeOf(PlanarNodeId node) const { return sizes[node.index()]; }
+  [[nodiscard]] bool isBoundary(PlanarNodeId node) const { return node.value < boundaryCount; }
 
   /// True if the three nodes lie on one straight line of the boundary.
-  [[nodiscard]] bool onOneStraight(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    for (const std::uint32_t straight : straights[a])
-      if (straight != kNoIndex && onStraight(b, straight) && onStraight(c, straight)) return true;
+  [[nodiscard]] bool shareCarrier(PlanarNodeId a, PlanarNodeId b, PlanarNodeId c) const {
+    for (const CarrierId carrier : carriers[a.index()])
+      if (!carrier.isNone() && hasCarrier(b, carrier) && hasCarrier(c, carrier)) return true;
     return false;
   }
 
-  /// Exact turn a b c: +1 counter-clockwise, 0 collinear (also by decree), -1 clockwise.
-  [[nodiscard]] int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
-    return onOneStraight(a, b, c) ? 0 : orient2d(plane[a], plane[b], plane[c]);
+  /// Exact orientation of a b c: +1 counter-clockwise, 0 collinear or on one carrier, -1 clockwise.
+  [[nodiscard]] int orientation(PlanarNodeId a, PlanarNodeId b, PlanarNodeId c) const {
+    return shareCarrier(a, b, c) ? 0 : orient2d(planeOf(a), planeOf(b), planeOf(c));
   }
 
-  /// True if the two are one node of the surface.
-  [[nodiscard]] bool sameNode(std::uint32_t a, std::uint32_t b) const {
-    return a == b || (aliases[a] != kNoIndex && aliases[a] == aliases[b]);
+  /// True if a and b are the same node of the surface.
+  [[nodiscard]] bool isSameNode(PlanarNodeId a, PlanarNodeId b) const {
+    const NodeId node = surfaceNodes[a.index()];
+    return a == b || (!node.isNone() && node == surfaceNodes[b.index()]);
   }
 
-  [[nodiscard]] bool isParted(std::uint32_t node) const {
-    return node < parted.size() && parted[node] != 0;
+  /// True if an interior edge may connect a and b.
+  [[nodiscard]] bool canConnect(PlanarNodeId a, PlanarNodeId b) const {
+    return !isSameNode(a, b) && !(isSeparated(a) && isSeparated(b));
   }
 
-  /// True if an inner edge may join the two.
-  [[nodiscard]] bool mayJoin(std::uint32_t a, std::uint32_t b) const {
-    return !sameNode(a, b) && !(isParted(a) && isParted(b));
-  }
-
-  /// True if an edge between the two would join nodes of the boundary other than along it.
-  [[nodiscard]] bool joinsLines(std::uint32_t a, std::uint32_t b) const {
-    if (a >= boundaryCount || b >= boundaryCount) return false;
-    const auto endsAt = [&](std::uint32_t side, std::uint32_t node) {
-      return sides[2 * std::size_t{side}] == node || sides[2 * std::size_t{side} + 1] == node;
+  /// True if an edge between a and b is a chord: it connects two boundary nodes and is no side.
+  [[nodiscard]] bool isChord(PlanarNodeId a, PlanarNodeId b) const {
+    if (!isBoundary(a) || !isBoundary(b)) return false;
+    const auto isEnd = [&](const Side& side, PlanarNodeId node) {
+      return side.from == node || side.to == node;
     };
-    // Node i begins or, in a loop that was turned round, ends side i.
-    return !endsAt(a, b) && !endsAt(b, a);
+    // Node i is the first node of side i, or the second one in a reversed loop.
+    return !isEnd(sides[a.index()], b) && !isEnd(sides[b.index()], a);
+  }
+
+ private:
+  [[nodiscard]] bool hasCarrier(PlanarNodeId node, CarrierId carrier) const {
+    return carriers[node.index()][0] == carrier || carriers[node.index()][1] == carrier;
+  }
+  [[nodiscard]] bool isSeparated(PlanarNodeId node) const {
+    return node.index() < separated.size() && separated[node.index()] != 0;
   }
 };
 
-/// True if node `x`, known to be collinear with a and b, lies between them or on one of them.
-[[nodiscard]] inline bool between(const PlanarMesh& mesh, std::uint32_t a, std::uint32_t b,
-                                  std::uint32_t x) {
-  return glm::dot(mesh.plane[a] - mesh.plane[x], mesh.plane[b] - mesh.plane[x]) <= 0.0;
+/// True if node x, known to be collinear with a and b, lies between them or on one of them.
+[[nodiscard]] inline bool isBetween(const PlanarMesh& mesh, PlanarNodeId a, PlanarNodeId b,
+                                    PlanarNodeId x) {
+  return glm::dot(mesh.planeOf(a) - mesh.planeOf(x), mesh.planeOf(b) - mesh.planeOf(x)) <= 0.0;
 }
 
 /// True if the closed segments ab and cd, which share no node, have a point in common. Exact.
-[[nodiscard]] inline bool segmentsTouch(const PlanarMesh& mesh, std::uint32_t a, std::uint32_t b,
-                                        std::uint32_t c, std::uint32_t d) {
-  const int abc = mesh.turn(a, b, c);
-  const int abd = mesh.turn(a, b, d);
-  if (abc == 0 && between(mesh, a, b, c)) return true;
-  if (abd == 0 && between(mesh, a, b, d)) return true;
+[[nodiscard]] inline bool segmentsIntersect(const PlanarMesh& mesh, PlanarNodeId a, PlanarNodeId b,
+                                            PlanarNodeId c, PlanarNodeId d) {
+  const int abc = mesh.orientation(a, b, c);
+  const int abd = mesh.orientation(a, b, d);
+  if (abc == 0 && isBetween(mesh, a, b, c)) return true;
+  if (abd == 0 && isBetween(mesh, a, b, d)) return true;
   if (abc * abd > 0 || (abc == 0 && abd == 0)) return false;
-  const int cda = mesh.turn(c, d, a);
-  const int cdb = mesh.turn(c, d, b);
-  if (cda == 0 && between(mesh, c, d, a)) return true;
-  if (cdb == 0 && between(mesh, c, d, b)) return true;
+  const int cda = mesh.orientation(c, d, a);
+  const int cdb = mesh.orientation(c, d, b);
+  if (cda == 0 && isBetween(mesh, c, d, a)) return true;
+  if (cdb == 0 && isBetween(mesh, c, d, b)) return true;
   return abc * abd < 0 && cda * cdb < 0;
 }
 
-/// True if segments from the common node s to a and to b run over each other.
-[[nodiscard]] inline bool segmentsOverlap(const PlanarMesh& mesh, std::uint32_t s, std::uint32_t a,
-                                          std::uint32_t b) {
-  return mesh.turn(s, a, b) == 0 &&
-         glm::dot(mesh.plane[a] - mesh.plane[s], mesh.plane[b] - mesh.plane[s]) > 0.0;
-}
-
-/// Shape of a triangle in space: 4 sqrt(3) area / sum of squared edges, 1 equilateral, 0 flat.
-[[nodiscard]] inline double triangleShape(const Vec3& a, const Vec3& b, const Vec3& c) {
-  constexpr double kTwoRootThree = 3.4641016151377544;
-  const Vec3 ab = b - a;
-  const Vec3 bc = c - b;
-  const Vec3 ca = a - c;
-  const double squares = glm::dot(ab, ab) + glm::dot(bc, bc) + glm::dot(ca, ca);
-  return squares > 0.0 ? kTwoRootThree * glm::length(glm::cross(ab, ca)) / squares : 0.0;
-}
-
-/// What a triangle's shape costs where shapes are summed: 1 equilateral, without bound flat, so that
-/// no gain elsewhere makes up for a bad triangle.
-[[nodiscard]] inline double shapeCost(const Vec3& a, const Vec3& b, const Vec3& c) {
-  constexpr double kFlat = 1e-6;
-  const double shape = std::max(triangleShape(a, b, c), kFlat);
-  return 1.0 / (shape * shape);
-}
-
-/// Sine of a triangle's smallest angle, in space: twice the area over the two longest edges.
-[[nodiscard]] inline double triangleSine(const Vec3& a, const Vec3& b, const Vec3& c) {
-  const Vec3 ab = b - a;
-  const Vec3 bc = c - b;
-  const Vec3 ca = a - c;
-  const double first = glm::dot(ab, ab);
-  const double second = glm::dot(bc, bc);
-  const double third = glm::dot(ca, ca);
-  const double shortest = std::min({first, second, third});
-  // The product of the two longest, without dividing by the shortest, which may vanish.
-  const double product = shortest == first    ? second * third
-                         : shortest == second ? first * third
-                                              : first * second;
-  return product > 0.0 ? glm::length(glm::cross(ab, ca)) / std::sqrt(product) : 0.0;
-}
-
-/// Cosine of the angle between the normals of the triangles a b c and b a d.
-[[nodiscard]] inline double foldCosine(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
-  const Vec3 first = glm::cross(b - a, c - a);
-  const Vec3 second = glm::cross(d - a, b - a);
-  const double product = glm::length(first) * glm::length(second);
-  return product > 0.0 ? glm::dot(first, second) / product : 1.0;
+/// True if the segments from the common node s to a and to b overlap. Exact.
+[[nodiscard]] inline bool segmentsOverlap(const PlanarMesh& mesh, PlanarNodeId s, PlanarNodeId a,
+                                          PlanarNodeId b) {
+  return mesh.orientation(s, a, b) == 0 &&
+         glm::dot(mesh.planeOf(a) - mesh.planeOf(s), mesh.planeOf(b) - mesh.planeOf(s)) > 0.0;
 }
 
 }  // namespace tetrafront

@@ -4,23 +4,25 @@
 #include <array>
 #include <cmath>
 
+#include "surface/triangle_shape.h"
+
 namespace tetrafront {
 
 namespace {
 
-/// Shares of the wanted move that are tried.
+/// Fractions of the move to the target position that are tried.
 constexpr std::array<double, 2> kMoves{1.0, 0.4};
-/// Height of the equilateral triangle over its side.
+/// Height of an equilateral triangle / edge.
 constexpr double kEquilateralHeight = 0.86602540378443865;
-/// Steps of the search for wider angles, as shares of the shortest edge at the node.
+/// Steps of a search / shortest edge at the node.
 constexpr std::array<double, 3> kSearchSteps{0.3, 0.12, 0.04};
-/// Rounds of one step length before the next.
+/// Moves with one step length before the next length.
 constexpr int kSearchRounds = 3;
-/// A search must raise the rating by this to go on.
+/// A move of a search must raise the rating by this much.
 constexpr double kMinRatingGain = 1e-3;
-/// Nodes whose triangles cost more than this on average are polished; 1.1 is a mean shape of .95.
-constexpr double kCostly = 1.1;
-/// Directions searched: the corners of an octagon.
+/// Nodes whose triangles have a higher mean cost are polished. The cost 1.1 is a mean shape of 0.95.
+constexpr double kMaxGoodCost = 1.1;
+/// The directions of a search: the corners of an octagon.
 constexpr double kDiagonal = 0.70710678118654752;
 constexpr std::array<Vec2, 8> kDirections{{{1.0, 0.0},
                                            {0.0, 1.0},
@@ -33,17 +35,17 @@ constexpr std::array<Vec2, 8> kDirections{{{1.0, 0.0},
 
 }  // namespace
 
-Vec3 PlanarMoves::wantedPlace(std::uint32_t node, const LocalSpace& local) const {
-  const Vec3 here = local.unit(mesh_->places[node]);
-  const std::vector<std::uint32_t>& ring = star_.ring;
+Vec3 PlanarMoves::targetPosition(PlanarNodeId node, const LocalSpace& local) const {
+  const Vec3 here = local.unit(mesh_->positionOf(node));
+  const std::vector<PlanarNodeId>& ring = star_.ring;
   Vec3 sum(0.0);
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec3 p = local.unit(mesh_->places[ring[i]]);
-    const Vec3 q = local.unit(mesh_->places[ring[(i + 1) % ring.size()]]);
+    const Vec3 p = local.unit(mesh_->positionOf(ring[i]));
+    const Vec3 q = local.unit(mesh_->positionOf(ring[(i + 1) % ring.size()]));
     const Vec3 middle = 0.5 * (p + q);
     const Vec3 along = q - p;
     const double squared = glm::dot(along, along);
-    // From the side towards the node, square to the side.
+    // From the edge to the node, perpendicular to the edge.
     Vec3 across = here - middle;
     across -= (glm::dot(across, along) / squared) * along;
     const double height = glm::length(across);
@@ -51,30 +53,30 @@ Vec3 PlanarMoves::wantedPlace(std::uint32_t node, const LocalSpace& local) const
       sum += here;
       continue;
     }
-    const double wanted = 0.5 * (std::sqrt(squared) + local.wantedSide);
-    sum += middle + (kEquilateralHeight * wanted / height) * across;
+    const double length = 0.5 * (std::sqrt(squared) + local.targetLength);
+    sum += middle + (kEquilateralHeight * length / height) * across;
   }
   return local.space(sum / static_cast<double>(ring.size()));
 }
 
-double PlanarMoves::rate(Rating rating, const Vec3& place, const LocalSpace& local) const {
-  const std::vector<std::uint32_t>& ring = star_.ring;
-  const Vec3 centre = local.unit(place);
+double PlanarMoves::rate(Rating rating, const Vec3& position, const LocalSpace& local) const {
+  const std::vector<PlanarNodeId>& ring = star_.ring;
+  const Vec3 centre = local.unit(position);
   double cost = 0.0;
-  double least = 1.0;
-  Vec3 p = local.unit(mesh_->places[ring.back()]);
-  for (const std::uint32_t node : ring) {
-    const Vec3 q = local.unit(mesh_->places[node]);
+  double smallestSine = 1.0;
+  Vec3 p = local.unit(mesh_->positionOf(ring.back()));
+  for (const PlanarNodeId node : ring) {
+    const Vec3 q = local.unit(mesh_->positionOf(node));
     if (rating == Rating::kShapes)
       cost += shapeCost(centre, p, q);
     else
-      least = std::min(least, triangleSine(centre, p, q));
+      smallestSine = std::min(smallestSine, triangleSine(centre, p, q));
     p = q;
   }
-  return rating == Rating::kShapes ? -cost : least;
+  return rating == Rating::kShapes ? -cost : smallestSine;
 }
 
-/// The step of the plane whose image is nearest to the move: (J^T J) step = J^T move.
+/// Returns the step of the plane whose image is nearest to the move: (J^T J) step = J^T move.
 Vec2 PlanarMoves::stepFor(const SurfacePoint& here, const Vec3& move) const {
   const Metric2 metric = planeMetric(here, 1.0);
   const Vec2 right(glm::dot(here.alongXi, move), glm::dot(here.alongEta, move));
@@ -83,71 +85,73 @@ Vec2 PlanarMoves::stepFor(const SurfacePoint& here, const Vec3& move) const {
           (metric.xx * right.y - metric.xy * right.x) / determinant};
 }
 
-void PlanarMoves::smooth(std::uint32_t node) {
+void PlanarMoves::smooth(PlanarNodeId node) {
   if (!links_->collectStar(node, star_)) return;
-  const SurfacePoint here = metric_->surface().evaluate(mesh_->plane[node]);
-  const LocalSpace local = metric_->spaceAt(here.position, mesh_->sizes[node], hint_);
-  const Vec2 step = stepFor(here, wantedPlace(node, local) - here.position);
-  const double rated = rate(Rating::kShapes, mesh_->places[node], local);
-  const Vec2 from = mesh_->plane[node];
-  for (const double share : kMoves)
-    if (moveTo(node, from + share * step, Rating::kShapes, rated, local)) return;
+  const SurfacePoint here = metric_->surface().evaluate(mesh_->planeOf(node));
+  const LocalSpace local = metric_->spaceAt(here.position, mesh_->sizeOf(node), hint_);
+  const Vec2 step = stepFor(here, targetPosition(node, local) - here.position);
+  const double rated = rate(Rating::kShapes, mesh_->positionOf(node), local);
+  const Vec2 from = mesh_->planeOf(node);
+  for (const double fraction : kMoves)
+    if (moveTo(node, from + fraction * step, Rating::kShapes, rated, local)) return;
 }
 
-void PlanarMoves::polish(std::uint32_t node) {
+void PlanarMoves::polish(PlanarNodeId node) {
   if (!links_->collectStar(node, star_)) return;
-  const LocalSpace local = metric_->spaceAt(mesh_->places[node], mesh_->sizes[node], hint_);
-  const double rated = rate(Rating::kShapes, mesh_->places[node], local);
-  if (-rated > kCostly * static_cast<double>(star_.ring.size()))
+  const LocalSpace local = metric_->spaceAt(mesh_->positionOf(node), mesh_->sizeOf(node), hint_);
+  const double rated = rate(Rating::kShapes, mesh_->positionOf(node), local);
+  if (-rated > kMaxGoodCost * static_cast<double>(star_.ring.size()))
     search(node, Rating::kShapes, rated, local);
 }
 
-void PlanarMoves::widen(std::uint32_t node) {
+void PlanarMoves::widenAngles(PlanarNodeId node) {
   if (!links_->collectStar(node, star_)) return;
-  const LocalSpace local = metric_->spaceAt(mesh_->places[node], mesh_->sizes[node], hint_);
-  search(node, Rating::kSmallestSine, rate(Rating::kSmallestSine, mesh_->places[node], local),
+  const LocalSpace local = metric_->spaceAt(mesh_->positionOf(node), mesh_->sizeOf(node), hint_);
+  search(node, Rating::kSmallestSine, rate(Rating::kSmallestSine, mesh_->positionOf(node), local),
          local);
 }
 
-/// Goes in the first of eight directions that is better, again and again, in ever smaller steps.
-void PlanarMoves::search(std::uint32_t node, Rating rating, double rated, const LocalSpace& local) {
-  double shortest = glm::length(mesh_->places[star_.ring.front()] - mesh_->places[node]);
-  for (const std::uint32_t other : star_.ring)
-    shortest = std::min(shortest, glm::length(mesh_->places[other] - mesh_->places[node]));
-  for (const double share : kSearchSteps) {
-    bool moved = true;
-    for (int round = 0; round < kSearchRounds && moved; ++round) {
-      const SurfacePoint here = metric_->surface().evaluate(mesh_->plane[node]);
+/// Repeatedly takes the first of eight directions that improves the rating, with decreasing step lengths.
+void PlanarMoves::search(PlanarNodeId node, Rating rating, double rated, const LocalSpace& local) {
+  double shortest = glm::length(mesh_->positionOf(star_.ring.front()) - mesh_->positionOf(node));
+  for (const PlanarNodeId other : star_.ring)
+    shortest = std::min(shortest, glm::length(mesh_->positionOf(other) - mesh_->positionOf(node)));
+  for (const double stepLength : kSearchSteps) {
+    bool hasMoved = true;
+    for (int round = 0; round < kSearchRounds && hasMoved; ++round) {
+      const SurfacePoint here = metric_->surface().evaluate(mesh_->planeOf(node));
       if (!(glm::length(glm::cross(here.alongXi, here.alongEta)) > 0.0)) return;
       const Vec3 first = glm::normalize(here.alongXi);
       const Vec3 second = glm::normalize(here.alongEta - glm::dot(here.alongEta, first) * first);
-      const Vec2 from = mesh_->plane[node];
-      moved = std::ranges::any_of(kDirections, [&](const Vec2& direction) {
-        const Vec3 move = share * shortest * (direction.x * first + direction.y * second);
+      const Vec2 from = mesh_->planeOf(node);
+      hasMoved = std::ranges::any_of(kDirections, [&](const Vec2& direction) {
+        const Vec3 move = stepLength * shortest * (direction.x * first + direction.y * second);
         return moveTo(node, from + stepFor(here, move), rating, rated + kMinRatingGain, local);
       });
-      if (moved) rated = rate(rating, mesh_->places[node], local);
+      if (hasMoved) rated = rate(rating, mesh_->positionOf(node), local);
     }
   }
 }
 
-bool PlanarMoves::moveTo(std::uint32_t node, const Vec2& to, Rating rating, double least,
+/// Moves the node if its triangles stay counter-clockwise and the rating becomes at least `minRating`; returns
+/// whether it moved.
+bool PlanarMoves::moveTo(PlanarNodeId node, const Vec2& to, Rating rating, double minRating,
                          const LocalSpace& local) {
-  const std::vector<std::uint32_t>& ring = star_.ring;
-  const Vec2 from = mesh_->plane[node];
-  mesh_->plane[node] = to;
-  bool valid = true;
-  for (std::size_t i = 0; i < ring.size() && valid; ++i)
-    valid = mesh_->turn(node, ring[i], ring[(i + 1) % ring.size()]) > 0;
-  if (valid) {
+  const std::vector<PlanarNodeId>& ring = star_.ring;
+  const Vec2 from = mesh_->planeOf(node);
+  mesh_->plane[node.index()] = to;
+  bool isValid = true;
+  for (std::size_t i = 0; i < ring.size() && isValid; ++i)
+    isValid = mesh_->orientation(node, ring[i], ring[(i + 1) % ring.size()]) > 0;
+  if (isValid) {
     const PlaneSample sample = metric_->sample(to, hint_);
-    if (rate(rating, sample.position, local) >= least) {
-      mesh_->places[node] = sample.position;
-      mesh_->sizes[node] = sample.size;
+    if (rate(rating, sample.position, local) >= minRating) {
+      mesh_->positions[node.index()] = sample.position;
+      mesh_->sizes[node.index()] = sample.size;
       return true;
     }
   }
-  mesh_->plane[node] = from;
+  mesh_->plane[node.index()] = from;
   return false;
 }
 

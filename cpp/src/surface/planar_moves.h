@@ -1,6 +1,7 @@
 #pragma once
 
-/// @file Moves of a patch's inner nodes: along the patch, judged by the triangles' shapes in space.
+/// @file Moves of a patch's interior nodes along the patch. A move must improve the shapes of the node's
+/// triangles in space.
 
 #include <cstdint>
 
@@ -10,32 +11,32 @@
 
 namespace tetrafront {
 
+/// The functions ignore boundary nodes and removed nodes.
 class PlanarMoves {
  public:
-  /// All must outlive this.
+  /// All arguments must outlive this.
   PlanarMoves(const PatchMetric& metric, PlanarMesh& mesh, const PlanarLinks& links)
       : metric_(&metric), mesh_(&mesh), links_(&links) {}
 
-  /// Moves a node towards the mean of the places at which its triangles would be equilateral and of
-  /// the wanted size, if that lowers what their shapes cost. Boundary nodes stay.
-  void smooth(std::uint32_t node);
+  /// Moves a node towards the mean of the positions at which its triangles would be equilateral and of the
+  /// target size, if this lowers the cost of their shapes.
+  void smooth(PlanarNodeId node);
 
-  /// Searches, around where a node is, for the place at which its triangles' shapes cost least, if
-  /// they cost much. Boundary nodes stay.
-  void polish(std::uint32_t node);
+  /// Searches around a node for the position with the lowest cost of its triangles' shapes, if the cost is high.
+  void polish(PlanarNodeId node);
 
-  /// Searches, around where a node is, for the place at which the smallest angle of its triangles
-  /// is largest. Boundary nodes stay.
-  void widen(std::uint32_t node);
+  /// Searches around a node for the position at which the smallest angle of its triangles is largest.
+  void widenAngles(PlanarNodeId node);
 
  private:
-  /// What the triangles around a node are worth if it stands at `place`; more is better.
+  /// What rates a position of a node: minus the cost of its triangles' shapes, or the sine of their smallest
+  /// angle. A higher rating is better.
   enum class Rating : std::uint8_t { kShapes, kSmallestSine };
-  [[nodiscard]] Vec3 wantedPlace(std::uint32_t node, const LocalSpace& local) const;
-  [[nodiscard]] double rate(Rating rating, const Vec3& place, const LocalSpace& local) const;
+  [[nodiscard]] Vec3 targetPosition(PlanarNodeId node, const LocalSpace& local) const;
+  [[nodiscard]] double rate(Rating rating, const Vec3& position, const LocalSpace& local) const;
   [[nodiscard]] Vec2 stepFor(const SurfacePoint& here, const Vec3& move) const;
-  void search(std::uint32_t node, Rating rating, double rated, const LocalSpace& local);
-  bool moveTo(std::uint32_t node, const Vec2& to, Rating rating, double least,
+  void search(PlanarNodeId node, Rating rating, double rated, const LocalSpace& local);
+  bool moveTo(PlanarNodeId node, const Vec2& to, Rating rating, double minRating,
               const LocalSpace& local);
 
   const PatchMetric* metric_;

@@ -1,34 +1,34 @@
 #pragma once
 
-/// @file Patches that would lie on one another. Two patches that share the lines on both sides of a
-/// strip (at a corner, however sharp, or all along a thin lens) may both join the nodes of these
-/// lines straight across. They then have edges, or whole triangles, in common, between which there
-/// is nothing. Each of them that is not planar needs nodes of its own in the strip instead.
+/// @file Finds patches that would coincide. Two patches may share the lines on both sides of a strip, at a sharp
+/// corner or along a thin lens. Both may then connect the nodes of these lines straight across the strip, so that
+/// they have edges or whole triangles in common, with no volume in between. To prevent this, each patch that is not
+/// planar gets nodes of its own in the strip.
 
 #include <array>
-#include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "model/resolved_model.h"
 #include "surface/patch_boundary.h"
 #include "surface/planar_mesh.h"
 
 namespace tetrafront {
 
-/// Nodes of lines that a patch joins other than along a line: two by an edge, or three by the only
-/// triangle it has. Numbers of the whole surface; an edge repeats its second.
-struct Joint {
-  std::uint32_t patch;
-  std::array<std::uint32_t, 3> nodes;
+/// Nodes of the surface that a patch connects other than along a line: the ends of a chord (the last node twice),
+/// or the nodes of the only triangle of a patch.
+struct Chord {
+  PatchId patch;
+  std::array<NodeId, 3> nodes;
 };
 
-/// Appends those of a finished triangulation. O(triangles).
-void collectJoints(std::uint32_t patch, const PlanarMesh& mesh, std::vector<Joint>& joints);
+/// Appends the chords of a finished triangulation. O(triangles).
+void collectChords(PatchId patch, const PlanarMesh& mesh, std::vector<Chord>& chords);
 
-/// Per patch, ascending: nodes of which no two may be joined other than along a line, since another
-/// patch has them too, and either joins some of them. None for planar patches, which nothing could
-/// part from their own plane. O(n log n) in the nodes of the lines and the joints.
-[[nodiscard]] std::vector<std::vector<std::uint32_t>> findNodesToPart(
-    const Model& model, const DividedLines& lines, const std::vector<Joint>& joints);
+/// Returns per patch, ascending, the nodes that its interior edges must not connect with each other, because another
+/// patch shares them and both have chords between shared nodes. Planar patches get none: nodes in their plane would
+/// separate nothing. O(n log n) in the nodes of the lines and the chords.
+[[nodiscard]] std::vector<std::vector<NodeId>> findNodesToSeparate(
+    const Model& model, const DividedLines& lines, const std::vector<Chord>& chords);
 
 }  // namespace tetrafront

@@ -8,8 +8,8 @@ namespace tetrafront {
 
 namespace {
 
-/// Sides shorter than this share of one beside them: triangles at both would have angles of less
-/// than about 20 degrees.
+/// Length of a side / length of the next line's side, below which triangles at both would have angles of less than
+/// about 20 degrees.
 constexpr double kMuchShorter = 0.35;
 /// Growth of the size per unit of distance from a short line.
 constexpr double kGrowth = 0.5;
@@ -18,8 +18,8 @@ std::array<std::uint32_t, 2> endsOf(const Line& line) {
   return {line.points.front(), line.points.back()};
 }
 
-/// In wanted sizes; 0 of a line that is not divided.
-double sideOf(const LineDivision& division) {
+/// Length of a side in target sizes; 0 if the line is not divided.
+double sideLength(const LineDivision& division) {
   return division.nodes.empty() ? 0.0 : division.length / static_cast<double>(division.sideCount());
 }
 
@@ -31,13 +31,13 @@ std::vector<SizeSource> sourcesAtShortLines(const ResolvedModel& model,
   std::vector<double> longest(model.model().points.size(), 0.0);
   for (std::size_t line = 0; line < lines.size(); ++line)
     for (const std::uint32_t point : endsOf(lines[line]))
-      longest[point] = std::max(longest[point], sideOf(divisions[line]));
+      longest[point] = std::max(longest[point], sideLength(divisions[line]));
   std::vector<SizeSource> sources;
   for (std::size_t line = 0; line < lines.size(); ++line) {
     const LineDivision& division = divisions[line];
     const auto [from, to] = endsOf(lines[line]);
     if (division.nodes.empty() ||
-        sideOf(division) >= kMuchShorter * std::max(longest[from], longest[to]))
+        sideLength(division) >= kMuchShorter * std::max(longest[from], longest[to]))
       continue;
     SizeSource& source = sources.emplace_back();
     source.type = SourceType::kSegment;

@@ -1,7 +1,7 @@
 #pragma once
 
-/// @file Lines much shorter than the sides beside them, as at a chamfer or a small step. Sides as long
-/// as the field asks would leave triangles of small angles there: sizes grow from such a line instead.
+/// @file Lines that are much shorter than the sides next to them, as at a chamfer or a small step. Sides of the target
+/// size would cause triangles with small angles there, so the sizes are made to grow gradually from such a line.
 
 #include <span>
 #include <vector>
@@ -12,8 +12,8 @@
 
 namespace tetrafront {
 
-/// A source for each divided line whose sides are much shorter, in wanted sizes, than those of a line
-/// it meets at an end. Lines that are not divided have no sides. O(lines).
+/// Returns a source for each divided line whose sides are much shorter, in target sizes, than those of a line with
+/// which it has an end point in common. Lines that are not divided have no sides. O(lines).
 [[nodiscard]] std::vector<SizeSource> sourcesAtShortLines(const ResolvedModel& model,
                                                           std::span<const LineDivision> divisions);
 

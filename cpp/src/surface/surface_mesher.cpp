@@ -1,6 +1,7 @@
 #include "surface/surface_mesher.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -36,31 +37,31 @@ constexpr std::uint32_t kSeamedLineSides = 6;
 
 /// Rounds of triangulating patches anew that would lie on others. Only what is new in a round can
 /// ask for another.
-constexpr int kMaxPartingRounds = 3;
+constexpr int kMaxSeparationRounds = 3;
 
 /// A line, and one of its sides.
 using LineSide = std::pair<std::uint32_t, std::uint32_t>;
 
-/// What one patch adds to the mesh. Nodes of lines have their numbers in the triangles, its own
-/// follow those.
+/// The interior nodes and the triangles of one patch. The interior nodes have the indices after those of all nodes of
+/// lines.
 struct PatchTriangulation {
   std::vector<Vec3> nodes;
-  std::vector<std::uint32_t> triangles;
-  std::vector<Joint> joints;
+  std::vector<std::array<NodeId, 3>> triangles;
+  std::vector<Chord> chords;
 };
 
-/// Marks the boundary nodes whose numbers in the surface are among `nodes`, ascending.
-void partNodes(const std::vector<std::uint32_t>& nodes, PlanarMesh& mesh) {
+/// Marks the boundary nodes that are among `nodes`, ascending, as separated.
+void separateNodes(const std::vector<NodeId>& nodes, PlanarMesh& mesh) {
   if (nodes.empty()) return;
-  mesh.parted.resize(mesh.boundaryCount);
-  std::ranges::transform(mesh.aliases, mesh.parted.begin(), [&](std::uint32_t node) {
+  mesh.separated.resize(mesh.boundaryCount);
+  std::ranges::transform(mesh.surfaceNodes, mesh.separated.begin(), [&](NodeId node) {
     return std::ranges::binary_search(nodes, node) ? std::uint8_t{1} : std::uint8_t{0};
   });
 }
 
-/// Adds what is missing to a set of ascending numbers; false if nothing was.
-bool mergeInto(std::vector<std::uint32_t>& set, const std::vector<std::uint32_t>& found) {
-  std::vector<std::uint32_t> merged;
+/// Adds the elements of `found` to a set, both ascending. Returns false if the set has all of them already.
+bool mergeInto(std::vector<NodeId>& set, const std::vector<NodeId>& found) {
+  std::vector<NodeId> merged;
   std::ranges::set_union(set, found, std::back_inserter(merged));
   if (merged.size() == set.size()) return false;
   set = std::move(merged);
@@ -92,7 +93,7 @@ class SurfaceMesher::Impl {
     kNumber,
     kLayOut,
     kMesh,
-    kPart,
+    kSeparate,
     kJoin,
     kDone,
     kFailed
@@ -114,7 +115,7 @@ class SurfaceMesher::Impl {
   std::uint32_t meshPatch(std::uint32_t budget);
   void takePatch(std::uint32_t patch);
   void reportPatch(std::uint32_t patch);
-  void partPatches();
+  void separatePatches();
   std::uint32_t joinNextPatch();
   void fail(Diagnostic diagnostic);
 
@@ -134,8 +135,8 @@ class SurfaceMesher::Impl {
   std::uint32_t lineNodes_ = 0;  ///< nodes of lines come first in the mesh
   std::vector<PatchTriangulation> triangulations_;
   std::vector<std::uint32_t> pending_;  ///< patches to be triangulated in this round
-  int partingRound_ = 0;
-  std::vector<std::vector<std::uint32_t>> parted_;  ///< per patch: see findNodesToPart()
+  int separationRound_ = 0;
+  std::vector<std::vector<NodeId>> separated_;  ///< per patch: see findNodesToSeparate()
   FieldHint hint_;
 };
 
@@ -204,8 +205,8 @@ MeshStatus SurfaceMesher::Impl::advance(std::uint32_t budget) {
       case Stage::kMesh:
         work += meshPatch(budget - work);
         break;
-      case Stage::kPart:
-        partPatches();
+      case Stage::kSeparate:
+        separatePatches();
         ++work;
         break;
       case Stage::kJoin:
@@ -225,7 +226,7 @@ double SurfaceMesher::Impl::fraction() const {
   // Lines and loops are a small part of the work.
   constexpr double kLinesShare = 0.1;
   if (stage_ < Stage::kMesh) return 0.0;
-  if (stage_ > Stage::kMesh || partingRound_ > 0) return 1.0;
+  if (stage_ > Stage::kMesh || separationRound_ > 0) return 1.0;
   return kLinesShare + (1.0 - kLinesShare) * cursor_ / static_cast<double>(pending_.size());
 }
 
@@ -257,10 +258,10 @@ std::uint32_t SurfaceMesher::Impl::divideNextLine() {
                           ? DiagnosticCode::kOutsideBackgroundGrid
                           : DiagnosticCode::kTooManyElements;
     if (division.status == LineDivisionStatus::kTooManySides)
-      diagnostic.values = tetrahedraAsked(division.wantedSides);
+      diagnostic.values = tetrahedraAsked(division.requiredSides);
     diagnostic.entities = {{EntityKind::kLine, line}};
     diagnostic.hasPlace = true;
-    diagnostic.place = division.place;
+    diagnostic.place = division.position;
     diagnostics.push_back(std::move(diagnostic));
   }
   return static_cast<std::uint32_t>(division.sideCount()) / kSidesPerStep + 1;
@@ -279,21 +280,21 @@ bool SurfaceMesher::Impl::growFromShortLines() {
 
 void SurfaceMesher::Impl::numberNodes() {
   const Model& model = model_.model();
-  const auto numberOf = [&](std::uint32_t point) {
-    return static_cast<std::uint32_t>(std::ranges::lower_bound(endPoints_, point) -
-                                      endPoints_.begin());
+  const auto nodeAt = [&](std::uint32_t point) {
+    return NodeId(
+        static_cast<std::size_t>(std::ranges::lower_bound(endPoints_, point) - endPoints_.begin()));
   };
-  auto next = static_cast<std::uint32_t>(endPoints_.size());
+  std::size_t next = endPoints_.size();
   for (std::uint32_t line = 0; line < used_.size(); ++line) {
     if (used_[line] == 0) continue;
     std::uint32_t from = model.lines[line].points.front();
     std::uint32_t to = model.lines[line].points.back();
     if (model_.flipped(line)) std::swap(from, to);
-    std::vector<std::uint32_t>& nodes = lines_.nodes[line];
-    nodes.assign(lines_.divisions[line].nodes.size(), 0);
-    nodes.front() = numberOf(from);
-    nodes.back() = numberOf(to);
-    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) nodes[i] = next++;
+    std::vector<NodeId>& nodes = lines_.nodes[line];
+    nodes.assign(lines_.divisions[line].nodes.size(), {});
+    nodes.front() = nodeAt(from);
+    nodes.back() = nodeAt(to);
+    for (std::size_t i = 1; i + 1 < nodes.size(); ++i) nodes[i] = NodeId(next++);
   }
   stage_ = Stage::kLayOut;
   cursor_ = 0;
@@ -342,8 +343,8 @@ bool SurfaceMesher::Impl::gatherHalvings(std::uint32_t patch, const PatchBoundar
   bool found = false;
   for (const std::uint32_t side : faulty) {
     const SideOrigin& origin = boundary.origins[side];
-    if (curved ? side < firstOfHoles : model_.curve(origin.line).isStraight()) continue;
-    halvings_.emplace(origin.line, origin.side);
+    if (curved ? side < firstOfHoles : model_.curve(origin.line.value).isStraight()) continue;
+    halvings_.emplace(origin.line.value, origin.side);
     found = true;
   }
   return found;
@@ -362,11 +363,11 @@ void SurfaceMesher::Impl::reportFaulty(std::uint32_t patch, const PatchBoundary&
   diagnostic.code = DiagnosticCode::kLoopsIntersect;
   diagnostic.entities = {{EntityKind::kPatch, patch}};
   std::vector<std::uint32_t> lines;
-  for (const std::uint32_t side : faulty) lines.push_back(boundary.origins[side].line);
+  for (const std::uint32_t side : faulty) lines.push_back(boundary.origins[side].line.value);
   sortUnique(lines);
   for (const std::uint32_t line : lines) diagnostic.entities.push_back({EntityKind::kLine, line});
   diagnostic.hasPlace = true;
-  diagnostic.place = boundary.mesh.places[boundary.mesh.sides[2 * std::size_t{faulty.front()}]];
+  diagnostic.place = boundary.mesh.positionOf(boundary.mesh.sides[faulty.front()].from);
   diagnostics.push_back(std::move(diagnostic));
 }
 
@@ -378,10 +379,10 @@ void SurfaceMesher::Impl::writeLines() {
   };
   for (const std::uint32_t point : endPoints_) append(model_.model().points[point]);
   for (std::uint32_t line = 0; line < used_.size(); ++line) {
-    const std::vector<std::uint32_t>& nodes = lines_.nodes[line];
+    const std::vector<NodeId>& nodes = lines_.nodes[line];
     for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
       if (i > 0) append(lines_.divisions[line].nodes[i]);
-      mesh.sides.insert(mesh.sides.end(), {nodes[i], nodes[i + 1]});
+      mesh.sides.insert(mesh.sides.end(), {nodes[i].value, nodes[i + 1].value});
       mesh.sideLine.push_back(line);
     }
   }
@@ -393,21 +394,21 @@ void SurfaceMesher::Impl::beginPatches() {
   pending_.resize(count);
   for (std::uint32_t patch = 0; patch < count; ++patch) pending_[patch] = patch;
   triangulations_.resize(count);
-  parted_.resize(count);
+  separated_.resize(count);
   patches.resize(count);
 }
 
 std::uint32_t SurfaceMesher::Impl::meshPatch(std::uint32_t budget) {
   if (cursor_ == pending_.size()) {
     cursor_ = 0;
-    stage_ = diagnostics.empty() ? Stage::kPart : Stage::kFailed;
+    stage_ = diagnostics.empty() ? Stage::kSeparate : Stage::kFailed;
     return 1;
   }
   const std::uint32_t patch = pending_[cursor_];
   if (patchMesher_ == nullptr) {
     PatchBoundary boundary =
         layOutBoundary(model_, model_.model().patches[patch], surfaces_[patch], *field_, lines_);
-    partNodes(parted_[patch], boundary.mesh);
+    separateNodes(separated_[patch], boundary.mesh);
     const auto sides = static_cast<std::uint32_t>(boundary.origins.size());
     patchMesher_ = std::make_unique<PatchMesher>(surfaces_[patch], *field_, std::move(boundary));
     return sides / kSidesPerStep + 1;
@@ -419,7 +420,7 @@ std::uint32_t SurfaceMesher::Impl::meshPatch(std::uint32_t budget) {
     takePatch(patch);
   else
     reportPatch(patch);
-  const auto triangles = static_cast<std::uint32_t>(patchMesher_->mesh().triangles.size() / 3);
+  const auto triangles = static_cast<std::uint32_t>(patchMesher_->mesh().triangles.size());
   patchMesher_.reset();
   return triangles / kSidesPerStep + 1;
 }
@@ -428,7 +429,7 @@ void SurfaceMesher::Impl::takePatch(std::uint32_t patch) {
   const PlanarMesh& planar = patchMesher_->mesh();
   PatchTriangulation& taken = triangulations_[patch];
   taken = {};
-  taken.nodes.assign(planar.places.begin() + planar.boundaryCount, planar.places.end());
+  taken.nodes.assign(planar.positions.begin() + planar.boundaryCount, planar.positions.end());
   const auto outside = std::ranges::find_if(
       taken.nodes, [&](const Vec3& place) { return !field_->covers(place, hint_); });
   if (outside != taken.nodes.end()) {
@@ -440,25 +441,27 @@ void SurfaceMesher::Impl::takePatch(std::uint32_t patch) {
     diagnostics.push_back(std::move(diagnostic));
   }
   taken.triangles.reserve(planar.triangles.size());
-  for (const std::uint32_t node : planar.triangles)
-    taken.triangles.push_back(node < planar.boundaryCount
-                                  ? planar.aliases[node]
-                                  : lineNodes_ + (node - planar.boundaryCount));
-  collectJoints(patch, planar, taken.joints);
-  patches[patch] = summarizePatch({surfaces_[patch], *field_}, planar, patch);
+  const auto nodeOf = [&](PlanarNodeId node) {
+    return planar.isBoundary(node) ? planar.surfaceNodes[node.index()]
+                                   : NodeId(lineNodes_ + (node.value - planar.boundaryCount));
+  };
+  for (const auto& [a, b, c] : planar.triangles)
+    taken.triangles.push_back({nodeOf(a), nodeOf(b), nodeOf(c)});
+  collectChords(PatchId(patch), planar, taken.chords);
+  patches[patch] = summarizePatch({surfaces_[patch], *field_}, planar, PatchId(patch));
 }
 
 /// Looks for patches that would lie on others, and has these triangulated anew.
-void SurfaceMesher::Impl::partPatches() {
+void SurfaceMesher::Impl::separatePatches() {
   pending_.clear();
-  if (partingRound_ < kMaxPartingRounds) {
-    ++partingRound_;
-    std::vector<Joint> joints;
+  if (separationRound_ < kMaxSeparationRounds) {
+    ++separationRound_;
+    std::vector<Chord> chords;
     for (const PatchTriangulation& patch : triangulations_)
-      joints.insert(joints.end(), patch.joints.begin(), patch.joints.end());
-    const auto found = findNodesToPart(model_.model(), lines_, joints);
+      chords.insert(chords.end(), patch.chords.begin(), patch.chords.end());
+    const auto found = findNodesToSeparate(model_.model(), lines_, chords);
     for (std::uint32_t patch = 0; patch < found.size(); ++patch)
-      if (mergeInto(parted_[patch], found[patch])) pending_.push_back(patch);
+      if (mergeInto(separated_[patch], found[patch])) pending_.push_back(patch);
   }
   cursor_ = 0;
   stage_ = pending_.empty() ? Stage::kJoin : Stage::kMesh;
@@ -475,9 +478,10 @@ std::uint32_t SurfaceMesher::Impl::joinNextPatch() {
   const auto shift = static_cast<std::uint32_t>(mesh.points.size() / 3) - lineNodes_;
   for (const Vec3& place : taken.nodes)
     mesh.points.insert(mesh.points.end(), {place.x, place.y, place.z});
-  for (const std::uint32_t node : taken.triangles)
-    mesh.triangles.push_back(node < lineNodes_ ? node : node + shift);
-  const std::size_t count = taken.triangles.size() / 3;
+  for (const auto& triangle : taken.triangles)
+    for (const NodeId node : triangle)
+      mesh.triangles.push_back(node.value < lineNodes_ ? node.value : node.value + shift);
+  const std::size_t count = taken.triangles.size();
   mesh.trianglePatch.insert(mesh.trianglePatch.end(), count, patch);
   triangulations_[patch] = {};
   return static_cast<std::uint32_t>(count) / kTrianglesPerStep + 1;
@@ -487,10 +491,10 @@ void SurfaceMesher::Impl::reportPatch(std::uint32_t patch) {
   Diagnostic diagnostic;
   diagnostic.entities = {{EntityKind::kPatch, patch}};
   diagnostic.code = DiagnosticCode::kDegeneratePatch;
-  if (patchMesher_->tooMany()) {
+  if (patchMesher_->hasTooManyTriangles()) {
     diagnostic.code = DiagnosticCode::kTooManyElements;
     // A square of t triangles has about sqrt(t / 2) sides along each edge.
-    const double triangles = static_cast<double>(patchMesher_->mesh().triangles.size()) / 3.0;
+    const double triangles = static_cast<double>(patchMesher_->mesh().triangles.size());
     diagnostic.values = tetrahedraAsked(std::sqrt(0.5 * triangles));
   }
   diagnostics.push_back(std::move(diagnostic));
