@@ -220,7 +220,7 @@ class SurfaceSampler::Impl {
     PlanarMesh& mesh = boundary.mesh;
     const PatchMetric metric(surface, field);
     PlanarFront front(metric, mesh);
-    if (front.advance(kFrontBudget) != MeshStatus::kDone) return;
+    if (!front.advance(kFrontBudget) || front.hasStalled()) return;
     const std::uint32_t first = nextPoint();
     for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
       const NodeId node = mesh.surfaceNodes[i];

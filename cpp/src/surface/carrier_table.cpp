@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/sort.h"
+#include "base/tolerance.h"
 
 namespace tetrafront {
 
@@ -10,14 +11,12 @@ namespace {
 
 /// Two straight lines lie on the same carrier if the ends of one are within this distance of the other, relative to
 /// its length: the nodes of both are then collinear up to the rounding of their coordinates.
-constexpr double kSameCarrier = 1e-9;
+constexpr double kSameCarrier = Tolerance::kCoincidence;
 /// Half a turn, in the measure of directions used here: 0 to the right, 1 upwards.
 constexpr double kHalfTurn = 2.0;
 /// Two lines whose directions differ by more than this may be collinear only if one of them is so short that its
 /// direction is arbitrary.
 constexpr double kAnyDirection = 0.1;
-/// Error of computed directions, and of computed distances relative to the region.
-constexpr double kRounding = 1e-12;
 
 }  // namespace
 
@@ -48,7 +47,7 @@ Vec2 CarrierTable::dualOf(const Vec2& from, Vec2 direction) const {
 /// Finds the carriers that may be collinear with a line, ascending.
 void CarrierTable::gatherNear(const Vec2& dual, double length) {
   // A carrier is at most as long as the region, so its ends may be off by kSameCarrier times the extent.
-  const double angle = 4.0 * kSameCarrier * extent_ / length + kRounding;
+  const double angle = 4.0 * kSameCarrier * extent_ / length + Tolerance::kRounding;
   const Vec2 margin(angle, extent_ * (2.0 * angle + 2.0 * kSameCarrier));
   near_.clear();
   if (angle > kAnyDirection) {

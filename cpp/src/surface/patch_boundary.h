@@ -7,17 +7,10 @@
 
 #include "base/ids.h"
 #include "model/patch_surface.h"
-#include "surface/line_mesher.h"
+#include "surface/divided_lines.h"
 #include "surface/planar_mesh.h"
 
 namespace tetrafront {
-
-/// The divided lines of a model: per line its division, and the surface nodes of the division, both in the curve's
-/// canonical direction. Lines that no patch uses have neither.
-struct DividedLines {
-  std::vector<LineDivision> divisions;
-  std::vector<std::vector<NodeId>> nodes;
-};
 
 /// The side of a line that a boundary side of a patch is.
 struct SideOrigin {

@@ -12,23 +12,26 @@ PatchMesher::PatchMesher(const PatchSurface& surface, const SizeField& field,
       front_(metric_, mesh_),
       optimizer_(metric_, mesh_) {}
 
-MeshStatus PatchMesher::advance(std::uint32_t budget) {
+bool PatchMesher::advance(std::uint32_t budget) {
   // The front and the optimizer both add triangles: check the limit at short intervals, however long the slice.
   constexpr std::uint32_t kCheckInterval = 4096;
-  MeshStatus status = MeshStatus::kRunning;
-  for (std::uint32_t left = budget; left > 0 && status == MeshStatus::kRunning;) {
-    const std::uint32_t step = std::min(left, kCheckInterval);
-    status = hasTooManyTriangles() ? MeshStatus::kStalled : work(step);
-    left -= step;
+  for (std::uint32_t left = budget; left > 0 && !isFinished();) {
+    const std::uint32_t units = std::min(left, kCheckInterval);
+    step(units);
+    left -= units;
   }
-  return status;
+  return isFinished();
 }
 
-MeshStatus PatchMesher::work(std::uint32_t budget) {
-  if (isCovered_) return optimizer_.advance(budget) ? MeshStatus::kDone : MeshStatus::kRunning;
-  const MeshStatus status = front_.advance(budget);
-  if (status == MeshStatus::kDone) isCovered_ = true;
-  return status == MeshStatus::kStalled ? status : MeshStatus::kRunning;
+bool PatchMesher::isFinished() const { return isImproved_ || hasStalled_ || hasTooManyTriangles(); }
+
+void PatchMesher::step(std::uint32_t budget) {
+  if (isCovered_) {
+    isImproved_ = optimizer_.advance(budget);
+  } else if (front_.advance(budget)) {
+    hasStalled_ = front_.hasStalled();
+    isCovered_ = !hasStalled_;
+  }
 }
 
 }  // namespace tetrafront

@@ -21,24 +21,29 @@ class PatchMesher {
   PatchMesher(const PatchMesher&) = delete;
   PatchMesher& operator=(const PatchMesher&) = delete;
 
-  /// Takes about `budget` edges from the front, or improves as many nodes and triangles. Returns kDone, or kStalled
-  /// if the front did not close (the patch folds over itself in its plane) or has too many triangles.
-  MeshStatus advance(std::uint32_t budget);
+  /// Takes about `budget` edges from the front, or improves as many nodes and triangles; returns true when finished.
+  bool advance(std::uint32_t budget);
 
-  /// Complete after kDone. Interior nodes follow the boundary's.
+  /// After advance() has returned true: false if the front did not close (the patch folds over itself in its plane)
+  /// or if there are too many triangles.
+  [[nodiscard]] bool isComplete() const { return isImproved_; }
+  /// Interior nodes follow the boundary's.
   [[nodiscard]] const PlanarMesh& mesh() const { return mesh_; }
   [[nodiscard]] bool hasTooManyTriangles() const {
     return mesh_.triangles.size() > kMaxTrianglesPerPatch;
   }
 
  private:
-  MeshStatus work(std::uint32_t budget);
+  [[nodiscard]] bool isFinished() const;
+  void step(std::uint32_t budget);
 
   PatchMetric metric_;
   PlanarMesh mesh_;
   PlanarFront front_;
   PlanarOptimizer optimizer_;
   bool isCovered_ = false;
+  bool hasStalled_ = false;
+  bool isImproved_ = false;
 };
 
 }  // namespace tetrafront

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/tolerance.h"
 #include "quality/metrics.h"
 
 namespace tetrafront {
@@ -11,7 +12,7 @@ namespace tetrafront {
 namespace {
 
 /// If the sine of the angle between two tangents is smaller, they define no tangent plane.
-constexpr double kParallel = 1e-9;
+constexpr double kParallel = Tolerance::kCoincidence;
 
 /// Sums and extrema over the triangles.
 class Summary {

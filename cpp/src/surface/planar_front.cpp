@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/sort.h"
+#include "base/tolerance.h"
 
 namespace tetrafront {
 
@@ -31,7 +32,7 @@ constexpr double kLowerHeight = 0.6;
 /// Height at which the metric is sampled / length of the new edges: about that of the triangle's centre.
 constexpr double kCentreHeight = 0.35;
 /// Margin of the search box / its width. The tree rounds; without a margin it could miss edges.
-constexpr double kBoxMargin = 1e-9;
+constexpr double kBoxMargin = Tolerance::kCoincidence;
 
 }  // namespace
 
@@ -76,7 +77,7 @@ void PlanarFront::removeEdge(std::uint32_t id) {
   freeEdges_.push_back(id);
 }
 
-MeshStatus PlanarFront::advance(std::uint32_t budget) {
+bool PlanarFront::advance(std::uint32_t budget) {
   for (std::uint32_t step = 0; step < budget && !heap_.empty(); ++step) {
     const std::uint32_t id = heap_.pop();
     if (completeEdge(id)) continue;
@@ -90,8 +91,7 @@ MeshStatus PlanarFront::advance(std::uint32_t budget) {
     ++edge.pass;
     heap_.push(id, keyOf(edge));
   }
-  if (!heap_.empty()) return MeshStatus::kRunning;
-  return hasStalled_ ? MeshStatus::kStalled : MeshStatus::kDone;
+  return heap_.empty();
 }
 
 // ---- F5: complete the base edge ----------------------------------------------------------------

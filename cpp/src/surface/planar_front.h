@@ -15,7 +15,6 @@
 #include "search/quadtree.h"
 #include "surface/patch_metric.h"
 #include "surface/planar_mesh.h"
-#include "tetrafront/status.h"
 
 namespace tetrafront {
 
@@ -25,9 +24,12 @@ class PlanarFront {
   /// their left. The front adds triangles and interior nodes. Both arguments must outlive this.
   PlanarFront(const PatchMetric& metric, PlanarMesh& mesh);
 
-  /// Takes about `budget` edges from the front. Returns kDone if the patch is covered, and kStalled if the loops
-  /// were not simple; the triangles made so far remain.
-  MeshStatus advance(std::uint32_t budget);
+  /// Takes about `budget` edges from the front; returns true when none is left.
+  bool advance(std::uint32_t budget);
+
+  /// After advance() has returned true: true if the patch is not covered because the loops were not simple. The
+  /// triangles made so far remain.
+  [[nodiscard]] bool hasStalled() const { return hasStalled_; }
 
  private:
   /// A directed edge of the front; the unmeshed part of the plane is on its left.

@@ -87,7 +87,8 @@ double PlanarImprover::fanSine(const LocalSpace& local, PlanarNodeId centre,
     if (mesh_->orientation(ring[target], from, to) <= 0) return -1.0;
     if (step > 1 && !mesh_->canConnect(ring[target], from)) return -1.0;
     const Vec3 made = normal(ring[target], from, to);
-    if (glm::dot(made, mean) < kSharpFoldCosine * glm::length(made) * glm::length(mean)) return -1.0;
+    if (glm::dot(made, mean) < kSharpFoldCosine * glm::length(made) * glm::length(mean))
+      return -1.0;
     smallest = std::min(smallest, sine(local, ring[target], from, to));
   }
   return smallest;

@@ -5,7 +5,6 @@
 /// they have edges or whole triangles in common, with no volume in between. To prevent this, each patch that is not
 /// planar gets nodes of its own in the strip.
 
-#include <array>
 #include <vector>
 
 #include "base/ids.h"
@@ -19,7 +18,7 @@ namespace tetrafront {
 /// or the nodes of the only triangle of a patch.
 struct Chord {
   PatchId patch;
-  std::array<NodeId, 3> nodes;
+  NodeTriple nodes;
 };
 
 /// Appends the chords of a finished triangulation. O(triangles).
