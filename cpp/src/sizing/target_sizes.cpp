@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "boundary/surface_access.h"
+#include "field/size_octree_builder.h"
+#include "sizing/surface_coverage.h"
 
 namespace tetrafront {
 
@@ -38,56 +40,53 @@ std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size
 }
 
 SizeField explicitTargetSizes(const BackgroundGrid& grid, const MeshOptions& options) {
-  // Coordinates have magnitudes from 2^-100 to 1e30: these are beyond any size that can be meshed, and
-  // their cubes, which inverting a tensor takes, are numbers still.
-  constexpr double kLeast = 1e-60;
-  constexpr double kMost = 1e60;
-  SizeField asked =
-      SizeField::uniform(options.size > 0.0 ? std::clamp(options.size, kLeast, kMost) : kMost);
-  asked.addSources(grid.sources);
-  return asked;
+  // Magnitudes of coordinates are 2^-100 to 1e30. These limits lie beyond any size that can be meshed, and their
+  // cubes, which the inversion of a tensor computes, are still finite.
+  constexpr double kMinSize = 1e-60;
+  constexpr double kMaxSize = 1e60;
+  SizeField sizes = SizeField::uniform(
+      options.size > 0.0 ? std::clamp(options.size, kMinSize, kMaxSize) : kMaxSize);
+  sizes.addSources(grid.sources);
+  return sizes;
 }
 
-TargetSizes::TargetSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
-                         const MeshOptions& options, EdgeSizes own)
-    : grid_(grid), surface_(surface) {
-  if (usesGrid(grid, options)) {
-    locator_.emplace(grid, options.gradation - 1.0);
-  } else if (own == EdgeSizes::kIgnored) {
-    field_ = explicitTargetSizes(grid, options);
+Task<> TargetSizes::makeField(Work& work) {
+  if (usesGrid(grid_, options_)) {
+    co_await locateGrid(work);
+    co_await checkCoverage(work);
+  } else if (edgeSizes_ == EdgeSizes::kCount) {
+    co_await measureEdges(work);
   } else {
-    builder_.emplace(pointsOf(surface), surface.triangles, options.growth, options.size);
+    field_ = explicitTargetSizes(grid_, options_);
   }
 }
 
-bool TargetSizes::advance(std::uint32_t budget) {
-  if (locator_) {
-    if (!locator_->advance(budget)) return false;
-    field_ = SizeField::fromGrid(locator_->take());
-    field_->addSources(grid_.sources);
-    locator_.reset();
-    coverage_.emplace(surface_, *field_);
-    return false;
-  }
-  if (coverage_) return coverage_->advance(budget);
-  if (!builder_) return true;
-  if (!builder_->advance(budget)) return false;
-  field_ = SizeField::fromOctree(builder_->take());
+Task<> TargetSizes::locateGrid(Work& work) {
+  work.beginPart(0.5);
+  GridLocatorBuilder builder(grid_, options_.gradation - 1.0);
+  co_await work.finish(builder);
+  field_ = SizeField::fromGrid(builder.take());
   field_->addSources(grid_.sources);
-  builder_.reset();
-  return true;
 }
 
-std::vector<Diagnostic> TargetSizes::diagnostics() const {
-  return coverage_ ? coverage_->diagnostics() : std::vector<Diagnostic>{};
+Task<> TargetSizes::checkCoverage(Work& work) {
+  work.beginPart(1.0);
+  SurfaceCoverage coverage(surface_, *field_);
+  co_await work.finish(coverage);
+  diagnostics_ = coverage.diagnostics();
 }
 
-SizeField TargetSizes::take() { return std::move(*field_); }
+Task<> TargetSizes::measureEdges(Work& work) {
+  SizeOctreeBuilder builder(pointsOf(surface_), surface_.triangles, options_.growth, options_.size);
+  co_await work.finish(builder);
+  field_ = SizeField::fromOctree(builder.take());
+  field_->addSources(grid_.sources);
+}
 
-double metricLengthAt(const SizeField& field, const Vec3& place, const Vec3& edge,
+double metricLengthAt(const SizeField& field, const Vec3& position, const Vec3& edge,
                       FieldHint& hint) {
-  if (!field.isStretched()) return glm::length(edge) / field.wantedSizeAt(place, hint);
-  return glm::length(field.wantedTensorAt(place, hint).inverse() * edge);
+  if (!field.isStretched()) return glm::length(edge) / field.wantedSizeAt(position, hint);
+  return glm::length(field.wantedTensorAt(position, hint).inverse() * edge);
 }
 
 double metricLength(const SizeField& field, const Vec3& a, const Vec3& b, FieldHint& hint) {

@@ -1,16 +1,15 @@
 #pragma once
 
-/// @file The sizes wanted on a given surface and in what it encloses (steps F1, F3): those of a
-/// background grid, or else of the surface's own edges, up to one size; cut down by sources.
+/// @file The target sizes on a given surface and in its interior (steps F1, F3): the sizes of a background grid, or
+/// else those of the surface's own edges, capped by one size. Sources cap both.
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "base/task.h"
 #include "field/grid_locator.h"
 #include "field/size_field.h"
-#include "field/size_octree_builder.h"
-#include "sizing/surface_coverage.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
@@ -18,57 +17,67 @@
 
 namespace tetrafront {
 
-/// Whether the sizes come from the grid's tetrahedra: one size goes before them.
+/// True if the sizes come from the tetrahedra of the grid. A size in the options replaces them.
 [[nodiscard]] bool usesGrid(const BackgroundGrid& grid, const MeshOptions& options);
 
-/// Whether anything is asked for beyond the surface's own edges.
+/// True if a size, a grid or a source is given, beyond the surface's own edges.
 [[nodiscard]] bool hasTargetSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
-/// Finds what is wrong with the part of the grid that is used.
+/// Returns the check of the part of the grid that is used.
 [[nodiscard]] BackgroundGridCheck targetSizeCheck(const BackgroundGrid& grid,
                                                   const MeshOptions& options);
 
-/// kSizeTooLarge where the triangles of the surface, at least one, span less than the one size.
-/// O(triangles).
+/// Returns kSizeTooLarge if `size` exceeds the extent of the surface, which must have a triangle. O(triangles).
 [[nodiscard]] std::vector<Diagnostic> checkLargestSize(const SurfaceMesh& surface, double size);
 
-/// What is asked for beside the surface's own edges: a size, or none, and sources. Not for grids.
+/// Returns the target sizes without the surface's own edges and without the grid: the size of the options, if any,
+/// capped by the sources.
 [[nodiscard]] SizeField explicitTargetSizes(const BackgroundGrid& grid, const MeshOptions& options);
 
-/// Whether the surface's own edges count where there is no grid, or only what is asked for beside them.
+/// Whether the lengths of the surface's own edges are target sizes, if no grid is used.
 enum class EdgeSizes : std::uint8_t { kCount, kIgnored };
 
-/// Makes the field in slices.
+/// Makes the size field in slices.
 class TargetSizes {
  public:
-  /// The grid must have passed targetSizeCheck(). All must outlive this.
+  /// The grid must have passed targetSizeCheck(). The references must outlive this.
   TargetSizes(const SurfaceMesh& surface, const BackgroundGrid& grid, const MeshOptions& options,
-              EdgeSizes own);
+              EdgeSizes edgeSizes)
+      : surface_(surface), grid_(grid), options_(options), edgeSizes_(edgeSizes) {}
 
-  /// Works on for about `budget` places or cells; true when finished.
-  bool advance(std::uint32_t budget);
+  /// Visits about `budget` positions or cells; returns true when finished.
+  bool advance(std::uint32_t budget) { return job_.advance(budget); }
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const { return job_.fraction(); }
 
-  /// kOutsideBackgroundGrid, or nothing.
-  [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
+  /// When finished: kOutsideBackgroundGrid if the grid does not cover the surface, or nothing.
+  [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
 
-  /// Once, when finished.
-  [[nodiscard]] SizeField take();
+  /// Returns the field; once, when finished.
+  [[nodiscard]] SizeField take() { return std::move(*field_); }
 
  private:
-  const BackgroundGrid& grid_;
+  Task<> makeField(Work& work);
+  Task<> locateGrid(Work& work);
+  Task<> checkCoverage(Work& work);
+  Task<> measureEdges(Work& work);
+
   const SurfaceMesh& surface_;
-  std::optional<GridLocatorBuilder> locator_;
+  const BackgroundGrid& grid_;
+  const MeshOptions& options_;
+  EdgeSizes edgeSizes_;
   std::optional<SizeField> field_;
-  std::optional<SizeOctreeBuilder> builder_;
-  std::optional<SurfaceCoverage> coverage_;
+  std::vector<Diagnostic> diagnostics_;
+  Job<> job_{[this](Work& work) { return makeField(work); }};  ///< last: uses the others
 };
 
-/// How many wanted elements an edge is long: an integral, by Simpson's rule.
+/// Returns the length of an edge in the metric of the target sizes, length / target length: an integral by Simpson's
+/// rule.
 [[nodiscard]] double metricLength(const SizeField& field, const Vec3& a, const Vec3& b,
                                   FieldHint& hint);
 
-/// The same for one size throughout, that at `place`.
-[[nodiscard]] double metricLengthAt(const SizeField& field, const Vec3& place, const Vec3& edge,
+/// Returns the same if the target size at `position` held along the whole edge.
+[[nodiscard]] double metricLengthAt(const SizeField& field, const Vec3& position, const Vec3& edge,
                                     FieldHint& hint);
 
 }  // namespace tetrafront
