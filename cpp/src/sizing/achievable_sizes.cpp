@@ -4,27 +4,41 @@
 #include <array>
 #include <limits>
 
-#include "field/size_sites.h"
 #include "boundary/surface_access.h"
+#include "field/size_octree_builder.h"
+#include "field/size_sites.h"
 #include "sizing/target_sizes.h"
 
 namespace tetrafront {
 namespace {
 
-/// Inwards from coarse triangles sizes fall by the growth per unit of distance, but no faster than
-/// the front can follow, and by the usual one where sizes shall not grow at all.
-constexpr double kMostDescent = 0.5;
-constexpr double kUsualDescent = 0.3;
-/// Triangles are told of whose edges are so many times as long as wanted.
+/// Inwards from coarse triangles, sizes fall by the growth per unit of distance, but no faster than the front can
+/// follow. If the growth is 0, they fall by the default growth.
+constexpr double kMaxDescent = 0.5;
+constexpr double kDefaultDescent = 0.3;
+/// Triangles with a longer edge are reported; length / target length.
 constexpr double kTooCoarse = 2.0;
 
-double leastAskedFor(const BackgroundGrid& grid, const MeshOptions& options) {
-  double least = options.size > 0.0 ? options.size : std::numeric_limits<double>::max();
+double minTargetSize(const BackgroundGrid& grid, const MeshOptions& options) {
+  double smallest = options.size > 0.0 ? options.size : std::numeric_limits<double>::max();
   if (usesGrid(grid, options)) {
-    for (const BackgroundNode& node : grid.nodes) least = std::min(least, node.size);
+    for (const BackgroundNode& node : grid.nodes) smallest = std::min(smallest, node.size);
   }
-  for (const SizeSource& source : grid.sources) least = std::min(least, source.size);
-  return least;
+  for (const SizeSource& source : grid.sources) smallest = std::min(smallest, source.size);
+  return smallest;
+}
+
+/// Returns the largest size of a grid's nodes, along the direction of stretching.
+double maxGridSize(const BackgroundGrid& grid) {
+  double largest = 0.0;
+  for (const BackgroundNode& node : grid.nodes)
+    largest = std::max(largest, node.size * std::max(1.0, node.stretching));
+  return largest;
+}
+
+Vec3 centroidOf(const SurfaceMesh& surface, std::uint32_t triangle) {
+  const auto [a, b, c] = cornersOf(surface, triangle);
+  return (a + b + c) / 3.0;
 }
 
 }  // namespace
@@ -35,152 +49,142 @@ AchievableSizes::AchievableSizes(const SurfaceMesh& surface, const BackgroundGri
       grid_(grid),
       options_(options),
       field_(field),
-      asked_(explicitTargetSizes(grid, options)),
+      explicit_(explicitTargetSizes(grid, options)),
       usesGrid_(usesGrid(grid, options)),
-      least_(leastAskedFor(grid, options)),
-      stage_(hasTargetSizes(grid, options) ? Stage::kLook : Stage::kDone) {}
+      minTarget_(minTargetSize(grid, options)) {}
 
-bool AchievableSizes::advance(std::uint32_t budget) {
-  switch (stage_) {
-    case Stage::kLook: {
-      const auto triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
-      const std::uint32_t last = next_ + std::min(budget, triangles - next_);
-      for (; next_ < last; ++next_) look(next_);
-      if (next_ < triangles) return false;
-      points_ = pointsOf(surface_);
-      stage_ = field_.isStretched() ? Stage::kView : Stage::kMeasure;
-      return false;
-    }
-    case Stage::kView:
-      viewSome(budget);
-      if (views_.size() == points_.size()) stage_ = Stage::kMeasure;
-      return false;
-    case Stage::kMeasure:
-      lengths_ = averagedEdgeLengths(points_, surface_.triangles, views_);
-      views_ = {};
-      startCeiling();
-      stage_ = Stage::kCeiling;
-      return false;
-    case Stage::kCeiling:
-      if (builder_ && !builder_->advance(budget)) return false;
-      if (builder_) field_.cutTo(builder_->take());
-      builder_.reset();
-      stage_ = startFloor() ? Stage::kGiveWay : Stage::kDone;
-      return stage_ == Stage::kDone;
-    case Stage::kGiveWay:
-      if (!giveWay(budget)) return false;
-      builder_.emplace(places_, held_, SizeDescent{descent_, least_});
-      shortest_.reset();
-      places_ = {};
-      held_ = {};
-      stage_ = Stage::kFloor;
-      return false;
-    case Stage::kFloor:
-      if (!builder_->advance(budget)) return false;
-      field_.liftTo(builder_->take());
-      builder_.reset();
-      stage_ = Stage::kDone;
-      break;
-    case Stage::kDone:
-      break;
-  }
-  return true;
+Task<> AchievableSizes::fitField(Work& work) {
+  if (!hasTargetSizes(grid_, options_)) co_return;
+  work.beginPart(0.2);
+  co_await work.forEachBlock(surface_.triangles.size() / 3,
+                             [this](std::size_t first, std::size_t last) {
+                               for (std::size_t t = first; t < last; ++t)
+                                 checkTriangle(static_cast<std::uint32_t>(t));
+                             });
+  work.beginPart(0.3);
+  const std::vector<Vec3> points = pointsOf(surface_);
+  const std::vector<double> lengths = co_await measureEdges(work, points);
+  work.beginPart(0.6);
+  co_await capField(work, points, lengths);
+  work.beginPart(1.0);
+  co_await raiseField(work, points, lengths);
 }
 
-void AchievableSizes::look(std::uint32_t triangle) {
+/// Returns the mean length of the edges at each point. In a stretched field, the edges are measured after a linear map
+/// that makes the target element regular.
+Task<std::vector<double>> AchievableSizes::measureEdges(Work& work,
+                                                        const std::vector<Vec3>& points) {
+  std::vector<SymmetricTensor> maps;
+  const std::size_t count = field_.isStretched() ? points.size() : 0;
+  co_await work.forEachBlock(count, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      const SymmetricTensor target = field_.wantedTensorAt(points[i], hint_);
+      maps.push_back(target.inverse().scaledBy(meanSizeOf(target)));
+    }
+  });
+  std::vector<double> lengths = averagedEdgeLengths(points, surface_.triangles, maps);
+  co_await work.yield();
+  co_return lengths;
+}
+
+/// Caps the sizes of a grid by the lengths of the edges, unless all edges are longer than the grid's sizes.
+Task<> AchievableSizes::capField(Work& work, const std::vector<Vec3>& points,
+                                 const std::vector<double>& lengths) {
+  if (!usesGrid_) co_return;
+  const double cap = maxGridSize(grid_);
+  const auto isShorter = [&](double length) { return length > 0.0 && length < cap; };
+  if (std::ranges::none_of(lengths, isShorter)) co_return;
+  SizeOctreeBuilder builder(points, lengths, options_.growth, cap);
+  co_await work.finish(builder);
+  field_.cutTo(builder.take());
+}
+
+/// Raises the sizes near edges that are longer than the smallest target size.
+Task<> AchievableSizes::raiseField(Work& work, const std::vector<Vec3>& points,
+                                   const std::vector<double>& lengths) {
+  const auto isLonger = [&](double length) { return length > minTarget_; };
+  if (std::ranges::none_of(lengths, isLonger)) co_return;
+  const double descent =
+      options_.growth > 0.0 ? std::min(options_.growth, kMaxDescent) : kDefaultDescent;
+  work.beginPart(0.5);
+  Floor floor = co_await findFloor(work, points, lengths, descent);
+  work.beginPart(1.0);
+  SizeOctreeBuilder builder(floor.positions, floor.sizes, SizeDescent{descent, minTarget_});
+  floor = {};  // free its memory
+  co_await work.finish(builder);
+  field_.liftTo(builder.take());
+}
+
+/// Returns the smallest achievable sizes at the nodes and at the centroids of the triangles. If the lengths at two
+/// nodes differ by more than the descent allows, the longer one is reduced.
+Task<AchievableSizes::Floor> AchievableSizes::findFloor(Work& work, const std::vector<Vec3>& points,
+                                                        const std::vector<double>& lengths,
+                                                        double descent) {
+  SizeSites shortest(points, lengths, descent);
+  work.beginPart(0.5);
+  co_await work.finish(shortest);
+  work.beginPart(1.0);
+  Floor floor;
+  std::uint32_t nearest = 0;
+  const auto add = [&](const Vec3& position) {
+    // The next position is usually close to the last one. With its site as a guess, few sites are visited.
+    const SizeSites::Value found = shortest.at(position, nearest);
+    floor.positions.push_back(position);
+    floor.sizes.push_back(found.size);
+    nearest = found.site;
+  };
+  co_await work.forEachBlock(points.size(), [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i)
+      if (lengths[i] > 0.0) add(points[i]);
+  });
+  co_await work.forEachBlock(surface_.triangles.size() / 3,
+                             [&](std::size_t first, std::size_t last) {
+                               for (std::size_t t = first; t < last; ++t)
+                                 add(centroidOf(surface_, static_cast<std::uint32_t>(t)));
+                             });
+  co_return floor;
+}
+
+void AchievableSizes::checkTriangle(std::uint32_t triangle) {
   const double coarseness = coarsenessOf(triangle);
   if (!(coarseness > kTooCoarse)) return;
-  ++coarse_;
-  if (!(coarseness > coarseness_)) return;
-  coarseness_ = coarseness;
+  ++coarseCount_;
+  if (!(coarseness > maxCoarseness_)) return;
+  maxCoarseness_ = coarseness;
   coarsest_ = triangle;
 }
 
+/// Returns the largest ratio of a triangle's edge length / target length; 0 if it is certainly below kTooCoarse.
 double AchievableSizes::coarsenessOf(std::uint32_t triangle) {
   const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(triangle));
   double longest = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) {
+  for (std::size_t k = 0; k < 3; ++k)
     longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
-  }
-  if (!(longest > kTooCoarse * least_)) return 0.0;
-  const SizeField& asked = usesGrid_ ? field_ : asked_;
-  const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+  if (!(longest > kTooCoarse * minTarget_)) return 0.0;
+  const SizeField& target = usesGrid_ ? field_ : explicit_;
+  const Vec3 centroid = centroidOf(surface_, triangle);
   double coarseness = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vec3& a = corners[k];
     const Vec3& b = corners[(k + 1) % 3];
-    coarseness = std::max({coarseness, metricLength(asked, a, b, hint_),
-                           metricLengthAt(asked, middle, b - a, hint_)});
+    coarseness = std::max({coarseness, metricLength(target, a, b, hint_),
+                           metricLengthAt(target, centroid, b - a, hint_)});
   }
   return coarseness;
 }
 
-/// A stretched field's edges are measured as if it were not stretched.
-void AchievableSizes::viewSome(std::uint32_t budget) {
-  const std::size_t last =
-      views_.size() + std::min<std::size_t>(budget, points_.size() - views_.size());
-  while (views_.size() < last) {
-    const SymmetricTensor wanted = field_.wantedTensorAt(points_[views_.size()], hint_);
-    views_.push_back(wanted.inverse().scaledBy(meanSizeOf(wanted)));
-  }
-}
-
-/// Where the grid asks for no more than the surface has, there is nothing to cut.
-void AchievableSizes::startCeiling() {
-  if (!usesGrid_) return;
-  double most = 0.0;
-  for (const BackgroundNode& node : grid_.nodes) {
-    most = std::max(most, node.size * std::max(1.0, node.stretching));
-  }
-  const auto isShorter = [&](double length) { return length > 0.0 && length < most; };
-  if (std::ranges::none_of(lengths_, isShorter)) return;
-  builder_.emplace(points_, lengths_, options_.growth, most);
-}
-
-/// False where nobody asks for less than the surface has: there is nothing to lift.
-bool AchievableSizes::startFloor() {
-  if (std::ranges::none_of(lengths_, [&](double length) { return length > least_; })) return false;
-  const double growth = options_.growth;
-  descent_ = growth > 0.0 ? std::min(growth, kMostDescent) : kUsualDescent;
-  shortest_.emplace(points_, lengths_, descent_);
-  next_ = 0;
-  return true;
-}
-
-/// At nodes and in the middle of triangles: as lengths at nodes differ by more than the descent, the
-/// longer ones give way. True when all have.
-bool AchievableSizes::giveWay(std::uint32_t budget) {
-  if (!shortest_->advance(budget)) return false;
-  const auto nodes = static_cast<std::uint32_t>(points_.size());
-  const auto all = static_cast<std::uint32_t>(nodes + surface_.triangles.size() / 3);
-  const std::uint32_t last = next_ + std::min(budget, all - next_);
-  for (; next_ < last; ++next_) {
-    if (next_ < nodes && !(lengths_[next_] > 0.0)) continue;
-    if (next_ < nodes) {
-      places_.push_back(points_[next_]);
-    } else {
-      const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(next_ - nodes));
-      places_.push_back((corners[0] + corners[1] + corners[2]) / 3.0);
-    }
-    // The next place is mostly near the last one: asked from there, few sites are looked at.
-    const SizeSites::Value found = shortest_->at(places_.back(), nearest_);
-    held_.push_back(found.size);
-    nearest_ = found.site;
-  }
-  return next_ == all;
-}
-
 std::vector<Diagnostic> AchievableSizes::diagnostics() const {
-  if (coarse_ == 0) return {};
-  Diagnostic found;
-  found.code = DiagnosticCode::kCoarseSurface;
-  found.severity = Severity::kWarning;
-  found.entities = {{EntityKind::kTriangle, coarsest_}};
-  found.hasPlace = true;
-  const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(coarsest_));
-  found.place = (corners[0] + corners[1] + corners[2]) / 3.0;
-  found.values = {static_cast<double>(coarse_), std::min(coarseness_, 1e15)};
-  return {found};
+  if (coarseCount_ == 0) return {};
+  // Ratios overflow for tiny sizes; files and messages need finite numbers.
+  constexpr double kMaxRatio = 1e15;
+  Diagnostic diagnostic;
+  diagnostic.code = DiagnosticCode::kCoarseSurface;
+  diagnostic.severity = Severity::kWarning;
+  diagnostic.entities = {{EntityKind::kTriangle, coarsest_}};
+  diagnostic.hasPlace = true;
+  diagnostic.place = centroidOf(surface_, coarsest_);
+  diagnostic.values = {static_cast<double>(coarseCount_), std::min(maxCoarseness_, kMaxRatio)};
+  return {diagnostic};
 }
 
 }  // namespace tetrafront

@@ -1,17 +1,13 @@
 #pragma once
 
-/// @file What of the sizes wanted in a given surface can be had: its triangles stay, and elements
-/// beside them are neither smaller nor larger; from there inwards sizes fall, or grow to those of a
-/// grid, step by step. Triangles that are too large for what is wanted are counted.
+/// @file The sizes that can be achieved in a given surface. Its triangles stay, so elements next to them have about the
+/// size of their edges. Inwards, sizes fall from there to the target sizes, or grow to those of a background grid.
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
+#include "base/task.h"
 #include "field/size_field.h"
-#include "field/size_octree_builder.h"
-#include "field/size_sites.h"
-#include "field/size_tensor.h"
 #include "tetrafront/background_grid.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/options.h"
@@ -19,53 +15,52 @@
 
 namespace tetrafront {
 
-/// Looks at a surface in slices; cuts the field where the surface is finer than a grid, and lifts it where
-/// it is coarser than what is wanted.
+/// Fits the field to a surface, in slices: caps it where the surface is finer than a grid, and raises it where the
+/// surface is coarser than the target sizes. Counts the triangles that are much too large for the target sizes.
 class AchievableSizes {
  public:
-  /// `field` has the sizes wanted there by the same grid and options. All must outlive this.
+  /// `field` has the target sizes of the same grid and options. All arguments must outlive this.
   AchievableSizes(const SurfaceMesh& surface, const BackgroundGrid& grid,
                   const MeshOptions& options, SizeField& field);
 
-  /// Works on for about `budget` triangles or cells; true when the field is fit.
-  bool advance(std::uint32_t budget);
+  /// Visits about `budget` triangles, nodes or cells; returns true when the field is complete.
+  bool advance(std::uint32_t budget) { return job_.advance(budget); }
+  /// 0 to 1.
+  [[nodiscard]] double fraction() const { return job_.fraction(); }
 
-  /// kCoarseSurface, or nothing.
+  /// When finished: kCoarseSurface, or nothing.
   [[nodiscard]] std::vector<Diagnostic> diagnostics() const;
 
  private:
-  enum class Stage : std::uint8_t { kLook, kView, kMeasure, kCeiling, kGiveWay, kFloor, kDone };
+  /// Positions on the surface, and the smallest achievable size at each.
+  struct Floor {
+    std::vector<Vec3> positions;
+    std::vector<double> sizes;
+  };
 
-  void look(std::uint32_t triangle);
-  /// How many wanted elements the triangle's edges are long, at most.
+  Task<> fitField(Work& work);
+  Task<std::vector<double>> measureEdges(Work& work, const std::vector<Vec3>& points);
+  Task<> capField(Work& work, const std::vector<Vec3>& points, const std::vector<double>& lengths);
+  Task<> raiseField(Work& work, const std::vector<Vec3>& points,
+                    const std::vector<double>& lengths);
+  Task<Floor> findFloor(Work& work, const std::vector<Vec3>& points,
+                        const std::vector<double>& lengths, double descent);
+
+  void checkTriangle(std::uint32_t triangle);
   [[nodiscard]] double coarsenessOf(std::uint32_t triangle);
-  void viewSome(std::uint32_t budget);
-  void startCeiling();
-  [[nodiscard]] bool startFloor();
-  [[nodiscard]] bool giveWay(std::uint32_t budget);
 
   const SurfaceMesh& surface_;
   const BackgroundGrid& grid_;
   const MeshOptions& options_;
   SizeField& field_;
-  SizeField asked_;  ///< what is asked for but for the surface's own sizes; empty if that is field_
+  SizeField explicit_;  ///< the target sizes without the surface's own edges; unused with a grid
   bool usesGrid_;
-  double least_ = 0.0;  ///< nobody asks for less
+  double minTarget_ = 0.0;  ///< smallest target size
   FieldHint hint_;
-  std::uint32_t next_ = 0;
-  std::uint32_t coarse_ = 0;
+  std::uint32_t coarseCount_ = 0;
   std::uint32_t coarsest_ = 0;
-  double coarseness_ = 0.0;
-  Stage stage_;
-  std::vector<Vec3> points_;
-  std::vector<SymmetricTensor> views_;
-  std::vector<double> lengths_;  ///< of edges, at each point
-  double descent_ = 0.0;         ///< of sizes, per unit of distance from the surface
-  std::optional<SizeSites> shortest_;
-  std::uint32_t nearest_ = 0;  ///< site of the last place
-  std::vector<Vec3> places_;   ///< nodes and middles of triangles
-  std::vector<double> held_;   ///< the sizes there that the surface allows
-  std::optional<SizeOctreeBuilder> builder_;
+  double maxCoarseness_ = 0.0;
+  Job<> job_{[this](Work& work) { return fitField(work); }};  ///< last: uses the others
 };
 
 }  // namespace tetrafront
