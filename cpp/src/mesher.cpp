@@ -239,7 +239,7 @@ class MeshRun::Impl {
     if (!(expected <= static_cast<double>(options_.maxTetrahedra))) {
       Diagnostic tooMany;
       tooMany.code = DiagnosticCode::kTooManyElements;
-      tooMany.values = {counted(expected), static_cast<double>(options_.maxTetrahedra)};
+      tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
       report({tooMany});
       return fail();
     }

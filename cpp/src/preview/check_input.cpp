@@ -251,7 +251,7 @@ class InputChecker::Impl {
     if (expected <= static_cast<double>(options_->maxTetrahedra)) return;
     Diagnostic tooMany;
     tooMany.code = DiagnosticCode::kTooManyElements;
-    tooMany.values = {counted(expected), static_cast<double>(options_->maxTetrahedra)};
+    tooMany.values = {cappedCount(expected), static_cast<double>(options_->maxTetrahedra)};
     diagnostics_.push_back(std::move(tooMany));
   }
 

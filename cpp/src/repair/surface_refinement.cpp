@@ -32,8 +32,9 @@ SurfaceRefinement tooManyElements(std::vector<Entity> entities, double expected,
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   tooMany.entities = std::move(entities);
-  tooMany.values = {counted(expected), limit};
-  return refused({std::move(tooMany)});
+  tooMany.values = {cappedCount(expected), most};
+  result_.diagnostics = {tooMany};
+  return finish();
 }
 
 SurfaceRefinement unchanged(SurfaceMesh& mesh) {

@@ -4,25 +4,29 @@
 #include <cmath>
 #include <limits>
 
+#include "base/ids.h"
 #include "boundary/surface_access.h"
 
 namespace tetrafront {
 namespace {
 
+/// Columns per axis, before any is divided.
 constexpr std::uint32_t kColumns = 16;
+/// Samples along the extent of the surface, before any column is divided.
 constexpr std::uint32_t kSteps = 64;
-constexpr std::uint32_t kDivisions = 5;
-/// No more of either: whoever asks for so much is refused anyway.
-constexpr std::size_t kMostColumns = 4096;
-constexpr double kMostParts = 256.0;
-/// A column is divided that met sizes below this share of the distance to the next one: as sizes
-/// grow by about 0.3 per unit of distance, far smaller ones may lie between.
-constexpr double kHiddenShare = 0.3;
-/// Not where all sizes on it are so much alike.
-constexpr double kAlike = 1.5;
-/// Of a column in its square: columns do not run through edges and diagonals of regular surfaces.
+constexpr std::uint32_t kMaxDivisions = 5;
+/// Limits of the active columns and of the samples in one interval. Meshes that exceed them have too many elements
+/// anyway.
+constexpr std::size_t kMaxColumns = 4096;
+constexpr double kMaxSamples = 256.0;
+/// A column is divided if its smallest size / distance of columns is less than this: sizes grow by about 0.3 per unit
+/// of distance, so far smaller ones may be hidden between two columns.
+constexpr double kHiddenRatio = 0.3;
+/// A column is not divided if its largest size / smallest size is at most this.
+constexpr double kUniformRatio = 1.5;
+/// Position of a column in its cell of the grid of columns, so that columns miss the edges and diagonals of regular
+/// surfaces.
 constexpr std::array<double, 2> kOffset{0.4871, 0.5347};
-constexpr std::uint32_t kNoSlot = 0xffffffffU;
 
 }  // namespace
 
@@ -57,16 +61,16 @@ double ColumnSamples::meanDensity() {
   double reach = 0.0;
   for (std::size_t k = 0; k < 2; ++k) {
     const auto axis = static_cast<int>(axes_[k]);
-    reach = std::max(reach, kHiddenShare * (high_[axis] - low_[axis]) / kColumns);
+    reach = std::max(reach, kHiddenRatio * (high_[axis] - low_[axis]) / kColumns);
   }
-  for (std::uint32_t division = 0; division <= kDivisions && !active.empty(); ++division) {
+  for (std::uint32_t division = 0; division <= kMaxDivisions && !active.empty(); ++division) {
     cross(kColumns << division, active);
-    const bool mayDivide = division < kDivisions && 4 * active.size() <= kMostColumns;
+    const bool canDivide = division < kMaxDivisions && 4 * active.size() <= kMaxColumns;
     std::vector<std::uint32_t> divided;
     for (std::uint32_t slot = 0; slot < active.size(); ++slot) {
       const Column column = integrate(active[slot], slot, step);
-      if (mayDivide && column.length > 0.0 && column.least < reach &&
-          column.most > kAlike * column.least) {
+      if (canDivide && column.length > 0.0 && column.minSize < reach &&
+          column.maxSize > kUniformRatio * column.minSize) {
         const std::uint32_t x = active[slot] % perAxis_;
         const std::uint32_t y = active[slot] / perAxis_;
         for (std::uint32_t child = 0; child < 4; ++child) {
@@ -101,7 +105,7 @@ double ColumnSamples::densityAtTriangles() {
 
 void ColumnSamples::cross(std::uint32_t columnsPerAxis, const std::vector<std::uint32_t>& active) {
   perAxis_ = columnsPerAxis;
-  slots_.assign(std::size_t{perAxis_} * perAxis_, kNoSlot);
+  slots_.assign(std::size_t{perAxis_} * perAxis_, kNoIndex);
   for (std::uint32_t slot = 0; slot < active.size(); ++slot) slots_[active[slot]] = slot;
   crossings_.assign(active.size(), {});
   for (std::uint32_t t = 0; t < surface_.triangles.size() / 3; ++t) {
@@ -119,13 +123,13 @@ void ColumnSamples::crossTriangle(std::uint32_t triangle) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto axis = static_cast<int>(axes_[k]);
     const double perLength = perAxis_ / (high_[axis] - low_[axis]);
-    const double least = std::min({corners[0][axis], corners[1][axis], corners[2][axis]});
-    const double most = std::max({corners[0][axis], corners[1][axis], corners[2][axis]});
+    const double low = std::min({corners[0][axis], corners[1][axis], corners[2][axis]});
+    const double high = std::max({corners[0][axis], corners[1][axis], corners[2][axis]});
     first[k] = std::max<std::int64_t>(
-        0, static_cast<std::int64_t>(std::ceil((least - low_[axis]) * perLength - kOffset[k])));
+        0, static_cast<std::int64_t>(std::ceil((low - low_[axis]) * perLength - kOffset[k])));
     last[k] = std::min<std::int64_t>(
         perAxis_ - 1,
-        static_cast<std::int64_t>(std::floor((most - low_[axis]) * perLength - kOffset[k])));
+        static_cast<std::int64_t>(std::floor((high - low_[axis]) * perLength - kOffset[k])));
   }
   const auto side = [&](const Vec3& a, const Vec3& b, double x, double y) {
     return (b[u] - a[u]) * (y - a[v]) - (b[v] - a[v]) * (x - a[u]);
@@ -134,7 +138,7 @@ void ColumnSamples::crossTriangle(std::uint32_t triangle) {
     const double y = across(1, static_cast<double>(j));
     for (std::int64_t i = first[0]; i <= last[0]; ++i) {
       const std::uint32_t slot = slots_[static_cast<std::size_t>(j * perAxis_ + i)];
-      if (slot == kNoSlot) continue;
+      if (slot == kNoIndex) continue;
       const double x = across(0, static_cast<double>(i));
       const double a = side(corners[1], corners[2], x, y);
       const double b = side(corners[2], corners[0], x, y);
@@ -148,40 +152,41 @@ void ColumnSamples::crossTriangle(std::uint32_t triangle) {
   }
 }
 
-/// Nothing where the crossings do not fit, because the column meets an edge.
-ColumnSamples::Column ColumnSamples::integrate(std::uint32_t place, std::uint32_t slot,
+/// Integrates along one column. Returns nothing if its crossings are inconsistent because it passes through an edge.
+ColumnSamples::Column ColumnSamples::integrate(std::uint32_t column, std::uint32_t slot,
                                                double step) {
-  std::vector<Crossing>& met = crossings_[slot];
-  for (std::size_t i = 1; i < met.size(); ++i) {
-    for (std::size_t j = i; j > 0 && met[j].depth < met[j - 1].depth; --j) {
-      std::swap(met[j], met[j - 1]);
+  std::vector<Crossing>& crossings = crossings_[slot];
+  for (std::size_t i = 1; i < crossings.size(); ++i) {
+    for (std::size_t j = i; j > 0 && crossings[j].depth < crossings[j - 1].depth; --j) {
+      std::swap(crossings[j], crossings[j - 1]);
     }
   }
   Vec3 at(0.0);
-  const std::uint32_t row = place / perAxis_;
-  at[static_cast<int>(axes_[0])] = across(0, place - row * perAxis_);
+  const std::uint32_t row = column / perAxis_;
+  at[static_cast<int>(axes_[0])] = across(0, column - row * perAxis_);
   at[static_cast<int>(axes_[1])] = across(1, row);
-  Column column;
-  column.least = std::numeric_limits<double>::max();
-  int around = 0;
-  for (std::size_t i = 0; i + 1 < met.size(); ++i) {
-    around += met[i].turn;
-    const double length = met[i + 1].depth - met[i].depth;
-    if (around == 0 || !(length > 0.0)) continue;
-    const auto parts = static_cast<std::uint32_t>(std::min(std::ceil(length / step), kMostParts));
-    const double part = length / parts;
-    for (std::uint32_t k = 0; k < parts; ++k) {
-      at[static_cast<int>(axes_[2])] = met[i].depth + (k + 0.5) * part;
-      const SymmetricTensor wanted = field_.tensorAt(at, hint_);
-      const double size = meanSizeOf(wanted);
-      column.integral += part / wanted.determinant();
-      column.least = std::min(column.least, size);
-      column.most = std::max(column.most, size);
+  Column interior;
+  interior.minSize = std::numeric_limits<double>::max();
+  int winding = 0;
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    winding += crossings[i].winding;
+    const double length = crossings[i + 1].depth - crossings[i].depth;
+    if (winding == 0 || !(length > 0.0)) continue;
+    const auto samples =
+        static_cast<std::uint32_t>(std::min(std::ceil(length / step), kMaxSamples));
+    const double sampleLength = length / samples;
+    for (std::uint32_t k = 0; k < samples; ++k) {
+      at[static_cast<int>(axes_[2])] = crossings[i].depth + (k + 0.5) * sampleLength;
+      const SymmetricTensor target = field_.tensorAt(at, hint_);
+      const double size = meanSizeOf(target);
+      interior.integral += sampleLength / target.determinant();
+      interior.minSize = std::min(interior.minSize, size);
+      interior.maxSize = std::max(interior.maxSize, size);
     }
-    column.length += length;
+    interior.length += length;
   }
-  const bool isSound = met.empty() || around + met.back().turn == 0;
-  return isSound ? column : Column{};
+  const bool isConsistent = crossings.empty() || winding + crossings.back().winding == 0;
+  return isConsistent ? interior : Column{};
 }
 
 }  // namespace tetrafront

@@ -12,30 +12,14 @@ namespace tetrafront {
 namespace {
 
 constexpr int kSamplesPerAxis = 12;
-/// Without nodes inside there are at least about half as many elements as triangles.
+/// Lower bound for a mesh without interior nodes: elements / triangles.
 constexpr double kTetrahedraPerTriangle = 0.5;
-
-/// Mean over a lattice of samples in the box of how many unit tetrahedra's volume fits into H's.
-double meanDensity(const Vec3& low, const Vec3& high, const SizeField& field) {
-  double density = 0.0;
-  FieldHint hint;
-  for (int i = 0; i < kSamplesPerAxis; ++i) {
-    for (int j = 0; j < kSamplesPerAxis; ++j) {
-      for (int k = 0; k < kSamplesPerAxis; ++k) {
-        const Vec3 part = (Vec3(i, j, k) + 0.5) * (1.0 / kSamplesPerAxis);
-        density += 1.0 / field.tensorAt(low + part * (high - low), hint).determinant();
-      }
-    }
-  }
-  const double samples = kSamplesPerAxis * kSamplesPerAxis * kSamplesPerAxis;
-  return kTetrahedraPerUnitVolume * density / samples;
-}
 
 }  // namespace
 
 double enclosedVolume(const SurfaceMesh& surface) {
-  // Not the first node, which may belong to no triangle and lie far away.
-  const Vec3 origin = pointOf(surface, NodeId(surface.triangles.front()));
+  // The first node may be unused and far away: take a node of a triangle.
+  const Vec3 origin = pointOf(surface, surface.triangles.front());
   double sixVolumes = 0.0;
   for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
     if (surface.isWall(t)) continue;
@@ -58,7 +42,18 @@ double tetrahedraWithin(double volume, const SurfaceMesh& surface, const SizeFie
 }
 
 double tetrahedraPerVolume(const Vec3& low, const Vec3& high, const SizeField& field) {
-  return meanDensity(low, high, field);
+  double density = 0.0;
+  FieldHint hint;
+  for (int i = 0; i < kSamplesPerAxis; ++i) {
+    for (int j = 0; j < kSamplesPerAxis; ++j) {
+      for (int k = 0; k < kSamplesPerAxis; ++k) {
+        const Vec3 part = (Vec3(i, j, k) + 0.5) * (1.0 / kSamplesPerAxis);
+        density += 1.0 / field.tensorAt(low + part * (high - low), hint).determinant();
+      }
+    }
+  }
+  const double samples = kSamplesPerAxis * kSamplesPerAxis * kSamplesPerAxis;
+  return kTetrahedraPerUnitVolume * density / samples;
 }
 
 }  // namespace tetrafront

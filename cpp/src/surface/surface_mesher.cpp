@@ -258,7 +258,7 @@ void SurfaceMesher::reportPatch(PatchId patch, const PatchMesher& mesher) {
 
 /// The values of kTooManyElements: the elements of a cube with `sides` sides along each edge, and the limit.
 std::vector<double> SurfaceMesher::requiredTetrahedra(double sides) const {
-  return {counted(kTetrahedraPerUnitVolume * sides * sides * sides),
+  return {cappedCount(kTetrahedraPerUnitVolume * sides * sides * sides),
           static_cast<double>(maxTetrahedra_)};
 }
 
