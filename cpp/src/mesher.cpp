@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "base/budget.h"
+#include "base/diagnostics.h"
 #include "base/fingerprint.h"
 #include "boundary/boundary.h"
 #include "field/size_field.h"
@@ -17,6 +18,7 @@
 #include "quality/metrics.h"
 #include "quality/quality_analysis.h"
 #include "sizing/achievable_sizes.h"
+#include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
 #include "surface/surface_mesher.h"
@@ -127,7 +129,7 @@ class MeshRun::Impl {
 
  private:
   struct InputCheck {
-    std::optional<InputChecker> ofModel;
+    std::optional<Job<CheckedInput>> ofModel;
     std::optional<BackgroundGridCheck> ofGrid;  ///< with a given surface
   };
   // Done in one step each.
@@ -174,7 +176,9 @@ class MeshRun::Impl {
   void work(InputCheck& check, std::uint32_t budget) {
     if (isModel()) {
       // What a preview says.
-      if (!check.ofModel) check.ofModel.emplace(*model_, grid_, options_);
+      if (!check.ofModel)
+        check.ofModel.emplace(
+            [this](Work& work) { return checkInput(work, *model_, grid_, options_); });
       if (!check.ofModel->advance(budget)) return;
       CheckedInput found = check.ofModel->take();
       report(found.preview.diagnostics);

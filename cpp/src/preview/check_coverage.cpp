@@ -3,13 +3,14 @@
 #include <cstdint>
 #include <utility>
 
-#include "preview/model_sampling.h"
+#include "preview/model_sampler.h"
+#include "preview/surface_sampler.h"
 
 namespace tetrafront {
 namespace {
 
-/// Samples on a straight line: a grid of a few tetrahedra has no finer notches.
-constexpr int kStraightPieces = 48;
+/// Intervals between the samples of a straight line. A grid of few tetrahedra has no smaller notches.
+constexpr int kStraightIntervals = 48;
 
 class CoverageCheck {
  public:
@@ -17,8 +18,8 @@ class CoverageCheck {
       : model_(&model),
         preview_(&preview),
         field_(&field),
-        pointFaulty_(model.points.size(), 0),
-        lineFaulty_(model.lines.size(), 0) {}
+        isPointOutside_(model.points.size(), 0),
+        isLineOutside_(model.lines.size(), 0) {}
 
   std::vector<Diagnostic> run() {
     for (std::uint32_t line = 0; line < model_->lines.size(); ++line) {
@@ -29,15 +30,15 @@ class CoverageCheck {
   }
 
  private:
-  /// Places seen so far that are not covered.
+  /// The samples that are not covered.
   struct Outside {
     std::size_t count = 0;
     Vec3 first{0.0};
   };
 
-  void look(const Vec3& place, Outside& outside) {
-    if (field_->covers(place, hint_)) return;
-    if (outside.count++ == 0) outside.first = place;
+  void check(const Vec3& position, Outside& outside) {
+    if (field_->covers(position, hint_)) return;
+    if (outside.count++ == 0) outside.first = position;
   }
 
   void report(EntityKind kind, std::uint32_t index, const Outside& outside) {
@@ -56,30 +57,30 @@ class CoverageCheck {
 
   void checkLine(std::uint32_t line) {
     for (const std::uint32_t point : model_->lines[line].points) {
-      if (pointFaulty_[point] == 0) checkPoint(point);
-      lineFaulty_[line] |= pointFaulty_[point];
+      if (isPointOutside_[point] == 0) checkPoint(point);
+      isLineOutside_[line] |= isPointOutside_[point];
     }
-    if (lineFaulty_[line] != 0) return;
+    if (isLineOutside_[line] != 0) return;
     Outside outside;
     const std::size_t first = preview_->lineOffsets[line];
     const std::size_t last = preview_->lineOffsets[line + 1];
-    for (std::size_t i = first; i < last; ++i) look(sampleAt(preview_->linePoints, i), outside);
-    if (last - first == 2) {  // straight, of two samples
+    for (std::size_t i = first; i < last; ++i) check(sampleAt(preview_->linePoints, i), outside);
+    if (last - first == 2) {  // a straight line has two samples
       const Vec3 from = sampleAt(preview_->linePoints, first);
       const Vec3 to = sampleAt(preview_->linePoints, first + 1);
-      for (int k = 1; k < kStraightPieces; ++k)
-        look(from + (static_cast<double>(k) / kStraightPieces) * (to - from), outside);
+      for (int k = 1; k < kStraightIntervals; ++k)
+        check(from + (static_cast<double>(k) / kStraightIntervals) * (to - from), outside);
     }
     if (outside.count == 0) return;
-    lineFaulty_[line] = 1;
+    isLineOutside_[line] = 1;
     report(EntityKind::kLine, line, outside);
   }
 
   void checkPoint(std::uint32_t point) {
     Outside outside;
-    look(model_->points[point], outside);
+    check(model_->points[point], outside);
     if (outside.count == 0) return;
-    pointFaulty_[point] = 1;
+    isPointOutside_[point] = 1;
     report(EntityKind::kPoint, point, outside);
   }
 
@@ -89,20 +90,20 @@ class CoverageCheck {
     if (first == last) return;
     for (const Loop& loop : model_->patches[patch].loops) {
       for (const OrientedLine& walked : loop) {
-        if (lineFaulty_[walked.line] != 0) return;
+        if (isLineOutside_[walked.line] != 0) return;
       }
     }
     Outside outside;
     for (std::size_t t = first; t < last; ++t) {
-      Vec3 centre(0.0);
+      Vec3 centroid(0.0);
       for (std::size_t k = 0; k < 3; ++k) {
         const Vec3 corner = sampleAt(preview_->patchPoints, preview_->patchTriangles[3 * t + k]);
-        look(corner, outside);
-        centre += corner;
+        check(corner, outside);
+        centroid += corner;
       }
-      // Within a plane, triangles may span a patch from border to border. A curved patch has a
-      // fine lattice, and a chord's middle need not be on it.
-      if (model_->patches[patch].type == PatchType::kPlanar) look(centre * (1.0 / 3.0), outside);
+      // The triangles of a planar patch may span it from border to border. A curved patch has a fine lattice, and the
+      // centroids of its triangles do not lie on it.
+      if (model_->patches[patch].type == PatchType::kPlanar) check(centroid * (1.0 / 3.0), outside);
     }
     if (outside.count > 0) report(EntityKind::kPatch, patch, outside);
   }
@@ -111,8 +112,8 @@ class CoverageCheck {
   const ModelPreview* preview_;
   const SizeField* field_;
   FieldHint hint_;
-  std::vector<std::uint8_t> pointFaulty_;
-  std::vector<std::uint8_t> lineFaulty_;
+  std::vector<std::uint8_t> isPointOutside_;
+  std::vector<std::uint8_t> isLineOutside_;
   std::vector<Diagnostic> found_;
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Does the background grid cover what is drawn (step F1)? Asked before anything is meshed.
+/// @file Checks before meshing whether the background grid covers a drawn model (step F1).
 
 #include <vector>
 
@@ -9,14 +9,13 @@
 
 namespace tetrafront {
 
-/// What of the model the field does not cover: points that lines use; lines and patches of whose
-/// points and lines nothing was said yet. One diagnostic each, with a place outside and, as its
-/// value, how many places of the line or patch were found outside. `preview` as previewModel()
-/// samples the model; what it could not sample is passed over.
+/// Returns one diagnostic for each point of a line, and for each line and patch, that the field does not cover; lines
+/// and patches only if none of their points and lines is reported. Its position lies outside, and its value is the
+/// number of samples outside. `preview` holds the samples; skips what could not be sampled.
 [[nodiscard]] std::vector<Diagnostic> checkCoverage(const Model& model, const ModelPreview& preview,
                                                     const SizeField& field);
 
-/// The same, sampling the model itself. Milliseconds for the models people draw.
+/// Samples the model and checks it. Takes milliseconds for typical models.
 [[nodiscard]] std::vector<Diagnostic> checkCoverage(const Model& model, const SizeField& field);
 
 }  // namespace tetrafront

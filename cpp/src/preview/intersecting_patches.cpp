@@ -16,19 +16,20 @@
 namespace tetrafront {
 namespace {
 
-/// How much more finely suspects are sampled, one after the other. Chords of the last stray from
-/// their curves by 1/81 of what those of the picture do.
-constexpr std::array<std::uint32_t, 2> kRefinements{3, 9};
-/// How many suspects are sampled so finely. The others share the fate of those before them: they
-/// are believed if any of these was found guilty, and left to the check of the mesh otherwise.
-constexpr std::array<int, 2> kMostLooks{16, 2};
-/// So many findings are told: patches drawn many times over all meet one another.
-constexpr std::size_t kMostReported = 1000;
-/// So many pairs of triangles are compared in all, and so many more for each triangle: more than any
-/// sensible model has. Beyond, all triangles are long and near all others, as of a curve with a point
-/// flung far away.
-constexpr std::size_t kMostCompared = 2'000'000;
-constexpr std::size_t kMostComparedEach = 100;
+/// A finer sampling at which an intersection of curved patches must persist.
+struct Confirmation {
+  std::uint32_t refinement;  ///< of the samples
+  int maxPairs;              ///< pairs of patches that are sampled this finely
+};
+/// One after the other. At refinement 9, the distance of chords from their curves is 1/81 of that in the first samples.
+/// Pairs beyond the limit are reported if an earlier pair was confirmed, and else left to the check of the mesh.
+constexpr std::array<Confirmation, 2> kConfirmations{{{3, 16}, {9, 2}}};
+/// Patches that were drawn many times all intersect each other.
+constexpr std::size_t kMaxReported = 1000;
+/// Pairs of triangles that are compared: this many, and this many more per triangle. Sensible models need far fewer.
+/// More of them mean that all triangles are long and close to all others, as if a point of a curve is very far away.
+constexpr std::size_t kMaxPairs = 2'000'000;
+constexpr std::size_t kMaxPairsPerTriangle = 100;
 
 Box boxOf(const std::array<Vec3, 3>& corners) {
   return Box::of(corners[0], corners[1], corners[2]);
@@ -41,23 +42,23 @@ bool overlap(const Box& a, const Box& b) {
   return true;
 }
 
-/// Pairs of triangles that may still be compared.
-struct Allowance {
-  std::size_t left = kMostCompared;
+/// Number of pairs of triangles that may still be compared.
+struct PairBudget {
+  std::size_t remaining = kMaxPairs;
 
-  void take(std::size_t pairs) { left -= std::min(left, pairs); }
+  void spend(std::size_t pairs) { remaining -= std::min(remaining, pairs); }
 };
 
-/// The triangles of a sampled model, by patches.
+/// The triangles of a sampled model, in a tree per patch.
 class SampledPatches {
  public:
-  SampledPatches(const SampledModel& sampled, Allowance& allowance)
-      : sampled_(&sampled), allowance_(&allowance), trees_(sampled.isJoined.size()) {
+  SampledPatches(const SampledModel& sampled, PairBudget& budget)
+      : sampled_(&sampled), budget_(&budget), trees_(sampled.isConforming.size()) {
     const std::vector<std::uint32_t>& corners = sampled.preview.patchTriangles;
     boxes_.reserve(corners.size() / 3);
     for (std::uint32_t t = 0; t < corners.size() / 3; ++t) boxes_.push_back(boxOf(cornersOf(t)));
     for (std::uint32_t patch = 0; patch < trees_.size(); ++patch) {
-      if (sampled.isJoined[patch] == 0 || begin(patch) == end(patch)) continue;
+      if (sampled.isConforming[patch] == 0 || begin(patch) == end(patch)) continue;
       patches_.push_back(patch);
       Box box = boxes_[begin(patch)];
       for (std::uint32_t t = begin(patch); t < end(patch); ++t) {
@@ -71,48 +72,48 @@ class SampledPatches {
     patchTree_ = BoxTree(patchBoxes_);
   }
 
-  /// The patches that take part, ascending.
+  /// The patches that are tested, ascending.
   [[nodiscard]] std::span<const std::uint32_t> patches() const { return patches_; }
 
-  /// Of those from the one at `position` on, itself included, the ones whose boxes overlap its own;
-  /// ascending.
-  [[nodiscard]] std::vector<std::uint32_t> nearPatches(std::size_t position) const {
+  /// Returns the patches, from entry `index` of patches() on, whose boxes overlap the box of this entry; ascending.
+  [[nodiscard]] std::vector<std::uint32_t> nearPatches(std::size_t index) const {
     std::vector<std::uint32_t> near;
-    patchTree_.visitOverlaps(patchBoxes_[position], [&](std::uint32_t k) {
-      if (k >= position) near.push_back(patches_[k]);
+    patchTree_.visitOverlaps(patchBoxes_[index], [&](std::uint32_t k) {
+      if (k >= index) near.push_back(patches_[k]);
     });
     stableSort(near);
     return near;
   }
 
-  /// Where the triangles of two patches, or of one, meet as they should not. In the corner of two
-  /// common lines bent patches have one triangle, however much they part beyond it. Nothing more is
-  /// found once the allowance is used up.
-  [[nodiscard]] std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b, bool areBent) {
+  /// Returns a position at which the triangles of two patches, or of one, intersect; nothing if they do not, or if the
+  /// budget is spent. Two curved patches may have the same triangle in the corner between two common lines: this is no
+  /// intersection.
+  [[nodiscard]] std::optional<Vec3> findIntersection(std::uint32_t a, std::uint32_t b,
+                                                     bool areCurved) {
     const Box& regionA = boxOfPatch(a);
     const Box& regionB = boxOfPatch(b);
     const BoxTree& tree = treeOf(b);
     std::vector<std::uint32_t> near;
-    for (std::uint32_t t = begin(a); t < end(a) && allowance_->left > 0; ++t) {
-      if (!overlap(boxes_[t], regionB) || isFlat(t)) continue;
+    for (std::uint32_t t = begin(a); t < end(a) && budget_->remaining > 0; ++t) {
+      if (!overlap(boxes_[t], regionB) || isDegenerate(t)) continue;
       near.clear();
       tree.visitOverlaps(boxes_[t], [&](std::uint32_t i) {
         const std::uint32_t other = begin(b) + i;
         if ((a != b || other > t) && overlap(boxes_[other], regionA)) near.push_back(other);
       });
       stableSort(near);
-      allowance_->take(near.size());
+      budget_->spend(near.size());
       for (const std::uint32_t other : near) {
-        if (isFlat(other) || !meetImproperly(numbered(t), numbered(other))) continue;
-        if (areBent && haveSameNodes(t, other)) continue;
-        return tetrafront::meetingPlace(cornersOf(t), cornersOf(other));
+        if (isDegenerate(other) || !meetImproperly(numbered(t), numbered(other))) continue;
+        if (areCurved && haveSameNodes(t, other)) continue;
+        return meetingPlace(cornersOf(t), cornersOf(other));
       }
     }
     return std::nullopt;
   }
 
-  /// False if all triangles of the patch face one way: then it cannot come round to itself.
-  [[nodiscard]] bool mayMeetItself(std::uint32_t patch) const {
+  /// Returns false if no two triangles of the patch face in opposite directions: it then does not intersect itself.
+  [[nodiscard]] bool canIntersectItself(std::uint32_t patch) const {
     Vec3 sum(0.0);
     for (std::uint32_t t = begin(patch); t < end(patch); ++t) sum += areaVector(t);
     for (std::uint32_t t = begin(patch); t < end(patch); ++t) {
@@ -145,7 +146,7 @@ class SampledPatches {
     return sorted(numbered(t).nodes) == sorted(numbered(other).nodes);
   }
 
-  [[nodiscard]] bool isFlat(std::uint32_t t) const {
+  [[nodiscard]] bool isDegenerate(std::uint32_t t) const {
     const NumberedTriangle triangle = numbered(t);
     const auto& [a, b, c] = triangle.nodes;
     return a == b || b == c || c == a ||
@@ -169,28 +170,28 @@ class SampledPatches {
   }
 
   const SampledModel* sampled_;
-  Allowance* allowance_;
+  PairBudget* budget_;
   std::vector<Box> boxes_;
-  std::vector<std::uint32_t> patches_;  ///< that take part, ascending
-  std::vector<Box> patchBoxes_;         ///< of those
+  std::vector<std::uint32_t> patches_;  ///< see patches()
+  std::vector<Box> patchBoxes_;         ///< per entry of patches_
   BoxTree patchTree_;
   std::vector<std::optional<BoxTree>> trees_;
 };
 
-class MeetingSearch {
+class IntersectionSearch {
  public:
-  MeetingSearch(const Model& model, const CheckedModel& found, const SampledModel& sampled)
-      : model_(&model), found_(&found), coarse_(sampled, allowance_) {
-    allowance_.left += kMostComparedEach * (sampled.preview.patchTriangles.size() / 3);
+  IntersectionSearch(const Model& model, const CheckedModel& found, const SampledModel& sampled)
+      : model_(&model), found_(&found), coarse_(sampled, budget_) {
+    budget_.remaining += kMaxPairsPerTriangle * (sampled.preview.patchTriangles.size() / 3);
     const ResolvedModel resolved(model, found.usableLines);
     for (std::size_t patch = 0; patch < model.patches.size(); ++patch) {
-      bool flat = found.usablePatches[patch] != 0 && isPlanar(patch);
-      if (flat) {
+      bool isExact = found.usablePatches[patch] != 0 && isPlanar(patch);
+      if (isExact) {
         for (const Loop& loop : model.patches[patch].loops)
           for (const OrientedLine& walked : loop)
-            flat = flat && resolved.curve(walked.line).isStraight();
+            isExact = isExact && resolved.curve(walked.line).isStraight();
       }
-      isFlat_.push_back(flat ? 1 : 0);
+      isExact_.push_back(isExact ? 1 : 0);
     }
   }
 
@@ -198,69 +199,68 @@ class MeetingSearch {
     const std::span<const std::uint32_t> patches = coarse_.patches();
     for (std::size_t i = 0; i < patches.size(); ++i) {
       for (const std::uint32_t other : coarse_.nearPatches(i)) {
-        if (isEnough()) return std::move(diagnostics_);
-        if (const std::optional<Vec3> place = meetingPlace(patches[i], other))
-          report(patches[i], other, *place);
+        if (diagnostics_.size() == kMaxReported || budget_.remaining == 0)
+          return std::move(diagnostics_);
+        if (const std::optional<Vec3> position = findIntersection(patches[i], other))
+          report(patches[i], other, *position);
       }
     }
     return std::move(diagnostics_);
   }
 
  private:
-  [[nodiscard]] bool isEnough() const {
-    return diagnostics_.size() == kMostReported || allowance_.left == 0;
+  std::optional<Vec3> findIntersection(std::uint32_t a, std::uint32_t b) {
+    if (a == b && (isPlanar(a) || !coarse_.canIntersectItself(a))) return std::nullopt;
+    const bool areCurved = isExact_[a] == 0 || isExact_[b] == 0;
+    const std::optional<Vec3> position = coarse_.findIntersection(a, b, areCurved);
+    return position && areCurved ? confirm(a, b, *position) : position;
   }
 
-  std::optional<Vec3> meetingPlace(std::uint32_t a, std::uint32_t b) {
-    if (a == b && (isPlanar(a) || !coarse_.mayMeetItself(a))) return std::nullopt;
-    const bool areBent = isFlat_[a] == 0 || isFlat_[b] == 0;
-    const std::optional<Vec3> place = coarse_.meetingPlace(a, b, areBent);
-    return place && areBent ? lookCloser(a, b, *place) : place;
-  }
-
-  void report(std::uint32_t a, std::uint32_t b, const Vec3& place) {
-    Diagnostic& meeting = diagnostics_.emplace_back();
-    meeting.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesIntersect;
-    meeting.entities = {{EntityKind::kPatch, a}};
-    if (a != b) meeting.entities.push_back({EntityKind::kPatch, b});
-    meeting.hasPlace = true;
-    meeting.place = place;
-    meeting.values = {1.0};
+  void report(std::uint32_t a, std::uint32_t b, const Vec3& position) {
+    Diagnostic& diagnostic = diagnostics_.emplace_back();
+    diagnostic.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesIntersect;
+    diagnostic.entities = {{EntityKind::kPatch, a}};
+    if (a != b) diagnostic.entities.push_back({EntityKind::kPatch, b});
+    diagnostic.hasPlace = true;
+    diagnostic.place = position;
+    diagnostic.values = {1.0};
   }
 
   [[nodiscard]] bool isPlanar(std::size_t patch) const {
     return model_->patches[patch].type == PatchType::kPlanar;
   }
 
-  /// Samples of bent patches may cross where the patches do not.
-  std::optional<Vec3> lookCloser(std::uint32_t a, std::uint32_t b, const Vec3& before) {
-    std::optional<Vec3> place = before;
+  /// Samples of curved patches may intersect where the patches do not: tests finer samples.
+  std::optional<Vec3> confirm(std::uint32_t a, std::uint32_t b, const Vec3& suspected) {
+    std::optional<Vec3> position = suspected;
     const std::array<std::uint32_t, 2> both{a, b};
-    for (std::size_t step = 0; step < kRefinements.size(); ++step) {
-      if (++looks_[step] > kMostLooks[step]) return asThoseBefore(place);
-      const SampledModel finer = sampleFinely(*model_, *found_, kRefinements[step], both);
-      // A patch whose finer samples cannot be made is given the benefit of the doubt.
-      if (finer.isJoined[a] == 0 || finer.isJoined[b] == 0) return std::nullopt;
-      const std::optional<Vec3> closer = SampledPatches(finer, allowance_).meetingPlace(a, b, true);
-      if (!closer) return allowance_.left == 0 ? asThoseBefore(place) : std::nullopt;
-      place = closer;
+    for (std::size_t step = 0; step < kConfirmations.size(); ++step) {
+      const auto [refinement, maxPairs] = kConfirmations[step];
+      if (++sampledPairs_[step] > maxPairs) return ifAnyConfirmed(position);
+      const SampledModel finer = sampleFinely(*model_, *found_, refinement, both);
+      // Without finer samples, nothing is reported.
+      if (finer.isConforming[a] == 0 || finer.isConforming[b] == 0) return std::nullopt;
+      const std::optional<Vec3> found = SampledPatches(finer, budget_).findIntersection(a, b, true);
+      if (!found) return budget_.remaining == 0 ? ifAnyConfirmed(position) : std::nullopt;
+      position = found;
     }
-    anyGuilty_ = true;
-    return place;
+    hasConfirmed_ = true;
+    return position;
   }
 
-  /// For suspects that are not looked at any more closely.
-  [[nodiscard]] std::optional<Vec3> asThoseBefore(const std::optional<Vec3>& place) const {
-    return anyGuilty_ ? place : std::nullopt;
+  /// The result for pairs that are not tested further.
+  [[nodiscard]] std::optional<Vec3> ifAnyConfirmed(const std::optional<Vec3>& position) const {
+    return hasConfirmed_ ? position : std::nullopt;
   }
 
   const Model* model_;
   const CheckedModel* found_;
-  Allowance allowance_;
+  PairBudget budget_;
   SampledPatches coarse_;
-  std::vector<std::uint8_t> isFlat_;  ///< planar within straight lines: the samples are the patch
-  std::array<int, kRefinements.size()> looks_{};
-  bool anyGuilty_ = false;
+  /// Per patch: 1 if it is planar within straight lines, so that its samples are the patch itself.
+  std::vector<std::uint8_t> isExact_;
+  std::array<int, kConfirmations.size()> sampledPairs_{};  ///< per confirmation
+  bool hasConfirmed_ = false;
   std::vector<Diagnostic> diagnostics_;
 };
 
@@ -268,7 +268,7 @@ class MeetingSearch {
 
 std::vector<Diagnostic> findIntersectingPatches(const Model& model, const CheckedModel& found,
                                                 const SampledModel& sampled) {
-  return MeetingSearch(model, found, sampled).run();
+  return IntersectionSearch(model, found, sampled).run();
 }
 
 }  // namespace tetrafront

@@ -1,22 +1,20 @@
 #pragma once
 
-/// @file Patches that overlap or cross away from the lines they share, found before anything is
-/// meshed.
+/// @file Finds patches that intersect other than along the lines that they share, before anything is meshed.
 
 #include <vector>
 
-#include "preview/model_sampling.h"
+#include "preview/surface_sampler.h"
 
 namespace tetrafront {
 
-/// One diagnostic per pair of patches (kPatchesIntersect), or per patch that cuts itself
-/// (kSelfIntersection), with a place. Triangles of the sampled patches are tested exactly, and told
-/// by their nodes what they share; where bent patches are concerned, a finding must persist as they
-/// are sampled more and more finely, so that patches that only come near each other are not
-/// accused. What is finer than the samples is left to the check of the mesh. Patches that are not
-/// joined to their lines are passed over, and no more is looked for after a thousand findings, or
-/// once as many pairs of triangles have been compared as no sensible model has. Near-linear in the
-/// triangles, unless many patches are near many others.
+/// Returns one diagnostic with a position per pair of patches (kPatchesMeet), and per patch that intersects itself
+/// (kSelfIntersection). The triangles of the sampled patches are tested exactly; their nodes tell what they share. An
+/// intersection of curved patches is reported only if it persists when they are sampled more finely, so patches that
+/// are merely close are not reported. Intersections smaller than the samples are left to the check of the mesh. Skips
+/// patches whose border does not consist of the nodes of its lines. Stops after 1000 diagnostics, or when it has
+/// compared far more pairs of triangles than a sensible model needs. Nearly O(triangles) unless many patches are close
+/// to many others.
 [[nodiscard]] std::vector<Diagnostic> findIntersectingPatches(const Model& model,
                                                               const CheckedModel& found,
                                                               const SampledModel& sampled);

@@ -5,11 +5,14 @@
 #include <optional>
 #include <utility>
 
+#include "base/diagnostics.h"
+#include "base/ids.h"
 #include "boundary/boundary_report.h"
+#include "boundary/edge_table.h"
 #include "boundary/surface_access.h"
 #include "boundary/surface_checks.h"
-#include "preview/check_input.h"
-#include "repair/edge_bisection.h"
+#include "search/indexed_heap.h"
+#include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
 

@@ -22,7 +22,7 @@ namespace tetrafront {
 
 class SurfaceMesher {
  public:
-  /// `model` must have passed checkModel(). Both must outlive this. Diagnostics quote `maxTetrahedra`.
+  /// `model` must have passed diagnoseModel(). Both must outlive this. Diagnostics quote `maxTetrahedra`.
   SurfaceMesher(const Model& model, const SizeField& field,
                 std::uint32_t maxTetrahedra = MeshOptions{}.maxTetrahedra);
 

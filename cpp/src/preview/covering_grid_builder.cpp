@@ -1,0 +1,54 @@
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/resumable.h"
+#include "base/task.h"
+#include "preview/model_sampler.h"
+#include "tetrafront/grid_tools.h"
+
+namespace tetrafront {
+
+class ModelCoverer::Impl {
+ public:
+  Impl(Model model, double size, CoverShape shape)
+      : model_(std::move(model)), size_(size), shape_(shape) {}
+
+  bool advance(std::uint32_t budget) { return job_.advance(budget); }
+  [[nodiscard]] double fraction() const { return job_.fraction(); }
+  [[nodiscard]] const BackgroundGrid& result() const { return grid_; }
+
+ private:
+  Task<> coverModel(Work& work) {
+    const ModelPreview samples = co_await sampleModel(work, model_);
+    const std::optional<Extent> extent = extentOf(samples);
+    if (!extent) co_return;
+    const auto& [low, high] = *extent;
+    const double size = size_ > 0.0 ? size_ : kUniformPerDiagonal * glm::length(high - low);
+    grid_ = coveringGrid(low, high, size, shape_);
+  }
+
+  Model model_;
+  double size_;
+  CoverShape shape_;
+  BackgroundGrid grid_;
+  Job<> job_{[this](Work& work) { return coverModel(work); }};  ///< last: uses the others
+};
+
+ModelCoverer::ModelCoverer(Model model, double size, CoverShape shape)
+    : impl_(std::make_unique<Impl>(std::move(model), size, shape)) {}
+ModelCoverer::ModelCoverer(ModelCoverer&&) noexcept = default;
+ModelCoverer& ModelCoverer::operator=(ModelCoverer&&) noexcept = default;
+ModelCoverer::~ModelCoverer() = default;
+
+bool ModelCoverer::advance(std::uint32_t budget) { return impl_->advance(budget); }
+double ModelCoverer::fraction() const { return impl_->fraction(); }
+const BackgroundGrid& ModelCoverer::result() const { return impl_->result(); }
+
+BackgroundGrid coveringGrid(const Model& model, double size, CoverShape shape) {
+  ModelCoverer coverer(model, size, shape);
+  finish(coverer);
+  return coverer.result();
+}
+
+}  // namespace tetrafront

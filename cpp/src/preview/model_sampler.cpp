@@ -1,0 +1,43 @@
+#include "preview/model_sampler.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "preview/surface_sampler.h"
+
+namespace tetrafront {
+
+Task<CheckedModel> checkModel(Work& work, const Model& model) {
+  ModelChecker checker(model);
+  while (!checker.advance(std::max(work.remaining() / kUnitsPerPatch, 1U))) co_await work.yield();
+  co_await work.yield();
+  co_return checker.take();
+}
+
+Task<ModelPreview> sampleModel(Work& work, const Model& model) {
+  work.beginPart(0.5);
+  CheckedModel found = co_await checkModel(work, model);
+  work.beginPart(1.0);
+  SampledModel sampled = co_await sampleSurface(work, model, found);
+  sampled.preview.diagnostics = std::move(found.diagnostics);
+  co_return std::move(sampled.preview);
+}
+
+ModelPreview sampleModel(const Model& model) {
+  Job job([&](Work& work) { return sampleModel(work, model); });
+  return job.finish();
+}
+
+std::optional<Extent> extentOf(const ModelPreview& preview) {
+  std::optional<Extent> extent;
+  for (const std::vector<double>* points : {&preview.linePoints, &preview.patchPoints}) {
+    for (std::size_t i = 0; i < points->size() / 3; ++i) {
+      const Vec3 position = sampleAt(*points, i);
+      if (!extent) extent = {position, position};
+      extent = {glm::min(extent->low, position), glm::max(extent->high, position)};
+    }
+  }
+  return extent;
+}
+
+}  // namespace tetrafront

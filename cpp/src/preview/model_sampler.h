@@ -1,0 +1,34 @@
+#pragma once
+
+/// @file A model as the preview samples it, without further checks: for its extent and its shape.
+
+#include <optional>
+
+#include "base/task.h"
+#include "model/check_model.h"
+#include "tetrafront/mesher.h"
+
+namespace tetrafront {
+
+/// checkModel() in slices. The model must outlive the task.
+[[nodiscard]] Task<CheckedModel> checkModel(Work& work, const Model& model);
+
+/// previewModel() with the diagnostics of checkModel() alone. The model must outlive the task.
+[[nodiscard]] Task<ModelPreview> sampleModel(Work& work, const Model& model);
+
+/// The same at once.
+[[nodiscard]] ModelPreview sampleModel(const Model& model);
+
+/// An axis-parallel box.
+struct Extent {
+  Vec3 low{0.0};
+  Vec3 high{0.0};
+};
+
+/// Returns the box of all samples; nothing if there are none.
+[[nodiscard]] std::optional<Extent> extentOf(const ModelPreview& preview);
+
+/// Uniform size of a model of which nothing else is known / its diagonal.
+inline constexpr double kUniformPerDiagonal = 1.0 / 20.0;
+
+}  // namespace tetrafront

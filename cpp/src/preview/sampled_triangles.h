@@ -1,0 +1,53 @@
+#pragma once
+
+/// @file The triangles of a sampled model, with ray queries for the gaps between opposite patches.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "search/box_tree.h"
+#include "tetrafront/vec3.h"
+
+namespace tetrafront {
+
+/// Returns v / |v|; zero if v is zero.
+[[nodiscard]] inline Vec3 unitOf(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 ? v * (1.0 / length) : Vec3(0.0);
+}
+
+struct SampledTriangle {
+  std::array<Vec3, 3> corners;
+  Vec3 centroid;
+  Vec3 normal;  ///< unit; zero if the triangle is degenerate
+
+  explicit SampledTriangle(const std::array<Vec3, 3>& c);
+
+  /// Returns the distance from `origin` along a ray to the triangle, or nothing. `ray` is a unit vector.
+  [[nodiscard]] std::optional<double> distanceAlong(const Vec3& origin, const Vec3& ray) const;
+};
+
+class SampledTriangles {
+ public:
+  void add(const std::array<Vec3, 3>& corners) { triangles_.emplace_back(corners); }
+  /// Prepares the ray queries for the triangles added so far.
+  void buildTree();
+
+  [[nodiscard]] std::size_t size() const { return triangles_.size(); }
+  [[nodiscard]] const SampledTriangle& operator[](std::size_t i) const { return triangles_[i]; }
+
+  /// Returns the distance from a triangle along a ray to the next one, if that is at most `reach`, if the two are roughly
+  /// parallel, and if the gap is inside the model. `modelDiagonal` is that of the box of all triangles.
+  [[nodiscard]] std::optional<double> gapAlong(const SampledTriangle& triangle, const Vec3& ray,
+                                               double reach, double modelDiagonal) const;
+
+ private:
+  [[nodiscard]] bool isInside(const Vec3& position, double modelDiagonal) const;
+
+  std::vector<SampledTriangle> triangles_;
+  BoxTree tree_;
+};
+
+}  // namespace tetrafront
