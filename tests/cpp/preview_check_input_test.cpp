@@ -1,5 +1,4 @@
-// The one check of a model and its sizes: all that is wrong at once, and the same from a preview and
-// from a run.
+// The check of a model and its sizes: it reports all problems at once, and the same ones in a preview and in a run.
 
 #include "preview/check_input.h"
 
@@ -25,7 +24,7 @@ BackgroundGrid gridOf(double size) {
   return boxGrid(Vec3(-9.0), Vec3(9.0), [=](const Vec3&) { return size; });
 }
 
-/// Both models in one, with nothing in common.
+/// Both models in one, without common points.
 Model both(Model first, const Model& second) {
   const auto points = static_cast<std::uint32_t>(first.points.size());
   const auto lines = static_cast<std::uint32_t>(first.lines.size());
@@ -42,7 +41,7 @@ Model both(Model first, const Model& second) {
   return first;
 }
 
-/// A closed tube of four Coons patches along z, with plane ends, about the origin.
+/// A closed tube of four Coons patches along z, with planar ends.
 Model tube(double radius, double low, double high) {
   ModelBuilder builder;
   const Loop bottom = builder.circle({0, 0, low}, radius, 4);
@@ -92,20 +91,20 @@ const Diagnostic& the(DiagnosticCode code, const std::vector<Diagnostic>& found)
   return *std::ranges::find(found, code, &Diagnostic::code);
 }
 
-// ---- patches that meet -------------------------------------------------------------------------
+// ---- intersecting patches ----------------------------------------------------------------------
 
-TEST(PatchesMeet, GoodModelsHaveNone) {
+TEST(IntersectingPatches, ValidModelsHaveNone) {
   EXPECT_TRUE(foundIn(boxModel({0, 0, 0}, {1, 2, 3})).empty());
   EXPECT_TRUE(foundIn(tube(1.0, 0.0, 2.0)).empty());
   for (std::uint64_t seed = 0; seed < 12; ++seed)
     EXPECT_TRUE(errorsAmong(foundIn(randomBentBox(seed, 0.15))).empty()) << seed;
 }
 
-TEST(PatchesMeet, BoxesThatCrossNameEveryPairAndAPlace) {
+TEST(IntersectingPatches, BoxesThatCrossReportEveryPairWithAPosition) {
   const Model model =
       both(boxModel({0, 0, 0}, {1, 1, 1}), boxModel({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
   const std::vector<Diagnostic> found = foundIn(model);
-  // The right face of the first is pierced by the four long faces of the second.
+  // The four long patches of the second box intersect the right patch of the first.
   ASSERT_EQ(countOf(found, DiagnosticCode::kPatchesIntersect), 4U);
   EXPECT_EQ(errorsAmong(found).size(), 4U);
   for (const Diagnostic& meeting : found) {
@@ -113,14 +112,14 @@ TEST(PatchesMeet, BoxesThatCrossNameEveryPairAndAPlace) {
     EXPECT_LT(meeting.entities[0].index, 6U);
     EXPECT_GE(meeting.entities[1].index, 6U);
     ASSERT_TRUE(meeting.hasPlace);
-    // On the right face, and on the box of the long ones.
+    // On the right patch, and on one of the long ones.
     EXPECT_NEAR(meeting.place.x, 1.0, 1e-12);
     const Vec3 fromAxis = glm::abs(meeting.place - Vec3(1.0, 0.5, 0.5));
     EXPECT_NEAR(std::max(fromAxis.y, fromAxis.z), 0.25, 1e-12);
   }
 }
 
-TEST(PatchesMeet, TheTipThatTouchesIsThePlace) {
+TEST(IntersectingPatches, ATipThatTouchesIsThePosition) {
   ModelBuilder builder;
   builder.model = boxModel({0, 0, 0}, {2, 2, 2});
   const Vec3 tip(1.0, 1.0, 2.0);
@@ -133,7 +132,7 @@ TEST(PatchesMeet, TheTipThatTouchesIsThePlace) {
   for (const Diagnostic& meeting : found) EXPECT_LT(glm::length(meeting.place - tip), 1e-12);
 }
 
-TEST(PatchesMeet, ABoxStandingOnAnotherOverlapsIt) {
+TEST(IntersectingPatches, ABoxStandingOnAnotherOverlapsIt) {
   const Model model = both(boxModel({0, 0, 0}, {2, 2, 1}), boxModel({0.5, 0.5, 1}, {1.5, 1.5, 2}));
   const std::vector<Diagnostic> found = foundIn(model);
   EXPECT_GE(countOf(found, DiagnosticCode::kPatchesIntersect), 1U);
@@ -142,7 +141,7 @@ TEST(PatchesMeet, ABoxStandingOnAnotherOverlapsIt) {
   })) << "the top of the one and the bottom of the other";
 }
 
-TEST(PatchesMeet, CurvedPatchesThatCrossALittleAreFound) {
+TEST(IntersectingPatches, CurvedPatchesThatCrossALittleAreFound) {
   for (const double depth : {0.2, 0.02}) {
     const Model model =
         both(tube(1.0, 0.0, 2.0), boxModel({1.0 - depth, -0.5, 0.5}, {3, 0.5, 1.5}));
@@ -150,8 +149,8 @@ TEST(PatchesMeet, CurvedPatchesThatCrossALittleAreFound) {
   }
 }
 
-TEST(PatchesMeet, CurvedPatchesThatOnlyComeNearAreNotAccused) {
-  // Splines are no circles: what radii do they run through?
+TEST(IntersectingPatches, CurvedPatchesThatAreMerelyCloseAreNotReported) {
+  // Splines are no circles: find the range of their radii.
   const Model outer = tube(1.0, 0.0, 2.0);
   const ResolvedModel resolved(outer);
   double least = 1.0;
@@ -162,7 +161,7 @@ TEST(PatchesMeet, CurvedPatchesThatOnlyComeNearAreNotAccused) {
     most = std::max(most, radius);
   }
   ASSERT_GT(least, 0.9);
-  // Turned against each other, so that the chords of the outer one cut into the inner one.
+  // Rotate one of them, so that the chords of the outer one intersect the inner one.
   for (const double gap : {0.1, 3e-3, 3e-4}) {
     Model inner = tube((1.0 - gap) * least / most, 0.5, 1.5);
     const double c = std::cos(0.3);
@@ -174,23 +173,23 @@ TEST(PatchesMeet, CurvedPatchesThatOnlyComeNearAreNotAccused) {
   }
 }
 
-TEST(PatchesMeet, PatchesDrawnManyTimesOverAreToldUpToABound) {
+TEST(IntersectingPatches, PatchesDrawnManyTimesAreReportedUpToALimit) {
   Model model = boxModel(Vec3(0.0), Vec3(1.0));
   const Patch face = model.patches.front();
   model.patches.insert(model.patches.end(), 200, face);
   const std::vector<Diagnostic> found = previewModel(model, {}, {.size = 0.5}).diagnostics;
-  const auto meeting = std::ranges::count(found, DiagnosticCode::kPatchesIntersect,
-                                          [](const auto& d) { return d.code; });
+  const auto meeting =
+      std::ranges::count(found, DiagnosticCode::kPatchesIntersect, [](const auto& d) { return d.code; });
   EXPECT_EQ(meeting, 1000);  // of 20 100 pairs
 }
 
-TEST(PatchesMeet, TouchingInACommonLineOrPointIsFine) {
+TEST(IntersectingPatches, TouchingAtACommonLineOrPointIsValid) {
   ModelBuilder builder;
   builder.model = boxModel({0, 0, 0}, {1, 1, 1});
   const auto face = [&](const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
     builder.patch(PatchType::kPlanar, {builder.polygon({a, b, c, d})});
   };
-  // A second box that shares the edge x = y = 1.
+  // A second box with the common line x = y = 1.
   const auto p = [](double x, double y, double z) { return Vec3(1 + x, 1 + y, z); };
   face(p(0, 0, 0), p(1, 0, 0), p(1, 1, 0), p(0, 1, 0));
   face(p(0, 0, 1), p(1, 0, 1), p(1, 1, 1), p(0, 1, 1));
@@ -201,9 +200,9 @@ TEST(PatchesMeet, TouchingInACommonLineOrPointIsFine) {
   EXPECT_EQ(countOf(foundIn(builder.model), DiagnosticCode::kPatchesIntersect), 0U);
 }
 
-// ---- bodies, sizes, counts ---------------------------------------------------------------------
+// ---- regions, sizes, counts --------------------------------------------------------------------
 
-TEST(ExamineInput, NestedBodiesAreToldWithTheirRegionsAndCavities) {
+TEST(CheckInput, NestedShellsAreReportedWithTheirRegionsAndCavities) {
   const Model hollow = both(boxModel({0, 0, 0}, {4, 4, 4}), boxModel({1, 1, 1}, {3, 3, 3}));
   std::vector<Diagnostic> found = foundIn(hollow);
   ASSERT_EQ(found.size(), 1U);
@@ -215,20 +214,20 @@ TEST(ExamineInput, NestedBodiesAreToldWithTheirRegionsAndCavities) {
   EXPECT_EQ(found[0].values, (std::vector<double>{2.0, 1.0}));
 }
 
-TEST(ExamineInput, TheEstimateKnowsTheVolumeAndComesBeforeAnythingStarts) {
+TEST(CheckInput, TheNumberOfElementsIsEstimatedFromTheVolumeBeforeMeshing) {
   const Model box = boxModel({0, 0, 0}, {1, 2, 3});
   MeshOptions options;
   options.size = 0.001;
   const std::vector<Diagnostic> found = checkInput(box, {}, options).preview.diagnostics;
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].code, DiagnosticCode::kTooManyElements);
-  // Regular tetrahedra of edge h have the volume h^3 / (6 sqrt 2).
+  // A regular tetrahedron with edges of length h has the volume h^3 / (6 sqrt 2).
   EXPECT_NEAR(found[0].values.at(0) / (6.0 * 6.0 * std::sqrt(2.0) * 1e9), 1.0, 1e-6);
   options.size = 0.02;
   EXPECT_TRUE(checkInput(box, {}, options).preview.diagnostics.empty());
 }
 
-TEST(ExamineInput, ThinBodiesAreCountedByTheirSurface) {
+TEST(CheckInput, ElementsOfThinRegionsAreEstimatedFromTheSurface) {
   MeshOptions options;
   options.size = 1e-5;
   const std::vector<Diagnostic> found =
@@ -236,7 +235,7 @@ TEST(ExamineInput, ThinBodiesAreCountedByTheirSurface) {
   EXPECT_EQ(countOf(found, DiagnosticCode::kTooManyElements), 1U);
 }
 
-TEST(ExamineInput, ASizeBeyondTheModelIsAWarning) {
+TEST(CheckInput, ASizeLargerThanTheModelIsAWarning) {
   const Model box = boxModel({0, 0, 0}, {1, 2, 3});
   EXPECT_TRUE(foundIn(box, 2.9).empty());
   const std::vector<Diagnostic> found = foundIn(box, 3.1);
@@ -247,7 +246,7 @@ TEST(ExamineInput, ASizeBeyondTheModelIsAWarning) {
   EXPECT_NEAR(found[0].values.at(1), 3.0, 1e-9);
 }
 
-TEST(ExamineInput, ACoordinateBeyondComputingIsTold) {
+TEST(CheckInput, ACoordinateOutOfRangeIsReported) {
   Model box = boxModel({0, 0, 0}, {1, 1, 1});
   box.points[3].y = -1e200;
   BackgroundGrid grid = boxGrid(Vec3(-1.0), Vec3(2.0), [](const Vec3&) { return 0.5; });
@@ -260,10 +259,10 @@ TEST(ExamineInput, ACoordinateBeyondComputingIsTold) {
   EXPECT_EQ(told, (std::vector<double>{-1e200, 1e201, 1e202}));
 }
 
-// ---- all at once, and twice the same -----------------------------------------------------------
+// ---- all problems at once, in a preview and in a run -------------------------------------------
 
-/// A box with about everything wrong with it, each in another place.
-Model ruin() {
+/// A box with many problems, each at a different entity.
+Model damagedBox() {
   Model model = both(boxModel({0, 0, 0}, {1, 1, 1}), boxModel({0.5, 0.25, 0.25}, {2, 0.75, 0.75}));
   model = both(model, boxModel({4, 0, 0}, {5, 1, 1}));
   model.patches.pop_back();                       // open
@@ -278,28 +277,28 @@ Model ruin() {
   return model;
 }
 
-TEST(ExamineInput, NoFindingHidesAnother) {
+TEST(CheckInput, NoProblemHidesAnother) {
   BackgroundGrid grid = boxGrid(Vec3(-9.0), {4.5, 9, 9}, [](const Vec3&) { return 0.5; });
-  const std::vector<Diagnostic> found = checkInput(ruin(), grid, {}).preview.diagnostics;
+  const std::vector<Diagnostic> found = checkInput(damagedBox(), grid, {}).preview.diagnostics;
   for (const DiagnosticCode code :
        {DiagnosticCode::kNotFinite, DiagnosticCode::kDuplicatePoints,
         DiagnosticCode::kZeroLengthLine, DiagnosticCode::kIndexOutOfRange,
         DiagnosticCode::kDuplicateLines, DiagnosticCode::kWrongLineCount,
-        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge,
-        DiagnosticCode::kPatchesIntersect, DiagnosticCode::kOutsideBackgroundGrid})
+        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge, DiagnosticCode::kPatchesIntersect,
+        DiagnosticCode::kOutsideBackgroundGrid})
     EXPECT_GE(countOf(found, code), 1U) << static_cast<int>(code);
   grid.nodes[2].size = 0.0;
   MeshOptions options;
   options.growth = -1.0;
-  const std::vector<Diagnostic> worse = checkInput(ruin(), grid, options).preview.diagnostics;
+  const std::vector<Diagnostic> worse = checkInput(damagedBox(), grid, options).preview.diagnostics;
   EXPECT_EQ(countOf(worse, DiagnosticCode::kSizeOutOfRange), 1U);
   EXPECT_EQ(countOf(worse, DiagnosticCode::kOptionOutOfRange), 1U);
   EXPECT_EQ(the(DiagnosticCode::kDuplicateLines, worse).severity, Severity::kWarning);
 }
 
-TEST(ExamineInput, PreviewAndRunFindTheSame) {
+TEST(CheckInput, PreviewAndRunFindTheSame) {
   const std::vector<std::function<void(Model&, BackgroundGrid&)>> damages{
-      [](Model& model, BackgroundGrid&) { model = ruin(); },
+      [](Model& model, BackgroundGrid&) { model = damagedBox(); },
       [](Model& model, BackgroundGrid&) { model.patches.erase(model.patches.begin() + 2); },
       [](Model& model, BackgroundGrid&) { model.patches.push_back(model.patches[0]); },
       [](Model& model, BackgroundGrid&) { model.points[3] = model.points[2]; },

@@ -1,4 +1,4 @@
-/// Does the background grid cover the model, and what sizes does a model's shape suggest?
+// The coverage of a model by the background grid, and the sizes proposed from a model's shape.
 
 #include "preview/check_coverage.h"
 
@@ -29,13 +29,13 @@ std::vector<Diagnostic> outside(const std::vector<Diagnostic>& all) {
   return found;
 }
 
-TEST(CoverageTest, NothingToSayWhereTheGridCovers) {
+TEST(CoverageTest, ACoveredModelHasNoDiagnostics) {
   const Model box = boxModel(Vec3(0.0), Vec3(1.0));
   EXPECT_TRUE(checkCoverage(box, unitBoxField(Vec3(0.0), Vec3(1.0))).empty());
   EXPECT_TRUE(checkCoverage(box, SizeField::uniform(0.1)).empty());
 }
 
-TEST(CoverageTest, NamesEveryPointOutside) {
+TEST(CoverageTest, ReportsEveryPointOutside) {
   const Model box = boxModel(Vec3(0.0), Vec3(1.0));
   const std::vector<Diagnostic> found =
       checkCoverage(box, unitBoxField(Vec3(-0.1), Vec3(1.1, 1.1, 0.5)));
@@ -49,11 +49,11 @@ TEST(CoverageTest, NamesEveryPointOutside) {
   }
 }
 
-TEST(CoverageTest, NamesALineThatBulgesOutBetweenItsPoints) {
+TEST(CoverageTest, ReportsALineThatIsOutsideBetweenItsPoints) {
   ModelBuilder builder;
   const Vec3 end(1.0, 0.25, 0.0);
   const Vec3 tip(0.5, -1.0, 0.0);
-  // Passes its middle point at a slant: the highest place is at y = 0.3223, after it.
+  // The line is inclined at its middle point; its highest point follows at y = 0.3223.
   const std::uint32_t arc =
       builder.line(LineType::kParabolic, {Vec3(0.0), Vec3(0.5, 0.3, 0.0), end});
   builder.patch(PatchType::kPlanar,
@@ -68,11 +68,11 @@ TEST(CoverageTest, NamesALineThatBulgesOutBetweenItsPoints) {
   EXPECT_GT(found[0].place.y, 0.31);
 }
 
-TEST(CoverageTest, NamesAPatchWhoseBorderIsCovered) {
+TEST(CoverageTest, ReportsAPatchWhoseBorderIsCovered) {
   ModelBuilder builder;
   const std::vector<Vec3> corners{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)};
   builder.patch(PatchType::kPlanar, {builder.polygon(corners)});
-  // A grid around the border only: the box without its core.
+  // A grid that covers the border only: a box without its core.
   BackgroundGrid ring;
   for (const auto& [low, high] :
        std::vector<std::pair<Vec3, Vec3>>{{Vec3(-0.1, -0.1, -0.1), Vec3(1.1, 0.3, 0.1)},
@@ -93,7 +93,7 @@ TEST(CoverageTest, NamesAPatchWhoseBorderIsCovered) {
   EXPECT_LT(found[0].place.x, 0.7);
 }
 
-TEST(CoverageTest, IsToldByThePreviewAndStopsTheRunBeforeItMeshes) {
+TEST(CoverageTest, IsReportedByThePreviewAndEndsTheRunBeforeMeshing) {
   const Model box = boxModel(Vec3(0.0), Vec3(1.0));
   const BackgroundGrid grid =
       boxGrid(Vec3(-0.1), Vec3(1.1, 1.1, 0.5), [](const Vec3&) { return 0.2; });
@@ -120,7 +120,7 @@ TEST(SizeProposalTest, ABoxGetsAUniformSize) {
   EXPECT_EQ(proposeSizes(Model{}, {}).size, 0.0);
 }
 
-TEST(SizeProposalTest, BendsGetTheElementsPerCircleAskedFor) {
+TEST(SizeProposalTest, BendsGetTheGivenNumberOfElementsPerCircle) {
   constexpr double kRadius = 0.25;
   const Model tube = seamedTube(kRadius, 4.0);
   ProposalOptions options;
@@ -134,19 +134,19 @@ TEST(SizeProposalTest, BendsGetTheElementsPerCircleAskedFor) {
     EXPECT_NEAR(sizeAt(proposal, place), wanted, 0.3 * wanted) << "at z = " << place.z;
   }
   EXPECT_GT(sizeAt(proposal, Vec3(0.0, 0.0, 9.0)), 0.9 * proposal.size);
-  // About one source per element or two of the side, not one per sample of it.
+  // About one source per one or two elements of the curve, not one per sample.
   const double elements = 2.0 * std::numbers::pi * kRadius * 4.0 / (wanted * wanted);
   EXPECT_LT(static_cast<double>(proposal.sources.size()), elements);
   EXPECT_TRUE(checkSizeSources(proposal.sources).empty());
 }
 
-TEST(SizeProposalTest, GapsAreCrossedByTheElementsAskedFor) {
+TEST(SizeProposalTest, GapsGetTheGivenNumberOfElements) {
   ProposalOptions options;
   options.elementsPerGap = 4.0;
   const Model plate = boxModel(Vec3(0.0), Vec3(1.0, 1.0, 0.02));
   const SizeProposal proposal = proposeSizes(plate, options);
   EXPECT_NEAR(sizeAt(proposal, Vec3(0.5, 0.5, 0.02)), 0.005, 1e-3);
-  // A space outside is nobody's gap: two thick boxes close to each other.
+  // The space between two thick boxes is outside, so it is no gap.
   ModelBuilder two;
   two.model = boxModel(Vec3(0.0), Vec3(1.0));
   const Model above = boxModel(Vec3(0.0, 0.0, 1.01), Vec3(1.0, 1.0, 2.0));
@@ -164,7 +164,7 @@ TEST(SizeProposalTest, GapsAreCrossedByTheElementsAskedFor) {
   EXPECT_TRUE(proposeSizes(two.model, options).sources.empty());
 }
 
-TEST(SizeProposalTest, KeepsToTheLimitsGiven) {
+TEST(SizeProposalTest, SizesStayWithinTheGivenLimits) {
   ProposalOptions options;
   options.uniform = 0.1;
   options.smallest = 0.04;

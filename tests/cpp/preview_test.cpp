@@ -1,4 +1,4 @@
-// The picture of a model before it is meshed, and of what is left of a broken one.
+// The preview of a model before it is meshed, also of an invalid model.
 
 #include <gtest/gtest.h>
 
@@ -73,7 +73,7 @@ TEST(SurfacePreview, LinesRunFromEndToEnd) {
   EXPECT_GT(areaOf(preview, 0), 0.3);
 }
 
-TEST(SurfacePreview, BrokenPatchIsLeftOutAndTheRestShown) {
+TEST(SurfacePreview, AnInvalidPatchIsLeftOut) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
   model.patches[2].loops.front()[0].line = 500;
   model.patches[4].type = PatchType::kSerendipity;
@@ -84,7 +84,7 @@ TEST(SurfacePreview, BrokenPatchIsLeftOutAndTheRestShown) {
   EXPECT_FALSE(preview.diagnostics.empty());
 }
 
-TEST(SurfacePreview, TellsAboutTheGridToo) {
+TEST(SurfacePreview, ReportsProblemsOfTheGridToo) {
   BackgroundGrid broken = grid();
   broken.nodes[3].size = -1.0;
   const ModelPreview preview = previewModel(boxModel({0, 0, 0}, {1, 1, 1}), broken);
@@ -92,7 +92,7 @@ TEST(SurfacePreview, TellsAboutTheGridToo) {
   EXPECT_EQ(preview.diagnostics.back().code, DiagnosticCode::kSizeOutOfRange);
 }
 
-TEST(SurfacePreview, SaysNothingOfTheGridButItsSourcesWhereTheSizeIsUniform) {
+TEST(SurfacePreview, ReportsOnlyProblemsOfSourcesIfTheSizeIsUniform) {
   const Model box = boxModel({0, 0, 0}, {1, 1, 1});
   BackgroundGrid broken = grid();
   broken.nodes[3].size = -1.0;
@@ -104,7 +104,7 @@ TEST(SurfacePreview, SaysNothingOfTheGridButItsSourcesWhereTheSizeIsUniform) {
   EXPECT_EQ(preview.diagnostics[0].code, DiagnosticCode::kSourceOutOfRange);
 }
 
-TEST(SurfacePreview, SurvivesAnyInput) {
+TEST(SurfacePreview, AcceptsAnyInput) {
   const std::vector<double> wild{0.0,
                                  -0.0,
                                  1e-320,
@@ -145,7 +145,7 @@ TEST(SurfacePreview, SurvivesAnyInput) {
   }
 }
 
-TEST(ModelPreviewer, LooksAtSoManyPatchesPerCallAndSaysTheSame) {
+TEST(ModelPreviewer, SlicesDoNotChangeThePreview) {
   const Model model = boxModel({0, 0, 0}, {1, 1, 1});
   BackgroundGrid broken = grid();
   broken.nodes.front().size = -1.0;
@@ -158,7 +158,7 @@ TEST(ModelPreviewer, LooksAtSoManyPatchesPerCallAndSaysTheSame) {
     EXPECT_GE(previewer.fraction(), before);
     before = previewer.fraction();
   }
-  // Each patch is looked at twice, by itself and for its samples.
+  // Each patch is visited twice: to check it and to sample it.
   EXPECT_GE(calls, 2 * model.patches.size());
   EXPECT_EQ(previewer.result().patchPoints, whole.patchPoints);
   EXPECT_EQ(previewer.result().patchTriangles, whole.patchTriangles);

@@ -1,4 +1,4 @@
-/// How large a mesh will be, asked before the front starts: for bodies that are easily overlooked.
+// Estimates of the number of elements, for surfaces that are easily misjudged.
 
 #include "sizing/expected_count.h"
 
@@ -10,12 +10,12 @@
 namespace tetrafront {
 namespace {
 
-/// What a uniform size asks for within a volume.
+/// Number of tetrahedra of a uniform size in a volume.
 double unitTetrahedra(double volume, double size) {
   return kTetrahedraPerUnitVolume * volume / (size * size * size);
 }
 
-TEST(ExpectedCount, TakesNoNoticeOfNodesWithoutTriangles) {
+TEST(ExpectedCount, IgnoresNodesWithoutTriangles) {
   SurfaceMesh surface = testing::geodesicSphere(8);
   surface.points.insert(surface.points.begin(), {1e6, -1e6, 1e6});
   for (std::uint32_t& node : surface.triangles) ++node;
@@ -26,14 +26,14 @@ TEST(ExpectedCount, TakesNoNoticeOfNodesWithoutTriangles) {
   EXPECT_NEAR(expected, unitTetrahedra(volume, 0.05), 1e-6 * expected);
 }
 
-/// Thinner than the distance of the columns along which is looked.
-TEST(ExpectedCount, FindsABeamAcrossItsBox) {
+/// The beam is thinner than the distance between columns of samples.
+TEST(ExpectedCount, EstimatesABeamAcrossItsBox) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SurfaceMesh beam = testing::gridBox(Vec3(0.0), Vec3(100.0, 0.01, 0.01), {50, 1, 1});
     testing::rotateRandomly(beam, seed);
     const double expected = expectedTetrahedra(beam, SizeField::uniform(0.005));
-    const double wanted = unitTetrahedra(0.01, 0.005);
-    EXPECT_NEAR(expected, wanted, 1e-6 * wanted) << seed;
+    const double exact = unitTetrahedra(0.01, 0.005);
+    EXPECT_NEAR(expected, exact, 1e-6 * exact) << seed;
   }
 }
 

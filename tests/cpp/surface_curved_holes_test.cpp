@@ -1,5 +1,5 @@
-// Holes of curved patches: found in the patch's plane, named when they are not on it, and closed
-// watertight by the patches beyond them.
+// Holes of curved patches: they are projected into the patch's plane, reported if they do not lie on the patch, and
+// watertight with the patches that continue at them.
 
 #include <gtest/gtest.h>
 
@@ -24,8 +24,8 @@
 namespace tetrafront::testing {
 namespace {
 
-/// Adds a hole to a curved patch: a closed line whose points are those of the patch at `units`,
-/// moved off it by `lift` along the normal.
+/// Adds a hole to a curved patch: a closed line through the patch's points at `units`, each moved by `lift` along the
+/// normal.
 void addHole(Model& model, const std::vector<Vec2>& units, double lift = 0.0) {
   const ResolvedModel resolved(model);
   const PatchSurface surface(resolved, model.patches.front());
@@ -71,7 +71,7 @@ SurfaceMesh meshOf(const Model& model, double size) {
   return mesher.takeMesh();
 }
 
-TEST(ModelPatchProjection, FindsThePlaceOfThePatch) {
+TEST(ModelPatchProjection, FindsTheNearestPositionOfThePatch) {
   for (const PatchType type : kCurvedTypes) {
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
       const FamilyMember member = patchOfFamily(type, seed);
@@ -83,7 +83,7 @@ TEST(ModelPatchProjection, FindsThePlaceOfThePatch) {
         Vec2 unit(random.unit(), random.unit());
         const bool isTriangle = unitShapeOf(type) == UnitShape::kTriangle;
         if (isTriangle && unit.x + unit.y > 1.0) unit = Vec2(1.0) - unit;
-        // Off the border, where the foot of a lifted place is a place of the patch.
+        // Away from the border, where the foot of a lifted position lies on the patch.
         unit = 0.05 + 0.85 * unit;
         const Vec2 plane = surface.mapped()->stretchedPlane().toPlane(unit);
         const SurfacePoint point = surface.evaluate(plane);
@@ -99,7 +99,7 @@ TEST(ModelPatchProjection, FindsThePlaceOfThePatch) {
   }
 }
 
-TEST(SurfaceCurvedHoles, AreLeftOpenInEveryType) {
+TEST(SurfaceCurvedHoles, StayOpenInPatchesOfEveryType) {
   for (const PatchType type : kCurvedTypes) {
     int meshed = 0;
     for (std::uint64_t seed = 0; seed < 12; ++seed) {
@@ -107,7 +107,7 @@ TEST(SurfaceCurvedHoles, AreLeftOpenInEveryType) {
       FamilyMember member = patchOfFamily(type, seed);
       addRoundHole(member.model, {0.3, 0.3}, 0.12);
       addRoundHole(member.model, {0.62, 0.22}, 0.08);
-      // Where the patch is very uneven, the spline through its points may leave it.
+      // If the patch is very uneven, the spline through its points may leave it.
       if (!codesOf(member.model).empty()) continue;
       ++meshed;
       const SurfaceMesh mesh = meshOf(member.model, member.size);
@@ -159,7 +159,7 @@ TEST(SurfaceCurvedHoles, TubeWithABranchIsWatertightAndHasItsVolume) {
       MeshStatus status = MeshStatus::kRunning;
       while (status == MeshStatus::kRunning) status = run.advance(10'000);
       ASSERT_EQ(status, MeshStatus::kDone);
-      // Chords lie inside the tubes: the volume converges from below, by the square of the size.
+      // Chords lie inside the tubes: the volume converges from below, with an error of second order in the size.
       const double error = exact - run.quality().volume;
       EXPECT_GT(error, 0.0);
       EXPECT_LT(error, 0.6 * size * size * exact);
@@ -169,7 +169,7 @@ TEST(SurfaceCurvedHoles, TubeWithABranchIsWatertightAndHasItsVolume) {
   }
 }
 
-TEST(SurfaceCurvedHoles, HoleOffThePatchIsNamedWithItsDistance) {
+TEST(SurfaceCurvedHoles, HoleOffThePatchIsReportedWithItsDistance) {
   FamilyMember member = patchOfFamily(PatchType::kCoons, 3);
   Model slightly = member.model;
   addRoundHole(slightly, {0.5, 0.5}, 0.15, 1e-3);
@@ -185,7 +185,7 @@ TEST(SurfaceCurvedHoles, HoleOffThePatchIsNamedWithItsDistance) {
   EXPECT_TRUE(found.front().hasPlace);
 }
 
-TEST(SurfaceCurvedHoles, HolesThatTouchOrLieElsewhereAreReported) {
+TEST(SurfaceCurvedHoles, HolesThatIntersectOrLieElsewhereAreReported) {
   const FamilyMember member = patchOfFamily(PatchType::kSerendipity, 4);
   Model touching = member.model;
   addRoundHole(touching, {0.4, 0.5}, 0.15);
@@ -202,7 +202,7 @@ TEST(SurfaceCurvedHoles, HolesThatTouchOrLieElsewhereAreReported) {
 }
 
 TEST(SurfaceCurvedHoles, CoarseSidesAreHalvedUntilLoopsAreSimple) {
-  // A horseshoe around a round hole, which few sides of it would cut.
+  // A horseshoe around a round hole: with few sides, it would intersect the hole.
   FamilyMember member = patchOfFamily(PatchType::kCoons, 5);
   std::vector<Vec2> horseshoe;
   for (int i = 0; i <= 10; ++i) horseshoe.push_back(onCircle({0.5, 0.5}, 0.32, -140.0 + 28.0 * i));

@@ -1,5 +1,5 @@
-// Curved patches of every type: they close, also where the surface is singular at a corner, and
-// every node is on the patch itself.
+// Curved patches of every type: the front closes, even if the surface is singular at a corner, and every node lies on
+// the patch.
 
 #include <gtest/gtest.h>
 
@@ -41,8 +41,8 @@ SurfaceMeasures measuresOf(const Model& model, double size) {
 
 // ---- on the patch --------------------------------------------------------------------------------
 
-/// Distance of a place from a surface: Gauss-Newton steps towards it, from the nearest node of a
-/// coarse grid of the domain.
+/// Distance of a position from a surface, by Gauss-Newton steps from the nearest point of a coarse lattice of the
+/// domain.
 double distanceTo(const UnitSurface& surface, const Vec3& place) {
   constexpr int kCells = 12;
   Vec2 unit(0.0);
@@ -117,7 +117,7 @@ TEST(SurfaceCurvedPatches, RandomPatchesCloseWithGoodTriangles) {
 }
 
 TEST(SurfaceCurvedPatches, TrianglesFaceThePatch) {
-  // In a plane, any that does not would lie over others.
+  // In a plane, a flipped triangle would overlap others.
   for (const PatchType type : kCurvedTypes) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
       Model model = randomCurvedModel(type, seed, 0.3);
@@ -175,8 +175,8 @@ TEST(SurfaceCurvedPatches, OctantBetweenThreeQuarterCirclesIsCoveredEvenly) {
 }
 
 TEST(SurfaceCurvedPatches, TriangleWithASmoothCornerCloses) {
-  // A half disc: the arc is two lines that meet smoothly at the top, where the triangle's angle is
-  // 180 degrees; any of the three lines in the role of F2.
+  // A half disc: its arc consists of two lines with a smooth corner at the top, where the angle is 180 degrees. Any of
+  // the three lines is F2 once.
   ModelBuilder builder;
   const Vec3 x(1, 0, 0);
   const Vec3 z(0, 0, 1);
@@ -194,8 +194,8 @@ TEST(SurfaceCurvedPatches, TriangleWithASmoothCornerCloses) {
   }
 }
 
-/// Two parabolas that leave the origin in one direction and bend to (1, low) and (1, high), as
-/// sides of a triangle or of a quadrilateral.
+/// Two parabolas that leave the origin in the same direction and bend to (1, low) and (1, high), as edges of a triangle
+/// or of a quadrilateral.
 Model cusp(PatchType type, double low, double high) {
   ModelBuilder builder;
   const Vec3 tip(0, 0, 0);
@@ -220,14 +220,14 @@ TEST(SurfaceCurvedPatches, CuspsClose) {
   for (const PatchType type : {PatchType::kBarnhillGregoryNielson, PatchType::kCoons}) {
     for (const double size : {0.3, 0.1, 0.02}) {
       const SurfaceMeasures found = measuresOf(cusp(type, -0.4, 0.4), size);
-      // At a distance of one size the tip is 0.8 size^2 wide.
+      // At a distance of `size` from its end, the tip is 0.8 size^2 wide.
       EXPECT_GT(found.minAngle, 20.0 * size) << size;
       EXPECT_GT(found.meanRadiusRatio, size < 0.05 ? 0.9 : 0.5) << size;
     }
   }
 }
 
-TEST(SurfaceCurvedPatches, CuspWhoseSidesBendTheSameWayFoldsAndIsReported) {
+TEST(SurfaceCurvedPatches, CuspOfLinesThatBendInOneDirectionFoldsAndIsReported) {
   // At its tip the triangle is (xi + eta, 0.2 xi^2 + 2 xi eta + 0.8 eta^2) to second order.
   const std::vector<Diagnostic> found =
       diagnoseModel(cusp(PatchType::kBarnhillGregoryNielson, 0.2, 0.8));

@@ -1,5 +1,5 @@
-// Every patch of every bundled model, alone and at a constant size: the triangles promised, wherever
-// the size is small against the patch and its lines meet at no sharp corner.
+// Every patch of every bundled model, alone and with a uniform size: the triangles have the promised quality if the size
+// is small compared with the patch and its lines form no sharp corner.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@
 namespace tetrafront::testing {
 namespace {
 
-/// What the lines of a patch leave to its triangles.
+/// Limits that the lines of a patch set for its triangles.
 struct Outline {
   double perimeter = 0.0;                                     ///< of the outer loop
   double shortest = std::numeric_limits<double>::infinity();  ///< line
@@ -30,7 +30,7 @@ Outline outlineOf(const Model& model, const Patch& patch) {
   for (const Loop& loop : patch.loops) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
       outline.shortest = std::min(outline.shortest, resolved.curve(loop[i]).length());
-      // Around a hole the corners are wide.
+      // The corners around a hole are wide angles of the patch.
       if (&loop != &patch.loops.front()) continue;
       const Vec3 in = -resolved.curve(loop[i]).sample(1.0).derivative;
       const Vec3 out = resolved.curve(loop[(i + 1) % loop.size()]).sample(0.0).derivative;
@@ -52,9 +52,9 @@ PatchSummary summaryOf(Model model, const Patch& patch, double size) {
   return mesher.patchSummaries().front();
 }
 
-TEST(SurfaceGalleryPatches, EveryPatchHasTheTrianglesPromisedAtAConstantSize) {
-  // Small against a patch is a size that goes eight times into a side of the square of its
-  // perimeter, and three times into its shortest line.
+TEST(SurfaceGalleryPatches, TrianglesHaveThePromisedQualityAtAUniformSize) {
+  // A size is small if a square of the same perimeter is at least eight sizes wide, and the shortest line at least three
+  // sizes long.
   constexpr double kAcross = 8.0;
   constexpr double kAlong = 3.0;
   constexpr double kAngle = 20.0;
@@ -65,7 +65,7 @@ TEST(SurfaceGalleryPatches, EveryPatchHasTheTrianglesPromisedAtAConstantSize) {
       SCOPED_TRACE(name + ": " + patchNames[i]);
       const Outline outline = outlineOf(model, model.patches[i]);
       ++patches;
-      // A corner of the lines leaves a triangle no wider an angle than its own.
+      // The angle of a triangle in a corner is at most that of the corner.
       const bool isSharp = outline.sharpest < kAngle;
       sharp += isSharp ? 1 : 0;
       for (const double finer : {1.0, 2.0}) {

@@ -1,4 +1,4 @@
-// Sides of lines, Löhner & Parikh 1988, section 5.1: their lengths against the size field.
+// The sides of lines (Löhner & Parikh 1988, section 5.1): their lengths compared with the size field.
 
 #include "surface/line_mesher.h"
 
@@ -18,7 +18,7 @@ SizeField gridField(const Vec3& low, const Vec3& high, auto&& sizeAt) {
   return SizeField::fromGrid(GridLocator(boxGrid(low, high, sizeAt)));
 }
 
-/// Side lengths divided by the size asked for at the side's middle.
+/// Per side: length / target size at its middle.
 std::vector<double> ratios(const LineDivision& division, const SizeField& field) {
   std::vector<double> found;
   FieldHint hint;
@@ -39,7 +39,7 @@ void expectWellFormed(const LineDivision& division, const Curve& curve) {
     EXPECT_LT(division.parameters[i], division.parameters[i + 1]);
 }
 
-TEST(SurfaceLineMesher, StraightLineOfUniformSizeIsCutIntoEqualSides) {
+TEST(SurfaceLineMesher, StraightLineOfUniformSizeIsDividedIntoEqualSides) {
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {10, 0, 0}});
   for (const double size : {0.3, 1.0, 2.6, 7.0, 30.0}) {
     const LineDivision division = divideLine(curve, SizeField::uniform(size), 1);
@@ -50,14 +50,14 @@ TEST(SurfaceLineMesher, StraightLineOfUniformSizeIsCutIntoEqualSides) {
   }
 }
 
-TEST(SurfaceLineMesher, RespectsTheSmallestNumberOfSides) {
+TEST(SurfaceLineMesher, HasAtLeastTheGivenNumberOfSides) {
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(divideLine(curve, SizeField::uniform(50.0), 1).sideCount(), 1U);
   EXPECT_EQ(divideLine(curve, SizeField::uniform(50.0), 3).sideCount(), 3U);
 }
 
-TEST(SurfaceLineMesher, SidesKeepToAGradedField) {
-  // Lines of all types across a box whose size grows tenfold.
+TEST(SurfaceLineMesher, SidesFollowAGradedField) {
+  // Lines of all types across a box in which the size grows tenfold.
   const Vec3 low(-3, -3, -3);
   const Vec3 high(9, 3, 3);
   const SizeField field = gridField(low, high, [](const Vec3& p) { return p.x < 0 ? 0.05 : 0.5; });
@@ -74,26 +74,26 @@ TEST(SurfaceLineMesher, SidesKeepToAGradedField) {
     const LineDivision division = divideLine(curve, field, 1);
     expectWellFormed(division, curve);
     const std::vector<double> found = ratios(division, field);
-    const auto [least, most] = std::ranges::minmax(found);
-    EXPECT_GT(least, 0.5) << "seed " << seed;
-    EXPECT_LT(most, 1.5) << "seed " << seed;
+    const auto [smallest, largest] = std::ranges::minmax(found);
+    EXPECT_GT(smallest, 0.5) << "seed " << seed;
+    EXPECT_LT(largest, 1.5) << "seed " << seed;
     double mean = 0.0;
     for (const double ratio : found) mean += ratio / static_cast<double>(found.size());
     EXPECT_NEAR(mean, 1.0, 0.05) << "seed " << seed;
   }
 }
 
-TEST(SurfaceLineMesher, SidesKeepToASteepField) {
-  // Size 1 at one end, 1/1000 at the other, over ten units.
+TEST(SurfaceLineMesher, SidesFollowASteepField) {
+  // The size is 1 at one end and 1/1000 at the other, ten units away.
   const SizeField field =
       gridField({-1, -1, -1}, {11, 1, 1}, [](const Vec3& p) { return p.x < 0 ? 1e-3 : 1.0; });
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {10, 0, 0}});
   const LineDivision division = divideLine(curve, field, 1);
   expectWellFormed(division, curve);
   const std::vector<double> found = ratios(division, field);
-  const auto [least, most] = std::ranges::minmax(found);
-  EXPECT_GT(least, 0.75);
-  EXPECT_LT(most, 1.25);
+  const auto [smallest, largest] = std::ranges::minmax(found);
+  EXPECT_GT(smallest, 0.75);
+  EXPECT_LT(largest, 1.25);
   // The integral of dx / h: ln(h1/h0) / slope.
   const double slope = (1.0 - 1e-3) / 12.0;
   const double expected = std::log((1e-3 + 11 * slope) / (1e-3 + slope)) / slope;
@@ -101,7 +101,7 @@ TEST(SurfaceLineMesher, SidesKeepToASteepField) {
 }
 
 TEST(SurfaceLineMesher, FindsASmallSizeInTheMiddleOfALine) {
-  // A grid whose size dips from 5 to 0.1 and back: a cross-section of a wake.
+  // A grid whose size falls from 5 to 0.1 and rises again: a cross-section of a wake.
   BackgroundGrid grid =
       boxGrid({-1, -1, -1}, {5, 1, 1}, [](const Vec3& p) { return p.x < 0 ? 5.0 : 0.1; });
   const BackgroundGrid right =
@@ -113,12 +113,12 @@ TEST(SurfaceLineMesher, FindsASmallSizeInTheMiddleOfALine) {
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {10, 0, 0}});
   const LineDivision division = divideLine(curve, field, 1);
   expectWellFormed(division, curve);
-  const auto [least, most] = std::ranges::minmax(ratios(division, field));
-  EXPECT_GT(least, 0.5);
-  EXPECT_LT(most, 1.5);
+  const auto [smallest, largest] = std::ranges::minmax(ratios(division, field));
+  EXPECT_GT(smallest, 0.5);
+  EXPECT_LT(largest, 1.5);
 }
 
-TEST(SurfaceLineMesher, ClosedSplineIsDividedAllTheWayRound) {
+TEST(SurfaceLineMesher, ClosedSplineIsDividedAlongItsWholeLength) {
   ModelBuilder builder;
   const Loop loop = builder.circle({0, 0, 0}, 1.0, 1);
   const Curve curve(LineType::kCubicSpline, [&] {
@@ -142,16 +142,16 @@ TEST(SurfaceLineMesher, ReportsWhereALineLeavesTheGrid) {
   EXPECT_LT(division.position.z, 1.2);
 }
 
-TEST(SurfaceLineMesher, RefusesAnAbsurdSize) {
+TEST(SurfaceLineMesher, RejectsAnAbsurdSize) {
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {1, 0, 0}});
   const LineDivision division = divideLine(curve, SizeField::uniform(1e-9), 1);
   EXPECT_EQ(division.status, LineDivisionStatus::kTooManySides);
   EXPECT_NEAR(division.requiredSides, 1e9, 1e5);
-  EXPECT_LT(division.position.x, 1e-4) << "without walking the million sides that there may be";
+  EXPECT_LT(division.position.x, 1e-4) << "without walking a million sides";
 }
 
-TEST(SurfaceLineMesher, LongWalksGoOnThroughSmallSizesAtASinglePlace) {
-  // Sizes grow from almost nothing in the middle: there are few sides all the same.
+TEST(SurfaceLineMesher, LongWalksContinueThroughASmallSizeAtOnePosition) {
+  // The size is tiny at one position and grows from there, so few additional sides are needed.
   const Curve curve(LineType::kStraight, {{0, 0, 0}, {1, 0, 0}});
   SizeField field = SizeField::uniform(1.0 / 30000.0);
   field.addSources(
@@ -161,8 +161,8 @@ TEST(SurfaceLineMesher, LongWalksGoOnThroughSmallSizesAtASinglePlace) {
   EXPECT_GT(division.sideCount(), 30000U);
 }
 
-TEST(SurfaceLineMesher, RefusesASizeThatNoParameterCanTellFromZero) {
-  // Sizes dwindle from both sides towards a node in the middle of the line.
+TEST(SurfaceLineMesher, RejectsASizeBelowTheResolutionOfTheParameter) {
+  // From both ends, sizes fall towards a node in the middle of the line.
   constexpr double kTiny = 1e-17;
   BackgroundGrid grid =
       boxGrid({0, -1, -1}, {1, 1, 1}, [](const Vec3& p) { return p.x > 0.5 ? kTiny : 0.3; });

@@ -1,5 +1,5 @@
-// Whole surfaces: patches share the nodes of their lines, in a promised order, the same in every
-// run, in slices of any size.
+// Whole surfaces: patches share the nodes of their lines, and the mesh and the order of its nodes do not depend on the
+// slices.
 
 #include "surface/surface_mesher.h"
 
@@ -36,7 +36,7 @@ std::uint64_t fingerprintOf(const SurfaceMesh& mesh) {
   return fingerprint.value();
 }
 
-/// A body between two circles and a seamed tube.
+/// A region bounded by two discs and a tube with a seam.
 Model cylinder() {
   Model model = seamedTube(1.0, 2.0);
   model.patches.push_back({PatchType::kPlanar, {{{0, false}}}});
@@ -70,7 +70,7 @@ TEST(SurfaceMesher, CylinderWithASeamAndTwoDiscsIsWatertight) {
   }
 }
 
-TEST(SurfaceMesher, BentBoxesOfCoonsPatchesAreWatertight) {
+TEST(SurfaceMesher, CurvedBoxesOfCoonsPatchesAreWatertight) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Model model = randomBentBox(seed, 0.2);
     ASSERT_TRUE(diagnoseModel(model).empty()) << seed;
@@ -83,9 +83,8 @@ TEST(SurfaceMesher, BentBoxesOfCoonsPatchesAreWatertight) {
   }
 }
 
-/// A ring between two tubes, each of two Coons patches, whose inner circle is turned so that few
-/// sides of it cross few sides of the outer one: both planar patches want the lines that they share
-/// with the Coons patches halved.
+/// A ring between two tubes of two Coons patches each. The inner circle is rotated, so that with few sides it intersects
+/// the outer one: both planar patches need halved sides on the lines that they share with the Coons patches.
 Model ringOfTubes() {
   ModelBuilder builder;
   const double diagonal = std::sqrt(0.5);
@@ -128,9 +127,8 @@ TEST(SurfaceMesher, HalvingSidesOfSharedLinesDoesNotDependOnTheOrderOfPatches) {
   EXPECT_EQ(meshOf(model, field).sides, mesh.sides);
 }
 
-TEST(SurfaceMesher, CoarseSizesLeaveClosedAndParallelLinesTheSidesTheyNeed) {
-  // Two discs, one above the other: circles of one line each need three sides, those of two
-  // lines two each.
+TEST(SurfaceMesher, ClosedAndParallelLinesHaveEnoughSidesAtACoarseSize) {
+  // Two discs, one above the other: a circle of one line needs three sides; a circle of two lines needs two sides each.
   for (const int arcs : {1, 2}) {
     ModelBuilder builder;
     const Loop bottom = builder.circle({0, 0, 0}, 1.0, arcs);
@@ -146,7 +144,7 @@ TEST(SurfaceMesher, CoarseSizesLeaveClosedAndParallelLinesTheSidesTheyNeed) {
 
 TEST(SurfaceMesher, NodesComeInThePromisedOrder) {
   Model model = boxModel({0, 0, 0}, {1, 1, 1});
-  // A point and a line that nothing uses leave no node.
+  // An unused point and an unused line have no nodes.
   model.points.insert(model.points.begin(), Vec3(9, 9, 9));
   for (Line& line : model.lines)
     for (std::uint32_t& point : line.points) ++point;
@@ -155,7 +153,7 @@ TEST(SurfaceMesher, NodesComeInThePromisedOrder) {
   const SurfaceMesh mesh = meshOf(model, SizeField::uniform(0.3));
   for (std::uint32_t corner = 0; corner < 8; ++corner)
     EXPECT_EQ(pointOf(mesh, corner), model.points[corner + 1]);
-  // Then the inner nodes of the lines, which are exactly those that sides refer to.
+  // The inner nodes of the lines follow: all other nodes of sides.
   const std::uint32_t lastOnLines = *std::ranges::max_element(mesh.sides);
   EXPECT_EQ(mesh.sides.size(), 2 * mesh.sideLine.size());
   EXPECT_EQ(lastOnLines + 1, 8 + mesh.sideLine.size() - 12);
@@ -166,7 +164,7 @@ TEST(SurfaceMesher, NodesComeInThePromisedOrder) {
 }
 
 TEST(SurfaceMesher, NodesOfAPatchInACoordinatePlaneAreExactlyInIt) {
-  // 0.1 and 0.3 have no finite binary fraction, and neither have the weights of a spline.
+  // 0.1 and 0.3 are no finite binary fractions, and neither are the weights of a spline.
   const Vec3 u(0, 1, 0);
   const Vec3 v(0, 0, 1);
   ModelBuilder builder;
@@ -181,7 +179,7 @@ TEST(SurfaceMesher, NodesOfAPatchInACoordinatePlaneAreExactlyInIt) {
   }
 }
 
-TEST(SurfaceMesher, TrianglesTurnAlikeWithinAPatch) {
+TEST(SurfaceMesher, TrianglesOfAPatchHaveTheSameOrientation) {
   const SurfaceMesh mesh = meshOf(cylinder(), SizeField::uniform(0.3));
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::uint32_t>> directed;
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -207,7 +205,7 @@ TEST(SurfaceMesher, DirectionInWhichLinesAreDrawnDoesNotChangeTheMesh) {
   const Model model = cylinder();
   Model turned = model;
   for (std::size_t line = 0; line < turned.lines.size(); ++line) {
-    // A closed line has no lower end: its direction is the drawn one.
+    // A closed line has no lower end point: its curve has the direction in which it is drawn.
     if (turned.lines[line].points.front() == turned.lines[line].points.back()) continue;
     std::ranges::reverse(turned.lines[line].points);
     for (Patch& patch : turned.patches)
@@ -231,7 +229,7 @@ TEST(SurfaceMesher, SlicesAreShort) {
         longest, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
   EXPECT_GT(mesher.mesh().triangles.size() / 3, 90'000U);
-  // Milliseconds when alone; the bound leaves room for sanitizers and a busy machine.
+  // A slice takes milliseconds; the limit allows for sanitizers and a busy machine.
   EXPECT_LT(longest, 0.5);
 }
 
@@ -260,7 +258,7 @@ TEST(SurfaceMesher, ReportsEveryLineOutsideTheGrid) {
   MeshStatus status = MeshStatus::kRunning;
   while (status == MeshStatus::kRunning) status = mesher.advance(100);
   EXPECT_EQ(status, MeshStatus::kInvalidInput);
-  // Four lines around the top, four that go up to it.
+  // The four lines around the top, and the four that end there.
   EXPECT_EQ(mesher.diagnostics().size(), 8U);
   for (const Diagnostic& diagnostic : mesher.diagnostics()) {
     EXPECT_EQ(diagnostic.code, DiagnosticCode::kOutsideBackgroundGrid);
@@ -271,8 +269,8 @@ TEST(SurfaceMesher, ReportsEveryLineOutsideTheGrid) {
   }
 }
 
-TEST(SurfaceMesher, ReportsAPatchThatBulgesOutOfTheGrid) {
-  // The lines stay inside; the paraboloid between them does not.
+TEST(SurfaceMesher, ReportsAPatchThatLeavesTheGridBetweenItsLines) {
+  // The lines are inside; the paraboloid between them is not.
   ModelBuilder builder;
   const std::uint32_t front = builder.line(LineType::kParabolic, {{0, 0, 0}, {1, 0, 1}, {2, 0, 0}});
   const std::uint32_t right = builder.line(LineType::kParabolic, {{2, 0, 0}, {2, 1, 1}, {2, 2, 0}});
@@ -291,7 +289,7 @@ TEST(SurfaceMesher, ReportsAPatchThatBulgesOutOfTheGrid) {
   EXPECT_EQ(mesher.diagnostics().front().entities.front().kind, EntityKind::kPatch);
 }
 
-TEST(SurfaceMesher, RefusesAnAbsurdSizeAtOnce) {
+TEST(SurfaceMesher, RejectsAnAbsurdSizeAtOnce) {
   const Model model = boxModel({0, 0, 0}, {1, 1, 1});
   const SizeField field = SizeField::uniform(1e-8);
   SurfaceMesher mesher(model, field);
@@ -301,8 +299,8 @@ TEST(SurfaceMesher, RefusesAnAbsurdSizeAtOnce) {
   EXPECT_EQ(mesher.diagnostics().front().code, DiagnosticCode::kTooManyElements);
 }
 
-TEST(SurfaceMesher, ReportsLinesThatTouchWhereSamplesCannotSee) {
-  // The hole's edge lies on the outer edge to the last bit, but for the samples' tolerance.
+TEST(SurfaceMesher, ReportsLinesThatTouchBetweenSamples) {
+  // The edge of the hole lies exactly on the outer edge, which the tolerance of the samples hides.
   const Model model =
       polygonModel({squareCorners({0, 0, 0}, 1.0), {{0.25, 0, 0}, {0.75, 0, 0}, {0.5, 0.5, 0}}});
   const SizeField field = SizeField::uniform(0.3);

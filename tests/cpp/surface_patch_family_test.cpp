@@ -1,5 +1,5 @@
-// Two hundred random patches of all types: every one closes, with the shapes and lengths wanted
-// wherever the boundary leaves them free.
+// Two hundred random patches of all types: every front closes, and the triangles have the target shapes and lengths
+// unless the boundary determines them.
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST_P(SurfacePatchFamily, ClosesWithGoodTrianglesOfTheWantedSize) {
     EXPECT_GE(quality.minAngle, 20.0);
     EXPECT_GE(quality.meanRadiusRatio, 0.93);
     EXPECT_NEAR(quality.meanEdge, 1.0, 0.1);
-    // What the boundary decides is the exception, or the other figures would mean little.
+    // Few triangles may be determined by the boundary, or the other statistics would mean little.
     EXPECT_LE(quality.forced, 4 + triangleCount(mesh) / 20);
   }
 }
@@ -64,7 +64,7 @@ INSTANTIATE_TEST_SUITE_P(EveryType, SurfacePatchFamily,
                                            PatchType::kBarnhillGregoryNielson, PatchType::kCoons),
                          nameOf);
 
-/// A patch between two parabolas that leave one point in one direction.
+/// A patch between two parabolas that leave one point in the same direction.
 Model tangentCusp() {
   ModelBuilder builder;
   const Vec3 a(0, 0, 0);
@@ -78,7 +78,7 @@ Model tangentCusp() {
   return std::move(builder.model);
 }
 
-TEST(SurfacePatchQuality, CuspSpoilsNothingButItself) {
+TEST(SurfacePatchQuality, CuspAffectsOnlyTheTrianglesAtItsTip) {
   const Model model = tangentCusp();
   for (const double size : {0.2, 0.06, 0.02}) {
     const SizeField field = SizeField::uniform(size);

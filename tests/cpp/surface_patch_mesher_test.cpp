@@ -1,5 +1,4 @@
-// Single patches: they close whatever their shape, their triangles are good and of the size asked
-// for, on the patch and nowhere else.
+// Single patches: the front closes for every shape, and the triangles are good, of the target size, and on the patch.
 
 #include <gtest/gtest.h>
 
@@ -28,8 +27,8 @@ SurfaceMesh meshOf(const Model& model, const SizeField& field) {
   return mesher.takeMesh();
 }
 
-/// All that must hold for any patch.
-void expectSound(const SurfaceMeasures& found, long eulerCharacteristic, std::size_t sides) {
+/// The properties of every valid patch.
+void expectValid(const SurfaceMeasures& found, long eulerCharacteristic, std::size_t sides) {
   EXPECT_EQ(found.eulerCharacteristic(), eulerCharacteristic);
   EXPECT_EQ(found.borderEdges, sides);
   EXPECT_EQ(found.crowdedEdges, 0U);
@@ -41,7 +40,7 @@ TEST(SurfacePatchMesher, SquareIsCoveredByGoodTriangles) {
     const SizeField field = SizeField::uniform(size);
     const SurfaceMesh mesh = meshOf(model, field);
     const SurfaceMeasures found = measure(mesh, field);
-    expectSound(found, 1, mesh.sideLine.size());
+    expectValid(found, 1, mesh.sideLine.size());
     EXPECT_NEAR(found.area, 1.0, 1e-12);
     EXPECT_GT(found.minAngle, 30.0) << size;
     EXPECT_GT(found.meanRadiusRatio, 0.93) << size;
@@ -57,7 +56,7 @@ TEST(SurfacePatchMesher, RandomPolygonsWithHolesCloseWithTheirExactArea) {
     const SurfaceMesh mesh = meshOf(model, field);
     const SurfaceMeasures found = measure(mesh, field);
     SCOPED_TRACE(seed);
-    expectSound(found, 2 - static_cast<long>(model.patches.front().loops.size()),
+    expectValid(found, 2 - static_cast<long>(model.patches.front().loops.size()),
                 mesh.sideLine.size());
     EXPECT_NEAR(found.area, area, 1e-12 * area);
     if (seed % 2 != 0) continue;
@@ -74,7 +73,7 @@ TEST(SurfacePatchMesher, RandomCoonsPatchesClose) {
     const SurfaceMesh mesh = meshOf(model, field);
     const SurfaceMeasures found = measure(mesh, field);
     SCOPED_TRACE(seed);
-    expectSound(found, 1, mesh.sideLine.size());
+    expectValid(found, 1, mesh.sideLine.size());
     if (seed % 3 == 0) continue;
     EXPECT_GT(found.minAngle, 15.0);
     EXPECT_GT(found.meanRadiusRatio, 0.93);
@@ -97,7 +96,7 @@ TEST(SurfacePatchMesher, DiscWithAHoleConvergesToItsArea) {
   ModelBuilder builder;
   builder.patch(PatchType::kPlanar, {builder.circle({0, 0, 0}, 1.0, 4),
                                      builder.polygon(squareCorners({-0.1, 0.1, 0}, 0.4))});
-  // The splines are not quite a circle; what counts is what they enclose.
+  // The splines are not exactly a circle: compare with the area that they enclose.
   const ResolvedModel resolved(builder.model);
   double exact = -0.16;
   const std::vector<Vec3> samples =
@@ -112,7 +111,7 @@ TEST(SurfacePatchMesher, DiscWithAHoleConvergesToItsArea) {
     const double error = std::fabs(found.area - exact);
     EXPECT_EQ(found.eulerCharacteristic(), 0);
     EXPECT_GT(found.minAngle, 25.0);
-    // Second order: half the size, a quarter of the error, give or take.
+    // The error is of second order: half the size gives about a quarter of it.
     EXPECT_LT(error, 0.4 * previousError) << size;
     previousError = error;
   }
@@ -124,15 +123,15 @@ TEST(SurfacePatchMesher, GradedFieldIsFollowedOverTwoDecades) {
       boxGrid({-1, -1, -1}, {2, 2, 1}, [](const Vec3& p) { return p.x < 0 ? 0.001 : 0.2; })));
   const SurfaceMesh mesh = meshOf(model, field);
   const SurfaceMeasures found = measure(mesh, field);
-  expectSound(found, 1, mesh.sideLine.size());
+  expectValid(found, 1, mesh.sideLine.size());
   EXPECT_GT(found.minAngle, 25.0);
   EXPECT_GT(found.meanRadiusRatio, 0.93);
   EXPECT_NEAR(found.meanEdgeRatio, 1.0, 0.1);
 }
 
-TEST(SurfacePatchMesher, SizesInSpaceHoldOnAPlaneUnlikeThePatch) {
-  // Lines AB and DC of very different length, and a deep valley between them: the stretched
-  // plane is far from isometric, the metric has to make up for it.
+TEST(SurfacePatchMesher, SizesHoldInSpaceIfThePlaneDiffersFromThePatch) {
+  // Lines AB and DC have very different lengths, with a deep valley in between: the stretched plane is far from
+  // isometric, and the metric must compensate for it.
   ModelBuilder builder;
   const Vec3 a(0, 0, 0);
   const Vec3 b(4, 0, 0);
@@ -150,14 +149,14 @@ TEST(SurfacePatchMesher, SizesInSpaceHoldOnAPlaneUnlikeThePatch) {
 }
 
 TEST(SurfacePatchMesher, CoonsDiscWithFourSmoothCornersCloses) {
-  // Four arcs of one circle: at each corner the tangents are opposite, the mapping is singular.
+  // Four arcs of one circle: the tangents at each corner are opposite, so the mapping is singular there.
   ModelBuilder builder;
   builder.patch(PatchType::kCoons, {builder.circle({0, 0, 0}, 1.0, 4)});
   for (const double size : {0.3, 0.1, 0.03}) {
     const SizeField field = SizeField::uniform(size);
     const SurfaceMesh mesh = meshOf(builder.model, field);
     const SurfaceMeasures found = measure(mesh, field);
-    expectSound(found, 1, mesh.sideLine.size());
+    expectValid(found, 1, mesh.sideLine.size());
     EXPECT_GT(found.minAngle, 20.0) << size;
     EXPECT_GT(found.meanRadiusRatio, 0.9) << size;
   }
@@ -172,12 +171,12 @@ TEST(SurfacePatchMesher, TubeWithASeamIsWatertightAlongIt) {
     std::size_t circleSides = 0;
     for (const std::uint32_t line : mesh.sideLine) circleSides += line < 2 ? 1 : 0;
     SCOPED_TRACE(size);
-    expectSound(found, 0, circleSides);
+    expectValid(found, 0, circleSides);
   }
 }
 
-TEST(SurfacePatchMesher, CoarseSidesOnABentBorderAreHalvedUntilLoopsAreSimple) {
-  // A parabola sags into the patch between the corners of a notch that a single side would cut.
+TEST(SurfacePatchMesher, CoarseSidesOfABentLineAreHalvedUntilLoopsAreSimple) {
+  // A hole in the sag of a parabola: with a single side of the line, the hole would lie outside the patch.
   ModelBuilder builder;
   const std::uint32_t sag = builder.line(LineType::kParabolic, {{0, 1, 0}, {1, 0.1, 0}, {2, 1, 0}});
   builder.patch(PatchType::kPlanar, {{{sag, false},
@@ -190,15 +189,15 @@ TEST(SurfacePatchMesher, CoarseSidesOnABentBorderAreHalvedUntilLoopsAreSimple) {
   std::size_t sagSides = 0;
   for (const std::uint32_t line : mesh.sideLine) sagSides += line == sag ? 1 : 0;
   EXPECT_GE(sagSides, 2U);
-  expectSound(measure(mesh, field), 0, mesh.sideLine.size());
+  expectValid(measure(mesh, field), 0, mesh.sideLine.size());
 }
 
-TEST(SurfacePatchMesher, SidesGrowAwayFromALineMuchShorterThanTheirs) {
+TEST(SurfacePatchMesher, SidesGrowFromALineThatIsMuchShorter) {
   for (const double size : {0.3, 0.1}) {
     for (const double times : {3.0, 10.0, 100.0, 1000.0}) {
       SCOPED_TRACE("size " + std::to_string(size) + " over " + std::to_string(times));
       const double s = size / times;
-      // A square with a chamfer; with a step in one edge; with a point too many on one edge.
+      // A square with a chamfer; one with a step in an edge; one with two close points on an edge.
       for (const Model& model :
            {polygonModel({{{0, 0, 0}, {1, 0, 0}, {1, 1 - s, 0}, {1 - s, 1, 0}, {0, 1, 0}}}),
             polygonModel(
@@ -212,14 +211,14 @@ TEST(SurfacePatchMesher, SidesGrowAwayFromALineMuchShorterThanTheirs) {
   }
 }
 
-TEST(SurfacePatchMesher, LinesThatAreAllShortAskForNothingFiner) {
-  // Every edge is a tenth of the size: no side has a longer one beside it.
+TEST(SurfacePatchMesher, LinesThatAreAllShortNeedNoSmallerSides) {
+  // Every edge is a tenth of the size: no side is next to a longer one.
   const Model model = polygonModel({squareCorners({0, 0, 0}, 1.0)});
   EXPECT_EQ(triangleCount(meshOf(model, SizeField::uniform(10.0))), 2U);
 }
 
 TEST(SurfacePatchMesher, NodesOfOneStraightLineNeverFormATriangle) {
-  // A tilted triangle: its nodes along a line are collinear only up to rounding.
+  // A tilted triangle: the nodes of a line are collinear only up to rounding.
   const Model model = polygonModel({{{0.1, 0.2, 0.3}, {1.3, 0.7, 0.2}, {0.4, 1.1, 0.9}}});
   const SurfaceMesh mesh = meshOf(model, SizeField::uniform(0.02));
   std::vector<std::vector<std::uint32_t>> linesOf(nodeCount(mesh));
@@ -238,8 +237,8 @@ TEST(SurfacePatchMesher, NodesOfOneStraightLineNeverFormATriangle) {
   }
 }
 
-TEST(SurfacePatchMesher, CollinearLinesFormNoFlatTriangles) {
-  // One edge of a tilted square drawn as three lines, and a hole whose edges align with others.
+TEST(SurfacePatchMesher, CollinearLinesFormNoDegenerateTriangles) {
+  // One edge of a tilted square is drawn as three lines, and edges of the holes are collinear with others.
   const Vec3 u(0.6, 0.64, 0.48);
   const Vec3 v(-0.8, 0.48, 0.36);
   const auto at = [&](double x, double y) { return x * u + y * v; };

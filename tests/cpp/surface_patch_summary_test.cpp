@@ -1,4 +1,4 @@
-// The figures told per patch, against surfaces whose distance from a point is known.
+// The statistics of patches, compared with surfaces whose distance from a point is known.
 
 #include "surface/patch_summary.h"
 
@@ -31,7 +31,7 @@ Meshed meshOf(const Model& model, const SizeField& field) {
   return meshed;
 }
 
-/// The largest distance over the places a summary samples.
+/// The largest distance over the positions that a summary samples.
 template <class Distance>
 double largestDistance(const SurfaceMesh& mesh, Distance&& distance) {
   double largest = 0.0;
@@ -44,25 +44,25 @@ double largestDistance(const SurfaceMesh& mesh, Distance&& distance) {
   return largest;
 }
 
-/// From the parabola y = x^2, by Newton's method on the squared distance.
-double distanceFromParabola(const Vec3& place) {
-  double t = place.x;
+/// Distance from the parabola y = x^2, by Newton's method for the squared distance.
+double distanceFromParabola(const Vec3& position) {
+  double t = position.x;
   for (int i = 0; i < 50; ++i) {
-    const double slope = 2.0 * (t - place.x) + 4.0 * t * (t * t - place.y);
-    t -= slope / (2.0 + 12.0 * t * t - 4.0 * place.y);
+    const double slope = 2.0 * (t - position.x) + 4.0 * t * (t * t - position.y);
+    t -= slope / (2.0 + 12.0 * t * t - 4.0 * position.y);
   }
-  return std::hypot(t - place.x, t * t - place.y);
+  return std::hypot(t - position.x, t * t - position.y);
 }
 
-/// From the hyperbolic paraboloid z = x y, by minimizing along one coordinate after the other.
-double distanceFromSaddle(const Vec3& place) {
-  double x = place.x;
-  double y = place.y;
+/// Distance from the hyperbolic paraboloid z = x y, by minimizing along one coordinate after the other.
+double distanceFromSaddle(const Vec3& position) {
+  double x = position.x;
+  double y = position.y;
   for (int i = 0; i < 200; ++i) {
-    x = (place.x + y * place.z) / (1.0 + y * y);
-    y = (place.y + x * place.z) / (1.0 + x * x);
+    x = (position.x + y * position.z) / (1.0 + y * y);
+    y = (position.y + x * position.z) / (1.0 + x * x);
   }
-  return glm::length(Vec3(x, y, x * y) - place);
+  return glm::length(Vec3(x, y, x * y) - position);
 }
 
 TEST(SurfacePatchSummary, ParabolicCylinderHasTheChordDeviationOfItsTriangles) {
@@ -99,7 +99,7 @@ TEST(SurfacePatchSummary, SaddleHasTheChordDeviationOfItsTriangles) {
   }
 }
 
-TEST(SurfacePatchSummary, PlanarPatchesHaveNone) {
+TEST(SurfacePatchSummary, PlanarPatchesHaveNoChordDeviation) {
   const Model model = boxModel({0, 0, 0}, {1, 2, 3});
   const SizeField field = SizeField::uniform(0.21);
   const Meshed meshed = meshOf(model, field);
@@ -123,7 +123,7 @@ TEST(SurfacePatchSummary, PlanarPatchesHaveNone) {
   EXPECT_NEAR(least, all.minAngle, 1e-9);
 }
 
-TEST(SurfacePatchSummary, MeanEdgeIsThatOfTheEdgesEachCountedOnce) {
+TEST(SurfacePatchSummary, MeanEdgeCountsEachEdgeOnce) {
   const Model model = randomCoonsModel(7, 0.2);
   const SizeField field = SizeField::uniform(0.11);
   const Meshed meshed = meshOf(model, field);
@@ -140,11 +140,11 @@ TEST(SurfacePatchSummary, MeanEdgeIsMeasuredInTheMetric) {
   const SizeField field = SizeField::fromGrid(GridLocator(grid));
   const Meshed meshed = meshOf(polygonModel({squareCorners({0, 0, 0}, 2.0)}), field);
   EXPECT_NEAR(meshed.patches.front().meanEdge, 1.0, 0.1);
-  // 80 unit squares of the metric.
+  // The square has the area 80 in the metric.
   EXPECT_NEAR(meshed.patches.front().triangles, 80.0 * 4.0 / std::sqrt(3.0), 30.0);
 }
 
-TEST(SurfacePatchSummary, RunTellsThemForAModelOnly) {
+TEST(SurfacePatchSummary, RunHasThemForAModelOnly) {
   MeshOptions options;
   options.size = 0.5;
   MeshRun run(boxModel({0, 0, 0}, {1, 1, 1}), {}, options);

@@ -1,5 +1,5 @@
-// Thin bodies between patches that share the lines on both sides of a strip or corner: the patches
-// do not lie on one another, and the body closes.
+// Thin regions between patches that share the lines on both sides of a strip or corner: the patches do not coincide,
+// and the surface is closed.
 
 #include "surface/shared_strips.h"
 
@@ -28,8 +28,8 @@ OrientedLine arc(ModelBuilder& builder, const Vec3& from, const Vec3& middle, co
 
 OrientedLine turned(const OrientedLine& line) { return {line.line, !line.reversed}; }
 
-/// Two triangular patches between two lines that leave a point at `angle`, one with a rise of
-/// `high` over the line between the others' ends, one of `low`, and the planar patch between them.
+/// Two triangular patches between two lines that enclose `angle`. Their third lines rise by `high` and by `low` over the
+/// chord between the ends of the two lines; a planar patch lies between them.
 Model fin(PatchType type, Random& random, double angle, double low, double high) {
   ModelBuilder builder;
   const Vec3 tip(0.0);
@@ -72,7 +72,7 @@ Model lens(Random& random, double width, double low, double high) {
   return std::move(builder.model);
 }
 
-/// Two triangular patches of different type between the same three bent lines.
+/// Two triangular patches of different types between the same three bent lines.
 Model pillow() {
   ModelBuilder builder;
   const Vec3 a(0.0);
@@ -119,7 +119,7 @@ void expectOneBody(const Model& model, double size) {
   EXPECT_GT(tetrafront::enclosedVolume(mesh), 0.0);
 }
 
-TEST(SurfaceSharedStrips, SharpCornersCloseHoweverSharp) {
+TEST(SurfaceSharedStrips, CornersOfAnySharpnessClose) {
   for (const PatchType type :
        {PatchType::kBarnhillGregoryNielson, PatchType::kIsoparametricTriangle}) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
@@ -152,8 +152,8 @@ TEST(SurfaceSharedStrips, PillowOfTwoTrianglesCloses) {
   }
 }
 
-TEST(SurfaceSharedStrips, PatchesThatShareNoStripAreLeftAlone) {
-  // A tetrahedron of four triangles: every patch joins its three nodes, and no other has them all.
+TEST(SurfaceSharedStrips, PatchesThatShareNoStripDoNotChange) {
+  // A tetrahedron of four triangles: no other patch has all three nodes of a patch.
   ModelBuilder builder;
   const std::array<Vec3, 4> p{Vec3(0.0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
   for (const std::array<std::size_t, 3>& face :

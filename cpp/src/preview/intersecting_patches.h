@@ -8,7 +8,7 @@
 
 namespace tetrafront {
 
-/// Returns one diagnostic with a position per pair of patches (kPatchesMeet), and per patch that intersects itself
+/// Returns one diagnostic with a position per pair of patches (kPatchesIntersect), and per patch that intersects itself
 /// (kSelfIntersection). The triangles of the sampled patches are tested exactly; their nodes tell what they share. An
 /// intersection of curved patches is reported only if it persists when they are sampled more finely, so patches that
 /// are merely close are not reported. Intersections smaller than the samples are left to the check of the mesh. Skips
