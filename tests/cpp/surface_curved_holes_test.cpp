@@ -13,12 +13,12 @@
 #include "model/check_model.h"
 #include "model/patch_projection.h"
 #include "support/branched_tube.h"
+#include "support/meshed_surface.h"
 #include "support/models.h"
 #include "support/patch_family.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "support/surface_measures.h"
-#include "surface/surface_mesher.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront::testing {
@@ -60,15 +60,6 @@ std::vector<DiagnosticCode> codesOf(const Model& model) {
   std::vector<DiagnosticCode> codes;
   for (const Diagnostic& diagnostic : diagnoseModel(model)) codes.push_back(diagnostic.code);
   return codes;
-}
-
-SurfaceMesh meshOf(const Model& model, double size) {
-  const SizeField field = SizeField::uniform(size);
-  SurfaceMesher mesher(model, field);
-  MeshStatus status = MeshStatus::kRunning;
-  while (status == MeshStatus::kRunning) status = mesher.advance(1000);
-  EXPECT_EQ(status, MeshStatus::kDone);
-  return mesher.takeMesh();
 }
 
 TEST(ModelPatchProjection, FindsTheNearestPositionOfThePatch) {

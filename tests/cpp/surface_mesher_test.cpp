@@ -12,20 +12,13 @@
 
 #include "base/fingerprint.h"
 #include "model/check_model.h"
+#include "support/meshed_surface.h"
 #include "support/models.h"
 #include "support/shapes.h"
 #include "support/surface_measures.h"
 
 namespace tetrafront::testing {
 namespace {
-
-SurfaceMesh meshOf(const Model& model, const SizeField& field, std::uint32_t budget = 500) {
-  SurfaceMesher mesher(model, field);
-  MeshStatus status = MeshStatus::kRunning;
-  while (status == MeshStatus::kRunning) status = mesher.advance(budget);
-  EXPECT_EQ(status, MeshStatus::kDone);
-  return mesher.takeMesh();
-}
 
 std::uint64_t fingerprintOf(const SurfaceMesh& mesh) {
   Fingerprint fingerprint;

@@ -7,25 +7,14 @@
 #include <numbers>
 
 #include "geom/predicates.h"
-#include "model/check_model.h"
 #include "model/patch_surface.h"
+#include "support/meshed_surface.h"
 #include "support/models.h"
 #include "support/shapes.h"
 #include "support/surface_measures.h"
-#include "surface/surface_mesher.h"
 
 namespace tetrafront::testing {
 namespace {
-
-SurfaceMesh meshOf(const Model& model, const SizeField& field) {
-  EXPECT_TRUE(diagnoseModel(model).empty());
-  SurfaceMesher mesher(model, field);
-  MeshStatus status = MeshStatus::kRunning;
-  while (status == MeshStatus::kRunning) status = mesher.advance(1000);
-  EXPECT_EQ(status, MeshStatus::kDone);
-  EXPECT_TRUE(mesher.diagnostics().empty());
-  return mesher.takeMesh();
-}
 
 /// The properties of every valid patch.
 void expectValid(const SurfaceMeasures& found, long eulerCharacteristic, std::size_t sides) {

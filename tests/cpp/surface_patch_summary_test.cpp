@@ -7,29 +7,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "support/meshed_surface.h"
 #include "support/models.h"
 #include "support/shapes.h"
 #include "support/surface_measures.h"
-#include "surface/surface_mesher.h"
 #include "tetrafront/mesher.h"
 
 namespace tetrafront::testing {
 namespace {
-
-struct Meshed {
-  SurfaceMesh mesh;
-  std::vector<PatchSummary> patches;
-};
-
-Meshed meshOf(const Model& model, const SizeField& field) {
-  SurfaceMesher mesher(model, field);
-  while (mesher.advance(1000) == MeshStatus::kRunning) {
-  }
-  EXPECT_TRUE(mesher.diagnostics().empty());
-  Meshed meshed{{}, mesher.patchSummaries()};
-  meshed.mesh = mesher.takeMesh();
-  return meshed;
-}
 
 /// The largest distance over the positions that a summary samples.
 template <class Distance>
@@ -75,7 +60,7 @@ TEST(SurfacePatchSummary, ParabolicCylinderHasTheChordDeviationOfItsTriangles) {
                                      builder.straight({-1, 1, 2}, {-1, 1, 0})}});
   double previous = 1.0;
   for (const double size : {0.4, 0.2, 0.1, 0.05}) {
-    const Meshed meshed = meshOf(builder.model, SizeField::uniform(size));
+    const MeshedSurface meshed = meshSurface(builder.model, SizeField::uniform(size));
     ASSERT_EQ(meshed.patches.size(), 1U);
     const double deviation = meshed.patches.front().chordDeviation;
     const double exact = largestDistance(meshed.mesh, distanceFromParabola);
@@ -93,7 +78,7 @@ TEST(SurfacePatchSummary, SaddleHasTheChordDeviationOfItsTriangles) {
   builder.patch(PatchType::kCoons,
                 {builder.polygon({{-1, -1, 1}, {1, -1, -1}, {1, 1, 1}, {-1, 1, -1}})});
   for (const double size : {0.3, 0.1}) {
-    const Meshed meshed = meshOf(builder.model, SizeField::uniform(size));
+    const MeshedSurface meshed = meshSurface(builder.model, SizeField::uniform(size));
     const double exact = largestDistance(meshed.mesh, distanceFromSaddle);
     EXPECT_NEAR(meshed.patches.front().chordDeviation, exact, 0.05 * exact) << size;
   }
@@ -102,7 +87,7 @@ TEST(SurfacePatchSummary, SaddleHasTheChordDeviationOfItsTriangles) {
 TEST(SurfacePatchSummary, PlanarPatchesHaveNoChordDeviation) {
   const Model model = boxModel({0, 0, 0}, {1, 2, 3});
   const SizeField field = SizeField::uniform(0.21);
-  const Meshed meshed = meshOf(model, field);
+  const MeshedSurface meshed = meshSurface(model, field);
   const SurfaceMeasures all = measure(meshed.mesh, field);
   ASSERT_EQ(meshed.patches.size(), model.patches.size());
   double ratios = 0.0;
@@ -126,7 +111,7 @@ TEST(SurfacePatchSummary, PlanarPatchesHaveNoChordDeviation) {
 TEST(SurfacePatchSummary, MeanEdgeCountsEachEdgeOnce) {
   const Model model = randomCoonsModel(7, 0.2);
   const SizeField field = SizeField::uniform(0.11);
-  const Meshed meshed = meshOf(model, field);
+  const MeshedSurface meshed = meshSurface(model, field);
   EXPECT_NEAR(meshed.patches.front().meanEdge, measure(meshed.mesh, field).meanEdgeRatio, 1e-9);
 }
 
@@ -138,7 +123,7 @@ TEST(SurfacePatchSummary, MeanEdgeIsMeasuredInTheMetric) {
     node.direction = {1, 0, 0};
   }
   const SizeField field = SizeField::fromGrid(GridLocator(grid));
-  const Meshed meshed = meshOf(polygonModel({squareCorners({0, 0, 0}, 2.0)}), field);
+  const MeshedSurface meshed = meshSurface(polygonModel({squareCorners({0, 0, 0}, 2.0)}), field);
   EXPECT_NEAR(meshed.patches.front().meanEdge, 1.0, 0.1);
   // The square has the area 80 in the metric.
   EXPECT_NEAR(meshed.patches.front().triangles, 80.0 * 4.0 / std::sqrt(3.0), 30.0);

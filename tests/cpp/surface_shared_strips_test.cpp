@@ -12,12 +12,12 @@
 #include <set>
 
 #include "model/check_model.h"
+#include "support/meshed_surface.h"
 #include "support/models.h"
 #include "support/random.h"
 #include "support/shapes.h"
 #include "boundary/boundary.h"
 #include "sizing/expected_count.h"
-#include "surface/surface_mesher.h"
 
 namespace tetrafront::testing {
 namespace {
@@ -26,7 +26,7 @@ OrientedLine arc(ModelBuilder& builder, const Vec3& from, const Vec3& middle, co
   return {builder.line(LineType::kParabolic, {from, middle, to}), false};
 }
 
-OrientedLine turned(const OrientedLine& line) { return {line.line, !line.reversed}; }
+OrientedLine reversed(const OrientedLine& line) { return {line.line, !line.reversed}; }
 
 /// Two triangular patches between two lines that enclose `angle`. Their third lines rise by `high` and by `low` over the
 /// chord between the ends of the two lines; a planar patch lies between them.
@@ -41,9 +41,9 @@ Model fin(PatchType type, Random& random, double angle, double low, double high)
   const Vec3 up(0, 0, glm::length(b - a));
   const OrientedLine above = arc(builder, a, 0.5 * (a + b) + high * up, b);
   const OrientedLine below = arc(builder, a, 0.5 * (a + b) + low * up, b);
-  builder.patch(type, {{first, above, turned(last)}});
-  builder.patch(type, {{first, below, turned(last)}});
-  builder.patch(PatchType::kPlanar, {{above, turned(below)}});
+  builder.patch(type, {{first, above, reversed(last)}});
+  builder.patch(type, {{first, below, reversed(last)}});
+  builder.patch(PatchType::kPlanar, {{above, reversed(below)}});
   return std::move(builder.model);
 }
 
@@ -65,10 +65,10 @@ Model lens(Random& random, double width, double low, double high) {
   const OrientedLine last = along(right);
   const std::array<OrientedLine, 2> above{across(0, high), across(1, high)};
   const std::array<OrientedLine, 2> below{across(0, low), across(1, low)};
-  builder.patch(PatchType::kCoons, {{first, above[1], turned(last), turned(above[0])}});
-  builder.patch(PatchType::kCoons, {{first, below[1], turned(last), turned(below[0])}});
+  builder.patch(PatchType::kCoons, {{first, above[1], reversed(last), reversed(above[0])}});
+  builder.patch(PatchType::kCoons, {{first, below[1], reversed(last), reversed(below[0])}});
   for (std::size_t end = 0; end < 2; ++end)
-    builder.patch(PatchType::kPlanar, {{above[end], turned(below[end])}});
+    builder.patch(PatchType::kPlanar, {{above[end], reversed(below[end])}});
   return std::move(builder.model);
 }
 
@@ -86,17 +86,8 @@ Model pillow() {
   return std::move(builder.model);
 }
 
-SurfaceMesh meshOf(const Model& model, double size) {
-  const SizeField field = SizeField::uniform(size);
-  SurfaceMesher mesher(model, field);
-  MeshStatus status = MeshStatus::kRunning;
-  while (status == MeshStatus::kRunning) status = mesher.advance(1000);
-  EXPECT_EQ(status, MeshStatus::kDone);
-  return mesher.takeMesh();
-}
-
 /// Triangles with the same three nodes.
-std::size_t countDoubles(const SurfaceMesh& mesh) {
+std::size_t countDuplicates(const SurfaceMesh& mesh) {
   std::set<std::array<std::uint32_t, 3>> known;
   std::size_t doubles = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
@@ -108,10 +99,10 @@ std::size_t countDoubles(const SurfaceMesh& mesh) {
   return doubles;
 }
 
-void expectOneBody(const Model& model, double size) {
+void expectOneRegion(const Model& model, double size) {
   ASSERT_TRUE(diagnoseModel(model).empty());
   SurfaceMesh mesh = meshOf(model, size);
-  EXPECT_EQ(countDoubles(mesh), 0U);
+  EXPECT_EQ(countDuplicates(mesh), 0U);
   std::vector<Diagnostic> found;
   const BoundaryResult boundary = closeBoundary(mesh, BoundarySource::kDrawnPatches, found);
   EXPECT_TRUE(boundary.isValid);
@@ -130,7 +121,7 @@ TEST(SurfaceSharedStrips, CornersOfAnySharpnessClose) {
       const double low = seed % 3 == 0 ? 0.0 : -random.between(0.05, 0.4);
       const Model model =
           fin(type, random, degrees * std::numbers::pi / 180.0, low, random.between(0.05, 0.4));
-      expectOneBody(model, random.between(0.08, 0.6));
+      expectOneRegion(model, random.between(0.08, 0.6));
     }
   }
 }
@@ -141,14 +132,14 @@ TEST(SurfaceSharedStrips, ThinLensesOfFewTrianglesAcrossClose) {
     Random random(seed);
     const Model model = lens(random, random.between(0.05, 0.4), -random.between(0.05, 0.3),
                              random.between(0.05, 0.3));
-    expectOneBody(model, random.between(0.08, 0.6));
+    expectOneRegion(model, random.between(0.08, 0.6));
   }
 }
 
 TEST(SurfaceSharedStrips, PillowOfTwoTrianglesCloses) {
   for (const double size : {5.0, 1.0, 0.5}) {
     SCOPED_TRACE(size);
-    expectOneBody(pillow(), size);
+    expectOneRegion(pillow(), size);
   }
 }
 
