@@ -82,7 +82,7 @@ SampledVolume findSampledVolume(const Model& model, const SampledModel& sampled,
   const BoundaryResult closed =
       closeBoundary(surface.mesh, BoundarySource::kDrawnPatches, found, enclosed);
   if (std::ranges::any_of(found, isIntersection)) return result;
-  if (closed.valid) result.volume = enclosedVolume(surface.mesh);
+  if (closed.isValid) result.volume = enclosedVolume(surface.mesh);
   for (Diagnostic& diagnostic : found) {
     if (diagnostic.code == DiagnosticCode::kReorientedPatch) continue;
     // The user does not see the triangles of the samples.

@@ -6,12 +6,10 @@
 #include <utility>
 
 #include "base/diagnostics.h"
-#include "base/ids.h"
 #include "boundary/boundary_report.h"
-#include "boundary/edge_table.h"
 #include "boundary/surface_access.h"
 #include "boundary/surface_checks.h"
-#include "search/indexed_heap.h"
+#include "repair/edge_bisection.h"
 #include "sizing/check_options.h"
 #include "sizing/expected_count.h"
 #include "sizing/target_sizes.h"
@@ -35,9 +33,8 @@ SurfaceRefinement tooManyElements(std::vector<Entity> entities, double expected,
   Diagnostic tooMany;
   tooMany.code = DiagnosticCode::kTooManyElements;
   tooMany.entities = std::move(entities);
-  tooMany.values = {cappedCount(expected), most};
-  result_.diagnostics = {tooMany};
-  return finish();
+  tooMany.values = {cappedCount(expected), limit};
+  return refused({std::move(tooMany)});
 }
 
 SurfaceRefinement unchanged(SurfaceMesh& mesh) {

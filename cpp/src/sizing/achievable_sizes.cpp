@@ -36,7 +36,7 @@ double maxGridSize(const BackgroundGrid& grid) {
   return largest;
 }
 
-Vec3 centroidOf(const SurfaceMesh& surface, std::uint32_t triangle) {
+Vec3 centroidOf(const SurfaceMesh& surface, TriangleId triangle) {
   const auto [a, b, c] = cornersOf(surface, triangle);
   return (a + b + c) / 3.0;
 }
@@ -59,7 +59,7 @@ Task<> AchievableSizes::fitField(Work& work) {
   co_await work.forEachBlock(surface_.triangles.size() / 3,
                              [this](std::size_t first, std::size_t last) {
                                for (std::size_t t = first; t < last; ++t)
-                                 checkTriangle(static_cast<std::uint32_t>(t));
+                                 checkTriangle(TriangleId(t));
                              });
   work.beginPart(0.3);
   const std::vector<Vec3> points = pointsOf(surface_);
@@ -140,12 +140,12 @@ Task<AchievableSizes::Floor> AchievableSizes::findFloor(Work& work, const std::v
   co_await work.forEachBlock(surface_.triangles.size() / 3,
                              [&](std::size_t first, std::size_t last) {
                                for (std::size_t t = first; t < last; ++t)
-                                 add(centroidOf(surface_, static_cast<std::uint32_t>(t)));
+                                 add(centroidOf(surface_, TriangleId(t)));
                              });
   co_return floor;
 }
 
-void AchievableSizes::checkTriangle(std::uint32_t triangle) {
+void AchievableSizes::checkTriangle(TriangleId triangle) {
   const double coarseness = coarsenessOf(triangle);
   if (!(coarseness > kTooCoarse)) return;
   ++coarseCount_;
@@ -155,8 +155,8 @@ void AchievableSizes::checkTriangle(std::uint32_t triangle) {
 }
 
 /// Returns the largest ratio of a triangle's edge length / target length; 0 if it is certainly below kTooCoarse.
-double AchievableSizes::coarsenessOf(std::uint32_t triangle) {
-  const std::array<Vec3, 3> corners = cornersOf(surface_, TriangleId(triangle));
+double AchievableSizes::coarsenessOf(TriangleId triangle) {
+  const std::array<Vec3, 3> corners = cornersOf(surface_, triangle);
   double longest = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
     longest = std::max(longest, glm::length(corners[(k + 1) % 3] - corners[k]));
@@ -180,7 +180,7 @@ std::vector<Diagnostic> AchievableSizes::diagnostics() const {
   Diagnostic diagnostic;
   diagnostic.code = DiagnosticCode::kCoarseSurface;
   diagnostic.severity = Severity::kWarning;
-  diagnostic.entities = {{EntityKind::kTriangle, coarsest_}};
+  diagnostic.entities = {{EntityKind::kTriangle, coarsest_.value}};
   diagnostic.hasPlace = true;
   diagnostic.place = centroidOf(surface_, coarsest_);
   diagnostic.values = {static_cast<double>(coarseCount_), std::min(maxCoarseness_, kMaxRatio)};

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/ids.h"
 #include "base/task.h"
 #include "field/size_field.h"
 #include "tetrafront/background_grid.h"
@@ -46,8 +47,8 @@ class AchievableSizes {
   Task<Floor> findFloor(Work& work, const std::vector<Vec3>& points,
                         const std::vector<double>& lengths, double descent);
 
-  void checkTriangle(std::uint32_t triangle);
-  [[nodiscard]] double coarsenessOf(std::uint32_t triangle);
+  void checkTriangle(TriangleId triangle);
+  [[nodiscard]] double coarsenessOf(TriangleId triangle);
 
   const SurfaceMesh& surface_;
   const BackgroundGrid& grid_;
@@ -58,7 +59,7 @@ class AchievableSizes {
   double minTarget_ = 0.0;  ///< smallest target size
   FieldHint hint_;
   std::uint32_t coarseCount_ = 0;
-  std::uint32_t coarsest_ = 0;
+  TriangleId coarsest_;
   double maxCoarseness_ = 0.0;
   Job<> job_{[this](Work& work) { return fitField(work); }};  ///< last: uses the others
 };

@@ -19,7 +19,7 @@ constexpr double kTetrahedraPerTriangle = 0.5;
 
 double enclosedVolume(const SurfaceMesh& surface) {
   // The first node may be unused and far away: take a node of a triangle.
-  const Vec3 origin = pointOf(surface, surface.triangles.front());
+  const Vec3 origin = pointOf(surface, NodeId(surface.triangles.front()));
   double sixVolumes = 0.0;
   for (std::uint32_t t = 0; 3 * std::size_t{t} + 2 < surface.triangles.size(); ++t) {
     if (surface.isWall(t)) continue;

@@ -12,12 +12,12 @@ bool SurfaceCoverage::advance(std::uint32_t budget) {
   const auto [first, last] = take(budget);
   for (std::size_t i = first; i < last; ++i) {
     if (i < nodes) {
-      const auto node = static_cast<std::uint32_t>(i);
-      check(pointOf(surface_, node), {EntityKind::kSurfaceNode, node});
+      const NodeId node(i);
+      check(pointOf(surface_, node), {EntityKind::kSurfaceNode, node.value});
     } else {
-      const auto triangle = static_cast<std::uint32_t>(i - nodes);
+      const TriangleId triangle(i - nodes);
       const auto [a, b, c] = cornersOf(surface_, triangle);
-      check((a + b + c) * (1.0 / 3.0), {EntityKind::kTriangle, triangle});
+      check((a + b + c) * (1.0 / 3.0), {EntityKind::kTriangle, triangle.value});
     }
   }
   return isPassDone();
