@@ -2,20 +2,16 @@
 
 /// @file The surface meshes of valid models.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "field/size_field.h"
+#include "support/models.h"
 #include "tetrafront/mesh.h"
 #include "tetrafront/model.h"
 #include "tetrafront/status.h"
 
 namespace tetrafront::testing {
-
-inline constexpr std::array<PatchType, 4> kCurvedTypes{
-    PatchType::kIsoparametricTriangle, PatchType::kSerendipity, PatchType::kBarnhillGregoryNielson,
-    PatchType::kCoons};
 
 struct MeshedSurface {
   SurfaceMesh mesh;
