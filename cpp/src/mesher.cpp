@@ -1,14 +1,14 @@
 #include "tetrafront/mesher.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
-#include <variant>
 
-#include "base/budget.h"
 #include "base/diagnostics.h"
 #include "base/fingerprint.h"
+#include "base/task.h"
 #include "boundary/boundary.h"
 #include "field/size_field.h"
 #include "optimize/locality.h"
@@ -27,21 +27,30 @@
 namespace tetrafront {
 namespace {
 
-/// Where each phase ends on the progress bar, 0 to 1.
-constexpr double kCheckEnd = 0.02;
-constexpr double kModelSurfaceEnd = 0.15;
-constexpr double kVolumeEnd = 0.4;
-constexpr double kOptimizeEnd = 0.97;
-/// How much later the volume ends where the front has left everything to recovery.
-constexpr double kRecovery = 0.35;
+/// Where the first stages end on the progress bar, 0 to 1. Estimated shares of the time of typical runs.
+struct StageEnds {
+  double input;
+  double surface;
+  double boundary;
+  double sizes;
+};
+constexpr StageEnds kModelEnds{.input = 0.02, .surface = 0.14, .boundary = 0.15, .sizes = 0.15};
+constexpr StageEnds kSurfaceEnds{
+    .input = 0.004, .surface = 0.004, .boundary = 0.015, .sizes = 0.02};
 
-/// To come to so many elements in the order of a list costs as much as one step of the front.
-constexpr std::size_t kReorderedPerBudget = 32;
+/// Where the volume ends if the front leaves everything to recovery, and the share of its fronts.
+constexpr double kVolumeEnd = 0.75;
+constexpr double kFrontShare = 0.45;
+
+constexpr double kOptimizeEnd = 0.97;
+constexpr double kMeasureEnd = 0.98;
+
+/// Elements per unit of budget: copying one in the order of a list costs far less than a step of the front.
+constexpr std::size_t kReorderedPerUnit = 32;
 
 }  // namespace
 
-/// The rooms composed. One worker is there at a time; it hands what it has made to the run and goes,
-/// with all it needed, when the next one comes.
+/// Runs the stages one after the other. Each stage keeps its result in a member and frees its own memory.
 class MeshRun::Impl {
  public:
   Impl(Model model, BackgroundGrid grid, const MeshOptions& options)
@@ -56,30 +65,29 @@ class MeshRun::Impl {
 
   MeshStatus advance(std::uint32_t budget) {
     if (status_ != MeshStatus::kRunning) return status_;
-    std::visit([&](auto& worker) { work(worker, std::max(budget, 1U)); }, worker_);
-    if (status_ != MeshStatus::kRunning) {
-      end();
-    } else {
-      look();
-    }
+    const bool isFinished = job_->advance(budget);
+    if (isFinished) status_ = job_->take();
+    // A run that fails stays where it is on the progress bar.
+    if (!isFinished || status_ == MeshStatus::kDone) fraction_ = job_->fraction();
+    if (isFinished) job_.reset();
     return status_;
   }
 
   void cancel() {
     if (status_ != MeshStatus::kRunning) return;
     status_ = MeshStatus::kCancelled;
-    end();
+    job_.reset();
+    keepUnfinished();
   }
 
   [[nodiscard]] MeshStatus status() const { return status_; }
   [[nodiscard]] const std::vector<Diagnostic>& diagnostics() const { return diagnostics_; }
   [[nodiscard]] const SurfaceMesh& surface() const { return surface_; }
-
   [[nodiscard]] const std::vector<PatchSummary>& patchSummaries() const { return patches_; }
 
   [[nodiscard]] VolumeMesh volume() const {
-    if (const auto* mesher = std::get_if<RegionMesher>(&worker_)) return mesher->mesh();
-    if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) return optimizer->mesh();
+    if (front_) return front_->mesh();
+    if (optimizer_) return optimizer_->mesh();
     return mesh_;
   }
 
@@ -87,14 +95,8 @@ class MeshRun::Impl {
     return status_ == MeshStatus::kDone ? quality_ : measureQuality(volume());
   }
   [[nodiscard]] const QualityStatistics& statistics() const { return statistics_; }
-  [[nodiscard]] RecoverySummary recovery() const {
-    const auto* mesher = std::get_if<RegionMesher>(&worker_);
-    return mesher != nullptr ? mesher->recovery() : recovery_;
-  }
-  [[nodiscard]] FrontCounters counters() const {
-    const auto* mesher = std::get_if<RegionMesher>(&worker_);
-    return mesher != nullptr ? mesher->counters() : counters_;
-  }
+  [[nodiscard]] RecoverySummary recovery() const { return front_ ? front_->recovery() : recovery_; }
+  [[nodiscard]] FrontCounters counters() const { return front_ ? front_->counters() : counters_; }
 
   [[nodiscard]] std::uint64_t fingerprint() const {
     const VolumeMesh mesh = volume();
@@ -111,14 +113,14 @@ class MeshRun::Impl {
     progress.expectedTetrahedra = expectedTetrahedra_;
     progress.triangles = static_cast<std::uint32_t>(surface_.triangles.size() / 3);
     progress.points = static_cast<std::uint32_t>(surface_.points.size() / 3);
-    if (const auto* mesher = std::get_if<RegionMesher>(&worker_)) {
-      progress.points = mesher->nodeCount();
-      progress.tetrahedra = mesher->tetrahedronCount();
-      progress.frontFaces = mesher->frontFaceCount();
+    if (front_) {
+      progress.points = front_->nodeCount();
+      progress.tetrahedra = front_->tetrahedronCount();
+      progress.frontFaces = front_->frontFaceCount();
       progress.exactFill = exactFill_;
-    } else if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) {
-      progress.points = optimizer->pointCount();
-      progress.tetrahedra = optimizer->tetrahedronCount();
+    } else if (optimizer_) {
+      progress.points = optimizer_->pointCount();
+      progress.tetrahedra = optimizer_->tetrahedronCount();
     } else if (!mesh_.points.empty()) {
       progress.points = static_cast<std::uint32_t>(mesh_.points.size() / 3);
       progress.tetrahedra = static_cast<std::uint32_t>(mesh_.tetrahedra.size() / 4);
@@ -128,269 +130,242 @@ class MeshRun::Impl {
   }
 
  private:
-  struct InputCheck {
-    std::optional<Job<CheckedInput>> ofModel;
-    std::optional<BackgroundGridCheck> ofGrid;  ///< with a given surface
-  };
-  // Done in one step each.
-  struct Estimate {};
-  struct Nobody {};
+  Task<MeshStatus> run(Work& work);
+  void begin(Work& work, Phase phase, double end);
 
-  using Worker = std::variant<InputCheck, SurfaceMesher, BoundaryCheck, TargetSizes,
-                              AchievableSizes, Estimate, RegionMesher, MortonReordering,
-                              MeshOptimizer, QualityAnalysis, MeshVerifier, Nobody>;
+  // The stages. Those that return a boolean return false if the input is invalid.
+  Task<bool> checkInput(Work& work);
+  Task<bool> meshSurface(Work& work);
+  Task<bool> checkBoundary(Work& work);
+  Task<bool> findSizes(Work& work);
+  bool limitElements();
+  Task<MeshStatus> fill(Work& work);
+  Task<> optimize(Work& work);
+  Task<> measure(Work& work);
+  Task<MeshStatus> verify(Work& work);
 
-  [[nodiscard]] bool isModel() const { return model_.has_value(); }
-  [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
-
-  void fail() { status_ = MeshStatus::kInvalidInput; }
+  void followFront(Work& work, std::optional<std::uint32_t>& section);
+  void keepUnfinished();
 
   void report(const std::vector<Diagnostic>& found) {
     diagnostics_.insert(diagnostics_.end(), found.begin(), found.end());
   }
-
-  [[nodiscard]] bool wasReported(DiagnosticCode code) const {
+  [[nodiscard]] bool hasReported(DiagnosticCode code) const {
     return std::ranges::any_of(diagnostics_,
                                [&](const Diagnostic& known) { return known.code == code; });
   }
-
-  /// Keeps what an unfinished worker has made.
-  void end() {
-    if (auto* mesher = std::get_if<RegionMesher>(&worker_)) {
-      keepFront(*mesher);
-    } else if (const auto* optimizer = std::get_if<MeshOptimizer>(&worker_)) {
-      mesh_ = optimizer->mesh();
-    }
-    if (status_ == MeshStatus::kDone) fraction_ = 1.0;
-    worker_.emplace<Nobody>();
-  }
-
-  void keepFront(RegionMesher& mesher) {
-    mesh_ = mesher.take();
-    recovery_ = mesher.recovery();
-    counters_ = mesher.counters();
-  }
-
-  // work() on each worker's own, about `budget` of it; the worker is gone once the next is there.
-
-  void work(InputCheck& check, std::uint32_t budget) {
-    if (isModel()) {
-      // What a preview says.
-      if (!check.ofModel)
-        check.ofModel.emplace(
-            [this](Work& work) { return checkInput(work, *model_, grid_, options_); });
-      if (!check.ofModel->advance(budget)) return;
-      CheckedInput found = check.ofModel->take();
-      report(found.preview.diagnostics);
-      if (anyError(diagnostics_) || !found.field) return fail();
-      field_ = std::move(found.field);
-      worker_.emplace<SurfaceMesher>(*model_, *field_);
-    } else {
-      if (!check.ofGrid) {
-        report(checkOptions(options_));
-        if (anyError(diagnostics_)) return fail();
-        check.ofGrid = targetSizeCheck(grid_, options_);
-      }
-      if (!check.ofGrid->advance(budget)) return;
-      report(check.ofGrid->take());
-      worker_.emplace<BoundaryCheck>(surface_, BoundarySource::kGivenSurface, options_.enclosed,
-                                     MixedOrientation::kRefuse);
-    }
-  }
-
-  void work(SurfaceMesher& mesher, std::uint32_t budget) {
-    const MeshStatus status = mesher.advance(budget);
-    if (status == MeshStatus::kRunning) return;
-    report(mesher.diagnostics());
-    if (status != MeshStatus::kDone || anyError(diagnostics_)) return fail();
-    surface_ = mesher.takeMesh();
-    patches_ = mesher.patchSummaries();
-    worker_.emplace<BoundaryCheck>(surface_, BoundarySource::kDrawnPatches, options_.enclosed,
-                                   MixedOrientation::kRefuse);
-  }
-
-  void work(BoundaryCheck& check, std::uint32_t budget) {
-    if (!check.advance(budget)) return;
-    for (const Diagnostic& found : check.diagnostics()) {
-      // How the bodies of a model are nested was told with the check of the input.
-      if (found.code != DiagnosticCode::kNestedRegions || !wasReported(found.code)) report({found});
-    }
-    if (!check.result().isValid || anyError(diagnostics_)) return fail();
-    if (isModel()) {
-      worker_.emplace<Estimate>();
-    } else {
-      report(checkLargestSize(surface_, options_.size));
-      worker_.emplace<TargetSizes>(surface_, grid_, options_, EdgeSizes::kCount);
-    }
-  }
-
-  void work(TargetSizes& sizes, std::uint32_t budget) {
-    if (!sizes.advance(budget)) return;
-    report(sizes.diagnostics());
-    if (anyError(diagnostics_)) return fail();
-    field_ = sizes.take();
-    worker_.emplace<AchievableSizes>(surface_, grid_, options_, *field_);
-  }
-
-  void work(AchievableSizes& sizes, std::uint32_t budget) {
-    if (!sizes.advance(budget)) return;
-    report(sizes.diagnostics());
-    worker_.emplace<Estimate>();
-  }
-
-  void work(Estimate& /*worker*/, std::uint32_t /*budget*/) {
-    const double expected = expectedTetrahedra(surface_, *field_);
-    if (!(expected <= static_cast<double>(options_.maxTetrahedra))) {
-      Diagnostic tooMany;
-      tooMany.code = DiagnosticCode::kTooManyElements;
-      tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
-      report({tooMany});
-      return fail();
-    }
-    expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
-    worker_.emplace<RegionMesher>(surface_, *field_, options_);
-  }
-
-  void work(RegionMesher& mesher, std::uint32_t budget) {
-    const MeshStatus status = mesher.advance(budget);
-    if (status == MeshStatus::kRunning) return;
-    report(mesher.diagnostics());
-    if (status != MeshStatus::kDone) {
-      status_ = status;
-      return;
-    }
-    keepFront(mesher);
-    if (options_.optimization == Optimization::kNone) return judge();
-    worker_.emplace<MortonReordering>(mesh_, boundaryNodes());
-  }
-
-  void work(MortonReordering& reordering, std::uint32_t budget) {
-    if (!reordering.advance(scaledBudget(budget, kReorderedPerBudget))) return;
-    mesh_ = reordering.take();
-    worker_.emplace<MeshOptimizer>(std::exchange(mesh_, {}), boundaryNodes(), *field_,
-                                   options_.optimization);
-  }
-
-  void work(MeshOptimizer& optimizer, std::uint32_t budget) {
-    if (!optimizer.advance(budget)) return;
-    mesh_ = optimizer.mesh();
-    judge();
-  }
-
-  void judge() { worker_.emplace<QualityAnalysis>(mesh_, surface_, *field_); }
-
-  void work(QualityAnalysis& survey, std::uint32_t budget) {
-    if (!survey.advance(budget)) return;
-    quality_ = survey.summary();
-    statistics_ = survey.statistics();
-    worker_.emplace<MeshVerifier>(mesh_, surface_);
-  }
-
-  /// The engine's own exact verdict; a failure is our mistake, and is told rather than hidden.
-  void work(MeshVerifier& verifier, std::uint32_t budget) {
-    if (!verifier.advance(budget)) return;
-    const std::uint64_t defects = verifier.defects().count();
-    if (defects == 0) {
-      status_ = MeshStatus::kDone;
-      return;
-    }
-    Diagnostic failed;
-    failed.code = DiagnosticCode::kVerificationFailed;
-    failed.values = {static_cast<double>(defects)};
-    report({failed});
-    statistics_ = {};
-    status_ = MeshStatus::kStalled;
-  }
-
-  void work(Nobody& /*worker*/, std::uint32_t /*budget*/) {}
-
-  /// Where a run is: `part`, 0 to 1, of a section of its way, which ends there on the progress bar.
-  struct Position {
-    Phase phase;
-    double end;
-    double part = 0.0;
-    std::uint32_t section = 0;  ///< of the worker's own
-  };
-
-  [[nodiscard]] double surfaceEnd() const { return isModel() ? kModelSurfaceEnd : kCheckEnd; }
-
-  [[nodiscard]] Position positionOf(const InputCheck& check) const {
-    return {Phase::kCheck, kCheckEnd, check.ofModel ? check.ofModel->fraction() : 0.0};
-  }
-  [[nodiscard]] Position positionOf(const SurfaceMesher& mesher) const {
-    return {mesher.phase(), surfaceEnd(), mesher.fraction()};
-  }
-  [[nodiscard]] Position positionOf(const BoundaryCheck& check) const {
-    if (isModel()) return {Phase::kSurface, surfaceEnd()};
-    return {Phase::kCheck, kCheckEnd, check.fraction()};
-  }
-  [[nodiscard]] Position positionOf(const TargetSizes& /*sizes*/) const {
-    return {Phase::kCheck, kCheckEnd};
-  }
-  [[nodiscard]] Position positionOf(const AchievableSizes& /*sizes*/) const {
-    return {Phase::kCheck, kCheckEnd};
-  }
-  [[nodiscard]] Position positionOf(const Estimate& /*worker*/) const {
-    return {Phase::kVolume, kVolumeEnd};
-  }
-  [[nodiscard]] Position positionOf(const RegionMesher& mesher) const {
-    const double end = surfaceEnd() +
-                       (kVolumeEnd - surfaceEnd()) * mesher.passFractionAtSectionEnd() +
-                       kRecovery * mesher.openShare();
-    return {Phase::kVolume, end, mesher.sectionFraction(), mesher.section()};
-  }
-  [[nodiscard]] Position positionOf(const MortonReordering& /*reordering*/) const {
-    return {Phase::kOptimize, kVolumeEnd};
-  }
-  [[nodiscard]] Position positionOf(const MeshOptimizer& optimizer) const {
-    return {Phase::kOptimize, kOptimizeEnd, optimizer.fraction()};
-  }
-  [[nodiscard]] Position positionOf(const QualityAnalysis& /*survey*/) const {
-    return {Phase::kVerify, kOptimizeEnd};
-  }
-  [[nodiscard]] Position positionOf(const MeshVerifier& verifier) const {
-    return {Phase::kVerify, 1.0, verifier.fraction()};
-  }
-  [[nodiscard]] Position positionOf(const Nobody& /*worker*/) const { return {phase_, fraction_}; }
-
-  /// Sweeps that repeat take their estimate back, as do tries that fail; the bar must not.
-  void look() {
-    const Position at = std::visit([&](const auto& worker) { return positionOf(worker); }, worker_);
-    phase_ = at.phase;
-    const std::pair section(worker_.index(), at.section);
-    if (section != section_) {
-      section_ = section;
-      sectionBegan_ = fraction_;
-      exactFill_ = 0.0;
-    }
-    const double end = std::max(at.end, sectionBegan_);
-    fraction_ = std::max(fraction_, sectionBegan_ + (end - sectionBegan_) * at.part);
-    if (const auto* mesher = std::get_if<RegionMesher>(&worker_)) {
-      exactFill_ = std::max(exactFill_, mesher->exactFillFraction());
-    }
-  }
+  [[nodiscard]] std::size_t boundaryNodes() const { return surface_.points.size() / 3; }
 
   MeshOptions options_;
-  std::optional<Model> model_;
+  std::optional<Model> model_;  ///< none if a surface is given
   BackgroundGrid grid_;
   MeshStatus status_ = MeshStatus::kRunning;
   Phase phase_ = Phase::kCheck;
   double fraction_ = 0.0;
-  std::pair<std::size_t, std::uint32_t> section_;  ///< worker's number, and its own
-  double sectionBegan_ = 0.0;                      ///< where fraction_ was then
   double exactFill_ = 0.0;
   SurfaceMesh surface_;
   std::vector<PatchSummary> patches_;
   std::optional<SizeField> field_;
   std::uint32_t expectedTetrahedra_ = 0;
-  VolumeMesh mesh_;  ///< between two workers, and from the last on
+  std::optional<RegionMesher> front_;       ///< while it fills
+  std::optional<MeshOptimizer> optimizer_;  ///< while it optimizes
+  VolumeMesh mesh_;                         ///< at all other times
   RecoverySummary recovery_;
   FrontCounters counters_;
   QualitySummary quality_;
   QualityStatistics statistics_;
   std::vector<Diagnostic> diagnostics_;
-  Worker worker_;  ///< the last: it refers to the others
+  /// The last member: its tasks use the others. None once the run has ended.
+  std::optional<Job<MeshStatus>> job_{std::in_place, [this](Work& work) { return run(work); }};
 };
+
+/// The chain F1-F9 of Löhner & Parikh 1988, section 2, then optimization and verification.
+Task<MeshStatus> MeshRun::Impl::run(Work& work) {
+  const StageEnds& ends = model_ ? kModelEnds : kSurfaceEnds;
+  begin(work, Phase::kCheck, ends.input);
+  if (!co_await checkInput(work)) co_return MeshStatus::kInvalidInput;
+
+  if (model_) {
+    begin(work, Phase::kSides, ends.surface);
+    if (!co_await meshSurface(work)) co_return MeshStatus::kInvalidInput;
+  }
+  begin(work, model_ ? Phase::kSurface : Phase::kCheck, ends.boundary);
+  if (!co_await checkBoundary(work)) co_return MeshStatus::kInvalidInput;
+
+  if (!model_) {
+    begin(work, Phase::kCheck, ends.sizes);
+    if (!co_await findSizes(work)) co_return MeshStatus::kInvalidInput;
+  }
+  if (!limitElements()) co_return MeshStatus::kInvalidInput;
+
+  begin(work, Phase::kVolume, kVolumeEnd);
+  const MeshStatus filled = co_await fill(work);
+  if (filled != MeshStatus::kDone) co_return filled;
+
+  if (options_.optimization != Optimization::kNone) {
+    begin(work, Phase::kOptimize, kOptimizeEnd);
+    co_await optimize(work);
+  }
+  begin(work, Phase::kVerify, kMeasureEnd);
+  co_await measure(work);
+  begin(work, Phase::kVerify, 1.0);
+  co_return co_await verify(work);
+}
+
+void MeshRun::Impl::begin(Work& work, Phase phase, double end) {
+  phase_ = phase;
+  work.beginPart(end);
+}
+
+Task<bool> MeshRun::Impl::checkInput(Work& work) {
+  if (!model_) {
+    report(checkOptions(options_));
+    if (anyError(diagnostics_)) co_return false;
+    BackgroundGridCheck check = targetSizeCheck(grid_, options_);
+    co_await work.finish(check);
+    // Errors of the grid end the run after the boundary check, so that the user gets all diagnostics at once.
+    report(check.take());
+    co_return true;
+  }
+  CheckedInput input = co_await tetrafront::checkInput(work, *model_, grid_, options_);
+  report(input.preview.diagnostics);
+  field_ = std::move(input.field);
+  co_return field_.has_value() && !anyError(diagnostics_);
+}
+
+Task<bool> MeshRun::Impl::meshSurface(Work& work) {
+  SurfaceMesher mesher(*model_, *field_);
+  MeshStatus status = mesher.advance(work.remaining());
+  for (; status == MeshStatus::kRunning; status = mesher.advance(work.remaining())) {
+    phase_ = mesher.phase();
+    work.setFraction(mesher.fraction());
+    co_await work.yield();
+  }
+  report(mesher.diagnostics());
+  if (status != MeshStatus::kDone || anyError(diagnostics_)) co_return false;
+  surface_ = mesher.takeMesh();
+  patches_ = mesher.patchSummaries();
+  co_await work.yield();
+  co_return true;
+}
+
+Task<bool> MeshRun::Impl::checkBoundary(Work& work) {
+  const BoundarySource source =
+      model_ ? BoundarySource::kDrawnPatches : BoundarySource::kGivenSurface;
+  BoundaryCheck check(surface_, source, options_.enclosed, MixedOrientation::kRefuse);
+  co_await work.finish(check);
+  for (const Diagnostic& found : check.diagnostics()) {
+    // The input check has already reported how the regions of a model are nested.
+    if (found.code != DiagnosticCode::kNestedRegions || !hasReported(found.code)) report({found});
+  }
+  co_return check.result().isValid && !anyError(diagnostics_);
+}
+
+/// Finds the sizes in a given surface: from its own edges, the options and the background grid.
+Task<bool> MeshRun::Impl::findSizes(Work& work) {
+  report(checkLargestSize(surface_, options_.size));
+  work.beginPart(0.5);
+  {
+    TargetSizes target(surface_, grid_, options_, EdgeSizes::kCount);
+    co_await work.finish(target);
+    report(target.diagnostics());
+    if (anyError(diagnostics_)) co_return false;
+    field_ = target.take();
+  }
+  work.beginPart(1.0);
+  AchievableSizes achievable(surface_, grid_, options_, *field_);
+  co_await work.finish(achievable);
+  report(achievable.diagnostics());
+  co_return true;
+}
+
+/// Estimates how many elements the sizes ask for; false, with a diagnostic, if they are too many.
+bool MeshRun::Impl::limitElements() {
+  const double expected = expectedTetrahedra(surface_, *field_);
+  if (expected <= static_cast<double>(options_.maxTetrahedra)) {
+    expectedTetrahedra_ = static_cast<std::uint32_t>(expected);
+    return true;
+  }
+  Diagnostic tooMany;
+  tooMany.code = DiagnosticCode::kTooManyElements;
+  tooMany.values = {cappedCount(expected), static_cast<double>(options_.maxTetrahedra)};
+  report({tooMany});
+  return false;
+}
+
+Task<MeshStatus> MeshRun::Impl::fill(Work& work) {
+  std::optional<std::uint32_t> section;
+  front_.emplace(surface_, *field_, options_);
+  MeshStatus status = front_->advance(work.remaining());
+  for (; status == MeshStatus::kRunning; status = front_->advance(work.remaining())) {
+    followFront(work, section);
+    co_await work.yield();
+  }
+  report(front_->diagnostics());
+  keepUnfinished();
+  co_await work.yield();
+  co_return status;
+}
+
+/// Follows the progress of the front. A section is a front or its recovery; the part of a section begins with it.
+void MeshRun::Impl::followFront(Work& work, std::optional<std::uint32_t>& section) {
+  if (section != front_->section()) {
+    section = front_->section();
+    exactFill_ = 0.0;
+    work.beginPart(kFrontShare * front_->passFractionAtSectionEnd() +
+                   (1.0 - kFrontShare) * front_->openShare());
+  }
+  work.setFraction(front_->sectionFraction());
+  // A failed attempt lowers the mesher's own estimate. The reported progress never decreases.
+  exactFill_ = std::max(exactFill_, front_->exactFillFraction());
+}
+
+/// Keeps what the front or the optimizer has made so far, and frees their memory.
+void MeshRun::Impl::keepUnfinished() {
+  if (front_) {
+    mesh_ = front_->take();
+    recovery_ = front_->recovery();
+    counters_ = front_->counters();
+    front_.reset();
+  } else if (optimizer_) {
+    mesh_ = optimizer_->mesh();
+    optimizer_.reset();
+  }
+}
+
+Task<> MeshRun::Impl::optimize(Work& work) {
+  work.beginPart(0.01);
+  {
+    MortonReordering reordering(mesh_, boundaryNodes());
+    co_await work.finish(reordering, kReorderedPerUnit);
+    mesh_ = reordering.take();
+  }
+  work.beginPart(1.0);
+  optimizer_.emplace(std::exchange(mesh_, {}), boundaryNodes(), *field_, options_.optimization);
+  co_await work.finish(*optimizer_);
+  keepUnfinished();
+}
+
+Task<> MeshRun::Impl::measure(Work& work) {
+  QualityAnalysis analysis(mesh_, surface_, *field_);
+  co_await work.finish(analysis);
+  quality_ = analysis.summary();
+  statistics_ = analysis.statistics();
+}
+
+/// Proves the result exactly. A defect is a mistake of the engine; the run then ends as stalled.
+Task<MeshStatus> MeshRun::Impl::verify(Work& work) {
+  MeshVerifier verifier(mesh_, surface_);
+  co_await work.finish(verifier);
+  const std::uint64_t defects = verifier.defects().count();
+  if (defects == 0) co_return MeshStatus::kDone;
+  Diagnostic failed;
+  failed.code = DiagnosticCode::kVerificationFailed;
+  failed.values = {static_cast<double>(defects)};
+  report({failed});
+  statistics_ = {};
+  co_return MeshStatus::kStalled;
+}
 
 MeshRun::MeshRun(Model model, BackgroundGrid grid, const MeshOptions& options)
     : impl_(std::make_unique<Impl>(std::move(model), std::move(grid), options)) {}

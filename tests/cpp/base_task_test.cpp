@@ -351,6 +351,27 @@ TEST(Work, DividesItsProgressIntoNestedParts) {
   EXPECT_EQ(job.fraction(), 1.0);
 }
 
+TEST(Work, CompletesOnlyThePartInWhichATaskEnds) {
+  struct Early {
+    static Task<> inner(Work& work) {
+      work.beginPart(0.5);
+      co_await work.yield();
+      co_return;
+    }
+    static Task<> outer(Work& work) {
+      co_await inner(work);
+      co_await work.yield();
+    }
+  };
+  Job job([](Work& work) { return Early::outer(work); });
+  EXPECT_FALSE(job.advance(1));
+  EXPECT_EQ(job.fraction(), 0.0);
+  EXPECT_FALSE(job.advance(1));
+  EXPECT_EQ(job.fraction(), 0.5);
+  EXPECT_TRUE(job.advance(1));
+  EXPECT_EQ(job.fraction(), 1.0);
+}
+
 TEST(Work, NeverTakesProgressBack) {
   Job job([](Work& work) { return Parts::root(work); });
   double before = 0.0;

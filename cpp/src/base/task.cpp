@@ -22,6 +22,7 @@ bool Work::advance(std::uint32_t budget) {
     }
   }
   if (failure_) std::rethrow_exception(failure_);
+  if (!running_) fraction_ = 1.0;
   return !running_;
 }
 
@@ -50,13 +51,13 @@ void TaskPromise::begin(Work& work, std::coroutine_handle<> self, std::coroutine
 }
 
 void TaskPromise::end() noexcept {
-  work_->task_ = outerTask_;
-  work_->part_ = outerPart_;
   if (work_->failure_) {
     work_->running_ = nullptr;
     return;
   }
   work_->setFraction(1.0);
+  work_->task_ = outerTask_;
+  work_->part_ = outerPart_;
   work_->running_ = parent_;
 }
 

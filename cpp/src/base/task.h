@@ -66,7 +66,8 @@ class Work {
                                                  std::size_t itemsPerUnit = 1);
 
   /// The work up to the next part takes the progress of the running task from where it is to `end`, 0 to 1. A task
-  /// that is awaited there divides this part further. A task that declares no parts is one part.
+  /// that is awaited there divides this part further. A task that declares no parts is one part. The last part is
+  /// complete when the task ends; parts that were not begun are left out.
   void beginPart(double end);
   /// Sets the progress of the running part, 0 to 1. The progress of the job never decreases.
   void setFraction(double ofPart);
