@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file FNV-1a over 64-bit words: the same value on every platform for the same bits.
+/// @file FNV-1a hash over 64-bit words: equal on all platforms for equal bits.
 
 #include <bit>
 #include <cstdint>

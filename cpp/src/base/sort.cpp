@@ -9,10 +9,10 @@
 namespace tetrafront::sorting {
 namespace {
 
-/// Shorter runs are not worth merging.
+/// Length of the first runs: merging shorter ones does not pay.
 constexpr std::size_t kRun = 8;
 
-/// Word by word: records are short, and a call of memcpy would cost more than the words.
+/// Copies word by word: records are short, and a call of memcpy() would cost more.
 void copyRecord(std::byte* to, const std::byte* from, std::size_t size) {
   for (std::size_t at = 0; at < size; at += sizeof(std::uint32_t)) {
     std::memcpy(to + at, from + at, sizeof(std::uint32_t));
@@ -72,7 +72,7 @@ bool RecordSort::mergeRuns(std::size_t budget, const Before& before) {
   return true;
 }
 
-/// Of the two runs there.
+/// Begins to merge the two runs at the current position.
 void RecordSort::beginMerge(std::size_t at) {
   const std::size_t middle = at + std::min(length_, bytes_ - at);
   a_ = from_ + at;
@@ -83,9 +83,9 @@ void RecordSort::beginMerge(std::size_t at) {
 }
 
 void RecordSort::merge(std::size_t& budget, const Before& before) {
-  // In order already where it is so at the seam.
+  // The two runs are in order if the records at their seam are.
   if (b_ != last_ && (b_ != middle_ || before(b_, b_ - size_))) {
-    // Kept apart from the members, which bytes that are written might be.
+    // Copy the pointers into locals: a write through `std::byte*` may alias the members.
     const std::byte* a = a_;
     const std::byte* b = b_;
     std::byte* out = out_;
@@ -103,7 +103,7 @@ void RecordSort::merge(std::size_t& budget, const Before& before) {
     budget = left;
     if (a_ != middle_ && b_ != last_) return;
   }
-  // What is only copied costs little, yet something.
+  // Copying costs little, but it counts.
   constexpr std::size_t kCopiesPerStep = 8;
   const auto copied = static_cast<std::size_t>((middle_ - a_) + (last_ - b_)) / size_;
   budget -= std::min(budget, copied / kCopiesPerStep + 1);
@@ -112,7 +112,7 @@ void RecordSort::merge(std::size_t& budget, const Before& before) {
   endMerge();
 }
 
-/// Goes on to the next two runs, or to runs twice as long.
+/// Continues with the next two runs, or with runs twice as long.
 void RecordSort::endMerge() {
   const auto at = static_cast<std::size_t>(out_ - to_);
   if (at < bytes_) return beginMerge(at);

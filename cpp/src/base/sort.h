@@ -1,7 +1,8 @@
 #pragma once
 
-/// @file Sorting by code that all types of elements share. libc++'s std::sort is compiled anew for each
-/// type and order, two to five kilobytes of the browser's download every time; here only the comparison is.
+/// @file Sorting with code that all element types share. libc++ compiles std::sort again for each
+/// type and order, which adds 2 to 5 kB to the download each time. Here, only the comparison is
+/// compiled again.
 
 #include <algorithm>
 #include <array>
@@ -18,7 +19,7 @@ namespace tetrafront {
 
 namespace sorting {
 
-/// Records of `size` bytes, a multiple of 4 and at most kLargestRecord, one after the other.
+/// Contiguous records of `size` bytes, a multiple of 4 and at most kLargestRecord.
 struct Records {
   void* first;
   std::size_t count;
@@ -27,7 +28,8 @@ struct Records {
 
 constexpr std::size_t kLargestRecord = 128;
 
-/// Whether the record at `a` comes before that at `b`.
+/// Order of two records: call(less, a, b) is true if the record at `a` comes before the one at
+/// `b`.
 struct Before {
   bool (*call)(const void* less, const void* a, const void* b);
   const void* less;
@@ -35,14 +37,15 @@ struct Before {
   bool operator()(const void* a, const void* b) const { return call(less, a, b); }
 };
 
-/// Merges runs that grow from a few records on. O(n log n), and O(n) where they are in order already.
+/// Merge sort that starts with runs of a few records. O(n log n), and O(n) if the records are
+/// already in order.
 class RecordSort {
  public:
-  /// The records must stay where they are, and as they are, until they are sorted.
+  /// The records must not move or change until they are sorted.
   explicit RecordSort(const Records& records);
 
-  /// Goes on for about `budget` records, each of which is come to log n times; true when finished. Runs
-  /// in order are copied at once.
+  /// Visits about `budget` records; returns true when the sort is finished. Each record is visited
+  /// about log n times. Runs that are already in order are only copied.
   bool advance(std::size_t budget, const Before& before);
 
  private:
@@ -59,18 +62,18 @@ class RecordSort {
   std::unique_ptr<std::byte[]> room_;  // NOLINT(*-avoid-c-arrays)
   std::byte* from_ = nullptr;
   std::byte* to_ = nullptr;
-  std::size_t length_ = 0;        ///< of the runs that are merged
-  const std::byte* a_ = nullptr;  ///< the rest of one run, up to middle_
-  const std::byte* b_ = nullptr;  ///< the rest of the next one, up to last_
+  std::size_t length_ = 0;        ///< length of the runs that are merged
+  const std::byte* a_ = nullptr;  ///< rest of one run, up to middle_
+  const std::byte* b_ = nullptr;  ///< rest of the next run, up to last_
   const std::byte* middle_ = nullptr;
   const std::byte* last_ = nullptr;
   std::byte* out_ = nullptr;
 };
 
-/// All at once.
+/// Sorts in one call.
 void sortRecords(const Records& records, const Before& before);
 
-/// May be moved as bytes. Pairs may, although their assignment is no trivial one.
+/// True if elements may be moved as bytes. Pairs may be, although their assignment is not trivial.
 template <class T>
 constexpr bool kIsPlain =
     std::is_trivially_copy_constructible_v<T> && std::is_trivially_destructible_v<T> &&
@@ -78,8 +81,9 @@ constexpr bool kIsPlain =
 
 }  // namespace sorting
 
-/// Sorts contiguous plain elements; equal ones keep their order. A comparison costs a call through a
-/// pointer. Throws bad_alloc where there is no room for a second copy; a few need none.
+/// Sorts contiguous plain elements; equal elements keep their order. A comparison costs a call
+/// through a pointer. Throws bad_alloc if there is no memory for a second copy; a few elements
+/// need none.
 template <class Range, class Less = std::less<>>
 void stableSort(Range&& range, const Less& less = {}) {
   using T = std::remove_reference_t<decltype(*std::data(range))>;
@@ -90,17 +94,17 @@ void stableSort(Range&& range, const Less& less = {}) {
   sorting::sortRecords({std::data(range), std::size(range), sizeof(T)}, {call, &less});
 }
 
-/// stableSort in slices.
+/// Does the work of stableSort() in slices.
 template <class T, class Less = std::less<>>
 class SlicedSort {
  public:
-  /// The elements must stay where they are until they are sorted, and not change meanwhile.
+  /// The elements must not move or change until they are sorted.
   explicit SlicedSort(std::span<T> elements, Less less = {})
       : less_(std::move(less)), sort_({elements.data(), elements.size(), sizeof(T)}) {
     static_assert(sorting::kIsPlain<T>);
   }
 
-  /// Goes on for about `budget` elements, each of which is come to log n times; true when finished.
+  /// Visits about `budget` elements, each about log n times; true when finished.
   bool advance(std::size_t budget) {
     const auto call = [](const void* order, const void* a, const void* b) -> bool {
       return (*static_cast<const Less*>(order))(*static_cast<const T*>(a),
@@ -114,7 +118,7 @@ class SlicedSort {
   sorting::RecordSort sort_;
 };
 
-/// As stableSort, for ranges in hot loops that nearly always have a few elements only.
+/// Does the same as stableSort(), for ranges in hot loops that nearly always have few elements.
 template <class Range, class Less = std::less<>>
 void sortFew(Range&& range, const Less& less = {}) {
   constexpr std::size_t kFew = 32;
@@ -133,14 +137,14 @@ void sortFew(Range&& range, const Less& less = {}) {
   }
 }
 
-/// Each of them once, in ascending order.
+/// Sorts the elements in ascending order and removes duplicates.
 template <class T>
 void sortUnique(std::vector<T>& values) {
   stableSort(values);
   values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
-/// The elements in ascending order: of a face's nodes, for example.
+/// Returns the elements in ascending order, for example the nodes of a face.
 template <class T, std::size_t N>
 [[nodiscard]] constexpr std::array<T, N> sorted(std::array<T, N> elements) {
   for (std::size_t i = 1; i < N; ++i) {

@@ -12,7 +12,7 @@
 
 namespace tetrafront {
 
-/// The next float below, or above, a finite value.
+/// Return the next float below, or above, a finite value.
 inline float nextBelow(float value) {
   if (value == 0.0F) return std::bit_cast<float>(0x80000001U);
   const auto bits = std::bit_cast<std::uint32_t>(value);
@@ -20,8 +20,8 @@ inline float nextBelow(float value) {
 }
 inline float nextAbove(float value) { return -nextBelow(-value); }
 
-// Without branches, which would be coin tosses. A zero that was rounded away from its value has the
-// value's sign, so that its neighbour is the next number of that sign.
+// Branch-free, because the branch would be unpredictable. A result rounded to zero keeps the sign
+// of `value`, so stepping its bit pattern gives the next float of that sign.
 inline float roundedDown(double value) {
   const auto rounded = static_cast<float>(value);
   const auto bits = std::bit_cast<std::uint32_t>(rounded);
@@ -34,7 +34,7 @@ struct Box {
   std::array<float, 3> low;
   std::array<float, 3> high;
 
-  /// The box of three points.
+  /// Returns the box of three points.
   static Box of(const Vec3& a, const Vec3& b, const Vec3& c) {
     Box box;
     for (int k = 0; k < 3; ++k) {
@@ -44,7 +44,7 @@ struct Box {
     return box;
   }
 
-  /// Grows to hold the box that reaches so far around `centre`. Returns true if it grew.
+  /// Extends the box by centre - reach and centre + reach. Returns true if it grew.
   bool include(const Vec3& centre, const Vec3& reach = Vec3(0.0)) {
     bool grew = false;
     for (int k = 0; k < 3; ++k) {

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Which coordinates can be computed with.
+/// @file Range of the coordinates that the engine accepts.
 
 #include <cmath>
 
@@ -8,26 +8,27 @@
 
 namespace tetrafront {
 
-/// Larger coordinates would overflow the exact predicates' expansions; they are as good as
-/// infinite.
+/// Coordinates above this limit would overflow the expansions of the exact predicates; they count
+/// as infinite.
 inline constexpr double kLargestCoordinate = 0x1p100;
 
-/// Where all coordinates are smaller, products of three differences of them lose their last bits.
+/// If all coordinates are below this limit, products of three differences lose their last bits.
 inline constexpr double kSmallestExtent = 0x1p-100;
 
-/// The largest of the coordinates, without their signs.
+/// Returns the largest magnitude of the coordinates.
 [[nodiscard]] inline double magnitudeOf(const Vec3& place) {
   return std::fmax(std::fabs(place.x), std::fmax(std::fabs(place.y), std::fabs(place.z)));
 }
 
-/// True if no coordinate is NaN or beyond kLargestCoordinate.
+/// Returns true if no coordinate is NaN or beyond kLargestCoordinate.
 [[nodiscard]] inline bool isFinite(const Vec3& place) {
   // A comparison with NaN is false.
   return std::fabs(place.x) <= kLargestCoordinate && std::fabs(place.y) <= kLargestCoordinate &&
          std::fabs(place.z) <= kLargestCoordinate;
 }
 
-/// The first coordinate that keeps a place from being finite; its x where none does.
+/// Returns the first coordinate that keeps a position from being finite, or its x if there is
+/// none.
 [[nodiscard]] inline double refusedCoordinate(const Vec3& place) {
   for (const double coordinate : {place.x, place.y, place.z})
     if (!(std::fabs(coordinate) <= kLargestCoordinate)) return coordinate;

@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Numbers m * 2^e with m and e whole, of many digits: every double is one, and sums,
-/// differences and products are exact. For constructed points, whose coordinates are longer than a
-/// double; where doubles are enough, expansions are faster.
+/// @file Numbers m * 2^e with integers m and e of any length: every double is one, and sums,
+/// differences and products are exact. They hold constructed points, whose coordinates do not fit
+/// into a double. For coordinates in doubles, expansions are faster.
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace tetrafront {
 
-/// Digits of 32 bits, least first. A few are held in place; only longer numbers, as far apart
-/// exponents make them, are kept on the heap.
+/// Digits of 32 bits, least significant first. A few digits are stored in place; longer numbers,
+/// which result from distant exponents, use the heap.
 class Digits {
  public:
   Digits() = default;
@@ -34,7 +34,7 @@ class Digits {
   std::uint32_t operator[](std::size_t i) const { return data()[i]; }
   std::uint32_t& operator[](std::size_t i) { return data()[i]; }
 
-  /// So many digits, all zero.
+  /// Sets `count` digits, all zero.
   void reset(std::size_t size) {
     size_ = size;
     if (size > kInPlace) {
@@ -43,7 +43,7 @@ class Digits {
       std::fill_n(few_.begin(), size, 0U);
     }
   }
-  /// Leaves out all but `count` digits from `first` on.
+  /// Keeps only `count` digits from `first` on.
   void keep(std::size_t first, std::size_t count) {
     const std::uint32_t* from = data() + first;
     std::uint32_t* to = count > kInPlace ? many_.data() : few_.data();
@@ -75,10 +75,10 @@ class Dyadic {
   explicit Dyadic(double value);
 
   [[nodiscard]] int sign() const { return digits_.size() == 0 ? 0 : (isNegative_ ? -1 : 1); }
-  /// How many digits it spans.
+  /// Number of digits that it spans.
   [[nodiscard]] std::size_t digitCount() const { return digits_.size(); }
-  /// Exact where a double can hold it, else within two units in the last place. Not for numbers
-  /// beyond the range of doubles.
+  /// Exact if a double can hold the number, else within two units in the last place. The number
+  /// must be in the range of doubles.
   [[nodiscard]] double toDouble() const { return toDoubleAt(0); }
 
   [[nodiscard]] Dyadic negated() const;
@@ -87,13 +87,13 @@ class Dyadic {
   friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
   friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
 
-  /// a / b in double, within a few units in the last place; b must not be zero.
+  /// Returns a / b as a double, within a few units in the last place; b must not be zero.
   friend double quotient(const Dyadic& a, const Dyadic& b);
 
  private:
-  /// This times 2^(32 shift).
+  /// Returns this number times 2^(32 shift).
   [[nodiscard]] double toDoubleAt(int shift) const;
-  /// The digit of weight 2^(32 place).
+  /// Returns the digit of weight 2^(32 place).
   [[nodiscard]] std::uint32_t digitAt(int place) const {
     const int i = place - lowest_;
     return i >= 0 && i < static_cast<int>(digits_.size()) ? digits_[static_cast<std::size_t>(i)]
@@ -106,8 +106,8 @@ class Dyadic {
   void clear(int lowest, int end);
   void trim();
 
-  Digits digits_;   ///< neither end zero
-  int lowest_ = 0;  ///< the first digit's weight is 2^(32 lowest_)
+  Digits digits_;   ///< without zeros at either end
+  int lowest_ = 0;  ///< weight of the first digit is 2^(32 lowest_)
   bool isNegative_ = false;
 };
 
@@ -120,7 +120,7 @@ using DyadicVec3 = std::array<Dyadic, 3>;
 [[nodiscard]] Dyadic dot(const DyadicVec3& a, const DyadicVec3& b);
 [[nodiscard]] DyadicVec3 cross(const DyadicVec3& a, const DyadicVec3& b);
 
-/// (b-a) x (c-a) . (d-a), exactly.
+/// Returns (b-a) x (c-a) . (d-a), exactly.
 [[nodiscard]] Dyadic determinant(const DyadicVec3& a, const DyadicVec3& b, const DyadicVec3& c,
                                  const DyadicVec3& d);
 

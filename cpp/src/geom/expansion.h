@@ -1,15 +1,15 @@
 #pragma once
 
 /// @file Exact sums of doubles (Shewchuk 1997, "Adaptive precision floating-point arithmetic"):
-/// a number is held as a sum of doubles that do not overlap, least first, zeros left out. The
-/// sign of the number is the sign of its last term.
+/// a number is a sum of doubles that do not overlap, least first, without zeros. Its sign is the
+/// sign of the last term.
 
 #include <array>
 #include <cstddef>
 
 namespace tetrafront {
 
-/// A value and the rounding error that was made computing it: high + low is exact.
+/// A rounded value and its rounding error: high + low is exact.
 struct TwoTerms {
   double high;
   double low;
@@ -22,13 +22,13 @@ inline TwoTerms twoSum(double a, double b) {
   return {sum, (a - aVirtual) + (b - bVirtual)};
 }
 
-/// As twoSum, for |a| >= |b|.
+/// Does the same as twoSum(), for |a| >= |b|.
 inline TwoTerms fastTwoSum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// Dekker's split: high has 26 bits, low the rest.
+/// Splits a double by Dekker's method: high has 26 bits, low the rest.
 inline TwoTerms splitBits(double a) {
   constexpr double kSplitter = 134217729.0;  // 2^27 + 1
   const double scaled = kSplitter * a;
@@ -75,7 +75,7 @@ class Expansion {
   std::size_t size_ = 0;
 };
 
-/// a - b, exactly.
+/// Returns a - b, exactly.
 inline Expansion<2> exactDifference(double a, double b) { return Expansion<2>(twoSum(a, -b)); }
 
 template <std::size_t N, std::size_t M>
@@ -120,7 +120,7 @@ Expansion<2 * N> scaled(const Expansion<N>& e, double factor) {
   return product;
 }
 
-/// e times a two-term number.
+/// Returns e times a number of two terms.
 template <std::size_t N>
 Expansion<4 * N> operator*(const Expansion<N>& e, const Expansion<2>& f) {
   Expansion<2 * N> low;

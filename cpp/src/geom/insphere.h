@@ -1,8 +1,8 @@
 #pragma once
 
-/// @file Which points are inside a sphere: the question a Delaunay mesh is made by. Nothing valid
-/// depends on the answer, but among needles, whose nodes are nearly on one sphere by the thousand,
-/// plain doubles answer it by chance.
+/// @file Tests whether a point lies inside a sphere, which decides a Delaunay mesh. The validity
+/// of a mesh does not depend on the answer. Among needles, however, thousands of nodes lie nearly
+/// on one sphere, and plain doubles would give random answers.
 
 #include <array>
 
@@ -10,9 +10,9 @@
 
 namespace tetrafront {
 
-/// Is p inside the sphere around the tetrahedron, whose corners a b c d have d on the side from which
-/// a b c is seen counter-clockwise? Computed to about 100 bits: what is nearer to the sphere than
-/// that, as are all points on it but for exact arithmetic, counts as outside.
+/// Returns true if p is inside the circumsphere of the tetrahedron a b c d, where d is on the side
+/// from which a b c is seen counter-clockwise. Computed to about 100 bits; a point that is closer
+/// to the sphere than this precision counts as outside.
 [[nodiscard]] bool isInsideSphere(const std::array<Vec3, 4>& corners, const Vec3& p);
 
 }  // namespace tetrafront

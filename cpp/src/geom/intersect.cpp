@@ -10,7 +10,7 @@ namespace {
 
 using Triangle = std::array<Vec3, 3>;
 
-/// The view along one coordinate axis in which a triangle does not degenerate.
+/// Projection along a coordinate axis in which a triangle does not degenerate.
 class FlatView {
  public:
   explicit FlatView(const Triangle& triangle) {
@@ -23,7 +23,7 @@ class FlatView {
   [[nodiscard]] int turn(const Vec3& a, const Vec3& b, const Vec3& c) const {
     return orient2d({a[i_], a[j_]}, {b[i_], b[j_]}, {c[i_], c[j_]});
   }
-  /// p is on the line a b; is it between them or at one of them?
+  /// Returns true if p, which is on the line a b, is between a and b or equal to one of them.
   [[nodiscard]] bool isBetween(const Vec3& p, const Vec3& a, const Vec3& b) const {
     const int axis = a[i_] != b[i_] ? i_ : j_;
     return std::min(a[axis], b[axis]) <= p[axis] && p[axis] <= std::max(a[axis], b[axis]);
@@ -34,7 +34,7 @@ class FlatView {
   int j_ = 1;
 };
 
-/// p is in the triangle's plane.
+/// Returns true if p, which is in the plane of the triangle, is in the closed triangle.
 bool holds(const FlatView& view, const Triangle& triangle, const Vec3& p) {
   bool left = false;
   bool right = false;
@@ -46,7 +46,7 @@ bool holds(const FlatView& view, const Triangle& triangle, const Vec3& p) {
   return !(left && right);
 }
 
-/// All four are in one plane.
+/// Returns true if two closed segments in one plane intersect.
 bool segmentsMeet(const FlatView& view, const Vec3& a, const Vec3& b, const Vec3& c,
                   const Vec3& d) {
   const int sideC = view.turn(a, b, c);
@@ -58,7 +58,7 @@ bool segmentsMeet(const FlatView& view, const Vec3& a, const Vec3& b, const Vec3
          (sideA == 0 && view.isBetween(a, c, d)) || (sideB == 0 && view.isBetween(b, c, d));
 }
 
-/// The segment is in the triangle's plane.
+/// Returns true if a segment in the plane of the triangle intersects the closed triangle.
 bool flatSegmentMeets(const Triangle& triangle, const Vec3& p, const Vec3& q) {
   const FlatView view(triangle);
   if (holds(view, triangle, p) || holds(view, triangle, q)) return true;
@@ -68,7 +68,8 @@ bool flatSegmentMeets(const Triangle& triangle, const Vec3& p, const Vec3& q) {
   return false;
 }
 
-/// `sideP` and `sideQ`: of which side of the triangle's plane the segment's ends are.
+/// `sideP` and `sideQ`: signs of the sides of the triangle's plane on which the ends of the
+/// segment are.
 bool segmentMeets(const Triangle& t, const Vec3& p, const Vec3& q, int sideP, int sideQ) {
   if (sideP * sideQ > 0) return false;
   if (sideP == 0 && sideQ == 0) return flatSegmentMeets(t, p, q);
@@ -89,7 +90,7 @@ struct Sides {
   [[nodiscard]] bool allZero() const { return of[0] == 0 && of[1] == 0 && of[2] == 0; }
 };
 
-/// On which sides of t's plane the corners of `other` are.
+/// Returns on which side of the plane of `t` each corner of `other` is.
 Sides sidesOf(const Triangle& t, const Triangle& other) {
   Sides sides{};
   for (std::size_t k = 0; k < 3; ++k) sides.of[k] = orient3d(t[0], t[1], t[2], other[k]);
@@ -104,15 +105,17 @@ bool anyEdgeMeets(const Triangle& t, const Triangle& other, const Sides& sides) 
   return false;
 }
 
-/// Is the direction x->p, which is in the plane of x a b, in the closed sector from x->a to x->b?
+/// Returns true if the direction x->p, which is in the plane of x a b, is in the closed sector
+/// from x->a to x->b.
 bool sectorHolds(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& p) {
   const FlatView view({x, a, b});
   const int turn = view.turn(x, a, b);
   return view.turn(x, a, p) * turn >= 0 && view.turn(x, p, b) * turn >= 0;
 }
 
-/// Triangles x a b and x c d share exactly the node x. Near x both are sectors, so they meet
-/// elsewhere iff the sectors have a direction in common.
+/// Returns true if the triangles x a b and x c d, which share exactly the node x, intersect
+/// elsewhere. Near x both are sectors, so they do if and only if the sectors have a direction in
+/// common.
 bool sectorsMeet(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
   const int sideC = orient3d(x, a, b, c);
   const int sideD = orient3d(x, a, b, d);
@@ -128,19 +131,19 @@ bool sectorsMeet(const Vec3& x, const Vec3& a, const Vec3& b, const Vec3& c, con
   if (sideA * sideB > 0) return false;
   if (sideA == 0 && sideB != 0) return sectorHolds(x, c, d, a);
   if (sideB == 0 && sideA != 0) return sectorHolds(x, c, d, b);
-  // Both cross the other's plane; they do so in the same direction, not in opposite ones, iff
-  // the turns a c b, c b d, b d a, d a c are all alike.
+  // Each sector crosses the plane of the other. They cross in the same direction, not in opposite
+  // ones, if and only if the orientations a c b, c b d, b d a, d a c agree.
   return sideA == sideD && sideB == sideC && sideA == -sideB;
 }
 
-/// Triangles share the edge x y; w and v are their third corners.
+/// Returns true if two triangles that share the edge x y, with third corners w and v, overlap.
 bool wingsOverlap(const Vec3& x, const Vec3& y, const Vec3& w, const Vec3& v) {
   if (orient3d(x, y, w, v) != 0) return false;
   const FlatView view({x, y, w});
   return view.turn(x, y, w) == view.turn(x, y, v);
 }
 
-/// Per node of `a`: where it is in `b`, or 3.
+/// Returns, per corner of `a`, the corner of `b` with the same node, or 3.
 struct Sharing {
   std::array<std::size_t, 3> inB{3, 3, 3};
   std::size_t count = 0;
@@ -172,7 +175,7 @@ bool meetImproperly(const NumberedTriangle& a, const NumberedTriangle& b) {
   const Sharing sharing = sharingOf(a, b);
   if (sharing.count == 0) return trianglesMeet(a.corners, b.corners);
   if (sharing.count == 3) return true;
-  // The corner of `a` that is shared alone, or not shared alone.
+  // If one corner is shared, this one; if two are shared, the one that is not.
   std::size_t odd = 0;
   while ((sharing.inB[odd] == 3) != (sharing.count == 2)) ++odd;
   const Vec3& next = a.corners[(odd + 1) % 3];

@@ -8,8 +8,8 @@ namespace {
 
 using Triangle = std::array<Vec3, 3>;
 
-/// The point of segment p q that is nearest to the plane or line for which `part`/`whole` says how
-/// far along it is; p where that is no number.
+/// Returns the point of segment p q at the parameter part / whole, clamped to the segment; p if
+/// the parameter is not a number.
 Vec3 partWay(const Vec3& p, const Vec3& q, double part, double whole) {
   const double t = part / whole;
   return t > 0.0 ? p + (q - p) * std::min(t, 1.0) : p;
@@ -25,7 +25,7 @@ Vec3 crossingOfLine(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) 
   return partWay(p, q, glm::dot(glm::cross(a - p, b - a), across), glm::dot(across, across));
 }
 
-/// Gathers points of which it is not yet known whether they are in both triangles.
+/// Collects candidate points and keeps those that are in both triangles.
 class CommonPoints {
  public:
   CommonPoints(const Triangle& a, const Triangle& b) : a_(a), b_(b) {
@@ -36,7 +36,7 @@ class CommonPoints {
         square = std::max(square, glm::dot(side, side));
       }
     }
-    near_ = kRounding * kRounding * square;
+    near_ = kSharedDistance * kSharedDistance * square;
   }
 
   void add(const Vec3& p) {
@@ -54,9 +54,10 @@ class CommonPoints {
   [[nodiscard]] Vec3 mean() const { return count_ > 0.0 ? sum_ / count_ : nearest_; }
 
  private:
-  /// Points this near to both triangles, of their longest side, count as shared: the places come from
-  /// divisions by small angles, which cost some digits of 16. It chooses a place to show, no topology.
-  static constexpr double kRounding = 1e-10;
+  /// A point this close to both triangles, relative to their longest edge, counts as shared. The
+  /// points result from divisions by small angles, which cost some of the 16 digits. This only
+  /// chooses the position of a marker, not topology.
+  static constexpr double kSharedDistance = 1e-10;
   const Triangle& a_;
   const Triangle& b_;
   double near_;

@@ -1,6 +1,6 @@
 #pragma once
 
-/// @file Distances, in plain double: for "too close" questions, never for topology.
+/// @file Distances in plain doubles. They decide whether things are too close, never topology.
 
 #include <array>
 
@@ -8,15 +8,16 @@
 
 namespace tetrafront {
 
-/// Square of the distance from `p` to the closed segment a b.
+/// Returns the squared distance from `p` to the closed segment a b.
 [[nodiscard]] double squaredDistanceToSegment(const Vec3& p, const Vec3& a, const Vec3& b);
 
-/// Square of the distance from `p` to the closed triangle a b c.
+/// Returns the squared distance from `p` to the closed triangle a b c.
 [[nodiscard]] double squaredDistanceToTriangle(const Vec3& p, const Vec3& a, const Vec3& b,
                                                const Vec3& c);
 
-/// A point that two triangles have in common, up to rounding, if they meet: the mean of the corners
-/// of what they share. Near both, if they are only near each other.
+/// Returns a point that two intersecting triangles have in common, up to rounding: the mean of the
+/// corners of their intersection. If they are only close to each other, the point is close to
+/// both.
 [[nodiscard]] Vec3 meetingPlace(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 }  // namespace tetrafront

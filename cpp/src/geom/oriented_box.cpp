@@ -9,19 +9,20 @@ namespace {
 
 using Axes = std::array<Vec3, 3>;
 
-/// Above what some dozens of roundings make of a sum, relative to its terms.
-constexpr double kRounding = 1e-14;
+/// Upper bound of the error of a sum after some dozens of roundings, relative to its terms.
+constexpr double kSumRounding = 1e-14;
 
-/// Below this products may have lost digits to underflow.
+/// Products below this may have lost digits to underflow.
 constexpr double kLeast = 0x1p-900;
 
 constexpr Axes kCoordinateAxes{Vec3(1.0, 0.0, 0.0), Vec3(0.0, 1.0, 0.0), Vec3(0.0, 0.0, 1.0)};
 
 Vec3 unit(const Vec3& v) { return v * (1.0 / glm::length(v)); }
 
-/// At right angles but for rounding, which the boxes below allow for. Not a number is not.
+/// Returns true if the axes are at right angles up to the rounding that boxOf() allows for; false
+/// for NaN.
 bool areUpright(const Axes& axes) {
-  constexpr double kMost = kRounding / 8.0;
+  constexpr double kMost = kSumRounding / 8.0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(std::fabs(glm::dot(axes[i], axes[i]) - 1.0) < kMost)) return false;
     if (!(std::fabs(glm::dot(axes[i], axes[(i + 1) % 3])) < kMost)) return false;
@@ -29,17 +30,19 @@ bool areUpright(const Axes& axes) {
   return true;
 }
 
-/// Three unit vectors, the second turned from `across` until it is upright to the first.
+/// Returns three orthogonal unit vectors: along `along`, in the plane of both directions, and
+/// normal to it.
 Axes axesOf(const Vec3& along, const Vec3& across) {
   const Vec3 u = unit(along);
-  // What is left of two directions nearly alike is mostly rounding, which the second round takes out.
+  // If the two directions are nearly parallel, the difference is mostly rounding; the second
+  // projection removes it.
   Vec3 v = unit(across - u * glm::dot(across, u));
   v = unit(v - u * glm::dot(v, u));
   return {u, v, glm::cross(u, v)};
 }
 
-/// Where the directions are alike, any one across; where the numbers are too large or too small for
-/// that too, the axes of the coordinates.
+/// Returns axes along `along`. If both directions are parallel, the second axis is arbitrary. If
+/// the numbers are too large or too small, returns the coordinate axes.
 Axes axesAlong(const Vec3& along, const Vec3& across) {
   const Axes axes = axesOf(along, across);
   if (areUpright(axes)) return axes;
@@ -56,7 +59,7 @@ double absoluteDot(const Vec3& a, const Vec3& b) {
   return std::fabs(a.x * b.x) + std::fabs(a.y * b.y) + std::fabs(a.z * b.z);
 }
 
-/// How far a box reaches along a unit vector to either side of its centre.
+/// Returns how far a box extends along a unit vector, to either side of its centre.
 double reachOf(const OrientedBox& box, const Vec3& axis) {
   double reach = 0.0;
   for (const Vec3& half : box.halves) reach += std::fabs(glm::dot(half, axis));
@@ -67,14 +70,15 @@ double largestCoordinate(const Vec3& v) {
   return std::max(std::fabs(v.x), std::max(std::fabs(v.y), std::fabs(v.z)));
 }
 
-/// From low to high along each of the axes, counted from `origin`; `size`: of the largest number that
-/// was rounded to find them. A place that is measured along axes an eighth of kRounding off their
-/// right angles is off by so much of each length, and its rounding is less: four times kRounding holds
-/// both, and what isApartAlong() leaves out.
+/// Returns the box from low to high along each of the axes, relative to `origin`. `size` is the
+/// largest magnitude that was rounded to compute them. Axes may deviate from right angles by an
+/// eighth of kSumRounding; positions measured along them are off by as much of each length, and
+/// their own rounding is less. A padding of four times kSumRounding covers both, and what
+/// isApartAlong() neglects.
 OrientedBox boxOf(const Axes& axes, const Vec3& origin, const Vec3& low, const Vec3& high,
                   double size) {
   const double lengths = largestCoordinate(low) + largestCoordinate(high);
-  const double padding = 4.0 * kRounding * (size + lengths) + kLeast;
+  const double padding = 4.0 * kSumRounding * (size + lengths) + kLeast;
   OrientedBox box{.centre = origin};
   for (std::size_t i = 0; i < 3; ++i) {
     const auto k = static_cast<int>(i);
@@ -84,7 +88,7 @@ OrientedBox boxOf(const Axes& axes, const Vec3& origin, const Vec3& low, const V
   return box;
 }
 
-/// The one that `direction` is turned to so as not to point against `other`.
+/// Returns `direction`, reversed if it points against `other`.
 Vec3 turnedTo(const Vec3& direction, const Vec3& other) {
   return glm::dot(direction, other) < 0.0 ? -direction : direction;
 }
@@ -92,7 +96,7 @@ Vec3 turnedTo(const Vec3& direction, const Vec3& other) {
 bool isApartAlong(const OrientedBox& a, const OrientedBox& b, const Vec3& axis) {
   const Vec3 way = b.centre - a.centre;
   const double reach = reachOf(a, axis) + reachOf(b, axis);
-  const double rounding = kRounding * (absoluteDot(way, axis) + reach) + kLeast;
+  const double rounding = kSumRounding * (absoluteDot(way, axis) + reach) + kLeast;
   return std::fabs(glm::dot(way, axis)) > reach + rounding;
 }
 
@@ -127,7 +131,7 @@ OrientedBox OrientedBox::hull(const OrientedBox& a, const OrientedBox& b) {
   const auto left = [&](const Vec3& v) {
     return v - along * (glm::dot(v, along) / glm::dot(along, along));
   };
-  // What the boxes are widest in, side by side or each by itself.
+  // First the axes in which the boxes are widest, side by side or each alone.
   Vec3 across = left(way);
   for (const Vec3& one : {a.halves[1], b.halves[1]}) {
     const Vec3 width = left(one);
@@ -153,7 +157,7 @@ bool OrientedBox::isApartFrom(const OrientedBox& other) const {
     if (isApartAlong(*this, other, halves[i]) || isApartAlong(*this, other, other.halves[i]))
       return true;
   }
-  // Needles that pass each other.
+  // Then the normal of two needles that pass each other.
   return isApartAlong(*this, other, glm::cross(halves[0], other.halves[0]));
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
-/// @file Boxes that lie along what they hold. A needle's own box is as thin as the needle, where its
-/// axis-parallel box is as thick as it is long; so is the box of many needles side by side.
+/// @file Boxes aligned with their contents. The oriented box of a needle is as thin as the needle,
+/// while its axis-parallel box can be as thick as the needle is long. The same holds for many
+/// needles side by side.
 
 #include <array>
 
@@ -9,19 +10,20 @@
 
 namespace tetrafront {
 
-/// Never smaller than what it holds, whatever the rounding.
+/// Contains its contents in spite of rounding.
 struct OrientedBox {
   Vec3 centre{0.0};
-  /// Half its edges, about at right angles: along, across and upright to what it holds.
+  /// Half the edges, approximately at right angles: along, across and normal to the contents.
   std::array<Vec3, 3> halves{Vec3(0.0), Vec3(0.0), Vec3(0.0)};
 
-  /// Along the triangle's longest edge, and flat on it.
+  /// Returns the box of a triangle, aligned with its longest edge and its plane.
   static OrientedBox of(const Vec3& a, const Vec3& b, const Vec3& c);
 
-  /// Around both, along the directions that they have in common.
+  /// Returns a box around both, aligned with the directions they have in common.
   static OrientedBox hull(const OrientedBox& a, const OrientedBox& b);
 
-  /// True only if the boxes have no point in common. Some that have none are not told apart.
+  /// Returns true only if the boxes have no point in common. It may return false for boxes that
+  /// have none.
   [[nodiscard]] bool isApartFrom(const OrientedBox& other) const;
 };
 

@@ -17,14 +17,15 @@ thread_local std::uint64_t exactCount = 0;
 
 int signOf(double value) { return value > 0.0 ? 1 : (value < 0.0 ? -1 : 0); }
 
-/// True if all three differences vanish along one axis. A difference rounds to zero only where it
-/// is zero, so the points lie in one axis-parallel plane, exactly: the common case on drawn boxes.
+/// Returns true if all three differences vanish along one axis. A difference rounds to zero only
+/// if it is zero, so the points lie exactly in one axis-parallel plane, which is common in drawn
+/// boxes.
 bool shareCoordinate(const Vec3& u, const Vec3& v, const Vec3& w) {
   return (u.x == 0.0 && v.x == 0.0 && w.x == 0.0) || (u.y == 0.0 && v.y == 0.0 && w.y == 0.0) ||
          (u.z == 0.0 && v.z == 0.0 && w.z == 0.0);
 }
 
-/// a x d - b x c of exact differences.
+/// Returns a x d - b x c of exact differences.
 Expansion<16> minor2(const Expansion<2>& a, const Expansion<2>& b, const Expansion<2>& c,
                      const Expansion<2>& d) {
   return (a * d) + (b * c).negated();
@@ -84,7 +85,8 @@ int orient3d(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d) {
 }
 
 bool collinear(const Vec3& a, const Vec3& b, const Vec3& c) {
-  // Dropping a coordinate is exact; on one line means on one line in all three views.
+  // Dropping a coordinate is exact. Points are collinear if they are collinear in all three
+  // projections.
   const auto view = [](const Vec3& p, int i, int j) { return Vec2{p[i], p[j]}; };
   for (int k = 0; k < 3; ++k) {
     const int i = (k + 1) % 3;

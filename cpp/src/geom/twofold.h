@@ -1,26 +1,26 @@
 #pragma once
 
-/// @file Numbers of twice a double's digits, for signs that doubles leave open and that need not be asked of
-/// exact arithmetic yet. Sums and products are off by a few 2^-106 of their own size (Joldes, Muller &
-/// Popescu 2017), as long as nothing underflows.
+/// @file Numbers with twice the digits of a double. They decide most signs that doubles leave
+/// open, before exact arithmetic is needed. The relative error of sums and products is a few
+/// 2^-106 (Joldes, Muller & Popescu 2017), as long as nothing underflows.
 
 #include "geom/expansion.h"
 
 namespace tetrafront {
 
-/// high + low, |low| at most half a last bit of high.
+/// The number high + low, with |low| at most half a unit in the last place of high.
 struct Twofold {
   double high;
   double low;
 };
 
-/// For |high| >= |low|, or high = 0 = low.
+/// Requires |high| >= |low|, or both 0.
 inline Twofold renormalized(double high, double low) {
   const TwoTerms t = fastTwoSum(high, low);
   return {t.high, t.low};
 }
 
-/// a - b, exactly.
+/// Returns a - b, exactly.
 inline Twofold difference(double a, double b) {
   const TwoTerms t = twoSum(a, -b);
   return {t.high, t.low};
