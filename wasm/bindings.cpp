@@ -119,6 +119,10 @@ class Run {
     });
   }
 
+  Float64Array front() {
+    return read(copyOut(std::vector<double>{}), [](MeshRun& run) { return copyOut(run.front()); });
+  }
+
   QualitySummary quality() {
     return read(QualitySummary{}, [](MeshRun& run) { return run.quality(); });
   }
@@ -501,6 +505,7 @@ EMSCRIPTEN_BINDINGS(tetrafront) {
       .function("diagnostics", &Run::diagnostics)
       .function("surface", &Run::surface)
       .function("volume", &Run::volume)
+      .function("front", &Run::front)
       .function("quality", &Run::quality)
       .function("statistics", &Run::statistics)
       .function("patches", &Run::patches)

@@ -91,6 +91,11 @@ class MeshRun::Impl {
     return mesh_;
   }
 
+  [[nodiscard]] std::vector<double> front() const {
+    const auto* mesher = std::get_if<RegionMesher>(&worker_);
+    return mesher != nullptr ? mesher->frontCorners() : std::vector<double>{};
+  }
+
   [[nodiscard]] QualitySummary quality() const {
     return status_ == MeshStatus::kDone ? quality_ : measureQuality(volume());
   }
@@ -389,6 +394,7 @@ Progress MeshRun::progress() const { return impl_->progress(); }
 const std::vector<Diagnostic>& MeshRun::diagnostics() const { return impl_->diagnostics(); }
 const SurfaceMesh& MeshRun::surface() const { return impl_->surface(); }
 VolumeMesh MeshRun::volume() const { return impl_->volume(); }
+std::vector<double> MeshRun::front() const { return impl_->front(); }
 const std::vector<PatchSummary>& MeshRun::patchSummaries() const { return impl_->patchSummaries(); }
 QualitySummary MeshRun::quality() const { return impl_->quality(); }
 QualityStatistics MeshRun::statistics() const { return impl_->statistics(); }

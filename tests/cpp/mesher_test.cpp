@@ -38,6 +38,41 @@ TEST(MeshRun, RefusesOptionsThatMakeNoSense) {
   }
 }
 
+/// The front of a run while it works: closed, as large as reported, and of no effect on the mesh.
+TEST(MeshRun, CopiesItsFrontWhileItAdvances) {
+  const SurfaceMesh surface = testing::gridCube(6);
+  const MeshOptions options;
+  MeshRun run(surface.points, surface.triangles, options);
+  EXPECT_TRUE(run.front().empty());
+  std::size_t copies = 0;
+  while (run.advance(20) == MeshStatus::kRunning) {
+    const std::vector<double> corners = run.front();
+    if (run.progress().phase != Phase::kVolume) {
+      EXPECT_TRUE(corners.empty());
+      continue;
+    }
+    ++copies;
+    ASSERT_EQ(corners.size(), 9U * run.progress().frontFaces);
+    // The area vectors of a closed surface add up to zero.
+    Vec3 sum(0.0);
+    const auto corner = [&](std::size_t i) {
+      return Vec3(corners[3 * i], corners[3 * i + 1], corners[3 * i + 2]);
+    };
+    for (std::size_t i = 0; 3 * i < corners.size(); i += 3) {
+      sum += glm::cross(corner(i + 1) - corner(i), corner(i + 2) - corner(i));
+    }
+    EXPECT_LT(glm::length(sum), 1e-12);
+  }
+  EXPECT_EQ(run.status(), MeshStatus::kDone);
+  EXPECT_GT(copies, 5U);
+  EXPECT_TRUE(run.front().empty());
+
+  MeshRun other(surface.points, surface.triangles, options);
+  while (other.advance(20) == MeshStatus::kRunning) {
+  }
+  EXPECT_EQ(run.fingerprint(), other.fingerprint());
+}
+
 TEST(MeshRun, RefusesAbsurdSizesBeforeAnythingIsDivided) {
   Model model;
   model.points = {Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};

@@ -130,6 +130,7 @@ function ViewState({ container }: { readonly container: React.RefObject<HTMLDivE
   const mesh = useRun((state) => state.mesh);
   const busy = useRun((state) => state.busy);
   const front = useRun((state) => state.progress?.frontFaces ?? (state.mesh?.volume.front.length ?? 0) / 3);
+  const drawnFront = useRun((state) => state.front && state.front.length / 9);
   const stale = useStale();
   const pending = useAutosavePending();
   useEffect(() => {
@@ -139,9 +140,11 @@ function ViewState({ container }: { readonly container: React.RefObject<HTMLDivE
     data["status"] = mesh?.report.status ?? "none";
     data["fingerprint"] = mesh?.report.fingerprint ?? "";
     data["front"] = String(front);
+    if (drawnFront === null) delete data["frontDrawn"];
+    else data["frontDrawn"] = String(drawnFront);
     data["stale"] = String(stale);
     data["busy"] = String(busy);
     data["autosaved"] = String(!pending);
-  }, [container, mesh, front, stale, busy, pending]);
+  }, [container, mesh, front, drawnFront, stale, busy, pending]);
   return null;
 }

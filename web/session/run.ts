@@ -19,6 +19,11 @@ export interface RunState {
   /** True from the cancel command until the run has ended. */
   readonly cancelling: boolean;
   readonly progress: Progress | null;
+  /**
+   * Faces of the front while a run advances it, x y z of three corners each; empty once it has closed, and null before
+   * the first snapshot and without a run.
+   */
+  readonly front: Float64Array | null;
   /** The mesh on show, whatever project it belongs to. */
   readonly mesh: MeshResult | null;
   /** Key of the project that `mesh` was made from. */
@@ -30,10 +35,13 @@ export interface RunState {
   readonly log: readonly LogLine[];
 }
 
+const closedFront = new Float64Array();
+
 const emptyRun: RunState = {
   busy: false,
   cancelling: false,
   progress: null,
+  front: null,
   mesh: null,
   meshKey: null,
   outcome: null,
@@ -103,6 +111,7 @@ export class MeshRun {
           elapsedSeconds = progress.elapsedSeconds;
           this.#report(progress, log);
         },
+        onFront: (front) => this.state.setState({ front }),
       });
       elapsedSeconds = result.report.seconds.total;
       this.#finish(meshKey(project), result, log);
@@ -112,7 +121,7 @@ export class MeshRun {
       log("error", failure);
     } finally {
       this.#abort = null;
-      this.state.setState({ busy: false, cancelling: false, progress: null });
+      this.state.setState({ busy: false, cancelling: false, progress: null, front: null });
     }
   }
 
@@ -142,6 +151,8 @@ export class MeshRun {
     if (before?.phase !== progress.phase) {
       if (before?.phase === "surface") log("information", `${count(progress.triangles)} boundary triangles`);
       log("information", phaseTexts[progress.phase]);
+      if (before?.phase === "volume" && this.state.getState().front)
+        this.state.setState({ front: closedFront });
     }
     if (isDue(before, progress)) this.state.setState({ progress });
   }

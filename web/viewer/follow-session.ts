@@ -55,7 +55,7 @@ function runState({ documents, run }: SessionStores) {
     mesh: state.mesh,
     isMeshStale: isStale(state, documents.state.getState()),
     checkedSurface: state.outcome?.result.surface ?? null,
-    front: null,
+    front: state.front,
   };
 }
 

@@ -64,6 +64,10 @@ class MeshRun {
   /// A copy of the mesh as it stands, complete or not. O(size of the mesh).
   [[nodiscard]] VolumeMesh volume() const;
 
+  /// A copy of the front, x y z of three corners per active face; empty outside Phase::kVolume.
+  /// O(front).
+  [[nodiscard]] std::vector<double> front() const;
+
   /// Of the mesh as it stands after kDone, kStalled or kCancelled.
   [[nodiscard]] QualitySummary quality() const;
   /// Of the finished mesh; empty unless kDone.

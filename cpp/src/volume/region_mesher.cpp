@@ -202,6 +202,17 @@ VolumeMesh RegionMesher::completed(VolumeMesh mesh) const {
   return mesh;
 }
 
+std::vector<double> RegionMesher::frontCorners() const {
+  std::vector<double> corners;
+  corners.reserve(9 * std::size_t{frontFaceCount()});
+  current_->appendFront(corners);
+  for (const std::uint32_t node : facesOfLaterPasses()) {
+    const auto first = boundary_.points.begin() + 3 * static_cast<std::ptrdiff_t>(node);
+    corners.insert(corners.end(), first, first + 3);
+  }
+  return corners;
+}
+
 RecoverySummary RegionMesher::recovery() const { return sum(recovery_, current_->recovery()); }
 
 FrontCounters RegionMesher::counters() const { return sum(counters_, current_->counters()); }

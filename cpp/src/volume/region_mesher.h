@@ -55,6 +55,9 @@ class RegionMesher {
   /// The same without copying the mesh of earlier passes. Afterwards only recovery() and counters()
   /// may be called.
   [[nodiscard]] VolumeMesh take();
+  /// The faces of the front, x y z of three corners each, including the boundary of regions that have
+  /// not begun. O(front).
+  [[nodiscard]] std::vector<double> frontCorners() const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
 

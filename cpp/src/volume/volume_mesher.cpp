@@ -269,6 +269,20 @@ VolumeMesh BasicVolumeMesher<Trace>::mesh() const {
 }
 
 template <class Trace>
+void BasicVolumeMesher<Trace>::appendFront(std::vector<double>& corners) const {
+  const auto append = [&](const NodeTriple& face) {
+    for (const NodeId id : face) {
+      const Vec3& position = front_.node(id);
+      corners.insert(corners.end(), {position.x, position.y, position.z});
+    }
+  };
+  for (const FaceId face : front_.activeFaces()) append(front_.face(face).nodes);
+  for (std::size_t t = nextTriangle_; t < boundary_.triangles.size() / 3; ++t) {
+    append(frontFaceOf(boundary_, t));
+  }
+}
+
+template <class Trace>
 RecoverySummary BasicVolumeMesher<Trace>::recovery() const {
   RecoverySummary summary = recovery_.summary();
   summary.relaxed = static_cast<std::uint32_t>(advance_.counters().relaxed);

@@ -56,6 +56,8 @@ class BasicVolumeMesher {
   /// Returns the mesh made so far. Leaves out nodes that neither an element nor a boundary triangle
   /// uses.
   [[nodiscard]] VolumeMesh mesh() const;
+  /// Appends the faces of the front, x y z of three corners each. O(front).
+  void appendFront(std::vector<double>& corners) const;
   [[nodiscard]] RecoverySummary recovery() const;
   [[nodiscard]] FrontCounters counters() const;
   [[nodiscard]] Trace& trace() { return advance_.trace(); }

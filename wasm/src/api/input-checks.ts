@@ -32,14 +32,17 @@ export function checkProject(project: unknown): Diagnostic[] {
 
 export function checkControl(control: RunControl): Diagnostic[] {
   const given: unknown = control;
-  const { onProgress, signal } = asObject(control);
-  const isWatched = onProgress === undefined || typeof onProgress === "function";
+  const { onProgress, onFront, signal } = asObject(control);
+  const isWatched = [onProgress, onFront].every(
+    (callback) => callback === undefined || typeof callback === "function",
+  );
   const { addEventListener, removeEventListener } = asObject(signal as AbortSignal);
   const isSignal =
     signal === undefined ||
     (typeof addEventListener === "function" && typeof removeEventListener === "function");
   if (typeof given === "object" && given !== null && isWatched && isSignal) return [];
-  const remedy = "Give an object with a function onProgress, an AbortSignal signal, both or neither.";
+  const remedy =
+    "Give an object with any of: a function onProgress, a function onFront, an AbortSignal signal.";
   return [invalidOption("control", "the control of the call is not what it should be", remedy)];
 }
 

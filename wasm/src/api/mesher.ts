@@ -71,7 +71,7 @@ import type { Answer, AnswerTo, Answers, EngineResult, Question, Request } from 
 import { describedPreview, describedResult, emptyResult } from "./report.js";
 import { surfaceNamer } from "./surface-numbers.js";
 import { buffersOf } from "../engine/transfer.js";
-import { reportProgress, type ProgressListener } from "./progress.js";
+import { notify, type ProgressListener } from "./progress.js";
 import type {
   AbortControl,
   BackgroundArrays,
@@ -176,6 +176,7 @@ class WorkerMesher implements Mesher {
     const request = {
       kind: "mesh-model",
       id: this.#nextId(),
+      showFront: control.onFront !== undefined,
       model: background === undefined ? drawn : { ...drawn, grid: withNodes(drawn.grid, background) },
       options: engineOptions(settled),
     } as const;
@@ -193,6 +194,7 @@ class WorkerMesher implements Mesher {
     const request = {
       kind: "fill-surface",
       id: this.#nextId(),
+      showFront: control.onFront !== undefined,
       points: surface.points.slice(),
       triangles: surface.triangles.slice(),
       grid: background === undefined ? emptyGrid() : withNodes(emptyGrid(), background),
@@ -420,7 +422,7 @@ class WorkerMesher implements Mesher {
 
   async #run(
     request: RunRequest,
-    { signal, onProgress }: RunControl,
+    { signal, onProgress, onFront }: RunControl,
     name: EntityNamer,
   ): Promise<MeshResult> {
     let onAbort: (() => void) | undefined;
@@ -428,7 +430,7 @@ class WorkerMesher implements Mesher {
       const result = await new Promise<EngineResult | Cancelled>((resolve, reject) => {
         const triangles = trianglesIn(request);
         const told = { began: undefined, progress: undefined };
-        const job: Job = { request, triangles, onProgress, ...told, resolve, reject };
+        const job: Job = { request, triangles, onProgress, onFront, ...told, resolve, reject };
         onAbort = () => this.#cancel(job);
         signal?.addEventListener("abort", onAbort, { once: true });
         this.#waiting.push(job);
@@ -507,6 +509,7 @@ class WorkerMesher implements Mesher {
       case "answer":
         return this.#receiveAnswer(reply);
       case "progress":
+      case "front":
       case "stopping":
       case "result":
         return this.#receiveForRun(reply);
@@ -530,20 +533,23 @@ class WorkerMesher implements Mesher {
     this.#replaceWorker((progress) => failureError(reply, progress, triangles));
   }
 
-  #receiveForRun(reply: Extract<WorkReply, { kind: "progress" | "stopping" | "result" }>): void {
+  #receiveForRun(reply: Extract<WorkReply, { kind: "progress" | "front" | "stopping" | "result" }>): void {
     const open = this.#questions.get(reply.id);
     if (open !== undefined && reply.kind === "progress") {
-      return reportProgress(open, reply.progress, (failure) => this.#abandon(reply.id, failure));
+      return notify(open, open.onProgress, reply.progress, (failure) => this.#abandon(reply.id, failure));
     }
     const job = this.#active;
     if (job?.request.id !== reply.id) return;
+    const onFailure = (failure: unknown): void => {
+      job.reject(failure);
+      this.#cancel(job);
+    };
     switch (reply.kind) {
       case "progress":
         job.progress = reply.progress;
-        return reportProgress(job, reply.progress, (failure) => {
-          job.reject(failure);
-          this.#cancel(job);
-        });
+        return notify(job, job.onProgress, reply.progress, onFailure);
+      case "front":
+        return notify(job, job.onFront, reply.corners, onFailure);
       case "stopping":
         return clearTimeout(this.#forceTimer);
       case "result":

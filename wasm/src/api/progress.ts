@@ -1,27 +1,34 @@
-/** Reports the progress of a call to the caller's function, which may fail. */
-import type { Progress, RunControl } from "./types.js";
+/** Calls the caller's functions while a call is in progress. They may fail. */
+import type { RunControl } from "./types.js";
 
 /** A call in progress. */
 export interface ProgressListener {
   /** Rejects the call: with whatever the caller's function has thrown, or with a `MesherError`. */
   readonly reject: (failure: unknown) => void;
-  /** Undefined after it has failed. */
+  /** Undefined after one of the functions has failed. */
   onProgress: RunControl["onProgress"];
+  /** As `onProgress`; of runs only. */
+  onFront?: RunControl["onFront"];
 }
 
-/** Calls the listener. If it throws or its promise rejects, reports the failure once and never calls the listener again. */
-export function reportProgress(
+/**
+ * Calls one of the listener's functions. If it throws or its promise rejects, reports the failure once and never calls
+ * the listener again.
+ */
+export function notify<Value>(
   listener: ProgressListener,
-  progress: Progress,
+  callback: ((value: Value) => void) | undefined,
+  value: Value,
   onFailure: (failure: unknown) => void,
 ): void {
-  const fail = (failure: unknown) => {
-    if (listener.onProgress === undefined) return;
+  const fail = (failure: unknown): void => {
+    if (listener.onProgress === undefined && listener.onFront === undefined) return;
     listener.onProgress = undefined;
+    listener.onFront = undefined;
     onFailure(failure);
   };
   try {
-    const returned: unknown = listener.onProgress?.(progress);
+    const returned: unknown = callback?.(value);
     if (returned instanceof Promise) returned.catch(fail);
   } catch (failure) {
     fail(failure);

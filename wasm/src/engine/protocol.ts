@@ -133,10 +133,12 @@ export type Question =
 export type Request =
   /** The first of all, and sent once: load the engine, of this code or of what the worker fetches and compiles. */
   | { readonly kind: "load"; readonly module: CompiledEngine | undefined }
-  /** Answered by any number of `progress`, then one `result` or `failure`. */
+  /** Answered by any number of `progress` and `front`, then one `result` or `failure`. */
   | {
       readonly kind: "mesh-model";
       readonly id: number;
+      /** True for `front` replies. */
+      readonly showFront: boolean;
       readonly model: ModelArrays;
       readonly options: EngineOptions;
     }
@@ -144,6 +146,7 @@ export type Request =
   | {
       readonly kind: "fill-surface";
       readonly id: number;
+      readonly showFront: boolean;
       readonly points: Float64Array;
       readonly triangles: Uint32Array;
       /** Without nodes and tetrahedra the sizes come from the surface's own edges. */
@@ -201,6 +204,8 @@ export type Reply =
   /** Once, when the engine is loaded, with its code for other workers. Requests sent earlier wait for it. */
   | { readonly kind: "ready"; readonly module: CompiledEngine }
   | { readonly kind: "progress"; readonly id: number; readonly progress: Progress }
+  /** The front as it stands: x y z of three corners per face. */
+  | { readonly kind: "front"; readonly id: number; readonly corners: Float64Array }
   /** The run takes no further step; its result is being copied. */
   | { readonly kind: "stopping"; readonly id: number }
   | { readonly kind: "result"; readonly id: number; readonly result: EngineResult }

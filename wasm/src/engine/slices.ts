@@ -17,6 +17,11 @@ const BUDGET = 256;
 /** At most ten reports a second. */
 const PROGRESS_MS = 100;
 
+/** Shortest time between two snapshots of the front, in milliseconds: at most four a second. */
+const FRONT_MS = 250;
+/** A snapshot waits this many times as long as the last one took, so that snapshots take at most 2 % of the run. */
+const FRONT_REST = 50;
+
 /** The engine's statuses by number; undefined while running (cpp/include/tetrafront/status.h). */
 export const STATUSES: readonly (MeshStatus | undefined)[] = [
   undefined,
@@ -32,12 +37,18 @@ export interface SliceControl {
   readonly letRequestsIn: () => Promise<void>;
 }
 
+export interface RunSliceControl extends SliceControl {
+  /** Gets the front from time to time while it advances, x y z of three corners per face; undefined for no snapshots. */
+  readonly onFront: ((corners: Float64Array) => void) | undefined;
+}
+
 /** Runs to the end, or to the cancel. The last progress is always reported. */
 export async function runInSlices(
   run: EngineRun,
   clock: RunClock,
-  control: SliceControl,
+  control: RunSliceControl,
 ): Promise<MeshStatus> {
+  const snapshots = control.onFront && new FrontSnapshots(run, control.onFront);
   let reportedAt = 0;
   let reached = 0;
   for (;;) {
@@ -53,8 +64,28 @@ export async function runInSlices(
       control.onProgress({ ...progress, fraction: reached });
     }
     if (status !== undefined) return status;
+    if (phaseOf(run) === "volume") snapshots?.takeIfDue(now);
     await control.letRequestsIn();
     if (control.isCancelled()) run.cancel();
+  }
+}
+
+/** Passes on copies of the front, at intervals that grow with what a copy costs. */
+class FrontSnapshots {
+  readonly #run: EngineRun;
+  readonly #onFront: (corners: Float64Array) => void;
+  #dueAt = performance.now() + FRONT_MS;
+
+  constructor(run: EngineRun, onFront: (corners: Float64Array) => void) {
+    this.#run = run;
+    this.#onFront = onFront;
+  }
+
+  takeIfDue(now: number): void {
+    if (now < this.#dueAt) return;
+    this.#onFront(this.#run.front());
+    const end = performance.now();
+    this.#dueAt = end + Math.max(FRONT_MS, FRONT_REST * (end - now));
   }
 }
 

@@ -57,10 +57,10 @@ async function handle(engine: Engine, request: WorkRequest): Promise<void> {
       if (running.has(request.id)) cancelled.add(request.id);
       return;
     case "mesh-model":
-      return mesh(request.id, engine.meshModel(request.model, request.options));
+      return mesh(request, engine.meshModel(request.model, request.options));
     case "fill-surface":
       return mesh(
-        request.id,
+        request,
         engine.fillSurface(request.points, request.triangles, request.grid, request.options),
       );
     default:
@@ -136,13 +136,18 @@ function controlOf(id: number): SliceControl {
   };
 }
 
-async function mesh(id: number, run: EngineRun | null): Promise<void> {
+type RunRequest = Extract<Request, { kind: "mesh-model" | "fill-surface" }>;
+
+async function mesh({ id, showFront }: RunRequest, run: EngineRun | null): Promise<void> {
   if (run === null) throw new EngineFailure("the engine gave no run");
   const clock = new RunClock();
   running.add(id);
   try {
     assertHealthy(run);
-    const status = await runInSlices(run, clock, controlOf(id));
+    const onFront = (corners: Float64Array): void =>
+      workerPort.post({ kind: "front", id, corners }, buffersOf({ corners }));
+    const control = { ...controlOf(id), onFront: showFront ? onFront : undefined };
+    const status = await runInSlices(run, clock, control);
     if (status === "cancelled") workerPort.post({ kind: "stopping", id });
     const result = resultOf(run, status, clock);
     workerPort.post({ kind: "result", id, result }, buffersOf(result.surface, result.volume));
