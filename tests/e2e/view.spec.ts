@@ -1,5 +1,5 @@
 import { expect, test, type Page } from "@playwright/test";
-import { AppPage, nextFrame } from "./app-page";
+import { AppPage, countOrange, nextFrame, sampleProject } from "./app-page";
 
 /** Where an entity is on the screen, by the query that `?test=1` offers; null if out of view. */
 async function projected(page: Page, kind: string, id: number): Promise<{ x: number; y: number } | null> {
@@ -117,11 +117,12 @@ test("a click in the view selects in the tree, and the tree marks in the view", 
   await expect(page.getByTestId("tree-patch-6")).toHaveAttribute("aria-selected", "false");
 });
 
-test("a click on the cut tells the tetrahedron's quality", async ({ page }) => {
+test("a click on the cut shows the tetrahedron's quality", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await page.keyboard.press("x");
-  await page.keyboard.press("3");
+  await nextFrame(app.viewport, () => page.keyboard.press("3"));
+  await app.drawn();
   const middle = await app.viewport.boundingBox();
   if (!middle) throw new Error("The view has no box");
   await page.getByTestId("viewport-canvas").click({
@@ -130,20 +131,135 @@ test("a click on the cut tells the tetrahedron's quality", async ({ page }) => {
   await expect(page.getByTestId("inspector")).toContainText(/Tetrahedron \d+/);
 });
 
-test("standard views and keys on the picture move the camera", async ({ page }) => {
+type Position = readonly [number, number, number];
+
+/** Direction on the screen from one position to another, in pixels to the right and upwards. */
+async function onScreen(page: Page, from: Position, to: Position): Promise<{ right: number; up: number }> {
+  return page.evaluate(
+    ([start, end]) => {
+      const query = Reflect.get(window, "tetrafrontPosition") as (
+        position: Position,
+      ) => { x: number; y: number } | null;
+      const [a, b] = [query(start), query(end)];
+      if (!a || !b) throw new Error("Out of view");
+      return { right: b.x - a.x, up: a.y - b.y };
+    },
+    [from, to] as const,
+  );
+}
+
+const cubeCentre: Position = [0.5, 0.5, 0.5];
+
+/** Keys of the standard views: which axis of the model points to the right, and which upwards. */
+const standardViews: Readonly<Record<string, readonly [right: Position, up: Position]>> = {
+  "1": [[1, 0, 0], [0, 0, 1]], // prettier-ignore
+  "3": [[0, 1, 0], [0, 0, 1]], // prettier-ignore
+  "7": [[1, 0, 0], [0, 1, 0]], // prettier-ignore
+  "Alt+1": [[-1, 0, 0], [0, 0, 1]], // prettier-ignore
+  "Alt+3": [[0, -1, 0], [0, 0, 1]], // prettier-ignore
+  "Alt+7": [[1, 0, 0], [0, -1, 0]], // prettier-ignore
+};
+
+test("standard views look along the axes", async ({ page }) => {
   const app = new AppPage(page);
-  await app.open();
-  const seen = new Set<string>();
-  for (const key of ["0", "1", "3", "7"]) {
+  await app.openCube();
+  const towards = async (axis: Position) =>
+    onScreen(page, cubeCentre, [0.5 + 0.2 * axis[0], 0.5 + 0.2 * axis[1], 0.5 + 0.2 * axis[2]]);
+  for (const [key, [right, up]] of Object.entries(standardViews)) {
     await nextFrame(app.viewport, () => page.keyboard.press(key));
-    seen.add((await app.viewport.screenshot()).toString("base64"));
+    await expect.poll(async () => Math.round((await towards(right)).up), { message: key }).toBe(0);
+    const [across, upward] = [await towards(right), await towards(up)];
+    expect(across.right, key).toBeGreaterThan(20);
+    expect(Math.abs(upward.right), key).toBeLessThan(1);
+    expect(upward.up, key).toBeGreaterThan(20);
   }
+  // The isometric view: x to the right and down, y to the right and up, z up.
+  await nextFrame(app.viewport, () => page.keyboard.press("0"));
+  const [x, y, z] = [await towards([1, 0, 0]), await towards([0, 1, 0]), await towards([0, 0, 1])];
+  expect(Math.min(x.right, -x.up, y.right, y.up, z.up)).toBeGreaterThan(10);
+  expect(Math.abs(z.right)).toBeLessThan(1);
+});
+
+test("keys on the picture rotate, zoom and pan", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await nextFrame(app.viewport, () => page.keyboard.press("1"));
   await page.getByTestId("viewport-canvas").focus();
-  for (const key of ["ArrowLeft", "ArrowDown", "+", "Shift+ArrowRight"]) {
-    await nextFrame(app.viewport, () => page.keyboard.press(key));
-    seen.add((await app.viewport.screenshot()).toString("base64"));
-  }
-  expect(seen.size).toBe(8);
+  const press = async (key: string): Promise<void> => nextFrame(app.viewport, () => page.keyboard.press(key));
+  /** A position behind the centre, and one beside it. */
+  const behind = () => onScreen(page, cubeCentre, [0.5, 0.9, 0.5]);
+  const beside = () => onScreen(page, cubeCentre, [0.9, 0.5, 0.5]);
+
+  await press("ArrowLeft");
+  expect((await behind()).right).toBeLessThan(-5);
+  await press("ArrowRight");
+  expect(Math.abs((await behind()).right)).toBeLessThan(1);
+  await press("ArrowDown");
+  expect((await behind()).up).toBeLessThan(-5);
+  await press("ArrowUp");
+  expect(Math.abs((await behind()).up)).toBeLessThan(1);
+
+  const width = (await beside()).right;
+  await press("+");
+  expect((await beside()).right / width).toBeCloseTo(1.15, 1);
+  await press("-");
+  expect((await beside()).right / width).toBeCloseTo(1, 2);
+
+  const centre = await projected(page, "patch", 3);
+  await press("Shift+ArrowRight");
+  const panned = await projected(page, "patch", 3);
+  expect((panned?.x ?? 0) - (centre?.x ?? 0)).toBeGreaterThan(5);
+  expect(panned?.y).toBeCloseTo(centre?.y ?? 0, 0);
+});
+
+test("a double click fits the view to an entity, and one on nothing to the model", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await nextFrame(app.viewport, () => page.keyboard.press("1"));
+  const edge = () => onScreen(page, [0, 0, 0], [1, 0, 0]);
+  const whole = (await edge()).right;
+  const corner = await screenPlace(page, "point", 2);
+  await nextFrame(app.viewport, () => page.mouse.dblclick(corner.x, corner.y));
+  await expect.poll(async () => (await edge()).right).toBeGreaterThan(3 * whole);
+  const box = await app.viewport.boundingBox();
+  if (!box) throw new Error("The view has no box");
+  await page.mouse.dblclick(box.x + 20, box.y + box.height / 2);
+  await expect.poll(async () => Math.round((await edge()).right)).toBe(Math.round(whole));
+});
+
+test("hover lights up what the pointer rests on, and a drag orbits without selecting", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  const corner = await screenPlace(page, "point", 6);
+  const before = await app.viewport.screenshot();
+  await nextFrame(app.viewport, () => page.mouse.move(corner.x, corner.y));
+  await expect(page.locator(".tf-hover")).toContainText("6");
+  expect((await app.viewport.screenshot()).equals(before)).toBe(false);
+  const turned = await projected(page, "point", 6);
+  await page.mouse.down();
+  await page.mouse.move(corner.x + 80, corner.y + 30, { steps: 5 });
+  await page.mouse.up();
+  await expect.poll(() => projected(page, "point", 6)).not.toEqual(turned);
+  await expect(page.getByTestId("tree-point-6")).toHaveAttribute("aria-selected", "false");
+});
+
+test("the front is drawn while it advances", async ({ page }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await page.getByRole("tab", { name: "Display" }).click();
+  const before = countOrange(await app.viewport.screenshot());
+  const cube = sampleProject("unit-cube");
+  const fine = cube.background.nodes.map((node) => ({ ...node, size: 0.02 }));
+  const project = { ...cube, name: "Fine cube", background: { ...cube.background, nodes: fine } };
+  await app.openFile("fine.json", JSON.stringify(project));
+  const faces = async (): Promise<number> => Number(await app.viewport.getAttribute("data-front-drawn"));
+  await expect.poll(faces).toBeGreaterThan(1000);
+  const first = await faces();
+  expect(countOrange(await app.viewport.screenshot())).toBeGreaterThan(before + 5000);
+  await expect.poll(faces).not.toBe(first);
+  await page.getByTestId("cancel").click();
+  await expect(app.viewport).toHaveAttribute("data-busy", "false");
+  await expect(app.viewport).not.toHaveAttribute("data-front-drawn");
 });
 
 test("without WebGL the page says so and still meshes", async ({ page }) => {
@@ -157,7 +273,7 @@ test("without WebGL the page says so and still meshes", async ({ page }) => {
   await expect(page.getByTestId("download")).toBeEnabled();
 });
 
-test("a lost graphics context is told and comes back", async ({ page }) => {
+test("a lost graphics context is reported and restored", async ({ page }) => {
   const app = new AppPage(page);
   await app.open();
   const before = await app.colours();
