@@ -92,8 +92,7 @@ class MeshRun::Impl {
   }
 
   [[nodiscard]] std::vector<double> front() const {
-    const auto* mesher = std::get_if<RegionMesher>(&worker_);
-    return mesher != nullptr ? mesher->frontCorners() : std::vector<double>{};
+    return front_ ? front_->frontCorners() : std::vector<double>{};
   }
 
   [[nodiscard]] QualitySummary quality() const {
