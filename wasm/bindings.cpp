@@ -236,8 +236,8 @@ auto copiedIn(const Array& array) {
   return [&array] { return copyIn<Value>(array); };
 }
 
-Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles, int innerShells,
-                           std::uint32_t maxDiagnostics) {
+Inspection* inspectSurface(const Float64Array& points, const Uint32Array& triangles,
+                           int innerShells, std::uint32_t maxDiagnostics) {
   const InspectionOptions options{.enclosed = static_cast<EnclosedBodies>(innerShells),
                                   .findings = maxDiagnostics};
   return std::make_unique<Inspection>(copiedIn<double>(points), copiedIn<std::uint32_t>(triangles),
@@ -289,7 +289,7 @@ Proposal* propose(const ModelArrays& arrays, const ProposalOptions& options) {
 }
 
 BackgroundFromMesh* backgroundFromMesh(const Float64Array& points, const Uint32Array& tetrahedra,
-                     const Float64Array& sizes) {
+                                       const Float64Array& sizes) {
   const auto mesh = [&] {
     VolumeMesh copy;
     copy.points = copyIn<double>(points);

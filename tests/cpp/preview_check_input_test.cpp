@@ -178,8 +178,8 @@ TEST(IntersectingPatches, PatchesDrawnManyTimesAreReportedUpToALimit) {
   const Patch face = model.patches.front();
   model.patches.insert(model.patches.end(), 200, face);
   const std::vector<Diagnostic> found = previewModel(model, {}, {.size = 0.5}).diagnostics;
-  const auto meeting =
-      std::ranges::count(found, DiagnosticCode::kPatchesIntersect, [](const auto& d) { return d.code; });
+  const auto meeting = std::ranges::count(found, DiagnosticCode::kPatchesIntersect,
+                                          [](const auto& d) { return d.code; });
   EXPECT_EQ(meeting, 1000);  // of 20 100 pairs
 }
 
@@ -284,8 +284,8 @@ TEST(CheckInput, NoProblemHidesAnother) {
        {DiagnosticCode::kNotFinite, DiagnosticCode::kDuplicatePoints,
         DiagnosticCode::kZeroLengthLine, DiagnosticCode::kIndexOutOfRange,
         DiagnosticCode::kDuplicateLines, DiagnosticCode::kWrongLineCount,
-        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge, DiagnosticCode::kPatchesIntersect,
-        DiagnosticCode::kOutsideBackgroundGrid})
+        DiagnosticCode::kLoopNotClosed, DiagnosticCode::kOpenEdge,
+        DiagnosticCode::kPatchesIntersect, DiagnosticCode::kOutsideBackgroundGrid})
     EXPECT_GE(countOf(found, code), 1U) << static_cast<int>(code);
   grid.nodes[2].size = 0.0;
   MeshOptions options;

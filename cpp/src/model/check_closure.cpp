@@ -146,7 +146,8 @@ class ClosureCheck {
 
   const Model* model_;
   const CheckedModel* found_;
-  std::vector<std::vector<Use>> uses_;  ///< per line; uses of duplicate lines are listed at the lowest of them
+  std::vector<std::vector<Use>>
+      uses_;  ///< per line; uses of duplicate lines are listed at the lowest of them
   std::vector<Joint> joints_;
   Closure result_;
 };

@@ -164,7 +164,8 @@ bool ElementImprover<Space>::insertAt(std::span<const TetId> seeds, const Vec3& 
                                       const Wanted& wanted, const ElementCost<Space>& cost) {
   constexpr int kRounds = 3;
   constexpr int kSteps = 6;
-  constexpr double kAbsorb = 0.7;  // absorb a neighbour behind a cone element worse than this fraction of the worst
+  constexpr double kAbsorb =
+      0.7;  // absorb a neighbour behind a cone element worse than this fraction of the worst
   constexpr double kTighten = 0.95;
   constexpr double kNear = 1.05;  // about as bad as before; a few more steps may succeed
   inCavity_.resize(std::max(inCavity_.size(), complex_.slotCount()), 0);

@@ -116,7 +116,8 @@ std::size_t ImprovementQueue<Space>::improveSome(std::size_t first, std::size_t 
   for (std::size_t i = first; i < last; ++i) {
     const TetId tet = bad_[i];
     if (!complex_.isLive(tet) || complex_.cost(tet) <= 1.0) continue;
-    if (complex_.changedIn(tet) == complex_.pass()) continue;  // made in this pass: leave it to the next
+    if (complex_.changedIn(tet) == complex_.pass())
+      continue;  // made in this pass: leave it to the next
     failedIn_.resize(complex_.slotCount(), 0);
     if (hasFailedAsItIs(tet)) continue;
     const bool isImproved = improver_.improve(tet, cost);

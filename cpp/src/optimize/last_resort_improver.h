@@ -74,8 +74,9 @@ class LastResortImprover {
   NodeMover<Space>& mover_;
   ElementImprover<Space>& improver_;
   TetId tet_;
-  Corners nodes_{};       ///< nodes of the element when it was started
-  std::size_t next_ = 0;  ///< next change: all nodes together, edges removed and split, nodes collapsed
+  Corners nodes_{};  ///< nodes of the element when it was started
+  std::size_t next_ =
+      0;  ///< next change: all nodes together, edges removed and split, nodes collapsed
   Star star_;
   std::vector<TetId> near_;
   std::vector<NodeId> freeNodes_;  ///< of near_

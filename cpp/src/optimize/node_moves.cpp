@@ -128,9 +128,10 @@ bool newtonStep(const Hollow<Space>& hollow, const Vec3& apex, bool squareRoot, 
     const double weight = squareRoot ? std::sqrt(e) : e;
     // Gradients with respect to the position: those of unit space, mapped through T (which is
     // symmetric).
-    const Vec3 s = Space::toUnit(frame, (pa + pb + pc) * (2.0 / squares));  // gradient of log(squares)
-    const Vec3 n = Space::toUnit(frame, normal * (1.0 / volume));           // gradient of log(volume)
-    const Vec3 w = s * 3.0 - n * 2.0;                                       // gradient of log(e)
+    const Vec3 s =
+        Space::toUnit(frame, (pa + pb + pc) * (2.0 / squares));    // gradient of log(squares)
+    const Vec3 n = Space::toUnit(frame, normal * (1.0 / volume));  // gradient of log(volume)
+    const Vec3 w = s * 3.0 - n * 2.0;                              // gradient of log(e)
     gradient += w * weight;
     const double k = 18.0 / squares;
     double kx = k;

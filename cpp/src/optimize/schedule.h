@@ -57,8 +57,8 @@ enum class Entry : std::uint8_t {
 /// When a step repeats its sweeps, up to Step::maxRepeats times in all.
 enum class Again : std::uint8_t {
   kAlways,
-  kWhileItGains,          ///< while a round makes enough changes and lowers the mean cost enough
-  kWhileItImproves,       ///< while any element improves; then once more with the goal to improve the worst
+  kWhileItGains,     ///< while a round makes enough changes and lowers the mean cost enough
+  kWhileItImproves,  ///< while any element improves; then once more with the goal to improve the worst
   kWhileLastResortHelps,  ///< while last-resort tries improve any element
   kIfMuchChanged,         ///< if much of the mesh has changed since improvements began
 };
@@ -81,9 +81,10 @@ struct Step {
   /// for small meshes, with up to some hundreds of elements that miss.
   double many = 1.0;
   double manyOfFew = 0.0;
-  bool includeNarrowGaps = false;  ///< also improve elements in narrow gaps of the boundary, which have no room for a node
-  bool isPatient = false;          ///< continue even if a pass hardly helped
-  bool changedOnly = false;        ///< visit only what has changed since improvements began
+  bool includeNarrowGaps =
+      false;  ///< also improve elements in narrow gaps of the boundary, which have no room for a node
+  bool isPatient = false;    ///< continue even if a pass hardly helped
+  bool changedOnly = false;  ///< visit only what has changed since improvements began
   Again again = Again::kAlways;
   int maxRepeats = 1;
   double minChanges = 0.0;  ///< minimum of a round, relative to the free nodes

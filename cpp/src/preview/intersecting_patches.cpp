@@ -218,7 +218,8 @@ class IntersectionSearch {
 
   void report(std::uint32_t a, std::uint32_t b, const Vec3& position) {
     Diagnostic& diagnostic = diagnostics_.emplace_back();
-    diagnostic.code = a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesIntersect;
+    diagnostic.code =
+        a == b ? DiagnosticCode::kSelfIntersection : DiagnosticCode::kPatchesIntersect;
     diagnostic.entities = {{EntityKind::kPatch, a}};
     if (a != b) diagnostic.entities.push_back({EntityKind::kPatch, b});
     diagnostic.hasPlace = true;

@@ -258,8 +258,8 @@ Task<SampledModel> sampleSurface(Work& work, const Model& model, const CheckedMo
   co_return sampler.take();
 }
 
-SampledModel sampleFinely(const Model& model, const CheckedModel& found,
-                          std::uint32_t refinement, std::span<const std::uint32_t> patches) {
+SampledModel sampleFinely(const Model& model, const CheckedModel& found, std::uint32_t refinement,
+                          std::span<const std::uint32_t> patches) {
   SurfaceSampler sampler(model, found, refinement);
   for (std::uint32_t patch = 0; patch < model.patches.size(); ++patch)
     sampler.addPatch(patch, std::ranges::find(patches, patch) != patches.end());

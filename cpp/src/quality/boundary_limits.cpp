@@ -121,7 +121,8 @@ bool BoundaryLimits::isForcedByEdge(std::uint32_t a, std::uint32_t b, std::uint3
   struct End {
     std::uint32_t third = 0;
     Vec3 normal{0.0};
-    double cosine = 0.0;  ///< cosine of the angle from c; a sharp sector has both ends within a right angle
+    double cosine =
+        0.0;  ///< cosine of the angle from c; a sharp sector has both ends within a right angle
   };
   End beyondC;
   End beyondD;

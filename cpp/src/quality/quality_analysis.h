@@ -82,7 +82,7 @@ class QualityAnalysis {
   QualityStatistics statistics_;
   std::vector<double> sizes_;             ///< target lengths at nodes, without stretching
   std::vector<SymmetricTensor> tensors_;  ///< T of nodes, with stretching
-  std::vector<double> lifts_;             ///< raised size / target size at nodes, if the field is raised
+  std::vector<double> lifts_;  ///< raised size / target size at nodes, if the field is raised
   /// Edges of elements by their lower node, as 6 x element + edge. Those of node i begin at
   /// starts_[i].
   std::vector<std::uint32_t> starts_;

@@ -14,8 +14,9 @@ namespace tetrafront {
 
 /// Numbers of defects; all zero for a valid mesh.
 struct MeshDefects {
-  std::uint64_t badNumbers = 0;  ///< not finite, or an index out of range; then nothing else is checked
-  std::uint64_t movedNodes = 0;  ///< surface nodes with another position or index
+  std::uint64_t badNumbers =
+      0;  ///< not finite, or an index out of range; then nothing else is checked
+  std::uint64_t movedNodes = 0;           ///< surface nodes with another position or index
   std::uint64_t coincidentNodes = 0;      ///< used nodes at the position of another
   std::uint64_t invertedTetrahedra = 0;   ///< volume not positive, exactly
   std::uint64_t duplicateTetrahedra = 0;  ///< with the same nodes as another
@@ -28,7 +29,8 @@ struct MeshDefects {
   std::uint64_t wrongRegions = 0;  ///< tetrahedra whose region contradicts a face
   std::uint64_t wrongVolume = 0;   ///< 1 if the two volumes below differ
   double meshVolume = 0.0;         ///< sum of the tetrahedra's volumes
-  double surfaceVolume = 0.0;      ///< volume enclosed by the surface, by the divergence theorem, without interfaces
+  double surfaceVolume =
+      0.0;  ///< volume enclosed by the surface, by the divergence theorem, without interfaces
 
   [[nodiscard]] std::uint64_t count() const;
 };
