@@ -2,7 +2,7 @@
 /// WebAssembly build: reads an .off file, fills it, prints what came out. Users have
 /// `npx tetrafront` instead, which reads and writes real formats.
 ///
-///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|strive]
+///     fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]
 ///          [--order=layered|smallest-first] [--filters=on|off]
 ///
 /// Prints `name value` lines. Seconds are the processor's, so that other work on the machine hardly
@@ -112,7 +112,7 @@ constexpr std::array<std::pair<std::string_view, Optimization>, 4> kOptimization
     {{"none", Optimization::kNone},
      {"fast", Optimization::kFast},
      {"default", Optimization::kDefault},
-     {"strive", Optimization::kStrive}}};
+     {"thorough", Optimization::kThorough}}};
 constexpr std::array<std::pair<std::string_view, FrontOrder>, 2> kOrders{
     {{"layered", FrontOrder::kLayered}, {"smallest-first", FrontOrder::kSmallestFirst}}};
 constexpr std::array<std::pair<std::string_view, bool>, 2> kSwitch{{{"on", true}, {"off", false}}};
@@ -155,7 +155,7 @@ double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PE
 int main(int argc, char** argv) {
   if (argc < 2) {
     std::fprintf(stderr,
-                 "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|strive]\n"
+                 "usage: fill SURFACE.off [SIZE] [--optimization=none|fast|default|thorough]\n"
                  "       [--order=layered|smallest-first] [--filters=on|off]\n");
     return 2;
   }

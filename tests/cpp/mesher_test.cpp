@@ -282,7 +282,7 @@ struct Body {
 /// Every rung of the recovery is needed by one of them.
 std::vector<Body> bodiesOfEveryRung() {
   MeshOptions striving;
-  striving.optimization = Optimization::kStrive;
+  striving.optimization = Optimization::kThorough;
   MeshOptions filling = striving;
   filling.exactFillOnly = true;
   return {{"tower", testing::schoenhardtTower(3, 57.0), striving},

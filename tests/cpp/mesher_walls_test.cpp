@@ -312,7 +312,7 @@ TEST(MeshWalls, EveryWayOfMeshingKeepsThem) {
   const SurfaceMesh surface = testing::dividedBox({2, 2, 1}, 3);
   std::vector<MeshOptions> ways(4);
   ways[0].optimization = Optimization::kNone;
-  ways[1].optimization = Optimization::kStrive;
+  ways[1].optimization = Optimization::kThorough;
   ways[2].order = FrontOrder::kSmallestFirst;
   ways[3].exactFillOnly = true;
   for (const MeshOptions& options : ways) soundVolumes(filled(surface, options), 4);

@@ -171,7 +171,7 @@ TEST_P(StrivingFloor, IsNotBelowTheDefault) {
   const MeshRun usual = finished(GetParam(), {});
   const QualitySummary byDefault = usual.quality();
   MeshOptions options;
-  options.optimization = Optimization::kStrive;
+  options.optimization = Optimization::kThorough;
   const MeshRun striving = finished(GetParam(), options);
   ASSERT_EQ(striving.status(), MeshStatus::kDone);
   EXPECT_EQ(testing::complaintAbout(striving.volume(), striving.surface()), "");

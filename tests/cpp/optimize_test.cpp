@@ -591,7 +591,7 @@ TEST(MeshOptimizer, DoesNotDependOnHowTheWorkIsSliced) {
     const auto optimized = [&](std::uint32_t budget) {
       const SizeField field = SizeField::uniform(0.2);
       MeshOptimizer optimizer(filled.mesh, filled.surface.points.size() / 3, field,
-                              Optimization::kStrive);
+                              Optimization::kThorough);
       while (!optimizer.advance(budget)) {
       }
       return fingerprintOf(optimizer.mesh());
@@ -633,8 +633,8 @@ TEST(MeshOptimizer, GivesUpSoonWhereALayerLeavesNoRoom) {
 TEST(MeshOptimizer, MoreEffortGivesBetterWorstElements) {
   const SurfaceMesh surface = testing::geodesicSphere(8);
   double before = 0.0;
-  for (const Optimization level :
-       {Optimization::kNone, Optimization::kFast, Optimization::kDefault, Optimization::kStrive}) {
+  for (const Optimization level : {Optimization::kNone, Optimization::kFast, Optimization::kDefault,
+                                   Optimization::kThorough}) {
     MeshOptions options;
     options.optimization = level;
     MeshRun run(surface.points, surface.triangles, options);

@@ -83,7 +83,7 @@ test("sizes that ask for millions of elements are told before they are taken", a
   const cube = sampleProject("unit-cube");
   const points = cube.points.map(({ position: [x, y, z], ...point }) => ({
     ...point,
-    at: [100 * x, 100 * y, 0.2 * z],
+    position: [100 * x, 100 * y, 0.2 * z],
   }));
   const background = { nodes: [], tetrahedra: [] };
   const plate = { ...cube, name: "Plate", points, background, meshing: { size: 20 } };

@@ -25,10 +25,10 @@ enum class FrontOrder : std::uint8_t {
 
 /// How much work goes into the shape of the elements after the front.
 enum class Optimization : std::uint8_t {
-  kNone = 0,     ///< the mesh as the front leaves it
-  kFast = 1,     ///< swaps and moves, then repair of the worst elements
-  kDefault = 2,  ///< with splits and collapses too, until they come to rest
-  kStrive = 3,   ///< with more rounds, and repair towards higher angles: 35 to 130 degrees
+  kNone = 0,      ///< the mesh as the front leaves it
+  kFast = 1,      ///< swaps and moves, then repair of the worst elements
+  kDefault = 2,   ///< with splits and collapses too, until they come to rest
+  kThorough = 3,  ///< with more rounds, and repair towards higher angles: 35 to 130 degrees
 };
 
 /// What a closed part of the boundary bounds that lies within a body and shares no line with it.

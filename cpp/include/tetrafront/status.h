@@ -92,10 +92,10 @@ enum class DiagnosticCode : std::uint16_t {
                           ///< out and turned round; values of the latter: triangles turned, all
   kCoincidentNodes = 48,  ///< two nodes at one place that are not joined
   kNestedRegions = 49,    ///< information; values: number of regions, of cavities
-  kFlippedTriangle =
-      50,               ///< triangle of a given surface that faces inward where others of its part
-                        ///< face outward; values: 1 where it would be a wall if
-                        ///< EnclosedBodies were kRegions, else 0; number of such triangles
+  /// Triangle of a given surface that faces inward while others of its component face outward;
+  /// values: 1 if it would be an interface with EnclosedBodies::kRegions, else 0; number of such
+  /// triangles.
+  kFlippedTriangle = 50,
   kCoarseSurface = 51,  ///< warning; triangle of a given surface with the longest edges in wanted
                         ///< lengths, place; values: number of triangles with edges more than twice
                         ///< as long as wanted, wanted lengths of the longest

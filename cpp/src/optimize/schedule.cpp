@@ -142,7 +142,7 @@ std::vector<Step> scheduleOf(Optimization level) {
   if (level == Optimization::kNone) return steps;
   add(level == Optimization::kFast ? std::span<const Step>(kFastSteps) : kShapeSteps);
   add(kMendSteps);
-  if (level == Optimization::kStrive) add(kStriveSteps);
+  if (level == Optimization::kThorough) add(kStriveSteps);
   return steps;
 }
 

@@ -382,7 +382,7 @@ describe("a background grid of arrays", () => {
       "that refers to nothing",
       { background: around(1, { tetrahedra: Uint32Array.of(0, 1, 2, 4) }) },
       "index-out-of-range",
-      /tetrahedron 0 .*number 4/,
+      /tetrahedron 0 .*(index|node) 4/,
     ],
     [
       "that does not cover the cube",

@@ -279,7 +279,7 @@ describe("bad input is a result, and says what is wrong:", () => {
         points: cube.points.map((p) => (p.id === 8 ? { ...p, position: [1, 1, 1.5] } : p)),
       })),
       "not-planar",
-      /patch "(top|back|right)" is planar, but its plane misses point 8 by 0.5/i,
+      /patch "(top|back|right)" is planar, but point 8 is 0.5 away from its plane/i,
     ],
     [
       "a loop with a gap",

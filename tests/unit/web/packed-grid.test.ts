@@ -33,7 +33,7 @@ describe("a packed grid", () => {
     const project = { ...cubeProject(), background: variousGrid(farIds) };
     const { nodes, tetrahedra } = await documentGrid(packedGrid(project.background));
     expect(nodes).not.toBe(project.background.nodes);
-    const same = { ...project, background: { nodes, tetrahedra, overhang: 0.25 } };
+    const same = { ...project, background: { nodes, tetrahedra, coverageMargin: 0.25 } };
     expect(documentKey(same)).toBe(documentKey(project));
     const other = nodes.map((node, i) => (i === 0 ? { ...node, size: node.size + 1e-15 } : node));
     expect(documentKey({ ...same, background: { ...same.background, nodes: other } })).not.toBe(
