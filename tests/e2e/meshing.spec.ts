@@ -10,7 +10,7 @@ test("opens on a meshed model and tells its numbers", async ({ page }) => {
   expect(tets).toBeLessThan(30_000);
   expect(fingerprint).toMatch(/^[0-9a-f]{16}$/);
   await expect(page.getByTestId("count-tetrahedra")).toHaveText(`${tets.toLocaleString("en-US")} tetrahedra`);
-  await expect(page.getByTestId("count-points")).toHaveText(/^[\d,]+ points$/);
+  await expect(page.getByTestId("count-points")).toHaveText(/^[\d,]+ nodes$/);
   await expect(page.getByTestId("min-dihedral")).toHaveText(/^min dihedral \d+\.\d°$/);
   await expect(page.getByTestId("seconds")).toHaveText(/^\d+\.\d+ s$/);
   await expect(page.getByTestId("log")).toContainText(fingerprint);
