@@ -99,6 +99,9 @@ test("an edit survives although the page dies a tenth of a second later", async 
   await crashed;
   const after = await context.newPage();
   await after.goto("./?test=1");
+  await expect(projectName(after)).not.toHaveValue("");
+  const dialog = await openRecentDialog(after);
+  await dialog.getByRole("button", { name: "edited at the last moment" }).first().click();
   await expect(projectName(after)).toHaveValue("edited at the last moment");
   await after.getByRole("button", { name: "Undo: Rename project" }).click();
   await expect(projectName(after)).toHaveValue("Unit cube");
