@@ -283,7 +283,7 @@ test("a lost graphics context is reported and restored", async ({ page }) => {
     loss?.loseContext();
     Reflect.set(window, "restoreContext", () => loss?.restoreContext());
   });
-  await expect(page.getByRole("alert")).toContainText("has reset the view");
+  await expect(page.getByRole("alert")).toContainText("reset the view");
   await page.evaluate(() => (Reflect.get(window, "restoreContext") as () => void)());
   await expect(page.getByRole("alert")).toBeHidden();
   await nextFrame(app.viewport, () => page.keyboard.press("0"));
