@@ -138,7 +138,7 @@ for (const button of ["add", "add-next"]) {
       const before = await input.inputValue();
       await input.fill("12abc");
       await dialog.getByTestId(button).click();
-      await expect(dialog).toContainText("Type a number");
+      await expect(dialog).toContainText("Enter a number");
       await expect(input).toBeFocused();
       await input.press("Enter");
       await expect(dialog).toBeVisible();
