@@ -198,7 +198,7 @@ test("what cannot be made of the selection is told with the reason", async ({ pa
   await expect(dialog).toContainText("only one of them ends at point");
   await page.keyboard.press("Escape");
   await page.getByTestId("add-line").click();
-  await expect(page.getByRole("dialog", { name: "New line" })).toContainText("Select the points");
+  await expect(page.getByRole("dialog", { name: "New line" })).toContainText("Select its points in order");
 });
 
 test("lines in any order become a patch with a hole, and a hole is added and taken away", async ({

@@ -52,7 +52,7 @@ test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page
 });
 
 test("a mesh that cannot be written is told, and can be once it is possible", async ({ page }) => {
-  const writeScript = /write-worker-.*\.js$/;
+  const writeScript = /mesh-file-worker-.*\.js$/;
   await page.route(writeScript, (route) => route.abort());
   await new AppPage(page).openCube();
   const save = async (): Promise<void> => {

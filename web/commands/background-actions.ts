@@ -1,4 +1,4 @@
-import type { CoverOptions, ProjectSource, SizeProposal } from "tetrafront";
+import type { CoverOptions, ProjectBackground, ProjectSource, SizeProposal } from "tetrafront";
 import type { App } from "../app/app";
 import { replaceBackground, replaceSources, setMeshing } from "../document/edits";
 import { documentGrid } from "../document/large-grid";
@@ -33,8 +33,12 @@ export async function takeBackgroundFromMesh(app: App): Promise<void> {
     const arrays = await (await app.mesher).backgroundFromMesh(mesh.volume);
     const grid = await documentGrid(packArrays(arrays));
     const { sources } = app.documents.project.background;
-    const { coverageMargin: overhang = 0 } = arrays;
-    const background = { ...grid, ...(sources && { sources }), ...(overhang > 0 && { overhang }) };
+    const { coverageMargin = 0 } = arrays;
+    const background: ProjectBackground = {
+      ...grid,
+      ...(sources && { sources }),
+      ...(coverageMargin > 0 && { coverageMargin }),
+    };
     app.documents.edit(
       replaceBackground(strings.background.backgroundFromMesh, app.documents.project, background),
     );

@@ -63,7 +63,8 @@ export class ToolController {
       canvas.addEventListener(type, (event) => this.#lose(event), options);
     }
     canvas.addEventListener("contextmenu", (event) => event.preventDefault(), options);
-    window.addEventListener("blur", () => this.cancel(), options);
+    // Not in the capture phase: a press in the view takes the focus from an element, which must not cancel it.
+    window.addEventListener("blur", () => this.cancel(), { signal: this.#listening.signal });
     window.addEventListener("keydown", (event) => this.#key(event), options);
   }
 

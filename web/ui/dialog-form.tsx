@@ -6,6 +6,7 @@ import {
   useLayoutEffect,
   useMemo,
   useRef,
+  type MouseEvent,
   type ReactNode,
   type RefObject,
 } from "react";
@@ -85,9 +86,13 @@ export interface ApplyButtonProps extends ButtonProps {
   readonly "data-testid"?: string;
 }
 
+/** Keeps the focus in its field until the click, lest a reason that appears or goes moves the button away from it. */
+const keepFocus = (event: MouseEvent): void => event.preventDefault();
+
 /** A button that applies the form around it. */
-export function ApplyButton({ action, ...props }: ApplyButtonProps) {
+export function ApplyButton({ action, ...others }: ApplyButtonProps) {
   const form = useContext(FormContext);
-  if (action === undefined) return <Button size="xs" type="submit" {...props} />;
-  return <Button size="xs" variant="default" onClick={() => form?.apply(action)} {...props} />;
+  const props = { size: "xs", onMouseDown: keepFocus, ...others };
+  if (action === undefined) return <Button type="submit" {...props} />;
+  return <Button variant="default" onClick={() => form?.apply(action)} {...props} />;
 }
