@@ -86,6 +86,25 @@ test("a reload keeps the project with its steps of undo and redo", async ({ page
   await expect(page.getByTestId("undo")).toBeDisabled();
 });
 
+test("an edit survives although the page dies a tenth of a second later", async ({ page, context }) => {
+  const app = new AppPage(page);
+  await app.openCube();
+  await kept(app);
+  const client = await context.newCDPSession(page);
+  const crashed = page.waitForEvent("crash");
+  await renameProject(page, "edited at the last moment");
+  // A tenth of a second as the page measures it, so that a busy machine does not shorten it.
+  await page.evaluate(() => new Promise((resolve) => setTimeout(resolve, 100)));
+  client.send("Page.crash").catch(() => undefined);
+  await crashed;
+  const after = await context.newPage();
+  await after.goto("./?test=1");
+  // Without other tabs, a new one continues with the project used last.
+  await expect(projectName(after)).toHaveValue("edited at the last moment");
+  await after.getByRole("button", { name: "Undo: Rename project" }).click();
+  await expect(projectName(after)).toHaveValue("Unit cube");
+});
+
 test("four tabs keep their own projects over a reload, the idle one too", async ({ page, context }) => {
   const tabs: AppPage[] = [];
   for (const name of ["one", "two", "three", "four"]) {

@@ -12,8 +12,8 @@ export interface AutosaveState {
 
 /** From a change to its writing, at least: the page shows the change first. Milliseconds. */
 const minDelay = 20;
-/** Writing a large project blocks the page: wait for this multiple of the time that the last writing took. */
-const delayPerWritingTime = 4;
+/** Copying a large project blocks the page: wait for this multiple of the time that the last copy took. */
+const delayPerBlockingTime = 4;
 /** From one failed attempt to the next. It doubles with each further failure. */
 const retryDelay = { first: 500, max: 30_000 };
 
@@ -39,7 +39,7 @@ export class Autosave {
   #noted: DocumentState | null = null;
   #running = 0;
   #timer: ReturnType<typeof setTimeout> | null = null;
-  #lastWritingTime = 0;
+  #lastBlockingTime = 0;
   #failures = 0;
   readonly state: StoreApi<AutosaveState> = createStore<AutosaveState>(() => ({
     pending: false,
@@ -97,7 +97,7 @@ export class Autosave {
     this.#noted = state;
     this.#queue.set(state.id, state);
     this.#update();
-    this.#schedule(Math.max(minDelay, delayPerWritingTime * this.#lastWritingTime));
+    this.#schedule(Math.max(minDelay, delayPerBlockingTime * this.#lastBlockingTime));
   }
 
   #schedule(delay: number): void {
@@ -106,11 +106,9 @@ export class Autosave {
   }
 
   async #write(state: DocumentState): Promise<void> {
-    const started = performance.now();
     this.#running += 1;
     try {
-      const isListed = state.file !== null || !isUntouched(state);
-      await this.#storage.write(keptDocument(state, Date.now(), isListed));
+      await this.#issue(state);
       this.#failures = 0;
       this.#update(null);
     } catch (error) {
@@ -120,14 +118,22 @@ export class Autosave {
       this.#update(error instanceof Error ? error.message : String(error));
     } finally {
       this.#running -= 1;
-      this.#lastWritingTime = performance.now() - started;
       this.#update();
       if (this.#queue.size > 0) this.#schedule(this.#nextDelay());
     }
   }
 
+  /** Starts to write. Only this part blocks the page; the storage does the rest by itself. */
+  #issue(state: DocumentState): Promise<void> {
+    const started = performance.now();
+    const isListed = state.file !== null || !isUntouched(state);
+    const writing = this.#storage.write(keptDocument(state, Date.now(), isListed));
+    this.#lastBlockingTime = performance.now() - started;
+    return writing;
+  }
+
   #nextDelay(): number {
-    if (this.#failures === 0) return Math.max(minDelay, delayPerWritingTime * this.#lastWritingTime);
+    if (this.#failures === 0) return Math.max(minDelay, delayPerBlockingTime * this.#lastBlockingTime);
     return Math.min(retryDelay.max, retryDelay.first * 2 ** (this.#failures - 1));
   }
 

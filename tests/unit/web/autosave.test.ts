@@ -58,6 +58,15 @@ describe("autosave", () => {
     expect(keptName()).not.toBe("name 9");
   });
 
+  it("is as quick after a write to a slow disk", async () => {
+    const { documents, storage, keptName } = following();
+    storage.latency = 400;
+    await vi.advanceTimersByTimeAsync(2 * storage.latency);
+    documents.edit(renameProject("edited"));
+    await vi.advanceTimersByTimeAsync(shortly);
+    expect(keptName()).toBe("edited");
+  });
+
   it.each(["pagehide", "beforeunload"])("writes at once on %s alone", async (event) => {
     const { documents, autosave, storage, keptName } = following();
     await vi.advanceTimersByTimeAsync(shortly);

@@ -10,6 +10,8 @@ export class MemoryStorage implements DocumentStorage {
   writes = 0;
   /** Reason of the failure of each write, until it is reset. */
   failure: string | null = null;
+  /** Time that each write takes without blocking the page; milliseconds. */
+  latency = 0;
 
   list() {
     const listed = [...this.documents.values()].filter((document) => document.listed === 1);
@@ -30,7 +32,9 @@ export class MemoryStorage implements DocumentStorage {
     this.writes += 1;
     if (this.failure !== null) return Promise.reject(new Error(this.failure));
     this.documents.set(document.id, structuredClone(document));
-    return Promise.resolve();
+    return this.latency === 0
+      ? Promise.resolve()
+      : new Promise((resolve) => setTimeout(resolve, this.latency));
   }
 
   remove(ids: readonly string[]): Promise<void> {
