@@ -27,10 +27,10 @@ const launchArguments = [
 ];
 /** Hides everything but the picture, on a transparent background; the gallery adds its own. */
 const style = `
-  .tf-canvas-box { position: fixed; inset: 0; z-index: 9; }
-  html, body, .tf-page, .tf-view { background: transparent !important; }
-  .tf-header, .tf-rail, .tf-status, .tf-cutbar, .tf-legend, .tf-badge, .tf-hint, .tf-marker { visibility: hidden; }
-  .tf-canvas-box > div { display: none; }
+  [data-testid="viewport"] { position: fixed; inset: 0; z-index: 9; }
+  html, body, [data-testid="app"], main { background: transparent !important; }
+  header, nav, footer, main > :not([data-testid="viewport"]) { visibility: hidden; }
+  [data-testid="viewport"] > div { display: none; }
   canvas { outline: none !important; }
 `;
 

@@ -1,7 +1,8 @@
 import "@fontsource-variable/inter/wght.css";
-import "@mantine/core/styles.css";
-import "@mantine/spotlight/styles.css";
-import "./ui/styles/index.css";
+// First of the styles, because it sets the order of the layers.
+import "./ui/base.css";
+import "@mantine/core/styles.layer.css";
+import "@mantine/spotlight/styles.layer.css";
 import { MantineProvider } from "@mantine/core";
 import { createRoot } from "react-dom/client";
 import { createApp, type Intent } from "./app/create-app";

@@ -26,7 +26,7 @@ for (const scheme of ["dark", "light"] as const) {
     await app.select("line-1");
     expect(await violations(page)).toEqual([]);
     await app.select("background-node-3");
-    await app.type("bg-stretch", "2");
+    await app.type("node-stretching", "2");
     await expect(page.getByTestId("mesh-badge")).toBeVisible();
     await page.getByRole("tab", { name: "Display" }).click();
     expect(await violations(page)).toEqual([]);
@@ -52,7 +52,7 @@ for (const scheme of ["dark", "light"] as const) {
     await page.keyboard.press("Escape");
     await app.openExample("unit-cube");
     await app.select("point-7");
-    await app.type("at-x", "1.5");
+    await app.type("position-x", "1.5");
     await expect(page.getByTestId("marker-0")).toBeVisible();
     await page.getByTestId("tree-patch-2").click();
     await page.getByRole("tab", { name: "Problems" }).click();

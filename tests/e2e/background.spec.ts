@@ -16,10 +16,10 @@ test("a source is added, edited, seen, obeyed and undone", async ({ page }) => {
   await nextFrame(app.viewport, () => page.getByTestId("add-source").click());
   await expect(page.getByTestId("tree-source-1")).toHaveAttribute("aria-selected", "true");
   expect((await app.viewport.screenshot()).equals(bare)).toBe(false);
-  await expect(page.getByTestId("place-0-x")).toHaveValue("0.5");
+  await expect(page.getByTestId("position-0-x")).toHaveValue("0.5");
   await app.type("source-size", "0.05");
   await app.type("source-distance", "0.2");
-  await app.type("place-0-x", "1");
+  await app.type("position-0-x", "1");
   await app.type("source-growth", "-1");
   await expect(page.getByText("Must not be below 0")).toBeVisible();
   await page.getByTestId("source-growth").press("Escape");
@@ -39,13 +39,13 @@ test("sources are made of selected points, of each type", async ({ page }) => {
   await page.getByTestId("tree-point").click();
   await page.getByTestId("tree-point-1").click();
   await page.getByTestId("tree-point-3").click({ modifiers: ["Shift"] });
-  await page.getByTestId("make-source-triangle").click();
-  await expect(page.getByTestId("place-2-z")).toBeVisible();
+  await page.getByTestId("create-source-triangle").click();
+  await expect(page.getByTestId("position-2-z")).toBeVisible();
   await page.getByTestId("tree-line-1").click();
   await command(page, "Segment source");
   await expect(page.getByTestId("tree-source-2")).toHaveAttribute("aria-selected", "true");
-  await expect(page.getByTestId("place-1-x")).toBeVisible();
-  await expect(page.getByTestId("place-2-x")).toBeHidden();
+  await expect(page.getByTestId("position-1-x")).toBeVisible();
+  await expect(page.getByTestId("position-2-x")).toBeHidden();
 });
 
 for (const [type, points] of [
@@ -59,9 +59,9 @@ for (const [type, points] of [
     for (const [index, id] of points.entries()) {
       await page.getByTestId(`tree-point-${id}`).click(index === 0 ? {} : { modifiers: ["ControlOrMeta"] });
     }
-    await page.getByTestId(`make-source-${type}`).click();
+    await page.getByTestId(`create-source-${type}`).click();
     const last = points.length - 1;
-    await app.type(`place-${last}-z`, "0.5");
+    await app.type(`position-${last}-z`, "0.5");
     await app.type("source-size", "0.05");
     await app.type("source-distance", "0.1");
     const finer = await app.generate();
@@ -107,7 +107,7 @@ test("a covering grid mends a place that is not covered", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-2");
-  await app.type("at-x", "1");
+  await app.type("position-x", "1");
   await page.getByRole("tab", { name: "Problems" }).click();
   const group = page.getByTestId("problems-outside-background-grid");
   await expect(group).toContainText("Outside background grid");
@@ -128,7 +128,7 @@ test("a uniform size takes the grid's place, and its problems with it", async ({
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("background-node-2");
-  await app.type("at-x", "1");
+  await app.type("position-x", "1");
   await page.getByRole("tab", { name: "Problems" }).click();
   await expect(page.getByTestId("problems-outside-background-grid")).toBeVisible();
   await command(page, "Uniform size");
@@ -203,7 +203,7 @@ test("a node and a tetrahedron are added to the grid, and a direction is an arro
   await page.getByTestId("tree-background-node-1").click();
   await nextFrame(app.viewport, () => page.keyboard.press("Shift+F"));
   const plain = await app.viewport.screenshot();
-  await nextFrame(app.viewport, () => app.type("bg-stretch", "6"));
+  await nextFrame(app.viewport, () => app.type("node-stretching", "6"));
   await expect(page.getByTestId("direction-x")).toHaveValue("1");
   expect((await app.viewport.screenshot()).equals(plain)).toBe(false);
 });
@@ -224,6 +224,6 @@ test("every patch has its figures, in a table and beside the patch", async ({ pa
   expect(angle).toBeGreaterThan(20);
   expect(ratio).toBeGreaterThan(0.85);
   await app.select("background-node-1");
-  await app.type("bg-size", "0.2");
+  await app.type("node-size", "0.2");
   await expect(page.getByText("No statistics: mesh the current model.")).toBeVisible();
 });

@@ -79,7 +79,7 @@ test("a tetrahedron is drawn from nothing, meshed, and undone", async ({ page })
     await page.keyboard.press("a");
   }
   await expect(page.getByTestId("tree-patch-4")).toHaveAttribute("aria-selected", "true");
-  await expect(page.getByTestId("patch-kind")).toHaveValue("planar");
+  await expect(page.getByTestId("patch-type")).toHaveValue("planar");
   expect((await app.generate()).tets).toBeGreaterThan(20);
   const { points, lines, patches } = await savedProject(page);
   expect(points.map(({ position }) => position)).toEqual([
@@ -148,7 +148,7 @@ for (const button of ["add", "add-next"]) {
     await dialog.getByTestId("new-x").fill("7.5");
     await dialog.getByTestId("new-x").press("Enter");
     await expect(dialog).toBeHidden();
-    await expect(page.getByTestId("at-x")).toHaveValue("7.5");
+    await expect(page.getByTestId("position-x")).toHaveValue("7.5");
     await page.getByRole("button", { name: "Undo: Add point 9" }).click();
     await expect(page.getByTestId("undo")).toBeDisabled();
   });
@@ -190,7 +190,7 @@ test("what cannot be made of the selection is told with the reason", async ({ pa
   const app = new AppPage(page);
   await app.openCube();
   await choose(page, "line", [1, 2]);
-  const made = page.getByTestId("make-of-selection");
+  const made = page.getByTestId("create-from-selection");
   await expect(made).toContainText("The lines do not close: only one of them ends at point");
   await expect(made.getByRole("button", { name: "Patch within lines" })).toHaveCount(0);
   await page.keyboard.press("a");
@@ -217,12 +217,12 @@ test("lines in any order become a patch with a hole, and a hole is added and tak
   for (const line of hole) {
     await page.getByTestId(`tree-line-${line}`).click({ modifiers: ["ControlOrMeta"] });
   }
-  await page.getByTestId("make-hole").click();
+  await page.getByTestId("create-hole").click();
   await expect(page.getByTestId("patch-loop-1")).toBeVisible();
   await page.getByTestId(`tree-patch-${bottom.id}`).press("Delete");
   // Hole first and out of order: the outer loop is still found, and so is its walk.
   await choose(page, "line", [hole[2] ?? 0, ...outer.toReversed(), ...hole.filter((_, i) => i !== 2)]);
-  await page.getByTestId("make-patch-any").click();
+  await page.getByTestId("create-patch-any").click();
   const again = await app.generate();
   expect(again.tets).toBeGreaterThan(100);
   const { patches } = await savedProject(page);
@@ -255,19 +255,19 @@ test("each type of patch says what it takes and what does not fit", async ({ pag
   await app.openCube();
   await app.select("patch-1");
   await expect(page.getByTestId("patch-hint")).toContainText("one plane");
-  await page.getByTestId("patch-kind").click();
+  await page.getByTestId("patch-type").click();
   const wanted = [
     [/^planar/, "Any lines that lie in one plane"],
-    [/^isoparametric triangle/, "Takes three lines; here are 4 lines."],
-    [/^serendipity/, "Takes parabolic lines only"],
-    [/^Barnhill/, "Takes three lines; here are 4 lines."],
+    [/^isoparametric triangle/, "Needs three lines; found 4 lines."],
+    [/^serendipity/, "Needs parabolic lines"],
+    [/^Barnhill/, "Needs three lines; found 4 lines."],
     [/^Coons/, "Four lines of any type"],
   ] as const;
   for (const [name, text] of wanted) {
     await expect(page.getByRole("option", { name })).toContainText(text);
   }
   await page.getByRole("option", { name: /^Barnhill/ }).click();
-  await expect(page.getByTestId("inspector")).toContainText("Takes three lines; here are 4 lines.");
+  await expect(page.getByTestId("inspector")).toContainText("Needs three lines; found 4 lines.");
   await expect(page.getByTestId("inspector").locator("[data-code=wrong-line-count]")).toBeVisible();
   await page.getByTestId("undo").click();
   await expect(page.getByTestId("inspector").locator("[data-code]")).toHaveCount(0);
@@ -283,17 +283,17 @@ test("the lines of a Barnhill–Gregory–Nielson patch have roles, in list and 
   await choose(page, "point", [3, 1]);
   await page.keyboard.press("l");
   await choose(page, "line", [1, 2, 3]);
-  await page.getByTestId("make-patch-barnhill-gregory-nielson").click();
+  await page.getByTestId("create-patch-barnhill-gregory-nielson").click();
   await expect(page.getByTestId("patch-loop-0")).toHaveValue("1, 2, 3");
   await expect(page.getByTestId("role-2")).toHaveText("F2");
-  await expect(page.getByTestId("mark-F2")).toHaveAttribute("data-line", "2");
-  await expect(page.getByTestId("mark-F2")).toBeVisible();
+  await expect(page.getByTestId("role-label-F2")).toHaveAttribute("data-line", "2");
+  await expect(page.getByTestId("role-label-F2")).toBeVisible();
   await page.getByRole("button", { name: "Make Line 3 F2" }).click();
   await expect(page.getByTestId("patch-loop-0")).toHaveValue("2, 3, 1");
   await expect(page.getByTestId("role-3")).toHaveText("F2");
-  await expect(page.getByTestId("mark-F2")).toHaveAttribute("data-line", "3");
+  await expect(page.getByTestId("role-label-F2")).toHaveAttribute("data-line", "3");
   await page.keyboard.press("Escape");
-  await expect(page.getByTestId("mark-F2")).toBeHidden();
+  await expect(page.getByTestId("role-label-F2")).toBeHidden();
 });
 
 /** The mesh as the app saves it, with what an independent judge finds wrong, its boundary apart. */
@@ -359,7 +359,7 @@ test("a blind bore is drawn: a hole in a Barnhill–Gregory–Nielson patch, a t
   await page.keyboard.press("l");
   // The face with the hole, the other faces, the bore's wall and its end.
   await choose(page, "line", [1, 2, 3, 7]);
-  await page.getByTestId("make-patch-barnhill-gregory-nielson").click();
+  await page.getByTestId("create-patch-barnhill-gregory-nielson").click();
   await expect(page.getByTestId("patch-loop-1")).toBeVisible();
   for (const sides of [[1, 4, 5], [2, 5, 6], [3, 4, 6], [7, 8, 9], [8]]) {
     // prettier-ignore

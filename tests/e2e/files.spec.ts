@@ -74,7 +74,7 @@ test("a saved project opens again as it was", async ({ page }) => {
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-2");
-  await app.type("bg-size", "0.3");
+  await app.type("node-size", "0.3");
   const edited = await app.generate();
   const { name, text } = await downloaded(page, () => page.keyboard.press("Control+s"));
   expect(name).toBe("unit-cube.json");
@@ -140,18 +140,18 @@ test("a reload at once keeps what was done last, also that something was undone"
   const app = new AppPage(page);
   await app.openCube();
   page.on("dialog", (dialog) => void dialog.accept());
-  const size = page.getByTestId("bg-size");
+  const size = page.getByTestId("node-size");
   const reloaded = async (): Promise<void> => {
     await page.reload();
     await app.select("background-node-1");
   };
   await app.select("background-node-1");
-  await app.type("bg-size", "0.3");
+  await app.type("node-size", "0.3");
   await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
   await page.getByTestId("undo").click();
   await reloaded();
   await expect(size).toHaveValue("0.16");
-  await app.type("bg-size", "0.2");
+  await app.type("node-size", "0.2");
   await reloaded();
   await expect(size).toHaveValue("0.2");
 });
@@ -178,7 +178,7 @@ test("an edit survives a reload, and so does the knowledge that it is unsaved", 
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
-  await app.type("bg-size", "0.1");
+  await app.type("node-size", "0.1");
   const edited = await app.generate();
   await expect(app.viewport).toHaveAttribute("data-autosaved", "true");
   await page.reload();

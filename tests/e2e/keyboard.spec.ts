@@ -24,7 +24,7 @@ test("a model is opened, edited, meshed and undone without a mouse", async ({ pa
   await page.keyboard.press("ArrowUp");
   await page.keyboard.press("Enter");
   await expect(page.getByTestId("tree-background-node-3")).toHaveAttribute("aria-selected", "true");
-  await page.getByTestId("bg-size").focus();
+  await page.getByTestId("node-size").focus();
   await page.keyboard.type("0.11");
   await page.keyboard.press("Control+Enter");
   await expect(app.viewport).not.toHaveAttribute("data-fingerprint", before.fingerprint);

@@ -19,7 +19,7 @@ test("while the faces of the mesh are still being found, the page goes on, and s
   await expect(app.viewport).toHaveAttribute("data-faces", "0");
   // The figures of the report are there, those that need a look at every element are not yet.
   await expect(page.getByTestId("count-tetrahedra")).toContainText(/[1-9]/);
-  await expect(page.locator(".tf-histogram-foot")).toContainText("min –");
+  await expect(page.getByTestId("quality-histogram-facts")).toContainText("min –");
   await page.keyboard.press("x");
   await page.keyboard.press("z");
   await page.getByTestId("cut-flip").click();
@@ -36,7 +36,7 @@ test("while the faces of the mesh are still being found, the page goes on, and s
   await app.drawn();
   expect(Number(await app.viewport.getAttribute("data-faces"))).toBe(cut);
   await page.getByRole("tab", { name: "Inspector" }).click();
-  await expect(page.locator(".tf-histogram-foot")).toContainText(/min 0\.\d/);
+  await expect(page.getByTestId("quality-histogram-facts")).toContainText(/min 0\.\d/);
 });
 
 test("a mesh that cannot be drawn is told, and stays to be saved", async ({ page }) => {

@@ -53,7 +53,7 @@ test("the header fits at every width, idle and meshing", async ({ page }) => {
   await app.open();
   const overflow = () =>
     page.evaluate(() => {
-      const header = document.querySelector("header.tf-header");
+      const header = document.querySelector("header");
       const label = header?.querySelector("[data-testid=generate] .mantine-Button-label");
       if (!header || !label) throw new Error("The page has no header");
       const excess = (): number =>

@@ -37,14 +37,14 @@ test("moving a point makes the mesh stale, meshing again changes it, undo brings
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-7");
-  await app.type("at-x", "1 + 1/2");
+  await app.type("position-x", "1 + 1/2");
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
   await expect(page.getByTestId("mesh-badge")).toContainText("Out of date");
   await expect(page.getByTestId("saved-state")).toHaveText("unsaved changes");
   // Moving one corner of a cube leaves three of its faces without a plane: make them Coons patches.
   for (const patch of [2, 4, 6]) {
     await app.select(`patch-${patch}`);
-    await page.getByTestId("patch-kind").click();
+    await page.getByTestId("patch-type").click();
     await page.getByRole("option", { name: "Coons" }).click();
   }
   const after = await app.generate();
@@ -65,7 +65,7 @@ test("a smaller size in the background grid gives more tetrahedra", async ({ pag
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("background-node-1");
-  await app.type("bg-size", "0.08");
+  await app.type("node-size", "0.08");
   const finer = await app.generate();
   expect(finer.tets).toBeGreaterThan(1.5 * before.tets);
 });
@@ -74,7 +74,7 @@ test("the arrow keys step a number, and holding them is one step of undo", async
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
-  const size = page.getByTestId("bg-size");
+  const size = page.getByTestId("node-size");
   await size.focus();
   // Each key comes 0.7 s after the one before, as on a slow page: later than edits merge by themselves.
   await page.evaluate(() => {

@@ -6,7 +6,7 @@ test("a broken model is explained beside the entity, in the view and in the list
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-7");
-  await app.type("at-x", "1.5");
+  await app.type("position-x", "1.5");
   const tree = page.getByTestId("tree-patch-2");
   await expect(tree.getByRole("img", { name: "1 problem" })).toBeVisible();
   await tree.click();
@@ -16,13 +16,13 @@ test("a broken model is explained beside the entity, in the view and in the list
 
   await page.getByTestId("generate").click();
   await expect(page.getByTestId("status")).toContainText("The model has errors");
-  await expect(page.getByTestId("issue-0")).toBeVisible();
+  await expect(page.getByTestId("problem-0")).toBeVisible();
   // The last mesh stays, marked as out of date.
   await expect(app.viewport).toHaveAttribute("data-stale", "true");
   expect(await app.mesh()).toEqual(before);
 
   await page.getByTestId("tree-point-1").or(page.getByTestId("tree-line-1")).first().click();
-  await page.getByTestId("issue-0").getByRole("button", { name: "Show" }).click();
+  await page.getByTestId("problem-0").getByRole("button", { name: "Show" }).click();
   await expect(page.locator('[role="treeitem"][aria-selected="true"]')).toHaveCount(1);
   await expect(page.getByTestId("inspector").locator("[data-code]")).not.toHaveCount(0);
 
@@ -48,24 +48,24 @@ test("a value that cannot be taken stays in its field with the reason", async ({
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
-  await app.type("bg-size", "-1");
+  await app.type("node-size", "-1");
   await expect(page.getByText("Must be above 0")).toBeVisible();
-  await expect(page.getByTestId("bg-size")).toHaveValue("-1");
+  await expect(page.getByTestId("node-size")).toHaveValue("-1");
   await expect(app.viewport).toHaveAttribute("data-stale", "false");
-  await page.getByTestId("bg-size").press("Escape");
-  await expect(page.getByTestId("bg-size")).toHaveValue("0.16");
-  await app.type("bg-size", "a tenth");
+  await page.getByTestId("node-size").press("Escape");
+  await expect(page.getByTestId("node-size")).toHaveValue("0.16");
+  await app.type("node-size", "a tenth");
   await expect(page.getByText("Enter a number, such as 0.25 or 1/3")).toBeVisible();
 });
 
-test("deleting a point takes what is built on it, and undo brings it all back", async ({ page }) => {
+test("deleting a point deletes its dependents, and undo brings it all back", async ({ page }) => {
   const app = new AppPage(page);
   const before = await app.openCube();
   await app.select("point-1");
   await page.getByTestId("tree-point-1").press("Delete");
   await expect(page.getByTestId("tree-point-1")).toBeHidden();
   await expect(page.getByTestId("tree-line-1")).toBeHidden();
-  await page.getByRole("button", { name: "Undo: Delete point 1 and 6 built on it" }).click();
+  await page.getByRole("button", { name: "Undo: Delete point 1 and 6 dependent entities" }).click();
   await expect(page.getByTestId("tree-line-1")).toBeVisible();
   expect(await app.meshed()).toEqual(before);
 });

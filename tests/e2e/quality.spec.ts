@@ -19,7 +19,7 @@ test("the report's figures are on show, of all regions and of each", async ({ pa
   const app = new AppPage(page);
   await app.open("light", "core-in-a-shell");
   const { quality, tetrahedra, recovery } = await reportOf(app);
-  await page.getByTestId("all-figures").click();
+  await page.getByTestId("all-statistics").click();
   const panel = page.getByTestId("quality-report");
   await expect(page.getByTestId("verdict")).toContainText("Verified");
   await expect(panel.getByRole("heading", { name: "Worst 10" })).toBeVisible();
@@ -118,14 +118,32 @@ test("a body within a body is a cavity, or a region if the settings say so", asy
   expect(await app.meshed()).toEqual(before);
 });
 
-test("a stretched mesh's report says which figures are of elements as the grid wants them", async ({
+test("one switch measures the whole report of a stretched mesh in the metric or in space", async ({
   page,
 }) => {
   const app = new AppPage(page);
   await app.open("dark", "wing-in-a-tunnel");
   await page.getByTestId("tab-quality").click();
-  await expect(page.getByTestId("stretched-hint")).toBeVisible();
+  const choice = page.getByTestId("quality-space");
+  const facts = page.getByTestId("chart-dihedral-facts");
+  const worst = page.getByTestId("worst-0");
+  await expect(choice.getByRole("radio", { name: "Metric" })).toBeChecked();
+  // The report has no exact extremes in the metric: only the range of the bars.
+  await expect(facts).toHaveText(/^all within \d+° to \d+°$/);
+  await expect(page.getByRole("heading", { name: "Edge length / target" })).toBeVisible();
+  const inMetric = await worst.textContent();
+
+  await choice.getByText("Space").click();
+  const smallest = await page.getByTestId("min-dihedral").textContent();
+  await expect(facts).toContainText(`min ${smallest?.replace("min dihedral ", "")}`);
+  await expect(page.getByRole("heading", { name: "Edge length / mean" })).toBeVisible();
+  await expect(worst).not.toHaveText(String(inMetric));
+  const bars = await page.getByTestId("chart-dihedral").getByRole("listitem").all();
+  const labels = await Promise.all(bars.map((bar) => bar.getAttribute("aria-label")));
+  const first = labels.findIndex((label) => !label?.startsWith("0 "));
+  expect(first).toBe(Math.floor(parseFloat(String(smallest?.match(/[\d.]+/)?.[0])) / 5));
+
   await app.openExample("unit-cube");
   await expect(page.getByTestId("quality-report")).toBeVisible();
-  await expect(page.getByTestId("stretched-hint")).toHaveCount(0);
+  await expect(choice).toHaveCount(0);
 });

@@ -25,7 +25,7 @@ test("opening an example keeps unsaved changes: a notice reopens them with their
   const app = new AppPage(page);
   await app.openCube();
   await app.select("background-node-1");
-  await app.type("bg-size", "0.3");
+  await app.type("node-size", "0.3");
   const edited = await app.generate();
   await app.openExample("plate-with-hole");
   const notice = page.getByTestId("notice-document-left");
@@ -35,7 +35,7 @@ test("opening an example keeps unsaved changes: a notice reopens them with their
   expect(await app.meshed()).toEqual(edited);
   await page.getByRole("button", { name: "Undo: Set size of background node 1" }).click();
   await app.select("background-node-1");
-  await expect(page.getByTestId("bg-size")).toHaveValue("0.16");
+  await expect(page.getByTestId("node-size")).toHaveValue("0.16");
 });
 
 test("a project without changes is left without a word", async ({ page }) => {
@@ -117,7 +117,7 @@ test("four tabs keep their own projects over a reload, the idle one too", async 
   // The first tab is idle while the others go on.
   for (const app of tabs.slice(1)) {
     await app.select("background-node-1");
-    for (const size of ["0.3", "0.25", "0.2", "0.15"]) await app.type("bg-size", size);
+    for (const size of ["0.3", "0.25", "0.2", "0.15"]) await app.type("node-size", size);
     await kept(app);
   }
   for (const { page: tab } of tabs) await tab.reload();

@@ -107,7 +107,7 @@ test("a click in the view selects in the tree, and the tree marks in the view", 
   const corner = await screenPlace(page, "point", 6);
   await page.mouse.click(corner.x, corner.y);
   await expect(page.getByTestId("tree-point-6")).toHaveAttribute("aria-selected", "true");
-  await expect(page.getByTestId("at-x")).toHaveValue("1");
+  await expect(page.getByTestId("position-x")).toHaveValue("1");
   const front = await screenPlace(page, "patch", 3);
   await page.mouse.click(front.x, front.y);
   await expect(page.getByTestId("tree-patch-3")).toHaveAttribute("aria-selected", "true");
@@ -233,7 +233,7 @@ test("hover lights up what the pointer rests on, and a drag orbits without selec
   const corner = await screenPlace(page, "point", 6);
   const before = await app.viewport.screenshot();
   await nextFrame(app.viewport, () => page.mouse.move(corner.x, corner.y));
-  await expect(page.locator(".tf-hover")).toContainText("6");
+  await expect(page.getByTestId("hover-label")).toContainText("6");
   expect((await app.viewport.screenshot()).equals(before)).toBe(false);
   const turned = await projected(page, "point", 6);
   await page.mouse.down();

@@ -7,7 +7,7 @@ import { newDocument } from "../session/document-store";
 import { loadGallery, loadModel, type Gallery } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
 import { BrowserTabMemory } from "../session/tab-memory";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { App } from "./app";
 
 /** What a new app shows first. */

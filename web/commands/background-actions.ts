@@ -4,7 +4,7 @@ import { replaceBackground, replaceSources, setMeshing } from "../document/edits
 import { documentGrid } from "../document/large-grid";
 import { packArrays } from "../document/packed-grid";
 import { rangeAlong, smallestSize } from "../document/extent";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 
 /** Actions on the background grid that need the engine. */
 

@@ -1,6 +1,7 @@
 import type { LineType, PatchType, Project, SourceType } from "tetrafront";
 import { create, takeOffer } from "./creation-actions";
 import type { App } from "../app/app";
+import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 import {
   addSource,
@@ -26,18 +27,18 @@ export interface Maker {
   readonly offer: (project: Project, selection: readonly Entity[]) => Offer;
 }
 
-const lineMaker = (type: LineType, label: string, key: string): Maker => ({
+const lineMaker = (type: LineType, key: string): Maker => ({
   id: `line-${type}`,
-  label,
+  label: commandLabels.lines[type],
   key,
   from: "point",
   quiet: false,
   offer: (project, selection) => offerLine(project, selection, type),
 });
 
-const patchMaker = (type: PatchType | null, label: string, key: string | null): Maker => ({
+const patchMaker = (type: PatchType | null, key: string | null): Maker => ({
   id: `patch-${type ?? "any"}`,
-  label,
+  label: commandLabels.patches[type ?? "any"],
   key,
   from: "line",
   quiet: false,
@@ -45,12 +46,12 @@ const patchMaker = (type: PatchType | null, label: string, key: string | null): 
 });
 
 export const lineMakers: readonly Maker[] = [
-  lineMaker("straight", "Straight line through points", "L"),
-  lineMaker("parabolic", "Parabola through points", "Q"),
-  lineMaker("spline", "Cubic spline through points", "S"),
+  lineMaker("straight", "L"),
+  lineMaker("parabolic", "Q"),
+  lineMaker("spline", "S"),
   {
     id: "line-closed-spline",
-    label: "Closed spline through points",
+    label: commandLabels.lines.closed,
     key: "shift+S",
     from: "point",
     quiet: false,
@@ -59,17 +60,17 @@ export const lineMakers: readonly Maker[] = [
 ];
 
 export const patchMakers: readonly Maker[] = [
-  patchMaker(null, "Patch within lines", "A"),
-  patchMaker("planar", "Planar patch", null),
-  patchMaker("coons", "Coons patch", null),
-  patchMaker("isoparametric-triangle", "Isoparametric triangle", null),
-  patchMaker("serendipity", "Serendipity patch", null),
-  patchMaker("barnhill-gregory-nielson", "Barnhill–Gregory–Nielson patch", null),
+  patchMaker(null, "A"),
+  patchMaker("planar", null),
+  patchMaker("coons", null),
+  patchMaker("isoparametric-triangle", null),
+  patchMaker("serendipity", null),
+  patchMaker("barnhill-gregory-nielson", null),
 ];
 
 const holeMaker: Maker = {
   id: "hole",
-  label: "Hole in the patch",
+  label: commandLabels.hole,
   key: "O",
   from: "patch",
   quiet: false,
@@ -78,7 +79,7 @@ const holeMaker: Maker = {
 
 const tetrahedronMaker: Maker = {
   id: "tetrahedron",
-  label: "Background tetrahedron",
+  label: commandLabels.tetrahedron,
   key: "T",
   from: "background-node",
   quiet: false,
@@ -91,18 +92,18 @@ const commandOf = (maker: Maker, section: number): Command =>
   define("create", section)(
     maker.id,
     maker.label,
-    (app) => make(app, maker),
+    (app) => createFrom(app, maker),
     maker.key === null ? {} : { keys: [maker.key] },
   );
 
 /** Runs a maker on the selection, or shows what to select first. */
-export function make(app: App, maker: Maker): void {
+export function createFrom(app: App, maker: Maker): void {
   const { selection } = app.view.state.getState();
   takeOffer(app, maker.label, maker.offer(app.documents.project, selection));
 }
 
 /** Runs the first maker that the selection fits, or shows a hint if it fits none. */
-export function makeOrTell(
+export function createOrHint(
   app: App,
   candidates: readonly Maker[],
   title: string,
@@ -110,15 +111,13 @@ export function makeOrTell(
 ): void {
   const { selection } = app.view.state.getState();
   const possible = candidates.find(({ offer }) => offer(app.documents.project, selection).possible);
-  if (possible) make(app, possible);
+  if (possible) createFrom(app, possible);
   else app.shell.setState({ message: { title, lines: hint } });
 }
 
-const sourceLabels = { point: "Point", segment: "Segment", triangle: "Triangle" } as const;
-
 const sourceMaker = (type: SourceType): Maker => ({
   id: `source-${type}`,
-  label: `${sourceLabels[type]} source`,
+  label: commandLabels.sources[type],
   key: null,
   from: "point",
   quiet: true,
@@ -133,16 +132,21 @@ export const sourceMakers: readonly Maker[] = [
 ];
 
 export const createMenu: readonly Command[] = [
-  define("create", 0)("new-point", "Point…", (app) => app.shell.setState({ dialog: "new-point" }), {
-    keys: ["P"],
-  }),
+  define("create", 0)(
+    "new-point",
+    commandLabels.newPoint,
+    (app) => app.shell.setState({ dialog: "new-point" }),
+    {
+      keys: ["P"],
+    },
+  ),
   ...lineMakers.map((maker) => commandOf(maker, 1)),
   ...patchMakers.map((maker) => commandOf(maker, 2)),
   commandOf(holeMaker, 2),
-  define("create", 3)("new-node", "Background node…", (app) => app.shell.setState({ dialog: "new-node" })),
+  define("create", 3)("new-node", commandLabels.newNode, (app) => app.shell.setState({ dialog: "new-node" })),
   commandOf(tetrahedronMaker, 3),
   ...(["point", "segment", "triangle"] as const).map((type) =>
-    define("create", 4)(`source-${type}`, `${sourceLabels[type]} source`, (app) =>
+    define("create", 4)(`source-${type}`, commandLabels.sources[type], (app) =>
       create(app, addSource(app.documents.project, app.view.state.getState().selection, type)),
     ),
   ),

@@ -1,6 +1,6 @@
 import type { App } from "../app/app";
 import { download, fileStem } from "../session/files";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { writeMeshFiles } from "../workers/mesh-files";
 import { showMessage } from "./messages";
 

@@ -1,7 +1,8 @@
+import { commandLabels } from "../strings";
 import { define, type Command } from "./command";
 
 export const helpMenu: readonly Command[] = [
-  define("help", 0)("help", "Keyboard and mouse", (app) => app.shell.setState({ dialog: "help" }), {
+  define("help", 0)("help", commandLabels.help, (app) => app.shell.setState({ dialog: "help" }), {
     keys: ["shift+?"],
   }),
 ];

@@ -1,5 +1,6 @@
 import type { App } from "../app/app";
 import { scaleSizes } from "../document/edits";
+import { commandLabels } from "../strings";
 import { takeBackgroundFromMesh, toggleUniformSize } from "./background-actions";
 import { define, type Command } from "./command";
 
@@ -10,36 +11,36 @@ const finer = 0.8;
 const coarser = 1.25;
 
 export const meshMenu: readonly Command[] = [
-  define("mesh", 0)("generate", "Generate mesh", (app) => void app.run.generate(), {
+  define("mesh", 0)("generate", commandLabels.generate, (app) => void app.run.generate(), {
     keys: ["mod+Enter"],
     inFields: true,
     enabled: (app) => !isBusy(app),
   }),
-  define("mesh", 0)("cancel", "Cancel meshing", (app) => app.run.cancel(), {
+  define("mesh", 0)("cancel", commandLabels.cancel, (app) => app.run.cancel(), {
     keys: ["shift+Escape"],
     inFields: true,
     enabled: isBusy,
   }),
-  define("mesh", 1)("refine", "Make all sizes finer (× 0.8)", (app) =>
+  define("mesh", 1)("refine", commandLabels.refine(finer), (app) =>
     app.documents.edit(scaleSizes(app.documents.project, finer)),
   ),
-  define("mesh", 1)("coarsen", "Make all sizes coarser (× 1.25)", (app) =>
+  define("mesh", 1)("coarsen", commandLabels.coarsen(coarser), (app) =>
     app.documents.edit(scaleSizes(app.documents.project, coarser)),
   ),
-  define("mesh", 2)("cover", "Create covering grid…", (app) => app.shell.setState({ dialog: "cover" })),
+  define("mesh", 2)("cover", commandLabels.cover, (app) => app.shell.setState({ dialog: "cover" })),
   define("mesh", 2)(
     "background-from-mesh",
-    "Use this mesh as background grid",
+    commandLabels.backgroundFromMesh,
     (app) => void takeBackgroundFromMesh(app),
     {
       enabled: (app) => (app.run.state.getState().mesh?.report.tetrahedra ?? 0) > 0,
     },
   ),
-  define("mesh", 2)("propose", "Propose sizes…", (app) => app.shell.setState({ dialog: "propose" })),
-  define("mesh", 2)("uniform-size", "Uniform size", toggleUniformSize, {
+  define("mesh", 2)("propose", commandLabels.propose, (app) => app.shell.setState({ dialog: "propose" })),
+  define("mesh", 2)("uniform-size", commandLabels.uniformSize, toggleUniformSize, {
     checked: (app) => app.documents.project.meshing?.size !== undefined,
   }),
-  define("mesh", 3)("problems", "Show problems", (app) =>
+  define("mesh", 3)("problems", commandLabels.problems, (app) =>
     app.shell.setState({ bottomTab: "problems", drawer: "bottom" }),
   ),
 ];

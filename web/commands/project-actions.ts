@@ -11,7 +11,7 @@ import {
 import { openProjectFile, readProjectFile, saveProjectFile, type OpenResult } from "../session/files";
 import { loadModel, type GalleryModel } from "../session/gallery";
 import { hideNotice, showNotice } from "../session/shell";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { showFailure, showMessage } from "./messages";
 
 /**

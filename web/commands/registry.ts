@@ -1,4 +1,5 @@
 import type { App } from "../app/app";
+import { keyWords } from "../strings";
 import type { Command } from "./command";
 import { createMenu } from "./create-menu";
 import { editMenu } from "./edit-menu";
@@ -33,12 +34,5 @@ export function runCommand(app: App, command: Command): void {
 
 /** Returns the names of a hotkey's keys as printed on a keyboard: "mod+shift+Z" becomes Ctrl, Shift, Z. */
 export function keyNames(key: string): readonly string[] {
-  const names: Readonly<Record<string, string>> = {
-    mod: "Ctrl",
-    shift: "Shift",
-    alt: "Alt",
-    Escape: "Esc",
-    Delete: "Del",
-  };
-  return key.split("+").map((part) => names[part] ?? part);
+  return key.split("+").map((part) => keyWords[part] ?? part);
 }

@@ -21,7 +21,7 @@ export function showEntities(app: App, entities: readonly Entity[]): void {
 export function showProblem(app: App, problem: Problem): void {
   if (problem.entities.length > 0) showEntities(app, problem.entities.slice(0, 1));
   if (problem.code === "outside-background-grid") app.view.setLayer("background", true);
-  if (problem.place) app.viewer.getState().viewer?.fitPosition(problem.place);
+  if (problem.position) app.viewer.getState().viewer?.fitPosition(problem.position);
 }
 
 /** Highlights an element of the mesh on show and moves the view to it. */

@@ -3,7 +3,9 @@ import { type Entity, entityName, findRecord, recordsOf, type DrawnKind } from "
 import { rangeAlong, smallestSize } from "./extent";
 import { orderLoops } from "./loops";
 import { likelyPatchType, patchMisfit } from "./patch-rules";
+import { entityNouns, selectionHints, stepNames, untitled } from "../strings";
 import type { ProjectEdit } from "./edit";
+import type { Position } from "./position";
 
 /** An edit that adds entities to the project, and the entities that it adds. */
 export interface Creation {
@@ -16,13 +18,11 @@ export type Offer =
   | { readonly possible: true; readonly creation: Creation }
   | { readonly possible: false; readonly reason: string };
 
-type Place = readonly [number, number, number];
-
 const refuse = (reason: string): Offer => ({ possible: false, reason });
 const offer = (creation: Creation): Offer => ({ possible: true, creation });
 
 /** Returns a project with nothing in it but a name. */
-export function emptyProject(name = "Untitled"): Project {
+export function emptyProject(name: string = untitled): Project {
   const drawn = { points: [], lines: [], patches: [] };
   const background = { nodes: [], tetrahedra: [] };
   return { format: "tetrafront-project", version: 2, name, ...drawn, background };
@@ -36,27 +36,27 @@ export function nextId(project: Project, kind: DrawnKind): number {
 export const idsOf = (selection: readonly Entity[], wanted: DrawnKind): number[] =>
   selection.filter(({ kind }) => kind === wanted).map(({ id }) => id);
 
-export function addPoint(project: Project, at: Place): Creation {
+export function addPoint(project: Project, position: Position): Creation {
   const id = nextId(project, "point");
   return {
     entities: [{ kind: "point", id }],
     edit: {
-      label: `Add point ${id}`,
+      label: stepNames.add(`${entityNouns.point} ${id}`),
       change: (draft) => {
-        draft.project.points.push({ id, position: [...at] });
+        draft.project.points.push({ id, position: [...position] });
       },
     },
   };
 }
 
-export function addBackgroundNode(project: Project, at: Place, size: number): Creation {
+export function addBackgroundNode(project: Project, position: Position, size: number): Creation {
   const id = nextId(project, "background-node");
   return {
     entities: [{ kind: "background-node", id }],
     edit: {
-      label: `Add background node ${id}`,
+      label: stepNames.add(`${entityNouns["background-node"]} ${id}`),
       change: (draft) => {
-        draft.project.background.nodes.push({ id, position: [...at], size });
+        draft.project.background.nodes.push({ id, position: [...position], size });
       },
     },
   };
@@ -65,7 +65,8 @@ export function addBackgroundNode(project: Project, at: Place, size: number): Cr
 function addLines(project: Project, type: LineType, chains: readonly (readonly number[])[]): Creation {
   const first = nextId(project, "line");
   const lines = chains.map((points, index) => ({ id: first + index, type, points: [...points] }));
-  const label = lines.length === 1 ? `Add line ${first}` : `Add ${lines.length} lines`;
+  const label =
+    lines.length === 1 ? stepNames.add(`${entityNouns.line} ${first}`) : stepNames.addLines(lines.length);
   return {
     entities: lines.map(({ id }) => ({ kind: "line", id })),
     edit: {
@@ -81,19 +82,19 @@ function addLines(project: Project, type: LineType, chains: readonly (readonly n
 export function offerClosedSpline(project: Project, selection: readonly Entity[]): Offer {
   const points = [...new Set(idsOf(selection, "point"))];
   const [first] = points;
-  if (first === undefined || points.length < 3) return refuse("Select three points or more, in order.");
+  if (first === undefined || points.length < 3) return refuse(selectionHints.closedSpline);
   return offer(addLines(project, "spline", [[...points, first]]));
 }
 
 /**
- * Lines through the selected points, in the order in which they were selected: one straight line
- * from each to the next, one parabola through three, one spline through four and more.
+ * Offers lines through the selected points, in the order of selection: straight lines from each point to the next, a
+ * parabola through three points, or a spline through four or more.
  */
 export function offerLine(project: Project, selection: readonly Entity[], type: LineType): Offer {
   const points = idsOf(selection, "point");
   switch (type) {
     case "straight":
-      if (points.length < 2) return refuse("Select two points, or more for a chain.");
+      if (points.length < 2) return refuse(selectionHints.straightLine);
       return offer(
         addLines(
           project,
@@ -102,10 +103,10 @@ export function offerLine(project: Project, selection: readonly Entity[], type: 
         ),
       );
     case "parabolic":
-      if (points.length !== 3) return refuse("Select three points: start, middle, end.");
+      if (points.length !== 3) return refuse(selectionHints.parabola);
       return offer(addLines(project, type, [points]));
     case "spline":
-      if (points.length < 4) return refuse("Select four points or more, in order.");
+      if (points.length < 4) return refuse(selectionHints.spline);
       return offer(addLines(project, type, [points]));
   }
 }
@@ -122,7 +123,7 @@ export function offerPatch(project: Project, selection: readonly Entity[], type:
   return offer({
     entities: [{ kind: "patch", id }],
     edit: {
-      label: `Add patch ${id}`,
+      label: stepNames.add(`${entityNouns.patch} ${id}`),
       change: ({ project: draft }) => {
         draft.patches.push({ id, type: chosen, loops: loops.map((loop) => [...loop]) });
       },
@@ -134,7 +135,7 @@ export function offerPatch(project: Project, selection: readonly Entity[], type:
 export function offerHole(project: Project, selection: readonly Entity[]): Offer {
   const [patchId, ...others] = idsOf(selection, "patch");
   const patch = patchId === undefined ? undefined : findRecord(project, "patch", patchId);
-  if (!patch || others.length > 0) return refuse("Select one patch and the lines around the hole.");
+  if (!patch || others.length > 0) return refuse(selectionHints.hole);
   const found = orderLoops(project, idsOf(selection, "line"));
   if (!found.success) return refuse(found.reason);
   const loops = [...patch.loops, ...found.loops];
@@ -144,7 +145,7 @@ export function offerHole(project: Project, selection: readonly Entity[]): Offer
   return offer({
     entities: [entity],
     edit: {
-      label: `Add hole to ${entityName(project, entity) ?? `patch ${patch.id}`}`,
+      label: stepNames.addHole(entityName(project, entity) ?? `${entityNouns.patch} ${patch.id}`),
       change: ({ project: draft }) => {
         const record = draft.patches.find(({ id }) => id === patch.id);
         if (record) record.loops = loops.map((loop) => [...loop]);
@@ -158,14 +159,14 @@ export function offerTetrahedron(project: Project, selection: readonly Entity[])
   const nodes = idsOf(selection, "background-node");
   const [a, b, c, d] = nodes;
   if (nodes.length !== 4 || a === undefined || b === undefined || c === undefined || d === undefined) {
-    return refuse("Select four nodes of the background grid.");
+    return refuse(selectionHints.tetrahedron);
   }
   const same = (other: readonly number[]): boolean => nodes.every((node) => other.includes(node));
-  if (project.background.tetrahedra.some(same)) return refuse("There is such a tetrahedron already.");
+  if (project.background.tetrahedra.some(same)) return refuse(selectionHints.sameTetrahedron);
   return offer({
     entities: nodes.map((id) => ({ kind: "background-node", id })),
     edit: {
-      label: "Add background tetrahedron",
+      label: stepNames.addTetrahedron,
       change: ({ project: draft }) => {
         draft.background.tetrahedra.push([a, b, c, d]);
       },
@@ -182,20 +183,20 @@ const extentShare = 0.025;
 const elementsAround = 2;
 
 interface Box {
-  readonly centre: Place;
+  readonly centre: Position;
   readonly extent: number;
 }
 
 function boxOf(project: Project): Box {
-  const places = project.points.length > 0 ? project.points : project.background.nodes;
-  if (places.length === 0) return { centre: [0, 0, 0], extent: 1 };
-  const ranges = [0, 1, 2].map((axis) => rangeAlong(places, axis));
+  const positioned = project.points.length > 0 ? project.points : project.background.nodes;
+  if (positioned.length === 0) return { centre: [0, 0, 0], extent: 1 };
+  const ranges = [0, 1, 2].map((axis) => rangeAlong(positioned, axis));
   const [x = 0, y = 0, z = 0] = ranges.map(([low, high]) => (low + high) / 2);
   return { centre: [x, y, z], extent: Math.max(...ranges.map(([low, high]) => high - low)) || 1 };
 }
 
 /** Returns the positions of selected points and background nodes, and of the ends of selected lines, in order. */
-function selectedPlaces(project: Project, selection: readonly Entity[]): Place[] {
+function selectedPositions(project: Project, selection: readonly Entity[]): Position[] {
   return selection.flatMap(({ kind, id }) => {
     switch (kind) {
       case "point":
@@ -221,16 +222,16 @@ function selectedPlaces(project: Project, selection: readonly Entity[]): Place[]
 export function addSource(project: Project, selection: readonly Entity[], type: SourceType): Creation {
   const id = nextId(project, "source");
   const { centre, extent } = boxOf(project);
-  const wanted = cornersOf[type];
-  const selected = selectedPlaces(project, selection);
+  const needed = cornersOf[type];
+  const selected = selectedPositions(project, selection);
   const [x, y, z] = centre;
   const reach = extent / 10;
-  const corners: readonly Place[] = [
+  const corners: readonly Position[] = [
     type === "point" ? centre : [x - reach, y, z],
     [x + reach, y, z],
     [x, y + reach, z],
   ];
-  const places = selected.length === wanted ? selected : corners.slice(0, wanted);
+  const positions = selected.length === needed ? selected : corners.slice(0, needed);
   const smallest = smallestSize(project);
   const rough = smallest === undefined ? extentShare * extent : sourceShare * smallest;
   const size = Number(rough.toPrecision(2));
@@ -238,10 +239,16 @@ export function addSource(project: Project, selection: readonly Entity[], type: 
   return {
     entities: [{ kind: "source", id }],
     edit: {
-      label: `Add source ${id}`,
+      label: stepNames.add(`${entityNouns.source} ${id}`),
       change: ({ project: draft }) => {
         draft.background.sources ??= [];
-        draft.background.sources.push({ id, type, positions: places.map((at) => [...at]), size, distance });
+        draft.background.sources.push({
+          id,
+          type,
+          positions: positions.map((position) => [...position]),
+          size,
+          distance,
+        });
       },
     },
   };
@@ -249,7 +256,8 @@ export function addSource(project: Project, selection: readonly Entity[], type: 
 
 /** Offers a source at the selected positions, if there is one for each of its corners. */
 export function offerSource(project: Project, selection: readonly Entity[], type: SourceType): Offer {
-  const wanted = cornersOf[type];
-  if (selectedPlaces(project, selection).length === wanted) return offer(addSource(project, selection, type));
-  return refuse(`Select ${wanted === 1 ? "one place" : `${wanted} places`}.`);
+  const needed = cornersOf[type];
+  if (selectedPositions(project, selection).length === needed)
+    return offer(addSource(project, selection, type));
+  return refuse(selectionHints.source(needed));
 }

@@ -1,6 +1,7 @@
 import type { Project, ProjectBackground, ProjectLine, ProjectMeshing, ProjectPatch } from "tetrafront";
 import { isDraft, original, type Draft } from "mutative";
 import { dependentsOf, entityKey, type DrawnKind, type Entity } from "./entities";
+import { entityNouns, stepNames } from "../strings";
 import type { DocumentContent, ProjectEdit } from "./edit";
 
 /**
@@ -10,13 +11,8 @@ import type { DocumentContent, ProjectEdit } from "./edit";
 
 export type Axis = 0 | 1 | 2;
 
-const kindWords: { readonly [K in DrawnKind]: string } = {
-  point: "point",
-  line: "line",
-  patch: "patch",
-  "background-node": "background node",
-  source: "source",
-};
+/** Returns the name of an entity within a sentence: "point 12". */
+const nounOf = (kind: DrawnKind, id: number): string => `${entityNouns[kind]} ${id}`;
 
 type ProjectDraft = Draft<DocumentContent>["project"];
 
@@ -52,7 +48,7 @@ export function moveEntity(
   value: number,
 ): ProjectEdit {
   return {
-    label: `Move ${kindWords[kind]} ${id}`,
+    label: stepNames.move(nounOf(kind, id)),
     mergeKey: `move-${kind}-${id}-${axis}`,
     change: ({ project }) => {
       const record = kind === "point" ? recordOf(project.points, id) : recordOf(project.background.nodes, id);
@@ -64,7 +60,7 @@ export function moveEntity(
 /** Names a point, line, patch or source; an empty name removes the name. */
 export function renameEntity(entity: Entity, name: string): ProjectEdit {
   return {
-    label: `Rename ${kindWords[entity.kind]} ${entity.id}`,
+    label: stepNames.rename(nounOf(entity.kind, entity.id)),
     change: ({ project }) => {
       const record = recordOf(listOf(project, entity.kind), entity.id);
       if (!record) return;
@@ -76,7 +72,7 @@ export function renameEntity(entity: Entity, name: string): ProjectEdit {
 
 export function renameProject(name: string): ProjectEdit {
   return {
-    label: "Rename project",
+    label: stepNames.renameProject,
     change: ({ project }) => {
       project.name = name;
     },
@@ -85,7 +81,7 @@ export function renameProject(name: string): ProjectEdit {
 
 export function setLineType(id: number, type: ProjectLine["type"]): ProjectEdit {
   return {
-    label: `Change type of line ${id}`,
+    label: stepNames.setLineType(id),
     change: ({ project }) => {
       const line = recordOf(project.lines, id);
       if (line) line.type = type;
@@ -95,7 +91,7 @@ export function setLineType(id: number, type: ProjectLine["type"]): ProjectEdit 
 
 export function setLinePoints(id: number, points: readonly number[]): ProjectEdit {
   return {
-    label: `Change points of line ${id}`,
+    label: stepNames.setLinePoints(id),
     change: ({ project }) => {
       const line = recordOf(project.lines, id);
       if (line && line.points.join() !== points.join()) line.points = [...points];
@@ -105,7 +101,7 @@ export function setLinePoints(id: number, points: readonly number[]): ProjectEdi
 
 export function setPatchType(id: number, type: ProjectPatch["type"]): ProjectEdit {
   return {
-    label: `Change type of patch ${id}`,
+    label: stepNames.setPatchType(id),
     change: ({ project }) => {
       const patch = recordOf(project.patches, id);
       if (patch) patch.type = type;
@@ -116,7 +112,7 @@ export function setPatchType(id: number, type: ProjectPatch["type"]): ProjectEdi
 /** The outer loop first; a negative id walks that line backwards. */
 export function setPatchLoops(id: number, loops: readonly (readonly number[])[]): ProjectEdit {
   return {
-    label: `Change loops of patch ${id}`,
+    label: stepNames.setPatchLoops(id),
     change: ({ project }) => {
       const patch = recordOf(project.patches, id);
       if (patch && JSON.stringify(patch.loops) !== JSON.stringify(loops)) {
@@ -128,7 +124,7 @@ export function setPatchLoops(id: number, loops: readonly (readonly number[])[])
 
 export function setNodeSize(id: number, size: number): ProjectEdit {
   return {
-    label: `Set size of background node ${id}`,
+    label: stepNames.setNode("size", id),
     mergeKey: `size-${id}`,
     change: ({ project }) => {
       const node = recordOf(project.background.nodes, id);
@@ -139,7 +135,7 @@ export function setNodeSize(id: number, size: number): ProjectEdit {
 
 export function setNodeStretching(id: number, stretching: number): ProjectEdit {
   return {
-    label: `Set stretching of background node ${id}`,
+    label: stepNames.setNode("stretching", id),
     mergeKey: `stretching-${id}`,
     change: ({ project }) => {
       const node = recordOf(project.background.nodes, id);
@@ -152,7 +148,7 @@ export function setNodeStretching(id: number, stretching: number): ProjectEdit {
 
 export function setNodeDirection(id: number, axis: Axis, value: number): ProjectEdit {
   return {
-    label: `Set direction of background node ${id}`,
+    label: stepNames.setNode("direction", id),
     mergeKey: `direction-${id}-${axis}`,
     change: ({ project }) => {
       const node = recordOf(project.background.nodes, id);
@@ -172,7 +168,7 @@ export type SourceField = "size" | "distance" | "growth";
 
 export function setSourceField(id: number, field: SourceField, value: number): ProjectEdit {
   return {
-    label: `Set ${field} of source ${id}`,
+    label: stepNames.setSource(field, id),
     mergeKey: `source-${field}-${id}`,
     change: ({ project }) => {
       const source = sourceOf(project, id);
@@ -182,13 +178,13 @@ export function setSourceField(id: number, field: SourceField, value: number): P
 }
 
 /** Moves one corner of a source along one axis. */
-export function moveSource(id: number, place: number, axis: Axis, value: number): ProjectEdit {
+export function moveSource(id: number, corner: number, axis: Axis, value: number): ProjectEdit {
   return {
-    label: `Move source ${id}`,
-    mergeKey: `move-source-${id}-${place}-${axis}`,
+    label: stepNames.move(nounOf("source", id)),
+    mergeKey: `move-source-${id}-${corner}-${axis}`,
     change: ({ project }) => {
-      const at = sourceOf(project, id)?.positions[place];
-      if (at) at[axis] = value;
+      const position = sourceOf(project, id)?.positions[corner];
+      if (position) position[axis] = value;
     },
   };
 }
@@ -204,21 +200,13 @@ function changed<Field extends keyof ProjectMeshing>(
   return Object.keys(settings).length > 0 ? settings : undefined;
 }
 
-const settingLabels: { readonly [Field in keyof ProjectMeshing]-?: string } = {
-  size: "Set uniform size",
-  gradation: "Set gradation",
-  innerShells: "Set what enclosed bodies are",
-  order: "Set order of the front",
-  optimization: "Set optimization",
-};
-
 /** Changes a mesh setting of the project; null removes it, so that the default applies. */
 export function setMeshing<Field extends keyof ProjectMeshing>(
   field: Field,
   value: ProjectMeshing[Field] | null,
 ): ProjectEdit {
   return {
-    label: field === "size" && value === null ? "Take sizes from the background grid" : settingLabels[field],
+    label: field === "size" && value === null ? stepNames.removeUniformSize : stepNames.setMeshing[field],
     ...(typeof value === "number" && { mergeKey: `meshing-${field}` }),
     change: (draft) => {
       const settings = changed(draft.project as Project, field, value);
@@ -253,7 +241,7 @@ export function scaleSizes({ background, meshing }: Project, factor: number): Pr
   const scaled = <Item extends { readonly size: number }>(list: readonly Item[]): readonly Item[] =>
     list.map((item) => ({ ...item, size: factor * item.size }));
   return {
-    label: factor < 1 ? "Refine all sizes" : "Coarsen all sizes",
+    label: factor < 1 ? stepNames.refineSizes : stepNames.coarsenSizes,
     replace: [
       [["project", "background", "nodes"], scaled(background.nodes)],
       ...(background.sources
@@ -282,9 +270,8 @@ export function withDependents(project: Project, entities: readonly Entity[]): E
 export function deleteEntities(project: Project, entities: readonly Entity[]): ProjectEdit {
   const doomed = withDependents(project, entities);
   const [first] = entities;
-  const extra = doomed.length - entities.length;
   const subject =
-    entities.length === 1 && first ? `${kindWords[first.kind]} ${first.id}` : `${entities.length} entities`;
+    entities.length === 1 && first ? nounOf(first.kind, first.id) : stepNames.entities(entities.length);
   const keysOf = (wanted: DrawnKind): ReadonlySet<number> =>
     new Set(doomed.flatMap(({ kind, id }) => (kind === wanted ? [id] : [])));
   /** Returns the same list if nothing is removed, so that unchanged lists stay shared. */
@@ -297,7 +284,7 @@ export function deleteEntities(project: Project, entities: readonly Entity[]): P
   const { background } = project;
   const nodes = keysOf("background-node");
   return {
-    label: extra > 0 ? `Delete ${subject} and ${extra} built on it` : `Delete ${subject}`,
+    label: stepNames.delete(subject, doomed.length - entities.length),
     replace: [
       [["project", "points"], rest(project.points, "point")],
       [["project", "lines"], rest(project.lines, "line")],

@@ -1,5 +1,6 @@
 import type { Project, ProjectLine } from "tetrafront";
 import { findRecord } from "./entities";
+import { loopDefects, selectionHints } from "../strings";
 import { rangeAlong } from "./extent";
 
 /** Closed chains of lines, the outer one first; a negative id walks that line backwards. */
@@ -16,8 +17,8 @@ function findLooseEnd(lines: readonly ProjectLine[]): string | null {
     for (const end of endsOf(line)) meetings.set(end, (meetings.get(end) ?? 0) + 1);
   }
   for (const [point, count] of meetings) {
-    if (count === 1) return `The lines do not close: only one of them ends at point ${point}.`;
-    if (count > 2) return `${count} of the lines meet at point ${point}; a loop passes once.`;
+    if (count === 1) return loopDefects.open(point);
+    if (count > 2) return loopDefects.branching(point, count);
   }
   return null;
 }
@@ -90,7 +91,7 @@ function extentOf(project: Project, loop: readonly number[]): number {
  */
 export function orderLoops(project: Project, lineIds: readonly number[]): LoopSearch {
   const lines = lineIds.map((id) => findRecord(project, "line", id)).filter((line) => line !== undefined);
-  if (lines.length === 0) return { success: false, reason: "Select the lines around the patch." };
+  if (lines.length === 0) return { success: false, reason: selectionHints.loop };
   const seamed = seamedLoop(project, lines);
   if (seamed !== null) return { success: true, loops: [seamed] };
   const reason = findLooseEnd(lines);
@@ -105,7 +106,7 @@ export function orderLoops(project: Project, lineIds: readonly number[]): LoopSe
 }
 
 /** Rotates a loop so that the line at an index becomes the second one: F2 of equation (14). */
-export function turnToSecond(loop: readonly number[], position: number): number[] {
-  const first = (position + loop.length - 1) % loop.length;
+export function rotateToSecond(loop: readonly number[], index: number): number[] {
+  const first = (index + loop.length - 1) % loop.length;
   return [...loop.slice(first), ...loop.slice(0, first)];
 }

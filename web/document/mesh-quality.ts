@@ -16,7 +16,7 @@ export const worstShown: { readonly [M in QualityMeasure]: number } = {
 };
 
 /** Returns where a value lies on the colour scale: 0 to 1 if it is within the scale. */
-export function placeOnScale(value: number, measure: QualityMeasure): number {
+export function scalePosition(value: number, measure: QualityMeasure): number {
   return (value - worstShown[measure]) / (bestValue[measure] - worstShown[measure]);
 }
 

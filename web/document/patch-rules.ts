@@ -1,4 +1,5 @@
 import type { LineType, PatchType, Project } from "tetrafront";
+import { entityNouns, patchMisfits } from "../strings";
 import { entityName, findRecord } from "./entities";
 
 /** Requirements on the outer loop of a patch type (Löhner & Parikh 1988, equations 11–15). */
@@ -21,8 +22,6 @@ export const patchRules: { readonly [P in PatchType]: PatchRule } = {
 /** In the order in which the app offers them. */
 export const patchTypes = Object.keys(patchRules) as PatchType[];
 
-const countWords: Readonly<Record<number, string>> = { 3: "three", 4: "four" };
-
 /** Returns why loops cannot bound a patch of a type, in one sentence; null if they can. */
 export function patchMisfit(
   project: Project,
@@ -32,16 +31,15 @@ export function patchMisfit(
   const rule = patchRules[type];
   const outer = loops[0] ?? [];
   if (rule.lines !== null && outer.length !== rule.lines) {
-    const have = outer.length === 1 ? "is 1 line" : `are ${outer.length} lines`;
-    return `Takes ${countWords[rule.lines] ?? rule.lines} lines; here ${have}.`;
+    return patchMisfits.lineCount(rule.lines, outer.length);
   }
-  if (loops.length > 1 && !rule.holes) return "Takes no holes.";
+  if (loops.length > 1 && !rule.holes) return patchMisfits.holes;
   const wrong = outer
     .map((step) => findRecord(project, "line", Math.abs(step)))
     .find((line) => rule.lineType !== null && line !== undefined && line.type !== rule.lineType);
   if (!wrong) return null;
-  const name = entityName(project, { kind: "line", id: wrong.id }) ?? `line ${wrong.id}`;
-  return `Takes parabolic lines only; ${name} is not one.`;
+  const entity = { kind: "line", id: wrong.id } as const;
+  return patchMisfits.lineType(entityName(project, entity) ?? `${entityNouns.line} ${wrong.id}`);
 }
 
 type Vector = readonly [number, number, number];

@@ -3,15 +3,20 @@ import type { QualityReport } from "tetrafront";
 /** Measures for which a report has a histogram per region. */
 export type CountedMeasure = "dihedral" | "radiusRatio" | "edge";
 
+export interface Range {
+  readonly from: number;
+  readonly to: number;
+}
+
 /** Edges are near the target if edge length / target length is in this range. */
-export const nearWanted = { from: 0.6, to: 1.5 } as const;
-/** Dihedral angles, in degrees, that the optimizer strives for. */
-export const wantedAngles = { from: 30, to: 135 } as const;
+export const nearTarget: Range = { from: 0.6, to: 1.5 };
+/** Dihedral angles that the optimizer aims at, in degrees. */
+export const targetAngles: Range = { from: 30, to: 135 };
 
 /** The part of a report that is shown: the id of a region, or null for all regions. */
 export type RegionChoice = number | null;
 
-/** The counts of one region, or of all together. */
+/** Returns the histogram of one region, or the sum over all regions. */
 export function countsOf(
   { regions }: QualityReport,
   choice: RegionChoice,
@@ -25,12 +30,15 @@ export function countsOf(
 }
 
 /** Returns the fraction of the counts between two values, both at the edge of a bin. */
-export function shareBetween(
-  counts: readonly number[],
-  binWidth: number,
-  { from, to }: { readonly from: number; readonly to: number },
-): number {
+export function shareBetween(counts: readonly number[], binWidth: number, { from, to }: Range): number {
   const [first, end] = [Math.round(from / binWidth), Math.round(to / binWidth)];
   const all = counts.reduce((sum, count) => sum + count, 0);
   return all === 0 ? 0 : counts.slice(first, end).reduce((sum, count) => sum + count, 0) / all;
+}
+
+/** Returns the smallest range of whole bins that holds all counts; null if there are none. */
+export function rangeOfCounts(counts: readonly number[], binWidth: number): Range | null {
+  const first = counts.findIndex((count) => count > 0);
+  const last = counts.findLastIndex((count) => count > 0);
+  return first < 0 ? null : { from: first * binWidth, to: (last + 1) * binWidth };
 }

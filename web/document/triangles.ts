@@ -1,10 +1,8 @@
 import type { SurfaceMesh } from "tetrafront";
+import type { Position } from "./position";
 
-/** The middle of a triangle, or null where the surface has no such triangle. */
-export function triangleCentre(
-  { points, triangles }: SurfaceMesh,
-  triangle: number,
-): readonly [number, number, number] | null {
+/** Returns the centroid of a triangle; null if the surface has no such triangle. */
+export function triangleCentroid({ points, triangles }: SurfaceMesh, triangle: number): Position | null {
   const nodes = triangles.subarray(3 * triangle, 3 * triangle + 3);
   if (nodes.length < 3) return null;
   const along = (axis: number): number =>

@@ -1,5 +1,6 @@
 import type { Diagnostic, EntityRef, Project } from "tetrafront";
 import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "./entities";
+import type { Position } from "./position";
 
 /** A problem of the project or its mesh, with the entities to select. */
 export interface Problem {
@@ -12,7 +13,7 @@ export interface Problem {
   readonly entities: readonly Entity[];
   /** Indices of triangles in the surface that the last run rejected. */
   readonly triangles: readonly number[];
-  readonly place: readonly [number, number, number] | null;
+  readonly position: Position | null;
 }
 
 function isDrawn(kind: EntityRef["kind"]): kind is DrawnKind {
@@ -31,12 +32,12 @@ function toEntities(project: Project, { kind, index, id }: EntityRef): Entity[] 
 }
 
 /**
- * Diagnostics of check and run as problems: without repetition, errors first, else in order. What is
- * for information only is in the log and asks nothing of the user.
+ * Returns the errors and warnings among diagnostics, without repetition: errors first, otherwise in order. Information is
+ * left out: it is in the log and needs no action.
  */
 export function toProblems(project: Project, diagnostics: readonly Diagnostic[]): Problem[] {
   const problems = new Map<string, Problem>();
-  for (const { code, severity, message, remedy, entities, position: place } of diagnostics) {
+  for (const { code, severity, message, remedy, entities, position } of diagnostics) {
     const key = `${code}: ${message}`;
     if (severity === "information" || problems.has(key)) continue;
     problems.set(key, {
@@ -47,7 +48,7 @@ export function toProblems(project: Project, diagnostics: readonly Diagnostic[])
       remedy,
       entities: entities.flatMap((ref) => toEntities(project, ref)),
       triangles: entities.flatMap(({ kind, index }) => (kind === "triangle" ? [index] : [])),
-      place: place ?? null,
+      position: position ?? null,
     });
   }
   const rank = { error: 0, warning: 1 };

@@ -1,19 +1,22 @@
 import { Badge, Tabs, Text } from "@mantine/core";
 import { useEffect, useMemo, useRef } from "react";
 import { groupProblems } from "../document/validate";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useProblems, useRun, useShell } from "./app-context";
-import { PatchTable } from "./patch-figures";
+import { PatchTable } from "./patch-quality";
 import { ProblemCard } from "./problem-card";
+import tabs from "../ui/panel-tabs.module.css";
+import { ScrollPanel } from "../ui/scroll-panel";
+import styles from "./bottom-panel.module.css";
 
-/** The mesher's messages, and everything that is wrong. */
+/** The log of the mesher, the problems, and the quality of the patches. */
 export function BottomPanel() {
   const app = useApp();
   const tab = useShell((state) => state.bottomTab);
   const problemCount = useProblems((state) => state.problems.length);
   return (
     <Tabs
-      className="tf-tabs"
+      className={tabs["tabs"]}
       value={tab}
       keepMounted={false}
       onChange={(value) => {
@@ -60,13 +63,13 @@ function LogList() {
     if (end.current) end.current.scrollTop = end.current.scrollHeight;
   }, [log]);
   return (
-    <div
+    <ScrollPanel
       ref={end}
-      className="tf-scroll tf-log"
+      className={styles["log"]}
+      padded={false}
       role="log"
-      aria-label={strings.bottom.log}
+      label={strings.bottom.log}
       data-testid="log"
-      tabIndex={0}
     >
       {log.length === 0 && <Text c="dimmed">{strings.bottom.logEmpty}</Text>}
       {log.map((line) => (
@@ -75,20 +78,20 @@ function LogList() {
           {line.text}
         </p>
       ))}
-    </div>
+    </ScrollPanel>
   );
 }
 
-/** More than this of one kind is not read; the rest is counted. */
+/** Largest number of problems listed per kind; the others are counted. */
 const maxPerGroup = 50;
 
-/** All problems at once, those of one kind together. */
+/** All problems, grouped by kind. */
 function ProblemPanel() {
   const problems = useProblems((state) => state.problems);
   const groups = useMemo(() => groupProblems(problems), [problems]);
   const indices = new Map(problems.map((problem, index) => [problem, index]));
   return (
-    <div className="tf-scroll tf-pad" tabIndex={0} role="region" aria-label={strings.bottom.problems}>
+    <ScrollPanel label={strings.bottom.problems}>
       {problems.length === 0 && (
         <Text size="sm" c="dimmed">
           {strings.bottom.noProblems}
@@ -96,12 +99,16 @@ function ProblemPanel() {
       )}
       {groups.map(({ code, severity, problems: members }) => (
         <section key={`${severity} ${code}`} data-testid={`problems-${code}`}>
-          <h2 className="tf-problem-group" data-severity={severity}>
+          <h2 className={styles["group"]} data-severity={severity}>
             {strings.problemTitle(code)}
             <span>{strings.bottom.count(members.length, severity)}</span>
           </h2>
           {members.slice(0, maxPerGroup).map((problem) => (
-            <ProblemCard key={problem.key} problem={problem} testId={`issue-${indices.get(problem) ?? 0}`} />
+            <ProblemCard
+              key={problem.key}
+              problem={problem}
+              testId={`problem-${indices.get(problem) ?? 0}`}
+            />
           ))}
           {members.length > maxPerGroup && (
             <Text size="sm" c="dimmed">
@@ -110,6 +117,6 @@ function ProblemPanel() {
           )}
         </section>
       ))}
-    </div>
+    </ScrollPanel>
   );
 }

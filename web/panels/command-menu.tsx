@@ -3,18 +3,19 @@ import { Fragment } from "react";
 import { useStore } from "zustand";
 import type { Command, MenuName } from "../commands/command";
 import { commands, keyNames, runCommand } from "../commands/registry";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
+import styles from "./command-menu.module.css";
 
 export const menuNames: readonly MenuName[] = ["file", "edit", "create", "view", "mesh", "help"];
 
 /** The menus of the header, written from the registry. */
 export function CommandMenubar() {
   return (
-    <Menubar className="tf-menubar" aria-label={strings.header.menu}>
+    <Menubar className={styles["menubar"]} aria-label={strings.header.menu}>
       {menuNames.map((menu) => (
         <Menubar.Menu key={menu}>
-          <Menubar.Target className="tf-menu-target">{strings.menus[menu]}</Menubar.Target>
+          <Menubar.Target className={styles["target"]}>{strings.menus[menu]}</Menubar.Target>
           <Menubar.Dropdown>
             <CommandItems menu={menu} />
           </Menubar.Dropdown>
@@ -45,7 +46,7 @@ function CommandItem({ command }: { readonly command: Command }) {
   const app = useApp();
   const [key] = command.keys;
   const keys = key !== undefined && (
-    <span className="tf-keys">
+    <span className={styles["keys"]}>
       {keyNames(key).map((name) => (
         <Kbd key={name} size="xs">
           {name}
@@ -58,5 +59,5 @@ function CommandItem({ command }: { readonly command: Command }) {
   if (command.checked) {
     return <Menu.CheckboxItem {...common} checked={command.checked(app)} onChange={run} />;
   }
-  return <Menu.Item {...common} leftSection={<span className="tf-check" />} onClick={run} />;
+  return <Menu.Item {...common} leftSection={<span className={styles["check"]} />} onClick={run} />;
 }

@@ -4,7 +4,7 @@ import { IconSearch } from "@tabler/icons-react";
 import { useState } from "react";
 import { useStore } from "zustand";
 import { commands, keyNames, runCommand } from "../commands/registry";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 import { paletteStore } from "./palette";
 

@@ -7,18 +7,18 @@ import { ApplyButton, DialogForm } from "../ui/dialog-form";
 import { FieldRow } from "../ui/field-row";
 import { FramedDialog } from "../ui/framed-dialog";
 import { NumberField } from "../ui/number-field";
-import { PlaceFields } from "../ui/place-fields";
-import { entityWords, strings } from "../ui/strings";
+import { PositionFields } from "../ui/position-fields";
+import { entityWords, strings } from "../strings";
 import { useApp, useProject, useShell } from "./app-context";
 import { aboveZero, stepFor } from "./size-fields";
 
-type PlaceKind = "point" | "background-node";
-type Place = readonly [number, number, number];
+type PositionedKind = "point" | "background-node";
+type Position = readonly [number, number, number];
 
 const dialogOf = { point: "new-point", "background-node": "new-node" } as const;
 
-/** Asks where a new point or background node shall be. */
-export function CreatePlaceDialog({ kind }: { readonly kind: PlaceKind }) {
+/** Creates a point or a background node at a position that the user types. */
+export function CreatePositionedDialog({ kind }: { readonly kind: PositionedKind }) {
   const app = useApp();
   const opened = useShell((state) => state.dialog === dialogOf[kind]);
   return (
@@ -27,24 +27,25 @@ export function CreatePlaceDialog({ kind }: { readonly kind: PlaceKind }) {
       title={kind === "point" ? strings.create.point : strings.create.node}
       onClose={() => app.shell.setState({ dialog: null })}
     >
-      <PlaceForm kind={kind} />
+      <PositionForm kind={kind} />
     </FramedDialog>
   );
 }
 
-/** The coordinates stay for the next one: points often share some. */
-function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
+/** Keeps the coordinates for the next point, because points often share some. */
+function PositionForm({ kind }: { readonly kind: PositionedKind }) {
   const app = useApp();
   const project = useProject();
   const last = recordsOf(project, kind).at(-1);
-  const [place, setPlace] = useState<Place>(() => last?.position ?? [0, 0, 0]);
+  const [position, setPosition] = useState<Position>(() => last?.position ?? [0, 0, 0]);
   const [size, setSize] = useState(() => recordsOf(project, "background-node").at(-1)?.size ?? 0.1);
   const [added, setAdded] = useState<string | null>(null);
   const fields = useRef<HTMLDivElement>(null);
   const toFirstField = (): void => fields.current?.querySelector("input")?.focus();
   const add = (action: string): void => {
-    const present = app.documents.project;
-    const creation = kind === "point" ? addPoint(present, place) : addBackgroundNode(present, place, size);
+    const current = app.documents.project;
+    const creation =
+      kind === "point" ? addPoint(current, position) : addBackgroundNode(current, position, size);
     create(app, creation);
     const [entity] = creation.entities;
     setAdded(entity ? `${entityWords[kind].one.toLowerCase()} ${entity.id}` : null);
@@ -55,13 +56,13 @@ function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
     <DialogForm onApply={add}>
       <div ref={fields}>
         <FieldRow label={strings.create.position}>
-          <PlaceFields
+          <PositionFields
             label={strings.create.position}
-            place={place}
+            value={position}
             step={stepFor(project)}
             testId="new"
             first
-            onCommit={(axis, value) => setPlace(([x, y, z]) => placeWith([x, y, z], axis, value))}
+            onCommit={(axis, value) => setPosition(([x, y, z]) => withCoordinate([x, y, z], axis, value))}
           />
         </FieldRow>
       </div>
@@ -95,6 +96,6 @@ function PlaceForm({ kind }: { readonly kind: PlaceKind }) {
   );
 }
 
-function placeWith([x, y, z]: Place, axis: 0 | 1 | 2, value: number): Place {
+function withCoordinate([x, y, z]: Position, axis: 0 | 1 | 2, value: number): Position {
   return [axis === 0 ? value : x, axis === 1 ? value : y, axis === 2 ? value : z];
 }

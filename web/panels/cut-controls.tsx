@@ -1,6 +1,6 @@
 import { SegmentedControl, Slider } from "@mantine/core";
 import type { CutAxis } from "../document/selection";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useView } from "./app-context";
 
 const axes: readonly CutAxis[] = ["x", "y", "z"];
@@ -27,7 +27,6 @@ export function CutSlider() {
   const { position, enabled } = useView((state) => state.cut);
   return (
     <Slider
-      className="tf-slider"
       size="sm"
       min={0}
       max={1}

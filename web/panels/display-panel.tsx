@@ -1,11 +1,13 @@
 import { Button, SegmentedControl, Switch } from "@mantine/core";
 import { IconArrowsExchange } from "@tabler/icons-react";
 import type { Layer, Shading } from "../document/selection";
-import { FieldRow, SectionTitle } from "../ui/field-row";
-import { measureNames, strings } from "../ui/strings";
+import { FieldRow } from "../ui/field-row";
+import { measureNames, strings } from "../strings";
 import { useApp, useRegions, useView } from "./app-context";
 import { RegionList } from "./region-list";
 import { CutAxisControl, CutSlider } from "./cut-controls";
+import { ScrollPanel } from "../ui/scroll-panel";
+import { SectionTitle } from "../ui/section-title";
 
 const layers: readonly Layer[] = ["points", "lines", "patches", "background", "sources", "mesh"];
 const shadings: readonly { value: Shading; label: string }[] = [
@@ -15,7 +17,7 @@ const shadings: readonly { value: Shading; label: string }[] = [
   { value: "plain", label: strings.display.plain },
 ];
 
-/** What is drawn, and how. */
+/** Layers, shading and cut of the view. */
 export function DisplayPanel() {
   const app = useApp();
   const visible = useView((state) => state.layers);
@@ -24,7 +26,7 @@ export function DisplayPanel() {
   const cut = useView((state) => state.cut);
   const regions = useRegions();
   return (
-    <div className="tf-scroll tf-pad" tabIndex={0} role="region" aria-label={strings.inspector.display}>
+    <ScrollPanel label={strings.inspector.display}>
       <SectionTitle>{strings.display.layers}</SectionTitle>
       {layers.map((layer) => (
         <Switch
@@ -82,6 +84,6 @@ export function DisplayPanel() {
           <RegionList testId="display-region" />
         </>
       )}
-    </div>
+    </ScrollPanel>
   );
 }

@@ -3,12 +3,13 @@ import { Button, Group, SegmentedControl, Text } from "@mantine/core";
 import { likelySize } from "../commands/background-actions";
 import { commandNamed, runCommand } from "../commands/registry";
 import { setMeshing } from "../document/edits";
-import { FieldRow, SectionTitle } from "../ui/field-row";
+import { FieldRow } from "../ui/field-row";
 import { formatCount } from "../ui/format";
 import { NumberField } from "../ui/number-field";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useProject } from "./app-context";
 import { aboveZero, sizeStep, unitsOf, upTo } from "./size-fields";
+import { SectionTitle } from "../ui/section-title";
 
 const texts = strings.background;
 

@@ -5,17 +5,21 @@ import { renameEntity } from "../document/edits";
 import { dependentsOf, entityKey, entityName, findRecord, type Entity } from "../document/entities";
 import { FieldRow } from "../ui/field-row";
 import { NameField } from "../ui/name-field";
-import { entityWords, strings } from "../ui/strings";
+import { entityWords, strings } from "../strings";
 import { useApp, useProblems, useProject } from "./app-context";
 import { EntityChips } from "./entity-chips";
-import { LineEditor, NodeEditor, PointEditor, SourceEditor } from "./entity-editors";
 import { EntityIcon } from "./entity-icon";
+import { LineEditor } from "./line-editor";
+import { NodeEditor } from "./node-editor";
 import { PatchEditor } from "./patch-editor";
-import { PatchFacts } from "./patch-figures";
+import { PatchFacts } from "./patch-quality";
+import { PointEditor } from "./point-editor";
 import { ProblemCard } from "./problem-card";
-import { MakeOfSelection } from "./selection-card";
+import { CreateFromSelection } from "./selection-card";
+import { SourceEditor } from "./source-editor";
+import styles from "./entity-card.module.css";
 
-/** One entity, to be edited. */
+/** The fields of one entity. */
 export function EntityCard({ entity }: { readonly entity: Entity }) {
   const app = useApp();
   const project = useProject();
@@ -27,7 +31,7 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
   const fallback = `${entityWords[entity.kind].one} ${entity.id}`;
   return (
     <>
-      <div className="tf-card-title">
+      <div className={styles["title"]}>
         <EntityIcon entity={entity} project={project} />
         <Text fw={600} size="md" component="h2">
           {name === "" ? fallback : name}
@@ -38,7 +42,7 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
           </Text>
         )}
         {!problems && (
-          <Badge size="sm" variant="outline" color="var(--tf-success)" className="tf-valid">
+          <Badge size="sm" variant="outline" color="var(--tf-success)" className={styles["valid"]}>
             {strings.inspector.valid}
           </Badge>
         )}
@@ -56,10 +60,10 @@ export function EntityCard({ entity }: { readonly entity: Entity }) {
         </FieldRow>
       )}
       <EntityFields entity={entity} project={project} />
-      <MakeOfSelection selection={[entity]} />
+      <CreateFromSelection selection={[entity]} />
       {dependents.length > 0 && (
         <FieldRow label={strings.inspector.usedBy}>
-          <EntityChips entities={dependents} project={project} />
+          <EntityChips entities={dependents} project={project} paddingTop={5} />
         </FieldRow>
       )}
       {entity.kind === "patch" && <PatchFacts patch={entity.id} />}

@@ -1,10 +1,11 @@
-import { UnstyledButton } from "@mantine/core";
 import type { Project } from "tetrafront";
 import { entityKey, entityName, type Entity } from "../document/entities";
-import { entityWords, strings } from "../ui/strings";
+import { Chip } from "../ui/chip";
+import { entityWords, strings } from "../strings";
 import { useApp } from "./app-context";
+import styles from "./entity-chips.module.css";
 
-/** More buttons than this are not looked at one by one. */
+/** Largest number of buttons; the other entities are counted. */
 const maxChips = 24;
 
 export function entityTitle(project: Project, entity: Entity): string {
@@ -14,30 +15,31 @@ export function entityTitle(project: Project, entity: Entity): string {
 export interface EntityChipsProps {
   readonly entities: readonly Entity[];
   readonly project: Project;
-  /** Instead of selecting it. */
+  /** Space above the chips, in pixels. */
+  readonly paddingTop?: number;
+  /** Called instead of selecting the entity. */
   readonly onChoose?: (entity: Entity) => void;
 }
 
-/** Entities as small buttons that select them. */
-export function EntityChips({ entities, project, onChoose }: EntityChipsProps) {
+/** Small buttons that select entities. */
+export function EntityChips({ entities, project, paddingTop = 2, onChoose }: EntityChipsProps) {
   const app = useApp();
   const choose = onChoose ?? ((entity: Entity) => app.view.select(entity));
   return (
-    <div className="tf-chips">
+    <div className={styles["chips"]} style={{ paddingTop }}>
       {entities.slice(0, maxChips).map((entity, index) => (
-        <UnstyledButton
-          // A closed chain of points names its first again at its end.
+        <Chip
+          // A closed chain of points ends with its first one again.
           key={`${index}-${entityKey(entity)}`}
-          className="tf-chip"
           onClick={() => choose(entity)}
           onMouseEnter={() => app.view.setHover(entity)}
           onMouseLeave={() => app.view.setHover(null)}
         >
           {entityTitle(project, entity)}
-        </UnstyledButton>
+        </Chip>
       ))}
       {entities.length > maxChips && (
-        <span className="tf-chip-more">{strings.inspector.more(entities.length - maxChips)}</span>
+        <span className={styles["more"]}>{strings.inspector.more(entities.length - maxChips)}</span>
       )}
     </div>
   );

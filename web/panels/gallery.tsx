@@ -1,9 +1,11 @@
 import { Badge, Text, UnstyledButton } from "@mantine/core";
 import { openExample } from "../commands/project-actions";
 import { groupModels, thumbnailOf, type GalleryModel } from "../session/gallery";
-import { SectionTitle } from "../ui/field-row";
-import { strings } from "../ui/strings";
+import { SectionTitle } from "../ui/section-title";
+import { strings } from "../strings";
 import { useApp, useProject } from "./app-context";
+import { ScrollPanel } from "../ui/scroll-panel";
+import styles from "./gallery.module.css";
 
 /** The bundled sample projects, by groups, each with its picture. */
 export function GalleryPanel() {
@@ -11,7 +13,7 @@ export function GalleryPanel() {
   const name = useProject().name;
   const groups = groupModels(app.gallery.models);
   return (
-    <div className="tf-scroll tf-pad" tabIndex={0} aria-label={strings.tree.examples} role="region">
+    <ScrollPanel label={strings.tree.examples}>
       <Text size="sm" c="dimmed" mb="xs">
         {strings.gallery.intro}
       </Text>
@@ -23,7 +25,7 @@ export function GalleryPanel() {
           ))}
         </section>
       ))}
-    </div>
+    </ScrollPanel>
   );
 }
 
@@ -36,13 +38,13 @@ function GalleryCard({ model, current }: GalleryCardProps) {
   const app = useApp();
   return (
     <UnstyledButton
-      className="tf-card"
+      className={styles["card"]}
       data-testid={`example-${model.id}`}
       data-current={current || undefined}
       onClick={() => void openExample(app, model)}
     >
       <img
-        className="tf-thumbnail"
+        className={styles["thumbnail"]}
         src={thumbnailOf(model)}
         alt=""
         width={240}
@@ -50,7 +52,7 @@ function GalleryCard({ model, current }: GalleryCardProps) {
         loading="lazy"
         onError={(event) => event.currentTarget.remove()}
       />
-      <span className="tf-card-head">
+      <span className={styles["head"]}>
         <Text fw={600} size="sm" component="span">
           {model.title}
         </Text>

@@ -27,12 +27,14 @@ import type { MenuName } from "../commands/command";
 import { commandNamed, runCommand } from "../commands/registry";
 import { DOWNLOADS } from "../commands/file-menu";
 import { Logo } from "../ui/logo";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useDocument, useRun, useView } from "./app-context";
 import { CommandButton } from "./command-button";
 import { CommandItems, CommandMenubar, menuNames } from "./command-menu";
 import { palette } from "./palette";
 import type { Layout } from "./use-layout";
+import menuStyles from "./command-menu.module.css";
+import styles from "./header.module.css";
 
 const icon = { size: 17, "aria-hidden": true } as const;
 
@@ -43,13 +45,13 @@ export function Header({ layout }: { readonly layout: Layout }) {
   const canRedo = useDocument((state) => state.history.future.length > 0);
   const cut = useView((state) => state.cut.enabled);
   return (
-    <header className="tf-header">
-      <span className="tf-brand">
+    <header className={styles["header"]}>
+      <span className={styles["brand"]}>
         <Logo />
         <h1>{strings.appName}</h1>
       </span>
       {phone ? <PhoneMenu /> : <CommandMenubar />}
-      <Toolbar aria-label={strings.header.tools} className="tf-toolbar">
+      <Toolbar aria-label={strings.header.tools} className={styles["toolbar"]}>
         <CommandButton command="undo" disabled={!canUndo} testId="undo">
           <IconArrowBackUp {...icon} />
         </CommandButton>
@@ -68,7 +70,7 @@ export function Header({ layout }: { readonly layout: Layout }) {
         )}
       </Toolbar>
       {!phone && <PaletteBox />}
-      <span className="tf-header-end">
+      <span className={styles["end"]}>
         <DownloadMenu />
         <SchemeToggle />
         <GenerateButton compact={phone} />
@@ -79,7 +81,7 @@ export function Header({ layout }: { readonly layout: Layout }) {
 
 function PaletteBox() {
   return (
-    <button type="button" className="tf-palette" data-testid="palette" onClick={() => palette.open()}>
+    <button type="button" className={styles["palette"]} data-testid="palette" onClick={() => palette.open()}>
       <IconSearch size={14} aria-hidden />
       <span>{strings.header.palette}</span>
       <Kbd size="xs">Ctrl K</Kbd>
@@ -97,7 +99,7 @@ function PhoneMenu() {
           <IconMenu2 size={18} aria-hidden />
         </ActionIcon>
       </Menu.Target>
-      <Menu.Dropdown mah="80vh" className="tf-phone-menu">
+      <Menu.Dropdown mah="80vh" className={menuStyles["phone"]}>
         {menuNames.map((menu) => (
           <Fragment key={menu}>
             <Menu.Item

@@ -1,17 +1,18 @@
 import { entityName, findRecord } from "../document/entities";
-import { formatPlace, formatShort } from "../ui/format";
-import { entityWords, lineTypeNames, patchTypeNames } from "../ui/strings";
+import { formatPosition, formatShort } from "../ui/format";
+import { entityWords, lineTypeNames, patchTypeNames } from "../strings";
 import type { Hover } from "../tools/select-tool";
 import { useProject } from "./app-context";
+import styles from "./hover-label.module.css";
 
-/** Names what lies under the pointer. */
+/** The name and type of the entity under the pointer. */
 export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover }) {
   const project = useProject();
   const { kind, id } = entity;
   const describe = (): string => {
     switch (kind) {
       case "point":
-        return formatPlace(findRecord(project, "point", id)?.position ?? []);
+        return formatPosition(findRecord(project, "point", id)?.position ?? []);
       case "line":
         return lineTypeNames[findRecord(project, "line", id)?.type ?? "straight"];
       case "patch":
@@ -22,7 +23,12 @@ export function HoverLabel({ hover: { entity, at } }: { readonly hover: Hover })
     }
   };
   return (
-    <div className="tf-hover" style={{ transform: `translate(${at.x + 14}px, ${at.y + 14}px)` }} aria-hidden>
+    <div
+      className={styles["label"]}
+      style={{ transform: `translate(${at.x + 14}px, ${at.y + 14}px)` }}
+      aria-hidden
+      data-testid="hover-label"
+    >
       <b>{entityName(project, entity) ?? `${entityWords[kind].one} ${id}`}</b> {describe()}
     </div>
   );

@@ -2,10 +2,10 @@ import { Text } from "@mantine/core";
 import { renameProject } from "../document/edits";
 import { findRecord } from "../document/entities";
 import { qualityOf } from "../document/mesh-quality";
-import { FieldRow, SectionTitle } from "../ui/field-row";
+import { FieldRow } from "../ui/field-row";
 import { formatAngle } from "../ui/format";
 import { NameField } from "../ui/name-field";
-import { measureNames, strings } from "../ui/strings";
+import { measureNames, strings } from "../strings";
 import { useApp, useProject, useRun, useView } from "./app-context";
 import { ElementSize } from "./element-size";
 import { EntityCard } from "./later";
@@ -13,23 +13,20 @@ import { MeshSettings } from "./mesh-settings";
 import { PanelBoundary } from "./panel-boundary";
 import { QualityPanel } from "./quality-panel";
 import { SelectionCard } from "./selection-card";
+import { ScrollPanel } from "../ui/scroll-panel";
+import { SectionTitle } from "../ui/section-title";
+import { Facts } from "../ui/facts";
 
-/** What is selected, to be edited; and the mesh's quality. */
+/** The fields of the selection, or of the project, and the quality of the mesh. */
 export function Inspector() {
   const selection = useView((state) => state.selection);
   const element = useView((state) => state.element);
   const project = useProject();
-  // What undo has taken away may still be selected.
+  // The selection may hold entities that undo has removed.
   const present = selection.filter(({ kind, id }) => findRecord(project, kind, id) !== undefined);
   const [only] = present;
   return (
-    <div
-      className="tf-scroll tf-pad"
-      data-testid="inspector"
-      tabIndex={0}
-      role="region"
-      aria-label={strings.inspector.title}
-    >
+    <ScrollPanel label={strings.inspector.title} data-testid="inspector">
       {element !== null && <ElementCard tetrahedron={element} />}
       {element === null && !only && <ProjectCard />}
       {present.length > 1 && <SelectionCard selection={present} />}
@@ -39,7 +36,7 @@ export function Inspector() {
         </PanelBoundary>
       )}
       <QualityPanel />
-    </div>
+    </ScrollPanel>
   );
 }
 
@@ -72,7 +69,7 @@ function ProjectCard() {
   );
 }
 
-/** A tetrahedron picked on a cut. */
+/** The quality of the tetrahedron that was clicked on a cut. */
 function ElementCard({ tetrahedron }: { readonly tetrahedron: number }) {
   const volume = useRun((state) => state.mesh?.volume);
   if (!volume) return null;
@@ -80,14 +77,14 @@ function ElementCard({ tetrahedron }: { readonly tetrahedron: number }) {
   return (
     <>
       <SectionTitle>{strings.inspector.element(String(tetrahedron))}</SectionTitle>
-      <dl className="tf-facts">
+      <Facts>
         <dt>{strings.inspector.elementNodes}</dt>
         <dd>{nodes.join(", ")}</dd>
         <dt>{measureNames["radius-ratio"]}</dt>
         <dd>{qualityOf(volume, "radius-ratio", tetrahedron).toFixed(3)}</dd>
         <dt>{measureNames.dihedral}</dt>
         <dd>{formatAngle(qualityOf(volume, "dihedral", tetrahedron))}</dd>
-      </dl>
+      </Facts>
     </>
   );
 }

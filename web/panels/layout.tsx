@@ -2,7 +2,7 @@ import { ActionIcon, Splitter, Tabs, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
 import type { ReactNode } from "react";
 import { FramedDrawer } from "../ui/framed-drawer";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useShell } from "./app-context";
 import { BottomPanel } from "./bottom-panel";
 import { Header } from "./header";
@@ -13,6 +13,8 @@ import { PanelBoundary } from "./panel-boundary";
 import { StatusBar } from "./status-bar";
 import { useLayout, type Layout } from "./use-layout";
 import { ViewportPanel } from "./viewport-panel";
+import tabs from "../ui/panel-tabs.module.css";
+import styles from "./layout.module.css";
 
 const rightTabs = ["inspector", "quality", "display"] as const;
 
@@ -20,7 +22,7 @@ const rightTabs = ["inspector", "quality", "display"] as const;
 export function PageLayout() {
   const layout = useLayout();
   return (
-    <div className="tf-page" data-testid="app" data-layout={layout}>
+    <div className={styles["page"]} data-testid="app" data-layout={layout}>
       <Header layout={layout} />
       {layout === "wide" ? <WideBody /> : <NarrowBody layout={layout} />}
       <StatusBar />
@@ -30,26 +32,26 @@ export function PageLayout() {
 
 function WideBody() {
   return (
-    <Splitter className="tf-body" withHandle={false} lineSize={1}>
+    <Splitter className={styles["body"]} withHandle={false} lineSize={1}>
       <Splitter.Pane defaultSize="250px" min="180px" max="480px">
-        <aside className="tf-fill" aria-label={strings.tree.model}>
+        <aside className={styles["side"]} aria-label={strings.tree.model}>
           <LeftPanel />
         </aside>
       </Splitter.Pane>
       <Splitter.Pane defaultSize={100} min={20}>
-        <Splitter orientation="vertical" className="tf-fill" withHandle={false} lineSize={1}>
+        <Splitter orientation="vertical" className={styles["side"]} withHandle={false} lineSize={1}>
           <Splitter.Pane defaultSize={100} min={20}>
             <ViewportPanel layout="wide" />
           </Splitter.Pane>
           <Splitter.Pane defaultSize="168px" min="60px" max="420px">
-            <aside className="tf-fill" aria-label={strings.bottom.title}>
+            <aside className={styles["side"]} aria-label={strings.bottom.title}>
               <BottomPanel />
             </aside>
           </Splitter.Pane>
         </Splitter>
       </Splitter.Pane>
       <Splitter.Pane defaultSize="292px" min="220px" max="520px">
-        <aside className="tf-fill" aria-label={strings.inspector.title}>
+        <aside className={styles["side"]} aria-label={strings.inspector.title}>
           <RightPanel />
         </aside>
       </Splitter.Pane>
@@ -74,8 +76,8 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
   };
   return (
     <>
-      <div className="tf-body tf-narrow">
-        <nav className="tf-rail" aria-label={strings.header.panels}>
+      <div className={`${styles["body"]} ${styles["narrow"]}`}>
+        <nav className={styles["rail"]} aria-label={strings.header.panels}>
           {drawers.map(({ key, label, Icon }) => (
             <Tooltip key={key} label={label} disabled={phone} position="right">
               <ActionIcon
@@ -88,7 +90,7 @@ function NarrowBody({ layout }: { readonly layout: Layout }) {
                 onClick={() => app.shell.setState({ drawer: key })}
               >
                 <Icon size={18} aria-hidden />
-                {phone && <span className="tf-rail-label">{label}</span>}
+                {phone && <span className={styles["railLabel"]}>{label}</span>}
               </ActionIcon>
             </Tooltip>
           ))}
@@ -116,7 +118,7 @@ function LeftPanel() {
   const tab = useShell((state) => state.leftTab);
   return (
     <Tabs
-      className="tf-tabs"
+      className={tabs["tabs"]}
       value={tab}
       keepMounted={false}
       onChange={(value) => app.shell.setState({ leftTab: value === "examples" ? "examples" : "model" })}
@@ -144,7 +146,7 @@ function RightPanel() {
   const tab = useShell((state) => state.rightTab);
   return (
     <Tabs
-      className="tf-tabs"
+      className={tabs["tabs"]}
       value={tab}
       keepMounted={false}
       onChange={(value) =>

@@ -3,8 +3,9 @@ import { LIMITS, type ProjectMeshing } from "tetrafront";
 import { setMeshing } from "../document/edits";
 import { FieldRow } from "../ui/field-row";
 import { NumberField } from "../ui/number-field";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useProject } from "./app-context";
+import styles from "./mesh-settings.module.css";
 
 const texts = strings.meshing;
 
@@ -42,7 +43,7 @@ export function MeshSettings() {
     value: NonNullable<ProjectMeshing[Field]>,
   ): void => app.documents.edit(setMeshing(field, value === defaults[field] ? null : value));
   return (
-    <details className="tf-details" data-testid="mesh-settings">
+    <details className={styles["settings"]} data-testid="mesh-settings">
       <summary>
         {texts.title}
         <span>{[texts.orders[order], texts.optimizations[optimization]].join(", ").toLowerCase()}</span>

@@ -1,6 +1,6 @@
 import type { MeshResult, Project } from "tetrafront";
 import { formatCount } from "../ui/format";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 
 /** One sentence on the mesh, for the label of the picture. */
 export function describeMesh(project: Project, mesh: MeshResult | null): string {

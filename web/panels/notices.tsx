@@ -1,7 +1,7 @@
 import { Button, CloseButton, Text } from "@mantine/core";
 import { useEffect, useState } from "react";
 import { hideNotice, type Notice } from "../session/shell";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useShell } from "./app-context";
 import styles from "./notices.module.css";
 

@@ -1,18 +1,20 @@
-import { CoverDialog, ProposeDialog } from "./background-dialogs";
 import { CommandPalette } from "./command-palette";
-import { CreatePlaceDialog } from "./create-dialogs";
-import { HelpDialog, MessageDialog } from "./dialogs";
+import { CoverDialog } from "./cover-dialog";
+import { CreatePositionedDialog } from "./create-dialogs";
+import { HelpDialog } from "./help-dialog";
+import { MessageDialog } from "./message-dialog";
 import { Notices } from "./notices";
+import { ProposeDialog } from "./propose-dialog";
 import { RecentDialog } from "./recent-dialog";
 
-/** Everything that opens above the page; loaded after it. */
+/** Everything that opens above the page. Loaded after it. */
 export default function Overlays() {
   return (
     <>
       <CommandPalette />
       <HelpDialog />
-      <CreatePlaceDialog kind="point" />
-      <CreatePlaceDialog kind="background-node" />
+      <CreatePositionedDialog kind="point" />
+      <CreatePositionedDialog kind="background-node" />
       <CoverDialog />
       <ProposeDialog />
       <RecentDialog />

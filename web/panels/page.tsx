@@ -1,13 +1,14 @@
 import { lazy, useEffect, useState } from "react";
 import { openDropped } from "../commands/project-actions";
 import type { App } from "../app/app";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { AppContext } from "./app-context";
 import { PageLayout } from "./layout";
 import { PanelBoundary } from "./panel-boundary";
 import { fetchAhead } from "./later";
 import { losePalette } from "./palette";
 import { useCommandHotkeys } from "./use-hotkeys";
+import styles from "./page.module.css";
 
 const Overlays = lazy(() => import("./overlays"));
 
@@ -23,7 +24,7 @@ export function Page({ app }: { readonly app: App }) {
       <PanelBoundary floats onFailed={losePalette}>
         <Overlays />
       </PanelBoundary>
-      {dropping && <div className="tf-drop">{strings.viewport.drop}</div>}
+      {dropping && <div className={styles["drop"]}>{strings.viewport.drop}</div>}
     </AppContext>
   );
 }

@@ -1,6 +1,7 @@
 import { Button, Text } from "@mantine/core";
 import { Component, Suspense, type ReactNode } from "react";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
+import styles from "./panel-boundary.module.css";
 
 interface PanelBoundaryProps {
   readonly children: ReactNode;
@@ -28,7 +29,7 @@ export class PanelBoundary extends Component<PanelBoundaryProps, PanelBoundarySt
   override render(): ReactNode {
     if (!this.state.failed) return <Suspense fallback={null}>{this.props.children}</Suspense>;
     return (
-      <div className={this.props.floats ? "tf-floating-alert" : "tf-pad"} role="alert">
+      <div className={this.props.floats ? styles["floating"] : styles["alert"]} role="alert">
         <Text size="sm" mb={8}>
           {strings.messages.partFailed}
         </Text>

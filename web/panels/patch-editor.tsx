@@ -1,14 +1,16 @@
-import { ActionIcon, Select, Text, Tooltip, UnstyledButton } from "@mantine/core";
-import { IconArrowBackUp, IconTrash } from "@tabler/icons-react";
+import { ActionIcon, Select, Text, Tooltip } from "@mantine/core";
+import { IconTrash } from "@tabler/icons-react";
 import type { PatchType, Project, ProjectPatch } from "tetrafront";
 import { setPatchLoops, setPatchType } from "../document/edits";
-import { turnToSecond } from "../document/loops";
+import { rotateToSecond } from "../document/loops";
 import { patchMisfit, patchRules, patchTypes } from "../document/patch-rules";
 import { FieldRow } from "../ui/field-row";
 import { ListField } from "../ui/list-field";
-import { patchTypeHints, patchTypeNames, strings } from "../ui/strings";
+import { patchTypeHints, patchTypeNames, strings } from "../strings";
 import { useApp } from "./app-context";
-import { EntityChips, entityTitle } from "./entity-chips";
+import { EntityChips } from "./entity-chips";
+import styles from "./patch-editor.module.css";
+import { PatchRoleList } from "./patch-role-list";
 
 const options = patchTypes.map((value) => ({ value, label: patchTypeNames[value] }));
 
@@ -17,6 +19,7 @@ export interface PatchEditorProps {
   readonly project: Project;
 }
 
+/** The type and the loops of a patch. */
 export function PatchEditor({ patch, project }: PatchEditorProps) {
   const { loops } = patch;
   return (
@@ -34,7 +37,7 @@ export function PatchEditor({ patch, project }: PatchEditorProps) {
   );
 }
 
-/** The type, what it is spanned by, and, before one is chosen, what speaks against the others. */
+/** The type of a patch. The list shows which lines each type needs, or why the loops do not fit it. */
 function TypeField({ patch, project }: PatchEditorProps) {
   const app = useApp();
   const misfitOf = (type: PatchType): string | null => patchMisfit(project, type, patch.loops);
@@ -44,7 +47,7 @@ function TypeField({ patch, project }: PatchEditorProps) {
       <Select
         size="xs"
         aria-label={strings.inspector.type}
-        data-testid="patch-kind"
+        data-testid="patch-type"
         allowDeselect={false}
         comboboxProps={{ width: 260, position: "bottom-end" }}
         maxDropdownHeight={420}
@@ -55,7 +58,7 @@ function TypeField({ patch, project }: PatchEditorProps) {
           const type = option.value;
           const wrong = misfitOf(type);
           return (
-            <span className="tf-option" data-misfit={wrong !== null || undefined}>
+            <span className={styles["option"]} data-misfit={wrong !== null || undefined}>
               <b>{option.label}</b>
               <small>{wrong ?? patchTypeHints[type]}</small>
             </span>
@@ -77,7 +80,7 @@ interface LoopFieldsProps extends PatchEditorProps {
   readonly index: number;
 }
 
-/** A loop as numbers to type, and as lines to click; for eq. (14) also with their roles. */
+/** A loop as a list of ids to type and as lines to click; for equation (14) also with the roles of the lines. */
 function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
   const app = useApp();
   const known = new Set(project.lines.map(({ id }) => id));
@@ -104,7 +107,7 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
       {index === 0 ? (
         list
       ) : (
-        <div className="tf-with-button">
+        <div className={styles["hole"]}>
           {list}
           <Tooltip label={strings.inspector.removeHole(index)} openDelay={400}>
             <ActionIcon
@@ -120,66 +123,18 @@ function LoopFields({ patch, project, loop, index }: LoopFieldsProps) {
         </div>
       )}
       {hasRoles ? (
-        <RoleList
+        <PatchRoleList
           project={project}
           loop={loop}
-          onSecond={(position) => setLoops(patch.loops.with(0, turnToSecond(loop, position)))}
+          onSecond={(index) => setLoops(patch.loops.with(0, rotateToSecond(loop, index)))}
         />
       ) : (
         <EntityChips
           project={project}
+          paddingTop={5}
           entities={[...new Set(loop.map(Math.abs))].map((id) => ({ kind: "line", id }))}
         />
       )}
     </FieldRow>
-  );
-}
-
-interface RoleListProps {
-  readonly project: Project;
-  readonly loop: readonly number[];
-  readonly onSecond: (position: number) => void;
-}
-
-/** The lines F1, F2 and F3 of equation (14), and a way to give F2's role to another. */
-function RoleList({ project, loop, onSecond }: RoleListProps) {
-  const app = useApp();
-  return (
-    <>
-      <ol className="tf-roles" aria-label={strings.inspector.lines}>
-        {loop.map((step, position) => {
-          const entity = { kind: "line", id: Math.abs(step) } as const;
-          const title = entityTitle(project, entity);
-          const second = position === 1;
-          return (
-            <li key={step} data-second={second || undefined}>
-              <b data-testid={`role-${entity.id}`}>F{position + 1}</b>
-              <UnstyledButton
-                className="tf-role-line"
-                onClick={() => app.view.select(entity)}
-                onMouseEnter={() => app.view.setHover(entity)}
-                onMouseLeave={() => app.view.setHover(null)}
-              >
-                {title}
-              </UnstyledButton>
-              {step < 0 && <IconArrowBackUp size={14} role="img" aria-label={strings.inspector.backwards} />}
-              {!second && (
-                <UnstyledButton
-                  className="tf-chip"
-                  aria-label={strings.inspector.makeSecond(title)}
-                  data-testid={`make-second-${entity.id}`}
-                  onClick={() => onSecond(position)}
-                >
-                  {strings.inspector.makeSecondShort}
-                </UnstyledButton>
-              )}
-            </li>
-          );
-        })}
-      </ol>
-      <Text size="xs" c="dimmed" mt={4}>
-        {strings.inspector.secondRole}
-      </Text>
-    </>
   );
 }

@@ -2,11 +2,12 @@ import { Button, Text, UnstyledButton } from "@mantine/core";
 import { IconAlertTriangle, IconExclamationCircle } from "@tabler/icons-react";
 import { showEntities, showProblem } from "../commands/selection-actions";
 import type { Problem } from "../document/validate";
-import { formatPlace } from "../ui/format";
-import { strings } from "../ui/strings";
+import { formatPosition } from "../ui/format";
+import { strings } from "../strings";
 import { useApp, useProject } from "./app-context";
 import { EntityChips } from "./entity-chips";
 import { TriangleList } from "./triangle-list";
+import styles from "./problem-card.module.css";
 
 const icons = {
   error: IconExclamationCircle,
@@ -18,28 +19,28 @@ export interface ProblemCardProps {
   readonly testId?: string;
 }
 
-/** What is wrong, what to do, and the way to the place. */
+/** A problem with its remedy, and buttons that show where it is. */
 export function ProblemCard({ problem, testId }: ProblemCardProps) {
   const app = useApp();
   const project = useProject();
   const Icon = icons[problem.severity];
-  const canShow = problem.entities.length > 0 || problem.place !== null;
+  const canShow = problem.entities.length > 0 || problem.position !== null;
   return (
     <div
-      className="tf-problem"
+      className={styles["card"]}
       data-severity={problem.severity}
       data-testid={testId}
       data-code={problem.code}
     >
       <Icon size={16} role="img" aria-label={strings.severities[problem.severity]} />
-      <div className="tf-problem-body">
+      <div className={styles["body"]}>
         <Text size="sm" fw={500}>
           {problem.message}
         </Text>
         <Text size="sm" c="dimmed">
           {problem.remedy}
         </Text>
-        <div className="tf-problem-foot">
+        <div className={styles["foot"]}>
           {canShow && (
             <Button size="compact-xs" variant="default" onClick={() => showProblem(app, problem)}>
               {strings.bottom.show}
@@ -48,10 +49,11 @@ export function ProblemCard({ problem, testId }: ProblemCardProps) {
           <EntityChips
             entities={problem.entities}
             project={project}
+            paddingTop={0}
             onChoose={(entity) => showEntities(app, [entity])}
           />
-          {problem.place && <PlaceButton place={problem.place} />}
-          <code className="tf-code">{problem.code}</code>
+          {problem.position && <PositionButton position={problem.position} />}
+          <code className={styles["code"]}>{problem.code}</code>
         </div>
         {problem.triangles.length > 0 && <TriangleList triangles={problem.triangles} />}
       </div>
@@ -59,15 +61,15 @@ export function ProblemCard({ problem, testId }: ProblemCardProps) {
   );
 }
 
-function PlaceButton({ place }: { readonly place: readonly [number, number, number] }) {
+function PositionButton({ position }: { readonly position: readonly [number, number, number] }) {
   const app = useApp();
   return (
     <UnstyledButton
-      className="tf-problem-place"
-      aria-label={strings.bottom.showPosition(formatPlace(place))}
-      onClick={() => app.viewer.getState().viewer?.fitPosition(place)}
+      className={styles["position"]}
+      aria-label={strings.bottom.showPosition(formatPosition(position))}
+      onClick={() => app.viewer.getState().viewer?.fitPosition(position)}
     >
-      {strings.bottom.at(formatPlace(place))}
+      {strings.bottom.at(formatPosition(position))}
     </UnstyledButton>
   );
 }

@@ -3,22 +3,23 @@ import { useLayoutEffect, useRef } from "react";
 import { showProblem } from "../commands/selection-actions";
 import type { Viewer } from "../viewer/viewer";
 import { useApp, useProblems } from "./app-context";
+import styles from "./problem-markers.module.css";
 
-/** More markers than this would hide the model. */
+/** Largest number of markers; more would hide the model. */
 const maxMarkers = 30;
 
-/** A sign in the view at the place of each problem. Follows the camera without React. */
+/** Markers in the view at the positions of the problems. They follow the camera without rendering again. */
 export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
   const app = useApp();
   const problems = useProblems((state) => state.problems);
-  const placed = problems.filter(({ place }) => place !== null).slice(0, maxMarkers);
+  const placed = problems.filter(({ position }) => position !== null).slice(0, maxMarkers);
   const box = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
     const follow = (): void => {
-      placed.forEach(({ place }, index) => {
+      placed.forEach(({ position }, index) => {
         const marker = box.current?.children[index];
-        if (!(marker instanceof HTMLElement) || !place) return;
-        const at = viewer.toScreen(place);
+        if (!(marker instanceof HTMLElement) || !position) return;
+        const at = viewer.toScreen(position);
         marker.style.display = at ? "" : "none";
         if (at) marker.style.transform = `translate(${at.x}px, ${at.y}px) translate(-50%, -50%)`;
       });
@@ -32,7 +33,7 @@ export function ProblemMarkers({ viewer }: { readonly viewer: Viewer }) {
         <button
           key={problem.key}
           type="button"
-          className="tf-marker"
+          className={styles["marker"]}
           data-severity={problem.severity}
           data-testid={`marker-${index}`}
           aria-label={problem.message}

@@ -1,22 +1,24 @@
 import { Button, CopyButton, Text, UnstyledButton } from "@mantine/core";
-import { bestValue, placeOnScale, type QualityMeasure } from "../document/mesh-quality";
-import { SectionTitle } from "../ui/field-row";
+import { bestValue, scalePosition, type QualityMeasure } from "../document/mesh-quality";
+import { SectionTitle } from "../ui/section-title";
 import { formatAngle, formatCount, formatSeconds, formatShort } from "../ui/format";
 import { HistogramChart } from "../ui/histogram-chart";
-import { measureNames, strings } from "../ui/strings";
+import { measureNames, strings } from "../strings";
 import { viridisAt } from "../ui/viridis";
 import { useApp, useRun, useStale, useView } from "./app-context";
 import { useHistogram } from "./use-histogram";
+import { Facts } from "../ui/facts";
+import styles from "./quality-panel.module.css";
 
-/** Bars of the histogram. */
+/** Number of bars of the histogram. */
 const barCount = 20;
-const axisShares = [0, 0.25, 0.5, 0.75, 1];
+const tickShares = [0, 0.25, 0.5, 0.75, 1];
 
 function valueText(measure: QualityMeasure, value: number): string {
   return measure === "dihedral" ? formatAngle(value) : value.toFixed(3);
 }
 
-/** Statistics of the mesh on show, and how its elements are spread over the quality measure. */
+/** Statistics of the mesh on show and a histogram of the quality measure, measured in space. */
 export function QualityPanel() {
   const app = useApp();
   const mesh = useRun((state) => state.mesh);
@@ -36,13 +38,13 @@ export function QualityPanel() {
   }
   const { report } = mesh;
   const { unmeasured } = strings.quality;
-  // Without an element the report holds zeros that nobody measured.
+  // Without elements, the statistics of the report are zeros without a meaning.
   const measured = report.tetrahedra > 0;
   return (
-    <section className="tf-quality" data-stale={stale || undefined}>
+    <section data-stale={stale || undefined}>
       <SectionTitle>
         {strings.quality.title}
-        {stale && <span className="tf-section-note">{strings.viewport.stale.toLowerCase()}</span>}
+        {stale && <span className={styles["note"]}>{strings.viewport.stale.toLowerCase()}</span>}
       </SectionTitle>
       {measured && (
         <>
@@ -52,25 +54,21 @@ export function QualityPanel() {
           <HistogramChart
             bars={histogram?.bars ?? null}
             end={bestValue[measure]}
-            marks={axisShares.map((share) => share * bestValue[measure])}
+            ticks={tickShares.map((share) => share * bestValue[measure])}
             testId="quality-histogram"
             label={strings.quality.histogram(measureNames[measure])}
-            colorOf={(value) => viridisAt(placeOnScale(value, measure))}
+            colorOf={(value) => viridisAt(scalePosition(value, measure))}
             describe={(count, from, to) =>
               strings.quality.bar(formatCount(count), valueText(measure, from), valueText(measure, to))
             }
+            facts={[
+              [strings.quality.min, histogram ? valueText(measure, histogram.min) : unmeasured],
+              [strings.quality.mean, histogram ? valueText(measure, histogram.mean) : unmeasured],
+            ]}
           />
-          <p className="tf-histogram-foot">
-            <span>
-              {strings.quality.min} <b>{histogram ? valueText(measure, histogram.min) : unmeasured}</b>
-            </span>
-            <span>
-              {strings.quality.mean} <b>{histogram ? valueText(measure, histogram.mean) : unmeasured}</b>
-            </span>
-          </p>
         </>
       )}
-      <dl className="tf-facts">
+      <Facts>
         <dt>{strings.quality.tetrahedra}</dt>
         <dd>{formatCount(report.tetrahedra)}</dd>
         <dt>{strings.quality.nodes}</dt>
@@ -88,13 +86,13 @@ export function QualityPanel() {
         <dt>{strings.quality.time}</dt>
         <dd>{formatSeconds(report.seconds.total)}</dd>
         {measured && report.fingerprint !== "" && <Fingerprint value={report.fingerprint} />}
-      </dl>
+      </Facts>
       {measured && (
         <Button
           size="compact-sm"
           mt={10}
           variant="default"
-          data-testid="all-figures"
+          data-testid="all-statistics"
           onClick={() => app.shell.setState({ rightTab: "quality" })}
         >
           {strings.report.all}
@@ -104,7 +102,7 @@ export function QualityPanel() {
   );
 }
 
-/** Equal for equal meshes, on every platform. A click copies it. */
+/** A hash that is equal for equal meshes on every platform. A click copies it. */
 function Fingerprint({ value }: { readonly value: string }) {
   return (
     <>
@@ -112,7 +110,7 @@ function Fingerprint({ value }: { readonly value: string }) {
       <dd>
         <CopyButton value={value}>
           {({ copied, copy }) => (
-            <UnstyledButton className="tf-mono" data-testid="fingerprint" onClick={copy}>
+            <UnstyledButton className={styles["fingerprint"]} data-testid="fingerprint" onClick={copy}>
               {copied ? strings.quality.copied : value}
             </UnstyledButton>
           )}

@@ -5,7 +5,7 @@ import { openRecent } from "../commands/project-actions";
 import type { RecentDocument } from "../session/document-library";
 import { formatTime } from "../ui/format";
 import { FramedDialog } from "../ui/framed-dialog";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { useApp, useShell } from "./app-context";
 import styles from "./recent-dialog.module.css";
 

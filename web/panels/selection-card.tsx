@@ -1,14 +1,15 @@
 import { Button, Text } from "@mantine/core";
-import { make, makers, sourceMakers } from "../commands/create-menu";
+import { createFrom, makers, sourceMakers } from "../commands/create-menu";
 import { deleteSelection } from "../commands/selection-actions";
 import type { Entity } from "../document/entities";
 import { isClosedChain } from "../document/selection";
-import { SectionTitle } from "../ui/field-row";
-import { strings } from "../ui/strings";
+import { SectionTitle } from "../ui/section-title";
+import { strings } from "../strings";
 import { useApp, useProject } from "./app-context";
 import { EntityChips } from "./entity-chips";
+import styles from "./selection-card.module.css";
 
-/** Several things selected: which, and what can be made of them. */
+/** Several selected entities, and what can be created from them. */
 export function SelectionCard({ selection }: { readonly selection: readonly Entity[] }) {
   const app = useApp();
   const project = useProject();
@@ -21,7 +22,7 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
           : strings.inspector.several(selection.length)}
       </SectionTitle>
       <EntityChips entities={selection} project={project} />
-      <MakeOfSelection selection={selection} explain />
+      <CreateFromSelection selection={selection} explain />
       <Button mt={10} size="compact-xs" variant="default" onClick={() => deleteSelection(app)}>
         {strings.inspector.deleteAll}
       </Button>
@@ -29,14 +30,14 @@ export function SelectionCard({ selection }: { readonly selection: readonly Enti
   );
 }
 
-interface MakeOfSelectionProps {
+interface CreateFromSelectionProps {
   readonly selection: readonly Entity[];
-  /** Says of the others why they cannot be made. */
+  /** Also show why the other makers do not fit. */
   readonly explain?: boolean;
 }
 
-/** Buttons for what can be made of the selection. */
-export function MakeOfSelection({ selection, explain = false }: MakeOfSelectionProps) {
+/** Buttons for everything that can be created from the selection. */
+export function CreateFromSelection({ selection, explain = false }: CreateFromSelectionProps) {
   const app = useApp();
   const project = useProject();
   const kinds = new Set(selection.map(({ kind }) => kind));
@@ -49,16 +50,16 @@ export function MakeOfSelection({ selection, explain = false }: MakeOfSelectionP
   );
   if (possible.length === 0 && !(explain && refused.length > 0)) return null;
   return (
-    <section data-testid="make-of-selection">
-      <SectionTitle>{strings.inspector.makeOf}</SectionTitle>
-      <div className="tf-makers">
+    <section data-testid="create-from-selection">
+      <SectionTitle>{strings.inspector.createFrom}</SectionTitle>
+      <div className={styles["makers"]}>
         {possible.map(({ maker }) => (
           <Button
             key={maker.id}
             size="compact-sm"
             variant="default"
-            data-testid={`make-${maker.id}`}
-            onClick={() => make(app, maker)}
+            data-testid={`create-${maker.id}`}
+            onClick={() => createFrom(app, maker)}
           >
             {maker.label}
           </Button>

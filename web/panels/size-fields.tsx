@@ -1,6 +1,7 @@
 import type { Project } from "tetrafront";
 import { smallestSize } from "../document/extent";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
+import { Unit } from "../ui/unit";
 
 /** What fields for sizes and places have in common. */
 
@@ -23,4 +24,4 @@ export const atLeastOne = (value: number): string | null => (value >= 1 ? null :
 export const sizeStep = (size: number): number => (size > 0 ? 10 ** Math.floor(Math.log10(size / 5)) : 0.1);
 
 export const unitsOf = ({ units }: Project) =>
-  units === undefined ? {} : { rightSection: <span className="tf-unit">{units}</span> };
+  units === undefined ? {} : { rightSection: <Unit>{units}</Unit> };

@@ -1,11 +1,12 @@
-import { ActionIcon, Progress, Tooltip } from "@mantine/core";
+import { ActionIcon, Progress, Tooltip, VisuallyHidden } from "@mantine/core";
 import { IconX } from "@tabler/icons-react";
 import type { Progress as RunProgressReport } from "tetrafront";
 import type { RunState } from "../session/run";
 import { formatAngle, formatCount, formatSeconds, formatShare } from "../ui/format";
-import { phaseNames, strings } from "../ui/strings";
+import { phaseNames, strings } from "../strings";
 import { useApp, useRun, useStale, useUnsaved } from "./app-context";
 import { useThrottled } from "./use-throttled";
+import styles from "./status-bar.module.css";
 
 /** Between two announcements to screen readers. */
 const announceEveryMs = 5000;
@@ -39,7 +40,7 @@ function sectionName({ phase, exactFillFraction: exactFill }: RunProgressReport)
 export function StatusBar() {
   const busy = useRun((state) => state.busy);
   return (
-    <footer className="tf-status" data-testid="status">
+    <footer className={styles["bar"]} data-testid="status">
       {busy ? <RunProgress /> : <Outcome />}
       <MeshNumbers />
     </footer>
@@ -63,26 +64,22 @@ function RunProgress() {
   return (
     <>
       <Progress
-        className="tf-progress"
+        className={styles["progress"]}
         value={percent}
         size="sm"
         aria-label={strings.status.progress}
         // Without graphics hardware a bar that glides costs as much as the meshing.
         transitionDuration={0}
       />
-      <span className="tf-status-text" aria-hidden>
-        {text}
-      </span>
+      <span aria-hidden>{text}</span>
       {progress && progress.frontFaces > 0 && (
-        <span className="tf-wide" aria-hidden>
+        <span className={styles["wide"]} aria-hidden>
           {progress.exactFillFraction > 0
             ? strings.status.exactFill(formatShare(progress.exactFillFraction))
             : strings.status.front(formatCount(progress.frontFaces))}
         </span>
       )}
-      <span role="status" className="tf-hidden">
-        {announced}
-      </span>
+      <VisuallyHidden role="status">{announced}</VisuallyHidden>
       <Tooltip label={strings.status.cancel}>
         <ActionIcon
           size={22}
@@ -110,9 +107,9 @@ function MeshNumbers() {
   const report = mesh && mesh.report.tetrahedra > 0 ? mesh.report : null;
   const points = progress?.nodes ?? report?.nodes;
   return (
-    <div className="tf-numbers" data-stale={(stale && !progress) || undefined}>
+    <div className={styles["numbers"]} data-stale={(stale && !progress) || undefined}>
       {points !== undefined && (
-        <span className="tf-wide" data-testid="count-points">
+        <span className={styles["wide"]} data-testid="count-points">
           {strings.status.nodes(formatCount(points))}
         </span>
       )}
@@ -121,15 +118,15 @@ function MeshNumbers() {
       )}
       {report && !progress && (
         <>
-          <span className="tf-wide" data-testid="min-dihedral">
+          <span className={styles["wide"]} data-testid="min-dihedral">
             {strings.status.minDihedral(formatAngle(report.dihedral.min))}
           </span>
-          <span className="tf-wide" data-testid="seconds">
+          <span className={styles["wide"]} data-testid="seconds">
             {formatSeconds(report.seconds.total)}
           </span>
         </>
       )}
-      <span className="tf-wide" data-testid="saved-state">
+      <span className={styles["wide"]} data-testid="saved-state">
         {unsaved ? strings.status.unsaved : strings.status.saved}
       </span>
     </div>

@@ -1,40 +1,49 @@
 import type { Project } from "tetrafront";
-import { drawnKinds, recordsOf, type DrawnKind, type Entity } from "../document/entities";
-import { formatPlace, formatShort } from "../ui/format";
-import { entityWords, lineTypeNames, patchTypeNames, sourceTypeNames } from "../ui/strings";
+import { drawnKinds, entityKey, recordsOf, type DrawnKind, type Entity } from "../document/entities";
+import { formatPosition, formatShort } from "../ui/format";
+import { entityWords, lineTypeNames, patchTypeNames, sourceTypeNames } from "../strings";
 
-/** One line of the model tree: a heading for a kind, or an entity. */
+/** A row of the model tree: the heading of a kind, or an entity. */
 export type TreeRow =
   | {
       readonly type: "group";
       readonly kind: DrawnKind;
       readonly total: number;
       readonly open: boolean;
-      readonly position: number;
+      /** 1 for the first row of its level. */
+      readonly ordinal: number;
     }
   | {
       readonly type: "entity";
       readonly entity: Entity;
       readonly title: string;
-      /** Told when the row is drawn: few of many are. */
+      /** Returns the text on the right; a function, because only few rows are drawn. */
       readonly detail: () => string;
-      readonly position: number;
+      /** 1 for the first row of its group. */
+      readonly ordinal: number;
+      /** Number of rows in its group. */
       readonly siblings: number;
     };
+
+/** Returns the key of a row: that of its entity, or the name of the kind. */
+export const rowKey = (row: TreeRow): string => (row.type === "group" ? row.kind : entityKey(row.entity));
+
+/** Returns the id of the element that shows the row with a key. */
+export const rowElementId = (key: string): string => `row-${key}`;
 
 function titleOf(kind: DrawnKind, id: number, name: string | undefined): string {
   return name ?? `${entityWords[kind].one} ${id}`;
 }
 
-/** What the tree says of an entity, and the words that the filter finds it by besides. */
+/** The texts of an entity's row, and further words by which the filter finds it. */
 interface Description {
   readonly title: string;
   readonly detail: () => string;
   readonly words: string;
 }
 
-/** Of the entity at a position in the project's list of its kind. */
-function describe(project: Project, { kind, id }: Entity, position: number): Description {
+/** Returns the texts of an entity, given its index in the project's list of its kind. */
+function describe(project: Project, { kind, id }: Entity, index: number): Description {
   const named = (name: string | undefined, detail: () => string, words = ""): Description => ({
     title: titleOf(kind, id, name),
     detail,
@@ -42,26 +51,26 @@ function describe(project: Project, { kind, id }: Entity, position: number): Des
   });
   switch (kind) {
     case "point": {
-      const point = project.points[position];
-      return named(point?.name, () => (point ? formatPlace(point.position) : ""));
+      const point = project.points[index];
+      return named(point?.name, () => (point ? formatPosition(point.position) : ""));
     }
     case "line": {
-      const line = project.lines[position];
+      const line = project.lines[index];
       const points = line?.points ?? [];
       const detail = () => (points.length > 3 ? `${points.length} points` : points.join("–"));
       return named(line?.name, detail, line && lineTypeNames[line.type]);
     }
     case "patch": {
-      const patch = project.patches[position];
+      const patch = project.patches[index];
       return named(patch?.name, () => (patch ? patchTypeNames[patch.type] : ""));
     }
     case "background-node": {
-      const { size = 0, stretching = 1 } = project.background.nodes[position] ?? {};
+      const { size = 0, stretching = 1 } = project.background.nodes[index] ?? {};
       const stretched = stretching === 1 ? "" : ` ×${formatShort(stretching)}`;
       return named(undefined, () => `δ ${formatShort(size)}${stretched}`, "node");
     }
     case "source": {
-      const source = project.background.sources?.[position];
+      const source = project.background.sources?.[index];
       return named(
         source?.name,
         () => `δ ${formatShort(source?.size ?? 0)}`,
@@ -71,19 +80,20 @@ function describe(project: Project, { kind, id }: Entity, position: number): Des
   }
 }
 
-/** A heading, and what of its kind is shown under it. */
+/** A heading and the entities shown under it. */
 interface Group {
   readonly heading: Extract<TreeRow, { type: "group" }>;
-  /** Row of the heading. */
+  /** Row index of the heading. */
   readonly first: number;
+  /** Number of entities shown under the heading. */
   readonly count: number;
-  /** Positions in the project's list; null for all of it. */
+  /** Indices in the project's list; null for all of them. */
   readonly matching: readonly number[] | null;
 }
 
 /**
- * The rows to show, each made when it is asked for: a background grid may have a hundred thousand nodes, of
- * which few are in sight. A filter opens every group and keeps the entities with that text in them.
+ * The rows of the model tree. Each row is created on demand, because a background grid may have 100 000 nodes and only
+ * a few rows are in sight. A filter opens every group and keeps the entities that contain its text.
  */
 export class TreeRows {
   readonly length: number;
@@ -92,15 +102,15 @@ export class TreeRows {
 
   constructor(project: Project, filter: string, closed: ReadonlySet<DrawnKind>) {
     this.#project = project;
-    const wanted = filter.trim().toLowerCase();
+    const text = filter.trim().toLowerCase();
     const groups: Group[] = [];
     let first = 0;
-    drawnKinds.forEach((kind, position) => {
+    drawnKinds.forEach((kind, index) => {
       const total = recordsOf(project, kind).length;
-      const open = wanted !== "" || !closed.has(kind);
-      const matching = wanted === "" ? null : this.#matching(kind, wanted);
+      const open = text !== "" || !closed.has(kind);
+      const matching = text === "" ? null : this.#matching(kind, text);
       if (matching?.length === 0) return;
-      const heading = { type: "group", kind, total, open, position: position + 1 } as const;
+      const heading = { type: "group", kind, total, open, ordinal: index + 1 } as const;
       const count = open ? (matching?.length ?? total) : 0;
       groups.push({ heading, first, count, matching });
       first += 1 + count;
@@ -120,7 +130,7 @@ export class TreeRows {
     return rows.filter((row) => row !== undefined);
   }
 
-  /** Where the row of that key is; -1 if there is none. Linear in the list of its kind. */
+  /** Returns the index of the row with a key; -1 if there is none. Linear in the number of entities of its kind. */
   indexOf(key: string | null): number {
     for (const group of this.#groups) {
       const { kind } = group.heading;
@@ -128,40 +138,40 @@ export class TreeRows {
       if (key === null || !key.startsWith(`${kind}-`)) continue;
       const id = Number(key.slice(kind.length + 1));
       const records = recordsOf(this.#project, kind);
-      const place = group.matching
-        ? group.matching.findIndex((position) => records[position]?.id === id)
+      const offset = group.matching
+        ? group.matching.findIndex((index) => records[index]?.id === id)
         : records.findIndex((record) => record.id === id);
-      return place < 0 || place >= group.count ? -1 : group.first + 1 + place;
+      return offset < 0 || offset >= group.count ? -1 : group.first + 1 + offset;
     }
     return -1;
   }
 
-  /** The entities of a kind that are shown. */
+  /** Returns the entities of a kind that are shown. */
   entitiesOf(kind: DrawnKind): Entity[] {
     const group = this.#groups.find(({ heading }) => heading.kind === kind);
     if (!group) return [];
     const records = recordsOf(this.#project, kind);
-    return Array.from({ length: group.count }, (_, place) => ({
+    return Array.from({ length: group.count }, (_, offset) => ({
       kind,
-      id: records[group.matching?.[place] ?? place]?.id ?? 0,
+      id: records[group.matching?.[offset] ?? offset]?.id ?? 0,
     }));
   }
 
-  #entityRow({ heading: { kind }, count, matching }: Group, place: number): TreeRow {
-    const position = matching?.[place] ?? place;
-    const entity = { kind, id: recordsOf(this.#project, kind)[position]?.id ?? 0 };
-    const { title, detail } = describe(this.#project, entity, position);
-    return { type: "entity", entity, title, detail, position: place + 1, siblings: count };
+  #entityRow({ heading: { kind }, count, matching }: Group, offset: number): TreeRow {
+    const index = matching?.[offset] ?? offset;
+    const entity = { kind, id: recordsOf(this.#project, kind)[index]?.id ?? 0 };
+    const { title, detail } = describe(this.#project, entity, index);
+    return { type: "entity", entity, title, detail, ordinal: offset + 1, siblings: count };
   }
 
-  #matching(kind: DrawnKind, wanted: string): number[] {
+  #matching(kind: DrawnKind, text: string): number[] {
     const word = entityWords[kind].one;
-    return recordsOf(this.#project, kind).flatMap(({ id }, position) => {
-      const { title, detail, words } = describe(this.#project, { kind, id }, position);
+    return recordsOf(this.#project, kind).flatMap(({ id }, index) => {
+      const { title, detail, words } = describe(this.#project, { kind, id }, index);
       const isFound =
-        `${title} ${word} ${id} ${words}`.toLowerCase().includes(wanted) ||
-        detail().toLowerCase().includes(wanted);
-      return isFound ? [position] : [];
+        `${title} ${word} ${id} ${words}`.toLowerCase().includes(text) ||
+        detail().toLowerCase().includes(text);
+      return isFound ? [index] : [];
     });
   }
 }

@@ -1,38 +1,37 @@
-import { UnstyledButton } from "@mantine/core";
 import { showTriangles } from "../commands/selection-actions";
-import { triangleCentre } from "../document/triangles";
-import { formatCount, formatPlace } from "../ui/format";
-import { strings } from "../ui/strings";
+import { triangleCentroid } from "../document/triangles";
+import { Chip } from "../ui/chip";
+import { formatCount, formatPosition } from "../ui/format";
+import { strings } from "../strings";
 import { useApp, useRun, useView } from "./app-context";
+import { TextButton } from "../ui/text-button";
+import styles from "./triangle-list.module.css";
 
 const texts = strings.triangles;
 
-/** The triangles of the refused boundary that a problem is about: each with its place, to go to. */
+/** The triangles of the rejected surface that a problem names, with buttons that show them. */
 export function TriangleList({ triangles }: { readonly triangles: readonly number[] }) {
   const app = useApp();
   const surface = useRun((state) => state.outcome?.result.surface);
-  const marked = useView((state) => state.triangles);
+  const highlighted = useView((state) => state.triangles);
   if (!surface) return null;
   return (
-    <details className="tf-triangles" data-testid="triangles">
+    <details className={styles["triangles"]} data-testid="triangles">
       <summary>{texts.count(formatCount(triangles.length), triangles.length === 1)}</summary>
-      <UnstyledButton className="tf-chip" onClick={() => showTriangles(app, triangles)}>
-        {texts.all}
-      </UnstyledButton>
+      <Chip onClick={() => showTriangles(app, triangles)}>{texts.all}</Chip>
       <ul>
         {triangles.map((triangle) => {
-          const place = triangleCentre(surface, triangle);
+          const position = triangleCentroid(surface, triangle);
           return (
             <li key={triangle}>
-              <UnstyledButton
-                className="tf-element"
-                aria-pressed={marked.length === 1 && marked[0] === triangle}
+              <TextButton
+                aria-pressed={highlighted.length === 1 && highlighted[0] === triangle}
                 data-testid={`triangle-${triangle}`}
                 onClick={() => showTriangles(app, [triangle])}
               >
                 {texts.one(formatCount(triangle))}
-              </UnstyledButton>{" "}
-              {place && strings.bottom.at(formatPlace(place))}
+              </TextButton>{" "}
+              {position && strings.bottom.at(formatPosition(position))}
             </li>
           );
         })}

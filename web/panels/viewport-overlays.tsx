@@ -1,19 +1,17 @@
 import { ActionIcon, Button, Kbd, Switch, Text, Tooltip } from "@mantine/core";
 import { IconArrowsExchange, IconPlugConnectedX } from "@tabler/icons-react";
 import type { MeshStatus } from "tetrafront";
-import { bestValue, worstShown, type QualityMeasure } from "../document/mesh-quality";
-import { measureNames, strings } from "../ui/strings";
-import { viridis } from "../ui/viridis";
-import { useApp, useRegions, useRun, useStale, useView } from "./app-context";
+import { strings } from "../strings";
+import { useApp, useRun, useStale, useView } from "./app-context";
 import { CutAxisControl, CutSlider } from "./cut-controls";
-import { RegionList } from "./region-list";
+import styles from "./viewport-overlays.module.css";
 
-/** The cut, where the eye is: on or off, axis, position, side. */
+/** The cut: on or off, axis, position and side. */
 export function CutBar() {
   const app = useApp();
   const cut = useView((state) => state.cut);
   return (
-    <div className="tf-cutbar" role="group" aria-label={strings.display.cut}>
+    <div className={styles["cutBar"]} role="group" aria-label={strings.display.cut}>
       <Switch
         size="xs"
         label={strings.display.cut}
@@ -57,7 +55,7 @@ function badgeTexts(
   return [viewport.incomplete, hasFront ? viewport.incompleteCancelled : viewport.incompleteUnpolished];
 }
 
-/** Says when the mesh on show is not what the model asks for, and offers the remedy. */
+/** Shown if the mesh is out of date or incomplete, with a button that meshes again. */
 export function MeshBadge() {
   const app = useApp();
   const stale = useStale();
@@ -70,9 +68,9 @@ export function MeshBadge() {
   if (!stale && !incomplete && failure === null) return null;
   const [title, hint] = badgeTexts(failure, stale, status, hasFront);
   return (
-    <div className="tf-badge" data-testid="mesh-badge" role="status">
+    <div className={styles["badge"]} data-testid="mesh-badge" role="status">
       <span>
-        <b>{title}</b> <span className="tf-wide">{hint}</span>
+        <b>{title}</b> <span className={styles["wide"]}>{hint}</span>
       </span>
       <Button size="compact-xs" variant="default" onClick={() => void app.run.generate()}>
         {strings.viewport.update}
@@ -81,54 +79,10 @@ export function MeshBadge() {
   );
 }
 
-const legendMarks = [1, 0.75, 0.5, 0.25, 0];
-
-/** What the colours of the mesh mean. */
-export function Legend() {
-  const shading = useView((state) => state.shading);
-  const visible = useView((state) => state.layers.mesh);
-  const hasMesh = useRun((state) => (state.mesh?.report.tetrahedra ?? 0) > 0);
-  if (shading === "plain" || !visible || !hasMesh) return null;
-  return shading === "region" ? <RegionLegend /> : <ScaleLegend measure={shading} />;
-}
-
-/** The colour and size of each region; nothing where there is one only. */
-function RegionLegend() {
-  const regions = useRegions();
-  if (regions.length < 2) return null;
-  return (
-    <figure className="tf-legend tf-legend-regions" aria-label={strings.regions.title} data-testid="legend">
-      <figcaption>{strings.regions.title.toLowerCase()}</figcaption>
-      <RegionList testId="legend-region" />
-    </figure>
-  );
-}
-
-/** The scale of a measure, in numbers. */
-function ScaleLegend({ measure }: { readonly measure: QualityMeasure }) {
-  return (
-    <figure className="tf-legend" aria-label={`${strings.viewport.legend}: ${measureNames[measure]}`}>
-      <div
-        className="tf-legend-bar"
-        style={{ background: `linear-gradient(to top, ${viridis.join(", ")})` }}
-      />
-      <div className="tf-legend-marks">
-        {legendMarks.map((mark) => {
-          const worst = worstShown[measure];
-          const value = worst + mark * (bestValue[measure] - worst);
-          return (
-            <span key={mark}>{measure === "dihedral" ? `${Math.round(value)}°` : value.toFixed(2)}</span>
-          );
-        })}
-      </div>
-      <figcaption>{measureNames[measure].toLowerCase()}</figcaption>
-    </figure>
-  );
-}
-
+/** The mouse actions of the view. */
 export function MouseHint() {
   return (
-    <div className="tf-hint">
+    <div className={styles["hint"]}>
       {strings.viewport.hints.map(([key, effect]) => (
         <span key={key}>
           <Kbd size="xs">{key}</Kbd> {effect}
@@ -138,11 +92,11 @@ export function MouseHint() {
   );
 }
 
-/** Instead of a blank view. */
+/** Shown in place of the view if it cannot be drawn. */
 export function ViewNotice({ trouble }: { readonly trouble: "no-webgl" | "context-lost" }) {
   const lost = trouble === "context-lost";
   return (
-    <div className="tf-notice" role="alert">
+    <div className={styles["notice"]} role="alert">
       <IconPlugConnectedX size={28} aria-hidden />
       <Text fw={600}>{lost ? strings.viewport.contextLost : strings.viewport.noWebgl}</Text>
       <Text size="sm" c="dimmed">

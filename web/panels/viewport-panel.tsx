@@ -1,7 +1,7 @@
 import { useComputedColorScheme } from "@mantine/core";
 import { useEffect, useRef, useState, type KeyboardEvent } from "react";
 import { describeMesh } from "./mesh-summary";
-import { strings } from "../ui/strings";
+import { strings } from "../strings";
 import { viewerColors } from "../ui/theme";
 import { navigate } from "../tools/navigation-keys";
 import { SelectTool, type Hover } from "../tools/select-tool";
@@ -10,10 +10,12 @@ import { followSession, shownState } from "../viewer/follow-session";
 import { Viewer } from "../viewer/viewer";
 import { useApp, useAutosavePending, useProject, useRun, useStale, useView } from "./app-context";
 import { HoverLabel } from "./hover-label";
-import { PatchMarks } from "./patch-marks";
+import { Legend } from "./legend";
+import { PatchRoleLabels } from "./patch-role-labels";
 import { ProblemMarkers } from "./problem-markers";
-import { CutBar, Legend, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
+import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
 import type { Layout } from "./use-layout";
+import styles from "./viewport-panel.module.css";
 
 type Trouble = "no-webgl" | "context-lost" | null;
 
@@ -73,12 +75,12 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
   useEffect(() => viewer?.setColors(viewerColors[scheme]), [viewer, scheme]);
 
   return (
-    <main className="tf-view">
+    <main className={styles["view"]}>
       <ViewState container={container} />
-      <div ref={container} className="tf-canvas-box" data-testid="viewport">
+      <div ref={container} className={styles["canvasBox"]} data-testid="viewport">
         <ViewCanvas canvas={canvas} viewer={viewer} />
         {viewer && <ProblemMarkers viewer={viewer} />}
-        {viewer && <PatchMarks viewer={viewer} />}
+        {viewer && <PatchRoleLabels viewer={viewer} />}
         {hover && <HoverLabel hover={hover} />}
       </div>
       {trouble && <ViewNotice trouble={trouble} />}
@@ -115,7 +117,7 @@ function ViewCanvas({ canvas, viewer }: ViewCanvasProps) {
   return (
     <canvas
       ref={canvas}
-      className="tf-canvas"
+      className={styles["canvas"]}
       data-testid="viewport-canvas"
       role="img"
       aria-label={summary}

@@ -1,5 +1,6 @@
 import type { Project } from "tetrafront";
 import { readProjectBlob, writeProjectBlob } from "../workers/project-files";
+import { strings } from "../strings";
 import type { ProjectFile } from "./document-store";
 
 /** Result of opening a file. `cancelled` means that the user closed the dialog. */
@@ -14,7 +15,7 @@ export type OpenResult =
   | { readonly kind: "failed"; readonly fileName: string; readonly reasons: readonly string[] };
 
 const projectFile = {
-  description: "Tetrafront project",
+  description: strings.files.description,
   extensions: [".json"],
   mimeTypes: ["application/json"],
 };
@@ -51,7 +52,7 @@ async function projectIn(file: OpenedFile): Promise<OpenResult> {
     return { kind: "opened", project: read.value, file: handle ? { handle, lastModified } : null };
   }
   const reasons = read.errors.map(({ message, remedy, line }) =>
-    line === undefined ? `${message}. ${remedy}` : `Line ${line}: ${message}. ${remedy}`,
+    strings.files.error(`${message}. ${remedy}`, line),
   );
   return { kind: "failed", fileName: file.name, reasons };
 }
@@ -62,12 +63,11 @@ async function meshFileReasons(fileName: string): Promise<readonly string[] | un
   const { formatOf } = await import("./mesh-formats");
   const format = formatOf(fileName);
   if (format === undefined || format.readable.length === 0) return undefined;
-  const what = `This is a mesh in the format ${format.name}. The application opens projects, which are drawn in it.`;
   const quoted = fileName.replaceAll('"', "");
   const command = format.readable.includes("surface")
-    ? `Fill the surface on the command line: npx tetrafront mesh "${quoted}" -o "${quoted.replace(/\.[^.]*$/, "")}.vtu"`
-    : `See what is in it on the command line: npx tetrafront info "${quoted}"`;
-  return [what, command];
+    ? strings.files.meshSurface(quoted, `${quoted.replace(/\.[^.]*$/, "")}.vtu`)
+    : strings.files.inspectMesh(quoted);
+  return [strings.files.isMesh(format.name), command];
 }
 
 /** Asks the user for a file. A second request while the dialog is open counts as cancelled: browsers refuse it. */

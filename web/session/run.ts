@@ -2,6 +2,7 @@ import { type Mesher, type MeshResult, type Progress } from "tetrafront";
 import { createStore, type StoreApi } from "zustand/vanilla";
 import { meshKey } from "../document/content-keys";
 import { engineInput } from "../document/engine-input";
+import { logStrings, phaseNames } from "../strings";
 import { settledProject, type DocumentState, type DocumentStore } from "./document-store";
 
 export type LogLevel = "information" | "success" | "warning" | "error";
@@ -60,15 +61,6 @@ const maxLogLines = 400;
  */
 const progressWait = { share: 0.04, least: 0.1, most: 1 };
 
-const phaseTexts: { readonly [P in Progress["phase"]]: string } = {
-  check: "Checking the model",
-  sides: "Dividing lines into sides",
-  surface: "Meshing patches",
-  volume: "Advancing the front",
-  optimize: "Optimizing the elements",
-  verify: "Verifying the mesh",
-};
-
 const count = (value: number): string => value.toLocaleString("en-US");
 
 /** Meshes the project of the document, one run at a time, and keeps the results. */
@@ -101,7 +93,7 @@ export class MeshRun {
     // Use the time that the run reports: a busy page receives progress messages late.
     let elapsedSeconds = 0;
     const log = (level: LogLevel, text: string): void => this.#log(elapsedSeconds, level, text);
-    log("information", `Meshing “${project.name}”`);
+    log("information", logStrings.meshing(project.name));
     try {
       const result = await (
         await this.#mesher
@@ -149,8 +141,9 @@ export class MeshRun {
   #report(progress: Progress, log: (level: LogLevel, text: string) => void): void {
     const before = this.state.getState().progress;
     if (before?.phase !== progress.phase) {
-      if (before?.phase === "surface") log("information", `${count(progress.triangles)} boundary triangles`);
-      log("information", phaseTexts[progress.phase]);
+      if (before?.phase === "surface")
+        log("information", logStrings.boundaryTriangles(count(progress.triangles)));
+      log("information", phaseNames[progress.phase]);
       if (before?.phase === "volume" && this.state.getState().front)
         this.state.setState({ front: closedFront });
     }
@@ -202,17 +195,17 @@ function isDue(before: Progress | null, { phase, elapsedSeconds }: Progress): bo
 }
 
 function summary({ report }: MeshResult): string {
-  const size = `${count(report.tetrahedra)} tetrahedra, ${count(report.nodes)} points`;
+  const size = logStrings.size(count(report.tetrahedra), count(report.nodes));
   const seconds = `${report.seconds.total.toFixed(2)} s`;
   switch (report.status) {
     case "done":
-      return `Done: ${size} in ${seconds}; fingerprint ${report.fingerprint}`;
+      return logStrings.done(size, seconds, report.fingerprint);
     case "cancelled":
-      return `Cancelled after ${seconds}; ${size} so far`;
+      return logStrings.cancelled(size, seconds);
     case "stalled":
-      return `Stalled after ${seconds}; ${size}, the remaining front is shown`;
+      return logStrings.stalled(size, seconds);
     case "invalid-input":
-      return "Not meshed: the model has errors";
+      return logStrings.invalid;
   }
 }
 

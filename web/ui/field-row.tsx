@@ -1,15 +1,12 @@
 import type { ReactNode } from "react";
+import styles from "./field-row.module.css";
 
-/** A label on the left and its fields on the right, as every row of the inspector. */
+/** A row of a form: a label on the left and its fields on the right. */
 export function FieldRow({ label, children }: { readonly label: string; readonly children: ReactNode }) {
   return (
-    <div className="tf-field">
-      <span className="tf-field-label">{label}</span>
-      <div className="tf-field-body">{children}</div>
+    <div className={styles["row"]}>
+      <span className={styles["label"]}>{label}</span>
+      <div className={styles["fields"]}>{children}</div>
     </div>
   );
-}
-
-export function SectionTitle({ children }: { readonly children: ReactNode }) {
-  return <h2 className="tf-section">{children}</h2>;
 }

@@ -14,8 +14,8 @@ export function formatShort(value: number): string {
   return String(Number(value.toPrecision(4)));
 }
 
-export function formatPlace(at: readonly number[]): string {
-  return at.map(formatShort).join(", ");
+export function formatPosition(position: readonly number[]): string {
+  return position.map(formatShort).join(", ");
 }
 
 export function formatSeconds(seconds: number): string {

@@ -1,6 +1,7 @@
 import { Modal } from "@mantine/core";
 import type { ReactNode } from "react";
-import { strings } from "./strings";
+import styles from "./framed.module.css";
+import { strings } from "../strings";
 
 export interface FramedDialogProps {
   readonly title: ReactNode;
@@ -10,13 +11,13 @@ export interface FramedDialogProps {
   readonly children: ReactNode;
 }
 
-/** A dialog in the middle. Its head is no `header` element: the page has one already. */
+/** A dialog in the middle of the page. Its head is a `div`, because the page already has a `header` element. */
 export function FramedDialog({ title, opened, size = "md", onClose, children }: FramedDialogProps) {
   return (
     <Modal.Root opened={opened} size={size} onClose={onClose}>
       <Modal.Overlay backgroundOpacity={0.5} />
       <Modal.Content>
-        <div className="tf-dialog-head">
+        <div className={styles["head"]}>
           <Modal.Title fw={600}>{title}</Modal.Title>
           <Modal.CloseButton aria-label={strings.messages.close} />
         </div>

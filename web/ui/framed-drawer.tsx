@@ -1,6 +1,7 @@
 import { Drawer } from "@mantine/core";
 import type { ReactNode } from "react";
-import { strings } from "./strings";
+import styles from "./framed.module.css";
+import { strings } from "../strings";
 
 export interface FramedDrawerProps {
   readonly title: string;
@@ -11,17 +12,23 @@ export interface FramedDrawerProps {
   readonly children: ReactNode;
 }
 
-/** A panel from the edge. Its head is no `header` element: the page has one already. */
+/** A panel at the edge of the page. Its head is a `div`, because the page already has a `header` element. */
 export function FramedDrawer({ title, opened, position, size, onClose, children }: FramedDrawerProps) {
   return (
-    <Drawer.Root opened={opened} position={position} size={size} onClose={onClose}>
+    <Drawer.Root
+      className={styles["drawer"]}
+      opened={opened}
+      position={position}
+      size={size}
+      onClose={onClose}
+    >
       <Drawer.Overlay backgroundOpacity={0.25} />
       <Drawer.Content>
-        <div className="tf-dialog-head">
+        <div className={styles["head"]}>
           <Drawer.Title fw={600}>{title}</Drawer.Title>
           <Drawer.CloseButton aria-label={strings.messages.close} />
         </div>
-        <Drawer.Body className="tf-drawer-body">{children}</Drawer.Body>
+        <Drawer.Body className={styles["drawerBody"]}>{children}</Drawer.Body>
       </Drawer.Content>
     </Drawer.Root>
   );

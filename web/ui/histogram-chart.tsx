@@ -1,62 +1,77 @@
 import { formatCount, formatShort } from "./format";
+import styles from "./histogram-chart.module.css";
 
 export interface HistogramChartProps {
-  /** Null while nobody knows them. */
+  /** Count per bar; null while the counts are being computed. */
   readonly bars: readonly number[] | null;
-  /** The value at which the last bar ends; the first begins at 0. */
+  /** Upper end of the last bar; the first bar begins at 0. */
   readonly end: number;
-  /** Values written below the bars, ascending, the first 0 and the last `end`. */
-  readonly marks: readonly number[];
+  /** Values written below the bars, ascending from 0 to `end`. */
+  readonly ticks: readonly number[];
   readonly label: string;
-  /** Colour of a bar, from the value in its middle. */
+  /** Returns the colour of a bar, given the value at its middle. */
   readonly colorOf: (value: number) => string;
+  /** Returns the text of a bar for tooltips and screen readers. */
   readonly describe: (count: number, from: number, to: number) => string;
   readonly testId: string;
+  /** Statistics below the bars. */
+  readonly facts: readonly (readonly [name: string, value: string])[];
 }
 
+/** Height of the highest bar, in pixels. */
 const height = 84;
-/** A bar with anything in it is at least this high. */
-const leastHeight = 1.5;
+/** Least height of a bar that is not empty, in pixels. */
+const minHeight = 1.5;
 
-/** Bars in the colours of the view. Each carries its numbers for the mouse and for screen readers. */
-export function HistogramChart({ bars, end, marks, label, colorOf, describe, testId }: HistogramChartProps) {
-  const known = bars ?? [];
-  const highest = Math.max(1, ...known);
+/** A bar chart of counts with statistics below it. */
+export function HistogramChart(props: HistogramChartProps) {
+  const { bars, end, ticks, label, colorOf, describe, testId, facts } = props;
+  const counts = bars ?? [];
+  const highest = Math.max(1, ...counts);
   return (
-    <div className="tf-histogram" data-testid={testId}>
-      <span className="tf-histogram-top" aria-hidden>
-        {bars && formatCount(highest)}
-      </span>
-      <div
-        className="tf-histogram-bars"
-        role="list"
-        aria-label={label}
-        aria-busy={bars === null}
-        style={{ height }}
-      >
-        {known.map((count, index) => {
-          const from = (index / known.length) * end;
-          const to = ((index + 1) / known.length) * end;
-          const text = describe(count, from, to);
-          return (
-            <div key={from} role="listitem" aria-label={text} title={text} data-testid={`bar-${index}`}>
-              <div
-                style={{
-                  height: count === 0 ? 0 : Math.max(leastHeight, (count / highest) * height),
-                  background: colorOf((from + to) / 2),
-                }}
-              />
-            </div>
-          );
-        })}
+    <>
+      <div className={styles["chart"]} data-testid={testId}>
+        <span className={styles["highest"]} aria-hidden>
+          {bars && formatCount(highest)}
+        </span>
+        <div
+          className={styles["bars"]}
+          role="list"
+          aria-label={label}
+          aria-busy={bars === null}
+          style={{ height }}
+        >
+          {counts.map((count, index) => {
+            const from = (index / counts.length) * end;
+            const to = ((index + 1) / counts.length) * end;
+            const text = describe(count, from, to);
+            return (
+              <div key={from} role="listitem" aria-label={text} title={text} data-testid={`bar-${index}`}>
+                <div
+                  style={{
+                    height: count === 0 ? 0 : Math.max(minHeight, (count / highest) * height),
+                    background: colorOf((from + to) / 2),
+                  }}
+                />
+              </div>
+            );
+          })}
+        </div>
+        <div className={styles["ticks"]} aria-hidden>
+          {ticks.map((tick) => (
+            <span key={tick} style={{ left: `${(100 * tick) / end}%` }}>
+              {formatShort(Number(tick.toPrecision(3)))}
+            </span>
+          ))}
+        </div>
       </div>
-      <div className="tf-histogram-axis" aria-hidden>
-        {marks.map((mark) => (
-          <span key={mark} style={{ left: `${(100 * mark) / end}%` }}>
-            {formatShort(Number(mark.toPrecision(3)))}
+      <p className={styles["foot"]} data-testid={`${testId}-facts`}>
+        {facts.map(([name, value]) => (
+          <span key={name}>
+            {name} <b>{value}</b>
           </span>
         ))}
-      </div>
-    </div>
+      </p>
+    </>
   );
 }

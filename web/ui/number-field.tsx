@@ -3,7 +3,7 @@ import { useRef, useState, type KeyboardEvent, type ReactNode } from "react";
 import { useFormField } from "./dialog-form";
 import { readNumber } from "./expression";
 import { formatNumber } from "./format";
-import { strings } from "./strings";
+import { strings } from "../strings";
 
 export interface NumberFieldProps {
   /** For screen readers; the row around the field shows a label. */

@@ -1,7 +1,7 @@
 import type { Project } from "tetrafront";
 import type { Entity } from "../document/entities";
 import { findRecord, indexById } from "../document/entities";
-import type { Position } from "./position";
+import type { Position } from "../document/position";
 import type { SampledProject } from "./scene-state";
 
 /** An axis-aligned box around positions. */

@@ -1,6 +1,6 @@
 import {
   histogramOf,
-  placeOnScale,
+  scalePosition,
   qualitiesOf,
   qualityOf,
   type Elements,
@@ -9,7 +9,7 @@ import {
 } from "../document/mesh-quality";
 import type { VolumeMesh } from "tetrafront";
 import type { Cut, CutAxis, Shading } from "../document/selection";
-import type { Position } from "./position";
+import type { Position } from "../document/position";
 import { findNeighbours, outside } from "./topology";
 import {
   centroidsAlong,
@@ -126,7 +126,7 @@ export class MeshQueries {
     // Computing the quality of all elements would delay the picture; compute it for the drawn ones.
     const known = this.#qualities.get(shading);
     return (tetrahedron) =>
-      placeOnScale(known?.[tetrahedron] ?? qualityOf(this.#mesh, shading, tetrahedron), shading);
+      scalePosition(known?.[tetrahedron] ?? qualityOf(this.#mesh, shading, tetrahedron), shading);
   }
 }
 

@@ -1,4 +1,4 @@
-import type { Position } from "./position";
+import type { Position } from "../document/position";
 import type { ProjectedPoint, Screen } from "./screen";
 
 /** How near the pointer must be to a dot or a line, in CSS pixels. */

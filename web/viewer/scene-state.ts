@@ -2,7 +2,7 @@ import type { MeshResult, Project, ProjectPreview, SurfaceMesh } from "tetrafron
 import type { ViewState } from "../document/selection";
 import type { Faults } from "../document/validate";
 import type { ViewerColors } from "./colors";
-import type { Position } from "./position";
+import type { Position } from "../document/position";
 
 /** Lines and patches of a project, sampled by the engine. */
 export interface SampledProject {

@@ -17,7 +17,7 @@ import { MeshLayer } from "./layers/mesh-layer";
 import { PatchesLayer } from "./layers/patches-layer";
 import { SourcesLayer } from "./layers/sources-layer";
 import type { MeshQueryClient } from "./mesh-query-client";
-import type { Position } from "./position";
+import type { Position } from "../document/position";
 import { SceneChanges, type SceneState, type ShownState } from "./scene-state";
 import { SceneRenderer } from "./scene-renderer";
 import { Screen, type ScreenPoint } from "./screen";

@@ -9,7 +9,7 @@ import {
   offerTetrahedron,
 } from "../../../web/document/create";
 import type { Entity } from "../../../web/document/entities";
-import { orderLoops, turnToSecond } from "../../../web/document/loops";
+import { orderLoops, rotateToSecond } from "../../../web/document/loops";
 import { likelyPatchType, patchMisfit } from "../../../web/document/patch-rules";
 import { DocumentStore } from "../../../web/session/document-store";
 import { cubeProject } from "../../support/projects";
@@ -84,7 +84,7 @@ describe("orderLoops", () => {
       project,
       project.lines.map(({ id }) => id),
     );
-    expect(!crowded.success && crowded.reason).toMatch(/^3 of the lines meet at point \d/);
+    expect(!crowded.success && crowded.reason).toMatch(/^3 of the lines end at point \d/);
   });
 
   it("makes one loop of a tube's rims and its seam, however they are drawn", () => {
@@ -122,7 +122,7 @@ describe("orderLoops", () => {
   it("turns any line of a loop into the second", () => {
     const loop = [4, -7, 9];
     for (const position of [0, 1, 2]) {
-      const turned = turnToSecond(loop, position);
+      const turned = rotateToSecond(loop, position);
       expect(turned[1]).toBe(loop[position]);
       expect([...turned, ...turned].join()).toContain(loop.join());
     }
@@ -170,9 +170,9 @@ describe("creations", () => {
   it("say why they are refused", () => {
     const face = project.patches[0]?.loops[0]?.map(Math.abs) ?? [];
     const triangle = offerPatch(project, lines(...face), "barnhill-gregory-nielson");
-    expect(!triangle.possible && triangle.reason).toBe("Takes three lines; here are 4 lines.");
+    expect(!triangle.possible && triangle.reason).toBe("Needs three lines; found 4 lines.");
     const curved = offerPatch(project, lines(...face), "serendipity");
-    expect(!curved.possible && curved.reason).toMatch(/^Takes parabolic lines only; line \d+ is not one\.$/);
+    expect(!curved.possible && curved.reason).toMatch(/^Needs parabolic lines; line \d+ has another type\.$/);
     expect(offerPatch(project, lines(...face), null).possible).toBe(true);
     expect(offerHole(project, lines(...face)).possible).toBe(false);
     const nodes: Entity[] = project.background.nodes

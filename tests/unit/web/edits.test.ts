@@ -109,7 +109,7 @@ describe("toProblems", () => {
       [{ kind: "patch", id: project.patches[0]?.id }],
       [{ kind: "patch", id: project.patches[1]?.id }],
     ]);
-    expect(problems[1]?.place).toEqual([1, 2, 3]);
+    expect(problems[1]?.position).toEqual([1, 2, 3]);
     expect(problems.map(({ triangles }) => triangles)).toEqual([[7, 9], []]);
   });
 });

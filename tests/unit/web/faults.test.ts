@@ -9,7 +9,7 @@ const problem = (part: Partial<Problem>): Problem => ({
   remedy: "",
   entities: [],
   triangles: [],
-  place: null,
+  position: null,
   ...part,
 });
 

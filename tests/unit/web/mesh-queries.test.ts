@@ -1,5 +1,5 @@
 import { describe, expect, it } from "vitest";
-import { placeOnScale, qualityOf } from "../../../web/document/mesh-quality";
+import { scalePosition, qualityOf } from "../../../web/document/mesh-quality";
 import { MeshQueries, type ViewOptions } from "../../../web/viewer/mesh-queries";
 import { faceNodes } from "../../../web/viewer/topology";
 import { gridMesh } from "./grid-mesh";
@@ -46,7 +46,7 @@ describe("MeshQueries", () => {
       const { faces, values } = queries.facesOf({ ...whole, shading });
       expect(values).toHaveLength(3 * faces.length);
       faces.forEach((face, i) => {
-        const value = placeOnScale(qualityOf(mesh, shading, face >> 2), shading);
+        const value = scalePosition(qualityOf(mesh, shading, face >> 2), shading);
         for (const corner of values.subarray(3 * i, 3 * i + 3)) expect(corner).toBeCloseTo(value, 5);
       });
     }

@@ -7,7 +7,7 @@ import { EntityStates, offsetsOf } from "../entity-states";
 import { createDotMaterial } from "../materials/dot-material";
 import { setColor, setNumber } from "../materials/uniforms";
 import { nearestDot } from "../nearest";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SceneChanges, SceneState } from "../scene-state";
 import type { Screen } from "../screen";
 import type { Hit, HittableLayer } from "./layer";

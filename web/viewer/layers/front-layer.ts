@@ -2,7 +2,7 @@ import type { MeshResult } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Mesh } from "three";
 import { createFacetMaterial } from "../materials/facet-material";
 import { setColor } from "../materials/uniforms";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SceneChanges } from "../scene-state";
 import type { Layer } from "./layer";
 

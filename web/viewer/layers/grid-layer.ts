@@ -1,7 +1,7 @@
 import type { Project, ProjectBackgroundNode } from "tetrafront";
 import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments, type Ray } from "three";
 import { engineGrid } from "../../document/packed-grid";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 import { uniqueEdges } from "../topology";

@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, Group, LineBasicMaterial, LineSegments
 import type { ViewerColors } from "../colors";
 import { createFacetMaterial } from "../materials/facet-material";
 import { setColor } from "../materials/uniforms";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SceneChanges, SceneState } from "../scene-state";
 import type { Layer } from "./layer";
 

@@ -1,6 +1,6 @@
 import type { Object3D, Ray } from "three";
 import type { Entity } from "../../document/entities";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 

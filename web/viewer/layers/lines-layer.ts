@@ -4,7 +4,7 @@ import { setStateColors } from "../draw-state";
 import { EntityStates } from "../entity-states";
 import { createLineMaterial } from "../materials/line-material";
 import { nearestSegment, pointOnSegment } from "../nearest";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SampledProject, SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 import { addOrigin, type Hit, type HittableLayer } from "./layer";

@@ -8,7 +8,7 @@ import type { ViewerColors } from "../colors";
 import type { DrawnFaces } from "../mesh-queries";
 import type { MeshQueryClient } from "../mesh-query-client";
 import { PatchFinder } from "../patch-finder";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SceneChanges, SceneState } from "../scene-state";
 import type { Screen } from "../screen";
 import { faceNodes } from "../topology";

@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, type Ray } fr
 import { setStateColors, setStateScale } from "../draw-state";
 import { EntityStates } from "../entity-states";
 import { createPatchMaterial } from "../materials/patch-material";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SampledProject, SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 import { TriangleTree, type SerializedTree } from "../triangle-tree";

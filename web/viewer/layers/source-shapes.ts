@@ -1,5 +1,5 @@
 import type { ProjectSource } from "tetrafront";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 
 /** Straight pieces of a circle. */
 const circlePieces = 32;

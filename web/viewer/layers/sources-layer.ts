@@ -3,7 +3,7 @@ import { Group, type Ray } from "three";
 import { setStateColors, setStateScale } from "../draw-state";
 import { createSegmentMaterial } from "../materials/segment-material";
 import { nearestSegment, pointOnSegment } from "../nearest";
-import type { Position } from "../position";
+import type { Position } from "../../document/position";
 import type { SceneChanges } from "../scene-state";
 import type { Screen } from "../screen";
 import { DotsLayer } from "./dots-layer";

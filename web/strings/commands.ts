@@ -1,0 +1,105 @@
+/** Labels of the commands in menus, palette and help. */
+export const commandLabels = {
+  new: "New project",
+  open: "Open project…",
+  recent: "Open recent…",
+  examples: "Open example…",
+  save: "Save project",
+  saveAs: "Save project as…",
+  download: (format: string) => `Download mesh as ${format}`,
+  downloadReport: "Download mesh report (JSON)",
+
+  undo: (step: string | undefined) => (step === undefined ? "Undo" : `Undo: ${step}`),
+  redo: (step: string | undefined) => (step === undefined ? "Redo" : `Redo: ${step}`),
+  delete: "Delete selection",
+  selectSeveral: "Select several (each click toggles)",
+  deselect: "Clear selection",
+
+  newPoint: "Point…",
+  newNode: "Background node…",
+  lines: {
+    straight: "Straight line through points",
+    parabolic: "Parabola through points",
+    spline: "Cubic spline through points",
+    closed: "Closed spline through points",
+  },
+  patches: {
+    any: "Patch within lines",
+    planar: "Planar patch",
+    coons: "Coons patch",
+    "isoparametric-triangle": "Isoparametric triangle",
+    serendipity: "Serendipity patch",
+    "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson patch",
+  },
+  hole: "Hole in the patch",
+  tetrahedron: "Background tetrahedron",
+  sources: { point: "Point source", segment: "Segment source", triangle: "Triangle source" },
+
+  fit: "Fit model",
+  fitSelection: "Fit selection",
+  views: {
+    isometric: "Isometric view",
+    front: "Front view",
+    right: "Right view",
+    top: "Top view",
+    back: "Back view",
+    left: "Left view",
+    bottom: "Bottom view",
+  },
+  cut: "Cut",
+  flipCut: "Flip side of the cut",
+  cutAcross: (axis: string) => `Cut across ${axis}`,
+  layers: {
+    points: "Points",
+    lines: "Lines",
+    patches: "Patches",
+    background: "Background grid",
+    sources: "Sources",
+    mesh: "Mesh",
+  },
+  hide: "Hide selection",
+  showAll: "Show all",
+  shadings: {
+    "radius-ratio": "Shade by radius ratio",
+    dihedral: "Shade by smallest dihedral angle",
+    region: "Shade by region",
+    plain: "Plain shading",
+  },
+  elementEdges: "Element edges",
+
+  generate: "Generate mesh",
+  cancel: "Cancel meshing",
+  refine: (factor: number) => `Make all sizes finer (× ${factor})`,
+  coarsen: (factor: number) => `Make all sizes coarser (× ${factor})`,
+  cover: "Create covering grid…",
+  backgroundFromMesh: "Use this mesh as background grid",
+  propose: "Propose sizes…",
+  uniformSize: "Uniform size",
+  problems: "Show problems",
+
+  help: "Keyboard and mouse",
+} as const;
+
+/** Names of the file formats of a mesh, by extension. */
+export const downloadFormats = {
+  vtu: "VTU (ParaView)",
+  msh: "MSH 4.1 (Gmsh)",
+  "foam.zip": "polyMesh (OpenFOAM)",
+  su2: "SU2",
+  inp: "INP (Abaqus)",
+  bdf: "BDF (Nastran)",
+  "b8.ugrid": "UGRID",
+  mesh: "Medit",
+  vtk: "legacy VTK",
+  stl: "STL (boundary)",
+  glb: "GLB (boundary)",
+} as const;
+
+/** Keys whose names on a keyboard differ from those in the code. */
+export const keyWords: Readonly<Record<string, string>> = {
+  mod: "Ctrl",
+  shift: "Shift",
+  alt: "Alt",
+  Escape: "Esc",
+  Delete: "Del",
+};

@@ -1,0 +1,68 @@
+/** Names of the steps of undo: verb and object. */
+export const stepNames = {
+  move: (entity: string) => `Move ${entity}`,
+  rename: (entity: string) => `Rename ${entity}`,
+  renameProject: "Rename project",
+  setLineType: (id: number) => `Change type of line ${id}`,
+  setLinePoints: (id: number) => `Change points of line ${id}`,
+  setPatchType: (id: number) => `Change type of patch ${id}`,
+  setPatchLoops: (id: number) => `Change loops of patch ${id}`,
+  setNode: (field: "size" | "stretching" | "direction", id: number) =>
+    `Set ${field} of background node ${id}`,
+  setSource: (field: "size" | "distance" | "growth", id: number) => `Set ${field} of source ${id}`,
+  setMeshing: {
+    size: "Set uniform size",
+    gradation: "Set gradation",
+    innerShells: "Set inner shells",
+    order: "Set front order",
+    optimization: "Set optimization",
+  },
+  removeUniformSize: "Use sizes of background grid",
+  refineSizes: "Make all sizes finer",
+  coarsenSizes: "Make all sizes coarser",
+  entities: (count: number) => `${count} entities`,
+  delete: (subject: string, dependents: number) =>
+    dependents === 0
+      ? `Delete ${subject}`
+      : `Delete ${subject} and ${dependents} dependent ${dependents === 1 ? "entity" : "entities"}`,
+  add: (entity: string) => `Add ${entity}`,
+  addLines: (count: number) => `Add ${count} lines`,
+  addHole: (patch: string) => `Add hole to ${patch}`,
+  addTetrahedron: "Add background tetrahedron",
+} as const;
+
+/** Why nothing can be created from the selection: what to select instead. */
+export const selectionHints = {
+  closedSpline: "Select at least three points, in order.",
+  straightLine: "Select two points, or more for a chain.",
+  parabola: "Select three points: start, middle, end.",
+  spline: "Select at least four points, in order.",
+  loop: "Select the lines around the patch.",
+  hole: "Select one patch and the lines around the hole.",
+  tetrahedron: "Select four nodes of the background grid.",
+  sameTetrahedron: "The background grid already has this tetrahedron.",
+  source: (positions: number) =>
+    positions === 1
+      ? "Select one point or background node."
+      : `Select ${positions} points or background nodes, or lines with ${positions} ends in total.`,
+} as const;
+
+/** Why lines do not form loops. */
+export const loopDefects = {
+  open: (point: number) => `The lines do not close: only one of them ends at point ${point}.`,
+  branching: (point: number, lines: number) =>
+    `${lines} of the lines end at point ${point}; a loop has two there.`,
+} as const;
+
+const countWords: Readonly<Record<number, string>> = { 3: "three", 4: "four" };
+
+/** Why loops cannot bound a patch of a type. */
+export const patchMisfits = {
+  lineCount: (needed: number, found: number) =>
+    `Needs ${countWords[needed] ?? needed} lines; found ${found === 1 ? "1 line" : `${found} lines`}.`,
+  holes: "Cannot have holes.",
+  lineType: (line: string) => `Needs parabolic lines; ${line} has another type.`,
+} as const;
+
+/** Name of a new project. */
+export const untitled = "Untitled";

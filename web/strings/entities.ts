@@ -1,0 +1,43 @@
+/** Names of the entities of a project and of their types. */
+
+export const entityWords = {
+  point: { one: "Point", many: "Points" },
+  line: { one: "Line", many: "Lines" },
+  patch: { one: "Patch", many: "Patches" },
+  "background-node": { one: "Node", many: "Background grid" },
+  source: { one: "Source", many: "Sources" },
+} as const;
+
+/** Names of the kinds within a sentence. */
+export const entityNouns = {
+  point: "point",
+  line: "line",
+  patch: "patch",
+  "background-node": "background node",
+  source: "source",
+} as const;
+
+export const lineTypeNames = {
+  straight: "straight",
+  parabolic: "parabola",
+  spline: "cubic spline",
+} as const;
+
+export const patchTypeNames = {
+  planar: "planar",
+  coons: "Coons",
+  "isoparametric-triangle": "isoparametric triangle",
+  serendipity: "serendipity",
+  "barnhill-gregory-nielson": "Barnhill–Gregory–Nielson",
+} as const;
+
+/** The lines that each type of patch needs. */
+export const patchTypeHints = {
+  planar: "Any lines that lie in one plane; holes allowed.",
+  coons: "Four lines of any type; opposite lines are blended. Holes allowed.",
+  "isoparametric-triangle": "Three parabolic lines: a curved triangle with six nodes. Holes allowed.",
+  serendipity: "Four parabolic lines: a curved quadrilateral with eight nodes. Holes allowed.",
+  "barnhill-gregory-nielson": "Three lines of any type; the second one, F2, has another role. Holes allowed.",
+} as const;
+
+export const sourceTypeNames = { point: "point", segment: "segment", triangle: "triangle" } as const;

@@ -1,0 +1,11 @@
+import { problemTitle } from "./mesh";
+import { pageStrings } from "./page";
+import { panelStrings } from "./panels";
+
+/** All texts that a user reads. The package words diagnostics and errors of files. */
+export const strings = { ...pageStrings, ...panelStrings, problemTitle } as const;
+
+export * from "./commands";
+export * from "./edits";
+export * from "./entities";
+export * from "./mesh";

@@ -1,0 +1,51 @@
+import { NumberField } from "./number-field";
+import styles from "./position-fields.module.css";
+
+const axes = ["x", "y", "z"] as const;
+
+export interface PositionFieldsProps {
+  /** Meaning of the three numbers, for example "Position". */
+  readonly label: string;
+  readonly value: readonly [number, number, number];
+  readonly step: number;
+  /** Returns why a coordinate is invalid, or null if it is valid. */
+  readonly refuse?: (axis: 0 | 1 | 2, value: number) => string | null;
+  readonly onCommit: (axis: 0 | 1 | 2, value: number) => void;
+  /** Prefix of the test ids, which end with the axis: "new" gives "new-x". */
+  readonly testId: string;
+  /** The x field gets the focus when the dialog opens. */
+  readonly first?: boolean;
+}
+
+/** Three number fields side by side, labelled x, y and z. */
+export function PositionFields({
+  label,
+  value: position,
+  step,
+  refuse,
+  onCommit,
+  testId,
+  first,
+}: PositionFieldsProps) {
+  return (
+    <div className={styles["fields"]}>
+      {([0, 1, 2] as const).map((axis) => (
+        <NumberField
+          key={axis}
+          label={`${label} ${axes[axis]}`}
+          value={position[axis]}
+          step={step}
+          first={first === true && axis === 0}
+          leftSection={
+            <span className={styles["axis"]} data-axis={axes[axis]}>
+              {axes[axis]}
+            </span>
+          }
+          testId={`${testId}-${axes[axis]}`}
+          onCommit={(value) => onCommit(axis, value)}
+          {...(refuse && { refuse: (value: number) => refuse(axis, value) })}
+        />
+      ))}
+    </div>
+  );
+}
