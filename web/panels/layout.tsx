@@ -1,6 +1,6 @@
 import { ActionIcon, Splitter, Tabs, Tooltip } from "@mantine/core";
 import { IconAdjustments, IconListDetails, IconMessage2 } from "@tabler/icons-react";
-import type { ReactNode } from "react";
+import type { ReactNode, RefObject } from "react";
 import { FramedDrawer } from "../ui/framed-drawer";
 import { strings } from "../strings";
 import { useApp, useShell } from "./app-context";
@@ -18,11 +18,11 @@ import styles from "./layout.module.css";
 
 const rightTabs = ["inspector", "quality", "display"] as const;
 
-/** The whole page: panels beside the view where there is room, in drawers where there is not. */
-export function PageLayout() {
+/** The whole app: panels beside the view if there is room, otherwise in drawers. */
+export function PageLayout({ root }: { readonly root: RefObject<HTMLDivElement | null> }) {
   const layout = useLayout();
   return (
-    <div className={styles["page"]} data-testid="app" data-layout={layout}>
+    <div ref={root} className={styles["page"]} data-testid="app" data-layout={layout}>
       <Header layout={layout} />
       {layout === "wide" ? <WideBody /> : <NarrowBody layout={layout} />}
       <StatusBar />

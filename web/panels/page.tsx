@@ -1,26 +1,29 @@
-import { lazy, useEffect, useState } from "react";
+import { lazy, useEffect, useRef, useState } from "react";
 import { openDropped } from "../commands/project-actions";
 import type { App } from "../app/app";
 import { strings } from "../strings";
 import { AppContext } from "./app-context";
 import { PageLayout } from "./layout";
 import { PanelBoundary } from "./panel-boundary";
+import { useCommandHotkeys } from "./hotkeys";
 import { fetchAhead } from "./later";
+import { pageApps, usePageApp } from "./page-apps";
 import { losePalette } from "./palette";
-import { useCommandHotkeys } from "./use-hotkeys";
 import styles from "./page.module.css";
 
 const Overlays = lazy(() => import("./overlays"));
 
 /** The app with its dialogs, hotkeys and drop target. */
 export function Page({ app }: { readonly app: App }) {
+  const root = useRef<HTMLDivElement>(null);
+  usePageApp(app, root);
   useCommandHotkeys(app);
   useHeldKeys(app);
   useEffect(fetchAhead, []);
   const dropping = useFileDrop(app);
   return (
     <AppContext value={app}>
-      <PageLayout />
+      <PageLayout root={root} />
       <PanelBoundary floats onFailed={losePalette}>
         <Overlays />
       </PanelBoundary>
@@ -29,25 +32,28 @@ export function Page({ app }: { readonly app: App }) {
   );
 }
 
-/** Tells the document while a key is held down. */
-function useHeldKeys({ documents }: App): void {
+/** Notes in the documents of an app whether a key is held down. */
+function useHeldKeys(app: App): void {
   useEffect(() => {
     const life = new AbortController();
     const options = { capture: true, signal: life.signal };
-    const note = ({ repeat }: KeyboardEvent): void => void (documents.held = repeat);
+    const { documents } = app;
+    const note = ({ repeat, target }: KeyboardEvent): void => {
+      documents.held = repeat && pageApps.owns(app, target);
+    };
     const release = (): void => void (documents.held = false);
     window.addEventListener("keydown", note, options);
     for (const end of ["keyup", "pointerdown", "blur"]) window.addEventListener(end, release, options);
     return () => life.abort();
-  }, [documents]);
+  }, [app]);
 }
 
-/** A project file dropped anywhere on the page is opened. True while one hovers above it. */
+/** Opens a project file that is dropped on the app. Returns true while a file is dragged over it. */
 function useFileDrop(app: App): boolean {
   const [dropping, setDropping] = useState(false);
   useEffect(() => {
     const onDragOver = (event: DragEvent): void => {
-      if (!event.dataTransfer?.types.includes("Files")) return;
+      if (!event.dataTransfer?.types.includes("Files") || !pageApps.owns(app, event.target)) return;
       event.preventDefault();
       setDropping(true);
     };
@@ -55,6 +61,7 @@ function useFileDrop(app: App): boolean {
       if (event.relatedTarget === null) setDropping(false);
     };
     const onDrop = (event: DragEvent): void => {
+      if (!pageApps.owns(app, event.target)) return;
       event.preventDefault();
       setDropping(false);
       const file = event.dataTransfer?.files[0];

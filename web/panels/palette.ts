@@ -1,24 +1,21 @@
 import { createSpotlight } from "@mantine/spotlight";
 
-/** The state of the command palette, and what opens and closes it, also before it is loaded. */
+/** The state of the command palette. It can be opened before its code is loaded. */
 export const [paletteStore, palette] = createSpotlight();
 
-/** Also while an opened palette is still on its way: what is typed then is meant for it. */
-/** Its part of the app did not come. */
+/** True if the code of the palette could not be loaded. */
 let isLost = false;
 
-/** Without its part of the app the palette stays shut, and keys are the commands' again. */
+/** Keeps the palette closed, because its code could not be loaded. */
 export function losePalette(): void {
   isLost = true;
   palette.close();
 }
 
+/** Is the palette open, or about to open? Then keys are meant for it. */
 export const isPaletteOpen = (): boolean => paletteStore.getState().opened;
 
-/**
- * Opens the palette on Ctrl K, from the very beginning: what is pressed before the palette is there
- * opens it as soon as it is.
- */
+/** Toggles the palette on Ctrl K. If its code is not loaded yet, the palette opens as soon as it is. */
 export function listenForPalette(): void {
   window.addEventListener("keydown", (event) => {
     const isOnly = (event.ctrlKey || event.metaKey) && !event.shiftKey && !event.altKey && !event.repeat;

@@ -11,6 +11,7 @@ import { Viewer } from "../viewer/viewer";
 import { useApp, useAutosavePending, useProject, useRun, useStale, useView } from "./app-context";
 import { HoverLabel } from "./hover-label";
 import { Legend } from "./legend";
+import { pageApps } from "./page-apps";
 import { PatchRoleLabels } from "./patch-role-labels";
 import { ProblemMarkers } from "./problem-markers";
 import { CutBar, MeshBadge, MouseHint, ViewNotice } from "./viewport-overlays";
@@ -61,7 +62,9 @@ export function ViewportPanel({ layout }: { readonly layout: Layout }) {
       return undefined;
     }
     const stop = followSession(app, made);
-    const tools = new ToolController(surface, made, new SelectTool(made, app.view, setHover));
+    const tools = new ToolController(surface, made, new SelectTool(made, app.view, setHover), (target) =>
+      pageApps.owns(app, target),
+    );
     app.viewer.setState({ viewer: made });
     setViewer(made);
     return () => {

@@ -1,0 +1,111 @@
+import { beforeEach, describe, expect, it, vi } from "vitest";
+import type { Mesher } from "tetrafront";
+import { App } from "../../../web/app/app";
+import { hotkeyListener } from "../../../web/panels/hotkeys";
+import { newDocument } from "../../../web/session/document-store";
+import { PageApps } from "../../../web/tools/page-apps";
+import { cubeProject } from "../../support/projects";
+
+/** A mesher whose previews never end. */
+const busyMesher = Promise.resolve({
+  previewProject: () => new Promise(() => undefined),
+} as unknown as Mesher);
+
+const newApp = (): App =>
+  new App(
+    {
+      first: { document: newDocument(cubeProject()) },
+      mesher: busyMesher,
+      previewMesher: busyMesher,
+      library: null,
+    },
+    { gallery: { opening: "", models: [] }, generate: false, still: true },
+  );
+
+/** An element of the page that lies in a dialog, in a field, or in neither. */
+const element = (inside: string | null = null): EventTarget =>
+  ({ closest: (selector: string) => (inside !== null && selector.includes(inside) ? {} : null) }) as never;
+
+const press = (target: EventTarget, key: string, ctrlKey = false): KeyboardEvent =>
+  ({
+    key,
+    ctrlKey,
+    altKey: false,
+    metaKey: false,
+    shiftKey: false,
+    target,
+    preventDefault: () => undefined,
+  }) as never;
+
+beforeEach(() => {
+  vi.stubGlobal(
+    "Worker",
+    class {
+      postMessage(): void {
+        // Nothing answers.
+      }
+    },
+  );
+});
+
+/** Two apps on one page, each with a button and a field. */
+function openTwo() {
+  const apps = new PageApps<App>();
+  const parts = [newApp(), newApp()].map((app) => {
+    const [button, field] = [element(), element("input")];
+    apps.add(app, { contains: (target) => target === button || target === field });
+    return { app, button, field };
+  });
+  const listeners = parts.map(({ app }) => hotkeyListener(app, apps));
+  const send = (event: KeyboardEvent): void => listeners.forEach((listen) => listen(event));
+  /** Which apps cut their mesh: X toggles it. */
+  const cuts = (): boolean[] => parts.map(({ app }) => app.view.state.getState().cut.enabled);
+  return { apps, parts, send, cuts };
+}
+
+describe("the hotkeys of two apps on one page", () => {
+  it("work in the app around the focus", () => {
+    const { parts, send, cuts } = openTwo();
+    send(press(parts[1]?.button as EventTarget, "x"));
+    expect(cuts()).toEqual([false, true]);
+    send(press(parts[0]?.button as EventTarget, "x"));
+    expect(cuts()).toEqual([true, true]);
+  });
+
+  it("work in the app used last if the focus is in neither", () => {
+    const { apps, parts, send, cuts } = openTwo();
+    send(press(element(), "x"));
+    expect(cuts()).toEqual([true, false]);
+    apps.use(parts[1]?.app as App);
+    send(press(element(), "x"));
+    expect(cuts()).toEqual([true, true]);
+  });
+
+  it("leave fields and dialogs alone, apart from those that work in the app's own fields", () => {
+    const { parts, send, cuts } = openTwo();
+    for (const target of [parts[0]?.field as EventTarget, element("input"), element('[role="dialog"]')]) {
+      send(press(target, "x"));
+    }
+    expect(cuts()).toEqual([false, false]);
+    const generate = parts.map(({ app }) => vi.spyOn(app.run, "generate").mockResolvedValue());
+    send(press(element("input"), "Enter", true));
+    send(press(parts[1]?.field as EventTarget, "Enter", true));
+    expect(generate.map(({ mock }) => mock.calls.length)).toEqual([0, 1]);
+  });
+});
+
+describe("PageApps", () => {
+  it("passes the keys on when an app is removed", () => {
+    const apps = new PageApps<{ readonly name: string }>();
+    const [a, b] = [{ name: "a" }, { name: "b" }];
+    const nowhere = { contains: () => false };
+    const removeA = apps.add(a, nowhere);
+    const removeB = apps.add(b, nowhere);
+    expect(apps.owns(a, null)).toBe(true);
+    removeA();
+    expect(apps.owns(a, null)).toBe(false);
+    expect(apps.owns(b, null)).toBe(true);
+    removeB();
+    expect(apps.state.getState().lastUsed).toBeNull();
+  });
+});
